@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/card.hpp"
+#include "base/finding.hpp"
+#include "base/vec3.hpp"
+
+// LS-DYNA keyword text as blocks of data lines, and the means to read them by card tables. No physics in here.
+namespace nugget::deck {
+
+enum class Format { standard, i10, long_format };
+
+/// What *INCLUDE_TRANSFORM does to the ids and values of an included file (composed over nested includes).
+struct Transform {
+  std::array<long, 9> id_offset{};                 ///< by IdSpace
+  double mass = 1.0, length = 1.0, time = 1.0;     ///< unit factors
+  std::array<double, 12> matrix{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  ///< rows of [A | b]: x' = A x + b
+  Vec3d point(const Vec3d& x) const;               ///< a position: scaled to the new unit, then moved
+  Vec3d direction(const Vec3d& d) const;           ///< a direction: turned, not moved
+  double factor(const Dimension& d) const;         ///< of a value with this dimension
+};
+
+/// One data line: comments are gone, blank lines stay (a blank line is a card of defaults).
+struct Line {
+  std::string_view text;  ///< without its line end; parameters are not yet replaced
+  int number = 0;         ///< in its file, from 1
+};
+
+/// One keyword with its data lines, up to the next keyword.
+struct Block {
+  std::string keyword;  ///< upper case, no star, no format suffix, no text behind it: `MAT_SPOTWELD_TITLE`
+  Place place;          ///< of the keyword line
+  Format format = Format::standard;
+  const Transform* transform = nullptr;  ///< null: none
+  std::size_t file = 0;                  ///< which file; see Deck
+  std::size_t scope = 0;                 ///< which parameters are visible; see Deck
+  std::vector<Line> lines;               ///< bulk blocks (NODE, ELEMENT_...) leave this empty; their raw text is in `bulk`
+  std::string_view bulk;                 ///< raw text of a bulk block from the line after the keyword, comments included
+  int bulk_line = 0;                     ///< number of the first line of `bulk`
+
+  /// `keyword` with its star, for messages.
+  std::string starred() const { return '*' + keyword; }
+};
+
+/// A deck, read: every include opened, every parameter defined, nothing interpreted. Owns the text of all files.
+class Deck {
+ public:
+  Deck();
+  ~Deck();
+  Deck(Deck&&) noexcept;
+  Deck& operator=(Deck&&) noexcept;
+
+  std::filesystem::path path;           ///< the master file
+  std::vector<std::string> files;       ///< as they appear in findings, in reading order
+  std::vector<Block> blocks;            ///< in reading order; KEYWORD, END, INCLUDE..., PARAMETER..., DEFINE_TRANSFORMATION are consumed
+  std::vector<std::pair<std::string, Place>> consumed;  ///< those, for the ledger (keyword as in Block)
+  std::size_t bytes = 0;                ///< of all files
+
+  struct Impl;
+  std::unique_ptr<Impl> impl;  ///< file buffers, parameters, transforms
+};
+
+/// Reads the master file and all it includes. Bad input becomes findings; a deck with errors may still be looked at.
+Deck read(const std::filesystem::path& master, Findings& findings);
+/// The same from memory (tests, fuzzing). Includes are looked up relative to `directory`.
+Deck read_text(std::string text, Findings& findings, const std::filesystem::path& directory = ".");
+
+/// One card, read by its table: numbers checked, defaults filled in, ids and units transformed.
+class Row {
+ public:
+  double real(std::string_view name) const;
+  int integer(std::string_view name) const;
+  const std::string& text(std::string_view name) const;
+  /// True where the field is blank (or the line ended before it, or the card is missing).
+  bool blank(std::string_view name) const;
+  /// Where the field stands.
+  Place place(std::string_view name) const;
+  Place place() const;  ///< of the line
+  /// Writes a finding about a field: `keyword` field = value: text [remedy].
+  void complain(Findings& findings, Severity severity, std::string_view name, std::string text, std::string remedy = {}) const;
+
+ private:
+  friend class Cursor;
+  struct Cell {
+    double value = 0.0;
+    std::string text;
+    bool blank = true;
+    int column = 1;
+  };
+  std::size_t index(std::string_view name) const;
+  const Card* card_ = nullptr;
+  std::vector<Cell> cells_;
+  Place place_;
+  std::string keyword_;
+};
+
+/// Goes through the data lines of a block, card by card.
+class Cursor {
+ public:
+  Cursor(const Deck& deck, const Block& block, Findings& findings);
+
+  bool more() const;  ///< a data line is left
+  std::size_t left() const;
+  /// The next line by `card`. At the end of the block: a row of defaults (an error where a field is required).
+  Row read(const Card& card);
+  /// The next line whole, blanks trimmed (titles, file names).
+  std::string read_text();
+  /// The next line as it stands, parameters replaced, without consuming it.
+  std::string peek() const;
+  /// One number of the next line without consuming it: field `index` of width-10 fields (to choose a card's form).
+  double peek_number(std::size_t index) const;
+  void skip();
+  /// All remaining lines as lists of integers, `per_line` fields each (8 ids a line); blanks and zeros left out.
+  std::vector<int> read_ids(IdSpace space, int per_line = 8);
+  Place place() const;  ///< of the next line
+  const Block& block() const { return block_; }
+
+ private:
+  const Deck& deck_;
+  const Block& block_;
+  Findings& findings_;
+  std::size_t next_ = 0;
+};
+
+// ---- bulk tables: the fast path. Rows are appended; `line` is the line number in the block's file. -------------------
+
+struct NodeTable {
+  std::vector<int> id;
+  std::vector<Vec3d> x;
+  std::vector<signed char> tc, rc;  ///< *NODE's own constraint codes 0..7
+  std::vector<int> line;
+  std::vector<int> file;  ///< index into Deck::files
+};
+/// *NODE (also the NODE_TRANSFORM'ed coordinates when the block has a transform).
+void read_nodes(const Deck& deck, const Block& block, NodeTable& out, Findings& findings);
+
+/// Element rows of all kinds. `node` has `nodes_per_element` entries a row, 0 where none is given.
+struct ElementTable {
+  int nodes_per_element = 0;
+  std::vector<int> id, part;
+  std::vector<int> node;
+  std::vector<int> line, file;
+  // By option; empty or as long as `id` (0 or NaN where a row has none).
+  std::vector<std::array<double, 4>> thickness;  ///< shells: THIC1..4
+  std::vector<double> angle;                     ///< shells: BETA
+  std::vector<double> offset;                    ///< shells: OFFSET
+  std::vector<std::array<int, 2>> tied_parts;    ///< beams: PID1, PID2 of _PID
+  std::vector<std::array<double, 3>> orientation;  ///< beams: _ORIENTATION
+  std::vector<std::array<double, 5>> section;    ///< beams: _THICKNESS PARM1..5
+};
+/// *ELEMENT_SHELL with THICKNESS, BETA, MCID, OFFSET, DOF; up to 8 nodes.
+void read_shells(const Deck& deck, const Block& block, ElementTable& out, Findings& findings);
+/// *ELEMENT_SOLID one-line and two-line, ORTHO, DOF; up to 10 nodes.
+void read_solids(const Deck& deck, const Block& block, ElementTable& out, Findings& findings);
+/// *ELEMENT_BEAM with THICKNESS, PID, OFFSET, ORIENTATION; nodes N1 N2 N3.
+void read_beams(const Deck& deck, const Block& block, ElementTable& out, Findings& findings);
+
+}  // namespace nugget::deck
