@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/loads.hpp"
+
+namespace nugget::model {
+
+/// One side of a contact, resolved. `everything`: type 5, or type 2 with id 0.
+struct Surface {
+  bool everything = false;
+  std::vector<Index> parts;
+  std::vector<Index> nodes;        ///< type 4
+  std::vector<Segment> segments;   ///< type 0, and shell sets (type 1)
+  bool empty() const { return !everything && parts.empty() && nodes.empty() && segments.empty(); }
+};
+
+/// *CONTACT_...: the cards, in words. Penalty contacts and ties alike; `kind` says what is done with it.
+struct Contact {
+  enum class Kind { single_surface, spotweld, tied_shell_edge };
+  int id = 0;
+  std::string title;
+  std::string keyword;
+  Kind kind = Kind::single_surface;
+  Surface a;  ///< tracked (SURFA, slave)
+  Surface b;  ///< reference (SURFB, master)
+  double friction_static = 0.0, friction_dynamic = 0.0, friction_decay = 0.0, friction_viscous = 0.0;
+  double damping = 0.0;  ///< VDC, percent of critical
+  double birth = 0.0, death = forever;
+  double stiffness_scale_a = 1.0, stiffness_scale_b = 1.0;  ///< SFSA, SFSB
+  double thickness_a = 0.0, thickness_b = 0.0;              ///< SAST, SBST; negative: tie tolerance
+  double thickness_scale_a = 1.0, thickness_scale_b = 1.0;  ///< SFSAT, SFSBT
+  int soft = 0;
+  double soft_scale = 0.1;
+  int search_interval = 0;  ///< BSORT; 0: chosen by the program
+  int ignore = 0;           ///< IGNORE of optional card D, or the control card's
+  Place place;
+
+  bool tie() const { return kind != Kind::single_surface; }
+};
+
+}  // namespace nugget::model

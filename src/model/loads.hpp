@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "model/parts.hpp"
+
+namespace nugget::model {
+
+inline constexpr double forever = 1e20;
+
+/// One node held. Sets are resolved: one entry a node.
+struct SinglePointConstraint {
+  int id = 0;      ///< of the *BOUNDARY_SPC_..., 0 where none was given
+  int set_id = 0;  ///< user id of the node set it came from, 0 for single nodes
+  Index node = none;
+  Index system = none;  ///< local axes, or none (global)
+  unsigned fixed = 0;   ///< bits 0..2 translations, 3..5 rotations
+  double birth = 0.0, death = forever;
+};
+
+/// *BOUNDARY_PRESCRIBED_MOTION_...
+struct PrescribedMotion {
+  enum class Target { nodes, rigid_body, rigid_body_local };
+  enum class Quantity { velocity, acceleration, displacement };
+  int id = 0;
+  Target target = Target::nodes;
+  std::vector<Index> nodes;
+  Index rigid_body = none;
+  bool rotation = false;       ///< DOF 5..8
+  Vec3d direction;             ///< unit vector of the motion, global axes (of the body at time 0 when local)
+  bool only_direction = true;  ///< false (DOF -4, -8): motion normal to `direction` is held too
+  Quantity quantity = Quantity::velocity;
+  Index curve = none;
+  double scale = 1.0;
+  double birth = 0.0, death = forever;
+  Place place;
+};
+
+/// A force or a moment on each of `nodes`.
+struct NodalLoad {
+  std::vector<Index> nodes;
+  Index rigid_body = none;  ///< *LOAD_RIGID_BODY: on the body's centre instead
+  bool moment = false;
+  Vec3d direction;                                 ///< unit vector; unused for a follower
+  std::array<Index, 3> follow{none, none, none};  ///< DOF 4, 8: along the normal of these three nodes
+  Index curve = none;
+  double scale = 1.0;
+};
+
+/// Base acceleration: each node feels the inertial force -m a (a positive value in z pulls down, LS-DYNA's way).
+struct BodyLoad {
+  Vec3d direction;  ///< unit vector
+  Index curve = none;
+  double scale = 1.0;
+  std::vector<Index> parts;  ///< empty: all
+};
+
+/// Pressure on segments; positive pushes onto the face, against its right-hand normal.
+struct PressureLoad {
+  std::vector<Segment> segments;
+  Index curve = none;
+  double scale = 1.0;
+  double arrival = 0.0;
+};
+
+/// *RIGIDWALL_...
+struct RigidWall {
+  enum class Shape { plane, cylinder, sphere };
+  int id = 0;
+  std::string title;
+  Shape shape = Shape::plane;
+  std::vector<Index> nodes;  ///< tracked nodes, ascending
+  Vec3d origin;              ///< tail point; on the wall's face (plane), on the axis (cylinder), centre (sphere)
+  Vec3d normal;              ///< unit: outward normal (plane), axis (cylinder)
+  double radius = 0.0;       ///< cylinder, sphere
+  double length = 0.0;       ///< cylinder: 0 infinite, else from the tail along the axis
+  bool finite = false;       ///< plane: bounded by edges l and m
+  Vec3d edge_l, edge_m;      ///< unit vectors
+  double length_l = 0.0, length_m = 0.0;  ///< 0 infinite
+  double friction = 0.0;     ///< 0 none, 1 stick, between: Coulomb
+  double weld_velocity = 0.0;  ///< WVEL, for friction 2 and 3
+  double mass = 0.0;         ///< of a moving wall; 0: fixed
+  double velocity = 0.0;     ///< initial, along the normal (moving wall)
+  Index motion_curve = none;   ///< geometric walls with _MOTION: along `motion_direction`
+  bool motion_is_displacement = false;
+  Vec3d motion_direction;
+  int soft = 0;              ///< SOFT of _FORCES: cycles to bring the relative velocity to zero
+  double birth = 0.0, death = forever;
+  Place place;
+};
+
+}  // namespace nugget::model

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/curve.hpp"
+#include "base/finding.hpp"
+#include "base/vec3.hpp"
+#include "model/contact.hpp"
+#include "model/control.hpp"
+#include "model/loads.hpp"
+#include "model/parts.hpp"
+#include "model/requests.hpp"
+
+// The checked, immutable meaning of a deck. Inside, everything is an index (position in its array, from 0); the user's ids stand
+// beside, in arrays `id`. Values are in the deck's own units.
+namespace nugget::model {
+
+/// Nodes in ascending order of user id.
+struct Nodes {
+  std::vector<int> id;
+  std::vector<Vec3d> x;  ///< initial coordinates [length]
+  std::size_t size() const { return id.size(); }
+};
+
+/// Four-node shells in ascending order of user id; a triangle repeats its third node.
+struct Shells {
+  std::vector<int> id;
+  std::vector<Index> part;
+  std::vector<std::array<Index, 4>> node;
+  std::vector<double> thickness;  ///< initial, mean of the nodal ones [length]
+  std::vector<double> offset;     ///< of the reference surface from the nodes, along the normal [length]; see SectionShell::nloc
+  std::vector<Place> place;
+  std::size_t size() const { return id.size(); }
+  bool triangle(std::size_t e) const { return node[e][3] == node[e][2]; }
+};
+
+/// Eight-node bricks in ascending order of user id; wedges and tetrahedra repeat nodes (LS-DYNA's rule).
+struct Solids {
+  std::vector<int> id;
+  std::vector<Index> part;
+  std::vector<std::array<Index, 8>> node;
+  std::vector<Place> place;
+  std::size_t size() const { return id.size(); }
+};
+
+/// Two-node beams in ascending order of user id.
+struct Beams {
+  std::vector<int> id;
+  std::vector<Index> part;
+  std::vector<std::array<Index, 2>> node;
+  std::vector<Index> orientation;                ///< third node, or none
+  std::vector<std::array<Index, 2>> tied_parts;  ///< *ELEMENT_BEAM_PID: parts that end 1 and end 2 are to be tied to, or none
+  std::vector<Place> place;
+  std::size_t size() const { return id.size(); }
+};
+
+struct PointMass {
+  int id = 0;
+  Index node = none;
+  double mass = 0.0;
+};
+struct PointInertia {
+  int id = 0;
+  Index node = none;
+  double mass = 0.0;
+  std::array<double, 6> inertia{};  ///< Ixx Ixy Ixz Iyy Iyz Izz about the node, global axes [mass length^2]
+};
+
+/// What became of a keyword of the deck.
+enum class Verdict { used, ignored, refused };
+struct LedgerEntry {
+  std::string keyword;  ///< as written, upper case, without its star
+  int count = 0;
+  Verdict verdict = Verdict::used;
+  std::string why;  ///< for ignored and refused
+  Place first;
+};
+
+struct Model {
+  std::string title;
+  std::string deck;  ///< path of the master file as given
+  Control control;
+  Requests requests;
+  std::vector<LedgerEntry> ledger;
+
+  Nodes nodes;
+  Shells shells;
+  Solids solids;
+  Beams beams;
+  std::vector<PointMass> masses;
+  std::vector<PointInertia> inertias;
+
+  std::vector<Part> parts;  ///< in deck order
+  std::vector<SectionShell> shell_sections;
+  std::vector<SectionSolid> solid_sections;
+  std::vector<SectionBeam> beam_sections;
+  std::vector<Material> materials;
+  std::vector<Hourglass> hourglass;
+
+  std::vector<Curve> curves;  ///< offsets and scales applied
+  std::vector<Table> tables;
+  std::vector<CoordinateSystem> systems;
+  Sets sets;
+
+  std::vector<RigidBody> rigid_bodies;  ///< MAT_RIGID parts (merged), nodal rigid bodies, generalized weld spots without failure
+  std::vector<SinglePointConstraint> spcs;
+  std::vector<PrescribedMotion> motions;
+  std::vector<Vec3d> initial_velocity;  ///< per node; empty: all zero [length/time]
+  std::vector<Vec3d> initial_spin;      ///< per node; empty: all zero [1/time]
+  std::vector<NodalLoad> nodal_loads;
+  std::vector<BodyLoad> body_loads;
+  std::vector<PressureLoad> pressure_loads;
+  std::vector<RigidWall> walls;
+  std::vector<Contact> contacts;  ///< penalty contacts and ties, in deck order
+
+  /// Index of a user id, or none.
+  Index node_index(int id) const;
+  Index part_index(int id) const;
+  Index curve_index(int id) const;
+};
+
+}  // namespace nugget::model

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/finding.hpp"
+#include "base/vec3.hpp"
+#include "kernel/law/elastic.hpp"
+#include "kernel/law/null.hpp"
+#include "kernel/law/piecewise_linear.hpp"
+#include "kernel/law/plastic_kinematic.hpp"
+#include "kernel/law/rigid.hpp"
+#include "kernel/law/spotweld.hpp"
+
+namespace nugget::model {
+
+using Index = int;
+inline constexpr Index none = -1;
+
+using Law = std::variant<kernel::Elastic, kernel::PlasticKinematic, kernel::PiecewiseLinear, kernel::Null, kernel::Rigid,
+                         kernel::Spotweld>;
+
+struct Material {
+  int id = 0;
+  std::string title;
+  std::string keyword;   ///< as in the manual, e.g. `MAT_SPOTWELD`
+  double density = 0.0;  ///< [mass/length^3]
+  Law law;
+  Place place;
+
+  double young() const;    ///< Young's modulus [stress]
+  double poisson() const;  ///< Poisson's ratio
+};
+
+struct SectionShell {
+  int id = 0;
+  int elform = 2;
+  double shear_factor = 1.0;
+  int layers = 2;              ///< NIP
+  bool trapezoidal = false;    ///< QR/IRID = 1
+  double thickness = 0.0;      ///< mean of T1..T4 [length]
+  double nloc = 0.0;           ///< reference surface: 1 top, 0 middle, -1 bottom; mid-surface = nodes - nloc*t/2 along the normal
+  double extra_mass = 0.0;     ///< MAREA [mass/length^2]
+  Place place;
+};
+
+struct SectionSolid {
+  int id = 0;
+  int elform = 1;
+  Place place;
+};
+
+struct SectionBeam {
+  int id = 0;
+  int elform = 1;
+  double shear_factor = 1.0;
+  int quadrature = 2;              ///< QR
+  int cross_section = 0;           ///< CST
+  double extra_mass = 0.0;         ///< NSM [mass/length]
+  std::array<double, 2> outer{};   ///< TS1, TS2: outer diameters of a weld [length]
+  std::array<double, 2> inner{};   ///< TT1, TT2: inner diameters [length]
+  bool in_swforc = true;           ///< PRINT = 0
+  bool torsion = true;             ///< ITOFF = 0
+  Place place;
+};
+
+/// *HOURGLASS, or the defaults of *CONTROL_HOURGLASS and *CONTROL_BULK_VISCOSITY.
+struct Hourglass {
+  int id = 0;
+  int type = 0;  ///< IHQ; 0: the default of the element
+  double membrane = 0.1, bending = 0.1, warping = 0.1;  ///< QM, QB, QW
+  double bulk_quadratic = 1.5, bulk_linear = 0.06;      ///< Q1, Q2
+};
+
+enum class ElementKind { nothing, shell, solid, beam };
+
+struct Part {
+  int id = 0;
+  std::string title;
+  ElementKind kind = ElementKind::nothing;  ///< of its elements
+  Index section = none;                     ///< in the array of its kind
+  Index material = none;
+  Index hourglass = none;  ///< none: Control's defaults
+  Index rigid_body = none;  ///< of a part with MAT_RIGID
+  double contact_thickness = 0.0;  ///< OPTT of *PART_CONTACT (0: none given) [length]
+  double contact_scale = 1.0;      ///< SFT
+  double stiffness_scale = 1.0;    ///< SSF
+  Place place;
+};
+
+struct Table {
+  int id = 0;
+  std::vector<double> value;
+  std::vector<Index> curve;
+};
+
+/// *DEFINE_COORDINATE_...; the rows of the triad are the local axes.
+struct CoordinateSystem {
+  int id = 0;
+  Vec3d origin;
+  Frame3d axes;
+};
+
+template <class Member>
+struct Set {
+  int id = 0;
+  std::vector<Member> members;  ///< in the deck's order, each once
+  Place place;
+};
+using Segment = std::array<Index, 4>;  ///< nodes; a triangle repeats its third
+
+struct Sets {
+  std::vector<Set<Index>> nodes, parts, shells, solids, beams;
+  std::vector<Set<Segment>> segments;
+};
+
+/// A body that moves as one. Its mass properties follow from its nodes and elements unless `given`.
+struct RigidBody {
+  enum class Origin { part, nodal, weld };  ///< MAT_RIGID part, nodal rigid body, generalized weld spot
+  Origin origin = Origin::part;
+  int id = 0;  ///< part id, or PID of the nodal rigid body, or weld id
+  std::string title;
+  std::vector<Index> parts;  ///< MAT_RIGID parts merged into it
+  std::vector<Index> nodes;  ///< all nodes that it carries, ascending
+  unsigned fixed = 0;        ///< bits 0..2 translations x y z, 3..5 rotations that cannot move (CMO = 1)
+  struct Inertia {
+    double mass = 0.0;
+    Vec3d center;
+    std::array<double, 6> inertia{};  ///< Ixx Ixy Ixz Iyy Iyz Izz about `center`, global axes
+    Vec3d velocity, spin;
+  };
+  bool given = false;  ///< *PART_INERTIA or _INERTIA: `inertia` holds
+  Inertia inertia;
+  Place place;
+};
+
+}  // namespace nugget::model

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/parts.hpp"
+
+namespace nugget::model {
+
+/// When and how one history file is written. `interval` 0: not at all.
+struct Request {
+  double interval = 0.0;  ///< DT [time]
+  Index curve = none;     ///< LCUR: interval over time
+  int binary = 0;         ///< 0 as on this machine (ASCII), 1 ASCII, 2 binout, 3 both
+  bool ascii() const { return interval > 0.0 && binary != 2; }
+  bool binout() const { return interval > 0.0 && binary >= 2; }
+  bool asked() const { return interval > 0.0; }
+};
+
+struct NamedEntity {
+  Index index = none;
+  std::string heading;  ///< of the _ID form
+};
+
+/// The *DATABASE_... cards.
+struct Requests {
+  Request glstat, matsum, nodout, swforc, rwforc, spcforc, bndout, rbdout, rcforc, secforc, elout, deforc;
+  Request d3plot;          ///< interval; `binary` unused
+  std::vector<NamedEntity> history_nodes, history_shells, history_solids, history_beams;
+
+  // *DATABASE_EXTENT_BINARY
+  int layers = 3;              ///< MAXINT
+  bool strains = false;        ///< STRFLG
+  bool one_state_a_file = false;  ///< IEVERP
+  int beam_points = 0;         ///< BEAMIP
+};
+
+}  // namespace nugget::model
