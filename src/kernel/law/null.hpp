@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace nugget::kernel {
+
+/// A coating without stress (MAT_009 on shells and beams): mass and contact, no force, no stable time step. No kernel
+/// is run for it.
+struct Null {
+  double E = 0.0;   ///< Young's modulus for the contact stiffness [stress]
+  double nu = 0.0;  ///< Poisson's ratio for the contact stiffness [1]
+};
+
+}  // namespace nugget::kernel
