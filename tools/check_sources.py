@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks what every source file must have: a licence line, `#pragma once` in headers, no path of one machine.
+
+    python3 tools/check_sources.py [ROOT]
+
+Prints `file:line: what is wrong` for each breach and exits with 1, or with 0 where there is none. A file of more than
+700 lines is named, without failing: is there a second one in it?
+"""
+import pathlib
+import re
+import sys
+
+FOLDERS = ("src", "tests", "bench", "examples", "tools", ".ci")
+TOP_FILES = ("CMakeLists.txt", "dev")
+SUFFIXES = {".cpp", ".hpp", ".h", ".inl", ".py", ".sh", ".cmake"}
+LICENCE = "SPDX-License-Identifier: Apache-2.0"
+LONG = 700
+
+# Folders that are another thing on the next machine. System programs (/usr/bin) and devices (/dev) are not.
+MACHINE_PATH = re.compile(r"(?<![\w./)}>-])/(?:home|root|work|tmp|mnt|opt|data|farm|media|Users)/")
+
+
+def sources(root):
+    for name in TOP_FILES:
+        if (root / name).is_file():
+            yield root / name
+    for folder in FOLDERS:
+        for path in sorted((root / folder).rglob("*")):
+            if path.is_file() and (path.suffix in SUFFIXES or path.name in ("CMakeLists.txt", "run")):
+                yield path
+
+
+def breaches(root):
+    """(errors, warnings) of all sources under root, each as `file:line: text`."""
+    errors, warnings = [], []
+    for path in sources(root):
+        place = path.relative_to(root).as_posix()
+        lines = path.read_text(encoding="utf-8").splitlines()
+        first = 1 if lines and lines[0].startswith("#!") else 0
+        if len(lines) <= first or not lines[first].endswith(LICENCE):
+            errors.append(f"{place}:{first + 1}: the first line must be `{LICENCE}` in a comment")
+        if path.suffix in (".hpp", ".h") and "#pragma once" not in lines:
+            errors.append(f"{place}:1: a header needs `#pragma once`")
+        for number, line in enumerate(lines[first:], start=first + 1):
+            if MACHINE_PATH.search(line):
+                errors.append(f"{place}:{number}: a path of one machine; make it relative, or take it as an argument")
+        if len(lines) > LONG:
+            warnings.append(f"{place}:{LONG}: {len(lines)} lines; is there a second file in it?")
+    return errors, warnings
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent.parent)
+    errors, warnings = breaches(root)
+    for line in warnings:
+        print(f"{line} (warning)")
+    for line in errors:
+        print(line)
+    return 1 if errors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

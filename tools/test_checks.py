@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Breaks a small tree in each way that the checks must catch, and sees that they do."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+TOOLS = pathlib.Path(__file__).parent
+LICENCE = "// SPDX-License-Identifier: Apache-2.0\n"
+
+
+class CheckCase(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.root = pathlib.Path(self.folder.name)
+
+    def write(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+    def run_check(self, script):
+        run = subprocess.run([sys.executable, str(TOOLS / script), str(self.root)], capture_output=True, text=True)
+        return run.returncode, run.stdout
+
+
+class Layers(CheckCase):
+    def include(self, room, line):
+        self.write(f"src/{room}/a.cpp", LICENCE + "#include <vector>\n" + line + "\n")
+        return self.run_check("check_layers.py")
+
+    def test_the_order_of_the_house_passes(self):
+        for room, line in [
+            ("base", '#include "base/vec3.hpp"'),
+            ("deck", '#include "base/card.hpp"'),
+            ("kernel", '#include "kernel/law/j2.hpp"'),
+            ("model", '#include "deck/deck.hpp"'),
+            ("weld", '#include "model/model.hpp"'),
+            ("impact", '#include "contact/contact.hpp"'),
+            ("impact", '#include "output/recorder.hpp"'),
+            ("app", '#include "report/report.hpp"'),
+            ("output", "#include <fstream>"),
+        ]:
+            with self.subTest(room=room, line=line):
+                self.assertEqual(self.include(room, line), (0, ""))
+
+    def test_a_breach_is_named_with_file_and_line(self):
+        for room, line in [
+            ("base", '#include "deck/deck.hpp"'),
+            ("deck", '#include "kernel/real.hpp"'),
+            ("kernel", '#include "deck/deck.hpp"'),
+            ("contact", '#include "output/recorder.hpp"'),
+            ("output", '#include "contact/contact.hpp"'),
+            ("impact", '#include "nvh/modes.hpp"'),
+            ("model", "#include <system/system.hpp>"),
+            ("weld", '  #  include "app/main.hpp"'),
+            ("system", '#include "../contact/contact.hpp"'),
+            ("deck", '#include "deck.hpp"'),
+            ("kernel", "#include <iostream>"),
+            ("manager", "#include <vector>"),
+        ]:
+            with self.subTest(room=room, line=line):
+                code, output = self.include(room, line)
+                self.assertEqual(code, 1, output)
+                self.assertRegex(output, rf"^src/{room}/a\.cpp:[13]: ")
+                (self.root / f"src/{room}/a.cpp").unlink()
+
+
+class Sources(CheckCase):
+    def test_a_good_tree_passes(self):
+        self.write("src/base/a.hpp", LICENCE + "#pragma once\n")
+        self.write("src/base/a.cpp", LICENCE + '// see examples/tmp/readme\nauto f = "/dev/full";\n')
+        self.write("dev", "#!/usr/bin/env bash\n# SPDX-License-Identifier: Apache-2.0\npython=/usr/bin/python3\n")
+        self.assertEqual(self.run_check("check_sources.py"), (0, ""))
+
+    def assert_breach(self, name, text, where):
+        self.write(name, text)
+        code, output = self.run_check("check_sources.py")
+        self.assertEqual(code, 1, output)
+        self.assertTrue(output.startswith(where), output)
+
+    def test_a_missing_licence(self):
+        self.assert_breach("src/base/a.cpp", "int a;\n", "src/base/a.cpp:1: ")
+
+    def test_a_missing_licence_behind_a_shebang(self):
+        self.assert_breach("tools/a.py", "#!/usr/bin/env python3\nimport sys\n", "tools/a.py:2: ")
+
+    def test_an_empty_file(self):
+        self.assert_breach("src/base/a.cpp", "", "src/base/a.cpp:1: ")
+
+    def test_a_header_without_pragma_once(self):
+        self.assert_breach("src/base/a.hpp", LICENCE + "int a();\n", "src/base/a.hpp:1: ")
+
+    def test_a_path_of_one_machine(self):
+        folder = "/" + "home"  # in two pieces, or the check would find it here
+        self.assert_breach("tests/a.cpp", LICENCE + f'auto f = "{folder}/me/a.k";\n', "tests/a.cpp:2: ")
+
+    def test_a_long_file_is_only_named(self):
+        self.write("src/base/a.cpp", LICENCE + "\n" * 700)
+        code, output = self.run_check("check_sources.py")
+        self.assertEqual(code, 0)
+        self.assertIn("701 lines", output)
+
+
+if __name__ == "__main__":
+    unittest.main()
