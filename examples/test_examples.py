@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The generators write what they say: legal columns, unique ids, welds where they belong, the same bytes each time."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).parent
+
+
+def generate(name):
+    """{deck name: its text}"""
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([sys.executable, str(HERE / name / "make.py"), folder], check=True)
+        return {path.stem: path.read_text(encoding="ascii") for path in sorted(pathlib.Path(folder).iterdir())}
+
+
+class Mesh:
+    """Nodes, shells and beams, read back from their columns."""
+
+    def __init__(self, text):
+        self.nodes, self.shells, self.beams = {}, {}, {}
+        keyword = ""
+        for line in text.splitlines():
+            if line.startswith("*"):
+                keyword = line[1:]
+            elif keyword == "NODE" and not line.startswith("$"):
+                self.add(self.nodes, line[:8], [float(line[8 + 16 * i : 24 + 16 * i]) for i in range(3)])
+            elif keyword in ("ELEMENT_SHELL", "ELEMENT_BEAM") and not line.startswith("$"):
+                table = self.shells if keyword == "ELEMENT_SHELL" else self.beams
+                self.add(table, line[:8], [int(line[i : i + 8]) for i in range(8, len(line), 8)])
+
+    @staticmethod
+    def add(table, text, value):
+        if int(text) in table:
+            raise AssertionError(f"id {text} twice")
+        table[int(text)] = value
+
+    def corners(self, shell):
+        return [self.nodes[n] for n in self.shells[shell][1:5]]
+
+    def sides(self, shell):
+        a, b, c, d = self.corners(shell)
+        return [length(minus(b, a)), length(minus(c, b)), length(minus(d, c)), length(minus(a, d))]
+
+    def shells_at(self, point):
+        """[(part, a, b)]: rectangular shells that hold the point, with its coordinates 0..1 along their first two sides."""
+        found = []
+        for shell, (part, *_) in self.shells.items():
+            origin, right, _, up = self.corners(shell)
+            e, f, r = minus(right, origin), minus(up, origin), minus(point, origin)
+            a, b = dot(r, e) / dot(e, e), dot(r, f) / dot(f, f)
+            off = length(minus(r, [a * x + b * y for x, y in zip(e, f)]))
+            if off < 1e-6 and -1e-9 <= a <= 1 + 1e-9 and -1e-9 <= b <= 1 + 1e-9:
+                found.append((part, a, b))
+        return found
+
+
+def minus(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def length(a):
+    return dot(a, a) ** 0.5
+
+
+class Examples(unittest.TestCase):
+    def check_text(self, text):
+        lines = text.splitlines()
+        self.assertEqual((lines[0], lines[-1]), ("*KEYWORD", "*END"))
+        for number, line in enumerate(lines, start=1):
+            if not line.startswith("$"):
+                self.assertLessEqual(len(line), 80, f"line {number}")
+
+    def test_the_same_bytes_each_time(self):
+        for name in ("double_hat", "weld_placement"):
+            self.assertEqual(generate(name), generate(name))
+
+    def test_double_hat(self):
+        (text,) = generate("double_hat").values()
+        self.check_text(text)
+        mesh = Mesh(text)
+        self.assertTrue(5000 <= len(mesh.shells) <= 15000, len(mesh.shells))
+        self.assertTrue(40 <= len(mesh.beams) <= 80, len(mesh.beams))
+        for shell in mesh.shells:
+            if mesh.shells[shell][0] in (1, 2):
+                self.assertTrue(all(3.5 < side < 6.5 for side in mesh.sides(shell)), f"shell {shell}")
+        for part, upper, lower, _ in mesh.beams.values():
+            self.assertEqual(part, 4)
+            self.assertEqual({p for p, _, _ in mesh.shells_at(mesh.nodes[upper])}, {1})
+            self.assertEqual({p for p, _, _ in mesh.shells_at(mesh.nodes[lower])}, {2})
+            self.assertTrue(all(node not in shell for shell in mesh.shells.values() for node in (upper, lower)))
+
+    def test_weld_placement(self):
+        decks = generate("weld_placement")
+        shared = {"centre": 1, "edge": 2, "corner": 4}  # how many shells of a strip hold the weld node
+        self.assertEqual(set(decks), set(shared))
+        for case, text in decks.items():
+            self.check_text(text)
+            mesh = Mesh(text)
+            ((_, upper, lower, _),) = mesh.beams.values()
+            for node, part in ((upper, 1), (lower, 2)):
+                under = mesh.shells_at(mesh.nodes[node])
+                self.assertEqual([p for p, _, _ in under], [part] * shared[case], case)
+                if case == "centre":
+                    self.assertAlmostEqual(under[0][1], 0.5, 6)
+                    self.assertAlmostEqual(under[0][2], 0.5, 6)
+            self.assertTrue(all(2.5 < side < 6.5 for shell in mesh.shells for side in mesh.sides(shell)), case)
+
+
+if __name__ == "__main__":
+    unittest.main()
