@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "system/system.hpp"
+
+// What the deck imposes on nodes: held and driven degrees of freedom, and loads. The work of each is booked so that it fits the
+// discrete energy balance of the central-difference scheme (docs/decisions/0002): a force F at t(n) does
+// 1/2 F . (v(n-1/2) dt(n-1) + v(n+1/2) dt(n)).
+namespace nugget::impact {
+
+/// Nodes and bodies whose motion is prescribed, by *BOUNDARY_SPC (to zero) and *BOUNDARY_PRESCRIBED_MOTION.
+class Supports {
+ public:
+  Supports(const system::System& system, Findings& findings);
+
+  /// Components of v and w that the supports hold at time 0 are set to zero (fixed ones only).
+  void hold_at_start(system::State& state);
+  /// After `accelerate`: replaces prescribed components, keeps the reactions, books the closing half of their work.
+  /// `kick` is the time by which the velocities were advanced.
+  void prescribe(system::State& state, double kick, std::span<system::RigidBody> bodies);
+  /// Books the opening half, with the velocities that `prescribe` left.
+  void open_step(double dt);
+  double work() const { return work_; }
+
+  /// Reaction on one node (or body) at t(n).
+  struct Reaction {
+    int node = 0;                      ///< system node
+    model::Index source = model::none; ///< SPC or motion in the model
+    int set_id = 0;
+    Vec3d force, moment;               ///< on the structure
+    double energy = 0.0;               ///< work done so far
+  };
+  const std::vector<Reaction>& spc_reactions() const { return spc_; }
+  const std::vector<Reaction>& motion_reactions() const { return motion_; }
+
+ private:
+  struct Held {
+    std::size_t reaction;
+    int node;
+    Vec3d axis;
+    bool rotation;
+    double birth, death;
+    double force = 0.0, velocity = 0.0;  // of the last prescribe
+    bool active = false;
+  };
+  struct Driven : Held {
+    const model::PrescribedMotion* motion = nullptr;
+    int body = -1;
+    bool hold_others = false;
+  };
+  double target(const Driven& driven, const system::State& state, double old_velocity, double kick) const;
+  void set_component(Held& held, double target, int body, system::State& state, double kick,
+                     std::span<system::RigidBody> bodies, std::vector<Reaction>& reactions);
+
+  const system::System& system_;
+  std::vector<Held> held_;
+  std::vector<Driven> driven_;
+  std::vector<Reaction> spc_, motion_;
+  double work_ = 0.0;
+};
+
+/// Forces, moments, pressures and body loads.
+class Loads {
+ public:
+  explicit Loads(const system::System& system);
+
+  /// Adds the loads at state.time to state.f and state.m, and books their work over the step that ends there (velocities of
+  /// that step in `state`, length `dt`; 0 at the start).
+  void apply(system::State& state, double dt);
+  double work() const { return work_; }
+
+ private:
+  struct Nodal {
+    const model::NodalLoad* load;
+    std::vector<int> nodes;
+    Vec3d last;
+  };
+  struct Pressure {
+    const model::PressureLoad* load;
+    std::vector<Vec3d> last;  // force on each node of each segment
+  };
+  struct Body {
+    const model::BodyLoad* load;
+    std::vector<int> nodes;
+    std::vector<double> mass;
+    double last = 0.0;
+  };
+  void apply(Nodal& nodal, system::State& state, double dt);
+  void apply(Pressure& pressure, system::State& state, double dt);
+  void apply(Body& body, system::State& state, double dt);
+
+  const system::System& system_;
+  std::vector<Nodal> nodal_;
+  std::vector<Pressure> pressure_;
+  std::vector<Body> body_;
+  double work_ = 0.0;
+};
+
+}  // namespace nugget::impact

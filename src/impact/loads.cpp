@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <map>
+
+#include "impact/conditions.hpp"
+
+namespace nugget::impact {
+namespace {
+
+const Curve& curve(const system::System& s, model::Index c) { return s.model.curves[static_cast<std::size_t>(c)]; }
+
+/// Area vector of a segment, along its right-hand normal.
+Vec3d area(const std::array<Vec3d, 4>& x, bool triangle) {
+  return triangle ? 0.5 * cross(x[1] - x[0], x[2] - x[0]) : 0.5 * cross(x[2] - x[0], x[3] - x[1]);
+}
+
+}  // namespace
+
+Loads::Loads(const system::System& system) : system_(system) {
+  const model::Model& model = system.model;
+  for (const model::NodalLoad& load : model.nodal_loads) {
+    Nodal n{&load, {}, {}};
+    for (model::Index i : load.nodes) n.nodes.push_back(system.node_of[static_cast<std::size_t>(i)]);
+    if (load.rigid_body != model::none)
+      n.nodes.push_back(system.bodies[static_cast<std::size_t>(system.body_of[static_cast<std::size_t>(load.rigid_body)])].node);
+    nodal_.push_back(std::move(n));
+  }
+  for (const model::PressureLoad& load : model.pressure_loads)
+    pressure_.push_back({&load, std::vector<Vec3d>(4 * load.segments.size())});
+  for (const model::BodyLoad& load : model.body_loads) {
+    Body body{&load, {}, {}, 0.0};
+    if (load.parts.empty()) {
+      for (std::size_t k = 0; k < system.all_nodes(); ++k) {
+        const double m = k < system.nodes ? system.mass[k] : system.bodies[k - system.nodes].mass;
+        if (m <= 0.0) continue;
+        body.nodes.push_back(static_cast<int>(k));
+        body.mass.push_back(m);
+      }
+    } else {
+      // The parts' own nodal masses; what they put on dependent nodes reaches the independent ones through `collect`.
+      std::map<int, double> mass;
+      for (const auto& group : system.groups) {
+        if (std::find(load.parts.begin(), load.parts.end(), group->part) == load.parts.end()) continue;
+        for (std::size_t e = 0; e < group->size(); ++e) {
+          const auto nodes = group->nodes(e);
+          for (int a = 0; a < group->nodes_per_element; ++a)
+            mass[nodes[static_cast<std::size_t>(a)]] += group->mass(e) / group->nodes_per_element;
+        }
+      }
+      for (const auto& [node, m] : mass) {
+        body.nodes.push_back(node);
+        body.mass.push_back(m);
+      }
+    }
+    body_.push_back(std::move(body));
+  }
+}
+
+void Loads::apply(system::State& state, double dt) {
+  for (Nodal& n : nodal_) apply(n, state, dt);
+  for (Pressure& p : pressure_) apply(p, state, dt);
+  for (Body& b : body_) apply(b, state, dt);
+}
+
+void Loads::apply(Nodal& nodal, system::State& state, double dt) {
+  const model::NodalLoad& load = *nodal.load;
+  Vec3d direction = load.direction;
+  if (load.follow[0] != model::none) {
+    std::array<Vec3d, 3> x;
+    for (std::size_t i = 0; i < 3; ++i)
+      x[i] = vec(state.x[static_cast<std::size_t>(system_.node_of[static_cast<std::size_t>(load.follow[i])])]);
+    direction = unit(cross(x[1] - x[0], x[2] - x[0]));
+  }
+  const Vec3d force = load.scale * curve(system_, load.curve).zero_outside(state.time) * direction;
+  for (int node : nodal.nodes) {
+    const auto k = static_cast<std::size_t>(node);
+    const Vec3d velocity = vec(load.moment ? state.w[k] : state.v[k]);
+    work_ += 0.5 * dt * dot(nodal.last + force, velocity);
+    add(load.moment ? state.m[k] : state.f[k], force);
+  }
+  nodal.last = force;
+}
+
+void Loads::apply(Pressure& pressure, system::State& state, double dt) {
+  const model::PressureLoad& load = *pressure.load;
+  const double time = state.time - load.arrival;
+  const double p = time >= 0.0 ? load.scale * curve(system_, load.curve).zero_outside(time) : 0.0;
+  for (std::size_t s = 0; s < load.segments.size(); ++s) {
+    const model::Segment& segment = load.segments[s];
+    const bool triangle = segment[3] == segment[2];
+    const std::size_t corners = triangle ? 3 : 4;
+    std::array<std::size_t, 4> k{};
+    std::array<Vec3d, 4> x;
+    for (std::size_t a = 0; a < 4; ++a) {
+      k[a] = static_cast<std::size_t>(system_.node_of[static_cast<std::size_t>(segment[a])]);
+      x[a] = vec(state.x[k[a]]);
+    }
+    const Vec3d share = (-p / static_cast<double>(corners)) * area(x, triangle);
+    for (std::size_t a = 0; a < corners; ++a) {
+      Vec3d& last = pressure.last[4 * s + a];
+      work_ += 0.5 * dt * dot(last + share, vec(state.v[k[a]]));
+      add(state.f[k[a]], share);
+      last = share;
+    }
+  }
+}
+
+void Loads::apply(Body& body, system::State& state, double dt) {
+  const model::BodyLoad& load = *body.load;
+  // Base acceleration: the structure feels -m a.
+  const double a = -load.scale * curve(system_, load.curve).zero_outside(state.time);
+  double momentum = 0.0;
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    const auto k = static_cast<std::size_t>(body.nodes[i]);
+    momentum += body.mass[i] * dot(load.direction, vec(state.v[k]));
+    add(state.f[k], (a * body.mass[i]) * load.direction);
+  }
+  work_ += 0.5 * dt * (body.last + a) * momentum;
+  body.last = a;
+}
+
+}  // namespace nugget::impact

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "impact/conditions.hpp"
+
+namespace nugget::impact {
+namespace {
+
+constexpr Vec3d axis_of[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+Vec3d axis(const model::Model& model, model::Index system, int i) {
+  if (system == model::none) return axis_of[i];
+  const Frame3d& a = model.systems[static_cast<std::size_t>(system)].axes;
+  return i == 0 ? a.e1 : i == 1 ? a.e2 : a.e3;
+}
+
+/// Two unit vectors that complete `d` to a triad.
+std::array<Vec3d, 2> normals(const Vec3d& d) {
+  const Vec3d least = std::abs(d.x) <= std::abs(d.y) && std::abs(d.x) <= std::abs(d.z) ? axis_of[0]
+                      : std::abs(d.y) <= std::abs(d.z)                                 ? axis_of[1]
+                                                                                       : axis_of[2];
+  const Vec3d a = unit(cross(d, least));
+  return {a, cross(d, a)};
+}
+
+}  // namespace
+
+Supports::Supports(const system::System& system, Findings& findings) : system_(system) {
+  const model::Model& model = system.model;
+  for (std::size_t s = 0; s < model.spcs.size(); ++s) {
+    const model::SinglePointConstraint& spc = model.spcs[s];
+    const int node = system.node_of[static_cast<std::size_t>(spc.node)];
+    if (system.map.dependent(node)) {
+      findings.warning({model.deck, 0, 0}, "*BOUNDARY_SPC",
+                       "node " + std::to_string(model.nodes.id[static_cast<std::size_t>(spc.node)]) +
+                           " is held by an SPC, but it moves with a rigid body or a tie; the SPC does nothing there",
+                       "constrain the rigid body (MAT_RIGID CMO, *CONSTRAINED_NODAL_RIGID_BODY_SPC) instead");
+      continue;
+    }
+    for (int i = 0; i < 6; ++i) {
+      if (!(spc.fixed >> i & 1u)) continue;
+      held_.push_back({spc_.size(), node, axis(model, spc.system, i % 3), i >= 3, spc.birth, spc.death});
+    }
+    spc_.push_back({node, static_cast<model::Index>(s), spc.set_id, {}, {}, 0.0});
+  }
+  for (std::size_t k = 0; k < model.motions.size(); ++k) {
+    const model::PrescribedMotion& motion = model.motions[k];
+    const auto drive = [&](int node, int body) {
+      std::vector<Vec3d> directions{motion.direction};
+      if (!motion.only_direction)
+        for (const Vec3d& n : normals(motion.direction)) directions.push_back(n);
+      for (std::size_t d = 0; d < directions.size(); ++d) {
+        Driven driven;
+        static_cast<Held&>(driven) = {motion_.size(), node, directions[d], motion.rotation, motion.birth, motion.death};
+        driven.motion = &motion;
+        driven.body = body;
+        driven.hold_others = d > 0;
+        driven_.push_back(driven);
+      }
+      motion_.push_back({node, static_cast<model::Index>(k), 0, {}, {}, 0.0});
+    };
+    if (motion.target == model::PrescribedMotion::Target::nodes) {
+      for (model::Index n : motion.nodes) {
+        const int node = system.node_of[static_cast<std::size_t>(n)];
+        if (system.map.dependent(node)) {
+          findings.error(motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
+                         "node " + std::to_string(model.nodes.id[static_cast<std::size_t>(n)]) +
+                             " moves with a rigid body or a tie and cannot be driven on its own",
+                         "drive the rigid body with *BOUNDARY_PRESCRIBED_MOTION_RIGID");
+          continue;
+        }
+        drive(node, -1);
+      }
+    } else {
+      const int body = system.body_of[static_cast<std::size_t>(motion.rigid_body)];
+      drive(system.bodies[static_cast<std::size_t>(body)].node, body);
+    }
+  }
+}
+
+void Supports::hold_at_start(system::State& state) {
+  for (const Held& h : held_) {
+    if (h.birth > 0.0) continue;
+    Row& row = h.rotation ? state.w[static_cast<std::size_t>(h.node)] : state.v[static_cast<std::size_t>(h.node)];
+    add(row, -dot(h.axis, vec(row)) * h.axis);
+  }
+}
+
+double Supports::target(const Driven& driven, const system::State& state, double old_velocity, double kick) const {
+  if (driven.hold_others) return 0.0;
+  const model::PrescribedMotion& motion = *driven.motion;
+  const Curve& curve = system_.model.curves[static_cast<std::size_t>(motion.curve)];
+  const double t = state.time - motion.birth;
+  switch (motion.quantity) {
+    case model::PrescribedMotion::Quantity::velocity:
+      return motion.scale * curve.zero_outside(t + 0.5 * state.dt);
+    case model::PrescribedMotion::Quantity::acceleration:
+      return old_velocity + motion.scale * curve.zero_outside(t) * kick;
+    case model::PrescribedMotion::Quantity::displacement: {
+      if (state.dt <= 0.0) return 0.0;
+      // Beyond its last point a displacement curve holds its value: the node stays where it was brought.
+      return motion.scale * (curve.clamped(t + state.dt) - curve.clamped(t)) / state.dt;
+    }
+  }
+  return 0.0;
+}
+
+void Supports::set_component(Held& held, double target, int body, system::State& state, double kick,
+                             std::span<system::RigidBody> bodies, std::vector<Reaction>& reactions) {
+  const auto node = static_cast<std::size_t>(held.node);
+  Row& row = held.rotation ? state.w[node] : state.v[node];
+  const double free_velocity = dot(held.axis, vec(row));
+  double impulse;
+  if (body >= 0 && held.rotation) {
+    system::RigidBody& b = bodies[static_cast<std::size_t>(body)];
+    const Vec3d before = b.angular_momentum;
+    b.set_spin(held.axis, target, state.dt, state);
+    impulse = dot(held.axis, b.angular_momentum - before);
+  } else {
+    const double inertia = body >= 0 ? bodies[static_cast<std::size_t>(body)].mass
+                                     : (held.rotation ? system_.inertia[node] : system_.mass[node]);
+    impulse = inertia * (target - free_velocity);
+    add(row, (target - free_velocity) * held.axis);
+  }
+  held.force = kick > 0.0 ? impulse / kick : 0.0;
+  Reaction& reaction = reactions[held.reaction];
+  (held.rotation ? reaction.moment : reaction.force) += held.force * held.axis;
+  // Closing half: the velocity component before the kick is the one that `held` kept from the last step.
+  const double work = 0.5 * held.force * held.velocity * state.dt_previous;
+  work_ += work;
+  reaction.energy += work;
+  held.velocity = target;
+}
+
+void Supports::prescribe(system::State& state, double kick, std::span<system::RigidBody> bodies) {
+  const auto in_force = [&](const Held& h) { return state.time >= h.birth && state.time < h.death; };
+  const auto release = [](Held& h) {
+    h.active = false;
+    h.force = 0.0;
+  };
+  for (std::vector<Reaction>* reactions : {&spc_, &motion_})
+    for (Reaction& r : *reactions) r.force = r.moment = {};
+  for (Held& h : held_) {
+    if (!in_force(h)) {
+      release(h);
+      continue;
+    }
+    h.active = true;
+    set_component(h, 0.0, -1, state, kick, bodies, spc_);
+  }
+  for (Driven& d : driven_) {
+    if (!in_force(d)) {
+      release(d);
+      continue;
+    }
+    if (d.motion->target == model::PrescribedMotion::Target::rigid_body_local && d.body >= 0) {
+      // The body's axes at time 0 were the global ones.
+      const Frame3d& axes = bodies[static_cast<std::size_t>(d.body)].axes;
+      if (!d.hold_others) d.axis = axes.global(d.motion->direction);
+    }
+    const auto node = static_cast<std::size_t>(d.node);
+    const Row& row = d.rotation ? state.w[node] : state.v[node];
+    if (!d.active) d.velocity = dot(d.axis, vec(row));
+    d.active = true;
+    set_component(d, target(d, state, d.velocity, kick), d.body, state, kick, bodies, motion_);
+  }
+}
+
+void Supports::open_step(double dt) {
+  for (const Held& h : held_) {
+    if (!h.active) continue;
+    const double work = 0.5 * h.force * h.velocity * dt;
+    work_ += work;
+    spc_[h.reaction].energy += work;
+  }
+  for (const Driven& d : driven_) {
+    if (!d.active) continue;
+    const double work = 0.5 * d.force * d.velocity * dt;
+    work_ += work;
+    motion_[d.reaction].energy += work;
+  }
+}
+
+}  // namespace nugget::impact

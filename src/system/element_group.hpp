@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "model/model.hpp"
+#include "system/state.hpp"
+
+namespace nugget::system {
+
+/// Elements of one kind, formulation, law and part, in blocks of `width` lanes. A cycle reads nodal rows and writes the elements'
+/// nodal forces into slots of their own; the nodes gather the slots afterwards, always in the same order.
+class ElementGroup {
+ public:
+  virtual ~ElementGroup() = default;
+  ElementGroup() = default;
+  ElementGroup(const ElementGroup&) = delete;
+  ElementGroup& operator=(const ElementGroup&) = delete;
+
+  model::ElementKind kind = model::ElementKind::nothing;
+  model::Index part = model::none;
+  std::vector<model::Index> element;  ///< model index of each element of the group, in the group's order
+  int nodes_per_element = 0;
+  bool rotational = false;            ///< a slot is a force row and a moment row; else a force row only
+  std::size_t first_slot = 0;         ///< row index of this group's first slot; see slot_row
+
+  std::size_t size() const { return element.size(); }
+  virtual std::size_t blocks() const = 0;
+
+  /// Advances elements of blocks [begin, end) over dt with the velocities of `state` at mid-step and its positions at the end
+  /// of the step; fills slots; adds the work done to the elements' internal energy.
+  virtual void cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots) = 0;
+
+  /// Row of the force slot of node `a` of element `e` (its moment stands in the next row).
+  std::size_t slot_row(std::size_t e, int a) const {
+    return first_slot + (e * static_cast<std::size_t>(nodes_per_element) + static_cast<std::size_t>(a)) * (rotational ? 2 : 1);
+  }
+  /// Rows that the group needs, padding lanes included.
+  virtual std::size_t slot_rows() const = 0;
+
+  // What is known of element e of the group.
+  virtual std::array<int, 8> nodes(std::size_t e) const = 0;  ///< system nodes
+  virtual bool alive(std::size_t e) const = 0;
+  virtual void remove(std::size_t e) = 0;
+  virtual double stable_step(std::size_t e) const = 0;         ///< before TSSFAC, mass scaling included; of the last cycle
+  virtual double internal_energy(std::size_t e) const = 0;     ///< hourglass work not included
+  virtual double hourglass_energy(std::size_t e) const = 0;
+  virtual double mass(std::size_t e) const = 0;                ///< physical, of the whole element
+  virtual double nodal_inertia(std::size_t e) const = 0;       ///< physical rotary inertia at each of its nodes
+  virtual double mass_scale(std::size_t e) const = 0;          ///< factor on the density by mass scaling
+  virtual void scale_mass(std::size_t e, double factor) = 0;   ///< sets that factor
+
+  /// Stresses and strains for output, global axes where not said otherwise.
+  struct Layer {
+    std::array<double, 6> stress{};  ///< xx yy zz xy yz zx
+    double plastic_strain = 0.0;
+  };
+  virtual int layers() const { return 0; }
+  virtual Layer layer(std::size_t, int, const State&) const { return {}; }
+  virtual double thickness(std::size_t) const { return 0.0; }
+  /// Shells: Mx My Mxy Qx Qy Nx Ny Nxy in local axes, per unit length. Beams: N_rr N_rs N_rt M_ss M_tt M_rr.
+  virtual std::array<double, 8> resultants(std::size_t) const { return {}; }
+
+  /// Smallest stable step of each block's living elements in the last cycle (infinite where none lives).
+  std::vector<double> block_step;
+};
+
+}  // namespace nugget::system

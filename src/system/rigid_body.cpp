@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "system/rigid_body.hpp"
+
+#include <algorithm>
+
+#include "system/constraint_map.hpp"
+
+namespace nugget::system {
+namespace {
+
+Vec3d times(const Inertia& a, const Vec3d& b) {
+  return {a[0] * b.x + a[1] * b.y + a[2] * b.z, a[1] * b.x + a[3] * b.y + a[4] * b.z, a[2] * b.x + a[4] * b.y + a[5] * b.z};
+}
+
+Vec3d solve(const Inertia& a, const Vec3d& b) {
+  const double c00 = a[3] * a[5] - a[4] * a[4], c01 = a[2] * a[4] - a[1] * a[5], c02 = a[1] * a[4] - a[2] * a[3];
+  const double c11 = a[0] * a[5] - a[2] * a[2], c12 = a[1] * a[2] - a[0] * a[4], c22 = a[0] * a[3] - a[1] * a[1];
+  const double det = a[0] * c00 + a[1] * c01 + a[2] * c02;
+  const Inertia inverse{c00, c01, c02, c11, c12, c22};
+  return (1.0 / det) * times(inverse, b);
+}
+
+Frame3d turned_axes(const Frame3d& axes, const Vec3d& phi) {
+  return {turned(axes.e1, phi), turned(axes.e2, phi), turned(axes.e3, phi)};
+}
+
+void hold(Vec3d& a, unsigned fixed) {
+  if (fixed & 1u) a.x = 0.0;
+  if (fixed & 2u) a.y = 0.0;
+  if (fixed & 4u) a.z = 0.0;
+}
+
+}  // namespace
+
+void add_point(Inertia& inertia, double mass, double point_inertia, const Vec3d& r) {
+  inertia[0] += mass * (r.y * r.y + r.z * r.z) + point_inertia;
+  inertia[3] += mass * (r.x * r.x + r.z * r.z) + point_inertia;
+  inertia[5] += mass * (r.x * r.x + r.y * r.y) + point_inertia;
+  inertia[1] -= mass * r.x * r.y;
+  inertia[2] -= mass * r.x * r.z;
+  inertia[4] -= mass * r.y * r.z;
+}
+
+Vec3d RigidBody::spin(const Vec3d& momentum, const Frame3d& at) const { return at.global(solve(inertia, at.local(momentum))); }
+
+Vec3d RigidBody::momentum(const Vec3d& spin, const Frame3d& at) const { return at.global(times(inertia, at.local(spin))); }
+
+void RigidBody::advance(double kick, double dt, State& state) {
+  const auto k = static_cast<std::size_t>(node);
+  Vec3d velocity = vec(state.v[k]) + (kick / mass) * vec(state.f[k]);
+  hold(velocity, fixed);
+  set(state.v[k], velocity);
+
+  angular_momentum += kick * vec(state.m[k]);
+  Vec3d w = vec(state.w[k]);
+  for (int i = 0; i < 50; ++i) {
+    Vec3d next = spin(angular_momentum, turned_axes(axes, (0.5 * dt) * w));
+    hold(next, fixed >> 3);
+    const Vec3d change = next - w;
+    w = next;
+    if (dot(change, change) <= 1e-30 * dot(w, w)) break;
+  }
+  if (fixed >> 3) angular_momentum = momentum(w, turned_axes(axes, (0.5 * dt) * w));
+  set(state.w[k], w);
+}
+
+void RigidBody::turn(double dt, const State& state) {
+  axes = turned_axes(axes, dt * vec(state.w[static_cast<std::size_t>(node)]));
+  // Round-off would make the triad drift from orthogonality over very many steps.
+  axes.e1 = unit(axes.e1);
+  axes.e2 = unit(axes.e2 - dot(axes.e1, axes.e2) * axes.e1);
+  axes.e3 = cross(axes.e1, axes.e2);
+}
+
+void RigidBody::set_spin(const Vec3d& axis, double value, double dt, State& state) {
+  const auto k = static_cast<std::size_t>(node);
+  Vec3d w = vec(state.w[k]);
+  w += (value - dot(axis, w)) * axis;
+  angular_momentum = momentum(w, turned_axes(axes, (0.5 * dt) * w));
+  set(state.w[k], w);
+}
+
+}  // namespace nugget::system

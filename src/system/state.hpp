@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "base/row.hpp"
+
+namespace nugget::system {
+
+/// All that changes from step to step and belongs to nodes: plain arrays, nodes in the system's own order, then one virtual node
+/// for each rigid body. Element states live in their groups, rigid-body momenta in the bodies.
+struct State {
+  double time = 0.0;         ///< t(n) of x and f
+  double dt = 0.0;           ///< step from t(n) to t(n+1)
+  double dt_previous = 0.0;  ///< step from t(n-1) to t(n)
+  long cycle = 0;            ///< n
+  std::vector<Row> x;        ///< positions at t(n) [length]
+  std::vector<Row> v, w;     ///< velocities and spins at t(n-1/2), after `accelerate` at t(n+1/2)
+  std::vector<Row> f, m;     ///< forces and moments on the nodes at t(n): external minus internal
+};
+
+}  // namespace nugget::system

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/finding.hpp"
+#include "model/model.hpp"
+#include "system/constraint_map.hpp"
+#include "system/element_group.hpp"
+#include "system/rigid_body.hpp"
+#include "system/state.hpp"
+#include "weld/ties.hpp"
+
+namespace nugget::system {
+
+/// A model made discrete: nodes and elements in an order that keeps neighbours close in memory, lumped masses, the constraint map,
+/// element blocks. Impact and NVH share it. Refers to the model and the ties, which must outlive it.
+class System {
+ public:
+  System(const model::Model& model, const weld::Ties& ties, Findings& findings);
+
+  const model::Model& model;
+  const weld::Ties& ties;
+
+  // Nodes: system order. `node_of[model index]` and back; virtual nodes of bodies follow the real ones.
+  std::size_t nodes = 0;
+  std::vector<int> node_of;
+  std::vector<model::Index> model_node;
+  std::size_t all_nodes() const { return nodes + bodies.size(); }
+
+  /// Lumped mass and rotary inertia by node; zero for dependent nodes (theirs is handed over) and for nodes that carry nothing.
+  std::vector<double> mass, inertia;
+  /// The same before anything was handed over: what the elements and point masses put there.
+  std::vector<double> own_mass;
+
+  ConstraintMap map;
+  std::vector<RigidBody> bodies;  ///< body b is virtual node nodes + b
+  std::vector<int> body_of;       ///< by model rigid-body index
+  std::vector<std::unique_ptr<ElementGroup>> groups;
+
+  /// Where a model element lives; group -1 for elements that have no kernel (rigid parts, MAT_NULL).
+  struct Seat {
+    int group = -1;
+    int element = -1;
+  };
+  std::vector<Seat> shell_seat, solid_seat, beam_seat;
+
+  /// State at time 0: positions after tying, initial velocities, momenta of the bodies.
+  State initial_state();
+
+  /// Forces of all elements at the end of a step into state.f and state.m (overwritten); keeps the smallest stable step.
+  void internal_force(State& state);
+
+  /// The element that controls the time step.
+  struct Controlling {
+    double step = 0.0;  ///< before TSSFAC; infinite without elements
+    int group = -1;
+    int element = -1;
+    std::string describe(const System&) const;  ///< `shell 17 of part 5`
+  };
+  Controlling controlling() const;
+
+  /// Mass scaling to the deck's DT2MS and DT: raises the density of elements whose stable step is too small. True if any mass
+  /// was added; nodal masses are then assembled anew. `at_start`: also handles MAT_100 DT.
+  bool scale_mass(bool at_start);
+
+  struct Masses {
+    double physical = 0.0;        ///< of the model as the deck describes it, DT of welds included
+    double added = 0.0;           ///< by DT2MS
+    double added_to_welds = 0.0;  ///< the share of it that went into welds, and what DT of the weld material added
+    std::vector<double> added_by_part;
+  };
+  Masses masses() const;
+  /// Physical mass of a part (its elements and point masses assigned to it).
+  double part_mass(model::Index part) const;
+
+ private:
+  void order_nodes_and_elements();
+  void make_groups(Findings& findings);
+  void make_constraints(Findings& findings);
+  void assemble_mass();
+  void link_slots();
+
+  std::vector<Row> slots_;
+  std::vector<std::size_t> gather_start_;
+  std::vector<std::uint32_t> gather_;  ///< slot rows by node, shifted left by one; the lowest bit says that a moment row follows
+  std::vector<std::pair<int, std::size_t>> blocks_;  ///< all blocks of all groups: group, block
+};
+
+}  // namespace nugget::system
