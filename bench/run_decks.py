@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the neutral benchmark decks and prints ns per element-cycle beside the figures of another code.
+
+    python3 bench/run_decks.py [--nugget build/nugget] [--shared ../shared] [--kernels kernels.json] [DECK ...]
+
+The decks come from SHARED/bench/gen_impact.py, which is not part of this repository; without it there is nothing to run
+and the program says so. One thread, one deck after the other: run nothing else meanwhile. KERNELS is the JSON output of
+nugget_bench; its STREAM and FMA peaks are printed with the table, because a figure means little without its machine.
+"""
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+DECKS = ("tube3", "tube5", "tube5c", "hex_ihq2", "hex_ihq6", "weld")
+
+
+def figures_of_openradioss(readme):
+    """{deck: ns per element-cycle}, from the list `tube3 676, tube5 782, ...` in the README beside the generators."""
+    match = re.search(r"Measured with OpenRadioss.*", readme.read_text(encoding="utf-8")) if readme.is_file() else None
+    return {name: float(ns) for name, ns in re.findall(r"\b(\w+) (\d+)\b", match.group(0))} if match else {}
+
+
+def run(nugget, deck, results):
+    """summary.json of a run, or the reason why there is none."""
+    command = [str(nugget), "run", str(deck), "-o", str(results), "-j", "1", "--quiet"]
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    summary = results / "summary.json"
+    if done.returncode != 0 or not summary.is_file():
+        reason = (done.stderr.strip() or done.stdout.strip() or "no summary.json").splitlines()[0]
+        return None, f"exit code {done.returncode}: {reason}"
+    return json.loads(summary.read_text(encoding="utf-8")), ""
+
+
+def peaks(path):
+    """Lines on the machine: the results in nugget_bench's output whose names speak of STREAM or FMA."""
+    if not path or not path.is_file():
+        return []
+    lines = []
+    for result in json.loads(path.read_text(encoding="utf-8"))["benchmarks"]:
+        if re.search("stream|fma|peak", result["name"], re.IGNORECASE):
+            if "bytes_per_second" in result:
+                lines.append(f"{result['name']}: {result['bytes_per_second'] / 1e9:.1f} GB/s")
+            if "items_per_second" in result:
+                lines.append(f"{result['name']}: {result['items_per_second'] / 1e9:.1f} G/s")
+    return lines
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--nugget", type=pathlib.Path, default=ROOT / "build" / "nugget")
+    parser.add_argument("--shared", type=pathlib.Path, default=ROOT.parent / "shared")
+    parser.add_argument("--kernels", type=pathlib.Path)
+    parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build-bench" / "decks", help="where decks and results go")
+    parser.add_argument("decks", nargs="*", metavar="DECK", help=f"of {', '.join(DECKS)} (all)")
+    arguments = parser.parse_args()
+    generator = arguments.shared / "bench" / "gen_impact.py"
+    if not generator.is_file():
+        print(f"{generator} is not there: no decks to run")
+        return 0
+    unknown = set(arguments.decks) - set(DECKS)
+    if unknown:
+        parser.error(f"no deck named {', '.join(sorted(unknown))}")
+    arguments.work.mkdir(parents=True, exist_ok=True)
+    subprocess.run([sys.executable, str(generator), str(arguments.work)], check=True)
+    other = figures_of_openradioss(arguments.shared / "bench" / "README.md")
+
+    failures = 0
+    print(f"{'deck':<10}{'cycles':>10}{'seconds':>10}{'ns':>10}{'OpenRadioss ns':>16}{'ratio':>8}   (ns per element-cycle, one thread)")
+    for name in arguments.decks or DECKS:
+        summary, reason = run(arguments.nugget, arguments.work / f"{name}.k", arguments.work / name)
+        if summary is None:
+            failures += 1
+            print(f"{name:<10}  {reason}")
+            continue
+        ns = summary["ns_per_element_cycle"]
+        reference = other.get(name)
+        print(f"{name:<10}{summary['cycles']:>10}{summary['seconds']['solve']:>10.1f}{ns:>10.1f}"
+              + (f"{reference:>16.0f}{reference / ns if ns else 0.0:>8.1f}" if reference else ""), flush=True)
+    for line in peaks(arguments.kernels):
+        print(line)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
