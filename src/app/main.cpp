@@ -1,2 +1,93 @@
 // SPDX-License-Identifier: Apache-2.0
-int main() { return 0; }
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "app/commands.hpp"
+
+namespace {
+
+using nugget::app::ExitCode;
+
+/// LS-DYNA's spelling: `i=MODEL.k ncpu=2 jobid=...` becomes `MODEL.k -j 2`. What has no meaning here (memory=) is left out.
+std::vector<std::string> translated(int argc, char** argv) {
+  std::vector<std::string> out;
+  for (int a = 1; a < argc; ++a) {
+    const std::string word = argv[a];
+    const auto value = [&](const char* key) -> const char* {
+      const std::size_t n = std::char_traits<char>::length(key);
+      return word.compare(0, n, key) == 0 ? word.c_str() + n : nullptr;
+    };
+    if (const char* v = value("i=")) {
+      out.emplace_back(v);
+    } else if (const char* n = value("ncpu=")) {
+      // A negative count asks for repeatable sums, which is always the case here.
+      out.emplace_back("-j");
+      out.emplace_back(*n == '-' ? n + 1 : n);
+    } else if (value("memory=") || value("memory2=")) {
+      continue;
+    } else {
+      out.push_back(word);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App cli{"Nugget: spot-welded structures from one LS-DYNA keyword deck, impact by explicit dynamics."};
+  cli.set_version_flag("--version", fmt::format("nugget {}", NUGGET_VERSION));
+  cli.require_subcommand(1);
+
+  nugget::app::RunArguments run;
+  std::string checkpoint, resume;
+  CLI::App* run_command = cli.add_subcommand("run", "read, check, tie and run a deck");
+  run_command->add_option("model", run.deck, "the deck; also i=MODEL.k")->required();
+  run_command->add_option("-o,--output", run.directory, "folder for the results (default: the current one)");
+  run_command->add_option("-j,--threads", run.threads, "threads (default: all cores); also ncpu=N")->check(CLI::PositiveNumber);
+  run_command->add_option("--until", run.until, "end time instead of the deck's")->check(CLI::PositiveNumber);
+  run_command->add_option("--max-cycles", run.max_cycles, "stop after so many cycles")->check(CLI::PositiveNumber);
+  run_command->add_flag("--skip-unsupported", run.skip_unsupported, "leave out what is not supported, with a warning each");
+  run_command->add_flag("--quiet", run.quiet, "no progress on the terminal");
+  run_command->add_option("--checkpoint", checkpoint, "restart files: not built yet");
+  run_command->add_option("--resume", resume, "go on from a restart file: not built yet");
+
+  nugget::app::RunArguments check;
+  CLI::App* check_command = cli.add_subcommand("check", "read, check, tie and audit a deck; run nothing");
+  check_command->add_option("model", check.deck, "the deck")->required();
+  check_command->add_option("-o,--output", check.directory, "folder for welds.csv, findings.json and run.log");
+  check_command->add_option("-j,--threads", check.threads, "threads (default: all cores)")->check(CLI::PositiveNumber);
+  check_command->add_flag("--skip-unsupported", check.skip_unsupported, "unsupported keywords are warnings");
+
+  std::string keyword;
+  CLI::App* keywords_command = cli.add_subcommand("keywords", "what is supported, from the card tables");
+  keywords_command->add_option("name", keyword, "one keyword: its fields, defaults, ranges, meaning");
+
+  const char* const later[] = {"modes", "frf", "report", "weld"};
+  for (const char* name : later) cli.add_subcommand(name, "not built yet")->allow_extras();
+
+  std::vector<std::string> words = translated(argc, argv);
+  std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
+  try {
+    cli.parse(words);
+  } catch (const CLI::ParseError& error) {
+    return cli.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::wrong_command);
+  }
+  for (const char* name : later) {
+    if (!cli.got_subcommand(name)) continue;
+    fmt::print(stderr, "nugget: the command '{}' is not built yet; this version has run, check and keywords\n", name);
+    return static_cast<int>(ExitCode::wrong_command);
+  }
+  if (!checkpoint.empty() || !resume.empty()) {
+    fmt::print(stderr, "nugget: {} is not built yet: this version writes no restart files\n",
+               checkpoint.empty() ? "--resume" : "--checkpoint");
+    return static_cast<int>(ExitCode::wrong_command);
+  }
+  if (run_command->parsed()) return static_cast<int>(nugget::app::run(run));
+  if (check_command->parsed()) return static_cast<int>(nugget::app::check(check));
+  return static_cast<int>(nugget::app::keywords(keyword));
+}

@@ -64,8 +64,14 @@ class ElementGroup {
   /// Shells: Mx My Mxy Qx Qy Nx Ny Nxy in local axes, per unit length. Beams: N_rr N_rs N_rt M_ss M_tt M_rr.
   virtual std::array<double, 8> resultants(std::size_t) const { return {}; }
 
-  /// Smallest stable step of each block's living elements in the last cycle (infinite where none lives).
+  /// Smallest stable step of each block's living elements in the last cycle, mass scaling included (infinite where none lives).
   std::vector<double> block_step;
+  /// Share of the stable step that may be taken: TSSFAC, or 1 for welds whose mass was scaled to a step that contains it.
+  double step_share = 0.9;
+  /// Step below which the density of these elements is raised; 0: never. Set by System.
+  double mass_step = 0.0;
+  /// Mass added through the weld material's own DT counts as physical.
+  bool added_mass_is_physical = false;
 };
 
 }  // namespace nugget::system

@@ -42,12 +42,22 @@ class System {
   std::vector<int> body_of;       ///< by model rigid-body index
   std::vector<std::unique_ptr<ElementGroup>> groups;
 
-  /// Where a model element lives; group -1 for elements that have no kernel (rigid parts, MAT_NULL).
+  /// Where a model element lives; group -1 for elements that have no kernel (rigid parts, MAT_NULL, deleted welds).
   struct Seat {
     int group = -1;
     int element = -1;
   };
   std::vector<Seat> shell_seat, solid_seat, beam_seat;
+
+  /// Elements that have mass but no kernel (rigid parts, MAT_NULL).
+  struct Lump {
+    model::Index part;
+    int corners;
+    std::array<int, 8> node;
+    double mass;           ///< of the element
+    double nodal_inertia;  ///< at each corner
+  };
+  const std::vector<Lump>& lumps() const { return lumps_; }
 
   /// State at time 0: positions after tying, initial velocities, momenta of the bodies.
   State initial_state();
@@ -57,15 +67,15 @@ class System {
 
   /// The element that controls the time step.
   struct Controlling {
-    double step = 0.0;  ///< before TSSFAC; infinite without elements
+    double step = 0.0;  ///< the step to take, TSSFAC included; infinite without elements
     int group = -1;
     int element = -1;
     std::string describe(const System&) const;  ///< `shell 17 of part 5`
   };
   Controlling controlling() const;
 
-  /// Mass scaling to the deck's DT2MS and DT: raises the density of elements whose stable step is too small. True if any mass
-  /// was added; nodal masses are then assembled anew. `at_start`: also handles MAT_100 DT.
+  /// Mass scaling to the deck's DT2MS and the welds' DT: raises the density of elements whose stable step is too small. True if
+  /// any mass was added; nodal masses are then assembled anew.
   bool scale_mass(bool at_start);
 
   struct Masses {
@@ -79,11 +89,17 @@ class System {
   double part_mass(model::Index part) const;
 
  private:
-  void order_nodes_and_elements();
+  void order_nodes();
   void make_groups(Findings& findings);
   void make_constraints(Findings& findings);
+  void make_bodies();
   void assemble_mass();
+  void hand_over_mass();
   void link_slots();
+  void scale_group(ElementGroup& group, double target);
+
+  std::vector<Lump> lumps_;
+  std::vector<double> own_inertia_;
 
   std::vector<Row> slots_;
   std::vector<std::size_t> gather_start_;

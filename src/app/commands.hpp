@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+// The verbs of the `nugget` command. Findings and progress go to standard error, results to files.
+namespace nugget::app {
+
+/// Exit codes of the program; users and tools rely on them.
+enum class ExitCode { normal = 0, refused = 1, wrong_command = 2, error_termination = 3, cannot_write = 4, interrupted = 130 };
+
+struct RunArguments {
+  std::string deck;
+  std::string directory = ".";
+  int threads = 0;  ///< 0: all cores
+  double until = 0.0;
+  long max_cycles = 0;
+  bool skip_unsupported = false;
+  bool quiet = false;
+};
+
+ExitCode run(const RunArguments& arguments);
+ExitCode check(const RunArguments& arguments);
+ExitCode keywords(const std::string& name);
+
+}  // namespace nugget::app

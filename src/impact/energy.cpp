@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/energy.hpp"
+
+#include "base/parallel.hpp"
+
+namespace nugget::impact {
+
+double kinetic_energy(const system::System& system, const system::State& state, std::span<const Row> v_before,
+                      std::span<const Row> w_before, std::span<const Vec3d> momentum_before) {
+  double sum = ordered_sum(system.nodes, [&](std::size_t k) {
+    return 0.5 * system.mass[k] * dot(vec(v_before[k]), vec(state.v[k])) +
+           0.5 * system.inertia[k] * dot(vec(w_before[k]), vec(state.w[k]));
+  });
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const system::RigidBody& body = system.bodies[b];
+    const auto k = static_cast<std::size_t>(body.node);
+    sum += 0.5 * body.mass * dot(vec(v_before[k]), vec(state.v[k])) +
+           0.25 * (dot(vec(w_before[k]), body.angular_momentum) + dot(momentum_before[b], vec(state.w[k])));
+  }
+  return sum;
+}
+
+void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before, Energy& energy,
+                      std::vector<PartEnergy>& parts) {
+  energy.internal = energy.hourglass = energy.eroded = 0.0;
+  parts.assign(system.model.parts.size(), {});
+  const auto carry = [&](PartEnergy& part, int node, double m) {
+    const auto k = static_cast<std::size_t>(node);
+    const Vec3d before = vec(v_before[k]), after = vec(state.v[k]);
+    part.kinetic += 0.5 * m * dot(before, after);
+    part.momentum += m * (0.5 * (before + after));
+    part.mass += m;
+  };
+  for (const auto& group : system.groups) {
+    PartEnergy& part = parts[static_cast<std::size_t>(group->part)];
+    for (std::size_t e = 0; e < group->size(); ++e) {
+      const double internal = group->internal_energy(e), hourglass = group->hourglass_energy(e);
+      if (group->alive(e)) {
+        part.internal += internal;
+        part.hourglass += hourglass;
+        energy.internal += internal;
+        energy.hourglass += hourglass;
+      } else {
+        energy.eroded += internal + hourglass;
+      }
+      const auto nodes = group->nodes(e);
+      const double m = group->mass_scale(e) * group->mass(e) / group->nodes_per_element;
+      for (int a = 0; a < group->nodes_per_element; ++a) carry(part, nodes[static_cast<std::size_t>(a)], m);
+    }
+  }
+  for (const system::System::Lump& lump : system.lumps())
+    for (int a = 0; a < lump.corners; ++a)
+      carry(parts[static_cast<std::size_t>(lump.part)], lump.node[static_cast<std::size_t>(a)], lump.mass / lump.corners);
+}
+
+}  // namespace nugget::impact

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace nugget::impact {
+
+/// What the command line says about a run.
+struct Options {
+  std::filesystem::path directory = ".";
+  double until = 0.0;      ///< end time; 0: the deck's
+  long max_cycles = 0;     ///< 0: the deck's
+  std::string version;
+};
+
+enum class Termination { normal, error, interrupted };
+
+/// How a run ended.
+struct Outcome {
+  Termination termination = Termination::normal;
+  std::string message;  ///< the reason, where it is not the end time
+};
+
+/// What a progress display is told every so often.
+struct Progress {
+  double time = 0.0, end_time = 0.0, dt = 0.0;
+  long cycle = 0;
+  double energy_ratio = 1.0;
+  int welds = 0, welds_failed = 0;
+  double seconds = 0.0;  ///< since the start of the run
+};
+using ProgressCallback = std::function<void(const Progress&)>;
+
+}  // namespace nugget::impact

@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "system/system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.hpp"
+#include "system/order.hpp"
+
+namespace nugget::system {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+System::System(const model::Model& m, const weld::Ties& t, Findings& findings) : model(m), ties(t) {
+  order_nodes();
+  make_groups(findings);
+  make_constraints(findings);
+  link_slots();
+  assemble_mass();
+  make_bodies();
+  hand_over_mass();
+}
+
+void System::order_nodes() {
+  nodes = model.nodes.size();
+  const std::vector<int> order = morton_order(ties.x);
+  node_of.resize(nodes);
+  model_node.resize(nodes);
+  for (std::size_t i = 0; i < nodes; ++i) {
+    model_node[i] = order[i];
+    node_of[at(order[i])] = static_cast<int>(i);
+  }
+}
+
+void System::make_constraints(Findings& findings) {
+  std::vector<const char*> maker(nodes, nullptr);
+  const auto claim = [&](model::Index node, const char* what, const Place& place) {
+    const char*& held = maker[at(node)];
+    if (held != nullptr) {
+      findings.error(place, "", fmt::format("node {} is made dependent twice: by {} and by {}", model.nodes.id[at(node)], held, what),
+                     "a node may follow only one rigid body or tie: remove it from one of them");
+      return false;
+    }
+    held = what;
+    return true;
+  };
+  body_of.assign(model.rigid_bodies.size(), -1);
+  for (std::size_t b = 0; b < model.rigid_bodies.size(); ++b) {
+    const model::RigidBody& source = model.rigid_bodies[b];
+    RigidBody body;
+    body.source = static_cast<model::Index>(b);
+    body.id = source.id;
+    body.title = source.title;
+    body.node = static_cast<int>(nodes + bodies.size());
+    body.fixed = source.fixed;
+    body.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    body_of[b] = static_cast<int>(bodies.size());
+    for (model::Index n : source.nodes) {
+      if (!claim(n, "a rigid body", source.place)) continue;
+      // Arms hold the node's position until the centre is known; see make_bodies.
+      const ConstraintMap::Term term{body.node, 1.0, ties.x[at(n)]};
+      map.add(node_of[at(n)], true, {&term, 1});
+    }
+    bodies.push_back(std::move(body));
+  }
+  for (const weld::Tie& tie : ties.ties) {
+    if (!claim(tie.node, "a tie", model.contacts[at(tie.contact)].place)) continue;
+    std::vector<ConstraintMap::Term> terms;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (tie.weight[i] == 0.0) continue;
+      terms.push_back({node_of[at(tie.segment[i])], tie.weight[i], {}});
+    }
+    map.add(node_of[at(tie.node)], tie.rotations, terms);
+  }
+  for (int node : map.close(static_cast<int>(all_nodes())))
+    findings.error({model.deck, 0, 0}, "",
+                   fmt::format("node {} is tied to itself through other ties", model.nodes.id[at(model_node[at(node)])]),
+                   "tie the weld to a sheet whose nodes are free");
+}
+
+void System::assemble_mass() {
+  own_mass.assign(nodes, 0.0);
+  own_inertia_.assign(nodes, 0.0);
+  const auto put = [&](int node, double m, double j) {
+    own_mass[at(node)] += m;
+    own_inertia_[at(node)] += j;
+  };
+  for (const auto& group : groups) {
+    const int corners = group->nodes_per_element;
+    for (std::size_t e = 0; e < group->size(); ++e) {
+      const std::array<int, 8> node = group->nodes(e);
+      const double scale = group->mass_scale(e);
+      const double m = scale * group->mass(e) / corners, j = scale * group->nodal_inertia(e);
+      for (int a = 0; a < corners; ++a) put(node[at(a)], m, j);
+    }
+  }
+  for (const Lump& lump : lumps_)
+    for (int a = 0; a < lump.corners; ++a) put(lump.node[at(a)], lump.mass / lump.corners, lump.nodal_inertia);
+  for (const model::PointMass& m : model.masses) put(node_of[at(m.node)], m.mass, 0.0);
+  for (const model::PointInertia& p : model.inertias)
+    put(node_of[at(p.node)], p.mass, (p.inertia[0] + p.inertia[3] + p.inertia[5]) / 3.0);
+}
+
+void System::make_bodies() {
+  const auto body_at = [&](int node) -> RigidBody& { return bodies[at(node) - nodes]; };
+  std::vector<double> mass_sum(bodies.size(), 0.0);
+  std::vector<Vec3d> moment(bodies.size()), middle(bodies.size());
+  std::vector<int> count(bodies.size(), 0);
+  const auto each_term = [&](auto&& visit) {
+    for (std::size_t d = 0; d < nodes; ++d) {
+      if (!map.dependent(static_cast<int>(d))) continue;
+      for (ConstraintMap::Term& t : map.terms(static_cast<int>(d)))
+        if (at(t.node) >= nodes) visit(d, t);
+    }
+  };
+  each_term([&](std::size_t d, ConstraintMap::Term& t) {
+    const std::size_t b = at(t.node) - nodes;
+    mass_sum[b] += t.weight * own_mass[d];
+    moment[b] += (t.weight * own_mass[d]) * t.arm;
+    middle[b] += t.arm;
+    ++count[b];
+  });
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const model::RigidBody& source = model.rigid_bodies[at(bodies[b].source)];
+    bodies[b].mass = source.given ? source.inertia.mass : mass_sum[b];
+    bodies[b].center0 = source.given        ? source.inertia.center
+                        : mass_sum[b] > 0.0 ? (1.0 / mass_sum[b]) * moment[b]
+                        : count[b] > 0      ? (1.0 / count[b]) * middle[b]
+                                            : Vec3d{};
+  }
+  each_term([&](std::size_t d, ConstraintMap::Term& t) {
+    RigidBody& body = body_at(t.node);
+    t.arm -= body.center0;
+    add_point(body.inertia, t.weight * own_mass[d], t.weight * own_inertia_[d], t.arm);
+  });
+  for (RigidBody& body : bodies) {
+    const model::RigidBody& source = model.rigid_bodies[at(body.source)];
+    if (source.given) body.inertia = source.inertia.inertia;
+    // Nodes in a line without rotary inertia leave one direction without any: a small isotropic share keeps it solvable.
+    Inertia& i = body.inertia;
+    const double trace = i[0] + i[3] + i[5];
+    const double det = i[0] * (i[3] * i[5] - i[4] * i[4]) - i[1] * (i[1] * i[5] - i[2] * i[4]) + i[2] * (i[1] * i[4] - i[2] * i[3]);
+    if (det <= 1e-12 * trace * trace * trace) {
+      const double share = trace > 0.0 ? 1e-3 * trace : 1.0;
+      i[0] += share;
+      i[3] += share;
+      i[5] += share;
+    }
+  }
+}
+
+void System::hand_over_mass() {
+  mass = own_mass;
+  inertia = own_inertia_;
+  for (std::size_t d = 0; d < nodes; ++d) {
+    if (!map.dependent(static_cast<int>(d))) continue;
+    for (const ConstraintMap::Term& t : map.terms(static_cast<int>(d))) {
+      if (at(t.node) >= nodes) continue;  // bodies were given theirs by make_bodies
+      mass[at(t.node)] += t.weight * own_mass[d];
+      inertia[at(t.node)] += t.weight * (own_inertia_[d] + own_mass[d] * dot(t.arm, t.arm));
+    }
+    mass[d] = inertia[d] = 0.0;
+  }
+}
+
+State System::initial_state() {
+  State state;
+  const std::size_t n = all_nodes();
+  state.x.resize(n);
+  state.v.resize(n);
+  state.w.resize(n);
+  state.f.resize(n);
+  state.m.resize(n);
+  for (std::size_t i = 0; i < nodes; ++i) {
+    const std::size_t k = at(model_node[i]);
+    set(state.x[i], ties.x[k]);
+    if (!model.initial_velocity.empty()) set(state.v[i], model.initial_velocity[k]);
+    if (!model.initial_spin.empty()) set(state.w[i], model.initial_spin[k]);
+  }
+  // A body starts with the momentum of its nodes.
+  std::vector<Vec3d> linear(bodies.size()), angular(bodies.size());
+  std::vector<double> sum(bodies.size(), 0.0);
+  std::vector<Inertia> spread(bodies.size());
+  for (std::size_t d = 0; d < nodes; ++d) {
+    if (!map.dependent(static_cast<int>(d))) continue;
+    for (const ConstraintMap::Term& t : map.terms(static_cast<int>(d))) {
+      if (at(t.node) < nodes) continue;
+      const std::size_t b = at(t.node) - nodes;
+      const double m = std::max(t.weight * own_mass[d], 1e-30);
+      sum[b] += m;
+      linear[b] += m * vec(state.v[d]);
+      angular[b] += m * cross(t.arm, vec(state.v[d])) + (t.weight * own_inertia_[d]) * vec(state.w[d]);
+      add_point(spread[b], m, t.weight * own_inertia_[d], t.arm);
+    }
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    RigidBody& body = bodies[b];
+    const std::size_t k = at(body.node);
+    set(state.x[k], body.center0);
+    const Vec3d velocity = sum[b] > 0.0 ? (1.0 / sum[b]) * linear[b] : Vec3d{};
+    RigidBody nodal = body;
+    const Inertia& own = spread[b];
+    const double trace = own[0] + own[3] + own[5];
+    nodal.inertia = own;
+    for (std::size_t i : {0u, 3u, 5u}) nodal.inertia[i] += 1e-12 * trace + 1e-300;
+    const Vec3d spin = trace > 0.0 ? nodal.spin(angular[b], body.axes) : Vec3d{};
+    set(state.v[k], velocity);
+    set(state.w[k], spin);
+    body.angular_momentum = body.momentum(spin, body.axes);
+  }
+  map.follow(0.0, state.v, state.w);
+  return state;
+}
+
+void System::link_slots() {
+  std::size_t rows = 0;
+  for (auto& group : groups) {
+    group->first_slot = rows;
+    rows += group->slot_rows();
+    for (std::size_t b = 0; b < group->blocks(); ++b) blocks_.emplace_back(static_cast<int>(&group - groups.data()), b);
+    group->block_step.assign(group->blocks(), std::numeric_limits<double>::infinity());
+  }
+  slots_.assign(rows, Row{});
+
+  std::vector<std::size_t> count(nodes + 1, 0);
+  const auto each_slot = [&](auto&& visit) {
+    for (const auto& group : groups)
+      for (std::size_t e = 0; e < group->size(); ++e) {
+        const std::array<int, 8> node = group->nodes(e);
+        for (int a = 0; a < group->nodes_per_element; ++a) visit(at(node[at(a)]), *group, group->slot_row(e, a));
+      }
+  };
+  each_slot([&](std::size_t node, const ElementGroup&, std::size_t) { ++count[node + 1]; });
+  for (std::size_t k = 0; k < nodes; ++k) count[k + 1] += count[k];
+  gather_start_ = count;
+  gather_.resize(count.back());
+  std::vector<std::size_t> next(count.begin(), count.end() - 1);
+  each_slot([&](std::size_t node, const ElementGroup& group, std::size_t row) {
+    gather_[next[node]++] = static_cast<std::uint32_t>(row << 1 | (group.rotational ? 1u : 0u));
+  });
+}
+
+void System::internal_force(State& state) {
+  parallel_for(blocks_.size(), 16, [&](std::size_t begin, std::size_t end) {
+    while (begin < end) {
+      const int g = blocks_[begin].first;
+      std::size_t run = begin;
+      while (run < end && blocks_[run].first == g) ++run;
+      groups[at(g)]->cycle(blocks_[begin].second, blocks_[run - 1].second + 1, state, state.dt, slots_);
+      begin = run;
+    }
+  });
+  parallel_for(nodes, 512, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      Vec3d force{}, moment{};
+      for (std::size_t i = gather_start_[k]; i < gather_start_[k + 1]; ++i) {
+        const Row* slot = &slots_[gather_[i] >> 1];
+        force -= vec(slot[0]);
+        if (gather_[i] & 1u) moment -= vec(slot[1]);
+      }
+      set(state.f[k], force);
+      set(state.m[k], moment);
+    }
+  });
+  for (std::size_t k = nodes; k < all_nodes(); ++k) state.f[k] = state.m[k] = Row{};
+}
+
+System::Controlling System::controlling() const {
+  Controlling c;
+  c.step = std::numeric_limits<double>::infinity();
+  std::size_t block = 0;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const std::vector<double>& steps = groups[g]->block_step;
+    for (std::size_t b = 0; b < steps.size(); ++b) {
+      const double step = groups[g]->step_share * steps[b];
+      if (step < c.step) {
+        c.step = step;
+        c.group = static_cast<int>(g);
+        block = b;
+      }
+    }
+  }
+  if (c.group < 0) return c;
+  const ElementGroup& group = *groups[at(c.group)];
+  const std::size_t width = (group.size() + group.blocks() - 1) / group.blocks();
+  for (std::size_t e = block * width; e < std::min(group.size(), (block + 1) * width); ++e) {
+    if (group.alive(e) && group.stable_step(e) <= group.block_step[block]) c.element = static_cast<int>(e);
+    if (c.element >= 0) break;
+  }
+  return c;
+}
+
+std::string System::Controlling::describe(const System& s) const {
+  if (group < 0) return "nothing";
+  const ElementGroup& g = *s.groups[at(group)];
+  const model::Index e = element >= 0 ? g.element[at(element)] : model::none;
+  const char* kind = g.kind == model::ElementKind::shell ? "shell" : g.kind == model::ElementKind::solid ? "solid" : "beam";
+  const std::vector<int>& ids = g.kind == model::ElementKind::shell   ? s.model.shells.id
+                                : g.kind == model::ElementKind::solid ? s.model.solids.id
+                                                                      : s.model.beams.id;
+  return fmt::format("{} {} of part {}", kind, e == model::none ? 0 : ids[at(e)], s.model.parts[at(g.part)].id);
+}
+
+void System::scale_group(ElementGroup& group, double target) {
+  for (std::size_t e = 0; e < group.size(); ++e) {
+    const double step = group.stable_step(e);
+    if (!group.alive(e) || !(step < target * (1.0 - 1e-9))) continue;
+    group.scale_mass(e, group.mass_scale(e) * (target / step) * (target / step));
+  }
+}
+
+bool System::scale_mass(bool at_start) {
+  if (!at_start && model.control.mass_scaling_at_start_only) return false;
+  bool added = false;
+  for (auto& group : groups) {
+    if (group->mass_step <= 0.0) continue;
+    if (at_start && model.control.mass_step > 0.0 && !group->added_mass_is_physical) {
+      // DT2MS > 0: every element gets exactly this step, mass added or taken away.
+      for (std::size_t e = 0; e < group->size(); ++e) {
+        const double ratio = group->mass_step / group->stable_step(e);
+        group->scale_mass(e, group->mass_scale(e) * ratio * ratio);
+      }
+      added = true;
+      continue;
+    }
+    const double smallest = *std::min_element(group->block_step.begin(), group->block_step.end());
+    if (!(smallest < group->mass_step * (1.0 - 1e-9))) continue;
+    scale_group(*group, group->mass_step);
+    added = true;
+  }
+  if (!added) return false;
+  assemble_mass();
+  hand_over_mass();
+  return true;
+}
+
+System::Masses System::masses() const {
+  Masses m;
+  m.added_by_part.assign(model.parts.size(), 0.0);
+  for (const auto& group : groups) {
+    const bool weld = group->kind == model::ElementKind::beam;
+    for (std::size_t e = 0; e < group->size(); ++e) {
+      const double own = group->mass(e), extra = own * (group->mass_scale(e) - 1.0);
+      m.physical += own;
+      if (weld) m.added_to_welds += extra;
+      if (group->added_mass_is_physical) {
+        m.physical += extra;
+      } else {
+        m.added += extra;
+        m.added_by_part[at(group->part)] += extra;
+      }
+    }
+  }
+  for (const Lump& lump : lumps_) m.physical += lump.mass;
+  for (const model::PointMass& p : model.masses) m.physical += p.mass;
+  for (const model::PointInertia& p : model.inertias) m.physical += p.mass;
+  return m;
+}
+
+double System::part_mass(model::Index part) const {
+  double sum = 0.0;
+  for (const auto& group : groups)
+    if (group->part == part)
+      for (std::size_t e = 0; e < group->size(); ++e) sum += group->mass(e);
+  for (const Lump& lump : lumps_)
+    if (lump.part == part) sum += lump.mass;
+  return sum;
+}
+
+}  // namespace nugget::system
