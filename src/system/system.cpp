@@ -279,18 +279,20 @@ System::Controlling System::controlling() const {
     const std::vector<double>& steps = groups[g]->block_step;
     for (std::size_t b = 0; b < steps.size(); ++b) {
       const double step = groups[g]->step_share * steps[b];
-      if (step < c.step) {
+      if (!(step >= c.step)) {  // a NaN comes through, and stays
         c.step = step;
         c.group = static_cast<int>(g);
         block = b;
+        if (step != step) break;
       }
     }
+    if (c.step != c.step) break;
   }
   if (c.group < 0) return c;
   const ElementGroup& group = *groups[at(c.group)];
   const std::size_t width = (group.size() + group.blocks() - 1) / group.blocks();
   for (std::size_t e = block * width; e < std::min(group.size(), (block + 1) * width); ++e) {
-    if (group.alive(e) && group.stable_step(e) <= group.block_step[block]) c.element = static_cast<int>(e);
+    if (group.alive(e) && !(group.stable_step(e) > group.block_step[block])) c.element = static_cast<int>(e);
     if (c.element >= 0) break;
   }
   return c;

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "base/batch.hpp"
+#include "base/row.hpp"
+#include "system/element_group.hpp"
+
+namespace nugget::system {
+
+/// Memory aligned for vector registers.
+template <class T>
+struct Aligned {
+  using value_type = T;
+  Aligned() = default;
+  template <class U>
+  Aligned(const Aligned<U>&) {}
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64})); }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
+  friend bool operator==(const Aligned&, const Aligned&) { return true; }
+};
+using AlignedReals = std::vector<double, Aligned<double>>;
+
+/// Walks the blocks of one kind of element: gathers nodal rows into lanes, calls the kernel, books the work of the nodal forces as
+/// internal energy, and writes the forces into slots. What is particular to a kind of element comes from `Element`:
+///   corners, rotational               number of nodes; whether nodes carry spins and moments
+///   Layout: alive, density_scale, hourglass_energy   fields of the state
+///   state_size()                      numbers of state an element
+///   start(state, lane, element)       initial state of an element (model index)
+///   cycle<R>(motion, dt, state)       the kernel; returns f, m (where rotational) and stable_step
+///   mass, nodal_inertia (element)     of the undeformed element
+///   layers(), layer(...), thickness(...), resultants(...)   for output
+template <class Element>
+class BatchGroup final : public ElementGroup {
+ public:
+  using R = NativeBatch;
+  static constexpr int width = native_width;
+  static constexpr int corners = Element::corners;
+  static constexpr int rows = Element::rotational ? 2 : 1;
+
+  /// `connectivity`: system nodes of each element.
+  BatchGroup(Element kernel, model::ElementKind k, model::Index p, std::vector<model::Index> elements,
+             const std::vector<std::array<int, 8>>& connectivity, std::span<const Vec3d> x)
+      : kernel_(std::move(kernel)) {
+    kind = k;
+    part = p;
+    element = std::move(elements);
+    nodes_per_element = corners;
+    rotational = Element::rotational;
+    const std::size_t count = blocks() * width;
+    nodes_.resize(count * corners);
+    state_.assign(count * static_cast<std::size_t>(kernel_.state_size()), 0.0);
+    energy_.assign(count, 0.0);
+    step_.assign(count, std::numeric_limits<double>::infinity());
+    mass_.resize(size());
+    inertia_.resize(size());
+    for (std::size_t e = 0; e < count; ++e) {
+      // Padding lanes repeat the last element, deleted from the start: they do no work and get no node's attention.
+      const std::size_t own = std::min(e, size() - 1);
+      std::array<Vec3d, corners> place;
+      for (int a = 0; a < corners; ++a) {
+        const int node = connectivity[own][static_cast<std::size_t>(a)];
+        nodes_[node_index(e, a)] = node;
+        place[static_cast<std::size_t>(a)] = x[static_cast<std::size_t>(node)];
+      }
+      kernel_.start(state(e), lane(e), element[own], place);
+      if (e >= size()) {
+        field(e, Element::Layout::alive) = 0.0;
+      } else {
+        mass_[e] = kernel_.mass(element[own], place);
+        inertia_[e] = kernel_.nodal_inertia(element[own], place);
+      }
+    }
+  }
+
+  std::size_t blocks() const override { return (size() + width - 1) / width; }
+  std::size_t slot_rows() const override { return blocks() * width * corners * rows; }
+
+  void cycle(std::size_t begin, std::size_t end, const State& now, double dt, std::span<Row> slots) override {
+    for (std::size_t b = begin; b < end; ++b) {
+      const int* id = &nodes_[b * width * corners];
+      typename Element::template Motion<R> motion;
+      for (int a = 0; a < corners; ++a) {
+        motion.x[a] = gather<R>(now.x.data(), id + a * width);
+        motion.v[a] = gather<R>(now.v.data(), id + a * width);
+        if constexpr (Element::rotational) motion.w[a] = gather<R>(now.w.data(), id + a * width);
+      }
+      const auto out = kernel_.template cycle<R>(motion, dt, state(b * width));
+
+      // Work over the step: trapezoid of the forces before and after, times the velocities in between.
+      R work(0.0);
+      Row* slot = &slots[slot_row(b * width, 0)];
+      for (int a = 0; a < corners; ++a) {
+        int row[width];
+        for (int l = 0; l < width; ++l) row[l] = (l * corners + a) * rows;
+        work += dot(gather<R>(slot, row) + out.f[a], motion.v[a]);
+        scatter<R>(slot, row, out.f[a]);
+        if constexpr (Element::rotational) {
+          work += dot(gather<R>(slot + 1, row) + out.m[a], motion.w[a]);
+          scatter<R>(slot + 1, row, out.m[a]);
+        }
+      }
+      real_store(&energy_[b * width], real_load<R>(&energy_[b * width]) + R(0.5 * dt) * work);
+      real_store(&step_[b * width], out.stable_step);
+      find_block_step(b);
+    }
+  }
+
+  std::array<int, 8> nodes(std::size_t e) const override {
+    std::array<int, 8> n{};
+    for (int a = 0; a < corners; ++a) n[static_cast<std::size_t>(a)] = nodes_[node_index(e, a)];
+    return n;
+  }
+  bool alive(std::size_t e) const override { return field(e, Element::Layout::alive) != 0.0; }
+  void remove(std::size_t e) override { field(e, Element::Layout::alive) = 0.0; }
+  double stable_step(std::size_t e) const override { return step_[e]; }
+  double internal_energy(std::size_t e) const override { return energy_[e] - hourglass_energy(e); }
+  double hourglass_energy(std::size_t e) const override {
+    if constexpr (Element::Layout::hourglass_energy < 0) return 0.0;
+    return field(e, Element::Layout::hourglass_energy);
+  }
+  double mass(std::size_t e) const override { return mass_[e]; }
+  double nodal_inertia(std::size_t e) const override { return inertia_[e]; }
+  double mass_scale(std::size_t e) const override { return field(e, Element::Layout::density_scale); }
+  void scale_mass(std::size_t e, double factor) override {
+    step_[e] *= std::sqrt(factor / mass_scale(e));
+    field(e, Element::Layout::density_scale) = factor;
+    find_block_step(e / width);
+  }
+
+  int layers() const override { return kernel_.layers(); }
+  Layer layer(std::size_t e, int k, const State& now) const override {
+    return kernel_.layer(reader(e), k, places(e, now));
+  }
+  double thickness(std::size_t e) const override { return kernel_.thickness(reader(e)); }
+  std::array<double, 8> resultants(std::size_t e) const override { return kernel_.resultants(reader(e)); }
+
+ private:
+  static int lane(std::size_t e) { return static_cast<int>(e % width); }
+  std::size_t node_index(std::size_t e, int a) const {
+    return e / width * width * corners + static_cast<std::size_t>(a * width + lane(e));
+  }
+  double* state(std::size_t e) { return &state_[e / width * width * static_cast<std::size_t>(kernel_.state_size())]; }
+  const double* state(std::size_t e) const {
+    return &state_[e / width * width * static_cast<std::size_t>(kernel_.state_size())];
+  }
+  double& field(std::size_t e, int i) { return state(e)[i * width + lane(e)]; }
+  double field(std::size_t e, int i) const { return state(e)[i * width + lane(e)]; }
+  auto reader(std::size_t e) const {
+    return [s = state(e), l = lane(e)](int i) { return s[i * width + l]; };
+  }
+  std::array<Vec3d, corners> places(std::size_t e, const State& now) const {
+    std::array<Vec3d, corners> x;
+    for (int a = 0; a < corners; ++a) x[static_cast<std::size_t>(a)] = vec(now.x[static_cast<std::size_t>(nodes_[node_index(e, a)])]);
+    return x;
+  }
+  void find_block_step(std::size_t b) {
+    double smallest = step_[b * width];
+    for (int l = 1; l < width; ++l) {
+      const double s = step_[b * width + static_cast<std::size_t>(l)];
+      // A NaN must not get lost: it compares false with everything.
+      if (!(s >= smallest) && smallest == smallest) smallest = s;
+    }
+    block_step[b] = smallest;
+  }
+
+  Element kernel_;
+  std::vector<int> nodes_;  ///< block by block, node by node, lane by lane
+  AlignedReals state_, energy_, step_;
+  std::vector<double> mass_, inertia_;
+};
+
+}  // namespace nugget::system
