@@ -1,17 +1,89 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/batch.hpp"
 #include "base/vec3.hpp"
 
 namespace nugget {
 
-/// A nodal vector as it stands in the big arrays: padded, so that a row fills one vector register and never straddles cache lines.
+/// A nodal vector in memory: one aligned load, half a cache line.
 struct alignas(32) Row {
   double x = 0.0, y = 0.0, z = 0.0, pad = 0.0;
 };
 
-inline Vec3d vec(const Row& r) { return {r.x, r.y, r.z}; }
-inline void set(Row& r, const Vec3d& a) { r = {a.x, a.y, a.z, 0.0}; }
-inline void add(Row& r, const Vec3d& a) { r = {r.x + a.x, r.y + a.y, r.z + a.z, 0.0}; }
+inline Vec3d vec(const Row& r) {
+  return {r.x, r.y, r.z};
+}
+inline void set(Row& r, const Vec3d& a) {
+  r = {a.x, a.y, a.z, 0.0};
+}
+inline void add(Row& r, const Vec3d& a) {
+  r = {r.x + a.x, r.y + a.y, r.z + a.z, 0.0};
+}
+
+/// Rows `id[0]`, ..., `id[lanes<R> - 1]` of `base`, one a lane.
+template <class R>
+Vec3<R> gather(const Row* base, const int* id) {
+  Vec3<R> r;
+  for (int l = 0; l < lanes<R>; ++l) {
+    const Row& row = base[id[l]];
+    set_lane(r.x, l, row.x);
+    set_lane(r.y, l, row.y);
+    set_lane(r.z, l, row.z);
+  }
+  return r;
+}
+
+/// Writes the lanes of `v` to the consecutive rows from `first` on; the pad becomes 0.
+template <class R>
+void store_rows(Row* first, const Vec3<R>& v) {
+  for (int l = 0; l < lanes<R>; ++l) first[l] = {lane(v.x, l), lane(v.y, l), lane(v.z, l), 0.0};
+}
+
+/// Writes lane l of `v` to row `id[l]` of `base`; the pad becomes 0.
+template <class R>
+void scatter(Row* base, const int* id, const Vec3<R>& v) {
+  for (int l = 0; l < lanes<R>; ++l) base[id[l]] = {lane(v.x, l), lane(v.y, l), lane(v.z, l), 0.0};
+}
+
+#if defined(__AVX__)
+namespace detail {
+struct FourRows {
+  __m256d row[4];
+};
+inline FourRows transposed(const Vec3<Batch<4>>& v) {
+  const auto x = reinterpret_cast<__m256d>(v.x.v), y = reinterpret_cast<__m256d>(v.y.v);
+  const auto z = reinterpret_cast<__m256d>(v.z.v), zero = _mm256_setzero_pd();
+  const __m256d xy02 = _mm256_unpacklo_pd(x, y), xy13 = _mm256_unpackhi_pd(x, y);
+  const __m256d z02 = _mm256_unpacklo_pd(z, zero), z13 = _mm256_unpackhi_pd(z, zero);
+  return {{_mm256_permute2f128_pd(xy02, z02, 0x20), _mm256_permute2f128_pd(xy13, z13, 0x20),
+           _mm256_permute2f128_pd(xy02, z02, 0x31), _mm256_permute2f128_pd(xy13, z13, 0x31)}};
+}
+}  // namespace detail
+
+template <>
+inline Vec3<Batch<4>> gather<Batch<4>>(const Row* base, const int* id) {
+  const auto load = [&](int l) { return _mm256_load_pd(&base[id[l]].x); };
+  const __m256d r0 = load(0), r1 = load(1), r2 = load(2), r3 = load(3);
+  const __m256d xz01 = _mm256_unpacklo_pd(r0, r1), y01 = _mm256_unpackhi_pd(r0, r1);
+  const __m256d xz23 = _mm256_unpacklo_pd(r2, r3), y23 = _mm256_unpackhi_pd(r2, r3);
+  using Lanes = Batch<4>::Lanes;
+  return {Batch<4>(reinterpret_cast<Lanes>(_mm256_permute2f128_pd(xz01, xz23, 0x20))),
+          Batch<4>(reinterpret_cast<Lanes>(_mm256_permute2f128_pd(y01, y23, 0x20))),
+          Batch<4>(reinterpret_cast<Lanes>(_mm256_permute2f128_pd(xz01, xz23, 0x31)))};
+}
+
+template <>
+inline void store_rows<Batch<4>>(Row* first, const Vec3<Batch<4>>& v) {
+  const detail::FourRows rows = detail::transposed(v);
+  for (int l = 0; l < 4; ++l) _mm256_store_pd(&first[l].x, rows.row[l]);
+}
+
+template <>
+inline void scatter<Batch<4>>(Row* base, const int* id, const Vec3<Batch<4>>& v) {
+  const detail::FourRows rows = detail::transposed(v);
+  for (int l = 0; l < 4; ++l) _mm256_store_pd(&base[id[l]].x, rows.row[l]);
+}
+#endif
 
 }  // namespace nugget

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#if defined(__AVX__)
+#include <immintrin.h>
+#endif
+
+#include <cstring>
+
+#include "base/real.hpp"
+
+namespace nugget {
+
+/// Lanes of one register of the machine that is built for (NUGGET_ARCH).
+#if defined(__AVX__)
+inline constexpr int native_width = 4;
+#else
+inline constexpr int native_width = 2;
+#endif
+
+/// The compilers' vectors of W doubles and of W truth values.
+template <int W>
+struct Register;
+template <>
+struct Register<2> {
+  typedef double Lanes __attribute__((vector_size(16)));
+  typedef long Bits __attribute__((vector_size(16)));
+};
+template <>
+struct Register<4> {
+  typedef double Lanes __attribute__((vector_size(32)));
+  typedef long Bits __attribute__((vector_size(32)));
+};
+
+/// What a comparison of two batches gives: one truth value a lane (all bits set or none).
+template <int W>
+struct Mask {
+  using Bits = typename Register<W>::Bits;
+  Bits bits;
+
+  Mask() = default;
+  explicit Mask(Bits b) : bits(b) {}
+  friend Mask operator&&(Mask a, Mask b) { return Mask(a.bits & b.bits); }
+  friend Mask operator||(Mask a, Mask b) { return Mask(a.bits | b.bits); }
+  friend Mask operator!(Mask a) { return Mask(~a.bits); }
+  bool operator[](int l) const { return bits[l] != 0; }
+};
+
+template <int W>
+inline bool any(Mask<W> m) {
+#if defined(__AVX__)
+  if constexpr (W == 4) return _mm256_movemask_pd(reinterpret_cast<__m256d>(m.bits)) != 0;
+#endif
+  long r = 0;
+  for (int l = 0; l < W; ++l) r |= m.bits[l];
+  return r != 0;
+}
+
+/// W real numbers side by side, one for each of W like elements. A thin wrapper over the compilers' vector extension:
+/// every operation is lanewise and rounds as the same operation on doubles does.
+template <int W>
+struct Batch {
+  using Lanes = typename Register<W>::Lanes;
+  Lanes v;
+
+  Batch() : v{} {}
+  Batch(double a) : v(a - Lanes{}) {}  // implicit: constants of a kernel are doubles
+  explicit Batch(Lanes a) : v(a) {}
+
+  friend Batch operator+(Batch a, Batch b) { return Batch(a.v + b.v); }
+  friend Batch operator-(Batch a, Batch b) { return Batch(a.v - b.v); }
+  friend Batch operator*(Batch a, Batch b) { return Batch(a.v * b.v); }
+  friend Batch operator/(Batch a, Batch b) { return Batch(a.v / b.v); }
+  friend Batch operator-(Batch a) { return Batch(-a.v); }
+  Batch& operator+=(Batch b) { return *this = *this + b; }
+  Batch& operator-=(Batch b) { return *this = *this - b; }
+  Batch& operator*=(Batch b) { return *this = *this * b; }
+  friend Mask<W> operator>(Batch a, Batch b) { return Mask<W>(a.v > b.v); }
+  friend Mask<W> operator<(Batch a, Batch b) { return Mask<W>(a.v < b.v); }
+  friend Mask<W> operator>=(Batch a, Batch b) { return Mask<W>(a.v >= b.v); }
+  friend Mask<W> operator<=(Batch a, Batch b) { return Mask<W>(a.v <= b.v); }
+
+  friend Batch select(Mask<W> m, Batch yes, Batch no) { return Batch(m.bits ? yes.v : no.v); }
+  friend Batch min(Batch a, Batch b) { return select(b < a, b, a); }
+  friend Batch max(Batch a, Batch b) { return select(a < b, b, a); }
+  friend Batch abs(Batch a) {
+    const typename Mask<W>::Bits sign = reinterpret_cast<typename Mask<W>::Bits>(Batch(-0.0).v);
+    return Batch(reinterpret_cast<Lanes>(reinterpret_cast<typename Mask<W>::Bits>(a.v) & ~sign));
+  }
+  friend Batch sqrt(Batch a) {
+#if defined(__AVX__)
+    if constexpr (W == 4) return Batch(reinterpret_cast<Lanes>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a.v))));
+#endif
+    Batch r;
+    for (int l = 0; l < W; ++l) r.v[l] = std::sqrt(a.v[l]);
+    return r;
+  }
+};
+
+template <int W>
+inline constexpr int lanes<Batch<W>> = W;
+
+template <int W>
+double lane(Batch<W> a, int l) {
+  return a.v[l];
+}
+template <int W>
+void set_lane(Batch<W>& a, int l, double value) {
+  a.v[l] = value;
+}
+
+template <int W, class Function>
+Batch<W> map(Function&& f, Batch<W> a) {
+  Batch<W> r;
+  for (int l = 0; l < W; ++l) r.v[l] = f(a.v[l]);
+  return r;
+}
+template <int W, class Function>
+Batch<W> map(Function&& f, Batch<W> a, Batch<W> b) {
+  Batch<W> r;
+  for (int l = 0; l < W; ++l) r.v[l] = f(a.v[l], b.v[l]);
+  return r;
+}
+
+template <class R>
+requires(lanes<R> > 1) R real_load(const double* at) {
+  R r;
+  std::memcpy(&r.v, at, sizeof r.v);
+  return r;
+}
+template <int W>
+void real_store(double* at, Batch<W> value) {
+  std::memcpy(at, &value.v, sizeof value.v);
+}
+
+/// The batch of this machine.
+using NativeBatch = Batch<native_width>;
+
+}  // namespace nugget

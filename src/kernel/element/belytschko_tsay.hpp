@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/batch.hpp"
+#include "base/dual.hpp"
+#include "kernel/element/shell.hpp"
+
+namespace nugget::kernel {
+
+/// One cycle of the four-node Belytschko-Lin-Tsay shell (ELFORM 2): one point in the plane, layers through the
+/// thickness.
+///
+/// Strain rates and hourglass rates are formed on the mid-step geometry x(t + dt/2) = x - dt/2 v, stresses live in the
+/// element's frame, and nodal forces use the geometry at the end of the step: a rigid rotation x(t) -> x(t + dt)
+/// strains nothing, whatever its angle, if the spins are those of the chord, (2/dt) tan(angle/2); with the true angular
+/// velocity up to angle^3/12 in transverse shear. The frame bisects the diagonals, so that results do not depend on
+/// which node comes first. Hourglass forces: stiffness form or viscous form of element-theory 3.4, kept in the frame;
+/// their work is added up in the state by the trapezoidal rule. Warping stiffness (BWC 1): coupling of curvature and
+/// in-plane velocity (Belytschko, Wong, Chiang 1992), with the nodes' drilling rotation projected out along the nodal
+/// normals; the transverse shear stays the one-point form. Elements of which every layer has failed, or whose stable
+/// step falls below the law's deletion step, are deleted: alive 0, no force, infinite stable step. Internal energy is
+/// not computed here: it is the work of the nodal forces. Sources: Belytschko, Lin, Tsay, CMAME 42 (1984); LS-DYNA
+/// Theory Manual; ../shared/reference/element-theory.md section 3.
+///
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; Dual<24> with Elastic.
+template <class R, class Law>
+NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const Prepared<Law>& law, const NodalMotion<R, 4>& nodes,
+                              double dt, double* state);
+
+/// Frame of the element at nodal positions x1 .. x4, in which its stresses are given.
+Frame3d shell_frame(const std::array<Vec3d, 4>& x);
+
+/// Area projected on the plane of the diagonals [length^2].
+double shell_area(const std::array<Vec3d, 4>& x);
+
+/// Stable time step before TSSFAC, L / c with c = sqrt(E / (rho (1 - nu^2))) and L by `length` (ISDO) [time].
+double shell_stable_step(const std::array<Vec3d, 4>& x, ShellLength length, double E, double nu, double density);
+
+/// Mass of each of four nodes, rho t A / 4, and inertia m max(t^2/12 + offset, A/8) (element-theory 3.5, 3.8).
+NodalMass shell_nodal_mass(const std::array<Vec3d, 4>& x, double thickness, double density, double offset = 0.0,
+                           double mass_per_area = 0.0);
+
+}  // namespace nugget::kernel

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "kernel/element/shell.hpp"
+
+// The walk through the layers, common to the shells. Included by their .cpp files only.
+namespace nugget::kernel {
+
+/// Membrane, curvature and transverse shear rates of a shell at its one point.
+template <class R>
+struct ShellRates {
+  R xx{}, yy{}, xy{}, kxx{}, kyy{}, kxy{}, xz{}, yz{};
+};
+
+/// Stress resultants: forces and moments a length, shear with the shear factor.
+template <class R>
+struct ShellResultants {
+  R nxx{}, nyy{}, nxy{}, mxx{}, myy{}, mxy{}, qx{}, qy{};
+};
+
+template <class R>
+ShellRates<R> select(const MaskOf<R>& m, const ShellRates<R>& a, const ShellRates<R>& b) {
+  return {select(m, a.xx, b.xx),   select(m, a.yy, b.yy),   select(m, a.xy, b.xy), select(m, a.kxx, b.kxx),
+          select(m, a.kyy, b.kyy), select(m, a.kxy, b.kxy), select(m, a.xz, b.xz), select(m, a.yz, b.yz)};
+}
+
+/// Advances all layers by a step and adds them up on the new thickness. Elements of which every layer has failed are
+/// deleted: `alive` is cleared for them.
+template <class R, class Law>
+[[gnu::always_inline]] inline ShellResultants<R> advance_layers(const ShellProperties& shell, const Prepared<Law>& law,
+                                                                const ShellRates<R>& d, double dt, double* state,
+                                                                MaskOf<R>& alive) {
+  using L = ShellLayout;
+  const L layout = shell_layout(shell, law);
+  R t = load_field<R>(state, L::thickness);
+  ShellResultants<R> n;
+  ThicknessStrain<R> thinning;
+  MaskOf<R> sound = R(1.0) < R(0.0);
+  for (int k = 0; k < layout.layers; ++k) {
+    const auto point = static_cast<std::size_t>(k);
+    const double zeta = 0.5 * (shell.layers.zeta[point] - shell.offset), weight = shell.layers.weight[point];
+    const R z = zeta * t;
+    double* stress = state + layout.layer(k) * lanes<R>;
+    double* history = state + layout.history_of(k) * lanes<R>;
+    LayerTensor<R> s = load_layer<R>(stress);
+    const ThicknessStrain<R> e =
+        law.layer(s, LayerTensor<R>{d.xx + z * d.kxx, d.yy + z * d.kyy, d.xy + z * d.kxy, d.xz, d.yz}, dt, history);
+    store_layer(stress, s);
+    thinning.total += weight * e.total;
+    thinning.plastic += weight * e.plastic;
+    if (law.can_fail()) sound = sound || !law.template failed<R>(history);
+    const R xx = weight * s.xx, yy = weight * s.yy, xy = weight * s.xy;
+    n.nxx += xx;
+    n.nyy += yy;
+    n.nxy += xy;
+    n.mxx += zeta * xx;
+    n.myy += zeta * yy;
+    n.mxy += zeta * xy;
+    n.qx += weight * s.xz;
+    n.qy += weight * s.yz;
+  }
+  if (law.can_fail()) alive = alive && sound;
+
+  if (shell.thickness_update != ThicknessUpdate::none) {
+    t += t * (shell.thickness_update == ThicknessUpdate::all ? thinning.total : thinning.plastic);
+    store_field(state, L::thickness, t);
+  }
+  const R t2 = t * t, qt = shell.shear_factor * t;
+  return {t * n.nxx, t * n.nyy, t * n.nxy, t2 * n.mxx, t2 * n.myy, t2 * n.mxy, qt * n.qx, qt * n.qy};
+}
+
+/// Viscous pressure a length in a shell that is compressed in its plane (element-theory 5.6); 0 when stretched.
+template <class R, class Law>
+R viscous_membrane(const ShellProperties& shell, const Prepared<Law>& law, const R& trace, const R& area,
+                   const double* state) {
+  const R density = shell.density * load_field<R>(state, ShellLayout::density_scale);
+  const R side = sqrt(area), c = sqrt(law.elastic().plane / density);
+  const R q = density * side * (shell.bulk_quadratic * side * trace * trace - shell.bulk_linear * c * trace);
+  return select(trace < 0.0, q * load_field<R>(state, ShellLayout::thickness), R(0.0));
+}
+
+}  // namespace nugget::kernel

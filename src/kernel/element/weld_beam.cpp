@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernel/element/weld_beam.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace nugget::kernel {
+namespace {
+
+/// Second moments and area of the points, for masses.
+struct Moments {
+  double area = 0.0, ss = 0.0, tt = 0.0;  ///< tt = sum of area t^2 (bending about s)
+};
+Moments moments(const FibreRule& rule) {
+  Moments m;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(rule.count); ++k) {
+    m.area += rule.area[k];
+    m.ss += rule.area[k] * rule.s[k] * rule.s[k];
+    m.tt += rule.area[k] * rule.t[k] * rule.t[k];
+  }
+  return m;
+}
+
+}  // namespace
+
+FibreRule disc_fibres(double outer_diameter, double inner_diameter, int quadrature) {
+  const double outer = 0.25 * outer_diameter * outer_diameter, inner = 0.25 * inner_diameter * inner_diameter;
+  const double area = std::numbers::pi * (outer - inner);
+  FibreRule rule;
+  const auto add = [&](double radius, double angle, double weight) {
+    const auto k = static_cast<std::size_t>(rule.count++);
+    rule.s[k] = radius * std::cos(angle);
+    rule.t[k] = radius * std::sin(angle);
+    rule.area[k] = weight;
+  };
+  // Gauss points in the square of the radius make the second moments exact.
+  const int rings = quadrature <= 2   ? 1
+                    : quadrature == 3 ? 2
+                                      : 3,
+            angles = quadrature <= 2   ? 4
+                     : quadrature == 3 ? 8
+                                       : 16;
+  const LayerRule gauss = gauss_layers(rings);
+  for (int i = 0; i < rings; ++i) {
+    const auto ring = static_cast<std::size_t>(i);
+    const double square = 0.5 * (outer + inner) + 0.5 * (outer - inner) * gauss.zeta[ring];
+    const double first = rings == 1 ? 0.25 * std::numbers::pi : 0.0;
+    for (int j = 0; j < angles; ++j)
+      add(std::sqrt(square), first + 2.0 * std::numbers::pi * j / angles, area * gauss.weight[ring] / angles);
+  }
+  return rule;
+}
+
+void start_weld_beam(const WeldBeamLayout& layout, const Vec3d& x1, const Vec3d& x2, const Vec3d& towards,
+                     double* state, int width, int lane) {
+  using L = WeldBeamLayout;
+  for (int i = 0; i < layout.size(); ++i) state[i * width + lane] = 0.0;
+  const Vec3d along = x2 - x1, r = unit(along);
+  Vec3d side = towards - dot(towards, r) * r;
+  if (dot(side, side) <= 1e-12 * dot(towards, towards)) {
+    const double x = std::abs(r.x), y = std::abs(r.y), z = std::abs(r.z);
+    const Vec3d axis = x <= y && x <= z ? Vec3d{1, 0, 0} : y <= z ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
+    side = axis - dot(axis, r) * r;
+  }
+  const Vec3d s = unit(side);
+  state[L::alive * width + lane] = 1.0;
+  state[L::density_scale * width + lane] = 1.0;
+  state[L::axis_s * width + lane] = s.x;
+  state[(L::axis_s + 1) * width + lane] = s.y;
+  state[(L::axis_s + 2) * width + lane] = s.z;
+  state[L::length * width + lane] = norm(along);
+}
+
+template <class R, class Law>
+NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared<Law>& law,
+                                  const NodalMotion<R, 2>& nodes, double dt, double* state) {
+  using L = WeldBeamLayout;
+  const WeldBeamLayout layout = weld_beam_layout(beam, law);
+  auto alive = load_field<R>(state, L::alive) > 0.5;
+
+  // s turns with the mean spin (Cayley's rotation, exact for a rigid body's chord velocities) and is put back across
+  // the beam.
+  const Vec3<R> chord = nodes.x[1] - nodes.x[0], stretch = nodes.v[1] - nodes.v[0];
+  const R length = norm(chord);
+  const Vec3<R> r = (1.0 / length) * chord;
+  const Vec3<R> old_s = load_vector<R>(state, L::axis_s);
+  const Vec3<R> turn = R(0.25 * dt) * (nodes.w[0] + nodes.w[1]), lever = old_s + cross(turn, old_s);
+  const Vec3<R> turned = old_s + (2.0 / (1.0 + dot(turn, turn))) * cross(turn, lever);
+  const Vec3<R> s = unit(turned - dot(turned, r) * r), t = cross(r, s);
+  store_vector(state, L::axis_s, select(alive, s, old_s));
+  store_field(state, L::length, select(alive, length, load_field<R>(state, L::length)));
+
+  const Vec3<R> mid_chord = chord - R(0.5 * dt) * stretch;
+  const R over_mid = 1.0 / norm(mid_chord);
+  const Vec3<R> mid_r = over_mid * mid_chord, between = old_s + s;
+  const Vec3<R> mid_s = unit(between - dot(between, mid_r) * mid_r);
+  const Frame<R> mid{mid_r, mid_s, cross(mid_r, mid_s)};
+  const Vec3<R> dv = over_mid * mid.local(stretch), dw = over_mid * mid.local(nodes.w[1] - nodes.w[0]);
+  const Vec3<R> mean = mid.local(R(0.5) * (nodes.w[0] + nodes.w[1]));
+  const double torsion = beam.no_torsion ? 0.0 : 1.0;
+  const R rs = beam.shear_factor * (dv.y - mean.z), rt = beam.shear_factor * (dv.z + mean.y), twist = torsion * dw.x;
+
+  R n[6]{};
+  auto sound = R(1.0) < R(0.0);
+  const R none = R(0.0);
+  for (int k = 0; k < layout.fibres; ++k) {
+    const auto point = static_cast<std::size_t>(k);
+    const double ps = beam.fibres.s[point], pt = beam.fibres.t[point], area = beam.fibres.area[point];
+    double* stress = state + layout.fibre(k) * lanes<R>;
+    double* history = state + layout.history_of(k) * lanes<R>;
+    FibreTensor<R> a = load_fibre<R>(stress);
+    const FibreTensor<R> rate{dv.x + pt * dw.y - ps * dw.z, rs - pt * twist, rt + ps * twist};
+    law.fibre(a, select(alive, rate, FibreTensor<R>{}), dt, history);
+    store_fibre(stress, a);
+    if (law.can_fail()) sound = sound || !law.template failed<R>(history);
+    n[0] += area * a.rr;
+    n[1] += area * a.rs;
+    n[2] += area * a.rt;
+    n[3] += area * (ps * a.rt - pt * a.rs);
+    n[4] += (area * pt) * a.rr;
+    n[5] -= (area * ps) * a.rr;
+  }
+  if (beam.no_torsion) n[3] = none;  // the points' shear may still make one once they have yielded unevenly
+  if (law.can_fail()) {
+    alive = alive && sound;
+    store_field(state, L::alive, select(alive, R(1.0), none));
+  }
+  for (int i = 0; i < 6; ++i) {
+    n[i] = select(alive, n[i], none);
+    store_field(state, L::resultant + i, n[i]);
+  }
+
+  const Frame<R> end{r, s, t};
+  const R half = 0.5 * length;
+  NodalForces<R, 2> out;
+  out.f[1] = select(alive, end.global({n[0], n[1], n[2]}), Vec3<R>{});
+  out.f[0] = -out.f[1];
+  out.m[0] = select(alive, end.global({-n[3], half * n[2] - n[4], -n[5] - half * n[1]}), Vec3<R>{});
+  out.m[1] = select(alive, end.global({n[3], half * n[2] + n[4], n[5] - half * n[1]}), Vec3<R>{});
+  const R density = beam.density * load_field<R>(state, L::density_scale);
+  out.stable_step =
+      select(alive, length * sqrt(density * (1.0 / law.elastic().E)), R(std::numeric_limits<double>::infinity()));
+  return out;
+}
+
+double weld_beam_stable_step(double length, double E, double density) {
+  return length * std::sqrt(density / E);
+}
+
+NodalMass weld_beam_nodal_mass(const WeldBeamProperties& beam, double length, double density, double nu) {
+  const Moments section = moments(beam.fibres);
+  const double mass = 0.5 * density * section.area * length, bend = std::max(section.ss, section.tt);
+  const double shear_over_E = 0.5 / (1.0 + nu), k = beam.shear_factor * shear_over_E;
+  const double cube = density * section.area * length * length * length;
+  const double bending = 0.5 * density * bend * length + cube / 24.0;
+  const double torsion = 0.5 * density * (section.ss + section.tt) * length;
+  const double shear_mode = cube * k / (8.0 * (1.0 - k));
+  return {mass, std::max({bending, torsion, shear_mode})};
+}
+
+template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<Elastic>&,
+                                                const NodalMotion<double, 2>&, double, double*);
+template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<Spotweld>&,
+                                                const NodalMotion<double, 2>&, double, double*);
+template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<Elastic>&,
+                                                     const NodalMotion<NativeBatch, 2>&, double, double*);
+template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<Spotweld>&,
+                                                     const NodalMotion<NativeBatch, 2>&, double, double*);
+template NodalForces<Dual<12>, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<Elastic>&,
+                                                  const NodalMotion<Dual<12>, 2>&, double, double*);
+
+}  // namespace nugget::kernel

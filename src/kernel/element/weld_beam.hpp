@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "base/batch.hpp"
+#include "base/dual.hpp"
+#include "kernel/element/shell.hpp"
+
+namespace nugget::kernel {
+
+inline constexpr int most_fibres = 48;
+
+/// Points of a cross-section: places s, t [length] and areas [length^2].
+struct FibreRule {
+  int count = 0;
+  std::array<double, most_fibres> s{}, t{}, area{};
+};
+/// Rule for a disc or ring of the diameters given, by QR/IRID: up to 2: 4 points; 3: 2 radii x 8 angles; from 4 on: 3
+/// x 16. All have the exact area and second moments; their fully plastic moments are those of spotweld-theory 2.3.
+FibreRule disc_fibres(double outer_diameter, double inner_diameter, int quadrature);
+
+/// Section and control data of a block of spot-weld beams.
+struct WeldBeamProperties {
+  double density = 0.0;  ///< [mass/volume], before mass scaling
+  FibreRule fibres;
+  double shear_factor = 1.0;  ///< SHRF, on the transverse shear, not on the torsion [1]
+  bool no_torsion = false;    ///< ITOFF 1, or tied to shells without drilling stiffness: M_rr = 0
+};
+
+/// Fields of the state of a weld beam. Field i of lane l stands at state[i * lanes + l].
+struct WeldBeamLayout {
+  static constexpr int alive = 0;          ///< 1, or 0 once the element is deleted
+  static constexpr int density_scale = 1;  ///< factor on the density by mass scaling [1]
+  static constexpr int axis_s = 2;         ///< global components of the unit vector s; r is along the beam, t = r x s
+  static constexpr int resultant = 5;      ///< N_rr N_rs N_rt [force], M_rr M_ss M_tt [moment], at mid-length
+  static constexpr int length = 11;        ///< current length [length]
+  static constexpr int first_fibre = 12;
+
+  int fibres = 0, history = 0;
+
+  int size() const { return fibre(fibres); }
+  /// Stress rr rs rt of point k, followed by its history.
+  int fibre(int k) const { return first_fibre + k * (FibreTensor<double>::size + history); }
+  int history_of(int k) const { return fibre(k) + FibreTensor<double>::size; }
+};
+
+template <class Law>
+WeldBeamLayout weld_beam_layout(const WeldBeamProperties& beam, const Prepared<Law>&) {
+  return {beam.fibres.count, Prepared<Law>::fibre_history};
+}
+
+/// State of an undeformed, stress-free beam between x1 and x2 in lane `lane` of `width`. s lies in the plane of the
+/// beam and the global axis most across it, or in that of `towards` (the direction to a third node) if that is not
+/// zero.
+void start_weld_beam(const WeldBeamLayout& layout, const Vec3d& x1, const Vec3d& x2, const Vec3d& towards,
+                     double* state, int width, int lane);
+
+/// One cycle of the spot-weld beam (ELFORM 9): Hughes-Liu kinematics with one station at mid-length and points over the
+/// section; Poisson's effect is ignored, the section does not change, axial strain is logarithmic.
+///
+/// Rates are formed on the mid-step geometry, forces on that of the end. s turns with the mean spin of the nodes and
+/// stays normal to the beam. Points whose plastic strain reaches the failure strain carry no stress; a beam of which
+/// every point has failed is deleted: alive 0, no force, infinite stable step. The resultants are left in the state for
+/// the weld's failure function. The stable step is L / sqrt(E / rho). Source: ../shared/reference/spotweld-theory.md
+/// section 2.
+///
+/// Instantiated for R = double, NativeBatch with Elastic and Spotweld; Dual<12> with Elastic.
+template <class R, class Law>
+NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared<Law>& law,
+                                  const NodalMotion<R, 2>& nodes, double dt, double* state);
+
+/// Stable time step L / sqrt(E / rho) before TSSFAC [time].
+double weld_beam_stable_step(double length, double E, double density);
+
+/// Mass of each node, rho A L / 2, and isotropic inertia: the physical one raised until no mode is faster than the
+/// axial one (spotweld-theory 2.7).
+NodalMass weld_beam_nodal_mass(const WeldBeamProperties& beam, double length, double density, double nu);
+
+}  // namespace nugget::kernel

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "base/real.hpp"
+#include "kernel/law/piecewise_linear.hpp"
+#include "kernel/law/plastic_kinematic.hpp"
+#include "kernel/law/spotweld.hpp"
+
+// How the yield stress of a J2 law depends on plastic strain and rate. A hardening gives
+//   lowest()              a stress below which no point yields, whatever its history: most points are done with it,
+//   needs_rate()          whether `At` wants the total strain rate,
+//   kinematic()           the part of the plastic modulus that moves the yield surface,
+//   At<R>                 one point in one step: yield stress and slope after a further plastic strain.
+namespace nugget::kernel {
+
+/// Yield stress and its slope over the plastic strain of this step, both [stress].
+template <class R>
+struct YieldStress {
+  R value{}, slope{};
+};
+
+/// Factor 1 + (rate / C)^(1/P) on the yield stress (Cowper and Symonds).
+struct CowperSymonds {
+  double c = 0.0;  ///< [1/time]; 0: no rate effect
+  double p = 1.0;  ///< [1]
+
+  bool active() const { return c > 0.0; }
+  template <class R>
+  R factor(const R& rate) const {
+    const double exponent = 1.0 / p;
+    return map([&](double r) { return 1.0 + std::pow(r / c, exponent); }, rate);
+  }
+};
+
+/// Linear hardening, part of it kinematic, with Cowper-Symonds rates (MAT_003; MAT_100 without kinematic part and
+/// rates).
+class BilinearHardening {
+ public:
+  explicit BilinearHardening(const PlasticKinematic& law)
+      : yield_(law.yield), rate_{law.rate_c, law.rate_p}, viscoplastic_(law.viscoplastic && law.rate_c > 0.0) {
+    const double modulus = law.E * law.tangent_modulus / (law.E - law.tangent_modulus);
+    isotropic_ = law.beta * modulus;
+    kinematic_ = (1.0 - law.beta) * modulus;
+  }
+  explicit BilinearHardening(const Spotweld& law) : yield_(law.yield), isotropic_(law.hardening) {}
+
+  double lowest() const { return isotropic_ < 0.0 ? 0.0 : yield_; }
+  bool needs_rate() const { return rate_.active() && !viscoplastic_; }
+  double kinematic() const { return kinematic_; }
+
+  template <class R>
+  class At {
+   public:
+    At(const BilinearHardening& hardening, const R& plastic_strain, const R& strain_rate, double dt)
+        : hardening_(hardening), start_(hardening.yield_ + hardening.isotropic_ * plastic_strain), dt_(dt) {
+      slope_ = R(hardening.isotropic_);
+      if (!hardening.needs_rate()) return;
+      const R factor = hardening.rate_.factor(strain_rate);
+      start_ *= factor;
+      slope_ *= factor;
+    }
+    YieldStress<R> operator()(const R& increment) const {
+      const R still = start_ + slope_ * increment;
+      if (!hardening_.viscoplastic_) return {still, slope_};
+      const R factor = hardening_.rate_.factor((1.0 / dt_) * increment);
+      return {still * factor, slope_ * factor + still * (factor - 1.0) / (hardening_.rate_.p * increment)};
+    }
+
+   private:
+    const BilinearHardening& hardening_;
+    R start_, slope_{};
+    double dt_;
+  };
+
+ private:
+  double yield_, isotropic_ = 0.0, kinematic_ = 0.0;
+  CowperSymonds rate_{};
+  bool viscoplastic_ = false;
+};
+
+/// A yield curve made ready for fast look-up. Before the first point its ordinate holds; beyond the last the last slope
+/// goes on if it hardens, otherwise the last ordinate holds (a yield stress does not become negative).
+class YieldCurve {
+ public:
+  /// One straight piece: value `y` + `slope` (e - `x`) for `x` <= e < `end`.
+  struct Piece {
+    double x, end, y, slope;
+  };
+
+  explicit YieldCurve(const Curve& curve);
+  Piece at(double plastic_strain) const;
+  double lowest() const;
+  bool straight() const { return pieces_.size() == 1; }
+
+ private:
+  std::vector<Piece> pieces_;
+  std::vector<int> first_;  // the piece in which, or before which, each of equal buckets begins
+  double buckets_per_strain_ = 0.0;
+};
+
+/// Yield curves over plastic strain, with a table over rate or a factor over rate (MAT_024).
+class CurveHardening {
+ public:
+  explicit CurveHardening(const PiecewiseLinear& law);
+
+  double lowest() const { return lowest_; }
+  bool needs_rate() const { return rate_dependent_ && !viscoplastic_; }
+  double kinematic() const { return 0.0; }
+
+  template <class R>
+  class At {
+   public:
+    At(const CurveHardening& hardening, const R& plastic_strain, const R& strain_rate, double dt)
+        : hardening_(hardening), plastic_strain_(plastic_strain), rate_(strain_rate), dt_(dt) {
+      if (hardening.viscoplastic_) return;
+      if (hardening.needs_rate()) factor_ = map([&](double r) { return hardening.rate_factor(r); }, strain_rate);
+      fetch(plastic_strain);
+    }
+    YieldStress<R> operator()(const R& increment) {
+      if (hardening_.viscoplastic_) return viscous(increment);
+      const R strain = plastic_strain_ + increment;
+      if (!hardening_.straight_ && any(strain < x_ || strain >= end_)) fetch(strain);
+      return {factor_ * (y_ + slope_ * (strain - x_)), factor_ * slope_};
+    }
+
+   private:
+    void fetch(const R& strain) {
+      for (int l = 0; l < lanes<R>; ++l) {
+        const YieldCurve::Piece piece = hardening_.piece(lane(strain, l), lane(rate_, l));
+        set_lane(x_, l, piece.x);
+        set_lane(end_, l, piece.end);
+        set_lane(y_, l, piece.y);
+        set_lane(slope_, l, piece.slope);
+      }
+    }
+    YieldStress<R> viscous(const R& increment) const {
+      YieldStress<R> r;
+      for (int l = 0; l < lanes<R>; ++l) {
+        const YieldStress<double> y = hardening_.viscous(lane(plastic_strain_, l), lane(increment, l), dt_);
+        set_lane(r.value, l, y.value);
+        set_lane(r.slope, l, y.slope);
+      }
+      return r;
+    }
+
+    const CurveHardening& hardening_;
+    R plastic_strain_, rate_, factor_ = R(1.0);
+    R x_{}, end_{}, y_{}, slope_{};
+    double dt_;
+  };
+
+ private:
+  /// The two neighbours of a rate in the table and the weight of the upper one.
+  struct Between {
+    std::size_t low, high;
+    double weight, weight_slope;
+  };
+  Between between(double rate) const;
+  YieldCurve::Piece piece(double plastic_strain, double rate) const;
+  double rate_factor(double rate) const;
+  double rate_factor_slope(double rate) const;
+  YieldStress<double> viscous(double plastic_strain, double increment, double dt) const;
+
+  std::vector<YieldCurve> curves_;
+  std::vector<double> rates_;
+  bool log_rates_ = false;
+  CowperSymonds rate_{};
+  Curve rate_scale_;
+  bool rate_dependent_ = false, viscoplastic_ = false, straight_ = false;
+  double lowest_ = 0.0;
+};
+
+}  // namespace nugget::kernel

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "kernel/law/elastic_constants.hpp"
+#include "kernel/law/hardening.hpp"
+
+namespace nugget::kernel {
+
+/// Where a return to the yield surface ends.
+template <class R>
+struct PlasticReturn {
+  R increment;       ///< of the effective plastic strain [1]
+  R yield;           ///< yield stress Y reached [stress]
+  R over_a, over_b;  ///< 1 / (Y + ka increment), 1 / (Y + kb increment) [1/stress]
+};
+
+/// Finds the increment e of plastic strain with
+///   A / (Y + ka e)^2 + B / (Y + kb e)^2 = 1,   Y = yield(e),
+/// to which the J2 return comes in every stress space: A and B are the squares of the parts of the effective trial
+/// stress that shrink with the moduli ka and kb. Solid: A = 0, kb = 3G. Plane stress (Simo and Taylor 1986, with
+/// transverse shear): A = (sxx + syy)^2 / 4, ka = E / (2 (1 - nu)), kb = 3G. Beam fibre: A = s^2, ka = E, B = 3 tau^2,
+/// kb = 3G. Kinematic hardening adds its modulus to both. Newton on (A/.. + B/..)^(-1/2) = 1, nearly linear in e, kept
+/// inside a bracket; relative residual 1e-12. A lane that has converged is frozen, so that a batch gives bit for bit
+/// what its elements give alone.
+template <bool both, class R, class Yield>
+PlasticReturn<R> plastic_return(const R& A, const R& B, double ka, double kb, Yield& yield, MaskOf<R> active) {
+  constexpr double tolerance = 2e-12;
+  constexpr int limit = 100;
+  PlasticReturn<R> r;
+  r.increment = R(0.0);
+  R low = R(0.0), high = sqrt(A + B) * (1.0 / (both ? std::min(ka, kb) : kb));
+  for (int i = 0;; ++i) {
+    const YieldStress<R> y = yield(r.increment);
+    r.yield = y.value;
+    const R a = y.value + ka * r.increment, b = y.value + kb * r.increment;
+    R a2 = R(0.0), b2;
+    if constexpr (both) {
+      const R over = 1.0 / (a * b);
+      r.over_a = over * b;
+      r.over_b = over * a;
+      a2 = A * (r.over_a * r.over_a);
+    } else {
+      r.over_b = 1.0 / b;
+    }
+    b2 = B * (r.over_b * r.over_b);
+    const R s = both ? a2 + b2 : b2;
+    active = active && abs(s - 1.0) > tolerance;
+    if (!any(active) || i == limit) return r;
+
+    const auto short_of = s > 1.0;
+    low = select(short_of, r.increment, low);
+    high = select(short_of, high, r.increment);
+    R slope = b2 * r.over_b * (y.slope + kb);
+    if constexpr (both) slope += a2 * r.over_a * (y.slope + ka);
+    R next = r.increment + s * (sqrt(s) - 1.0) / slope;
+    next = select(next > low && next < high, next, 0.5 * (low + high));
+    r.increment = select(active, next, r.increment);
+  }
+}
+
+/// J2 plasticity with a hardening of law/hardening.hpp in all three stress spaces. History of a point: effective
+/// plastic strain, then with `back_stress` the back stress (a layer's in the plane-stress form of Simo and Taylor: its
+/// deviator is the back stress). A point whose plastic strain has reached the failure strain has no stress.
+template <class Hardening, bool back_stress>
+class J2 {
+ public:
+  static constexpr int layer_history = 1 + (back_stress ? LayerTensor<double>::size : 0);
+  static constexpr int solid_history = 1 + (back_stress ? SolidTensor<double>::size : 0);
+  static constexpr int fibre_history = 1;
+  static constexpr bool has_plastic_strain = true;  // the first number of the history
+
+  J2(double E, double nu, Hardening hardening, double failure_strain)
+      : elastic_(E, nu),
+        hardening_(std::move(hardening)),
+        lowest2_(hardening_.lowest() * hardening_.lowest()),
+        failure_strain_(failure_strain > 0.0 ? failure_strain : std::numeric_limits<double>::infinity()) {}
+
+  const ElasticConstants& elastic() const { return elastic_; }
+  bool can_fail() const { return failure_strain_ < std::numeric_limits<double>::infinity(); }
+
+  /// Which points have failed.
+  template <class R>
+  MaskOf<R> failed(const double* history) const {
+    return load_field<R>(history, 0) >= R(failure_strain_);
+  }
+
+  /// Adds a step of strain rate to a layer's stress (element-theory 8.3).
+  template <class R>
+  ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, double* history) const {
+    const LayerTensor<R> strain = R(dt) * rate;
+    elastic_.add(s, strain);
+    if (can_fail()) s = select(failed<R>(history), LayerTensor<R>{}, s);
+    ThicknessStrain<R> thickness{-elastic_.thinning * (strain.xx + strain.yy), R(0.0)};
+
+    LayerTensor<R> back;
+    if constexpr (back_stress) back = load_layer<R>(history + lanes<R>);
+    const R sum = s.xx + s.yy - (back.xx + back.yy), difference = s.xx - s.yy - (back.xx - back.yy);
+    const R xy = s.xy - back.xy, xz = s.xz - back.xz, yz = s.yz - back.yz;
+    const R A = 0.25 * (sum * sum), B = 0.75 * (difference * difference) + 3.0 * (xy * xy + xz * xz + yz * yz);
+    if (!any(A + B > lowest2_)) return thickness;
+
+    const R plastic_strain = load_field<R>(history, 0);
+    typename Hardening::template At<R> yield(hardening_, plastic_strain, rate_of(rate), dt);
+    const R start = yield(R(0.0)).value;
+    const auto plastic = A + B > start * start;
+    if (!any(plastic)) return thickness;
+
+    const double shift = hardening_.kinematic();
+    const double ka = 0.5 * elastic_.E / (1.0 - elastic_.nu) + shift, kb = 3.0 * elastic_.shear + shift;
+    const PlasticReturn<R> r = plastic_return<true>(A, B, ka, kb, yield, plastic);
+    const R keep_a = r.yield * r.over_a, keep_b = r.yield * r.over_b;
+    if constexpr (back_stress) {
+      const R grow = shift * r.increment;
+      const R move_a = grow * r.over_a, move_b = grow * r.over_b;
+      back = {back.xx + 0.5 * (move_a * sum + move_b * difference),
+              back.yy + 0.5 * (move_a * sum - move_b * difference), back.xy + move_b * xy, back.xz + move_b * xz,
+              back.yz + move_b * yz};
+      store_layer(history + lanes<R>, select(plastic, back, load_layer<R>(history + lanes<R>)));
+    }
+    const LayerTensor<R> returned{back.xx + 0.5 * (keep_a * sum + keep_b * difference),
+                                  back.yy + 0.5 * (keep_a * sum - keep_b * difference), back.xy + keep_b * xy,
+                                  back.xz + keep_b * xz, back.yz + keep_b * yz};
+    s = select(plastic, returned, s);
+    store_field(history, 0, plastic_strain + select(plastic, r.increment, R(0.0)));
+    if (can_fail()) s = select(failed<R>(history), LayerTensor<R>{}, s);
+
+    const R flow = select(plastic, 0.5 * r.increment * r.over_a * sum, R(0.0));  // plastic strain xx + yy
+    thickness.total += (elastic_.thinning - 1.0) * flow;
+    thickness.plastic -= flow;
+    return thickness;
+  }
+
+  /// Adds a step of strain rate to a solid's stress: radial return.
+  template <class R>
+  void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
+    elastic_.add(s, R(dt) * rate);
+    if (can_fail()) s = select(failed<R>(history), SolidTensor<R>{}, s);
+
+    const R mean = (1.0 / 3.0) * (s.xx + s.yy + s.zz);
+    SolidTensor<R> back;
+    if constexpr (back_stress) back = load_solid<R>(history + lanes<R>);
+    const SolidTensor<R> d{s.xx - mean - back.xx, s.yy - mean - back.yy, s.zz - mean - back.zz,
+                           s.xy - back.xy,        s.yz - back.yz,        s.zx - back.zx};
+    const R B = 1.5 * (d.xx * d.xx + d.yy * d.yy + d.zz * d.zz) + 3.0 * (d.xy * d.xy + d.yz * d.yz + d.zx * d.zx);
+    if (!any(B > lowest2_)) return;
+
+    const R plastic_strain = load_field<R>(history, 0);
+    typename Hardening::template At<R> yield(hardening_, plastic_strain, rate_of(rate), dt);
+    const R start = yield(R(0.0)).value;
+    const auto plastic = B > start * start;
+    if (!any(plastic)) return;
+
+    const double shift = hardening_.kinematic();
+    const PlasticReturn<R> r = plastic_return<false>(R(0.0), B, 0.0, 3.0 * elastic_.shear + shift, yield, plastic);
+    if constexpr (back_stress) {
+      back = back + (shift * r.increment * r.over_b) * d;
+      store_solid(history + lanes<R>, select(plastic, back, load_solid<R>(history + lanes<R>)));
+    }
+    SolidTensor<R> returned = back + (r.yield * r.over_b) * d;
+    returned.xx += mean;
+    returned.yy += mean;
+    returned.zz += mean;
+    s = select(plastic, returned, s);
+    store_field(history, 0, plastic_strain + select(plastic, r.increment, R(0.0)));
+    if (can_fail()) s = select(failed<R>(history), SolidTensor<R>{}, s);
+  }
+
+  /// Turns the history of a solid point with the material.
+  template <class R>
+  void rotate(const Frame<R>& q, double* history) const {
+    if constexpr (back_stress) store_solid(history + lanes<R>, rotated(q, load_solid<R>(history + lanes<R>)));
+  }
+
+  /// Adds a step of strain rate to a beam fibre's stress (spotweld-theory 2.4).
+  template <class R>
+  void fibre(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt, double* history) const {
+    static_assert(!back_stress, "no kinematic hardening in beam fibres");
+    elastic_.add(s, R(dt) * rate);
+    if (can_fail()) s = select(failed<R>(history), FibreTensor<R>{}, s);
+    const R A = s.rr * s.rr, B = 3.0 * (s.rs * s.rs + s.rt * s.rt);
+    if (!any(A + B > lowest2_)) return;
+
+    const R plastic_strain = load_field<R>(history, 0);
+    typename Hardening::template At<R> yield(hardening_, plastic_strain, rate_of(rate), dt);
+    const R start = yield(R(0.0)).value;
+    const auto plastic = A + B > start * start;
+    if (!any(plastic)) return;
+
+    const PlasticReturn<R> r = plastic_return<true>(A, B, elastic_.E, 3.0 * elastic_.shear, yield, plastic);
+    const R keep_a = r.yield * r.over_a, keep_b = r.yield * r.over_b;
+    s = select(plastic, FibreTensor<R>{keep_a * s.rr, keep_b * s.rs, keep_b * s.rt}, s);
+    store_field(history, 0, plastic_strain + select(plastic, r.increment, R(0.0)));
+    if (can_fail()) s = select(failed<R>(history), FibreTensor<R>{}, s);
+  }
+
+ private:
+  // Total strain rate sqrt(2/3 d:d); a layer's rate through the thickness is taken as that of plastic flow.
+  template <class R>
+  R rate_of(const LayerTensor<R>& d) const {
+    if (!hardening_.needs_rate()) return R(0.0);
+    const R zz = d.xx + d.yy;
+    return sqrt((2.0 / 3.0) * (d.xx * d.xx + d.yy * d.yy + zz * zz) +
+                (1.0 / 3.0) * (d.xy * d.xy + d.xz * d.xz + d.yz * d.yz));
+  }
+  template <class R>
+  R rate_of(const SolidTensor<R>& d) const {
+    if (!hardening_.needs_rate()) return R(0.0);
+    return sqrt((2.0 / 3.0) * (d.xx * d.xx + d.yy * d.yy + d.zz * d.zz) +
+                (1.0 / 3.0) * (d.xy * d.xy + d.yz * d.yz + d.zx * d.zx));
+  }
+  template <class R>
+  R rate_of(const FibreTensor<R>& d) const {
+    if (!hardening_.needs_rate()) return R(0.0);
+    return sqrt(d.rr * d.rr + (1.0 / 3.0) * (d.rs * d.rs + d.rt * d.rt));
+  }
+
+  ElasticConstants elastic_;
+  Hardening hardening_;
+  double lowest2_;
+  double failure_strain_;
+};
+
+}  // namespace nugget::kernel
