@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <functional>
 #include <set>
 #include <span>
@@ -10,10 +11,13 @@
 #include <vector>
 
 #include "deck/deck.hpp"
+#include "model/body_cards.hpp"
 #include "model/model.hpp"
+#include "model/set_recipe.hpp"
 
-// How a Deck becomes a Model. Keywords may come in any order, so reading has two halves: each keyword's reader takes its cards
-// and, where ids have to be looked up, leaves a closure behind that runs in its phase, when all that it needs is known.
+// How a Deck becomes a Model. Keywords may come in any order, so reading has two halves: each keyword's reader takes
+// its cards and, where ids have to be looked up, leaves a closure behind that runs in its phase, when all that it needs
+// is known.
 namespace nugget::model {
 
 /// The order in which closures run. Within a phase: in deck order.
@@ -32,7 +36,10 @@ enum class Phase {
 class Ids {
  public:
   /// False (and a finding) if the id is taken.
-  bool add(int id, Index index, const Place& place, std::string_view keyword, std::string_view what, Findings& findings);
+  bool add(int id, Index index, const Place& place, std::string_view keyword, std::string_view what,
+           Findings& findings);
+  /// Takes over the ids of a whole array at once: `ascending[i]` has index i. For nodes and elements, which are many.
+  void assign(const std::vector<int>& ascending);
   Index find(int id) const;  ///< none where absent
 
  private:
@@ -41,29 +48,81 @@ class Ids {
     Place place;
   };
   std::unordered_map<int, Entry> entries_;
+  std::vector<int> ascending_;  ///< of `assign`
+  std::vector<Index> by_id_;    ///< index of id `ascending_.front() + i`, where the ids are dense enough for a table
 };
+
+/// *DEFINE_BOX: both corners included.
+struct Box {
+  Vec3d low, high;
+  bool holds(const Vec3d& x) const {
+    return x.x >= low.x && x.x <= high.x && x.y >= low.y && x.y <= high.y && x.z >= low.z && x.z <= high.z;
+  }
+};
+
+/// What holds a *MAT_RIGID's parts (its second card); the rigid bodies are made of it.
+struct RigidCard {
+  int cmo = 0;    ///< 1: codes in global axes, -1: six digits in the axes of a coordinate system, 0: free
+  int con1 = 0;   ///< CMO 1: code of held translations 0..7; CMO -1: id of the coordinate system
+  int con2 = 0;   ///< CMO 1: code of held rotations 0..7; CMO -1: digits xyz and rx ry rz, e.g. 110111
+  int lco = 0;    ///< LCO: id of the coordinate system of local motions and output, 0 none
+  deck::Row row;  ///< the card, for findings
+};
+
+/// The codes 0..7 of LS-DYNA (x, y, z, xy, yz, zx, xyz) as bits 0..2.
+unsigned bits_of_code(int code);
 
 class Builder {
  public:
-  Builder(const deck::Deck& deck, Findings& findings) : deck(deck), findings(findings) {}
+  Builder(const deck::Deck& of_deck, Findings& into) : deck(of_deck), findings(into) {}
 
   const deck::Deck& deck;
   Findings& findings;
   Model model;
 
-  Ids nodes, shells, solids, beams, parts, shell_sections, solid_sections, beam_sections, materials, hourglass, curves, tables,
-      systems, vectors, boxes;
+  // Cards as read, until their phase.
+  deck::NodeTable node_table;
+  deck::ElementTable shell_table, solid_table, beam_table;
+  std::unordered_map<Index, RigidCard> rigid_cards;            ///< by material
+  std::unordered_map<Index, RigidBody::Inertia> part_inertia;  ///< by part; known after Phase::sets
+  std::vector<Box> box_list;                                   ///< by index of `boxes`
+  std::vector<Vec3d> vector_list;                              ///< by index of `vectors`; not normalized
+  std::vector<SetRecipe> set_recipes;
+  BodyCards body_cards;
+
+  Ids bodies;  ///< rigid bodies by id of part (merged ones too) or nodal body; known after Phase::bodies
+  std::vector<Index> body_of_node;  ///< by node: the rigid body that carries it, or none; known after Phase::bodies
+  std::vector<std::pair<Index, deck::Row>> part_rows;  ///< by part: the card that names section, material and hourglass
+
+  Ids nodes, shells, solids, beams, parts, shell_sections, solid_sections, beam_sections, materials, hourglass, curves,
+      tables, systems, vectors, boxes;
   Ids node_sets, part_sets, segment_sets, shell_sets, solid_sets, beam_sets;
 
-  void later(Phase phase, std::function<void(Builder&)> work) { work_[static_cast<std::size_t>(phase)].push_back(std::move(work)); }
+  void later(Phase phase, std::function<void(Builder&)> work) {
+    work_[static_cast<std::size_t>(phase)].push_back(std::move(work));
+  }
   void run(Phase phase);
 
-  // Look-ups that make a finding ("... is not defined") at the row's field where the id is unknown. Id 0 gives none, silently.
+  // Look-ups that make a finding ("... is not defined") at the row's field where the id is unknown. Id 0 gives none,
+  // silently.
   Index node(const deck::Row& row, std::string_view field);
   Index part(const deck::Row& row, std::string_view field);
   Index curve(const deck::Row& row, std::string_view field);
   const Set<Index>* node_set(const deck::Row& row, std::string_view field);
   const Set<Index>* part_set(const deck::Row& row, std::string_view field);
+  const Set<Index>* shell_set(const deck::Row& row, std::string_view field);
+  const Set<Index>* solid_set(const deck::Row& row, std::string_view field);
+  const Set<Index>* beam_set(const deck::Row& row, std::string_view field);
+  const Set<Segment>* segment_set(const deck::Row& row, std::string_view field);
+  Index system(const deck::Row& row, std::string_view field);  ///< a coordinate system
+  const Vec3d* vector(const deck::Row& row, std::string_view field);
+  const Box* box(const deck::Row& row, std::string_view field);
+  Index shell(const deck::Row& row, std::string_view field);
+  Index solid(const deck::Row& row, std::string_view field);
+  Index beam(const deck::Row& row, std::string_view field);
+
+  /// Index of the id in a field, or none and a finding "... is not defined". Id 0 gives none, silently.
+  Index find(const Ids& ids, std::string_view what, const deck::Row& row, std::string_view field);
 
  private:
   std::array<std::vector<std::function<void(Builder&)>>, 8> work_;
@@ -71,6 +130,47 @@ class Builder {
 
 /// The options found behind a keyword's base name, e.g. {"TITLE"} of MAT_SPOTWELD_TITLE.
 using Options = std::set<std::string, std::less<>>;
+
+/// True where nothing but blank lines is left: the end of a keyword that repeats its cards.
+bool at_end(const deck::Cursor& cursor);
+/// An error at the first line that is left over, if any, for keywords that take one set of cards.
+void expect_end(Builder& builder, const deck::Cursor& cursor);
+/// The title line if the option is there.
+std::string read_title(deck::Cursor& cursor, const Options& options);
+/// An error "... not supported" at a field whose value is not one of those this program computes.
+void refuse(Builder& builder, const deck::Row& row, std::string_view field, std::string text, std::string remedy = {});
+/// refuse(), if the field holds anything but blank or zero.
+void refuse_nonzero(Builder& builder, const deck::Row& row, std::string_view field, std::string text,
+                    std::string remedy = {});
+
+/// Findings of one kind, of which only the first few are written out and the rest counted.
+class Tally {
+ public:
+  Tally(Findings& findings, Severity severity, std::string keyword, int limit = 20)
+      : findings_(findings), severity_(severity), keyword_(std::move(keyword)), limit_(limit) {}
+  ~Tally() { finish(); }
+  Tally(const Tally&) = delete;
+  Tally& operator=(const Tally&) = delete;
+  /// One more. `text()` is only called for those that are written out.
+  template <class Text>
+  void add(const Place& place, const Text& text, std::string remedy = {}) {
+    if (++count_ <= limit_)
+      findings_.add({severity_, place, keyword_, {}, {}, text(), std::move(remedy)});
+    else
+      last_ = place;
+  }
+  bool full() const { return count_ >= limit_; }
+  int count() const { return count_; }
+
+ private:
+  void finish();
+  Findings& findings_;
+  Severity severity_;
+  std::string keyword_;
+  int limit_;
+  int count_ = 0;
+  Place last_;
+};
 
 /// One line of a keyword's layout for `nugget keywords`.
 struct LayoutCard {
@@ -80,12 +180,12 @@ struct LayoutCard {
 
 /// A row of the list of keywords: all that this program knows of it.
 struct Keyword {
-  std::string_view name;                   ///< canonical, no star: MAT_PIECEWISE_LINEAR_PLASTICITY
-  std::vector<std::string_view> aliases;   ///< MAT_024
-  std::vector<std::string_view> options;   ///< suffixes it takes, each alone or with others: TITLE, ID, MPP
+  std::string_view name;  ///< canonical, no star: MAT_PIECEWISE_LINEAR_PLASTICITY; `AIRBAG_*`: all that begin so
+  std::vector<std::string_view> aliases{};  ///< MAT_024
+  std::vector<std::string_view> options{};  ///< suffixes it takes, each alone or with others: TITLE, ID, MPP
   Verdict verdict = Verdict::used;
-  std::string_view why;                    ///< ignored: why that does no harm; refused: what is missing and what to do instead
-  std::vector<LayoutCard> layout;
+  std::string_view why{};  ///< ignored: why that does no harm; refused: what is missing and what to do instead
+  std::vector<LayoutCard> layout{};
   void (*read)(Builder&, const deck::Block&, const Options&) = nullptr;
 };
 
@@ -93,9 +193,12 @@ struct Keyword {
 std::span<const Keyword> keywords();
 /// The row that a deck's keyword belongs to by longest match, and its options; null where unknown.
 const Keyword* find_keyword(std::string_view written, Options& options);
+/// The row whose name is the longest beginning of an unknown keyword, to say which option is not known; may be null.
+const Keyword* nearest_keyword(std::string_view written);
 
-/// Turns a deck into a model. Unknown and refused keywords are errors (with `skip_unsupported`: warnings, their cards left out);
-/// unknown *DATABASE_ requests are warnings. All findings come at once; the model is usable only if there are no errors.
+/// Turns a deck into a model. Unknown and refused keywords are errors (with `skip_unsupported`: warnings, their cards
+/// left out); unknown *DATABASE_ requests are warnings. All findings come at once; the model is usable only if there
+/// are no errors.
 Model build(const deck::Deck& deck, Findings& findings, bool skip_unsupported = false);
 
 }  // namespace nugget::model

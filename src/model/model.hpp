@@ -2,9 +2,8 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <string>
-#include <variant>
+#include <utility>
 #include <vector>
 
 #include "base/curve.hpp"
@@ -16,9 +15,30 @@
 #include "model/parts.hpp"
 #include "model/requests.hpp"
 
-// The checked, immutable meaning of a deck. Inside, everything is an index (position in its array, from 0); the user's ids stand
-// beside, in arrays `id`. Values are in the deck's own units.
+// The checked, immutable meaning of a deck. Inside, everything is an index (position in its array, from 0); the user's
+// ids stand beside, in arrays `id`. Values are in the deck's own units.
 namespace nugget::model {
+
+/// Where each of many things was defined: a line and a file number, so that a million elements carry no strings.
+class Places {
+ public:
+  /// `files`: the names that file numbers count into, e.g. Deck::files.
+  explicit Places(std::vector<std::string> files = {}) : files_(std::move(files)) {}
+  void push_back(int file, int line) { entries_.push_back({file, line}); }
+  void reserve(std::size_t count) { entries_.reserve(count); }
+  std::size_t size() const { return entries_.size(); }
+  Place operator[](std::size_t i) const {
+    const auto file = static_cast<std::size_t>(entries_[i].file);
+    return {file < files_.size() ? files_[file] : std::string{}, entries_[i].line, 0};
+  }
+
+ private:
+  struct Entry {
+    int file = 0, line = 0;
+  };
+  std::vector<std::string> files_;
+  std::vector<Entry> entries_;
+};
 
 /// Nodes in ascending order of user id.
 struct Nodes {
@@ -33,8 +53,9 @@ struct Shells {
   std::vector<Index> part;
   std::vector<std::array<Index, 4>> node;
   std::vector<double> thickness;  ///< initial, mean of the nodal ones [length]
-  std::vector<double> offset;     ///< of the reference surface from the nodes, along the normal [length]; see SectionShell::nloc
-  std::vector<Place> place;
+  std::vector<double>
+      offset;  ///< of the reference surface from the nodes, along the normal [length]; see SectionShell::nloc
+  Places place;
   std::size_t size() const { return id.size(); }
   bool triangle(std::size_t e) const { return node[e][3] == node[e][2]; }
 };
@@ -44,7 +65,7 @@ struct Solids {
   std::vector<int> id;
   std::vector<Index> part;
   std::vector<std::array<Index, 8>> node;
-  std::vector<Place> place;
+  Places place;
   std::size_t size() const { return id.size(); }
 };
 
@@ -53,9 +74,10 @@ struct Beams {
   std::vector<int> id;
   std::vector<Index> part;
   std::vector<std::array<Index, 2>> node;
-  std::vector<Index> orientation;                ///< third node, or none
-  std::vector<std::array<Index, 2>> tied_parts;  ///< *ELEMENT_BEAM_PID: parts that end 1 and end 2 are to be tied to, or none
-  std::vector<Place> place;
+  std::vector<Index> orientation;  ///< third node, or none
+  std::vector<std::array<Index, 2>>
+      tied_parts;  ///< *ELEMENT_BEAM_PID: parts that end 1 and end 2 are to be tied to, or none
+  Places place;
   std::size_t size() const { return id.size(); }
 };
 
@@ -107,7 +129,8 @@ struct Model {
   std::vector<CoordinateSystem> systems;
   Sets sets;
 
-  std::vector<RigidBody> rigid_bodies;  ///< MAT_RIGID parts (merged), nodal rigid bodies, generalized weld spots without failure
+  std::vector<RigidBody>
+      rigid_bodies;  ///< MAT_RIGID parts (merged), nodal rigid bodies, generalized weld spots without failure
   std::vector<SinglePointConstraint> spcs;
   std::vector<PrescribedMotion> motions;
   std::vector<Vec3d> initial_velocity;  ///< per node; empty: all zero [length/time]

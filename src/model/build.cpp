@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <unordered_map>
+
+#include "model/builder.hpp"
+#include "model/passes.hpp"
+
+namespace nugget::model {
+
+namespace {
+
+/// The ledger while it is being written: one entry a keyword, in order of first appearance.
+class Ledger {
+ public:
+  explicit Ledger(std::vector<LedgerEntry>& entries) : entries_(entries) {}
+
+  /// True for the first appearance.
+  bool add(const std::string& keyword, Verdict verdict, std::string_view why, const Place& place) {
+    const auto [at, is_new] = index_.try_emplace(keyword, entries_.size());
+    if (is_new) entries_.push_back({keyword, 0, verdict, std::string(why), place});
+    ++entries_[at->second].count;
+    return is_new;
+  }
+
+ private:
+  std::vector<LedgerEntry>& entries_;
+  std::unordered_map<std::string, std::size_t> index_;
+};
+
+/// The verdict on one block, and its reader and options where it is used.
+struct Ruling {
+  Verdict verdict = Verdict::refused;
+  std::string why;
+  bool harmless = false;  ///< refused, but only an output is missing
+  const Keyword* row = nullptr;
+  Options options;
+};
+
+Ruling judge(const std::string& keyword) {
+  Ruling ruling;
+  ruling.row = find_keyword(keyword, ruling.options);
+  ruling.harmless = keyword.starts_with("DATABASE_");
+  if (ruling.row) {
+    ruling.verdict = ruling.row->verdict;
+    ruling.why = ruling.row->why;
+  } else if (const Keyword* base = nearest_keyword(keyword)) {
+    ruling.why = fmt::format("this form of *{} is not supported", base->name);
+  } else {
+    ruling.why = ruling.harmless ? "this output is not written" : "not a keyword that this program knows";
+  }
+  return ruling;
+}
+
+void report_refusal(Findings& findings, const deck::Block& block, const Ruling& ruling, bool skip_unsupported) {
+  if (ruling.harmless || skip_unsupported)
+    findings.warning(block.place, block.starred(), ruling.why + "; the cards are left out");
+  else
+    findings.error(block.place, block.starred(), ruling.why,
+                   "remove it, or run with --skip-unsupported to leave such cards out at your own risk");
+}
+
+void read_block(Builder& b, const deck::Block& block, Ledger& ledger, bool skip_unsupported) {
+  const Ruling ruling = judge(block.keyword);
+  const bool is_first = ledger.add(block.keyword, ruling.verdict, ruling.why, block.place);
+  if (ruling.verdict == Verdict::refused && is_first) report_refusal(b.findings, block, ruling, skip_unsupported);
+  if (ruling.verdict == Verdict::used) ruling.row->read(b, block, ruling.options);
+}
+
+}  // namespace
+
+Model build(const deck::Deck& deck, Findings& findings, bool skip_unsupported) {
+  Builder b(deck, findings);
+  b.model.deck = deck.path.string();
+  Ledger ledger(b.model.ledger);
+  for (const auto& [keyword, place] : deck.consumed) ledger.add(keyword, Verdict::used, {}, place);
+
+  b.later(Phase::mesh, make_mesh);
+  b.later(Phase::sets, resolve_sets);
+  b.later(Phase::checks, check_mesh);
+  b.later(Phase::checks, check_parts);
+  b.later(Phase::checks, check_units);
+  for (const deck::Block& block : deck.blocks) read_block(b, block, ledger, skip_unsupported);
+
+  for (const Phase phase : {Phase::curves, Phase::mesh, Phase::parts, Phase::systems, Phase::sets, Phase::bodies,
+                            Phase::conditions, Phase::checks})
+    b.run(phase);
+  return std::move(b.model);
+}
+
+}  // namespace nugget::model

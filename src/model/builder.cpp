@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/builder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace nugget::model {
+
+namespace {
+
+std::string text_of(const Place& place) {
+  return place.line > 0 ? fmt::format("{}:{}", place.file, place.line) : place.file;
+}
+
+/// The id that stands in a field, whatever its sign says.
+int id_of(const deck::Row& row, std::string_view field) {
+  return std::abs(row.integer(field));
+}
+
+template <class Member>
+const Set<Member>* find_set(Builder& b, const Ids& ids, const std::vector<Set<Member>>& sets, std::string_view what,
+                            const deck::Row& row, std::string_view field) {
+  const Index i = b.find(ids, what, row, field);
+  return i == none ? nullptr : &sets[static_cast<std::size_t>(i)];
+}
+
+}  // namespace
+
+bool Ids::add(int id, Index index, const Place& place, std::string_view keyword, std::string_view what,
+              Findings& findings) {
+  const auto [at, is_new] = entries_.try_emplace(id, Entry{index, place});
+  if (is_new) return true;
+  findings.error(place, std::string(keyword),
+                 fmt::format("{} {} is defined twice; first at {}", what, id, text_of(at->second.place)),
+                 "give one of them another id");
+  return false;
+}
+
+void Ids::assign(const std::vector<int>& ascending) {
+  ascending_ = ascending;
+  by_id_.clear();
+  if (ascending_.empty()) return;
+  const auto span = static_cast<std::size_t>(static_cast<long>(ascending_.back()) - ascending_.front() + 1);
+  // A table costs four bytes an id of the range; with large gaps the binary search is the better bargain.
+  if (span > 8 * ascending_.size() + 1024) return;
+  by_id_.assign(span, none);
+  for (std::size_t i = 0; i < ascending_.size(); ++i)
+    by_id_[static_cast<std::size_t>(ascending_[i] - ascending_.front())] = static_cast<Index>(i);
+}
+
+Index Ids::find(int id) const {
+  if (!by_id_.empty()) {
+    const long at = static_cast<long>(id) - ascending_.front();
+    return at < 0 || at >= static_cast<long>(by_id_.size()) ? none : by_id_[static_cast<std::size_t>(at)];
+  }
+  if (!ascending_.empty()) {
+    const auto at = std::lower_bound(ascending_.begin(), ascending_.end(), id);
+    return at == ascending_.end() || *at != id ? none : static_cast<Index>(at - ascending_.begin());
+  }
+  const auto at = entries_.find(id);
+  return at == entries_.end() ? none : at->second.index;
+}
+
+unsigned bits_of_code(int code) {
+  static constexpr std::array<unsigned, 8> bits{0b000, 0b001, 0b010, 0b100, 0b011, 0b110, 0b101, 0b111};
+  return code < 0 || code > 7 ? 0 : bits[static_cast<std::size_t>(code)];
+}
+
+void Builder::run(Phase phase) {
+  // By index: a closure may leave another one for its own phase.
+  auto& work = work_[static_cast<std::size_t>(phase)];
+  for (std::size_t i = 0; i < work.size(); ++i) {
+    const auto task = std::move(work[i]);
+    task(*this);
+  }
+  work.clear();
+}
+
+Index Builder::find(const Ids& ids, std::string_view what, const deck::Row& row, std::string_view field) {
+  const int id = id_of(row, field);
+  if (id == 0) return none;
+  const Index found = ids.find(id);
+  if (found == none) row.complain(findings, Severity::error, field, fmt::format("{} {} is not defined", what, id));
+  return found;
+}
+
+Index Builder::node(const deck::Row& row, std::string_view field) {
+  return find(nodes, "node", row, field);
+}
+Index Builder::part(const deck::Row& row, std::string_view field) {
+  return find(parts, "part", row, field);
+}
+Index Builder::curve(const deck::Row& row, std::string_view field) {
+  return find(curves, "curve", row, field);
+}
+Index Builder::shell(const deck::Row& row, std::string_view field) {
+  return find(shells, "shell", row, field);
+}
+Index Builder::solid(const deck::Row& row, std::string_view field) {
+  return find(solids, "solid", row, field);
+}
+Index Builder::beam(const deck::Row& row, std::string_view field) {
+  return find(beams, "beam", row, field);
+}
+Index Builder::system(const deck::Row& row, std::string_view field) {
+  return find(systems, "coordinate system", row, field);
+}
+
+const Vec3d* Builder::vector(const deck::Row& row, std::string_view field) {
+  const Index i = find(vectors, "vector", row, field);
+  return i == none ? nullptr : &vector_list[static_cast<std::size_t>(i)];
+}
+const Box* Builder::box(const deck::Row& row, std::string_view field) {
+  const Index i = find(boxes, "box", row, field);
+  return i == none ? nullptr : &box_list[static_cast<std::size_t>(i)];
+}
+
+const Set<Index>* Builder::node_set(const deck::Row& row, std::string_view field) {
+  return find_set(*this, node_sets, model.sets.nodes, "node set", row, field);
+}
+const Set<Index>* Builder::part_set(const deck::Row& row, std::string_view field) {
+  return find_set(*this, part_sets, model.sets.parts, "part set", row, field);
+}
+const Set<Index>* Builder::shell_set(const deck::Row& row, std::string_view field) {
+  return find_set(*this, shell_sets, model.sets.shells, "shell set", row, field);
+}
+const Set<Index>* Builder::solid_set(const deck::Row& row, std::string_view field) {
+  return find_set(*this, solid_sets, model.sets.solids, "solid set", row, field);
+}
+const Set<Index>* Builder::beam_set(const deck::Row& row, std::string_view field) {
+  return find_set(*this, beam_sets, model.sets.beams, "beam set", row, field);
+}
+const Set<Segment>* Builder::segment_set(const deck::Row& row, std::string_view field) {
+  return find_set(*this, segment_sets, model.sets.segments, "segment set", row, field);
+}
+
+bool at_end(const deck::Cursor& cursor) {
+  const auto& lines = cursor.block().lines;
+  const auto is_blank = [](const deck::Line& line) { return line.text.find_first_not_of(" \t\r") == line.text.npos; };
+  return std::all_of(lines.end() - static_cast<std::ptrdiff_t>(cursor.left()), lines.end(), is_blank);
+}
+
+void expect_end(Builder& builder, const deck::Cursor& cursor) {
+  if (at_end(cursor)) return;
+  builder.findings.error(cursor.place(), cursor.block().starred(), "more data lines than this keyword has cards",
+                         "remove them, or give the next definition its own keyword line");
+}
+
+std::string read_title(deck::Cursor& cursor, const Options& options) {
+  return options.contains("TITLE") ? cursor.read_text() : std::string{};
+}
+
+void refuse(Builder& builder, const deck::Row& row, std::string_view field, std::string text, std::string remedy) {
+  row.complain(builder.findings, Severity::error, field, std::move(text), std::move(remedy));
+}
+
+void refuse_nonzero(Builder& builder, const deck::Row& row, std::string_view field, std::string text,
+                    std::string remedy) {
+  if (!row.blank(field) && row.real(field) != 0.0) refuse(builder, row, field, std::move(text), std::move(remedy));
+}
+
+void Tally::finish() {
+  if (count_ <= limit_) return;
+  findings_.add({severity_, last_, keyword_, {}, {}, fmt::format("and {} more of this kind", count_ - limit_), {}});
+}
+
+}  // namespace nugget::model

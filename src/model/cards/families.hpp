@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "model/builder.hpp"
+
+// Each family of keywords is one file of this folder: its card tables, their readers and the function that lists them.
+// A new keyword is a row in its family's list; a new family is one line here and one in keywords.cpp.
+namespace nugget::model {
+
+std::vector<Keyword> mesh_keywords();      ///< nodes, elements, point masses
+std::vector<Keyword> part_keywords();      ///< *PART
+std::vector<Keyword> section_keywords();   ///< *SECTION_..., *HOURGLASS
+std::vector<Keyword> material_keywords();  ///< *MAT_...
+std::vector<Keyword> curve_keywords();     ///< curves and tables
+std::vector<Keyword> frame_keywords();     ///< coordinate systems, vectors, boxes
+std::vector<Keyword> set_keywords();       ///< *SET_...
+std::vector<Keyword> control_keywords();   ///< *CONTROL_..., *TITLE
+
+std::vector<Keyword> database_keywords();     ///< *DATABASE_...
+std::vector<Keyword> boundary_keywords();     ///< *BOUNDARY_...
+std::vector<Keyword> initial_keywords();      ///< *INITIAL_...
+std::vector<Keyword> load_keywords();         ///< *LOAD_...
+std::vector<Keyword> rigidwall_keywords();    ///< *RIGIDWALL_...
+std::vector<Keyword> constrained_keywords();  ///< *CONSTRAINED_...
+std::vector<Keyword> contact_keywords();      ///< *CONTACT_...
+std::vector<Keyword> other_keywords();        ///< what is ignored or refused, and why
+
+}  // namespace nugget::model

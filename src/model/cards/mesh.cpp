@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "model/axes.hpp"
+#include "model/cards/families.hpp"
+#include "model/lumped_mass.hpp"
+
+// *NODE, *ELEMENT_... Nodes and elements are only collected here; make_mesh() works them out.
+namespace nugget::model {
+
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+const Card node_card{{
+    wide(id("nid", IdSpace::node, required, "node id"), 8),
+    wide(real("x", dimension::length, 0, any_value, "coordinate x"), 16),
+    wide(real("y", dimension::length, 0, any_value, "coordinate y"), 16),
+    wide(real("z", dimension::length, 0, any_value, "coordinate z"), 16),
+    wide(integer("tc", 0, between(0, 7), "held translations: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz"), 8),
+    wide(integer("rc", 0, between(0, 7), "held rotations, as tc"), 8),
+}};
+
+const Card shell_card{{
+    wide(id("eid", IdSpace::element, required, "element id"), 8),
+    wide(id("pid", IdSpace::part, required, "part id"), 8),
+    wide(id("n1", IdSpace::node, required, "node 1"), 8),
+    wide(id("n2", IdSpace::node, required, "node 2"), 8),
+    wide(id("n3", IdSpace::node, required, "node 3"), 8),
+    wide(id("n4", IdSpace::node, 0, "node 4; 0 or n3: a triangle"), 8),
+}};
+
+const Card shell_thickness_card{{
+    wide(real("thic1", dimension::length, 0, at_least(0), "thickness at node 1; 0: of the section"), 16),
+    wide(real("thic2", dimension::length, 0, at_least(0), "thickness at node 2"), 16),
+    wide(real("thic3", dimension::length, 0, at_least(0), "thickness at node 3"), 16),
+    wide(real("thic4", dimension::length, 0, at_least(0), "thickness at node 4"), 16),
+    wide(real("beta", dimension::number, 0, any_value, "material angle; no effect on isotropic laws"), 16),
+}};
+
+const Card shell_offset_card{{
+    wide(real("offset", dimension::length, 0, any_value, "mid-surface from the nodes, along the normal"), 16),
+}};
+
+const Card solid_card{{
+    wide(id("eid", IdSpace::element, required, "element id"), 8),
+    wide(id("pid", IdSpace::part, required, "part id"), 8),
+    wide(id("n1", IdSpace::node, required, "node 1; n1 to n8 may also stand on a line of their own"), 8),
+    wide(id("n2", IdSpace::node, required, "node 2"), 8),
+    wide(id("n3", IdSpace::node, required, "node 3"), 8),
+    wide(id("n4", IdSpace::node, required, "node 4"), 8),
+    wide(id("n5", IdSpace::node, 0, "node 5; n5 to n8 repeat for wedges and tetrahedra"), 8),
+    wide(id("n6", IdSpace::node, 0, "node 6"), 8),
+    wide(id("n7", IdSpace::node, 0, "node 7"), 8),
+    wide(id("n8", IdSpace::node, 0, "node 8"), 8),
+}};
+
+const Card beam_card{{
+    wide(id("eid", IdSpace::element, required, "element id"), 8),
+    wide(id("pid", IdSpace::part, required, "part id"), 8),
+    wide(id("n1", IdSpace::node, required, "node 1"), 8),
+    wide(id("n2", IdSpace::node, required, "node 2"), 8),
+    wide(id("n3", IdSpace::node, 0, "orientation node"), 8),
+}};
+
+const Card beam_pid_card{{
+    wide(id("pid1", IdSpace::part, 0, "part that end 1 is to be tied to"), 8),
+    wide(id("pid2", IdSpace::part, 0, "part that end 2 is to be tied to"), 8),
+}};
+
+const Card mass_card{{
+    wide(id("eid", IdSpace::element, 0, "element id"), 8),
+    wide(id("nid", IdSpace::node, required, "node"), 8),
+    wide(real("mass", dimension::mass, 0, at_least(0), "mass"), 16),
+    wide(id("pid", IdSpace::part, 0, "part, for listings only"), 8),
+}};
+
+const Card set_mass_card{{
+    wide(id("eid", IdSpace::element, 0, "element id"), 8),
+    wide(id("nsid", IdSpace::set, required, "node set"), 8),
+    wide(real("mass", dimension::mass, 0, at_least(0), "mass on each node of the set"), 16),
+    wide(id("pid", IdSpace::part, 0, "part, for listings only"), 8),
+}};
+
+const Card part_mass_card{{
+    wide(id("pid", IdSpace::part, required, "part"), 8),
+    wide(real("addmass", dimension::mass, 0, at_least(0), "mass to be spread over the part"), 16),
+    wide(real("finmass", dimension::mass, 0, at_least(0), "mass that the part is to have in the end"), 16),
+    wide(id("lcid", IdSpace::function, 0, "not supported"), 8),
+    wide(integer("mwd", 0, any_value, "only for part sets"), 8),
+}};
+
+const Card inertia_head_card{{
+    wide(id("eid", IdSpace::element, 0, "element id"), 8),
+    wide(id("nid", IdSpace::node, required, "node"), 8),
+    wide(id("csid", IdSpace::define, 0, "coordinate system of the tensor; 0: global"), 8),
+}};
+
+const Card inertia_card{{
+    real("ixx", dimension::inertia, 0, at_least(0), "inertia tensor about the node, xx"),
+    real("ixy", dimension::inertia, 0, any_value, "xy"),
+    real("ixz", dimension::inertia, 0, any_value, "xz"),
+    real("iyy", dimension::inertia, 0, at_least(0), "yy"),
+    real("iyz", dimension::inertia, 0, any_value, "yz"),
+    real("izz", dimension::inertia, 0, at_least(0), "zz"),
+    real("mass", dimension::mass, 0, at_least(0), "mass"),
+}};
+
+void read_node(Builder& b, const Block& block, const Options&) {
+  deck::read_nodes(b.deck, block, b.node_table, b.findings);
+}
+void read_shell(Builder& b, const Block& block, const Options&) {
+  deck::read_shells(b.deck, block, b.shell_table, b.findings);
+}
+void read_solid(Builder& b, const Block& block, const Options&) {
+  deck::read_solids(b.deck, block, b.solid_table, b.findings);
+}
+void read_beam(Builder& b, const Block& block, const Options& options) {
+  for (const auto* option : {"OFFSET", "ORIENTATION"})
+    if (options.contains(option))
+      b.findings.error(block.place, block.starred(), fmt::format("option {} of a beam is not supported", option),
+                       std::string_view(option) == "OFFSET" ? "put nodes where the ends of the beam are"
+                                                            : "give the beam a third node");
+  deck::read_beams(b.deck, block, b.beam_table, b.findings);
+}
+
+/// All rows of a table-like keyword by one card.
+std::vector<Row> read_rows(Builder& b, const Block& block, const Card& card) {
+  std::vector<Row> rows;
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) rows.push_back(cursor.read(card));
+  return rows;
+}
+
+void read_mass(Builder& b, const Block& block, const Options&) {
+  b.later(Phase::mesh, [rows = read_rows(b, block, mass_card)](Builder& later) {
+    for (const Row& row : rows)
+      if (const Index n = later.node(row, "nid"); n != none)
+        later.model.masses.push_back({row.integer("eid"), n, row.real("mass")});
+  });
+}
+
+void read_set_mass(Builder& b, const Block& block, const Options&) {
+  b.later(Phase::bodies, [rows = read_rows(b, block, set_mass_card)](Builder& later) {
+    for (const Row& row : rows)
+      if (const auto* set = later.node_set(row, "nsid"))
+        for (const Index n : set->members) later.model.masses.push_back({row.integer("eid"), n, row.real("mass")});
+  });
+}
+
+/// Spreads the added mass over the part's nodes in proportion to the mass they have of it.
+void add_part_mass(Builder& b, const Row& row) {
+  const Index p = b.part(row, "pid");
+  if (p == none) return;
+  const auto shares = lumped_mass(b.model, p);
+  double total = 0.0;
+  for (const auto& share : shares) total += share.mass;
+  const double wanted = row.real("finmass");
+  const double added = wanted > 0.0 ? wanted - total : row.real("addmass");
+  if (!(total > 0.0)) return refuse(b, row, "pid", "the part has no mass of its own in whose proportion to spread it");
+  if (added < 0.0)
+    return refuse(b, row, "finmass", fmt::format("the part already weighs more: {:g}", total), "lower its density");
+  for (const auto& share : shares) b.model.masses.push_back({0, share.node, added * share.mass / total});
+}
+
+void read_part_mass(Builder& b, const Block& block, const Options&) {
+  b.later(Phase::parts, [rows = read_rows(b, block, part_mass_card)](Builder& later) {
+    for (const Row& row : rows) {
+      refuse_nonzero(later, row, "lcid", "mass over time is not supported",
+                     "leave it blank: the mass is there from the start");
+      add_part_mass(later, row);
+    }
+  });
+}
+
+void add_inertia(Builder& b, const Row& head, const Row& row) {
+  const Index n = b.node(head, "nid");
+  if (n == none) return;
+  PointInertia point{head.integer("eid"), n, row.real("mass"), {}};
+  point.inertia = {row.real("ixx"), row.real("ixy"), row.real("ixz"),
+                   row.real("iyy"), row.real("iyz"), row.real("izz")};
+  if (const Index s = b.system(head, "csid"); s != none)
+    point.inertia = to_global(point.inertia, b.model.systems[static_cast<std::size_t>(s)].axes);
+  b.model.inertias.push_back(point);
+}
+
+void read_inertia(Builder& b, const Block& block, const Options&) {
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    const Row head = cursor.read(inertia_head_card);
+    const Row row = cursor.read(inertia_card);
+    b.later(Phase::bodies, [head, row](Builder& later) { add_inertia(later, head, row); });
+  }
+}
+
+}  // namespace
+
+std::vector<Keyword> mesh_keywords() {
+  return {
+      {.name = "NODE", .layout = {{"", &node_card}}, .read = read_node},
+      {.name = "NODE_TRANSFORM",
+       .verdict = Verdict::refused,
+       .why = "moving a node set is not supported; put the nodes into an include and move them by *INCLUDE_TRANSFORM"},
+      {.name = "ELEMENT_SHELL",
+       .options = {"THICKNESS", "BETA", "MCID", "OFFSET", "DOF"},
+       .layout = {{"", &shell_card},
+                  {"with _THICKNESS, _BETA or _MCID", &shell_thickness_card},
+                  {"with _OFFSET", &shell_offset_card}},
+       .read = read_shell},
+      {.name = "ELEMENT_SOLID", .options = {"ORTHO", "DOF"}, .layout = {{"", &solid_card}}, .read = read_solid},
+      {.name = "ELEMENT_BEAM",
+       .options = {"THICKNESS", "PID", "OFFSET", "ORIENTATION"},
+       .layout = {{"", &beam_card}, {"with _PID", &beam_pid_card}},
+       .read = read_beam},
+      {.name = "ELEMENT_MASS", .layout = {{"", &mass_card}}, .read = read_mass},
+      {.name = "ELEMENT_MASS_NODE_SET", .layout = {{"", &set_mass_card}}, .read = read_set_mass},
+      {.name = "ELEMENT_MASS_PART", .layout = {{"", &part_mass_card}}, .read = read_part_mass},
+      {.name = "ELEMENT_INERTIA", .layout = {{"", &inertia_head_card}, {"", &inertia_card}}, .read = read_inertia},
+  };
+}
+
+}  // namespace nugget::model

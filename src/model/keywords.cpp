@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <unordered_map>
+
+#include "model/builder.hpp"
+#include "model/cards/families.hpp"
+
+namespace nugget::model {
+
+namespace {
+
+std::vector<Keyword> all_families() {
+  std::vector<Keyword> all;
+  for (const auto family : {
+           mesh_keywords,
+           part_keywords,
+           section_keywords,
+           material_keywords,
+           curve_keywords,
+           frame_keywords,
+           set_keywords,
+           control_keywords,
+           database_keywords,
+           boundary_keywords,
+           initial_keywords,
+           load_keywords,
+           rigidwall_keywords,
+           constrained_keywords,
+           contact_keywords,
+           other_keywords,
+       }) {
+    auto rows = family();
+    std::move(rows.begin(), rows.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+/// LS-DYNA writes both MAT_SPOTWELD_DAMAGE-FAILURE and MAT_SPOTWELD_DAMAGE_FAILURE.
+std::string normalized(std::string_view written) {
+  std::string name(written);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+/// Rows by name and alias; those that end in `*` by what stands before it.
+struct Directory {
+  std::unordered_map<std::string, const Keyword*> names, beginnings;
+
+  Directory() {
+    for (const Keyword& row : keywords()) {
+      add(row.name, row);
+      for (const auto alias : row.aliases) add(alias, row);
+    }
+  }
+  void add(std::string_view name, const Keyword& row) {
+    if (name.ends_with('*'))
+      beginnings.emplace(normalized(name.substr(0, name.size() - 1)), &row);
+    else
+      names.emplace(normalized(name), &row);
+  }
+};
+
+const Directory& directory() {
+  static const Directory instance;
+  return instance;
+}
+
+/// Takes options off the front of `rest` ("_LIST_TITLE"), the longest that fits first; nothing where one is not known.
+std::optional<Options> split_options(std::string_view rest, const Keyword& row) {
+  Options found;
+  while (!rest.empty()) {
+    rest.remove_prefix(1);
+    std::string_view best;
+    for (const auto option : row.options) {
+      const std::string name = normalized(option);
+      const bool fits = rest.starts_with(name) && (rest.size() == name.size() || rest[name.size()] == '_');
+      if (fits && option.size() > best.size()) best = option;
+    }
+    if (best.empty()) return std::nullopt;
+    found.emplace(best);
+    rest.remove_prefix(best.size());
+  }
+  return found;
+}
+
+/// Calls `visit(beginning)` for the name and its beginnings at underscores, longest first, until it returns true.
+template <class Visit>
+void each_beginning(std::string_view name, Visit visit) {
+  for (auto end = name.size(); end != name.npos && end > 0; end = name.rfind('_', end - 1))
+    if (visit(name.substr(0, end))) return;
+}
+
+}  // namespace
+
+std::span<const Keyword> keywords() {
+  static const std::vector<Keyword> list = all_families();
+  return list;
+}
+
+const Keyword* find_keyword(std::string_view written, Options& options) {
+  const std::string name = normalized(written);
+  const Keyword* found = nullptr;
+  each_beginning(name, [&](std::string_view beginning) {
+    const auto at = directory().names.find(std::string(beginning));
+    if (at == directory().names.end()) return false;
+    auto split = split_options(std::string_view(name).substr(beginning.size()), *at->second);
+    if (!split) return false;
+    options = std::move(*split);
+    found = at->second;
+    return true;
+  });
+  if (found) return found;
+  for (auto length = name.size(); length > 0; --length) {
+    const auto at = directory().beginnings.find(name.substr(0, length));
+    if (at == directory().beginnings.end()) continue;
+    options.clear();
+    return at->second;
+  }
+  return nullptr;
+}
+
+const Keyword* nearest_keyword(std::string_view written) {
+  const std::string name = normalized(written);
+  const Keyword* found = nullptr;
+  each_beginning(name, [&](std::string_view beginning) {
+    const auto at = directory().names.find(std::string(beginning));
+    if (at != directory().names.end()) found = at->second;
+    return found != nullptr;
+  });
+  return found;
+}
+
+}  // namespace nugget::model

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/lumped_mass.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <span>
+
+namespace nugget::model {
+
+namespace {
+
+const Vec3d& position(const Model& m, Index node) {
+  return m.nodes.x[static_cast<std::size_t>(node)];
+}
+
+template <class Section>
+const Section* section_of(const std::vector<Section>& sections, const Part& part) {
+  return part.section == none ? nullptr : &sections[static_cast<std::size_t>(part.section)];
+}
+
+void share(std::vector<NodeMass>& out, std::span<const Index> nodes, double mass) {
+  for (const Index n : nodes) out.push_back({n, mass / static_cast<double>(nodes.size())});
+}
+
+double beam_area(const SectionBeam& s) {
+  const auto squared = [](const std::array<double, 2>& d) { return 0.5 * (d[0] * d[0] + d[1] * d[1]); };
+  return 0.25 * std::numbers::pi * (squared(s.outer) - squared(s.inner));
+}
+
+std::vector<NodeMass> joined(std::vector<NodeMass> shares) {
+  std::stable_sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
+  std::vector<NodeMass> out;
+  for (const NodeMass& s : shares) {
+    if (out.empty() || out.back().node != s.node) out.push_back({s.node, 0.0});
+    out.back().mass += s.mass;
+  }
+  return out;
+}
+
+}  // namespace
+
+double shell_area(const Model& m, std::size_t e) {
+  const auto& n = m.shells.node[e];
+  return 0.5 * norm(cross(position(m, n[2]) - position(m, n[0]), position(m, n[3]) - position(m, n[1])));
+}
+
+double solid_volume(const Model& m, std::size_t e) {
+  const auto& n = m.solids.node[e];
+  const auto x = [&](std::size_t i) { return position(m, n[i]); };
+  const Vec3d a = x(1) + x(2) + x(5) + x(6) - x(0) - x(3) - x(4) - x(7);
+  const Vec3d b = x(2) + x(3) + x(6) + x(7) - x(0) - x(1) - x(4) - x(5);
+  const Vec3d c = x(4) + x(5) + x(6) + x(7) - x(0) - x(1) - x(2) - x(3);
+  return dot(a, cross(b, c)) / 64.0;
+}
+
+double beam_length(const Model& m, std::size_t e) {
+  const auto& n = m.beams.node[e];
+  return norm(position(m, n[1]) - position(m, n[0]));
+}
+
+std::vector<NodeMass> lumped_mass(const Model& m, Index part) {
+  const Part& p = m.parts[static_cast<std::size_t>(part)];
+  if (p.material == none) return {};
+  const double density = m.materials[static_cast<std::size_t>(p.material)].density;
+  std::vector<NodeMass> shares;
+  const SectionShell* shell = p.kind == ElementKind::shell ? section_of(m.shell_sections, p) : nullptr;
+  for (std::size_t e = 0; shell && e < m.shells.size(); ++e)
+    if (m.shells.part[e] == part)
+      share(shares, std::span(m.shells.node[e]).first(m.shells.triangle(e) ? 3 : 4),
+            (density * m.shells.thickness[e] + shell->extra_mass) * shell_area(m, e));
+  for (std::size_t e = 0; p.kind == ElementKind::solid && e < m.solids.size(); ++e)
+    if (m.solids.part[e] == part) share(shares, m.solids.node[e], density * solid_volume(m, e));
+  const SectionBeam* beam = p.kind == ElementKind::beam ? section_of(m.beam_sections, p) : nullptr;
+  for (std::size_t e = 0; beam && e < m.beams.size(); ++e)
+    if (m.beams.part[e] == part)
+      share(shares, m.beams.node[e], (density * beam_area(*beam) + beam->extra_mass) * beam_length(m, e));
+  return joined(std::move(shares));
+}
+
+}  // namespace nugget::model

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace nugget::model {
+
+struct NodeMass {
+  Index node = none;
+  double mass = 0.0;
+};
+
+/// Mass of a part's elements at its nodes, in ascending order of nodes: each element gives equal shares to its nodes
+/// (a triangle thirds). Shells rho A t plus MAREA, bricks rho V, beams rho A L of a round (tube) section plus NSM.
+std::vector<NodeMass> lumped_mass(const Model& model, Index part);
+
+/// Area of a shell, half the cross product of its diagonals [length^2].
+double shell_area(const Model& model, std::size_t shell);
+/// Eight times the Jacobian determinant at the centre: the volume that a one-point brick integrates [length^3].
+double solid_volume(const Model& model, std::size_t solid);
+double beam_length(const Model& model, std::size_t beam);
+
+}  // namespace nugget::model

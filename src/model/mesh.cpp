@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "model/passes.hpp"
+
+namespace nugget::model {
+
+namespace {
+
+Place place_of(const Builder& b, int file, int line) {
+  return {b.deck.files[static_cast<std::size_t>(file)], line, 0};
+}
+
+/// Rows of a table in ascending order of id, each id once; a second one is a finding.
+template <class Table>
+std::vector<std::size_t> rows_by_id(Builder& b, const Table& table, std::string_view what, std::string keyword) {
+  std::vector<std::size_t> rows(table.id.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  const auto by_id = [&](std::size_t i, std::size_t j) { return table.id[i] < table.id[j]; };
+  if (!std::is_sorted(rows.begin(), rows.end(), by_id)) std::stable_sort(rows.begin(), rows.end(), by_id);
+
+  Tally twice(b.findings, Severity::error, std::move(keyword));
+  const auto is_second = [&](std::size_t first, std::size_t second) {
+    if (table.id[first] != table.id[second]) return false;
+    twice.add(place_of(b, table.file[second], table.line[second]), [&] {
+      const Place p = place_of(b, table.file[first], table.line[first]);
+      return fmt::format("{} {} is defined twice; first at {}:{}", what, table.id[second], p.file, p.line);
+    });
+    return true;
+  };
+  rows.erase(std::unique(rows.begin(), rows.end(), is_second), rows.end());
+  return rows;
+}
+
+void make_nodes(Builder& b) {
+  const auto& table = b.node_table;
+  const auto rows = rows_by_id(b, table, "node", "*NODE");
+  Nodes& nodes = b.model.nodes;
+  nodes.id.reserve(rows.size());
+  nodes.x.reserve(rows.size());
+  for (const std::size_t r : rows) {
+    if (table.tc[r] != 0 || table.rc[r] != 0)
+      b.model.spcs.push_back({.node = static_cast<Index>(nodes.size()),
+                              .fixed = bits_of_code(table.tc[r]) | bits_of_code(table.rc[r]) << 3});
+    nodes.id.push_back(table.id[r]);
+    nodes.x.push_back(table.x[r]);
+  }
+  b.nodes.assign(nodes.id);
+}
+
+/// What the three kinds of elements have in common while they are made: looking up parts and nodes, and saying so where
+/// that fails.
+class Elements {
+ public:
+  Elements(Builder& b, const deck::ElementTable& table, ElementKind kind, std::string_view what, std::string keyword)
+      : b_(b),
+        table_(table),
+        kind_(kind),
+        what_(what),
+        unknown_(b.findings, Severity::error, keyword),
+        mixed_(b.findings, Severity::error, keyword),
+        shape_(b.findings, Severity::error, keyword) {}
+
+  /// Index of the row's part, or none and a finding.
+  Index part(std::size_t row) {
+    const int id = table_.part[row];
+    if (id != last_id_) {
+      last_id_ = id;
+      last_ = b_.parts.find(id);
+    }
+    if (last_ == none) return unknown(row, "part", id);
+    Part& p = b_.model.parts[static_cast<std::size_t>(last_)];
+    if (p.kind == ElementKind::nothing) p.kind = kind_;
+    if (p.kind == kind_) return last_;
+    mixed_.add(
+        place(row), [&] { return fmt::format("part {} already has elements of another kind", id); },
+        "give them a part of their own");
+    return none;
+  }
+
+  /// The first `N` nodes of the row; false and findings where one is unknown. Node 0 becomes none.
+  template <std::size_t N>
+  bool nodes(std::size_t row, std::array<Index, N>& out) {
+    bool complete = true;
+    for (std::size_t i = 0; i < N; ++i) {
+      const int id = node_id(row, i);
+      out[i] = id == 0 ? none : b_.nodes.find(id);
+      if (id != 0 && out[i] == none) complete = unknown(row, "node", id) != none;
+    }
+    return complete;
+  }
+
+  int node_id(std::size_t row, std::size_t i) const {
+    const auto per = static_cast<std::size_t>(table_.nodes_per_element);
+    return i < per ? table_.node[row * per + i] : 0;
+  }
+
+  /// True where a node beyond the first `count` is given: an element of higher order.
+  bool has_more_nodes_than(std::size_t count, std::size_t row) const {
+    for (auto i = count; i < static_cast<std::size_t>(table_.nodes_per_element); ++i)
+      if (node_id(row, i) != 0) return true;
+    return false;
+  }
+
+  bool refuse(std::size_t row, std::string_view text, std::string remedy) {
+    shape_.add(
+        place(row), [&] { return fmt::format("{} {}: {}", what_, table_.id[row], text); }, std::move(remedy));
+    return false;
+  }
+
+  Place place(std::size_t row) const { return place_of(b_, table_.file[row], table_.line[row]); }
+
+ private:
+  Index unknown(std::size_t row, std::string_view thing, int id) {
+    unknown_.add(place(row),
+                 [&] { return fmt::format("{} {}: {} {} is not defined", what_, table_.id[row], thing, id); });
+    return none;
+  }
+
+  Builder& b_;
+  const deck::ElementTable& table_;
+  ElementKind kind_;
+  std::string_view what_;
+  Tally unknown_, mixed_, shape_;
+  int last_id_ = 0;
+  Index last_ = none;
+};
+
+/// Collapses a quad whose neighbouring corners coincide to "a triangle repeats its third node", keeping its sense.
+bool bring_triangle_into_form(std::array<Index, 4>& n) {
+  if (n[3] == none) n[3] = n[2];
+  int pairs = 0;
+  for (std::size_t i = 0; i < 4; ++i) pairs += n[i] == n[(i + 1) % 4];
+  if (pairs == 0) return n[0] != n[2] && n[1] != n[3];
+  if (pairs > 1) return false;
+  for (int turns = 0; turns < 4 && n[2] != n[3]; ++turns) std::rotate(n.begin(), n.begin() + 1, n.end());
+  return n[0] != n[2];
+}
+
+/// Rows of the table that became elements, in order.
+std::vector<std::size_t> make_shells(Builder& b) {
+  const auto& table = b.shell_table;
+  const auto rows = rows_by_id(b, table, "shell", "*ELEMENT_SHELL");
+  Shells& shells = b.model.shells;
+  shells.place = Places(b.deck.files);
+  shells.id.reserve(rows.size());
+  shells.part.reserve(rows.size());
+  shells.node.reserve(rows.size());
+  shells.place.reserve(rows.size());
+  Elements elements(b, table, ElementKind::shell, "shell", "*ELEMENT_SHELL");
+  std::vector<std::size_t> made;
+  made.reserve(rows.size());
+  for (const std::size_t r : rows) {
+    const Index part = elements.part(r);
+    std::array<Index, 4> n;
+    if (!elements.nodes(r, n) || part == none) continue;
+    if (elements.has_more_nodes_than(4, r)) {
+      elements.refuse(r, "shells of eight nodes are not supported", "mesh with four-node shells");
+      continue;
+    }
+    if (n[0] == none || n[1] == none || n[2] == none || !bring_triangle_into_form(n)) {
+      elements.refuse(r, "needs three or four different corners in sequence", "remove it or correct its nodes");
+      continue;
+    }
+    shells.id.push_back(table.id[r]);
+    shells.part.push_back(part);
+    shells.node.push_back(n);
+    shells.place.push_back(table.file[r], table.line[r]);
+    made.push_back(r);
+  }
+  b.shells.assign(shells.id);
+  return made;
+}
+
+/// Fills up a tetrahedron that gives four nodes only.
+bool complete_solid(std::array<Index, 8>& n) {
+  if (std::count(n.begin() + 4, n.end(), none) == 4) std::fill(n.begin() + 4, n.end(), n[3]);
+  return std::count(n.begin(), n.end(), none) == 0;
+}
+
+void make_solids(Builder& b) {
+  const auto& table = b.solid_table;
+  const auto rows = rows_by_id(b, table, "solid", "*ELEMENT_SOLID");
+  Solids& solids = b.model.solids;
+  solids.place = Places(b.deck.files);
+  solids.id.reserve(rows.size());
+  solids.part.reserve(rows.size());
+  solids.node.reserve(rows.size());
+  solids.place.reserve(rows.size());
+  Elements elements(b, table, ElementKind::solid, "solid", "*ELEMENT_SOLID");
+  for (const std::size_t r : rows) {
+    const Index part = elements.part(r);
+    std::array<Index, 8> n;
+    if (!elements.nodes(r, n) || part == none) continue;
+    if (elements.has_more_nodes_than(8, r)) {
+      elements.refuse(r, "solids of ten nodes are not supported", "mesh with eight-node bricks");
+      continue;
+    }
+    if (!complete_solid(n)) {
+      elements.refuse(r, "expected eight nodes (repeated ones for wedges and tetrahedra)", "complete its nodes");
+      continue;
+    }
+    solids.id.push_back(table.id[r]);
+    solids.part.push_back(part);
+    solids.node.push_back(n);
+    solids.place.push_back(table.file[r], table.line[r]);
+  }
+  b.solids.assign(solids.id);
+}
+
+/// The parts that a weld beam's ends are to be tied to (_PID).
+std::array<Index, 2> tied_parts(Builder& b, Elements& elements, std::size_t row) {
+  std::array<Index, 2> parts{none, none};
+  if (b.beam_table.tied_parts.empty()) return parts;
+  for (std::size_t end = 0; end < 2; ++end) {
+    const int id = b.beam_table.tied_parts[row][end];
+    if (id == 0) continue;
+    parts[end] = b.parts.find(id);
+    if (parts[end] == none)
+      elements.refuse(row, fmt::format("part {} of end {} is not defined", id, end + 1), "correct PID1, PID2");
+  }
+  return parts;
+}
+
+std::vector<std::size_t> make_beams(Builder& b) {
+  const auto& table = b.beam_table;
+  const auto rows = rows_by_id(b, table, "beam", "*ELEMENT_BEAM");
+  Beams& beams = b.model.beams;
+  beams.place = Places(b.deck.files);
+  Elements elements(b, table, ElementKind::beam, "beam", "*ELEMENT_BEAM");
+  std::vector<std::size_t> made;
+  for (const std::size_t r : rows) {
+    const Index part = elements.part(r);
+    std::array<Index, 3> n;
+    if (!elements.nodes(r, n) || part == none) continue;
+    if (n[0] == none || n[1] == none || n[0] == n[1]) {
+      elements.refuse(r, "needs two different nodes", "remove it or correct its nodes");
+      continue;
+    }
+    beams.id.push_back(table.id[r]);
+    beams.part.push_back(part);
+    beams.node.push_back({n[0], n[1]});
+    beams.orientation.push_back(n[2]);
+    beams.tied_parts.push_back(tied_parts(b, elements, r));
+    beams.place.push_back(table.file[r], table.line[r]);
+    made.push_back(r);
+  }
+  b.beams.assign(beams.id);
+  return made;
+}
+
+/// Mean of the nodal thicknesses; where one is not given, that of the section stands in.
+double mean_thickness(const std::array<double, 4>& nodal, double section, int corners) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(corners); ++i) sum += nodal[i] > 0.0 ? nodal[i] : section;
+  return sum / corners;
+}
+
+/// True where a row says nothing about its option's value.
+bool given(double value) {
+  return value == value && value != 0.0;
+}
+
+void set_thickness(Builder& b, const std::vector<std::size_t>& rows) {
+  const auto& table = b.shell_table;
+  Shells& shells = b.model.shells;
+  shells.thickness.resize(shells.size());
+  shells.offset.resize(shells.size());
+  for (std::size_t e = 0; e < shells.size(); ++e) {
+    const Part& part = b.model.parts[static_cast<std::size_t>(shells.part[e])];
+    if (part.section == none) continue;
+    const SectionShell& section = b.model.shell_sections[static_cast<std::size_t>(part.section)];
+    shells.thickness[e] = table.thickness.empty()
+                              ? section.thickness
+                              : mean_thickness(table.thickness[rows[e]], section.thickness, shells.triangle(e) ? 3 : 4);
+    const bool own_offset = !table.offset.empty() && given(table.offset[rows[e]]);
+    shells.offset[e] = own_offset ? table.offset[rows[e]] : -0.5 * section.nloc * shells.thickness[e];
+  }
+}
+
+/// Diameters of single beams (_THICKNESS) that differ from their section's cannot be obeyed.
+void check_beam_diameters(Builder& b, const std::vector<std::size_t>& rows) {
+  const auto& table = b.beam_table;
+  if (table.section.empty()) return;
+  Tally differing(b.findings, Severity::error, "*ELEMENT_BEAM_THICKNESS");
+  for (std::size_t e = 0; e < rows.size(); ++e) {
+    const Part& part = b.model.parts[static_cast<std::size_t>(b.model.beams.part[e])];
+    if (part.section == none) continue;
+    const SectionBeam& s = b.model.beam_sections[static_cast<std::size_t>(part.section)];
+    const std::array<double, 4> own{s.outer[0], s.outer[1], s.inner[0], s.inner[1]};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double value = table.section[rows[e]][i];
+      if (!given(value) || value == own[i]) continue;
+      differing.add(
+          b.model.beams.place[e],
+          [&] {
+            return fmt::format(
+                "beam {}: parm{} = {:g} differs from {:g} of its section; diameters of single beams are not supported",
+                b.model.beams.id[e], i + 1, value, own[i]);
+          },
+          "give the welds of each diameter a part and a section of their own");
+      break;
+    }
+  }
+}
+
+std::string_view name_of(ElementKind kind) {
+  switch (kind) {
+    case ElementKind::shell: return "shell";
+    case ElementKind::solid: return "solid";
+    case ElementKind::beam: return "beam";
+    case ElementKind::nothing: break;
+  }
+  return "no";
+}
+
+/// The section that a part's elements need: same id, of their kind.
+void link_section(Builder& b, Part& part, const deck::Row& row) {
+  const std::array<std::pair<ElementKind, const Ids*>, 3> kinds{{{ElementKind::shell, &b.shell_sections},
+                                                                 {ElementKind::solid, &b.solid_sections},
+                                                                 {ElementKind::beam, &b.beam_sections}}};
+  const int id = row.integer("secid");
+  bool exists = false;
+  for (const auto& [kind, ids] : kinds) {
+    const Index found = ids->find(id);
+    exists = exists || found != none;
+    if (kind == part.kind) part.section = found;
+  }
+  if (part.section != none || (part.kind == ElementKind::nothing && exists)) return;
+  if (part.kind == ElementKind::nothing || !exists)
+    return refuse(b, row, "secid", fmt::format("section {} is not defined", id));
+  refuse(b, row, "secid",
+         fmt::format("section {} is of another kind; the part has {} elements", id, name_of(part.kind)),
+         "give the part the *SECTION_... of its elements");
+}
+
+}  // namespace
+
+void make_mesh(Builder& b) {
+  make_nodes(b);
+  const auto shell_rows = make_shells(b);
+  make_solids(b);
+  const auto beam_rows = make_beams(b);
+  for (const auto& [index, row] : b.part_rows) {
+    Part& part = b.model.parts[static_cast<std::size_t>(index)];
+    link_section(b, part, row);
+    part.material = b.find(b.materials, "material", row, "mid");
+    part.hourglass = b.find(b.hourglass, "hourglass control", row, "hgid");
+  }
+  set_thickness(b, shell_rows);
+  check_beam_diameters(b, beam_rows);
+}
+
+}  // namespace nugget::model

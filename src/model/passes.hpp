@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/builder.hpp"
+
+// The passes over the whole model that stand between reading the cards and a finished model.
+namespace nugget::model {
+
+/// Phase::mesh. Sorts nodes and elements by id, looks up their nodes and parts, links each part to section, material
+/// and hourglass, and gives each shell its thickness and offset. An element whose node or part is missing is left out.
+void make_mesh(Builder& builder);
+
+/// Phase::sets. Works out the members of all sets, whichever order they refer to each other in.
+void resolve_sets(Builder& builder);
+
+// Phase::checks.
+void check_mesh(Builder& builder);   ///< shapes of elements, free nodes
+void check_parts(Builder& builder);  ///< parts without elements; sections, laws and hourglass that do not go together
+void check_units(Builder& builder);  ///< do modulus and density fit a usual system of units?
+
+}  // namespace nugget::model
