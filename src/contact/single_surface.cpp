@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/single_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/parallel.hpp"
+
+namespace nugget::contact {
+namespace {
+
+constexpr int block_size = 64;
+constexpr std::size_t group_size = 4096;
+
+bool finite(const Row& r) {
+  return std::isfinite(r.x + r.y + r.z);
+}
+
+bool share_a_node(const Segment& a, const Segment& b) {
+  return b.has(a.node[0]) || b.has(a.node[1]) || b.has(a.node[2]) || b.has(a.node[3]);
+}
+
+/// Whether the edge or corner of `segment` that `boundary` names belongs to `other` too.
+bool has_boundary(const Segment& other, const Segment& segment, unsigned boundary) {
+  for (int c = 0; c < 4; ++c)
+    if ((boundary >> c & 1u) && !other.has(segment.node[c])) return false;
+  return boundary != 0;
+}
+
+Vec3d interpolate(const Segment& s, const std::array<double, 4>& weight, std::span<const Row> rows) {
+  Vec3d sum;
+  for (int c = 0; c < s.corners(); ++c) sum += weight[c] * vec(rows[s.node[c]]);
+  return sum;
+}
+
+double mean_edge(const std::vector<Segment>& segments, std::span<const Row> x) {
+  double sum = 0.0;
+  for (const Segment& s : segments) sum += std::sqrt(area(s, x));
+  return segments.empty() ? 0.0 : sum / static_cast<double>(segments.size());
+}
+
+}  // namespace
+
+SingleSurface::SingleSurface(SingleSurfaceSetup setup, std::span<const Row> x)
+    : setup_(std::move(setup)), around_(setup_.segments) {
+  for (const Segment& s : setup_.segments) {
+    segment_stiffness_.push_back(setup_.stiffness_scale * penalty_stiffness(s, x));
+    thickest_segment_ = std::max(thickest_segment_, s.thickness);
+    surface_.insert(surface_.end(), s.node.begin(), s.node.end());
+  }
+  for (const TrackedNode& t : setup_.nodes) {
+    const std::span<const int> around = around_.at(t.node);
+    double sum = 0.0;
+    for (int s : around) sum += segment_stiffness_[s];
+    // A node without segments of its own (of a beam, say) is as stiff as what it meets.
+    node_stiffness_.push_back(around.empty() ? Box::infinity : sum / static_cast<double>(around.size()));
+    surface_.push_back(t.node);
+  }
+  std::sort(surface_.begin(), surface_.end());
+  surface_.erase(std::unique(surface_.begin(), surface_.end()), surface_.end());
+  surface_index_.assign(surface_.empty() ? 0 : surface_.back() + 1, -1);
+  for (std::size_t i = 0; i < surface_.size(); ++i) surface_index_[surface_[i]] = static_cast<int>(i);
+
+  // A quarter of an element: few pairs are listed in vain, and a search lasts some hundred cycles at crash speeds.
+  margin_ = 0.25 * mean_edge(setup_.segments, x);
+
+  now_.resize(surface_.size());
+  before_.resize(surface_.size());
+  stamp_.assign(surface_.size(), 0);
+  touched_now_.reserve(surface_.size());
+  touched_before_.reserve(surface_.size());
+  const int tracked = static_cast<int>(setup_.nodes.size());
+  for (int begin = 0; begin < tracked; begin += block_size) {
+    Block block;
+    block.begin = begin;
+    block.end = std::min(tracked, begin + block_size);
+    block.first.assign(block.end - begin + 1, 0);
+    block.old_first = block.first;
+    blocks_.push_back(std::move(block));
+  }
+}
+
+void SingleSurface::apply(double time, double dt, std::span<const Row> x, std::span<const Row> v,
+                          std::span<const double> mass, std::span<const unsigned char> shell_alive,
+                          std::span<Row> force) {
+  next_cycle();
+  const bool active = time >= setup_.birth && time < setup_.death;
+  if (active) {
+    if (!searched_ || moved_too_far(x)) search(x, shell_alive);
+    const Step step{dt, x, v, mass, shell_alive};
+    parallel_for(busy_.size(), 4, [this, &step](std::size_t begin, std::size_t end) {
+      for (std::size_t b = begin; b < end; ++b) work(blocks_[busy_[b]], step);
+    });
+    add_forces(force);
+  }
+  account(dt, v);
+}
+
+std::size_t SingleSurface::listed() const {
+  std::size_t count = 0;
+  for (const Block& b : blocks_) count += b.pairs.size();
+  return count;
+}
+
+bool SingleSurface::node_alive(int node, std::span<const unsigned char> shell_alive) const {
+  const std::span<const int> around = around_.at(node);
+  return around.empty() || std::any_of(around.begin(), around.end(), [&](int s) { return alive(s, shell_alive); });
+}
+
+// ----------------------------------------------------------------------------------------------------------------
+// search
+
+bool SingleSurface::moved_too_far(std::span<const Row> x) {
+  parallel_for(moved_.size(), 1, [this, &x](std::size_t begin, std::size_t end) {
+    for (std::size_t g = begin; g < end; ++g) {
+      Box box;
+      for (std::size_t i = g * group_size; i < std::min(live_.size(), (g + 1) * group_size); ++i)
+        box.add(vec(x[live_[i]]) - vec(searched_at_[i]));
+      moved_[g] = box;
+    }
+  });
+  Box all;
+  for (const Box& box : moved_) all.add(box);
+  // No two points can have approached each other by more than the diagonal, whatever the surface does as a whole.
+  return !moved_.empty() && norm(all.high - all.low) > margin_;
+}
+
+void SingleSurface::search(std::span<const Row> x, std::span<const unsigned char> shell_alive) {
+  live_.clear();
+  searched_at_.clear();
+  for (int n : surface_) {
+    if (!node_alive(n, shell_alive) || !finite(x[n])) continue;
+    live_.push_back(n);
+    searched_at_.push_back(x[n]);
+  }
+  moved_.resize((live_.size() + group_size - 1) / group_size);
+
+  living_.clear();
+  boxes_.clear();
+  for (std::size_t s = 0; s < setup_.segments.size(); ++s) {
+    const Segment& segment = setup_.segments[s];
+    const bool whole = std::all_of(segment.node.begin(), segment.node.end(), [&](int n) { return finite(x[n]); });
+    if (!whole || !alive(static_cast<int>(s), shell_alive)) continue;
+    Box box;
+    for (const Vec3d& c : corners_of(segment, x)) box.add(c);
+    living_.push_back(static_cast<int>(s));
+    boxes_.push_back(box.grown(0.5 * segment.thickness));
+  }
+  tree_ = BoxTree(boxes_);
+
+  const auto list = [this, &x, &shell_alive](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) list_neighbours(blocks_[b], x, shell_alive);
+  };
+  parallel_for(blocks_.size(), 4, list);
+  busy_.clear();
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    if (!blocks_[b].pairs.empty()) busy_.push_back(static_cast<int>(b));
+  searched_ = true;
+  ++searches_;
+}
+
+void SingleSurface::list_neighbours(Block& block, std::span<const Row> x, std::span<const unsigned char> shell_alive) {
+  std::swap(block.first, block.old_first);
+  std::swap(block.pairs, block.old_pairs);
+  block.pairs.clear();
+  std::size_t longest = 0;
+  for (int t = block.begin; t < block.end; ++t) {
+    const std::size_t start = block.pairs.size();
+    block.first[t - block.begin] = static_cast<int>(start);
+    const TrackedNode& tracked = setup_.nodes[t];
+    if (!finite(x[tracked.node]) || !node_alive(tracked.node, shell_alive)) continue;
+    const Vec3d p = vec(x[tracked.node]);
+    Box box;
+    box.add(p);
+    tree_.overlapping(box.grown(0.5 * tracked.thickness + margin_), [&](int item) {
+      Pair pair;
+      pair.segment = living_[item];
+      const Segment& segment = setup_.segments[pair.segment];
+      const double far = reach(t, pair.segment) + margin_;
+      if (segment.has(tracked.node)) return;
+      const kernel::Corners corners = corners_of(segment, x);
+      if (kernel::farther_than(far, corners, p)) return;
+      const kernel::Foot foot = kernel::closest_point(corners, segment.triangle(), p);
+      if (foot.distance > far) return;
+      pair.xi = foot.xi;
+      pair.eta = foot.eta;
+      block.pairs.push_back(pair);
+    });
+    const auto by_segment = [](const Pair& a, const Pair& b) { return a.segment < b.segment; };
+    std::sort(block.pairs.begin() + start, block.pairs.end(), by_segment);
+    // What the pairs remember goes on.
+    const auto old_begin = block.old_pairs.begin() + block.old_first[t - block.begin];
+    const auto old_end = block.old_pairs.begin() + block.old_first[t - block.begin + 1];
+    for (auto pair = block.pairs.begin() + start; pair != block.pairs.end(); ++pair) {
+      const auto old = std::lower_bound(old_begin, old_end, *pair, by_segment);
+      if (old != old_end && old->segment == pair->segment) *pair = *old;
+    }
+    longest = std::max(longest, block.pairs.size() - start);
+  }
+  block.first.back() = static_cast<int>(block.pairs.size());
+  block.candidates.reserve(longest);
+  block.hits.reserve(block.pairs.size());
+}
+
+// ----------------------------------------------------------------------------------------------------------- every
+// cycle
+
+void SingleSurface::work(Block& block, const Step& step) const {
+  block.hits.clear();
+  for (int t = block.begin; t < block.end; ++t)
+    if (block.first[t - block.begin] < block.first[t - block.begin + 1]) look_at(block, t, step);
+}
+
+void SingleSurface::look_at(Block& block, int tracked, const Step& step) const {
+  gather_candidates(block, tracked, step);
+  const int node = setup_.nodes[tracked].node;
+  const auto close = [](const Candidate& c) { return c.foot.distance < c.reach; };
+  if (std::none_of(block.candidates.begin(), block.candidates.end(), close)) return;
+  if (!node_alive(node, step.shell_alive)) return;
+  for (Candidate& candidate : block.candidates)
+    if (close(candidate) && presses(block, candidate, node, step)) press(block, candidate, tracked, step);
+}
+
+void SingleSurface::gather_candidates(Block& block, int tracked, const Step& step) const {
+  block.candidates.clear();
+  const TrackedNode& node = setup_.nodes[tracked];
+  const Vec3d p = vec(step.x[node.node]);
+  const double widest = 0.5 * (node.thickness + thickest_segment_);
+  const int begin = block.first[tracked - block.begin], end = block.first[tracked - block.begin + 1];
+  for (int i = begin; i < end; ++i) {
+    Pair& pair = block.pairs[i];
+    const Pair before = pair;
+    pair.touching = false;
+    pair.side = 0;
+    pair.offset = pair.depth = 0.0;
+    const Segment& segment = setup_.segments[pair.segment];
+    const kernel::Corners corners = corners_of(segment, step.x);
+    if (kernel::farther_than(widest, corners, p) || !alive(pair.segment, step.shell_alive)) continue;
+    Candidate c;
+    c.foot = kernel::closest_point(corners, segment.triangle(), p, pair.xi, pair.eta);
+    pair.xi = c.foot.xi;
+    pair.eta = c.foot.eta;
+    if (c.foot.distance >= widest) continue;
+    c.pair = &pair;
+    c.before = before;
+    c.reach = reach(tracked, pair.segment);
+    if (c.foot.boundary == 0 && before.touching && before.side != 0)
+      c.away = static_cast<double>(before.side) * c.foot.normal;
+    else
+      c.away = c.foot.distance > 0.0 ? (1.0 / c.foot.distance) * (p - c.foot.point) : c.foot.normal;
+    block.candidates.push_back(c);
+  }
+}
+
+bool SingleSurface::presses(const Block& block, const Candidate& candidate, int node, const Step& step) const {
+  if (at_home(candidate, node, step.shell_alive)) return false;
+  return std::none_of(block.candidates.begin(), block.candidates.end(),
+                      [&](const Candidate& other) { return hidden_by(other, candidate); });
+}
+
+/// The closest point lies on an edge or corner of the node's own segments: along the surface there is a way down to
+/// distance 0, so this is no contact of one part of the surface with another.
+bool SingleSurface::at_home(const Candidate& candidate, int node, std::span<const unsigned char> shell_alive) const {
+  if (candidate.foot.boundary == 0) return false;
+  const Segment& segment = setup_.segments[candidate.pair->segment];
+  const std::span<const int> around = around_.at(node);
+  return std::any_of(around.begin(), around.end(), [&](int own) {
+    return alive(own, shell_alive) && has_boundary(setup_.segments[own], segment, candidate.foot.boundary);
+  });
+}
+
+/// `other` is closer and the two are one stretch of surface: the foot lies on their common edge or corner, or they push
+/// in much the same direction (a facetted hollow, where both have a foot inside).
+bool SingleSurface::hidden_by(const Candidate& other, const Candidate& candidate) const {
+  if (&other == &candidate || other.foot.distance > candidate.foot.distance) return false;
+  if (other.foot.distance == candidate.foot.distance && other.pair->segment > candidate.pair->segment) return false;
+  const Segment &a = setup_.segments[other.pair->segment], &b = setup_.segments[candidate.pair->segment];
+  if (has_boundary(a, b, candidate.foot.boundary)) return true;
+  return share_a_node(a, b) && dot(other.away, candidate.away) > 0.5;
+}
+
+/// The pair from which the node comes if it did not touch `candidate` before: a neighbour that it touched.
+const SingleSurface::Candidate* SingleSurface::predecessor(const Block& block, const Candidate& candidate) const {
+  const Segment& segment = setup_.segments[candidate.pair->segment];
+  const Candidate* found = nullptr;
+  for (const Candidate& other : block.candidates) {
+    if (&other == &candidate || !other.before.touching) continue;
+    const Segment& from = setup_.segments[other.pair->segment];
+    if (same_side(from, segment) != 0) return &other;
+    if (found == nullptr && share_a_node(from, segment)) found = &other;
+  }
+  return found;
+}
+
+int SingleSurface::side_of(const Candidate& candidate, const Candidate* from, const Vec3d& was_at) const {
+  if (candidate.before.touching && candidate.before.side != 0) return candidate.before.side;
+  if (from != nullptr && from->before.side != 0) {
+    const int same = same_side(setup_.segments[from->pair->segment], setup_.segments[candidate.pair->segment]);
+    if (same != 0) return same * from->before.side;
+  }
+  return dot(was_at, candidate.foot.normal) < 0.0 ? -1 : 1;
+}
+
+void SingleSurface::press(Block& block, Candidate& candidate, int tracked, const Step& step) const {
+  Pair& pair = *candidate.pair;
+  const Segment& segment = setup_.segments[pair.segment];
+  const int node = setup_.nodes[tracked].node;
+  const Vec3d r = vec(step.x[node]) - candidate.foot.point;
+  const Vec3d velocity = vec(step.v[node]) - interpolate(segment, candidate.foot.weight, step.v);
+  const Candidate* from = candidate.before.touching ? nullptr : predecessor(block, candidate);
+
+  Vec3d direction = candidate.away;
+  int side = dot(direction, candidate.foot.normal) < 0.0 ? -1 : 1;
+  if (candidate.foot.boundary == 0) {
+    side = side_of(candidate, from, r - step.dt * velocity);
+    direction = static_cast<double>(side) * candidate.foot.normal;
+  }
+  const double overlap = candidate.reach - dot(r, direction);
+
+  // What the motion of this step cannot have made was there before, or comes from a change of the surface.
+  const double explained = (from != nullptr ? from->before.depth : 0.0) + step.dt * norm(velocity);
+  const double offset = candidate.before.touching ? candidate.before.offset : std::max(0.0, overlap - explained);
+
+  pair.touching = true;
+  pair.side = static_cast<signed char>(side);
+  pair.offset = std::min(offset, overlap);
+  pair.depth = overlap - pair.offset;
+
+  std::array<double, 4> corner_mass{};
+  for (int c = 0; c < segment.corners(); ++c) corner_mass[c] = step.mass[segment.node[c]];
+  const double inverse_mass = kernel::inverse_pair_mass(step.mass[node], candidate.foot.weight, corner_mass);
+  const double penalty = std::min(segment_stiffness_[pair.segment], node_stiffness_[tracked]);
+  const double stiffness = kernel::pair_stiffness(setup_.law, penalty, inverse_mass, step.dt);
+  const double size = kernel::pair_force(setup_.law, stiffness, inverse_mass, pair.depth, -dot(velocity, direction));
+  if (size > 0.0) block.hits.push_back({node, pair.segment, candidate.foot.weight, size * direction, pair.depth});
+}
+
+// --------------------------------------------------------------------------------------------------- forces and energy
+
+void SingleSurface::next_cycle() {
+  std::swap(now_, before_);
+  std::swap(touched_now_, touched_before_);
+  for (int place : touched_now_) now_[place] = Row{};
+  touched_now_.clear();
+  ++cycle_;
+  resultant_ = {};
+  touching_ = 0;
+  deepest_ = 0.0;
+}
+
+void SingleSurface::add(int node, const Vec3d& force) {
+  const int place = surface_index_[node];
+  if (stamp_[place] != cycle_) {
+    stamp_[place] = cycle_;
+    touched_now_.push_back(place);
+  }
+  nugget::add(now_[place], force);
+}
+
+void SingleSurface::add_forces(std::span<Row> force) {
+  for (int b : busy_) {
+    for (const Hit& hit : blocks_[b].hits) {
+      const Segment& segment = setup_.segments[hit.segment];
+      add(hit.node, hit.force);
+      for (int c = 0; c < segment.corners(); ++c) add(segment.node[c], -hit.weight[c] * hit.force);
+      resultant_ += hit.force;
+      deepest_ = std::max(deepest_, hit.depth);
+      ++touching_;
+    }
+  }
+  for (int place : touched_now_) nugget::add(force[surface_[place]], vec(now_[place]));
+}
+
+void SingleSurface::account(double dt, std::span<const Row> v) {
+  double power = 0.0;
+  for (int place : touched_now_) power += dot(vec(now_[place]) + vec(before_[place]), vec(v[surface_[place]]));
+  for (int place : touched_before_)
+    if (stamp_[place] != cycle_) power += dot(vec(before_[place]), vec(v[surface_[place]]));
+  energy_ -= 0.5 * dt * power;
+}
+
+// -------------------------------------------------------------------------------------------------- initial
+// penetrations
+
+std::vector<Penetration> find_penetrations(const SingleSurfaceSetup& setup, std::span<const Row> x) {
+  SingleSurface contact(setup, x);
+  contact.search(x, {});
+  std::vector<Penetration> found;
+  const SingleSurface::Step step{0.0, x, {}, {}, {}};
+  for (int b : contact.busy_) {
+    SingleSurface::Block& block = contact.blocks_[b];
+    for (int t = block.begin; t < block.end; ++t) {
+      contact.gather_candidates(block, t, step);
+      const int node = setup.nodes[t].node;
+      for (const SingleSurface::Candidate& c : block.candidates)
+        if (c.foot.distance < c.reach && contact.presses(block, c, node, step))
+          found.push_back({node, c.pair->segment, c.reach - c.foot.distance, c.away});
+    }
+  }
+  return found;
+}
+
+std::vector<Penetration> remove_penetrations(const SingleSurfaceSetup& setup, std::span<Row> x, int passes) {
+  const std::vector<Penetration> before = find_penetrations(setup, x);
+  std::vector<Penetration> left = before;
+  for (int pass = 0; pass < passes; ++pass) {
+    bool moved = false;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      // Of several penetrations of a node only the first in the list is mended in a pass.
+      if (i > 0 && left[i].node == left[i - 1].node) continue;
+      const double thickness = setup.segments[left[i].segment].thickness;
+      if (left[i].depth <= 1e-3 * thickness) continue;
+      add(x[left[i].node], 0.5 * left[i].depth * left[i].direction);
+      moved = true;
+    }
+    if (!moved) break;
+    left = find_penetrations(setup, x);
+  }
+  return before;
+}
+
+}  // namespace nugget::contact

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/bvh.hpp"
+#include "base/row.hpp"
+#include "contact/surface.hpp"
+#include "kernel/contact/penalty.hpp"
+
+namespace nugget::contact {
+
+/// What *CONTACT_AUTOMATIC_SINGLE_SURFACE says, on plain arrays. Node numbers are positions in the arrays of `apply`.
+struct SingleSurfaceSetup {
+  std::vector<Segment> segments;
+  std::vector<TrackedNode> nodes;  ///< see nodes_of(); nodes left out do not push, segments push all tracked nodes
+  double stiffness_scale = 0.1;    ///< SLSFAC times SFS
+  kernel::PenaltyLaw law;          ///< SOFT, SOFSCL, VDC
+  double birth = 0.0, death = 1e20;
+};
+
+/// A tracked node that stands in the thickness of a segment.
+struct Penetration {
+  int node = 0;
+  int segment = 0;     ///< position in the setup
+  double depth = 0.0;  ///< by how much the surfaces overlap [length]
+  Vec3d direction;     ///< unit vector along which the node leaves the segment by the shortest way
+};
+
+/// All overlaps of tracked nodes and segments at the coordinates `x`, by node in the order of the setup.
+std::vector<Penetration> find_penetrations(const SingleSurfaceSetup& setup, std::span<const Row> x);
+
+/// IGNORE = 0: moves tracked nodes out of the segments that they penetrate, in passes of half the depth each (the other
+/// half is done by the nodes of the other side, or by the next pass), until none is deeper than 1e-3 of the thickness
+/// or `passes` are done. Returns what find_penetrations() found before; what is still left the contact keeps as an
+/// offset.
+std::vector<Penetration> remove_penetrations(const SingleSurfaceSetup& setup, std::span<Row> x, int passes = 20);
+
+/// Penalty contact of a surface with itself, without friction.
+///
+/// Geometry. A segment is the bilinear surface through its nodes, with a skin at half its thickness on both sides and
+/// round edges of that radius (LS-DYNA's SHLEDG = 0); a tracked node carries half its own thickness. The pair overlaps
+/// by depth = (t_node + t_segment)/2 - distance, the distance being that of the node from the closest point of the
+/// segment, edges and corners included. A node is pressed by each segment at which its distance to the surface has a
+/// local minimum: of segments that share nodes only the closest counts, and segments of the node's own neighbourhood
+/// never do, however small they are against the thickness. So a node between two sheets feels both, and a flat sheet
+/// does not fight itself.
+///
+/// Sides. When a node first touches a segment, the side on which it stood a step earlier is kept until it leaves, and
+/// handed on to the neighbour over whose edge it slides. So a node pressed beyond the mid-surface is pressed back.
+///
+/// Initial overlaps (IGNORE = 1, 2, birth time, elements dying) are kept as an offset that is given up as the pair
+/// comes apart: a contact never starts with a force that no motion has worked against.
+///
+/// Force. k depth along the normal, k the smaller of the segment's and the node's stiffness (PENOPT = 1), bounded by
+/// what the step bears; see kernel/contact/penalty.hpp. The node's stiffness is the mean of its segments'. Initial
+/// geometry.
+///
+/// Search. Each node lists the segments within contact distance plus a margin; the lists are renewed when two points of
+/// the surface can have come closer than that margin, judged by the box of all displacements since. No contact is
+/// missed between searches and none depends on how often one searches.
+///
+/// Results are the same bits for any number of threads. No memory is taken between searches.
+class SingleSurface {
+ public:
+  /// `x`: initial coordinates, for stiffness and search margin.
+  SingleSurface(SingleSurfaceSetup setup, std::span<const Row> x);
+
+  /// Adds the contact forces at the end of a step to `force`. Sign: forces that act on the nodes (an external force;
+  /// the solver's a = (force - internal)/m). All spans are by node, except `shell_alive` (by shell; empty: all live).
+  /// `x` at `time`, `v` the velocity in the middle of the step `dt` that led to it. dt = 0 at the start: no force is
+  /// bounded by the step then, and all overlaps found are initial ones.
+  void apply(double time, double dt, std::span<const Row> x, std::span<const Row> v, std::span<const double> mass,
+             std::span<const unsigned char> shell_alive, std::span<Row> force);
+
+  /// Sliding energy: stored in the penalty springs and dissipated by damping [energy]. It is minus the work of the
+  /// contact forces, sum over steps of 1/2 (f_n + f_n+1) . v_n+1/2 dt, exactly what they take from the nodes' ledger.
+  double energy() const { return energy_; }
+  /// Sum of the forces on tracked nodes as such, without the reactions on segments [force].
+  const Vec3d& resultant() const { return resultant_; }
+  int touching() const { return touching_; }   ///< pairs that carry force
+  double deepest() const { return deepest_; }  ///< largest depth that counts in a force [length]
+  long searches() const { return searches_; }  ///< how often the lists were made
+  std::size_t listed() const;                  ///< pairs in the lists
+
+ private:
+  /// A node and a segment that are near each other.
+  struct Pair {
+    int segment = 0;
+    signed char side = 0;   ///< +1, -1: on which side of the segment's normal the node is kept; 0: not known
+    bool touching = false;  ///< did so in the cycle before
+    double xi = 0.0, eta = 0.0;
+    double offset = 0.0;  ///< overlap that the pair came with and that gives no force [length]
+    double depth = 0.0;   ///< overlap that does [length]
+  };
+  /// A pair close enough to be looked at in this cycle.
+  struct Candidate {
+    Pair* pair = nullptr;
+    Pair before;  ///< the pair as the cycle before left it
+    kernel::Foot foot;
+    Vec3d away;          ///< unit vector from the foot to the node
+    double reach = 0.0;  ///< distance at which the two touch
+  };
+  /// A contact force to be added.
+  struct Hit {
+    int node = 0, segment = 0;
+    std::array<double, 4> weight{};
+    Vec3d force;
+    double depth = 0.0;
+  };
+  /// A fixed group of tracked nodes: what one thread works on at a time.
+  struct Block {
+    int begin = 0, end = 0;      // tracked nodes
+    std::vector<int> first;      // of the pairs of each node
+    std::vector<Pair> pairs;     // by node, then by segment
+    std::vector<int> old_first;  // the lists before the search
+    std::vector<Pair> old_pairs;
+    std::vector<Candidate> candidates;
+    std::vector<Hit> hits;
+  };
+  struct Step {
+    double dt;
+    std::span<const Row> x, v;
+    std::span<const double> mass;
+    std::span<const unsigned char> shell_alive;
+  };
+  friend std::vector<Penetration> find_penetrations(const SingleSurfaceSetup&, std::span<const Row>);
+
+  bool alive(int segment, std::span<const unsigned char> shell_alive) const {
+    const int shell = setup_.segments[segment].shell;
+    return shell < 0 || shell_alive.empty() || shell_alive[shell];
+  }
+  bool node_alive(int node, std::span<const unsigned char> shell_alive) const;
+  double reach(int tracked, int segment) const {
+    return 0.5 * (setup_.nodes[tracked].thickness + setup_.segments[segment].thickness);
+  }
+
+  bool moved_too_far(std::span<const Row> x);
+  void search(std::span<const Row> x, std::span<const unsigned char> shell_alive);
+  void list_neighbours(Block& block, std::span<const Row> x, std::span<const unsigned char> shell_alive);
+  void work(Block& block, const Step& step) const;
+  void look_at(Block& block, int tracked, const Step& step) const;
+  void gather_candidates(Block& block, int tracked, const Step& step) const;
+  bool presses(const Block& block, const Candidate& candidate, int node, const Step& step) const;
+  bool at_home(const Candidate& candidate, int node, std::span<const unsigned char> shell_alive) const;
+  bool hidden_by(const Candidate& other, const Candidate& candidate) const;
+  const Candidate* predecessor(const Block& block, const Candidate& candidate) const;
+  int side_of(const Candidate& candidate, const Candidate* from, const Vec3d& was_at) const;
+  void press(Block& block, Candidate& candidate, int tracked, const Step& step) const;
+  void add_forces(std::span<Row> force);
+  void add(int surface_node, const Vec3d& force);
+  void account(double dt, std::span<const Row> v);
+  void next_cycle();
+
+  SingleSurfaceSetup setup_;
+  NodeSegments around_;
+  std::vector<double> segment_stiffness_;  // scaled
+  std::vector<double> node_stiffness_;     // scaled, by tracked node
+  double thickest_segment_ = 0.0;
+  double margin_ = 0.0;
+
+  std::vector<int> surface_;        // all nodes of segments and all tracked nodes, ascending
+  std::vector<int> surface_index_;  // by node: its place in surface_
+  std::vector<int> live_;           // those of surface_ with living segments at the last search
+  std::vector<Row> searched_at_;    // coordinates of live_ then
+  bool searched_ = false;
+  long searches_ = 0;
+  std::vector<Box> moved_;   // displacements of live_ since, by group of nodes
+  std::vector<int> living_;  // living segments at the last search
+  std::vector<Box> boxes_;   // of these, with their skin
+  BoxTree tree_;
+  std::vector<Block> blocks_;
+  std::vector<int> busy_;  // blocks that have pairs
+
+  // Nodal forces by place in surface_, now and a cycle before, and which of them are not zero.
+  std::vector<Row> now_, before_;
+  std::vector<int> touched_now_, touched_before_;
+  std::vector<long> stamp_;  // cycle in which a place was last touched
+  long cycle_ = 0;
+
+  double energy_ = 0.0;
+  Vec3d resultant_;
+  int touching_ = 0;
+  double deepest_ = 0.0;
+};
+
+}  // namespace nugget::contact

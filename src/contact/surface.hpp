@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "base/row.hpp"
+#include "kernel/contact/closest_point.hpp"
+
+namespace nugget::contact {
+
+/// A facet of a contact surface: a shell, or the face of a brick.
+struct Segment {
+  std::array<int, 4> node{};  ///< a triangle repeats its third node
+  double thickness = 0.0;     ///< contact thickness, scale factors applied; 0 for the face of a brick [length]
+  double bulk_modulus = 0.0;  ///< K = E/(3(1-2 nu)), times SSF of *PART_CONTACT [stress]
+  double volume = 0.0;        ///< of the brick behind the face; 0: a shell [length^3]
+  int shell = -1;             ///< index of the shell that the segment is, in `shell_alive`; -1: it never dies
+
+  bool triangle() const { return node[3] == node[2]; }
+  int corners() const { return triangle() ? 3 : 4; }
+  bool has(int n) const { return node[0] == n || node[1] == n || node[2] == n || node[3] == n; }
+};
+
+/// A node that must not pass through the segments.
+struct TrackedNode {
+  int node = 0;
+  double thickness = 0.0;  ///< contact thickness: the mean of the adjoining segments' [length]
+};
+
+/// The nodes of the segments, ascending, each with the mean thickness of its segments. `left_out` (by node; may be
+/// empty) marks nodes that take no part as tracked nodes, such as those of welds.
+std::vector<TrackedNode> nodes_of(const std::vector<Segment>& segments, std::span<const unsigned char> left_out = {});
+
+kernel::Corners corners_of(const Segment& segment, std::span<const Row> x);
+double area(const Segment& segment, std::span<const Row> x);
+/// Penalty stiffness of the segment before scaling; see kernel/contact/penalty.hpp. 0 for a segment without area.
+double penalty_stiffness(const Segment& segment, std::span<const Row> x);
+
+/// +1 if the right-hand normals of two segments that share an edge lie on the same side of the surface that they form,
+/// -1 if on opposite sides, 0 if they share no edge.
+int same_side(const Segment& a, const Segment& b);
+
+/// Which segments stand at a node.
+class NodeSegments {
+ public:
+  NodeSegments() = default;
+  explicit NodeSegments(const std::vector<Segment>& segments);
+  /// Segments at `node`, ascending.
+  std::span<const int> at(int node) const {
+    if (node + 1 >= static_cast<int>(first_.size())) return {};
+    return std::span(segment_).subspan(first_[node], first_[node + 1] - first_[node]);
+  }
+
+ private:
+  std::vector<int> first_, segment_;
+};
+
+}  // namespace nugget::contact
