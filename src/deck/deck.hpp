@@ -19,12 +19,13 @@ enum class Format { standard, i10, long_format };
 
 /// What *INCLUDE_TRANSFORM does to the ids and values of an included file (composed over nested includes).
 struct Transform {
-  std::array<long, 9> id_offset{};                 ///< by IdSpace
-  double mass = 1.0, length = 1.0, time = 1.0;     ///< unit factors
+  std::array<long, 9> id_offset{};                                    ///< by IdSpace
+  double mass = 1.0, length = 1.0, time = 1.0;                        ///< unit factors
   std::array<double, 12> matrix{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  ///< rows of [A | b]: x' = A x + b
-  Vec3d point(const Vec3d& x) const;               ///< a position: scaled to the new unit, then moved
-  Vec3d direction(const Vec3d& d) const;           ///< a direction: turned, not moved
-  double factor(const Dimension& d) const;         ///< of a value with this dimension
+  Vec3d point(const Vec3d& x) const;        ///< a position as written: scaled to the new unit, then moved
+  Vec3d moved(const Vec3d& x) const;        ///< a position already in the new unit (read as a length by a Row): moved
+  Vec3d direction(const Vec3d& d) const;    ///< a direction: turned, not moved
+  double factor(const Dimension& d) const;  ///< of a value with this dimension
 };
 
 /// One data line: comments are gone, blank lines stay (a blank line is a card of defaults).
@@ -41,9 +42,9 @@ struct Block {
   const Transform* transform = nullptr;  ///< null: none
   std::size_t file = 0;                  ///< which file; see Deck
   std::size_t scope = 0;                 ///< which parameters are visible; see Deck
-  std::vector<Line> lines;               ///< bulk blocks (NODE, ELEMENT_...) leave this empty; their raw text is in `bulk`
-  std::string_view bulk;                 ///< raw text of a bulk block from the line after the keyword, comments included
-  int bulk_line = 0;                     ///< number of the first line of `bulk`
+  std::vector<Line> lines;  ///< bulk blocks (NODE, ELEMENT_...) leave this empty; their raw text is in `bulk`
+  std::string_view bulk;    ///< raw text of a bulk block from the line after the keyword, comments included
+  int bulk_line = 0;        ///< number of the first line of `bulk`
 
   /// `keyword` with its star, for messages.
   std::string starred() const { return '*' + keyword; }
@@ -57,11 +58,15 @@ class Deck {
   Deck(Deck&&) noexcept;
   Deck& operator=(Deck&&) noexcept;
 
-  std::filesystem::path path;           ///< the master file
-  std::vector<std::string> files;       ///< as they appear in findings, in reading order
-  std::vector<Block> blocks;            ///< in reading order; KEYWORD, END, INCLUDE..., PARAMETER..., DEFINE_TRANSFORMATION are consumed
+  std::filesystem::path path;      ///< the master file
+  std::vector<std::string> files;  ///< as they appear in findings, in reading order
+  std::vector<Block>
+      blocks;  ///< in reading order; KEYWORD, END, INCLUDE..., PARAMETER..., DEFINE_TRANSFORMATION are consumed
   std::vector<std::pair<std::string, Place>> consumed;  ///< those, for the ledger (keyword as in Block)
-  std::size_t bytes = 0;                ///< of all files
+  std::size_t bytes = 0;                                ///< of all files
+
+  /// *DEFINE_TRANSFORMATION by its id (id_offset and unit factors of the result say nothing); null where there is none.
+  const Transform* transformation(int id) const;
 
   struct Impl;
   std::unique_ptr<Impl> impl;  ///< file buffers, parameters, transforms
@@ -83,8 +88,10 @@ class Row {
   /// Where the field stands.
   Place place(std::string_view name) const;
   Place place() const;  ///< of the line
-  /// Writes a finding about a field: `keyword` field = value: text [remedy].
-  void complain(Findings& findings, Severity severity, std::string_view name, std::string text, std::string remedy = {}) const;
+  /// Writes a finding about a field: `keyword` field = value: text [remedy]. (All of these throw std::logic_error for a
+  /// name that the card does not have: a fault of the program, not of the deck.)
+  void complain(Findings& findings, Severity severity, std::string_view name, std::string text,
+                std::string remedy = {}) const;
 
  private:
   friend class Cursor;
@@ -95,6 +102,7 @@ class Row {
     int column = 1;
   };
   std::size_t index(std::string_view name) const;
+  void complain(Findings& findings, Severity severity, std::size_t field, std::string text, std::string remedy) const;
   const Card* card_ = nullptr;
   std::vector<Cell> cells_;
   Place place_;
@@ -106,8 +114,8 @@ class Cursor {
  public:
   Cursor(const Deck& deck, const Block& block, Findings& findings);
 
-  bool more() const;  ///< a data line is left
-  std::size_t left() const;
+  bool more() const;         ///< a data line is left; blank lines at the end of a block do not count
+  std::size_t left() const;  ///< how many, without the blank lines at the end
   /// The next line by `card`. At the end of the block: a row of defaults (an error where a field is required).
   Row read(const Card& card);
   /// The next line whole, blanks trimmed (titles, file names).
@@ -123,13 +131,21 @@ class Cursor {
   const Block& block() const { return block_; }
 
  private:
+  void fill_missing(Row& row);
+  void fill(Row& row, std::size_t field, std::string_view text);
+  void fill_text(Row& row, std::size_t field, std::string_view text);
+  double transformed_id(double id, IdSpace space) const;
+  void report_surplus(std::string_view text, int column);
+
   const Deck& deck_;
   const Block& block_;
   Findings& findings_;
   std::size_t next_ = 0;
+  bool surplus_reported_ = false;  // text behind the last field: one warning a keyword
 };
 
-// ---- bulk tables: the fast path. Rows are appended; `line` is the line number in the block's file. -------------------
+// ---- bulk tables: the fast path. Rows are appended; `line` is the line number in the block's file.
+// -------------------
 
 struct NodeTable {
   std::vector<int> id;
@@ -147,13 +163,14 @@ struct ElementTable {
   std::vector<int> id, part;
   std::vector<int> node;
   std::vector<int> line, file;
-  // By option; empty or as long as `id` (0 or NaN where a row has none).
-  std::vector<std::array<double, 4>> thickness;  ///< shells: THIC1..4
-  std::vector<double> angle;                     ///< shells: BETA
-  std::vector<double> offset;                    ///< shells: OFFSET
-  std::vector<std::array<int, 2>> tied_parts;    ///< beams: PID1, PID2 of _PID
+  // By option; empty or as long as `id` (0 where a row has none, where nothing else is said).
+  std::vector<std::array<double, 4>> thickness;    ///< shells: THIC1..4
+  std::vector<double> angle;                       ///< shells: BETA in degrees, NaN where blank
+  std::vector<int> system;                         ///< shells: MCID
+  std::vector<double> offset;                      ///< shells: OFFSET, NaN where none is given
+  std::vector<std::array<int, 2>> tied_parts;      ///< beams: PID1, PID2 of _PID
   std::vector<std::array<double, 3>> orientation;  ///< beams: _ORIENTATION
-  std::vector<std::array<double, 5>> section;    ///< beams: _THICKNESS PARM1..5
+  std::vector<std::array<double, 5>> section;      ///< beams: _THICKNESS PARM1..5
 };
 /// *ELEMENT_SHELL with THICKNESS, BETA, MCID, OFFSET, DOF; up to 8 nodes.
 void read_shells(const Deck& deck, const Block& block, ElementTable& out, Findings& findings);
@@ -161,5 +178,12 @@ void read_shells(const Deck& deck, const Block& block, ElementTable& out, Findin
 void read_solids(const Deck& deck, const Block& block, ElementTable& out, Findings& findings);
 /// *ELEMENT_BEAM with THICKNESS, PID, OFFSET, ORIENTATION; nodes N1 N2 N3.
 void read_beams(const Deck& deck, const Block& block, ElementTable& out, Findings& findings);
+
+// The first cards of the bulk keywords, for `nugget keywords` (the readers above use the same tables).
+const Card& node_card();
+const Card& shell_card();
+const Card& shell_thickness_card();
+const Card& solid_card();
+const Card& beam_card();
 
 }  // namespace nugget::deck

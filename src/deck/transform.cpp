@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "deck/reader.hpp"
+#include "deck/text.hpp"
+
+namespace nugget::deck {
+namespace {
+
+using Matrix = std::array<double, 12>;
+
+constexpr Matrix identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+
+Vec3d turned(const Matrix& m, const Vec3d& v) {
+  return {m[0] * v.x + m[1] * v.y + m[2] * v.z, m[4] * v.x + m[5] * v.y + m[6] * v.z,
+          m[8] * v.x + m[9] * v.y + m[10] * v.z};
+}
+
+Vec3d shift(const Matrix& m) {
+  return {m[3], m[7], m[11]};
+}
+
+Matrix matrix(const Vec3d& x, const Vec3d& y, const Vec3d& z, const Vec3d& b) {
+  return {x.x, y.x, z.x, b.x, x.y, y.y, z.y, b.y, x.z, y.z, z.z, b.z};
+}
+
+/// The map that does `inner` first.
+Matrix product(const Matrix& outer, const Matrix& inner) {
+  const auto column = [&](std::size_t c) { return turned(outer, {inner[c], inner[4 + c], inner[8 + c]}); };
+  return matrix(column(0), column(1), column(2), turned(outer, shift(inner)) + shift(outer));
+}
+
+/// A linear map about a fixed point.
+Matrix about(const Vec3d& point, const Vec3d& x, const Vec3d& y, const Vec3d& z) {
+  const Matrix linear = matrix(x, y, z, {});
+  return matrix(x, y, z, point - turned(linear, point));
+}
+
+Matrix rotation(const Vec3d& axis, const Vec3d& point, double degrees) {
+  const Vec3d n = unit(axis);
+  const double angle = degrees * std::numbers::pi / 180.0;
+  const double c = std::cos(angle), s = std::sin(angle);
+  const auto rotated = [&](const Vec3d& e) { return c * e + s * cross(n, e) + (1.0 - c) * dot(n, e) * n; };
+  return about(point, rotated({1, 0, 0}), rotated({0, 1, 0}), rotated({0, 0, 1}));
+}
+
+Matrix mirror(const Vec3d& point, const Vec3d& normal) {
+  const Vec3d n = unit(normal);
+  const auto reflected = [&](const Vec3d& e) { return e - 2.0 * dot(n, e) * n; };
+  return about(point, reflected({1, 0, 0}), reflected({0, 1, 0}), reflected({0, 0, 1}));
+}
+
+/// Origin p1, x towards p2, p3 in the xy plane.
+Frame3d frame(const Vec3d& p1, const Vec3d& p2, const Vec3d& p3) {
+  const Vec3d e1 = unit(p2 - p1);
+  const Vec3d e3 = unit(cross(e1, p3 - p1));
+  return {e1, cross(e3, e1), e3};
+}
+
+Matrix placed(const std::array<Vec3d, 6>& p) {
+  const Frame3d from = frame(p[0], p[1], p[2]), to = frame(p[3], p[4], p[5]);
+  const auto image = [&](const Vec3d& e) { return to.global(from.local(e)); };
+  const Vec3d x = image({1, 0, 0}), y = image({0, 1, 0}), z = image({0, 0, 1});
+  return matrix(x, y, z, p[3] - turned(matrix(x, y, z, {}), p[0]));
+}
+
+bool is_finite(const Matrix& m) {
+  for (const double v : m) {
+    if (!std::isfinite(v)) return false;
+  }
+  return true;
+}
+
+const Card id_card{{id("tranid", IdSpace::define, required, "id of the transformation")}};
+
+Field argument(std::string_view name) {
+  Field f = real(name, dimension::number, 0.0, any_value, "argument of the option");
+  f.zero_is_default = false;
+  return f;
+}
+const Card option_card{{text("option", 10, "kind of motion"), argument("a1"), argument("a2"), argument("a3"),
+                        argument("a4"), argument("a5"), argument("a6"), argument("a7")}};
+
+/// Reads the lines of one *DEFINE_TRANSFORMATION.
+class TransformationCards {
+ public:
+  TransformationCards(const Deck& deck, Findings& findings) : deck_(deck), findings_(findings) {}
+
+  /// x' = T1 T2 ... Tn x: the last line acts first.
+  Matrix read(Cursor& cursor) {
+    Matrix total = identity;
+    while (cursor.more()) {
+      const Row row = cursor.read(option_card);
+      const Matrix one = motion(row);
+      if (is_finite(one)) {
+        total = product(total, one);
+      } else {
+        row.complain(findings_, Severity::error, "option", "the points or vectors of this line span no axis or plane",
+                     "give points apart from each other and a vector that is not zero");
+      }
+    }
+    return total;
+  }
+
+ private:
+  Matrix motion(const Row& row) {
+    const std::string option = upper(row.text("option"));
+    const auto a = [&](int i) { return row.real(names[static_cast<std::size_t>(i - 1)]); };
+    const Vec3d first{a(1), a(2), a(3)}, second{a(4), a(5), a(6)};
+    if (option == "TRANSL") return matrix({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, first);
+    if (option == "SCALE") return scaling(row, first);
+    if (option == "MIRROR") return mirror(first, second - first);
+    if (option == "POINT") {
+      points_[static_cast<long>(a(1))] = {a(2), a(3), a(4)};
+      return identity;
+    }
+    if (option == "TRANSL2ND") {
+      const Vec3d d = unit(node(row, "a2") - node(row, "a1"));
+      return matrix({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, a(3) * d);
+    }
+    if (option == "ROTATE") {
+      if (a(4) != 0.0 || a(5) != 0.0 || a(6) != 0.0 || a(7) != 0.0) return rotation(first, second, a(7));
+      const Vec3d from = point_or_node(row, "a1");
+      return rotation(point_or_node(row, "a2") - from, from, a(3));
+    }
+    if (option == "POS6P" || option == "POS6N") {
+      std::array<Vec3d, 6> p;
+      for (std::size_t i = 0; i < 6; ++i) p[i] = option == "POS6P" ? point_or_node(row, names[i]) : node(row, names[i]);
+      return placed(p);
+    }
+    row.complain(findings_, Severity::error, "option", "this option of *DEFINE_TRANSFORMATION is not supported",
+                 "use TRANSL, TRANSL2ND, ROTATE, SCALE, MIRROR, POINT, POS6P or POS6N");
+    return identity;
+  }
+
+  Matrix scaling(const Row& row, const Vec3d& f) {
+    if (f.x == 0.0 || f.y == 0.0 || f.z == 0.0) {
+      row.complain(findings_, Severity::error, "option", "a scale factor is 0",
+                   "give all three factors; 1 keeps an axis as it is");
+      return identity;
+    }
+    return matrix({f.x, 0, 0}, {0, f.y, 0}, {0, 0, f.z}, {});
+  }
+
+  Vec3d point_or_node(const Row& row, std::string_view field) {
+    const auto point = points_.find(static_cast<long>(row.real(field)));
+    return point == points_.end() ? node(row, field) : point->second;
+  }
+
+  /// Nodes under *INCLUDE_TRANSFORM are not known yet when transformations are worked out.
+  Vec3d node(const Row& row, std::string_view field) {
+    if (!nodes_read_) {
+      nodes_read_ = true;
+      Findings elsewhere;  // the reader of the model reports what is wrong with the nodes
+      NodeTable table;
+      for (const Block& b : deck_.blocks) {
+        if (b.keyword == "NODE" && b.transform == nullptr) read_nodes(deck_, b, table, elsewhere);
+      }
+      for (std::size_t i = 0; i < table.id.size(); ++i) nodes_[table.id[i]] = table.x[i];
+    }
+    const auto found = nodes_.find(static_cast<long>(row.real(field)));
+    if (found != nodes_.end()) return found->second;
+    row.complain(findings_, Severity::error, field,
+                 "there is no such point or node (nodes under *INCLUDE_TRANSFORM do not count)",
+                 "define it with POINT above this line, or with *NODE outside of *INCLUDE_TRANSFORM");
+    return {};
+  }
+
+  static constexpr std::array<std::string_view, 7> names{"a1", "a2", "a3", "a4", "a5", "a6", "a7"};
+
+  const Deck& deck_;
+  Findings& findings_;
+  std::map<long, Vec3d> points_;
+  std::map<long, Vec3d> nodes_;
+  bool nodes_read_ = false;
+};
+
+}  // namespace
+
+Vec3d Transform::point(const Vec3d& x) const {
+  return moved(length * x);
+}
+Vec3d Transform::moved(const Vec3d& x) const {
+  return turned(matrix, x) + shift(matrix);
+}
+Vec3d Transform::direction(const Vec3d& d) const {
+  return turned(matrix, d);
+}
+
+double Transform::factor(const Dimension& d) const {
+  double f = 1.0;
+  if (mass != 1.0 && d.mass != 0) f *= std::pow(mass, d.mass);
+  if (length != 1.0 && d.length != 0) f *= std::pow(length, d.length);
+  if (time != 1.0 && d.time != 0) f *= std::pow(time, d.time);
+  return f;
+}
+
+Transform composed(const Transform& outer, const Transform& inner) {
+  Transform t;
+  for (std::size_t i = 0; i < t.id_offset.size(); ++i) t.id_offset[i] = outer.id_offset[i] + inner.id_offset[i];
+  t.mass = outer.mass * inner.mass;
+  t.length = outer.length * inner.length;
+  t.time = outer.time * inner.time;
+  // x' = A_o L_o (A_i L_i x + b_i) + b_o, and scaling all axes alike commutes with A_i.
+  Matrix rescaled = inner.matrix;
+  for (const std::size_t i : {3, 7, 11}) rescaled[i] *= outer.length;
+  t.matrix = product(outer.matrix, rescaled);
+  return t;
+}
+
+int handedness(const Transform& transform) {
+  const Matrix& m = transform.matrix;
+  const double determinant = dot(cross(Vec3d{m[0], m[4], m[8]}, Vec3d{m[1], m[5], m[9]}), Vec3d{m[2], m[6], m[10]});
+  return determinant > 0.0 ? 1 : determinant < 0.0 ? -1 : 0;
+}
+
+void Reader::define_transformations() {
+  for (const Block& block : transformations_) {
+    Cursor cursor(deck_, block, findings_);
+    if (block.keyword.ends_with("_TITLE")) cursor.skip();
+    const Row row = cursor.read(id_card);
+    Transform transform;
+    transform.matrix = TransformationCards(deck_, findings_).read(cursor);
+    const int id = row.integer("tranid");
+    if (id != 0 && !deck_.impl->transformations.emplace(id, transform).second) {
+      row.complain(findings_, Severity::error, "tranid", "this id is defined a second time",
+                   "give each transformation its own id");
+    }
+  }
+}
+
+void Reader::resolve_transforms() {
+  for (Pending& p : pending_) {
+    if (p.id != 0) {
+      const Transform* const found = deck_.transformation(p.id);
+      if (found == nullptr) {
+        findings_.add({Severity::error, p.place, "*INCLUDE_TRANSFORM", "tranid", std::to_string(p.id),
+                       "no *DEFINE_TRANSFORMATION has this id", "define it, or leave the field blank"});
+      } else if (handedness(*found) <= 0) {
+        findings_.add({Severity::error, p.place, "*INCLUDE_TRANSFORM", "tranid", std::to_string(p.id),
+                       "a transformation that mirrors or flattens would turn elements inside out and is not supported "
+                       "for includes",
+                       "mirror the file in the pre-processor"});
+      } else {
+        p.own.matrix = found->matrix;
+      }
+    }
+    *p.target = p.outer == nullptr ? p.own : composed(*p.outer, p.own);
+  }
+}
+
+}  // namespace nugget::deck
