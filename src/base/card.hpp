@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-// The vocabulary in which the cards of a deck are described. A card is a table of fields; the reader, its checks, its messages,
-// the unit and id offsets of *INCLUDE_TRANSFORM and `nugget keywords` all come from that one table.
+// The vocabulary in which the cards of a deck are described. A card is a table of fields; the reader, its checks, its
+// messages, the unit and id offsets of *INCLUDE_TRANSFORM and `nugget keywords` all come from that one table.
 namespace nugget {
 
 /// Exponents of mass, length and time.
@@ -47,15 +47,24 @@ struct Range {
   bool holds(double v) const { return v >= low && v <= high; }
 };
 inline constexpr Range any_value{};
-constexpr Range at_least(double low) { return {low, std::numeric_limits<double>::infinity()}; }
-constexpr Range above_zero() { return {std::numeric_limits<double>::min(), std::numeric_limits<double>::infinity()}; }
-constexpr Range between(double low, double high) { return {low, high}; }
-constexpr Range only(double value) { return {value, value}; }
+constexpr Range at_least(double low) {
+  return {low, std::numeric_limits<double>::infinity()};
+}
+constexpr Range above_zero() {
+  return {std::numeric_limits<double>::min(), std::numeric_limits<double>::infinity()};
+}
+constexpr Range between(double low, double high) {
+  return {low, high};
+}
+constexpr Range only(double value) {
+  return {value, value};
+}
 
 /// Marks a field that must be given.
 inline constexpr double required = std::numeric_limits<double>::quiet_NaN();
 
-/// One field of a card. A blank field takes `fallback`. `zero_is_default` says that a written 0 takes it too (LS-DYNA's habit).
+/// One field of a card. A blank field takes `fallback`. `zero_is_default` says that a written 0 takes it too (LS-DYNA's
+/// habit).
 struct Field {
   std::string_view name;  ///< LS-DYNA's name in lower case; empty for an unused field
   Kind kind = Kind::real;
@@ -81,7 +90,9 @@ constexpr Field id(std::string_view name, IdSpace space, double fallback, std::s
 constexpr Field text(std::string_view name, int width, std::string_view meaning) {
   return {name, Kind::text, {}, 0.0, any_value, meaning, IdSpace::none, width, true};
 }
-constexpr Field unused(int width = 10) { return {{}, Kind::text, {}, 0.0, any_value, {}, IdSpace::none, width, true}; }
+constexpr Field unused(int width = 10) {
+  return {{}, Kind::text, {}, 0.0, any_value, {}, IdSpace::none, width, true};
+}
 /// The same field with another number of columns.
 constexpr Field wide(Field f, int width) {
   f.width = width;

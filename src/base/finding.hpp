@@ -7,7 +7,8 @@
 
 namespace nugget {
 
-/// Where in the deck something stands. `line` and `column` count from 1; 0 means "not known" (the whole file, the whole line).
+/// Where in the deck something stands. `line` and `column` count from 1; 0 means "not known" (the whole file, the whole
+/// line).
 struct Place {
   std::string file;
   int line = 0;
