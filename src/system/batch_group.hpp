@@ -90,7 +90,9 @@ class BatchGroup final : public ElementGroup {
         motion.v[a] = gather<R>(now.v.data(), id + a * width);
         if constexpr (Element::rotational) motion.w[a] = gather<R>(now.w.data(), id + a * width);
       }
+      const R lived = real_load<R>(state(b * width) + Element::Layout::alive * width);
       const auto out = kernel_.template cycle<R>(motion, dt, state(b * width));
+      if (any(real_load<R>(state(b * width) + Element::Layout::alive * width) < lived)) ++deaths;
 
       // Work over the step: trapezoid of the forces before and after, times the velocities in between.
       R work(0.0);

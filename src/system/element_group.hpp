@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -60,9 +61,13 @@ class ElementGroup {
   };
   virtual int layers() const { return 0; }
   virtual Layer layer(std::size_t, int, const State&) const { return {}; }
+  /// Current thickness of a shell, length of a beam.
   virtual double thickness(std::size_t) const { return 0.0; }
-  /// Shells: Mx My Mxy Qx Qy Nx Ny Nxy in local axes, per unit length. Beams: N_rr N_rs N_rt M_ss M_tt M_rr.
+  /// Shells: Mx My Mxy Qx Qy Nx Ny Nxy in local axes, per unit length. Beams: N_rr N_rs N_rt M_rr M_ss M_tt.
   virtual std::array<double, 8> resultants(std::size_t) const { return {}; }
+
+  /// How many blocks lost elements in cycles so far; a change says that somebody died.
+  std::atomic<int> deaths{0};
 
   /// Smallest stable step of each block's living elements in the last cycle, mass scaling included (infinite where none lives).
   std::vector<double> block_step;

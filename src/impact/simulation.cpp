@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <limits>
+
+#include "base/parallel.hpp"
+#include "impact/contact_setup.hpp"
+#include "impact/recorders.hpp"
+
+namespace nugget::impact {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// Adds the time since the last call to a phase.
+class Stopwatch {
+ public:
+  void charge(double& phase) {
+    const auto now = std::chrono::steady_clock::now();
+    phase += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+void Simulation::interrupt() { interrupted = 1; }
+
+Simulation::Simulation(system::System& system, Findings& findings)
+    : system_(system), state_(system.initial_state()), supports_(system, findings), loads_(system) {
+  const model::Model& model = system.model;
+  dependent_.resize(system.all_nodes());
+  for (std::size_t k = 0; k < system.all_nodes(); ++k) dependent_[k] = system.map.dependent(static_cast<int>(k));
+  shell_alive_.assign(model.shells.size(), 1);
+  for (const model::Contact& card : model.contacts) {
+    if (card.tie()) continue;
+    contact::SingleSurfaceSetup setup = contact_setup(system, card);
+    if (setup.segments.empty()) {
+      findings.error(card.place, '*' + card.keyword, "the contact has no segments: none of its parts has shells or bricks",
+                     "check SURFA and SURFATYP");
+      continue;
+    }
+    if (card.ignore == 0) {
+      const auto found = contact::remove_penetrations(setup, state_.x);
+      if (!found.empty())
+        findings.warning(card.place, '*' + card.keyword,
+                         fmt::format("{} nodes stood in the thickness of a sheet and were moved out (IGNORE = 0); the deepest by {:.4g}",
+                                     found.size(), std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
+                                                     return a.depth < b.depth;
+                                                   })->depth),
+                         "IGNORE = 1 keeps the coordinates and tracks the initial penetration");
+    }
+    contacts_.emplace_back(std::move(setup), state_.x);
+  }
+  for (const model::RigidWall& wall : model.walls) {
+    std::vector<int> nodes;
+    for (model::Index n : wall.nodes) nodes.push_back(system.node_of[at(n)]);
+    const Curve* motion = wall.motion_curve == model::none ? nullptr : &model.curves[at(wall.motion_curve)];
+    walls_.emplace_back(wall, std::move(nodes), motion);
+  }
+  for (const weld::Weld& w : system.ties.welds) {
+    welds_.emplace_back();
+    if (w.kind != weld::Weld::Kind::beam || w.deleted) continue;
+    const model::Material& material = model.materials[at(model.parts[at(w.part)].material)];
+    welds_.back() = std::make_unique<weld::History>(std::get<kernel::Spotweld>(material.law));
+  }
+}
+
+Outcome Simulation::run(const Options& options, Recorders& recorders, const ProgressCallback& progress) {
+  interrupted = 0;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto elapsed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  const double end_time = options.until > 0.0 ? options.until : system_.model.control.end_time;
+  Stopwatch watch;
+  Outcome outcome;
+  double next_report = 0.0;
+
+  start();
+  watch.charge(seconds_[elements]);
+  for (bool last = false; !last;) {
+    choose_step(end_time);
+    const Outcome stop = reason_to_stop(options, end_time);
+    last = stop.termination != Termination::normal || !stop.message.empty() || state_.time >= end_time;
+    if (last) outcome = stop;
+    const bool record = last || recorders.due(state_);
+    if (record || state_.cycle % 100 == 0) {
+      v_before_ = state_.v;
+      w_before_ = state_.w;
+      for (std::size_t b = 0; b < system_.bodies.size(); ++b) momentum_before_[b] = system_.bodies[b].angular_momentum;
+    }
+    const bool known = record || state_.cycle % 100 == 0;
+
+    accelerate();
+    supports_.prescribe(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
+    constrain_by_walls();
+    watch.charge(seconds_[motion]);
+
+    if (known) account();
+    if (record) {
+      masses_ = system_.masses();
+      const Snapshot now{system_,      state_,      v_before_, w_before_, energy_, parts_,
+                         controlling_, masses_,     supports_, walls_,    contacts_, welds_};
+      recorders.write(now, last);
+    }
+    if (progress && elapsed() >= next_report) {
+      progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()), welds_failed_,
+                elapsed()});
+      next_report = elapsed() + 0.2;
+    }
+    watch.charge(seconds_[output]);
+    if (last) break;
+
+    supports_.open_step(state_.dt);
+    system_.map.follow(state_.dt, state_.v, state_.w);
+    watch.charge(seconds_[constraints]);
+    move();
+    watch.charge(seconds_[motion]);
+    system_.internal_force(state_);
+    check_welds();
+    bury_shells();
+    watch.charge(seconds_[elements]);
+    forces();
+    watch.charge(seconds_[contact_search]);
+    system_.map.collect(state_.f, state_.m);
+    if (system_.scale_mass(false)) update_inverse_mass();
+    watch.charge(seconds_[constraints]);
+  }
+  solve_seconds_ = elapsed();
+  if (progress)
+    progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()), welds_failed_,
+              elapsed()});
+  return outcome;
+}
+
+void Simulation::start() {
+  v_before_ = state_.v;
+  w_before_ = state_.w;
+  momentum_before_.resize(system_.bodies.size());
+  supports_.hold_at_start(state_);
+  system_.map.follow(0.0, state_.v, state_.w);
+
+  // Stable steps of the undeformed mesh: one pass without a step, then mass scaling, then a second pass with the new masses.
+  state_.dt = 0.0;
+  std::vector<Row> v(state_.v.size()), w(state_.w.size());
+  v.swap(state_.v);
+  w.swap(state_.w);
+  system_.internal_force(state_);
+  v.swap(state_.v);
+  w.swap(state_.w);
+  system_.scale_mass(true);
+  update_inverse_mass();
+  forces();
+  system_.map.collect(state_.f, state_.m);
+  masses_ = system_.masses();
+
+  controlling_ = system_.controlling();
+  first_step_ = controlling_.step;
+  smallest_step_ = std::numeric_limits<double>::infinity();
+}
+
+void Simulation::update_inverse_mass() {
+  inverse_mass_.assign(system_.nodes, 0.0);
+  inverse_inertia_.assign(system_.nodes, 0.0);
+  contact_mass_.assign(system_.all_nodes(), 0.0);
+  for (std::size_t k = 0; k < system_.nodes; ++k) {
+    if (system_.mass[k] > 0.0) inverse_mass_[k] = 1.0 / system_.mass[k];
+    if (system_.inertia[k] > 0.0) inverse_inertia_[k] = 1.0 / system_.inertia[k];
+    contact_mass_[k] = dependent_[k] ? system_.own_mass[k] : system_.mass[k];
+  }
+}
+
+void Simulation::choose_step(double end_time) {
+  const model::Control& control = system_.model.control;
+  controlling_ = system_.controlling();
+  state_.dt_previous = state_.cycle == 0 ? 0.0 : state_.dt;
+  double dt = controlling_.step;
+  if (control.mass_step < 0.0 || control.mass_step > 0.0) {
+    // Mass scaling keeps every element at the wanted step; the run takes it and not more.
+    dt = std::min(dt, std::max(std::abs(control.mass_step) * control.step_scale, 0.0));
+    if (controlling_.step > dt && control.mass_step < 0.0) dt = controlling_.step;
+  }
+  if (state_.cycle == 0 && control.first_step > 0.0) dt = std::min(dt, control.first_step);
+  if (control.step_curve != model::none)
+    dt = std::min(dt, system_.model.curves[at(control.step_curve)].clamped(state_.time));
+  if (!std::isfinite(dt) && !std::isnan(dt)) dt = end_time > 0.0 ? 1e-3 * end_time : 1.0;  // rigid bodies only
+  if (dt < smallest_step_) {
+    smallest_step_ = dt;
+    smallest_by_ = controlling_.describe(system_);
+  }
+  if (state_.time < end_time && state_.time + dt > end_time) dt = end_time - state_.time;
+  state_.dt = dt;
+}
+
+Outcome Simulation::reason_to_stop(const Options& options, double end_time) const {
+  const model::Control& control = system_.model.control;
+  const auto error = [](std::string why) { return Outcome{Termination::error, std::move(why)}; };
+  if (interrupted) return {Termination::interrupted, "interrupted by the user"};
+  if (std::isnan(state_.dt))
+    return error(fmt::format("the solution diverged: {} has no stable time step (not a number) at time {:.6g}, cycle {}",
+                             controlling_.describe(system_), state_.time, state_.cycle));
+  if (control.smallest_step > 0.0 && controlling_.step < control.smallest_step * first_step_ && state_.time < end_time)
+    return error(fmt::format("the time step {:.4g} of {} fell below DTMIN times the first step, {:.4g}", controlling_.step,
+                             controlling_.describe(system_), control.smallest_step * first_step_));
+  if (control.energy_limit > 0.0 && std::abs(energy_.ratio() - 1.0) > 0.01 * control.energy_limit && state_.cycle > 0)
+    return error(fmt::format("the energy ratio {:.4g} left the limit ENDENG = {:.4g} %", energy_.ratio(), control.energy_limit));
+  if (masses_.physical > 0.0 && 100.0 * masses_.added / masses_.physical > control.added_mass_limit)
+    return error(fmt::format("the added mass, {:.4g} % of the physical one, exceeds ENDMAS = {:.4g} %",
+                             100.0 * masses_.added / masses_.physical, control.added_mass_limit));
+  if (state_.cycle % 50 == 0) {
+    for (std::size_t k = 0; k < system_.nodes; ++k) {
+      const Row& v = state_.v[k];
+      if (std::isfinite(v.x + v.y + v.z)) continue;
+      return error(fmt::format("the solution diverged: the velocity of node {} is not a number at time {:.6g}, cycle {}",
+                               system_.model.nodes.id[at(system_.model_node[k])], state_.time, state_.cycle));
+    }
+  }
+  const long most = options.max_cycles > 0 ? options.max_cycles : control.end_cycle;
+  if (most > 0 && state_.cycle >= most) return {Termination::normal, fmt::format("stopped after {} cycles", most)};
+  return {};
+}
+
+void Simulation::accelerate() {
+  const double kick = 0.5 * (state_.dt + state_.dt_previous);
+  parallel_for(system_.nodes, 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const double a = kick * inverse_mass_[k], b = kick * inverse_inertia_[k];
+      Row &v = state_.v[k], &w = state_.w[k];
+      const Row &f = state_.f[k], &m = state_.m[k];
+      v = {v.x + a * f.x, v.y + a * f.y, v.z + a * f.z, 0.0};
+      w = {w.x + b * m.x, w.y + b * m.y, w.z + b * m.z, 0.0};
+    }
+  });
+  for (system::RigidBody& body : system_.bodies) body.advance(kick, state_.dt, state_);
+}
+
+void Simulation::constrain_by_walls() {
+  for (contact::RigidWall& wall : walls_)
+    wall.constrain(state_.time, state_.dt, state_.dt_previous, state_.x, state_.v, system_.mass, dependent_);
+}
+
+void Simulation::move() {
+  parallel_for(system_.all_nodes(), 2048, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      Row& x = state_.x[k];
+      const Row& v = state_.v[k];
+      x = {x.x + state_.dt * v.x, x.y + state_.dt * v.y, x.z + state_.dt * v.z, 0.0};
+    }
+  });
+  for (system::RigidBody& body : system_.bodies) body.turn(state_.dt, state_);
+  state_.time += state_.dt;
+  ++state_.cycle;
+}
+
+void Simulation::forces() {
+  for (contact::SingleSurface& c : contacts_)
+    c.apply(state_.time, state_.dt, state_.x, state_.v, contact_mass_, shell_alive_, state_.f);
+  loads_.apply(state_, state_.dt);
+}
+
+void Simulation::check_welds() {
+  const std::vector<weld::Weld>& welds = system_.ties.welds;
+  for (std::size_t i = 0; i < welds.size(); ++i) {
+    weld::History* history = welds_[i].get();
+    if (history == nullptr || history->failed()) continue;
+    const system::System::Seat seat = system_.beam_seat[at(welds[i].element)];
+    system::ElementGroup& group = *system_.groups[at(seat.group)];
+    const auto e = at(seat.element);
+    const auto report = [&] {
+      ++welds_failed_;
+      events_.push_back(fmt::format("spotweld beam failed  id={:8d} time={:12.5E} cycle={} by {}", welds[i].id, state_.time,
+                                    state_.cycle, weld::to_string(history->mode())));
+    };
+    if (!group.alive(e)) {
+      history->fail(state_.time, weld::FailureMode::plastic_strain);
+      report();
+      continue;
+    }
+    const std::array<double, 8> r = group.resultants(e);
+    if (history->update(state_.time, {r[0], r[1], r[2], r[3], r[4], r[5]})) {
+      group.remove(e);
+      report();
+    }
+  }
+}
+
+/// Contact surfaces lose the shells that were deleted.
+void Simulation::bury_shells() {
+  int deaths = 0;
+  for (const auto& group : system_.groups) deaths += group->deaths;
+  if (deaths == deaths_) return;
+  deaths_ = deaths;
+  for (const auto& group : system_.groups) {
+    if (group->kind != model::ElementKind::shell) continue;
+    for (std::size_t e = 0; e < group->size(); ++e)
+      if (!group->alive(e)) shell_alive_[at(group->element[e])] = 0;
+  }
+}
+
+void Simulation::account() {
+  element_energies(system_, state_, v_before_, energy_, parts_);
+  energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_);
+  energy_.contact = 0.0;
+  for (const contact::SingleSurface& c : contacts_) energy_.contact += c.energy();
+  energy_.wall = 0.0;
+  for (const contact::RigidWall& w : walls_) energy_.wall += w.energy();
+  energy_.external = supports_.work() + loads_.work();
+  if (state_.cycle == 0) energy_.initial = energy_.total();
+}
+
+}  // namespace nugget::impact

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "impact/options.hpp"
+#include "impact/snapshot.hpp"
+
+namespace nugget::impact {
+
+class Recorders;
+
+/// Explicit dynamics by central differences. The loop reads as the method: accelerate, prescribe, follow, move, forces.
+class Simulation {
+ public:
+  /// Builds contacts, walls, supports and loads; faults of the input become findings. The system must outlive it.
+  Simulation(system::System& system, Findings& findings);
+
+  /// Runs to the end. Never throws for a run that diverges: the outcome says why it stopped.
+  Outcome run(const Options& options, Recorders& recorders, const ProgressCallback& progress);
+
+  // What the summary wants to know afterwards.
+  const system::System& system() const { return system_; }
+  const system::State& state() const { return state_; }
+  const Energy& energy() const { return energy_; }
+  const WeldHistories& welds() const { return welds_; }
+  double first_step() const { return first_step_; }
+  double smallest_step() const { return smallest_step_; }
+  const std::string& smallest_by() const { return smallest_by_; }
+  const std::vector<std::string>& events() const { return events_; }  ///< for run.log: failed welds and the like
+
+  enum Phase { elements, contact_search, constraints, motion, output, phases };
+  static constexpr std::array<std::string_view, phases> phase_names{"elements", "contact", "constraints", "motion", "output"};
+  const std::array<double, phases>& seconds() const { return seconds_; }
+  double solve_seconds() const { return solve_seconds_; }
+
+  /// Asks a running simulation to stop after the current cycle (from a signal handler).
+  static void interrupt();
+
+ private:
+  void start();
+  void choose_step(double end_time);
+  void accelerate();
+  void constrain_by_walls();
+  void move();
+  void forces();
+  void check_welds();
+  void bury_shells();
+  void update_inverse_mass();
+  void account();
+  Outcome reason_to_stop(const Options& options, double end_time) const;
+
+  system::System& system_;
+  system::State state_;
+  Supports supports_;
+  Loads loads_;
+  std::vector<contact::SingleSurface> contacts_;
+  std::vector<contact::RigidWall> walls_;
+  std::vector<double> contact_mass_;           ///< by node, dependent nodes with what they had of their own
+  std::vector<unsigned char> dependent_;       ///< by node
+  std::vector<unsigned char> shell_alive_;     ///< by model shell
+  std::vector<double> inverse_mass_, inverse_inertia_;
+  std::vector<Row> v_before_, w_before_;
+  std::vector<Vec3d> momentum_before_;
+  WeldHistories welds_;
+  int welds_failed_ = 0;
+  int deaths_ = 0;
+
+  Energy energy_;
+  std::vector<PartEnergy> parts_;
+  system::System::Controlling controlling_;
+  system::System::Masses masses_;
+  double first_step_ = 0.0, smallest_step_ = 0.0;
+  std::string smallest_by_;
+  std::vector<std::string> events_;
+  std::array<double, phases> seconds_{};
+  double solve_seconds_ = 0.0;
+};
+
+}  // namespace nugget::impact

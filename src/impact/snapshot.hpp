@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "contact/rigid_wall.hpp"
+#include "contact/single_surface.hpp"
+#include "impact/conditions.hpp"
+#include "impact/energy.hpp"
+#include "system/system.hpp"
+#include "weld/failure.hpp"
+
+namespace nugget::impact {
+
+/// What happened to each weld beam of Ties::welds, in that order; empty where a weld has no history (deleted, rigid).
+using WeldHistories = std::vector<std::unique_ptr<weld::History>>;
+
+/// Everything known at one time t(n), for those who write results. Velocities at t(n) are the means of `before` and state's.
+struct Snapshot {
+  const system::System& system;
+  const system::State& state;
+  std::span<const Row> v_before, w_before;  ///< at t(n-1/2); those in state stand at t(n+1/2)
+  const Energy& energy;
+  const std::vector<PartEnergy>& parts;
+  const system::System::Controlling& controlling;
+  const system::System::Masses& masses;
+  const Supports& supports;
+  std::span<const contact::RigidWall> walls;
+  std::span<const contact::SingleSurface> contacts;
+  const WeldHistories& welds;
+
+  Vec3d velocity(std::size_t node) const { return 0.5 * (vec(v_before[node]) + vec(state.v[node])); }
+  Vec3d spin(std::size_t node) const { return 0.5 * (vec(w_before[node]) + vec(state.w[node])); }
+  Vec3d acceleration(std::size_t node) const { return (1.0 / kick()) * (vec(state.v[node]) - vec(v_before[node])); }
+  Vec3d rotary_acceleration(std::size_t node) const { return (1.0 / kick()) * (vec(state.w[node]) - vec(w_before[node])); }
+  /// Time between t(n-1/2) and t(n+1/2); half a step at the start.
+  double kick() const { return 0.5 * (state.dt + state.dt_previous); }
+};
+
+}  // namespace nugget::impact
