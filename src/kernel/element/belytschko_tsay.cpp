@@ -110,8 +110,9 @@ template <class R>
   const R wyx = g.dx(w.d13.y, w.d24.y), wyy = g.dy(w.d13.y, w.d24.y);
   Rates<R> r;
   r.d = {vxx, vyy, vxy + vyx, wyx, -wxy, wyy - wxx, vzx + mean_y, vzy - mean_x};
-  r.q = {g.gamma(v.dh.x, vxx, vxy), g.gamma(v.dh.y, vyx, vyy), g.gamma(v.dh.z, vzx, vzy), g.gamma(w.dh.x, wxx, wxy),
-         g.gamma(w.dh.y, wyx, wyy)};
+  // A warped element's in-plane patterns are freed from the turning of its plane, vz,x and vz,y.
+  r.q = {g.gamma(v.dh.x, vxx, vxy) + g.h.z * vzx, g.gamma(v.dh.y, vyx, vyy) + g.h.z * vzy, g.gamma(v.dh.z, vzx, vzy),
+         g.gamma(w.dh.x, wxx, wxy), g.gamma(w.dh.y, wyx, wyy)};
   if (warping) {
     const Warping<R> c(g);
     r.d.kxx += c.x13 * v.d13.x + c.x24 * v.d24.x;
@@ -202,11 +203,12 @@ template <class R>
                                                           const ShellResultants<R>& n, const Hourglass<R>& q,
                                                           bool warping, const MaskOf<R>& alive) {
   const R x13 = g.area * g.bx13, x24 = g.area * g.bx24, y13 = g.area * g.by13, y24 = g.area * g.by24;
+  const R qx = n.qx * g.area + g.h.z * q.x, qy = n.qy * g.area + g.h.z * q.y;
   const R h13 = g.h.x * g.bx13 + g.h.y * g.by13, h24 = g.h.x * g.bx24 + g.h.y * g.by24;
   Vec3<R> f13{x13 * n.nxx + y13 * n.nxy - h13 * q.x, y13 * n.nyy + x13 * n.nxy - h13 * q.y,
-              x13 * n.qx + y13 * n.qy - h13 * q.z};
+              g.bx13 * qx + g.by13 * qy - h13 * q.z};
   Vec3<R> f24{x24 * n.nxx + y24 * n.nxy - h24 * q.x, y24 * n.nyy + x24 * n.nxy - h24 * q.y,
-              x24 * n.qx + y24 * n.qy - h24 * q.z};
+              g.bx24 * qx + g.by24 * qy - h24 * q.z};
   if (warping) {
     const Warping<R> c(g);
     f13 += g.area * Vec3<R>{c.x13 * n.mxx + c.y13 * n.mxy, c.y13 * n.myy + c.x13 * n.mxy, R(0.0)};

@@ -46,9 +46,8 @@ FibreRule disc_fibres(double outer_diameter, double inner_diameter, int quadratu
   for (int i = 0; i < rings; ++i) {
     const auto ring = static_cast<std::size_t>(i);
     const double square = 0.5 * (outer + inner) + 0.5 * (outer - inner) * gauss.zeta[ring];
-    const double first = rings == 1 ? 0.25 * std::numbers::pi : 0.0;
     for (int j = 0; j < angles; ++j)
-      add(std::sqrt(square), first + 2.0 * std::numbers::pi * j / angles, area * gauss.weight[ring] / angles);
+      add(std::sqrt(square), std::numbers::pi * (2.0 * j + 1.0) / angles, area * gauss.weight[ring] / angles);
   }
   return rule;
 }
