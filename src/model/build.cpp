@@ -5,6 +5,7 @@
 
 #include "model/builder.hpp"
 #include "model/passes.hpp"
+#include "model/rigid_bodies.hpp"
 
 namespace nugget::model {
 
@@ -77,6 +78,7 @@ Model build(const deck::Deck& deck, Findings& findings, bool skip_unsupported) {
 
   b.later(Phase::mesh, make_mesh);
   b.later(Phase::sets, resolve_sets);
+  b.later(Phase::bodies, make_rigid_bodies);
   b.later(Phase::checks, check_mesh);
   b.later(Phase::checks, check_parts);
   b.later(Phase::checks, check_units);

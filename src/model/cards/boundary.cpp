@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// *BOUNDARY_...: nodes held, and motions prescribed.
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdlib>
+
+#include "model/cards/families.hpp"
+#include "model/cards/reading.hpp"
+#include "model/rigid_bodies.hpp"
+
+namespace nugget::model {
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+// ---- single point constraints
+// ----------------------------------------------------------------------------------------
+
+constexpr std::array<std::string_view, 6> spc_fields{"dofx", "dofy", "dofz", "dofrx", "dofry", "dofrz"};
+
+Card spc_card(Field target) {
+  return {{
+      target,
+      id("cid", IdSpace::define, 0, "coordinate system of the constraint; 0: global axes"),
+      integer("dofx", 0, between(0, 1), "1: no translation along x"),
+      integer("dofy", 0, between(0, 1), "1: no translation along y"),
+      integer("dofz", 0, between(0, 1), "1: no translation along z"),
+      integer("dofrx", 0, between(0, 1), "1: no rotation about x"),
+      integer("dofry", 0, between(0, 1), "1: no rotation about y"),
+      integer("dofrz", 0, between(0, 1), "1: no rotation about z"),
+  }};
+}
+const Card spc_node_card = spc_card(id("nid", IdSpace::node, required, "node"));
+const Card spc_set_card = spc_card(id("nsid", IdSpace::set, required, "node set"));
+
+const Card birth_death_card{{
+    real("birth", dimension::time, 0, at_least(0), "the constraint acts from this time on"),
+    real("death", dimension::time, forever, at_least(0), "until this time"),
+}};
+
+unsigned fixed_bits(const Row& row) {
+  unsigned bits = 0;
+  for (std::size_t i = 0; i < spc_fields.size(); ++i)
+    if (row.integer(spc_fields[i]) == 1) bits |= 1U << i;
+  return bits;
+}
+
+template <bool set>
+void read_spc(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    SinglePointConstraint spc;
+    spc.id = read_heading(cursor, options.contains("ID")).id;
+    const Row row = cursor.read(set ? spc_set_card : spc_node_card);
+    if (options.contains("BIRTH_DEATH")) {
+      const Row times = cursor.read(birth_death_card);
+      spc.birth = times.real("birth");
+      spc.death = death_time(times.real("death"));
+    }
+    spc.fixed = fixed_bits(row);
+    builder.later(Phase::conditions, [row, spc](Builder& b) mutable {
+      spc.system = b.system(row, "cid");
+      const auto hold = [&](Index node) {
+        spc.node = node;
+        b.model.spcs.push_back(spc);
+      };
+      if constexpr (set) {
+        spc.set_id = row.integer("nsid");
+        if (const auto* nodes = b.node_set(row, "nsid"))
+          for (const Index node : nodes->members) hold(node);
+      } else if (const Index node = b.node(row, "nid"); node != none) {
+        hold(node);
+      }
+    });
+  }
+}
+
+// ---- prescribed motions
+// ----------------------------------------------------------------------------------------------
+
+Card motion_card(Field target) {
+  return {{
+      target,
+      integer("dof", required, any_value,
+              "1, 2, 3 translation along x, y, z; 4 along the vector; -4 the same, motion normal to it held; 5, 6, 7 "
+              "rotation about x, "
+              "y, z; 8 about the vector; -8 the same, rotation normal to it held"),
+      integer("vad", 0, any_value, "0 velocity, 1 acceleration, 2 displacement"),
+      id("lcid", IdSpace::function, required, "curve of the motion over time"),
+      real("sf", dimension::number, 1, any_value, "scale of the curve"),
+      id("vid", IdSpace::define, 0, "vector of dof 4, -4, 8, -8"),
+      real("death", dimension::time, 1e28, at_least(0), "the motion ends at this time"),
+      real("birth", dimension::time, 0, at_least(0), "and begins at this time; the curve starts then"),
+  }};
+}
+const Card motion_node_card = motion_card(id("nid", IdSpace::node, required, "node"));
+const Card motion_set_card = motion_card(id("nsid", IdSpace::set, required, "node set"));
+const Card motion_body_card =
+    motion_card(id("pid", IdSpace::part, required, "part of *MAT_RIGID, or nodal rigid body"));
+
+using Target = PrescribedMotion::Target;
+
+bool takes_vector(int dof) {
+  return std::abs(dof) == 4 || std::abs(dof) == 8;
+}
+
+/// LS-DYNA's degree of freedom and kind of motion; false (and findings) for those that are not built.
+bool take_degree_of_freedom(Builder& builder, const Row& row, PrescribedMotion& motion) {
+  const int dof = row.integer("dof"), vad = row.integer("vad");
+  if (dof == 0) return false;  // missing: the row has said so
+  const bool known = (dof >= 1 && dof <= 8) || dof == -4 || dof == -8;
+  if (!known) refuse(builder, row, "dof", "this degree of freedom is not built; expected 1 to 8, -4 or -8");
+  const bool quantity = vad >= 0 && vad <= 2;
+  if (!quantity) refuse(builder, row, "vad", "expected 0 (velocity), 1 (acceleration) or 2 (displacement)");
+  if (!known || !quantity) return false;
+  motion.rotation = std::abs(dof) >= 5;
+  motion.only_direction = dof > 0;
+  motion.quantity = static_cast<PrescribedMotion::Quantity>(vad);
+  return true;
+}
+
+Vec3d axis(int dof) {
+  const int k = (dof - 1) % 4;
+  return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0};
+}
+
+/// The unit vector of the motion, or nothing and a finding.
+bool resolve_direction(Builder& builder, const Row& row, PrescribedMotion& motion) {
+  const int dof = row.integer("dof");
+  if (!takes_vector(dof)) {
+    motion.direction = axis(dof);
+    return true;
+  }
+  if (row.integer("vid") <= 0) {
+    refuse(builder, row, "vid", fmt::format("dof {} needs a vector", dof), "name a *DEFINE_VECTOR");
+    return false;
+  }
+  const Vec3d* vector = builder.vector(row, "vid");
+  if (!vector) return false;
+  if (norm(*vector) == 0.0) {
+    refuse(builder, row, "vid", "the vector has no length");
+    return false;
+  }
+  motion.direction = unit(*vector);
+  return true;
+}
+
+void resolve_body(Builder& builder, const Row& row, PrescribedMotion& motion) {
+  motion.rigid_body = find_body(builder, row, "pid");
+  if (motion.rigid_body == none || motion.target != Target::rigid_body_local) return;
+  const Frame3d* axes = body_axes(builder, row.integer("pid"));
+  if (!axes) {
+    refuse(builder, row, "pid", "local axes of this body are not known: its principal axes are not used",
+           "name a coordinate system in LCO of *MAT_RIGID, or in CID of *CONSTRAINED_NODAL_RIGID_BODY");
+    return;
+  }
+  motion.direction = axes->global(motion.direction);
+}
+
+template <Target target, bool set>
+void read_motion(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    PrescribedMotion motion;
+    motion.id = read_heading(cursor, options.contains("ID")).id;
+    motion.place = cursor.place();
+    const Row row = cursor.read(target != Target::nodes ? motion_body_card : set ? motion_set_card : motion_node_card);
+    motion.target = target;
+    motion.scale = row.real("sf");
+    motion.birth = row.real("birth");
+    motion.death = death_time(row.real("death"));
+    // The second card belongs to the motions that are refused; without them it would be taken for the next definition.
+    if (!take_degree_of_freedom(builder, row, motion)) return;
+    builder.later(Phase::conditions, [row, motion](Builder& b) mutable {
+      motion.curve = b.curve(row, "lcid");
+      if (!resolve_direction(b, row, motion)) return;
+      if constexpr (target != Target::nodes) {
+        resolve_body(b, row, motion);
+      } else if constexpr (set) {
+        if (const auto* nodes = b.node_set(row, "nsid")) motion.nodes = nodes->members;
+      } else if (const Index node = b.node(row, "nid"); node != none) {
+        motion.nodes = {node};
+      }
+      b.model.motions.push_back(std::move(motion));
+    });
+  }
+}
+
+template <Target target, bool set = false>
+Keyword motion_keyword(std::string_view name, const Card& card) {
+  return {name, {}, {"ID"}, Verdict::used, {}, {{"with _ID", &heading_card}, {{}, &card}}, read_motion<target, set>};
+}
+
+}  // namespace
+
+std::vector<Keyword> boundary_keywords() {
+  const std::vector<std::string_view> spc_options{"ID", "BIRTH_DEATH"};
+  return {
+      {"BOUNDARY_SPC_NODE",
+       {},
+       spc_options,
+       Verdict::used,
+       {},
+       {{"with _ID", &heading_card}, {{}, &spc_node_card}, {"with _BIRTH_DEATH", &birth_death_card}},
+       read_spc<false>},
+      {"BOUNDARY_SPC_SET",
+       {},
+       spc_options,
+       Verdict::used,
+       {},
+       {{"with _ID", &heading_card}, {{}, &spc_set_card}, {"with _BIRTH_DEATH", &birth_death_card}},
+       read_spc<true>},
+      motion_keyword<Target::nodes, false>("BOUNDARY_PRESCRIBED_MOTION_NODE", motion_node_card),
+      motion_keyword<Target::nodes, true>("BOUNDARY_PRESCRIBED_MOTION_SET", motion_set_card),
+      motion_keyword<Target::rigid_body>("BOUNDARY_PRESCRIBED_MOTION_RIGID", motion_body_card),
+      motion_keyword<Target::rigid_body_local>("BOUNDARY_PRESCRIBED_MOTION_RIGID_LOCAL", motion_body_card),
+  };
+}
+
+}  // namespace nugget::model

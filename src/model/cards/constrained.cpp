@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+// *CONSTRAINED_...: rigid bodies out of nodes and parts. The cards wait in Builder::body_cards; rigid_bodies.cpp makes
+// the bodies.
+#include "model/axes.hpp"
+#include "model/cards/families.hpp"
+#include "model/cards/reading.hpp"
+
+namespace nugget::model {
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+const Card nodal_card{{
+    id("pid", IdSpace::part, required, "number of the body, as of a part"),
+    id("cid", IdSpace::define, 0, "coordinate system of local motions"),
+    id("nsid", IdSpace::set, 0, "node set; 0: the one numbered as the body"),
+    id("pnode", IdSpace::node, 0, "node at which the body is drawn"),
+    integer("iprt", 0, between(0, 2), "output in rbdout"),
+    integer("drflag", 0, only(0), "released translations: not built"),
+    integer("rrflag", 0, only(0), "released rotations: not built"),
+}};
+const Card nodal_spc_card{{
+    real("cmo", dimension::number, 0, between(-1, 1), "1: the codes hold the centre in global axes"),
+    integer("con1", 0, between(0, 7), "translations that are held: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz"),
+    integer("con2", 0, between(0, 7), "rotations that are held, by the same codes"),
+    id("spcnid", IdSpace::node, 0, "node at which the body is held"),
+    real("xspc", dimension::length, 0, any_value, "point at which it is held: x"),
+    real("yspc", dimension::length, 0, any_value, "y"),
+    real("zspc", dimension::length, 0, any_value, "z"),
+}};
+const Card inertia_card1{{
+    real("xc", dimension::length, 0, any_value, "centre of mass: x"),
+    real("yc", dimension::length, 0, any_value, "y"),
+    real("zc", dimension::length, 0, any_value, "z"),
+    real("tm", dimension::mass, required, above_zero(), "mass"),
+    integer("ircs", 0, between(0, 1), "1: the tensor is in local axes"),
+    id("nodeid", IdSpace::node, 0, "node at the centre of mass, instead of its coordinates"),
+}};
+const Card inertia_card2{{
+    real("ixx", dimension::inertia, required, at_least(0), "tensor of inertia about the centre: xx"),
+    real("ixy", dimension::inertia, 0, any_value, "xy"),
+    real("ixz", dimension::inertia, 0, any_value, "xz"),
+    real("iyy", dimension::inertia, required, at_least(0), "yy"),
+    real("iyz", dimension::inertia, 0, any_value, "yz"),
+    real("izz", dimension::inertia, required, at_least(0), "zz"),
+}};
+const Card inertia_card3{{
+    real("vtx", dimension::velocity, 0, any_value, "initial velocity along x"),
+    real("vty", dimension::velocity, 0, any_value, "along y"),
+    real("vtz", dimension::velocity, 0, any_value, "along z"),
+    real("vrx", dimension::rate, 0, any_value, "initial spin about x"),
+    real("vry", dimension::rate, 0, any_value, "about y"),
+    real("vrz", dimension::rate, 0, any_value, "about z"),
+}};
+const Card inertia_card4{{
+    real("xl", dimension::number, 0, any_value, "local x axis: x"),
+    real("yl", dimension::number, 0, any_value, "y"),
+    real("zl", dimension::number, 0, any_value, "z"),
+    real("xlip", dimension::number, 0, any_value, "vector in the local xy plane: x"),
+    real("ylip", dimension::number, 0, any_value, "y"),
+    real("zlip", dimension::number, 0, any_value, "z"),
+    id("cid", IdSpace::define, 0, "coordinate system, instead of these"),
+}};
+const Card extra_node_card{{
+    id("pid", IdSpace::part, required, "part of *MAT_RIGID"),
+    id("nid", IdSpace::node, required, "node that goes with it"),
+    integer("iflag", 0, any_value, "mass of the node with a given inertia"),
+}};
+const Card extra_set_card{{
+    id("pid", IdSpace::part, required, "part of *MAT_RIGID"),
+    id("nsid", IdSpace::set, required, "nodes that go with it"),
+    integer("iflag", 0, any_value, "mass of the nodes with a given inertia"),
+}};
+const Card merge_card{{
+    id("pidl", IdSpace::part, required, "lead body"),
+    id("pidc", IdSpace::part, required, "body that is merged into it"),
+    integer("iflag", 0, any_value, "0: a given inertia of the lead body holds for both"),
+}};
+const Card weld_id_card{{id("wid", IdSpace::other, 0, "number of the weld")}};
+const Card weld_card1{{
+    id("nsid", IdSpace::set, required, "nodes that are welded together"),
+    id("cid", IdSpace::define, 0, "coordinate system of the forces"),
+    integer("filter", 0, any_value, "force vectors that are averaged for failure"),
+    real("window", dimension::time, 0, any_value, "time window of that average"),
+    integer("npr", 0, any_value, "pairs of nodes for output"),
+    integer("nprt", 0, any_value, "output in rbdout"),
+}};
+const Card weld_card2{{
+    real("tfail", dimension::time, forever, at_least(0), "time of failure"),
+    real("epsf", dimension::number, 0, at_least(0), "plastic strain at failure"),
+    real("sn", dimension::force, 0, at_least(0), "normal force at failure"),
+    real("ss", dimension::force, 0, at_least(0), "shear force at failure"),
+    real("n", dimension::number, 0, any_value, "exponent of the normal force"),
+    real("m", dimension::number, 0, any_value, "exponent of the shear force"),
+}};
+
+// ---- nodal rigid bodies
+// ----------------------------------------------------------------------------------------------------
+
+void read_spc(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
+  const Row row = cursor.read(nodal_spc_card);
+  if (row.real("cmo") == 1.0)
+    body.fixed = bits_of_code(row.integer("con1")) | bits_of_code(row.integer("con2")) << 3;
+  else if (row.real("cmo") != 0.0)
+    refuse(builder, row, "cmo", "constraints in local axes are not built", "use 1 with codes in global axes");
+  for (const std::string_view field : {"spcnid", "xspc", "yspc", "zspc"})
+    refuse_nonzero(builder, row, field, "a body is held at its centre of mass; another point is not built",
+                   "leave it blank");
+}
+
+/// The local axes of the tensor as vectors on the card; a coordinate system is looked up when the bodies are made.
+void take_axes(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
+  const Row row = cursor.read(inertia_card4);
+  if (row.integer("cid") != 0) {
+    body.axes_row = row;
+    return;
+  }
+  Frame3d axes;
+  if (!frame_from(triple(row, "xl", "yl", "zl"), triple(row, "xlip", "ylip", "zlip"), axes))
+    return refuse(builder, row, "xl", "the two vectors of the local axes are parallel or have no length",
+                  "give a local x axis and another vector");
+  body.inertia.inertia = to_global(body.inertia.inertia, axes);
+}
+
+void read_inertia(Builder& builder, const Block& block, Cursor& cursor, BodyCards::Nodal& body) {
+  body.given = true;
+  const Row row1 = cursor.read(inertia_card1);
+  body.inertia_row = row1;
+  body.inertia.center = position(block, row1, "xc", "yc", "zc");
+  body.inertia.mass = row1.real("tm");
+  const Row row2 = cursor.read(inertia_card2);
+  body.inertia.inertia = {row2.real("ixx"), row2.real("ixy"), row2.real("ixz"),
+                          row2.real("iyy"), row2.real("iyz"), row2.real("izz")};
+  const Row row3 = cursor.read(inertia_card3);
+  body.inertia.velocity = direction(block, row3, "vtx", "vty", "vtz");
+  body.inertia.spin = direction(block, row3, "vrx", "vry", "vrz");
+  if (row1.integer("ircs") == 1) take_axes(builder, cursor, body);
+}
+
+void read_nodal_body(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    BodyCards::Nodal body;
+    body.title = read_title(cursor, options);
+    body.row = cursor.read(nodal_card);
+    if (options.contains("SPC")) read_spc(builder, cursor, body);
+    if (options.contains("INERTIA")) read_inertia(builder, block, cursor, body);
+    builder.body_cards.nodal.push_back(std::move(body));
+  }
+}
+
+// ---- others
+// ------------------------------------------------------------------------------------------------------------------
+
+template <bool set>
+void read_extra_nodes(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor))
+    builder.body_cards.extra_nodes.push_back({set, cursor.read(set ? extra_set_card : extra_node_card)});
+}
+
+void read_mergers(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) builder.body_cards.merges.push_back(cursor.read(merge_card));
+}
+
+/// Failure of a generalized weld spot is not built: the spot would hold where LS-DYNA's breaks.
+void refuse_failure(Builder& builder, const Row& row) {
+  constexpr std::string_view text = "failure of a generalized weld spot is not built",
+                             remedy = "use *MAT_SPOTWELD elements with *CONTACT_SPOTWELD";
+  if (row.real("tfail") < forever) refuse(builder, row, "tfail", std::string(text), std::string(remedy));
+  for (const std::string_view field : {"epsf", "sn", "ss"})
+    if (row.real(field) < forever) refuse_nonzero(builder, row, field, std::string(text), std::string(remedy));
+}
+
+void read_weld_spot(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    BodyCards::Weld weld;
+    if (options.contains("ID")) weld.id = cursor.read(weld_id_card).integer("wid");
+    if (weld.id == 0) weld.id = static_cast<int>(builder.body_cards.welds.size()) + 1;
+    weld.row = cursor.read(weld_card1);
+    refuse_failure(builder, cursor.read(weld_card2));
+    builder.body_cards.welds.push_back(std::move(weld));
+  }
+}
+
+}  // namespace
+
+std::vector<Keyword> constrained_keywords() {
+  const auto refused = [](std::string_view name, std::string_view why) {
+    return Keyword{name, {}, {"ID", "TITLE", "LOCAL", "FILTERED_FORCE"}, Verdict::refused, why, {}, nullptr};
+  };
+  return {
+      {"CONSTRAINED_NODAL_RIGID_BODY",
+       {},
+       {"SPC", "INERTIA", "TITLE"},
+       Verdict::used,
+       {},
+       {{"with _TITLE", &title_card},
+        {{}, &nodal_card},
+        {"with _SPC", &nodal_spc_card},
+        {"with _INERTIA", &inertia_card1},
+        {"with _INERTIA", &inertia_card2},
+        {"with _INERTIA", &inertia_card3},
+        {"with _INERTIA, if IRCS = 1", &inertia_card4}},
+       read_nodal_body},
+      {"CONSTRAINED_EXTRA_NODES_NODE", {}, {}, Verdict::used, {}, {{{}, &extra_node_card}}, read_extra_nodes<false>},
+      {"CONSTRAINED_EXTRA_NODES_SET", {}, {}, Verdict::used, {}, {{{}, &extra_set_card}}, read_extra_nodes<true>},
+      {"CONSTRAINED_RIGID_BODIES", {}, {}, Verdict::used, {}, {{{}, &merge_card}}, read_mergers},
+      {"CONSTRAINED_GENERALIZED_WELD_SPOT",
+       {},
+       {"ID"},
+       Verdict::used,
+       {},
+       {{"with _ID", &weld_id_card}, {{}, &weld_card1}, {{}, &weld_card2}},
+       read_weld_spot},
+
+      refused("CONSTRAINED_SPOTWELD",
+              "massless weld links are not built; use *MAT_SPOTWELD elements with *CONTACT_SPOTWELD, or a generalized "
+              "weld spot without failure"),
+      refused("CONSTRAINED_RIVET", "rivets are not built; use *MAT_SPOTWELD elements with *CONTACT_SPOTWELD"),
+      refused("CONSTRAINED_GENERALIZED_WELD_*",
+              "fillet, butt, cross and combined welds are not built; only spots without failure are"),
+      refused("CONSTRAINED_INTERPOLATION",
+              "weighted averages of nodes are not built; a *CONSTRAINED_NODAL_RIGID_BODY is stiffer"),
+      refused("CONSTRAINED_JOINT_*",
+              "joints between rigid bodies are not built; *CONSTRAINED_RIGID_BODIES joins them rigidly"),
+      refused("CONSTRAINED_TIE_BREAK", "tied nodes that break are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
+      refused("CONSTRAINED_TIED_NODES_FAILURE",
+              "tied nodes that break are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
+      refused("CONSTRAINED_NODE_SET",
+              "nodes that share a motion are not built; *CONSTRAINED_NODAL_RIGID_BODY joins all their motions"),
+      refused("CONSTRAINED_NODE_INTERPOLATION", "nodes that hang on others are not built"),
+      refused("CONSTRAINED_LINEAR_*", "linear equations between nodal motions are not built"),
+      refused("CONSTRAINED_GLOBAL", "symmetry planes by coordinate are not built; use *BOUNDARY_SPC_SET"),
+      refused("CONSTRAINED_SHELL_TO_SOLID",
+              "fibres of solid nodes tied to a shell's edge are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
+      refused("CONSTRAINED_BEAM_IN_SOLID", "beams inside solids are not built"),
+      refused("CONSTRAINED_LAGRANGE_IN_SOLID", "coupling to fluids is not built"),
+      refused("CONSTRAINED_RIGID_BODY_STOPPERS", "stops of rigid bodies are not built"),
+      refused("CONSTRAINED_SPR*",
+              "self-piercing rivets are not built; use *MAT_SPOTWELD elements with *CONTACT_SPOTWELD"),
+      refused("CONSTRAINED_*",
+              "this constraint is not built; nodal rigid bodies, extra nodes, merged rigid bodies and generalized weld "
+              "spots are"),
+  };
+}
+
+}  // namespace nugget::model

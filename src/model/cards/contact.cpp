@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: Apache-2.0
+// *CONTACT_...: the penalty contact and the ties that are built, and by name those that are not.
+#include <fmt/format.h>
+
+#include "model/cards/families.hpp"
+#include "model/cards/reading.hpp"
+
+namespace nugget::model {
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+using Kind = Contact::Kind;
+
+const Card mpp_card1{{
+    integer("ignore", 0, any_value, "initial penetrations"),
+    integer("bckt", 200, any_value, "search interval"),
+    integer("lcbckt", 0, any_value, "curve of that interval"),
+    integer("ns2trk", 3, any_value, "contacts tracked a node"),
+    integer("inititr", 2, any_value, "iterations for initial penetrations"),
+    real("parmax", dimension::number, 0, any_value, "extension of segments"),
+    unused(),
+    integer("cparm8", 0, any_value, "beams"),
+}};
+const Card mpp_card2{{
+    text("mark", 10, "& in column 1"),
+    integer("chksegs", 0, any_value, "check of segments"),
+    real("pensf", dimension::number, 1, any_value, "penalty scale"),
+    integer("grpable", 0, any_value, "search method"),
+}};
+
+/// The first card; the name space of the ids of either side depends on its type.
+Card sides_card(IdSpace a, IdSpace b) {
+  return {{
+      id("surfa", a, 0, "tracked side (SSID); 0 in a single surface contact: all parts"),
+      id("surfb", b, 0, "reference side (MSID)"),
+      integer("surfatyp", 0, between(0, 6),
+              "0 segment set, 1 shell set, 2 part set, 3 part, 4 node set, 5 all, 6 all but a part set"),
+      integer("surfbtyp", 0, between(0, 6), "the same, without 4"),
+      id("saboxid", IdSpace::define, 0, "box of the tracked side: not built"),
+      id("sbboxid", IdSpace::define, 0, "box of the reference side: not built"),
+      integer("sapr", 0, any_value, "forces of the tracked side in ncforc and intfor"),
+      integer("sbpr", 0, any_value, "forces of the reference side in ncforc and intfor"),
+  }};
+}
+const Card sides_of_sets = sides_card(IdSpace::set, IdSpace::set);
+const Card sides_part_set = sides_card(IdSpace::part, IdSpace::set);
+const Card sides_set_part = sides_card(IdSpace::set, IdSpace::part);
+const Card sides_of_parts = sides_card(IdSpace::part, IdSpace::part);
+
+const Card friction_card{{
+    real("fs", dimension::number, 0, any_value, "static friction; not built yet, ties have none"),
+    real("fd", dimension::number, 0, any_value, "dynamic friction"),
+    real("dc", dimension::number, 0, any_value, "decay from the static to the dynamic coefficient"),
+    real("vc", dimension::stress, 0, any_value, "viscous friction"),
+    real("vdc", dimension::number, 0, at_least(0), "damping, percent of critical"),
+    integer("penchk", 0, any_value, "check of small penetrations; none in automatic contacts"),
+    real("bt", dimension::time, 0, at_least(0), "the contact acts from this time on"),
+    real("dt", dimension::time, forever, at_least(0), "until this time"),
+}};
+const Card scale_card{{
+    real("sfsa", dimension::number, 1, at_least(0), "scale of the tracked side's stiffness (SFS)"),
+    real("sfsb", dimension::number, 1, at_least(0), "scale of the reference side's stiffness (SFM)"),
+    real("sast", dimension::length, 0, any_value,
+         "thickness of the tracked side (SST); ties: a negative value is the tolerance"),
+    real("sbst", dimension::length, 0, any_value, "thickness of the reference side (MST)"),
+    real("sfsat", dimension::number, 1, at_least(0), "scale of the tracked side's thickness (SFST)"),
+    real("sfsbt", dimension::number, 1, at_least(0), "scale of the reference side's thickness (SFMT)"),
+    real("fsf", dimension::number, 1, any_value, "scale of friction"),
+    real("vsf", dimension::number, 1, any_value, "scale of viscous friction"),
+}};
+const Card card_a{{
+    integer("soft", 0, any_value, "0 penalty by material, 1 by mass and time step"),
+    real("sofscl", dimension::number, 0.1, at_least(0), "scale of the stiffness with soft 1"),
+    integer("lcidab", 0, any_value, "curve of airbag contact"),
+    real("maxpar", dimension::number, 1.025, any_value, "extension of segments"),
+    real("sbopt", dimension::number, 2, any_value, "options of soft 2"),
+    integer("depth", 2, any_value, "search depth; the search here finds all pairs"),
+    integer("bsort", 0, any_value, "cycles between searches; 0: chosen by the program"),
+    integer("frcfrq", 1, any_value, "cycles between forces; here each cycle"),
+}};
+const Card card_b{{
+    real("penmax", dimension::number, 0, any_value, "largest penetration"),
+    integer("thkopt", 0, any_value, "thickness option of contacts that are not automatic"),
+    integer("shlthk", 0, any_value, "the same"),
+    integer("snlog", 0, any_value, "nodes that penetrate far within a cycle"),
+    integer("isym", 0, any_value, "symmetry planes"),
+    integer("i2d3d", 0, any_value, "which elements give segments"),
+    real("sldthk", dimension::length, 0, any_value, "thickness on solids"),
+    real("sldstf", dimension::stress, 0, any_value, "stiffness on solids"),
+}};
+const Card card_c{{
+    integer("igap", 1, any_value, "convergence of implicit runs"),
+    integer("ignore", 0, between(0, 2),
+            "initial penetrations: 0 by the control card, 1 tracked, 2 tracked and reported"),
+    real("dprfac", dimension::number, 0, any_value, "depth of reports"),
+    real("dtstif", dimension::time, 0, any_value, "time step of the stiffness"),
+    real("edgek", dimension::number, 0, any_value, "stiffness of edges"),
+    unused(),
+    real("flangl", dimension::number, 0, any_value, "angle of feature lines"),
+    id("cid_rcf", IdSpace::define, 0, "coordinate system of rcforc"),
+}};
+const Card card_d{{
+    integer("q2tri", 0, any_value, "quadrilaterals as triangles"),
+    real("dtpchk", dimension::length, 0, any_value, "time step check"),
+    real("sfnbr", dimension::number, 0, any_value, "scale of neighbours"),
+    real("fnlscl", dimension::number, 0, any_value, "scale of a nonlinear force"),
+    real("dnlscl", dimension::number, 0, any_value, "distance of that force"),
+    integer("tcso", 0, any_value, "thickness from the section"),
+    integer("tiedid", 0, any_value, "incremental ties"),
+    integer("shledg", 0, any_value, "shell edges"),
+}};
+const Card card_e{{
+    integer("sharec", 0, any_value, "shared constraints"),
+    integer("cparm8", 0, any_value, "beams"),
+    integer("ipback", 0, any_value, "penalty in place of a constraint"),
+    integer("srnde", 0, any_value, "round edges of shells"),
+    real("fricsf", dimension::number, 1, any_value, "scale of friction"),
+    integer("icor", 0, any_value, "restitution"),
+    integer("ftorq", 0, any_value, "moments of friction"),
+    integer("region", 0, any_value, "region of contact"),
+}};
+const Card card_f{{
+    integer("pstiff", 0, any_value, "how the stiffness is found"),
+    integer("ignroff", 0, any_value, "thickness offsets"),
+    unused(),
+    real("fstol", dimension::number, 2, any_value, "tolerance of smoothing"),
+    integer("2dbinr", 0, any_value, "two-dimensional binning"),
+    integer("ssftyp", 0, any_value, "which scale holds"),
+    integer("swtpr", 0, any_value, "use of thickness"),
+    real("tetfac", dimension::number, 0, any_value, "stiffness of tetrahedra"),
+}};
+
+// ---- sides
+// -----------------------------------------------------------------------------------------------------------------
+
+const Card& card_of_sides(const Cursor& cursor) {
+  const bool a = cursor.peek_number(2) == 3.0, b = cursor.peek_number(3) == 3.0;
+  return a ? (b ? sides_of_parts : sides_part_set) : (b ? sides_set_part : sides_of_sets);
+}
+
+void add_shells(const Model& model, const std::vector<Index>& shells, Surface& surface) {
+  for (const Index shell : shells) surface.segments.push_back(model.shells.node[static_cast<std::size_t>(shell)]);
+}
+
+void take_all_but(const Builder& builder, const std::vector<Index>& exempt, Surface& surface) {
+  for (std::size_t p = 0; p < builder.model.parts.size(); ++p)
+    if (std::find(exempt.begin(), exempt.end(), static_cast<Index>(p)) == exempt.end())
+      surface.parts.push_back(static_cast<Index>(p));
+}
+
+/// What a side's id and type stand for. Nothing but findings where the id is unknown.
+Surface surface_of(Builder& builder, const Row& row, std::string_view field, std::string_view type_field) {
+  Surface surface;
+  switch (row.integer(type_field)) {
+    case 0:
+      if (const auto* set = builder.segment_set(row, field)) surface.segments = set->members;
+      break;
+    case 1:
+      if (const auto* set = builder.shell_set(row, field)) add_shells(builder.model, set->members, surface);
+      break;
+    case 2:
+      if (row.integer(field) == 0)
+        surface.everything = true;
+      else if (const auto* set = builder.part_set(row, field))
+        surface.parts = set->members;
+      break;
+    case 3:
+      if (const Index part = builder.part(row, field); part != none) surface.parts = {part};
+      break;
+    case 4:
+      if (const auto* set = builder.node_set(row, field)) surface.nodes = set->members;
+      break;
+    case 5: surface.everything = true; break;
+    case 6:
+      if (const auto* set = builder.part_set(row, field)) take_all_but(builder, set->members, surface);
+      break;
+    default: break;
+  }
+  return surface;
+}
+
+void take_single_surface(Builder& builder, const Row& row, Contact& contact) {
+  if (row.integer("surfatyp") == 4)
+    return refuse(builder, row, "surfatyp", "a single surface has no node set for a side",
+                  "name parts, shells or segments");
+  if (row.integer("surfa") == 0)
+    contact.a.everything = true;
+  else
+    contact.a = surface_of(builder, row, "surfa", "surfatyp");
+}
+
+void take_tie(Builder& builder, const Row& row, Contact& contact) {
+  if (row.integer("surfbtyp") == 4)
+    return refuse(builder, row, "surfbtyp", "the reference side of a tie needs segments",
+                  "name parts, shells or a segment set");
+  for (const auto& [field, type] : {std::pair{"surfa", "surfatyp"}, std::pair{"surfb", "surfbtyp"}})
+    if (row.integer(field) == 0 && row.integer(type) != 5 && row.integer(type) != 2)
+      refuse(builder, row, field, "must be given", "name what is tied, and to what");
+  contact.a = surface_of(builder, row, "surfa", "surfatyp");
+  contact.b = surface_of(builder, row, "surfb", "surfbtyp");
+}
+
+// ---- the cards that always stand
+// --------------------------------------------------------------------------------------------
+
+/// Friction of a penalty contact is not built: the run goes on without, and says so.
+void warn_of_friction(Builder& builder, const Row& row) {
+  for (const std::string_view field : {"fs", "fd", "vc"})
+    if (row.real(field) != 0.0) {
+      row.complain(builder.findings, Severity::warning, field,
+                   "friction is not built yet: this contact runs without friction",
+                   "expect sliding where the deck has sticking");
+      return;
+    }
+}
+
+void take_friction(Builder& builder, const Row& row, Contact& contact) {
+  contact.friction_static = row.real("fs");
+  contact.friction_dynamic = row.real("fd");
+  contact.friction_decay = row.real("dc");
+  contact.friction_viscous = row.real("vc");
+  contact.damping = row.real("vdc");
+  contact.birth = row.real("bt");
+  contact.death = death_time(row.real("dt"));
+  if (!contact.tie()) warn_of_friction(builder, row);
+}
+
+void take_scales(const Row& row, Contact& contact) {
+  contact.stiffness_scale_a = row.real("sfsa");
+  contact.stiffness_scale_b = row.real("sfsb");
+  contact.thickness_a = row.real("sast");
+  contact.thickness_b = row.real("sbst");
+  contact.thickness_scale_a = row.real("sfsat");
+  contact.thickness_scale_b = row.real("sfsbt");
+}
+
+// ---- optional cards A to F
+// ---------------------------------------------------------------------------------------------------
+
+constexpr std::string_view left = "not built: runs as with the default";
+
+void take_a(Builder& builder, const Row& row, Contact& contact) {
+  contact.soft = row.integer("soft");
+  contact.soft_scale = row.real("sofscl");
+  contact.search_interval = std::max(0, row.integer("bsort"));
+  if (contact.tie()) return;  // of these fields none acts on a constraint
+  if (contact.soft != 0 && contact.soft != 1)
+    refuse(builder, row, "soft", "this form of the penalty is not built; expected 0 or 1",
+           "use 1, which is near to segment-based contact in stiffness");
+  expect(builder, row, Severity::error, {{"lcidab", 0, "airbag contact is not built"}});
+}
+
+void take_b(Builder& builder, const Row& row, const Contact& contact) {
+  if (contact.tie()) return;
+  expect(builder, row, Severity::error,
+         {{"sldthk", 0, "a contact thickness on solids is not built"},
+          {"sldstf", 0, "a contact stiffness on solids is not built"}});
+  expect(builder, row, Severity::warning,
+         {{"penmax", 0, left}, {"snlog", 0, left}, {"isym", 0, left}, {"i2d3d", 0, left}});
+}
+
+void take_c(Builder& builder, const Row& row, Contact& contact) {
+  contact.ignore = row.integer("ignore");
+  if (contact.tie()) return;
+  expect(builder, row, Severity::warning,
+         {{"dtstif", 0, left},
+          {"edgek", 0, left},
+          {"flangl", 0, left},
+          {"cid_rcf", 0, "forces are written in global axes"}});
+}
+
+void take_d(Builder& builder, const Row& row, const Contact& contact) {
+  if (contact.tie())
+    expect(builder, row, Severity::error, {{"tiedid", 0, "incremental ties are not built"}});
+  else
+    expect(builder, row, Severity::warning,
+           {{"q2tri", 0, left},
+            {"dtpchk", 0, left},
+            {"sfnbr", 0, left},
+            {"fnlscl", 0, left},
+            {"dnlscl", 0, left},
+            {"tcso", 0, left},
+            {"shledg", 0, left}});
+}
+
+void take_e(Builder& builder, const Row& row, const Contact& contact) {
+  if (contact.tie())
+    expect(builder, row, Severity::error, {{"ipback", 0, "a penalty in place of a constraint is not built"}});
+  else
+    expect(builder, row, Severity::warning,
+           {{"srnde", 0, left}, {"icor", 0, left}, {"ftorq", 0, left}, {"region", 0, left}});
+}
+
+void take_f(Builder& builder, const Row& row, const Contact& contact) {
+  if (contact.tie()) return;
+  expect(builder, row, Severity::warning,
+         {{"pstiff", 0, left}, {"ignroff", 0, left}, {"ssftyp", 0, left}, {"swtpr", 0, left}, {"tetfac", 0, left}});
+}
+
+void take_optional_cards(Builder& builder, Cursor& cursor, Contact& contact) {
+  if (cursor.more()) take_a(builder, cursor.read(card_a), contact);
+  if (cursor.more()) take_b(builder, cursor.read(card_b), contact);
+  if (cursor.more()) take_c(builder, cursor.read(card_c), contact);
+  if (cursor.more()) take_d(builder, cursor.read(card_d), contact);
+  if (cursor.more()) take_e(builder, cursor.read(card_e), contact);
+  if (cursor.more()) take_f(builder, cursor.read(card_f), contact);
+  expect_end(builder, cursor);
+}
+
+// ---- reader
+// --------------------------------------------------------------------------------------------------------------------
+
+/// The cards of the distributed-memory version are read past, as LS-DYNA's shared-memory version does.
+void skip_mpp(Cursor& cursor, const Options& options) {
+  if (!options.contains("MPP")) return;
+  cursor.read(mpp_card1);
+  if (cursor.peek().starts_with('&')) cursor.read(mpp_card2);
+}
+
+template <Kind kind>
+void read_contact(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  Contact contact;
+  contact.kind = kind;
+  contact.keyword = block.keyword;
+  contact.place = block.place;
+  const Heading heading = read_heading(cursor, options.contains("ID") || options.contains("TITLE"));
+  contact.id = heading.id;
+  contact.title = heading.text;
+  skip_mpp(cursor, options);
+  const Row sides = cursor.read(card_of_sides(cursor));
+  expect(builder, sides, Severity::error,
+         {{"saboxid", 0, "a box around a side is not built"}, {"sbboxid", 0, "a box around a side is not built"}});
+  take_friction(builder, cursor.read(friction_card), contact);
+  take_scales(cursor.read(scale_card), contact);
+  take_optional_cards(builder, cursor, contact);
+  builder.later(Phase::conditions, [sides, contact = std::move(contact)](Builder& b) mutable {
+    if (kind == Kind::single_surface)
+      take_single_surface(b, sides, contact);
+    else
+      take_tie(b, sides, contact);
+    if (contact.id == 0) contact.id = static_cast<int>(b.model.contacts.size()) + 1;
+    b.model.contacts.push_back(std::move(contact));
+  });
+}
+
+template <Kind kind>
+Keyword contact_keyword(std::string_view name) {
+  return {name,
+          {},
+          {"ID", "TITLE", "MPP"},
+          Verdict::used,
+          {},
+          {{"with _ID or _TITLE", &heading_card},
+           {"with _MPP", &mpp_card1},
+           {"with _MPP, if it begins with &", &mpp_card2},
+           {{}, &sides_of_sets},
+           {{}, &friction_card},
+           {{}, &scale_card},
+           {"optional card A", &card_a},
+           {"optional card B", &card_b},
+           {"optional card C", &card_c},
+           {"optional card D", &card_d},
+           {"optional card E", &card_e},
+           {"optional card F", &card_f}},
+          read_contact<kind>};
+}
+
+Keyword refused(std::string_view name, std::string_view why) {
+  return {name, {}, {"ID", "TITLE", "MPP"}, Verdict::refused, why, {}, nullptr};
+}
+
+}  // namespace
+
+std::vector<Keyword> contact_keywords() {
+  return {
+      contact_keyword<Kind::single_surface>("CONTACT_AUTOMATIC_SINGLE_SURFACE"),
+      contact_keyword<Kind::spotweld>("CONTACT_SPOTWELD"),
+      contact_keyword<Kind::tied_shell_edge>("CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
+
+      refused("CONTACT_SPOTWELD_WITH_TORSION*",
+              "torsion handed over as forces is not built; *CONTACT_SPOTWELD ties rotations as well"),
+      refused("CONTACT_SPOTWELD_*", "this form of the weld tie is not built; use *CONTACT_SPOTWELD"),
+      refused("CONTACT_TIED_SHELL_EDGE_TO_SURFACE_*",
+              "ties with an offset or by penalty are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE, which moves "
+              "the nodes onto the surface"),
+      refused("CONTACT_TIED_SHELL_EDGE_TO_SOLID*",
+              "shell edges tied to solids are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE on shells"),
+      refused("CONTACT_TIED_NODES_TO_SURFACE*",
+              "ties of translations only are not built; use *CONTACT_SPOTWELD or *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
+      refused("CONTACT_TIED_SURFACE_TO_SURFACE*",
+              "ties of translations only are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
+      refused("CONTACT_TIED_*", "this tie is not built; use *CONTACT_SPOTWELD or *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
+      refused("CONTACT_AUTOMATIC_SINGLE_SURFACE_*", "this form is not built; use *CONTACT_AUTOMATIC_SINGLE_SURFACE"),
+      refused("CONTACT_AUTOMATIC_GENERAL*",
+              "contact of beams and edges is not built; use *CONTACT_AUTOMATIC_SINGLE_SURFACE for the sheets"),
+      refused("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE*",
+              "contact of two sides is not built; *CONTACT_AUTOMATIC_SINGLE_SURFACE over a part set of both covers it"),
+      refused("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE*",
+              "contact of two sides is not built; *CONTACT_AUTOMATIC_SINGLE_SURFACE over a part set of both covers it"),
+      refused(
+          "CONTACT_AUTOMATIC_NODES_TO_SURFACE*",
+          "contact of nodes with a surface is not built; *CONTACT_AUTOMATIC_SINGLE_SURFACE over the parts covers it"),
+      refused("CONTACT_FORCE_TRANSDUCER*", "force transducers are not built; rcforc holds the sums of each contact"),
+      refused("CONTACT_INTERIOR*", "contact inside soft solids is not built"),
+      refused("CONTACT_ERODING*", "eroding contact is not built"),
+      refused("CONTACT_RIGID*", "contact of rigid bodies by force curves is not built"),
+      refused("CONTACT_2D*", "contact in two dimensions is not built"),
+      refused("CONTACT_*",
+              "this contact is not built; *CONTACT_AUTOMATIC_SINGLE_SURFACE, *CONTACT_SPOTWELD and "
+              "*CONTACT_TIED_SHELL_EDGE_TO_SURFACE are"),
+  };
+}
+
+}  // namespace nugget::model

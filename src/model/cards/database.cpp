@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: Apache-2.0
+// *DATABASE_...: which results are written, how often, and of what.
+#include <algorithm>
+#include <cstdlib>
+
+#include "model/cards/families.hpp"
+#include "model/cards/reading.hpp"
+
+namespace nugget::model {
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+const Card interval_card{{
+    real("dt", dimension::time, 0, at_least(0), "time between two records; 0 writes none"),
+    integer("binary", 0, between(0, 3), "0, 1 ASCII file; 2 binout; 3 both"),
+    id("lcur", IdSpace::function, 0, "curve of the interval over time, instead of dt"),
+    integer("ioopt", 1, between(0, 3), "how the interval's curve is applied"),
+}};
+
+const Card nodout_card{{
+    real("dt", dimension::time, 0, at_least(0), "time between two records; 0 writes none"),
+    integer("binary", 0, between(0, 3), "0, 1 ASCII file; 2 binout; 3 both"),
+    id("lcur", IdSpace::function, 0, "curve of the interval over time, instead of dt"),
+    integer("ioopt", 1, between(0, 3), "how the interval's curve is applied"),
+    real("option1", dimension::time, 0, any_value, "interval of a second, finer file"),
+    integer("option2", 0, any_value, "format of that file"),
+}};
+
+const Card d3plot_card{{
+    real("dt", dimension::time, 0, at_least(0), "time between two states"),
+    id("lcdt", IdSpace::function, 0, "curve of the interval over time"),
+    integer("beam", 0, between(0, 2), "how discrete elements are shown"),
+    integer("npltc", 0, at_least(0), "number of states at equal intervals up to the end time, instead of dt"),
+    id("psetid", IdSpace::set, 0, "part set of d3part"),
+}};
+
+const Card d3plot_card2{{
+    integer("ioopt", 0, any_value, "how the interval's curve is applied"),
+    real("rate", dimension::number, 0, any_value, "filter rate"),
+    real("cutoff", dimension::rate, 0, any_value, "filter frequency"),
+    real("window", dimension::number, 0, any_value, "width of the filter window"),
+    integer("type", 0, any_value, "what is filtered"),
+    integer("pset", 0, any_value, "part set of what is filtered"),
+}};
+
+const Card format_card{{
+    integer("iform", 0, any_value, "0 LS-DYNA's format"),
+    integer("ibinary", 0, between(0, 1), "word size; this program writes 32-bit words in either case"),
+}};
+
+const Card extent_card1{{
+    integer("neiph", 0, any_value, "extra history variables of solids"),
+    integer("neips", 0, any_value, "extra history variables of shells"),
+    integer("maxint", 3, any_value, "layers of a shell that are written"),
+    integer("strflg", 0, any_value, "1: strains are written"),
+    integer("sigflg", 1, any_value, "1: stresses of shells are written"),
+    integer("epsflg", 1, any_value, "1: plastic strains of shells are written"),
+    integer("rltflg", 1, any_value, "1: resultants of shells are written"),
+    integer("engflg", 1, any_value, "1: thickness and energy of shells are written"),
+}};
+const Card extent_card2{{
+    integer("cmpflg", 0, any_value, "0: stresses in global axes"),
+    integer("ieverp", 0, between(0, 1), "1: one state a file"),
+    integer("beamip", 0, at_least(0), "integration points of a beam that are written"),
+    integer("dcomp", 1, any_value, "1: no compression"),
+    integer("shge", 1, any_value, "2: hourglass energy of shells"),
+    integer("stssz", 1, any_value, "2: time step, 3: added mass of shells"),
+    integer("n3thdt", 2, any_value, "material energies in d3thdt"),
+    integer("ialemat", 1, any_value, "ALE materials"),
+}};
+const Card extent_card3{{
+    integer("nintsld", 0, any_value, "integration points of a solid that are written"),
+    integer("pkp_sen", 0, any_value, "peak pressure of segments"),
+    real("sclp", dimension::number, 1, any_value, "scale of that pressure"),
+    integer("hydro", 0, any_value, "extra variables of solids"),
+    integer("msscl", 0, any_value, "nodal mass scaling"),
+    integer("therm", 0, any_value, "thermal data"),
+    text("intout", 10, "stresses in eloutdet"),
+    text("nodout", 10, "extrapolated stresses in eloutdet"),
+}};
+const Card extent_card4{{
+    integer("dtdt", 0, any_value, "temperature rates"),
+    integer("resplt", 0, any_value, "residual forces"),
+    integer("neipb", 0, any_value, "extra history variables of beams"),
+    integer("quadsld", 0, any_value, "quadratic solids"),
+    integer("cubsld", 0, any_value, "cubic solids"),
+    integer("deleres", 0, any_value, "results of deleted elements"),
+}};
+
+Card eight(IdSpace space, std::string_view meaning) {
+  Card card;
+  for (const std::string_view name : {"id1", "id2", "id3", "id4", "id5", "id6", "id7", "id8"})
+    card.fields.push_back(id(name, space, 0, meaning));
+  return card;
+}
+Card headed(IdSpace space, std::string_view meaning) {
+  return {{id("id", space, 0, meaning), text("heading", 70, "its name")}};
+}
+
+const Card node_ids = eight(IdSpace::node, "node with a time history; 8 a line, any number of lines");
+const Card element_ids = eight(IdSpace::element, "element with a time history; 8 a line, any number of lines");
+const Card set_ids = eight(IdSpace::set, "set whose members have time histories; 8 a line, any number of lines");
+const Card node_id_heading = headed(IdSpace::node, "node with a time history; one a line");
+const Card element_id_heading = headed(IdSpace::element, "element with a time history; one a line");
+const Card set_id_heading = headed(IdSpace::set, "set whose members have time histories; one a line");
+
+// ---- intervals -----------------------------------------------------------------------------------------------------
+
+void take_request(Builder& builder, const Row& row, Request Requests::*file) {
+  Request& request = builder.model.requests.*file;
+  request.interval = row.real("dt");
+  request.binary = row.integer("binary");
+  if (row.integer("lcur") == 0) return;
+  expect(builder, row, Severity::warning, {{"ioopt", 1, "the interval follows the curve as with 1"}});
+  builder.later(Phase::conditions, [row, file](Builder& b) {
+    Request& asked = b.model.requests.*file;
+    asked.curve = b.curve(row, "lcur");
+    if (asked.curve == none) return;
+    const Curve& curve = b.model.curves[static_cast<std::size_t>(asked.curve)];
+    if (asked.interval == 0.0 && !curve.empty()) asked.interval = curve.y.front();
+  });
+}
+
+template <Request Requests::*file>
+void read_request(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  take_request(builder, cursor.read(interval_card), file);
+}
+
+void read_nodout(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  const Row row = cursor.read(nodout_card);
+  take_request(builder, row, &Requests::nodout);
+  expect(builder, row, Severity::warning, {{"option1", 0, "a second, finer file (nodouthf) is not written"}});
+}
+
+void read_d3plot(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  const Row row = cursor.read(d3plot_card);
+  builder.model.requests.d3plot.interval = row.real("dt");
+  if (row.integer("lcdt") != 0)
+    row.complain(builder.findings, Severity::error, "lcdt",
+                 "an interval that changes over time is not built for d3plot", "give dt, or npltc");
+  if (cursor.more()) {
+    constexpr std::string_view plain = "states are written at equal intervals and unfiltered";
+    expect(builder, cursor.read(d3plot_card2), Severity::warning,
+           {{"ioopt", 0, plain}, {"rate", 0, plain}, {"cutoff", 0, plain}, {"window", 0, plain}});
+  }
+  if (const int states = row.integer("npltc"); states > 0)
+    builder.later(Phase::conditions,
+                  [states](Builder& b) { b.model.requests.d3plot.interval = b.model.control.end_time / states; });
+}
+
+void read_format(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  expect(builder, cursor.read(format_card), Severity::warning,
+         {{"iform", 0, "results are written in LS-DYNA's format only"}});
+}
+
+void read_extent_binary(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  Requests& requests = builder.model.requests;
+  const auto others = [&](const Row& row, std::initializer_list<Obeyed> fields) {
+    expect(builder, row, Severity::warning, fields);
+  };
+  constexpr std::string_view absent = "not written yet; d3plot comes without it",
+                             present = "cannot be left out; d3plot has it";
+
+  const Row row1 = cursor.read(extent_card1);
+  requests.layers = std::abs(row1.integer("maxint"));
+  if (row1.integer("maxint") < 0)
+    row1.complain(builder.findings, Severity::warning, "maxint",
+                  "shells have one in-plane point; as many layers are written as with the positive number");
+  requests.strains = row1.integer("strflg") != 0;
+  others(row1, {{"neiph", 0, absent},
+                {"neips", 0, absent},
+                {"sigflg", 1, present},
+                {"epsflg", 1, present},
+                {"rltflg", 1, present},
+                {"engflg", 1, present}});
+
+  if (!cursor.more()) return;
+  const Row row2 = cursor.read(extent_card2);
+  requests.one_state_a_file = row2.integer("ieverp") == 1;
+  requests.beam_points = row2.integer("beamip");
+  others(row2, {{"cmpflg", 0, "stresses are written in global axes"},
+                {"dcomp", 1, "d3plot is written without compression, velocities and accelerations included"},
+                {"shge", 1, absent},
+                {"stssz", 1, absent}});
+
+  if (!cursor.more()) return;
+  const Row row3 = cursor.read(extent_card3);
+  if (row3.integer("nintsld") > 1)
+    row3.complain(builder.findings, Severity::warning, "nintsld", "solids have one integration point; one is written");
+  others(row3, {{"pkp_sen", 0, absent}, {"hydro", 0, absent}, {"msscl", 0, absent}, {"therm", 0, absent}});
+
+  if (cursor.more())
+    others(cursor.read(extent_card4), {{"dtdt", 0, absent}, {"resplt", 0, absent}, {"neipb", 0, absent}});
+}
+
+// ---- time histories ------------------------------------------------------------------------------------------------
+
+/// What *DATABASE_HISTORY_ of one kind needs: where single ids and sets are looked up, and where the result goes.
+struct History {
+  std::string_view what;
+  Ids Builder::*ids;
+  Ids Builder::*set_ids;
+  std::vector<Set<Index>> Sets::*sets;
+  std::vector<NamedEntity> Requests::*list;
+};
+constexpr History node_history{"node", &Builder::nodes, &Builder::node_sets, &Sets::nodes, &Requests::history_nodes};
+constexpr History shell_history{"shell", &Builder::shells, &Builder::shell_sets, &Sets::shells,
+                                &Requests::history_shells};
+constexpr History solid_history{"solid", &Builder::solids, &Builder::solid_sets, &Sets::solids,
+                                &Requests::history_solids};
+constexpr History beam_history{"beam", &Builder::beams, &Builder::beam_sets, &Sets::beams, &Requests::history_beams};
+
+void add_history(std::vector<NamedEntity>& list, Index index, const std::string& heading) {
+  const bool known = std::any_of(list.begin(), list.end(), [&](const NamedEntity& e) { return e.index == index; });
+  if (!known) list.push_back({index, heading});
+}
+
+void resolve_history(Builder& builder, const History& history, const Row& row, std::string_view field, bool set,
+                     const std::string& heading) {
+  const int id = row.integer(field);
+  if (id == 0) return;
+  auto& list = builder.model.requests.*history.list;
+  const Index index = set ? (builder.*history.set_ids).find(id) : (builder.*history.ids).find(id);
+  if (index == none) {
+    row.complain(builder.findings, Severity::warning, field,
+                 std::string(history.what) + (set ? " set" : "") + " is not in the model; it has no time history");
+  } else if (set) {
+    for (const Index member : (builder.model.sets.*history.sets)[static_cast<std::size_t>(index)].members)
+      add_history(list, member, heading);
+  } else {
+    add_history(list, index, heading);
+  }
+}
+
+template <const History& history, bool set>
+void read_history(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  const bool nodes = &history == &node_history;
+  const bool headings = options.contains("ID");
+  const Card& plain = set ? set_ids : nodes ? node_ids : element_ids;
+  const Card& headed = set ? set_id_heading : nodes ? node_id_heading : element_id_heading;
+  while (cursor.more()) {
+    const Row row = cursor.read(headings ? headed : plain);
+    builder.later(Phase::conditions, [row, headings](Builder& b) {
+      if (headings) return resolve_history(b, history, row, "id", set, row.text("heading"));
+      for (const std::string_view field : {"id1", "id2", "id3", "id4", "id5", "id6", "id7", "id8"})
+        resolve_history(b, history, row, field, set, {});
+    });
+  }
+}
+
+// ---- the list ------------------------------------------------------------------------------------------------------
+
+template <Request Requests::*file>
+Keyword file_keyword(std::string_view name) {
+  return {name, {}, {}, Verdict::used, {}, {{{}, &interval_card}}, read_request<file>};
+}
+
+template <const History& history, bool set>
+Keyword history_keyword(std::string_view name, const Card& plain, const Card& headed) {
+  return {name,
+          {},
+          {"ID"},
+          Verdict::used,
+          {},
+          {{"without _ID", &plain}, {"with _ID", &headed}},
+          read_history<history, set>};
+}
+
+Keyword not_written(std::string_view name, std::string_view why) {
+  return {name, {}, {"ID"}, Verdict::refused, why, {}, nullptr};
+}
+Keyword without_effect(std::string_view name, std::string_view why) {
+  return {name, {}, {"FILE"}, Verdict::ignored, why, {}, nullptr};
+}
+
+}  // namespace
+
+std::vector<Keyword> database_keywords() {
+  return {
+      file_keyword<&Requests::glstat>("DATABASE_GLSTAT"),
+      file_keyword<&Requests::matsum>("DATABASE_MATSUM"),
+      {"DATABASE_NODOUT", {}, {}, Verdict::used, {}, {{{}, &nodout_card}}, read_nodout},
+      file_keyword<&Requests::swforc>("DATABASE_SWFORC"),
+      file_keyword<&Requests::rwforc>("DATABASE_RWFORC"),
+      file_keyword<&Requests::spcforc>("DATABASE_SPCFORC"),
+      file_keyword<&Requests::bndout>("DATABASE_BNDOUT"),
+      file_keyword<&Requests::rbdout>("DATABASE_RBDOUT"),
+      file_keyword<&Requests::rcforc>("DATABASE_RCFORC"),
+      {"DATABASE_BINARY_D3PLOT",
+       {},
+       {},
+       Verdict::used,
+       {},
+       {{{}, &d3plot_card}, {"optional", &d3plot_card2}},
+       read_d3plot},
+      {"DATABASE_FORMAT", {}, {}, Verdict::used, {}, {{{}, &format_card}}, read_format},
+      {"DATABASE_EXTENT_BINARY",
+       {},
+       {},
+       Verdict::used,
+       {},
+       {{{}, &extent_card1}, {"optional", &extent_card2}, {"optional", &extent_card3}, {"optional", &extent_card4}},
+       read_extent_binary},
+      history_keyword<node_history, false>("DATABASE_HISTORY_NODE", node_ids, node_id_heading),
+      history_keyword<node_history, true>("DATABASE_HISTORY_NODE_SET", set_ids, set_id_heading),
+      history_keyword<shell_history, false>("DATABASE_HISTORY_SHELL", element_ids, element_id_heading),
+      history_keyword<shell_history, true>("DATABASE_HISTORY_SHELL_SET", set_ids, set_id_heading),
+      history_keyword<solid_history, false>("DATABASE_HISTORY_SOLID", element_ids, element_id_heading),
+      history_keyword<solid_history, true>("DATABASE_HISTORY_SOLID_SET", set_ids, set_id_heading),
+      history_keyword<beam_history, false>("DATABASE_HISTORY_BEAM", element_ids, element_id_heading),
+      history_keyword<beam_history, true>("DATABASE_HISTORY_BEAM_SET", set_ids, set_id_heading),
+
+      not_written("DATABASE_ELOUT", "element histories (elout) are not written yet; d3plot holds the stresses"),
+      not_written("DATABASE_SECFORC", "forces of cross sections (secforc) are not written yet"),
+      not_written("DATABASE_CROSS_SECTION_SET", "forces of cross sections (secforc) are not written yet"),
+      not_written("DATABASE_CROSS_SECTION_PLANE", "forces of cross sections (secforc) are not written yet"),
+      not_written("DATABASE_DEFORC", "forces of discrete elements (deforc) are not written yet; there are none"),
+      not_written("DATABASE_SLEOUT", "energies of each contact (sleout) are not written yet; glstat holds their sum"),
+      not_written("DATABASE_NCFORC", "contact forces by node (ncforc) are not written yet; rcforc holds their sums"),
+      not_written("DATABASE_NODFOR", "forces of groups of nodes (nodfor) are not written yet"),
+      not_written("DATABASE_NODAL_FORCE_GROUP", "forces of groups of nodes (nodfor) are not written yet"),
+      not_written("DATABASE_JNTFORC", "forces of joints (jntforc) are not written; there are no joints"),
+      not_written("DATABASE_DISBOUT", "discrete beams (disbout) are not written; there are none"),
+      not_written("DATABASE_DCFAIL", "connection properties (dcfail) are not written yet"),
+      not_written("DATABASE_ABSTAT", "airbags (abstat) are not written; there are none"),
+      not_written("DATABASE_SBTOUT", "seat belts (sbtout) are not written; there are none"),
+      not_written("DATABASE_HISTORY_NODE_LOCAL",
+                  "histories in local axes are not written yet; ask for *DATABASE_HISTORY_NODE"),
+
+      without_effect("DATABASE_BINARY_RUNRSF", "restart files are asked for on the command line (--checkpoint)"),
+      without_effect("DATABASE_BINARY_D3DUMP", "restart files are asked for on the command line (--checkpoint)"),
+      without_effect("DATABASE_BINARY_INTFOR",
+                     "the contact database intfor is not part of LS-DYNA's d3plot; nothing else depends on it"),
+      without_effect("DATABASE_BINARY_D3THDT", "d3thdt repeats the histories that nodout, elout and matsum hold"),
+      without_effect("DATABASE_BINARY_D3DRLF", "states of dynamic relaxation; there is no such phase"),
+  };
+}
+
+}  // namespace nugget::model

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keywords that are read past because they change nothing here, and keywords of physics that this program does not
+// have. Each with its reason: the first for the ledger, the second for the user who has to do something about it.
+#include "model/cards/families.hpp"
+#include "model/cards/reading.hpp"
+
+namespace nugget::model {
+namespace {
+
+const Card relaxation_card{{
+    integer("nrcyck", 250, any_value, "cycles between convergence checks"),
+    real("drtol", dimension::number, 0.001, any_value, "tolerance"),
+    real("drfctr", dimension::number, 0.995, any_value, "relaxation factor"),
+    real("drterm", dimension::time, 0, any_value, "end of the relaxation"),
+    real("tssfdr", dimension::number, 0, any_value, "scale of its time step"),
+    integer("irelal", 0, any_value, "automatic control"),
+    real("edttl", dimension::number, 0.04, any_value, "tolerance of that control"),
+    integer("idrflg", 0, any_value, "0: no dynamic relaxation"),
+}};
+
+void read_relaxation(Builder& builder, const deck::Block& block, const Options&) {
+  deck::Cursor cursor(builder.deck, block, builder.findings);
+  refuse_nonzero(builder, cursor.read(relaxation_card), "idrflg", "dynamic relaxation is not built",
+                 "use 0, and load slowly with damping of the model's own");
+}
+
+Keyword ignored(std::string_view name, std::string_view why) {
+  return {name, {}, {}, Verdict::ignored, why, {}, nullptr};
+}
+Keyword refused(std::string_view name, std::string_view why) {
+  return {name, {}, {}, Verdict::refused, why, {}, nullptr};
+}
+
+using Rows = std::vector<Keyword>;
+
+/// Nothing of the run depends on them.
+Rows without_effect() {
+  return {
+      ignored("COMMENT", "a comment"),
+      ignored("KEYWORD_ID", "results have the same names for every deck; give each run its own folder"),
+      ignored("CONTROL_CPU", "a limit of processor time; interrupt the run, or give --max-cycles"),
+      ignored("CONTROL_PARALLEL", "threads are given on the command line (-j); results do not depend on their number"),
+      ignored("CONTROL_MPP_*", "distribution over processes; results do not depend on it"),
+      ignored("CONTROL_STRUCTURED*", "writes a structured copy of the deck; no result depends on it"),
+      ignored("CONTROL_DEBUG", "messages of LS-DYNA for its developers"),
+      ignored("CONTROL_REQUIRE_REVISION", "a demand on the release of LS-DYNA"),
+      ignored("CONTROL_RIGID", "options of joints and of flexible rigid bodies, neither of which is built"),
+      ignored("CONTROL_NONLOCAL", "storage for nonlocal laws, which are not built"),
+      ignored("ELEMENT_PLOTEL", "lines for pictures only"),
+      ignored("ELEMENT_SEATBELT_ACCELEROMETER",
+              "local axes for the histories of its nodes, which are written in global axes"),
+      ignored("SENSOR_DEFINE_*", "measures something that only *SENSOR_SWITCH and *SENSOR_CONTROL act upon"),
+      ignored("INTERFACE_SPRINGBACK_*", "asks for a file of the final state (dynain); d3plot holds it"),
+  };
+}
+
+/// Other solution methods than the explicit run.
+Rows other_solutions() {
+  return {
+      refused("CONTROL_IMPLICIT_*", "implicit and modal solutions are not built yet; this is an explicit run"),
+      refused("FREQUENCY_DOMAIN_*", "frequency response is not built yet"),
+      refused("CONTROL_THERMAL_*", "heat conduction is not built"),
+      refused("CONTROL_SOLUTION", "other solutions than the structural one are not built"),
+      refused("CONTROL_ADAPTIVE*", "adaptive remeshing is not built; refine the mesh in advance"),
+      refused("CONTROL_ADAPSTEP", "adaptive remeshing is not built; refine the mesh in advance"),
+      refused("CONTROL_REMESHING*", "remeshing is not built"),
+      refused("CONTROL_FORMING_*", "sheet forming is not built"),
+      refused("CONTROL_SUBCYCLE*", "subcycling is not built; use mass scaling (DT2MS)"),
+      refused("CONTROL_COUPLING", "coupling to other programs is not built"),
+      refused("CONTROL_STAGED_CONSTRUCTION", "construction in stages is not built"),
+      refused("CONTROL_SPOTWELD_BEAM",
+              "scaling of weld failure by shell size and conversion of beams to bricks are not built yet"),
+      refused("CASE*", "several load cases in one deck are not built; make a deck for each"),
+      refused("RESTART*", "LS-DYNA's restart decks are not read; use nugget run --resume"),
+      refused("STRESS_INITIALIZATION*", "LS-DYNA's full restart is not built"),
+      refused("CHANGE_*", "changes at a restart are not built"),
+      refused("DELETE_*", "deletions at a restart are not built"),
+      refused("TERMINATION_*",
+              "ends by motion, contact or curve are not built; give an end time in *CONTROL_TERMINATION"),
+      refused("DEFORMABLE_TO_RIGID*", "switching parts between deformable and rigid is not built"),
+      refused("RIGID_DEFORMABLE*", "switching parts between deformable and rigid is not built"),
+      refused("INTERFACE_*", "interfaces between runs are not built"),
+      refused("PERTURBATION*", "random imperfections are not built; move the nodes in the deck"),
+      refused("USER_*", "user subroutines are not built"),
+      refused("MODULE_*", "user subroutines are not built"),
+      refused("SENSOR_*", "switching by sensors is not built"),
+  };
+}
+
+/// Fluids, fields, particles.
+Rows other_physics() {
+  return {
+      refused("AIRBAG_*", "airbags and control volumes are not built"),
+      refused("ALE_*", "fluids and large distortions by ALE are not built"),
+      refused("CONTROL_ALE", "fluids and large distortions by ALE are not built"),
+      refused("INITIAL_VOLUME_FRACTION*", "fluids and large distortions by ALE are not built"),
+      refused("BOUNDARY_ALE_*", "fluids and large distortions by ALE are not built"),
+      refused("EM_*", "electromagnetics are not built"),
+      refused("ICFD_*", "fluid flow is not built"),
+      refused("CESE_*", "fluid flow is not built"),
+      refused("DUALCESE_*", "fluid flow is not built"),
+      refused("CHEMISTRY_*", "chemistry is not built"),
+      refused("STOCHASTIC_*", "particles are not built"),
+      refused("PARTICLE_*", "particles are not built"),
+      refused("BATTERY_*", "batteries are not built"),
+      refused("MESH_*", "automatic volume meshes are not built"),
+      refused("CONTROL_SPH*", "particles (SPH) are not built"),
+      refused("CONTROL_DISCRETE_ELEMENT", "particles (DES) are not built"),
+      refused("CONTROL_EFG", "meshfree elements are not built"),
+      refused("IGA_*", "isogeometric elements are not built; mesh the part with shells"),
+      refused("EOS_*", "equations of state are not built; leave EOSID of *PART blank"),
+      refused("RAIL_*", "rail tracks are not built"),
+  };
+}
+
+Rows other_elements() {
+  return {
+      refused("ELEMENT_DISCRETE*", "springs and dampers are not built yet"),
+      refused("SECTION_DISCRETE*", "springs and dampers are not built yet"),
+      refused("ELEMENT_SEATBELT*", "seat belts are not built"),
+      refused("SECTION_SEATBELT*", "seat belts are not built"),
+      refused("ELEMENT_TSHELL*", "thick shells are not built; use shells or bricks"),
+      refused("SECTION_TSHELL*", "thick shells are not built; use shells or bricks"),
+      refused("ELEMENT_SPH*", "particles (SPH) are not built"),
+      refused("SECTION_SPH*", "particles (SPH) are not built"),
+      refused("ELEMENT_DISCRETE_SPHERE*", "particles (DES) are not built"),
+      refused("ELEMENT_MASS_MATRIX*", "mass matrices are not built; use *ELEMENT_MASS"),
+      refused("ELEMENT_DIRECT_MATRIX_INPUT*", "superelements are not built"),
+      refused("ELEMENT_*", "this element is not built; shells, bricks, spot-weld beams and masses are"),
+      refused("SECTION_*", "this section is not built; *SECTION_SHELL, _SOLID and _BEAM are"),
+      refused("INTEGRATION_*", "integration rules of the user are not built; use NIP and QR of the section"),
+      refused("PART_COMPOSITE*", "layered composites are not built"),
+      refused("PART_MOVE",
+              "moving parts by this card is not built; use *DEFINE_TRANSFORMATION with *INCLUDE_TRANSFORM"),
+      refused("PART_*", "this form of *PART is not built; INERTIA and CONTACT are"),
+      refused("NODE_*", "this form of *NODE is not built"),
+      refused("COMPONENT_*", "dummies are not built"),
+      refused("DEFINE_HEX_SPOTWELD_ASSEMBLY*", "welds of several bricks are not built yet; use a weld beam"),
+  };
+}
+
+Rows other_laws() {
+  return {
+      refused("MAT_SPOTWELD_*",
+              "the damage and failure forms of *MAT_SPOTWELD are not built yet; the plain one with its resultant "
+              "surface is"),
+      refused("MAT_100_*",
+              "the damage and failure forms of *MAT_SPOTWELD are not built yet; the plain one with its resultant "
+              "surface is"),
+      refused("MAT_SPRING_*", "springs and dampers are not built yet"),
+      refused("MAT_DAMPER_*", "springs and dampers are not built yet"),
+      refused("MAT_S0*", "springs and dampers are not built yet"),
+      refused("MAT_S1*", "springs and dampers are not built yet"),
+      refused("MAT_GENERAL_*", "discrete beams are not built yet"),
+      refused("MAT_LINEAR_ELASTIC_DISCRETE_BEAM*", "discrete beams are not built yet"),
+      refused("MAT_NONLINEAR_*", "discrete beams are not built yet"),
+      refused("MAT_CABLE_DISCRETE_BEAM*", "cables are not built"),
+      refused("MAT_SEATBELT*", "seat belts are not built"),
+      refused("MAT_B01*", "seat belts are not built"),
+      refused("MAT_THERMAL_*", "heat conduction is not built"),
+      refused("MAT_T0*", "heat conduction is not built"),
+      refused("MAT_ALE_*", "fluids are not built"),
+      refused("MAT_ELASTIC_FLUID*", "fluids are not built"),
+      refused("MAT_COHESIVE_*", "cohesive laws are not built yet"),
+      refused("MAT_ARUP_ADHESIVE*", "cohesive laws are not built yet"),
+      refused("MAT_ADD_EROSION*",
+              "erosion added to a law is not built yet; FAIL of *MAT_PIECEWISE_LINEAR_PLASTICITY is"),
+      refused("MAT_ADD_*", "damage or other behaviour added to a law is not built"),
+      refused("MAT_*",
+              "this material is not built; 001 elastic, 003 plastic kinematic, 009 null, 020 rigid, 024 piecewise "
+              "linear plasticity and 100 spot weld are"),
+  };
+}
+
+Rows other_conditions() {
+  return {
+      refused("BOUNDARY_PRESCRIBED_MOTION_*",
+              "this target of a prescribed motion is not built; nodes, node sets and rigid bodies are"),
+      refused("BOUNDARY_PRESCRIBED_ACCELEROMETER_RIGID",
+              "motions out of accelerometer records are not built; give a velocity curve"),
+      refused("BOUNDARY_SPC_SYMMETRY_PLANE*", "symmetry planes are not built; use *BOUNDARY_SPC_SET"),
+      refused("BOUNDARY_NON_REFLECTING*", "non-reflecting boundaries are not built"),
+      refused("BOUNDARY_CYCLIC*", "cyclic symmetry is not built"),
+      refused("BOUNDARY_SLIDING_PLANE", "sliding planes are not built; use *BOUNDARY_SPC_SET with a coordinate system"),
+      refused("BOUNDARY_TEMPERATURE*", "heat conduction is not built"),
+      refused("BOUNDARY_CONVECTION*", "heat conduction is not built"),
+      refused("BOUNDARY_FLUX*", "heat conduction is not built"),
+      refused("BOUNDARY_RADIATION*", "heat conduction is not built"),
+      refused("BOUNDARY_*",
+              "this boundary condition is not built; single point constraints and prescribed motions are"),
+      refused("INITIAL_STRESS_*", "initial stresses are not built"),
+      refused("INITIAL_STRAIN_*", "initial strains are not built"),
+      refused("INITIAL_AXIAL_FORCE_BEAM", "bolt preload is not built"),
+      refused("INITIAL_TEMPERATURE*", "heat conduction is not built"),
+      refused("INITIAL_*",
+              "this initial condition is not built; velocities of nodes, sets, parts and rigid bodies are"),
+      refused("LOAD_BODY_RX", "centrifugal loads are not built; turn the parts with *INITIAL_VELOCITY_GENERATION"),
+      refused("LOAD_BODY_RY", "centrifugal loads are not built; turn the parts with *INITIAL_VELOCITY_GENERATION"),
+      refused("LOAD_BODY_RZ", "centrifugal loads are not built; turn the parts with *INITIAL_VELOCITY_GENERATION"),
+      refused("LOAD_BODY_GENERALIZED*",
+              "base accelerations of node sets are not built; *LOAD_BODY_PARTS restricts to parts"),
+      refused("LOAD_GRAVITY_PART*", "gravity by part is not built; use *LOAD_BODY_Z with *LOAD_BODY_PARTS"),
+      refused("LOAD_THERMAL_*", "heat and thermal strains are not built"),
+      refused("LOAD_BLAST*", "blast loads are not built; use *LOAD_SEGMENT_SET with a pressure curve"),
+      refused("LOAD_*", "this load is not built; nodal, body and pressure loads are"),
+      refused("DAMPING_*", "damping by cards is not built yet"),
+      refused("RIGIDWALL_*", "this wall is not built; planes, cylinders and spheres are"),
+      {"CONTROL_DYNAMIC_RELAXATION", {}, {}, Verdict::used, {}, {{{}, &relaxation_card}}, read_relaxation},
+      refused("CONTROL_*", "this control card is not known here, so what it asks for cannot be obeyed"),
+  };
+}
+
+Rows other_definitions() {
+  return {
+      refused("DEFINE_CONNECTION_PROPERTIES*", "connection properties of weld failure are not built yet"),
+      refused("DEFINE_SPOTWELD_*",
+              "weld failure by part, law or rate is not built yet; give the failure forces in *MAT_SPOTWELD"),
+      refused("DEFINE_SPG_*", "particles (SPG) are not built"),
+      refused("DEFINE_FUNCTION*", "functions as text are not built; give a curve"),
+      refused("DEFINE_CURVE_*", "this form of curve is not built; give its points with *DEFINE_CURVE"),
+      refused("DEFINE_TABLE_*", "this form of table is not built; use *DEFINE_TABLE or *DEFINE_TABLE_2D"),
+      refused("DEFINE_SD_ORIENTATION", "springs and dampers are not built yet"),
+      refused("DEFINE_FRICTION*", "friction is not built yet"),
+      refused("DEFINE_DEATH_TIMES_*", "motions that end by position are not built; give a death time"),
+      refused("DEFINE_CONSTRUCTION_STAGES", "construction in stages is not built"),
+      refused("DEFINE_ELEMENT_DEATH*", "deletion of elements by a card is not built"),
+      refused("DEFINE_*", "this definition is not built"),
+  };
+}
+
+}  // namespace
+
+std::vector<Keyword> other_keywords() {
+  Rows all;
+  for (const auto group : {without_effect, other_solutions, other_physics, other_elements, other_laws, other_conditions,
+                           other_definitions}) {
+    Rows rows = group();
+    all.insert(all.end(), rows.begin(), rows.end());
+  }
+  return all;
+}
+
+}  // namespace nugget::model

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <initializer_list>
+#include <string_view>
+
+#include "model/builder.hpp"
+
+// What several families of cards read in the same way.
+namespace nugget::model {
+
+/// The card in front of each definition with _ID: a number and a heading.
+extern const Card heading_card;
+/// The line in front of each definition with _TITLE.
+extern const Card title_card;
+
+struct Heading {
+  int id = 0;
+  std::string text;
+};
+/// Reads the heading where the options ask for one.
+Heading read_heading(deck::Cursor& cursor, bool present);
+
+/// Three fields as a vector, as they stand.
+Vec3d triple(const deck::Row& row, std::string_view x, std::string_view y, std::string_view z);
+/// Three fields as a position or a direction in the axes of the model: *INCLUDE_TRANSFORM is applied. Units are the
+/// row's business.
+Vec3d position(const deck::Block& block, const deck::Row& row, std::string_view x, std::string_view y,
+               std::string_view z);
+Vec3d direction(const deck::Block& block, const deck::Row& row, std::string_view x, std::string_view y,
+                std::string_view z);
+
+/// A death time as it acts: 0 and the deck's various large numbers mean for ever.
+double death_time(double written);
+
+/// A field that is obeyed at one value only.
+struct Obeyed {
+  std::string_view field;
+  double value;
+  std::string_view otherwise;  ///< what happens instead, or what is missing
+};
+/// A finding for each of the fields that has another value.
+void expect(Builder& builder, const deck::Row& row, Severity severity, std::initializer_list<Obeyed> fields);
+
+/// The nodes of all elements of the parts, ascending, each once.
+std::vector<Index> nodes_of_parts(const Model& model, const std::vector<Index>& parts);
+
+/// Sorted, each once.
+void make_unique(std::vector<Index>& indices);
+
+}  // namespace nugget::model

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/rigid_bodies.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/axes.hpp"
+#include "model/cards/reading.hpp"
+#include "model/lumped_mass.hpp"
+
+namespace nugget::model {
+namespace {
+
+using deck::Row;
+
+std::string name_of(const RigidBody& body) {
+  switch (body.origin) {
+    case RigidBody::Origin::part: return fmt::format("rigid part {}", body.id);
+    case RigidBody::Origin::nodal: return fmt::format("nodal rigid body {}", body.id);
+    case RigidBody::Origin::weld: break;
+  }
+  return fmt::format("generalized weld spot {}", body.id);
+}
+
+bool is_rigid(const Model& model, const Part& part) {
+  return part.material != none &&
+         std::holds_alternative<kernel::Rigid>(model.materials[static_cast<std::size_t>(part.material)].law);
+}
+
+/// Goes through the making once; its members are what the steps hand on to each other.
+class Maker {
+ public:
+  explicit Maker(Builder& builder) : b_(builder), model_(builder.model) {}
+
+  void make() {
+    add_parts();
+    for (const auto& card : b_.body_cards.nodal) add_nodal(card);
+    for (const Row& row : b_.body_cards.merges) merge(row);
+    emit();
+    add_element_nodes();
+    for (const auto& card : b_.body_cards.extra_nodes) add_extra_nodes(card);
+    claim_all();
+    for (const auto& card : b_.body_cards.welds) add_weld(card);
+    report_empty();
+    move_given_bodies();
+  }
+
+ private:
+  // -- before merging: one seed for each rigid part and nodal rigid body --
+
+  void add_parts() {
+    for (std::size_t p = 0; p < model_.parts.size(); ++p) {
+      const Part& part = model_.parts[p];
+      if (!is_rigid(model_, part) || (part.kind == ElementKind::nothing && !is_named(part.id))) continue;
+      RigidBody body;
+      body.origin = RigidBody::Origin::part;
+      body.id = part.id;
+      body.title = part.title;
+      body.parts = {static_cast<Index>(p)};
+      body.place = part.place;
+      if (const auto card = b_.rigid_cards.find(part.material); card != b_.rigid_cards.end())
+        body.fixed = fixed_bits(card->second);
+      if (const auto inertia = b_.part_inertia.find(static_cast<Index>(p)); inertia != b_.part_inertia.end()) {
+        body.given = true;
+        body.inertia = inertia->second;
+      }
+      add_seed(std::move(body), "rigid part");
+    }
+  }
+
+  /// A rigid part without elements is a body only where a card gives it nodes.
+  bool is_named(int id) const {
+    const auto names = [id](const Row& row, std::string_view field) { return row.integer(field) == id; };
+    const auto& cards = b_.body_cards;
+    return std::any_of(cards.extra_nodes.begin(), cards.extra_nodes.end(),
+                       [&](const auto& card) { return names(card.row, "pid"); }) ||
+           std::any_of(cards.merges.begin(), cards.merges.end(),
+                       [&](const Row& row) { return names(row, "pidl") || names(row, "pidc"); });
+  }
+
+  unsigned fixed_bits(const RigidCard& card) {
+    if (card.cmo == 1) return bits_of_code(card.con1) | bits_of_code(card.con2) << 3;
+    if (card.cmo == -1)
+      refuse(b_, card.row, "cmo", "constraints of a rigid part in local axes are not built",
+             "use CMO = 1 with codes in global axes, or *BOUNDARY_PRESCRIBED_MOTION_RIGID with zero motion");
+    return 0;
+  }
+
+  void add_nodal(const BodyCards::Nodal& card) {
+    RigidBody body;
+    body.origin = RigidBody::Origin::nodal;
+    body.id = card.row.integer("pid");
+    body.title = card.title;
+    body.place = card.row.place();
+    body.fixed = card.fixed;
+    if (const Set<Index>* nodes = b_.node_set(card.row, card.row.integer("nsid") == 0 ? "pid" : "nsid"))
+      body.nodes = nodes->members;
+    if (card.given) {
+      body.given = true;
+      body.inertia = inertia_of(card);
+    }
+    add_seed(std::move(body), "nodal rigid body");
+  }
+
+  RigidBody::Inertia inertia_of(const BodyCards::Nodal& card) {
+    RigidBody::Inertia inertia = card.inertia;
+    if (const Index node = b_.node(*card.inertia_row, "nodeid"); node != none)
+      inertia.center = model_.nodes.x[static_cast<std::size_t>(node)];
+    if (card.axes_row) {
+      const Index system = b_.system(*card.axes_row, "cid");
+      if (system != none)
+        inertia.inertia = to_global(inertia.inertia, model_.systems[static_cast<std::size_t>(system)].axes);
+    }
+    return inertia;
+  }
+
+  void add_seed(RigidBody body, std::string_view what) {
+    const auto index = static_cast<Index>(seeds_.size());
+    if (!seed_ids_.add(body.id, index, body.place, "*CONSTRAINED_NODAL_RIGID_BODY", what, b_.findings)) return;
+    seeds_.push_back(std::move(body));
+    lead_.push_back(index);
+  }
+
+  // -- merging --
+
+  Index lead(Index seed) const {
+    while (lead_[static_cast<std::size_t>(seed)] != seed) seed = lead_[static_cast<std::size_t>(seed)];
+    return seed;
+  }
+
+  void merge(const Row& row) {
+    const Index l = b_.find(seed_ids_, "rigid body", row, "pidl"), c = b_.find(seed_ids_, "rigid body", row, "pidc");
+    if (l == none || c == none) return;
+    const Index to = lead(l), from = lead(c);
+    if (to == from) {
+      row.complain(b_.findings, Severity::warning, "pidc", "is merged into this body already");
+      return;
+    }
+    RigidBody& into = seeds_[static_cast<std::size_t>(to)];
+    RigidBody& merged = seeds_[static_cast<std::size_t>(from)];
+    if (into.given && row.integer("iflag") != 0)
+      refuse(b_, row, "iflag", "adding to a mass that *PART_INERTIA or _INERTIA gives is not built",
+             "use 0, with the mass of both given for the lead body");
+    if (!into.given && merged.given)
+      refuse(b_, row, "pidc", "its given mass would have to be added to one that follows from elements: not built",
+             "give the mass of both for the lead body");
+    into.parts.insert(into.parts.end(), merged.parts.begin(), merged.parts.end());
+    into.nodes.insert(into.nodes.end(), merged.nodes.begin(), merged.nodes.end());
+    lead_[static_cast<std::size_t>(from)] = to;
+  }
+
+  void emit() {
+    std::vector<Index> body_of_seed(seeds_.size(), none);
+    for (std::size_t s = 0; s < seeds_.size(); ++s)
+      if (lead_[s] == static_cast<Index>(s)) {
+        body_of_seed[s] = static_cast<Index>(model_.rigid_bodies.size());
+        model_.rigid_bodies.push_back(seeds_[s]);
+      }
+    for (std::size_t s = 0; s < seeds_.size(); ++s) {
+      const Index body = body_of_seed[static_cast<std::size_t>(lead(static_cast<Index>(s)))];
+      b_.bodies.add(seeds_[s].id, body, seeds_[s].place, {}, "rigid body", b_.findings);
+      for (const Index part : seeds_[s].parts) model_.parts[static_cast<std::size_t>(part)].rigid_body = body;
+    }
+  }
+
+  // -- nodes --
+
+  RigidBody& body(Index index) { return model_.rigid_bodies[static_cast<std::size_t>(index)]; }
+
+  void add_element_nodes() {
+    const auto collect = [&](const auto& elements) {
+      for (std::size_t e = 0; e < elements.size(); ++e) {
+        if (elements.part[e] == none) continue;
+        const Index owner = model_.parts[static_cast<std::size_t>(elements.part[e])].rigid_body;
+        if (owner == none) continue;
+        for (const Index node : elements.node[e])
+          if (node != none) body(owner).nodes.push_back(node);
+      }
+    };
+    collect(model_.shells);
+    collect(model_.solids);
+    collect(model_.beams);
+    for (RigidBody& each : model_.rigid_bodies) make_unique(each.nodes);
+  }
+
+  void add_extra_nodes(const BodyCards::ExtraNodes& card) {
+    const Index owner = find_body(b_, card.row, "pid");
+    refuse_nonzero(b_, card.row, "iflag", "adding the mass of extra nodes to a given inertia is not built", "use 0");
+    std::vector<Index> nodes;
+    if (card.set) {
+      if (const Set<Index>* set = b_.node_set(card.row, "nsid")) nodes = set->members;
+    } else if (const Index node = b_.node(card.row, "nid"); node != none) {
+      nodes = {node};
+    }
+    if (owner != none) give(owner, nodes);
+  }
+
+  void give(Index owner, const std::vector<Index>& nodes) {
+    auto& held = body(owner).nodes;
+    held.insert(held.end(), nodes.begin(), nodes.end());
+    make_unique(held);
+  }
+
+  /// Writes down who holds each node.
+  void claim_all() {
+    b_.body_of_node.assign(model_.nodes.size(), none);
+    for (std::size_t i = 0; i < model_.rigid_bodies.size(); ++i) claim(static_cast<Index>(i));
+  }
+
+  void claim(Index owner) {
+    Tally conflicts(b_.findings, Severity::error, "*CONSTRAINED", 5);
+    for (const Index node : body(owner).nodes) {
+      Index& holder = b_.body_of_node[static_cast<std::size_t>(node)];
+      if (holder == none) {
+        holder = owner;
+      } else if (holder != owner) {
+        conflicts.add(
+            body(owner).place,
+            [&] {
+              return fmt::format("node {} belongs to two rigid bodies: {} and {}",
+                                 model_.nodes.id[static_cast<std::size_t>(node)], name_of(body(holder)),
+                                 name_of(body(owner)));
+            },
+            "merge the bodies with *CONSTRAINED_RIGID_BODIES, or take the node out of one of them");
+      }
+    }
+  }
+
+  // -- generalized weld spots --
+
+  void add_weld(const BodyCards::Weld& card) {
+    const Set<Index>* nodes = b_.node_set(card.row, "nsid");
+    if (!nodes) return;
+    if (const Index part_body = touched_part(*nodes); part_body != none) {
+      card.row.complain(b_.findings, Severity::note, "nsid",
+                        fmt::format("touches {}: its nodes become extra nodes of that body", name_of(body(part_body))));
+      give(part_body, nodes->members);
+      claim(part_body);
+      return;
+    }
+    RigidBody weld;
+    weld.origin = RigidBody::Origin::weld;
+    weld.id = card.id;
+    weld.place = card.row.place();
+    weld.nodes = nodes->members;
+    make_unique(weld.nodes);
+    if (weld.nodes.size() < 2)
+      return refuse(b_, card.row, "nsid", "a weld spot joins two nodes or more", "add nodes to the set");
+    model_.rigid_bodies.push_back(std::move(weld));
+    claim(static_cast<Index>(model_.rigid_bodies.size()) - 1);
+  }
+
+  /// The rigid part that one of the nodes belongs to, or none.
+  Index touched_part(const Set<Index>& nodes) {
+    for (const Index node : nodes.members) {
+      const Index holder = b_.body_of_node[static_cast<std::size_t>(node)];
+      if (holder != none && body(holder).origin == RigidBody::Origin::part) return holder;
+    }
+    return none;
+  }
+
+  // -- the end --
+
+  void report_empty() {
+    for (const RigidBody& each : model_.rigid_bodies)
+      if (each.nodes.empty())
+        b_.findings.error(each.place, "*CONSTRAINED", name_of(each) + " has no nodes",
+                          "give it elements, nodes or extra nodes");
+  }
+
+  void move_given_bodies() {
+    for (const RigidBody& each : model_.rigid_bodies)
+      if (each.given && (norm(each.inertia.velocity) > 0.0 || norm(each.inertia.spin) > 0.0))
+        set_motion(model_, each, each.inertia.center, each.inertia.velocity, each.inertia.spin);
+  }
+
+  Builder& b_;
+  Model& model_;
+  std::vector<RigidBody> seeds_;
+  std::vector<Index> lead_;  ///< by seed: the seed that it is merged into, or itself
+  Ids seed_ids_;
+};
+
+}  // namespace
+
+void make_rigid_bodies(Builder& builder) {
+  Maker(builder).make();
+}
+
+Index find_body(Builder& builder, const Row& row, std::string_view field) {
+  const int id = row.integer(field);
+  if (id == 0) return none;
+  const Index body = builder.bodies.find(id);
+  if (body == none) {
+    const bool is_part = builder.parts.find(id) != none;
+    refuse(builder, row, field,
+           is_part ? fmt::format("part {} is not rigid", id) : fmt::format("rigid body {} is not defined", id),
+           "name a part with *MAT_RIGID or a *CONSTRAINED_NODAL_RIGID_BODY");
+  }
+  return body;
+}
+
+const Frame3d* body_axes(Builder& builder, int id) {
+  const auto axes = [&](Index system) {
+    return system == none ? nullptr : &builder.model.systems[static_cast<std::size_t>(system)].axes;
+  };
+  if (const Index part = builder.parts.find(id); part != none) {
+    const auto card = builder.rigid_cards.find(builder.model.parts[static_cast<std::size_t>(part)].material);
+    return card == builder.rigid_cards.end() ? nullptr : axes(builder.systems.find(card->second.lco));
+  }
+  for (const auto& nodal : builder.body_cards.nodal)
+    if (nodal.row.integer("pid") == id) return axes(builder.system(nodal.row, "cid"));
+  return nullptr;
+}
+
+Vec3d center_of_mass(const Model& model, const RigidBody& body) {
+  if (body.given) return body.inertia.center;
+  double mass = 0.0;
+  Vec3d moment;
+  const auto add = [&](Index node, double m) {
+    if (!std::binary_search(body.nodes.begin(), body.nodes.end(), node)) return;
+    mass += m;
+    moment += m * model.nodes.x[static_cast<std::size_t>(node)];
+  };
+  for (std::size_t p = 0; p < model.parts.size(); ++p)
+    for (const NodeMass& at : lumped_mass(model, static_cast<Index>(p))) add(at.node, at.mass);
+  for (const PointMass& at : model.masses) add(at.node, at.mass);
+  for (const PointInertia& at : model.inertias) add(at.node, at.mass);
+  return mass > 0.0 ? (1.0 / mass) * moment : Vec3d{};
+}
+
+void set_motion(Model& model, const RigidBody& body, const Vec3d& center, const Vec3d& velocity, const Vec3d& spin) {
+  model.initial_velocity.resize(model.nodes.size());
+  model.initial_spin.resize(model.nodes.size());
+  for (const Index n : body.nodes) {
+    const auto node = static_cast<std::size_t>(n);
+    model.initial_velocity[node] = velocity + cross(spin, model.nodes.x[node] - center);
+    model.initial_spin[node] = spin;
+  }
+}
+
+}  // namespace nugget::model

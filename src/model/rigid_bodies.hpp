@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "model/builder.hpp"
+
+// What moves as one: MAT_RIGID parts (merged by *CONSTRAINED_RIGID_BODIES, with their extra nodes), nodal rigid bodies,
+// generalized weld spots without failure.
+namespace nugget::model {
+
+/// Makes Model::rigid_bodies, Part::rigid_body, Builder::bodies and Builder::body_of_node of the parts and of
+/// Builder::body_cards. A node that two bodies hold, a body without nodes and a merger whose mass cannot be known are
+/// findings.
+void make_rigid_bodies(Builder& builder);
+
+/// The body of a MAT_RIGID part (that of its lead part where merged) or of a nodal rigid body, by the id in a field;
+/// none and a finding where there is no such body.
+Index find_body(Builder& builder, const deck::Row& row, std::string_view field);
+
+/// Local axes of a body by the deck: LCO of *MAT_RIGID, CID of *CONSTRAINED_NODAL_RIGID_BODY; null where it names none.
+const Frame3d* body_axes(Builder& builder, int id);
+
+/// Centre of mass: as given, or of the lumped masses at the body's nodes [length].
+Vec3d center_of_mass(const Model& model, const RigidBody& body);
+
+/// Gives the nodes of a body the velocities of a rigid motion about `center`.
+void set_motion(Model& model, const RigidBody& body, const Vec3d& center, const Vec3d& velocity, const Vec3d& spin);
+
+}  // namespace nugget::model
