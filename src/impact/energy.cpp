@@ -41,6 +41,7 @@ void element_energies(const system::System& system, const system::State& state, 
         energy.internal += internal;
         energy.hourglass += hourglass;
       } else {
+        part.eroded += internal + hourglass;
         energy.eroded += internal + hourglass;
       }
       const auto nodes = group->nodes(e);

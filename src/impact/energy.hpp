@@ -27,7 +27,7 @@ struct Energy {
 
 /// Energies and momentum of one part.
 struct PartEnergy {
-  double internal = 0.0, kinetic = 0.0, hourglass = 0.0, mass = 0.0;
+  double internal = 0.0, kinetic = 0.0, hourglass = 0.0, eroded = 0.0, mass = 0.0;
   Vec3d momentum;
 };
 

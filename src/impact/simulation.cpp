@@ -10,7 +10,6 @@
 
 #include "base/parallel.hpp"
 #include "impact/contact_setup.hpp"
-#include "impact/recorders.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -39,6 +38,7 @@ void Simulation::interrupt() { interrupted = 1; }
 Simulation::Simulation(system::System& system, Findings& findings)
     : system_(system), state_(system.initial_state()), supports_(system, findings), loads_(system) {
   const model::Model& model = system.model;
+  history_rotation_.resize(model.requests.history_nodes.size());
   dependent_.resize(system.all_nodes());
   for (std::size_t k = 0; k < system.all_nodes(); ++k) dependent_[k] = system.map.dependent(static_cast<int>(k));
   shell_alive_.assign(model.shells.size(), 1);
@@ -65,8 +65,8 @@ Simulation::Simulation(system::System& system, Findings& findings)
   for (const model::RigidWall& wall : model.walls) {
     std::vector<int> nodes;
     for (model::Index n : wall.nodes) nodes.push_back(system.node_of[at(n)]);
-    const Curve* motion = wall.motion_curve == model::none ? nullptr : &model.curves[at(wall.motion_curve)];
-    walls_.emplace_back(wall, std::move(nodes), motion);
+    const Curve* curve = wall.motion_curve == model::none ? nullptr : &model.curves[at(wall.motion_curve)];
+    walls_.emplace_back(wall, std::move(nodes), curve);
   }
   for (const weld::Weld& w : system.ties.welds) {
     welds_.emplace_back();
@@ -76,7 +76,7 @@ Simulation::Simulation(system::System& system, Findings& findings)
   }
 }
 
-Outcome Simulation::run(const Options& options, Recorders& recorders, const ProgressCallback& progress) {
+Outcome Simulation::run(const Options& options, Recorder& recorder, const ProgressCallback& progress) {
   interrupted = 0;
   const auto begin = std::chrono::steady_clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
@@ -92,7 +92,7 @@ Outcome Simulation::run(const Options& options, Recorders& recorders, const Prog
     const Outcome stop = reason_to_stop(options, end_time);
     last = stop.termination != Termination::normal || !stop.message.empty() || state_.time >= end_time;
     if (last) outcome = stop;
-    const bool record = last || recorders.due(state_);
+    const bool record = last || recorder.due(state_);
     if (record || state_.cycle % 100 == 0) {
       v_before_ = state_.v;
       w_before_ = state_.w;
@@ -109,8 +109,8 @@ Outcome Simulation::run(const Options& options, Recorders& recorders, const Prog
     if (record) {
       masses_ = system_.masses();
       const Snapshot now{system_,      state_,      v_before_, w_before_, energy_, parts_,
-                         controlling_, masses_,     supports_, walls_,    contacts_, welds_};
-      recorders.write(now, last);
+                         controlling_, masses_,     supports_, walls_,    contacts_, welds_,    history_rotation_};
+      recorder.write(now, last);
     }
     if (progress && elapsed() >= next_report) {
       progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()), welds_failed_,
@@ -257,6 +257,8 @@ void Simulation::move() {
     }
   });
   for (system::RigidBody& body : system_.bodies) body.turn(state_.dt, state_);
+  for (std::size_t i = 0; i < history_rotation_.size(); ++i)
+    history_rotation_[i] += state_.dt * vec(state_.w[at(system_.node_of[at(system_.model.requests.history_nodes[i].index)])]);
   state_.time += state_.dt;
   ++state_.cycle;
 }

@@ -11,8 +11,6 @@
 
 namespace nugget::impact {
 
-class Recorders;
-
 /// Explicit dynamics by central differences. The loop reads as the method: accelerate, prescribe, follow, move, forces.
 class Simulation {
  public:
@@ -20,7 +18,7 @@ class Simulation {
   Simulation(system::System& system, Findings& findings);
 
   /// Runs to the end. Never throws for a run that diverges: the outcome says why it stopped.
-  Outcome run(const Options& options, Recorders& recorders, const ProgressCallback& progress);
+  Outcome run(const Options& options, Recorder& recorder, const ProgressCallback& progress);
 
   // What the summary wants to know afterwards.
   const system::System& system() const { return system_; }
@@ -65,6 +63,7 @@ class Simulation {
   std::vector<double> inverse_mass_, inverse_inertia_;
   std::vector<Row> v_before_, w_before_;
   std::vector<Vec3d> momentum_before_;
+  std::vector<Vec3d> history_rotation_;
   WeldHistories welds_;
   int welds_failed_ = 0;
   int deaths_ = 0;

@@ -32,6 +32,7 @@ struct Snapshot {
   std::span<const contact::RigidWall> walls;
   std::span<const contact::SingleSurface> contacts;
   const WeldHistories& welds;
+  std::span<const Vec3d> history_rotation;  ///< of the requests' history nodes: their spins, added up over time
 
   Vec3d velocity(std::size_t node) const { return 0.5 * (vec(v_before[node]) + vec(state.v[node])); }
   Vec3d spin(std::size_t node) const { return 0.5 * (vec(w_before[node]) + vec(state.w[node])); }
@@ -39,6 +40,16 @@ struct Snapshot {
   Vec3d rotary_acceleration(std::size_t node) const { return (1.0 / kick()) * (vec(state.w[node]) - vec(w_before[node])); }
   /// Time between t(n-1/2) and t(n+1/2); half a step at the start.
   double kick() const { return 0.5 * (state.dt + state.dt_previous); }
+};
+
+/// Somebody who looks at the run from time to time. Reads, never writes.
+class Recorder {
+ public:
+  virtual ~Recorder() = default;
+  /// True if the state that is about to be complete at state.time has to be written, knowing the next step state.dt.
+  virtual bool due(const system::State& state) = 0;
+  /// `last`: the run ends here, whatever is due.
+  virtual void write(const Snapshot& now, bool last) = 0;
 };
 
 }  // namespace nugget::impact

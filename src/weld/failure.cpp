@@ -6,8 +6,12 @@
 
 namespace nugget::weld {
 
-double Resultants::shear() const { return std::hypot(shear_s, shear_t); }
-double Resultants::moment() const { return std::hypot(moment_s, moment_t); }
+double Resultants::shear() const {
+  return std::hypot(shear_s, shear_t);
+}
+double Resultants::moment() const {
+  return std::hypot(moment_s, moment_t);
+}
 
 std::array<double, 6> failure_terms(const std::array<double, 6>& strength, const Resultants& r) {
   const std::array<double, 6> value{std::max(r.axial, 0.0), r.shear_s, r.shear_t, r.torsion, r.moment_s, r.moment_t};
@@ -44,7 +48,7 @@ Resultants Filter::operator()(const Resultants& r) {
 
 std::string_view to_string(FailureMode mode) {
   switch (mode) {
-    case FailureMode::none: return "";
+    case FailureMode::intact: return "";
     case FailureMode::axial: return "axial force";
     case FailureMode::shear: return "shear force";
     case FailureMode::torsion: return "torsion";
@@ -68,7 +72,8 @@ bool History::update(double time, const Resultants& r) {
   peak_value_ = std::max(peak_value_, value_);
   if (value_ >= 1.0) {
     const std::array<double, 4> share{term[0], term[1] + term[2], term[3], term[4] + term[5]};
-    constexpr FailureMode mode[4] = {FailureMode::axial, FailureMode::shear, FailureMode::torsion, FailureMode::bending};
+    constexpr FailureMode mode[4] = {FailureMode::axial, FailureMode::shear, FailureMode::torsion,
+                                     FailureMode::bending};
     fail(time, mode[std::max_element(share.begin(), share.end()) - share.begin()]);
     return true;
   }

@@ -11,17 +11,18 @@ namespace nugget::weld {
 
 /// Forces and moments on a weld's cross-section at mid-length, in its own axes (r along the weld).
 struct Resultants {
-  double axial = 0.0;              ///< N_rr, tension positive [force]
+  double axial = 0.0;                     ///< N_rr, tension positive [force]
   double shear_s = 0.0, shear_t = 0.0;    ///< N_rs, N_rt [force]
-  double torsion = 0.0;            ///< M_rr [moment]
+  double torsion = 0.0;                   ///< M_rr [moment]
   double moment_s = 0.0, moment_t = 0.0;  ///< M_ss, M_tt [moment]
 
   double shear() const;   ///< sqrt(N_rs^2 + N_rt^2)
   double moment() const;  ///< sqrt(M_ss^2 + M_tt^2)
 };
 
-/// The six terms (R_i / R_iF)^2 of the resultant failure surface, N_rr N_rs N_rt M_rr M_ss M_tt; a strength of 0 omits its
-/// term, compression does not count (MAT_100, OPT 0; reference: spotweld-theory.md 4.3). The weld fails when they add up to 1.
+/// The six terms (R_i / R_iF)^2 of the resultant failure surface, N_rr N_rs N_rt M_rr M_ss M_tt; a strength of 0 omits
+/// its term, compression does not count (MAT_100, OPT 0; reference: spotweld-theory.md 4.3). The weld fails when they
+/// add up to 1.
 std::array<double, 6> failure_terms(const std::array<double, 6>& strength, const Resultants& r);
 
 /// Mean of the last `length` resultant vectors (NF of MAT_100); fewer at the start.
@@ -36,7 +37,7 @@ class Filter {
   std::vector<Resultants> kept_;
 };
 
-enum class FailureMode { none, axial, shear, torsion, bending, time, plastic_strain };
+enum class FailureMode { intact, axial, shear, torsion, bending, time, plastic_strain };
 std::string_view to_string(FailureMode mode);
 
 /// What happened to one weld: its filtered resultants now, its peaks, and its end.
@@ -52,7 +53,7 @@ class History {
   const Resultants& resultants() const { return now_; }
   double failure_value() const { return value_; }  ///< of the surface; 1 is failure
   double peak_failure_value() const { return peak_value_; }
-  bool failed() const { return mode_ != FailureMode::none; }
+  bool failed() const { return mode_ != FailureMode::intact; }
   double failure_time() const { return failure_time_; }
   FailureMode mode() const { return mode_; }
   /// Largest |axial|, shear, bending moment and |torsion| so far.
@@ -64,7 +65,7 @@ class History {
   Resultants now_;
   double value_ = 0.0, peak_value_ = 0.0;
   double failure_time_ = 0.0;
-  FailureMode mode_ = FailureMode::none;
+  FailureMode mode_ = FailureMode::intact;
   std::array<double, 4> peaks_{};
 };
 

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/histories.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace nugget::impact {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+int node_id(const Snapshot& now, int system_node) {
+  return now.system.model.nodes.id[at(now.system.model_node[at(system_node)])];
+}
+
+output::ElementKind kind(model::ElementKind k) {
+  switch (k) {
+    case model::ElementKind::beam: return output::ElementKind::beam;
+    case model::ElementKind::shell: return output::ElementKind::shell;
+    default: return output::ElementKind::solid;
+  }
+}
+
+/// Rotation vector of a triad that started as the global axes.
+Vec3d rotation_vector(const Frame3d& a) {
+  const Vec3d twice_sin{a.e2.z - a.e3.y, a.e3.x - a.e1.z, a.e1.y - a.e2.x};
+  const double s = 0.5 * norm(twice_sin), c = 0.5 * (a.e1.x + a.e2.y + a.e3.z - 1.0);
+  return s > 1e-12 ? (std::atan2(s, c) / (2.0 * s)) * twice_sin : 0.5 * twice_sin;
+}
+
+}  // namespace
+
+output::GlstatState glstat_state(const Snapshot& now) {
+  const model::Model& model = now.system.model;
+  const Energy& e = now.energy;
+  output::GlstatState s;
+  s.cycle = now.state.cycle + 1;  // LS-DYNA counts from 1
+  if (now.controlling.group >= 0) {
+    const system::ElementGroup& group = *now.system.groups[at(now.controlling.group)];
+    const model::Index element = now.controlling.element >= 0 ? group.element[at(now.controlling.element)] : 0;
+    const std::vector<int>& ids = group.kind == model::ElementKind::shell   ? model.shells.id
+                                  : group.kind == model::ElementKind::solid ? model.solids.id
+                                                                            : model.beams.id;
+    s.controlling = output::ControllingElement{kind(group.kind), ids[at(element)], model.parts[at(group.part)].id};
+  }
+  s.time = now.state.time;
+  s.time_step = now.state.dt;
+  s.kinetic = e.kinetic;
+  s.internal = e.internal;
+  for (const contact::RigidWall& wall : now.walls) s.walls.push_back(wall.energy());
+  if (model.control.hourglass_energy) s.hourglass = e.hourglass;
+  s.system_damping = e.damping;
+  s.sliding_interface = e.contact;
+  s.external_work = e.external;
+  s.eroded_kinetic = 0.0;
+  s.eroded_internal = e.eroded;
+  s.eroded_hourglass = 0.0;
+  s.total = e.total();
+  s.ratio = e.ratio();
+  const double base = e.initial + e.external;
+  s.ratio_without_eroded = base != 0.0 ? (e.total() - e.eroded) / base : 1.0;
+  Vec3d momentum{};
+  double mass = 0.0;
+  for (const PartEnergy& p : now.parts) {
+    momentum += p.momentum;
+    mass += p.mass;
+  }
+  if (mass > 0.0) s.velocity = (1.0 / mass) * momentum;
+  if (now.masses.added != 0.0) {
+    s.added_mass = now.masses.added;
+    s.percent_increase = 100.0 * now.masses.added / now.masses.physical;
+  }
+  return s;
+}
+
+output::MatsumState matsum_state(const Snapshot& now) {
+  output::MatsumState s;
+  s.time = now.state.time;
+  for (std::size_t p = 0; p < now.parts.size(); ++p) {
+    const PartEnergy& part = now.parts[p];
+    output::MatsumRow row;
+    row.part = now.system.model.parts[p].id;
+    row.internal = part.internal;
+    row.kinetic = part.kinetic;
+    row.hourglass = part.hourglass;
+    row.eroded_internal = part.eroded;
+    row.added_mass = now.masses.added_by_part[p];
+    row.momentum = part.momentum;
+    if (part.mass > 0.0) row.velocity = (1.0 / part.mass) * part.momentum;
+    s.rows.push_back(row);
+  }
+  return s;
+}
+
+output::NodoutState nodout_state(const Snapshot& now) {
+  const model::Model& model = now.system.model;
+  output::NodoutState s;
+  s.cycle = now.state.cycle + 1;
+  s.time = now.state.time;
+  s.rotations = model.shells.size() > 0 || model.beams.size() > 0;
+  for (std::size_t i = 0; i < model.requests.history_nodes.size(); ++i) {
+    const model::NamedEntity& entity = model.requests.history_nodes[i];
+    const auto k = at(now.system.node_of[at(entity.index)]);
+    output::NodoutRow row;
+    row.node = model.nodes.id[at(entity.index)];
+    row.coordinate = vec(now.state.x[k]);
+    row.displacement = row.coordinate - model.nodes.x[at(entity.index)];
+    row.velocity = now.velocity(k);
+    row.acceleration = now.acceleration(k);
+    row.rotational_velocity = now.spin(k);
+    row.rotational_acceleration = now.rotary_acceleration(k);
+    row.rotation = now.history_rotation[i];
+    s.rows.push_back(row);
+  }
+  return s;
+}
+
+output::SwforcState swforc_state(const Snapshot& now) {
+  const model::Model& model = now.system.model;
+  output::SwforcState s;
+  s.time = now.state.time;
+  const std::vector<weld::Weld>& welds = now.system.ties.welds;
+  for (std::size_t i = 0; i < welds.size(); ++i) {
+    const weld::History* history = now.welds[i].get();
+    if (history == nullptr) continue;
+    const model::Part& part = model.parts[at(welds[i].part)];
+    if (!model.beam_sections[at(part.section)].in_swforc) continue;
+    const system::System::Seat seat = now.system.beam_seat[at(welds[i].element)];
+    const weld::Resultants& r = history->resultants();
+    s.rows.push_back({welds[i].id, output::WeldKind::beam, r.axial, r.shear(),
+                      now.system.groups[at(seat.group)]->thickness(at(seat.element)), r.moment(), r.torsion,
+                      history->failed() ? 1.0 : history->failure_value(), history->failure_time()});
+  }
+  return s;
+}
+
+output::RwforcState rwforc_state(const Snapshot& now) {
+  output::RwforcState s;
+  s.time = now.state.time;
+  int number = 0;
+  for (const contact::RigidWall& wall : now.walls) s.rows.push_back({++number, wall.normal_force(), wall.force()});
+  return s;
+}
+
+output::SpcforcState spcforc_state(const Snapshot& now) {
+  const model::Model& model = now.system.model;
+  output::SpcforcState s;
+  s.time = now.state.time;
+  for (const Supports::Reaction& r : now.supports.spc_reactions()) {
+    const model::SinglePointConstraint& spc = model.spcs[at(r.source)];
+    const Frame3d axes = spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model.systems[at(spc.system)].axes;
+    if (spc.fixed & 7u) {
+      s.forces.push_back({node_id(now, r.node), axes.local(r.force), spc.id});
+      s.resultant += r.force;
+    }
+    if (spc.fixed >> 3) s.moments.push_back({node_id(now, r.node), axes.local(r.moment), spc.id});
+  }
+  const auto ascending = [](const output::SpcforcRow& a, const output::SpcforcRow& b) { return a.node < b.node; };
+  std::stable_sort(s.forces.begin(), s.forces.end(), ascending);
+  std::stable_sort(s.moments.begin(), s.moments.end(), ascending);
+  return s;
+}
+
+output::BndoutState bndout_state(const Snapshot& now) {
+  const model::Model& model = now.system.model;
+  output::BndoutState s;
+  s.time = now.state.time;
+  for (const Supports::Reaction& r : now.supports.motion_reactions()) {
+    const model::PrescribedMotion& motion = model.motions[at(r.source)];
+    if (motion.target == model::PrescribedMotion::Target::nodes)
+      s.nodes.push_back({node_id(now, r.node), r.force, r.energy, motion.id});
+    else
+      s.bodies.push_back({model.rigid_bodies[at(motion.rigid_body)].id, r.force, r.moment, r.energy});
+  }
+  return s;
+}
+
+output::RbdoutState rbdout_state(const Snapshot& now) {
+  const model::Model& model = now.system.model;
+  output::RbdoutState s;
+  s.cycle = now.state.cycle + 1;
+  s.time = now.state.time;
+  for (const system::RigidBody& body : now.system.bodies) {
+    const model::RigidBody::Origin origin = model.rigid_bodies[at(body.source)].origin;
+    if (origin == model::RigidBody::Origin::weld) continue;
+    const auto k = at(body.node);
+    output::RbdoutRow row;
+    row.id = body.id;
+    row.coordinate = vec(now.state.x[k]);
+    row.displacement = row.coordinate - body.center0;
+    row.rotation = rotation_vector(body.axes);
+    row.velocity = now.velocity(k);
+    row.angular_velocity = now.spin(k);
+    row.acceleration = now.acceleration(k);
+    row.angular_acceleration = now.rotary_acceleration(k);
+    row.axes = body.axes;
+    (origin == model::RigidBody::Origin::part ? s.parts : s.nodal).push_back(row);
+  }
+  return s;
+}
+
+output::RcforcState rcforc_state(const Snapshot& now) {
+  output::RcforcState s;
+  s.time = now.state.time;
+  std::size_t c = 0;
+  for (const model::Contact& card : now.system.model.contacts) {
+    if (card.tie()) continue;
+    s.rows.push_back({card.id, output::ContactSide::tracked, now.contacts[c].resultant(), 0.0});
+    ++c;
+  }
+  return s;
+}
+
+}  // namespace nugget::impact

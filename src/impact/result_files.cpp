@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/result_files.hpp"
+
+#include <type_traits>
+
+#include "impact/d3plot_states.hpp"
+#include "impact/histories.hpp"
+
+namespace nugget::impact {
+
+template <class File, class MakeState>
+void ResultFiles::add(const model::Request& request, const char* name, MakeState make_state,
+                      std::vector<output::LegendEntry> legend) {
+  if (!request.asked()) return;
+  std::shared_ptr<File> ascii;
+  if (request.ascii()) {
+    if constexpr (std::is_constructible_v<File, std::filesystem::path, const output::Header&, std::span<const output::LegendEntry>>)
+      ascii = std::make_shared<File>(directory_ / name, header_, legend);
+    else
+      ascii = std::make_shared<File>(directory_ / name, header_);
+  }
+  std::shared_ptr<output::Binout> binary;
+  if (request.binout()) {
+    if (!binout_) binout_ = std::make_shared<output::Binout>(directory_, header_);
+    if (!legend.empty()) binout_->set_legend(name, legend);
+    binary = binout_;
+  }
+  channels_.push_back({&request, [=](const Snapshot& now) {
+                         const auto state = make_state(now);
+                         if (ascii) ascii->write(state);
+                         if (binary) binary->write(state);
+                       }});
+}
+
+ResultFiles::ResultFiles(const system::System& system, const std::filesystem::path& directory, const output::Header& header)
+    : model_(system.model), directory_(directory), header_(header) {
+  const model::Requests& ask = model_.requests;
+  std::vector<output::LegendEntry> parts, nodes, walls, contacts;
+  for (const model::Part& p : model_.parts) parts.push_back({p.id, p.title});
+  for (const model::NamedEntity& n : ask.history_nodes)
+    if (!n.heading.empty()) nodes.push_back({model_.nodes.id[static_cast<std::size_t>(n.index)], n.heading});
+  for (std::size_t w = 0; w < model_.walls.size(); ++w)
+    if (!model_.walls[w].title.empty()) walls.push_back({static_cast<int>(w) + 1, model_.walls[w].title});
+  for (const model::Contact& c : model_.contacts)
+    if (!c.title.empty()) contacts.push_back({c.id, c.title});
+
+  add<output::Glstat>(ask.glstat, "glstat", glstat_state);
+  add<output::Matsum>(ask.matsum, "matsum", matsum_state, parts);
+  if (!ask.history_nodes.empty()) add<output::Nodout>(ask.nodout, "nodout", nodout_state, nodes);
+  if (!system.ties.welds.empty()) add<output::Swforc>(ask.swforc, "swforc", swforc_state);
+  if (!model_.walls.empty()) add<output::Rwforc>(ask.rwforc, "rwforc", rwforc_state, walls);
+  if (!model_.spcs.empty()) add<output::Spcforc>(ask.spcforc, "spcforc", spcforc_state);
+  if (!model_.motions.empty()) add<output::Bndout>(ask.bndout, "bndout", bndout_state);
+  if (!system.bodies.empty()) add<output::Rbdout>(ask.rbdout, "rbdout", rbdout_state);
+  add<output::Rcforc>(ask.rcforc, "rcforc", rcforc_state, contacts);
+  if (ask.d3plot.asked()) {
+    auto file = std::make_shared<output::D3plot>(directory, d3plot_geometry(system, header));
+    channels_.push_back({&ask.d3plot, [file](const Snapshot& now) { file->write(d3plot_state(now)); }});
+  }
+}
+
+/// Due at the last time that is not beyond the mark, as LS-DYNA does: the next step would pass it.
+bool ResultFiles::due(const Channel& channel, const system::State& state) const {
+  return state.time + state.dt > channel.next + 1e-9 * state.dt;
+}
+
+bool ResultFiles::due(const system::State& state) {
+  for (const Channel& c : channels_)
+    if (due(c, state)) return true;
+  return false;
+}
+
+void ResultFiles::write(const Snapshot& now, bool last) {
+  for (Channel& c : channels_) {
+    if (!last && !due(c, now.state)) continue;
+    c.write(now);
+    const double interval = c.request->curve == model::none
+                                ? c.request->interval
+                                : model_.curves[static_cast<std::size_t>(c.request->curve)].clamped(now.state.time);
+    if (!(interval > 0.0)) continue;
+    // Marks are multiples of the interval; one that a long step has jumped over is not made up for.
+    do c.next += interval;
+    while (c.next <= now.state.time);
+  }
+}
+
+}  // namespace nugget::impact
