@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "weld/tie_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "weld/welds.hpp"
+
+namespace nugget::weld {
+namespace {
+
+/// Weights below this are round-off of a node on an edge or a corner.
+constexpr double no_weight = 1e-10;
+
+std::string name_weld(const Weld& weld) {
+  return fmt::format("{} weld {}", to_string(weld.kind), weld.id);
+}
+
+std::string element_keyword(const Weld& weld) {
+  return weld.kind == Weld::Kind::beam ? "*ELEMENT_BEAM" : "*ELEMENT_SOLID";
+}
+
+std::string name_body(const model::RigidBody& body) {
+  switch (body.origin) {
+    case model::RigidBody::Origin::part: return fmt::format("rigid part {}", body.id);
+    case model::RigidBody::Origin::nodal: return fmt::format("nodal rigid body {}", body.id);
+    case model::RigidBody::Origin::weld: return fmt::format("generalized weld spot {}", body.id);
+  }
+  return {};
+}
+
+std::string move_or_widen(double distance) {
+  if (!std::isfinite(distance)) return "put the sheet's part on the reference side (SURFB) of the contact";
+  const double thickness = 1.05 * distance / 1.2;
+  return fmt::format("move the weld to its sheet, or give SAST = SBST = {:.3g} in the contact (tolerance {:.3g})",
+                     -thickness, 1.2 * thickness);
+}
+
+std::string shares(const model::Model& model, const Tie& tie) {
+  return fmt::format("{} tied to {}", name_node(model, tie.node), name_segment(model, tie.shell));
+}
+
+bool carries(const std::array<double, 4>& weight, int corner) {
+  return std::abs(weight[corner]) > no_weight;
+}
+
+/// The body that carries all nodes of the segment, or none.
+Index body_of_segment(const Tie& tie, const Surroundings& around) {
+  const Index body = around.rigid_body[tie.segment[0]];
+  for (Index n : tie.segment)
+    if (around.rigid_body[n] != body) return none;
+  return body;
+}
+
+void note_rigid_sheets(const model::Model& model, const Surroundings& around, std::vector<Tie>& ties,
+                       Findings& findings) {
+  std::set<std::pair<Index, Index>> told;  // body, part
+  for (Tie& tie : ties) {
+    tie.rigid_body = body_of_segment(tie, around);
+    if (tie.rigid_body == none) continue;
+    const Index part = tie.shell == none ? none : model.shells.part[tie.shell];
+    if (!told.insert({tie.rigid_body, part}).second) continue;
+    const model::Contact& contact = model.contacts[tie.contact];
+    findings.note(
+        contact.place, name_contact(contact),
+        fmt::format("{} belongs to {}, which no tie may constrain again: nodes tied to it become extra nodes of it, "
+                    "first {}",
+                    part == none ? "a segment" : fmt::format("part {}", model.parts[part].id),
+                    name_body(model.rigid_bodies[tie.rigid_body]), name_node(model, tie.node)),
+        "nothing is to be done");
+  }
+}
+
+void warn_of_constrained_segments(const model::Model& model, const Surroundings& around, const std::vector<Tie>& ties,
+                                  const std::vector<Index>& tie_of, Findings& findings) {
+  Tally tally(findings);
+  for (const Tie& tie : ties) {
+    if (tie.rigid_body != none) continue;
+    const model::Contact& contact = model.contacts[tie.contact];
+    for (int corner = 0; corner < 4; ++corner) {
+      const Index n = tie.segment[corner];
+      if (!carries(tie.weight, corner)) continue;
+      if (tie_of[n] != none) {
+        const Tie& other = ties[tie_of[n]];
+        tally.warning(
+            "segments with tied nodes", contact.place, name_contact(contact),
+            fmt::format("{}: its segment's node {} is itself tied by {} to {}", shares(model, tie), model.nodes.id[n],
+                        name_contact(model.contacts[other.contact]), name_segment(model, other.shell)),
+            "the load goes on through both ties; to avoid the chain, keep tied edges and welds apart");
+      } else if (around.rigid_body[n] != none) {
+        tally.warning("segments with nodes of rigid bodies", contact.place, name_contact(contact),
+                      fmt::format("{}: its segment's node {} belongs to {}", shares(model, tie), model.nodes.id[n],
+                                  name_body(model.rigid_bodies[around.rigid_body[n]])),
+                      "the load goes on into the body; to avoid it, weld one element further away");
+      }
+    }
+  }
+  tally.close();
+}
+
+/// Takes away the ties whose segments hang on nothing, again and again; what is left goes round in a circle.
+void refuse_circles(const model::Model& model, const std::vector<Tie>& ties, const std::vector<Index>& tie_of,
+                    Findings& findings) {
+  std::vector<std::vector<Index>> behind(ties.size());
+  std::vector<int> waits_for(ties.size(), 0);
+  for (std::size_t t = 0; t < ties.size(); ++t)
+    for (int corner = 0; corner < 4; ++corner) {
+      const Index ahead = tie_of[ties[t].segment[corner]];
+      if (ahead == none || !carries(ties[t].weight, corner)) continue;
+      behind[ahead].push_back(static_cast<Index>(t));
+      ++waits_for[t];
+    }
+  std::vector<Index> free;
+  for (std::size_t t = 0; t < ties.size(); ++t)
+    if (waits_for[t] == 0) free.push_back(static_cast<Index>(t));
+  for (std::size_t i = 0; i < free.size(); ++i)
+    for (Index t : behind[free[i]])
+      if (--waits_for[t] == 0) free.push_back(t);
+  if (free.size() == ties.size()) return;
+  const auto first = std::find_if(waits_for.begin(), waits_for.end(), [](int count) { return count > 0; });
+  const Tie& tie = ties[static_cast<std::size_t>(first - waits_for.begin())];
+  const model::Contact& contact = model.contacts[tie.contact];
+  findings.error(
+      contact.place, name_contact(contact),
+      fmt::format("{} ties depend on each other in a circle, first {}", ties.size() - free.size(), shares(model, tie)),
+      "let no part stand on both sides of the contact, and no two contacts tie two parts to each other");
+}
+
+void report_end(const model::Model& model, const Weld& weld, const Projection& p, Findings& findings, Tally& tally) {
+  const std::string text = fmt::format("{}: {}: {}", name_weld(weld), name_node(model, p.node), p.reason);
+  const std::string keyword = element_keyword(weld);
+  switch (p.kase) {
+    case 4:
+      tally.warning("welds over sheets that penetrate each other (case 4)", weld.place, keyword,
+                    fmt::format("{}, moved {:.4g}", text, p.tie.moved),
+                    "move the sheets apart to half the sum of their thicknesses");
+      return;
+    case 5: findings.warning(weld.place, keyword, text + ", not tied", move_or_widen(p.distance)); return;
+    case 6:
+      tally.warning("welds beside their sheets (case 6)", weld.place, keyword,
+                    fmt::format("{}, moved {:.4g}", text, p.tie.moved),
+                    "see whether that is the sheet meant; if not, move the weld");
+      return;
+    case 7:
+    case 8:
+      findings.warning(weld.place, keyword,
+                       fmt::format("{} (case {}{}), not tied", text, p.kase, p.kase == 8 ? ", normals outward" : ""),
+                       "the sheets cross here: separate them, or swap the ends of the weld");
+      return;
+    default: return;
+  }
+}
+
+void report_untied_welds(const model::Model& model, const std::vector<const Weld*>& untied, Findings& findings) {
+  if (untied.empty()) return;
+  const std::string first =
+      fmt::format("{} of the welds are not tied, first {}", untied.size(), name_weld(*untied.front()));
+  const int spotstp = model.control.untied_weld;
+  const auto add = [&](Severity severity, std::string text, std::string remedy) {
+    Finding finding;
+    finding.severity = severity;
+    finding.keyword = "*CONTROL_CONTACT";
+    finding.field = "spotstp";
+    finding.value = std::to_string(spotstp);
+    finding.text = std::move(text);
+    finding.remedy = std::move(remedy);
+    findings.add(std::move(finding));
+  };
+  if (spotstp == 1)
+    add(Severity::error, first, "see the warnings on each of them; SPOTSTP = 2 would delete them, 0 and 3 keep them");
+  else if (spotstp == 2)
+    add(Severity::warning, first + "; they are deleted", "see the warnings on each of them");
+  else
+    add(Severity::warning, first + "; they are kept, with free ends",
+        "see the warnings on each of them; free ends carry no load and may fly off: SPOTSTP = 2 deletes such welds");
+}
+
+void note_distances(const model::Model& model, const Ties& ties, Findings& findings) {
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    int count = 0, moved = 0;
+    const Tie* farthest = nullptr;
+    for (const Tie& tie : ties.ties) {
+      if (tie.contact != static_cast<Index>(c)) continue;
+      ++count;
+      if (tie.moved > 0.0) ++moved;
+      if (!farthest || tie.moved > farthest->moved) farthest = &tie;
+    }
+    if (!farthest) continue;
+    findings.note(model.contacts[c].place, name_contact(model.contacts[c]),
+                  fmt::format("{} nodes tied, {} of them moved onto the mid-surface, at most by {:.4g} ({})", count,
+                              moved, farthest->moved, name_node(model, farthest->node)));
+  }
+}
+
+}  // namespace
+
+std::string name_segment(const model::Model& model, Index shell) {
+  if (shell == none) return "a segment of no shell";
+  return fmt::format("shell {} of part {}", model.shells.id[shell], model.parts[model.shells.part[shell]].id);
+}
+
+std::string name_node(const model::Model& model, Index node) {
+  const Vec3d& x = model.nodes.x[node];
+  return fmt::format("node {} at ({:.6g}, {:.6g}, {:.6g})", model.nodes.id[node], x.x, x.y, x.z);
+}
+
+std::string name_contact(const model::Contact& contact) {
+  std::string name = contact.keyword.starts_with('*') ? contact.keyword : '*' + contact.keyword;
+  if (contact.id != 0) name += fmt::format(" {}", contact.id);
+  return name;
+}
+
+void report_what_is_not_built(const model::Model& model, const model::Contact& contact, Findings& findings) {
+  if (contact.birth > 0.0 || contact.death < model::forever)
+    findings.error(contact.place, name_contact(contact),
+                   fmt::format("birth time {:.4g} and death time {:.4g}: a tie that comes or goes is not built",
+                               contact.birth, contact.death),
+                   "leave BT and DT blank");
+  for (Index part : contact.b.parts)
+    if (const model::Part& p = model.parts[part]; p.kind == model::ElementKind::solid && !of_weld_material(model, part))
+      findings.warning(contact.place, name_contact(contact),
+                       fmt::format("part {} is made of bricks; ties go to shells only, so nothing is tied to it", p.id),
+                       "cover its faces with shells of a null material that share its nodes, and tie to them");
+  std::set<Index> told;
+  for (std::size_t e = 0; e < model.shells.size(); ++e) {
+    const Index part = model.shells.part[e];
+    const bool referred = contact.b.everything ||
+                          std::find(contact.b.parts.begin(), contact.b.parts.end(), part) != contact.b.parts.end();
+    if (model.shells.offset[e] == 0.0 || !referred || !told.insert(part).second) continue;
+    findings.warning(
+        contact.place, name_contact(contact),
+        fmt::format("the mid-surface of part {} lies {:.4g} off its nodes; ties go to the surface of the nodes",
+                    model.parts[part].id, std::abs(model.shells.offset[e])),
+        "LS-DYNA does the same unless CNTCO is set; move the nodes into the mid-surface if that matters");
+  }
+}
+
+void report_empty_side(const model::Contact& contact, bool reference_side, Findings& findings) {
+  findings.warning(contact.place, name_contact(contact),
+                   reference_side ? "the reference side (SURFB) has no shells: nothing is tied"
+                                  : "the tracked side (SURFA) has no free nodes: nothing is tied",
+                   reference_side ? "name the parts of the sheets" : "name the parts or nodes of the welds");
+}
+
+void report_rigid_tracked_nodes(const model::Model& model, const model::Contact& contact, const Surroundings& around,
+                                const std::vector<Index>& nodes, Findings& findings) {
+  if (nodes.empty()) return;
+  findings.warning(
+      contact.place, name_contact(contact),
+      fmt::format("{} tracked nodes belong to rigid bodies and stay with them, untied; first {}, of {}", nodes.size(),
+                  name_node(model, nodes.front()), name_body(model.rigid_bodies[around.rigid_body[nodes.front()]])),
+      "take them off the tracked side (SURFA)");
+}
+
+void report_second_tie(const model::Model& model, Index node, Index first, Index second, Tally& tally) {
+  const model::Contact& contact = model.contacts[second];
+  tally.warning("nodes tracked by two contacts", contact.place, name_contact(contact),
+                fmt::format("{} is in reach, but {} has tied it already: the first tie holds", name_node(model, node),
+                            name_contact(model.contacts[first])),
+                "let one contact track the node and name both sheets in it");
+}
+
+void report_untied_nodes(const model::Model& model, const model::Contact& contact, const std::vector<Index>& nodes,
+                         double distance, double tolerance, Findings& findings) {
+  findings.warning(
+      contact.place, name_contact(contact),
+      fmt::format("{} tracked nodes without a weld found no segment in reach, first {}: the closest is {:.4g} away, "
+                  "tolerance {:.4g}",
+                  nodes.size(), name_node(model, nodes.front()), distance, tolerance),
+      move_or_widen(distance));
+}
+
+void check_segments(const model::Model& model, const Surroundings& around, std::vector<Tie>& ties, Findings& findings) {
+  std::vector<Index> tie_of(model.nodes.size(), none);
+  for (std::size_t t = 0; t < ties.size(); ++t) tie_of[ties[t].node] = static_cast<Index>(t);
+  note_rigid_sheets(model, around, ties, findings);
+  warn_of_constrained_segments(model, around, ties, tie_of, findings);
+  refuse_circles(model, ties, tie_of, findings);
+}
+
+void report_welds(const model::Model& model, const Ties& ties, Findings& findings) {
+  Tally tally(findings);
+  std::vector<const Weld*> untied;
+  for (const Weld& weld : ties.welds) {
+    for (const Projection& p : weld.ends) {
+      report_end(model, weld, p, findings, tally);
+      if (p.kase == 0 && !p.tied)
+        tally.warning("weld nodes without a contact", weld.place, element_keyword(weld),
+                      fmt::format("{}: {}: {}", name_weld(weld), name_node(model, p.node), p.reason),
+                      "put the weld's part on the tracked side (SURFA) of a *CONTACT_SPOTWELD");
+    }
+    const auto tracked = [](const Projection& p) { return p.kase != 0; };
+    if (!weld.tied && std::any_of(weld.ends.begin(), weld.ends.end(), tracked)) untied.push_back(&weld);
+  }
+  tally.close();
+  report_untied_welds(model, untied, findings);
+  note_distances(model, ties, findings);
+}
+
+}  // namespace nugget::weld

@@ -1,0 +1,520 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "weld/ties.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.hpp"
+#include "weld/reference.hpp"
+#include "weld/surroundings.hpp"
+#include "weld/tally.hpp"
+#include "weld/tie_findings.hpp"
+#include "weld/welds.hpp"
+
+namespace nugget::weld {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Parametric distance from an edge within which a node counts as lying on it.
+constexpr double on_edge = 1e-4;
+/// A node lies in the plane of a sheet beside it if that plane is closer than this share of the distance it is moved.
+constexpr double in_plane_share = 0.5;
+/// A weld shorter than this share of the distance of two touching mid-surfaces is crushed.
+constexpr double crushed_share = 0.05;
+/// Sheets that are closer than touching by more than this share penetrate each other.
+constexpr double penetration_share = 0.01;
+/// A weld below this share of its diameter has no direction that projection could turn over.
+constexpr double no_length_share = 1e-6;
+
+/// What is known of a tracked node.
+struct Record {
+  Index node = none;
+  bool found = false;             ///< a segment; `closest` is the chosen one
+  bool tied = false;              ///< found, and not let go with its weld
+  bool only_sheet_taken = false;  ///< its candidates lie on the sheet that holds the weld's other end
+  Candidate closest;              ///< `contact` none: there is no segment at all
+  Index tie = none;               ///< in Ties::ties
+  double plane_of_other_sheet = infinity;
+  std::vector<Candidate> in_reach;  ///< in the contact that is being worked on
+};
+
+/// One end of a weld: the mean of its face's nodes.
+struct End {
+  bool attached = false;   ///< at least one node
+  Index sheet = none;      ///< part
+  double thickness = 0.0;  ///< of the sheet [length]
+  Vec3d normal;            ///< of the segment, zero where there is none
+  Vec3d before, after;     ///< in the deck, and projected onto the sheet [length]
+};
+
+/// The nodes that a contact tracks, ascending, each once. `everything` means the nodes of all welds.
+std::vector<Index> nodes_on_side_a(const model::Model& model, const model::Contact& contact,
+                                   const Surroundings& around) {
+  std::vector<char> chosen(model.nodes.size(), 0);
+  const auto choose = [&](const auto& elements, const auto& parts) {
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      if (parts[elements.part[e]])
+        for (Index n : elements.node[e]) chosen[n] = 1;
+  };
+  std::vector<char> parts(model.parts.size(), 0);
+  for (Index part : contact.a.parts) parts[part] = 1;
+  choose(model.shells, parts);
+  choose(model.solids, parts);
+  choose(model.beams, parts);
+  for (Index n : contact.a.nodes) chosen[n] = 1;
+  for (const model::Segment& segment : contact.a.segments)
+    for (Index n : segment) chosen[n] = 1;
+  std::vector<Index> nodes;
+  for (Index n = 0; n < static_cast<Index>(chosen.size()); ++n)
+    if (chosen[n] || (contact.a.everything && around.of_weld[n])) nodes.push_back(n);
+  return nodes;
+}
+
+class Tying {
+ public:
+  Tying(const model::Model& model, Findings& findings)
+      : model_(model),
+        findings_(findings),
+        tally_(findings),
+        around_(model),
+        record_of_(model.nodes.size(), none),
+        only_part_(model.nodes.size(), none) {
+    result_.x = model.nodes.x;
+    result_.welds = find_welds(model);
+  }
+
+  Ties run() {
+    demand_parts();
+    for (Index c = 0; c < static_cast<Index>(model_.contacts.size()); ++c)
+      if (model_.contacts[c].tie()) work_through(c);
+    fates_.resize(result_.welds.size(), 0);
+    for (std::size_t w = 0; w < result_.welds.size(); ++w) judge(w);
+    release_nodes_of_lost_welds();
+    make_ties();
+    for (std::size_t w = 0; w < result_.welds.size(); ++w) describe_weld(w);
+    tally_.close();
+    return std::move(result_);
+  }
+
+ private:
+  void demand_parts();
+  void work_through(Index contact);
+  std::vector<Tracked> tracked_nodes(Index contact);
+  void take_offers(Index contact, const std::vector<Tracked>& tracked, std::vector<Offer> offers);
+  void settle_beam(const Weld& weld);
+  void settle(Record& record, Index part_to_avoid);
+  void report_loose_nodes(Index contact, const std::vector<Tracked>& tracked);
+  void judge(std::size_t w);
+  int distorted(const End& a, const End& b, double diameter) const;
+  void release_nodes_of_lost_welds();
+  void make_ties();
+  void describe_weld(std::size_t w);
+  Projection projection(std::size_t w, Index node, bool overlap) const;
+  Projection held_rigidly(Index node) const;
+  std::array<Index, 2> sheets_of(const std::vector<Projection>& ends) const;
+  int position_case(const Record& r) const;
+  std::string reason(const Record& r, const Projection& p) const;
+  void lay_faces(Weld& weld) const;
+
+  Record* record(Index node) { return record_of_[node] == none ? nullptr : &records_[record_of_[node]]; }
+  const Record* record(Index node) const { return record_of_[node] == none ? nullptr : &records_[record_of_[node]]; }
+  /// A node that needs no tie: a node of a sheet, or of a rigid body.
+  bool held(Index node) const { return around_.shell[node] != none || around_.rigid_body[node] != none; }
+  bool attached(Index node) const {
+    const Record* r = record(node);
+    return held(node) || (r && r->tied);
+  }
+  Index sheet_at(Index node) const;
+  Vec3d projected(Index node) const;
+  End end(const Weld& weld, int side) const;
+  bool penetrating(const Weld& weld) const;
+
+  const model::Model& model_;
+  Findings& findings_;
+  Tally tally_;
+  Surroundings around_;
+  std::vector<Index> record_of_;  // of each node, in records_
+  std::vector<Record> records_;
+  std::vector<Index> only_part_;  // of each node, by *ELEMENT_BEAM_PID
+  std::vector<int> fates_;        // of each weld: 0, or the projection case 7 or 8
+  Ties result_;
+};
+
+/// Gathers the parts that *ELEMENT_BEAM_PID asks for.
+void Tying::demand_parts() {
+  for (const Weld& weld : result_.welds) {
+    if (weld.kind != Weld::Kind::beam) continue;
+    for (int end = 0; end < 2; ++end) {
+      const Index wanted = model_.beams.tied_parts[weld.element][end];
+      Index& part = only_part_[weld.ends[end].node];
+      if (part != none && wanted != none && part != wanted)
+        findings_.warning(
+            weld.place, "*ELEMENT_BEAM_PID",
+            fmt::format("weld {} wants node {} tied to part {}, but a weld before it wants part {}: the first "
+                        "one wins",
+                        weld.id, model_.nodes.id[weld.ends[end].node], model_.parts[wanted].id, model_.parts[part].id),
+            "give the two welds nodes of their own");
+      if (part == none) part = wanted;
+    }
+  }
+}
+
+void Tying::work_through(Index contact) {
+  report_what_is_not_built(model_, model_.contacts[contact], findings_);
+  const std::vector<Tracked> tracked = tracked_nodes(contact);
+  const Reference reference(model_, contact);
+  if (reference.empty() || tracked.empty()) {
+    report_empty_side(model_.contacts[contact], reference.empty(), findings_);
+    return;
+  }
+  std::vector<Offer> offers(tracked.size());
+  parallel_for(tracked.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) offers[i] = reference.search(tracked[i]);
+  });
+  take_offers(contact, tracked, std::move(offers));
+
+  for (const Weld& weld : result_.welds)
+    if (weld.kind == Weld::Kind::beam) settle_beam(weld);
+  for (const Tracked& t : tracked)
+    if (Record& r = *record(t.node); !r.tied && !r.only_sheet_taken) settle(r, none);
+  for (const Tracked& t : tracked) record(t.node)->in_reach.clear();
+  report_loose_nodes(contact, tracked);
+}
+
+/// The nodes on side a that are free to be tied, ascending.
+std::vector<Tracked> Tying::tracked_nodes(Index contact) {
+  const model::Contact& c = model_.contacts[contact];
+  std::vector<Index> rigid;
+  std::vector<Tracked> tracked;
+  for (Index node : nodes_on_side_a(model_, c, around_)) {
+    if (around_.rigid_body[node] != none) {
+      rigid.push_back(node);
+      continue;
+    }
+    // A weld that ends in a sheet's own node hangs on it already.
+    if (around_.of_weld[node] && around_.shell[node] != none) continue;
+    const double thickness = c.thickness_a > 0.0 ? c.thickness_a : around_.thickness[node] * c.thickness_scale_a;
+    tracked.push_back({node, thickness, only_part_[node]});
+  }
+  report_rigid_tracked_nodes(model_, c, around_, rigid, findings_);
+  return tracked;
+}
+
+/// Writes into the records what the search in this contact has found.
+void Tying::take_offers(Index contact, const std::vector<Tracked>& tracked, std::vector<Offer> offers) {
+  for (std::size_t i = 0; i < tracked.size(); ++i) {
+    const Index node = tracked[i].node;
+    if (record_of_[node] == none) {
+      record_of_[node] = static_cast<Index>(records_.size());
+      records_.emplace_back().node = node;
+    }
+    Record& r = *record(node);
+    Offer& offer = offers[i];
+    if (r.tied) {
+      if (!offer.in_reach.empty()) report_second_tie(model_, node, r.closest.contact, contact, tally_);
+      continue;
+    }
+    r.only_sheet_taken = false;
+    const bool nearer = r.closest.contact == none || offer.closest.foot.reach < r.closest.foot.reach;
+    if (offer.closest.contact != none && nearer) r.closest = offer.closest;
+    r.plane_of_other_sheet = offer.plane_of_other_sheet;
+    r.in_reach = std::move(offer.in_reach);
+  }
+}
+
+/// Ties the two ends to different parts: of two on the same part the farther one takes its next best.
+void Tying::settle_beam(const Weld& weld) {
+  std::array<Record*, 2> r{record(weld.ends[0].node), record(weld.ends[1].node)};
+  const auto is_open = [](const Record* record) { return record && !record->tied && !record->in_reach.empty(); };
+  const std::array<bool, 2> open{is_open(r[0]), is_open(r[1])};
+  if (open[0] && open[1]) {
+    const int farther = r[0]->in_reach.front().foot.reach > r[1]->in_reach.front().foot.reach ? 0 : 1;
+    const int nearer = 1 - farther;
+    settle(*r[nearer], none);
+    settle(*r[farther], r[nearer]->closest.segment.part);
+  } else if (open[0] || open[1]) {
+    const int end = open[0] ? 0 : 1;
+    settle(*r[end], sheet_at(weld.ends[1 - end].node));
+  }
+}
+
+/// Ties a node to the best that it is offered.
+void Tying::settle(Record& record, Index part_to_avoid) {
+  const auto allowed = [&](const Candidate& c) { return part_to_avoid == none || c.segment.part != part_to_avoid; };
+  const auto best = std::find_if(record.in_reach.begin(), record.in_reach.end(), allowed);
+  if (best == record.in_reach.end()) {
+    record.only_sheet_taken = !record.in_reach.empty();
+    return;
+  }
+  record.found = record.tied = true;
+  record.closest = *best;
+}
+
+/// One summary of the tracked nodes that belong to no weld and found nothing.
+void Tying::report_loose_nodes(Index contact, const std::vector<Tracked>& tracked) {
+  std::vector<Index> loose;
+  for (const Tracked& t : tracked)
+    if (!around_.of_weld[t.node] && !record(t.node)->tied) loose.push_back(t.node);
+  if (loose.empty()) return;
+  const Candidate& closest = record(loose.front())->closest;
+  report_untied_nodes(model_, model_.contacts[contact], loose, closest.foot.reach, closest.tolerance, findings_);
+}
+
+Index Tying::sheet_at(Index node) const {
+  const Record* r = record(node);
+  if (r && r->tied) return r->closest.segment.part;
+  if (around_.shell[node] != none) return model_.shells.part[around_.shell[node]];
+  if (around_.rigid_body[node] == none) return none;
+  const std::vector<Index>& parts = model_.rigid_bodies[around_.rigid_body[node]].parts;
+  return parts.empty() ? none : parts.front();
+}
+
+Vec3d Tying::projected(Index node) const {
+  const Record* r = record(node);
+  return r && r->tied ? r->closest.foot.point : model_.nodes.x[node];
+}
+
+End Tying::end(const Weld& weld, int side) const {
+  End end;
+  int count = 0;
+  for (Index node : weld.face[side]) {
+    if (node == none) continue;
+    ++count;
+    end.before += model_.nodes.x[node];
+    end.after += projected(node);
+    if (end.attached || !attached(node)) continue;
+    end.attached = true;
+    end.sheet = sheet_at(node);
+    if (const Record* r = record(node); r && r->tied) {
+      const ReferenceSegment& s = r->closest.segment;
+      const std::vector<Vec3d>& x = model_.nodes.x;
+      end.thickness = s.thickness;
+      end.normal = normal({x[s.node[0]], x[s.node[1]], x[s.node[2]], x[s.node[3]]});
+    } else if (around_.shell[node] != none) {
+      end.thickness = model_.shells.thickness[around_.shell[node]];
+    }
+  }
+  if (count > 0) {
+    end.before = (1.0 / count) * end.before;
+    end.after = (1.0 / count) * end.after;
+  }
+  return end;
+}
+
+/// 7 or 8 if projection would turn the weld over or crush it, else 0.
+int Tying::distorted(const End& a, const End& b, double diameter) const {
+  const Vec3d before = b.before - a.before, after = b.after - a.after;
+  const double touching = 0.5 * (a.thickness + b.thickness);
+  const bool turned_over = norm(before) > no_length_share * diameter && dot(before, after) <= 0.0;
+  const bool crushed = norm(after) < crushed_share * touching;
+  if (!turned_over && !crushed) return 0;
+  return dot(a.normal, before) < 0.0 && dot(b.normal, before) > 0.0 ? 8 : 7;
+}
+
+/// Whether weld `w` is refused, tied, to be deleted.
+void Tying::judge(std::size_t w) {
+  Weld& weld = result_.welds[w];
+  weld.length_before = measure(weld, model_.nodes.x).length;
+  weld.length = weld.length_before;
+  if (weld.kind == Weld::Kind::rigid) {
+    weld.tied = true;
+    return;
+  }
+  if (weld.kind == Weld::Kind::solid) lay_faces(weld);
+  const End a = end(weld, 0), b = end(weld, 1);
+  if ((a.attached || b.attached) && !model_.control.keep_tied_gap) fates_[w] = distorted(a, b, weld.diameter);
+  const auto is_attached = [&](const Projection& p) { return attached(p.node); };
+  const auto is_tracked = [&](const Projection& p) { return record(p.node) != nullptr; };
+  weld.tied = fates_[w] == 0 && std::all_of(weld.ends.begin(), weld.ends.end(), is_attached);
+  // SPOTSTP is about nodes that a contact tracks in vain.
+  const bool in_vain = !weld.tied && std::any_of(weld.ends.begin(), weld.ends.end(), is_tracked);
+  weld.deleted = in_vain && model_.control.untied_weld == 2;
+}
+
+/// The end faces of a brick are those on its sheets; where that does not tell, the closest pair.
+void Tying::lay_faces(Weld& weld) const {
+  const auto sheet_of = [&](const std::array<Index, 4>& face) {
+    const Index sheet = sheet_at(face[0]);
+    const bool one = std::all_of(face.begin(), face.end(), [&](Index n) { return sheet_at(n) == sheet; });
+    return one ? sheet : none;
+  };
+  double shortest = infinity;
+  for (const auto& pair : opposite_faces(model_.solids.node[weld.element])) {
+    const Index a = sheet_of(pair[0]), b = sheet_of(pair[1]);
+    Weld trial = weld;
+    trial.face = pair;
+    const bool between_sheets = a != none && b != none && a != b;
+    const double length = norm(face_centre(trial, 1, model_.nodes.x) - face_centre(trial, 0, model_.nodes.x));
+    if (!between_sheets && length >= shortest) continue;
+    weld.face = pair;
+    shortest = between_sheets ? 0.0 : length;
+  }
+  const WeldSize size = measure(weld, model_.nodes.x);
+  weld.length_before = weld.length = size.length;
+  weld.diameter = size.diameter;
+}
+
+/// A refused or deleted weld lets its nodes go, unless another weld holds them.
+void Tying::release_nodes_of_lost_welds() {
+  std::vector<char> kept(records_.size(), 0);
+  for (std::size_t r = 0; r < records_.size(); ++r) kept[r] = !around_.of_weld[records_[r].node];
+  for (std::size_t w = 0; w < result_.welds.size(); ++w) {
+    if (fates_[w] != 0 || result_.welds[w].deleted) continue;
+    for (const Projection& p : result_.welds[w].ends)
+      if (record_of_[p.node] != none) kept[record_of_[p.node]] = 1;
+  }
+  for (std::size_t r = 0; r < records_.size(); ++r)
+    if (!kept[r]) records_[r].tied = false;
+}
+
+void Tying::make_ties() {
+  for (Index node = 0; node < static_cast<Index>(model_.nodes.size()); ++node) {
+    Record* r = record(node);
+    if (!r || !r->tied) continue;
+    const Candidate& c = r->closest;
+    Tie tie;
+    tie.node = node;
+    tie.contact = c.contact;
+    tie.shell = c.segment.shell;
+    tie.segment = c.segment.node;
+    tie.xi = c.foot.xi;
+    tie.eta = c.foot.eta;
+    tie.weight = c.foot.weight;
+    tie.point = c.foot.point;
+    tie.gap = c.foot.gap;
+    tie.moved = model_.control.keep_tied_gap ? 0.0 : c.foot.gap;
+    tie.rotations = around_.rotates[node] && c.segment.shell != none;
+    if (!model_.control.keep_tied_gap) result_.x[node] = tie.point;
+    r->tie = static_cast<Index>(result_.ties.size());
+    result_.ties.push_back(tie);
+  }
+  check_segments(model_, around_, result_.ties, findings_);
+}
+
+/// Sheets closer to each other than their thicknesses allow, in the right order.
+bool Tying::penetrating(const Weld& weld) const {
+  const End a = end(weld, 0), b = end(weld, 1);
+  if (!a.attached || !b.attached || a.sheet == b.sheet || a.thickness == 0.0 || b.thickness == 0.0) return false;
+  const Vec3d n = norm(a.normal) > 0.0 ? a.normal : b.normal;
+  if (norm(n) == 0.0) return false;
+  return std::abs(dot(b.after - a.after, n)) < (1.0 - penetration_share) * 0.5 * (a.thickness + b.thickness);
+}
+
+void Tying::describe_weld(std::size_t w) {
+  Weld& weld = result_.welds[w];
+  const bool overlap = fates_[w] == 0 && penetrating(weld);
+  for (Projection& p : weld.ends)
+    p = weld.kind == Weld::Kind::rigid ? held_rigidly(p.node) : projection(w, p.node, overlap);
+  if (weld.kind == Weld::Kind::rigid) {
+    weld.sheets = sheets_of(weld.ends);
+    return;
+  }
+  for (int side = 0; side < 2; ++side) weld.sheets[side] = end(weld, side).sheet;
+  const WeldSize size = measure(weld, result_.x);
+  weld.length = size.length;
+  weld.diameter = size.diameter;
+}
+
+Projection Tying::held_rigidly(Index node) const {
+  Projection p;
+  p.node = node;
+  p.tied = true;
+  const Index shell = around_.shell[node];
+  p.reason = shell == none ? "on no shell; held by the rigid weld"
+                           : fmt::format("a node of shell {}; held by the rigid weld", model_.shells.id[shell]);
+  return p;
+}
+
+/// The first two different parts whose shells the nodes belong to.
+std::array<Index, 2> Tying::sheets_of(const std::vector<Projection>& ends) const {
+  std::array<Index, 2> sheets{none, none};
+  for (const Projection& p : ends) {
+    const Index sheet = around_.shell[p.node] == none ? none : model_.shells.part[around_.shell[p.node]];
+    if (sheet == none || sheet == sheets[0]) continue;
+    if (sheets[0] == none)
+      sheets[0] = sheet;
+    else if (sheets[1] == none)
+      sheets[1] = sheet;
+  }
+  return sheets;
+}
+
+Projection Tying::projection(std::size_t w, Index node, bool overlap) const {
+  Projection p;
+  p.node = node;
+  const Record* r = record(node);
+  if (!r) {
+    p.tied = held(node);
+    p.reason = around_.rigid_body[node] != none
+                   ? fmt::format("belongs to rigid body {}", model_.rigid_bodies[around_.rigid_body[node]].id)
+               : around_.shell[node] != none
+                   ? fmt::format("is a node of shell {}", model_.shells.id[around_.shell[node]])
+                   : "no contact tracks it";
+    return p;
+  }
+  p.closest_shell = r->closest.segment.shell;
+  p.distance = r->closest.contact == none ? infinity : r->found ? r->closest.foot.gap : r->closest.foot.reach;
+  p.tolerance = r->closest.tolerance;
+  p.tied = r->tied && fates_[w] == 0;
+  if (p.tied) p.tie = result_.ties[r->tie];
+  p.kase = fates_[w] != 0 ? fates_[w] : !r->found ? 5 : overlap ? 4 : position_case(*r);
+  p.reason = reason(*r, p);
+  return p;
+}
+
+/// 6, 3, 2 or 1, by where on its segment a node lies.
+int Tying::position_case(const Record& r) const {
+  const Foot& foot = r.closest.foot;
+  if (!foot.over || r.plane_of_other_sheet < in_plane_share * foot.gap) return 6;
+  bool on_first = false, on_second = false;
+  if (r.closest.segment.triangle()) {
+    const double third = 1.0 - foot.xi - foot.eta;
+    on_second = std::max({foot.xi, foot.eta, third}) >= 1.0 - on_edge;
+    on_first = std::min({foot.xi, foot.eta, third}) <= on_edge;
+    return on_second ? 3 : on_first ? 2 : 1;
+  }
+  on_first = std::abs(foot.xi) >= 1.0 - on_edge;
+  on_second = std::abs(foot.eta) >= 1.0 - on_edge;
+  return on_first && on_second ? 3 : on_first || on_second ? 2 : 1;
+}
+
+std::string Tying::reason(const Record& r, const Projection& p) const {
+  const Foot& foot = r.closest.foot;
+  const std::string segment = name_segment(model_, r.closest.segment.shell);
+  const std::string distance = fmt::format("{:.4g}", foot.gap);
+  std::string text;
+  switch (p.kase) {
+    case 1: text = "over " + segment; break;
+    case 2: text = "on an edge of " + segment; break;
+    case 3: text = "on a corner of " + segment; break;
+    case 4: text = "the sheets penetrate each other; over " + segment + ", " + distance + " away"; break;
+    case 5:
+      if (r.closest.contact == none) return "there is no segment that it may be tied to";
+      if (r.only_sheet_taken) return "the only sheet in reach, with " + segment + ", holds the weld's other end";
+      return fmt::format("no segment in reach: the closest, {}, is {:.4g} away, tolerance {:.4g}", segment, p.distance,
+                         p.tolerance);
+    case 6: text = "over no segment of its own sheet; the closest is " + segment + ", " + distance + " away"; break;
+    default: return "projection onto " + segment + ", " + distance + " away, would turn the weld over or crush it";
+  }
+  return p.tied ? text : text + "; let go with the weld";
+}
+
+}  // namespace
+
+Ties tie(const model::Model& model, Findings& findings) {
+  Ties ties = Tying(model, findings).run();
+  report_welds(model, ties, findings);
+  return ties;
+}
+
+std::string describe(const model::Model& model, const Tie& tie) {
+  const auto id = [&](int corner) { return model.nodes.id[tie.segment[corner]]; };
+  return fmt::format("node {} on segment {} {} {} {} ({}), xi {:.6f} eta {:.6f}, moved {:.4g}",
+                     model.nodes.id[tie.node], id(0), id(1), id(2), id(3), name_segment(model, tie.shell), tie.xi,
+                     tie.eta, tie.moved);
+}
+
+}  // namespace nugget::weld

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/finding.hpp"
+#include "base/vec3.hpp"
+#include "model/model.hpp"
+
+// What a weld is and how it is tied to its sheets. The eight projection cases are those of S. Bala, "Deformable
+// Spotwelds in LS-DYNA for Impact and NVH Applications".
+namespace nugget::weld {
+
+using model::Index;
+using model::none;
+
+/// A node that follows a segment: v = sum of weight_k v_k, and the spins likewise if `rotations`.
+struct Tie {
+  Index node = none;
+  Index contact = none;  ///< in Model::contacts
+  Index shell = none;    ///< whose face the segment is; none for a segment that belongs to no shell
+  model::Segment segment{none, none, none, none};  ///< nodes; a triangle repeats its third
+  double xi = 0.0, eta = 0.0;      ///< bilinear coordinates; on a triangle the area coordinates of its corners 2 and 3
+  std::array<double, 4> weight{};  ///< shape functions, summing to 1; on a triangle the fourth is 0
+  Vec3d point;                     ///< the node projected onto the surface through the segment's nodes [length]
+  double gap = 0.0;                ///< from the node's place in the deck to `point` [length]
+  double moved = 0.0;     ///< how far projection moved the node: `gap`, or 0 where TIEDPRJ = 1 keeps the gap [length]
+  bool rotations = true;  ///< node and segment both carry rotations, so moments are handed over
+  Index rigid_body =
+      none;  ///< in Model::rigid_bodies, if it carries all nodes of the segment: the node then belongs to it
+};
+
+/// What became of one node of a weld.
+///
+/// `kase`, after the talk: 1 over the interior of an element (its centroid is the ideal), 2 on an element's edge, 3 on
+/// a corner node, 4 over sheets that penetrate each other, 5 no segment in reach, 6 not over its own sheet but another
+/// segment is in reach, 7 sheets that cross so that the weld would be turned over or crushed, 8 the same with normals
+/// that point outward. 5, 7 and 8 are not tied. 0: no projection is needed (the node is a sheet's own node or belongs
+/// to a rigid body) or none was asked for (no contact tracks it).
+struct Projection {
+  Index node = none;
+  bool tied = false;  ///< attached to a sheet, by a tie or otherwise
+  int kase = 0;
+  std::string reason;          ///< one sentence for welds.csv
+  Tie tie;                     ///< meaningful if `tied` and `kase` is not 0
+  Index closest_shell = none;  ///< of the closest segment, tied or not; none: there is none, or it is no shell's
+  double distance = 0.0;       ///< to the closest segment; infinite: there is none [length]
+  double tolerance = 0.0;      ///< within which that segment would be in reach [length]
+};
+
+/// A spot weld: a beam or a brick of spot-weld material, or a generalized weld spot.
+struct Weld {
+  enum class Kind { beam, solid, assembly, rigid };
+  Kind kind = Kind::beam;
+  int id = 0;                               ///< element id; of a rigid weld its weld id
+  Index part = none;                        ///< none for a rigid weld
+  Index element = none;                     ///< in beams or solids by kind; of a rigid weld in Model::rigid_bodies
+  std::array<Index, 2> sheets{none, none};  ///< parts that its two ends are attached to
+  /// The nodes of its two end faces: of a brick the corners of the faces that lie on its sheets, both in the sense of
+  /// the axis from the first to the second; of a beam or rigid weld one node each, the other three none.
+  std::array<std::array<Index, 4>, 2> face{{{none, none, none, none}, {none, none, none, none}}};
+  double diameter = 0.0;  ///< of a brick: of the circle with the area of its end faces; of a rigid weld 0 [length]
+  double length = 0.0, length_before = 0.0;  ///< after and before projection [length]
+  bool tied = false;                         ///< every node of it is attached
+  bool deleted = false;                      ///< by SPOTSTP = 2
+  std::vector<Projection>
+      ends;  ///< beam: end 1, end 2; brick: each node once, in the element's order; rigid: its nodes
+  Place place;
+};
+
+std::string_view to_string(Weld::Kind kind);
+
+/// All ties of a model. `x` are the node coordinates after projection, from which lengths and masses follow.
+struct Ties {
+  std::vector<Tie> ties;    ///< ascending by node; a node occurs once
+  std::vector<Weld> welds;  ///< beams, then bricks, then rigid welds, each in the order of the model
+  std::vector<Vec3d> x;     ///< [length]
+};
+
+/// Ties the tracked nodes of all tie contacts to their closest segments. A segment is in reach of a node within
+///     max(0.6 (t_node + t_segment), 0.05 shortest diagonal),   or   0.6 (|SAST| + |SBST|)   if one of these is
+///     negative,
+/// where t_node is the diameter of a beam, the thickness of a shell, 0 for a brick. The closest one wins, of equal ones
+/// (within 1e-6 of that tolerance) the first in the order of the reference side. The two ends of a beam weld go to
+/// different parts; the parts of *ELEMENT_BEAM_PID are obeyed; of two contacts that could tie a node the first does.
+/// Projection goes onto the surface through the segment's nodes (LS-DYNA's CNTCO = 0), unless TIEDPRJ = 1.
+///
+/// Findings: each weld node out of reach (then SPOTSTP: 0 and 3 go on, 1 makes an error after all are listed, 2 deletes
+/// the weld), sheets that penetrate or cross, nodes constrained twice, segments that are constrained themselves,
+/// segments of rigid bodies. The result does not depend on the number of threads.
+Ties tie(const model::Model& model, Findings& findings);
+
+/// A line of the list that OUTSEG = 1 asks for: node, segment, shell, position on it and distance moved, in user ids.
+std::string describe(const model::Model& model, const Tie& tie);
+
+}  // namespace nugget::weld

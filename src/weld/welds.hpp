@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "weld/ties.hpp"
+
+namespace nugget::weld {
+
+/// Whether the elements of `part` are of spot-weld material (MAT_100).
+bool of_weld_material(const model::Model& model, Index part);
+
+/// All welds of a model, in the order of Ties::welds, not yet tied: identity, nodes, end faces as numbered, diameter.
+std::vector<Weld> find_welds(const model::Model& model);
+
+/// Length along the axis and, for a brick, the diameter of the circle with its mean cross-section.
+struct WeldSize {
+  double length = 0.0, diameter = 0.0;
+};
+WeldSize measure(const Weld& weld, const std::vector<Vec3d>& x);
+
+/// Mean position of the nodes of an end face.
+Vec3d face_centre(const Weld& weld, int end, const std::vector<Vec3d>& x);
+
+/// The three pairs of opposite faces of brick `element`, the pair of its numbering first; corners of both faces of a
+/// pair run in the sense of the axis from the first face to the second.
+std::array<std::array<std::array<Index, 4>, 2>, 3> opposite_faces(const std::array<Index, 8>& brick);
+
+}  // namespace nugget::weld
