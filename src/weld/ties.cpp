@@ -105,7 +105,8 @@ class Tying {
   std::vector<Tracked> tracked_nodes(Index contact);
   void take_offers(Index contact, const std::vector<Tracked>& tracked, std::vector<Offer> offers);
   void settle_beam(const Weld& weld);
-  void settle(Record& record, Index part_to_avoid);
+  static const Candidate* best(const Record& record, Index part_to_avoid);
+  static void settle(Record& record, const Candidate* candidate);
   void report_loose_nodes(Index contact, const std::vector<Tracked>& tracked);
   void judge(std::size_t w);
   int distorted(const End& a, const End& b, double diameter) const;
@@ -179,7 +180,7 @@ void Tying::work_through(Index contact) {
   for (const Weld& weld : result_.welds)
     if (weld.kind == Weld::Kind::beam) settle_beam(weld);
   for (const Tracked& t : tracked)
-    if (Record& r = *record(t.node); !r.tied && !r.only_sheet_taken) settle(r, none);
+    if (Record& r = *record(t.node); !r.tied && !r.only_sheet_taken) settle(r, best(r, none));
   for (const Tracked& t : tracked) record(t.node)->in_reach.clear();
   report_loose_nodes(contact, tracked);
 }
@@ -225,32 +226,53 @@ void Tying::take_offers(Index contact, const std::vector<Tracked>& tracked, std:
   }
 }
 
-/// Ties the two ends to different parts: of two on the same part the farther one takes its next best.
+/// Ties the two ends to different parts: of two on the same part the farther one takes its next best; if that would turn the
+/// weld over and the other way round would not, the nearer one does.
 void Tying::settle_beam(const Weld& weld) {
-  std::array<Record*, 2> r{record(weld.ends[0].node), record(weld.ends[1].node)};
+  const std::array<Record*, 2> r{record(weld.ends[0].node), record(weld.ends[1].node)};
   const auto is_open = [](const Record* record) { return record && !record->tied && !record->in_reach.empty(); };
   const std::array<bool, 2> open{is_open(r[0]), is_open(r[1])};
-  if (open[0] && open[1]) {
-    const int farther = r[0]->in_reach.front().foot.reach > r[1]->in_reach.front().foot.reach ? 0 : 1;
-    const int nearer = 1 - farther;
-    settle(*r[nearer], none);
-    settle(*r[farther], r[nearer]->closest.segment.part);
-  } else if (open[0] || open[1]) {
+  if (open[0] != open[1]) {
     const int end = open[0] ? 0 : 1;
-    settle(*r[end], sheet_at(weld.ends[1 - end].node));
+    settle(*r[end], best(*r[end], sheet_at(weld.ends[1 - end].node)));
   }
+  if (!open[0] || !open[1]) return;
+
+  using Choice = std::array<const Candidate*, 2>;
+  const auto choose = [&](int first) {
+    Choice choice{};
+    choice[first] = best(*r[first], none);
+    choice[1 - first] = best(*r[1 - first], choice[first]->segment.part);
+    return choice;
+  };
+  const Vec3d axis = model_.nodes.x[r[1]->node] - model_.nodes.x[r[0]->node];
+  const auto turns_over = [&](const Choice& c) {
+    return c[0] && c[1] && dot(c[1]->foot.point - c[0]->foot.point, axis) <= 0.0;
+  };
+  const int nearer = r[0]->in_reach.front().foot.reach > r[1]->in_reach.front().foot.reach ? 1 : 0;
+  Choice choice = choose(nearer);
+  if (turns_over(choice)) {
+    const Choice other = choose(1 - nearer);
+    if (other[0] && other[1] && !turns_over(other)) choice = other;
+  }
+  for (int end = 0; end < 2; ++end) settle(*r[end], choice[end]);
 }
 
-/// Ties a node to the best that it is offered.
-void Tying::settle(Record& record, Index part_to_avoid) {
-  const auto allowed = [&](const Candidate& c) { return part_to_avoid == none || c.segment.part != part_to_avoid; };
-  const auto best = std::find_if(record.in_reach.begin(), record.in_reach.end(), allowed);
-  if (best == record.in_reach.end()) {
+/// The best that a node is offered elsewhere than on one part; null if there is nothing.
+const Candidate* Tying::best(const Record& record, Index part_to_avoid) {
+  const auto elsewhere = [&](const Candidate& c) { return part_to_avoid == none || c.segment.part != part_to_avoid; };
+  const auto found = std::find_if(record.in_reach.begin(), record.in_reach.end(), elsewhere);
+  return found == record.in_reach.end() ? nullptr : &*found;
+}
+
+/// Ties a node to the candidate; null: it stays free.
+void Tying::settle(Record& record, const Candidate* candidate) {
+  if (candidate) {
+    record.found = record.tied = true;
+    record.closest = *candidate;
+  } else {
     record.only_sheet_taken = !record.in_reach.empty();
-    return;
   }
-  record.found = record.tied = true;
-  record.closest = *best;
 }
 
 /// One summary of the tracked nodes that belong to no weld and found nothing.

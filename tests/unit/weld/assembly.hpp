@@ -43,7 +43,7 @@ struct Assembly {
     model.shells.node.push_back(nodes);
     model.shells.thickness.push_back(thickness);
     model.shells.offset.push_back(0.0);
-    model.shells.place.emplace_back();
+    model.shells.place.push_back(0, 0);
     return static_cast<Index>(model.shells.size()) - 1;
   }
 
@@ -79,7 +79,7 @@ struct Assembly {
     model.beams.node.push_back({n1, n2});
     model.beams.orientation.push_back(none);
     model.beams.tied_parts.push_back({none, none});
-    model.beams.place.emplace_back();
+    model.beams.place.push_back(0, 0);
     return static_cast<Index>(model.beams.size()) - 1;
   }
   Index beam(Index part, const Vec3d& x1, const Vec3d& x2) {
@@ -99,7 +99,7 @@ struct Assembly {
     model.solids.id.push_back(2000 + static_cast<int>(model.solids.size()));
     model.solids.part.push_back(part);
     model.solids.node.push_back(n);
-    model.solids.place.emplace_back();
+    model.solids.place.push_back(0, 0);
     return static_cast<Index>(model.solids.size()) - 1;
   }
 

@@ -284,6 +284,14 @@ TEST(Ties, BothEndsOfABeamGoToDifferentSheets) {
   EXPECT_NEAR(ties.welds[0].length, 1.0, 1e-12);
 }
 
+TEST(Ties, AWeldThatFloatsAboveItsSheetsIsNotTurnedOver) {
+  TwoSheets a;
+  a.beam(a.welds, {15, 15, 1.4}, {15, 15, 2.4});  // both closer to the upper sheet, end 1 the nearer one
+  const Weld weld = a.tied().welds.at(0);
+  EXPECT_TRUE(weld.tied);
+  EXPECT_EQ(weld.sheets, (std::array<Index, 2>{a.lower, a.upper}));
+}
+
 TEST(Ties, WithoutASecondSheetTheFartherEndStaysFree) {
   TwoSheets a;
   a.model.contacts[0].b.parts = {a.lower};
@@ -687,7 +695,8 @@ TEST(Ties, SearchAgreesWithBruteForce) {
     }
     if (p.tied) ++tied;
     EXPECT_EQ(p.tied, least <= 1.8);
-    EXPECT_NEAR(p.distance, least, p.kase == 6 ? 0.1 : 1e-5);
+    EXPECT_LE(p.distance, least + 1e-5);
+    EXPECT_GE(p.distance, least - 0.05);  // the foot may lie in the extension of the segment
   }
   EXPECT_GT(tied, 200);
 }
