@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "model/builder.hpp"
+#include "model/describe.hpp"
 #include "model/passes.hpp"
 #include "model/rigid_bodies.hpp"
 
@@ -53,12 +54,21 @@ Ruling judge(const std::string& keyword) {
   return ruling;
 }
 
+/// A slip of the pen is likely only where no row names the keyword, or one for a whole family does (`CONTROL_*`).
+std::string correction(const deck::Block& block, const Ruling& ruling) {
+  if (ruling.row && !ruling.row->name.ends_with("_*")) return {};
+  const std::string_view similar = similar_keyword(block.keyword);
+  return similar.empty() ? std::string{} : fmt::format("is it *{}?", similar);
+}
+
 void report_refusal(Findings& findings, const deck::Block& block, const Ruling& ruling, bool skip_unsupported) {
+  const std::string meant = correction(block, ruling);
   if (ruling.harmless || skip_unsupported)
-    findings.warning(block.place, block.starred(), ruling.why + "; the cards are left out");
+    findings.warning(block.place, block.starred(), ruling.why + "; the cards are left out", meant);
   else
-    findings.error(block.place, block.starred(), ruling.why,
-                   "remove it, or run with --skip-unsupported to leave such cards out at your own risk");
+    findings.error(
+        block.place, block.starred(), ruling.why,
+        meant.empty() ? "remove it, or run with --skip-unsupported to leave such cards out at your own risk" : meant);
 }
 
 void read_block(Builder& b, const deck::Block& block, Ledger& ledger, bool skip_unsupported) {

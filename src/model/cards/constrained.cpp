@@ -145,6 +145,8 @@ void read_nodal_body(Builder& builder, const Block& block, const Options& option
     BodyCards::Nodal body;
     body.title = read_title(cursor, options);
     body.row = cursor.read(nodal_card);
+    if (body.row.integer("iprt") == 2)
+      body.row.complain(builder.findings, Severity::warning, "iprt", "rbdout lists this body all the same");
     if (options.contains("SPC")) read_spc(builder, cursor, body);
     if (options.contains("INERTIA")) read_inertia(builder, block, cursor, body);
     builder.body_cards.nodal.push_back(std::move(body));
