@@ -205,6 +205,12 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
   const model::Control& control = system_.model.control;
   const auto error = [](std::string why) { return Outcome{Termination::error, std::move(why)}; };
   if (interrupted) return {Termination::interrupted, "interrupted by the user"};
+  for (const auto& group : system_.groups) {
+    if (group->inverted < 0) continue;
+    const model::Index e = group->element[at(group->inverted)];
+    return error(fmt::format("negative volume in solid {} of part {} at time {:.6g}, cycle {}", system_.model.solids.id[at(e)],
+                             system_.model.parts[at(group->part)].id, state_.time, state_.cycle));
+  }
   if (std::isnan(state_.dt))
     return error(fmt::format("the solution diverged: {} has no stable time step (not a number) at time {:.6g}, cycle {}",
                              controlling_.describe(system_), state_.time, state_.cycle));

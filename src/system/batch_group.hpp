@@ -109,6 +109,7 @@ class BatchGroup final : public ElementGroup {
       }
       real_store(&energy_[b * width], real_load<R>(&energy_[b * width]) + R(0.5 * dt) * work);
       real_store(&step_[b * width], out.stable_step);
+      if constexpr (requires { out.volume; }) note_inverted(b, out.volume);
       find_block_step(b);
     }
   }
@@ -160,6 +161,13 @@ class BatchGroup final : public ElementGroup {
     std::array<Vec3d, corners> x;
     for (int a = 0; a < corners; ++a) x[static_cast<std::size_t>(a)] = vec(now.x[static_cast<std::size_t>(nodes_[node_index(e, a)])]);
     return x;
+  }
+  /// Remembers the first living element whose volume is no longer positive.
+  void note_inverted(std::size_t b, const R& volume) {
+    for (int l = 0; l < width; ++l) {
+      const std::size_t e = b * width + static_cast<std::size_t>(l);
+      if (e < size() && !(nugget::lane(volume, l) > 0.0) && alive(e)) inverted = static_cast<int>(e);
+    }
   }
   void find_block_step(std::size_t b) {
     double smallest = step_[b * width];

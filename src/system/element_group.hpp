@@ -68,6 +68,8 @@ class ElementGroup {
 
   /// How many blocks lost elements in cycles so far; a change says that somebody died.
   std::atomic<int> deaths{0};
+  /// An element whose volume has become negative, or -1: the run must stop.
+  std::atomic<int> inverted{-1};
 
   /// Smallest stable step of each block's living elements in the last cycle, mass scaling included (infinite where none lives).
   std::vector<double> block_step;

@@ -19,7 +19,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 template <class Element>
 std::unique_ptr<ElementGroup> group_of(Element kernel, model::ElementKind kind, model::Index part, std::vector<model::Index> elements,
                                        const std::vector<std::array<int, 8>>& connectivity, const std::vector<Vec3d>& x) {
-  return std::make_unique<BatchGroup<Element>>(std::move(kernel), kind, part, std::move(elements), connectivity, x);
+  return std::make_unique<BatchGroup<Element>>(kernel, kind, part, std::move(elements), connectivity, x);
 }
 
 /// Elements of a part, neighbours close together.
@@ -162,7 +162,9 @@ void System::make_groups(Findings& findings) {
     const model::Part& part = model.parts[p];
     const model::Material& material = model.materials[at(part.material)];
     const Members m = members(solids[p], solid_nodes);
-    const kernel::BrickProperties brick = brick_properties(hourglass_of(part), material.density);
+    const model::Hourglass& hourglass = hourglass_of(part);
+    const kernel::HexahedronProperties brick{material.density, hourglass.type == 0 ? 1 : hourglass.type, hourglass.membrane,
+                                             hourglass.bulk_quadratic, hourglass.bulk_linear};
     const auto with = [&]<class Law>(const Law& law) {
       groups.push_back(group_of(BrickElement<Law>{brick, kernel::Prepared<Law>(law)}, model::ElementKind::solid,
                                 static_cast<model::Index>(p), m.element, m.node, x));
@@ -175,7 +177,7 @@ void System::make_groups(Findings& findings) {
       for (std::size_t i = 0; i < m.element.size(); ++i) {
         std::array<Vec3d, 8> place;
         for (std::size_t a = 0; a < 8; ++a) place[a] = x[at(m.node[i][a])];
-        lumps_.push_back({static_cast<model::Index>(p), 8, m.node[i], 8.0 * brick_nodal_mass(place, material.density), 0.0});
+        lumps_.push_back({static_cast<model::Index>(p), 8, m.node[i], 8.0 * kernel::hexahedron_nodal_mass(place, material.density), 0.0});
       }
   }
 

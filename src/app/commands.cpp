@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <csignal>
+#include <ctime>
+#include <filesystem>
+#include <optional>
+#include <thread>
+
+#include "app/progress.hpp"
+#include "app/run_log.hpp"
+#include "base/parallel.hpp"
+#include "deck/deck.hpp"
+#include "impact/result_files.hpp"
+#include "impact/simulation.hpp"
+#include "model/builder.hpp"
+#include "model/describe.hpp"
+#include "output/results.hpp"
+#include "output/summary.hpp"
+#include "weld/audit.hpp"
+#include "weld/ties.hpp"
+
+namespace nugget::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+class Clock {
+ public:
+  double seconds() {
+    const auto now = std::chrono::steady_clock::now();
+    const double s = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return s;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// What comes out of reading, checking and tying.
+struct Prepared {
+  model::Model model;
+  weld::Ties ties;
+  std::vector<output::WeldReport> welds;
+  double read_seconds = 0.0, tie_seconds = 0.0;
+};
+
+/// run.log as it grows; written whole each time, so that it is there whatever happens next.
+class Log {
+ public:
+  explicit Log(fs::path directory) : path_(std::move(directory) / "run.log") {}
+  void add(const std::string& text) {
+    text_ += text;
+    output::write_whole_file(path_, text_);
+  }
+
+ private:
+  fs::path path_;
+  std::string text_;
+};
+
+void print_findings(const Findings& findings) {
+  for (const Finding& f : findings.all()) fmt::print(stderr, "{}\n", to_string(f));
+  if (findings.errors() + findings.warnings() > 0)
+    fmt::print(stderr, "{} errors, {} warnings\n", findings.errors(), findings.warnings());
+}
+
+output::WeldReport weld_report(const model::Model& model, const weld::Weld& w) {
+  output::WeldReport r;
+  r.id = w.id;
+  r.kind = weld::to_string(w.kind);
+  r.part = w.part == model::none ? 0 : model.parts[at(w.part)].id;
+  for (model::Index sheet : w.sheets)
+    if (sheet != model::none) r.sheets.push_back(model.parts[at(sheet)].id);
+  r.diameter = w.diameter;
+  r.length = w.length;
+  r.tied = w.tied;
+  for (const weld::Projection& p : w.ends) {
+    output::WeldProjection out;
+    out.node = model.nodes.id[at(p.node)];
+    if (p.tied && p.kase != 0)
+      for (model::Index n : p.tie.segment) out.segment.push_back(model.nodes.id[at(n)]);
+    out.xi = p.tie.xi;
+    out.eta = p.tie.eta;
+    out.moved = p.tie.moved;
+    out.case_number = p.kase;
+    out.reason = p.reason;
+    r.projections.push_back(std::move(out));
+  }
+  return r;
+}
+
+/// Reads, checks, ties and audits. Findings hold what was wrong.
+Prepared prepare(const RunArguments& arguments, Findings& findings) {
+  Prepared p;
+  Clock clock;
+  const deck::Deck deck = deck::read(arguments.deck, findings);
+  p.model = model::build(deck, findings, arguments.skip_unsupported);
+  p.read_seconds = clock.seconds();
+  if (findings.errors() > 0) return p;
+  p.ties = weld::tie(p.model, findings);
+  const weld::Audit audit = weld::audit(p.model, p.ties, findings);
+  for (std::size_t i = 0; i < p.ties.welds.size(); ++i) {
+    p.welds.push_back(weld_report(p.model, p.ties.welds[i]));
+    p.welds.back().remarks = audit.remarks[i];
+  }
+  p.tie_seconds = clock.seconds();
+  return p;
+}
+
+int use_threads(int asked) {
+  const int all = static_cast<int>(std::thread::hardware_concurrency());
+  set_threads(asked > 0 ? asked : std::max(1, all));
+  return threads();
+}
+
+void start_log(Log& log, const RunArguments& arguments, const Prepared& p, const Findings& findings) {
+  log.add(log_head(NUGGET_VERSION, arguments.deck, std::to_string(threads())));
+  log.add(model::ledger_table(p.model));
+  log.add(log_findings(findings));
+}
+
+/// Writes what a refused deck leaves behind.
+ExitCode refuse(const fs::path& directory, Log& log, const Findings& findings) {
+  output::write_findings(directory, findings.all());
+  log.add(" E r r o r   t e r m i n a t i o n\n");
+  print_findings(findings);
+  fmt::print(stderr, "the deck is refused; nothing was run\n");
+  return ExitCode::refused;
+}
+
+output::Summary::Counts counts(const model::Model& model, const weld::Ties& ties) {
+  return {static_cast<long>(model.nodes.size()), static_cast<long>(model.shells.size()), static_cast<long>(model.solids.size()),
+          static_cast<long>(model.beams.size()), 0, static_cast<long>(model.parts.size()), static_cast<long>(ties.welds.size())};
+}
+
+/// Adds to the welds' reports what happened to them.
+void tell_histories(const impact::Simulation& run, std::vector<output::WeldReport>& welds) {
+  const system::System& system = run.system();
+  for (std::size_t i = 0; i < welds.size(); ++i) {
+    const weld::History* history = run.welds()[i].get();
+    if (history == nullptr) continue;
+    const system::System::Seat seat = system.beam_seat[at(system.ties.welds[i].element)];
+    const system::ElementGroup& group = *system.groups[at(seat.group)];
+    const auto e = at(seat.element);
+    welds[i].added_mass = group.mass(e) * (group.mass_scale(e) - 1.0);
+    welds[i].failed = history->failed();
+    if (history->failed()) welds[i].failure_time = history->failure_time();
+    welds[i].failure_mode = weld::to_string(history->mode());
+    const auto& peak = history->peaks();
+    welds[i].peak = {peak[0], peak[1], peak[2], peak[3]};
+  }
+}
+
+output::Summary summarise(const RunArguments& arguments, const impact::Simulation& run, const impact::Outcome& outcome,
+                          const Prepared& p, double setup_seconds) {
+  const system::System& system = run.system();
+  output::Summary s;
+  s.version = NUGGET_VERSION;
+  s.deck = arguments.deck;
+  s.termination = outcome.termination == impact::Termination::normal  ? "normal"
+                  : outcome.termination == impact::Termination::error ? "error"
+                                                                      : "interrupted";
+  s.message = outcome.message;
+  s.count = counts(p.model, p.ties);
+  s.cycles = run.state().cycle;
+  s.time = run.state().time;
+  s.time_step = {run.first_step(), run.smallest_step(), run.smallest_by()};
+  const system::System::Masses m = system.masses();
+  s.mass = {m.physical, m.added, m.added_to_welds};
+  const impact::Energy& e = run.energy();
+  s.energy = {e.kinetic, e.internal, e.hourglass, e.contact, e.damping, e.external, e.eroded, e.initial, e.ratio()};
+  s.seconds.read = p.read_seconds;
+  s.seconds.setup = setup_seconds;
+  s.seconds.solve = run.solve_seconds();
+  s.seconds.output = run.seconds()[impact::Simulation::output];
+  for (int i = 0; i < impact::Simulation::phases; ++i)
+    s.seconds.phases.emplace_back(impact::Simulation::phase_names[at(i)], run.seconds()[at(i)]);
+  std::size_t elements = 0;
+  for (const auto& group : system.groups) elements += group->size();
+  const double work = static_cast<double>(elements) * static_cast<double>(s.cycles);
+  if (work > 0.0) s.ns_per_element_cycle = 1e9 * (run.solve_seconds() - s.seconds.output) / work;
+  s.threads = threads();
+  s.welds = p.welds;
+  return s;
+}
+
+std::string today() { return fmt::format("{:%m/%d/%Y}", fmt::localtime(std::time(nullptr))); }
+
+ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
+  output::remove_old_results(directory);
+  use_threads(arguments.threads);
+  Log log(directory);
+  Findings findings;
+  Prepared p = prepare(arguments, findings);
+  start_log(log, arguments, p, findings);
+  if (findings.errors() > 0) return refuse(directory, log, findings);
+
+  Clock clock;
+  system::System system(p.model, p.ties, findings);
+  std::optional<impact::Simulation> simulation;
+  if (findings.errors() == 0) simulation.emplace(system, findings);
+  if (findings.errors() > 0) return refuse(directory, log, findings);
+  print_findings(findings);
+  output::write_findings(directory, findings.all());
+  log.add(log_model(p.model));
+  log.add(log_ties(p.model, p.ties));
+  const double setup_seconds = p.tie_seconds + clock.seconds();
+
+  impact::ResultFiles files(system, directory, {p.model.title, fmt::format("nugget {}", NUGGET_VERSION), today()});
+  std::signal(SIGINT, [](int) { impact::Simulation::interrupt(); });
+  std::signal(SIGTERM, [](int) { impact::Simulation::interrupt(); });
+  ProgressDisplay display;
+  const impact::Outcome outcome = simulation->run({arguments.until, arguments.max_cycles}, files,
+                                                  arguments.quiet ? impact::ProgressCallback{} : std::ref(display));
+  display.finish();
+
+  tell_histories(*simulation, p.welds);
+  const output::Summary summary = summarise(arguments, *simulation, outcome, p, setup_seconds);
+  output::write_welds(directory, p.welds);
+  output::write_summary(directory, summary);
+  log.add(log_mass(system));
+  log.add(log_run(*simulation, summary));
+  log.add(log_termination(outcome));
+  if (!outcome.message.empty()) fmt::print(stderr, "{}\n", outcome.message);
+  if (!arguments.quiet)
+    fmt::print(stderr, "{} cycles in {:.2f} s, energy ratio {:.5f}; results in {}\n", summary.cycles, summary.seconds.solve,
+               summary.energy.ratio, directory.string());
+  fmt::print("{}", log_termination({outcome.termination, {}}));
+  switch (outcome.termination) {
+    case impact::Termination::normal: return ExitCode::normal;
+    case impact::Termination::error: return ExitCode::error_termination;
+    case impact::Termination::interrupted: return ExitCode::interrupted;
+  }
+  return ExitCode::error_termination;
+}
+
+/// Runs `work` and turns a failed write into its exit code.
+template <class Work>
+ExitCode guarded(const std::string& directory, Work work) {
+  try {
+    std::error_code error;
+    fs::create_directories(directory, error);
+    if (error) throw output::WriteError(directory, error.message());
+    return work(fs::path(directory));
+  } catch (const output::WriteError& e) {
+    fmt::print(stderr, "nugget: {}\n", e.what());
+    return ExitCode::cannot_write;
+  }
+}
+
+void print_welds(const std::vector<output::WeldReport>& welds) {
+  if (welds.empty()) return;
+  fmt::print("{:>10} {:>9} {:>8} {:>9} {:>9} {:>5}  {:<9} {}\n", "weld", "kind", "part", "diameter", "length", "tied", "sheets",
+             "remarks");
+  for (const output::WeldReport& w : welds) {
+    std::string sheets, remarks;
+    for (int s : w.sheets) sheets += (sheets.empty() ? "" : "+") + std::to_string(s);
+    for (const std::string& r : w.remarks) remarks += (remarks.empty() ? "" : "; ") + r;
+    fmt::print("{:>10} {:>9} {:>8} {:>9.4g} {:>9.4g} {:>5}  {:<9} {}\n", w.id, w.kind, w.part, w.diameter, w.length,
+               w.tied ? "yes" : "no", sheets, remarks);
+  }
+}
+
+}  // namespace
+
+ExitCode run(const RunArguments& arguments) {
+  return guarded(arguments.directory, [&](const fs::path& directory) { return run_in(directory, arguments); });
+}
+
+ExitCode check(const RunArguments& arguments) {
+  return guarded(arguments.directory, [&](const fs::path& directory) {
+    use_threads(arguments.threads);
+    Log log(directory);
+    Findings findings;
+    Prepared p = prepare(arguments, findings);
+    if (findings.errors() == 0) {
+      system::System system(p.model, p.ties, findings);
+      if (findings.errors() == 0) impact::Simulation simulation(system, findings);
+    }
+    start_log(log, arguments, p, findings);
+    output::write_findings(directory, findings.all());
+    print_findings(findings);
+    if (findings.errors() > 0) return ExitCode::refused;
+    log.add(log_model(p.model));
+    log.add(log_ties(p.model, p.ties));
+    output::write_welds(directory, p.welds);
+    fmt::print("{}{}", log_model(p.model), log_ties(p.model, p.ties));
+    print_welds(p.welds);
+    return ExitCode::normal;
+  });
+}
+
+ExitCode keywords(const std::string& name) {
+  fmt::print("{}", name.empty() ? model::describe_keywords() : model::describe_keyword(name));
+  return ExitCode::normal;
+}
+
+}  // namespace nugget::app

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "base/finding.hpp"
+#include "impact/simulation.hpp"
+#include "output/summary.hpp"
+#include "system/system.hpp"
+#include "weld/ties.hpp"
+
+// The parts of run.log, each a text. What a person wants to read after a run, in the order of the run.
+namespace nugget::app {
+
+std::string log_head(const std::string& version, const std::string& deck, const std::string& command_threads);
+std::string log_findings(const Findings& findings);
+/// Parts with their sections, materials, element counts and masses.
+std::string log_model(const model::Model& model);
+/// How many welds are tied, by projection case; each weld that is not, with its reason; OUTSEG's list where asked for.
+std::string log_ties(const model::Model& model, const weld::Ties& ties);
+std::string log_mass(const system::System& system);
+std::string log_run(const impact::Simulation& simulation, const output::Summary& summary);
+/// LS-DYNA's words, which tools look for: ` N o r m a l    t e r m i n a t i o n`.
+std::string log_termination(const impact::Outcome& outcome);
+
+}  // namespace nugget::app

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/d3plot_states.hpp"
+
+#include "base/parallel.hpp"
+
+namespace nugget::impact {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+output::StressRecord record(const system::ElementGroup::Layer& l) { return {l.stress, l.plastic_strain}; }
+
+/// The group that holds an element, or null where the element has no kernel.
+const system::ElementGroup* group_of(const Snapshot& now, const system::System::Seat& seat) {
+  return seat.group < 0 ? nullptr : now.system.groups[at(seat.group)].get();
+}
+
+void fill_shells(const Snapshot& now, output::D3plotState& s) {
+  const model::Model& model = now.system.model;
+  const auto layers = at(model.requests.layers);
+  s.shells.resize(model.shells.size());
+  s.shell_alive.assign(model.shells.size(), 1);
+  s.shell_layers.resize(model.shells.size() * layers);
+  parallel_for(model.shells.size(), 256, [&](std::size_t begin, std::size_t end) {
+    std::vector<output::StressRecord> points;
+    for (std::size_t e = begin; e < end; ++e) {
+      const system::System::Seat seat = now.system.shell_seat[e];
+      const system::ElementGroup* group = group_of(now, seat);
+      s.shells[e].thickness = model.shells.thickness[e];
+      if (group == nullptr) continue;
+      const std::size_t i = at(seat.element);
+      points.clear();
+      for (int k = 0; k < group->layers(); ++k) points.push_back(record(group->layer(i, k, now.state)));
+      output::shell_layers(points, std::span(s.shell_layers).subspan(e * layers, layers));
+      const std::array<double, 8> r = group->resultants(i);
+      output::ShellRecord& shell = s.shells[e];
+      shell.mx = r[0];
+      shell.my = r[1];
+      shell.mxy = r[2];
+      shell.qx = r[3];
+      shell.qy = r[4];
+      shell.nx = r[5];
+      shell.ny = r[6];
+      shell.nxy = r[7];
+      shell.thickness = group->thickness(i);
+      const double density = model.materials[at(model.parts[at(group->part)].material)].density;
+      shell.internal_energy = group->mass(i) > 0.0 ? group->internal_energy(i) * density / group->mass(i) : 0.0;
+      s.shell_alive[e] = group->alive(i);
+    }
+  });
+}
+
+void fill_solids(const Snapshot& now, output::D3plotState& s) {
+  const model::Model& model = now.system.model;
+  s.solids.resize(model.solids.size());
+  s.solid_alive.assign(model.solids.size(), 1);
+  for (std::size_t e = 0; e < model.solids.size(); ++e) {
+    const system::System::Seat seat = now.system.solid_seat[e];
+    const system::ElementGroup* group = group_of(now, seat);
+    if (group == nullptr) continue;
+    static_cast<output::StressRecord&>(s.solids[e]) = record(group->layer(at(seat.element), 0, now.state));
+    s.solid_alive[e] = group->alive(at(seat.element));
+  }
+}
+
+void fill_beams(const Snapshot& now, output::D3plotState& s) {
+  const model::Model& model = now.system.model;
+  const auto points = at(model.requests.beam_points);
+  s.beams.resize(model.beams.size());
+  s.beam_alive.assign(model.beams.size(), 1);
+  s.beam_points.resize(model.beams.size() * points);
+  for (std::size_t e = 0; e < model.beams.size(); ++e) {
+    const system::System::Seat seat = now.system.beam_seat[e];
+    const system::ElementGroup* group = group_of(now, seat);
+    if (group == nullptr) {
+      s.beam_alive[e] = 0;  // taken out before the run
+      continue;
+    }
+    const std::array<double, 8> r = group->resultants(at(seat.element));
+    s.beams[e] = {r[0], r[1], r[2], r[4], r[5], r[3]};
+    s.beam_alive[e] = group->alive(at(seat.element));
+    for (std::size_t k = 0; k < std::min(points, at(group->layers())); ++k) {
+      const system::ElementGroup::Layer l = group->layer(at(seat.element), static_cast<int>(k), now.state);
+      s.beam_points[e * points + k] = {l.stress[3], l.stress[5], l.stress[0], l.plastic_strain, 0.0};
+    }
+  }
+}
+
+/// Nodal rigid bodies stand behind the parts.
+bool nodal(const model::RigidBody& body) { return body.origin != model::RigidBody::Origin::part; }
+
+}  // namespace
+
+output::D3plotGeometry d3plot_geometry(const system::System& system) {
+  const model::Model& model = system.model;
+  output::D3plotGeometry g;
+  g.title = model.title;
+  g.node_ids = model.nodes.id;
+  g.x = system.ties.x;
+  for (std::size_t e = 0; e < model.solids.size(); ++e)
+    g.solids.push_back({model.solids.id[e], model.solids.node[e], model.solids.part[e]});
+  for (std::size_t e = 0; e < model.beams.size(); ++e)
+    g.beams.push_back({model.beams.id[e], model.beams.node[e], model.beams.part[e]});
+  for (std::size_t e = 0; e < model.shells.size(); ++e)
+    g.shells.push_back({model.shells.id[e], model.shells.node[e], model.shells.part[e]});
+  for (const model::Part& p : model.parts) g.parts.push_back({p.id, p.title});
+  for (const system::RigidBody& b : system.bodies) g.nodal_rigid_bodies += nodal(model.rigid_bodies[at(b.source)]);
+  g.rigid_walls = static_cast<int>(model.walls.size());
+  g.layers = model.requests.layers;
+  g.beam_points = model.requests.beam_points;
+  g.one_state_a_file = model.requests.one_state_a_file;
+  return g;
+}
+
+output::D3plotState d3plot_state(const Snapshot& now) {
+  const model::Model& model = now.system.model;
+  output::D3plotState s;
+  s.time = now.state.time;
+  s.kinetic = now.energy.kinetic;
+  s.internal = now.energy.internal;
+  s.total = now.energy.total();
+  Vec3d momentum{};
+  double mass = 0.0;
+  for (const PartEnergy& p : now.parts) {
+    s.parts.push_back({p.internal, p.kinetic, p.hourglass, p.mass, p.mass > 0.0 ? (1.0 / p.mass) * p.momentum : Vec3d{}});
+    momentum += p.momentum;
+    mass += p.mass;
+  }
+  if (mass > 0.0) s.velocity = (1.0 / mass) * momentum;
+  for (const system::RigidBody& b : now.system.bodies)
+    if (nodal(model.rigid_bodies[at(b.source)])) s.parts.push_back({0.0, 0.0, 0.0, b.mass, now.velocity(at(b.node))});
+  for (const contact::RigidWall& w : now.walls) s.wall_forces.push_back(w.normal_force());
+
+  s.x.resize(model.nodes.size());
+  s.v.resize(model.nodes.size());
+  s.a.resize(model.nodes.size());
+  for (std::size_t n = 0; n < model.nodes.size(); ++n) {
+    const auto k = at(now.system.node_of[n]);
+    s.x[n] = vec(now.state.x[k]);
+    s.v[n] = now.velocity(k);
+    s.a[n] = now.acceleration(k);
+  }
+  fill_solids(now, s);
+  fill_beams(now, s);
+  fill_shells(now, s);
+  return s;
+}
+
+}  // namespace nugget::impact

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "kernel/element/hexahedron.hpp"
+#include "model/model.hpp"
+#include "system/element_group.hpp"
+
+namespace nugget::system {
+
+/// The one-point brick as BatchGroup wants it; see there.
+template <class Law>
+struct BrickElement {
+  static constexpr int corners = 8;
+  static constexpr bool rotational = false;
+  using Layout = kernel::HexahedronLayout;
+  template <class R>
+  using Motion = kernel::SolidMotion<R>;
+  using Places = std::array<Vec3d, 8>;
+
+  kernel::HexahedronProperties brick;
+  kernel::Prepared<Law> law;
+
+  Layout layout() const { return kernel::hexahedron_layout(law); }
+  int state_size() const { return layout().size(); }
+  int layers() const { return 1; }
+
+  void start(double* state, int lane, model::Index, const Places& x) const {
+    kernel::start_hexahedron(layout(), x, state, native_width, lane);
+  }
+  double mass(model::Index, const Places& x) const { return 8.0 * kernel::hexahedron_nodal_mass(x, brick.density); }
+  double nodal_inertia(model::Index, const Places&) const { return 0.0; }
+
+  template <class R>
+  kernel::SolidForces<R> cycle(const Motion<R>& motion, double dt, double* state) const {
+    return kernel::hexahedron_cycle(brick, law, motion, dt, state);
+  }
+
+  template <class Field>
+  ElementGroup::Layer layer(const Field& field, int, const Places&) const {
+    ElementGroup::Layer l;
+    for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] = field(Layout::stress + i);
+    if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = field(Layout::first_history);
+    return l;
+  }
+  template <class Field>
+  double thickness(const Field&) const {
+    return 0.0;
+  }
+  template <class Field>
+  std::array<double, 8> resultants(const Field&) const {
+    return {};
+  }
+};
+
+}  // namespace nugget::system
