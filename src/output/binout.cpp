@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/binout.hpp"
+
+#include <bit>
+#include <cstring>
+#include <stdexcept>
+
+namespace nugget::output {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "LSDA files are written in the machine's byte order");
+
+// Commands and types of LSDA.
+constexpr char cd = 2, data_record = 3, variable_record = 4, begin_table = 5, end_table = 6, table_offset = 7;
+constexpr char type_text = 1, type_int = 3, type_real = 10;
+constexpr std::size_t record_head = 9;  // length, command
+
+template <class T>
+void append(std::string& bytes, T value) {
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  bytes.append(raw, sizeof(T));
+}
+
+void append_record_head(std::string& bytes, std::size_t body, char command) {
+  append<std::uint64_t>(bytes, record_head + body);
+  bytes += command;
+}
+
+template <class T>
+std::string_view bytes_of(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+template <class Rows, class Member>
+auto collect(const Rows& rows, Member member) {
+  std::vector<std::decay_t<decltype(member(rows.front()))>> values;
+  values.reserve(rows.size());
+  for (const auto& row : rows) values.push_back(member(row));
+  return values;
+}
+
+/// Three names from one: `*_force` gives x_force, y_force, z_force.
+std::string component_name(std::string name, char axis) {
+  name[name.find('*')] = axis;
+  return name;
+}
+
+/// Three columns of a table, one for each component of the vector that `member` picks. `put(name, values)` writes one.
+template <class Rows, class Member, class Put>
+void put_vectors(const std::string& name, const Rows& rows, Member member, Put put) {
+  put(component_name(name, 'x'), collect(rows, [&](const auto& row) { return member(row).x; }));
+  put(component_name(name, 'y'), collect(rows, [&](const auto& row) { return member(row).y; }));
+  put(component_name(name, 'z'), collect(rows, [&](const auto& row) { return member(row).z; }));
+}
+
+/// LS-DYNA counts element types from 1, in the order of glstat/metadata/element_types.
+int type_number(ElementKind kind) {
+  return static_cast<int>(kind) + 1;
+}
+
+}  // namespace
+
+Binout::Binout(const std::filesystem::path& directory, Header header)
+    : file_(directory / "binout0000"), header_(std::move(header)) {
+  std::string& out = file_.buffer();
+  out.append({8, 8, 8, 1, 1, 1, 0, 0});  // head; bytes of length, offset, command, type; little endian; IEEE; spare
+  append_record_head(out, 8, table_offset);
+  link_ = out.size();
+  append<std::uint64_t>(out, 0);
+  file_.commit();
+}
+
+void Binout::set_legend(const std::string& branch, std::vector<LegendEntry> legend) {
+  legends_[branch] = std::move(legend);
+}
+
+void Binout::write(const GlstatState& s) {
+  if (begin_state("glstat", {})) text("element_types", "solid,beam,shell,thick shell");
+  begin_data("glstat");
+  const auto optional_real = [this](const char* name, const std::optional<double>& value) {
+    if (value) real(name, *value);
+  };
+  integer("cycle", s.cycle);
+  if (s.controlling) {
+    integer("ts_eltype", type_number(s.controlling->kind));
+    integer("ts_element", s.controlling->element);
+    integer("ts_part", s.controlling->part);
+  }
+  real("time", s.time);
+  real("time_step", s.time_step);
+  real("kinetic_energy", s.kinetic);
+  real("internal_energy", s.internal);
+  if (!s.walls.empty()) reals("stonewall_energy", s.walls);
+  optional_real("spring_and_damper_energy", s.spring_and_damper);
+  optional_real("hourglass_energy", s.hourglass);
+  real("system_damping_energy", s.system_damping);
+  real("sliding_interface_energy", s.sliding_interface);
+  real("external_work", s.external_work);
+  optional_real("eroded_kinetic_energy", s.eroded_kinetic);
+  optional_real("eroded_internal_energy", s.eroded_internal);
+  optional_real("eroded_hourglass_energy", s.eroded_hourglass);
+  real("total_energy", s.total);
+  real("energy_ratio", s.ratio);
+  optional_real("energy_ratio_wo_eroded", s.ratio_without_eroded);
+  real("global_x_velocity", s.velocity.x);
+  real("global_y_velocity", s.velocity.y);
+  real("global_z_velocity", s.velocity.z);
+  if (s.nodes) integer("number_of_nodes", *s.nodes);
+  if (s.elements) integer("number_of_elements", *s.elements);
+  integer("nzc", s.nanoseconds_per_element_cycle);
+  optional_real("added_mass", s.added_mass);
+  optional_real("percent_increase", s.percent_increase);
+  end_state();
+}
+
+void Binout::write(const MatsumState& s) {
+  const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
+  begin_state("matsum", collect(s.rows, [](const MatsumRow& r) { return r.part; }));
+  begin_data("matsum");
+  real("time", s.time);
+  reals("internal_energy", collect(s.rows, [](const MatsumRow& r) { return r.internal; }));
+  reals("kinetic_energy", collect(s.rows, [](const MatsumRow& r) { return r.kinetic; }));
+  reals("eroded_internal_energy", collect(s.rows, [](const MatsumRow& r) { return r.eroded_internal; }));
+  reals("eroded_kinetic_energy", collect(s.rows, [](const MatsumRow& r) { return r.eroded_kinetic; }));
+  reals("mass", collect(s.rows, [](const MatsumRow& r) { return r.added_mass; }));
+  reals("hourglass_energy", collect(s.rows, [](const MatsumRow& r) { return r.hourglass; }));
+  put_vectors(
+      "*_momentum", s.rows, [](const MatsumRow& r) { return r.momentum; }, column_of);
+  put_vectors(
+      "*_rbvelocity", s.rows, [](const MatsumRow& r) { return r.velocity; }, column_of);
+  end_state();
+}
+
+void Binout::write(const NodoutState& s) {
+  const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
+  begin_state("nodout", collect(s.rows, [](const NodoutRow& r) { return r.node; }));
+  begin_data("nodout");
+  real("time", s.time);
+  integer("cycle", s.cycle);
+  put_vectors(
+      "*_displacement", s.rows, [](const NodoutRow& r) { return r.displacement; }, column_of);
+  put_vectors(
+      "*_velocity", s.rows, [](const NodoutRow& r) { return r.velocity; }, column_of);
+  put_vectors(
+      "*_acceleration", s.rows, [](const NodoutRow& r) { return r.acceleration; }, column_of);
+  put_vectors(
+      "*_coordinate", s.rows, [](const NodoutRow& r) { return r.coordinate; }, column_of);
+  if (s.rotations) {
+    put_vectors(
+        "r*_displacement", s.rows, [](const NodoutRow& r) { return r.rotation; }, column_of);
+    put_vectors(
+        "r*_velocity", s.rows, [](const NodoutRow& r) { return r.rotational_velocity; }, column_of);
+    put_vectors(
+        "r*_acceleration", s.rows, [](const NodoutRow& r) { return r.rotational_acceleration; }, column_of);
+  }
+  end_state();
+}
+
+void Binout::write(const SwforcState& s) {
+  if (begin_state("swforc", collect(s.rows, [](const SwforcRow& r) { return r.id; }))) {
+    text("typenames", "constraint,weld,beam,solid,non nodal, ,solid assembly");
+    integers("types", collect(s.rows, [](const SwforcRow& r) { return static_cast<int>(r.kind); }));
+  }
+  begin_data("swforc");
+  real("time", s.time);
+  reals("axial", collect(s.rows, [](const SwforcRow& r) { return r.axial; }));
+  reals("shear", collect(s.rows, [](const SwforcRow& r) { return r.shear; }));
+  reals("failure", collect(s.rows, [](const SwforcRow& r) { return r.failure; }));
+  reals("failure_time", collect(s.rows, [](const SwforcRow& r) { return r.failure_time; }));
+  reals("length", collect(s.rows, [](const SwforcRow& r) { return r.length; }));
+  reals("resultant_moment", collect(s.rows, [](const SwforcRow& r) { return r.resultant_moment; }));
+  reals("torsion", collect(s.rows, [](const SwforcRow& r) { return r.torsion; }));
+  end_state();
+}
+
+void Binout::write(const RwforcState& s) {
+  const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
+  const std::vector<int> walls = collect(s.rows, [](const RwforcRow& r) { return r.wall; });
+  if (begin_state("rwforc/forces", walls)) integers("setid", walls);
+  begin_data("rwforc/forces");
+  real("time", s.time);
+  reals("normal_force", collect(s.rows, [](const RwforcRow& r) { return r.normal; }));
+  put_vectors(
+      "*_force", s.rows, [](const RwforcRow& r) { return r.force; }, column_of);
+  end_state();
+}
+
+void Binout::write(const SpcforcState& s) {
+  const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
+  const auto node = [](const SpcforcRow& r) { return r.node; };
+  const auto set = [](const SpcforcRow& r) { return r.set; };
+  const auto value = [](const SpcforcRow& r) { return r.value; };
+  std::vector<int> held = collect(s.forces, node);
+  for (const SpcforcRow& row : s.moments) held.push_back(row.node);
+  if (begin_state("spcforc", held)) {
+    if (!s.forces.empty()) integers("force_ids", collect(s.forces, node));
+    if (!s.forces.empty()) integers("spc_ids", collect(s.forces, set));
+    if (!s.moments.empty()) integers("moment_ids", collect(s.moments, node));
+    if (!s.moments.empty()) integers("spc_mids", collect(s.moments, set));
+  }
+  begin_data("spcforc");
+  real("time", s.time);
+  if (!s.forces.empty()) put_vectors("*_force", s.forces, value, column_of);
+  if (!s.moments.empty()) put_vectors("*_moment", s.moments, value, column_of);
+  real("x_resultant", s.resultant.x);
+  real("y_resultant", s.resultant.y);
+  real("z_resultant", s.resultant.z);
+  end_state();
+}
+
+void Binout::write(const BndoutState& s) {
+  const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
+  const auto table = [&](const std::string& path, const auto& rows) {
+    begin_data(path);
+    real("time", s.time);
+    put_vectors(
+        "*_force", rows, [](const auto& r) { return r.force; }, column_of);
+    reals("energy", collect(rows, [](const auto& r) { return r.energy; }));
+    const BndoutTotal sum = total(rows);
+    real("x_total", sum.force.x);
+    real("y_total", sum.force.y);
+    real("z_total", sum.force.z);
+    real("etotal", sum.energy);
+  };
+  if (!s.nodes.empty()) {
+    if (begin_state("bndout/velocity/nodes", collect(s.nodes, [](const BndoutNode& r) { return r.node; })))
+      integers("setid", collect(s.nodes, [](const BndoutNode& r) { return r.set; }));
+    table("bndout/velocity/nodes", s.nodes);
+  }
+  if (!s.bodies.empty()) {
+    begin_state("bndout/velocity/rigidbodies", collect(s.bodies, [](const BndoutBody& r) { return r.part; }));
+    table("bndout/velocity/rigidbodies", s.bodies);
+    put_vectors(
+        "*moment", s.bodies, [](const BndoutBody& r) { return r.moment; }, column_of);
+  }
+  end_state();
+}
+
+void Binout::write(const RbdoutState& s) {
+  std::vector<RbdoutRow> rows = s.parts;
+  rows.insert(rows.end(), s.nodal.begin(), s.nodal.end());
+  const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
+  if (begin_state("rbdout", collect(rows, [](const RbdoutRow& r) { return r.id; })))
+    integer("num_nodal", static_cast<long>(s.nodal.size()));
+  begin_data("rbdout");
+  real("time", s.time);
+  integer("cycle", s.cycle);
+  put_vectors(
+      "global_*", rows, [](const RbdoutRow& r) { return r.coordinate; }, column_of);
+  for (const bool local : {false, true}) {
+    const std::string frame = local ? "local_" : "global_";
+    const auto motion = [&](const char* name, auto member) {
+      put_vectors(
+          frame + name, rows, [&](const RbdoutRow& r) { return local ? r.axes.local(r.*member) : r.*member; },
+          column_of);
+    };
+    motion("d*", &RbdoutRow::displacement);
+    motion("rd*", &RbdoutRow::rotation);
+    motion("v*", &RbdoutRow::velocity);
+    motion("rv*", &RbdoutRow::angular_velocity);
+    motion("a*", &RbdoutRow::acceleration);
+    motion("ra*", &RbdoutRow::angular_acceleration);
+  }
+  const auto direction = [&](const std::string& column_number, auto member) {
+    reals("dircos_1" + column_number, collect(rows, [&](const RbdoutRow& r) { return (r.axes.*member).x; }));
+    reals("dircos_2" + column_number, collect(rows, [&](const RbdoutRow& r) { return (r.axes.*member).y; }));
+    reals("dircos_3" + column_number, collect(rows, [&](const RbdoutRow& r) { return (r.axes.*member).z; }));
+  };
+  direction("1", &Frame3d::e1);
+  direction("2", &Frame3d::e2);
+  direction("3", &Frame3d::e3);
+  end_state();
+}
+
+void Binout::write(const RcforcState& s) {
+  const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
+  if (begin_state("rcforc", collect(s.rows, [](const RcforcRow& r) { return r.contact; })))
+    integers("side", collect(s.rows, [](const RcforcRow& r) { return static_cast<int>(r.side); }));
+  begin_data("rcforc");
+  real("time", s.time);
+  put_vectors(
+      "*_force", s.rows, [](const RcforcRow& r) { return r.force; }, column_of);
+  reals("mass", collect(s.rows, [](const RcforcRow& r) { return r.mass; }));
+  end_state();
+}
+
+bool Binout::begin_state(const std::string& path, std::vector<int> ids) {
+  Branch& branch = branches_[path];
+  if (++branch.states > 1) {
+    if (ids != branch.ids) throw std::logic_error("binout: the entities of " + path + " changed between two states");
+    return false;
+  }
+  branch.ids = std::move(ids);
+  metadata(path, path.substr(0, path.find('/')), branch.ids);
+  return true;
+}
+
+void Binout::metadata(const std::string& path, const std::string& branch, const std::vector<int>& ids) {
+  directory("/" + path + "/metadata");
+  text("title", fixed_width(header_.title, 80));
+  text("version", fixed_width(header_.version, 12));
+  text("revision", fixed_width("0", 10));
+  text("date", fixed_width(header_.date, 10));
+  if (!ids.empty() && branch != "spcforc") integers("ids", ids);
+
+  const auto legend = legends_.find(branch);
+  if (legend == legends_.end() || legend->second.empty()) return;
+  std::string headings;
+  for (const LegendEntry& entry : legend->second) headings += fixed_width(entry.heading, 70);
+  text("legend", headings);
+  integers("legend_ids", collect(legend->second, [](const LegendEntry& entry) { return entry.id; }));
+}
+
+void Binout::begin_data(const std::string& path) {
+  const int state = branches_.at(path).states;
+  directory(state <= 999999 ? fmt::format("/{}/d{:06}", path, state) : fmt::format("/{}/d{:08}", path, state));
+}
+
+void Binout::end_state() {
+  if (variables_.empty()) return;
+  const std::uint64_t position = file_.size() + file_.buffer().size();
+  file_.buffer() += symbol_table();
+  file_.commit();
+  std::string link;
+  append<std::uint64_t>(link, position);
+  file_.write_at(link_, link);  // only now does a reader see the state
+  link_ = file_.size() - sizeof(std::uint64_t);
+  variables_.clear();
+}
+
+void Binout::directory(const std::string& path) {
+  append_record_head(file_.buffer(), path.size(), cd);
+  file_.buffer() += path;
+  directory_ = path;
+}
+
+void Binout::text(const std::string& name, const std::string& value) {
+  data(name, type_text, value.size(), value);
+}
+
+void Binout::integers(const std::string& name, const std::vector<int>& values) {
+  data(name, type_int, values.size(), bytes_of(values));
+}
+
+void Binout::reals(const std::string& name, const std::vector<double>& values) {
+  data(name, type_real, values.size(), bytes_of(values));
+}
+
+void Binout::integer(const std::string& name, long value) {
+  integers(name, {static_cast<int>(value)});
+}
+void Binout::real(const std::string& name, double value) {
+  reals(name, {value});
+}
+
+void Binout::data(const std::string& name, char type, std::uint64_t count, std::string_view bytes) {
+  std::string& out = file_.buffer();
+  variables_[directory_][name] = {type, file_.size() + out.size(), count};
+  append_record_head(out, 2 + name.size() + bytes.size(), data_record);
+  out += type;
+  out += static_cast<char>(name.size());
+  out += name;
+  out += bytes;
+}
+
+/// The table of all data since the last one, in alphabetical order as LSTC's library writes it; its last word is the
+/// link to the next table.
+std::string Binout::symbol_table() const {
+  std::string body;
+  for (const auto& [path, names] : variables_) {
+    append_record_head(body, path.size(), cd);
+    body += path;
+    for (const auto& [name, variable] : names) {
+      append_record_head(body, name.size() + 1 + 8 + 8, variable_record);
+      body += name;
+      body += variable.type;
+      append(body, variable.offset);
+      append(body, variable.count);
+    }
+  }
+  append_record_head(body, 8, end_table);
+  append<std::uint64_t>(body, 0);
+  std::string table;
+  append_record_head(table, body.size(), begin_table);
+  return table + body;
+}
+
+}  // namespace nugget::output

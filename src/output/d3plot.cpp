@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/d3plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "output/ascii.hpp"
+
+namespace nugget::output {
+namespace {
+
+static_assert(std::endian::native == std::endian::little,
+              "readers detect the byte order, but the tests know only this one");
+
+constexpr std::size_t word = 4;                              // bytes
+constexpr std::size_t block = 512 * word;                    // files are filled up to whole blocks
+constexpr std::size_t family_member = 7 * 512 * 512 * word;  // LS-DYNA's default size of a file
+constexpr float end_mark = -999999.0F;
+constexpr float format_version = 960.0F;  // below 971: one word a rigid wall
+constexpr int layer_words = 7;
+
+/// A stretch of 4-byte words.
+class Words {
+ public:
+  void reserve(std::size_t count) { bytes_.reserve(count * word); }
+  void integer(std::int64_t value) { raw(static_cast<std::int32_t>(value)); }
+  void real(double value) {
+    constexpr double largest = std::numeric_limits<float>::max();
+    raw(static_cast<float>(std::clamp(value, -largest, largest)));
+  }
+  void reals(std::initializer_list<double> values) {
+    for (const double value : values) real(value);
+  }
+  void reals(const std::array<double, 6>& values) {
+    for (const double value : values) real(value);
+  }
+  void vector(const Vec3d& v) { reals({v.x, v.y, v.z}); }
+  void vectors(const std::vector<Vec3d>& values) {
+    for (const Vec3d& v : values) vector(v);
+  }
+  void text(const std::string& value, std::size_t characters) { bytes_ += fixed_width(value, characters); }
+  void fill_block() { bytes_.resize((bytes_.size() + block - 1) / block * block, '\0'); }
+  std::string& bytes() { return bytes_; }
+
+ private:
+  template <class T>
+  void raw(T value) {
+    static_assert(sizeof(T) == word);
+    char bytes[word];
+    std::memcpy(bytes, &value, word);
+    bytes_.append(bytes, word);
+  }
+  std::string bytes_;
+};
+
+/// Words of one record of each kind.
+int solid_words(const D3plotGeometry& g) {
+  return layer_words + (g.strains ? 6 : 0);
+}
+int beam_words(const D3plotGeometry& g) {
+  return 6 + 5 * g.beam_points;
+}
+int shell_words(const D3plotGeometry& g) {
+  return g.layers * layer_words + 8 + 4 + (g.strains ? 12 : 0);
+}
+int thick_shell_words(const D3plotGeometry& g) {
+  return g.layers * layer_words + 1 + (g.strains ? 12 : 0);
+}
+int global_words(const D3plotGeometry& g) {
+  return 6 + 7 * (static_cast<int>(g.parts.size()) + g.nodal_rigid_bodies) + g.rigid_walls;
+}
+
+int numbering_words(const D3plotGeometry& g) {
+  return static_cast<int>(16 + g.node_ids.size() + g.solids.size() + g.beams.size() + g.shells.size() +
+                          3 * g.parts.size());
+}
+
+template <class Elements>
+void mark_parts(const Elements& elements, std::vector<bool>& used) {
+  for (const auto& element : elements) used[static_cast<std::size_t>(element.part)] = true;
+}
+
+template <class Elements>
+int count_parts(const D3plotGeometry& g, const Elements& elements) {
+  std::vector<bool> used(g.parts.size(), false);
+  mark_parts(elements, used);
+  return static_cast<int>(std::count(used.begin(), used.end(), true));
+}
+
+/// Control section: 64 words.
+void control(Words& out, const D3plotGeometry& g) {
+  const int solid_parts = count_parts(g, g.solids), beam_parts = count_parts(g, g.beams);
+  // Each part counts once; one without elements goes with the shells.
+  const int shell_parts = static_cast<int>(g.parts.size()) - solid_parts - beam_parts;
+  out.text(g.title, 40);
+  out.integer(g.seconds_since_1970);
+  out.integer(1);  // file type d3plot
+  out.integer(0);  // source version
+  out.text("R11", word);
+  out.real(format_version);
+  out.integer(4);  // NDIM: three dimensions, connectivity unpacked
+  out.integer(static_cast<std::int64_t>(g.node_ids.size()));
+  out.integer(6);  // ICODE
+  out.integer(global_words(g));
+  out.integer(0);                                       // IT: no temperatures
+  for (int flag = 0; flag < 3; ++flag) out.integer(1);  // IU, IV, IA
+  out.integer(static_cast<std::int64_t>(g.solids.size()));
+  out.integer(solid_parts);
+  out.integer(0), out.integer(0);  // NUMDS, NUMST
+  out.integer(solid_words(g));
+  out.integer(static_cast<std::int64_t>(g.beams.size()));
+  out.integer(beam_parts);
+  out.integer(beam_words(g));
+  out.integer(static_cast<std::int64_t>(g.shells.size()));
+  out.integer(shell_parts);
+  out.integer(shell_words(g));
+  out.integer(g.strains ? 6 : 0);  // NEIPH: extra words of solids
+  out.integer(0);                  // NEIPS
+  out.integer(-10000 - g.layers);  // MAXINT, with the element deletion table
+  out.integer(0), out.integer(0);  // NMSPH, NGPSPH
+  out.integer(numbering_words(g));
+  out.integer(0), out.integer(0);  // NELT, NUMMATT
+  out.integer(thick_shell_words(g));
+  for (int flag = 0; flag < 4; ++flag)
+    out.integer(1000);  // IOSHL: stress, plastic strain, resultants, thickness are there
+  for (int unused = 47; unused < 51; ++unused) out.integer(0);
+  out.integer(static_cast<std::int64_t>(g.parts.size()));  // NMMAT
+  for (int unused = 52; unused < 64; ++unused) out.integer(0);
+}
+
+/// Connectivity counts from 1; `blanks` zeros stand between nodes and part (a beam's orientation node and two spares).
+template <class Elements>
+void connectivity(Words& out, const Elements& elements, int blanks = 0) {
+  for (const auto& element : elements) {
+    for (const int node : element.nodes) out.integer(node + 1);
+    for (int i = 0; i < blanks; ++i) out.integer(0);
+    out.integer(element.part + 1);
+  }
+}
+
+template <class Elements>
+void ids(Words& out, const Elements& elements) {
+  for (const auto& element : elements) out.integer(element.id);
+}
+
+/// User numbers, in the form for arbitrary part ids (NSORT < 0).
+void numbering(Words& out, const D3plotGeometry& g) {
+  const auto nodes = static_cast<std::int64_t>(g.node_ids.size()), solids = static_cast<std::int64_t>(g.solids.size()),
+             beams = static_cast<std::int64_t>(g.beams.size()), shells = static_cast<std::int64_t>(g.shells.size()),
+             parts = static_cast<std::int64_t>(g.parts.size());
+  const std::int64_t elements_end = 1 + nodes + solids + beams + shells;
+  out.integer(-1);                          // NSORT
+  out.integer(1 + nodes);                   // NSRH
+  out.integer(1 + nodes + solids);          // NSRB
+  out.integer(1 + nodes + solids + beams);  // NSRS
+  out.integer(elements_end);                // NSRT
+  out.integer(nodes);
+  out.integer(solids);
+  out.integer(beams);
+  out.integer(shells);
+  out.integer(0);                         // thick shells
+  out.integer(elements_end);              // NSRMA
+  out.integer(elements_end + parts);      // NSRMU
+  out.integer(elements_end + 2 * parts);  // NSRMP
+  out.integer(parts);
+  out.integer(g.nodal_rigid_bodies);
+  out.integer(parts);
+  for (const int id : g.node_ids) out.integer(id);
+  ids(out, g.solids);
+  ids(out, g.beams);
+  ids(out, g.shells);
+
+  std::vector<std::size_t> ascending(g.parts.size()), rank(g.parts.size());
+  std::iota(ascending.begin(), ascending.end(), std::size_t{0});
+  std::sort(ascending.begin(), ascending.end(), [&](auto i, auto j) { return g.parts[i].id < g.parts[j].id; });
+  for (std::size_t k = 0; k < ascending.size(); ++k) rank[ascending[k]] = k;
+  for (const std::size_t i : ascending) out.integer(g.parts[i].id);
+  ids(out, g.parts);
+  for (const std::size_t k : rank) out.integer(static_cast<std::int64_t>(k) + 1);
+}
+
+void titles(Words& out, const D3plotGeometry& g) {
+  out.real(end_mark);
+  out.integer(90001);
+  out.integer(static_cast<std::int64_t>(g.parts.size()));
+  for (const D3plotPart& part : g.parts) {
+    out.integer(part.id);
+    out.text(part.title, 72);
+  }
+  out.integer(90000);
+  out.text(g.title, 72);
+  out.real(end_mark);
+}
+
+template <class Elements>
+void check_elements(const D3plotGeometry& g, const Elements& elements, const char* kind) {
+  const auto outside = [](int index, std::size_t size) { return index < 0 || static_cast<std::size_t>(index) >= size; };
+  int last = std::numeric_limits<int>::min();
+  for (const auto& element : elements) {
+    if (element.id <= last)
+      throw std::logic_error(fmt::format("d3plot: ids of {}s do not ascend at {}", kind, element.id));
+    last = element.id;
+    for (const int node : element.nodes)
+      if (outside(node, g.node_ids.size()))
+        throw std::logic_error(fmt::format("d3plot: {} {} has no such node", kind, last));
+    if (outside(element.part, g.parts.size()))
+      throw std::logic_error(fmt::format("d3plot: {} {} has no part", kind, last));
+  }
+}
+
+void check(const D3plotGeometry& g) {
+  if (g.node_ids.size() != g.x.size()) throw std::logic_error("d3plot: as many node ids as coordinates are wanted");
+  if (!std::is_sorted(g.node_ids.begin(), g.node_ids.end(), std::less_equal<>()))
+    throw std::logic_error("d3plot: node ids do not ascend");
+  if (g.layers < 1) throw std::logic_error("d3plot: a shell has at least one layer");
+  check_elements(g, g.solids, "solid");
+  check_elements(g, g.beams, "beam");
+  check_elements(g, g.shells, "shell");
+}
+
+void check_size(std::size_t size, std::size_t wanted, const char* name) {
+  if (size != wanted)
+    throw std::logic_error(fmt::format("d3plot: {} has {} entries instead of {}", name, size, wanted));
+}
+
+void check(const D3plotGeometry& g, const D3plotState& s) {
+  const std::size_t nodes = g.node_ids.size();
+  check_size(s.parts.size(), g.parts.size() + static_cast<std::size_t>(g.nodal_rigid_bodies), "parts");
+  check_size(s.wall_forces.size(), static_cast<std::size_t>(g.rigid_walls), "wall_forces");
+  check_size(s.x.size(), nodes, "x");
+  check_size(s.v.size(), nodes, "v");
+  check_size(s.a.size(), nodes, "a");
+  check_size(s.solids.size(), g.solids.size(), "solids");
+  check_size(s.beams.size(), g.beams.size(), "beams");
+  check_size(s.beam_points.size(), g.beams.size() * static_cast<std::size_t>(g.beam_points), "beam_points");
+  check_size(s.shells.size(), g.shells.size(), "shells");
+  check_size(s.shell_layers.size(), g.shells.size() * static_cast<std::size_t>(g.layers), "shell_layers");
+  if (!s.solid_alive.empty()) check_size(s.solid_alive.size(), g.solids.size(), "solid_alive");
+  if (!s.beam_alive.empty()) check_size(s.beam_alive.size(), g.beams.size(), "beam_alive");
+  if (!s.shell_alive.empty()) check_size(s.shell_alive.size(), g.shells.size(), "shell_alive");
+}
+
+void globals(Words& out, const D3plotState& s) {
+  out.reals({s.kinetic, s.internal, s.total});
+  out.vector(s.velocity);
+  for (const D3plotPartState& part : s.parts) out.real(part.internal);
+  for (const D3plotPartState& part : s.parts) out.real(part.kinetic);
+  for (const D3plotPartState& part : s.parts) out.vector(part.velocity);
+  for (const D3plotPartState& part : s.parts) out.real(part.mass);
+  for (const D3plotPartState& part : s.parts) out.real(part.hourglass);
+  for (const double force : s.wall_forces) out.real(force);
+}
+
+void stress(Words& out, const StressRecord& record) {
+  out.reals(record.stress);
+  out.real(record.plastic_strain);
+}
+
+void solids(Words& out, const D3plotGeometry& g, const D3plotState& s) {
+  for (const SolidRecord& record : s.solids) {
+    stress(out, record);
+    if (g.strains) out.reals(record.strain);
+  }
+}
+
+void beams(Words& out, const D3plotGeometry& g, const D3plotState& s) {
+  const BeamPointRecord* point = s.beam_points.data();
+  for (const BeamRecord& r : s.beams) {
+    out.reals({r.axial, r.shear_s, r.shear_t, r.moment_s, r.moment_t, r.torsion});
+    for (int i = 0; i < g.beam_points; ++i, ++point)
+      out.reals({point->stress_rs, point->stress_tr, point->stress_axial, point->plastic_strain, point->axial_strain});
+  }
+}
+
+void shells(Words& out, const D3plotGeometry& g, const D3plotState& s) {
+  const StressRecord* layer = s.shell_layers.data();
+  for (const ShellRecord& r : s.shells) {
+    for (int i = 0; i < g.layers; ++i, ++layer) stress(out, *layer);
+    out.reals({r.mx, r.my, r.mxy, r.qx, r.qy, r.nx, r.ny, r.nxy, r.thickness});
+    out.reals({0.0, 0.0});  // two words that depend on the element formulation
+    if (g.strains) {
+      out.reals(r.inner_strain);
+      out.reals(r.outer_strain);
+    }
+    out.real(r.internal_energy);
+  }
+}
+
+/// Deletion table: the part's number while the element lives, then 0.
+template <class Elements>
+void deletion(Words& out, const Elements& elements, const std::vector<char>& alive) {
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    out.real(alive.empty() || alive[i] != 0 ? static_cast<double>(elements[i].part + 1) : 0.0);
+}
+
+}  // namespace
+
+void shell_layers(std::span<const StressRecord> points, std::span<StressRecord> layers) {
+  std::fill(layers.begin(), layers.end(), StressRecord{});
+  if (points.empty() || layers.empty()) return;
+  const std::size_t n = points.size(), upper = n / 2, lower = (n - 1) / 2;
+  const StressRecord &a = points[lower], &b = points[upper];
+  for (std::size_t i = 0; i < 6; ++i) layers[0].stress[i] = 0.5 * (a.stress[i] + b.stress[i]);
+  layers[0].plastic_strain = 0.5 * (a.plastic_strain + b.plastic_strain);
+  if (layers.size() > 1) layers[1] = points.front();
+  if (layers.size() > 2) layers[2] = points.back();
+  std::size_t next = 3;
+  for (std::size_t i = 1; i + 1 < n && next < layers.size(); ++i)
+    if (lower != upper || i != lower) layers[next++] = points[i];
+}
+
+D3plot::D3plot(std::filesystem::path directory, D3plotGeometry geometry)
+    : directory_(std::move(directory)), geometry_(std::move(geometry)) {
+  const D3plotGeometry& g = geometry_;
+  check(g);
+  Words out;
+  control(out, g);
+  out.vectors(g.x);
+  connectivity(out, g.solids);
+  connectivity(out, g.beams, 3);
+  connectivity(out, g.shells);
+  numbering(out, g);
+  titles(out, g);
+  out.fill_block();
+  ResultFile root(directory_ / "d3plot");
+  root.buffer() = std::move(out.bytes());
+  root.commit();
+}
+
+void D3plot::write(const D3plotState& s) {
+  const D3plotGeometry& g = geometry_;
+  check(g, s);
+  Words out;
+  const std::size_t elements = g.solids.size() * static_cast<std::size_t>(solid_words(g) + 1) +
+                               g.beams.size() * static_cast<std::size_t>(beam_words(g) + 1) +
+                               g.shells.size() * static_cast<std::size_t>(shell_words(g) + 1);
+  out.reserve(1 + static_cast<std::size_t>(global_words(g)) + 9 * g.node_ids.size() + elements);
+  out.real(s.time);
+  globals(out, s);
+  out.vectors(s.x);
+  out.vectors(s.v);
+  out.vectors(s.a);
+  solids(out, g, s);
+  beams(out, g, s);
+  shells(out, g, s);
+  deletion(out, g.solids, s.solid_alive);
+  deletion(out, g.shells, s.shell_alive);
+  deletion(out, g.beams, s.beam_alive);
+  append_state(out.bytes());
+}
+
+/// A state goes behind the last one, over its end mark, and never across two files. All but its first word is written
+/// before that word replaces the mark: until then readers stop where they did.
+void D3plot::append_state(std::string_view words) {
+  const bool full = end_mark_ + words.size() + word > family_member;
+  if (!member_ || full || geometry_.one_state_a_file) {
+    member_.emplace(directory_ / fmt::format("d3plot{:02}", ++members_));
+    end_mark_ = 0;
+  }
+  std::string tail(words.substr(word));
+  Words mark;
+  mark.real(end_mark);
+  tail += mark.bytes();
+  const std::uint64_t used = end_mark_ + word + tail.size();
+  tail.resize(tail.size() + (block - used % block) % block, '\0');
+  if (end_mark_ == 0) {
+    member_->write_at(0, std::string(words.substr(0, word)) + tail);
+  } else {
+    member_->write_at(end_mark_ + word, tail);
+    member_->write_at(end_mark_, words.substr(0, word));
+  }
+  end_mark_ = used - word;
+}
+
+}  // namespace nugget::output

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/vec3.hpp"
+#include "output/result_file.hpp"
+
+namespace nugget::output {
+
+/// An element of `N` nodes in the d3plot.
+template <std::size_t N>
+struct D3plotElement {
+  int id = 0;                  ///< user id
+  std::array<int, N> nodes{};  ///< positions in D3plotGeometry::node_ids, from 0
+  int part = 0;                ///< position in D3plotGeometry::parts, from 0
+};
+
+struct D3plotPart {
+  int id = 0;  ///< user id
+  std::string title;
+};
+
+/// What does not change during a run. Node and element ids ascend (LS-DYNA's readers rely on it).
+struct D3plotGeometry {
+  std::string title;
+  std::int32_t seconds_since_1970 = 0;  ///< of the run; the same value gives the same bytes
+  std::vector<int> node_ids;
+  std::vector<Vec3d> x;                  ///< initial coordinates [length]
+  std::vector<D3plotElement<8>> solids;  ///< wedge 1 2 3 4 5 5 6 6, tetrahedron 1 2 3 4 4 4 4 4
+  std::vector<D3plotElement<2>> beams;
+  std::vector<D3plotElement<4>> shells;  ///< a triangle repeats its third node
+  std::vector<D3plotPart> parts;         ///< in deck order
+  int nodal_rigid_bodies = 0;            ///< they follow the parts in D3plotState::parts
+  int rigid_walls = 0;
+  int layers = 3;                 ///< MAXINT: records through the thickness of a shell, see shell_layers()
+  int beam_points = 0;            ///< BEAMIP: integration points of beams
+  bool strains = false;           ///< STRFLG
+  bool one_state_a_file = false;  ///< IEVERP
+};
+
+/// Energies [force length], mass and velocity of one part.
+struct D3plotPartState {
+  double internal = 0.0, kinetic = 0.0, hourglass = 0.0, mass = 0.0;
+  Vec3d velocity;  ///< of the centre of mass
+};
+
+/// Stress xx yy zz xy yz zx in global axes [force/length^2] and effective plastic strain.
+struct StressRecord {
+  std::array<double, 6> stress{};
+  double plastic_strain = 0.0;
+};
+
+struct SolidRecord : StressRecord {
+  std::array<double, 6> strain{};  ///< xx yy zz xy yz zx, global; written where D3plotGeometry::strains is set
+};
+
+/// Resultants in the shell's local axes, per unit length.
+struct ShellRecord {
+  double mx = 0.0, my = 0.0, mxy = 0.0;                  ///< bending moments [force]
+  double qx = 0.0, qy = 0.0;                             ///< transverse shear [force/length]
+  double nx = 0.0, ny = 0.0, nxy = 0.0;                  ///< membrane forces [force/length]
+  double thickness = 0.0;                                ///< now [length]
+  double internal_energy = 0.0;                          ///< per volume [force/length^2]
+  std::array<double, 6> inner_strain{}, outer_strain{};  ///< bottom and top, global; as SolidRecord::strain
+};
+
+struct BeamRecord {
+  double axial = 0.0, shear_s = 0.0, shear_t = 0.0;      ///< [force]
+  double moment_s = 0.0, moment_t = 0.0, torsion = 0.0;  ///< [force length]
+};
+
+/// One integration point of a beam.
+struct BeamPointRecord {
+  double stress_rs = 0.0, stress_tr = 0.0, stress_axial = 0.0;  ///< [force/length^2]
+  double plastic_strain = 0.0, axial_strain = 0.0;
+};
+
+/// The model at one time. The caller keeps it and fills it anew for each state; the sizes follow from the geometry.
+struct D3plotState {
+  double time = 0.0;
+  double kinetic = 0.0, internal = 0.0, total = 0.0;
+  Vec3d velocity;                      ///< of the model's centre of mass
+  std::vector<D3plotPartState> parts;  ///< in deck order, then the nodal rigid bodies
+  std::vector<double> wall_forces;
+  std::vector<Vec3d> x, v, a;  ///< current coordinates, velocities, accelerations
+  std::vector<SolidRecord> solids;
+  std::vector<BeamRecord> beams;
+  std::vector<BeamPointRecord> beam_points;  ///< of the first beam, of the second, ...
+  std::vector<StressRecord> shell_layers;    ///< of the first shell in the order of shell_layers(), of the second, ...
+  std::vector<ShellRecord> shells;
+  std::vector<char> solid_alive, beam_alive, shell_alive;  ///< 0: deleted; empty: all alive
+};
+
+/// The records of one shell from its integration points, which run from the bottom to the top: middle, bottom, top,
+/// then the points between in their order, `layers` (MAXINT) in all. The middle of an even number of points is the mean
+/// of the two central ones. Records beyond the points are zero.
+void shell_layers(std::span<const StressRecord> points, std::span<StressRecord> layers);
+
+/// The d3plot family: `d3plot` with the geometry, then states in `d3plot01`, `d3plot02`, ... Single precision and the
+/// subset that VTK, lasso-python and dynareadout all read. Each state reaches the disk whole, with the mark -999999.0
+/// behind it, so a killed run leaves readable files. Source: LS-DYNA Database Binary Output Files (LSTC, 2020).
+class D3plot {
+ public:
+  /// Writes `directory/d3plot`. Throws WriteError, and std::logic_error where ids do not ascend or an index leads
+  /// nowhere.
+  D3plot(std::filesystem::path directory, D3plotGeometry geometry);
+
+  /// Throws WriteError, and std::logic_error where an array does not fit the geometry.
+  void write(const D3plotState& state);
+
+ private:
+  void append_state(std::string_view words);
+
+  std::filesystem::path directory_;
+  D3plotGeometry geometry_;
+  std::optional<ResultFile> member_;  ///< the file that takes states now
+  int members_ = 0;
+  std::uint64_t end_mark_ = 0;  ///< its place in member_
+};
+
+}  // namespace nugget::output

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "base/vec3.hpp"
+#include "output/ascii.hpp"
+
+namespace nugget::output {
+
+/// Energies [force length], momentum and mass of one part.
+struct MatsumRow {
+  int part = 0;  ///< user id
+  double internal = 0.0, kinetic = 0.0, hourglass = 0.0;
+  double eroded_internal = 0.0, eroded_kinetic = 0.0;
+  double added_mass = 0.0;  ///< by mass scaling [mass]
+  Vec3d momentum;           ///< [mass length/time]
+  Vec3d velocity;           ///< rigid body velocity: momentum / mass [length/time]
+};
+
+struct MatsumState {
+  double time = 0.0;
+  std::vector<MatsumRow> rows;  ///< the same parts in the same order in every state
+};
+
+/// The ASCII file `matsum`; the legend holds the parts' titles.
+class Matsum {
+ public:
+  Matsum(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
+  void write(const MatsumState& state);
+
+ private:
+  AsciiFile file_;
+};
+
+}  // namespace nugget::output

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/result_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+namespace nugget::output {
+namespace {
+
+std::string last_error() {
+  return std::generic_category().message(errno);
+}
+
+}  // namespace
+
+ResultFile::ResultFile(std::filesystem::path path) : path_(std::move(path)) {
+  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) throw WriteError(path_, last_error());
+}
+
+ResultFile::~ResultFile() {
+  close();
+}
+
+ResultFile::ResultFile(ResultFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      buffer_(std::move(other.buffer_)),
+      size_(other.size_),
+      descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+ResultFile& ResultFile::operator=(ResultFile&& other) noexcept {
+  if (this == &other) return *this;
+  close();
+  path_ = std::move(other.path_);
+  buffer_ = std::move(other.buffer_);
+  size_ = other.size_;
+  descriptor_ = std::exchange(other.descriptor_, -1);
+  return *this;
+}
+
+void ResultFile::close() noexcept {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  descriptor_ = -1;
+}
+
+void ResultFile::commit() {
+  write_at(size_, buffer_);
+  buffer_.clear();
+}
+
+void ResultFile::write_at(std::uint64_t offset, std::string_view bytes) {
+  std::uint64_t at = offset;
+  for (std::string_view rest = bytes; !rest.empty();) {
+    const ssize_t written = ::pwrite(descriptor_, rest.data(), rest.size(), static_cast<off_t>(at));
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) {
+      const std::string reason = written < 0 ? last_error() : "nothing was written";
+      // Best effort: the error that counts is the one above.
+      if (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) errno = 0;
+      throw WriteError(path_, reason);
+    }
+    rest.remove_prefix(static_cast<std::size_t>(written));
+    at += static_cast<std::uint64_t>(written);
+  }
+  if (at > size_) size_ = at;
+}
+
+void write_whole_file(const std::filesystem::path& path, std::string_view text) {
+  const std::filesystem::path draft = path.string() + ".part";
+  std::error_code ignored;
+  try {
+    ResultFile file(draft);
+    file.buffer() = text;
+    file.commit();
+  } catch (const WriteError& error) {
+    std::filesystem::remove(draft, ignored);
+    throw WriteError(path, error.reason);
+  }
+  std::error_code error;
+  std::filesystem::rename(draft, path, error);
+  if (error) {
+    std::filesystem::remove(draft, ignored);
+    throw WriteError(path, error.message());
+  }
+}
+
+}  // namespace nugget::output

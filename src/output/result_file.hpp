@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace nugget::output {
+
+/// A result that cannot be written: disk full, no permission, no such folder. The program ends with exit code 4; what
+/// was committed before stays readable.
+struct WriteError : std::runtime_error {
+  WriteError(std::filesystem::path where, const std::string& why)
+      : std::runtime_error("cannot write " + where.string() + ": " + why), path(std::move(where)), reason(why) {}
+  std::filesystem::path path;
+  std::string reason;  ///< the operating system's words
+};
+
+/// A file that grows by whole states. What is put into `buffer()` reaches the disk at `commit()`, at once, so that a
+/// killed run leaves complete states; a commit that fails cuts the file back to the last good one and throws
+/// WriteError.
+class ResultFile {
+ public:
+  /// Creates the file, or empties the one that is there. Throws WriteError.
+  explicit ResultFile(std::filesystem::path path);
+  ~ResultFile();
+  ResultFile(ResultFile&& other) noexcept;
+  ResultFile& operator=(ResultFile&& other) noexcept;
+  ResultFile(const ResultFile&) = delete;
+  ResultFile& operator=(const ResultFile&) = delete;
+
+  /// Text or bytes that the next commit() appends.
+  std::string& buffer() { return buffer_; }
+  void commit();
+
+  /// Writes bytes at a place of their own, at once; past the end of the file it grows. Throws WriteError.
+  void write_at(std::uint64_t offset, std::string_view bytes);
+
+  /// Bytes on the disk.
+  std::uint64_t size() const { return size_; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  void close() noexcept;
+
+  std::filesystem::path path_;
+  std::string buffer_;
+  std::uint64_t size_ = 0;
+  int descriptor_ = -1;
+};
+
+/// Replaces a whole file by `text`: a reader sees the old content or the new, never a half. Throws WriteError.
+void write_whole_file(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace nugget::output

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/results.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <system_error>
+
+#include "output/result_file.hpp"
+
+namespace nugget::output {
+namespace {
+
+constexpr std::array<std::string_view, 25> names = {"run.log",
+                                                    "summary.json",
+                                                    "findings.json",
+                                                    "welds.csv",
+                                                    "report.html",
+                                                    "frf.csv",
+                                                    "d3plot",
+                                                    "d3eigv",
+                                                    "swforc",
+                                                    "glstat",
+                                                    "matsum",
+                                                    "nodout",
+                                                    "elout",
+                                                    "rcforc",
+                                                    "secforc",
+                                                    "rwforc",
+                                                    "spcforc",
+                                                    "bndout",
+                                                    "rbdout",
+                                                    "deforc",
+                                                    "eigout",
+                                                    "binout0000",
+                                                    "summary.json.part",
+                                                    "findings.json.part",
+                                                    "welds.csv.part"};
+
+/// `stem` and two digits or more: the members of a family of state files.
+bool is_member(std::string_view name, std::string_view stem) {
+  if (!name.starts_with(stem)) return false;
+  name.remove_prefix(stem.size());
+  return name.size() >= 2 && std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool is_ours(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  return std::find(names.begin(), names.end(), name) != names.end() || is_member(name, "d3plot") ||
+         is_member(name, "d3eigv");
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> remove_old_results(const std::filesystem::path& directory) {
+  std::vector<std::filesystem::path> ours;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(directory, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::filesystem::file_status status = entry->symlink_status();
+    const bool file = std::filesystem::is_regular_file(status) || std::filesystem::is_symlink(status);
+    if (file && is_ours(entry->path())) ours.push_back(entry->path());
+  }
+  if (error && error != std::errc::no_such_file_or_directory) throw WriteError(directory, error.message());
+
+  std::sort(ours.begin(), ours.end());
+  for (const std::filesystem::path& path : ours)
+    if (!std::filesystem::remove(path, error) && error) throw WriteError(path, "cannot be removed: " + error.message());
+  return ours;
+}
+
+}  // namespace nugget::output

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "output/result_file.hpp"
+
+namespace nugget::output {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void write_json(const std::filesystem::path& path, const Json& json) {
+  write_whole_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+Json to_json(const WeldProjection& p) {
+  return {{"node", p.node},   {"segment", p.segment},  {"xi", p.xi},        {"eta", p.eta},
+          {"moved", p.moved}, {"case", p.case_number}, {"reason", p.reason}};
+}
+
+Json to_json(const WeldReport& w) {
+  Json projections = Json::array();
+  for (const WeldProjection& projection : w.projections) projections.push_back(to_json(projection));
+  return {
+      {"id", w.id},
+      {"kind", w.kind},
+      {"part", w.part},
+      {"parts", w.sheets},
+      {"diameter", w.diameter},
+      {"length", w.length},
+      {"tied", w.tied},
+      {"projection", projections},
+      {"added_mass", w.added_mass},
+      {"failed", w.failed},
+      {"failure_time", w.failure_time ? Json(*w.failure_time) : Json()},
+      {"failure_mode", w.failure_mode},
+      {"peak",
+       {{"axial", w.peak.axial}, {"shear", w.peak.shear}, {"bending", w.peak.bending}, {"torsion", w.peak.torsion}}},
+      {"remarks", w.remarks}};
+}
+
+Json to_json(const ModeReport& m) {
+  return {{"mode", m.mode},
+          {"frequency_hz", m.frequency_hz},
+          {"participation", m.participation},
+          {"effective_mass", m.effective_mass}};
+}
+
+Json to_json(const Summary::Seconds& s) {
+  Json phases = Json::object();
+  for (const auto& [name, seconds] : s.phases) phases[name] = seconds;
+  return {{"read", s.read}, {"setup", s.setup}, {"solve", s.solve}, {"output", s.output}, {"phases", phases}};
+}
+
+Json to_json(const Summary::Energies& e) {
+  return {{"kinetic", e.kinetic}, {"internal", e.internal}, {"hourglass", e.hourglass},
+          {"contact", e.contact}, {"damping", e.damping},   {"external", e.external},
+          {"eroded", e.eroded},   {"initial", e.initial},   {"ratio", e.ratio}};
+}
+
+Json to_json(const Summary& s) {
+  Json json = {{"version", s.version}, {"deck", s.deck}, {"termination", s.termination}, {"message", s.message}};
+  json["nodes"] = s.count.nodes;
+  json["elements"] = {
+      {"shell", s.count.shells}, {"solid", s.count.solids}, {"beam", s.count.beams}, {"discrete", s.count.discretes}};
+  json["parts"] = s.count.parts;
+  json["welds"] = s.count.welds;
+  json["cycles"] = s.cycles;
+  json["time"] = s.time;
+  json["time_step"] = {
+      {"first", s.time_step.first}, {"smallest", s.time_step.smallest}, {"controlling", s.time_step.controlling}};
+  json["mass"] = {{"physical", s.mass.physical}, {"added", s.mass.added}, {"added_to_welds", s.mass.added_to_welds}};
+  json["energy"] = to_json(s.energy);
+  json["seconds"] = to_json(s.seconds);
+  json["ns_per_element_cycle"] = s.ns_per_element_cycle;
+  json["threads"] = s.threads;
+  json["ranks"] = s.ranks;
+  json["weld"] = Json::array();
+  for (const WeldReport& weld : s.welds) json["weld"].push_back(to_json(weld));
+  json["modes"] = Json::array();
+  for (const ModeReport& mode : s.modes) json["modes"].push_back(to_json(mode));
+  return json;
+}
+
+}  // namespace
+
+void write_summary(const std::filesystem::path& directory, const Summary& summary) {
+  write_json(directory / "summary.json", to_json(summary));
+}
+
+void write_findings(const std::filesystem::path& directory, const std::vector<Finding>& findings) {
+  Json list = Json::array();
+  for (const Finding& f : findings)
+    list.push_back({{"severity", to_string(f.severity)},
+                    {"file", f.place.file},
+                    {"line", f.place.line},
+                    {"column", f.place.column},
+                    {"keyword", f.keyword},
+                    {"field", f.field},
+                    {"value", f.value},
+                    {"text", f.text},
+                    {"remedy", f.remedy}});
+  write_json(directory / "findings.json", list);
+}
+
+}  // namespace nugget::output

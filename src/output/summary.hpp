@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/finding.hpp"
+
+namespace nugget::output {
+
+/// Where one node of a weld was tied to a sheet.
+struct WeldProjection {
+  int node = 0;                ///< user id
+  std::vector<int> segment;    ///< user ids of the segment's nodes; empty: not tied
+  double xi = 0.0, eta = 0.0;  ///< place on the segment, -1 to 1
+  double moved = 0.0;          ///< how far the node was moved onto the sheet [length]
+  int case_number = 0;         ///< which of the eight projection cases
+  std::string reason;          ///< why not tied, or why the case is not plain
+};
+
+/// Largest magnitudes over the run.
+struct WeldPeak {
+  double axial = 0.0, shear = 0.0;      ///< [force]
+  double bending = 0.0, torsion = 0.0;  ///< [force length]
+};
+
+/// One weld: the audit before the run, the history after it. A line of welds.csv, an entry of `weld` in summary.json.
+struct WeldReport {
+  int id = 0;               ///< user id of the element, assembly or constraint
+  std::string kind;         ///< beam, solid, assembly, rigid
+  int part = 0;             ///< of the weld itself
+  std::vector<int> sheets;  ///< parts that it joins
+  double diameter = 0.0, length = 0.0;
+  bool tied = false;
+  std::vector<WeldProjection> projections;
+  double added_mass = 0.0;
+  bool failed = false;
+  std::optional<double> failure_time;
+  std::string failure_mode;
+  WeldPeak peak;
+  std::vector<std::string> remarks;  ///< of the audit
+};
+
+/// One line of the modes of a modal run.
+struct ModeReport {
+  int mode = 0;
+  double frequency_hz = 0.0;
+  std::array<double, 6> participation{}, effective_mass{};
+};
+
+/// What summary.json says of a run; keys as the contract has them. Quantities in the deck's units, seconds of the
+/// clock.
+struct Summary {
+  std::string version, deck;
+  std::string termination = "normal";  ///< normal, error, interrupted
+  std::string message;
+  struct Counts {
+    long nodes = 0, shells = 0, solids = 0, beams = 0, discretes = 0, parts = 0, welds = 0;
+  } count;
+  long cycles = 0;
+  double time = 0.0;
+  struct TimeStep {
+    double first = 0.0, smallest = 0.0;
+    std::string controlling;  ///< e.g. `beam 17 of part 5`
+  } time_step;
+  struct Mass {
+    double physical = 0.0, added = 0.0, added_to_welds = 0.0;
+  } mass;
+  struct Energies {
+    double kinetic = 0.0, internal = 0.0, hourglass = 0.0, contact = 0.0, damping = 0.0, external = 0.0, eroded = 0.0,
+           initial = 0.0, ratio = 1.0;
+  } energy;
+  struct Seconds {
+    double read = 0.0, setup = 0.0, solve = 0.0, output = 0.0;
+    std::vector<std::pair<std::string, double>> phases;  ///< of the time loop, in its order
+  } seconds;
+  double ns_per_element_cycle = 0.0;
+  int threads = 0, ranks = 1;
+  std::vector<WeldReport> welds;
+  std::vector<ModeReport> modes;
+};
+
+/// Each writes one file into `directory`, all at once. NaN and infinity become null in JSON and an empty cell in CSV;
+/// bytes that are not UTF-8 (old decks) are replaced. Throws WriteError.
+void write_summary(const std::filesystem::path& directory, const Summary& summary);                 ///< summary.json
+void write_findings(const std::filesystem::path& directory, const std::vector<Finding>& findings);  ///< findings.json
+void write_welds(const std::filesystem::path& directory, const std::vector<WeldReport>& welds);     ///< welds.csv
+
+}  // namespace nugget::output

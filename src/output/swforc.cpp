@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/swforc.hpp"
+
+#include <cmath>
+
+namespace nugget::output {
+namespace {
+
+const char* label(WeldKind kind) {
+  switch (kind) {
+    case WeldKind::constraint: return "constraint/weld  ID ";
+    case WeldKind::generalized: return "generalized weld ID ";
+    case WeldKind::beam: return "spotweld beam  ID   ";
+    case WeldKind::solid: return "spotweld solid ID   ";
+    case WeldKind::assembly: return "spotweld assmy ID   ";
+  }
+  return "";
+}
+
+bool is_brick(WeldKind kind) {
+  return kind == WeldKind::solid || kind == WeldKind::assembly;
+}
+
+/// What stands behind the label: length, moment and torsion where the kind has them, or when the weld failed.
+std::string tail(const SwforcRow& row) {
+  switch (row.kind) {
+    case WeldKind::generalized: return "";
+    case WeldKind::constraint:
+      return (row.length > 0.0 ? fmt::format("{:13.5E}", column(row.length)) : "") +
+             fmt::format("{:13.5E}", column(row.resultant_moment));
+    default: break;
+  }
+  if (row.failure_time > 0.0) return fmt::format("               failure time={:12.4E}", row.failure_time);
+  return fmt::format("{:13.5E}{:13.5E}{:13.5E}", column(row.length), column(row.resultant_moment), column(row.torsion));
+}
+
+}  // namespace
+
+std::string failure_column(double failure) {
+  if (!(failure < 1.0)) return std::isnan(failure) ? "    nan" : "failure";
+  if (failure > -1e-99 && failure < 1e-99) return "0.00+00";
+  std::string text = fmt::format("{:.2E}", failure);   // a Fortran E7.2: the E gives way to the sign of the exponent
+  if (text.starts_with("1.00E+00")) return "9.99-01";  // below 1 has not failed
+  text.erase(text.find('E'), 1);
+  return fmt::format("{:>7}", text);
+}
+
+Swforc::Swforc(std::filesystem::path path, const Header& header) : file_(std::move(path), title_lines(header)) {}
+
+void Swforc::write(const SwforcState& state) {
+  file_.print(
+      "\n constraint #      axial        shear         time  failure                                       length  "
+      "rslt "
+      "moment      torsion\n");
+  int number = 0;
+  for (const SwforcRow& row : state.rows) {
+    file_.print("      {:5}{:13.5E}{:13.5E}{:13.5E}", ++number, column(row.axial), column(row.shear),
+                column(state.time));
+    if (is_brick(row.kind))
+      file_.print(" {:8.4f}    ", row.failure);
+    else
+      file_.print("  {}    ", failure_column(row.failure));
+    file_.print("{}{:8}{}\n", label(row.kind), row.id, tail(row));
+  }
+  file_.end_state();
+}
+
+}  // namespace nugget::output

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "output/ascii.hpp"
+
+namespace nugget::output {
+
+/// LS-DYNA's type numbers of welds (binout: swforc/metadata/types).
+enum class WeldKind { constraint = 0, generalized = 1, beam = 2, solid = 3, assembly = 6 };
+
+/// Resultants of one weld in its own axes.
+struct SwforcRow {
+  int id = 0;  ///< user id of the element, the assembly or the constraint
+  WeldKind kind = WeldKind::beam;
+  double axial = 0.0;             ///< N_rr [force]
+  double shear = 0.0;             ///< sqrt(N_rs^2 + N_rt^2) [force]
+  double length = 0.0;            ///< now [length]
+  double resultant_moment = 0.0;  ///< sqrt(M_ss^2 + M_tt^2) [force length]
+  double torsion = 0.0;           ///< M_rr [force length]
+  double failure = 0.0;           ///< value of the failure function; 1 and more: failed
+  double failure_time = 0.0;      ///< 0 while the weld holds
+};
+
+struct SwforcState {
+  double time = 0.0;
+  std::vector<SwforcRow> rows;  ///< the same welds in the same order in every state
+};
+
+/// The seven columns of the failure value of constraints and beams: `0.00+00`, `3.10-02`, and `failure` from 1 on.
+std::string failure_column(double failure);
+
+/// The ASCII file `swforc` in the layout of LS-DYNA R13, where weld beams carry torsion.
+class Swforc {
+ public:
+  Swforc(std::filesystem::path path, const Header& header);
+  void write(const SwforcState& state);
+
+ private:
+  AsciiFile file_;
+};
+
+}  // namespace nugget::output

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "output/result_file.hpp"
+#include "output/summary.hpp"
+
+namespace nugget::output {
+namespace {
+
+/// One line of comma-separated cells; text with commas, quotes or line ends is quoted (RFC 4180).
+class CsvLine {
+ public:
+  explicit CsvLine(std::string& out) : out_(out) {}
+  ~CsvLine() { out_ += '\n'; }
+  CsvLine(const CsvLine&) = delete;
+  CsvLine& operator=(const CsvLine&) = delete;
+
+  void cell(std::string_view text) {
+    separate();
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+      out_ += text;
+      return;
+    }
+    out_ += '"';
+    for (const char c : text) out_ += c == '"' ? std::string("\"\"") : std::string(1, c);
+    out_ += '"';
+  }
+  void cell(int value) {
+    separate();
+    fmt::format_to(std::back_inserter(out_), "{}", value);
+  }
+  void cell(double value) {
+    separate();
+    if (std::isfinite(value)) fmt::format_to(std::back_inserter(out_), "{}", value);
+  }
+  void flag(bool value) { cell(std::string_view(value ? "yes" : "no")); }
+
+ private:
+  void separate() {
+    if (!first_) out_ += ',';
+    first_ = false;
+  }
+  std::string& out_;
+  bool first_ = true;
+};
+
+void head(std::string& out, std::size_t projections) {
+  CsvLine line(out);
+  for (const char* name : {"id", "kind", "part", "sheet1", "sheet2", "diameter", "length", "tied"}) line.cell(name);
+  for (std::size_t i = 1; i <= projections; ++i)
+    for (const char* name : {"node", "case", "moved", "xi", "eta", "segment", "reason"})
+      line.cell(fmt::format("{}{}", name, i));
+  for (const char* name : {"added_mass", "failed", "failure_time", "failure_mode", "peak_axial", "peak_shear",
+                           "peak_bending", "peak_torsion", "remarks"})
+    line.cell(name);
+}
+
+void projection_cells(CsvLine& line, const WeldProjection& p) {
+  line.cell(p.node);
+  line.cell(p.case_number);
+  line.cell(p.moved);
+  line.cell(p.xi);
+  line.cell(p.eta);
+  line.cell(fmt::format("{}", fmt::join(p.segment, " ")));
+  line.cell(p.reason);
+}
+
+void row(std::string& out, const WeldReport& weld, std::size_t projections) {
+  CsvLine line(out);
+  const auto sheet = [&](std::size_t i) {
+    return i < weld.sheets.size() ? fmt::format("{}", weld.sheets[i]) : std::string();
+  };
+  line.cell(weld.id);
+  line.cell(weld.kind);
+  line.cell(weld.part);
+  line.cell(sheet(0));
+  // A weld through three sheets keeps the rest of them in the last cell.
+  line.cell(weld.sheets.size() > 2 ? fmt::format("{}", fmt::join(weld.sheets.begin() + 1, weld.sheets.end(), " "))
+                                   : sheet(1));
+  line.cell(weld.diameter);
+  line.cell(weld.length);
+  line.flag(weld.tied);
+  for (std::size_t i = 0; i < projections; ++i) {
+    if (i < weld.projections.size()) {
+      projection_cells(line, weld.projections[i]);
+    } else {
+      for (int empty = 0; empty < 7; ++empty) line.cell("");
+    }
+  }
+  line.cell(weld.added_mass);
+  line.flag(weld.failed);
+  line.cell(weld.failure_time ? fmt::format("{}", *weld.failure_time) : std::string());
+  line.cell(weld.failure_mode);
+  line.cell(weld.peak.axial);
+  line.cell(weld.peak.shear);
+  line.cell(weld.peak.bending);
+  line.cell(weld.peak.torsion);
+  line.cell(fmt::format("{}", fmt::join(weld.remarks, "; ")));
+}
+
+}  // namespace
+
+void write_welds(const std::filesystem::path& directory, const std::vector<WeldReport>& welds) {
+  // Beams have two ends; brick welds and patches of them have more nodes, and none is left out.
+  std::size_t projections = 2;
+  for (const WeldReport& weld : welds) projections = std::max(projections, weld.projections.size());
+  std::string out;
+  head(out, projections);
+  for (const WeldReport& weld : welds) row(out, weld, projections);
+  write_whole_file(directory / "welds.csv", out);
+}
+
+}  // namespace nugget::output
