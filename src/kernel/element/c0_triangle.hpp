@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/batch.hpp"
+#include "base/dual.hpp"
+#include "kernel/element/shell.hpp"
+
+namespace nugget::kernel {
+
+/// One cycle of the three-node C0 triangle (ELFORM 4): one point in the plane, constant membrane strain and curvature, transverse
+/// shear from the edges; no hourglass modes. Mid-step rates, forces at the end, layers, thickness update and deletion as in
+/// shell_cycle; state as ShellLayout says.
+/// Sources: ../shared/reference/element-theory.md section 3.9.
+///
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; Dual<18> with Elastic.
+template <class R, class Law>
+NodalForces<R, 3> triangle_cycle(const ShellProperties& shell, const Prepared<Law>& law, const NodalMotion<R, 3>& nodes,
+                                 double dt, double* state);
+
+/// Frame of the element at nodal positions x1 .. x3, in which its stresses are given.
+Frame3d triangle_frame(const std::array<Vec3d, 3>& x);
+
+/// Area [length^2].
+double triangle_area(const std::array<Vec3d, 3>& x);
+
+/// Stable time step before TSSFAC, L / c, L the shortest altitude (ISDO 0, 1) [time].
+double triangle_stable_step(const std::array<Vec3d, 3>& x, ShellLength length, double E, double nu, double density);
+
+/// Mass of each of three nodes and its inertia m max(t^2/12 + offset, A/8).
+NodalMass triangle_nodal_mass(const std::array<Vec3d, 3>& x, double thickness, double density, double offset = 0.0,
+                              double mass_per_area = 0.0);
+
+}  // namespace nugget::kernel

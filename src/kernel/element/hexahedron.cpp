@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernel/element/hexahedron.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace nugget::kernel {
+namespace {
+
+/// A nodal field as a sum of the patterns xi, eta, zeta, eta zeta, zeta xi, xi eta, xi eta zeta (the constant is left
+/// out). The patterns are orthogonal, so that gradient, hourglass rates and forces are sums over seven coefficients
+/// instead of eight nodes.
+template <class R>
+struct Patterns {
+  Vec3<R> a, b, c, h[4];
+};
+
+template <class R>
+[[gnu::always_inline]] inline Patterns<R> patterns_of(const Vec3<R> (&f)[8]) {
+  struct Face {
+    Vec3<R> one, a, b, ab;
+  };
+  const auto face = [&](int i) {
+    const Vec3<R> s12 = f[i] + f[i + 1], d12 = f[i + 1] - f[i], s34 = f[i + 2] + f[i + 3], d34 = f[i + 2] - f[i + 3];
+    return Face{s12 + s34, d12 + d34, s34 - s12, d34 - d12};
+  };
+  const Face low = face(0), up = face(4);
+  const R eighth = R(0.125);
+  return {eighth * (up.a + low.a),
+          eighth * (up.b + low.b),
+          eighth * (up.one - low.one),
+          {eighth * (up.b - low.b), eighth * (up.a - low.a), eighth * (up.ab + low.ab), eighth * (up.ab - low.ab)}};
+}
+
+template <class R>
+[[gnu::always_inline]] inline void nodes_of(const Patterns<R>& p, Vec3<R> (&f)[8]) {
+  const auto face = [&](int i, const Vec3<R>& one, const Vec3<R>& a, const Vec3<R>& b, const Vec3<R>& ab) {
+    const Vec3<R> minus = one - b, plus = one + b, near = a - ab, far = a + ab;
+    f[i] = minus - near;
+    f[i + 1] = minus + near;
+    f[i + 2] = plus + far;
+    f[i + 3] = plus - far;
+  };
+  face(0, -p.c, p.a - p.h[1], p.b - p.h[0], p.h[2] - p.h[3]);
+  face(4, p.c, p.a + p.h[1], p.b + p.h[0], p.h[2] + p.h[3]);
+}
+
+/// dV/dx_I by patterns, V times the uniform gradient b: the trilinear integral of Flanagan and Belytschko, written in
+/// the patterns of the geometry. The coefficient of xi eta zeta is zero.
+template <class R>
+struct Gradient {
+  Vec3<R> a, b, c, h[3];
+  R volume, over_volume;
+
+  [[gnu::always_inline]] explicit Gradient(const Patterns<R>& x) {
+    const R third = R(1.0 / 3.0);
+    a = cross(x.b, x.c) - third * cross(x.h[1], x.h[2]);
+    b = cross(x.c, x.a) - third * cross(x.h[2], x.h[0]);
+    c = cross(x.a, x.b) - third * cross(x.h[0], x.h[1]);
+    h[0] = third * (cross(x.c, x.h[1]) - cross(x.b, x.h[2]));
+    h[1] = third * (cross(x.a, x.h[2]) - cross(x.c, x.h[0]));
+    h[2] = third * (cross(x.b, x.h[0]) - cross(x.a, x.h[1]));
+    volume = (8.0 / 3.0) *
+             (dot(x.a, a) + dot(x.b, b) + dot(x.c, c) + dot(x.h[0], h[0]) + dot(x.h[1], h[1]) + dot(x.h[2], h[2]));
+    over_volume = 1.0 / volume;
+  }
+  /// Sum over nodes and directions of (V b)^2.
+  R squared() const {
+    return 8.0 * (dot(a, a) + dot(b, b) + dot(c, c) + dot(h[0], h[0]) + dot(h[1], h[1]) + dot(h[2], h[2]));
+  }
+};
+
+/// A 3 x 3 matrix by rows.
+template <class R>
+struct Matrix {
+  Vec3<R> x, y, z;
+  Vec3<R> operator*(const Vec3<R>& u) const { return {dot(x, u), dot(y, u), dot(z, u)}; }
+};
+
+/// Velocity gradient v_i,j.
+template <class R>
+[[gnu::always_inline]] inline Matrix<R> velocity_gradient(const Gradient<R>& g, const Patterns<R>& v) {
+  const R scale = 8.0 * g.over_volume;
+  const auto row = [&](R Vec3<R>::*i) {
+    return scale *
+           (v.a.*i * g.a + v.b.*i * g.b + v.c.*i * g.c + v.h[0].*i * g.h[0] + v.h[1].*i * g.h[1] + v.h[2].*i * g.h[2]);
+  };
+  return {row(&Vec3<R>::x), row(&Vec3<R>::y), row(&Vec3<R>::z)};
+}
+
+/// Hughes and Winget's rotation (I - W dt/2)^-1 (I + W dt/2), by rows.
+template <class R>
+[[gnu::always_inline]] inline Frame<R> rotation_of(const Matrix<R>& l, double dt) {
+  const double q = 0.25 * dt;
+  const Vec3<R> a{q * (l.z.y - l.y.z), q * (l.x.z - l.z.x), q * (l.y.x - l.x.y)};
+  const R a2 = dot(a, a), s = 2.0 / (1.0 + a2), d = 1.0 - s * a2;
+  return {{d + s * (a.x * a.x), s * (a.x * a.y - a.z), s * (a.x * a.z + a.y)},
+          {s * (a.x * a.y + a.z), d + s * (a.y * a.y), s * (a.y * a.z - a.x)},
+          {s * (a.x * a.z - a.y), s * (a.y * a.z + a.x), d + s * (a.z * a.z)}};
+}
+
+/// Frame of the element's axes: e1 along xi, e3 across xi and eta.
+template <class R>
+Frame<R> axes_of(const Patterns<R>& x) {
+  const Vec3<R> e1 = unit(x.a), e3 = unit(cross(x.a, x.b));
+  return {e1, cross(e3, e1), e3};
+}
+
+template <class R>
+struct Hourglass {
+  Vec3<R> q[4];
+};
+
+template <class R>
+Hourglass<R> load_hourglass(const double* state) {
+  Hourglass<R> r;
+  for (int i = 0; i < 4; ++i) r.q[i] = load_vector<R>(state, HexahedronLayout::hourglass + 3 * i);
+  return r;
+}
+
+/// Physical stabilisation (element-theory 5.4): rates of the generalised forces from the rates of the patterns, both in
+/// the element's axes.
+template <class R>
+Hourglass<R> bindeman_rates(const ElasticConstants& e, double coefficient, const Vec3<R>& side, const Hourglass<R>& q) {
+  const R third = R(1.0 / 3.0);
+  const Vec3<R> over{third / side.x, third / side.y, third / side.z};
+  const Vec3<R> hh{side.y * side.z * over.x, side.z * side.x * over.y, side.x * side.y * over.z};  // H_ii
+  const Vec3<R> hk = third * side;  // H_ij = hk of the third axis
+  const double mu = coefficient * e.shear, direct = 2.0 * mu / (1.0 - e.nu), crossed = direct * e.nu;
+  const double last = coefficient * 2.0 * e.shear * (1.0 + e.nu) / 3.0;
+  const Vec3<R>&q1 = q.q[0], &q2 = q.q[1], &q3 = q.q[2], &q4 = q.q[3];
+  Hourglass<R> r;
+  r.q[0] = {mu * ((hh.y + hh.z) * q1.x + hk.z * q2.y + hk.y * q3.z), direct * hh.y * q1.y + crossed * hk.z * q2.x,
+            direct * hh.z * q1.z + crossed * hk.y * q3.x};
+  r.q[1] = {direct * hh.x * q2.x + crossed * hk.z * q1.y, mu * ((hh.z + hh.x) * q2.y + hk.z * q1.x + hk.x * q3.z),
+            direct * hh.z * q2.z + crossed * hk.x * q3.y};
+  r.q[2] = {direct * hh.x * q3.x + crossed * hk.y * q1.z, direct * hh.y * q3.y + crossed * hk.x * q2.z,
+            mu * ((hh.x + hh.y) * q3.z + hk.y * q1.x + hk.x * q2.y)};
+  r.q[3] = {last * hh.x * q4.x, last * hh.y * q4.y, last * hh.z * q4.z};
+  return r;
+}
+
+/// Advances the hourglass forces by a step and adds up their work; returns them in global axes at the end of the step.
+template <class R>
+[[gnu::always_inline]] inline Hourglass<R> resist_hourglass(const HexahedronProperties& brick,
+                                                            const ElasticConstants& e, const Gradient<R>& g,
+                                                            const Patterns<R>& mid, const Patterns<R>& end,
+                                                            const Hourglass<R>& rate, const Frame<R>& turn,
+                                                            const R& side, double dt, double* state) {
+  using L = HexahedronLayout;
+  Hourglass<R> old = load_hourglass<R>(state), now = old, q = rate;
+  if (brick.hourglass == 6) {
+    const Frame<R> axes = axes_of(mid);
+    for (Vec3<R>& a : q.q) a = axes.local(a);
+    const Vec3<R> sides{8.0 * dot(mid.a, axes.e1), 8.0 * dot(mid.b, axes.e2), 8.0 * dot(mid.c, axes.e3)};
+    const Hourglass<R> change = bindeman_rates(e, brick.hourglass_coefficient, sides, q);
+    for (int i = 0; i < 4; ++i) now.q[i] += R(dt) * change.q[i];
+  } else if (brick.hourglass >= 4) {
+    const R stiffness = (8.0 * brick.hourglass_coefficient * e.shear * dt) * g.squared() * g.over_volume;
+    for (int i = 0; i < 4; ++i) {
+      old.q[i] = turn.local(old.q[i]);
+      now.q[i] = old.q[i] + stiffness * q.q[i];
+    }
+  } else {
+    const R density = brick.density * load_field<R>(state, L::density_scale);
+    const R viscosity = (16.0 * brick.hourglass_coefficient) * sqrt(density * e.bulk_wave()) * side * side;
+    for (int i = 0; i < 4; ++i) now.q[i] = viscosity * q.q[i];
+  }
+  R power = R(0.0);
+  for (int i = 0; i < 4; ++i) {
+    power += dot(old.q[i] + now.q[i], q.q[i]);
+    store_vector(state, L::hourglass + 3 * i, now.q[i]);
+  }
+  store_field(state, L::hourglass_energy, load_field<R>(state, L::hourglass_energy) + (0.5 * dt) * power);
+  if (brick.hourglass == 6) {
+    const Frame<R> axes = axes_of(end);
+    for (Vec3<R>& a : now.q) a = axes.global(a);
+  }
+  return now;
+}
+
+/// Square of the largest face's area.
+template <class R>
+R largest_face2(const Patterns<R>& x) {
+  R most = R(0.0);
+  const auto pair = [&](const Vec3<R>& a, const Vec3<R>& ha, const Vec3<R>& b, const Vec3<R>& hb) {
+    const Vec3<R> up = cross(a + ha, b + hb), down = cross(a - ha, b - hb);
+    most = max(most, max(dot(up, up), dot(down, down)));
+  };
+  pair(x.a, x.h[1], x.b, x.h[0]);
+  pair(x.b, x.h[2], x.c, x.h[1]);
+  pair(x.c, x.h[0], x.a, x.h[2]);
+  return 16.0 * most;
+}
+
+/// Forces that do the work of stress and hourglass forces: V sigma_ij b_jI + sum_k Q_ik gamma_kI, gamma_k = h_k / 8 -
+/// (x_k . b).
+template <class R>
+[[gnu::always_inline]] inline void forces_of(const Gradient<R>& g, const Patterns<R>& x, const SolidTensor<R>& s,
+                                             const Hourglass<R>& q, bool orthogonal, Vec3<R> (&f)[8]) {
+  Matrix<R> m{{s.xx, s.xy, s.zx}, {s.xy, s.yy, s.yz}, {s.zx, s.yz, s.zz}};
+  if (orthogonal)
+    for (int i = 0; i < 4; ++i) {
+      const Vec3<R> spread = g.over_volume * x.h[i];
+      m.x -= q.q[i].x * spread;
+      m.y -= q.q[i].y * spread;
+      m.z -= q.q[i].z * spread;
+    }
+  const R eighth = R(0.125);
+  Patterns<R> p{m * g.a, m * g.b, m * g.c, {m * g.h[0], m * g.h[1], m * g.h[2], {}}};
+  for (int i = 0; i < 4; ++i) p.h[i] += eighth * q.q[i];
+  nodes_of(p, f);
+}
+
+Patterns<double> patterns_of(const std::array<Vec3d, 8>& x) {
+  const Vec3d nodes[8] = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};
+  return patterns_of<double>(nodes);
+}
+
+}  // namespace
+
+template <class R, class Law>
+SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepared<Law>& law,
+                                const SolidMotion<R>& nodes, double dt, double* state) {
+  using L = HexahedronLayout;
+  const ElasticConstants& e = law.elastic();
+  auto alive = load_field<R>(state, L::alive) > 0.5;
+
+  Patterns<R> v = patterns_of(nodes.v);
+  if (any(!alive))
+    for (Vec3<R>* a : {&v.a, &v.b, &v.c, &v.h[0], &v.h[1], &v.h[2], &v.h[3]}) *a = select(alive, *a, Vec3<R>{});
+  const Patterns<R> end = patterns_of(nodes.x);
+  const R half = R(0.5 * dt);
+  const Patterns<R> mid{
+      end.a - half * v.a,
+      end.b - half * v.b,
+      end.c - half * v.c,
+      {end.h[0] - half * v.h[0], end.h[1] - half * v.h[1], end.h[2] - half * v.h[2], end.h[3] - half * v.h[3]}};
+  const Gradient<R> g(mid), g_end(end);
+  const Matrix<R> l = velocity_gradient(g, v);
+  const Frame<R> turn = rotation_of(l, dt);
+
+  // V^(1/3) follows V by Halley's rule, cubic in the change of a step.
+  const R old_side = load_field<R>(state, L::side), cube = old_side * old_side * old_side;
+  const R side = old_side * (cube + 2.0 * g_end.volume) / (2.0 * cube + g_end.volume);
+  store_field(state, L::side, select(alive && g_end.volume > 0.0, side, old_side));
+
+  const bool orthogonal = brick.hourglass != 1;
+  Hourglass<R> rate;
+  for (int i = 0; i < 4; ++i) rate.q[i] = orthogonal ? v.h[i] - l * mid.h[i] : v.h[i];
+  const Hourglass<R> q = resist_hourglass(brick, e, g, mid, end, rate, turn, side, dt, state);
+
+  double* history = state + L::first_history * lanes<R>;
+  SolidTensor<R> s = rotated(turn, load_solid<R>(state + L::stress * lanes<R>));
+  law.rotate(turn, history);
+  const SolidTensor<R> d{l.x.x, l.y.y, l.z.z, l.x.y + l.y.x, l.y.z + l.z.y, l.z.x + l.x.z};
+  law.solid(s, d, dt, history);
+  store_solid(state + L::stress * lanes<R>, s);
+
+  const R density = brick.density * load_field<R>(state, L::density_scale);
+  const R c2 = e.bulk_wave() / density, c = sqrt(c2), trace = d.xx + d.yy + d.zz, none = R(0.0);
+  const auto compressed = trace < 0.0;
+  const R viscous = density * side * (brick.bulk_quadratic * side * trace * trace - brick.bulk_linear * c * trace);
+  const R pressure = select(compressed, viscous, none);
+  s.xx -= pressure;
+  s.yy -= pressure;
+  s.zz -= pressure;
+
+  const R length = g_end.volume / sqrt(largest_face2(end));
+  const R slow = select(compressed, brick.bulk_linear * c - brick.bulk_quadratic * length * trace, none);
+  const R step = length / (slow + sqrt(slow * slow + c2));
+
+  if (law.can_fail()) alive = alive && !law.template failed<R>(history);
+  if (law.deletion_step() > 0.0) alive = alive && step >= law.deletion_step();
+  if (law.can_fail() || law.deletion_step() > 0.0) store_field(state, L::alive, select(alive, R(1.0), none));
+
+  SolidForces<R> out;
+  forces_of(g_end, end, s, q, orthogonal, out.f);
+  if (any(!alive))
+    for (Vec3<R>& f : out.f) f = select(alive, f, Vec3<R>{});
+  out.stable_step = select(alive, step, R(std::numeric_limits<double>::infinity()));
+  out.volume = select(alive, g_end.volume, cube);
+  return out;
+}
+
+void start_hexahedron(const HexahedronLayout& layout, const std::array<Vec3d, 8>& x, double* state, int width,
+                      int lane) {
+  using L = HexahedronLayout;
+  for (int i = 0; i < layout.size(); ++i) state[i * width + lane] = 0.0;
+  state[L::alive * width + lane] = 1.0;
+  state[L::density_scale * width + lane] = 1.0;
+  state[L::side * width + lane] = std::cbrt(hexahedron_volume(x));
+}
+
+double hexahedron_volume(const std::array<Vec3d, 8>& x) {
+  return Gradient<double>(patterns_of(x)).volume;
+}
+
+double hexahedron_stable_step(const std::array<Vec3d, 8>& x, double E, double nu, double density) {
+  const double c = std::sqrt(ElasticConstants(E, nu).bulk_wave() / density);
+  return hexahedron_volume(x) / std::sqrt(largest_face2(patterns_of(x))) / c;
+}
+
+double hexahedron_nodal_mass(const std::array<Vec3d, 8>& x, double density) {
+  return 0.125 * density * hexahedron_volume(x);
+}
+
+template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
+                                              const SolidMotion<double>&, double, double*);
+template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const Prepared<PlasticKinematic>&,
+                                              const SolidMotion<double>&, double, double*);
+template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
+                                              const SolidMotion<double>&, double, double*);
+template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const Prepared<Spotweld>&,
+                                              const SolidMotion<double>&, double, double*);
+template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
+                                                   const SolidMotion<NativeBatch>&, double, double*);
+template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const Prepared<PlasticKinematic>&,
+                                                   const SolidMotion<NativeBatch>&, double, double*);
+template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
+                                                   const SolidMotion<NativeBatch>&, double, double*);
+template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const Prepared<Spotweld>&,
+                                                   const SolidMotion<NativeBatch>&, double, double*);
+template SolidForces<Dual<24>> hexahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
+                                                const SolidMotion<Dual<24>>&, double, double*);
+
+}  // namespace nugget::kernel

@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "kernel/element/hexahedron.hpp"
+#include "motion.hpp"
+
+namespace nugget::kernel {
+namespace {
+
+using L = HexahedronLayout;
+using Corners = std::array<Vec3d, 8>;
+
+Corners box(double a, double b, double c) {
+  return {Vec3d{0, 0, 0}, {a, 0, 0}, {a, b, 0}, {0, b, 0}, {0, 0, c}, {a, 0, c}, {a, b, c}, {0, b, c}};
+}
+Corners distorted(Random& random) {
+  Corners x = box(5, 4, 3);
+  for (Vec3d& p : x) p += random.vector(0.4);
+  return x;
+}
+
+template <class Law>
+struct Driven {
+  HexahedronProperties brick;
+  Prepared<Law> law;
+  HexahedronLayout layout;
+  std::vector<double> state;
+  SolidMotion<double> nodes;
+  SolidForces<double> force{};
+
+  Driven(const HexahedronProperties& properties, const Law& parameters, const Corners& x)
+      : brick(properties),
+        law(parameters),
+        layout(hexahedron_layout(law)),
+        state(static_cast<std::size_t>(layout.size())) {
+    for (std::size_t i = 0; i < 8; ++i) nodes.x[i] = x[i];
+    start_hexahedron(layout, x, state.data(), 1, 0);
+  }
+  const SolidForces<double>& step(double dt) {
+    for (int i = 0; i < 8; ++i) nodes.x[i] += dt * nodes.v[i];
+    return force = hexahedron_cycle<double>(brick, law, nodes, dt, state.data());
+  }
+  double at(int field) const { return state[static_cast<std::size_t>(field)]; }
+  double work(const SolidForces<double>& f) const {
+    double sum = 0.0;
+    for (int i = 0; i < 8; ++i) sum += dot(f.f[i], nodes.v[i]);
+    return sum;
+  }
+};
+
+double largest(const SolidForces<double>& f) {
+  double most = 0.0;
+  for (const Vec3d& a : f.f) most = std::max(most, norm(a));
+  return most;
+}
+
+HexahedronProperties brick(int hourglass, double coefficient = 0.1) {
+  HexahedronProperties b;
+  b.density = steel_density;
+  b.hourglass = hourglass;
+  b.hourglass_coefficient = coefficient;
+  return b;
+}
+
+Spotweld weld(double failure = 0.0) {
+  Spotweld law;
+  law.E = steel_E;
+  law.nu = steel_nu;
+  law.yield = 400.0;
+  law.hardening = 1000.0;
+  law.failure_strain = failure;
+  return law;
+}
+
+template <class Law>
+void batch_gives_the_bits_of_double(const HexahedronProperties& properties, const Law& parameters) {
+  constexpr int W = native_width;
+  const double dt = 1e-7;
+  Random random;
+  std::vector<Driven<Law>> single;
+  for (int l = 0; l < W; ++l) single.emplace_back(properties, parameters, distorted(random));
+  const std::size_t size = single[0].state.size();
+  std::vector<double> together(size * W);
+  for (int l = 0; l < W; ++l) {
+    Driven<Law>& one = single[static_cast<std::size_t>(l)];
+    if (l == 2) one.state[L::alive] = 0.0;
+    for (std::size_t i = 0; i < size; ++i) together[i * W + static_cast<std::size_t>(l)] = one.state[i];
+  }
+  for (int cycle = 0; cycle < 60; ++cycle) {
+    SolidMotion<NativeBatch> nodes;
+    for (int l = 0; l < W; ++l) {
+      Driven<Law>& one = single[static_cast<std::size_t>(l)];
+      const Vec3d spin = random.vector(1e4);
+      for (int i = 0; i < 8; ++i) one.nodes.v[i] = cross(spin, one.nodes.x[i]) + random.vector(20000.0 * (l + 1));
+      one.step(dt);
+      for (int i = 0; i < 8; ++i) {
+        set_lane(nodes.x[i].x, l, one.nodes.x[i].x);
+        set_lane(nodes.x[i].y, l, one.nodes.x[i].y);
+        set_lane(nodes.x[i].z, l, one.nodes.x[i].z);
+        set_lane(nodes.v[i].x, l, one.nodes.v[i].x);
+        set_lane(nodes.v[i].y, l, one.nodes.v[i].y);
+        set_lane(nodes.v[i].z, l, one.nodes.v[i].z);
+      }
+    }
+    const auto force = hexahedron_cycle<NativeBatch>(properties, single[0].law, nodes, dt, together.data());
+    for (int l = 0; l < W; ++l) {
+      const Driven<Law>& one = single[static_cast<std::size_t>(l)];
+      for (int i = 0; i < 8; ++i) {
+        const Vec3d f = get(force.f[i], l);
+        ASSERT_EQ(0, std::memcmp(&f, &one.force.f[i], sizeof f)) << cycle;
+      }
+      ASSERT_EQ(lane(force.stable_step, l), one.force.stable_step);
+      for (std::size_t i = 0; i < size; ++i)
+        ASSERT_EQ(together[i * W + static_cast<std::size_t>(l)], one.state[i]) << i;
+    }
+  }
+  if constexpr (Prepared<Law>::has_plastic_strain) {
+    EXPECT_GT(single[0].at(L::first_history), 0.0);
+  }
+}
+
+TEST(Hexahedron, BatchGivesTheBitsOfDouble) {
+  for (const int hourglass : {1, 2, 4, 6}) batch_gives_the_bits_of_double(brick(hourglass), steel);
+  batch_gives_the_bits_of_double(brick(5), mixed(0.3));
+  batch_gives_the_bits_of_double(brick(3), curved());
+  batch_gives_the_bits_of_double(brick(6), tabled());
+  batch_gives_the_bits_of_double(brick(6), weld(0.2));
+}
+
+TEST(Hexahedron, GradientIsTheDerivativeOfTheVolume) {
+  // Forces of a unit mean stress are dV/dx.
+  Random random;
+  const Corners x = distorted(random);
+  Driven<Elastic> d(brick(4), steel, x);
+  d.state[L::stress] = d.state[L::stress + 1] = d.state[L::stress + 2] = 1.0;
+  d.step(0.0);
+  for (std::size_t i = 0; i < 8; ++i)
+    for (double Vec3d::*c : {&Vec3d::x, &Vec3d::y, &Vec3d::z}) {
+      Corners up = x, down = x;
+      up[i].*c += 1e-4;
+      down[i].*c -= 1e-4;
+      EXPECT_NEAR(d.force.f[i].*c, (hexahedron_volume(up) - hexahedron_volume(down)) / 2e-4, 1e-8);
+    }
+  EXPECT_NEAR(d.force.volume, hexahedron_volume(x), 1e-12);
+  EXPECT_NEAR(hexahedron_volume(box(5, 4, 3)), 60.0, 1e-12);
+}
+
+TEST(Hexahedron, Patch) {
+  // A linear velocity field on a distorted brick: exact strain, no hourglass force.
+  Random random;
+  for (const int hourglass : {2, 4, 6}) {
+    Driven<Elastic> d(brick(hourglass, 1.0), steel, distorted(random));
+    for (int i = 0; i < 8; ++i) {
+      const Vec3d& x = d.nodes.x[i];
+      d.nodes.v[i] = 1e-6 * Vec3d{x.x + 0.5 * x.y, x.y + 0.5 * x.x - 0.2 * x.z, 0.3 * x.z - 0.2 * x.y};
+    }
+    d.step(1e-3);
+    const double lambda = steel_E * steel_nu / (1.3 * 0.4), G = steel_E / 2.6, unit_strain = 1e-9;
+    EXPECT_NEAR(d.at(L::stress), (2.3 * lambda + 2 * G) * unit_strain, 1e-12);
+    EXPECT_NEAR(d.at(L::stress + 2), (2.3 * lambda + 0.6 * G) * unit_strain, 1e-12);
+    EXPECT_NEAR(d.at(L::stress + 3), G * unit_strain, 1e-12);
+    EXPECT_NEAR(d.at(L::stress + 4), -0.4 * G * unit_strain, 1e-12);
+    for (int i = 0; i < 12; ++i) EXPECT_NEAR(d.at(L::hourglass + i), 0.0, 1e-13);
+  }
+}
+
+TEST(Hexahedron, RigidRotationStrainsNothing) {
+  Random random;
+  const double dt = 1e-7;
+  for (const int hourglass : {2, 4, 6}) {
+    Driven<PlasticKinematic> d(brick(hourglass), mixed(0.5), distorted(random));
+    for (int cycle = 0; cycle < 20; ++cycle) {
+      for (Vec3d& v : d.nodes.v) v = random.vector(40000.0);
+      d.step(dt);
+    }
+    for (Vec3d& v : d.nodes.v) v = {};
+    d.step(dt);  // at rest: no viscous forces
+    ASSERT_GT(d.at(L::first_history), 0.0);
+    const std::vector<double> before = d.state;
+    const auto start = d.force;
+    const Vec3d axis = unit(Vec3d{1, 2, 3});
+    double work = 0.0;
+    const int steps = 360;
+    for (int cycle = 0; cycle < steps; ++cycle) {
+      const auto last = d.force;
+      for (int i = 0; i < 8; ++i)
+        d.nodes.v[i] = (1.0 / dt) * (turned(axis, 2 * M_PI / steps, d.nodes.x[i]) - d.nodes.x[i]);
+      d.step(dt);
+      work += 0.5 * dt * (d.work(last) + d.work(d.force));
+    }
+    for (std::size_t i = 0; i < before.size(); ++i)
+      EXPECT_NEAR(d.state[i], before[i], 1e-7 * (1 + std::abs(before[i]))) << i;
+    for (int i = 0; i < 8; ++i) EXPECT_LT(norm(d.force.f[i] - start.f[i]), 1e-7 * largest(start));
+    EXPECT_LT(std::abs(work), 1e-7 * largest(start));
+  }
+}
+
+TEST(Hexahedron, ForcesDoTheWorkOfTheStresses) {
+  Random random;
+  const double dt = 1e-13;
+  for (const int hourglass : {1, 3, 5, 6}) {
+    Driven<Elastic> d(brick(hourglass), steel, distorted(random));
+    for (int i = 0; i < 12; ++i) d.state[static_cast<std::size_t>(L::hourglass + i)] = 100 * random();
+    for (int i = 0; i < 6; ++i) d.state[static_cast<std::size_t>(L::stress + i)] = 100 * random();
+    for (int i = 0; i < 8; ++i)
+      d.nodes.v[i] = random.vector(1000.0) + 3000.0 * d.nodes.x[i];  // it expands: no bulk viscosity
+    d.step(dt);
+    const double before = d.at(L::hourglass_energy);
+    d.step(dt);
+    Corners x;
+    for (std::size_t i = 0; i < 8; ++i) x[i] = d.nodes.x[i];
+    double l[3][3] = {};  // V times the velocity gradient
+    double Vec3d::*axis[3] = {&Vec3d::x, &Vec3d::y, &Vec3d::z};
+    for (std::size_t n = 0; n < 8; ++n)
+      for (int j = 0; j < 3; ++j) {
+        Corners up = x, down = x;
+        up[n].*axis[j] += 1e-4;
+        down[n].*axis[j] -= 1e-4;
+        const double b = (hexahedron_volume(up) - hexahedron_volume(down)) / 2e-4;
+        for (int i = 0; i < 3; ++i) l[i][j] += d.nodes.v[n].*axis[i] * b;
+      }
+    const double* s = d.state.data() + L::stress;
+    const double expected = s[0] * l[0][0] + s[1] * l[1][1] + s[2] * l[2][2] + s[3] * (l[0][1] + l[1][0]) +
+                            s[4] * (l[1][2] + l[2][1]) + s[5] * (l[2][0] + l[0][2]);
+    const double hourglass_power = (d.at(L::hourglass_energy) - before) / dt;
+    EXPECT_GT(std::abs(hourglass_power), 1e-5 * std::abs(expected));
+    EXPECT_NEAR(d.work(d.force), expected + hourglass_power, 1e-6 * std::abs(expected)) << hourglass;
+    Vec3d force{}, moment{};
+    for (int i = 0; i < 8; ++i) {
+      force += d.force.f[i];
+      moment += cross(d.nodes.x[i], d.force.f[i]);
+    }
+    EXPECT_LT(norm(force), 1e-10 * largest(d.force));
+    if (hourglass > 1) {
+      EXPECT_LT(norm(moment), 1e-9 * largest(d.force));
+    }
+  }
+}
+
+TEST(Hexahedron, StableStep) {
+  const Corners x = box(5, 5, 1.5);
+  EXPECT_NEAR(hexahedron_stable_step(x, steel_E, steel_nu, steel_density), 2.49959e-7, 2.5e-11);
+  Driven<Elastic> d(brick(2), steel, x);
+  EXPECT_NEAR(d.step(0.0).stable_step, 2.49959e-7, 2.5e-11);
+  d.state[L::density_scale] = 4.0;
+  EXPECT_NEAR(d.step(0.0).stable_step, 2 * 2.49959e-7, 5e-11);
+  d.state[L::density_scale] = 1.0;
+  for (int i = 4; i < 8; ++i) d.nodes.v[i].z = -1.5;  // trace -1 at once
+  const double c = 6.000980e6, Q = 0.06 * c + 1.5 * 1.5;
+  EXPECT_NEAR(d.step(1e-12).stable_step, 1.5 / (Q + std::sqrt(Q * Q + c * c)), 1e-11);
+}
+
+TEST(Hexahedron, BulkViscosityPushesBackUnderCompression) {
+  Driven<Elastic> d(brick(2), steel, box(5, 5, 5));
+  const double rate = -1000.0, c = 6.000980e6;
+  for (int i = 4; i < 8; ++i) d.nodes.v[i].z = 5 * rate;
+  d.step(1e-15);
+  const double q = steel_density * 5 * (1.5 * 5 * rate * rate - 0.06 * c * rate);
+  EXPECT_NEAR(d.force.f[4].z, -q * 25 / 4, 1e-3 * q * 25 / 4);
+  for (int i = 4; i < 8; ++i) d.nodes.v[i].z = -5 * rate;
+  d.step(1e-15);
+  EXPECT_NEAR(d.force.f[4].z, 0.0, 1e-2);
+}
+
+TEST(Hexahedron, DegenerateFormsAreFinite) {
+  Corners wedge = box(5, 4, 3), tetrahedron = box(5, 4, 3);
+  wedge[6] = wedge[5];
+  wedge[7] = wedge[4];
+  tetrahedron[3] = tetrahedron[2];
+  for (std::size_t i = 5; i < 8; ++i) tetrahedron[i] = tetrahedron[4];
+  for (const Corners& x : {wedge, tetrahedron})
+    for (const int hourglass : {1, 2, 4, 6}) {
+      Driven<Elastic> d(brick(hourglass), steel, x);
+      for (int i = 0; i < 8; ++i) d.nodes.v[i] = {d.nodes.x[i].z, d.nodes.x[i].x, 0};
+      d.step(1e-7);
+      EXPECT_TRUE(std::isfinite(largest(d.force))) << hourglass;
+      EXPECT_GT(d.force.stable_step, 0.0);
+      EXPECT_GT(d.force.volume, 0.0);
+    }
+  EXPECT_NEAR(hexahedron_volume(wedge), 30.0, 1e-12);
+  EXPECT_NEAR(hexahedron_volume(tetrahedron), 10.0, 1e-12);
+}
+
+TEST(Hexahedron, InvertedVolumeIsReported) {
+  Driven<Elastic> d(brick(2), steel, box(5, 4, 3));
+  for (int i = 4; i < 8; ++i) d.nodes.v[i].z = -4.0;
+  EXPECT_LT(d.step(1.0).volume, 0.0);
+}
+
+TEST(Hexahedron, FailedBrickIsDeleted) {
+  Driven<Spotweld> d(brick(2), weld(0.02), box(5, 5, 5));
+  for (int cycle = 0; cycle < 5000 && d.at(L::alive) > 0.5; ++cycle) {
+    for (int i = 4; i < 8; ++i) d.nodes.v[i].x = 1000.0;
+    d.step(1e-7);
+  }
+  EXPECT_EQ(d.at(L::alive), 0.0);
+  EXPECT_EQ(largest(d.force), 0.0);
+  EXPECT_GE(d.at(L::first_history), 0.02);
+  EXPECT_TRUE(std::isinf(d.force.stable_step));
+}
+
+TEST(Hexahedron, Mass) {
+  EXPECT_DOUBLE_EQ(hexahedron_nodal_mass(box(5, 4, 3), steel_density), 60 * steel_density / 8);
+}
+
+using Dense = std::vector<std::vector<double>>;
+
+Dense stiffness(const HexahedronProperties& b, const Corners& x) {
+  Driven<Elastic> d(b, steel, x);
+  SolidMotion<Dual<24>> nodes;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const int j = 3 * static_cast<int>(i);
+    nodes.x[i] = {x[i].x, x[i].y, x[i].z};
+    nodes.v[i] = {Dual<24>::variable(0, j), Dual<24>::variable(0, j + 1), Dual<24>::variable(0, j + 2)};
+  }
+  const auto f = hexahedron_cycle<Dual<24>>(b, d.law, nodes, 1.0, d.state.data());
+  Dense K;
+  for (const auto& a : f.f)
+    for (const Dual<24>* c : {&a.x, &a.y, &a.z}) K.emplace_back(c->d.begin(), c->d.end());
+  return K;
+}
+
+std::vector<double> solved(Dense a, std::vector<double> b) {
+  const std::size_t n = b.size();
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const double m = a[i][k] / a[k][k];
+      for (std::size_t j = k; j < n; ++j) a[i][j] -= m * a[k][j];
+      b[i] -= m * b[k];
+    }
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t j = i + 1; j < n; ++j) b[i] -= a[i][j] * b[j];
+    b[i] /= a[i][i];
+  }
+  return b;
+}
+
+/// Tip deflection of the cantilever of A-14 with n bricks: end couple of 100000 N mm, or end shear of 1000 N.
+double tip(int n, double coefficient, bool couple) {
+  const std::size_t size = 12 * (static_cast<std::size_t>(n) + 1);
+  Dense K(size, std::vector<double>(size));
+  // Bricks along x; the element's nodes 1 4 8 5 lie on its left face, 2 3 7 6 on its right.
+  const std::size_t left[4] = {0, 3, 7, 4}, right[4] = {1, 2, 6, 5};
+  for (int e = 0; e < n; ++e) {
+    const Dense k = stiffness(brick(6, coefficient), box(100.0 / n, 10, 10));
+    std::size_t place[8];
+    for (std::size_t i = 0; i < 4; ++i) {
+      place[left[i]] = 4 * static_cast<std::size_t>(e) + i;
+      place[right[i]] = 4 * static_cast<std::size_t>(e) + 4 + i;
+    }
+    for (std::size_t i = 0; i < 24; ++i)
+      for (std::size_t j = 0; j < 24; ++j) K[3 * place[i / 3] + i % 3][3 * place[j / 3] + j % 3] += k[i][j];
+  }
+  std::vector<double> f(size);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t node = size - 12 + 3 * i;
+    if (couple)
+      f[node] = i < 2 ? 5000.0 : -5000.0;  // bends towards +z: compression above
+    else
+      f[node + 2] = 250.0;
+  }
+  for (const std::size_t fixed : {0, 3, 6, 9, 2, 1}) K[fixed][fixed] += 1e14;  // root: all u_x, one u_z, one u_y
+  K[5][5] += 1e14;  // u_z of the neighbour: no turning about x
+  const std::vector<double> u = solved(K, f);
+  return 0.25 * (u[size - 1] + u[size - 4] + u[size - 7] + u[size - 10]);
+}
+
+TEST(Hexahedron, PhysicalHourglassControlBendsABeam) {
+  const double G = steel_E / 2.6;
+  for (const int n : {1, 2, 5}) {
+    EXPECT_NEAR(std::abs(tip(n, 1.0, true)), 2.857143, 0.002 * 2.857) << n;
+    const double exact = 1000.0 * 1e6 / (3 * steel_E * 1e4 / 12) * (1 - 1.0 / (4.0 * n * n)) + 1000.0 * 100 / (G * 100);
+    EXPECT_NEAR(tip(n, 1.0, false), exact, 0.01 * exact) << n;
+  }
+  EXPECT_NEAR(std::abs(tip(1, 0.1, true)), 28.57, 1.5);
+}
+
+}  // namespace
+}  // namespace nugget::kernel

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "base/dual.hpp"
+#include "base/row.hpp"
+
+namespace nugget {
+namespace {
+
+template <int W>
+Batch<W> ramp(double first, double step) {
+  Batch<W> a;
+  for (int l = 0; l < W; ++l) set_lane(a, l, first + l * step);
+  return a;
+}
+
+template <int W>
+void lanes_behave_as_doubles() {
+  const Batch<W> a = ramp<W>(-1.5, 1.0), b = ramp<W>(2.0, -0.75);
+  for (int l = 0; l < W; ++l) {
+    const double x = lane(a, l), y = lane(b, l);
+    EXPECT_EQ(lane(a + b, l), x + y);
+    EXPECT_EQ(lane(a - 1.0, l), x - 1.0);
+    EXPECT_EQ(lane(2.0 * a, l), 2.0 * x);
+    EXPECT_EQ(lane(a / b, l), x / y);
+    EXPECT_EQ(lane(-a, l), -x);
+    EXPECT_EQ(lane(abs(a), l), std::abs(x));
+    EXPECT_EQ(lane(sqrt(abs(a)), l), std::sqrt(std::abs(x)));
+    EXPECT_EQ(lane(min(a, b), l), std::min(x, y));
+    EXPECT_EQ(lane(max(a, b), l), std::max(x, y));
+    EXPECT_EQ((a < b)[l], x < y);
+    EXPECT_EQ((a < b && !(a < 0.0))[l], x < y && x >= 0);
+    EXPECT_EQ((a >= b || a <= -1.0)[l], x >= y || x <= -1);
+    EXPECT_EQ(lane(select(a > b, a, b), l), x > y ? x : y);
+    EXPECT_EQ(lane(map([](double v) { return std::exp(v); }, a), l), std::exp(x));
+    EXPECT_EQ(lane(map([](double v, double u) { return v * u; }, a, b), l), x * y);
+  }
+  EXPECT_TRUE(any(a > lane(a, W - 1) - 0.5));
+  EXPECT_FALSE(any(a > lane(a, W - 1)));
+  double store[W + 1] = {};
+  real_store(store + 1, a);  // need not be aligned
+  EXPECT_EQ(lane(real_load<Batch<W>>(store + 1), W - 1), lane(a, W - 1));
+}
+
+TEST(Batch, LanesBehaveAsDoubles) {
+  lanes_behave_as_doubles<2>();
+  lanes_behave_as_doubles<native_width>();
+}
+
+template <class R>
+void rows_go_and_come() {
+  std::vector<Row> rows(20), out(20);
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = {1.0 * i, 100.0 + i, 200.0 + i, 9.0};
+  const int id[4] = {7, 3, 19, 0}, to[4] = {2, 11, 5, 6};
+  const Vec3<R> v = gather<R>(rows.data(), id);
+  scatter<R>(out.data(), to, v);
+  store_rows<R>(out.data() + 12, v);
+  for (int l = 0; l < lanes<R>; ++l) {
+    EXPECT_EQ(lane(v.x, l), id[l]);
+    EXPECT_EQ(lane(v.y, l), 100.0 + id[l]);
+    EXPECT_EQ(lane(v.z, l), 200.0 + id[l]);
+    for (const std::size_t at : {static_cast<std::size_t>(to[l]), static_cast<std::size_t>(12 + l)}) {
+      EXPECT_EQ(out[at].x, id[l]);
+      EXPECT_EQ(out[at].y, 100.0 + id[l]);
+      EXPECT_EQ(out[at].z, 200.0 + id[l]);
+      EXPECT_EQ(out[at].pad, 0.0);
+    }
+  }
+}
+
+TEST(Row, GatherAndScatter) {
+  rows_go_and_come<double>();
+  rows_go_and_come<Batch<2>>();
+  rows_go_and_come<NativeBatch>();
+}
+
+TEST(Dual, Derivatives) {
+  const auto x = Dual<2>::variable(3.0, 0), y = Dual<2>::variable(5.0, 1);
+  const auto f = sqrt(x * y + 1.0) / (y - x) - x;
+  const double root = 4.0;
+  EXPECT_DOUBLE_EQ(f.value, root / 2.0 - 3.0);
+  EXPECT_DOUBLE_EQ(f.d[0], 5.0 / (2 * root) / 2.0 + root / 4.0 - 1.0);
+  EXPECT_DOUBLE_EQ(f.d[1], 3.0 / (2 * root) / 2.0 - root / 4.0);
+  EXPECT_EQ(abs(-x).d[0], 1.0);
+  EXPECT_EQ(max(x, y).d[1], 1.0);
+  EXPECT_EQ(select(x > y, x, y).d[0], 0.0);
+}
+
+}  // namespace
+}  // namespace nugget
