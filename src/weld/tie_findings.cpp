@@ -15,14 +15,6 @@ namespace {
 /// Weights below this are round-off of a node on an edge or a corner.
 constexpr double no_weight = 1e-10;
 
-std::string name_weld(const Weld& weld) {
-  return fmt::format("{} weld {}", to_string(weld.kind), weld.id);
-}
-
-std::string element_keyword(const Weld& weld) {
-  return weld.kind == Weld::Kind::beam ? "*ELEMENT_BEAM" : "*ELEMENT_SOLID";
-}
-
 std::string name_body(const model::RigidBody& body) {
   switch (body.origin) {
     case model::RigidBody::Origin::part: return fmt::format("rigid part {}", body.id);
@@ -131,7 +123,7 @@ void refuse_circles(const model::Model& model, const std::vector<Tie>& ties, con
 
 void report_end(const model::Model& model, const Weld& weld, const Projection& p, Findings& findings, Tally& tally) {
   const std::string text = fmt::format("{}: {}: {}", name_weld(weld), name_node(model, p.node), p.reason);
-  const std::string keyword = element_keyword(weld);
+  const std::string keyword = keyword_of(weld);
   switch (p.kase) {
     case 4:
       tally.warning("welds over sheets that penetrate each other (case 4)", weld.place, keyword,
@@ -288,7 +280,7 @@ void report_welds(const model::Model& model, const Ties& ties, Findings& finding
     for (const Projection& p : weld.ends) {
       report_end(model, weld, p, findings, tally);
       if (p.kase == 0 && !p.tied)
-        tally.warning("weld nodes without a contact", weld.place, element_keyword(weld),
+        tally.warning("weld nodes without a contact", weld.place, keyword_of(weld),
                       fmt::format("{}: {}: {}", name_weld(weld), name_node(model, p.node), p.reason),
                       "put the weld's part on the tracked side (SURFA) of a *CONTACT_SPOTWELD");
     }

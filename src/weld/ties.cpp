@@ -226,8 +226,8 @@ void Tying::take_offers(Index contact, const std::vector<Tracked>& tracked, std:
   }
 }
 
-/// Ties the two ends to different parts: of two on the same part the farther one takes its next best; if that would turn the
-/// weld over and the other way round would not, the nearer one does.
+/// Ties the two ends to different parts: of two on the same part the farther one takes its next best; if that would
+/// turn the weld over and the other way round would not, the nearer one does.
 void Tying::settle_beam(const Weld& weld) {
   const std::array<Record*, 2> r{record(weld.ends[0].node), record(weld.ends[1].node)};
   const auto is_open = [](const Record* record) { return record && !record->tied && !record->in_reach.empty(); };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "weld/welds.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -86,6 +88,20 @@ WeldSize measure_brick(const Weld& weld, const std::vector<Vec3d>& x) {
 bool of_weld_material(const model::Model& model, Index part) {
   const Index material = model.parts[part].material;
   return material != none && std::holds_alternative<kernel::Spotweld>(model.materials[material].law);
+}
+
+std::string name_weld(const Weld& weld) {
+  return fmt::format("{} weld {}", to_string(weld.kind), weld.id);
+}
+
+std::string keyword_of(const Weld& weld) {
+  switch (weld.kind) {
+    case Weld::Kind::beam: return "*ELEMENT_BEAM";
+    case Weld::Kind::rigid: return "*CONSTRAINED_GENERALIZED_WELD_SPOT";
+    case Weld::Kind::solid:
+    case Weld::Kind::assembly: return "*ELEMENT_SOLID";
+  }
+  return {};
 }
 
 std::vector<Weld> find_welds(const model::Model& model) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <string>
 #include <vector>
 
 #include "weld/ties.hpp"
@@ -9,6 +11,11 @@ namespace nugget::weld {
 
 /// Whether the elements of `part` are of spot-weld material (MAT_100).
 bool of_weld_material(const model::Model& model, Index part);
+
+/// `beam weld 17`.
+std::string name_weld(const Weld& weld);
+/// The keyword that defines a weld, with its star.
+std::string keyword_of(const Weld& weld);
 
 /// All welds of a model, in the order of Ties::welds, not yet tied: identity, nodes, end faces as numbered, diameter.
 std::vector<Weld> find_welds(const model::Model& model);
