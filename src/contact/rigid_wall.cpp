@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/rigid_wall.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/parallel.hpp"
+
+namespace nugget::contact {
+namespace {
+
+constexpr std::size_t group_size = 1024;
+
+std::variant<kernel::PlaneWall, kernel::CylinderWall, kernel::SphereWall> shape_of(const model::RigidWall& wall) {
+  switch (wall.shape) {
+    case model::RigidWall::Shape::cylinder: return kernel::CylinderWall{wall.normal, wall.radius, wall.length};
+    case model::RigidWall::Shape::sphere: return kernel::SphereWall{wall.radius};
+    case model::RigidWall::Shape::plane: break;
+  }
+  if (!wall.finite) return kernel::PlaneWall{wall.normal, {}, {}};
+  return kernel::PlaneWall{wall.normal, wall.edge_l, wall.edge_m, wall.length_l, wall.length_m};
+}
+
+}  // namespace
+
+RigidWall::RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const Curve* motion)
+    : shape_(shape_of(wall)),
+      origin_(wall.origin),
+      normal_(wall.normal),
+      friction_(wall.friction),
+      weld_velocity_(wall.weld_velocity),
+      mass_(wall.mass),
+      velocity_(wall.velocity),
+      motion_is_displacement_(wall.motion_is_displacement),
+      motion_direction_(wall.motion_direction),
+      birth_(wall.birth),
+      death_(wall.death) {
+  if (motion != nullptr) motion_ = *motion;
+  for (int n : nodes) tracked_.push_back({n, kernel::Hold::none, {}});
+  sums_.resize((tracked_.size() + group_size - 1) / group_size);
+}
+
+Vec3d RigidWall::prescribed_velocity(double time, double dt) const {
+  if (!motion_ || motion_->empty()) return {};
+  if (!motion_is_displacement_) return motion_->zero_outside(time + 0.5 * dt) * motion_direction_;
+  // A displacement holds its last value when the curve ends.
+  return ((motion_->clamped(time + dt) - motion_->clamped(time)) / dt) * motion_direction_;
+}
+
+void RigidWall::constrain(double time, double dt, double dt_previous, std::span<const Row> x, std::span<Row> v,
+                          std::span<const double> mass, std::span<const unsigned char> skip) {
+  force_ = {};
+  normal_force_ = 0.0;
+  touching_ = 0;
+  Step step{dt, x, v, mass, skip, prescribed_velocity(time, dt)};
+  const bool active = time >= birth_ && time < death_;
+  if (mass_ > 0.0) {
+    if (active) collide(step);
+    step.wall_velocity = velocity_ * normal_;
+  }
+  if (active) {
+    parallel_for(sums_.size(), 1, [this, &step](std::size_t begin, std::size_t end) {
+      for (std::size_t g = begin; g < end; ++g) {
+        sums_[g] = {};
+        for (std::size_t i = g * group_size; i < std::min(tracked_.size(), (g + 1) * group_size); ++i)
+          stop(tracked_[i], step, sums_[g]);
+      }
+    });
+    Sum all;
+    for (const Sum& sum : sums_) {
+      all.impulse += sum.impulse;
+      all.normal += sum.normal;
+      all.energy += sum.energy;
+      all.touching += sum.touching;
+    }
+    const double between_middles = 0.5 * (dt + dt_previous);
+    force_ = (1.0 / between_middles) * all.impulse;
+    normal_force_ = all.normal / between_middles;
+    impulse_ += all.impulse;
+    normal_impulse_ += all.normal;
+    energy_ += all.energy;
+    touching_ = all.touching;
+  }
+  started_ = active;
+  origin_ += dt * step.wall_velocity;
+}
+
+/// The velocity of a wall with mass after a plastic collision with all nodes that it catches up with:
+/// M (V_old - V) = sum m_i (V - w_i), w_i the node's normal velocity plus what closes its gap in this step. Nodes that
+/// the slowed wall no longer reaches drop out, until none does.
+void RigidWall::collide(Step& step) {
+  const double before = velocity_;
+  std::size_t caught_before = tracked_.size() + 1;
+  for (bool settled = false; !settled;) {
+    step.wall_velocity = velocity_ * normal_;
+    double momentum = mass_ * before, total = mass_;
+    std::size_t caught = 0;
+    for (const Tracked& t : tracked_) {
+      if (!step.skip.empty() && step.skip[t.node]) continue;
+      const Vec3d from = vec(step.x[t.node]) - origin_, v = vec(step.v[t.node]);
+      const kernel::WallPush p = push(from, from + step.dt * (v - step.wall_velocity), t.hold);
+      if (!p.touching) continue;
+      const double gap = t.hold == kernel::Hold::welded ? 0.0 : std::max(0.0, dot(from, normal_));
+      momentum += step.mass[t.node] * (dot(v, normal_) + gap / step.dt);
+      total += step.mass[t.node];
+      ++caught;
+    }
+    velocity_ = caught > 0 ? momentum / total : before;
+    settled = caught == 0 || caught >= caught_before;
+    caught_before = caught;
+  }
+}
+
+/// What friction changes in the velocity relative to the wall, given what the wall changes in its normal part.
+Vec3d RigidWall::friction(const Vec3d& slip, double normal_change) const {
+  if (friction_ == 1.0 || friction_ == 3.0) return -slip;
+  if (friction_ == 2.0) return {};
+  return kernel::friction_change(slip, friction_, normal_change);
+}
+
+void RigidWall::stop(Tracked& tracked, const Step& step, Sum& sum) const {
+  if (!step.skip.empty() && step.skip[tracked.node]) {
+    tracked.hold = kernel::Hold::none;
+    return;
+  }
+  const Vec3d from = vec(step.x[tracked.node]) - origin_;
+  const Vec3d free = vec(step.v[tracked.node]);
+  Vec3d relative = free - step.wall_velocity;
+  kernel::WallPush p = push(from, from + step.dt * relative, tracked.hold);
+  const Vec3d before = started_ ? tracked.last : free;
+  tracked.last = free;
+  if (!p.touching) {
+    tracked.hold = kernel::Hold::none;
+    return;
+  }
+  const bool first = tracked.hold == kernel::Hold::none;
+  const double speed = dot(relative, p.normal);
+  tracked.hold = tracked.hold == kernel::Hold::welded || (friction_ >= 2.0 && first && -speed > weld_velocity_)
+                     ? kernel::Hold::welded
+                     : kernel::Hold::riding;
+
+  if (friction_ > 0.0) {
+    relative += friction(relative - speed * p.normal, std::abs(p.distance) / step.dt);
+    // On a round wall less sliding needs another push.
+    const kernel::WallPush again = push(from, from + step.dt * relative, tracked.hold);
+    if (again.touching) p = again;
+  }
+  relative += (p.distance / step.dt) * p.normal;
+
+  const Vec3d after = relative + step.wall_velocity;
+  const Vec3d impulse = step.mass[tracked.node] * (after - free);
+  tracked.last = after;
+  set(step.v[tracked.node], after);
+  sum.impulse += impulse;
+  sum.normal += dot(impulse, p.normal);
+  sum.energy -= 0.5 * dot(impulse, before + after);
+  ++sum.touching;
+}
+
+}  // namespace nugget::contact

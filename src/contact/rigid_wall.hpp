@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "base/curve.hpp"
+#include "base/row.hpp"
+#include "kernel/contact/wall.hpp"
+#include "model/loads.hpp"
+
+namespace nugget::contact {
+
+/// *RIGIDWALL_PLANAR and _GEOMETRIC_CYLINDER, _SPHERE: stops nodes by changing their velocities, perfectly plastic.
+///
+/// A node whose position at the end of the step would be behind the wall gets the velocity along the wall's normal that
+/// brings it to the wall, or, when it stands there already, the wall's own; that is LS-DYNA's constraint method with
+/// the last step before the impact shortened to end on the surface. It is free again as soon as its own velocity takes
+/// it off. On a round wall the condition is on the position too, so a node that slides along it follows the curve and
+/// carries the centripetal force without chatter.
+///
+/// Friction (FRIC): 0 none; 1 the node sticks while it touches; between: Coulomb's law on the impulses. 2 and 3: a node
+/// that hits the wall faster than WVEL stays on it for good, sliding freely (2) or not at all (3); others see no
+/// friction (2) or stick (3).
+///
+/// Motion: a plane with `mass` moves along its normal, its velocity following from the momentum of the nodes (plastic
+/// collision: the total is kept to round-off); any wall with a motion curve moves as the curve says; others stand.
+/// Results are the same bits for any number of threads.
+class RigidWall {
+ public:
+  /// `nodes`: the tracked nodes, numbered as in the arrays of `constrain`. `motion`: the curve that
+  /// `wall.motion_curve` names, or null.
+  RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const Curve* motion = nullptr);
+
+  /// Call when the velocities of the middle of the step are known, v(t + dt/2), and before nodes move to x(t + dt). `x`
+  /// at `time`. `dt_previous`: the step that led to `time`; forces are impulses over the time between the two middles,
+  /// (dt + dt_previous)/2. `skip` (by node; may be empty) marks nodes that the wall leaves alone: dependent ones, and
+  /// those of rigid bodies.
+  void constrain(double time, double dt, double dt_previous, std::span<const Row> x, std::span<Row> v,
+                 std::span<const double> mass, std::span<const unsigned char> skip);
+
+  /// Force of the wall on the nodes at `time` [force], and the sum of its normal parts.
+  const Vec3d& force() const { return force_; }
+  double normal_force() const { return normal_force_; }
+  /// Time integrals of these since the start [force*time]; differences give the mean force between two outputs.
+  const Vec3d& impulse() const { return impulse_; }
+  double normal_impulse() const { return normal_impulse_; }
+
+  /// Energy that the nodes gave to the wall [energy]: minus the sum of J . (v_before + v_after)/2 over all impulses J,
+  /// with the nodes' velocities in the middles of the steps before and after. For a node without other forces this is
+  /// exactly its loss of kinetic energy; with other forces at work it is what is missing when each of them, too, is
+  /// accounted with f . (v_before + v_after)/2 dt, so that the total closes. Includes what a moving wall gained as
+  /// kinetic energy.
+  double energy() const { return energy_; }
+  /// Kinetic energy of a wall with mass, 0 for others.
+  double kinetic_energy() const { return 0.5 * mass_ * velocity_ * velocity_; }
+
+  /// Reference point at the end of the last step (tail of the normal, point on the axis, centre).
+  const Vec3d& origin() const { return origin_; }
+  /// Velocity along the normal of a wall with mass, in the middle of the last step.
+  double velocity() const { return velocity_; }
+  int touching() const { return touching_; }  ///< nodes stopped in the last step
+
+ private:
+  struct Tracked {
+    int node = 0;
+    kernel::Hold hold = kernel::Hold::none;
+    Vec3d last;  // its velocity when the wall had done with it in the step before
+  };
+  struct Sum {
+    Vec3d impulse;
+    double normal = 0.0, energy = 0.0;
+    int touching = 0;
+  };
+  struct Step {
+    double dt;
+    std::span<const Row> x;
+    std::span<Row> v;
+    std::span<const double> mass;
+    std::span<const unsigned char> skip;
+    Vec3d wall_velocity;
+  };
+
+  kernel::WallPush push(const Vec3d& from, const Vec3d& to, kernel::Hold hold) const {
+    return std::visit([&](const auto& shape) { return kernel::push(shape, from, to, hold); }, shape_);
+  }
+  Vec3d prescribed_velocity(double time, double dt) const;
+  void collide(Step& step);
+  void stop(Tracked& tracked, const Step& step, Sum& sum) const;
+  Vec3d friction(const Vec3d& slip, double normal_change) const;
+
+  std::variant<kernel::PlaneWall, kernel::CylinderWall, kernel::SphereWall> shape_;
+  Vec3d origin_, normal_;
+  double friction_ = 0.0, weld_velocity_ = 0.0;
+  double mass_ = 0.0, velocity_ = 0.0;
+  std::optional<Curve> motion_;
+  bool motion_is_displacement_ = false;
+  Vec3d motion_direction_;
+  double birth_ = 0.0, death_ = 0.0;
+
+  std::vector<Tracked> tracked_;
+  std::vector<Sum> sums_;  // by group of tracked nodes
+  bool started_ = false;   // `last` holds
+
+  Vec3d force_, impulse_;
+  double normal_force_ = 0.0, normal_impulse_ = 0.0, energy_ = 0.0;
+  int touching_ = 0;
+};
+
+}  // namespace nugget::contact
