@@ -85,12 +85,15 @@ void Reference::add_shell(Index shell) {
 
 void Reference::add_segments(const std::vector<model::Segment>& segments) {
   std::map<std::array<Index, 4>, Index> shell_of;
-  for (Index e = 0; e < static_cast<Index>(model_.shells.size()); ++e)
-    shell_of.emplace(sorted(model_.shells.node[e]), e);
+  for (const model::Segment& nodes : segments) shell_of.emplace(sorted(nodes), none);
+  for (Index e = 0; e < static_cast<Index>(model_.shells.size()); ++e) {
+    const auto wanted = shell_of.find(sorted(model_.shells.node[e]));
+    if (wanted != shell_of.end() && wanted->second == none) wanted->second = e;
+  }
   for (const model::Segment& nodes : segments) {
-    const auto found = shell_of.find(sorted(nodes));
-    if (found != shell_of.end()) {
-      add_shell(found->second);
+    const Index shell = shell_of.at(sorted(nodes));
+    if (shell != none) {
+      add_shell(shell);
       continue;
     }
     ReferenceSegment s;

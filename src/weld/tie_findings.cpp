@@ -205,7 +205,8 @@ std::string name_contact(const model::Contact& contact) {
   return name;
 }
 
-void report_what_is_not_built(const model::Model& model, const model::Contact& contact, Findings& findings) {
+void report_what_is_not_built(const model::Model& model, const model::Contact& contact,
+                              const std::vector<ReferenceSegment>& segments, Findings& findings) {
   if (contact.birth > 0.0 || contact.death < model::forever)
     findings.error(contact.place, name_contact(contact),
                    fmt::format("birth time {:.4g} and death time {:.4g}: a tie that comes or goes is not built",
@@ -217,15 +218,12 @@ void report_what_is_not_built(const model::Model& model, const model::Contact& c
                        fmt::format("part {} is made of bricks; ties go to shells only, so nothing is tied to it", p.id),
                        "cover its faces with shells of a null material that share its nodes, and tie to them");
   std::set<Index> told;
-  for (std::size_t e = 0; e < model.shells.size(); ++e) {
-    const Index part = model.shells.part[e];
-    const bool referred = contact.b.everything ||
-                          std::find(contact.b.parts.begin(), contact.b.parts.end(), part) != contact.b.parts.end();
-    if (model.shells.offset[e] == 0.0 || !referred || !told.insert(part).second) continue;
+  for (const ReferenceSegment& s : segments) {
+    if (s.shell == none || model.shells.offset[s.shell] == 0.0 || !told.insert(s.part).second) continue;
     findings.warning(
         contact.place, name_contact(contact),
         fmt::format("the mid-surface of part {} lies {:.4g} off its nodes; ties go to the surface of the nodes",
-                    model.parts[part].id, std::abs(model.shells.offset[e])),
+                    model.parts[s.part].id, std::abs(model.shells.offset[s.shell])),
         "LS-DYNA does the same unless CNTCO is set; move the nodes into the mid-surface if that matters");
   }
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "weld/reference.hpp"
 #include "weld/surroundings.hpp"
 #include "weld/tally.hpp"
 
@@ -19,7 +20,8 @@ std::string name_node(const model::Model& model, Index node);
 std::string name_contact(const model::Contact& contact);
 
 /// Birth and death of a tie, ties to brick faces, sheets whose reference surface is not the one of their nodes.
-void report_what_is_not_built(const model::Model& model, const model::Contact& contact, Findings& findings);
+void report_what_is_not_built(const model::Model& model, const model::Contact& contact,
+                              const std::vector<ReferenceSegment>& segments, Findings& findings);
 void report_empty_side(const model::Contact& contact, bool reference_side, Findings& findings);
 /// Tracked nodes that stay with their rigid bodies.
 void report_rigid_tracked_nodes(const model::Model& model, const model::Contact& contact, const Surroundings& around,

@@ -50,26 +50,33 @@ struct End {
   Vec3d before, after;     ///< in the deck, and projected onto the sheet [length]
 };
 
-/// The nodes that a contact tracks, ascending, each once. `everything` means the nodes of all welds.
+/// The nodes that a contact tracks, ascending, each once. `everything` means the nodes of all welds. Nodes that a weld
+/// shares with a sheet come in only where they are named otherwise than as a weld's.
 std::vector<Index> nodes_on_side_a(const model::Model& model, const model::Contact& contact,
                                    const Surroundings& around) {
   std::vector<char> chosen(model.nodes.size(), 0);
-  const auto choose = [&](const auto& elements, const auto& parts) {
-    for (std::size_t e = 0; e < elements.size(); ++e)
-      if (parts[elements.part[e]])
-        for (Index n : elements.node[e]) chosen[n] = 1;
+  std::vector<char> parts(model.parts.size(), 0), welds(model.parts.size(), 0);
+  for (Index p = 0; p < static_cast<Index>(model.parts.size()); ++p) welds[p] = of_weld_material(model, p);
+  for (Index p : contact.a.parts) parts[p] = 1;
+  const auto choose = [&](const auto& elements) {
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      const bool weld = welds[elements.part[e]] != 0;
+      if (!parts[elements.part[e]] && !(contact.a.everything && weld)) continue;
+      for (Index n : elements.node[e])
+        if (!weld || around.shell[n] == none) chosen[n] = 1;
+    }
   };
-  std::vector<char> parts(model.parts.size(), 0);
-  for (Index part : contact.a.parts) parts[part] = 1;
-  choose(model.shells, parts);
-  choose(model.solids, parts);
-  choose(model.beams, parts);
+  choose(model.shells);
+  choose(model.solids);
+  choose(model.beams);
   for (Index n : contact.a.nodes) chosen[n] = 1;
   for (const model::Segment& segment : contact.a.segments)
     for (Index n : segment) chosen[n] = 1;
   std::vector<Index> nodes;
-  for (Index n = 0; n < static_cast<Index>(chosen.size()); ++n)
-    if (chosen[n] || (contact.a.everything && around.of_weld[n])) nodes.push_back(n);
+  for (Index n = 0; n < static_cast<Index>(chosen.size()); ++n) {
+    const bool end_in_sheet = around.of_weld[n] && around.shell[n] != none;
+    if (chosen[n] && !(end_in_sheet && contact.kind == model::Contact::Kind::spotweld)) nodes.push_back(n);
+  }
   return nodes;
 }
 
@@ -164,9 +171,9 @@ void Tying::demand_parts() {
 }
 
 void Tying::work_through(Index contact) {
-  report_what_is_not_built(model_, model_.contacts[contact], findings_);
-  const std::vector<Tracked> tracked = tracked_nodes(contact);
   const Reference reference(model_, contact);
+  report_what_is_not_built(model_, model_.contacts[contact], reference.segments(), findings_);
+  const std::vector<Tracked> tracked = tracked_nodes(contact);
   if (reference.empty() || tracked.empty()) {
     report_empty_side(model_.contacts[contact], reference.empty(), findings_);
     return;
@@ -195,8 +202,6 @@ std::vector<Tracked> Tying::tracked_nodes(Index contact) {
       rigid.push_back(node);
       continue;
     }
-    // A weld that ends in a sheet's own node hangs on it already.
-    if (around_.of_weld[node] && around_.shell[node] != none) continue;
     const double thickness = c.thickness_a > 0.0 ? c.thickness_a : around_.thickness[node] * c.thickness_scale_a;
     tracked.push_back({node, thickness, only_part_[node]});
   }
@@ -468,7 +473,7 @@ Projection Tying::projection(std::size_t w, Index node, bool overlap) const {
   Projection p;
   p.node = node;
   const Record* r = record(node);
-  if (!r) {
+  if (!r || (!r->found && held(node))) {
     p.tied = held(node);
     p.reason = around_.rigid_body[node] != none
                    ? fmt::format("belongs to rigid body {}", model_.rigid_bodies[around_.rigid_body[node]].id)

@@ -560,6 +560,36 @@ TEST(Ties, AWeldThatEndsInASheetsOwnNodesNeedsNoTie) {
   EXPECT_EQ(ties.welds[0].ends[0].reason, "is a node of shell 1");
 }
 
+TEST(Ties, AnEdgeNodeThatCarriesAWeldIsTiedByItsEdgesContact) {
+  EdgeOnSheet a;
+  a.beam(a.welds, 33, a.node({15, 15, 9}));
+  const Ties ties = a.tied();
+  EXPECT_EQ(ties.ties.size(), 3u);
+  EXPECT_TRUE(ties.welds[0].ends[0].tied);
+  EXPECT_EQ(ties.welds[0].ends[0].tie.contact, 1);
+}
+
+TEST(Ties, SheetsOffTheirNodesAreWarnedOfOnceAPart) {
+  TwoSheets a;
+  for (double& offset : a.model.shells.offset) offset = -0.5;
+  a.beam(a.welds, {15, 15, 0}, {15, 15, 1});
+  a.tied();
+  EXPECT_EQ(a.findings.warnings(), 2);
+  EXPECT_THAT(text(a.findings), HasSubstr("the mid-surface of part 2 lies 0.5 off its nodes"));
+}
+
+TEST(Ties, BricksOnTheReferenceSideAreWarnedOf) {
+  TwoSheets a;
+  const Index block = a.part(model::ElementKind::solid, kernel::Elastic{210000.0, 0.3});
+  a.brick(block, 15, 15, 2, 10, 5.0);
+  const Index weld_bricks = a.solid_part();  // these are not meant as sheets
+  a.model.contacts[0].b.parts = {a.lower, a.upper, block, weld_bricks};
+  a.beam(a.welds, {15, 15, 0}, {15, 15, 1});
+  a.tied();
+  EXPECT_EQ(a.findings.warnings(), 1);
+  EXPECT_THAT(text(a.findings), HasSubstr("part 4 is made of bricks"));
+}
+
 TEST(Ties, AWeldThatNoContactTracksIsWarnedOf) {
   TwoSheets a;
   a.model.contacts.clear();
