@@ -92,6 +92,7 @@ class Builder {
 
   Ids bodies;  ///< rigid bodies by id of part (merged ones too) or nodal body; known after Phase::bodies
   std::vector<Index> body_of_node;  ///< by node: the rigid body that carries it, or none; known after Phase::bodies
+  std::vector<deck::Row> shell_section_rows, solid_section_rows, beam_section_rows;  ///< by section: first card
   std::vector<std::pair<Index, deck::Row>> part_rows;  ///< by part: the card that names section, material and hourglass
 
   Ids nodes, shells, solids, beams, parts, shell_sections, solid_sections, beam_sections, materials, hourglass, curves,

@@ -12,8 +12,8 @@ namespace nugget::model {
 struct Surface {
   bool everything = false;
   std::vector<Index> parts;
-  std::vector<Index> nodes;        ///< type 4
-  std::vector<Segment> segments;   ///< type 0, and shell sets (type 1)
+  std::vector<Index> nodes;       ///< type 4
+  std::vector<Segment> segments;  ///< type 0, and shell sets (type 1)
   bool empty() const { return !everything && parts.empty() && nodes.empty() && segments.empty(); }
 };
 

@@ -15,21 +15,21 @@ struct Control {
   double added_mass_limit = 1e8;  ///< ENDMAS, percent of the physical mass
 
   // *CONTROL_TIMESTEP
-  double first_step = 0.0;  ///< DTINIT; 0: computed
-  double step_scale = 0.9;  ///< TSSFAC
-  int length_basis = 0;     ///< ISDO
-  double mass_step = 0.0;   ///< DT2MS, sign as in the deck; 0: none
-  Index step_curve = none;  ///< LCTM
-  int erode_small_steps = 0;  ///< ERODE
+  double first_step = 0.0;                  ///< DTINIT; 0: computed
+  double step_scale = 0.9;                  ///< TSSFAC
+  int length_basis = 0;                     ///< ISDO
+  double mass_step = 0.0;                   ///< DT2MS, sign as in the deck; 0: none
+  Index step_curve = none;                  ///< LCTM
+  int erode_small_steps = 0;                ///< ERODE
   bool mass_scaling_at_start_only = false;  ///< MS1ST
 
   // *CONTROL_SHELL
-  double warp_warning = 20.0;     ///< WRPANG [degrees]
-  bool sort_triangles = false;    ///< ESORT: collapsed quads become C0 triangles
-  int thickness_update = 0;       ///< ISTUPD
-  int default_shell = 2;          ///< THEORY
+  double warp_warning = 20.0;      ///< WRPANG [degrees]
+  bool sort_triangles = false;     ///< ESORT: collapsed quads become C0 triangles
+  int thickness_update = 0;        ///< ISTUPD
+  int default_shell = 2;           ///< THEORY
   bool warping_stiffness = false;  ///< BWC = 1
-  bool lobatto = false;           ///< INTGRD = 1
+  bool lobatto = false;            ///< INTGRD = 1
   double rotary_mass_scale = 1.0;  ///< ROTASCL
 
   // *CONTROL_HOURGLASS, *CONTROL_BULK_VISCOSITY
@@ -40,13 +40,13 @@ struct Control {
   bool hourglass_energy = false, wall_energy = true, contact_energy = false, damping_energy = false;
 
   // *CONTROL_CONTACT
-  double penalty_scale = 0.1;      ///< SLSFAC
-  int ignore_penetration = 0;      ///< IGNORE
-  bool list_ties = false;          ///< OUTSEG
-  int untied_weld = 0;             ///< SPOTSTP
-  int weld_of_deleted_shell = 0;   ///< SPOTDEL
-  double weld_thinning = 0.0;      ///< SPOTHIN
-  bool keep_tied_gap = false;      ///< TIEDPRJ = 1
+  double penalty_scale = 0.1;         ///< SLSFAC
+  int ignore_penetration = 0;         ///< IGNORE
+  bool list_ties = false;             ///< OUTSEG
+  int untied_weld = 0;                ///< SPOTSTP
+  int weld_of_deleted_shell = 0;      ///< SPOTDEL
+  double weld_thinning = 0.0;         ///< SPOTHIN
+  bool keep_tied_gap = false;         ///< TIEDPRJ = 1
   double wall_thickness_share = 0.0;  ///< SHLTRW
 
   // *CONTROL_OUTPUT, *CONTROL_SOLID

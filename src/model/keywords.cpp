@@ -102,9 +102,11 @@ std::span<const Keyword> keywords() {
 const Keyword* find_keyword(std::string_view written, Options& options) {
   const std::string name = normalized(written);
   const Keyword* found = nullptr;
+  std::size_t nearest = 0;  // length of the longest beginning that is a keyword
   each_beginning(name, [&](std::string_view beginning) {
     const auto at = directory().names.find(std::string(beginning));
     if (at == directory().names.end()) return false;
+    nearest = std::max(nearest, beginning.size());
     auto split = split_options(std::string_view(name).substr(beginning.size()), *at->second);
     if (!split) return false;
     options = std::move(*split);
@@ -112,11 +114,11 @@ const Keyword* find_keyword(std::string_view written, Options& options) {
     return true;
   });
   if (found) return found;
-  for (auto length = name.size(); length > 0; --length) {
+  options.clear();
+  // MAT_024_FOO is rather an unknown form of MAT_024 than one of MAT_*.
+  for (auto length = name.size(); length > nearest; --length) {
     const auto at = directory().beginnings.find(name.substr(0, length));
-    if (at == directory().beginnings.end()) continue;
-    options.clear();
-    return at->second;
+    if (at != directory().beginnings.end()) return at->second;
   }
   return nullptr;
 }

@@ -44,7 +44,7 @@ struct NodalLoad {
   std::vector<Index> nodes;
   Index rigid_body = none;  ///< *LOAD_RIGID_BODY: on the body's centre instead
   bool moment = false;
-  Vec3d direction;                                 ///< unit vector; unused for a follower
+  Vec3d direction;                                ///< unit vector; unused for a follower
   std::array<Index, 3> follow{none, none, none};  ///< DOF 4, 8: along the normal of these three nodes
   Index curve = none;
   double scale = 1.0;
@@ -80,14 +80,14 @@ struct RigidWall {
   bool finite = false;       ///< plane: bounded by edges l and m
   Vec3d edge_l, edge_m;      ///< unit vectors
   double length_l = 0.0, length_m = 0.0;  ///< 0 infinite
-  double friction = 0.0;     ///< 0 none, 1 stick, between: Coulomb
-  double weld_velocity = 0.0;  ///< WVEL, for friction 2 and 3
-  double mass = 0.0;         ///< of a moving wall; 0: fixed
-  double velocity = 0.0;     ///< initial, along the normal (moving wall)
-  Index motion_curve = none;   ///< geometric walls with _MOTION: along `motion_direction`
+  double friction = 0.0;                  ///< 0 none, 1 stick, between: Coulomb
+  double weld_velocity = 0.0;             ///< WVEL, for friction 2 and 3
+  double mass = 0.0;                      ///< of a moving wall; 0: fixed
+  double velocity = 0.0;                  ///< initial, along the normal (moving wall)
+  Index motion_curve = none;              ///< geometric walls with _MOTION: along `motion_direction`
   bool motion_is_displacement = false;
   Vec3d motion_direction;
-  int soft = 0;              ///< SOFT of _FORCES: cycles to bring the relative velocity to zero
+  int soft = 0;  ///< SOFT of _FORCES: cycles to bring the relative velocity to zero
   double birth = 0.0, death = forever;
   Place place;
 };

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "model/passes.hpp"
+#include "model/segments.hpp"
 
 namespace nugget::model {
 
@@ -128,17 +129,6 @@ class Elements {
   int last_id_ = 0;
   Index last_ = none;
 };
-
-/// Collapses a quad whose neighbouring corners coincide to "a triangle repeats its third node", keeping its sense.
-bool bring_triangle_into_form(std::array<Index, 4>& n) {
-  if (n[3] == none) n[3] = n[2];
-  int pairs = 0;
-  for (std::size_t i = 0; i < 4; ++i) pairs += n[i] == n[(i + 1) % 4];
-  if (pairs == 0) return n[0] != n[2] && n[1] != n[3];
-  if (pairs > 1) return false;
-  for (int turns = 0; turns < 4 && n[2] != n[3]; ++turns) std::rotate(n.begin(), n.begin() + 1, n.end());
-  return n[0] != n[2];
-}
 
 /// Rows of the table that became elements, in order.
 std::vector<std::size_t> make_shells(Builder& b) {

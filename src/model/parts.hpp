@@ -20,8 +20,8 @@ namespace nugget::model {
 using Index = int;
 inline constexpr Index none = -1;
 
-using Law = std::variant<kernel::Elastic, kernel::PlasticKinematic, kernel::PiecewiseLinear, kernel::Null, kernel::Rigid,
-                         kernel::Spotweld>;
+using Law = std::variant<kernel::Elastic, kernel::PlasticKinematic, kernel::PiecewiseLinear, kernel::Null,
+                         kernel::Rigid, kernel::Spotweld>;
 
 struct Material {
   int id = 0;
@@ -39,11 +39,12 @@ struct SectionShell {
   int id = 0;
   int elform = 2;
   double shear_factor = 1.0;
-  int layers = 2;              ///< NIP
-  bool trapezoidal = false;    ///< QR/IRID = 1
-  double thickness = 0.0;      ///< mean of T1..T4 [length]
-  double nloc = 0.0;           ///< reference surface: 1 top, 0 middle, -1 bottom; mid-surface = nodes - nloc*t/2 along the normal
-  double extra_mass = 0.0;     ///< MAREA [mass/length^2]
+  int layers = 2;            ///< NIP
+  bool trapezoidal = false;  ///< QR/IRID = 1
+  double thickness = 0.0;    ///< mean of T1..T4 [length]
+  double nloc =
+      0.0;  ///< reference surface: 1 top, 0 middle, -1 bottom; mid-surface = nodes - nloc*t/2 along the normal
+  double extra_mass = 0.0;  ///< MAREA [mass/length^2]
   Place place;
 };
 
@@ -57,22 +58,23 @@ struct SectionBeam {
   int id = 0;
   int elform = 1;
   double shear_factor = 1.0;
-  int quadrature = 2;              ///< QR
-  int cross_section = 0;           ///< CST
-  double extra_mass = 0.0;         ///< NSM [mass/length]
-  std::array<double, 2> outer{};   ///< TS1, TS2: outer diameters of a weld [length]
-  std::array<double, 2> inner{};   ///< TT1, TT2: inner diameters [length]
-  bool in_swforc = true;           ///< PRINT = 0
-  bool torsion = true;             ///< ITOFF = 0
+  int quadrature = 2;             ///< QR
+  int cross_section = 0;          ///< CST
+  double extra_mass = 0.0;        ///< NSM [mass/length]
+  std::array<double, 2> outer{};  ///< TS1, TS2: outer diameters of a weld [length]
+  std::array<double, 2> inner{};  ///< TT1, TT2: inner diameters [length]
+  bool in_swforc = true;          ///< PRINT = 0
+  bool torsion = true;            ///< ITOFF = 0
   Place place;
 };
 
 /// *HOURGLASS, or the defaults of *CONTROL_HOURGLASS and *CONTROL_BULK_VISCOSITY.
 struct Hourglass {
   int id = 0;
-  int type = 0;  ///< IHQ; 0: the default of the element
+  int type = 0;                                         ///< IHQ; 0: the default of the element
   double membrane = 0.1, bending = 0.1, warping = 0.1;  ///< QM, QB, QW
   double bulk_quadratic = 1.5, bulk_linear = 0.06;      ///< Q1, Q2
+  Place place;
 };
 
 enum class ElementKind { nothing, shell, solid, beam };
@@ -83,8 +85,8 @@ struct Part {
   ElementKind kind = ElementKind::nothing;  ///< of its elements
   Index section = none;                     ///< in the array of its kind
   Index material = none;
-  Index hourglass = none;  ///< none: Control's defaults
-  Index rigid_body = none;  ///< of a part with MAT_RIGID
+  Index hourglass = none;          ///< none: Control's defaults
+  Index rigid_body = none;         ///< of a part with MAT_RIGID
   double contact_thickness = 0.0;  ///< OPTT of *PART_CONTACT (0: none given) [length]
   double contact_scale = 1.0;      ///< SFT
   double stiffness_scale = 1.0;    ///< SSF

@@ -26,14 +26,14 @@ struct NamedEntity {
 /// The *DATABASE_... cards.
 struct Requests {
   Request glstat, matsum, nodout, swforc, rwforc, spcforc, bndout, rbdout, rcforc, secforc, elout, deforc;
-  Request d3plot;          ///< interval; `binary` unused
+  Request d3plot;  ///< interval; `binary` unused
   std::vector<NamedEntity> history_nodes, history_shells, history_solids, history_beams;
 
   // *DATABASE_EXTENT_BINARY
-  int layers = 3;              ///< MAXINT
-  bool strains = false;        ///< STRFLG
+  int layers = 3;                 ///< MAXINT
+  bool strains = false;           ///< STRFLG
   bool one_state_a_file = false;  ///< IEVERP
-  int beam_points = 0;         ///< BEAMIP
+  int beam_points = 0;            ///< BEAMIP
 };
 
 }  // namespace nugget::model

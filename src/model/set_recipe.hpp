@@ -17,16 +17,15 @@ struct SetStep {
   enum class Action { add, remove, intersect };
   enum class Source {
     all,      ///< everything of the set's kind
-    members,  ///< the ids are members (segments: four node ids)
+    members,  ///< ids of things of `kind` (segments: four node ids); turned into the set's kind where that is another
     range,    ///< ids: begin, end, increment; those of them that exist
-    parts,    ///< ids are parts: their elements, nodes or segments
     boxes,    ///< ids are boxes
     sets,     ///< ids are sets of `kind`
   };
   Action action = Action::add;
   Source source = Source::members;
-  SetKind kind = SetKind::node;             ///< of `sets`
-  bool of_shells = true, of_solids = true;  ///< segments of parts and boxes: which elements give faces
+  SetKind kind = SetKind::node;
+  bool of_shells = true, of_solids = true;  ///< segments: which elements give faces
   std::vector<int> ids;
   Place place;
 };

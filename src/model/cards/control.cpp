@@ -1,0 +1,435 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "model/cards/families.hpp"
+#include "model/cards/reading.hpp"
+
+// *CONTROL_..., *TITLE. Fields that only tune an algorithm that this program does otherwise are read past, and their
+// meaning says so; a field that would change the physics and is not built is an error at any value but its default.
+namespace nugget::model {
+
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+constexpr Field flag(std::string_view name, std::string_view meaning) {
+  return integer(name, 0, any_value, meaning);
+}
+constexpr Field factor(std::string_view name, double fallback, std::string_view meaning) {
+  return real(name, dimension::number, fallback, any_value, meaning);
+}
+
+const Card model_title_card{{text("title", 80, "title of the model")}};
+
+const Card termination_card{{
+    real("endtim", dimension::time, 0, at_least(0), "end time"),
+    integer("endcyc", 0, at_least(0), "last cycle; 0: no limit"),
+    real("dtmin", dimension::number, 0, at_least(0), "stop below this share of the first time step; 0: never"),
+    real("endeng", dimension::number, 0, at_least(0), "stop at this change of the energy ratio in percent; 0: never"),
+    real("endmas", dimension::number, 1e8, at_least(0), "stop at this share of added mass in percent"),
+    integer("nosol", 0, only(0), "reading without a run: `nugget check` does that"),
+}};
+
+const Card step_card{{
+    real("dtinit", dimension::time, 0, at_least(0), "first time step; 0: computed"),
+    real("tssfac", dimension::number, 0.9, any_value, "factor on the stable time step"),
+    integer("isdo", 0, between(0, 2), "length of shells: 0 area over longest side, 1 over diagonal, 2 bar wave speed"),
+    real("tslimt", dimension::time, 0, only(0), "softening of shells to hold a time step"),
+    real("dt2ms", dimension::time, 0, any_value,
+         "mass scaling: time step that is to be held; below 0: where needed only"),
+    id("lctm", IdSpace::function, 0, "curve: largest time step over time"),
+    integer("erode", 0, at_least(0), "1: delete bricks below dtmin, 10: shells, 100: beams"),
+    integer("ms1st", 0, between(0, 1), "1: masses are scaled at the start only"),
+}};
+
+const Card step_card_2{{
+    real("dt2msf", dimension::number, 0, only(0), "mass scaling by a factor on the first step"),
+    integer("dt2mslc", 0, only(0), "mass scaling over time"),
+    integer("imscl", 0, only(0), "selective mass scaling"),
+    unused(),
+    unused(),
+    real("rmscl", dimension::number, 0, only(0), "selective mass scaling of rotations"),
+    real("emscl", dimension::number, 0, only(0), "gravity on added mass"),
+    flag("ihdo", "step of solids, no effect"),
+}};
+
+const Card step_card_3{{
+    real("rmavg", dimension::inertia, 0, at_least(0), "rotational mass of tied nodes of solids"),
+    flag("igado", "isogeometric shells, no effect"),
+    real("dtusr", dimension::time, 0, only(0), "time step of user routines"),
+    flag("dtdynv", "no effect"),
+}};
+
+const Card contact_card_1{{
+    real("slsfac", dimension::number, 0.1, above_zero(), "penalty factor"),
+    factor("rwpnal", 0, "rigid walls against rigid bodies by penalty"),
+    flag("islchk", "check of initial penetration, no effect"),
+    flag("shlthk", "for contacts that are not automatic, no effect"),
+    integer("penopt", 1, any_value, "choice of the penalty stiffness: 1"),
+    flag("thkchg", "1: thinning of shells in contact"),
+    flag("orien", "turning of segments, no effect on automatic contacts"),
+    integer("enmass", 0, any_value, "contact of nodes of deleted elements: 0"),
+}};
+
+const Card contact_card_2{{
+    integer("usrstr", 0, only(0), "user routines"),
+    integer("usrfrc", 0, only(0), "user routines"),
+    flag("nsbcs", "cycles between searches, chosen by the program"),
+    flag("interm", "for contacts that are not automatic, no effect"),
+    factor("xpene", 4, "for contacts that are not automatic, no effect"),
+    flag("ssthk", "actual shell thickness is used in any case"),
+    flag("ecdt", "for eroding contact, no effect"),
+    integer("tiedprj", 0, between(0, 1), "1: tied nodes stay where they are"),
+}};
+
+const Card contact_card_3{{
+    factor("sfric", 0, "for contacts with FS = -1, no effect on others"),
+    factor("dfric", 0, "for contacts with FS = -1, no effect on others"),
+    factor("edc", 0, "for contacts with FS = -1, no effect on others"),
+    factor("vfc", 0, "for contacts with FS = -1, no effect on others"),
+    real("th", dimension::length, 0, only(0), "contact thickness of all parts"),
+    real("th_sf", dimension::number, 0, only(0), "scale of all contact thicknesses"),
+    real("pen_sf", dimension::number, 0, only(0), "scale of all contact stiffnesses"),
+    factor("ptscl", 1, "for contacts with SOFT = 2 or 4, no effect"),
+}};
+
+const Card contact_card_4{{
+    integer("ignore", 0, between(0, 2), "initial penetration: 0 nodes are moved, 1 2 it is kept"),
+    flag("frceng", "separate friction energy, no effect"),
+    flag("skiprwg", "pictures of rigid walls, no effect"),
+    integer("outseg", 0, between(0, 1), "1: list weld nodes and their segments"),
+    integer("spotstp", 0, between(0, 3), "weld without a sheet: 0 warn, 1 stop, 2 delete it, 3 keep it"),
+    integer("spotdel", 0, between(0, 1), "1: a weld goes with the shells it is tied to"),
+    real("spothin", dimension::number, 0, between(0, 1), "contact thickness of sheets near welds; 0: as it is"),
+    flag("dir_tie", "of LS-DYNA over several processes, no effect"),
+}};
+
+const Card contact_card_5{{
+    flag("isym", "for symmetry planes in old contacts, no effect"),
+    flag("nserod", "for eroding contact, no effect"),
+    integer("rwgaps", 1, any_value, "for rigid walls by penalty, no effect"),
+    factor("rwgdth", 0, "for rigid walls by penalty, no effect"),
+    factor("rwksf", 1, "for rigid walls by penalty, no effect"),
+    flag("icov", "for eroding contact, no effect"),
+    factor("swradf", 0, "radius of SPOTHIN"),
+    flag("ithoff", "thermal, no effect"),
+}};
+
+const Card contact_card_6{{
+    flag("shledg", "1: square shell edges in contact"),
+    flag("pstiff", "1: penalty stiffness from nodal masses"),
+    flag("ithcnt", "thermal, no effect"),
+    flag("tdcnof", "for ties with constrained offset, no effect"),
+    flag("ftall", "output of force transducers, no effect"),
+    unused(),
+    real("shltrw", dimension::number, 0, between(0, 1), "share of the shell thickness at rigid walls"),
+    flag("igactc", "isogeometric shells, no effect"),
+}};
+
+const Card contact_card_7{{
+    flag("irevspt", "older behaviour of SPOTHIN, no effect"),
+    unused(),
+    flag("cohtiem", "for cohesive elements, no effect"),
+    flag("tieopt", "storage of ties, no effect"),
+    flag("strobj", "no effect"),
+    factor("befblk", 0, "no effect"),
+}};
+
+const Card shell_card_1{{
+    real("wrpang", dimension::number, 20, at_least(0), "warpage that is warned of [degrees]"),
+    integer("esort", 0, between(0, 1), "1: collapsed quads are computed as triangles"),
+    integer("irnxx", -1, any_value, "update of normals of other formulations, no effect"),
+    integer("istupd", 0, any_value, "1: membrane strain thins the shells; 0: not; 4: plastic strain does"),
+    integer("theory", 2, any_value, "formulation of sections that name none"),
+    integer("bwc", 2, between(1, 2), "warping stiffness of Belytschko, Wong and Chiang: 1 on, 2 off"),
+    integer("miter", 1, any_value, "plane stress iteration; always run to a residual here"),
+    integer("proj", 0, any_value, "1: full projection of the warping stiffness"),
+}};
+
+const Card shell_card_2{{
+    real("rotascl", dimension::number, 1, above_zero(), "factor on rotary masses"),
+    integer("intgrd", 0, between(0, 1), "layers: 0 Gauss, 1 Lobatto"),
+    integer("lamsht", 0, only(0), "laminated shells"),
+    flag("cstyp6", "for formulation 6, no effect"),
+    flag("thshel", "thermal, no effect"),
+}};
+
+const Card shell_card_3{{
+    integer("pstupd", 0, only(0), "parts whose thickness changes; all do"),
+    flag("sidt4tu", "thermal, no effect"),
+    integer("cntco", 0, any_value, "offset of the contact surface with NLOC"),
+    flag("itsflg", "initial transverse shear, no effect"),
+    integer("irquad", 3, any_value, "for shells of eight nodes, no effect"),
+    real("w_mode", dimension::number, 0, only(0), "deletion by w-mode"),
+    real("stretch", dimension::number, 0, only(0), "deletion by stretch"),
+    flag("icrq", "for composites, no effect"),
+}};
+
+const Card shell_card_4{{
+    integer("nfail1", 0, any_value, "1: distorted shells are deleted"),
+    integer("nfail4", 0, any_value, "for fully integrated shells, no effect"),
+    flag("psnfail", "parts of NFAIL, no effect"),
+    flag("keepcs", "contact of nodes of deleted shells of NFAIL, no effect"),
+    integer("delfr", 0, any_value, "1: free shells are deleted"),
+    integer("drcpsid", 0, only(0), "drilling constraint"),
+    factor("drcprm", 1, "drilling constraint, no effect without DRCPSID"),
+    flag("intperr", "message of stress initialization, no effect"),
+}};
+
+const Card shell_card_5{{
+    flag("drcmth", "drilling constraint, no effect without DRCPSID"),
+    flag("lispsid", "implicit, no effect"),
+    integer("nlocdt", 0, any_value, "time step with NLOC"),
+    flag("iswshl", "no effect"),
+}};
+
+const Card hourglass_card{{
+    integer("ihq", 0, between(0, 10), "type: shells 1-3 viscous, 4 5 stiffness; solids 1-3 viscous; 0: 1"),
+    real("qh", dimension::number, 0.1, at_least(0), "coefficient"),
+}};
+
+const Card bulk_card{{
+    real("q1", dimension::number, 1.5, any_value, "quadratic bulk viscosity"),
+    real("q2", dimension::number, 0.06, any_value, "linear bulk viscosity"),
+    integer("type", 1, between(-2, 1), "1 solids; -1 shells too, -2 with their energy"),
+    flag("btype", "for beams of formulation 1 and 11, no effect"),
+    flag("tstype", "for thick shells, no effect"),
+}};
+
+const Card energy_card{{
+    integer("hgen", 1, between(1, 2), "2: hourglass energy is written and counts in the balance"),
+    integer("rwen", 2, between(1, 2), "2: so is that of rigid walls"),
+    integer("slnten", 1, between(1, 2), "2: so is that of contacts"),
+    integer("rylen", 1, between(1, 2), "2: so is that of damping"),
+    integer("irgen", 2, any_value, "reference geometry, no effect"),
+    integer("maten", 1, any_value, "shares of the internal energy, no effect"),
+    integer("drlen", 1, any_value, "drilling energy, no effect"),
+    integer("disen", 1, any_value, "energy of discrete elements, no effect"),
+}};
+
+const Card accuracy_card{{
+    integer("osu", 0, between(0, 1), "1: second-order stress update"),
+    integer("inn", 1, any_value, "invariant node numbering; shells always have it"),
+    id("pidos", IdSpace::set, 0, "parts of OSU, no effect"),
+    flag("iacc", "implicit, no effect"),
+    factor("exacc", 0, "implicit, no effect"),
+    flag("srtflg", "no effect"),
+}};
+
+const Card solid_card_1{{
+    integer("esort", 0, any_value, "1: wedges and tetrahedra get formulations of their own"),
+    flag("fmatrx", "deformation gradient of other laws, no effect"),
+    integer("niptets", 4, any_value, "for tetrahedra of ten nodes, no effect"),
+    integer("swlocl", 1, any_value, "axes of the stresses of brick welds, no effect"),
+    integer("psfail", 0, any_value, "parts whose bricks of negative volume are deleted"),
+    factor("t10jtol", 0, "for tetrahedra of ten nodes, no effect"),
+    flag("icoh", "for cohesive elements, no effect"),
+    flag("tet13k", "for formulation 13, no effect"),
+}};
+
+const Card output_card_1{{
+    flag("npopt", "listing, no effect"),
+    flag("neecho", "listing, no effect"),
+    flag("nrefup", "reference nodes of beams, no effect"),
+    integer("iaccop", 0, between(0, 1), "1: nodout has accelerations averaged between outputs"),
+    real("opifs", dimension::time, 0, any_value, "interface file, no effect"),
+    flag("ipnint", "listing, no effect"),
+    integer("ikedit", 100, any_value, "listing, no effect"),
+    integer("iflush", 5000, any_value, "buffers, no effect"),
+}};
+
+Row first_row(Builder& b, const Block& block, const Card& card) {
+  Cursor cursor(b.deck, block, b.findings);
+  const Row row = cursor.read(card);
+  expect_end(b, cursor);
+  return row;
+}
+
+void read_model_title(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  b.model.title = cursor.read_text();
+}
+
+void read_termination(Builder& b, const Block& block, const Options&) {
+  const Row row = first_row(b, block, termination_card);
+  Control& c = b.model.control;
+  c.end_time = row.real("endtim");
+  c.end_cycle = row.integer("endcyc");
+  c.smallest_step = row.real("dtmin");
+  c.energy_limit = row.real("endeng");
+  c.added_mass_limit = row.real("endmas");
+}
+
+void read_time_step(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  const Row row = cursor.read(step_card);
+  cursor.read(step_card_2);
+  const Row third = cursor.read(step_card_3);
+  expect_end(b, cursor);
+  if (row.real("tssfac") < 0.0)
+    refuse(b, row, "tssfac", "a factor over time (curve) is not supported", "give a number");
+  Control& c = b.model.control;
+  c.first_step = row.real("dtinit");
+  c.step_scale = row.real("tssfac");
+  c.length_basis = row.integer("isdo");
+  c.mass_step = row.real("dt2ms");
+  c.erode_small_steps = row.integer("erode");
+  c.mass_scaling_at_start_only = row.integer("ms1st") == 1;
+  c.tied_rotary_mass = third.real("rmavg");
+  b.later(Phase::conditions, [row](Builder& later) { later.model.control.step_curve = later.curve(row, "lctm"); });
+}
+
+/// Rigid walls stop nodes of rigid bodies by penalty if RWPNAL says so, else not at all.
+void check_wall_penalty(Builder& b, const Row& row) {
+  if (row.real("rwpnal") == 0.0 || b.model.walls.empty() || b.model.rigid_bodies.empty()) return;
+  row.complain(b.findings, Severity::warning, "rwpnal",
+               "nodes of rigid bodies are not stopped by rigid walls by penalty; see the book on rigid walls");
+}
+
+void read_contact(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  const Row one = cursor.read(contact_card_1), two = cursor.read(contact_card_2);
+  cursor.read(contact_card_3);
+  const Row four = cursor.read(contact_card_4), five = cursor.read(contact_card_5), six = cursor.read(contact_card_6);
+  cursor.read(contact_card_7);
+  expect_end(b, cursor);
+  expect(b, one, Severity::warning,
+         {{"penopt", 1, "not obeyed: the smaller stiffness of node and segment is used, as with 1"},
+          {"thkchg", 0, "not obeyed: contact sees the initial thickness, as with 0"},
+          {"enmass", 0, "not obeyed: nodes without elements leave the contact, as with 0"}});
+  expect(b, five, Severity::warning,
+         {{"swradf", 0, "not obeyed: SPOTHIN acts on the segments that the weld is tied to"}});
+  expect(b, six, Severity::warning,
+         {{"shledg", 0, "not obeyed: shell edges are round, as with 0"},
+          {"pstiff", 0, "not obeyed: penalty stiffness comes from the material, as with 0"}});
+  b.later(Phase::checks, [one](Builder& later) { check_wall_penalty(later, one); });
+  Control& c = b.model.control;
+  c.penalty_scale = one.real("slsfac");
+  c.keep_tied_gap = two.integer("tiedprj") == 1;
+  c.ignore_penetration = four.integer("ignore");
+  c.list_ties = four.integer("outseg") == 1;
+  c.untied_weld = four.integer("spotstp");
+  c.weld_of_deleted_shell = four.integer("spotdel");
+  c.weld_thinning = four.real("spothin");
+  c.wall_thickness_share = six.real("shltrw");
+}
+
+/// ISTUPD 2 and 3 add what only shells 25 and 26 do, so they come down to 0 and 1.
+int thickness_update(Builder& b, const Row& row) {
+  const int update = row.integer("istupd");
+  if (update < 0 || update > 4) refuse(b, row, "istupd", "expected 0 to 4");
+  return update == 2 ? 0 : update == 3 ? 1 : update;
+}
+
+void read_shell(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  const Row one = cursor.read(shell_card_1), two = cursor.read(shell_card_2), three = cursor.read(shell_card_3),
+            four = cursor.read(shell_card_4), five = cursor.read(shell_card_5);
+  expect_end(b, cursor);
+  expect(b, one, Severity::warning, {{"proj", 0, "not obeyed: drill projection is used, as with 0"}});
+  expect(b, three, Severity::warning,
+         {{"cntco", 0, "not obeyed: contact surfaces lie about the mid-surface, as with 0"}});
+  expect(b, four, Severity::warning,
+         {{"nfail1", 0, "not obeyed: a shell that turns inside out stops the run"},
+          {"delfr", 0, "not obeyed: shells that have come loose stay"}});
+  expect(b, five, Severity::warning, {{"nlocdt", 0, "not obeyed: the time step is that of the mid-surface"}});
+  Control& c = b.model.control;
+  c.warp_warning = one.real("wrpang");
+  c.sort_triangles = one.integer("esort") == 1;
+  c.thickness_update = thickness_update(b, one);
+  c.default_shell = one.integer("theory");
+  c.warping_stiffness = one.integer("bwc") == 1;
+  c.rotary_mass_scale = two.real("rotascl");
+  c.lobatto = two.integer("intgrd") == 1;
+}
+
+void read_hourglass(Builder& b, const Block& block, const Options&) {
+  const Row row = first_row(b, block, hourglass_card);
+  Hourglass& h = b.model.control.hourglass;
+  h.type = row.integer("ihq");
+  h.membrane = h.bending = h.warping = row.real("qh");
+  h.place = row.place("ihq");
+}
+
+void read_bulk(Builder& b, const Block& block, const Options&) {
+  const Row row = first_row(b, block, bulk_card);
+  Control& c = b.model.control;
+  c.hourglass.bulk_quadratic = row.real("q1");
+  c.hourglass.bulk_linear = row.real("q2");
+  c.bulk_viscosity_type = row.integer("type");
+}
+
+void read_energy(Builder& b, const Block& block, const Options&) {
+  const Row row = first_row(b, block, energy_card);
+  Control& c = b.model.control;
+  c.hourglass_energy = row.integer("hgen") == 2;
+  c.wall_energy = row.integer("rwen") == 2;
+  c.contact_energy = row.integer("slnten") == 2;
+  c.damping_energy = row.integer("rylen") == 2;
+}
+
+void read_accuracy(Builder& b, const Block& block, const Options&) {
+  expect(b, first_row(b, block, accuracy_card), Severity::warning,
+         {{"osu", 0, "not obeyed: stresses are turned by the midpoint rule of first order, as with 0"}});
+}
+
+void read_solid(Builder& b, const Block& block, const Options&) {
+  // Its further cards are about tetrahedra, cohesive elements and brick welds only.
+  Cursor cursor(b.deck, block, b.findings);
+  const Row row = cursor.read(solid_card_1);
+  expect(b, row, Severity::warning, {{"psfail", 0, "not obeyed: a brick of negative volume stops the run"}});
+  if (row.integer("esort") == 0) return;
+  b.later(Phase::checks, [row](Builder& later) {
+    for (const auto& n : later.model.solids.node)
+      if (n[6] == n[7])
+        return refuse(later, row, "esort", "the model has wedges or tetrahedra, whose own formulations are not built",
+                      "write 0: they are then computed as collapsed bricks");
+  });
+}
+
+void read_output(Builder& b, const Block& block, const Options&) {
+  // Its further cards are about LS-DYNA's listings.
+  Cursor cursor(b.deck, block, b.findings);
+  b.model.control.average_accelerations = cursor.read(output_card_1).integer("iaccop") == 1;
+}
+
+}  // namespace
+
+std::vector<Keyword> control_keywords() {
+  return {
+      {.name = "TITLE", .layout = {{"", &model_title_card}}, .read = read_model_title},
+      {.name = "CONTROL_TERMINATION", .layout = {{"", &termination_card}}, .read = read_termination},
+      {.name = "CONTROL_TIMESTEP",
+       .layout = {{"", &step_card}, {"optional", &step_card_2}, {"optional", &step_card_3}},
+       .read = read_time_step},
+      {.name = "CONTROL_CONTACT",
+       .layout = {{"", &contact_card_1},
+                  {"", &contact_card_2},
+                  {"optional", &contact_card_3},
+                  {"optional", &contact_card_4},
+                  {"optional", &contact_card_5},
+                  {"optional", &contact_card_6},
+                  {"optional", &contact_card_7}},
+       .read = read_contact},
+      {.name = "CONTROL_SHELL",
+       .layout = {{"", &shell_card_1},
+                  {"optional", &shell_card_2},
+                  {"optional", &shell_card_3},
+                  {"optional", &shell_card_4},
+                  {"optional", &shell_card_5}},
+       .read = read_shell},
+      {.name = "CONTROL_HOURGLASS", .layout = {{"", &hourglass_card}}, .read = read_hourglass},
+      {.name = "CONTROL_BULK_VISCOSITY", .layout = {{"", &bulk_card}}, .read = read_bulk},
+      {.name = "CONTROL_ENERGY", .layout = {{"", &energy_card}}, .read = read_energy},
+      {.name = "CONTROL_ACCURACY", .layout = {{"", &accuracy_card}}, .read = read_accuracy},
+      {.name = "CONTROL_SOLID", .layout = {{"", &solid_card_1}}, .read = read_solid},
+      {.name = "CONTROL_OUTPUT", .layout = {{"", &output_card_1}}, .read = read_output},
+      {.name = "CONTROL_UNITS",
+       .verdict = Verdict::ignored,
+       .why = "a remark on the units; the program computes in whatever units the deck is written in"},
+  };
+}
+
+}  // namespace nugget::model

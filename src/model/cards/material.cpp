@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "model/cards/families.hpp"
+#include "model/cards/reading.hpp"
+#include "model/cards/yield_curves.hpp"
+
+// *MAT_... Each law: its cards, and how they become the parameters of its kernel.
+namespace nugget::model {
+
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+constexpr Field material_id = id("mid", IdSpace::material, required, "material id");
+constexpr Field density = real("ro", dimension::density, required, above_zero(), "density");
+constexpr Field young = real("e", dimension::stress, required, above_zero(), "Young's modulus");
+constexpr Field poisson = real("pr", dimension::number, 0, between(0, 0.5), "Poisson's ratio");
+
+const Card elastic_card{{
+    material_id,
+    density,
+    young,
+    poisson,
+    real("da", dimension::number, 0, any_value, "axial damping of Belytschko-Schwer beams, no effect here"),
+    real("db", dimension::number, 0, any_value, "bending damping of Belytschko-Schwer beams, no effect here"),
+    unused(),
+    unused(),
+}};
+
+const Card kinematic_card{{
+    material_id,
+    density,
+    young,
+    poisson,
+    real("sigy", dimension::stress, required, above_zero(), "yield stress"),
+    real("etan", dimension::stress, 0, at_least(0), "tangent modulus, below E"),
+    real("beta", dimension::number, 0, between(0, 1), "hardening: 0 kinematic, 1 isotropic"),
+    unused(),
+}};
+
+const Card kinematic_rate_card{{
+    real("src", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect"),
+    real("srp", dimension::number, 0, at_least(0), "Cowper-Symonds P"),
+    real("fs", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none"),
+    real("vp", dimension::number, 0, between(0, 1), "rate of 0: the total strain, 1: the plastic strain"),
+}};
+
+const Card null_card{{
+    material_id,
+    density,
+    real("pc", dimension::stress, 0, any_value, "pressure cutoff, for solids only"),
+    real("mu", {1, -1, -1}, 0, any_value, "viscosity, for solids only"),
+    real("terod", dimension::number, 0, any_value, "erosion in tension, for solids only"),
+    real("cerod", dimension::number, 0, any_value, "erosion in compression, for solids only"),
+    real("ym", dimension::stress, 0, at_least(0), "Young's modulus, for contact only"),
+    real("pr", dimension::number, 0, between(0, 0.5), "Poisson's ratio, for contact only"),
+}};
+
+const Card rigid_card{{
+    material_id,
+    density,
+    real("e", dimension::stress, 0, at_least(0), "Young's modulus, for contact only"),
+    real("pr", dimension::number, 0, between(0, 0.5), "Poisson's ratio, for contact only"),
+    real("n", dimension::number, 0, only(0), "coupling with MADYMO or CAL3D"),
+    real("couple", dimension::number, 0, only(0), "coupling with MADYMO or CAL3D"),
+    real("m", dimension::number, 0, only(0), "coupling with MADYMO or CAL3D"),
+    text("alias", 10, "name for MADYMO, no effect"),
+}};
+
+const Card rigid_hold_card{{
+    real("cmo", dimension::number, 0, between(-1, 1), "held: 0 nothing, 1 in global axes, -1 in local axes"),
+    real("con1", dimension::number, 0, at_least(0), "cmo 1: translations 0..7; cmo -1: coordinate system"),
+    real("con2", dimension::number, 0, at_least(0), "cmo 1: rotations 0..7; cmo -1: digits x y z rx ry rz"),
+    integer("spcnid", 0, any_value, "for cmo 2 only"),
+    real("xspc", dimension::length, 0, any_value, "for cmo 2 only"),
+    real("yspc", dimension::length, 0, any_value, "for cmo 2 only"),
+    real("zspc", dimension::length, 0, any_value, "for cmo 2 only"),
+}};
+
+const Card rigid_output_card{{
+    real("lco_or_a1", dimension::number, 0, any_value,
+         "LCO, coordinate system of local motions; else first of two vectors"),
+    real("a2", dimension::number, 0, any_value, "local axes of rbdout: not obeyed"),
+    real("a3", dimension::number, 0, any_value, "local axes of rbdout: not obeyed"),
+    real("v1", dimension::number, 0, any_value, "local axes of rbdout: not obeyed"),
+    real("v2", dimension::number, 0, any_value, "local axes of rbdout: not obeyed"),
+    real("v3", dimension::number, 0, any_value, "local axes of rbdout: not obeyed"),
+    integer("bndlco", 0, any_value, "axes of bndout, no effect"),
+}};
+
+const Card plastic_card{{
+    material_id,
+    density,
+    young,
+    poisson,
+    real("sigy", dimension::stress, 0, at_least(0), "yield stress, unless LCSS or EPS and ES are given"),
+    real("etan", dimension::stress, 0, at_least(0), "tangent modulus, below E"),
+    real("fail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none"),
+    real("tdel", dimension::time, 0, at_least(0), "smallest time step of an element before it is deleted; 0: none"),
+}};
+
+const Card plastic_rate_card{{
+    real("c", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect"),
+    real("p", dimension::number, 0, at_least(0), "Cowper-Symonds P"),
+    id("lcss", IdSpace::function, 0, "yield stress over plastic strain: curve, or table over the strain rate"),
+    id("lcsr", IdSpace::function, 0, "curve: factor on the yield stress over the strain rate"),
+    real("vp", dimension::number, 0, between(0, 1), "rate of 0: the total strain, 1: the plastic strain"),
+    unused(),
+    real("rfiltf", dimension::number, 0, any_value, "filter of the rate, for vp 3 only"),
+    unused(),
+}};
+
+const Card strain_card{{
+    real("eps1", dimension::number, 0, at_least(0), "plastic strain of point 1"),
+    real("eps2", dimension::number, 0, at_least(0), "point 2"),
+    real("eps3", dimension::number, 0, at_least(0), "point 3"),
+    real("eps4", dimension::number, 0, at_least(0), "point 4"),
+    real("eps5", dimension::number, 0, at_least(0), "point 5"),
+    real("eps6", dimension::number, 0, at_least(0), "point 6"),
+    real("eps7", dimension::number, 0, at_least(0), "point 7"),
+    real("eps8", dimension::number, 0, at_least(0), "point 8"),
+}};
+
+const Card stress_card{{
+    real("es1", dimension::stress, 0, at_least(0), "yield stress of point 1"),
+    real("es2", dimension::stress, 0, at_least(0), "point 2"),
+    real("es3", dimension::stress, 0, at_least(0), "point 3"),
+    real("es4", dimension::stress, 0, at_least(0), "point 4"),
+    real("es5", dimension::stress, 0, at_least(0), "point 5"),
+    real("es6", dimension::stress, 0, at_least(0), "point 6"),
+    real("es7", dimension::stress, 0, at_least(0), "point 7"),
+    real("es8", dimension::stress, 0, at_least(0), "point 8"),
+}};
+
+const Card weld_card{{
+    material_id,
+    density,
+    real("e", dimension::stress, required, any_value, "Young's modulus"),
+    poisson,
+    real("sigy", dimension::stress, required, any_value, "yield stress"),
+    real("eh", dimension::stress, 0, at_least(0), "hardening: slope of the yield stress over plastic strain"),
+    real("dt", dimension::time, 0, at_least(0), "time step to which the weld's mass is scaled; 0: none"),
+    real("tfail", dimension::time, 0, at_least(0), "time of failure; 0: none"),
+}};
+
+const Card weld_strength_card{{
+    real("efail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none"),
+    real("nrr", dimension::force, 0, any_value, "axial force at failure; 0: left out"),
+    real("nrs", dimension::force, 0, any_value, "shear force s at failure; 0: left out"),
+    real("nrt", dimension::force, 0, any_value, "shear force t at failure; 0: left out"),
+    real("mrr", dimension::moment, 0, any_value, "torsion at failure; 0: left out"),
+    real("mss", dimension::moment, 0, any_value, "bending s at failure; 0: left out"),
+    real("mtt", dimension::moment, 0, any_value, "bending t at failure; 0: left out"),
+    integer("nf", 0, at_least(0), "force vectors averaged for the failure"),
+}};
+
+/// LS-DYNA's "no failure" values are 0 and numbers of 1e20 and more; ours is 0.
+double failure_value(double written) {
+  return written >= 1e20 ? 0.0 : written;
+}
+
+Index add_material(Builder& b, const Row& row, std::string title, std::string_view name, Law law) {
+  const auto index = static_cast<Index>(b.model.materials.size());
+  Material m{row.integer("mid"), std::move(title), std::string(name), row.real("ro"), std::move(law), row.place()};
+  b.materials.add(m.id, index, m.place, row.keyword(), "material", b.findings);
+  b.model.materials.push_back(std::move(m));
+  return index;
+}
+
+void check_tangent(Builder& b, const Row& row) {
+  if (row.real("etan") >= row.real("e") && row.real("e") > 0.0)
+    refuse(b, row, "etan", fmt::format("the tangent modulus must be below Young's modulus {:g}", row.real("e")));
+}
+
+void warn_of_half_a_rate(Builder& b, const Row& row, std::string_view c, std::string_view p) {
+  if ((row.real(c) > 0.0) == (row.real(p) > 0.0)) return;
+  const bool has_c = row.real(c) > 0.0;
+  row.complain(b.findings, Severity::warning, has_c ? p : c, "Cowper-Symonds needs both constants: no rate effect",
+               "give both, or neither");
+}
+
+void read_elastic(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(elastic_card);
+  expect_end(b, cursor);
+  add_material(b, row, std::move(title), "MAT_ELASTIC", kernel::Elastic{row.real("e"), row.real("pr")});
+}
+
+void read_kinematic(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(kinematic_card);
+  const Row rate = cursor.read(kinematic_rate_card);
+  expect_end(b, cursor);
+  check_tangent(b, row);
+  warn_of_half_a_rate(b, rate, "src", "srp");
+  kernel::PlasticKinematic law;
+  law.E = row.real("e");
+  law.nu = row.real("pr");
+  law.yield = row.real("sigy");
+  law.tangent_modulus = row.real("etan");
+  law.beta = row.real("beta");
+  if (rate.real("src") > 0.0 && rate.real("srp") > 0.0) {
+    law.rate_c = rate.real("src");
+    law.rate_p = rate.real("srp");
+  }
+  law.failure_strain = failure_value(rate.real("fs"));
+  law.viscoplastic = rate.real("vp") == 1.0;
+  add_material(b, row, std::move(title), "MAT_PLASTIC_KINEMATIC", law);
+}
+
+void read_null(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(null_card);
+  expect_end(b, cursor);
+  add_material(b, row, std::move(title), "MAT_NULL", kernel::Null{row.real("ym"), row.real("pr")});
+}
+
+/// The id of a coordinate system that stands in a field for real numbers, with the offset of its include.
+int system_id(const Block& block, double written) {
+  const int id = static_cast<int>(written);
+  if (id == 0 || !block.transform) return id;
+  return id + static_cast<int>(block.transform->id_offset[static_cast<std::size_t>(IdSpace::define)]);
+}
+
+RigidCard rigid_hold(Builder& b, const Block& block, const Row& row) {
+  RigidCard hold;
+  hold.cmo = static_cast<int>(row.real("cmo"));
+  hold.con1 = hold.cmo == -1 ? system_id(block, row.real("con1")) : static_cast<int>(row.real("con1"));
+  hold.con2 = static_cast<int>(row.real("con2"));
+  hold.row = row;
+  if (hold.cmo == 1)
+    for (const auto* code : {"con1", "con2"})
+      if (row.real(code) > 7.0) refuse(b, row, code, "expected a code from 0 to 7");
+  return hold;
+}
+
+/// LCO of the third card: the coordinate system of local motions. Axes by two vectors are only for output, in global
+/// axes here.
+int local_system(Builder& b, const Block& block, const Row& row) {
+  for (const auto* field : {"a2", "a3", "v1", "v2", "v3"})
+    if (row.real(field) != 0.0) {
+      row.complain(b.findings, Severity::warning, field,
+                   "local axes by two vectors are not obeyed: rbdout is in global axes",
+                   "name a coordinate system in LCO");
+      return 0;
+    }
+  return system_id(block, row.real("lco_or_a1"));
+}
+
+void read_rigid(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(rigid_card);
+  RigidCard hold = rigid_hold(b, block, cursor.read(rigid_hold_card));
+  hold.lco = local_system(b, block, cursor.read(rigid_output_card));
+  expect_end(b, cursor);
+  const Index material =
+      add_material(b, row, std::move(title), "MAT_RIGID", kernel::Rigid{row.real("e"), row.real("pr")});
+  b.rigid_cards[material] = std::move(hold);
+}
+
+void read_plastic(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  YieldCards cards{cursor.read(plastic_card), cursor.read(plastic_rate_card), cursor.read(strain_card),
+                   cursor.read(stress_card), options.contains("LOG_INTERPOLATION")};
+  expect_end(b, cursor);
+  check_tangent(b, cards.main);
+  warn_of_half_a_rate(b, cards.rate, "c", "p");
+  kernel::PiecewiseLinear law;
+  law.E = cards.main.real("e");
+  law.nu = cards.main.real("pr");
+  if (cards.rate.real("c") > 0.0 && cards.rate.real("p") > 0.0) {
+    law.rate_c = cards.rate.real("c");
+    law.rate_p = cards.rate.real("p");
+  }
+  law.vp = static_cast<int>(cards.rate.real("vp"));
+  law.failure_strain = failure_value(cards.main.real("fail"));
+  law.tdel = cards.main.real("tdel");
+  const Index material = add_material(b, cards.main, std::move(title), "MAT_PIECEWISE_LINEAR_PLASTICITY", law);
+  // Curves may be defined later in the deck.
+  b.later(Phase::parts, [material, cards](Builder& later) {
+    auto& m = later.model.materials[static_cast<std::size_t>(material)];
+    set_yield_curves(later, cards, std::get<kernel::PiecewiseLinear>(m.law));
+  });
+}
+
+/// Negative values of MAT_100 mean curves or other stress states.
+void refuse_negative(Builder& b, const Row& row, std::string_view field, std::string text, std::string remedy) {
+  if (row.real(field) < 0.0) refuse(b, row, field, std::move(text), std::move(remedy));
+}
+
+void read_weld(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(weld_card);
+  const Row strength = cursor.read(weld_strength_card);
+  expect_end(b, cursor);
+  refuse_negative(b, row, "e", "the uniaxial stress state (negative E) is not supported", "give Young's modulus");
+  refuse_negative(b, row, "sigy", "a yield curve (negative SIGY) is not supported", "give SIGY and EH");
+  kernel::Spotweld law;
+  law.E = row.real("e");
+  law.nu = row.real("pr");
+  law.yield = row.real("sigy");
+  law.hardening = row.real("eh");
+  law.mass_step = row.real("dt");
+  law.failure_time = failure_value(row.real("tfail"));
+  law.failure_strain = failure_value(strength.real("efail"));
+  law.filter = strength.integer("nf");
+  std::size_t i = 0;
+  for (const auto* field : {"nrr", "nrs", "nrt", "mrr", "mss", "mtt"}) {
+    refuse_negative(b, strength, field, "a curve over the strain rate (negative value) is not supported",
+                    "give the quasi-static strength");
+    law.strength[i++] = failure_value(strength.real(field));
+  }
+  add_material(b, row, std::move(title), "MAT_SPOTWELD", law);
+}
+
+/// A material of LS-DYNA that is not built.
+Keyword not_built(std::string_view name, std::string_view number, std::string_view why) {
+  return {.name = name,
+          .aliases = number.empty() ? std::vector<std::string_view>{} : std::vector<std::string_view>{number},
+          .options = {"TITLE"},
+          .verdict = Verdict::refused,
+          .why = why};
+}
+
+constexpr std::string_view use_024 = "this law is not built; MAT_024 with a yield curve (LCSS) comes nearest";
+constexpr std::string_view later_weld =
+    "this form of the weld law is not built yet; *MAT_SPOTWELD fails by EFAIL, TFAIL or the resultants NRR..MTT";
+constexpr std::string_view discrete = "discrete beams, springs and dampers are not built yet";
+
+}  // namespace
+
+std::vector<Keyword> material_keywords() {
+  return {
+      {.name = "MAT_ELASTIC",
+       .aliases = {"MAT_001"},
+       .options = {"TITLE"},
+       .layout = {{"", &elastic_card}},
+       .read = read_elastic},
+      {.name = "MAT_PLASTIC_KINEMATIC",
+       .aliases = {"MAT_003"},
+       .options = {"TITLE"},
+       .layout = {{"", &kinematic_card}, {"", &kinematic_rate_card}},
+       .read = read_kinematic},
+      {.name = "MAT_NULL",
+       .aliases = {"MAT_009"},
+       .options = {"TITLE"},
+       .layout = {{"", &null_card}},
+       .read = read_null},
+      {.name = "MAT_RIGID",
+       .aliases = {"MAT_020"},
+       .options = {"TITLE"},
+       .layout = {{"", &rigid_card}, {"", &rigid_hold_card}, {"", &rigid_output_card}},
+       .read = read_rigid},
+      {.name = "MAT_PIECEWISE_LINEAR_PLASTICITY",
+       .aliases = {"MAT_024"},
+       .options = {"TITLE", "LOG_INTERPOLATION"},
+       .layout = {{"", &plastic_card}, {"", &plastic_rate_card}, {"", &strain_card}, {"", &stress_card}},
+       .read = read_plastic},
+      {.name = "MAT_SPOTWELD",
+       .aliases = {"MAT_100"},
+       .options = {"TITLE"},
+       .layout = {{"", &weld_card}, {"", &weld_strength_card}},
+       .read = read_weld},
+      not_built("MAT_SPOTWELD_DAMAGE-FAILURE", "MAT_100_DAMAGE-FAILURE", later_weld),
+      not_built("MAT_SPOTWELD_DAMAGE-FAILURE_UNIAXIAL", "MAT_100_DAMAGE-FAILURE_UNIAXIAL", later_weld),
+      not_built("MAT_SPOTWELD_UNIAXIAL", "MAT_100_UNIAXIAL", later_weld),
+      not_built("MAT_SPOTWELD_DAIMLERCHRYSLER", "MAT_100_DA", later_weld),
+      not_built("MAT_ISOTROPIC_ELASTIC_PLASTIC", "MAT_012", use_024),
+      not_built("MAT_JOHNSON_COOK", "MAT_015", use_024),
+      not_built("MAT_PLASTICITY_WITH_DAMAGE", "MAT_081", use_024),
+      not_built("MAT_SIMPLIFIED_JOHNSON_COOK", "MAT_098", use_024),
+      not_built("MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", "MAT_123", use_024),
+      not_built("MAT_3-PARAMETER_BARLAT", "MAT_036", use_024),
+      not_built("MAT_LINEAR_ELASTIC_DISCRETE_BEAM", "MAT_066", discrete),
+      not_built("MAT_NONLINEAR_ELASTIC_DISCRETE_BEAM", "MAT_067", discrete),
+      not_built("MAT_ELASTIC_SPRING_DISCRETE_BEAM", "MAT_074", discrete),
+      not_built("MAT_GENERAL_NONLINEAR_6DOF_DISCRETE_BEAM", "MAT_119", discrete),
+  };
+}
+
+}  // namespace nugget::model

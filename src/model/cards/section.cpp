@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "model/cards/families.hpp"
+#include "model/cards/reading.hpp"
+
+// *SECTION_..., *HOURGLASS. An element formulation is judged where the part that uses it is known (check_parts): a
+// rigid part is not computed by elements, so any of them will do.
+namespace nugget::model {
+
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+const Card shell_card{{
+    id("secid", IdSpace::other, required, "section id"),
+    integer("elform", 0, any_value, "formulation: 2 Belytschko-Tsay, 4 triangle; blank: THEORY of *CONTROL_SHELL"),
+    real("shrf", dimension::number, 1, above_zero(), "shear correction factor"),
+    integer("nip", 2, between(1, 10), "layers through the thickness"),
+    integer("propt", 1, any_value, "printout option, no effect"),
+    integer("qr_irid", 0, between(0, 1), "layers: 0 Gauss or Lobatto by *CONTROL_SHELL, 1 trapezoidal"),
+    integer("icomp", 0, only(0), "layered composites"),
+    integer("setyp", 1, only(1), "two-dimensional sections"),
+}};
+
+const Card shell_thickness_card{{
+    real("t1", dimension::length, 0, at_least(0), "thickness at node 1"),
+    real("t2", dimension::length, 0, at_least(0), "thickness at node 2; 0: t1"),
+    real("t3", dimension::length, 0, at_least(0), "thickness at node 3; 0: t1"),
+    real("t4", dimension::length, 0, at_least(0), "thickness at node 4; 0: t1"),
+    real("nloc", dimension::number, 0, any_value, "nodes on the top (1), mid (0) or bottom (-1) surface"),
+    real("marea", dimension::mass_per_area, 0, at_least(0), "non-structural mass per area"),
+    real("idof", dimension::number, 0, any_value, "for formulations 25 and 26 only"),
+    integer("edgset", 0, any_value, "for two-dimensional seatbelts only"),
+}};
+
+const Card solid_card{{
+    id("secid", IdSpace::other, required, "section id"),
+    integer("elform", 1, any_value, "formulation: 1 constant stress"),
+    integer("aet", 0, only(0), "ambient elements"),
+    unused(),
+    unused(),
+    unused(),
+    real("cohoff", dimension::number, 0, any_value, "for cohesive elements only"),
+    real("gaskett", dimension::number, 0, any_value, "for gaskets only"),
+}};
+
+const Card beam_card{{
+    id("secid", IdSpace::other, required, "section id"),
+    integer("elform", 1, any_value, "formulation: 9 spot weld"),
+    real("shrf", dimension::number, 1, above_zero(), "shear factor"),
+    integer("qr_irid", 2, any_value, "integration rule; a weld is a round beam in any case"),
+    integer("cst", 0, any_value, "cross section: 1 tubular"),
+    real("scoor", dimension::number, 0, any_value, "for discrete beams only"),
+    real("nsm", dimension::mass_per_length, 0, at_least(0), "non-structural mass per length"),
+    integer("naupd", 0, any_value, "for integrated beams only"),
+}};
+
+const Card weld_card{{
+    real("ts1", dimension::length, 0, at_least(0), "outer diameter at node 1"),
+    real("ts2", dimension::length, 0, at_least(0), "outer diameter at node 2; 0: ts1"),
+    real("tt1", dimension::length, 0, at_least(0), "inner diameter at node 1"),
+    real("tt2", dimension::length, 0, at_least(0), "inner diameter at node 2; 0: tt1"),
+    integer("print", 0, between(0, 1), "1: not in swforc"),
+    unused(),
+    integer("itoff", 0, between(0, 1), "1: no torsional stiffness"),
+}};
+
+const Card hourglass_card{{
+    id("hgid", IdSpace::other, required, "id"),
+    integer("ihq", 0, between(0, 10), "type: shells 1-3 viscous, 4 5 stiffness; solids 1-3 viscous"),
+    real("qm", dimension::number, 0.1, at_least(0), "coefficient (membrane)"),
+    unused(),
+    real("q1", dimension::number, 1.5, any_value, "quadratic bulk viscosity"),
+    real("q2", dimension::number, 0.06, any_value, "linear bulk viscosity"),
+    real("qb_vdc", dimension::number, 0, at_least(0), "coefficient of bending; 0: qm"),
+    real("qw", dimension::number, 0, at_least(0), "coefficient of warping; 0: qm"),
+}};
+
+double mean_thickness(const Row& row) {
+  const double t1 = row.real("t1");
+  double sum = t1;
+  for (const auto* corner : {"t2", "t3", "t4"}) sum += row.real(corner) > 0.0 ? row.real(corner) : t1;
+  return 0.25 * sum;
+}
+
+/// Adds a section of its kind under its id, with the row of ELFORM for the later judgement.
+template <class Section>
+void add_section(Builder& b, const Row& row, Section section, Ids& ids, std::vector<Section>& sections,
+                 std::vector<Row>& rows, std::string_view what) {
+  section.id = row.integer("secid");
+  section.elform = row.integer("elform");
+  section.place = row.place();
+  ids.add(section.id, static_cast<Index>(sections.size()), section.place, row.keyword(), what, b.findings);
+  sections.push_back(section);
+  rows.push_back(row);
+}
+
+void read_shell(Builder& b, const Block& block, const Options& options) {
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    read_title(cursor, options);
+    const Row row = cursor.read(shell_card);
+    const Row size = cursor.read(shell_thickness_card);
+    if (row.integer("icomp") != 0) return;  // refused by its range; the cards of layers that follow are not read
+    SectionShell s;
+    s.shear_factor = row.real("shrf");
+    s.layers = row.integer("nip");
+    s.trapezoidal = row.integer("qr_irid") == 1;
+    s.thickness = mean_thickness(size);
+    s.nloc = size.real("nloc");
+    s.extra_mass = size.real("marea");
+    add_section(b, row, s, b.shell_sections, b.model.shell_sections, b.shell_section_rows, "shell section");
+  }
+}
+
+void read_solid(Builder& b, const Block& block, const Options& options) {
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    read_title(cursor, options);
+    const Row row = cursor.read(solid_card);
+    add_section(b, row, SectionSolid{}, b.solid_sections, b.model.solid_sections, b.solid_section_rows,
+                "solid section");
+  }
+}
+
+/// The round section of a weld. Zero at the second end means: as at the first.
+void read_diameters(Builder& b, const Row& row, const Row& weld, SectionBeam& s) {
+  const auto second = [&](std::string_view field, double first) {
+    return weld.real(field) > 0.0 ? weld.real(field) : first;
+  };
+  s.outer = {weld.real("ts1"), second("ts2", weld.real("ts1"))};
+  s.inner = {weld.real("tt1"), second("tt2", weld.real("tt1"))};
+  s.in_swforc = weld.integer("print") == 0;
+  s.torsion = weld.integer("itoff") == 0;
+  if (!(s.outer[0] > 0.0))
+    refuse(b, weld, "ts1", "a spot weld needs its diameter", "write the nugget's diameter there");
+  for (const std::size_t end : {0u, 1u})
+    if (s.inner[end] >= s.outer[end] && s.outer[end] > 0.0)
+      refuse(b, weld, end == 0 ? "tt1" : "tt2", "the inner diameter must be smaller than the outer one",
+             "leave it 0 for a full section");
+  if (row.integer("cst") != 1)
+    row.complain(b.findings, Severity::warning, "cst", "a weld is round: TS and TT are taken as diameters", "write 1");
+}
+
+void read_beam(Builder& b, const Block& block, const Options& options) {
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    read_title(cursor, options);
+    const Row row = cursor.read(beam_card);
+    SectionBeam s;
+    s.shear_factor = row.real("shrf");
+    s.quadrature = row.integer("qr_irid");
+    s.cross_section = row.integer("cst");
+    s.extra_mass = row.real("nsm");
+    if (row.integer("elform") == 9)
+      read_diameters(b, row, cursor.read(weld_card), s);
+    else
+      cursor.skip();  // another formulation is refused where a part uses it; its second card is not ours to read
+    add_section(b, row, s, b.beam_sections, b.model.beam_sections, b.beam_section_rows, "beam section");
+  }
+}
+
+void read_hourglass(Builder& b, const Block& block, const Options& options) {
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    read_title(cursor, options);
+    const Row row = cursor.read(hourglass_card);
+    Hourglass h;
+    h.id = row.integer("hgid");
+    h.type = row.integer("ihq");
+    h.membrane = row.real("qm");
+    h.bending = row.real("qb_vdc") > 0.0 ? row.real("qb_vdc") : h.membrane;
+    h.warping = row.real("qw") > 0.0 ? row.real("qw") : h.membrane;
+    h.bulk_quadratic = row.real("q1");
+    h.bulk_linear = row.real("q2");
+    h.place = row.place("ihq");
+    b.hourglass.add(h.id, static_cast<Index>(b.model.hourglass.size()), h.place, block.starred(), "hourglass control",
+                    b.findings);
+    b.model.hourglass.push_back(h);
+  }
+}
+
+}  // namespace
+
+std::vector<Keyword> section_keywords() {
+  return {
+      {.name = "SECTION_SHELL",
+       .options = {"TITLE"},
+       .layout = {{"", &shell_card}, {"", &shell_thickness_card}},
+       .read = read_shell},
+      {.name = "SECTION_SOLID", .options = {"TITLE"}, .layout = {{"", &solid_card}}, .read = read_solid},
+      {.name = "SECTION_BEAM",
+       .options = {"TITLE"},
+       .layout = {{"", &beam_card}, {"if ELFORM = 9", &weld_card}},
+       .read = read_beam},
+      {.name = "HOURGLASS", .options = {"TITLE"}, .layout = {{"", &hourglass_card}}, .read = read_hourglass},
+  };
+}
+
+}  // namespace nugget::model

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "model/cards/families.hpp"
+
+// *SET_... in all their forms. Here they become recipes; resolve_sets() works out the members.
+namespace nugget::model {
+
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+using Source = SetStep::Source;
+using Action = SetStep::Action;
+
+const Card head_card{{
+    id("sid", IdSpace::set, required, "id of the set"),
+    real("da1", dimension::number, 0, any_value, "default attribute, no effect"),
+    real("da2", dimension::number, 0, any_value, "default attribute, no effect"),
+    real("da3", dimension::number, 0, any_value, "default attribute, no effect"),
+    real("da4", dimension::number, 0, any_value, "default attribute, no effect"),
+    text("solver", 10, "no effect"),
+    text("its", 10, "no effect"),
+    unused(),
+}};
+
+const Card short_head_card{{
+    id("sid", IdSpace::set, required, "id of the set"),
+    text("solver", 10, "no effect"),
+}};
+
+Card eight_ids(IdSpace space, std::string_view meaning) {
+  Card card;
+  for (const auto* name : {"id1", "id2", "id3", "id4", "id5", "id6", "id7", "id8"})
+    card.fields.push_back(id(name, space, 0, meaning));
+  return card;
+}
+
+const Card node_ids = eight_ids(IdSpace::node, "node");
+const Card part_ids = eight_ids(IdSpace::part, "part");
+const Card element_ids = eight_ids(IdSpace::element, "element");
+const Card set_ids = eight_ids(IdSpace::set, "set");
+
+Card one_with_attributes(IdSpace space) {
+  Card card{{id("id1", space, 0, "member")}};
+  for (const auto* name : {"a1", "a2", "a3", "a4"})
+    card.fields.push_back(real(name, dimension::number, 0, any_value, "attribute, no effect"));
+  return card;
+}
+
+const Card node_column = one_with_attributes(IdSpace::node);
+const Card part_column = one_with_attributes(IdSpace::part);
+const Card element_column = one_with_attributes(IdSpace::element);
+
+const Card segment_card{{
+    id("id1", IdSpace::node, required, "node 1"),
+    id("id2", IdSpace::node, required, "node 2"),
+    id("id3", IdSpace::node, required, "node 3"),
+    id("id4", IdSpace::node, 0, "node 4; 0 or n3: a triangle"),
+    real("a1", dimension::number, 0, any_value, "attribute, no effect"),
+    real("a2", dimension::number, 0, any_value, "attribute, no effect"),
+    real("a3", dimension::number, 0, any_value, "attribute, no effect"),
+    real("a4", dimension::number, 0, any_value, "attribute, no effect"),
+}};
+
+// What the numbers are depends on the option, so their offsets are applied by `general_step`.
+const Card general_card{{
+    text("option", 10, "ALL, NODE, ELEM, PART, SEG, BOX, SET_... to add; with a D in front to take away"),
+    integer("id1", 0, any_value, "id"),
+    integer("id2", 0, any_value, "id"),
+    integer("id3", 0, any_value, "id"),
+    real("id4", dimension::number, 0, any_value, "id; of parts and boxes of segment sets: attribute, no effect"),
+    real("id5", dimension::number, 0, any_value, "id"),
+    real("id6", dimension::number, 0, any_value, "id"),
+    real("id7", dimension::number, 0, any_value, "id"),
+}};
+
+/// What differs between the kinds of sets.
+struct KindCards {
+  SetKind kind;
+  IdSpace space;
+  const Card* head;
+  const Card* ids;
+  const Card* column;
+};
+
+const KindCards node_kind{SetKind::node, IdSpace::node, &head_card, &node_ids, &node_column};
+const KindCards part_kind{SetKind::part, IdSpace::part, &head_card, &part_ids, &part_column};
+const KindCards segment_kind{SetKind::segment, IdSpace::node, &head_card, &segment_card, &segment_card};
+const KindCards shell_kind{SetKind::shell, IdSpace::element, &head_card, &element_ids, &element_column};
+const KindCards solid_kind{SetKind::solid, IdSpace::element, &short_head_card, &element_ids, &element_column};
+const KindCards beam_kind{SetKind::beam, IdSpace::element, &short_head_card, &element_ids, &element_column};
+
+/// The numbers in the fields id1, id2 ... of a row, zeros left out.
+std::vector<int> ids_of(const Row& row, int count) {
+  std::vector<int> ids;
+  for (int i = 1; i <= count; ++i)
+    if (const int id = row.integer(fmt::format("id{}", i)); id != 0) ids.push_back(id);
+  return ids;
+}
+
+/// A line of *SET_..._GENERAL without its ids, and the name space that these are of; nothing for an unknown option.
+struct GeneralOption {
+  SetStep step;
+  IdSpace space = IdSpace::none;
+};
+
+std::optional<GeneralOption> segment_option(std::string_view name) {
+  GeneralOption o;
+  o.step.kind = SetKind::segment;
+  if (name == "SEG") return o.space = IdSpace::node, o;
+  if (name == "SHELL") return o.step.kind = SetKind::shell, o.space = IdSpace::element, o;
+  if (name == "BOX" || name == "BOX_SHELL" || name == "BOX_SOLID") {
+    o.step.source = Source::boxes;
+    o.step.of_shells = name != "BOX_SOLID";
+    o.step.of_solids = name != "BOX_SHELL";
+    o.space = IdSpace::define;
+    return o;
+  }
+  return std::nullopt;
+}
+
+std::optional<GeneralOption> set_option(SetKind own, std::string_view name) {
+  static constexpr std::pair<std::string_view, SetKind> kinds[] = {
+      {"SET_NODE", SetKind::node},   {"SET_PART", SetKind::part},   {"SET_SEGMENT", SetKind::segment},
+      {"SET_SHELL", SetKind::shell}, {"SET_SOLID", SetKind::solid}, {"SET_BEAM", SetKind::beam}};
+  GeneralOption o;
+  o.space = IdSpace::set;
+  o.step.source = Source::sets;
+  o.step.kind = own;
+  if (name == "SET" && own != SetKind::node) return o;
+  for (const auto& [option, kind] : kinds) {
+    if (name != option) continue;
+    o.step.kind = kind;
+    if (own == SetKind::node) return o;
+    if (own == SetKind::segment && (kind == SetKind::shell || kind == SetKind::solid)) return o;
+  }
+  return std::nullopt;
+}
+
+std::optional<GeneralOption> general_option(const KindCards& cards, std::string_view name) {
+  GeneralOption o;
+  o.step.kind = cards.kind;
+  const bool is_element = cards.space == IdSpace::element;
+  if (name == "ALL") return o.step.source = Source::all, o;
+  if (name == "PART") return o.step.kind = SetKind::part, o.space = IdSpace::part, o;
+  if (name == "NODE" && cards.kind == SetKind::node) return o.space = IdSpace::node, o;
+  if (name == "ELEM" && is_element) return o.space = IdSpace::element, o;
+  if (name == "BOX" && (is_element || cards.kind == SetKind::node))
+    return o.step.source = Source::boxes, o.space = IdSpace::define, o;
+  if (const auto set = set_option(cards.kind, name)) return set;
+  return cards.kind == SetKind::segment ? segment_option(name) : std::nullopt;
+}
+
+std::string upper(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+std::optional<SetStep> general_step(Builder& b, const Block& block, const KindCards& cards, const Row& row) {
+  const std::string name = upper(row.text("option"));
+  auto option = general_option(cards, name);
+  const bool takes_away = !option && name.starts_with('D');
+  if (takes_away) option = general_option(cards, std::string_view(name).substr(1));
+  if (!option) {
+    refuse(b, row, "option", "this option is not supported",
+           "use ALL, NODE, ELEM, PART, SEG, BOX, SET or SET_..., or list the members");
+    return std::nullopt;
+  }
+  SetStep step = std::move(option->step);
+  if (takes_away) step.action = Action::remove;
+  step.place = row.place();
+  const bool has_attributes =
+      cards.kind == SetKind::segment && (step.source == Source::boxes || step.kind == SetKind::part);
+  const long offset = block.transform ? block.transform->id_offset[static_cast<std::size_t>(option->space)] : 0;
+  for (int i = 1; i <= (has_attributes ? 3 : 7); ++i)
+    if (const auto id = static_cast<long>(row.real(fmt::format("id{}", i))); id != 0)
+      step.ids.push_back(static_cast<int>(id + offset));
+  return step;
+}
+
+/// The lines GENERATE (pairs) and GENERATE_INCREMENT (begin, end, increment).
+void read_ranges(Cursor& cursor, const KindCards& cards, bool has_increment, std::vector<SetStep>& steps) {
+  const Card increments{{id("id1", cards.space, 0, "begin"), id("id2", cards.space, 0, "end"),
+                         integer("id3", 1, at_least(1), "increment")}};
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(has_increment ? increments : *cards.ids);
+    for (int i = 1; i < (has_increment ? 3 : 8); i += 2) {
+      const int begin = row.integer(fmt::format("id{}", i)), end = row.integer(fmt::format("id{}", i + 1));
+      if (begin == 0 && end == 0) continue;
+      SetStep step;
+      step.source = Source::range;
+      step.kind = cards.kind;
+      step.ids = {begin, end, has_increment ? row.integer("id3") : 1};
+      step.place = row.place();
+      steps.push_back(std::move(step));
+    }
+  }
+}
+
+/// Lines of members (LIST, COLUMN) or of sets (ADD, INTERSECT).
+void read_members(Cursor& cursor, const KindCards& cards, const Card& card, Source source, Action action,
+                  std::vector<SetStep>& steps) {
+  const int count = &card == cards.column && cards.kind != SetKind::segment       ? 1
+                    : cards.kind == SetKind::segment && source == Source::members ? 4
+                                                                                  : 8;
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(card);
+    SetStep step;
+    step.source = source;
+    step.action = steps.empty() ? Action::add : action;
+    step.kind = cards.kind;
+    step.ids = ids_of(row, count);
+    step.place = row.place();
+    if (step.ids.empty()) continue;
+    steps.push_back(std::move(step));
+  }
+}
+
+/// INTERSECT: what is in all of the sets, so each set is a step of its own.
+void split_intersection(std::vector<SetStep>& steps) {
+  std::vector<SetStep> single;
+  for (const SetStep& step : steps)
+    for (const int id : step.ids) {
+      single.push_back(step);
+      single.back().ids = {id};
+      single.back().action = single.size() == 1 ? Action::add : Action::intersect;
+    }
+  steps = std::move(single);
+}
+
+void read_set(Builder& b, const Block& block, const Options& options, const KindCards& cards) {
+  Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
+  const Row head = cursor.read(*cards.head);
+  SetRecipe recipe{cards.kind, head.integer("sid"), options.contains("COLLECT"), block.starred(), head.place(), {}};
+  auto& steps = recipe.steps;
+  if (options.contains("GENERAL")) {
+    while (!at_end(cursor))
+      if (auto step = general_step(b, block, cards, cursor.read(general_card))) steps.push_back(std::move(*step));
+  } else if (options.contains("GENERATE")) {
+    read_ranges(cursor, cards, options.contains("INCREMENT"), steps);
+  } else if (options.contains("ADD") || options.contains("INTERSECT")) {
+    read_members(cursor, cards, set_ids, Source::sets, Action::add, steps);
+    if (options.contains("INTERSECT")) split_intersection(steps);
+  } else {
+    read_members(cursor, cards, options.contains("COLUMN") ? *cards.column : *cards.ids, Source::members, Action::add,
+                 steps);
+  }
+  b.set_recipes.push_back(std::move(recipe));
+}
+
+template <const KindCards& cards>
+void read(Builder& b, const Block& block, const Options& options) {
+  read_set(b, block, options, cards);
+}
+
+template <const KindCards& cards>
+Keyword keyword(std::string_view name) {
+  const bool is_segment = cards.kind == SetKind::segment;
+  Keyword k{.name = name,
+            .options = {"TITLE", "COLLECT", "GENERAL", "ADD", "INTERSECT"},
+            .layout = {{"", cards.head},
+                       {is_segment ? "repeated" : "as LIST (or nothing), repeated; as GENERATE: pairs of begin and end",
+                        cards.ids},
+                       {"with _GENERAL, repeated", &general_card},
+                       {"with _ADD or _INTERSECT, repeated", &set_ids}},
+            .read = read<cards>};
+  if (is_segment) return k;
+  k.options.insert(k.options.end(), {"LIST", "COLUMN", "GENERATE", "INCREMENT"});
+  k.layout.push_back({"with _COLUMN, repeated", cards.column});
+  return k;
+}
+
+}  // namespace
+
+std::vector<Keyword> set_keywords() {
+  return {
+      keyword<node_kind>("SET_NODE"),   keyword<part_kind>("SET_PART"),   keyword<segment_kind>("SET_SEGMENT"),
+      keyword<shell_kind>("SET_SHELL"), keyword<solid_kind>("SET_SOLID"), keyword<beam_kind>("SET_BEAM"),
+  };
+}
+
+}  // namespace nugget::model

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/cards/yield_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace nugget::model {
+
+namespace {
+
+using deck::Row;
+
+Curve bilinear(const Row& row) {
+  const double E = row.real("e"), tangent = row.real("etan"), yield = row.real("sigy");
+  const double slope = tangent < E ? E * tangent / (E - tangent) : 0.0;
+  return {0, {0.0, 1.0}, {yield, yield + slope}};
+}
+
+/// The points EPS, ES: as many as are given. A first strain of 0 counts if it has a stress.
+Curve points(const Row& strain, const Row& stress) {
+  Curve curve;
+  for (int i = 1; i <= 8; ++i) {
+    const double e = strain.real(fmt::format("eps{}", i)), s = stress.real(fmt::format("es{}", i));
+    if (s == 0.0 && e == 0.0) break;
+    curve.x.push_back(e);
+    curve.y.push_back(s);
+  }
+  return curve;
+}
+
+void set_points(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law, Curve curve) {
+  if (!std::is_sorted(curve.x.begin(), curve.x.end(), std::less_equal<>{}))
+    refuse(b, cards.strain, "eps1", "plastic strains must ascend", "sort the points");
+  law.yield = {std::move(curve)};
+}
+
+/// Yield stresses over plastic strain must be positive; a curve of zeros gives a law without strength.
+void check_positive(Builder& b, const YieldCards& cards, const Curve& curve) {
+  if (!curve.empty() && *std::min_element(curve.y.begin(), curve.y.end()) <= 0.0)
+    refuse(b, cards.rate, "lcss", fmt::format("curve {} has a yield stress that is not above 0", curve.id),
+           "give the true yield stress over plastic strain, from strain 0 on");
+}
+
+void set_table(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law, const Table& table) {
+  if (table.curve.size() != table.value.size() || table.value.empty()) return;  // told where it is defined
+  law.rates = table.value;
+  law.log_rates = cards.log_rates;
+  if (law.rates.front() < 0.0) {
+    law.log_rates = true;
+    for (double& rate : law.rates) rate = std::exp(rate);
+  } else if (cards.log_rates && law.rates.front() == 0.0) {
+    refuse(b, cards.rate, "lcss", "a rate of 0 has no logarithm", "start the table at the lowest rate of the tests");
+  }
+  law.yield.clear();
+  for (const Index c : table.curve) {
+    const Curve& curve = b.model.curves[static_cast<std::size_t>(c)];
+    check_positive(b, cards, curve);
+    law.yield.push_back(curve);
+  }
+}
+
+void set_curve_or_table(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law) {
+  const int id = cards.rate.integer("lcss");
+  if (id < 0) return refuse(b, cards.rate, "lcss", "a negative id is not supported", "give the curve's id");
+  if (const Index t = b.tables.find(id); t != none)
+    return set_table(b, cards, law, b.model.tables[static_cast<std::size_t>(t)]);
+  const Index c = b.find(b.curves, "curve or table", cards.rate, "lcss");
+  if (c == none) return;
+  law.yield = {b.model.curves[static_cast<std::size_t>(c)]};
+  check_positive(b, cards, law.yield.front());
+}
+
+}  // namespace
+
+void set_yield_curves(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law) {
+  law.yield = {bilinear(cards.main)};
+  if (cards.rate.integer("lcss") != 0)
+    set_curve_or_table(b, cards, law);
+  else if (Curve curve = points(cards.strain, cards.stress); !curve.empty())
+    set_points(b, cards, law, std::move(curve));
+  else if (!(cards.main.real("sigy") > 0.0))
+    refuse(b, cards.main, "sigy", "the yield stress must be given", "give SIGY and ETAN, EPS and ES, or LCSS");
+  if (const Index scale = b.curve(cards.rate, "lcsr"); scale != none)
+    law.rate_scale = b.model.curves[static_cast<std::size_t>(scale)];
+}
+
+}  // namespace nugget::model

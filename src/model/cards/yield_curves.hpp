@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/builder.hpp"
+
+namespace nugget::model {
+
+/// The cards of MAT_024, from which its yield stress follows.
+struct YieldCards {
+  deck::Row main;          ///< mid ro e pr sigy etan ...
+  deck::Row rate;          ///< c p lcss lcsr ...
+  deck::Row strain;        ///< eps1..8
+  deck::Row stress;        ///< es1..8
+  bool log_rates = false;  ///< _LOG_INTERPOLATION
+};
+
+/// Sets yield, rates, log_rates and rate_scale, from the first of these that is given: LCSS (curve or table), EPS and
+/// ES, SIGY and ETAN with the plastic modulus E ETAN / (E - ETAN). A table whose first value is negative holds the
+/// natural logarithms of its rates.
+void set_yield_curves(Builder& builder, const YieldCards& cards, kernel::PiecewiseLinear& law);
+
+}  // namespace nugget::model

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/lumped_mass.hpp"
+#include "model/passes.hpp"
+
+namespace nugget::model {
+
+namespace {
+
+const Vec3d& position(const Model& m, Index node) {
+  return m.nodes.x[static_cast<std::size_t>(node)];
+}
+
+// ---- shapes of elements
+// ----------------------------------------------------------------------------------------------
+
+/// Largest angle between the normals of the two triangles on either side of a diagonal [degrees].
+double warpage(const std::array<Vec3d, 4>& x) {
+  const auto angle = [](const Vec3d& a, const Vec3d& b) {
+    return std::atan2(norm(cross(a, b)), dot(a, b)) * 180.0 / std::numbers::pi;
+  };
+  const auto normal = [&](std::size_t i, std::size_t j, std::size_t k) { return cross(x[j] - x[i], x[k] - x[i]); };
+  return std::max(angle(normal(0, 1, 2), normal(0, 2, 3)), angle(normal(0, 1, 3), normal(1, 2, 3)));
+}
+
+void check_shells(Builder& b) {
+  const Model& m = b.model;
+  const double largest_warp = m.control.warp_warning;
+  Tally flat(b.findings, Severity::error, "*ELEMENT_SHELL"), crossed(b.findings, Severity::error, "*ELEMENT_SHELL"),
+      thin(b.findings, Severity::error, "*ELEMENT_SHELL"), warped(b.findings, Severity::warning, "*ELEMENT_SHELL");
+  for (std::size_t e = 0; e < m.shells.size(); ++e) {
+    const auto& n = m.shells.node[e];
+    const std::array<Vec3d, 4> x{position(m, n[0]), position(m, n[1]), position(m, n[2]), position(m, n[3])};
+    const int id = m.shells.id[e];
+    const Vec3d across = cross(x[2] - x[0], x[3] - x[1]);
+    const double longest = std::max(dot(x[2] - x[0], x[2] - x[0]), dot(x[3] - x[1], x[3] - x[1]));
+    const bool has_section = m.parts[static_cast<std::size_t>(m.shells.part[e])].section != none;
+    if (has_section && !(m.shells.thickness[e] > 0.0))
+      thin.add(
+          m.shells.place[e],
+          [&] { return fmt::format("shell {}: thickness {:g}, expected more than 0", id, m.shells.thickness[e]); },
+          "give T1 of its section, or its nodal thicknesses");
+    if (!(norm(across) > 1e-12 * longest)) {
+      flat.add(
+          m.shells.place[e], [&] { return fmt::format("shell {} has no area", id); }, "remove it or mend its nodes");
+      continue;
+    }
+    if (m.shells.triangle(e)) continue;
+    // Edges cross where the corner normals point to both sides of the element's.
+    int inward = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      inward += dot(cross(x[(i + 1) % 4] - x[i], x[(i + 3) % 4] - x[i]), across) < 0.0;
+    if (inward >= 2)
+      crossed.add(
+          m.shells.place[e], [&] { return fmt::format("the sides of shell {} cross each other", id); },
+          "number its nodes around the element");
+    else if (const double warp = warpage(x); largest_warp > 0.0 && warp > largest_warp)
+      warped.add(
+          m.shells.place[e],
+          [&] {
+            return fmt::format("shell {} is warped by {:.1f} degrees, more than WRPANG {:g}", id, warp, largest_warp);
+          },
+          "split it into triangles, or mesh finer");
+  }
+}
+
+/// Smallest Jacobian determinant over the corners of a brick with eight different nodes, times eight.
+double smallest_corner_volume(const Model& m, std::size_t e) {
+  static constexpr std::size_t next[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
+                                             {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
+  const auto& n = m.solids.node[e];
+  double smallest = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < 8; ++i) {
+    const auto edge = [&](std::size_t j) { return position(m, n[next[i][j]]) - position(m, n[i]); };
+    smallest = std::min(smallest, dot(edge(0), cross(edge(1), edge(2))));
+  }
+  return smallest;
+}
+
+bool has_equal_nodes(const std::array<Index, 8>& nodes) {
+  for (std::size_t i = 0; i < 8; ++i)
+    for (std::size_t j = i + 1; j < 8; ++j)
+      if (nodes[i] == nodes[j]) return true;
+  return false;
+}
+
+void check_solids(Builder& b) {
+  const Model& m = b.model;
+  Tally negative(b.findings, Severity::error, "*ELEMENT_SOLID"), bent(b.findings, Severity::warning, "*ELEMENT_SOLID");
+  for (std::size_t e = 0; e < m.solids.size(); ++e) {
+    const int id = m.solids.id[e];
+    const double volume = solid_volume(m, e);
+    if (!(volume > 0.0))
+      negative.add(
+          m.solids.place[e],
+          [&] {
+            return fmt::format("solid {} has the volume {:g}, expected more than 0 (negative Jacobian)", id, volume);
+          },
+          "number its nodes 1-4 around the bottom and 5-8 above them, seen from inside right-handed");
+    else if (!has_equal_nodes(m.solids.node[e]) && !(smallest_corner_volume(m, e) > 0.0))
+      bent.add(
+          m.solids.place[e],
+          [&] { return fmt::format("solid {} is turned inside out at a corner (negative Jacobian there)", id); },
+          "mend the mesh there; it may fail early");
+  }
+}
+
+void check_beams(Builder& b) {
+  const Model& m = b.model;
+  Tally short_ones(b.findings, Severity::note, "*ELEMENT_BEAM");
+  for (std::size_t e = 0; e < m.beams.size(); ++e)
+    if (!(beam_length(m, e) > 0.0))
+      short_ones.add(m.beams.place[e], [&] {
+        return fmt::format("beam {} has no length; a weld of no length takes its length from its tie", m.beams.id[e]);
+      });
+}
+
+/// Nodes that nothing holds or uses do not move with anything; often the remains of editing.
+void count_free_nodes(Builder& b) {
+  const Model& m = b.model;
+  std::vector<char> used(m.nodes.size(), 0);
+  const auto use = [&](Index n) {
+    if (n != none) used[static_cast<std::size_t>(n)] = 1;
+  };
+  for (const auto& nodes : m.shells.node) std::for_each(nodes.begin(), nodes.end(), use);
+  for (const auto& nodes : m.solids.node) std::for_each(nodes.begin(), nodes.end(), use);
+  for (const auto& nodes : m.beams.node) std::for_each(nodes.begin(), nodes.end(), use);
+  std::for_each(m.beams.orientation.begin(), m.beams.orientation.end(), use);
+  for (const auto& p : m.masses) use(p.node);
+  for (const auto& p : m.inertias) use(p.node);
+  for (const auto& body : m.rigid_bodies) std::for_each(body.nodes.begin(), body.nodes.end(), use);
+  const auto free = std::count(used.begin(), used.end(), 0);
+  if (free == 0) return;
+  const auto first = static_cast<std::size_t>(std::find(used.begin(), used.end(), 0) - used.begin());
+  b.findings.note(
+      {m.deck, 0, 0}, "*NODE",
+      fmt::format("{} nodes belong to no element, mass or rigid body; the first is node {}", free, m.nodes.id[first]));
+}
+
+// ---- parts
+// -----------------------------------------------------------------------------------------------------------
+
+template <class L>
+bool is(const Model& m, const Part& part) {
+  return part.material != none && std::holds_alternative<L>(m.materials[static_cast<std::size_t>(part.material)].law);
+}
+
+void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& told) {
+  const auto s = static_cast<std::size_t>(part.section);
+  SectionShell& section = b.model.shell_sections[s];
+  if (section.elform == 0) section.elform = b.model.control.default_shell;
+  const bool is_computed = !is<kernel::Rigid>(b.model, part) && !is<kernel::Null>(b.model, part);
+  if (!is_computed || section.elform == 2 || section.elform == 4 || std::exchange(told[s], char{1})) return;
+  refuse(
+      b, b.shell_section_rows[s], "elform",
+      fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay) and 4 (triangle)", section.elform),
+      "write 2, with an hourglass control of type 4 for stiffness against hourglassing");
+}
+
+void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& told) {
+  const auto s = static_cast<std::size_t>(part.section);
+  const int elform = b.model.solid_sections[s].elform;
+  if (is<kernel::Rigid>(b.model, part) || elform == 1 || std::exchange(told[s], char{1})) return;
+  refuse(b, b.solid_section_rows[s], "elform",
+         fmt::format("solid formulation {} is not built; built is 1 (constant stress)", elform),
+         "write 1, with an hourglass control of type 2 or 3");
+}
+
+void check_beam_formulation(Builder& b, const Part& part, std::vector<char>& told) {
+  const auto s = static_cast<std::size_t>(part.section);
+  const int elform = b.model.beam_sections[s].elform;
+  if (elform == 9 || std::exchange(told[s], char{1})) return;
+  refuse(b, b.beam_section_rows[s], "elform",
+         elform == 6 ? std::string("discrete beams (formulation 6) are not built yet; built is 9 (spot weld)")
+                     : fmt::format("beam formulation {} is not built; built is 9 (spot weld)", elform),
+         "model the joint by spot-weld beams (ELFORM 9, MAT_SPOTWELD), or leave the part out");
+}
+
+/// Which law may be used by which elements.
+void check_law(Builder& b, const Part& part, const deck::Row& row) {
+  if (part.material == none) return;
+  const Model& m = b.model;
+  const Material& material = m.materials[static_cast<std::size_t>(part.material)];
+  const bool is_weld = is<kernel::Spotweld>(m, part);
+  if (is_weld && part.kind == ElementKind::solid)
+    refuse(b, row, "mid", "welds of bricks are not built yet", "model the welds by beams (ELFORM 9)");
+  else if (is_weld && part.kind == ElementKind::shell)
+    refuse(b, row, "mid", "*MAT_SPOTWELD is a law of weld beams, but the part has shells", "give it a sheet's law");
+  else if (part.kind == ElementKind::beam && !is_weld)
+    refuse(b, row, "mid", fmt::format("beams are built with *MAT_SPOTWELD only, not with *{}", material.keyword),
+           "give the part *MAT_SPOTWELD, or model it by shells");
+  else if (part.kind == ElementKind::solid && is<kernel::Null>(m, part))
+    refuse(b, row, "mid", "*MAT_NULL in solids needs an equation of state, which is not built", "use another law");
+  else if (part.kind == ElementKind::solid && material.poisson() >= 0.5 && !is<kernel::Rigid>(m, part))
+    refuse(b, row, "mid", "a Poisson's ratio of 0.5 makes solids incompressible", "give a ratio below 0.5, e.g. 0.495");
+}
+
+/// Hourglass types that the elements of a part do not have.
+void check_hourglass(Builder& b, const Part& part) {
+  if (is<kernel::Rigid>(b.model, part) || is<kernel::Null>(b.model, part)) return;
+  const Hourglass& h =
+      part.hourglass == none ? b.model.control.hourglass : b.model.hourglass[static_cast<std::size_t>(part.hourglass)];
+  const int highest = part.kind == ElementKind::shell ? 5 : part.kind == ElementKind::solid ? 3 : 10;
+  if (h.type <= highest) return;
+  const bool is_shell = part.kind == ElementKind::shell;
+  b.findings.add({Severity::error, h.place, part.hourglass == none ? "*CONTROL_HOURGLASS" : "*HOURGLASS", "ihq",
+                  std::to_string(h.type),
+                  fmt::format("part {} has {}, for which types 1 to {} are built", part.id,
+                              is_shell ? "shells" : "solids", highest),
+                  is_shell ? "write 4" : "write 2 or 3, or give the solids an *HOURGLASS of their own"});
+}
+
+/// ELFORM 4 is a triangle only.
+void check_triangles(Builder& b) {
+  const Model& m = b.model;
+  Tally quads(b.findings, Severity::error, "*ELEMENT_SHELL");
+  for (std::size_t e = 0; e < m.shells.size(); ++e) {
+    const Part& part = m.parts[static_cast<std::size_t>(m.shells.part[e])];
+    if (part.section == none || is<kernel::Rigid>(m, part) || is<kernel::Null>(m, part)) continue;
+    if (m.shell_sections[static_cast<std::size_t>(part.section)].elform != 4 || m.shells.triangle(e)) continue;
+    quads.add(
+        m.shells.place[e],
+        [&] { return fmt::format("shell {} has four corners, but its formulation 4 is a triangle", m.shells.id[e]); },
+        "give quads a section with ELFORM 2; with ESORT 1 of *CONTROL_SHELL their triangles become ELFORM 4");
+  }
+}
+
+// ---- units
+// -----------------------------------------------------------------------------------------------------------
+
+struct UnitSystem {
+  std::string_view name;
+  double speed;    ///< of one metre per second
+  double density;  ///< of one kilogram per cubic metre
+};
+
+constexpr UnitSystem unit_systems[] = {{"mm t s (N, MPa)", 1e3, 1e-12},        {"m kg s (N, Pa)", 1.0, 1.0},
+                                       {"mm kg ms (kN, GPa)", 1.0, 1e-9},      {"mm g ms (N, MPa)", 1.0, 1e-6},
+                                       {"mm kg s (mN, kPa)", 1e3, 1e-9},       {"cm g us (Mbar)", 1e-4, 1e-3},
+                                       {"mm mg us (kN, GPa)", 1e-3, 1e-3},     {"cm g s (dyn)", 1e2, 1e-3},
+                                       {"in lbf s (psi)", 39.3701, 9.3572e-8}, {"ft slug s (psf)", 3.28084, 1.9403e-3}};
+
+/// Do modulus and density look like a structural material in these units? Speed of sound in a bar 300 to 12000 m/s,
+/// density 500 to 25000 kg/m3: plastics to steel, tungsten and ceramics.
+bool fits(const Material& m, const UnitSystem& u) {
+  const double speed = std::sqrt(m.young() / m.density) / u.speed, density = m.density / u.density;
+  return speed >= 300.0 && speed <= 12000.0 && density >= 500.0 && density <= 25000.0;
+}
+
+bool is_elastic_plastic(const Material& m) {
+  const bool is_moving_body =
+      std::holds_alternative<kernel::Null>(m.law) || std::holds_alternative<kernel::Rigid>(m.law);
+  return !is_moving_body && m.density > 0.0 && m.young() > 0.0;
+}
+
+}  // namespace
+
+void check_mesh(Builder& b) {
+  check_shells(b);
+  check_solids(b);
+  check_beams(b);
+  count_free_nodes(b);
+}
+
+void check_parts(Builder& b) {
+  std::vector<char> told_shell(b.model.shell_sections.size(), 0), told_solid(b.model.solid_sections.size(), 0),
+      told_beam(b.model.beam_sections.size(), 0);
+  for (const auto& [index, row] : b.part_rows) {
+    const Part& part = b.model.parts[static_cast<std::size_t>(index)];
+    if (part.kind == ElementKind::nothing && part.rigid_body == none)
+      b.findings.warning(part.place, row.keyword(), fmt::format("part {} has no elements", part.id));
+    check_law(b, part, row);
+    if (part.section == none) continue;
+    if (part.kind == ElementKind::shell) check_shell_formulation(b, part, told_shell);
+    if (part.kind == ElementKind::solid) check_solid_formulation(b, part, told_solid);
+    if (part.kind == ElementKind::beam) check_beam_formulation(b, part, told_beam);
+    check_hourglass(b, part);
+  }
+  check_triangles(b);
+  if (!(b.model.control.end_time > 0.0))
+    b.findings.error({b.model.deck, 0, 0}, "*CONTROL_TERMINATION", "no end time is given",
+                     "give ENDTIM, the time up to which is to be computed");
+}
+
+void check_units(Builder& b) {
+  const auto& materials = b.model.materials;
+  const auto fitting = [&](const UnitSystem& u) {
+    return std::count_if(materials.begin(), materials.end(),
+                         [&](const Material& m) { return is_elastic_plastic(m) && fits(m, u); });
+  };
+  const auto* common = std::max_element(std::begin(unit_systems), std::end(unit_systems),
+                                        [&](const auto& u, const auto& v) { return fitting(u) < fitting(v); });
+  for (const Material& m : materials) {
+    if (!is_elastic_plastic(m) || fits(m, *common)) continue;
+    const double speed = std::sqrt(m.young() / m.density);
+    const bool has_common = fitting(*common) > 0;
+    b.findings.warning(
+        m.place, '*' + m.keyword,
+        fmt::format("material {}: sqrt(E/rho) = {:g} with density {:g} {}", m.id, speed, m.density,
+                    has_common ? fmt::format("does not fit {}, the units of the other materials", common->name)
+                               : "fits no usual system of units"),
+        "see that E and density are in the units of the mesh, e.g. mm t s: 210000, 7.85e-9");
+  }
+}
+
+}  // namespace nugget::model
