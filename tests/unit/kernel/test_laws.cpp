@@ -152,7 +152,7 @@ TEST(Laws, YieldConditionHoldsInASolid) {
       ++plastic;
     }
   }
-  EXPECT_GT(plastic, 1000);
+  EXPECT_GT(plastic, 500);
 }
 
 TEST(Laws, PlaneStressAgreesWithTheSolid) {
@@ -245,7 +245,7 @@ TEST(Laws, RateScaleCurve) {
 
 TEST(Laws, YieldCurves) {
   const YieldCurve many(curved().yield[0]);
-  const Curve& curve = curved().yield[0];
+  const Curve curve = curved().yield[0];
   Random random;
   for (int i = 0; i < 1000; ++i) {
     const double e = std::abs(random()) * (i % 2 ? 1.3 : 0.02);

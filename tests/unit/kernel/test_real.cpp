@@ -50,7 +50,10 @@ TEST(Batch, LanesBehaveAsDoubles) {
 template <class R>
 void rows_go_and_come() {
   std::vector<Row> rows(20), out(20);
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = {1.0 * i, 100.0 + i, 200.0 + i, 9.0};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto n = static_cast<double>(i);
+    rows[i] = {n, 100.0 + n, 200.0 + n, 9.0};
+  }
   const int id[4] = {7, 3, 19, 0}, to[4] = {2, 11, 5, 6};
   const Vec3<R> v = gather<R>(rows.data(), id);
   scatter<R>(out.data(), to, v);
