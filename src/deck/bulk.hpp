@@ -69,7 +69,8 @@ class PlainColumns {
   double real(std::size_t width) {
     const std::size_t w = available(width);
     double value = 0.0;
-    good_ = good_ && parse_plain_real(line_.data() + at_, w, value);
+    const char* const cell = line_.data() + at_;
+    good_ = good_ && ((w == 16 && parse_fixed_point16(cell, value)) || parse_plain_real(cell, w, value));
     at_ += w;
     return value;
   }

@@ -126,7 +126,6 @@ class ElementReader {
     out_.part.push_back(row_.part);
     out_.node.insert(out_.node.end(), row_.node.begin(), row_.node.begin() + out_.nodes_per_element);
     out_.line.push_back(first_line_);
-    out_.file.push_back(static_cast<int>(block_.file));
   }
 
   /// One value of an option for the row appended last; rows of earlier blocks without the option get `absent`.
@@ -136,9 +135,10 @@ class ElementReader {
     column.push_back(value);
   }
 
-  /// Brings the columns that other blocks have filled to the table's length.
-  void pad() {
+  /// Brings the columns that are not filled row by row to the table's length.
+  void complete() {
     const std::size_t n = out_.id.size();
+    out_.file.resize(n, static_cast<int>(block_.file));
     const auto fill = [n](auto& column, const auto& absent) {
       if (!column.empty()) column.resize(n, absent);
     };
@@ -239,7 +239,7 @@ class ShellReader : ElementReader {
       if (offset && !read_offset(kept)) break;
       if (dof && !read_scalar_nodes()) break;
     }
-    pad();
+    complete();
   }
 
  private:
@@ -345,7 +345,7 @@ class SolidReader : ElementReader {
       if (has("ORTHO") && !(skip_card(axes_card) && skip_card(axes_card))) break;
       if (has("DOF") && !skip_card(scalar_nodes_card)) break;
     }
-    pad();
+    complete();
   }
 
  private:
@@ -399,7 +399,7 @@ class BeamReader : ElementReader {
       if (has("OFFSET") && !option_row(beam_offset_card, "offset card")) break;
       if (has("ORIENTATION") && !read_orientation()) break;
     }
-    pad();
+    complete();
   }
 
  private:

@@ -82,8 +82,8 @@ void read_nodes(const Deck& deck, const Block& block, NodeTable& out, Findings& 
     out.tc.push_back(static_cast<signed char>(node.tc));
     out.rc.push_back(static_cast<signed char>(node.rc));
     out.line.push_back(lines.number());
-    out.file.push_back(static_cast<int>(block.file));
   }
+  out.file.resize(out.id.size(), static_cast<int>(block.file));
 }
 
 }  // namespace nugget::deck

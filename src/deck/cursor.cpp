@@ -142,10 +142,10 @@ std::string Cursor::peek() const {
   return readable(substituted(block_.lines[next_].text, deck_.impl->parameters, block_.scope));
 }
 
-std::string Cursor::read_text() {
-  std::string line = peek();
-  skip();
-  return std::string(trimmed(line));
+std::string Cursor::read_text(std::vector<std::string>* unknown) {
+  if (next_ >= block_.lines.size()) return {};
+  const std::string_view line = trimmed(block_.lines[next_++].text);
+  return readable(substituted(line, deck_.impl->parameters, block_.scope, unknown));
 }
 
 double Cursor::peek_number(std::size_t index) const {

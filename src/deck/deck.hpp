@@ -87,7 +87,8 @@ class Row {
   bool blank(std::string_view name) const;
   /// Where the field stands.
   Place place(std::string_view name) const;
-  Place place() const;  ///< of the line
+  Place place() const;                                    ///< of the line
+  std::string keyword() const { return '*' + keyword_; }  ///< that the card belongs to, for messages
   /// Writes a finding about a field: `keyword` field = value: text [remedy]. (All of these throw std::logic_error for a
   /// name that the card does not have: a fault of the program, not of the deck.)
   void complain(Findings& findings, Severity severity, std::string_view name, std::string text,
@@ -118,8 +119,9 @@ class Cursor {
   std::size_t left() const;  ///< how many, without the blank lines at the end
   /// The next line by `card`. At the end of the block: a row of defaults (an error where a field is required).
   Row read(const Card& card);
-  /// The next line whole, blanks trimmed (titles, file names).
-  std::string read_text();
+  /// The next line whole, blanks trimmed, parameters replaced (titles, file names). A `&name` that is no parameter
+  /// stays as it is and is listed in `unknown`.
+  std::string read_text(std::vector<std::string>* unknown = nullptr);
   /// The next line as it stands, parameters replaced, without consuming it.
   std::string peek() const;
   /// One number of the next line without consuming it: field `index` of width-10 fields (to choose a card's form).

@@ -171,8 +171,9 @@ class Parser {
       digits();
     }
     Operand a{0.0, whole};
-    if (!parse_real(rest_.substr(0, n), a.value)) fail(fmt::format("'{}' is not a number", rest_.substr(0, n)));
+    const std::string_view text = rest_.substr(0, n);
     rest_.remove_prefix(n);
+    if (!parse_real(text, a.value)) fail(fmt::format("'{}' is not a number", text));
     return a;
   }
 

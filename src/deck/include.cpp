@@ -66,21 +66,18 @@ void Reader::include(const Block& block, const Visit& visit) {
 std::string Reader::file_name(Cursor& cursor, const Block& block) {
   const Place place = cursor.place();
   std::string name;
+  std::vector<std::string> unknown;
   while (cursor.left() > 0) {
-    std::string piece = cursor.read_text();
+    std::string piece = cursor.read_text(&unknown);
     const bool continued = piece.ends_with(" +");
     if (continued) piece = trimmed(std::string_view(piece).substr(0, piece.size() - 1));
     name += piece;
     if (!continued) break;
   }
-  for (std::size_t at = name.find('&'); at != std::string::npos; at = name.find('&', at + 1)) {
-    const auto end =
-        std::find_if_not(name.begin() + static_cast<std::ptrdiff_t>(at) + 1, name.end(), is_name_character);
-    const std::string parameter(name.begin() + static_cast<std::ptrdiff_t>(at) + 1, end);
-    if (parameter.empty()) continue;
+  if (!unknown.empty()) {
     findings_.error(place, block.starred(),
-                    fmt::format("the parameter '{}' in the file name is not defined before this line", parameter),
-                    "define it with *PARAMETER (type C) above this keyword");
+                    fmt::format("the parameter '{}' in the file name is not defined before this line", unknown.front()),
+                    "define it with *PARAMETER above this keyword, or correct the name");
     return {};
   }
   std::replace(name.begin(), name.end(), '\\', '/');

@@ -39,20 +39,27 @@ const Parameter* Parameters::find(std::string_view name, std::size_t moment) con
 void Parameters::define(std::string_view name, Parameter parameter) {
   std::vector<Parameter>& history = histories_[lower(name)];
   parameter.from = ++now_;
-  if (!history.empty() && history.back().to == still_open) history.back().to = now_;
+  if (!history.empty() && history.back().to == still_open) {
+    Parameter& before = history.back();
+    before.to = now_;
+    if (parameter.depth > before.depth) {
+      parameter.hidden = static_cast<int>(history.size()) - 1;
+    } else {
+      parameter.depth = before.depth;
+      parameter.hidden = before.hidden;
+    }
+  }
   history.push_back(std::move(parameter));
 }
 
 void Parameters::leave_file(int depth) {
   ++now_;
   for (auto& [name, history] : histories_) {
-    if (history.back().depth != depth || history.back().to != still_open) continue;
-    history.back().to = now_;
-    // What this file's definitions hid ended at the very moment at which the first of them began.
-    std::size_t own = history.size() - 1;
-    while (own > 0 && history[own - 1].to == history[own].from && history[own - 1].depth == depth) --own;
-    if (own == 0 || history[own - 1].to != history[own].from) continue;
-    Parameter again = history[own - 1];
+    Parameter& last = history.back();
+    if (last.depth != depth || last.to != still_open) continue;
+    last.to = now_;
+    if (last.hidden < 0) continue;
+    Parameter again = history[static_cast<std::size_t>(last.hidden)];
     again.from = now_;
     again.to = still_open;
     history.push_back(std::move(again));

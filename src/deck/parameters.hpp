@@ -21,6 +21,7 @@ struct Parameter {
   Place place;
   bool changeable = false;  ///< may be defined again (_MUTABLE)
   int depth = 0;            ///< of _LOCAL: how deep its file lies in the includes (the master file: 1); else 0
+  int hidden = -1;          ///< index in the history of what it hides until its file ends; -1: nothing
   std::size_t from = 0;
   std::size_t to = std::numeric_limits<std::size_t>::max();
 };
@@ -32,7 +33,8 @@ class Parameters {
   std::size_t now() const { return now_; }
   /// What `name` (any case) means at a moment; null where it is not defined.
   const Parameter* find(std::string_view name, std::size_t moment) const;
-  /// Hides what was visible under this name.
+  /// From now on `name` means this. A deeper _LOCAL one hides what was visible; any other takes its place, and its
+  /// depth.
   void define(std::string_view name, Parameter parameter);
   /// Ends the _LOCAL parameters of the file at `depth`; what they hid is visible again.
   void leave_file(int depth);
