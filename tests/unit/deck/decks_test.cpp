@@ -97,5 +97,51 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
+TEST(PublicDecks, TheCarsMeshIsMissing) {
+  const fs::path path = decks / "camry_roof_crush_includes/Camry_RC_main.k";
+  if (!fs::exists(path)) GTEST_SKIP() << path << " is absent";
+  if (fs::exists(path.parent_path() / "Camry_V1_NoSusAndPowerTrain_impl7.k"))
+    GTEST_SKIP() << "the mesh is there after all";
+  Findings findings;
+  const Deck deck = read(path, findings);
+  const Tables t = read_tables(deck, findings);
+  EXPECT_EQ(findings.errors(), 2) << all_findings(findings);
+  const std::string first = to_string(findings.all()[0]);
+  EXPECT_EQ(first.find(path.string() +
+                       ":10: error: *INCLUDE: cannot find the file 'Camry_V1_NoSusAndPowerTrain_impl7.k'; looked in "),
+            0u)
+      << first;
+  EXPECT_NE(first.find(path.parent_path().string()), std::string::npos) << first;
+  EXPECT_EQ(t.beams.id.size(), 2632u);  // the other includes are read all the same
+  EXPECT_EQ(t.nodes.id.size(), 22080u + 613 + 4005 + 104);
+  EXPECT_EQ(t.beams.node[0], 7000427);
+}
+
+TEST(PublicDecks, ParametersOfTheCar) {
+  const fs::path path = decks / "car6/main_v223_param.k";
+  if (!fs::exists(path)) GTEST_SKIP() << path << " is absent";
+  Findings findings;
+  const Deck deck = read(path, findings);
+  const Card yield{{id("mid", IdSpace::material, required, "material"),
+                    real("ro", dimension::density, required, above_zero(), "density"),
+                    real("e", dimension::stress, required, above_zero(), "modulus"),
+                    real("pr", dimension::number, 0.0, any_value, "ratio"),
+                    real("sigy", dimension::stress, 0.0, any_value, "yield stress")}};
+  const Card thickness{{real("t1", dimension::length, 0.0, any_value, "thickness"),
+                        real("t2", dimension::length, 0.0, any_value, "thickness")}};
+  std::vector<double> yields, thicknesses;
+  for (const Block& b : deck.blocks) {
+    Cursor c(deck, b, findings);
+    if (b.keyword == "MAT_PLASTIC_KINEMATIC") yields.push_back(c.read(yield).real("sigy"));
+    if (b.keyword != "SECTION_SHELL") continue;
+    c.skip();
+    thicknesses.push_back(c.read(thickness).real("t2"));
+  }
+  const auto has = [](const std::vector<double>& v, double x) { return std::find(v.begin(), v.end(), x) != v.end(); };
+  EXPECT_EQ(yields.size(), 7u);
+  for (const double y : {317.975, 400.0}) EXPECT_TRUE(has(yields, y)) << y;
+  for (const double t : {2.9785, 2.18735, 3.38227, 1.0}) EXPECT_TRUE(has(thicknesses, t)) << t;
+}
+
 }  // namespace
 }  // namespace nugget::deck
