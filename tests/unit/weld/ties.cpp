@@ -524,6 +524,15 @@ TEST(Ties, AWeldOnATiedEdgeIsAChainAndNamesBothTies) {
   EXPECT_EQ(a.findings.errors(), 0);
 }
 
+TEST(Ties, ANodeIsNotTiedToItsOwnShells) {
+  TwoSheets a;
+  a.model.contacts.clear();
+  a.tie({a.upper}, {a.lower, a.upper});
+  const Ties ties = a.tied();
+  ASSERT_EQ(ties.ties.size(), 16u);
+  for (const Tie& tie : ties.ties) EXPECT_EQ(a.model.shells.part[tie.shell], a.lower);
+}
+
 TEST(Ties, TiesInACircleAreRefused) {
   TwoSheets a;
   a.model.contacts.clear();
