@@ -245,11 +245,11 @@ constexpr UnitSystem unit_systems[] = {{"mm t s (N, MPa)", 1e3, 1e-12},        {
                                        {"mm mg us (kN, GPa)", 1e-3, 1e-3},     {"cm g s (dyn)", 1e2, 1e-3},
                                        {"in lbf s (psi)", 39.3701, 9.3572e-8}, {"ft slug s (psf)", 3.28084, 1.9403e-3}};
 
-/// Do modulus and density look like a structural material in these units? Speed of sound in a bar 300 to 12000 m/s,
-/// density 500 to 25000 kg/m3: plastics to steel, tungsten and ceramics.
+/// Do modulus and density look like a structural material in these units? Speed of sound in a bar 300 to 12000 m/s
+/// (plastics to ceramics); density from 500 kg/m3 to ten times that of tungsten, since decks carry missing mass there.
 bool fits(const Material& m, const UnitSystem& u) {
   const double speed = std::sqrt(m.young() / m.density) / u.speed, density = m.density / u.density;
-  return speed >= 300.0 && speed <= 12000.0 && density >= 500.0 && density <= 25000.0;
+  return speed >= 300.0 && speed <= 12000.0 && density >= 500.0 && density <= 200000.0;
 }
 
 bool is_elastic_plastic(const Material& m) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "model/passes.hpp"
@@ -61,9 +62,20 @@ class Elements {
         table_(table),
         kind_(kind),
         what_(what),
+        keyword_(keyword),
         unknown_(b.findings, Severity::error, keyword),
         mixed_(b.findings, Severity::error, keyword),
         shape_(b.findings, Severity::error, keyword) {}
+
+  Elements(const Elements&) = delete;
+  Elements& operator=(const Elements&) = delete;
+  ~Elements() {
+    for (const auto& [id, missing] : missing_parts_)
+      b_.findings.error(place(missing.row), keyword_,
+                        fmt::format("part {} is not defined; {} of its elements, from {} {} on, are left out", id,
+                                    missing.count, what_, table_.id[missing.row]),
+                        "define it by *PART");
+  }
 
   /// Index of the row's part, or none and a finding.
   Index part(std::size_t row) {
@@ -72,7 +84,11 @@ class Elements {
       last_id_ = id;
       last_ = b_.parts.find(id);
     }
-    if (last_ == none) return unknown(row, "part", id);
+    if (last_ == none) {
+      MissingPart& missing = missing_parts_[id];
+      if (missing.count++ == 0) missing.row = row;
+      return none;
+    }
     Part& p = b_.model.parts[static_cast<std::size_t>(last_)];
     if (p.kind == ElementKind::nothing) p.kind = kind_;
     if (p.kind == kind_) return last_;
@@ -89,7 +105,9 @@ class Elements {
     for (std::size_t i = 0; i < N; ++i) {
       const int id = node_id(row, i);
       out[i] = id == 0 ? none : b_.nodes.find(id);
-      if (id != 0 && out[i] == none) complete = unknown(row, "node", id) != none;
+      if (id == 0 || out[i] != none) continue;
+      complete = false;
+      unknown_.add(place(row), [&] { return fmt::format("{} {}: node {} is not defined", what_, table_.id[row], id); });
     }
     return complete;
   }
@@ -115,16 +133,17 @@ class Elements {
   Place place(std::size_t row) const { return place_of(b_, table_.file[row], table_.line[row]); }
 
  private:
-  Index unknown(std::size_t row, std::string_view thing, int id) {
-    unknown_.add(place(row),
-                 [&] { return fmt::format("{} {}: {} {} is not defined", what_, table_.id[row], thing, id); });
-    return none;
-  }
+  struct MissingPart {
+    std::size_t row = 0;  ///< of its first element
+    int count = 0;
+  };
 
   Builder& b_;
   const deck::ElementTable& table_;
   ElementKind kind_;
   std::string_view what_;
+  std::string keyword_;
+  std::map<int, MissingPart> missing_parts_;
   Tally unknown_, mixed_, shape_;
   int last_id_ = 0;
   Index last_ = none;
@@ -313,6 +332,10 @@ void link_section(Builder& b, Part& part, const deck::Row& row) {
                                                                  {ElementKind::solid, &b.solid_sections},
                                                                  {ElementKind::beam, &b.beam_sections}}};
   const int id = row.integer("secid");
+  if (id == 0) {
+    if (part.kind != ElementKind::nothing) refuse(b, row, "secid", "the part has elements, so it needs a section");
+    return;
+  }
   bool exists = false;
   for (const auto& [kind, ids] : kinds) {
     const Index found = ids->find(id);
@@ -338,6 +361,8 @@ void make_mesh(Builder& b) {
     Part& part = b.model.parts[static_cast<std::size_t>(index)];
     link_section(b, part, row);
     part.material = b.find(b.materials, "material", row, "mid");
+    if (row.integer("mid") == 0 && part.kind != ElementKind::nothing)
+      refuse(b, row, "mid", "the part has elements, so it needs a material");
     part.hourglass = b.find(b.hourglass, "hourglass control", row, "hgid");
   }
   set_thickness(b, shell_rows);

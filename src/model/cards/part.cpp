@@ -17,8 +17,8 @@ const Card title_card{{text("heading", 70, "name of the part")}};
 
 const Card part_card{{
     id("pid", IdSpace::part, required, "part id"),
-    id("secid", IdSpace::other, required, "section"),
-    id("mid", IdSpace::material, required, "material"),
+    id("secid", IdSpace::other, 0, "section; only a part without elements needs none"),
+    id("mid", IdSpace::material, 0, "material; only a part without elements needs none"),
     id("eosid", IdSpace::material, 0, "equation of state: not supported"),
     id("hgid", IdSpace::other, 0, "*HOURGLASS; 0: *CONTROL_HOURGLASS"),
     integer("grav", 0, any_value, "for gravity initialization only"),
