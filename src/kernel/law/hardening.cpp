@@ -29,15 +29,6 @@ YieldCurve::YieldCurve(const Curve& curve) {
   }
 }
 
-YieldCurve::Piece YieldCurve::at(double plastic_strain) const {
-  if (plastic_strain >= pieces_.back().x || pieces_.size() == 1) return pieces_.back();
-  if (!(plastic_strain >= pieces_.front().end)) return pieces_.front();
-  const auto bucket = std::min(static_cast<std::size_t>(plastic_strain * buckets_per_strain_), first_.size() - 1);
-  auto i = static_cast<std::size_t>(first_[bucket]);
-  while (plastic_strain >= pieces_[i].end) ++i;
-  return pieces_[i];
-}
-
 double YieldCurve::lowest() const {
   double least = std::numeric_limits<double>::infinity();
   for (const Piece& piece : pieces_) least = std::min(least, piece.y);
@@ -66,8 +57,7 @@ CurveHardening::Between CurveHardening::between(double rate) const {
   return {high - 1, high, std::log(rate / a) / span, 1.0 / (rate * span)};
 }
 
-YieldCurve::Piece CurveHardening::piece(double plastic_strain, double rate) const {
-  if (curves_.size() == 1) return curves_.front().at(plastic_strain);
+YieldCurve::Piece CurveHardening::between_curves(double plastic_strain, double rate) const {
   const Between table = between(rate);
   const YieldCurve::Piece low = curves_[table.low].at(plastic_strain), high = curves_[table.high].at(plastic_strain);
   const double x = std::max(low.x, high.x), w = table.weight;
@@ -91,7 +81,7 @@ double CurveHardening::rate_factor_slope(double rate) const {
 
 YieldStress<double> CurveHardening::viscous(double plastic_strain, double increment, double dt) const {
   const double strain = plastic_strain + increment, rate = increment / dt;
-  const YieldCurve::Piece p = piece(strain, rate);
+  const YieldCurve::Piece p = curves_.size() > 1 ? between_curves(strain, rate) : curves_.front().at(strain);
   const double value = p.y + p.slope * (strain - p.x);
   double over_rate = 0.0;
   if (curves_.size() > 1) {

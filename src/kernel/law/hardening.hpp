@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -92,7 +94,15 @@ class YieldCurve {
   };
 
   explicit YieldCurve(const Curve& curve);
-  Piece at(double plastic_strain) const;
+  const Piece& at(double plastic_strain) const {
+    if (plastic_strain >= pieces_.back().x || pieces_.size() == 1) return pieces_.back();
+    if (!(plastic_strain >= pieces_.front().end)) return pieces_.front();
+    const auto bucket = std::min(static_cast<std::size_t>(plastic_strain * buckets_per_strain_), first_.size() - 1);
+    auto i = static_cast<std::size_t>(first_[bucket]);
+    while (plastic_strain >= pieces_[i].end) ++i;
+    return pieces_[i];
+  }
+  const Piece& last() const { return pieces_.back(); }
   double lowest() const;
   bool straight() const { return pieces_.size() == 1; }
 
@@ -117,8 +127,15 @@ class CurveHardening {
     At(const CurveHardening& hardening, const R& plastic_strain, const R& strain_rate, double dt)
         : hardening_(hardening), plastic_strain_(plastic_strain), rate_(strain_rate), dt_(dt) {
       if (hardening.viscoplastic_) return;
+      if (hardening.straight_) {
+        const YieldCurve::Piece& line = hardening.curves_.front().last();
+        x_ = R(line.x);
+        y_ = R(line.y);
+        slope_ = R(line.slope);
+      } else {
+        fetch(plastic_strain);
+      }
       if (hardening.needs_rate()) factor_ = map([&](double r) { return hardening.rate_factor(r); }, strain_rate);
-      fetch(plastic_strain);
     }
     YieldStress<R> operator()(const R& increment) {
       if (hardening_.viscoplastic_) return viscous(increment);
@@ -129,8 +146,10 @@ class CurveHardening {
 
    private:
     void fetch(const R& strain) {
+      const bool table = hardening_.curves_.size() > 1;
       for (int l = 0; l < lanes<R>; ++l) {
-        const YieldCurve::Piece piece = hardening_.piece(lane(strain, l), lane(rate_, l));
+        const YieldCurve::Piece piece = table ? hardening_.between_curves(lane(strain, l), lane(rate_, l))
+                                              : hardening_.curves_.front().at(lane(strain, l));
         set_lane(x_, l, piece.x);
         set_lane(end_, l, piece.end);
         set_lane(y_, l, piece.y);
@@ -160,7 +179,7 @@ class CurveHardening {
     double weight, weight_slope;
   };
   Between between(double rate) const;
-  YieldCurve::Piece piece(double plastic_strain, double rate) const;
+  YieldCurve::Piece between_curves(double plastic_strain, double rate) const;
   double rate_factor(double rate) const;
   double rate_factor_slope(double rate) const;
   YieldStress<double> viscous(double plastic_strain, double increment, double dt) const;

@@ -23,21 +23,28 @@ struct PlasticReturn {
 /// to which the J2 return comes in every stress space: A and B are the squares of the parts of the effective trial
 /// stress that shrink with the moduli ka and kb. Solid: A = 0, kb = 3G. Plane stress (Simo and Taylor 1986, with
 /// transverse shear): A = (sxx + syy)^2 / 4, ka = E / (2 (1 - nu)), kb = 3G. Beam fibre: A = s^2, ka = E, B = 3 tau^2,
-/// kb = 3G. Kinematic hardening adds its modulus to both. Newton on (A/.. + B/..)^(-1/2) = 1, nearly linear in e, kept
-/// inside a bracket; relative residual 1e-12. A lane that has converged is frozen, so that a batch gives bit for bit
-/// what its elements give alone.
+/// kb = 3G. Kinematic hardening adds its modulus to both. `start` is yield(0), `trial2` is A + B, the square of the
+/// effective trial stress. Newton on (A/.. + B/..)^(-1/2) = 1, nearly linear in e, kept inside a bracket; relative
+/// residual 1e-12. A lane that has converged is frozen, so that a batch gives bit for bit what its elements give alone.
 template <bool both, class R, class Yield>
-PlasticReturn<R> plastic_return(const R& A, const R& B, double ka, double kb, Yield& yield, MaskOf<R> active) {
+[[gnu::always_inline]] inline PlasticReturn<R> plastic_return(const R& A, const R& B, const R& trial2, double ka,
+                                                              double kb, Yield& yield, const YieldStress<R>& start,
+                                                              MaskOf<R> active) {
   constexpr double tolerance = 2e-12;
   constexpr int limit = 100;
+  const R trial = sqrt(trial2);
+  R slope = B * (start.slope + kb);
+  if constexpr (both) slope += A * (start.slope + ka);
+  R low = R(0.0), high = trial * (1.0 / (both ? std::min(ka, kb) : kb));
   PlasticReturn<R> r;
-  r.increment = R(0.0);
-  R low = R(0.0), high = sqrt(A + B) * (1.0 / (both ? std::min(ka, kb) : kb));
+  R next = trial2 * (trial - start.value) / slope;
+  next = select(next > low && next < high, next, 0.5 * high);
+  r.increment = select(active, next, R(0.0));
   for (int i = 0;; ++i) {
     const YieldStress<R> y = yield(r.increment);
     r.yield = y.value;
     const R a = y.value + ka * r.increment, b = y.value + kb * r.increment;
-    R a2 = R(0.0), b2;
+    R a2 = R(0.0);
     if constexpr (both) {
       const R over = 1.0 / (a * b);
       r.over_a = over * b;
@@ -46,17 +53,18 @@ PlasticReturn<R> plastic_return(const R& A, const R& B, double ka, double kb, Yi
     } else {
       r.over_b = 1.0 / b;
     }
-    b2 = B * (r.over_b * r.over_b);
-    const R s = both ? a2 + b2 : b2;
-    active = active && abs(s - 1.0) > tolerance;
+    const R b2 = B * (r.over_b * r.over_b), s = both ? a2 + b2 : b2, excess = s - 1.0;
+    active = active && abs(excess) > tolerance;
     if (!any(active) || i == limit) return r;
 
-    const auto short_of = s > 1.0;
+    const auto short_of = excess > 0.0;
     low = select(short_of, r.increment, low);
     high = select(short_of, high, r.increment);
-    R slope = b2 * r.over_b * (y.slope + kb);
+    slope = b2 * r.over_b * (y.slope + kb);
     if constexpr (both) slope += a2 * r.over_a * (y.slope + ka);
-    R next = r.increment + s * (sqrt(s) - 1.0) / slope;
+    // sqrt(s) - 1 by its series: exact enough near the end, and farther off the bracket holds.
+    const R root = excess * (0.5 - excess * (0.125 - 0.0625 * excess));
+    next = r.increment + s * root / slope;
     next = select(next > low && next < high, next, 0.5 * (low + high));
     r.increment = select(active, next, r.increment);
   }
@@ -90,83 +98,25 @@ class J2 {
 
   /// Adds a step of strain rate to a layer's stress (element-theory 8.3).
   template <class R>
-  ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, double* history) const {
+  [[gnu::always_inline]] inline ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt,
+                                                         double* history) const {
     const LayerTensor<R> strain = R(dt) * rate;
     elastic_.add(s, strain);
     if (can_fail()) s = select(failed<R>(history), LayerTensor<R>{}, s);
     ThicknessStrain<R> thickness{-elastic_.thinning * (strain.xx + strain.yy), R(0.0)};
 
-    LayerTensor<R> back;
-    if constexpr (back_stress) back = load_layer<R>(history + lanes<R>);
-    const R sum = s.xx + s.yy - (back.xx + back.yy), difference = s.xx - s.yy - (back.xx - back.yy);
-    const R xy = s.xy - back.xy, xz = s.xz - back.xz, yz = s.yz - back.yz;
-    const R A = 0.25 * (sum * sum), B = 0.75 * (difference * difference) + 3.0 * (xy * xy + xz * xz + yz * yz);
-    if (!any(A + B > lowest2_)) return thickness;
-
-    const R plastic_strain = load_field<R>(history, 0);
-    typename Hardening::template At<R> yield(hardening_, plastic_strain, rate_of(rate), dt);
-    const R start = yield(R(0.0)).value;
-    const auto plastic = A + B > start * start;
-    if (!any(plastic)) return thickness;
-
-    const double shift = hardening_.kinematic();
-    const double ka = 0.5 * elastic_.E / (1.0 - elastic_.nu) + shift, kb = 3.0 * elastic_.shear + shift;
-    const PlasticReturn<R> r = plastic_return<true>(A, B, ka, kb, yield, plastic);
-    const R keep_a = r.yield * r.over_a, keep_b = r.yield * r.over_b;
-    if constexpr (back_stress) {
-      const R grow = shift * r.increment;
-      const R move_a = grow * r.over_a, move_b = grow * r.over_b;
-      back = {back.xx + 0.5 * (move_a * sum + move_b * difference),
-              back.yy + 0.5 * (move_a * sum - move_b * difference), back.xy + move_b * xy, back.xz + move_b * xz,
-              back.yz + move_b * yz};
-      store_layer(history + lanes<R>, select(plastic, back, load_layer<R>(history + lanes<R>)));
-    }
-    const LayerTensor<R> returned{back.xx + 0.5 * (keep_a * sum + keep_b * difference),
-                                  back.yy + 0.5 * (keep_a * sum - keep_b * difference), back.xy + keep_b * xy,
-                                  back.xz + keep_b * xz, back.yz + keep_b * yz};
-    s = select(plastic, returned, s);
-    store_field(history, 0, plastic_strain + select(plastic, r.increment, R(0.0)));
-    if (can_fail()) s = select(failed<R>(history), LayerTensor<R>{}, s);
-
-    const R flow = select(plastic, 0.5 * r.increment * r.over_a * sum, R(0.0));  // plastic strain xx + yy
-    thickness.total += (elastic_.thinning - 1.0) * flow;
-    thickness.plastic -= flow;
+    const Parts<LayerTensor<R>, R> trial = parts(s, history);
+    if (any(trial.A + trial.B > lowest2_)) flow(s, rate, dt, history, thickness);
     return thickness;
   }
 
   /// Adds a step of strain rate to a solid's stress: radial return.
   template <class R>
-  void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
+  [[gnu::always_inline]] inline void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt,
+                                           double* history) const {
     elastic_.add(s, R(dt) * rate);
     if (can_fail()) s = select(failed<R>(history), SolidTensor<R>{}, s);
-
-    const R mean = (1.0 / 3.0) * (s.xx + s.yy + s.zz);
-    SolidTensor<R> back;
-    if constexpr (back_stress) back = load_solid<R>(history + lanes<R>);
-    const SolidTensor<R> d{s.xx - mean - back.xx, s.yy - mean - back.yy, s.zz - mean - back.zz,
-                           s.xy - back.xy,        s.yz - back.yz,        s.zx - back.zx};
-    const R B = 1.5 * (d.xx * d.xx + d.yy * d.yy + d.zz * d.zz) + 3.0 * (d.xy * d.xy + d.yz * d.yz + d.zx * d.zx);
-    if (!any(B > lowest2_)) return;
-
-    const R plastic_strain = load_field<R>(history, 0);
-    typename Hardening::template At<R> yield(hardening_, plastic_strain, rate_of(rate), dt);
-    const R start = yield(R(0.0)).value;
-    const auto plastic = B > start * start;
-    if (!any(plastic)) return;
-
-    const double shift = hardening_.kinematic();
-    const PlasticReturn<R> r = plastic_return<false>(R(0.0), B, 0.0, 3.0 * elastic_.shear + shift, yield, plastic);
-    if constexpr (back_stress) {
-      back = back + (shift * r.increment * r.over_b) * d;
-      store_solid(history + lanes<R>, select(plastic, back, load_solid<R>(history + lanes<R>)));
-    }
-    SolidTensor<R> returned = back + (r.yield * r.over_b) * d;
-    returned.xx += mean;
-    returned.yy += mean;
-    returned.zz += mean;
-    s = select(plastic, returned, s);
-    store_field(history, 0, plastic_strain + select(plastic, r.increment, R(0.0)));
-    if (can_fail()) s = select(failed<R>(history), SolidTensor<R>{}, s);
+    if (any(parts(s, history).B > lowest2_)) flow(s, rate, dt, history);
   }
 
   /// Turns the history of a solid point with the material.
@@ -177,27 +127,130 @@ class J2 {
 
   /// Adds a step of strain rate to a beam fibre's stress (spotweld-theory 2.4).
   template <class R>
-  void fibre(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt, double* history) const {
+  [[gnu::always_inline]] inline void fibre(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt,
+                                           double* history) const {
     static_assert(!back_stress, "no kinematic hardening in beam fibres");
     elastic_.add(s, R(dt) * rate);
     if (can_fail()) s = select(failed<R>(history), FibreTensor<R>{}, s);
-    const R A = s.rr * s.rr, B = 3.0 * (s.rs * s.rs + s.rt * s.rt);
-    if (!any(A + B > lowest2_)) return;
+    if (any(s.rr * s.rr + 3.0 * (s.rs * s.rs + s.rt * s.rt) > lowest2_)) flow(s, rate, dt, history);
+  }
 
-    const R plastic_strain = load_field<R>(history, 0);
+ private:
+  /// A trial stress less the back stress, and the squares of the parts of its effective value.
+  template <class Tensor, class R>
+  struct Parts {
+    Tensor relative, back;
+    R mean{};  ///< of a solid
+    R A{}, B{};
+  };
+
+  template <class R>
+  [[gnu::always_inline]] inline Parts<LayerTensor<R>, R> parts(const LayerTensor<R>& s, const double* history) const {
+    Parts<LayerTensor<R>, R> p;
+    p.relative = s;
+    if constexpr (back_stress) {
+      p.back = load_layer<R>(history + lanes<R>);
+      p.relative = {s.xx - p.back.xx, s.yy - p.back.yy, s.xy - p.back.xy, s.xz - p.back.xz, s.yz - p.back.yz};
+    }
+    const LayerTensor<R>& d = p.relative;
+    const R sum = d.xx + d.yy, difference = d.xx - d.yy;
+    p.A = 0.25 * (sum * sum);
+    p.B = 0.75 * (difference * difference) + 3.0 * (d.xy * d.xy + d.xz * d.xz + d.yz * d.yz);
+    return p;
+  }
+  template <class R>
+  [[gnu::always_inline]] inline Parts<SolidTensor<R>, R> parts(const SolidTensor<R>& s, const double* history) const {
+    Parts<SolidTensor<R>, R> p;
+    p.mean = (1.0 / 3.0) * (s.xx + s.yy + s.zz);
+    p.relative = {s.xx - p.mean, s.yy - p.mean, s.zz - p.mean, s.xy, s.yz, s.zx};
+    if constexpr (back_stress) {
+      p.back = load_solid<R>(history + lanes<R>);
+      p.relative = p.relative + R(-1.0) * p.back;
+    }
+    const SolidTensor<R>& d = p.relative;
+    p.B = 1.5 * (d.xx * d.xx + d.yy * d.yy + d.zz * d.zz) + 3.0 * (d.xy * d.xy + d.yz * d.yz + d.zx * d.zx);
+    return p;
+  }
+
+  /// Returns yielding layers to the yield surface. Kept out of line: most points of most cycles are elastic.
+  template <class R>
+  [[gnu::noinline]] void flow(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, double* history,
+                              ThicknessStrain<R>& thickness) const {
+    const Parts<LayerTensor<R>, R> trial = parts(s, history);
+    const R plastic_strain = load_field<R>(history, 0), trial2 = trial.A + trial.B;
     typename Hardening::template At<R> yield(hardening_, plastic_strain, rate_of(rate), dt);
-    const R start = yield(R(0.0)).value;
-    const auto plastic = A + B > start * start;
+    const YieldStress<R> start = yield(R(0.0));
+    const auto plastic = trial2 > start.value * start.value;
     if (!any(plastic)) return;
 
-    const PlasticReturn<R> r = plastic_return<true>(A, B, elastic_.E, 3.0 * elastic_.shear, yield, plastic);
+    const double shift = hardening_.kinematic();
+    const double ka = 0.5 * elastic_.E / (1.0 - elastic_.nu) + shift, kb = 3.0 * elastic_.shear + shift;
+    const PlasticReturn<R> r = plastic_return<true>(trial.A, trial.B, trial2, ka, kb, yield, start, plastic);
+    const LayerTensor<R>& d = trial.relative;
+    const R sum = d.xx + d.yy;
+    // The mean of xx and yy shrinks by one factor, all else by another.
+    const auto shrunk = [&](const R& a, const R& b) {
+      const R mean = 0.5 * a * sum, half = 0.5 * b * (d.xx - d.yy);
+      return LayerTensor<R>{mean + half, mean - half, b * d.xy, b * d.xz, b * d.yz};
+    };
+    LayerTensor<R> returned = shrunk(r.yield * r.over_a, r.yield * r.over_b);
+    if constexpr (back_stress) {
+      const R grow = shift * r.increment;
+      const LayerTensor<R> back = trial.back + shrunk(grow * r.over_a, grow * r.over_b);
+      store_layer(history + lanes<R>, select(plastic, back, trial.back));
+      returned = returned + back;
+    }
+    s = select(plastic, returned, s);
+    store_field(history, 0, plastic_strain + select(plastic, r.increment, R(0.0)));
+    if (can_fail()) s = select(failed<R>(history), LayerTensor<R>{}, s);
+
+    const R flow_sum = select(plastic, 0.5 * r.increment * r.over_a * sum, R(0.0));  // plastic strain xx + yy
+    thickness.total += (elastic_.thinning - 1.0) * flow_sum;
+    thickness.plastic -= flow_sum;
+  }
+
+  template <class R>
+  [[gnu::noinline]] void flow(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
+    const Parts<SolidTensor<R>, R> trial = parts(s, history);
+    const R plastic_strain = load_field<R>(history, 0);
+    typename Hardening::template At<R> yield(hardening_, plastic_strain, rate_of(rate), dt);
+    const YieldStress<R> start = yield(R(0.0));
+    const auto plastic = trial.B > start.value * start.value;
+    if (!any(plastic)) return;
+
+    const double shift = hardening_.kinematic(), kb = 3.0 * elastic_.shear + shift;
+    const PlasticReturn<R> r = plastic_return<false>(R(0.0), trial.B, trial.B, 0.0, kb, yield, start, plastic);
+    SolidTensor<R> returned = (r.yield * r.over_b) * trial.relative;
+    if constexpr (back_stress) {
+      const SolidTensor<R> back = trial.back + (shift * r.increment * r.over_b) * trial.relative;
+      store_solid(history + lanes<R>, select(plastic, back, trial.back));
+      returned = returned + back;
+    }
+    returned.xx += trial.mean;
+    returned.yy += trial.mean;
+    returned.zz += trial.mean;
+    s = select(plastic, returned, s);
+    store_field(history, 0, plastic_strain + select(plastic, r.increment, R(0.0)));
+    if (can_fail()) s = select(failed<R>(history), SolidTensor<R>{}, s);
+  }
+
+  template <class R>
+  [[gnu::noinline]] void flow(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt, double* history) const {
+    const R A = s.rr * s.rr, B = 3.0 * (s.rs * s.rs + s.rt * s.rt), trial2 = A + B;
+    const R plastic_strain = load_field<R>(history, 0);
+    typename Hardening::template At<R> yield(hardening_, plastic_strain, rate_of(rate), dt);
+    const YieldStress<R> start = yield(R(0.0));
+    const auto plastic = trial2 > start.value * start.value;
+    if (!any(plastic)) return;
+
+    const PlasticReturn<R> r =
+        plastic_return<true>(A, B, trial2, elastic_.E, 3.0 * elastic_.shear, yield, start, plastic);
     const R keep_a = r.yield * r.over_a, keep_b = r.yield * r.over_b;
     s = select(plastic, FibreTensor<R>{keep_a * s.rr, keep_b * s.rs, keep_b * s.rt}, s);
     store_field(history, 0, plastic_strain + select(plastic, r.increment, R(0.0)));
     if (can_fail()) s = select(failed<R>(history), FibreTensor<R>{}, s);
   }
 
- private:
   // Total strain rate sqrt(2/3 d:d); a layer's rate through the thickness is taken as that of plastic flow.
   template <class R>
   R rate_of(const LayerTensor<R>& d) const {

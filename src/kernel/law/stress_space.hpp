@@ -123,6 +123,10 @@ LayerTensor<R> operator*(const R& a, const LayerTensor<R>& t) {
   return {a * t.xx, a * t.yy, a * t.xy, a * t.xz, a * t.yz};
 }
 template <class R>
+LayerTensor<R> operator+(const LayerTensor<R>& a, const LayerTensor<R>& b) {
+  return {a.xx + b.xx, a.yy + b.yy, a.xy + b.xy, a.xz + b.xz, a.yz + b.yz};
+}
+template <class R>
 SolidTensor<R> operator*(const R& a, const SolidTensor<R>& t) {
   return {a * t.xx, a * t.yy, a * t.zz, a * t.xy, a * t.yz, a * t.zx};
 }

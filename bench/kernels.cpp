@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstdint>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "base/row.hpp"
+#include "kernel/element/belytschko_tsay.hpp"
+#include "kernel/element/c0_triangle.hpp"
+#include "kernel/element/hexahedron.hpp"
+#include "kernel/element/weld_beam.hpp"
+
+// Cost of one element in one cycle: gather of nodal rows, kernel, forces into slots; one core, double against batch.
+// Nodes stand still and keep their velocities, so that every cycle brings the same strain: small and elastic, or every
+// point yields.
+namespace {
+
+using namespace nugget;
+using namespace nugget::kernel;
+
+constexpr int side = 136;  // 18,496 quadrilaterals
+constexpr double speed = 2000.0;
+
+class Noise {
+ public:
+  double operator()() {
+    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
+    return static_cast<double>(state_ >> 11) / 9007199254740992.0 - 0.5;
+  }
+
+ private:
+  std::uint64_t state_ = 1;
+};
+
+struct Mesh {
+  std::vector<Row> x, v, w;
+  std::vector<int> corner;  ///< element by element
+  std::size_t elements = 0;
+  int corners = 0;
+
+  void node(double px, double py, double pz, Noise& noise) {
+    x.push_back({px + 0.1 * noise(), py + 0.1 * noise(), pz + 0.02 * noise(), 0});
+    v.push_back({speed * noise(), speed * noise(), speed * noise(), 0});
+    w.push_back({0.2 * speed * noise(), 0.2 * speed * noise(), 0.2 * speed * noise(), 0});
+  }
+  void element(std::initializer_list<int> nodes) {
+    corner.insert(corner.end(), nodes);
+    corners = static_cast<int>(nodes.size());
+    ++elements;
+  }
+};
+
+Mesh sheet(bool triangles) {
+  Mesh m;
+  Noise noise;
+  for (int j = 0; j <= side; ++j)
+    for (int i = 0; i <= side; ++i) m.node(i, j, 0.3 * std::sin(0.05 * i), noise);
+  for (int j = 0; j < side; ++j)
+    for (int i = 0; i < side; ++i) {
+      const int n = j * (side + 1) + i;
+      if (triangles) {
+        m.element({n, n + 1, n + side + 2});
+        m.element({n, n + side + 2, n + side + 1});
+      } else {
+        m.element({n, n + 1, n + side + 2, n + side + 1});
+      }
+    }
+  return m;
+}
+
+Mesh block() {
+  constexpr int edge = 26;  // 17,576 bricks
+  constexpr int row = edge + 1, layer = row * row;
+  Mesh m;
+  Noise noise;
+  for (int k = 0; k <= edge; ++k)
+    for (int j = 0; j <= edge; ++j)
+      for (int i = 0; i <= edge; ++i) m.node(i, j, k, noise);
+  for (int k = 0; k < edge; ++k)
+    for (int j = 0; j < edge; ++j)
+      for (int i = 0; i < edge; ++i) {
+        const int n = k * layer + j * row + i, u = n + layer;
+        m.element({n, n + 1, n + row + 1, n + row, u, u + 1, u + row + 1, u + row});
+      }
+  return m;
+}
+
+Mesh welds() {
+  Mesh m;
+  Noise noise;
+  for (int i = 0; i < 16384; ++i) {
+    m.node(10.0 * i, 0, 0, noise);
+    m.node(10.0 * i, 0, 1.5, noise);
+    m.element({2 * i, 2 * i + 1});
+  }
+  return m;
+}
+
+/// Memory on register boundaries, as the solver has it.
+struct Reals {
+  explicit Reals(std::size_t n)
+      : data(static_cast<double*>(::operator new (n * sizeof(double), std::align_val_t{64}))) {}
+  ~Reals() { ::operator delete (data, std::align_val_t{64}); }
+  Reals(const Reals&) = delete;
+  Reals& operator=(const Reals&) = delete;
+  double* data;
+};
+
+/// Runs `cycle(ids, block)` over the mesh, `lanes<R>` elements at a time; counts seconds an element.
+template <class R, class Start, class Cycle>
+void sweep(benchmark::State& state, const Mesh& mesh, int state_size, int rows, Start&& start, Cycle&& cycle) {
+  constexpr int W = lanes<R>;
+  const std::size_t blocks = mesh.elements / W, corners = static_cast<std::size_t>(mesh.corners);
+  std::vector<int> ids(blocks * W * corners);
+  Reals fields(blocks * static_cast<std::size_t>(W * state_size));
+  std::vector<Row> slots(blocks * W * corners * static_cast<std::size_t>(rows));
+  for (std::size_t e = 0; e < blocks * W; ++e) {
+    for (std::size_t a = 0; a < corners; ++a) ids[(e / W * corners + a) * W + e % W] = mesh.corner[e * corners + a];
+    start(fields.data + e / W * static_cast<std::size_t>(W * state_size), static_cast<int>(e % W),
+          &mesh.corner[e * corners]);
+  }
+  const auto run = [&] {
+    for (std::size_t b = 0; b < blocks; ++b)
+      cycle(&ids[b * W * corners], fields.data + b * static_cast<std::size_t>(W * state_size),
+            &slots[b * W * corners * static_cast<std::size_t>(rows)]);
+  };
+  for (int warm = 0; warm < 60; ++warm) run();
+  for (auto _ : state) {
+    run();
+    benchmark::ClobberMemory();
+  }
+  state.counters["per_element"] =
+      benchmark::Counter(static_cast<double>(blocks * W) * static_cast<double>(state.iterations()),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+template <class R, int N>
+NodalMotion<R, N> gather_motion(const Mesh& m, const int* id) {
+  NodalMotion<R, N> n;
+  for (int a = 0; a < N; ++a) {
+    n.x[a] = gather<R>(m.x.data(), id + a * lanes<R>);
+    n.v[a] = gather<R>(m.v.data(), id + a * lanes<R>);
+    n.w[a] = gather<R>(m.w.data(), id + a * lanes<R>);
+  }
+  return n;
+}
+template <class R, int N>
+void store_forces(Row* slot, const NodalForces<R, N>& f) {
+  for (int a = 0; a < N; ++a) {
+    store_rows<R>(slot + (2 * a) * lanes<R>, f.f[a]);
+    store_rows<R>(slot + (2 * a + 1) * lanes<R>, f.m[a]);
+  }
+}
+
+constexpr double E = 210000.0, nu = 0.3;
+constexpr double small_step = 1e-15, large_step = 2e-7;
+
+Elastic elastic() {
+  return {E, nu};
+}
+PlasticKinematic kinematic() {
+  return {E, nu, 250.0, 1000.0, 0.5, 0, 0, 0, false};
+}
+PiecewiseLinear curve(std::vector<double> x, std::vector<double> y) {
+  PiecewiseLinear law;
+  law.E = E;
+  law.nu = nu;
+  law.yield = {Curve{0, std::move(x), std::move(y)}};
+  return law;
+}
+PiecewiseLinear bilinear() {
+  return curve({0, 1}, {250, 1250});
+}
+PiecewiseLinear curved() {
+  return curve({0, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.6, 1},
+               {250, 280, 300, 320, 350, 380, 410, 450, 500, 550});
+}
+PiecewiseLinear rated() {
+  PiecewiseLinear law = curved();
+  law.rate_c = 40.0;
+  law.rate_p = 5.0;
+  return law;
+}
+Spotweld weld() {
+  Spotweld law;
+  law.E = E;
+  law.nu = nu;
+  law.yield = 400.0;
+  law.hardening = 1000.0;
+  return law;
+}
+
+ShellProperties section() {
+  ShellProperties shell;
+  shell.density = 7.85e-9;
+  shell.layers = gauss_layers(3);
+  return shell;
+}
+
+template <class R, class Law>
+void shell(benchmark::State& state, const Law& parameters, double dt, ShellProperties properties = section()) {
+  static const Mesh mesh = sheet(false);
+  const Prepared<Law> law(parameters);
+  const ShellLayout layout = shell_layout(properties, law);
+  sweep<R>(
+      state, mesh, layout.size(), 2,
+      [&](double* s, int lane, const int*) { start_shell(layout, 1.5, s, lanes<R>, lane); },
+      [&](const int* id, double* s, Row* slot) {
+        store_forces(slot, shell_cycle(properties, law, gather_motion<R, 4>(mesh, id), dt, s));
+      });
+}
+
+template <class R, class Law>
+void triangle(benchmark::State& state, const Law& parameters, double dt) {
+  static const Mesh mesh = sheet(true);
+  const ShellProperties properties = section();
+  const Prepared<Law> law(parameters);
+  const ShellLayout layout = shell_layout(properties, law);
+  sweep<R>(
+      state, mesh, layout.size(), 2,
+      [&](double* s, int lane, const int*) { start_shell(layout, 1.5, s, lanes<R>, lane); },
+      [&](const int* id, double* s, Row* slot) {
+        store_forces(slot, triangle_cycle(properties, law, gather_motion<R, 3>(mesh, id), dt, s));
+      });
+}
+
+template <class R, class Law>
+void brick(benchmark::State& state, const Law& parameters, double dt, int hourglass) {
+  static const Mesh mesh = block();
+  HexahedronProperties properties;
+  properties.density = 7.85e-9;
+  properties.hourglass = hourglass;
+  const Prepared<Law> law(parameters);
+  const HexahedronLayout layout = hexahedron_layout(law);
+  sweep<R>(
+      state, mesh, layout.size(), 1,
+      [&](double* s, int lane, const int* corner) {
+        std::array<Vec3d, 8> x;
+        for (std::size_t a = 0; a < 8; ++a) {
+          const Row& r = mesh.x[static_cast<std::size_t>(corner[a])];
+          x[a] = {r.x, r.y, r.z};
+        }
+        start_hexahedron(layout, x, s, lanes<R>, lane);
+      },
+      [&](const int* id, double* s, Row* slot) {
+        SolidMotion<R> n;
+        for (int a = 0; a < 8; ++a) {
+          n.x[a] = gather<R>(mesh.x.data(), id + a * lanes<R>);
+          n.v[a] = gather<R>(mesh.v.data(), id + a * lanes<R>);
+        }
+        const SolidForces<R> f = hexahedron_cycle(properties, law, n, dt, s);
+        for (int a = 0; a < 8; ++a) store_rows<R>(slot + a * lanes<R>, f.f[a]);
+      });
+}
+
+template <class R>
+void weld_beam(benchmark::State& state, double dt, int quadrature) {
+  static const Mesh mesh = welds();
+  const WeldBeamProperties properties{7.8e-9, disc_fibres(6.0, 0.0, quadrature)};
+  const Prepared<Spotweld> law(weld());
+  const WeldBeamLayout layout = weld_beam_layout(properties, law);
+  sweep<R>(
+      state, mesh, layout.size(), 2,
+      [&](double* s, int lane, const int* corner) {
+        const Row &a = mesh.x[static_cast<std::size_t>(corner[0])], &b = mesh.x[static_cast<std::size_t>(corner[1])];
+        start_weld_beam(layout, {a.x, a.y, a.z}, {b.x, b.y, b.z}, {}, s, lanes<R>, lane);
+      },
+      [&](const int* id, double* s, Row* slot) {
+        store_forces(slot, weld_beam_cycle(properties, law, gather_motion<R, 2>(mesh, id), dt, s));
+      });
+}
+
+ShellProperties with_warping() {
+  ShellProperties shell = section();
+  shell.warping_stiffness = true;
+  shell.thickness_update = ThicknessUpdate::all;
+  return shell;
+}
+
+/// Registers a case over double and over the machine's batch.
+template <class Case>
+void both(const std::string& name, Case run) {
+  benchmark::RegisterBenchmark((name + "/double").c_str(), [run](benchmark::State& s) {
+    run.template operator()<double>(s);
+  })->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark((name + "/batch").c_str(), [run](benchmark::State& s) {
+    run.template operator()<NativeBatch>(s);
+  })->Unit(benchmark::kMillisecond);
+}
+
+[[maybe_unused]] const bool registered = [] {
+  both("shell/elastic", []<class R>(benchmark::State& s) { shell<R>(s, elastic(), small_step); });
+  both("shell/j2 elastic", []<class R>(benchmark::State& s) { shell<R>(s, bilinear(), small_step); });
+  both("shell/j2 all plastic", []<class R>(benchmark::State& s) { shell<R>(s, bilinear(), large_step); });
+  both("shell/curve all plastic", []<class R>(benchmark::State& s) { shell<R>(s, curved(), large_step); });
+  both("shell/Cowper-Symonds all plastic", []<class R>(benchmark::State& s) { shell<R>(s, rated(), large_step); });
+  both("shell/kinematic all plastic", []<class R>(benchmark::State& s) { shell<R>(s, kinematic(), large_step); });
+  both("shell/j2 elastic, warping, thinning",
+       []<class R>(benchmark::State& s) { shell<R>(s, bilinear(), small_step, with_warping()); });
+  both("triangle/j2 elastic", []<class R>(benchmark::State& s) { triangle<R>(s, bilinear(), small_step); });
+  both("triangle/j2 all plastic", []<class R>(benchmark::State& s) { triangle<R>(s, bilinear(), large_step); });
+  both("brick/j2 elastic, hourglass 2", []<class R>(benchmark::State& s) { brick<R>(s, bilinear(), small_step, 2); });
+  both("brick/j2 elastic, hourglass 4", []<class R>(benchmark::State& s) { brick<R>(s, bilinear(), small_step, 4); });
+  both("brick/j2 elastic, hourglass 6", []<class R>(benchmark::State& s) { brick<R>(s, bilinear(), small_step, 6); });
+  both("brick/j2 all plastic, hourglass 2",
+       []<class R>(benchmark::State& s) { brick<R>(s, bilinear(), large_step, 2); });
+  both("weld beam/elastic, 4 points", []<class R>(benchmark::State& s) { weld_beam<R>(s, small_step, 2); });
+  both("weld beam/all plastic, 4 points", []<class R>(benchmark::State& s) { weld_beam<R>(s, large_step, 2); });
+  both("weld beam/elastic, 16 points", []<class R>(benchmark::State& s) { weld_beam<R>(s, small_step, 3); });
+  return true;
+}();
+
+}  // namespace
