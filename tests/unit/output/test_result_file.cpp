@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "output/binout.hpp"
+#include "output/d3plot.hpp"
+#include "output/result_file.hpp"
+#include "output/results.hpp"
+#include "output/summary.hpp"
+#include "output/swforc.hpp"
+#include "unit/output/scratch.hpp"
+
+namespace nugget::output {
+namespace {
+
+TEST(ResultFile, ReachesTheDiskAtCommit) {
+  Scratch scratch;
+  ResultFile file(scratch / "a");
+  file.buffer() = "one";
+  EXPECT_EQ(content(scratch / "a"), "");
+  file.commit();
+  EXPECT_EQ(content(scratch / "a"), "one");
+  file.buffer() += "two";
+  file.commit();
+  file.write_at(1, "NE");
+  EXPECT_EQ(content(scratch / "a"), "oNEtwo");
+  EXPECT_EQ(file.size(), 6u);
+}
+
+TEST(ResultFile, EmptiesAnEarlierFile) {
+  Scratch scratch;
+  put(scratch / "a", "old");
+  ResultFile file(scratch / "a");
+  EXPECT_EQ(content(scratch / "a"), "");
+}
+
+TEST(ResultFile, SaysWhyItCannotBeOpened) {
+  Scratch scratch;
+  try {
+    ResultFile file(scratch / "nowhere/a");
+    FAIL() << "opened a file in a folder that is not there";
+  } catch (const WriteError& error) {
+    EXPECT_EQ(error.path, scratch / "nowhere/a");
+    EXPECT_THAT(error.reason, testing::HasSubstr("No such file"));
+    EXPECT_THAT(error.what(), testing::StartsWith("cannot write "));
+  }
+}
+
+template <class Action>
+void expect_disk_full(Action action) {
+  try {
+    action();
+    FAIL() << "wrote to a full disk";
+  } catch (const WriteError& error) {
+    EXPECT_THAT(error.reason, testing::HasSubstr("No space left"));
+  }
+}
+
+// /dev/full answers every write as a full disk does.
+TEST(ResultFile, FullDiskIsAWriteErrorForEachKindOfFile) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this machine";
+  Scratch scratch;
+  for (const char* name : {"swforc", "binout0000", "d3plot"})
+    std::filesystem::create_symlink("/dev/full", scratch / name);
+  expect_disk_full([&] { Swforc(scratch / "swforc", {}); });
+  expect_disk_full([&] { Binout(scratch.path(), {}); });
+  expect_disk_full([&] { D3plot(scratch.path(), {}); });
+  for (const char* name : {"summary.json.part", "welds.csv.part"})
+    std::filesystem::create_symlink("/dev/full", scratch / name);
+  expect_disk_full([&] { write_summary(scratch.path(), {}); });
+  expect_disk_full([&] { write_welds(scratch.path(), {}); });
+  EXPECT_FALSE(std::filesystem::exists(scratch / "summary.json"));
+}
+
+TEST(ResultFile, NoPermissionIsAWriteError) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  Scratch scratch;
+  std::filesystem::permissions(scratch.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  EXPECT_THROW(write_summary(scratch.path(), {}), WriteError);
+  std::filesystem::permissions(scratch.path(), std::filesystem::perms::owner_all);
+}
+
+TEST(WholeFile, IsReplacedAtOnce) {
+  Scratch scratch;
+  put(scratch / "a", "a longer old text");
+  write_whole_file(scratch / "a", "new");
+  EXPECT_EQ(content(scratch / "a"), "new");
+  EXPECT_FALSE(std::filesystem::exists(scratch / "a.part"));
+}
+
+TEST(OldResults, OnlyOursAreRemoved) {
+  Scratch scratch;
+  const std::vector<std::string> ours{"binout0000", "d3eigv01", "d3plot",       "d3plot01", "d3plot100",
+                                      "glstat",     "run.log",  "summary.json", "swforc",   "welds.csv"};
+  const std::vector<std::string> theirs{"model.k",  "d3plot1",   "d3plot01.bak", "d3plotxy",
+                                        "d3dump01", "my_swforc", "binout0001"};
+  for (const std::string& name : ours) put(scratch / name, "x");
+  for (const std::string& name : theirs) put(scratch / name, "x");
+  std::filesystem::create_directory(scratch / "nodout");
+
+  std::vector<std::string> removed;
+  for (const auto& path : remove_old_results(scratch.path())) removed.push_back(path.filename().string());
+  EXPECT_EQ(removed, ours);
+  for (const std::string& name : ours) EXPECT_FALSE(std::filesystem::exists(scratch / name)) << name;
+  for (const std::string& name : theirs) EXPECT_TRUE(std::filesystem::exists(scratch / name)) << name;
+  EXPECT_TRUE(std::filesystem::is_directory(scratch / "nodout"));
+}
+
+TEST(OldResults, AFolderThatIsNotThereHasNone) {
+  Scratch scratch;
+  EXPECT_TRUE(remove_old_results(scratch / "nowhere").empty());
+}
+
+}  // namespace
+}  // namespace nugget::output

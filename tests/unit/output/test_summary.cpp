@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "output/summary.hpp"
+#include "unit/output/scratch.hpp"
+
+namespace nugget::output {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+WeldReport sample_weld() {
+  WeldReport w;
+  w.id = 17;
+  w.kind = "beam";
+  w.part = 5;
+  w.sheets = {1, 2};
+  w.diameter = 6.0;
+  w.length = 1.5;
+  w.tied = true;
+  w.projections = {{101, {1, 2, 3, 4}, 0.25, -0.5, 0.1, 1, ""},
+                   {102, {}, 0.0, 0.0, 0.0, 8, "no \"sheet\", none in reach"}};
+  w.added_mass = 1e-9;
+  w.failed = true;
+  w.failure_time = 0.1;
+  w.failure_mode = "resultant";
+  w.peak = {8000.0, 1.0 / 3.0, 0.0, std::nan("")};
+  w.remarks = {"edge", "pitch"};
+  return w;
+}
+
+std::vector<std::string> keys(const Json& json) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : json.items()) names.push_back(name);
+  return names;
+}
+
+TEST(Summary, HasTheKeysOfTheContractInItsOrder) {
+  Scratch scratch;
+  Summary s;
+  s.welds = {sample_weld()};
+  s.modes = {{1, 12.5, {1, 2, 3, 4, 5, 6}, {}}};
+  s.seconds.phases = {{"elements", 0.5}, {"contact", 0.25}};
+  write_summary(scratch.path(), s);
+  const Json json = Json::parse(content(scratch / "summary.json"));
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(keys(json), (Names{"version", "deck", "termination", "message", "nodes", "elements", "parts", "welds",
+                               "cycles", "time", "time_step", "mass", "energy", "seconds", "ns_per_element_cycle",
+                               "threads", "ranks", "weld", "modes"}));
+  EXPECT_EQ(keys(json["elements"]), (Names{"shell", "solid", "beam", "discrete"}));
+  EXPECT_EQ(keys(json["time_step"]), (Names{"first", "smallest", "controlling"}));
+  EXPECT_EQ(keys(json["mass"]), (Names{"physical", "added", "added_to_welds"}));
+  EXPECT_EQ(keys(json["energy"]), (Names{"kinetic", "internal", "hourglass", "contact", "damping", "external", "eroded",
+                                         "initial", "ratio"}));
+  EXPECT_EQ(keys(json["seconds"]), (Names{"read", "setup", "solve", "output", "phases"}));
+  EXPECT_EQ(keys(json["seconds"]["phases"]), (Names{"elements", "contact"}));
+  EXPECT_EQ(keys(json["weld"][0]), (Names{"id", "kind", "part", "parts", "diameter", "length", "tied", "projection",
+                                          "added_mass", "failed", "failure_time", "failure_mode", "peak", "remarks"}));
+  EXPECT_EQ(keys(json["weld"][0]["projection"][0]), (Names{"node", "segment", "xi", "eta", "moved", "case", "reason"}));
+  EXPECT_EQ(keys(json["weld"][0]["peak"]), (Names{"axial", "shear", "bending", "torsion"}));
+  EXPECT_EQ(keys(json["modes"][0]), (Names{"mode", "frequency_hz", "participation", "effective_mass"}));
+}
+
+TEST(Summary, KeepsEveryDigitAndNullsWhatIsNoNumber) {
+  Scratch scratch;
+  Summary s;
+  s.time = 0.1 + 0.2;
+  s.energy.kinetic = HUGE_VAL;
+  s.message = "Latin-1 \xe4";  // not UTF-8
+  s.welds = {sample_weld(), WeldReport{}};
+  write_summary(scratch.path(), s);
+  const Json json = Json::parse(content(scratch / "summary.json"));
+  EXPECT_EQ(json["time"].get<double>(), 0.1 + 0.2);
+  EXPECT_TRUE(json["energy"]["kinetic"].is_null());
+  EXPECT_EQ(json["weld"][0]["peak"]["shear"].get<double>(), 1.0 / 3.0);
+  EXPECT_TRUE(json["weld"][0]["peak"]["torsion"].is_null());
+  EXPECT_EQ(json["weld"][0]["failure_time"].get<double>(), 0.1);
+  EXPECT_TRUE(json["weld"][1]["failure_time"].is_null());
+  EXPECT_TRUE(json["weld"][1]["projection"].is_array());
+}
+
+TEST(Findings, AreAListOfTheirFields) {
+  Scratch scratch;
+  Finding f;
+  f.severity = Severity::warning;
+  f.place.file = "car.k", f.place.line = 12, f.place.column = 31;
+  f.keyword = "*MAT_024", f.field = "pr", f.value = "0.7";
+  f.text = "Poisson's ratio, expected 0 to 0.5", f.remedy = "correct it";
+  write_findings(scratch.path(), {f});
+  EXPECT_EQ(Json::parse(content(scratch / "findings.json")),
+            Json::parse(R"([{"severity": "warning", "file": "car.k", "line": 12, "column": 31, "keyword": "*MAT_024",
+                             "field": "pr", "value": "0.7", "text": "Poisson's ratio, expected 0 to 0.5",
+                             "remedy": "correct it"}])"));
+  write_findings(scratch.path(), {});
+  EXPECT_EQ(content(scratch / "findings.json"), "[]\n");
+}
+
+TEST(WeldsCsv, HasARowForEachWeld) {
+  Scratch scratch;
+  write_welds(scratch.path(), {sample_weld()});
+  EXPECT_EQ(
+      content(scratch / "welds.csv"),
+      "id,kind,part,sheet1,sheet2,diameter,length,tied,node1,case1,moved1,xi1,eta1,segment1,reason1,node2,case2,moved2,"
+      "xi2,eta2,segment2,reason2,added_mass,failed,failure_time,failure_mode,peak_axial,peak_shear,peak_bending,"
+      "peak_torsion,remarks\n"
+      "17,beam,5,1,2,6,1.5,yes,101,1,0.1,0.25,-0.5,1 2 3 4,,102,8,0,0,0,,\"no \"\"sheet\"\", none in reach\",1e-09,yes,"
+      "0.1,resultant,8000,0.3333333333333333,0,,edge; pitch\n");
+}
+
+TEST(WeldsCsv, LosesNoNodeOfABrickWeld) {
+  Scratch scratch;
+  WeldReport brick = sample_weld();
+  brick.projections.resize(8);
+  write_welds(scratch.path(), {brick, sample_weld()});
+  std::istringstream lines(content(scratch / "welds.csv"));
+  std::string head, first, second;
+  std::getline(lines, head), std::getline(lines, first), std::getline(lines, second);
+  EXPECT_THAT(head, testing::HasSubstr(",reason8,added_mass,"));
+  const auto commas = [](const std::string& s) { return std::count(s.begin(), s.end(), ','); };
+  EXPECT_EQ(commas(first), commas(head) + 1);  // one more inside the quoted reason
+  EXPECT_EQ(commas(second), commas(head) + 1);
+}
+
+}  // namespace
+}  // namespace nugget::output
