@@ -14,26 +14,30 @@ REFERENCE = 62.5  # kN/mm, elastic stiffness of this coupon as a model of three-
 
 
 def read_swforc(path):
-    """[(time, axial force, shear force, length)] of the only weld, up to its failure."""
+    """[(time, axial force, shear force, length)] of the only weld up to its failure, and the time of that or None."""
     rows = []
     for line in path.read_text(encoding="ascii").splitlines():
-        if "spotweld beam" in line and "failure time" not in line:
+        if "failure time=" in line:
+            return rows, float(line.split("=")[1])
+        if "spotweld beam" in line:
             numbers, tail = line.split("spotweld beam")
             _, axial, shear, time = numbers.split()[:4]
             rows.append((float(time), float(axial), float(shear), float(tail.split()[2])))
-    return rows
+    return rows, None
 
 
 def read_nodout(path):
-    """[(time, x-displacement)] of the only node."""
-    rows, time = [], None
+    """[(time, x-displacement)] of the only node. The block of rotations that follows each time is passed over."""
+    rows, time, wanted = [], 0.0, False
     for line in path.read_text(encoding="ascii").splitlines():
-        match = re.search(r"at time\s*([-+.\dE]+)", line)
-        if match:
-            time = float(match.group(1))
-        elif time is not None and re.match(r"\s*\d+\s*[-+]?\d\.\d+E", line):
-            rows.append((time, float(re.match(r"\s*\d+\s*([-+]?\d\.\d+E[-+]\d+)", line).group(1))))
-            time = None  # a second block of rotations has the same shape
+        at = re.search(r"at time\s*([-+.\dE]+)", line)
+        row = re.match(r"\s*\d+\s*([-+]?\d\.\d+E[-+]\d+)", line)
+        if at:
+            time = float(at.group(1))
+        elif "nodal point" in line:
+            wanted = "x-disp" in line
+        elif row and wanted:
+            rows.append((time, float(row.group(1))))
     return rows
 
 
@@ -52,18 +56,19 @@ def slope(points):
 
 
 def main(results):
-    print(f"{'weld over':<12}{'stiffness':>12}{'of solids':>12}{'peak force':>12}{'elongation':>12}{'weld length':>14}")
-    print(f"{'':<12}{'kN/mm':>12}{'%':>12}{'kN':>12}{'at peak, mm':>12}{'at peak, mm':>14}")
+    print(f"{'weld over':<12}{'stiffness':>10}{'of solids':>10}{'peak force':>12}{'elongation':>12}{'weld length':>13}{'failure':>10}")
+    print(f"{'':<12}{'kN/mm':>10}{'%':>10}{'kN':>12}{'at it, mm':>12}{'at it, mm':>13}{'ms':>10}")
     csv = ["case,time,elongation,axial,shear,length"]
     for case in CASES:
         grip = read_nodout(results / case / "nodout")
-        weld = [(t, interpolate(grip, t), axial, shear, length) for t, axial, shear, length in
-                read_swforc(results / case / "swforc")]
+        histories, failure = read_swforc(results / case / "swforc")
+        weld = [(t, interpolate(grip, t), axial, shear, length) for t, axial, shear, length in histories]
         csv += [f"{case},{t:.6e},{u:.6e},{axial:.6e},{shear:.6e},{length:.6e}" for t, u, axial, shear, length in weld]
         elastic = [(u, shear) for _, u, _, shear, _ in weld if 300.0 < shear < 2000.0]
         stiffness = slope(elastic) / 1000.0
         _, u, _, shear, length = max(weld, key=lambda row: row[3])
-        print(f"{case:<12}{stiffness:12.1f}{100.0 * stiffness / REFERENCE:12.0f}{shear / 1000.0:12.2f}{u:12.3f}{length:14.4f}")
+        print(f"{case:<12}{stiffness:10.1f}{100.0 * stiffness / REFERENCE:10.0f}{shear / 1000.0:12.2f}{u:12.3f}{length:13.4f}"
+              + (f"{1000.0 * failure:10.3f}" if failure else f"{'none':>10}"))
     (results / "histories.csv").write_text("\n".join(csv) + "\n", encoding="ascii")
     print(f"histories: {results / 'histories.csv'}")
 
