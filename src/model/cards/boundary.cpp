@@ -2,6 +2,7 @@
 // *BOUNDARY_...: nodes held, and motions prescribed.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 
@@ -48,6 +49,36 @@ unsigned fixed_bits(const Row& row) {
   return bits;
 }
 
+/// A rigid body moves as one, so nothing can be prescribed to one of its nodes: they are taken out of `nodes`, with a
+/// finding.
+void leave_out_rigid(Builder& builder, const Row& row, std::string_view field, Severity severity,
+                     std::vector<Index>& nodes, std::string_view remedy) {
+  const auto body_of = [&](Index node) { return builder.body_of_node[static_cast<std::size_t>(node)]; };
+  const auto first = std::find_if(nodes.begin(), nodes.end(), [&](Index node) { return body_of(node) != none; });
+  if (first == nodes.end()) return;
+  const auto count = std::count_if(nodes.begin(), nodes.end(), [&](Index node) { return body_of(node) != none; });
+  row.complain(
+      builder.findings, severity, field,
+      fmt::format("node {} belongs to rigid body {}, which moves as one: nothing is prescribed to it ({} such node{})",
+                  builder.model.nodes.id[static_cast<std::size_t>(*first)],
+                  builder.model.rigid_bodies[static_cast<std::size_t>(body_of(*first))].id, count,
+                  count == 1 ? "" : "s"),
+      std::string(remedy));
+  std::erase_if(nodes, [&](Index node) { return body_of(node) != none; });
+}
+
+/// The nodes of a card for one node or a set.
+template <bool set>
+std::vector<Index> nodes_of(Builder& builder, const Row& row) {
+  if constexpr (set) {
+    const auto* nodes = builder.node_set(row, "nsid");
+    return nodes ? nodes->members : std::vector<Index>{};
+  } else {
+    const Index node = builder.node(row, "nid");
+    return node == none ? std::vector<Index>{} : std::vector<Index>{node};
+  }
+}
+
 template <bool set>
 void read_spc(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
@@ -63,16 +94,13 @@ void read_spc(Builder& builder, const Block& block, const Options& options) {
     spc.fixed = fixed_bits(row);
     builder.later(Phase::conditions, [row, spc](Builder& b) mutable {
       spc.system = b.system(row, "cid");
-      const auto hold = [&](Index node) {
+      if constexpr (set) spc.set_id = row.integer("nsid");
+      auto nodes = nodes_of<set>(b, row);
+      leave_out_rigid(b, row, set ? "nsid" : "nid", Severity::warning, nodes,
+                      "hold the body by CMO of *MAT_RIGID, or _SPC of the nodal rigid body");
+      for (const Index node : nodes) {
         spc.node = node;
         b.model.spcs.push_back(spc);
-      };
-      if constexpr (set) {
-        spc.set_id = row.integer("nsid");
-        if (const auto* nodes = b.node_set(row, "nsid"))
-          for (const Index node : nodes->members) hold(node);
-      } else if (const Index node = b.node(row, "nid"); node != none) {
-        hold(node);
       }
     });
   }
@@ -177,12 +205,12 @@ void read_motion(Builder& builder, const Block& block, const Options& options) {
     builder.later(Phase::conditions, [row, motion](Builder& b) mutable {
       motion.curve = b.curve(row, "lcid");
       if (!resolve_direction(b, row, motion)) return;
-      if constexpr (target != Target::nodes) {
+      if constexpr (target == Target::nodes) {
+        motion.nodes = nodes_of<set>(b, row);
+        leave_out_rigid(b, row, set ? "nsid" : "nid", Severity::error, motion.nodes,
+                        "use *BOUNDARY_PRESCRIBED_MOTION_RIGID");
+      } else {
         resolve_body(b, row, motion);
-      } else if constexpr (set) {
-        if (const auto* nodes = b.node_set(row, "nsid")) motion.nodes = nodes->members;
-      } else if (const Index node = b.node(row, "nid"); node != none) {
-        motion.nodes = {node};
       }
       b.model.motions.push_back(std::move(motion));
     });

@@ -18,15 +18,10 @@ const Card interval_card{{
     integer("binary", 0, between(0, 3), "0, 1 ASCII file; 2 binout; 3 both"),
     id("lcur", IdSpace::function, 0, "curve of the interval over time, instead of dt"),
     integer("ioopt", 1, between(0, 3), "how the interval's curve is applied"),
-}};
-
-const Card nodout_card{{
-    real("dt", dimension::time, 0, at_least(0), "time between two records; 0 writes none"),
-    integer("binary", 0, between(0, 3), "0, 1 ASCII file; 2 binout; 3 both"),
-    id("lcur", IdSpace::function, 0, "curve of the interval over time, instead of dt"),
-    integer("ioopt", 1, between(0, 3), "how the interval's curve is applied"),
-    real("option1", dimension::time, 0, any_value, "interval of a second, finer file"),
-    integer("option2", 0, any_value, "format of that file"),
+    real("option1", dimension::number, 0, any_value, "more output: a finer nodout, history variables in elout"),
+    real("option2", dimension::number, 0, any_value, "the same"),
+    real("option3", dimension::number, 0, any_value, "the same"),
+    real("option4", dimension::number, 0, any_value, "the same"),
 }};
 
 const Card d3plot_card{{
@@ -127,14 +122,10 @@ void take_request(Builder& builder, const Row& row, Request Requests::*file) {
 template <Request Requests::*file>
 void read_request(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
-  take_request(builder, cursor.read(interval_card), file);
-}
-
-void read_nodout(Builder& builder, const Block& block, const Options&) {
-  Cursor cursor(builder.deck, block, builder.findings);
-  const Row row = cursor.read(nodout_card);
-  take_request(builder, row, &Requests::nodout);
-  expect(builder, row, Severity::warning, {{"option1", 0, "a second, finer file (nodouthf) is not written"}});
+  const Row row = cursor.read(interval_card);
+  take_request(builder, row, file);
+  for (const std::string_view option : {"option1", "option2", "option3", "option4"})
+    expect(builder, row, Severity::warning, {{option, 0, "this additional output is not written"}});
 }
 
 void read_d3plot(Builder& builder, const Block& block, const Options&) {
@@ -288,7 +279,7 @@ std::vector<Keyword> database_keywords() {
   return {
       file_keyword<&Requests::glstat>("DATABASE_GLSTAT"),
       file_keyword<&Requests::matsum>("DATABASE_MATSUM"),
-      {"DATABASE_NODOUT", {}, {}, Verdict::used, {}, {{{}, &nodout_card}}, read_nodout},
+      file_keyword<&Requests::nodout>("DATABASE_NODOUT"),
       file_keyword<&Requests::swforc>("DATABASE_SWFORC"),
       file_keyword<&Requests::rwforc>("DATABASE_RWFORC"),
       file_keyword<&Requests::spcforc>("DATABASE_SPCFORC"),
@@ -339,7 +330,7 @@ std::vector<Keyword> database_keywords() {
       without_effect("DATABASE_BINARY_RUNRSF", "restart files are asked for on the command line (--checkpoint)"),
       without_effect("DATABASE_BINARY_D3DUMP", "restart files are asked for on the command line (--checkpoint)"),
       without_effect("DATABASE_BINARY_INTFOR",
-                     "the contact database intfor is not part of LS-DYNA's d3plot; nothing else depends on it"),
+                     "the contact database (intfor) is not written; rcforc holds the forces of each contact"),
       without_effect("DATABASE_BINARY_D3THDT", "d3thdt repeats the histories that nodout, elout and matsum hold"),
       without_effect("DATABASE_BINARY_D3DRLF", "states of dynamic relaxation; there is no such phase"),
   };

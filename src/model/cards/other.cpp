@@ -37,7 +37,6 @@ using Rows = std::vector<Keyword>;
 Rows without_effect() {
   return {
       ignored("COMMENT", "a comment"),
-      ignored("KEYWORD_ID", "results have the same names for every deck; give each run its own folder"),
       ignored("CONTROL_CPU", "a limit of processor time; interrupt the run, or give --max-cycles"),
       ignored("CONTROL_PARALLEL", "threads are given on the command line (-j); results do not depend on their number"),
       ignored("CONTROL_MPP_*", "distribution over processes; results do not depend on it"),
@@ -151,9 +150,10 @@ Rows other_laws() {
       refused("MAT_DAMPER_*", "springs and dampers are not built yet"),
       refused("MAT_S0*", "springs and dampers are not built yet"),
       refused("MAT_S1*", "springs and dampers are not built yet"),
-      refused("MAT_GENERAL_*", "discrete beams are not built yet"),
-      refused("MAT_LINEAR_ELASTIC_DISCRETE_BEAM*", "discrete beams are not built yet"),
-      refused("MAT_NONLINEAR_*", "discrete beams are not built yet"),
+      refused("MAT_GENERAL_NONLINEAR_*", "discrete beams are not built yet"),
+      refused("MAT_GENERAL_SPRING_*", "discrete beams are not built yet"),
+      refused("MAT_GENERAL_JOINT_*", "discrete beams are not built yet"),
+      refused("MAT_NONLINEAR_PLASTIC_DISCRETE_BEAM*", "discrete beams are not built yet"),
       refused("MAT_CABLE_DISCRETE_BEAM*", "cables are not built"),
       refused("MAT_SEATBELT*", "seat belts are not built"),
       refused("MAT_B01*", "seat belts are not built"),

@@ -71,12 +71,15 @@ TEST(Database, WhatIsNotWrittenIsSaid) {
     1000.0
 *DATABASE_SOMETHING_NEW
     1.0E-3
+*DATABASE_NODOUT
+    1.0E-3         0         0         1    1.0E-5
 *DATABASE_EXTENT_BINARY
          4         0        -3
 )"));
   EXPECT_EQ(built.findings.errors(), 0) << built.all_findings();
   EXPECT_TRUE(built.warning("elout"));
   EXPECT_TRUE(built.warning("not written", "neiph"));
+  EXPECT_TRUE(built.warning("not written", "option1"));
   EXPECT_TRUE(built.warning("one in-plane point", "maxint"));
   EXPECT_EQ(built.model.requests.layers, 3);
   const auto verdict = [&](std::string_view keyword) {
@@ -176,6 +179,17 @@ TEST(Boundary, PrescribedMotionFaults) {
                   .error("not rigid", "pid"));
   EXPECT_TRUE(Built(small_deck("*BOUNDARY_PRESCRIBED_MOTION_RIGID_LOCAL\n         2         1         0         7\n"))
                   .error("local axes", "pid"));
+}
+
+TEST(Boundary, NodesOfRigidBodiesAreNotMovedOneByOne) {
+  const Built built(small_deck(R"(*BOUNDARY_SPC_NODE
+         5         0         1
+*BOUNDARY_PRESCRIBED_MOTION_NODE
+         6         1         0         7
+)"));
+  EXPECT_TRUE(built.model.spcs.empty());
+  EXPECT_TRUE(built.warning("node 5 belongs to rigid body 2", "nid"));
+  EXPECT_TRUE(built.error("node 6 belongs to rigid body 2", "nid"));
 }
 
 TEST(Boundary, LocalMotionFollowsTheAxesOfItsBody) {
