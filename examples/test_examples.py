@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The generators write what they say: legal columns, unique ids, welds where they belong, the same bytes each time."""
+import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -111,6 +113,47 @@ class Examples(unittest.TestCase):
                     self.assertAlmostEqual(under[0][1], 0.5, 6)
                     self.assertAlmostEqual(under[0][2], 0.5, 6)
             self.assertTrue(all(2.5 < side < 6.5 for shell in mesh.shells for side in mesh.sides(shell)), case)
+
+
+@unittest.skipUnless("NUGGET" in os.environ, "set NUGGET to the program to run the decks")
+class Runs(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def nugget(self, *arguments):
+        run = subprocess.run([os.environ["NUGGET"], *map(str, arguments)], capture_output=True, text=True)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return run.stderr
+
+    def test_no_deck_gives_a_warning(self):
+        for name in ("double_hat", "weld_placement"):
+            for case, text in generate(name).items():
+                deck = self.folder / f"{case}.k"
+                deck.write_text(text, encoding="ascii")
+                self.assertNotIn("warning", self.nugget("check", deck, "-o", self.folder / case), case)
+
+    def test_the_rail_starts_with_all_its_energy(self):
+        (text,) = generate("double_hat").values()
+        deck = self.folder / "double_hat.k"
+        deck.write_text(text, encoding="ascii")
+        self.nugget("run", deck, "-o", self.folder, "--until", "2e-4", "--quiet")
+        summary = json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
+        self.assertAlmostEqual(summary["energy"]["ratio"], 1.0, 3)
+        self.assertGreater(summary["energy"]["internal"], 0.01 * summary["energy"]["initial"])
+        self.assertEqual(sum(weld["tied"] for weld in summary["weld"]), 40)
+
+    def test_a_weld_over_the_centre_is_as_stiff_as_one_of_solids(self):
+        for case, text in generate("weld_placement").items():
+            deck = self.folder / f"{case}.k"
+            deck.write_text(text, encoding="ascii")
+            self.nugget("run", deck, "-o", self.folder / case, "--quiet")
+        table = subprocess.run([sys.executable, str(HERE / "weld_placement" / "compare.py"), str(self.folder)],
+                               check=True, capture_output=True, text=True).stdout
+        share = {line.split()[0]: float(line.split()[2]) for line in table.splitlines()[2:5]}
+        self.assertTrue(95.0 <= share["centre"] <= 105.0, table)
+        self.assertTrue(share["corner"] < share["edge"] - 10.0 < share["centre"] - 20.0, table)
 
 
 if __name__ == "__main__":
