@@ -36,7 +36,9 @@ struct D3plotGeometry {
   std::vector<D3plotElement<2>> beams;
   std::vector<D3plotElement<4>> shells;  ///< a triangle repeats its third node
   std::vector<D3plotPart> parts;         ///< in deck order
-  int nodal_rigid_bodies = 0;            ///< they follow the parts in D3plotState::parts
+  /// NUMRBS: nodal rigid bodies, which follow the parts in D3plotState::parts. LSTC's document and VTK count them, but
+  /// lasso-python reads the parts' energies and masses from the wrong words unless it is 0.
+  int nodal_rigid_bodies = 0;
   int rigid_walls = 0;
   int layers = 3;                 ///< MAXINT: records through the thickness of a shell, see shell_layers()
   int beam_points = 0;            ///< BEAMIP: integration points of beams
