@@ -34,20 +34,28 @@ inline double along_edge(const Vec3d& a, const Vec3d& b, const Vec3d& x) {
   return length2 > 0.0 ? std::clamp(dot(x - a, e) / length2, 0.0, 1.0) : 0.0;
 }
 
-/// Moves the foot to the closest point of the segment's edges.
-inline void to_edges(const Corners& c, int corners, const Vec3d& x, Foot& foot) {
+/// Moves the foot to the closest point of those of the segment's edges that are in `edges` (bit i: from corner i to the
+/// next), and of their neighbours if it comes to lie on a corner.
+inline void to_edges(const Corners& c, int corners, unsigned edges, const Vec3d& x, Foot& foot) {
   double best = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < corners; ++i) {
-    const int j = (i + 1) % corners;
-    const double s = along_edge(c[i], c[j], x);
-    const Vec3d r = x - (c[i] + s * (c[j] - c[i]));
-    const double d2 = dot(r, r);
-    if (d2 >= best) continue;
-    best = d2;
-    foot.weight = {};
-    foot.weight[i] = 1.0 - s;
-    foot.weight[j] = s;
-    foot.boundary = (s < 1.0 ? 1u << i : 0u) | (s > 0.0 ? 1u << j : 0u);
+  unsigned done = 0;
+  while (edges != done) {
+    for (int i = 0; i < corners; ++i) {
+      if (!((edges & ~done) >> i & 1u)) continue;
+      done |= 1u << i;
+      const int j = i + 1 < corners ? i + 1 : 0;
+      const double s = along_edge(c[i], c[j], x);
+      const Vec3d r = x - (c[i] + s * (c[j] - c[i]));
+      const double d2 = dot(r, r);
+      if (d2 >= best) continue;
+      best = d2;
+      foot.weight = {};
+      foot.weight[i] = 1.0 - s;
+      foot.weight[j] = s;
+      foot.boundary = (s < 1.0 ? 1u << i : 0u) | (s > 0.0 ? 1u << j : 0u);
+      if (s >= 1.0) edges |= 1u << j;
+      if (s <= 0.0) edges |= 1u << (i > 0 ? i - 1 : corners - 1);
+    }
   }
 }
 
@@ -70,7 +78,7 @@ inline void on_triangle(const Corners& c, const Vec3d& x, Foot& foot) {
   if (foot.xi >= 0.0 && foot.eta >= 0.0 && foot.xi + foot.eta <= 1.0) {
     foot.weight = {1.0 - foot.xi - foot.eta, foot.xi, foot.eta, 0.0};
   } else {
-    to_edges(c, 3, x, foot);
+    to_edges(c, 3, 0b111u, x, foot);
     foot.xi = foot.weight[1];
     foot.eta = foot.weight[2];
   }
@@ -78,9 +86,9 @@ inline void on_triangle(const Corners& c, const Vec3d& x, Foot& foot) {
 }
 
 inline void on_quadrilateral(const Corners& c, const Vec3d& x, Foot& foot) {
-  // p(xi, eta) = m + xi a + eta b + xi eta t; stationary distance by Newton's method, which is quadratic from the foot
-  // of the cycle before. Eight steps suffice from anywhere within the search range; a foot that runs off is caught by
-  // the edges.
+  // p(xi, eta) = m + xi a + eta b + xi eta t; stationary distance by Newton's method. It is quadratic, so what is left
+  // after a step is far smaller than the step: a foot 1e-6 away is found, one that cannot come back inside belongs to
+  // an edge.
   const Vec3d m = 0.25 * (c[0] + c[1] + c[2] + c[3]), a = 0.25 * (c[1] + c[2] - c[0] - c[3]);
   const Vec3d b = 0.25 * (c[2] + c[3] - c[0] - c[1]), t = 0.25 * (c[0] + c[2] - c[1] - c[3]);
   double xi = foot.xi, eta = foot.eta;
@@ -94,8 +102,9 @@ inline void on_quadrilateral(const Corners& c, const Vec3d& x, Foot& foot) {
     const double dxi = (hh * rg - gh * rh) / det, deta = (gg * rh - gh * rg) / det;
     xi = std::clamp(xi + dxi, -3.0, 3.0);
     eta = std::clamp(eta + deta, -3.0, 3.0);
-    inside = std::abs(xi) <= 1.0 && std::abs(eta) <= 1.0;
-    if (std::abs(dxi) + std::abs(deta) < 1e-11) break;
+    const double outside = std::max(std::abs(xi), std::abs(eta)) - 1.0, change = std::abs(dxi) + std::abs(deta);
+    inside = outside <= 0.0;
+    if (change < 1e-6 || outside > change) break;
   }
   if (inside) {
     foot.xi = xi;
@@ -103,7 +112,11 @@ inline void on_quadrilateral(const Corners& c, const Vec3d& x, Foot& foot) {
     foot.weight = {0.25 * (1.0 - xi) * (1.0 - eta), 0.25 * (1.0 + xi) * (1.0 - eta), 0.25 * (1.0 + xi) * (1.0 + eta),
                    0.25 * (1.0 - xi) * (1.0 + eta)};
   } else {
-    to_edges(c, 4, x, foot);
+    // The distance being convex, the edges beyond which the foot lies hold the closest point, or lead to it over a
+    // corner.
+    const unsigned beyond =
+        (eta < -1.0 ? 1u : 0u) | (xi > 1.0 ? 2u : 0u) | (eta > 1.0 ? 4u : 0u) | (xi < -1.0 ? 8u : 0u);
+    to_edges(c, 4, beyond != 0 ? beyond : 0b1111u, x, foot);
     set_natural_from_weights(foot.weight, foot);
   }
   foot.normal = unit_or_zero(cross(a + foot.eta * t, b + foot.xi * t));

@@ -51,6 +51,7 @@ inline WallPush push(const PlaneWall& wall, const Vec3d& from, const Vec3d& to, 
 /// Push along the outward normal at `from` that brings `to` to the round surface of `radius`; `from` and `to` measured
 /// from the centre, or at right angles from the axis.
 inline WallPush push_round(double radius, const Vec3d& from, const Vec3d& to, Hold hold) {
+  if (hold != Hold::welded && dot(to, to) >= radius * radius) return {};
   const double start = norm(from);
   const double level = hold == Hold::welded ? start : std::min(start, radius);
   if (hold != Hold::welded && norm(to) >= level) return {};
