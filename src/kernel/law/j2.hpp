@@ -32,12 +32,17 @@ template <bool both, class R, class Yield>
                                                               MaskOf<R> active) {
   constexpr double tolerance = 2e-12;
   constexpr int limit = 100;
-  const R trial = sqrt(trial2);
-  R slope = B * (start.slope + kb);
-  if constexpr (both) slope += A * (start.slope + ka);
+  const R trial = sqrt(trial2), over_by = trial - start.value;
   R low = R(0.0), high = trial * (1.0 / (both ? std::min(ka, kb) : kb));
   PlasticReturn<R> r;
-  R next = trial2 * (trial - start.value) / slope;
+  R ga = start.slope + ka, gb = start.slope + kb, next;
+  if constexpr (both) {
+    const R sum = A * ga + B * gb, over = 1.0 / (sum * start.value), over_sum = over * start.value;
+    const R bend = 1.5 * A * B * ((ka - kb) * (ka - kb)) * over_by * over_sum * (over * sum) * over_sum;
+    next = trial2 * over_by * over_sum * (1.0 + bend);
+  } else {
+    next = over_by / gb;
+  }
   next = select(next > low && next < high, next, 0.5 * high);
   r.increment = select(active, next, R(0.0));
   for (int i = 0;; ++i) {
@@ -60,11 +65,19 @@ template <bool both, class R, class Yield>
     const auto short_of = excess > 0.0;
     low = select(short_of, r.increment, low);
     high = select(short_of, high, r.increment);
-    slope = b2 * r.over_b * (y.slope + kb);
-    if constexpr (both) slope += a2 * r.over_a * (y.slope + ka);
-    // sqrt(s) - 1 by its series: exact enough near the end, and farther off the bracket holds.
-    const R root = excess * (0.5 - excess * (0.125 - 0.0625 * excess));
-    next = r.increment + s * root / slope;
+    gb = r.over_b * (y.slope + kb);
+    R first = b2 * gb, second = first * gb;  // -1/2 of the slope of s, 1/6 of its curvature
+    if constexpr (both) {
+      ga = r.over_a * (y.slope + ka);
+      const R part = a2 * ga;
+      first += part;
+      second += part * ga;
+    }
+    // Chebyshev's third-order step on s^(-1/2) = 1. sqrt(s) - 1 by its series: exact enough near the end; farther off
+    // the bracket holds.
+    const R root = excess * (0.5 - excess * (0.125 - 0.0625 * excess)), over = 1.0 / first;
+    const R newton = s * root * over;
+    next = r.increment + newton * (1.0 + 1.5 * newton * over * (s * second - first * first));
     next = select(next > low && next < high, next, 0.5 * (low + high));
     r.increment = select(active, next, r.increment);
   }

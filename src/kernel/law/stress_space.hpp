@@ -141,7 +141,7 @@ FibreTensor<R> operator*(const R& a, const FibreTensor<R>& t) {
 
 /// A symmetric tensor in axes that were turned with the material: q a q^T, with the rows of `q` the new axes' images.
 template <class R>
-SolidTensor<R> rotated(const Frame<R>& q, const SolidTensor<R>& a) {
+[[gnu::always_inline]] inline SolidTensor<R> rotated(const Frame<R>& q, const SolidTensor<R>& a) {
   const auto times = [&](const Vec3<R>& u) {
     return Vec3<R>{a.xx * u.x + a.xy * u.y + a.zx * u.z, a.xy * u.x + a.yy * u.y + a.yz * u.z,
                    a.zx * u.x + a.yz * u.y + a.zz * u.z};
