@@ -89,7 +89,8 @@ std::string describe(const Keyword& keyword) {
   std::string text = fmt::format("*{}: {}\n", keyword.name, word(keyword.verdict));
   if (!keyword.why.empty()) text += fmt::format("{}\n", keyword.why);
   if (!keyword.aliases.empty()) text += fmt::format("also written: {}\n", joined(keyword.aliases, "*"));
-  if (!keyword.options.empty()) text += fmt::format("options: {}\n", joined(keyword.options, "_"));
+  if (keyword.verdict == Verdict::used && !keyword.options.empty())
+    text += fmt::format("options: {}\n", joined(keyword.options, "_"));
   int number = 0;
   for (const LayoutCard& card : keyword.layout) {
     const std::string when = card.when.empty() ? "" : fmt::format(" ({})", card.when);
@@ -98,6 +99,15 @@ std::string describe(const Keyword& keyword) {
     text += card_table(*card.card);
   }
   return text;
+}
+
+/// The used keywords that begin with what was asked for, one a line; for a name that stands for a family.
+std::string family(std::string_view beginning) {
+  std::string text;
+  for (const Keyword& keyword : keywords())
+    if (keyword.verdict == Verdict::used && keyword.name.starts_with(beginning))
+      text += fmt::format("  *{}\n", keyword.name);
+  return text.empty() ? text : "used are\n" + text;
 }
 
 /// Number of letters to change, add or take away to make one of the other (Levenshtein).
@@ -127,7 +137,8 @@ std::string describe_keywords() {
     std::string note(row->why);
     if (!row->aliases.empty())
       note = fmt::format("also {}{}{}", joined(row->aliases, "*"), note.empty() ? "" : "; ", note);
-    text += fmt::format("*{:<43} {:<8} {:<34} {}\n", row->name, word(row->verdict), joined(row->options, "_"), note);
+    text += fmt::format("*{:<43} {:<8} {:<34} {}\n", row->name, word(row->verdict),
+                        row->verdict == Verdict::used ? joined(row->options, "_") : "", note);
   }
   return text;
 }
@@ -135,7 +146,10 @@ std::string describe_keywords() {
 std::string describe_keyword(std::string_view name) {
   const std::string written = upper(name);
   Options options;
-  if (const Keyword* keyword = find_keyword(written, options)) return describe(*keyword);
+  const Keyword* keyword = find_keyword(written, options);
+  if (keyword && !keyword->name.ends_with('*')) return describe(*keyword);
+  if (const std::string members = family(written); !members.empty()) return fmt::format("*{}...: {}", written, members);
+  if (keyword) return describe(*keyword);
   const std::string_view similar = similar_keyword(written);
   return fmt::format("*{}: not a keyword that this program knows{}\n", written,
                      similar.empty() ? "" : fmt::format("; is it *{}?", similar));

@@ -113,6 +113,7 @@ TEST(KeywordList, DescribesCardsFieldByField) {
   EXPECT_THAT(text, testing::ContainsRegex("31-40  lcid +id +required"));
   EXPECT_THAT(text, testing::ContainsRegex("71-80  birth +real +0 +>= 0 +T "));
   EXPECT_THAT(describe_keyword("CONTACT_ENTITY"), HasSubstr("refused"));
+  EXPECT_THAT(describe_keyword("boundary_spc"), HasSubstr("*BOUNDARY_SPC_SET\n"));
   EXPECT_THAT(describe_keyword("NONSENSE"), HasSubstr("not a keyword"));
   const std::string all = describe_keywords();
   for (const Keyword& keyword : keywords()) EXPECT_THAT(all, HasSubstr('*' + std::string(keyword.name)));

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decks that nobody here wrote, and the benchmark decks: they must become models without errors.
+// Whole files: decks that nobody here wrote, benchmarks, examples and transformed includes must become models without
+// errors.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "model/builder.hpp"
 
@@ -86,26 +88,100 @@ TEST(RealDecks, BallOnPlate) {
     EXPECT_EQ(ball.model.initial_velocity[n].z, ball.model.nodes.id[n] <= 1651 ? -10.0 : 0.0);
 }
 
+/// A folder of its own for each test, gone at the end.
+struct Folder {
+  fs::path path = fs::temp_directory_path() / fs::path("nugget_model_" + std::to_string(::getpid()) + '_' +
+                                                       testing::UnitTest::GetInstance()->current_test_info()->name());
+  Folder() { fs::create_directories(path); }
+  ~Folder() { fs::remove_all(path); }
+};
+
+bool run_python(const fs::path& script, const fs::path& folder) {
+  const std::string command =
+      std::string(NUGGET_PYTHON) + " " + script.string() + " " + folder.string() + " > /dev/null";
+  return std::system(command.c_str()) == 0;
+}
+
+TEST(Transform, TurnsWallsAndVelocitiesAndMovesIds) {
+  const Folder folder;
+  std::ofstream(folder.path / "part.k") << R"(*KEYWORD
+*NODE
+       1             1.0             0.0             0.0
+*SET_NODE_LIST
+         1
+         1
+*INITIAL_VELOCITY_GENERATION
+         1         3       2.0       4.0
+       0.0       0.0       0.0       1.0       0.0       0.0
+*RIGIDWALL_PLANAR
+         1
+       1.0       0.0       0.0       2.0       0.0       0.0
+*END
+)";
+  std::ofstream(folder.path / "main.k") << R"(*KEYWORD
+*CONTROL_TERMINATION
+       1.0
+*DEFINE_TRANSFORMATION
+         1
+TRANSL          10.0       0.0       0.0
+ROTATE           0.0       0.0       1.0       0.0       0.0       0.0      90.0
+*INCLUDE_TRANSFORM
+part.k
+       100         0         0         0      1000
+
+       1.0       1.0    1000.0
+         1
+*END
+)";
+  const Read read(folder.path / "main.k");
+  ASSERT_EQ(read.findings.errors(), 0) << read.errors();
+  const Model& model = read.model;
+  ASSERT_EQ(model.node_index(101), 0);
+  EXPECT_NEAR(model.nodes.x[0].x, 10.0, 1e-9);
+  EXPECT_NEAR(model.nodes.x[0].y, 1000.0, 1e-9);
+  ASSERT_EQ(model.walls.size(), 1u);
+  EXPECT_NEAR(model.walls[0].origin.x, 10.0, 1e-9) << "lengths to millimetres, then turned, then moved";
+  EXPECT_NEAR(model.walls[0].origin.y, 1000.0, 1e-9);
+  EXPECT_NEAR(model.walls[0].normal.y, 1.0, 1e-12);
+  EXPECT_EQ(model.walls[0].nodes.size(), 1u);
+  // v = (0, 4000, 0) + 2 e_y x (x - c), where x - c = (0, 1000, 0) is on the axis.
+  EXPECT_NEAR(model.initial_velocity[0].x, 0.0, 1e-9);
+  EXPECT_NEAR(model.initial_velocity[0].y, 4000.0, 1e-9);
+  EXPECT_NEAR(model.initial_spin[0].y, 2.0, 1e-12);
+}
+
+TEST(RealDecks, Examples) {
+  for (const char* example : {"double_hat", "weld_placement"}) {
+    const Folder folder;
+    ASSERT_TRUE(run_python(fs::path(NUGGET_SOURCE_DIR) / "examples" / example / "make.py", folder.path)) << example;
+    int decks = 0;
+    for (const auto& entry : fs::directory_iterator(folder.path)) {
+      if (entry.path().extension() != ".k") continue;
+      ++decks;
+      const Read read(entry.path());
+      EXPECT_EQ(read.findings.errors(), 0) << entry.path() << '\n' << read.errors();
+      EXPECT_FALSE(read.model.contacts.empty()) << entry.path();
+    }
+    EXPECT_GT(decks, 0) << example;
+  }
+}
+
 TEST(RealDecks, BenchmarkDecks) {
   const fs::path script = shared / "bench" / "gen_impact.py";
   if (!fs::exists(script)) GTEST_SKIP() << script << " is not here";
-  const fs::path folder = fs::temp_directory_path() / "nugget_model_bench";
-  fs::create_directories(folder);
-  const std::string command =
-      std::string(NUGGET_PYTHON) + " " + script.string() + " " + folder.string() + " > /dev/null";
-  ASSERT_EQ(std::system(command.c_str()), 0) << command;
+  const Folder folder;
+  ASSERT_TRUE(run_python(script, folder.path));
   for (const char* name : {"tube3.k", "tube5.k", "tube5c.k", "hex_ihq2.k", "weld.k"}) {
-    const Read read(folder / name);
+    const Read read(folder.path / name);
     EXPECT_EQ(read.findings.errors(), 0) << name << '\n' << read.errors();
     EXPECT_EQ(read.model.motions.size(), 1u) << name;
     EXPECT_FALSE(read.model.spcs.empty()) << name;
   }
-  const Read weld(folder / "weld.k");
+  const Read weld(folder.path / "weld.k");
   ASSERT_EQ(weld.model.contacts.size(), 1u);
   EXPECT_EQ(weld.model.contacts[0].kind, Contact::Kind::spotweld);
   EXPECT_EQ(weld.model.contacts[0].a.parts.size(), 1u);
   EXPECT_EQ(weld.model.contacts[0].b.parts.size(), 2u);
-  fs::remove_all(folder);
 }
 
 }  // namespace
