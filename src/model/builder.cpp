@@ -136,9 +136,7 @@ const Set<Segment>* Builder::segment_set(const deck::Row& row, std::string_view 
 }
 
 bool at_end(const deck::Cursor& cursor) {
-  const auto& lines = cursor.block().lines;
-  const auto is_blank = [](const deck::Line& line) { return line.text.find_first_not_of(" \t\r") == line.text.npos; };
-  return std::all_of(lines.end() - static_cast<std::ptrdiff_t>(cursor.left()), lines.end(), is_blank);
+  return !cursor.more();
 }
 
 void expect_end(Builder& builder, const deck::Cursor& cursor) {

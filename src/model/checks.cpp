@@ -47,7 +47,8 @@ void check_shells(Builder& b) {
           "give T1 of its section, or its nodal thicknesses");
     if (!(norm(across) > 1e-12 * longest)) {
       flat.add(
-          m.shells.place[e], [&] { return fmt::format("shell {} has no area", id); }, "remove it or mend its nodes");
+          m.shells.place[e], [&] { return fmt::format("shell {} has no area, or its sides cross each other", id); },
+          "remove it or mend its nodes");
       continue;
     }
     if (m.shells.triangle(e)) continue;

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "small_model.hpp"
+
+namespace nugget::model {
+namespace {
+
+/// Comma format; a sheet of part 1 (nodes 1..4), `more` behind it.
+std::string sheet_deck(const std::string& more) {
+  return R"(*KEYWORD
+*CONTROL_TERMINATION
+1.0
+*NODE
+1,0.0,0.0,0.0
+2,1.0,0.0,0.0
+3,1.0,1.0,0.0
+4,0.0,1.0,0.0
+5,0.0,0.0,1.0
+6,1.0,0.0,1.0
+7,1.0,1.0,1.0
+8,0.0,1.0,1.0
+*PART
+sheet
+1,1,1
+*SECTION_SHELL
+1,2
+1.0
+*MAT_ELASTIC
+1,7.85e-9,210000.0,0.3
+*ELEMENT_SHELL
+1,1,1,2,3,4
+)" + more;
+}
+
+const char* const brick_part = "*PART\nblock\n2,2,1\n*SECTION_SOLID\n2,1\n";
+
+TEST(Checks, ShapesOfShells) {
+  const Built b(
+      sheet_deck("*ELEMENT_SHELL\n2,1,1,2,11,3\n3,1,1,2,7,4\n*NODE\n9,2.0,0.0,0.0\n10,3.0,0.0,0.0\n11,-1.0,1.0,0.0\n"
+                 "*ELEMENT_SHELL\n4,1,1,2,9,10\n5,1,1,3,1,2\n"));
+  EXPECT_TRUE(b.error("the sides of shell 2 cross each other")) << b.all_findings();
+  EXPECT_TRUE(b.warning("shell 3 is warped by"));
+  EXPECT_TRUE(b.error("shell 4 has no area"));
+  EXPECT_TRUE(b.error("shell 5: needs three or four different corners"));
+  EXPECT_FALSE(b.error("shell 1 ")) << b.all_findings();
+}
+
+TEST(Checks, WarpageLimitIsThatOfTheDeck) {
+  EXPECT_FALSE(Built(sheet_deck("*ELEMENT_SHELL\n3,1,1,2,7,4\n*CONTROL_SHELL\n179.0\n")).warning("is warped"));
+}
+
+TEST(Checks, ThicknessMustBePositive) {
+  const Built none_given(sheet_deck("*PART\nthin\n2,2,1\n*SECTION_SHELL\n2,2\n\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"));
+  EXPECT_TRUE(none_given.error("shell 2: thickness 0, expected more than 0")) << none_given.all_findings();
+  const Built negative(sheet_deck("*SECTION_SHELL\n2,2\n-1.0\n"));
+  EXPECT_TRUE(negative.error("expected 0 or more", "t1")) << negative.all_findings();
+}
+
+TEST(Checks, JacobiansOfBricks) {
+  const Built b(sheet_deck(std::string(brick_part) + "*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n2,2,5,6,7,8,1,2,3,4\n"
+                                                     "*NODE\n9,0.9,0.9,0.2\n*ELEMENT_SOLID\n3,2,1,2,3,4,5,6,9,8\n"
+                                                     "*NODE\n10,0.1,0.1,0.9\n*ELEMENT_SOLID\n4,2,1,2,3,4,5,6,10,8\n"));
+  EXPECT_FALSE(b.error("solid 1 ")) << b.all_findings();
+  EXPECT_TRUE(b.error("solid 2 has the volume -1, expected more than 0 (negative Jacobian)"));
+  EXPECT_TRUE(b.warning("solid 4 is turned inside out at a corner")) << b.all_findings();
+}
+
+TEST(Checks, ManyFaultsOfOneKindAreCounted) {
+  std::string rows = "*ELEMENT_SHELL\n";
+  for (int id = 100; id < 130; ++id) rows += std::to_string(id) + ",1,1,2,4,3\n";
+  const Built b(sheet_deck(rows));
+  EXPECT_EQ(b.findings.errors(), 21);
+  EXPECT_TRUE(b.error("and 10 more of this kind")) << b.all_findings();
+}
+
+TEST(Checks, FormulationsAreRefusedByName) {
+  const Built b(
+      sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12,16\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"
+                 "*PART\nb\n3,13,1\n*SECTION_SOLID\n13,2\n*ELEMENT_SOLID\n1,3,1,2,3,4,5,6,7,8\n"
+                 "*PART\nc\n4,14,2\n*SECTION_BEAM\n14,6\n1.0,1.0\n*MAT_SPOTWELD\n2,7.85e-9,210000.0,0.3,400.0\n"
+                 "*ELEMENT_BEAM\n1,4,1,5\n"));
+  const Finding* shell = b.find(Severity::error, "shell formulation 16 is not built", "elform");
+  ASSERT_NE(shell, nullptr) << b.all_findings();
+  EXPECT_EQ(shell->value, "16");
+  EXPECT_TRUE(b.error("solid formulation 2 is not built", "elform"));
+  EXPECT_TRUE(b.error("discrete beams (formulation 6) are not built yet", "elform"));
+}
+
+TEST(Checks, RigidPartsMayHaveAnyFormulation) {
+  const Built b(
+      sheet_deck("*PART\na\n2,12,2\n*SECTION_SHELL\n12,16\n1.0\n*MAT_RIGID\n2,7.85e-9,210000.0,0.3\n\n\n"
+                 "*ELEMENT_SHELL\n2,2,5,6,7,8\n"));
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+}
+
+TEST(Checks, TheoryStandsInForABlankFormulation) {
+  const Built b(
+      sheet_deck("*CONTROL_SHELL\n,,,,16\n*PART\na\n2,12,1\n*SECTION_SHELL\n12\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"));
+  EXPECT_TRUE(b.error("shell formulation 16 is not built", "elform")) << b.all_findings();
+}
+
+TEST(Checks, LawsAndElementsMustGoTogether) {
+  const Built b(
+      sheet_deck("*MAT_SPOTWELD\n2,7.85e-9,210000.0,0.3,400.0\n*MAT_NULL\n3,7.85e-9\n"
+                 "*PART\nbrick weld\n2,2,2\n*SECTION_SOLID\n2\n*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n"
+                 "*PART\nsheet of weld\n3,1,2\n*ELEMENT_SHELL\n3,3,5,6,7,8\n"
+                 "*PART\nnull brick\n4,2,3\n*ELEMENT_SOLID\n2,4,1,2,3,4,5,6,7,8\n"
+                 "*PART\nelastic beam\n5,5,1\n*SECTION_BEAM\n5,9,,,1\n6.0\n*ELEMENT_BEAM\n1,5,1,5\n"
+                 "*PART\nnull sheet\n6,1,3\n*ELEMENT_SHELL\n6,6,1,2,6,5\n"));
+  EXPECT_TRUE(b.error("welds of bricks are not built yet", "mid")) << b.all_findings();
+  EXPECT_TRUE(b.error("*MAT_SPOTWELD is a law of weld beams", "mid"));
+  EXPECT_TRUE(b.error("*MAT_NULL in solids needs an equation of state", "mid"));
+  EXPECT_TRUE(b.error("beams are built with *MAT_SPOTWELD only, not with *MAT_ELASTIC", "mid"));
+  EXPECT_EQ(b.findings.errors(), 4) << b.all_findings();
+}
+
+TEST(Checks, HourglassTypesByElement) {
+  const std::string brick = std::string(brick_part) + "*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n";
+  const Built b(sheet_deck(brick + "*CONTROL_HOURGLASS\n4\n"));
+  const Finding* f = b.find(Severity::error, "part 2 has solids, for which types 1 to 3 are built", "ihq");
+  ASSERT_NE(f, nullptr) << b.all_findings();
+  EXPECT_EQ(b.findings.errors(), 1);  // the shells of part 1 have type 4
+  EXPECT_EQ(Built(sheet_deck(brick + "*CONTROL_HOURGLASS\n2\n")).findings.errors(), 0);
+}
+
+TEST(Checks, TriangleFormulationNeedsTriangles) {
+  const Built b(sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12,4\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7\n3,2,5,6,7,8\n"));
+  EXPECT_TRUE(b.error("shell 3 has four corners, but its formulation 4 is a triangle")) << b.all_findings();
+  EXPECT_EQ(b.findings.errors(), 1);
+}
+
+TEST(Checks, FreeNodesAreCounted) {
+  const Built b(sheet_deck(""));
+  EXPECT_TRUE(b.find(Severity::note, "4 nodes belong to no element, mass or rigid body; the first is node 5"))
+      << b.all_findings();
+  EXPECT_EQ(b.findings.errors() + b.findings.warnings(), 0) << b.all_findings();
+}
+
+TEST(Checks, ZeroLengthWeldsAreNoted) {
+  const Built b(
+      sheet_deck("*NODE\n9,0.0,0.0,0.0\n*PART\nw\n4,14,2\n*SECTION_BEAM\n14,9,,,1\n6.0\n*MAT_SPOTWELD\n2,7.85e-9,"
+                 "210000.0,0.3,400.0\n"
+                 "*ELEMENT_BEAM\n1,4,1,9\n"));
+  EXPECT_TRUE(b.find(Severity::note, "beam 1 has no length")) << b.all_findings();
+}
+
+TEST(Checks, EndTimeIsNeeded) {
+  const Built b("*KEYWORD\n*CONTROL_TERMINATION\n0.0\n");
+  EXPECT_TRUE(b.error("no end time is given")) << b.all_findings();
+}
+
+struct Units {
+  const char* density;
+  const char* modulus;
+  bool usual;
+};
+class UnitsOf : public testing::TestWithParam<Units> {};
+
+TEST_P(UnitsOf, Steel) {
+  const auto [density, modulus, usual] = GetParam();
+  const Built b("*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*MAT_ELASTIC\n1," + std::string(density) + ',' + modulus +
+                ",0.3\n");
+  EXPECT_EQ(b.warning("fits no usual system of units"), !usual) << b.all_findings();
+}
+
+INSTANTIATE_TEST_SUITE_P(Checks, UnitsOf,
+                         testing::Values(Units{"7.85e-9", "210000", true}, Units{"7850", "2.1e11", true},
+                                         Units{"7.85e-6", "210", true}, Units{"7.85e-3", "210000", true},
+                                         Units{"7.85", "2.1", true}, Units{"7.35e-4", "3.0e7", true},
+                                         Units{"1.2e-9", "2200", true},        // a plastic
+                                         Units{"7.85e-6", "210000", false},    // kg with MPa
+                                         Units{"7850", "210000", false},       // kg/m3 with MPa
+                                         Units{"7.85e-9", "2.1e11", false}));  // t/mm3 with Pa
+
+TEST(Checks, OneMaterialInOtherUnitsThanTheRest) {
+  const Built b(sheet_deck("*MAT_ELASTIC\n2,7.85e-9,70000.0,0.3\n*MAT_ELASTIC\n3,7850.0,2.1e11,0.3\n"));
+  EXPECT_TRUE(b.warning("material 3")) << b.all_findings();
+  EXPECT_TRUE(b.warning("does not fit mm t s"));
+  EXPECT_EQ(b.findings.warnings(), 1);
+}
+
+}  // namespace
+}  // namespace nugget::model
