@@ -99,7 +99,7 @@ inline void on_quadrilateral(const Corners& c, const Vec3d& x, Foot& foot) {
     const double gg = dot(g, g), hh = dot(h, h), gh = dot(g, h) - dot(r, t), rg = dot(r, g), rh = dot(r, h);
     const double det = gg * hh - gh * gh;
     if (!(det > 0.0)) break;
-    const double dxi = (hh * rg - gh * rh) / det, deta = (gg * rh - gh * rg) / det;
+    const double scale = 1.0 / det, dxi = scale * (hh * rg - gh * rh), deta = scale * (gg * rh - gh * rg);
     xi = std::clamp(xi + dxi, -3.0, 3.0);
     eta = std::clamp(eta + deta, -3.0, 3.0);
     const double outside = std::max(std::abs(xi), std::abs(eta)) - 1.0, change = std::abs(dxi) + std::abs(deta);
