@@ -19,7 +19,7 @@ def leaves(data):
     iterator = data.NewIterator()
     iterator.InitTraversal()
     while not iterator.IsDoneWithTraversal():
-        yield iterator.GetCurrentDataObject()
+        yield iterator.GetCurrentMetaData().Get(vtk.vtkCompositeDataSet.NAME()), iterator.GetCurrentDataObject()
         iterator.GoToNextItem()
 
 
@@ -32,10 +32,10 @@ def arrays(attributes):
     return {array.GetName(): rows(array) for array in named if array is not None}
 
 
-def block(grid):
+def block(name, grid):
     cells = [[grid.GetCell(c).GetPointId(i) for i in range(grid.GetCell(c).GetNumberOfPoints())]
              for c in range(grid.GetNumberOfCells())]
-    return {"points": [list(grid.GetPoint(i)) for i in range(grid.GetNumberOfPoints())], "cells": cells,
+    return {"name": name, "points": [list(grid.GetPoint(i)) for i in range(grid.GetNumberOfPoints())], "cells": cells,
             "point_arrays": arrays(grid.GetPointData()), "cell_arrays": arrays(grid.GetCellData())}
 
 
@@ -60,7 +60,8 @@ def main(path):
         reader.UpdateTimeStep(reader.GetTimeValue(step))
         reader.Update()
         states.append({"time": reader.GetTimeValue(step),
-                       "blocks": [block(g) for g in leaves(reader.GetOutput()) if g is not None and g.GetNumberOfCells()]})
+                       "blocks": [block(name, grid) for name, grid in leaves(reader.GetOutput())
+                                  if grid is not None and grid.GetNumberOfCells()]})
     with open(log.name) as messages:
         complaints = [line for line in messages.read().splitlines() if "rror" in line or "Warn" in line]
     os.unlink(log.name)

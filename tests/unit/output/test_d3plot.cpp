@@ -300,6 +300,8 @@ TEST(D3plotInVtk, IsReadWhole) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(seen["states"][i]["time"], 0.5 * static_cast<double>(i));
 
   const Json& last = seen["states"][2];
+  for (const auto& [id, part] : {std::pair{7, "brick"}, {900, "weld"}, {51, "lid"}, {52, "lid"}})
+    EXPECT_EQ(find_element(last, id).first["name"], part) << id;
   const auto [brick, row] = find_element(last, 7);
   EXPECT_EQ(brick["points"].size(), 8u);
   EXPECT_EQ(brick["points"][6], (Json{1.0, 1.0, 1.0}));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 #include <unistd.h>
+
+#include <csignal>
 
 #include "output/binout.hpp"
 #include "output/d3plot.hpp"
@@ -70,6 +73,59 @@ TEST(ResultFile, FullDiskIsAWriteErrorForEachKindOfFile) {
   expect_disk_full([&] { write_summary(scratch.path(), {}); });
   expect_disk_full([&] { write_welds(scratch.path(), {}); });
   EXPECT_FALSE(std::filesystem::exists(scratch / "summary.json"));
+}
+
+/// Lets files of this process grow to so many bytes, as a quota does.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, SIG_DFL);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST(ResultFile, AFailedCommitIsCutBack) {
+  Scratch scratch;
+  ResultFile file(scratch / "a");
+  file.buffer() = "whole state";
+  file.commit();
+  {
+    FileSizeLimit limit(20);  // room for a part of the next one
+    file.buffer() = std::string(100, 'x');
+    EXPECT_THROW(file.commit(), WriteError);
+  }
+  EXPECT_EQ(content(scratch / "a"), "whole state");
+}
+
+TEST(ResultFile, D3plotKeepsItsStatesWhenTheDiskFillsUp) {
+  Scratch scratch;
+  D3plotGeometry g;
+  for (int id = 1; id <= 100; ++id) g.node_ids.push_back(id);
+  g.x.resize(100);
+  D3plotState s;
+  s.x.resize(100), s.v.resize(100), s.a.resize(100);
+  D3plot file(scratch.path(), g);
+  file.write(s);
+  const std::string good = content(scratch / "d3plot01");
+  {
+    FileSizeLimit limit(good.size() + 512);
+    EXPECT_THROW(file.write(s), WriteError);
+  }
+  const std::string left = content(scratch / "d3plot01");
+  const std::size_t state_and_mark = 4 * (1 + 6 + 900 + 1);
+  EXPECT_EQ(left.substr(0, state_and_mark), good.substr(0, state_and_mark));
+  EXPECT_EQ(left.size(), good.size());
 }
 
 TEST(ResultFile, NoPermissionIsAWriteError) {
