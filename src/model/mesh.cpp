@@ -268,12 +268,13 @@ double mean_thickness(const std::array<double, 4>& nodal, double section, int co
   return sum / corners;
 }
 
-/// True where a row says nothing about its option's value.
+/// False where a row says nothing about its option's value (0 or not a number).
 bool given(double value) {
   return value == value && value != 0.0;
 }
 
 void set_thickness(Builder& b, const std::vector<std::size_t>& rows) {
+  Tally offsets(b.findings, Severity::error, "*ELEMENT_SHELL_OFFSET");
   const auto& table = b.shell_table;
   Shells& shells = b.model.shells;
   shells.thickness.resize(shells.size());
@@ -286,7 +287,12 @@ void set_thickness(Builder& b, const std::vector<std::size_t>& rows) {
                               ? section.thickness
                               : mean_thickness(table.thickness[rows[e]], section.thickness, shells.triangle(e) ? 3 : 4);
     const bool own_offset = !table.offset.empty() && given(table.offset[rows[e]]);
-    shells.offset[e] = own_offset ? table.offset[rows[e]] : -0.5 * section.nloc * shells.thickness[e];
+    shells.offset[e] = -0.5 * section.nloc * shells.thickness[e];
+    if (!own_offset || table.offset[rows[e]] == shells.offset[e]) continue;
+    offsets.add(
+        shells.place[e],
+        [&] { return fmt::format("shell {}: offsets of single shells are not supported", shells.id[e]); },
+        "give the shells a section with NLOC, or move their nodes to the mid-surface");
   }
 }
 

@@ -113,7 +113,7 @@ const Card contact_card_5{{
     factor("rwgdth", 0, "for rigid walls by penalty, no effect"),
     factor("rwksf", 1, "for rigid walls by penalty, no effect"),
     flag("icov", "for eroding contact, no effect"),
-    factor("swradf", 0, "radius of SPOTHIN"),
+    factor("swradf", 0, "radius of SPOTHIN, no effect without it"),
     flag("ithoff", "thermal, no effect"),
 }};
 
@@ -149,7 +149,7 @@ const Card shell_card_1{{
 }};
 
 const Card shell_card_2{{
-    real("rotascl", dimension::number, 1, above_zero(), "factor on rotary masses"),
+    real("rotascl", dimension::number, 1, only(1), "factor on rotary masses"),
     integer("intgrd", 0, between(0, 1), "layers: 0 Gauss, 1 Lobatto"),
     integer("lamsht", 0, only(0), "laminated shells"),
     flag("cstyp6", "for formulation 6, no effect"),
@@ -268,6 +268,8 @@ void read_time_step(Builder& b, const Block& block, const Options&) {
   cursor.read(step_card_2);
   const Row third = cursor.read(step_card_3);
   expect_end(b, cursor);
+  expect(b, row, Severity::warning,
+         {{"erode", 0, "not obeyed: elements are not deleted for their time step, as with 0"}});
   if (row.real("tssfac") < 0.0)
     refuse(b, row, "tssfac", "a factor over time (curve) is not supported", "give a number");
   Control& c = b.model.control;
@@ -285,24 +287,28 @@ void read_time_step(Builder& b, const Block& block, const Options&) {
 void check_wall_penalty(Builder& b, const Row& row) {
   if (row.real("rwpnal") == 0.0 || b.model.walls.empty() || b.model.rigid_bodies.empty()) return;
   row.complain(b.findings, Severity::warning, "rwpnal",
-               "nodes of rigid bodies are not stopped by rigid walls by penalty; see the book on rigid walls");
+               "nodes of rigid bodies are not stopped by rigid walls by penalty");
 }
 
 void read_contact(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   const Row one = cursor.read(contact_card_1), two = cursor.read(contact_card_2);
   cursor.read(contact_card_3);
-  const Row four = cursor.read(contact_card_4), five = cursor.read(contact_card_5), six = cursor.read(contact_card_6);
+  const Row four = cursor.read(contact_card_4);
+  cursor.read(contact_card_5);
+  const Row six = cursor.read(contact_card_6);
   cursor.read(contact_card_7);
   expect_end(b, cursor);
   expect(b, one, Severity::warning,
          {{"penopt", 1, "not obeyed: the smaller stiffness of node and segment is used, as with 1"},
           {"thkchg", 0, "not obeyed: contact sees the initial thickness, as with 0"},
           {"enmass", 0, "not obeyed: nodes without elements leave the contact, as with 0"}});
-  expect(b, five, Severity::warning,
-         {{"swradf", 0, "not obeyed: SPOTHIN acts on the segments that the weld is tied to"}});
+  expect(b, four, Severity::warning,
+         {{"spotdel", 0, "not obeyed: a weld stays when the shells that it is tied to are deleted, as with 0"},
+          {"spothin", 0, "not obeyed: sheets keep their contact thickness near welds, as with 0"}});
   expect(b, six, Severity::warning,
          {{"shledg", 0, "not obeyed: shell edges are round, as with 0"},
+          {"shltrw", 0, "not obeyed: rigid walls stop the mid-surface of shells, as with 0"},
           {"pstiff", 0, "not obeyed: penalty stiffness comes from the material, as with 0"}});
   b.later(Phase::checks, [one](Builder& later) { check_wall_penalty(later, one); });
   Control& c = b.model.control;
@@ -392,7 +398,10 @@ void read_solid(Builder& b, const Block& block, const Options&) {
 void read_output(Builder& b, const Block& block, const Options&) {
   // Its further cards are about LS-DYNA's listings.
   Cursor cursor(b.deck, block, b.findings);
-  b.model.control.average_accelerations = cursor.read(output_card_1).integer("iaccop") == 1;
+  const Row row = cursor.read(output_card_1);
+  expect(b, row, Severity::warning,
+         {{"iaccop", 0, "not obeyed: nodout has the accelerations of the moment, as with 0"}});
+  b.model.control.average_accelerations = row.integer("iaccop") == 1;
 }
 
 }  // namespace

@@ -196,11 +196,11 @@ TEST(Sections, Hourglass) {
 
 TEST(Controls, WhatIsObeyed) {
   const auto b = built(
-      "*CONTROL_TERMINATION\n0.12,500,0.01,5.0,3.0\n*CONTROL_TIMESTEP\n1.0e-7,0.67,2,,-1.0e-6,4,10,1\n\n2.0\n"
-      "*DEFINE_CURVE\n4\n0.0,1.0\n*CONTROL_SHELL\n25.0,1,,1,2,1\n0.5,1\n*CONTROL_BULK_VISCOSITY\n1.4,0.05,-2\n"
-      "*CONTROL_HOURGLASS\n4,0.03\n*CONTROL_ENERGY\n2,1,2,2\n*CONTROL_OUTPUT\n1,,,1\n*CONTROL_CONTACT\n0.2\n,,,,,,,"
+      "*CONTROL_TERMINATION\n0.12,500,0.01,5.0,3.0\n*CONTROL_TIMESTEP\n1.0e-7,0.67,2,,-1.0e-6,4,,1\n\n2.0\n"
+      "*DEFINE_CURVE\n4\n0.0,1.0\n*CONTROL_SHELL\n25.0,1,,1,2,1\n1.0,1\n*CONTROL_BULK_VISCOSITY\n1.4,0.05,-2\n"
+      "*CONTROL_HOURGLASS\n4,0.03\n*CONTROL_ENERGY\n2,1,2,2\n*CONTROL_OUTPUT\n1,,,0\n*CONTROL_CONTACT\n0.2\n,,,,,,,"
       "1\n\n"
-      "2,,,1,2,1,0.5\n\n,,,,,,0.5\n*TITLE\na car\n");
+      "2,,,1,2\n*TITLE\na car\n");
   EXPECT_EQ(b.findings.errors() + b.findings.warnings(), 0) << b.all_findings();
   const Control& c = b.model.control;
   EXPECT_DOUBLE_EQ(c.end_time, 0.12);
@@ -213,14 +213,12 @@ TEST(Controls, WhatIsObeyed) {
   EXPECT_EQ(c.length_basis, 2);
   EXPECT_DOUBLE_EQ(c.mass_step, -1e-6);
   EXPECT_EQ(c.step_curve, 0);
-  EXPECT_EQ(c.erode_small_steps, 10);
   EXPECT_TRUE(c.mass_scaling_at_start_only);
   EXPECT_DOUBLE_EQ(c.tied_rotary_mass, 2.0);
   EXPECT_DOUBLE_EQ(c.warp_warning, 25.0);
   EXPECT_TRUE(c.sort_triangles);
   EXPECT_EQ(c.thickness_update, 1);
   EXPECT_TRUE(c.warping_stiffness);
-  EXPECT_DOUBLE_EQ(c.rotary_mass_scale, 0.5);
   EXPECT_TRUE(c.lobatto);
   EXPECT_EQ(c.bulk_viscosity_type, -2);
   EXPECT_EQ(c.hourglass.type, 4);
@@ -229,15 +227,11 @@ TEST(Controls, WhatIsObeyed) {
   EXPECT_TRUE(c.hourglass_energy);
   EXPECT_FALSE(c.wall_energy);
   EXPECT_TRUE(c.contact_energy);
-  EXPECT_TRUE(c.average_accelerations);
   EXPECT_DOUBLE_EQ(c.penalty_scale, 0.2);
   EXPECT_TRUE(c.keep_tied_gap);
   EXPECT_EQ(c.ignore_penetration, 2);
   EXPECT_TRUE(c.list_ties);
   EXPECT_EQ(c.untied_weld, 2);
-  EXPECT_EQ(c.weld_of_deleted_shell, 1);
-  EXPECT_DOUBLE_EQ(c.weld_thinning, 0.5);
-  EXPECT_DOUBLE_EQ(c.wall_thickness_share, 0.5);
   EXPECT_EQ(b.model.title, "a car");
 }
 
@@ -256,12 +250,15 @@ TEST(Controls, DefaultsOfLsDyna) {
 }
 
 TEST(Controls, WhatCannotBeObeyed) {
-  const auto b =
-      built("*CONTROL_TIMESTEP\n\n,,1\n*CONTROL_SHELL\n,2,,5\n*CONTROL_CONTACT\n0.1,,,,2\n*CONTROL_ACCURACY\n1,2\n");
+  const auto b = built(
+      "*CONTROL_TIMESTEP\n\n,,1\n*CONTROL_SHELL\n,2,,5\n0.5\n*CONTROL_CONTACT\n0.1,,,,2\n\n\n,,,,,1,0.5\n\n,,,,,,0.5\n*"
+      "CONTROL_OUTPUT\n1,,,1\n*CONTROL_ACCURACY\n1,2\n");
   EXPECT_TRUE(b.error("selective mass scaling: only 0 is supported", "imscl")) << b.all_findings();
   EXPECT_TRUE(b.error("expected 0 to 1", "esort"));
   EXPECT_TRUE(b.error("expected 0 to 4", "istupd"));
-  EXPECT_TRUE(b.warning("not obeyed", "penopt"));
+  EXPECT_TRUE(b.error("only 1 is supported", "rotascl"));
+  for (const auto* field : {"penopt", "spotdel", "spothin", "shltrw", "iaccop"})
+    EXPECT_TRUE(b.warning("not obeyed", field)) << field << '\n' << b.all_findings();
   EXPECT_TRUE(b.warning("not obeyed", "osu"));
 }
 
