@@ -106,10 +106,11 @@ Prepared prepare(const RunArguments& arguments, Findings& findings) {
   p.read_seconds = clock.seconds();
   if (findings.errors() > 0) return p;
   p.ties = weld::tie(p.model, findings);
-  const weld::Audit audit = weld::audit(p.model, p.ties, findings);
+  const std::vector<weld::Report> audit = weld::audit(p.model, p.ties, findings);
   for (std::size_t i = 0; i < p.ties.welds.size(); ++i) {
     p.welds.push_back(weld_report(p.model, p.ties.welds[i]));
-    p.welds.back().remarks = audit.remarks[i];
+    for (const weld::Remark& remark : audit[i].remarks)
+      p.welds.back().remarks.push_back(fmt::format("{}: {}", remark.check, remark.text));
   }
   p.tie_seconds = clock.seconds();
   return p;

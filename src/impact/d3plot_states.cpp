@@ -86,9 +86,6 @@ void fill_beams(const Snapshot& now, output::D3plotState& s) {
   }
 }
 
-/// Nodal rigid bodies stand behind the parts.
-bool nodal(const model::RigidBody& body) { return body.origin != model::RigidBody::Origin::part; }
-
 }  // namespace
 
 output::D3plotGeometry d3plot_geometry(const system::System& system) {
@@ -104,7 +101,6 @@ output::D3plotGeometry d3plot_geometry(const system::System& system) {
   for (std::size_t e = 0; e < model.shells.size(); ++e)
     g.shells.push_back({model.shells.id[e], model.shells.node[e], model.shells.part[e]});
   for (const model::Part& p : model.parts) g.parts.push_back({p.id, p.title});
-  for (const system::RigidBody& b : system.bodies) g.nodal_rigid_bodies += nodal(model.rigid_bodies[at(b.source)]);
   g.rigid_walls = static_cast<int>(model.walls.size());
   g.layers = model.requests.layers;
   g.beam_points = model.requests.beam_points;
@@ -127,8 +123,6 @@ output::D3plotState d3plot_state(const Snapshot& now) {
     mass += p.mass;
   }
   if (mass > 0.0) s.velocity = (1.0 / mass) * momentum;
-  for (const system::RigidBody& b : now.system.bodies)
-    if (nodal(model.rigid_bodies[at(b.source)])) s.parts.push_back({0.0, 0.0, 0.0, b.mass, now.velocity(at(b.node))});
   for (const contact::RigidWall& w : now.walls) s.wall_forces.push_back(w.normal_force());
 
   s.x.resize(model.nodes.size());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -9,10 +8,8 @@ namespace nugget::impact {
 
 /// What the command line says about a run.
 struct Options {
-  std::filesystem::path directory = ".";
-  double until = 0.0;      ///< end time; 0: the deck's
-  long max_cycles = 0;     ///< 0: the deck's
-  std::string version;
+  double until = 0.0;   ///< end time; 0: the deck's
+  long max_cycles = 0;  ///< 0: the deck's
 };
 
 enum class Termination { normal, error, interrupted };

@@ -71,10 +71,13 @@ void System::make_constraints(Findings& findings) {
   }
   for (const weld::Tie& tie : ties.ties) {
     if (!claim(tie.node, "a tie", model.contacts[at(tie.contact)].place)) continue;
+    // With TIEDPRJ = 1 the node keeps its gap, which then turns with the segment.
+    const Vec3d arm = ties.x[at(tie.node)] - tie.point;
+    const bool projected = dot(arm, arm) <= 1e-24 * (1.0 + dot(tie.point, tie.point));
     std::vector<ConstraintMap::Term> terms;
     for (std::size_t i = 0; i < 4; ++i) {
       if (tie.weight[i] == 0.0) continue;
-      terms.push_back({node_of[at(tie.segment[i])], tie.weight[i], {}});
+      terms.push_back({node_of[at(tie.segment[i])], tie.weight[i], projected ? Vec3d{} : arm});
     }
     map.add(node_of[at(tie.node)], tie.rotations, terms);
   }

@@ -60,10 +60,7 @@ std::string_view to_string(FailureMode mode) {
 }
 
 bool History::update(double time, const Resultants& r) {
-  if (failed()) {
-    now_ = {};
-    return false;
-  }
+  if (failed()) return false;
   now_ = filter_(r);
   peaks_ = {std::max(peaks_[0], std::abs(now_.axial)), std::max(peaks_[1], now_.shear()),
             std::max(peaks_[2], now_.moment()), std::max(peaks_[3], std::abs(now_.torsion))};
@@ -87,6 +84,7 @@ bool History::update(double time, const Resultants& r) {
 void History::fail(double time, FailureMode mode) {
   mode_ = mode;
   failure_time_ = time;
+  now_ = {};  // a failed weld carries nothing
 }
 
 }  // namespace nugget::weld

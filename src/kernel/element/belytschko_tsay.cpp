@@ -122,11 +122,21 @@ template <class R>
   return r;
 }
 
+template <class R>
+R held_within(const R& value, const R& limit) {
+  return max(-limit, min(value, limit));
+}
+
 /// Hourglass forces at the end of the step (element-theory 3.4); stored, and their work added up, in the state.
+///
+/// The stiffness form is a share of the element's own elastic resistance to the pattern: 3 QM in its plane, 3/2 QB in bending,
+/// QW SHRF / 2 in twist. Once the material yields the element itself resists no more than its fully plastic forces, so the
+/// hourglass forces are held within the same shares of those (docs/decisions/0006); else they would outgrow them at large
+/// strains. `yield`: first yield stress, infinite for elastic laws.
 template <class R>
 [[gnu::always_inline]] inline Hourglass<R> resist_hourglass(const ShellProperties& shell, const ElasticConstants& e,
                                                             const Geometry<R>& g, const Hourglass<R>& rate, double dt,
-                                                            double* state) {
+                                                            double yield, double* state) {
   using L = ShellLayout;
   const R t = load_field<R>(state, L::thickness), t2 = t * t;
   const Hourglass<R> old{load_field<R>(state, L::hourglass), load_field<R>(state, L::hourglass + 1),
@@ -141,6 +151,14 @@ template <class R>
     const R warping = (shell.warping_hourglass * shell.shear_factor * e.shear / 12.0) * step * t2 * bb;
     now = {old.x + membrane * rate.x, old.y + membrane * rate.y, old.z + warping * rate.z, old.rx + bending * rate.rx,
            old.ry + bending * rate.ry};
+    if (yield < std::numeric_limits<double>::infinity()) {
+      const R side = sqrt(g.area);
+      const R in_plane_most = (std::min(1.0, 3.0 * shell.membrane_hourglass) * 0.25 * yield) * t * side;
+      const R bending_most = (std::min(1.0, 1.5 * shell.bending_hourglass) * 0.0625 * yield) * t2 * side;
+      const R twist_most = (std::min(1.0, 0.5 * shell.shear_factor * shell.warping_hourglass) * 0.288675134594812882 * yield) * t2;
+      now = {held_within(now.x, in_plane_most), held_within(now.y, in_plane_most), held_within(now.z, twist_most),
+             held_within(now.rx, bending_most), held_within(now.ry, bending_most)};
+    }
   } else {
     const R density = shell.density * load_field<R>(state, L::density_scale);
     const R viscosity = 0.25 * t * sqrt(density * e.plane * g.area);  // rho c t sqrt(A) / 4
@@ -257,7 +275,7 @@ NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const Prepared<Law>&
     rates.q = {select(alive, rates.q.x, R(0.0)), select(alive, rates.q.y, R(0.0)), select(alive, rates.q.z, R(0.0)),
                select(alive, rates.q.rx, R(0.0)), select(alive, rates.q.ry, R(0.0))};
   }
-  const Hourglass<R> q = resist_hourglass(shell, e, mid, rates.q, dt, state);
+  const Hourglass<R> q = resist_hourglass(shell, e, mid, rates.q, dt, law.first_yield(), state);
   ShellResultants<R> n = advance_layers(shell, law, rates.d, dt, state, alive);
   if (shell.bulk_quadratic != 0.0 || shell.bulk_linear != 0.0) {
     const R viscous = viscous_membrane(shell, law, rates.d.xx + rates.d.yy, end.area, state);

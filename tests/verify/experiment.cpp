@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+
+#include "deck/deck.hpp"
+#include "model/builder.hpp"
+
+namespace nugget::verify {
+namespace {
+
+class EveryCycle : public impact::Recorder {
+ public:
+  explicit EveryCycle(const Watch& watch) : watch_(watch) {}
+  bool due(const system::State&) override { return true; }
+  void write(const impact::Snapshot& now, bool) override { watch_(now); }
+
+ private:
+  const Watch& watch_;
+};
+
+}  // namespace
+
+Experiment::Experiment(const std::string& text) {
+  const auto stop_on_errors = [&] {
+    if (findings_.errors() == 0) return;
+    std::string all = "the deck is refused:";
+    for (const Finding& f : findings_.all()) all += '\n' + to_string(f);
+    throw std::runtime_error(all);
+  };
+  const deck::Deck deck = deck::read_text(text, findings_);
+  model_ = std::make_unique<model::Model>(model::build(deck, findings_));
+  stop_on_errors();
+  ties_ = std::make_unique<weld::Ties>(weld::tie(*model_, findings_));
+  stop_on_errors();
+  system_ = std::make_unique<system::System>(*model_, *ties_, findings_);
+  stop_on_errors();
+  simulation_ = std::make_unique<impact::Simulation>(*system_, findings_);
+  stop_on_errors();
+}
+
+impact::Outcome Experiment::run(const Watch& watch, double until) {
+  EveryCycle recorder(watch);
+  return simulation_->run({until, 0}, recorder, {});
+}
+
+std::size_t Experiment::node(int id) const {
+  const model::Index n = model_->node_index(id);
+  if (n == model::none) throw std::runtime_error(fmt::format("no node {}", id));
+  return static_cast<std::size_t>(system_->node_of[static_cast<std::size_t>(n)]);
+}
+
+Vec3d Experiment::displacement(const impact::Snapshot& now, int id) const {
+  return position(now, id) - ties_->x[static_cast<std::size_t>(model_->node_index(id))];
+}
+
+const weld::History& Experiment::history(const impact::Snapshot& now, int id) const {
+  for (std::size_t i = 0; i < ties_->welds.size(); ++i)
+    if (ties_->welds[i].id == id && now.welds[i]) return *now.welds[i];
+  throw std::runtime_error(fmt::format("no weld {}", id));
+}
+
+const weld::Resultants& Experiment::weld(const impact::Snapshot& now, int id) const { return history(now, id).resultants(); }
+
+void expect_reference(const std::string& test_case, const std::string& what, double value, double reference, double gate,
+                      double scale) {
+  const double base = scale != 0.0 ? std::abs(scale) : std::abs(reference);
+  const double error = std::abs(value - reference) / base;
+  EXPECT_LE(error, gate) << test_case << ", " << what << ": " << value << ", expected " << reference;
+  EXPECT_TRUE(std::isfinite(value)) << test_case << ", " << what;
+  // The book's table is made of these rows; see tools/verification_table.py.
+  if (const char* path = std::getenv("NUGGET_VERIFICATION_ROWS"))
+    std::ofstream(path, std::ios::app) << fmt::format("{}\t{}\t{:.6g}\t{:.6g}\t{:.3g}\t{:.3g}\n", test_case, what, reference, value,
+                                                      error, gate);
+}
+
+std::string fields(std::initializer_list<double> values) {
+  std::string line;
+  for (double v : values) {
+    std::string cell;
+    for (int digits = 10; digits > 0; --digits) {
+      cell = fmt::format("{:.{}g}", v, digits);
+      if (cell.size() <= 10) break;
+    }
+    line += fmt::format("{:>10}", cell);
+  }
+  return line + '\n';
+}
+
+std::string node_line(int id, double x, double y, double z) { return fmt::format("{:8d}{:16.9g}{:16.9g}{:16.9g}\n", id, x, y, z); }
+
+std::string element_line(int id, int part, std::initializer_list<int> nodes) {
+  std::string line = fmt::format("{:8d}{:8d}", id, part);
+  for (int n : nodes) line += fmt::format("{:8d}", n);
+  return line + '\n';
+}
+
+std::string curve(int id, std::initializer_list<std::pair<double, double>> points) {
+  std::string text = "*DEFINE_CURVE\n" + fields({static_cast<double>(id), 0, 1, 1, 0, 0, 0});
+  for (const auto& [x, y] : points) text += fmt::format("{:20.12g}{:20.12g}\n", x, y);
+  return text;
+}
+
+}  // namespace nugget::verify
