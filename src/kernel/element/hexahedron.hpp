@@ -52,7 +52,7 @@ struct SolidMotion {
 template <class R>
 struct SolidForces {
   Vec3<R> f[8];
-  R stable_step, volume;
+  R stable_step{}, volume{};
 };
 
 /// One cycle of the one-point brick (ELFORM 1) with the exact uniform gradient of Flanagan and Belytschko (1981).

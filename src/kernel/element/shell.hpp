@@ -73,7 +73,7 @@ struct NodalMotion {
 template <class R, int N>
 struct NodalForces {
   Vec3<R> f[N], m[N];
-  R stable_step;
+  R stable_step{};
 };
 
 /// Nodal mass and isotropic rotational inertia.

@@ -422,8 +422,8 @@ std::vector<double> stiffness_by_dual(const ShellProperties& shell, const Motion
   const auto force = shell_cycle<Dual<24>>(shell, law, nodes, 1.0, state.data());
   std::vector<double> K;
   for (int i = 0; i < 4; ++i)
-    for (const Dual<24>& f : {force.f[i].x, force.f[i].y, force.f[i].z, force.m[i].x, force.m[i].y, force.m[i].z})
-      K.insert(K.end(), f.d.begin(), f.d.end());
+    for (const auto* row : {&force.f[i], &force.m[i]})
+      for (const Dual<24>* f : {&row->x, &row->y, &row->z}) K.insert(K.end(), f->d.begin(), f->d.end());
   return K;
 }
 
@@ -436,18 +436,16 @@ TEST(Shell, DualGivesTheStiffness) {
   for (double k : K) largest = std::max(largest, std::abs(k));
   for (std::size_t j = 0; j < 24; ++j) {
     const double h = 1e-6;
+    double Vec3d::*const axis[3] = {&Vec3d::x, &Vec3d::y, &Vec3d::z};
     NodalForces<double, 4> side[2];
     for (int sign : {0, 1}) {
       Driven<Elastic> d(shell, steel, m);
-      double* v = j % 6 < 3 ? &d.nodes.v[j / 6].x : &d.nodes.w[j / 6].x;
-      v[j % 3] = sign ? h : -h;
+      (j % 6 < 3 ? d.nodes.v : d.nodes.w)[j / 6].*axis[j % 3] = sign ? h : -h;
       d.force = shell_cycle<double>(d.shell, d.law, d.nodes, 1.0, d.state.data());
       side[sign] = d.force;
     }
     for (std::size_t i = 0; i < 24; ++i) {
-      const auto pick = [&](const NodalForces<double, 4>& f) {
-        return (i % 6 < 3 ? &f.f[i / 6].x : &f.m[i / 6].x)[i % 3];
-      };
+      const auto pick = [&](const NodalForces<double, 4>& f) { return (i % 6 < 3 ? f.f : f.m)[i / 6].*axis[i % 3]; };
       EXPECT_NEAR(K[i * 24 + j], (pick(side[1]) - pick(side[0])) / (2 * h), 1e-6 * largest);
       EXPECT_NEAR(K[i * 24 + j], K[j * 24 + i], 1e-9 * largest);
     }
