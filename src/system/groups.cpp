@@ -163,7 +163,8 @@ void System::make_groups(Findings& findings) {
     const model::Material& material = model.materials[at(part.material)];
     const Members m = members(solids[p], solid_nodes);
     const model::Hourglass& hourglass = hourglass_of(part);
-    const kernel::HexahedronProperties brick{material.density, hourglass.type == 0 ? 1 : hourglass.type, hourglass.membrane,
+    // Without a card: viscous on the patterns orthogonal to linear fields; it is what fits LS-DYNA's single_hex run best.
+    const kernel::HexahedronProperties brick{material.density, hourglass.type == 0 ? 2 : hourglass.type, hourglass.membrane,
                                              hourglass.bulk_quadratic, hourglass.bulk_linear};
     const auto with = [&]<class Law>(const Law& law) {
       groups.push_back(group_of(BrickElement<Law>{brick, kernel::Prepared<Law>(law)}, model::ElementKind::solid,
