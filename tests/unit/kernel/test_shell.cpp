@@ -440,7 +440,8 @@ TEST(Shell, DualGivesTheStiffness) {
     NodalForces<double, 4> side[2];
     for (int sign : {0, 1}) {
       Driven<Elastic> d(shell, steel, m);
-      (j % 6 < 3 ? d.nodes.v : d.nodes.w)[j / 6].*axis[j % 3] = sign ? h : -h;
+      Vec3d& row = j % 6 < 3 ? d.nodes.v[j / 6] : d.nodes.w[j / 6];
+      row.*axis[j % 3] = sign ? h : -h;
       d.force = shell_cycle<double>(d.shell, d.law, d.nodes, 1.0, d.state.data());
       side[sign] = d.force;
     }
