@@ -79,7 +79,7 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepare
 /// Volume; negative for inverted node order [length^3].
 double hexahedron_volume(const std::array<Vec3d, 8>& x);
 
-/// Stable time step without compression, before TSSFAC [time].
+/// Stable time step without bulk viscosity, before TSSFAC [time].
 double hexahedron_stable_step(const std::array<Vec3d, 8>& x, double E, double nu, double density);
 
 /// Mass of each node, rho V / 8 [mass].

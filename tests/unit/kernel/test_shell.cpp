@@ -446,7 +446,10 @@ TEST(Shell, DualGivesTheStiffness) {
       side[sign] = d.force;
     }
     for (std::size_t i = 0; i < 24; ++i) {
-      const auto pick = [&](const NodalForces<double, 4>& f) { return (i % 6 < 3 ? f.f : f.m)[i / 6].*axis[i % 3]; };
+      const auto pick = [&](const NodalForces<double, 4>& f) {
+        const Vec3d& part = i % 6 < 3 ? f.f[i / 6] : f.m[i / 6];
+        return part.*axis[i % 3];
+      };
       EXPECT_NEAR(K[i * 24 + j], (pick(side[1]) - pick(side[0])) / (2 * h), 1e-6 * largest);
       EXPECT_NEAR(K[i * 24 + j], K[j * 24 + i], 1e-9 * largest);
     }
