@@ -60,14 +60,14 @@ struct SolidForces {
 /// Gradients of velocity are taken on the mid-step geometry; the stress (and the law's tensor history) is turned by the
 /// Hughes-Winget rotation of the spin there, exact for a rigid rotation by any angle; nodal forces use the geometry at
 /// the end. Bulk viscosity (von Neumann, Richtmyer) acts under compression and enters the stable step L / (Q + sqrt(Q^2
-/// + c^2)), L = V / largest face. Hourglass control: 1 viscous on the plain patterns (not free of rigid rotation), 2
-/// and 3 viscous on the patterns orthogonal to linear fields, 4 and 5 stiffness on them, turned with the material; 6
-/// the physical stabilisation of Belytschko and Bindeman in the frame of the element's axes (QM 1 is the elastic
-/// value). 2 and 4 use the exact gradient as 3 and 5 do. Wedges and tetrahedra written with repeated nodes are computed
-/// as they come; their step is on the safe side. A brick whose point has failed, or whose stable step falls below the
-/// law's deletion step, is deleted: alive 0, no force, infinite stable step. Internal energy is the work of the nodal
-/// forces, less the hourglass energy. Sources: Flanagan, Belytschko, IJNME 17 (1981); Hughes, Winget, IJNME 15 (1980);
-/// Belytschko, Bindeman, CMAME 105 (1993);
+/// + c^2)), L = V / largest face; its linear part Q2 c counts at rest and in expansion too. Hourglass control: 1
+/// viscous on the plain patterns (not free of rigid rotation), 2 and 3 viscous on the patterns orthogonal to linear
+/// fields, 4 and 5 stiffness on them, turned with the material; 6 the physical stabilisation of Belytschko and Bindeman
+/// in the frame of the element's axes (QM 1 is the elastic value). 2 and 4 use the exact gradient as 3 and 5 do. Wedges
+/// and tetrahedra written with repeated nodes are computed as they come; their step is on the safe side. A brick whose
+/// point has failed, or whose stable step falls below the law's deletion step, is deleted: alive 0, no force, infinite
+/// stable step. Internal energy is the work of the nodal forces, less the hourglass energy. Sources: Flanagan,
+/// Belytschko, IJNME 17 (1981); Hughes, Winget, IJNME 15 (1980); Belytschko, Bindeman, CMAME 105 (1993);
 /// ../shared/reference/element-theory.md section 5.
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld; Dual<24> with
