@@ -11,6 +11,7 @@
 #include <optional>
 #include <thread>
 
+#include "base/index.hpp"
 #include "app/progress.hpp"
 #include "app/run_log.hpp"
 #include "base/parallel.hpp"
@@ -28,8 +29,6 @@ namespace nugget::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class Clock {
  public:
@@ -68,8 +67,7 @@ class Log {
 
 void print_findings(const Findings& findings) {
   for (const Finding& f : findings.all()) fmt::print(stderr, "{}\n", to_string(f));
-  if (findings.errors() + findings.warnings() > 0)
-    fmt::print(stderr, "{} errors, {} warnings\n", findings.errors(), findings.warnings());
+  if (findings.errors() + findings.warnings() > 0) fmt::print(stderr, "{}\n", totals(findings));
 }
 
 output::WeldReport weld_report(const model::Model& model, const weld::Weld& w) {
@@ -102,6 +100,7 @@ Prepared prepare(const RunArguments& arguments, Findings& findings) {
   Prepared p;
   Clock clock;
   const deck::Deck deck = deck::read(arguments.deck, findings);
+  if (findings.errors() > 0 && deck.blocks.empty()) return p;  // nothing was read; no more is to be said about it
   p.model = model::build(deck, findings, arguments.skip_unsupported);
   p.read_seconds = clock.seconds();
   if (findings.errors() > 0) return p;
@@ -138,8 +137,13 @@ ExitCode refuse(const fs::path& directory, Log& log, const Findings& findings) {
 }
 
 output::Summary::Counts counts(const model::Model& model, const weld::Ties& ties) {
-  return {static_cast<long>(model.nodes.size()), static_cast<long>(model.shells.size()), static_cast<long>(model.solids.size()),
-          static_cast<long>(model.beams.size()), 0, static_cast<long>(model.parts.size()), static_cast<long>(ties.welds.size())};
+  return {static_cast<long>(model.nodes.size()),
+          static_cast<long>(model.shells.size()),
+          static_cast<long>(model.solids.size()),
+          static_cast<long>(model.beams.size()),
+          0,
+          static_cast<long>(model.parts.size()),
+          static_cast<long>(ties.welds.size())};
 }
 
 /// Adds to the welds' reports what happened to them.
@@ -193,7 +197,9 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   return s;
 }
 
-std::string today() { return fmt::format("{:%m/%d/%Y}", fmt::localtime(std::time(nullptr))); }
+std::string today() {
+  return fmt::format("{:%m/%d/%Y}", fmt::localtime(std::time(nullptr)));
+}
 
 ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
   output::remove_old_results(directory);
@@ -232,8 +238,8 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
   log.add(log_termination(outcome));
   if (!outcome.message.empty()) fmt::print(stderr, "{}\n", outcome.message);
   if (!arguments.quiet)
-    fmt::print(stderr, "{} cycles in {:.2f} s, energy ratio {:.5f}; results in {}\n", summary.cycles, summary.seconds.solve,
-               summary.energy.ratio, directory.string());
+    fmt::print(stderr, "{} cycles in {:.2f} s, energy ratio {:.5f}; results in {}\n", summary.cycles,
+               summary.seconds.solve, summary.energy.ratio, directory.string());
   fmt::print("{}", log_termination({outcome.termination, {}}));
   switch (outcome.termination) {
     case impact::Termination::normal: return ExitCode::normal;
@@ -259,8 +265,8 @@ ExitCode guarded(const std::string& directory, Work work) {
 
 void print_welds(const std::vector<output::WeldReport>& welds) {
   if (welds.empty()) return;
-  fmt::print("{:>10} {:>9} {:>8} {:>9} {:>9} {:>5}  {:<9} {}\n", "weld", "kind", "part", "diameter", "length", "tied", "sheets",
-             "remarks");
+  fmt::print("{:>10} {:>9} {:>8} {:>9} {:>9} {:>5}  {:<9} {}\n", "weld", "kind", "part", "diameter", "length", "tied",
+             "sheets", "remarks");
   for (const output::WeldReport& w : welds) {
     std::string sheets, remarks;
     for (int s : w.sheets) sheets += (sheets.empty() ? "" : "+") + std::to_string(s);

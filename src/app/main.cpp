@@ -12,7 +12,8 @@ namespace {
 
 using nugget::app::ExitCode;
 
-/// LS-DYNA's spelling: `i=MODEL.k ncpu=2 jobid=...` becomes `MODEL.k -j 2`. What has no meaning here (memory=) is left out.
+/// LS-DYNA's spelling: `i=MODEL.k ncpu=2 jobid=...` becomes `MODEL.k -j 2`. What has no meaning here (memory=) is left
+/// out.
 std::vector<std::string> translated(int argc, char** argv) {
   std::vector<std::string> out;
   for (int a = 1; a < argc; ++a) {
@@ -48,10 +49,12 @@ int main(int argc, char** argv) {
   CLI::App* run_command = cli.add_subcommand("run", "read, check, tie and run a deck");
   run_command->add_option("model", run.deck, "the deck; also i=MODEL.k")->required();
   run_command->add_option("-o,--output", run.directory, "folder for the results (default: the current one)");
-  run_command->add_option("-j,--threads", run.threads, "threads (default: all cores); also ncpu=N")->check(CLI::PositiveNumber);
+  run_command->add_option("-j,--threads", run.threads, "threads (default: all cores); also ncpu=N")
+      ->check(CLI::PositiveNumber);
   run_command->add_option("--until", run.until, "end time instead of the deck's")->check(CLI::PositiveNumber);
   run_command->add_option("--max-cycles", run.max_cycles, "stop after so many cycles")->check(CLI::PositiveNumber);
-  run_command->add_flag("--skip-unsupported", run.skip_unsupported, "leave out what is not supported, with a warning each");
+  run_command->add_flag("--skip-unsupported", run.skip_unsupported,
+                        "leave out what is not supported, with a warning each");
   run_command->add_flag("--quiet", run.quiet, "no progress on the terminal");
   run_command->add_option("--checkpoint", checkpoint, "restart files: not built yet");
   run_command->add_option("--resume", resume, "go on from a restart file: not built yet");

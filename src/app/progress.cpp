@@ -26,8 +26,8 @@ void ProgressDisplay::operator()(const impact::Progress& p) {
   const double done = p.end_time > 0.0 ? std::clamp(p.time / p.end_time, 0.0, 1.0) : 1.0;
   const std::string left = done > 0.0 ? clock_time(p.seconds * (1.0 - done) / done) : "?";
   const std::string welds = p.welds > 0 ? fmt::format("  welds failed {}/{}", p.welds_failed, p.welds) : "";
-  const std::string numbers = fmt::format("t {:.4e}  dt {:.3e}  cycle {}  energy {:.4f}{}  left {}", p.time, p.dt, p.cycle,
-                                          p.energy_ratio, welds, left);
+  const std::string numbers = fmt::format("t {:.4e}  dt {:.3e}  cycle {}  energy {:.4f}{}  left {}", p.time, p.dt,
+                                          p.cycle, p.energy_ratio, welds, left);
   if (terminal_) {
     constexpr int width = 20;
     const int full = static_cast<int>(done * width);

@@ -5,8 +5,8 @@
 
 namespace nugget::app {
 
-/// Shows how far a run is, on standard error: on a terminal one line that is drawn again and again, otherwise a line every few
-/// seconds.
+/// Shows how far a run is, on standard error: on a terminal one line that is drawn again and again, otherwise a line
+/// every few seconds.
 class ProgressDisplay {
  public:
   ProgressDisplay();

@@ -8,10 +8,10 @@
 #include <ctime>
 #include <map>
 
+#include "base/index.hpp"
+
 namespace nugget::app {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 const char* case_name(int kase) {
   switch (kase) {
@@ -34,7 +34,8 @@ std::string section_name(const model::Model& model, const model::Part& part) {
       const model::SectionShell& s = model.shell_sections[at(part.section)];
       return fmt::format("shell, ELFORM {}, {} layers, t = {:.4g}", s.elform, s.layers, s.thickness);
     }
-    case model::ElementKind::solid: return fmt::format("solid, ELFORM {}", model.solid_sections[at(part.section)].elform);
+    case model::ElementKind::solid:
+      return fmt::format("solid, ELFORM {}", model.solid_sections[at(part.section)].elform);
     case model::ElementKind::beam: {
       const model::SectionBeam& s = model.beam_sections[at(part.section)];
       return fmt::format("beam, ELFORM {}, d = {:.4g}", s.elform, 0.5 * (s.outer[0] + s.outer[1]));
@@ -52,18 +53,17 @@ std::string log_head(const std::string& version, const std::string& deck, const 
 }
 
 std::string log_findings(const Findings& findings) {
-  std::string s = fmt::format("Findings: {} errors, {} warnings, {} in all\n\n", findings.errors(), findings.warnings(),
-                              findings.all().size());
+  std::string s = fmt::format("Findings: {}, {} in all\n\n", totals(findings), findings.all().size());
   for (const Finding& f : findings.all()) s += ' ' + to_string(f) + '\n';
   return s + '\n';
 }
 
 std::string log_model(const model::Model& model) {
-  std::string s = fmt::format("Model: {}\n\n nodes {}, shells {}, solids {}, beams {}, parts {}, rigid bodies {}, SPCs {}, "
-                              "prescribed motions {}, contacts {}, rigid walls {}\n\n",
-                              model.title, model.nodes.size(), model.shells.size(), model.solids.size(), model.beams.size(),
-                              model.parts.size(), model.rigid_bodies.size(), model.spcs.size(), model.motions.size(),
-                              model.contacts.size(), model.walls.size());
+  std::string s = fmt::format(
+      "Model: {}\n\n nodes {}, shells {}, solids {}, beams {}, parts {}, rigid bodies {}, SPCs {}, "
+      "prescribed motions {}, contacts {}, rigid walls {}\n\n",
+      model.title, model.nodes.size(), model.shells.size(), model.solids.size(), model.beams.size(), model.parts.size(),
+      model.rigid_bodies.size(), model.spcs.size(), model.motions.size(), model.contacts.size(), model.walls.size());
   std::vector<std::size_t> count(model.parts.size(), 0);
   for (model::Index p : model.shells.part) ++count[at(p)];
   for (model::Index p : model.solids.part) ++count[at(p)];
@@ -73,7 +73,8 @@ std::string log_model(const model::Model& model) {
     const model::Part& part = model.parts[p];
     const std::string material =
         part.material == model::none ? "none" : '*' + model.materials[at(part.material)].keyword;
-    s += fmt::format(" {:>8}  {:>9}  {:<40}  {:<34}  {}\n", part.id, count[p], section_name(model, part), material, part.title);
+    s += fmt::format(" {:>8}  {:>9}  {:<40}  {:<34}  {}\n", part.id, count[p], section_name(model, part), material,
+                     part.title);
   }
   return s + '\n';
 }
@@ -88,11 +89,13 @@ std::string log_ties(const model::Model& model, const weld::Ties& ties) {
     for (const weld::Projection& p : w.ends) {
       ++by_case[p.kase];
       if (!p.tied)
-        open += fmt::format(" weld {} of part {}: node {} {}\n", w.id, w.part == model::none ? 0 : model.parts[at(w.part)].id,
-                            model.nodes.id[at(p.node)], p.reason);
+        open +=
+            fmt::format(" weld {} of part {}: node {} {}\n", w.id,
+                        w.part == model::none ? 0 : model.parts[at(w.part)].id, model.nodes.id[at(p.node)], p.reason);
     }
   }
-  std::string s = fmt::format("Welds: {}, tied at all their nodes: {}; tied nodes: {}\n\n", ties.welds.size(), tied, ties.ties.size());
+  std::string s = fmt::format("Welds: {}, tied at all their nodes: {}; tied nodes: {}\n\n", ties.welds.size(), tied,
+                              ties.ties.size());
   for (const auto& [kase, n] : by_case) s += fmt::format(" case {}  {:>8} nodes  {}\n", kase, n, case_name(kase));
   if (!open.empty()) s += "\nNot tied:\n" + open;
   if (model.control.list_ties) {
@@ -104,23 +107,27 @@ std::string log_ties(const model::Model& model, const weld::Ties& ties) {
 
 std::string log_mass(const system::System& system) {
   const system::System::Masses m = system.masses();
-  std::string s = fmt::format("Mass\n\n physical mass       {:.6e}\n added mass          {:.6e}  ({:.4f} %)\n added to welds      {:.6e}\n",
-                              m.physical, m.added, m.physical > 0.0 ? 100.0 * m.added / m.physical : 0.0, m.added_to_welds);
+  std::string s = fmt::format(
+      "Mass\n\n physical mass       {:.6e}\n added mass          {:.6e}  ({:.4f} %)\n added to welds      {:.6e}\n",
+      m.physical, m.added, m.physical > 0.0 ? 100.0 * m.added / m.physical : 0.0, m.added_to_welds);
   for (std::size_t p = 0; p < m.added_by_part.size(); ++p)
-    if (m.added_by_part[p] != 0.0) s += fmt::format("   part {:>8}  {:.6e}\n", system.model.parts[p].id, m.added_by_part[p]);
+    if (m.added_by_part[p] != 0.0)
+      s += fmt::format("   part {:>8}  {:.6e}\n", system.model.parts[p].id, m.added_by_part[p]);
   return s + '\n';
 }
 
 std::string log_run(const impact::Simulation& run, const output::Summary& summary) {
-  std::string s = fmt::format("Run\n\n first step     {:.6e}\n smallest step  {:.6e}, controlled by {}\n cycles         {}\n time           "
-                              "{:.6e}\n\n",
-                              summary.time_step.first, summary.time_step.smallest, summary.time_step.controlling, summary.cycles,
-                              summary.time);
+  std::string s = fmt::format(
+      "Run\n\n first step     {:.6e}\n smallest step  {:.6e}, controlled by {}\n cycles         {}\n time           "
+      "{:.6e}\n\n",
+      summary.time_step.first, summary.time_step.smallest, summary.time_step.controlling, summary.cycles, summary.time);
   const output::Summary::Energies& e = summary.energy;
-  s += fmt::format("Energy at the end\n\n kinetic {:.5e}  internal {:.5e}  hourglass {:.5e}  contact {:.5e}\n external {:.5e}  eroded "
-                   "{:.5e}  initial {:.5e}  ratio {:.5f}\n hourglass / internal {:.3f} %\n\n",
-                   e.kinetic, e.internal, e.hourglass, e.contact, e.external, e.eroded, e.initial, e.ratio,
-                   e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0);
+  s += fmt::format(
+      "Energy at the end\n\n kinetic {:.5e}  internal {:.5e}  hourglass {:.5e}  contact {:.5e}\n external {:.5e}  "
+      "eroded "
+      "{:.5e}  initial {:.5e}  ratio {:.5f}\n hourglass / internal {:.3f} %\n\n",
+      e.kinetic, e.internal, e.hourglass, e.contact, e.external, e.eroded, e.initial, e.ratio,
+      e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0);
   if (!run.events().empty()) {
     s += "Events\n\n";
     for (const std::string& event : run.events()) s += ' ' + event + '\n';
@@ -131,14 +138,14 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
   for (const auto& [name, seconds] : summary.seconds.phases)
     s += fmt::format("   {:<12} {:8.3f}  {:5.1f} %\n", name, seconds,
                      summary.seconds.solve > 0.0 ? 100.0 * seconds / summary.seconds.solve : 0.0);
-  return s + fmt::format(" {:.1f} ns per element and cycle on {} threads\n\n", summary.ns_per_element_cycle, summary.threads);
+  return s + fmt::format(" {:.1f} ns per element and cycle on {} threads\n\n", summary.ns_per_element_cycle,
+                         summary.threads);
 }
 
 std::string log_termination(const impact::Outcome& outcome) {
   const std::string reason = outcome.message.empty() ? "" : ' ' + outcome.message + "\n\n";
   switch (outcome.termination) {
-    case impact::Termination::normal:
-      return reason + " N o r m a l    t e r m i n a t i o n\n";
+    case impact::Termination::normal: return reason + " N o r m a l    t e r m i n a t i o n\n";
     case impact::Termination::error: return reason + " E r r o r   t e r m i n a t i o n\n";
     case impact::Termination::interrupted: return reason + " I n t e r r u p t e d\n";
   }

@@ -6,9 +6,9 @@
 
 #include "system/system.hpp"
 
-// What the deck imposes on nodes: held and driven degrees of freedom, and loads. The work of each is booked so that it fits the
-// discrete energy balance of the central-difference scheme (docs/decisions/0002): a force F at t(n) does
-// 1/2 F . (v(n-1/2) dt(n-1) + v(n+1/2) dt(n)).
+// What the deck imposes on nodes: held and driven degrees of freedom, and loads. The work of each is booked so that it
+// fits the discrete energy balance of the central-difference scheme (docs/decisions/0002): a force F at t(n) does 1/2 F
+// . (v(n-1/2) dt(n-1) + v(n+1/2) dt(n)).
 namespace nugget::impact {
 
 /// Nodes and bodies whose motion is prescribed, by *BOUNDARY_SPC (to zero) and *BOUNDARY_PRESCRIBED_MOTION.
@@ -27,11 +27,11 @@ class Supports {
 
   /// Reaction on one node (or body) at t(n).
   struct Reaction {
-    int node = 0;                      ///< system node
-    model::Index source = model::none; ///< SPC or motion in the model
+    int node = 0;                       ///< system node
+    model::Index source = model::none;  ///< SPC or motion in the model
     int set_id = 0;
-    Vec3d force, moment;               ///< on the structure
-    double energy = 0.0;               ///< work done so far
+    Vec3d force, moment;  ///< on the structure
+    double energy = 0.0;  ///< work done so far
   };
   const std::vector<Reaction>& spc_reactions() const { return spc_; }
   const std::vector<Reaction>& motion_reactions() const { return motion_; }
@@ -67,8 +67,8 @@ class Loads {
  public:
   explicit Loads(const system::System& system);
 
-  /// Adds the loads at state.time to state.f and state.m, and books their work over the step that ends there (velocities of
-  /// that step in `state`, length `dt`; 0 at the start).
+  /// Adds the loads at state.time to state.f and state.m, and books their work over the step that ends there
+  /// (velocities of that step in `state`, length `dt`; 0 at the start).
   void apply(system::State& state, double dt);
   double work() const { return work_; }
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "base/index.hpp"
+
 namespace nugget::impact {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Corners of the six faces of a brick, outward.
 constexpr int faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
@@ -43,7 +43,9 @@ contact::SingleSurfaceSetup contact_setup(const system::System& system, const mo
     return part.stiffness_scale * material.young() / (3.0 * (1.0 - 2.0 * std::min(material.poisson(), 0.49)));
   };
   const auto thickness = [&](const model::Part& part, double own) {
-    const double t = card.thickness_a > 0.0 ? card.thickness_a : part.contact_thickness > 0.0 ? part.contact_thickness : own;
+    const double t = card.thickness_a > 0.0         ? card.thickness_a
+                     : part.contact_thickness > 0.0 ? part.contact_thickness
+                                                    : own;
     return t * card.thickness_scale_a * part.contact_scale;
   };
   for (std::size_t e = 0; e < model.shells.size(); ++e) {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "impact/d3plot_states.hpp"
 
+#include "base/index.hpp"
 #include "base/parallel.hpp"
 
 namespace nugget::impact {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-output::StressRecord record(const system::ElementGroup::Layer& l) { return {l.stress, l.plastic_strain}; }
+output::StressRecord record(const system::ElementGroup::Layer& l) {
+  return {l.stress, l.plastic_strain};
+}
 
 /// The group that holds an element, or null where the element has no kernel.
 const system::ElementGroup* group_of(const Snapshot& now, const system::System::Seat& seat) {
@@ -118,7 +119,8 @@ output::D3plotState d3plot_state(const Snapshot& now) {
   Vec3d momentum{};
   double mass = 0.0;
   for (const PartEnergy& p : now.parts) {
-    s.parts.push_back({p.internal, p.kinetic, p.hourglass, p.mass, p.mass > 0.0 ? (1.0 / p.mass) * p.momentum : Vec3d{}});
+    s.parts.push_back(
+        {p.internal, p.kinetic, p.hourglass, p.mass, p.mass > 0.0 ? (1.0 / p.mass) * p.momentum : Vec3d{}});
     momentum += p.momentum;
     mass += p.mass;
   }

@@ -20,8 +20,8 @@ double kinetic_energy(const system::System& system, const system::State& state, 
   return sum;
 }
 
-void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before, Energy& energy,
-                      std::vector<PartEnergy>& parts) {
+void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
+                      Energy& energy, std::vector<PartEnergy>& parts) {
   energy.internal = energy.hourglass = energy.eroded = 0.0;
   parts.assign(system.model.parts.size(), {});
   const auto carry = [&](PartEnergy& part, int node, double m) {
@@ -51,7 +51,8 @@ void element_energies(const system::System& system, const system::State& state, 
   }
   for (const system::System::Lump& lump : system.lumps())
     for (int a = 0; a < lump.corners; ++a)
-      carry(parts[static_cast<std::size_t>(lump.part)], lump.node[static_cast<std::size_t>(a)], lump.mass / lump.corners);
+      carry(parts[static_cast<std::size_t>(lump.part)], lump.node[static_cast<std::size_t>(a)],
+            lump.mass / lump.corners);
 }
 
 }  // namespace nugget::impact

@@ -8,11 +8,12 @@
 
 namespace nugget::impact {
 
-/// The energy balance at one time. The total changes only by external work; `ratio` is total over (initial + external work).
+/// The energy balance at one time. The total changes only by external work; `ratio` is total over (initial + external
+/// work).
 struct Energy {
   double kinetic = 0.0, internal = 0.0, hourglass = 0.0;
-  double contact = 0.0;   ///< stored in and dissipated by penalty contact (LS-DYNA: sliding interface energy)
-  double wall = 0.0;      ///< taken out by rigid walls (stonewall energy)
+  double contact = 0.0;  ///< stored in and dissipated by penalty contact (LS-DYNA: sliding interface energy)
+  double wall = 0.0;     ///< taken out by rigid walls (stonewall energy)
   double damping = 0.0;
   double eroded = 0.0;    ///< internal and hourglass energy of deleted elements
   double external = 0.0;  ///< work of loads and supports
@@ -31,13 +32,13 @@ struct PartEnergy {
   Vec3d momentum;
 };
 
-/// Kinetic energy at t(n) as the discrete balance wants it, 1/2 m v(n-1/2) . v(n+1/2) (docs/decisions/0002): `before` are the
-/// velocities and spins at t(n-1/2), those in `state` stand at t(n+1/2).
+/// Kinetic energy at t(n) as the discrete balance wants it, 1/2 m v(n-1/2) . v(n+1/2) (docs/decisions/0002): `before`
+/// are the velocities and spins at t(n-1/2), those in `state` stand at t(n+1/2).
 double kinetic_energy(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before);
 
 /// Adds up the elements' energies: internal, hourglass, eroded of `energy`, and all of `parts` (size: number of parts).
-void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before, Energy& energy,
-                      std::vector<PartEnergy>& parts);
+void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
+                      Energy& energy, std::vector<PartEnergy>& parts);
 
 }  // namespace nugget::impact

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <map>
 
+#include "base/index.hpp"
+
 namespace nugget::impact {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 int node_id(const Snapshot& now, int system_node) {
   return now.system.model.nodes.id[at(now.system.model_node[at(system_node)])];
@@ -149,7 +149,8 @@ output::SpcforcState spcforc_state(const Snapshot& now) {
   s.time = now.state.time;
   for (const Supports::Reaction& r : now.supports.spc_reactions()) {
     const model::SinglePointConstraint& spc = model.spcs[at(r.source)];
-    const Frame3d axes = spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model.systems[at(spc.system)].axes;
+    const Frame3d axes =
+        spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model.systems[at(spc.system)].axes;
     if (spc.fixed & 7u) {
       s.forces.push_back({node_id(now, r.node), axes.local(r.force), spc.id});
       s.resultant += r.force;

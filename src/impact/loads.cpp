@@ -6,7 +6,9 @@
 namespace nugget::impact {
 namespace {
 
-const Curve& curve(const system::System& s, model::Index c) { return s.model.curves[static_cast<std::size_t>(c)]; }
+const Curve& curve(const system::System& s, model::Index c) {
+  return s.model.curves[static_cast<std::size_t>(c)];
+}
 
 /// Area vector of a segment, along its right-hand normal.
 Vec3d area(const std::array<Vec3d, 4>& x, bool triangle) {
@@ -21,7 +23,8 @@ Loads::Loads(const system::System& system) : system_(system) {
     Nodal n{&load, {}, {}};
     for (model::Index i : load.nodes) n.nodes.push_back(system.node_of[static_cast<std::size_t>(i)]);
     if (load.rigid_body != model::none)
-      n.nodes.push_back(system.bodies[static_cast<std::size_t>(system.body_of[static_cast<std::size_t>(load.rigid_body)])].node);
+      n.nodes.push_back(
+          system.bodies[static_cast<std::size_t>(system.body_of[static_cast<std::size_t>(load.rigid_body)])].node);
     nodal_.push_back(std::move(n));
   }
   for (const model::PressureLoad& load : model.pressure_loads)

@@ -14,7 +14,8 @@ void ResultFiles::add(const model::Request& request, const char* name, MakeState
   if (!request.asked()) return;
   std::shared_ptr<File> ascii;
   if (request.ascii()) {
-    if constexpr (std::is_constructible_v<File, std::filesystem::path, const output::Header&, std::span<const output::LegendEntry>>)
+    if constexpr (std::is_constructible_v<File, std::filesystem::path, const output::Header&,
+                                          std::span<const output::LegendEntry>>)
       ascii = std::make_shared<File>(directory_ / name, header_, legend);
     else
       ascii = std::make_shared<File>(directory_ / name, header_);
@@ -32,7 +33,8 @@ void ResultFiles::add(const model::Request& request, const char* name, MakeState
                        }});
 }
 
-ResultFiles::ResultFiles(const system::System& system, const std::filesystem::path& directory, const output::Header& header)
+ResultFiles::ResultFiles(const system::System& system, const std::filesystem::path& directory,
+                         const output::Header& header)
     : model_(system.model), directory_(directory), header_(header) {
   const model::Requests& ask = model_.requests;
   std::vector<output::LegendEntry> parts, nodes, walls, contacts;

@@ -14,8 +14,8 @@
 
 namespace nugget::impact {
 
-/// Writes the files that the deck's *DATABASE_ cards ask for, each at its own interval: ASCII histories, binout0000, d3plot.
-/// Throws output::WriteError when the disk is full or may not be written.
+/// Writes the files that the deck's *DATABASE_ cards ask for, each at its own interval: ASCII histories, binout0000,
+/// d3plot. Throws output::WriteError when the disk is full or may not be written.
 class ResultFiles : public Recorder {
  public:
   ResultFiles(const system::System& system, const std::filesystem::path& directory, const output::Header& header);
@@ -33,7 +33,8 @@ class ResultFiles : public Recorder {
   bool due(const Channel& channel, const system::State& state) const;
   /// A channel for an ASCII file, for binout, or for both, as the request says.
   template <class File, class MakeState>
-  void add(const model::Request& request, const char* name, MakeState make_state, std::vector<output::LegendEntry> legend = {});
+  void add(const model::Request& request, const char* name, MakeState make_state,
+           std::vector<output::LegendEntry> legend = {});
 
   const model::Model& model_;
   std::filesystem::path directory_;

@@ -8,13 +8,12 @@
 #include <csignal>
 #include <limits>
 
+#include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "impact/contact_setup.hpp"
 
 namespace nugget::impact {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 volatile std::sig_atomic_t interrupted = 0;
 
@@ -33,7 +32,9 @@ class Stopwatch {
 
 }  // namespace
 
-void Simulation::interrupt() { interrupted = 1; }
+void Simulation::interrupt() {
+  interrupted = 1;
+}
 
 Simulation::Simulation(system::System& system, Findings& findings)
     : system_(system), state_(system.initial_state()), supports_(system, findings), loads_(system) {
@@ -46,19 +47,22 @@ Simulation::Simulation(system::System& system, Findings& findings)
     if (card.tie()) continue;
     contact::SingleSurfaceSetup setup = contact_setup(system, card);
     if (setup.segments.empty()) {
-      findings.error(card.place, '*' + card.keyword, "the contact has no segments: none of its parts has shells or bricks",
-                     "check SURFA and SURFATYP");
+      findings.error(card.place, '*' + card.keyword,
+                     "the contact has no segments: none of its parts has shells or bricks", "check SURFA and SURFATYP");
       continue;
     }
     if (card.ignore == 0) {
       const auto found = contact::remove_penetrations(setup, state_.x);
       if (!found.empty())
-        findings.warning(card.place, '*' + card.keyword,
-                         fmt::format("{} nodes stood in the thickness of a sheet and were moved out (IGNORE = 0); the deepest by {:.4g}",
-                                     found.size(), std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
-                                                     return a.depth < b.depth;
-                                                   })->depth),
-                         "IGNORE = 1 keeps the coordinates and tracks the initial penetration");
+        findings.warning(
+            card.place, '*' + card.keyword,
+            fmt::format(
+                "{} nodes stood in the thickness of a sheet and were moved out (IGNORE = 0); the deepest by {:.4g}",
+                found.size(),
+                std::max_element(found.begin(), found.end(),
+                                 [](const auto& a, const auto& b) { return a.depth < b.depth; })
+                    ->depth),
+            "IGNORE = 1 keeps the coordinates and tracks the initial penetration");
     }
     contacts_.emplace_back(std::move(setup), state_.x);
   }
@@ -108,13 +112,13 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     if (known) account();
     if (record) {
       masses_ = system_.masses();
-      const Snapshot now{system_,      state_,      v_before_, w_before_, energy_, parts_,
-                         controlling_, masses_,     supports_, walls_,    contacts_, welds_,    history_rotation_};
+      const Snapshot now{system_, state_,    v_before_, w_before_, energy_, parts_,           controlling_,
+                         masses_, supports_, walls_,    contacts_, welds_,  history_rotation_};
       recorder.write(now, last);
     }
     if (progress && elapsed() >= next_report) {
-      progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()), welds_failed_,
-                elapsed()});
+      progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()),
+                welds_failed_, elapsed()});
       next_report = elapsed() + 0.2;
     }
     watch.charge(seconds_[output]);
@@ -137,8 +141,8 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   }
   solve_seconds_ = elapsed();
   if (progress)
-    progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()), welds_failed_,
-              elapsed()});
+    progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()),
+              welds_failed_, elapsed()});
   return outcome;
 }
 
@@ -149,7 +153,8 @@ void Simulation::start() {
   supports_.hold_at_start(state_);
   system_.map.follow(0.0, state_.v, state_.w);
 
-  // Stable steps of the undeformed mesh: one pass without a step, then mass scaling, then a second pass with the new masses.
+  // Stable steps of the undeformed mesh: one pass without a step, then mass scaling, then a second pass with the new
+  // masses.
   state_.dt = 0.0;
   std::vector<Row> v(state_.v.size()), w(state_.w.size());
   v.swap(state_.v);
@@ -208,17 +213,20 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
   for (const auto& group : system_.groups) {
     if (group->inverted < 0) continue;
     const model::Index e = group->element[at(group->inverted)];
-    return error(fmt::format("negative volume in solid {} of part {} at time {:.6g}, cycle {}", system_.model.solids.id[at(e)],
-                             system_.model.parts[at(group->part)].id, state_.time, state_.cycle));
+    return error(fmt::format("negative volume in solid {} of part {} at time {:.6g}, cycle {}",
+                             system_.model.solids.id[at(e)], system_.model.parts[at(group->part)].id, state_.time,
+                             state_.cycle));
   }
   if (std::isnan(state_.dt))
-    return error(fmt::format("the solution diverged: {} has no stable time step (not a number) at time {:.6g}, cycle {}",
-                             controlling_.describe(system_), state_.time, state_.cycle));
+    return error(
+        fmt::format("the solution diverged: {} has no stable time step (not a number) at time {:.6g}, cycle {}",
+                    controlling_.describe(system_), state_.time, state_.cycle));
   if (control.smallest_step > 0.0 && controlling_.step < control.smallest_step * first_step_ && state_.time < end_time)
-    return error(fmt::format("the time step {:.4g} of {} fell below DTMIN times the first step, {:.4g}", controlling_.step,
-                             controlling_.describe(system_), control.smallest_step * first_step_));
+    return error(fmt::format("the time step {:.4g} of {} fell below DTMIN times the first step, {:.4g}",
+                             controlling_.step, controlling_.describe(system_), control.smallest_step * first_step_));
   if (control.energy_limit > 0.0 && std::abs(energy_.ratio() - 1.0) > 0.01 * control.energy_limit && state_.cycle > 0)
-    return error(fmt::format("the energy ratio {:.4g} left the limit ENDENG = {:.4g} %", energy_.ratio(), control.energy_limit));
+    return error(
+        fmt::format("the energy ratio {:.4g} left the limit ENDENG = {:.4g} %", energy_.ratio(), control.energy_limit));
   if (masses_.physical > 0.0 && 100.0 * masses_.added / masses_.physical > control.added_mass_limit)
     return error(fmt::format("the added mass, {:.4g} % of the physical one, exceeds ENDMAS = {:.4g} %",
                              100.0 * masses_.added / masses_.physical, control.added_mass_limit));
@@ -226,8 +234,9 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
     for (std::size_t k = 0; k < system_.nodes; ++k) {
       const Row& v = state_.v[k];
       if (std::isfinite(v.x + v.y + v.z)) continue;
-      return error(fmt::format("the solution diverged: the velocity of node {} is not a number at time {:.6g}, cycle {}",
-                               system_.model.nodes.id[at(system_.model_node[k])], state_.time, state_.cycle));
+      return error(
+          fmt::format("the solution diverged: the velocity of node {} is not a number at time {:.6g}, cycle {}",
+                      system_.model.nodes.id[at(system_.model_node[k])], state_.time, state_.cycle));
     }
   }
   const long most = options.max_cycles > 0 ? options.max_cycles : control.end_cycle;
@@ -264,7 +273,8 @@ void Simulation::move() {
   });
   for (system::RigidBody& body : system_.bodies) body.turn(state_.dt, state_);
   for (std::size_t i = 0; i < history_rotation_.size(); ++i)
-    history_rotation_[i] += state_.dt * vec(state_.w[at(system_.node_of[at(system_.model.requests.history_nodes[i].index)])]);
+    history_rotation_[i] +=
+        state_.dt * vec(state_.w[at(system_.node_of[at(system_.model.requests.history_nodes[i].index)])]);
   state_.time += state_.dt;
   ++state_.cycle;
 }
@@ -285,8 +295,8 @@ void Simulation::check_welds() {
     const auto e = at(seat.element);
     const auto report = [&] {
       ++welds_failed_;
-      events_.push_back(fmt::format("spotweld beam failed  id={:8d} time={:12.5E} cycle={} by {}", welds[i].id, state_.time,
-                                    state_.cycle, weld::to_string(history->mode())));
+      events_.push_back(fmt::format("spotweld beam failed  id={:8d} time={:12.5E} cycle={} by {}", welds[i].id,
+                                    state_.time, state_.cycle, weld::to_string(history->mode())));
     };
     if (!group.alive(e)) {
       history->fail(state_.time, weld::FailureMode::plastic_strain);

@@ -31,7 +31,8 @@ class Simulation {
   const std::vector<std::string>& events() const { return events_; }  ///< for run.log: failed welds and the like
 
   enum Phase { elements, contact_search, constraints, motion, output, phases };
-  static constexpr std::array<std::string_view, phases> phase_names{"elements", "contact", "constraints", "motion", "output"};
+  static constexpr std::array<std::string_view, phases> phase_names{"elements", "contact", "constraints", "motion",
+                                                                    "output"};
   const std::array<double, phases>& seconds() const { return seconds_; }
   double solve_seconds() const { return solve_seconds_; }
 
@@ -57,9 +58,9 @@ class Simulation {
   Loads loads_;
   std::vector<contact::SingleSurface> contacts_;
   std::vector<contact::RigidWall> walls_;
-  std::vector<double> contact_mass_;           ///< by node, dependent nodes with what they had of their own
-  std::vector<unsigned char> dependent_;       ///< by node
-  std::vector<unsigned char> shell_alive_;     ///< by model shell
+  std::vector<double> contact_mass_;        ///< by node, dependent nodes with what they had of their own
+  std::vector<unsigned char> dependent_;    ///< by node
+  std::vector<unsigned char> shell_alive_;  ///< by model shell
   std::vector<double> inverse_mass_, inverse_inertia_;
   std::vector<Row> v_before_, w_before_;
   std::vector<Vec3d> momentum_before_;

@@ -19,7 +19,8 @@ namespace nugget::impact {
 /// What happened to each weld beam of Ties::welds, in that order; empty where a weld has no history (deleted, rigid).
 using WeldHistories = std::vector<std::unique_ptr<weld::History>>;
 
-/// Everything known at one time t(n), for those who write results. Velocities at t(n) are the means of `before` and state's.
+/// Everything known at one time t(n), for those who write results. Velocities at t(n) are the means of `before` and
+/// state's.
 struct Snapshot {
   const system::System& system;
   const system::State& state;
@@ -37,7 +38,9 @@ struct Snapshot {
   Vec3d velocity(std::size_t node) const { return 0.5 * (vec(v_before[node]) + vec(state.v[node])); }
   Vec3d spin(std::size_t node) const { return 0.5 * (vec(w_before[node]) + vec(state.w[node])); }
   Vec3d acceleration(std::size_t node) const { return (1.0 / kick()) * (vec(state.v[node]) - vec(v_before[node])); }
-  Vec3d rotary_acceleration(std::size_t node) const { return (1.0 / kick()) * (vec(state.w[node]) - vec(w_before[node])); }
+  Vec3d rotary_acceleration(std::size_t node) const {
+    return (1.0 / kick()) * (vec(state.w[node]) - vec(w_before[node]));
+  }
   /// Time between t(n-1/2) and t(n+1/2); half a step at the start.
   double kick() const { return 0.5 * (state.dt + state.dt_previous); }
 };

@@ -92,8 +92,7 @@ double Supports::target(const Driven& driven, const system::State& state, double
   const Curve& curve = system_.model.curves[static_cast<std::size_t>(motion.curve)];
   const double t = state.time - motion.birth;
   switch (motion.quantity) {
-    case model::PrescribedMotion::Quantity::velocity:
-      return motion.scale * curve.zero_outside(t + 0.5 * state.dt);
+    case model::PrescribedMotion::Quantity::velocity: return motion.scale * curve.zero_outside(t + 0.5 * state.dt);
     case model::PrescribedMotion::Quantity::acceleration:
       return old_velocity + motion.scale * curve.zero_outside(t) * kick;
     case model::PrescribedMotion::Quantity::displacement: {

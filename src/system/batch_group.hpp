@@ -20,14 +20,15 @@ struct Aligned {
   Aligned() = default;
   template <class U>
   Aligned(const Aligned<U>&) {}
-  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64})); }
-  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{64})); }
+  void deallocate(T* p, std::size_t) { ::operator delete (p, std::align_val_t{64}); }
   friend bool operator==(const Aligned&, const Aligned&) { return true; }
 };
 using AlignedReals = std::vector<double, Aligned<double>>;
 
-/// Walks the blocks of one kind of element: gathers nodal rows into lanes, calls the kernel, books the work of the nodal forces as
-/// internal energy, and writes the forces into slots. What is particular to a kind of element comes from `Element`:
+/// Walks the blocks of one kind of element: gathers nodal rows into lanes, calls the kernel, books the work of the
+/// nodal forces as internal energy, and writes the forces into slots. What is particular to a kind of element comes
+/// from `Element`:
 ///   corners, rotational               number of nodes; whether nodes carry spins and moments
 ///   Layout: alive, density_scale, hourglass_energy   fields of the state
 ///   state_size()                      numbers of state an element
@@ -159,7 +160,8 @@ class BatchGroup final : public ElementGroup {
   }
   std::array<Vec3d, corners> places(std::size_t e, const State& now) const {
     std::array<Vec3d, corners> x;
-    for (int a = 0; a < corners; ++a) x[static_cast<std::size_t>(a)] = vec(now.x[static_cast<std::size_t>(nodes_[node_index(e, a)])]);
+    for (int a = 0; a < corners; ++a)
+      x[static_cast<std::size_t>(a)] = vec(now.x[static_cast<std::size_t>(nodes_[node_index(e, a)])]);
     return x;
   }
   /// Remembers the first living element whose volume is no longer positive.

@@ -25,7 +25,8 @@ void ConstraintMap::add(int dependent, bool rotations, std::span<const Term> ter
 
 std::vector<int> ConstraintMap::close(int nodes) {
   row_of_.assign(static_cast<std::size_t>(nodes), -1);
-  for (std::size_t r = 0; r < rows_.size(); ++r) row_of_[static_cast<std::size_t>(rows_[r].dependent)] = static_cast<int>(r);
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    row_of_[static_cast<std::size_t>(rows_[r].dependent)] = static_cast<int>(r);
 
   std::vector<int> circular;
   std::vector<Term> closed;

@@ -12,8 +12,8 @@
 
 namespace nugget::system {
 
-/// Elements of one kind, formulation, law and part, in blocks of `width` lanes. A cycle reads nodal rows and writes the elements'
-/// nodal forces into slots of their own; the nodes gather the slots afterwards, always in the same order.
+/// Elements of one kind, formulation, law and part, in blocks of `width` lanes. A cycle reads nodal rows and writes the
+/// elements' nodal forces into slots of their own; the nodes gather the slots afterwards, always in the same order.
 class ElementGroup {
  public:
   virtual ~ElementGroup() = default;
@@ -25,19 +25,20 @@ class ElementGroup {
   model::Index part = model::none;
   std::vector<model::Index> element;  ///< model index of each element of the group, in the group's order
   int nodes_per_element = 0;
-  bool rotational = false;            ///< a slot is a force row and a moment row; else a force row only
-  std::size_t first_slot = 0;         ///< row index of this group's first slot; see slot_row
+  bool rotational = false;     ///< a slot is a force row and a moment row; else a force row only
+  std::size_t first_slot = 0;  ///< row index of this group's first slot; see slot_row
 
   std::size_t size() const { return element.size(); }
   virtual std::size_t blocks() const = 0;
 
-  /// Advances elements of blocks [begin, end) over dt with the velocities of `state` at mid-step and its positions at the end
-  /// of the step; fills slots; adds the work done to the elements' internal energy.
+  /// Advances elements of blocks [begin, end) over dt with the velocities of `state` at mid-step and its positions at
+  /// the end of the step; fills slots; adds the work done to the elements' internal energy.
   virtual void cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots) = 0;
 
   /// Row of the force slot of node `a` of element `e` (its moment stands in the next row).
   std::size_t slot_row(std::size_t e, int a) const {
-    return first_slot + (e * static_cast<std::size_t>(nodes_per_element) + static_cast<std::size_t>(a)) * (rotational ? 2 : 1);
+    return first_slot +
+           (e * static_cast<std::size_t>(nodes_per_element) + static_cast<std::size_t>(a)) * (rotational ? 2 : 1);
   }
   /// Rows that the group needs, padding lanes included.
   virtual std::size_t slot_rows() const = 0;
@@ -46,13 +47,13 @@ class ElementGroup {
   virtual std::array<int, 8> nodes(std::size_t e) const = 0;  ///< system nodes
   virtual bool alive(std::size_t e) const = 0;
   virtual void remove(std::size_t e) = 0;
-  virtual double stable_step(std::size_t e) const = 0;         ///< before TSSFAC, mass scaling included; of the last cycle
-  virtual double internal_energy(std::size_t e) const = 0;     ///< hourglass work not included
+  virtual double stable_step(std::size_t e) const = 0;      ///< before TSSFAC, mass scaling included; of the last cycle
+  virtual double internal_energy(std::size_t e) const = 0;  ///< hourglass work not included
   virtual double hourglass_energy(std::size_t e) const = 0;
-  virtual double mass(std::size_t e) const = 0;                ///< physical, of the whole element
-  virtual double nodal_inertia(std::size_t e) const = 0;       ///< physical rotary inertia at each of its nodes
-  virtual double mass_scale(std::size_t e) const = 0;          ///< factor on the density by mass scaling
-  virtual void scale_mass(std::size_t e, double factor) = 0;   ///< sets that factor
+  virtual double mass(std::size_t e) const = 0;               ///< physical, of the whole element
+  virtual double nodal_inertia(std::size_t e) const = 0;      ///< physical rotary inertia at each of its nodes
+  virtual double mass_scale(std::size_t e) const = 0;         ///< factor on the density by mass scaling
+  virtual void scale_mass(std::size_t e, double factor) = 0;  ///< sets that factor
 
   /// Stresses and strains for output, global axes where not said otherwise.
   struct Layer {
@@ -71,9 +72,11 @@ class ElementGroup {
   /// An element whose volume has become negative, or -1: the run must stop.
   std::atomic<int> inverted{-1};
 
-  /// Smallest stable step of each block's living elements in the last cycle, mass scaling included (infinite where none lives).
+  /// Smallest stable step of each block's living elements in the last cycle, mass scaling included (infinite where none
+  /// lives).
   std::vector<double> block_step;
-  /// Share of the stable step that may be taken: TSSFAC, or 1 for welds whose mass was scaled to a step that contains it.
+  /// Share of the stable step that may be taken: TSSFAC, or 1 for welds whose mass was scaled to a step that contains
+  /// it.
   double step_share = 0.9;
   /// Step below which the density of these elements is raised; 0: never. Set by System.
   double mass_step = 0.0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/index.hpp"
 #include "system/batch_group.hpp"
 #include "system/brick_element.hpp"
 #include "system/order.hpp"
@@ -14,11 +15,11 @@
 namespace nugget::system {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 template <class Element>
-std::unique_ptr<ElementGroup> group_of(Element kernel, model::ElementKind kind, model::Index part, std::vector<model::Index> elements,
-                                       const std::vector<std::array<int, 8>>& connectivity, const std::vector<Vec3d>& x) {
+std::unique_ptr<ElementGroup> group_of(Element kernel, model::ElementKind kind, model::Index part,
+                                       std::vector<model::Index> elements,
+                                       const std::vector<std::array<int, 8>>& connectivity,
+                                       const std::vector<Vec3d>& x) {
   return std::make_unique<BatchGroup<Element>>(kernel, kind, part, std::move(elements), connectivity, x);
 }
 
@@ -29,8 +30,9 @@ struct Members {
 };
 
 kernel::ThicknessUpdate thickness_update(int istupd) {
-  return istupd == 0 ? kernel::ThicknessUpdate::none
-                     : istupd == 4 ? kernel::ThicknessUpdate::plastic : kernel::ThicknessUpdate::all;
+  return istupd == 0   ? kernel::ThicknessUpdate::none
+         : istupd == 4 ? kernel::ThicknessUpdate::plastic
+                       : kernel::ThicknessUpdate::all;
 }
 
 kernel::LayerRule layers(const model::SectionShell& section, const model::Control& control) {
@@ -39,7 +41,8 @@ kernel::LayerRule layers(const model::SectionShell& section, const model::Contro
     rule.count = section.layers;
     for (int k = 0; k < section.layers; ++k) {
       rule.zeta[at(k)] = section.layers == 1 ? 0.0 : -1.0 + 2.0 * k / (section.layers - 1);
-      rule.weight[at(k)] = section.layers == 1 ? 1.0 : (k == 0 || k == section.layers - 1 ? 0.5 : 1.0) / (section.layers - 1);
+      rule.weight[at(k)] =
+          section.layers == 1 ? 1.0 : (k == 0 || k == section.layers - 1 ? 0.5 : 1.0) / (section.layers - 1);
     }
     return rule;
   }
@@ -51,7 +54,9 @@ kernel::LayerRule layers(const model::SectionShell& section, const model::Contro
 std::array<double, 6> global_stress(const Frame3d& f, double xx, double yy, double xy, double xz, double yz) {
   // sigma = sum_ij s_ij e_i e_j, with s_zz = 0.
   const Vec3d a = xx * f.e1 + xy * f.e2 + xz * f.e3, b = xy * f.e1 + yy * f.e2 + yz * f.e3, c = xz * f.e1 + yz * f.e2;
-  const auto component = [&](double Vec3d::*i, double Vec3d::*j) { return a.*i * f.e1.*j + b.*i * f.e2.*j + c.*i * f.e3.*j; };
+  const auto component = [&](double Vec3d::*i, double Vec3d::*j) {
+    return a.*i * f.e1.*j + b.*i * f.e2.*j + c.*i * f.e3.*j;
+  };
   return {component(&Vec3d::x, &Vec3d::x), component(&Vec3d::y, &Vec3d::y), component(&Vec3d::z, &Vec3d::z),
           component(&Vec3d::x, &Vec3d::y), component(&Vec3d::y, &Vec3d::z), component(&Vec3d::z, &Vec3d::x)};
 }
@@ -89,7 +94,8 @@ void System::make_groups(Findings& findings) {
   };
   const auto seat = [&](std::vector<Seat>& seats) {
     const ElementGroup& g = *groups.back();
-    for (std::size_t e = 0; e < g.size(); ++e) seats[at(g.element[e])] = {static_cast<int>(groups.size()) - 1, static_cast<int>(e)};
+    for (std::size_t e = 0; e < g.size(); ++e)
+      seats[at(g.element[e])] = {static_cast<int>(groups.size()) - 1, static_cast<int>(e)};
   };
   const auto hourglass_of = [&](const model::Part& part) -> const model::Hourglass& {
     return part.hourglass == model::none ? control.hourglass : model.hourglass[at(part.hourglass)];
@@ -97,7 +103,8 @@ void System::make_groups(Findings& findings) {
 
   // Shells.
   const auto shell_nodes = [&](std::size_t e) -> const std::array<model::Index, 4>& { return model.shells.node[e]; };
-  const auto shells = sorted(model.shells.size(), [&](std::size_t e) { return model.shells.part[e]; }, shell_nodes);
+  const auto shells = sorted(
+      model.shells.size(), [&](std::size_t e) { return model.shells.part[e]; }, shell_nodes);
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     if (shells[p].empty()) continue;
     const model::Part& part = model.parts[p];
@@ -131,13 +138,17 @@ void System::make_groups(Findings& findings) {
       if (elements.empty()) return;
       const Members m = members(elements, shell_nodes);
       const auto with = [&]<class Law>(const Law& law) {
-        groups.push_back(group_of(ShellElement<Law, Corners>{shell, kernel::Prepared<Law>(law), model.shells, section.extra_mass},
-                                  model::ElementKind::shell, static_cast<model::Index>(p), m.element, m.node, x));
+        groups.push_back(
+            group_of(ShellElement<Law, Corners>{shell, kernel::Prepared<Law>(law), model.shells, section.extra_mass},
+                     model::ElementKind::shell, static_cast<model::Index>(p), m.element, m.node, x));
         seat(shell_seat);
       };
-      if (const auto* elastic = std::get_if<kernel::Elastic>(&material.law)) with(*elastic);
-      else if (const auto* kinematic = std::get_if<kernel::PlasticKinematic>(&material.law)) with(*kinematic);
-      else if (const auto* piecewise = std::get_if<kernel::PiecewiseLinear>(&material.law)) with(*piecewise);
+      if (const auto* elastic = std::get_if<kernel::Elastic>(&material.law))
+        with(*elastic);
+      else if (const auto* kinematic = std::get_if<kernel::PlasticKinematic>(&material.law))
+        with(*kinematic);
+      else if (const auto* piecewise = std::get_if<kernel::PiecewiseLinear>(&material.law))
+        with(*piecewise);
       else
         for (std::size_t i = 0; i < elements.size(); ++i) {
           std::array<Vec3d, 4> place;
@@ -156,29 +167,35 @@ void System::make_groups(Findings& findings) {
 
   // Bricks.
   const auto solid_nodes = [&](std::size_t e) -> const std::array<model::Index, 8>& { return model.solids.node[e]; };
-  const auto solids = sorted(model.solids.size(), [&](std::size_t e) { return model.solids.part[e]; }, solid_nodes);
+  const auto solids = sorted(
+      model.solids.size(), [&](std::size_t e) { return model.solids.part[e]; }, solid_nodes);
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     if (solids[p].empty()) continue;
     const model::Part& part = model.parts[p];
     const model::Material& material = model.materials[at(part.material)];
     const Members m = members(solids[p], solid_nodes);
     const model::Hourglass& hourglass = hourglass_of(part);
-    // Without a card: viscous on the patterns orthogonal to linear fields; it is what fits LS-DYNA's single_hex run best.
-    const kernel::HexahedronProperties brick{material.density, hourglass.type == 0 ? 2 : hourglass.type, hourglass.membrane,
-                                             hourglass.bulk_quadratic, hourglass.bulk_linear};
+    // Without a card: viscous on the patterns orthogonal to linear fields; it is what fits LS-DYNA's single_hex run
+    // best.
+    const kernel::HexahedronProperties brick{material.density, hourglass.type == 0 ? 2 : hourglass.type,
+                                             hourglass.membrane, hourglass.bulk_quadratic, hourglass.bulk_linear};
     const auto with = [&]<class Law>(const Law& law) {
       groups.push_back(group_of(BrickElement<Law>{brick, kernel::Prepared<Law>(law)}, model::ElementKind::solid,
                                 static_cast<model::Index>(p), m.element, m.node, x));
       seat(solid_seat);
     };
-    if (const auto* elastic = std::get_if<kernel::Elastic>(&material.law)) with(*elastic);
-    else if (const auto* kinematic = std::get_if<kernel::PlasticKinematic>(&material.law)) with(*kinematic);
-    else if (const auto* piecewise = std::get_if<kernel::PiecewiseLinear>(&material.law)) with(*piecewise);
+    if (const auto* elastic = std::get_if<kernel::Elastic>(&material.law))
+      with(*elastic);
+    else if (const auto* kinematic = std::get_if<kernel::PlasticKinematic>(&material.law))
+      with(*kinematic);
+    else if (const auto* piecewise = std::get_if<kernel::PiecewiseLinear>(&material.law))
+      with(*piecewise);
     else
       for (std::size_t i = 0; i < m.element.size(); ++i) {
         std::array<Vec3d, 8> place;
         for (std::size_t a = 0; a < 8; ++a) place[a] = x[at(m.node[i][a])];
-        lumps_.push_back({static_cast<model::Index>(p), 8, m.node[i], 8.0 * kernel::hexahedron_nodal_mass(place, material.density), 0.0});
+        lumps_.push_back({static_cast<model::Index>(p), 8, m.node[i],
+                          8.0 * kernel::hexahedron_nodal_mass(place, material.density), 0.0});
       }
   }
 
@@ -188,10 +205,12 @@ void System::make_groups(Findings& findings) {
   for (const weld::Weld& w : ties.welds) {
     if (w.kind != weld::Weld::Kind::beam) continue;
     deleted[at(w.element)] = w.deleted;
-    tied[at(w.element)] = std::any_of(w.ends.begin(), w.ends.end(), [](const weld::Projection& e) { return e.tied && e.kase != 0; });
+    tied[at(w.element)] =
+        std::any_of(w.ends.begin(), w.ends.end(), [](const weld::Projection& e) { return e.tied && e.kase != 0; });
   }
   const auto beam_nodes = [&](std::size_t e) -> const std::array<model::Index, 2>& { return model.beams.node[e]; };
-  const auto beams = sorted(model.beams.size(), [&](std::size_t e) { return model.beams.part[e]; }, beam_nodes);
+  const auto beams = sorted(
+      model.beams.size(), [&](std::size_t e) { return model.beams.part[e]; }, beam_nodes);
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     if (beams[p].empty()) continue;
     const model::Part& part = model.parts[p];
@@ -207,12 +226,13 @@ void System::make_groups(Findings& findings) {
       const Members m = members(elements, beam_nodes);
       kernel::WeldBeamProperties beam;
       beam.density = material.density;
-      beam.fibres = kernel::disc_fibres(0.5 * (section.outer[0] + section.outer[1]), 0.5 * (section.inner[0] + section.inner[1]),
-                                        section.quadrature);
+      beam.fibres = kernel::disc_fibres(0.5 * (section.outer[0] + section.outer[1]),
+                                        0.5 * (section.inner[0] + section.inner[1]), section.quadrature);
       beam.shear_factor = section.shear_factor;
       beam.no_torsion = !torsion;
-      groups.push_back(group_of(WeldBeamElement{beam, kernel::Prepared<kernel::Spotweld>(*law), law->nu, model.beams, ties.x},
-                                model::ElementKind::beam, static_cast<model::Index>(p), m.element, m.node, x));
+      groups.push_back(
+          group_of(WeldBeamElement{beam, kernel::Prepared<kernel::Spotweld>(*law), law->nu, model.beams, ties.x},
+                   model::ElementKind::beam, static_cast<model::Index>(p), m.element, m.node, x));
       seat(beam_seat);
       ElementGroup& group = *groups.back();
       if (law->mass_step > 0.0) {

@@ -7,8 +7,8 @@
 
 namespace nugget::system {
 
-/// Positions 0..n-1 of points along a Morton curve through their bounding box: neighbours in space come close in the list.
-/// Equal codes keep their order, so the result depends on the points only.
+/// Positions 0..n-1 of points along a Morton curve through their bounding box: neighbours in space come close in the
+/// list. Equal codes keep their order, so the result depends on the points only.
 std::vector<int> morton_order(const std::vector<Vec3d>& points);
 
 }  // namespace nugget::system

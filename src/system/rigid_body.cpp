@@ -9,7 +9,8 @@ namespace nugget::system {
 namespace {
 
 Vec3d times(const Inertia& a, const Vec3d& b) {
-  return {a[0] * b.x + a[1] * b.y + a[2] * b.z, a[1] * b.x + a[3] * b.y + a[4] * b.z, a[2] * b.x + a[4] * b.y + a[5] * b.z};
+  return {a[0] * b.x + a[1] * b.y + a[2] * b.z, a[1] * b.x + a[3] * b.y + a[4] * b.z,
+          a[2] * b.x + a[4] * b.y + a[5] * b.z};
 }
 
 Vec3d solve(const Inertia& a, const Vec3d& b) {
@@ -41,9 +42,13 @@ void add_point(Inertia& inertia, double mass, double point_inertia, const Vec3d&
   inertia[4] -= mass * r.y * r.z;
 }
 
-Vec3d RigidBody::spin(const Vec3d& momentum, const Frame3d& at) const { return at.global(solve(inertia, at.local(momentum))); }
+Vec3d RigidBody::spin(const Vec3d& momentum, const Frame3d& at) const {
+  return at.global(solve(inertia, at.local(momentum)));
+}
 
-Vec3d RigidBody::momentum(const Vec3d& spin, const Frame3d& at) const { return at.global(times(inertia, at.local(spin))); }
+Vec3d RigidBody::momentum(const Vec3d& spin, const Frame3d& at) const {
+  return at.global(times(inertia, at.local(spin)));
+}
 
 void RigidBody::advance(double kick, double dt, State& state) {
   const auto k = static_cast<std::size_t>(node);

@@ -13,26 +13,27 @@ namespace nugget::system {
 /// Symmetric 3x3: xx xy xz yy yz zz.
 using Inertia = std::array<double, 6>;
 
-/// Dynamics of one rigid body; its centre is a virtual node of the State, its nodes hang on that node by the constraint map.
-/// Angular momentum is the primary unknown: it is conserved to round-off in torque-free motion.
+/// Dynamics of one rigid body; its centre is a virtual node of the State, its nodes hang on that node by the constraint
+/// map. Angular momentum is the primary unknown: it is conserved to round-off in torque-free motion.
 struct RigidBody {
   model::Index source = model::none;  ///< in Model::rigid_bodies
   int id = 0;
   std::string title;
-  int node = 0;             ///< virtual node in State
-  unsigned fixed = 0;       ///< bits 0..2 translations, 3..5 rotations
+  int node = 0;        ///< virtual node in State
+  unsigned fixed = 0;  ///< bits 0..2 translations, 3..5 rotations
   double mass = 0.0;
-  Inertia inertia{};        ///< about the centre, in body axes (global axes of time 0)
-  Frame3d axes;             ///< rows: body axes in global components, at t(n)
-  Vec3d center0;            ///< centre at time 0
-  Vec3d angular_momentum;   ///< about the centre, at t(n-1/2), after `advance` at t(n+1/2)
+  Inertia inertia{};       ///< about the centre, in body axes (global axes of time 0)
+  Frame3d axes;            ///< rows: body axes in global components, at t(n)
+  Vec3d center0;           ///< centre at time 0
+  Vec3d angular_momentum;  ///< about the centre, at t(n-1/2), after `advance` at t(n+1/2)
 
   /// Spin that belongs to an angular momentum with the axes given.
   Vec3d spin(const Vec3d& momentum, const Frame3d& at) const;
   Vec3d momentum(const Vec3d& spin, const Frame3d& at) const;
 
-  /// From t(n-1/2) to t(n+1/2): momentum by force and torque over `kick`, then the spin that turns the body over `dt`. The spin
-  /// satisfies the midpoint rule w = I(t+dt/2)^-1 L with I at the half-turned axes (fixed-point iteration to round-off).
+  /// From t(n-1/2) to t(n+1/2): momentum by force and torque over `kick`, then the spin that turns the body over `dt`.
+  /// The spin satisfies the midpoint rule w = I(t+dt/2)^-1 L with I at the half-turned axes (fixed-point iteration to
+  /// round-off).
   void advance(double kick, double dt, State& state);
   /// Turns the axes over the step with the spin in `state`.
   void turn(double dt, const State& state);

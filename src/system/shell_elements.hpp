@@ -37,24 +37,30 @@ struct ShellElement {
   }
   kernel::NodalMass nodal_mass(model::Index e, const Places& x) const {
     const double t = shells.thickness[static_cast<std::size_t>(e)];
-    if constexpr (Corners == 4) return kernel::shell_nodal_mass(x, t, shell.density, shell.offset, mass_per_area);
-    else return kernel::triangle_nodal_mass(x, t, shell.density, shell.offset, mass_per_area);
+    if constexpr (Corners == 4)
+      return kernel::shell_nodal_mass(x, t, shell.density, shell.offset, mass_per_area);
+    else
+      return kernel::triangle_nodal_mass(x, t, shell.density, shell.offset, mass_per_area);
   }
   double mass(model::Index e, const Places& x) const { return Corners * nodal_mass(e, x).mass; }
   double nodal_inertia(model::Index e, const Places& x) const { return nodal_mass(e, x).inertia; }
 
   template <class R>
   kernel::NodalForces<R, Corners> cycle(const Motion<R>& motion, double dt, double* state) const {
-    if constexpr (Corners == 4) return kernel::shell_cycle(shell, law, motion, dt, state);
-    else return kernel::triangle_cycle(shell, law, motion, dt, state);
+    if constexpr (Corners == 4)
+      return kernel::shell_cycle(shell, law, motion, dt, state);
+    else
+      return kernel::triangle_cycle(shell, law, motion, dt, state);
   }
 
   template <class Field>
   ElementGroup::Layer layer(const Field& field, int k, const Places& x) const {
     const int at = layout().layer(k);
     Frame3d frame;
-    if constexpr (Corners == 4) frame = kernel::shell_frame(x);
-    else frame = kernel::triangle_frame(x);
+    if constexpr (Corners == 4)
+      frame = kernel::shell_frame(x);
+    else
+      frame = kernel::triangle_frame(x);
     return {global_stress(frame, field(at), field(at + 1), field(at + 2), field(at + 3), field(at + 4)),
             kernel::Prepared<Law>::has_plastic_strain ? field(layout().history_of(k)) : 0.0};
   }

@@ -7,8 +7,8 @@
 
 namespace nugget::system {
 
-/// All that changes from step to step and belongs to nodes: plain arrays, nodes in the system's own order, then one virtual node
-/// for each rigid body. Element states live in their groups, rigid-body momenta in the bodies.
+/// All that changes from step to step and belongs to nodes: plain arrays, nodes in the system's own order, then one
+/// virtual node for each rigid body. Element states live in their groups, rigid-body momenta in the bodies.
 struct State {
   double time = 0.0;         ///< t(n) of x and f
   double dt = 0.0;           ///< step from t(n) to t(n+1)

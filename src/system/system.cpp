@@ -7,16 +7,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "system/order.hpp"
 
 namespace nugget::system {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 System::System(const model::Model& m, const weld::Ties& t, Findings& findings) : model(m), ties(t) {
   order_nodes();
   make_groups(findings);
@@ -43,8 +38,10 @@ void System::make_constraints(Findings& findings) {
   const auto claim = [&](model::Index node, const char* what, const Place& place) {
     const char*& held = maker[at(node)];
     if (held != nullptr) {
-      findings.error(place, "", fmt::format("node {} is made dependent twice: by {} and by {}", model.nodes.id[at(node)], held, what),
-                     "a node may follow only one rigid body or tie: remove it from one of them");
+      findings.error(
+          place, "",
+          fmt::format("node {} is made dependent twice: by {} and by {}", model.nodes.id[at(node)], held, what),
+          "a node may follow only one rigid body or tie: remove it from one of them");
       return false;
     }
     held = what;
@@ -82,9 +79,10 @@ void System::make_constraints(Findings& findings) {
     map.add(node_of[at(tie.node)], tie.rotations, terms);
   }
   for (int node : map.close(static_cast<int>(all_nodes())))
-    findings.error({model.deck, 0, 0}, "",
-                   fmt::format("node {} is tied to itself through other ties", model.nodes.id[at(model_node[at(node)])]),
-                   "tie the weld to a sheet whose nodes are free");
+    findings.error(
+        {model.deck, 0, 0}, "",
+        fmt::format("node {} is tied to itself through other ties", model.nodes.id[at(model_node[at(node)])]),
+        "tie the weld to a sheet whose nodes are free");
 }
 
 void System::assemble_mass() {
@@ -145,10 +143,12 @@ void System::make_bodies() {
   for (RigidBody& body : bodies) {
     const model::RigidBody& source = model.rigid_bodies[at(body.source)];
     if (source.given) body.inertia = source.inertia.inertia;
-    // Nodes in a line without rotary inertia leave one direction without any: a small isotropic share keeps it solvable.
+    // Nodes in a line without rotary inertia leave one direction without any: a small isotropic share keeps it
+    // solvable.
     Inertia& i = body.inertia;
     const double trace = i[0] + i[3] + i[5];
-    const double det = i[0] * (i[3] * i[5] - i[4] * i[4]) - i[1] * (i[1] * i[5] - i[2] * i[4]) + i[2] * (i[1] * i[4] - i[2] * i[3]);
+    const double det =
+        i[0] * (i[3] * i[5] - i[4] * i[4]) - i[1] * (i[1] * i[5] - i[2] * i[4]) + i[2] * (i[1] * i[4] - i[2] * i[3]);
     if (det <= 1e-12 * trace * trace * trace) {
       const double share = trace > 0.0 ? 1e-3 * trace : 1.0;
       i[0] += share;
@@ -305,7 +305,9 @@ std::string System::Controlling::describe(const System& s) const {
   if (group < 0) return "nothing";
   const ElementGroup& g = *s.groups[at(group)];
   const model::Index e = element >= 0 ? g.element[at(element)] : model::none;
-  const char* kind = g.kind == model::ElementKind::shell ? "shell" : g.kind == model::ElementKind::solid ? "solid" : "beam";
+  const char* kind = g.kind == model::ElementKind::shell   ? "shell"
+                     : g.kind == model::ElementKind::solid ? "solid"
+                                                           : "beam";
   const std::vector<int>& ids = g.kind == model::ElementKind::shell   ? s.model.shells.id
                                 : g.kind == model::ElementKind::solid ? s.model.solids.id
                                                                       : s.model.beams.id;

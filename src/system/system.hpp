@@ -17,8 +17,8 @@
 
 namespace nugget::system {
 
-/// A model made discrete: nodes and elements in an order that keeps neighbours close in memory, lumped masses, the constraint map,
-/// element blocks. Impact and NVH share it. Refers to the model and the ties, which must outlive it.
+/// A model made discrete: nodes and elements in an order that keeps neighbours close in memory, lumped masses, the
+/// constraint map, element blocks. Impact and NVH share it. Refers to the model and the ties, which must outlive it.
 class System {
  public:
   System(const model::Model& model, const weld::Ties& ties, Findings& findings);
@@ -32,7 +32,8 @@ class System {
   std::vector<model::Index> model_node;
   std::size_t all_nodes() const { return nodes + bodies.size(); }
 
-  /// Lumped mass and rotary inertia by node; zero for dependent nodes (theirs is handed over) and for nodes that carry nothing.
+  /// Lumped mass and rotary inertia by node; zero for dependent nodes (theirs is handed over) and for nodes that carry
+  /// nothing.
   std::vector<double> mass, inertia;
   /// The same before anything was handed over: what the elements and point masses put there.
   std::vector<double> own_mass;
@@ -62,7 +63,8 @@ class System {
   /// State at time 0: positions after tying, initial velocities, momenta of the bodies.
   State initial_state();
 
-  /// Forces of all elements at the end of a step into state.f and state.m (overwritten); keeps the smallest stable step.
+  /// Forces of all elements at the end of a step into state.f and state.m (overwritten); keeps the smallest stable
+  /// step.
   void internal_force(State& state);
 
   /// The element that controls the time step.
@@ -74,8 +76,8 @@ class System {
   };
   Controlling controlling() const;
 
-  /// Mass scaling to the deck's DT2MS and the welds' DT: raises the density of elements whose stable step is too small. True if
-  /// any mass was added; nodal masses are then assembled anew.
+  /// Mass scaling to the deck's DT2MS and the welds' DT: raises the density of elements whose stable step is too small.
+  /// True if any mass was added; nodal masses are then assembled anew.
   bool scale_mass(bool at_start);
 
   struct Masses {
@@ -103,7 +105,8 @@ class System {
 
   std::vector<Row> slots_;
   std::vector<std::size_t> gather_start_;
-  std::vector<std::uint32_t> gather_;  ///< slot rows by node, shifted left by one; the lowest bit says that a moment row follows
+  std::vector<std::uint32_t>
+      gather_;  ///< slot rows by node, shifted left by one; the lowest bit says that a moment row follows
   std::vector<std::pair<int, std::size_t>> blocks_;  ///< all blocks of all groups: group, block
 };
 
