@@ -31,6 +31,11 @@ std::string to_string(const Finding& f) {
   return s;
 }
 
+std::string totals(const Findings& findings) {
+  const auto several = [](int n, std::string_view what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); };
+  return several(findings.errors(), "error") + ", " + several(findings.warnings(), "warning");
+}
+
 void Findings::add(Finding finding) {
   if (finding.severity == Severity::error) ++errors_;
   if (finding.severity == Severity::warning) ++warnings_;

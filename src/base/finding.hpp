@@ -51,4 +51,7 @@ class Findings {
   int warnings_ = 0;
 };
 
+/// "1 error, 2 warnings"
+std::string totals(const Findings& findings);
+
 }  // namespace nugget

@@ -30,9 +30,9 @@ std::string expected(const Field& field) {
   return fmt::format("expected {} to {}", number(low), number(high));
 }
 
-/// `meaning, expected ...`; or only the latter, where the table does not say what the field means.
+/// `expected ... (meaning)`; or only the former, where the table does not say what the field means.
 std::string with_meaning(const Field& field, std::string_view text) {
-  return field.meaning.empty() ? std::string(text) : fmt::format("{}: {}", field.meaning, text);
+  return field.meaning.empty() ? std::string(text) : fmt::format("{} ({})", text, field.meaning);
 }
 
 /// What is wrong with a text that should be a number.
@@ -63,7 +63,7 @@ Fault fault_of(const Field& field, std::string_view text, const Value& value) {
   if (text.find('<') != std::string_view::npos || text.find('&') != std::string_view::npos) {
     remedy = "compute the value with *PARAMETER_EXPRESSION and write &name";
   }
-  return {with_meaning(field, fmt::format("is not a number, expected {}", kind)), std::move(remedy)};
+  return {with_meaning(field, fmt::format("is not {}", kind)), std::move(remedy)};
 }
 
 }  // namespace

@@ -71,10 +71,13 @@ void report_refusal(Findings& findings, const deck::Block& block, const Ruling& 
         meant.empty() ? "remove it, or run with --skip-unsupported to leave such cards out at your own risk" : meant);
 }
 
-void read_block(Builder& b, const deck::Block& block, Ledger& ledger, bool skip_unsupported) {
+void read_block(Builder& b, const deck::Block& block, Ledger& ledger) {
   const Ruling ruling = judge(block.keyword);
   const bool is_first = ledger.add(block.keyword, ruling.verdict, ruling.why, block.place);
-  if (ruling.verdict == Verdict::refused && is_first) report_refusal(b.findings, block, ruling, skip_unsupported);
+  if (ruling.verdict == Verdict::refused) {
+    if (is_first) report_refusal(b.findings, block, ruling, b.skip_unsupported);
+    b.leave_out(block);
+  }
   if (ruling.verdict == Verdict::used) ruling.row->read(b, block, ruling.options);
 }
 
@@ -82,6 +85,7 @@ void read_block(Builder& b, const deck::Block& block, Ledger& ledger, bool skip_
 
 Model build(const deck::Deck& deck, Findings& findings, bool skip_unsupported) {
   Builder b(deck, findings);
+  b.skip_unsupported = skip_unsupported;
   b.model.deck = deck.path.string();
   Ledger ledger(b.model.ledger);
   for (const auto& [keyword, place] : deck.consumed) ledger.add(keyword, Verdict::used, {}, place);
@@ -92,7 +96,7 @@ Model build(const deck::Deck& deck, Findings& findings, bool skip_unsupported) {
   b.later(Phase::checks, check_mesh);
   b.later(Phase::checks, check_parts);
   b.later(Phase::checks, check_units);
-  for (const deck::Block& block : deck.blocks) read_block(b, block, ledger, skip_unsupported);
+  for (const deck::Block& block : deck.blocks) read_block(b, block, ledger);
 
   for (const Phase phase : {Phase::curves, Phase::mesh, Phase::parts, Phase::systems, Phase::sets, Phase::bodies,
                             Phase::conditions, Phase::checks})

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace nugget::model {
 
@@ -62,6 +64,11 @@ Index Ids::find(int id) const {
   return at == entries_.end() ? none : at->second.index;
 }
 
+const std::string* Ids::left_out(int id) const {
+  const auto at = left_out_.find(id);
+  return at == left_out_.end() ? nullptr : &at->second;
+}
+
 unsigned bits_of_code(int code) {
   static constexpr std::array<unsigned, 8> bits{0b000, 0b001, 0b010, 0b100, 0b011, 0b110, 0b101, 0b111};
   return code < 0 || code > 7 ? 0 : bits[static_cast<std::size_t>(code)];
@@ -81,8 +88,51 @@ Index Builder::find(const Ids& ids, std::string_view what, const deck::Row& row,
   const int id = id_of(row, field);
   if (id == 0) return none;
   const Index found = ids.find(id);
-  if (found == none) row.complain(findings, Severity::error, field, fmt::format("{} {} is not defined", what, id));
+  if (found == none) report_missing(ids, what, row, field);
   return found;
+}
+
+void Builder::report_missing(const Ids& ids, std::string_view what, const deck::Row& row, std::string_view field) {
+  const int id = id_of(row, field);
+  const std::string* const refused = ids.left_out(id);
+  if (refused == nullptr)
+    row.complain(findings, Severity::error, field, fmt::format("{} {} is not defined", what, id));
+  else if (skip_unsupported)
+    row.complain(findings, Severity::error, field,
+                 fmt::format("{} {} is left out, as {} is not supported", what, id, *refused),
+                 "define it by a supported keyword, or remove what needs it");
+}
+
+void Builder::leave_out(const deck::Block& block) {
+  struct Family {
+    std::string_view beginning;
+    IdSpace space;
+    std::vector<Ids*> ids;
+  };
+  const Family families[] = {
+      {"MAT_", IdSpace::material, {&materials}},
+      {"SECTION_", IdSpace::other, {&shell_sections, &solid_sections, &beam_sections}},
+      {"SET_NODE", IdSpace::set, {&node_sets}},
+      {"SET_PART", IdSpace::set, {&part_sets}},
+      {"SET_SEGMENT", IdSpace::set, {&segment_sets}},
+      {"SET_SHELL", IdSpace::set, {&shell_sets}},
+      {"SET_SOLID", IdSpace::set, {&solid_sets}},
+      {"SET_BEAM", IdSpace::set, {&beam_sets}},
+      {"DEFINE_CURVE", IdSpace::define, {&curves}},
+      {"DEFINE_TABLE", IdSpace::define, {&curves}},
+      {"DEFINE_COORDINATE", IdSpace::define, {&systems}},
+  };
+  for (const Family& family : families) {
+    if (!block.keyword.starts_with(family.beginning)) continue;
+    deck::Cursor cursor(deck, block, findings);
+    if (block.keyword.ends_with("_TITLE") && cursor.more()) cursor.skip();
+    if (!cursor.more()) return;
+    const long offset = block.transform ? block.transform->id_offset[static_cast<std::size_t>(family.space)] : 0;
+    const double id = cursor.peek_number(0) + static_cast<double>(offset);
+    if (!(std::abs(id) < std::numeric_limits<int>::max())) return;
+    for (Ids* ids : family.ids) ids->leave_out(static_cast<int>(id), block.starred());
+    return;
+  }
 }
 
 Index Builder::node(const deck::Row& row, std::string_view field) {

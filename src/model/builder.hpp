@@ -42,12 +42,17 @@ class Ids {
   void assign(const std::vector<int>& ascending);
   Index find(int id) const;  ///< none where absent
 
+  /// Remembers an id whose definition was refused; `by` says which keyword that was.
+  void leave_out(int id, std::string by) { left_out_.try_emplace(id, std::move(by)); }
+  const std::string* left_out(int id) const;  ///< the `by` of such an id; null for others
+
  private:
   struct Entry {
     Index index;
     Place place;
   };
   std::unordered_map<int, Entry> entries_;
+  std::unordered_map<int, std::string> left_out_;
   std::vector<int> ascending_;  ///< of `assign`
   std::vector<Index> by_id_;    ///< index of id `ascending_.front() + i`, where the ids are dense enough for a table
 };
@@ -124,6 +129,13 @@ class Builder {
 
   /// Index of the id in a field, or none and a finding "... is not defined". Id 0 gives none, silently.
   Index find(const Ids& ids, std::string_view what, const deck::Row& row, std::string_view field);
+  /// That finding. Where the definition stands in the deck and was refused, the refusal has been told: nothing more is
+  /// said, unless such cards are only left out; then what needs them cannot be.
+  void report_missing(const Ids& ids, std::string_view what, const deck::Row& row, std::string_view field);
+  /// Remembers what a refused block would have defined, so that its users are not told that it is "not defined".
+  void leave_out(const deck::Block& block);
+
+  bool skip_unsupported = false;  ///< refused keywords are left out with a warning
 
  private:
   std::array<std::vector<std::function<void(Builder&)>>, 8> work_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "model/lumped_mass.hpp"
@@ -40,7 +41,7 @@ void check_shells(Builder& b) {
     const Vec3d across = cross(x[2] - x[0], x[3] - x[1]);
     const double longest = std::max(dot(x[2] - x[0], x[2] - x[0]), dot(x[3] - x[1], x[3] - x[1]));
     const bool has_section = m.parts[static_cast<std::size_t>(m.shells.part[e])].section != none;
-    if (has_section && !(m.shells.thickness[e] > 0.0))
+    if (has_section && m.shells.thickness[e] <= 0.0)
       thin.add(
           m.shells.place[e],
           [&] { return fmt::format("shell {}: thickness {:g}, expected more than 0", id, m.shells.thickness[e]); },
@@ -138,9 +139,10 @@ void count_free_nodes(Builder& b) {
   const auto free = std::count(used.begin(), used.end(), 0);
   if (free == 0) return;
   const auto first = static_cast<std::size_t>(std::find(used.begin(), used.end(), 0) - used.begin());
-  b.findings.note(
-      {m.deck, 0, 0}, "*NODE",
-      fmt::format("{} nodes belong to no element, mass or rigid body; the first is node {}", free, m.nodes.id[first]));
+  b.findings.note({m.deck, 0, 0}, "*NODE",
+                  free == 1 ? fmt::format("node {} belongs to no element, mass or rigid body", m.nodes.id[first])
+                            : fmt::format("{} nodes belong to no element, mass or rigid body; the first is node {}",
+                                          free, m.nodes.id[first]));
 }
 
 // ---- parts
@@ -201,19 +203,26 @@ void check_law(Builder& b, const Part& part, const deck::Row& row) {
     refuse(b, row, "mid", "a Poisson's ratio of 0.5 makes solids incompressible", "give a ratio below 0.5, e.g. 0.495");
 }
 
-/// Hourglass types that the elements of a part do not have.
-void check_hourglass(Builder& b, const Part& part) {
-  if (is<kernel::Rigid>(b.model, part) || is<kernel::Null>(b.model, part)) return;
-  const Hourglass& h =
-      part.hourglass == none ? b.model.control.hourglass : b.model.hourglass[static_cast<std::size_t>(part.hourglass)];
-  const int highest = part.kind == ElementKind::shell ? 5 : part.kind == ElementKind::solid ? 3 : 10;
-  if (h.type <= highest) return;
-  const bool is_shell = part.kind == ElementKind::shell;
-  b.findings.add({Severity::error, h.place, part.hourglass == none ? "*CONTROL_HOURGLASS" : "*HOURGLASS", "ihq",
-                  std::to_string(h.type),
-                  fmt::format("part {} has {}, for which types 1 to {} are built", part.id,
-                              is_shell ? "shells" : "solids", highest),
-                  is_shell ? "write 4" : "write 2 or 3, or give the solids an *HOURGLASS of their own"});
+/// Hourglass types that the elements of parts do not have: one finding for all parts that share the card.
+void check_hourglass(Builder& b) {
+  const Model& m = b.model;
+  std::map<std::pair<Index, ElementKind>, std::vector<int>> parts;
+  for (const Part& part : m.parts) {
+    const bool is_computed = part.section != none && !is<kernel::Rigid>(m, part) && !is<kernel::Null>(m, part);
+    if (is_computed) parts[{part.hourglass, part.kind}].push_back(part.id);
+  }
+  for (const auto& [user, ids] : parts) {
+    const auto [card, kind] = user;
+    const Hourglass& h = card == none ? m.control.hourglass : m.hourglass[static_cast<std::size_t>(card)];
+    const int highest = kind == ElementKind::shell ? 5 : kind == ElementKind::solid ? 3 : 10;
+    if (h.type <= highest) continue;
+    const bool is_shell = kind == ElementKind::shell;
+    b.findings.add(
+        {Severity::error, h.place, card == none ? "*CONTROL_HOURGLASS" : "*HOURGLASS", "ihq", std::to_string(h.type),
+         fmt::format("part{} {} {} {}, for which types 1 to {} are built", ids.size() == 1 ? "" : "s",
+                     fmt::join(ids, " "), ids.size() == 1 ? "has" : "have", is_shell ? "shells" : "solids", highest),
+         is_shell ? "write 4" : "write 2 or 3, or give the solids an *HOURGLASS of their own"});
+  }
 }
 
 /// ELFORM 4 is a triangle only.
@@ -273,15 +282,16 @@ void check_parts(Builder& b) {
       told_beam(b.model.beam_sections.size(), 0);
   for (const auto& [index, row] : b.part_rows) {
     const Part& part = b.model.parts[static_cast<std::size_t>(index)];
-    if (part.kind == ElementKind::nothing && part.rigid_body == none)
+    const bool is_twin = b.parts.find(part.id) != index;  // its id is another part's already; told
+    if (part.kind == ElementKind::nothing && part.rigid_body == none && !is_twin)
       b.findings.warning(part.place, row.keyword(), fmt::format("part {} has no elements", part.id));
     check_law(b, part, row);
     if (part.section == none) continue;
     if (part.kind == ElementKind::shell) check_shell_formulation(b, part, told_shell);
     if (part.kind == ElementKind::solid) check_solid_formulation(b, part, told_solid);
     if (part.kind == ElementKind::beam) check_beam_formulation(b, part, told_beam);
-    check_hourglass(b, part);
   }
+  check_hourglass(b);
   check_triangles(b);
   if (!(b.model.control.end_time > 0.0))
     b.findings.error({b.model.deck, 0, 0}, "*CONTROL_TERMINATION", "no end time is given",

@@ -44,6 +44,7 @@ struct Control {
   int ignore_penetration = 0;         ///< IGNORE
   bool list_ties = false;             ///< OUTSEG
   int untied_weld = 0;                ///< SPOTSTP
+  Place untied_weld_place;            ///< where it stands; no line: nowhere
   int weld_of_deleted_shell = 0;      ///< SPOTDEL
   double weld_thinning = 0.0;         ///< SPOTHIN
   bool keep_tied_gap = false;         ///< TIEDPRJ = 1

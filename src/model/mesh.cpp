@@ -27,10 +27,13 @@ std::vector<std::size_t> rows_by_id(Builder& b, const Table& table, std::string_
   Tally twice(b.findings, Severity::error, std::move(keyword));
   const auto is_second = [&](std::size_t first, std::size_t second) {
     if (table.id[first] != table.id[second]) return false;
-    twice.add(place_of(b, table.file[second], table.line[second]), [&] {
-      const Place p = place_of(b, table.file[first], table.line[first]);
-      return fmt::format("{} {} is defined twice; first at {}:{}", what, table.id[second], p.file, p.line);
-    });
+    twice.add(
+        place_of(b, table.file[second], table.line[second]),
+        [&] {
+          const Place p = place_of(b, table.file[first], table.line[first]);
+          return fmt::format("{} {} is defined twice; first at {}:{}", what, table.id[second], p.file, p.line);
+        },
+        "give one of them another id");
     return true;
   };
   rows.erase(std::unique(rows.begin(), rows.end(), is_second), rows.end());
@@ -171,7 +174,11 @@ std::vector<std::size_t> make_shells(Builder& b) {
       continue;
     }
     if (n[0] == none || n[1] == none || n[2] == none || !bring_triangle_into_form(n)) {
-      elements.refuse(r, "needs three or four different corners in sequence", "remove it or correct its nodes");
+      elements.refuse(
+          r,
+          fmt::format("its corners are nodes {} {} {} {}, expected three or four different ones in sequence",
+                      elements.node_id(r, 0), elements.node_id(r, 1), elements.node_id(r, 2), elements.node_id(r, 3)),
+          "remove it or correct its nodes");
       continue;
     }
     shells.id.push_back(table.id[r]);
@@ -338,10 +345,7 @@ void link_section(Builder& b, Part& part, const deck::Row& row) {
                                                                  {ElementKind::solid, &b.solid_sections},
                                                                  {ElementKind::beam, &b.beam_sections}}};
   const int id = row.integer("secid");
-  if (id == 0) {
-    if (part.kind != ElementKind::nothing) refuse(b, row, "secid", "the part has elements, so it needs a section");
-    return;
-  }
+  if (id == 0) return;
   bool exists = false;
   for (const auto& [kind, ids] : kinds) {
     const Index found = ids->find(id);
@@ -349,11 +353,21 @@ void link_section(Builder& b, Part& part, const deck::Row& row) {
     if (kind == part.kind) part.section = found;
   }
   if (part.section != none || (part.kind == ElementKind::nothing && exists)) return;
-  if (part.kind == ElementKind::nothing || !exists)
-    return refuse(b, row, "secid", fmt::format("section {} is not defined", id));
+  if (part.kind == ElementKind::nothing || !exists) return b.report_missing(b.shell_sections, "section", row, "secid");
   refuse(b, row, "secid",
          fmt::format("section {} is of another kind; the part has {} elements", id, name_of(part.kind)),
          "give the part the *SECTION_... of its elements");
+}
+
+/// A part with elements needs both.
+void demand_section_and_material(const Part& part, const deck::Row& row, Tally& bare) {
+  if (part.kind == ElementKind::nothing) return;
+  const bool no_section = row.integer("secid") == 0, no_material = row.integer("mid") == 0;
+  if (!no_section && !no_material) return;
+  const char* const what = no_section && no_material ? "section and no material" : no_section ? "section" : "material";
+  bare.add(
+      row.place(no_section ? "secid" : "mid"),
+      [&] { return fmt::format("part {} has elements, but no {}", part.id, what); }, "give their ids in SECID and MID");
 }
 
 }  // namespace
@@ -363,12 +377,12 @@ void make_mesh(Builder& b) {
   const auto shell_rows = make_shells(b);
   make_solids(b);
   const auto beam_rows = make_beams(b);
+  Tally bare(b.findings, Severity::error, "*PART");
   for (const auto& [index, row] : b.part_rows) {
     Part& part = b.model.parts[static_cast<std::size_t>(index)];
     link_section(b, part, row);
     part.material = b.find(b.materials, "material", row, "mid");
-    if (row.integer("mid") == 0 && part.kind != ElementKind::nothing)
-      refuse(b, row, "mid", "the part has elements, so it needs a material");
+    demand_section_and_material(part, row, bare);
     part.hourglass = b.find(b.hourglass, "hourglass control", row, "hgid");
   }
   set_thickness(b, shell_rows);

@@ -130,7 +130,11 @@ void report_end(const model::Model& model, const Weld& weld, const Projection& p
                     fmt::format("{}, moved {:.4g}", text, p.tie.moved),
                     "move the sheets apart to half the sum of their thicknesses");
       return;
-    case 5: findings.warning(weld.place, keyword, text + ", not tied", move_or_widen(p.distance)); return;
+    case 5:
+      findings.warning(weld.place, keyword, text + ", not tied",
+                       p.only_sheet_taken ? "put the other sheet's part on the reference side (SURFB) of the contact"
+                                          : move_or_widen(p.distance));
+      return;
     case 6:
       tally.warning("welds beside their sheets (case 6)", weld.place, keyword,
                     fmt::format("{}, moved {:.4g}", text, p.tie.moved),
@@ -149,11 +153,14 @@ void report_end(const model::Model& model, const Weld& weld, const Projection& p
 void report_untied_welds(const model::Model& model, const std::vector<const Weld*>& untied, Findings& findings) {
   if (untied.empty()) return;
   const std::string first =
-      fmt::format("{} of the welds are not tied, first {}", untied.size(), name_weld(*untied.front()));
+      untied.size() == 1 ? fmt::format("{} is not tied", name_weld(*untied.front()))
+                         : fmt::format("{} welds are not tied, first {}", untied.size(), name_weld(*untied.front()));
   const int spotstp = model.control.untied_weld;
   const auto add = [&](Severity severity, std::string text, std::string remedy) {
     Finding finding;
     finding.severity = severity;
+    finding.place = model.control.untied_weld_place;
+    if (finding.place.file.empty()) finding.place.file = model.deck;
     finding.keyword = "*CONTROL_CONTACT";
     finding.field = "spotstp";
     finding.value = std::to_string(spotstp);
@@ -164,9 +171,11 @@ void report_untied_welds(const model::Model& model, const std::vector<const Weld
   if (spotstp == 1)
     add(Severity::error, first, "see the warnings on each of them; SPOTSTP = 2 would delete them, 0 and 3 keep them");
   else if (spotstp == 2)
-    add(Severity::warning, first + "; they are deleted", "see the warnings on each of them");
+    add(Severity::warning, first + (untied.size() == 1 ? "; it is deleted" : "; they are deleted"),
+        "see the warnings on each of them");
   else
-    add(Severity::warning, first + "; they are kept, with free ends",
+    add(Severity::warning,
+        first + (untied.size() == 1 ? "; it is kept, with free ends" : "; they are kept, with free ends"),
         "see the warnings on each of them; free ends carry no load and may fly off: SPOTSTP = 2 deletes such welds");
 }
 
@@ -182,8 +191,10 @@ void note_distances(const model::Model& model, const Ties& ties, Findings& findi
     }
     if (!farthest) continue;
     findings.note(model.contacts[c].place, name_contact(model.contacts[c]),
-                  fmt::format("{} nodes tied, {} of them moved onto the mid-surface, at most by {:.4g} ({})", count,
-                              moved, farthest->moved, name_node(model, farthest->node)));
+                  moved == 0
+                      ? fmt::format("{} nodes tied, none of them moved", count)
+                      : fmt::format("{} nodes tied, {} of them moved onto the mid-surface, at most by {:.4g} ({})",
+                                    count, moved, farthest->moved, name_node(model, farthest->node)));
   }
 }
 

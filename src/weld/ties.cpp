@@ -485,6 +485,7 @@ Projection Tying::projection(std::size_t w, Index node, bool overlap) const {
   p.closest_shell = r->closest.segment.shell;
   p.distance = r->closest.contact == none ? infinity : r->found ? r->closest.foot.gap : r->closest.foot.reach;
   p.tolerance = r->closest.tolerance;
+  p.only_sheet_taken = !r->found && r->only_sheet_taken;
   p.tied = r->tied && fates_[w] == 0;
   if (p.tied) p.tie = result_.ties[r->tie];
   p.kase = fates_[w] != 0 ? fates_[w] : !r->found ? 5 : overlap ? 4 : position_case(*r);

@@ -44,11 +44,12 @@ struct Projection {
   Index node = none;
   bool tied = false;  ///< attached to a sheet, by a tie or otherwise
   int kase = 0;
-  std::string reason;          ///< one sentence for welds.csv
-  Tie tie;                     ///< meaningful if `tied` and `kase` is not 0
-  Index closest_shell = none;  ///< of the closest segment, tied or not; none: there is none, or it is no shell's
-  double distance = 0.0;       ///< to the closest segment; infinite: there is none [length]
-  double tolerance = 0.0;      ///< within which that segment would be in reach [length]
+  std::string reason;             ///< one sentence for welds.csv
+  Tie tie;                        ///< meaningful if `tied` and `kase` is not 0
+  Index closest_shell = none;     ///< of the closest segment, tied or not; none: there is none, or it is no shell's
+  double distance = 0.0;          ///< to the closest segment; infinite: there is none [length]
+  double tolerance = 0.0;         ///< within which that segment would be in reach [length]
+  bool only_sheet_taken = false;  ///< not tied: what is in reach is the sheet that holds the weld's other end
 };
 
 /// A spot weld: a beam or a brick of spot-weld material, or a generalized weld spot.

@@ -317,6 +317,7 @@ void read_contact(Builder& b, const Block& block, const Options&) {
   c.ignore_penetration = four.integer("ignore");
   c.list_ties = four.integer("outseg") == 1;
   c.untied_weld = four.integer("spotstp");
+  c.untied_weld_place = four.place("spotstp");
   c.weld_of_deleted_shell = four.integer("spotdel");
   c.weld_thinning = four.real("spothin");
   c.wall_thickness_share = six.real("shltrw");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
 
@@ -102,13 +104,15 @@ void read_shell(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     read_title(cursor, options);
     const Row row = cursor.read(shell_card);
+    const int errors = b.findings.errors();
     const Row size = cursor.read(shell_thickness_card);
+    const bool size_is_known = b.findings.errors() == errors;
     if (row.integer("icomp") != 0) return;  // refused by its range; the cards of layers that follow are not read
     SectionShell s;
     s.shear_factor = row.real("shrf");
     s.layers = row.integer("nip");
     s.trapezoidal = row.integer("qr_irid") == 1;
-    s.thickness = mean_thickness(size);
+    s.thickness = size_is_known ? mean_thickness(size) : std::numeric_limits<double>::quiet_NaN();
     s.nloc = size.real("nloc");
     s.extra_mass = size.real("marea");
     add_section(b, row, s, b.shell_sections, b.model.shell_sections, b.shell_section_rows, "shell section");

@@ -104,15 +104,13 @@ TEST(BulkNodes, FaultsNameTheirPlace) {
       "      -4             1.0             2.0             3.0\n"
       "       5             1.0             2.0             3.0       9\n");
   EXPECT_EQ(listed(n.findings),
-            "(text):4:8: error: *NODE nid = x: node id: an alphanumeric id is not supported, expected a whole number "
-            "[give it a number "
-            "for an id]\n"
-            "(text):5:21: error: *NODE x = 1.0e: coordinate x: is not a number, expected a number [keep the number "
-            "whole inside its "
+            "(text):4:8: error: *NODE nid = x: an alphanumeric id is not supported, expected a whole number "
+            "(node id) [give it a number for an id]\n"
+            "(text):5:21: error: *NODE x = 1.0e: is not a number (coordinate x) [keep the number whole inside its "
             "columns, or separate the fields by commas]\n"
-            "(text):6:7: error: *NODE nid = -4: node id: expected 1 or more\n"
-            "(text):7:64: error: *NODE tc = 9: constrained translations: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz: "
-            "expected 0 to 7\n");
+            "(text):6:7: error: *NODE nid = -4: expected 1 or more (node id)\n"
+            "(text):7:64: error: *NODE tc = 9: expected 0 to 7 (constrained translations: 1 x, 2 y, 3 z, 4 xy, "
+            "5 yz, 6 zx, 7 xyz)\n");
   EXPECT_THAT(n.table.id, testing::ElementsAre(1, 3, 5));
 }
 
@@ -212,9 +210,9 @@ TEST(BulkShells, WhatIsRefused) {
                    "            1.0\n");
   EXPECT_EQ(
       listed(e.findings),
-      "(text):4:13: error: *ELEMENT_SHELL_THICKNESS thic1 = -1.0: thickness at node 1: expected 0 or more\n"
-      "(text):5:9: error: *ELEMENT_SHELL_THICKNESS pid = (blank): part id: must be given [write its value there]\n"
-      "(text):7:31: error: *ELEMENT_SHELL_THICKNESS n2 = -2: node id: expected 0 or more\n");
+      "(text):4:13: error: *ELEMENT_SHELL_THICKNESS thic1 = -1.0: expected 0 or more (thickness at node 1)\n"
+      "(text):5:9: error: *ELEMENT_SHELL_THICKNESS pid = (blank): must be given (part id) [write its value there]\n"
+      "(text):7:31: error: *ELEMENT_SHELL_THICKNESS n2 = -2: expected 0 or more (node id)\n");
 }
 
 TEST(BulkSolids, OneLineAndTwoLineMixed) {
@@ -280,10 +278,10 @@ TEST(BulkBeams, ReleasesAndOffsetsAreRefused) {
   EXPECT_THAT(
       listed(Elements(read_beams, "ELEMENT_BEAM", "       1       5      11      12       0       7\n").findings),
       testing::HasSubstr(
-          "(text):3:48: error: *ELEMENT_BEAM rt1 = 7: released translations at node 1: only 0 is supported"));
+          "(text):3:48: error: *ELEMENT_BEAM rt1 = 7: only 0 is supported (released translations at node 1)"));
   EXPECT_THAT(
       listed(Elements(read_beams, "ELEMENT_BEAM_OFFSET", "       1       5      11      12\n       1.0\n").findings),
-      testing::HasSubstr("wx1 = 1.0: offset of the beam axis: only 0 is supported"));
+      testing::HasSubstr("wx1 = 1.0: only 0 is supported (offset of the beam axis)"));
   EXPECT_THAT(listed(Elements(read_beams, "ELEMENT_BEAM_SECTION", "").findings),
               testing::HasSubstr("the option _SECTION is not supported"));
 }

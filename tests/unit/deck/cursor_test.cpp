@@ -120,34 +120,30 @@ INSTANTIATE_TEST_SUITE_P(
     Cards, RefusedCell,
     testing::Values(
         Refused{"NumberCutByItsColumn", "         1       1.0   2.1000e",
-                "(text):3:24: error: *MAT_ELASTIC e = 2.1000e: Young's modulus: is not a number, expected a number "
-                "[keep the number "
-                "whole inside its columns, or separate the fields by commas]"},
+                "(text):3:24: error: *MAT_ELASTIC e = 2.1000e: is not a number (Young's modulus) "
+                "[keep the number whole inside its columns, or separate the fields by commas]"},
         Refused{"DigitsAndLetters", "       12a       1.0       1.0",
-                "(text):3:8: error: *MAT_ELASTIC mid = 12a: material id: an alphanumeric id is not supported, expected "
-                "a whole number "
-                "[give it a number for an id]"},
+                "(text):3:8: error: *MAT_ELASTIC mid = 12a: an alphanumeric id is not supported, expected "
+                "a whole number (material id) [give it a number for an id]"},
         Refused{"OutOfRange", "         1       1.0       1.0       0.7",
-                "(text):3:38: error: *MAT_ELASTIC pr = 0.7: Poisson's ratio: expected 0 to 0.5"},
+                "(text):3:38: error: *MAT_ELASTIC pr = 0.7: expected 0 to 0.5 (Poisson's ratio)"},
         Refused{"NotPositive", "         1      -1.0       1.0",
-                "(text):3:17: error: *MAT_ELASTIC ro = -1.0: density: expected more than 0"},
+                "(text):3:17: error: *MAT_ELASTIC ro = -1.0: expected more than 0 (density)"},
         Refused{"RequiredBlank", "         1                 1.0",
-                "(text):3:11: error: *MAT_ELASTIC ro = (blank): density: must be given [write its value there]"},
+                "(text):3:11: error: *MAT_ELASTIC ro = (blank): must be given (density) [write its value there]"},
         Refused{"RequiredZero", "         1         0       1.0",
-                "(text):3:20: error: *MAT_ELASTIC ro = 0: density: must be given, and 0 is not a value here [write its "
-                "value there]"},
+                "(text):3:20: error: *MAT_ELASTIC ro = 0: must be given, and 0 is not a value here (density) "
+                "[write its value there]"},
         Refused{"NotWhole", "         1       1.0       1.0                           2.5",
-                "(text):3:58: error: *MAT_ELASTIC nip = 2.5: integration points: expected a whole number"},
+                "(text):3:58: error: *MAT_ELASTIC nip = 2.5: expected a whole number (integration points)"},
         Refused{"TooLarge", "2147483648       1.0       1.0",
-                "(text):3:1: error: *MAT_ELASTIC mid = 2147483648: material id: expected at most 2147483647"},
+                "(text):3:1: error: *MAT_ELASTIC mid = 2147483648: expected at most 2147483647 (material id)"},
         Refused{"FreeFormat", "1,1.0,12a",
-                "(text):3:7: error: *MAT_ELASTIC e = 12a: Young's modulus: is not a number, expected a number [keep "
-                "the number whole "
-                "inside its columns, or separate the fields by commas]"},
+                "(text):3:7: error: *MAT_ELASTIC e = 12a: is not a number (Young's modulus) "
+                "[keep the number whole inside its columns, or separate the fields by commas]"},
         Refused{"Word", "         1       1.0     steel",
-                "(text):3:26: error: *MAT_ELASTIC e = steel: Young's modulus: is not a number, expected a number "
-                "[write a number "
-                "there, or leave the field blank for its default]"},
+                "(text):3:26: error: *MAT_ELASTIC e = steel: is not a number (Young's modulus) "
+                "[write a number there, or leave the field blank for its default]"},
         Refused{"UnknownParameter", "         1       1.0    &young",
                 "(text):3:25: error: *MAT_ELASTIC e = &young: the parameter 'young' is not defined before this line "
                 "[define it with "
@@ -164,7 +160,7 @@ TEST(Cards, TheOnlySupportedValue) {
   const Card card{{integer("iopt", 0, only(0), "option")}};
   Reading r("*KEYWORD\n*X\n         3\n");
   r.row("X", card);
-  EXPECT_ONE_FINDING(r.findings, "(text):3:10: error: *X iopt = 3: option: only 0 is supported");
+  EXPECT_ONE_FINDING(r.findings, "(text):3:10: error: *X iopt = 3: only 0 is supported (option)");
 }
 
 TEST(Cards, AMissingCardHasDefaultsAndOneErrorIfAFieldIsRequired) {
@@ -178,10 +174,9 @@ TEST(Cards, AMissingCardHasDefaultsAndOneErrorIfAFieldIsRequired) {
   EXPECT_EQ(row.text("t"), "");
   EXPECT_CLEAN(r.findings);
   EXPECT_EQ(c.read(elastic).integer("mid"), 0);
-  EXPECT_ONE_FINDING(
-      r.findings,
-      "(text):2:1: error: *MAT_ELASTIC mid = (blank): material id: must be given, but the keyword ends after 1 data "
-      "line(s) [add the missing card]");
+  EXPECT_ONE_FINDING(r.findings,
+                     "(text):2:1: error: *MAT_ELASTIC mid = (blank): must be given, but the keyword ends after 1 data "
+                     "line(s) (material id) [add the missing card]");
 }
 
 TEST(Cards, TextBehindTheLastFieldWarnsOnceAKeyword) {

@@ -271,7 +271,7 @@ TEST(IncludeTransform, AnIdThatLeavesTheIntegersIsAnError) {
   Reading r("*KEYWORD\n*INCLUDE_TRANSFORM\na.k\n2147483645\n", f.path);
   NodeTable nodes;
   read_nodes(r.deck, r.block("NODE"), nodes, r.findings);
-  EXPECT_THAT(listed(r.findings), testing::HasSubstr("nid = 5: node id: the id with the offset of *INCLUDE_TRANSFORM"));
+  EXPECT_THAT(listed(r.findings), testing::HasSubstr("nid = 5: the id with the offset of *INCLUDE_TRANSFORM"));
   EXPECT_TRUE(nodes.id.empty());
 }
 

@@ -42,7 +42,7 @@ TEST(Checks, ShapesOfShells) {
   EXPECT_TRUE(b.error("the sides of shell 2 cross each other")) << b.all_findings();
   EXPECT_TRUE(b.warning("shell 3 is warped by"));
   EXPECT_TRUE(b.error("shell 4 has no area"));
-  EXPECT_TRUE(b.error("shell 5: needs three or four different corners"));
+  EXPECT_TRUE(b.error("three or four different ones in sequence"));
   EXPECT_FALSE(b.error("shell 1 ")) << b.all_findings();
 }
 
