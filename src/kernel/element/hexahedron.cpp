@@ -162,9 +162,10 @@ template <class R>
       now.q[i] = old.q[i] + stiffness * q.q[i];
     }
   } else {
-    // QM rho c V^(2/3) / 4 on patterns of entries +-1. The mode of the element alone then decays at 16 QM c / V^(1/3), which near
-    // the stable step is fast: with the velocity before the step it would overshoot and, with bulk viscosity, drive a single
-    // brick unstable. Taken at the mean of the velocities before and after, it cannot (docs/decisions/0007).
+    // QM rho c V^(2/3) / 4 on patterns of entries +-1. The mode of the element alone then decays at 16 QM c / V^(1/3),
+    // which near the stable step is fast: with the velocity before the step it would overshoot and, with bulk
+    // viscosity, drive a single brick unstable. Taken at the mean of the velocities before and after, it cannot
+    // (docs/decisions/0007).
     const R density = brick.density * load_field<R>(state, L::density_scale), impedance = sqrt(density * e.bulk_wave());
     const R centred = side + (8.0 * brick.hourglass_coefficient * dt) * (impedance / density);
     const R viscosity = (16.0 * brick.hourglass_coefficient) * impedance * side * side * side / centred;
@@ -261,18 +262,20 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepare
   law.solid(s, d, dt, history);
   store_solid(state + L::stress * lanes<R>, s);
 
+  // Bulk viscosity over the length that the step is made of. With V^(1/3) a flat brick is damped beyond what its step
+  // bears: at TSSFAC 0.9 and Q2 0.06 from sides of 5:1 on, and the run diverges (docs/decisions/0008).
   const R density = brick.density * load_field<R>(state, L::density_scale);
+  const R length = g_end.volume / sqrt(largest_face2(end));
   const R c2 = e.bulk_wave() / density, c = sqrt(c2), trace = d.xx + d.yy + d.zz, none = R(0.0);
   const auto compressed = trace < 0.0;
-  const R viscous = density * side * (brick.bulk_quadratic * side * trace * trace - brick.bulk_linear * c * trace);
+  const R viscous = density * length * (brick.bulk_quadratic * length * trace * trace - brick.bulk_linear * c * trace);
   const R pressure = select(compressed, viscous, none);
   s.xx -= pressure;
   s.yy -= pressure;
   s.zz -= pressure;
 
-  const R length = g_end.volume / sqrt(largest_face2(end));
-  // The linear viscosity counts in expansion too: a brick that breathes is compressed half a period later, and LS-DYNA's first
-  // step of a brick at rest contains it (1.40796e-4 in ../shared/decks/single_hex/glstat).
+  // The linear viscosity counts in expansion too: a brick that breathes is compressed half a period later, and
+  // LS-DYNA's first step of a brick at rest contains it (1.40796e-4 in ../shared/decks/single_hex/glstat).
   const R slow = brick.bulk_linear * c - select(compressed, brick.bulk_quadratic * length * trace, none);
   const R step = length / (slow + sqrt(slow * slow + c2));
 
