@@ -5,15 +5,16 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <ctime>
 #include <filesystem>
 #include <optional>
 #include <thread>
 
-#include "base/index.hpp"
 #include "app/progress.hpp"
 #include "app/run_log.hpp"
+#include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "deck/deck.hpp"
 #include "impact/result_files.hpp"
@@ -45,6 +46,7 @@ class Clock {
 
 /// What comes out of reading, checking and tying.
 struct Prepared {
+  bool has_text = false;  ///< the deck could be opened and is not empty
   model::Model model;
   weld::Ties ties;
   std::vector<output::WeldReport> welds;
@@ -58,6 +60,14 @@ class Log {
   void add(const std::string& text) {
     text_ += text;
     output::write_whole_file(path_, text_);
+  }
+  /// The same where the disk may be full.
+  void try_to_add(const std::string& text) {
+    try {
+      add(text);
+    } catch (const output::WriteError&) {
+      return;  // the log of before is still there
+    }
   }
 
  private:
@@ -100,6 +110,7 @@ Prepared prepare(const RunArguments& arguments, Findings& findings) {
   Prepared p;
   Clock clock;
   const deck::Deck deck = deck::read(arguments.deck, findings);
+  p.has_text = deck.bytes > 0;
   if (findings.errors() > 0 && deck.blocks.empty()) return p;  // nothing was read; no more is to be said about it
   p.model = model::build(deck, findings, arguments.skip_unsupported);
   p.read_seconds = clock.seconds();
@@ -125,6 +136,13 @@ void start_log(Log& log, const RunArguments& arguments, const Prepared& p, const
   log.add(log_head(NUGGET_VERSION, arguments.deck, std::to_string(threads())));
   log.add(model::ledger_table(p.model));
   log.add(log_findings(findings));
+}
+
+/// A wrong file name leaves the results of earlier runs alone.
+ExitCode refuse_missing(const Findings& findings) {
+  print_findings(findings);
+  fmt::print(stderr, "nothing was run; no file was changed\n");
+  return ExitCode::refused;
 }
 
 /// Writes what a refused deck leaves behind.
@@ -201,19 +219,51 @@ std::string today() {
   return fmt::format("{:%m/%d/%Y}", fmt::localtime(std::time(nullptr)));
 }
 
+/// Runs with results, progress and the keyboard's interrupt. A result that cannot be written is told in run.log, as far
+/// as that can still be done.
+impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directory, const RunArguments& arguments,
+                         Log& log) {
+  std::signal(SIGINT, [](int) { impact::Simulation::interrupt(); });
+  std::signal(SIGTERM, [](int) { impact::Simulation::interrupt(); });
+  ProgressDisplay display;
+  try {
+    const system::System& system = simulation.system();
+    impact::ResultFiles files(system, directory,
+                              {system.model.title, fmt::format("nugget {}", NUGGET_VERSION), today()});
+    const impact::Outcome outcome = simulation.run({arguments.until, arguments.max_cycles}, files,
+                                                   arguments.quiet ? impact::ProgressCallback{} : std::ref(display));
+    display.finish();
+    return outcome;
+  } catch (const output::WriteError& error) {
+    display.finish();
+    log.try_to_add(log_termination({impact::Termination::error, error.what()}));
+    throw;
+  }
+}
+
+/// A run may reach its end time with results that nobody should use.
+std::string doubt_of(const output::Summary& summary) {
+  constexpr double most = 0.05;
+  if (std::abs(summary.energy.ratio - 1.0) <= most) return {};
+  return fmt::format(
+      "warning: the energy ratio ended at {:.4g}, expected 1: results are doubtful from the time on when it left 1 "
+      "(see glstat)",
+      summary.energy.ratio);
+}
+
 ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
-  output::remove_old_results(directory);
   use_threads(arguments.threads);
-  Log log(directory);
   Findings findings;
   Prepared p = prepare(arguments, findings);
-  start_log(log, arguments, p, findings);
-  if (findings.errors() > 0) return refuse(directory, log, findings);
-
+  if (!p.has_text) return refuse_missing(findings);
+  output::remove_old_results(directory);
+  Log log(directory);
   Clock clock;
-  system::System system(p.model, p.ties, findings);
+  std::optional<system::System> system;
   std::optional<impact::Simulation> simulation;
-  if (findings.errors() == 0) simulation.emplace(system, findings);
+  if (findings.errors() == 0) system.emplace(p.model, p.ties, findings);
+  if (findings.errors() == 0) simulation.emplace(*system, findings);
+  start_log(log, arguments, p, findings);
   if (findings.errors() > 0) return refuse(directory, log, findings);
   print_findings(findings);
   output::write_findings(directory, findings.all());
@@ -221,22 +271,19 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
   log.add(log_ties(p.model, p.ties));
   const double setup_seconds = p.tie_seconds + clock.seconds();
 
-  impact::ResultFiles files(system, directory, {p.model.title, fmt::format("nugget {}", NUGGET_VERSION), today()});
-  std::signal(SIGINT, [](int) { impact::Simulation::interrupt(); });
-  std::signal(SIGTERM, [](int) { impact::Simulation::interrupt(); });
-  ProgressDisplay display;
-  const impact::Outcome outcome = simulation->run({arguments.until, arguments.max_cycles}, files,
-                                                  arguments.quiet ? impact::ProgressCallback{} : std::ref(display));
-  display.finish();
+  const impact::Outcome outcome = simulate(*simulation, directory, arguments, log);
 
   tell_histories(*simulation, p.welds);
   const output::Summary summary = summarise(arguments, *simulation, outcome, p, setup_seconds);
   output::write_welds(directory, p.welds);
   output::write_summary(directory, summary);
-  log.add(log_mass(system));
+  log.add(log_mass(*system));
   log.add(log_run(*simulation, summary));
+  const std::string doubt = doubt_of(summary);
+  log.add(doubt.empty() ? "" : ' ' + doubt + "\n\n");
   log.add(log_termination(outcome));
-  if (!outcome.message.empty()) fmt::print(stderr, "{}\n", outcome.message);
+  for (const std::string& line : {outcome.message, doubt})
+    if (!line.empty()) fmt::print(stderr, "{}\n", line);
   if (!arguments.quiet)
     fmt::print(stderr, "{} cycles in {:.2f} s, energy ratio {:.5f}; results in {}\n", summary.cycles,
                summary.seconds.solve, summary.energy.ratio, directory.string());
@@ -267,13 +314,9 @@ void print_welds(const std::vector<output::WeldReport>& welds) {
   if (welds.empty()) return;
   fmt::print("{:>10} {:>9} {:>8} {:>9} {:>9} {:>5}  {:<9} {}\n", "weld", "kind", "part", "diameter", "length", "tied",
              "sheets", "remarks");
-  for (const output::WeldReport& w : welds) {
-    std::string sheets, remarks;
-    for (int s : w.sheets) sheets += (sheets.empty() ? "" : "+") + std::to_string(s);
-    for (const std::string& r : w.remarks) remarks += (remarks.empty() ? "" : "; ") + r;
+  for (const output::WeldReport& w : welds)
     fmt::print("{:>10} {:>9} {:>8} {:>9.4g} {:>9.4g} {:>5}  {:<9} {}\n", w.id, w.kind, w.part, w.diameter, w.length,
-               w.tied ? "yes" : "no", sheets, remarks);
-  }
+               w.tied ? "yes" : "no", fmt::format("{}", fmt::join(w.sheets, "+")), fmt::join(w.remarks, "; "));
 }
 
 }  // namespace
@@ -285,9 +328,10 @@ ExitCode run(const RunArguments& arguments) {
 ExitCode check(const RunArguments& arguments) {
   return guarded(arguments.directory, [&](const fs::path& directory) {
     use_threads(arguments.threads);
-    Log log(directory);
     Findings findings;
     Prepared p = prepare(arguments, findings);
+    if (!p.has_text) return refuse_missing(findings);
+    Log log(directory);
     if (findings.errors() == 0) {
       system::System system(p.model, p.ties, findings);
       if (findings.errors() == 0) impact::Simulation simulation(system, findings);

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -37,22 +39,44 @@ std::vector<std::string> translated(int argc, char** argv) {
   return out;
 }
 
+/// Refuses what is not a number above zero, in words (CLI11's own check prints the largest double there is).
+CLI::Validator above_zero(const char* expected, bool whole) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        char* end = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        const bool good = end != text.c_str() && *end == '\0' && value > 0.0 && std::isfinite(value);
+        return good && (!whole || value == std::trunc(value)) ? std::string()
+                                                              : fmt::format("'{}', expected {}", text, expected);
+      },
+      "");
+}
+
+/// The first word is no command: people try the deck's name there.
+bool is_unknown_command(const CLI::App& cli, const std::vector<std::string>& words) {
+  if (words.empty() || words.front().starts_with('-')) return false;
+  for (const CLI::App* command : cli.get_subcommands({}))
+    if (command->get_name() == words.front()) return false;
+  return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App cli{"Nugget: spot-welded structures from one LS-DYNA keyword deck, impact by explicit dynamics."};
+  CLI::App cli{"Nugget: spot-welded structures from one LS-DYNA keyword deck, impact by explicit dynamics.", "nugget"};
   cli.set_version_flag("--version", fmt::format("nugget {}", NUGGET_VERSION));
   cli.require_subcommand(1);
 
+  const CLI::Validator count = above_zero("a whole number of 1 or more", true),
+                       time = above_zero("a time above 0", false);
   nugget::app::RunArguments run;
   std::string checkpoint, resume;
   CLI::App* run_command = cli.add_subcommand("run", "read, check, tie and run a deck");
   run_command->add_option("model", run.deck, "the deck; also i=MODEL.k")->required();
   run_command->add_option("-o,--output", run.directory, "folder for the results (default: the current one)");
-  run_command->add_option("-j,--threads", run.threads, "threads (default: all cores); also ncpu=N")
-      ->check(CLI::PositiveNumber);
-  run_command->add_option("--until", run.until, "end time instead of the deck's")->check(CLI::PositiveNumber);
-  run_command->add_option("--max-cycles", run.max_cycles, "stop after so many cycles")->check(CLI::PositiveNumber);
+  run_command->add_option("-j,--threads", run.threads, "threads (default: all cores); also ncpu=N")->check(count);
+  run_command->add_option("--until", run.until, "end time instead of the deck's")->check(time);
+  run_command->add_option("--max-cycles", run.max_cycles, "stop after so many cycles")->check(count);
   run_command->add_flag("--skip-unsupported", run.skip_unsupported,
                         "leave out what is not supported, with a warning each");
   run_command->add_flag("--quiet", run.quiet, "no progress on the terminal");
@@ -63,7 +87,7 @@ int main(int argc, char** argv) {
   CLI::App* check_command = cli.add_subcommand("check", "read, check, tie and audit a deck; run nothing");
   check_command->add_option("model", check.deck, "the deck")->required();
   check_command->add_option("-o,--output", check.directory, "folder for welds.csv, findings.json and run.log");
-  check_command->add_option("-j,--threads", check.threads, "threads (default: all cores)")->check(CLI::PositiveNumber);
+  check_command->add_option("-j,--threads", check.threads, "threads (default: all cores)")->check(count);
   check_command->add_flag("--skip-unsupported", check.skip_unsupported, "unsupported keywords are warnings");
 
   std::string keyword;
@@ -74,6 +98,12 @@ int main(int argc, char** argv) {
   for (const char* name : later) cli.add_subcommand(name, "not built yet")->allow_extras();
 
   std::vector<std::string> words = translated(argc, argv);
+  if (is_unknown_command(cli, words)) {
+    fmt::print(stderr,
+               "nugget: there is no command '{}'; to run a deck: nugget run MODEL.k; for all commands: nugget --help\n",
+               words.front());
+    return static_cast<int>(ExitCode::wrong_command);
+  }
   std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
   try {
     cli.parse(words);

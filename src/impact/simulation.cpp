@@ -209,7 +209,13 @@ void Simulation::choose_step(double end_time) {
 Outcome Simulation::reason_to_stop(const Options& options, double end_time) const {
   const model::Control& control = system_.model.control;
   const auto error = [](std::string why) { return Outcome{Termination::error, std::move(why)}; };
-  if (interrupted) return {Termination::interrupted, "interrupted by the user"};
+  if (interrupted)
+    return {
+        Termination::interrupted,
+        fmt::format(
+            "interrupted by the user at time {:.6g}, cycle {}; results up to there are kept, but no restart file is "
+            "written: this version has none",
+            state_.time, state_.cycle)};
   for (const auto& group : system_.groups) {
     if (group->inverted < 0) continue;
     const model::Index e = group->element[at(group->inverted)];

@@ -80,6 +80,7 @@ class BatchGroup final : public ElementGroup {
   }
 
   std::size_t blocks() const override { return (size() + width - 1) / width; }
+  std::size_t block_width() const override { return width; }
   std::size_t slot_rows() const override { return blocks() * width * corners * rows; }
 
   void cycle(std::size_t begin, std::size_t end, const State& now, double dt, std::span<Row> slots) override {

@@ -30,6 +30,7 @@ class ElementGroup {
 
   std::size_t size() const { return element.size(); }
   virtual std::size_t blocks() const = 0;
+  virtual std::size_t block_width() const = 0;  ///< elements of a block; the last one may be padded
 
   /// Advances elements of blocks [begin, end) over dt with the velocities of `state` at mid-step and its positions at
   /// the end of the step; fills slots; adds the work done to the elements' internal energy.

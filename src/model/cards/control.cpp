@@ -272,6 +272,9 @@ void read_time_step(Builder& b, const Block& block, const Options&) {
          {{"erode", 0, "not obeyed: elements are not deleted for their time step, as with 0"}});
   if (row.real("tssfac") < 0.0)
     refuse(b, row, "tssfac", "a factor over time (curve) is not supported", "give a number");
+  if (row.real("tssfac") > 1.0)
+    row.complain(b.findings, Severity::warning, "tssfac", "a step longer than the stable one: the run will diverge",
+                 "give 0.9 or less");
   Control& c = b.model.control;
   c.first_step = row.real("dtinit");
   c.step_scale = row.real("tssfac");
