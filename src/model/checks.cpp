@@ -214,14 +214,14 @@ void check_hourglass(Builder& b) {
   for (const auto& [user, ids] : parts) {
     const auto [card, kind] = user;
     const Hourglass& h = card == none ? m.control.hourglass : m.hourglass[static_cast<std::size_t>(card)];
-    const int highest = kind == ElementKind::shell ? 5 : kind == ElementKind::solid ? 3 : 10;
+    const int highest = kind == ElementKind::shell ? 5 : kind == ElementKind::solid ? 6 : 10;
     if (h.type <= highest) continue;
     const bool is_shell = kind == ElementKind::shell;
     b.findings.add(
         {Severity::error, h.place, card == none ? "*CONTROL_HOURGLASS" : "*HOURGLASS", "ihq", std::to_string(h.type),
          fmt::format("part{} {} {} {}, for which types 1 to {} are built", ids.size() == 1 ? "" : "s",
                      fmt::join(ids, " "), ids.size() == 1 ? "has" : "have", is_shell ? "shells" : "solids", highest),
-         is_shell ? "write 4" : "write 2 or 3, or give the solids an *HOURGLASS of their own"});
+         is_shell ? "write 4" : "write 2, 5 or 6, or give the solids an *HOURGLASS of their own"});
   }
 }
 

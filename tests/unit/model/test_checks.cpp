@@ -117,10 +117,13 @@ TEST(Checks, LawsAndElementsMustGoTogether) {
 
 TEST(Checks, HourglassTypesByElement) {
   const std::string brick = std::string(brick_part) + "*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n";
-  const Built b(sheet_deck(brick + "*CONTROL_HOURGLASS\n4\n"));
-  const Finding* f = b.find(Severity::error, "part 2 has solids, for which types 1 to 3 are built", "ihq");
+  const Built b(sheet_deck(brick + "*CONTROL_HOURGLASS\n6\n"));
+  const Finding* f = b.find(Severity::error, "part 1 has shells, for which types 1 to 5 are built", "ihq");
   ASSERT_NE(f, nullptr) << b.all_findings();
-  EXPECT_EQ(b.findings.errors(), 1);  // the shells of part 1 have type 4
+  EXPECT_EQ(b.findings.errors(), 1);  // the bricks of part 2 have type 6
+  EXPECT_NE(Built(sheet_deck(brick + "*CONTROL_HOURGLASS\n7\n"))
+                .find(Severity::error, "part 2 has solids, for which types 1 to 6 are built", "ihq"),
+            nullptr);
   EXPECT_EQ(Built(sheet_deck(brick + "*CONTROL_HOURGLASS\n2\n")).findings.errors(), 0);
 }
 
