@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Draws the last state of a d3plot family as an SVG: shells coloured by plastic strain, welds as dots, failed ones red.
+
+    tools/picture.py FOLDER PICTURE.svg [--view X,Y,Z] [--up X,Y,Z] [--width PIXELS]
+
+Needs numpy. Reads the subset of the d3plot format that nugget writes (docs/book/results.md).
+"""
+import argparse
+import pathlib
+
+import numpy as np
+
+
+def read(folder):
+    words = np.fromfile(folder / "d3plot", dtype="<i4")
+    numnp, nglbv, nel8, nv3d = words[16], words[18], words[23], words[27]
+    nel2, nv1d, nel4, nv2d = words[28], words[30], words[31], words[33]
+    at = 64 + 3 * numnp + 9 * nel8
+    beams = words[at:at + 6 * nel2].reshape(-1, 6)[:, :2] - 1
+    at += 6 * nel2
+    shells = words[at:at + 5 * nel4].reshape(-1, 5)[:, :4] - 1
+    size = 1 + nglbv + 9 * numnp + nel8 * nv3d + nel2 * nv1d + nel4 * nv2d + nel8 + nel4 + nel2
+    last = sorted(folder.glob("d3plot[0-9]*"), key=lambda p: (len(p.name), p.name))[-1]
+    data = np.fromfile(last, dtype="<f4")
+    count = 0
+    while (count + 1) * size <= data.size and data[count * size] != -999999.0:
+        count += 1
+    state = data[(count - 1) * size:count * size]
+    x = state[1 + nglbv:1 + nglbv + 3 * numnp].reshape(-1, 3).astype(float)
+    at = 1 + nglbv + 9 * numnp + nel8 * nv3d + nel2 * nv1d
+    strain = state[at:at + nel4 * nv2d].reshape(nel4, nv2d)[:, [6, 13, 20]].max(axis=1)
+    at += nel4 * nv2d + nel8
+    return x, shells, strain, state[at:at + nel4] != 0, beams, state[at + nel4:at + nel4 + nel2] != 0
+
+
+def colour(share):
+    stops = np.array([[196, 205, 214], [94, 148, 190], [120, 190, 120], [250, 200, 60], [214, 62, 42]], float)
+    place = share * (len(stops) - 1)
+    i = min(int(place), len(stops) - 2)
+    return stops[i] + (place - i) * (stops[i + 1] - stops[i])
+
+
+def visible(p, shells, order, width, height):
+    """Those of `order` (back to front) that cover a pixel of the finished picture."""
+    owner = np.full((height, width), -1)
+    for e in order:
+        q = p[shells[e]]
+        low = np.maximum(np.floor(q.min(axis=0)).astype(int), 0)
+        high = np.minimum(np.ceil(q.max(axis=0)).astype(int) + 1, [width, height])
+        u, v = np.meshgrid(np.arange(low[0], high[0]), np.arange(low[1], high[1]))
+        side = [(b[0] - a[0]) * (v - a[1]) - (b[1] - a[1]) * (u - a[0]) for a, b in zip(q, np.roll(q, -1, axis=0))]
+        inside = np.all(np.array(side) >= -1.0, axis=0) | np.all(np.array(side) <= 1.0, axis=0)
+        owner[low[1]:high[1], low[0]:high[0]][inside] = e
+    seen = set(np.unique(owner).tolist())
+    return [e for e in order if e in seen]
+
+
+def draw(folder, width, view, up):
+    x, shells, strain, shell_alive, beams, beam_alive = read(folder)
+    towards = view / np.linalg.norm(view)
+    right = np.cross(up, towards)
+    right /= np.linalg.norm(right)
+    top = np.cross(towards, right)
+    p = np.stack([x @ right, -(x @ top)], axis=1)
+    depth = x @ towards
+    used = np.unique(shells)
+    low, high = p[used].min(axis=0), p[used].max(axis=0)
+    scale = (width - 40) / (high[0] - low[0])
+    p = (p - low) * scale + 20
+    height = int((high[1] - low[1]) * scale + 40)
+    most = max(np.percentile(strain, 99), 1e-6)
+    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" height="{height}">',
+           '<rect width="100%" height="100%" fill="#fff"/><g stroke="#0004" stroke-width=".3">']
+    order = [e for e in np.argsort(depth[shells].mean(axis=1)) if shell_alive[e]]
+    for e in visible(p, shells, order, width, height):
+        a, b = x[shells[e][2]] - x[shells[e][0]], x[shells[e][3]] - x[shells[e][1]]
+        normal = np.cross(a, b)
+        light = 0.55 + 0.45 * abs(normal @ (0.8 * towards + 0.6 * top)) / (np.linalg.norm(normal) or 1.0)
+        r, g, b = (light * colour(min(strain[e] / most, 1.0))).astype(int) // 8 * 8
+        q = np.round(p[shells[e]]).astype(int)
+        steps = " ".join(f"{u} {v}" for u, v in np.diff(q, axis=0))
+        out.append(f'<path fill="#{r:02x}{g:02x}{b:02x}" d="M{q[0][0]} {q[0][1]}l{steps}z"/>')
+    out.append("</g>")
+    for (i, j), alive in zip(beams, beam_alive):
+        u, v = 0.5 * (p[i] + p[j])
+        out.append(f'<circle cx="{u:.0f}" cy="{v:.0f}" r="4" fill="{"#123" if alive else "#e00"}" stroke="#fff"/>')
+    return "\n".join(out + ["</svg>", ""])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("picture", type=pathlib.Path)
+    parser.add_argument("--view", default="1,-0.35,0.55", help="direction from the model to the eye")
+    parser.add_argument("--up", default="0,1,0")
+    parser.add_argument("--width", type=int, default=1000)
+    a = parser.parse_args()
+    vector = lambda text: np.array([float(c) for c in text.split(",")])
+    a.picture.write_text(draw(a.folder, a.width, vector(a.view), vector(a.up)), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
