@@ -244,7 +244,7 @@ impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directo
 /// A run may reach its end time with results that nobody should use.
 std::string doubt_of(const output::Summary& summary) {
   constexpr double most = 0.05;
-  if (std::abs(summary.energy.ratio - 1.0) <= most) return {};
+  if (summary.termination == "error" || std::abs(summary.energy.ratio - 1.0) <= most) return {};
   return fmt::format(
       "warning: the energy ratio ended at {:.4g}, expected 1: results are doubtful from the time on when it left 1 "
       "(see glstat)",

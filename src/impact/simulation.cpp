@@ -97,12 +97,12 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     last = stop.termination != Termination::normal || !stop.message.empty() || state_.time >= end_time;
     if (last) outcome = stop;
     const bool record = last || recorder.due(state_);
-    if (record || state_.cycle % 100 == 0) {
+    const bool known = record || state_.cycle % 100 == 0;
+    if (known) {
       v_before_ = state_.v;
       w_before_ = state_.w;
       for (std::size_t b = 0; b < system_.bodies.size(); ++b) momentum_before_[b] = system_.bodies[b].angular_momentum;
     }
-    const bool known = record || state_.cycle % 100 == 0;
 
     accelerate();
     supports_.prescribe(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
@@ -110,7 +110,8 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     watch.charge(seconds_[motion]);
 
     if (known) account();
-    if (record) {
+    // Numbers that are none would only spoil files that are good up to here.
+    if (record && !diverged_) {
       masses_ = system_.masses();
       const Snapshot now{system_, state_,    v_before_, w_before_, energy_, parts_,           controlling_,
                          masses_, supports_, walls_,    contacts_, welds_,  history_rotation_};
@@ -223,6 +224,12 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
                              system_.model.solids.id[at(e)], system_.model.parts[at(group->part)].id, state_.time,
                              state_.cycle));
   }
+  if (state_.time < end_time && state_.time + state_.dt == state_.time)
+    return error(fmt::format("the time step {:.4g} of {} is too small to go on from time {:.6g}, cycle {}", state_.dt,
+                             controlling_.describe(system_), state_.time, state_.cycle));
+  if (diverged_)
+    return error(fmt::format("the solution diverged: its energy is not a number at time {:.6g}, cycle {}", state_.time,
+                             state_.cycle));
   if (std::isnan(state_.dt))
     return error(
         fmt::format("the solution diverged: {} has no stable time step (not a number) at time {:.6g}, cycle {}",
@@ -331,6 +338,7 @@ void Simulation::bury_shells() {
 }
 
 void Simulation::account() {
+  const Energy before = energy_;
   element_energies(system_, state_, v_before_, energy_, parts_);
   energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_);
   energy_.contact = 0.0;
@@ -339,6 +347,9 @@ void Simulation::account() {
   for (const contact::RigidWall& w : walls_) energy_.wall += w.energy();
   energy_.external = supports_.work() + loads_.work();
   if (state_.cycle == 0) energy_.initial = energy_.total();
+  if (std::isfinite(energy_.total())) return;
+  diverged_ = true;
+  energy_ = before;
 }
 
 }  // namespace nugget::impact

@@ -49,6 +49,7 @@ class Simulation {
   void check_welds();
   void bury_shells();
   void update_inverse_mass();
+  /// Energies of the moment; they stay those of before where the solution has become no number.
   void account();
   Outcome reason_to_stop(const Options& options, double end_time) const;
 
@@ -68,6 +69,7 @@ class Simulation {
   WeldHistories welds_;
   int welds_failed_ = 0;
   int deaths_ = 0;
+  bool diverged_ = false;
 
   Energy energy_;
   std::vector<PartEnergy> parts_;
