@@ -169,14 +169,19 @@ void report_untied_welds(const model::Model& model, const std::vector<const Weld
     findings.add(std::move(finding));
   };
   if (spotstp == 1)
-    add(Severity::error, first, "see the warnings on each of them; SPOTSTP = 2 would delete them, 0 and 3 keep them");
+    add(Severity::error, first,
+        "the warnings on the welds say why; SPOTSTP = 2 would delete such welds, 0 and 3 keep them");
   else if (spotstp == 2)
     add(Severity::warning, first + (untied.size() == 1 ? "; it is deleted" : "; they are deleted"),
-        "see the warnings on each of them");
+        "the warnings on the welds say why");
   else
     add(Severity::warning,
         first + (untied.size() == 1 ? "; it is kept, with free ends" : "; they are kept, with free ends"),
-        "see the warnings on each of them; free ends carry no load and may fly off: SPOTSTP = 2 deletes such welds");
+        "the warnings on the welds say why; free ends carry no load and may fly off: SPOTSTP = 2 deletes such welds");
+}
+
+std::string count_of(int nodes) {
+  return fmt::format("{} node{} tied", nodes, nodes == 1 ? "" : "s");
 }
 
 void note_distances(const model::Model& model, const Ties& ties, Findings& findings) {
@@ -191,10 +196,9 @@ void note_distances(const model::Model& model, const Ties& ties, Findings& findi
     }
     if (!farthest) continue;
     findings.note(model.contacts[c].place, name_contact(model.contacts[c]),
-                  moved == 0
-                      ? fmt::format("{} nodes tied, none of them moved", count)
-                      : fmt::format("{} nodes tied, {} of them moved onto the mid-surface, at most by {:.4g} ({})",
-                                    count, moved, farthest->moved, name_node(model, farthest->node)));
+                  moved == 0 ? fmt::format("{}, none of them moved", count_of(count))
+                             : fmt::format("{}, {} of them moved onto the mid-surface, at most by {:.4g} ({})",
+                                           count_of(count), moved, farthest->moved, name_node(model, farthest->node)));
   }
 }
 

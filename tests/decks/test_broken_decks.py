@@ -1,0 +1,355 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a user sees of a broken deck: each line of standard error, the exit code, findings.json. The texts are kept whole,
+so that a change to any of them is seen and judged."""
+import unittest
+
+from lap_joint import deck
+from nugget_command import CommandTest, line_of
+
+CORNERS = ((30, 0, 0), (36, 0, 0), (36, 6, 0), (30, 6, 0), (30, 0, 6), (36, 0, 6), (36, 6, 6), (30, 6, 6))
+BRICK_UPSIDE_DOWN = (
+    "*PART\nblock\n         4         4         4\n*SECTION_SOLID\n         4         1\n"
+    "*MAT_ELASTIC\n         4  7.85e-09  210000.0       0.3\n*NODE\n"
+    + "".join(f"{401 + i:8d}{x:16.1f}{y:16.1f}{z:16.1f}\n" for i, (x, y, z) in enumerate(CORNERS))
+    + "*ELEMENT_SOLID\n      41       4     405     406     407     408     401     402     403     404\n")
+RESULTS_OF_A_RUN = {"summary.json", "glstat", "d3plot", "d3plot01", "swforc"}
+
+
+class BrokenDecks(CommandTest):
+    def check(self, exit_code, changes, lines):
+        """Runs the lap joint with the changes made. `nugget check` must say the same."""
+        self.write(deck(*changes))
+        run = self.nugget("run", "model.k", "--quiet", "-j", 1, expect=exit_code)
+        self.assertEqual(run.stderr.splitlines(), lines)
+        findings = [line for line in lines if line.startswith("model.k:")]
+        self.assertEqual([line_of(f) for f in self.json("findings.json")], findings)
+        log = self.read("run.log")
+        for line in findings:
+            self.assertIn(line, log)
+        self.assertEqual(RESULTS_OF_A_RUN & set(self.files()), set() if exit_code == 1 else RESULTS_OF_A_RUN)
+        end = " E r r o r   t e r m i n a t i o n\n" if exit_code == 1 else " N o r m a l    t e r m i n a t i o n\n"
+        self.assertTrue(log.endswith(end), log[-200:])
+
+        checked = self.nugget("check", "model.k", "-o", "checked", expect=exit_code).stderr.splitlines()
+        self.assertEqual([line for line in checked if line.startswith("model.k:")], findings)
+
+    def test_the_deck_itself_is_sound(self):
+        self.check(0, [], ["model.k:48:1: note: *CONTACT_SPOTWELD 1: 2 nodes tied, none of them moved"])
+
+    def test_missing_include(self):
+        """An include file that is not there."""
+        self.check(1, [
+            ("*DEFINE_CURVE\n", "*INCLUDE\nbarrier/wall.k\n*DEFINE_CURVE\n"),
+        ], [
+            "model.k:56: error: *INCLUDE: cannot find the file 'barrier/wall.k'; looked in . [put the file into "
+            "one of these folders, or name its folder with *INCLUDE_PATH]",
+            "1 error, 0 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_cut_number(self):
+        """A number cut off by the end of its column."""
+        self.check(1, [
+            ("  7.85e-09  210000.0       0.3     300.0", "  7.85e-09        1e       0.3     300.0"),
+        ], [
+            "model.k:38:29: error: *MAT_PIECEWISE_LINEAR_PLASTICITY e = 1e: is not a number (Young's modulus) "
+            "[keep the number whole inside its columns, or separate the fields by commas]",
+            "1 error, 0 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_unknown_ids(self):
+        """Ids of nothing: section, material, node set, node of a shell."""
+        self.check(1, [
+            ("     102     103     107     106", "     102     103     107     999"),
+            ("         1         0         1         1         1         1         1         1",
+             "         9         0         1         1         1         1         1         1"),
+            ("         3         3         3\n", "         3         3         8\n"),
+            ("         1         1         1\n*PART", "         1         7         1\n*PART"),
+        ], [
+            "model.k:107: error: *ELEMENT_SHELL: shell 11: node 999 is not defined",
+            "model.k:27:20: error: *PART secid = 7: section 7 is not defined",
+            "model.k:33:30: error: *PART mid = 8: material 8 is not defined",
+            "model.k:63:10: error: *BOUNDARY_SPC_SET nsid = 9: node set 9 is not defined",
+            "4 errors, 0 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_unsupported(self):
+        """Five kinds of physics that are not built, all told in one go."""
+        self.check(1, [
+            ("*SECTION_BEAM\n",
+             "*ALE_REFERENCE_SYSTEM\n         1\n*EM_CONTROL\n         1\n*AIRBAG_SIMPLE_PRESSURE_VOLUME\n"
+             "         1\n*CONTROL_THERMAL_SOLVER\n         1\n*ICFD_CONTROL_TIME\n         1\n*SECTION_BEAM\n"),
+        ], [
+            "model.k:42:1: error: *ALE_REFERENCE_SYSTEM: fluids and large distortions by ALE are not built "
+            "[remove it, or run with --skip-unsupported to leave such cards out at your own risk]",
+            "model.k:44:1: error: *EM_CONTROL: electromagnetics are not built [remove it, or run with "
+            "--skip-unsupported to leave such cards out at your own risk]",
+            "model.k:46:1: error: *AIRBAG_SIMPLE_PRESSURE_VOLUME: airbags and control volumes are not built "
+            "[remove it, or run with --skip-unsupported to leave such cards out at your own risk]",
+            "model.k:48:1: error: *CONTROL_THERMAL_SOLVER: heat conduction is not built [remove it, or run with "
+            "--skip-unsupported to leave such cards out at your own risk]",
+            "model.k:50:1: error: *ICFD_CONTROL_TIME: fluid flow is not built [remove it, or run with "
+            "--skip-unsupported to leave such cards out at your own risk]",
+            "5 errors, 0 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_refused_law(self):
+        """A law that is not built: the parts that use it are not told that it is undefined."""
+        self.check(1, [
+            ("*MAT_PIECEWISE_LINEAR_PLASTICITY\n", "*MAT_SIMPLIFIED_JOHNSON_COOK\n"),
+        ], [
+            "model.k:37:1: error: *MAT_SIMPLIFIED_JOHNSON_COOK: this law is not built; MAT_024 with a yield "
+            "curve (LCSS) comes nearest [remove it, or run with --skip-unsupported to leave such cards out at "
+            "your own risk]",
+            "1 error, 0 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_garbage(self):
+        """Letters where a number belongs, a shell with half its nodes."""
+        self.check(1, [
+            ("       0.0       0.9\n", "       0.0       0.9         0         x\n"),
+            ("     103     104     108     107\n", "     103     104\n"),
+        ], [
+            "model.k:7:40: error: *CONTROL_TIMESTEP tslimt = x: is not a number (softening of shells to hold a "
+            "time step) [write a number there, or leave the field blank for its default]",
+            "model.k:108: error: *ELEMENT_SHELL: shell 12: its corners are nodes 103 104 0 0, expected three or "
+            "four different ones in sequence [remove it or correct its nodes]",
+            "model.k: note: *NODE: node 104 belongs to no element, mass or rigid body",
+            "2 errors, 0 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_surplus_column(self):
+        """More columns than the card has."""
+        self.check(1, [
+            ("       6.0       6.0       0.0       0.0\n", "6.0,6.0,0.0,0.0,0.0,0.0,7.0,8.0,9.0\n"),
+        ], [
+            "model.k:44:25: error: *SECTION_BEAM itoff = 7.0: expected 0 to 1 (1: no torsional stiffness)",
+            "model.k:44:29: warning: *SECTION_BEAM: '8.0,9.0' stands behind the last field of this card and is "
+            "not read [remove it; check that the card has its right form]",
+            "1 error, 1 warning",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_surplus_row(self):
+        """More rows than the keyword has."""
+        self.check(1, [
+            ("         0         0         0         0         1\n",
+             "         0         0         0         0         1\n       0.0\n       0.0\n       0.0\n"
+             "       0.0\n"),
+        ], [
+            "model.k:16: error: *CONTROL_CONTACT: more data lines than this keyword has cards [remove them, or "
+            "give the next definition its own keyword line]",
+            "1 error, 0 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_negative_thickness(self):
+        """A negative thickness: said at its field, not again at each shell."""
+        self.check(1, [
+            ("       1.2       1.2       1.2       1.2", "      -1.2      -1.2      -1.2      -1.2"),
+        ], [
+            "model.k:36:7: error: *SECTION_SHELL t1 = -1.2: expected 0 or more (thickness at node 1)",
+            "model.k:36:17: error: *SECTION_SHELL t2 = -1.2: expected 0 or more (thickness at node 2; 0: t1)",
+            "model.k:36:27: error: *SECTION_SHELL t3 = -1.2: expected 0 or more (thickness at node 3; 0: t1)",
+            "model.k:36:37: error: *SECTION_SHELL t4 = -1.2: expected 0 or more (thickness at node 4; 0: t1)",
+            "4 errors, 0 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_untied0(self):
+        """A weld in the air, SPOTSTP 0: runs with its end free."""
+        self.check(0, [
+            ("         0         0         0         0         1\n",
+             "         0         0         0         0         0\n"),
+            ("     302          9.0000          9.0000          1.2000",
+             "     302          9.0000          9.0000          9.0000"),
+        ], [
+            "model.k:125: warning: *ELEMENT_BEAM: beam weld 31: node 302 at (9, 9, 9): no segment in reach: the "
+            "closest, shell 24 of part 2, is 7.8 away, tolerance 4.32, not tied [move the weld to its sheet, or "
+            "give SAST = SBST = -6.83 in the contact (tolerance 8.19)]",
+            "model.k:12:50: warning: *CONTROL_CONTACT spotstp = 0: beam weld 31 is not tied; it is kept, with "
+            "free ends [the warnings on the welds say why; free ends carry no load and may fly off: SPOTSTP = 2 "
+            "deletes such welds]",
+            "model.k:48:1: note: *CONTACT_SPOTWELD 1: 1 node tied, none of them moved",
+            "model.k:125: warning: *ELEMENT_BEAM: beam weld 31: on one sheet only, part 1 (expected: the two "
+            "ends are on two different sheets) [see why the other end is not tied]",
+            "0 errors, 3 warnings",
+        ])
+
+    def test_untied1(self):
+        """A weld in the air, SPOTSTP 1: refused."""
+        self.check(1, [
+            ("     302          9.0000          9.0000          1.2000",
+             "     302          9.0000          9.0000          9.0000"),
+        ], [
+            "model.k:125: warning: *ELEMENT_BEAM: beam weld 31: node 302 at (9, 9, 9): no segment in reach: the "
+            "closest, shell 24 of part 2, is 7.8 away, tolerance 4.32, not tied [move the weld to its sheet, or "
+            "give SAST = SBST = -6.83 in the contact (tolerance 8.19)]",
+            "model.k:12:50: error: *CONTROL_CONTACT spotstp = 1: beam weld 31 is not tied [the warnings on the "
+            "welds say why; SPOTSTP = 2 would delete such welds, 0 and 3 keep them]",
+            "model.k:48:1: note: *CONTACT_SPOTWELD 1: 1 node tied, none of them moved",
+            "model.k:125: warning: *ELEMENT_BEAM: beam weld 31: on one sheet only, part 1 (expected: the two "
+            "ends are on two different sheets) [see why the other end is not tied]",
+            "1 error, 2 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_untied2(self):
+        """A weld in the air, SPOTSTP 2: runs without the weld."""
+        self.check(0, [
+            ("         0         0         0         0         1\n",
+             "         0         0         0         0         2\n"),
+            ("     302          9.0000          9.0000          1.2000",
+             "     302          9.0000          9.0000          9.0000"),
+        ], [
+            "model.k:125: warning: *ELEMENT_BEAM: beam weld 31: node 302 at (9, 9, 9): no segment in reach: the "
+            "closest, shell 24 of part 2, is 7.8 away, tolerance 4.32, not tied [move the weld to its sheet, or "
+            "give SAST = SBST = -6.83 in the contact (tolerance 8.19)]",
+            "model.k:12:50: warning: *CONTROL_CONTACT spotstp = 2: beam weld 31 is not tied; it is deleted [the "
+            "warnings on the welds say why]",
+            "0 errors, 2 warnings",
+        ])
+
+    def test_misspelt(self):
+        """Two slips of the pen, one of them swapped letters."""
+        self.check(1, [
+            ("*MAT_SPOTWELD\n", "*MAT_SPOTWLED\n"),
+            ("*BOUNDARY_SPC_SET\n", "*BOUNDRY_SPC_SET\n"),
+        ], [
+            "model.k:45:1: error: *MAT_SPOTWLED: this material is not built; 001 elastic, 003 plastic kinematic, "
+            "009 null, 020 rigid, 024 piecewise linear plasticity and 100 spot weld are [is it *MAT_SPOTWELD?]",
+            "model.k:62:1: error: *BOUNDRY_SPC_SET: not a keyword that this program knows [is it "
+            "*BOUNDARY_SPC_SET?]",
+            "2 errors, 0 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_duplicate(self):
+        """Ids given twice: part, node, shell."""
+        self.check(1, [
+            ("*DEFINE_CURVE\n", "*PART\nanother\n         2         1         1\n*DEFINE_CURVE\n"),
+            ("      12       1     103", "      11       1     103"),
+            ("     105          0.0000          6.0000", "     104          0.0000          6.0000"),
+        ], [
+            "model.k:57: error: *PART: part 2 is defined twice; first at model.k:30 [give one of them another id]",
+            "model.k:78: error: *NODE: node 104 is defined twice; first at model.k:77 [give one of them another "
+            "id]",
+            "model.k:111: error: *ELEMENT_SHELL: shell 11 is defined twice; first at model.k:110 [give one of "
+            "them another id]",
+            "model.k:109: error: *ELEMENT_SHELL: shell 10: node 105 is not defined",
+            "model.k:112: error: *ELEMENT_SHELL: shell 13: node 105 is not defined",
+            "model.k:69: error: *SET_NODE_LIST: node 105 is not defined [remove it from the set, or define it]",
+            "model.k: note: *NODE: 2 nodes belong to no element, mass or rigid body; the first is node 101",
+            "6 errors, 0 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_one_sheet(self):
+        """A contact that names one of the two sheets only."""
+        self.check(1, [
+            ("         1         2\n*DEFINE", "         1\n*DEFINE"),
+        ], [
+            "model.k:125: warning: *ELEMENT_BEAM: beam weld 31: node 302 at (9, 9, 1.2): the only sheet in "
+            "reach, with shell 14 of part 1, holds the weld's other end, not tied [put the other sheet's part on "
+            "the reference side (SURFB) of the contact]",
+            "model.k:12:50: error: *CONTROL_CONTACT spotstp = 1: beam weld 31 is not tied [the warnings on the "
+            "welds say why; SPOTSTP = 2 would delete such welds, 0 and 3 keep them]",
+            "model.k:48:1: note: *CONTACT_SPOTWELD 1: 1 node tied, none of them moved",
+            "model.k:125: warning: *ELEMENT_BEAM: beam weld 31: on one sheet only, part 1 (expected: the two "
+            "ends are on two different sheets) [see why the other end is not tied]",
+            "1 error, 2 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_poisson(self):
+        """A Poisson's ratio that no material has."""
+        self.check(1, [
+            ("         1  7.85e-09  210000.0       0.3", "         1  7.85e-09  210000.0       0.7"),
+        ], [
+            "model.k:38:38: error: *MAT_PIECEWISE_LINEAR_PLASTICITY pr = 0.7: expected 0 to 0.5 (Poisson's ratio)",
+            "1 error, 0 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_inverted(self):
+        """A brick with its bottom on top."""
+        self.check(1, [
+            ("*END\n", BRICK_UPSIDE_DOWN + "*END\n"),
+        ], [
+            "model.k:143: error: *ELEMENT_SOLID: solid 41 has the volume -216, expected more than 0 (negative "
+            "Jacobian) [number its nodes 1-4 around the bottom and 5-8 above them, seen from inside right-handed]",
+            "1 error, 0 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_no_section(self):
+        """A part without section, and one without material too."""
+        self.check(1, [
+            ("         2         1         1\n*PART", "         2         0         1\n*PART"),
+            ("         3         3         3\n", "         3\n"),
+        ], [
+            "model.k:30:20: error: *PART: part 2 has elements, but no section [give their ids in SECID and MID]",
+            "model.k:33:11: error: *PART: part 3 has elements, but no section and no material [give their ids in "
+            "SECID and MID]",
+            "2 errors, 0 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_no_end(self):
+        """No end time."""
+        self.check(1, [
+            ("*CONTROL_TERMINATION\n  2.00e-05\n", ""),
+        ], [
+            "model.k: error: *CONTROL_TERMINATION: no end time is given [give ENDTIM, the time up to which is to "
+            "be computed]",
+            "1 error, 0 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
+    def test_nothing_in_it(self):
+        self.write("")
+        run = self.nugget("run", "model.k", expect=1)
+        self.assertEqual(run.stderr.splitlines(), [
+            "model.k: error: the file has no keyword [an LS-DYNA keyword deck starts with *KEYWORD]",
+            "1 error, 0 warnings",
+            "nothing was run; no file was changed",
+        ])
+
+    def test_a_wrong_name_leaves_earlier_results_alone(self):
+        self.write(deck())
+        self.nugget("run", "model.k", "--quiet")
+        before = {name: (self.folder / name).read_bytes() for name in self.files()}
+        run = self.nugget("run", "mdoel.k", expect=1)
+        self.assertEqual(run.stderr.splitlines(), [
+            "mdoel.k: error: cannot read the deck: No such file or directory [check the name of the file]",
+            "1 error, 0 warnings",
+            "nothing was run; no file was changed",
+        ])
+        self.assertEqual(before, {name: (self.folder / name).read_bytes() for name in self.files()})
+
+    def test_skip_unsupported_leaves_out_what_nothing_needs(self):
+        self.write(deck(("*SECTION_BEAM\n", "*ALE_REFERENCE_SYSTEM\n         1\n*SECTION_BEAM\n")))
+        run = self.nugget("run", "model.k", "--skip-unsupported", "--quiet")
+        self.assertEqual(run.stderr.splitlines(), [
+            "model.k:42:1: warning: *ALE_REFERENCE_SYSTEM: fluids and large distortions by ALE are not built; the cards are "
+            "left out",
+            "model.k:50:1: note: *CONTACT_SPOTWELD 1: 2 nodes tied, none of them moved",
+            "0 errors, 1 warning",
+        ])
+
+    def test_skip_unsupported_cannot_leave_out_what_the_model_needs(self):
+        self.write(deck(("*MAT_PIECEWISE_LINEAR_PLASTICITY\n", "*MAT_SIMPLIFIED_JOHNSON_COOK\n")))
+        run = self.nugget("run", "model.k", "--skip-unsupported", expect=1)
+        self.assertEqual(run.stderr.splitlines()[1:3], [
+            f"model.k:{line}:30: error: *PART mid = 1: material 1 is left out, as *MAT_SIMPLIFIED_JOHNSON_COOK is not "
+            "supported [define it by a supported keyword, or remove what needs it]" for line in (27, 30)
+        ])
+
+
+if __name__ == "__main__":
+    unittest.main()
