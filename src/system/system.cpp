@@ -314,37 +314,39 @@ std::string System::Controlling::describe(const System& s) const {
   return fmt::format("{} {} of part {}", kind, e == model::none ? 0 : ids[at(e)], s.model.parts[at(g.part)].id);
 }
 
-void System::scale_group(ElementGroup& group, double target) {
-  for (std::size_t e = 0; e < group.size(); ++e) {
-    const double step = group.stable_step(e);
-    if (!group.alive(e) || !(step < target * (1.0 - 1e-9))) continue;
-    group.scale_mass(e, group.mass_scale(e) * (target / step) * (target / step));
+void System::set_mass_scale(ElementGroup& group, std::size_t e, double factor) {
+  const int corners = group.nodes_per_element;
+  const double more = factor - group.mass_scale(e);
+  const double m = more * group.mass(e) / corners, j = more * group.nodal_inertia(e);
+  const std::array<int, 8> node = group.nodes(e);
+  for (int a = 0; a < corners; ++a) {
+    own_mass[at(node[at(a)])] += m;
+    own_inertia_[at(node[at(a)])] += j;
   }
+  group.scale_mass(e, factor);
 }
 
 bool System::scale_mass(bool at_start) {
   if (!at_start && model.control.mass_scaling_at_start_only) return false;
-  bool added = false;
+  bool changed = false;
   for (auto& group : groups) {
-    if (group->mass_step <= 0.0) continue;
-    if (at_start && model.control.mass_step > 0.0 && !group->added_mass_is_physical) {
-      // DT2MS > 0: every element gets exactly this step, mass added or taken away.
-      for (std::size_t e = 0; e < group->size(); ++e) {
-        const double ratio = group->mass_step / group->stable_step(e);
-        group->scale_mass(e, group->mass_scale(e) * ratio * ratio);
+    const double target = group->mass_step;
+    if (target <= 0.0) continue;
+    // DT2MS > 0: every element gets exactly this step, mass added or taken away.
+    const bool exactly = at_start && model.control.mass_step > 0.0 && !group->added_mass_is_physical;
+    const std::size_t width = group->block_width();
+    for (std::size_t b = 0; b < group->blocks(); ++b) {
+      if (!exactly && !(group->block_step[b] < target * (1.0 - 1e-9))) continue;
+      for (std::size_t e = b * width; e < std::min(group->size(), (b + 1) * width); ++e) {
+        const double step = group->stable_step(e);
+        if (!group->alive(e) || (!exactly && !(step < target * (1.0 - 1e-9)))) continue;
+        set_mass_scale(*group, e, group->mass_scale(e) * (target / step) * (target / step));
+        changed = true;
       }
-      added = true;
-      continue;
     }
-    const double smallest = *std::min_element(group->block_step.begin(), group->block_step.end());
-    if (!(smallest < group->mass_step * (1.0 - 1e-9))) continue;
-    scale_group(*group, group->mass_step);
-    added = true;
   }
-  if (!added) return false;
-  assemble_mass();
-  hand_over_mass();
-  return true;
+  if (changed) hand_over_mass();
+  return changed;
 }
 
 System::Masses System::masses() const {

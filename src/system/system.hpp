@@ -98,7 +98,8 @@ class System {
   void assemble_mass();
   void hand_over_mass();
   void link_slots();
-  void scale_group(ElementGroup& group, double target);
+  /// Sets the density factor of an element and puts the change on its nodes.
+  void set_mass_scale(ElementGroup& group, std::size_t e, double factor);
 
   std::vector<Lump> lumps_;
   std::vector<double> own_inertia_;
