@@ -43,7 +43,7 @@ class Supports {
     Vec3d axis;
     bool rotation;
     double birth, death;
-    double force = 0.0, velocity = 0.0;  // of the last prescribe
+    double force = 0.0, before = 0.0, velocity = 0.0;  // of the last prescribe: velocities before and after it
     bool active = false;
   };
   struct Driven : Held {
@@ -60,6 +60,7 @@ class Supports {
   std::vector<Driven> driven_;
   std::vector<Reaction> spc_, motion_;
   double work_ = 0.0;
+  double dt_previous_ = 0.0;  ///< of the last prescribe
 };
 
 /// Forces, moments, pressures and body loads.

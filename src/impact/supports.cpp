@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "base/index.hpp"
 #include "impact/conditions.hpp"
 
 namespace nugget::impact {
@@ -128,11 +129,16 @@ void Supports::set_component(Held& held, double target, int body, system::State&
   const double work = 0.5 * held.force * held.velocity * state.dt_previous;
   work_ += work;
   reaction.energy += work;
+  held.before = held.velocity;
   held.velocity = target;
 }
 
 void Supports::prescribe(system::State& state, double kick, std::span<system::RigidBody> bodies) {
   const auto in_force = [&](const Held& h) { return state.time >= h.birth && state.time < h.death; };
+  dt_previous_ = state.dt_previous;
+  const auto component = [&](const Held& h) {
+    return dot(h.axis, vec(h.rotation ? state.w[at(h.node)] : state.v[at(h.node)]));
+  };
   const auto release = [](Held& h) {
     h.active = false;
     h.force = 0.0;
@@ -144,6 +150,8 @@ void Supports::prescribe(system::State& state, double kick, std::span<system::Ri
       release(h);
       continue;
     }
+    // What moved before it was held gives up its energy; at time 0 it stands still already (hold_at_start).
+    if (!h.active && state.cycle > 0) h.velocity = component(h);
     h.active = true;
     set_component(h, 0.0, -1, state, kick, bodies, spc_);
   }
@@ -157,27 +165,23 @@ void Supports::prescribe(system::State& state, double kick, std::span<system::Ri
       const Frame3d& axes = bodies[static_cast<std::size_t>(d.body)].axes;
       if (!d.hold_others) d.axis = axes.global(d.motion->direction);
     }
-    const auto node = static_cast<std::size_t>(d.node);
-    const Row& row = d.rotation ? state.w[node] : state.v[node];
-    if (!d.active) d.velocity = dot(d.axis, vec(row));
+    if (!d.active) d.velocity = component(d);
     d.active = true;
     set_component(d, target(d, state, d.velocity, kick), d.body, state, kick, bodies, motion_);
   }
 }
 
 void Supports::open_step(double dt) {
-  for (const Held& h : held_) {
-    if (!h.active) continue;
-    const double work = 0.5 * h.force * h.velocity * dt;
+  // Both halves together are the impulse times the mean of the velocities before and after, whatever the two steps: a
+  // node that is driven from rest in half a first step gets its kinetic energy, not twice that.
+  const auto open = [&](const Held& held, Reaction& reaction) {
+    if (!held.active) return;
+    const double work = 0.25 * held.force * ((dt + dt_previous_) * held.velocity + (dt - dt_previous_) * held.before);
     work_ += work;
-    spc_[h.reaction].energy += work;
-  }
-  for (const Driven& d : driven_) {
-    if (!d.active) continue;
-    const double work = 0.5 * d.force * d.velocity * dt;
-    work_ += work;
-    motion_[d.reaction].energy += work;
-  }
+    reaction.energy += work;
+  };
+  for (const Held& h : held_) open(h, spc_[h.reaction]);
+  for (const Driven& d : driven_) open(d, motion_[d.reaction]);
 }
 
 }  // namespace nugget::impact
