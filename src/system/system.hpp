@@ -92,7 +92,26 @@ class System {
 
  private:
   void order_nodes();
+
+  /// Elements of one part and the system nodes of each.
+  struct Members {
+    std::vector<model::Index> element;
+    std::vector<std::array<int, 8>> node;
+  };
+  template <class Elements>
+  Members members(const Elements& elements, const std::vector<model::Index>& chosen) const;
+  template <class Element>
+  void add_group(Element element, model::ElementKind kind, std::size_t part, const Members& m,
+                 std::vector<Seat>& seats);
+  const model::Hourglass& hourglass_of(const model::Part& part) const;
   void make_groups(Findings& findings);
+  void make_shells();
+  template <int Corners>
+  void add_shells(std::size_t part, const std::vector<model::Index>& chosen);
+  void make_bricks();
+  void make_weld_beams(Findings& findings);
+  void add_weld_beams(std::size_t part, const std::vector<model::Index>& chosen, bool torsion);
+
   void make_constraints(Findings& findings);
   void make_bodies();
   void assemble_mass();
@@ -101,6 +120,7 @@ class System {
   /// Sets the density factor of an element and puts the change on its nodes.
   void set_mass_scale(ElementGroup& group, std::size_t e, double factor);
 
+  std::vector<Vec3d> start_;  ///< positions at time 0, by system node
   std::vector<Lump> lumps_;
   std::vector<double> own_inertia_;
 
