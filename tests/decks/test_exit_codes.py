@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Each exit code of the contract, by a run that really ends that way, and what it leaves behind."""
+import os
+import re
+import resource
+import signal
+import subprocess
+import time
+import unittest
+
+from lap_joint import deck, edited
+from nugget_command import NUGGET, CommandTest
+
+# A soft block of one brick, whose top is driven onto its bottom; what happens on the way is up to the speed and to the limits.
+BLOCK = """\
+*KEYWORD
+*CONTROL_TERMINATION
+  1.00e-03         0       0.0       0.0
+*CONTROL_TIMESTEP
+       0.0       0.9
+*DATABASE_GLSTAT
+  1.00e-05
+*DATABASE_BINARY_D3PLOT
+  1.00e-05
+*PART
+block
+         1         1         1
+*SECTION_SOLID
+         1         1
+*MAT_ELASTIC
+         1  1.00e-09      10.0       0.0
+*BOUNDARY_SPC_SET
+         1         0         1         1         1
+*SET_NODE_LIST
+         1
+         1         2         3         4
+*BOUNDARY_PRESCRIBED_MOTION_SET
+         2         3         0         1      -1.0
+*SET_NODE_LIST
+         2
+         5         6         7         8
+*DEFINE_CURVE
+         1
+                 0.0             20000.0
+                 1.0             20000.0
+*NODE
+       1             0.0             0.0             0.0
+       2            10.0             0.0             0.0
+       3            10.0            10.0             0.0
+       4             0.0            10.0             0.0
+       5             0.0             0.0            10.0
+       6            10.0             0.0            10.0
+       7            10.0            10.0            10.0
+       8             0.0            10.0            10.0
+*ELEMENT_SOLID
+       1       1       1       2       3       4       5       6       7       8
+*END
+"""
+SPEED = ("                 0.0             20000.0\n                 1.0             20000.0\n",
+         "                 0.0            150000.0\n                 1.0            150000.0\n")
+LIMITS = "  1.00e-03         0       0.0       0.0\n"
+LONG = [("  2.00e-05\n*CONTROL_TIMESTEP", "  2.00e+03\n*CONTROL_TIMESTEP"),
+        ("*DATABASE_BINARY_D3PLOT\n  5.00e-06", "*DATABASE_BINARY_D3PLOT\n  1.00e-03"),
+        ("*DATABASE_GLSTAT\n  5.00e-06", "*DATABASE_GLSTAT\n  1.00e-03"),
+        ("*DATABASE_MATSUM\n  5.00e-06", "*DATABASE_MATSUM\n  1.00e-03"),
+        ("*DATABASE_NODOUT\n  5.00e-06", "*DATABASE_NODOUT\n  1.00e-03"),
+        ("*DATABASE_SWFORC\n  1.00e-06", "*DATABASE_SWFORC\n  1.00e-03")]
+
+
+class ExitCodes(CommandTest):
+    def test_0_normal_termination(self):
+        self.write(deck())
+        self.assertEqual(self.nugget("run", "model.k").stdout, " N o r m a l    t e r m i n a t i o n\n")
+
+    def test_1_refused(self):
+        self.write(deck(("*CONTROL_TERMINATION\n  2.00e-05\n", "")))
+        self.assertEqual(self.nugget("run", "model.k", expect=1).stdout, "")
+        self.assertEqual(self.files(), ["findings.json", "model.k", "run.log"])
+
+    def test_2_wrong_command_line(self):
+        self.write(deck())
+        for arguments, word in ((["run"], "model"), ([], "subcommand"), (["fly"], "fly"), (["model.k"], "nugget run MODEL.k"),
+                                (["run", "model.k", "--frobnicate"], "--frobnicate"), (["run", "model.k", "two.k"], "two.k"),
+                                (["run", "model.k", "jobid=a"], "jobid=a"), (["modes", "model.k"], "modes"),
+                                (["run", "model.k", "-j", "0"], "'0', expected a whole number of 1 or more"),
+                                (["run", "i=model.k", "ncpu=some"], "'some', expected a whole number of 1 or more"),
+                                (["run", "model.k", "--until", "soon"], "'soon', expected a time above 0"),
+                                (["run", "model.k", "--max-cycles", "1.5"], "'1.5', expected a whole number of 1 or more"),
+                                (["run", "model.k", "--checkpoint", "10min"], "--checkpoint is not built yet"),
+                                (["run", "--resume", ".", "model.k"], "--resume is not built yet")):
+            with self.subTest(arguments):
+                run = self.nugget(*arguments, expect=2)
+                self.assertIn(word, run.stderr)
+                self.assertEqual(run.stdout, "")
+        self.assertEqual(self.files(), ["model.k"])
+
+    def error_termination(self, text, reason):
+        """Runs into an error; the reason stands everywhere, the results up to there are numbers."""
+        self.write(text)
+        run = self.nugget("run", "model.k", expect=3)
+        message = next((line for line in run.stderr.splitlines() if re.fullmatch(reason, line)), None)
+        self.assertIsNotNone(message, run.stderr)
+        self.assertEqual(run.stdout, " E r r o r   t e r m i n a t i o n\n")
+        self.assertTrue(self.read("run.log").endswith(f" {message}\n\n E r r o r   t e r m i n a t i o n\n"))
+        summary = self.json("summary.json")
+        self.assertEqual((summary["termination"], summary["message"]), ("error", message))
+        self.assertLess(summary["time"], 0.99e-2)
+        states = self.glstat()
+        self.assertGreaterEqual(len(states), 2)
+        for values in [*states, summary["energy"]]:
+            for name, value in values.items():
+                self.assertTrue(isinstance(value, float) and abs(value) < 1e300, f"{name} = {value}")
+        seen = self.d3plot()
+        self.assertGreaterEqual(len(seen["states"]), 2)
+        for state in seen["states"]:
+            for block in state["blocks"]:
+                for x in block["point_arrays"]["Deflected Coordinates"]:
+                    self.assertTrue(all(abs(c) < 1e30 for c in x), f"at {state['time']}: {x}")
+
+    def test_3_negative_volume(self):
+        self.error_termination(edited(BLOCK, SPEED), r"negative volume in solid 1 of part 1 at time \S+, cycle \d+")
+
+    def test_3_time_step_below_dtmin(self):
+        self.error_termination(edited(BLOCK, (LIMITS, "  1.00e-03         0       0.5       0.0\n")),
+                               r"the time step \S+ of solid 1 of part 1 fell below DTMIN times the first step, \S+")
+
+    def test_3_time_stands_still(self):
+        self.error_termination(BLOCK, r"the time step \S+ of solid 1 of part 1 is too small to go on from time \S+, cycle \d+")
+
+    def test_3_energy_ratio_beyond_endeng(self):
+        self.error_termination(deck(("  2.00e-05\n*CONTROL_TIMESTEP", "  1.00e-03         0       0.0      10.0\n*CONTROL_TIMESTEP"),
+                                    ("       0.0       0.9\n", "       0.0       3.0\n")),
+                               r"the energy ratio \S+ left the limit ENDENG = 10 %")
+
+    def test_3_solution_that_diverges(self):
+        """Elastic, with twice the stable step of the shells; a curve keeps the step there while the shells grow."""
+        too_long = "                 0.0             2.0e-06\n                 1.0             2.0e-06\n"
+        text = deck(("       0.0       0.9\n", "       0.0      12.0         0       0.0       0.0         2\n"),
+                    ("*BOUNDARY_SPC_SET\n", "*DEFINE_CURVE\n         2\n" + too_long + "*BOUNDARY_SPC_SET\n"),
+                    ("*MAT_PIECEWISE_LINEAR_PLASTICITY\n", "*MAT_ELASTIC\n"),
+                    ("       0.3     300.0    1000.0\n       0.0       0.0\n\n\n*SECTION_BEAM", "       0.3\n*SECTION_BEAM"),
+                    ("  2.00e-05\n*CONTROL_TIMESTEP", "  9.90e-03\n*CONTROL_TIMESTEP"))
+        self.error_termination(text, r"the solution diverged: .* at time \S+, cycle \d+")
+
+    def test_4_a_file_stands_where_the_folder_should_be(self):
+        self.write(deck())
+        self.write("not a folder", "results")
+        run = self.nugget("run", "model.k", "-o", "results", expect=4)
+        self.assertEqual(run.stderr, "nugget: cannot write results: Not a directory\n")
+        self.assertEqual(self.read("results"), "not a folder")
+
+    def test_4_a_folder_stands_where_a_result_should_be(self):
+        self.write(deck())
+        (self.folder / "swforc").mkdir()
+        run = self.nugget("run", "model.k", expect=4)
+        self.assertIn("nugget: cannot write ./swforc: Is a directory\n", run.stderr)
+        self.assertTrue(self.read("run.log").endswith(" cannot write ./swforc: Is a directory\n\n E r r o r   "
+                                                      "t e r m i n a t i o n\n"))
+
+    def test_4_the_disk_is_full(self):
+        """A limit on the size of files stands in for the disk."""
+        self.write(deck())
+
+        def small_disk():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (16000, 16000))
+
+        run = self.nugget("run", "model.k", expect=4, preexec_fn=small_disk)
+        self.assertIn("nugget: cannot write ./d3plot01: File too large\n", run.stderr)
+        self.assertIn("cannot write ./d3plot01", self.read("run.log"))
+        seen = self.d3plot()
+        self.assertGreaterEqual(len(seen["states"]), 1)
+        self.assertEqual(seen["nodes"], 34)
+
+    def interrupt(self, number):
+        self.write(deck(*LONG))
+        run = subprocess.Popen([NUGGET, "run", "model.k", "-j", "1"], cwd=self.folder, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True)
+        try:
+            deadline = time.monotonic() + 20.0
+            while not (self.folder / "glstat").exists() or len(self.glstat()) < 3:
+                self.assertLess(time.monotonic(), deadline, "no results yet")
+                time.sleep(0.05)
+            os.kill(run.pid, number)
+            out, error = run.communicate(timeout=20)
+        finally:
+            run.kill()
+        self.assertEqual(run.returncode, 130, error)
+        self.assertEqual(out, " I n t e r r u p t e d\n")
+        self.assertRegex(error, r"interrupted by the user at time \S+, cycle \d+; results up to there are kept, but no restart "
+                                r"file is written: this version has none\n")
+        summary = self.json("summary.json")
+        self.assertEqual(summary["termination"], "interrupted")
+        self.assertTrue(self.read("run.log").endswith(" I n t e r r u p t e d\n"))
+        self.assertAlmostEqual(self.glstat()[-1]["time"], summary["time"], delta=1e-5 * summary["time"])
+        self.assertAlmostEqual(self.d3plot()["states"][-1]["time"], summary["time"], delta=1e-5 * summary["time"])
+
+    def test_130_interrupted_by_the_keyboard(self):
+        self.interrupt(signal.SIGINT)
+
+    def test_130_asked_to_end(self):
+        self.interrupt(signal.SIGTERM)
+
+
+if __name__ == "__main__":
+    unittest.main()
