@@ -64,28 +64,31 @@ TEST(Plasticity, BalmerWitmerBeam) {
   Specimen s;
   s.card("MAT_PLASTIC_KINEMATIC", {1, 2.61e-4, 1.04e7, 0.3, 41400.0, 0.0, 1.0}).text(fields({}));
   s.text("*SECTION_SHELL\n" + fields({1, 2, 5.0 / 6.0, 10}) + fields({0.125, 0.125, 0.125, 0.125})).part(1, 1, 1);
-  const Grid grid = s.shells(1, {}, {5.0, 1.2, 0.0}, cells, 1);
+  const Grid grid = s.shells(1, {}, {5.0, 0.6, 0.0}, cells, 3);
   s.node_set(1, grid.across(cells)).card("BOUNDARY_SPC_SET", {1, 0, 1, 0, 1, 1, 1, 1});
   s.node_set(2, grid.across(0)).card("BOUNDARY_SPC_SET", {2, 0, 1, 0, 0, 0, 1, 1});
-  s.node_set(3, {grid(cells, 0), grid(0, 0)}).card("BOUNDARY_SPC_SET", {3, 0, 0, 1, 0});
+  std::vector<int> middle;
+  for (int i = 0; i <= cells; ++i) middle.push_back(grid(i, 0));
+  s.node_set(3, middle).card("BOUNDARY_SPC_SET", {3, 0, 0, 1, 0, 1, 0, 1});
   for (int i = 0; i <= cells / 5; ++i)
     for (int id : grid.across(i)) s.card("INITIAL_VELOCITY_NODE", {1.0 * id, 0, 0, i < cells / 5 ? 5000.0 : 2500.0});
-  s.card("CONTROL_TERMINATION", {end});
+  s.card("CONTROL_HOURGLASS", {4, 0.1}).card("CONTROL_TERMINATION", {end});
   Experiment experiment(s.deck());
 
   double peak = 0.0, when = 0.0, ratio = 0.0;
   TimeMean late;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
     const double w = experiment.displacement(now, grid(0, 0)).z;
-    if (w > peak && now.state.time < 1e-3) peak = w, when = now.state.time;
+    if (when == 0.0 && experiment.velocity(now, grid(0, 0)).z < 0.0) when = now.state.time;
+    peak = std::max(peak, w);
     if (now.state.time > 1.2e-3) late.add(w, now.state.dt);
     ratio = std::max(ratio, std::abs(now.energy.ratio() - 1.0));
   });
-  expect_reference("A-45", "Balmer-Witmer beam, 50 shells: peak deflection of the middle [in]", peak, 0.737, 0.04);
-  expect_reference("A-45", "Balmer-Witmer beam, 50 shells: time of the peak [s]", when, 4.80e-4, 0.04);
-  expect_reference("A-45", "Balmer-Witmer beam, 50 shells: mean deflection after 1.2 ms [in]", late.value(), 0.69,
+  expect_reference("A-45", "Balmer-Witmer beam, 50 x 3 shells: peak deflection of the middle [in]", peak, 0.737, 0.04);
+  expect_reference("A-45", "Balmer-Witmer beam, 50 x 3 shells: first rest of the middle [s]", when, 4.80e-4, 0.04);
+  expect_reference("A-45", "Balmer-Witmer beam, 50 x 3 shells: mean deflection after 1.2 ms [in]", late.value(), 0.69,
                    0.04);
-  expect_reference("A-45", "Balmer-Witmer beam, 50 shells: energy ratio", 1.0 + ratio, 1.0, 0.02);
+  expect_reference("A-45", "Balmer-Witmer beam, 50 x 3 shells: energy ratio", 1.0 + ratio, 1.0, 0.02);
 }
 
 /// A quarter of a disc cut into 3 n^2 quadrilaterals: a square of n x n by the axis, bent outwards, and n rings of it.
@@ -162,9 +165,9 @@ TEST(Plasticity, TaylorBar) {
     for (int e : experiment.model().solids.id)
       strain = std::max(strain, brick_layer(experiment, now, e).plastic_strain);
   });
-  expect_reference("A-48", "Taylor bar, 27 x 54 bricks: final length [mm]", final_length, 21.473, 0.01);
-  expect_reference("A-48", "Taylor bar, 27 x 54 bricks: radius of the foot [mm]", foot, 7.132, 0.03);
-  expect_reference("A-48", "Taylor bar, 27 x 54 bricks: largest plastic strain", strain, 2.68, 0.10);
+  expect_reference("A-48", "Taylor bar, 27 x 54 bricks: final length [mm]", final_length, 21.47, 0.01);
+  expect_reference("A-48", "Taylor bar, 27 x 54 bricks: radius of the foot [mm]", foot, 7.05, 0.03);
+  expect_reference("A-48", "Taylor bar, 27 x 54 bricks: largest plastic strain", strain, 2.97, 0.10);
   expect_reference("A-48", "Taylor bar, 27 x 54 bricks: energy ratio", 1.0 + ratio, 1.0, 0.02);
 }
 
