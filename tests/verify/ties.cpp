@@ -127,7 +127,7 @@ Experiment gap_deck(double gap, double sast = 0.0, double sbst = 0.0) {
 TEST(Tie, A16Tolerance) {
   const Experiment near = gap_deck(1.31);
   ASSERT_EQ(near.ties().ties.size(), 1u);
-  EXPECT_THAT(text(near.findings()), HasSubstr("1 nodes tied, 1 of them moved onto the mid-surface, at most by 1.31"));
+  EXPECT_THAT(text(near.findings()), HasSubstr("1 of them moved onto the mid-surface, at most by 1.31"));
   EXPECT_TRUE(near.model().control.list_ties);
   EXPECT_EQ(weld::describe(near.model(), near.ties().ties[0]),
             "node 5 on segment 1 2 4 3 (shell 1 of part 1), xi 0.000000 eta 0.000000, moved 1.31");
@@ -336,7 +336,7 @@ TEST(FreeAssembly, KeepsMomentumAndEnergyToRoundOff) {
     turn = std::max(turn, norm(m.angular - seen[0].angular) / norm(seen[0].angular));
   }
   expect_reference("free assembly", "drift of the linear momentum in 20,000 cycles", drift, 0.0, 1e-12, 1.0);
-  expect_reference("free assembly", "drift of the angular momentum in 20,000 cycles", turn, 0.0, 1e-4, 1.0);
+  expect_reference("free assembly", "drift of the angular momentum in 20,000 cycles", turn, 0.0, 1e-12, 1.0);
   expect_reference("free assembly", "energy balance in 20,000 cycles, weld broken", worst / scale, 0.0, 1e-10, 1.0);
 }
 
