@@ -77,6 +77,7 @@ SingleSurface::SingleSurface(SingleSurfaceSetup setup, std::span<const Row> x)
     block.end = std::min(tracked, begin + block_size);
     block.first.assign(block.end - begin + 1, 0);
     block.old_first = block.first;
+    block.wake.assign(block.end - block.begin, 0.0);
     blocks_.push_back(std::move(block));
   }
 }
@@ -114,16 +115,25 @@ bool SingleSurface::node_alive(int node, std::span<const unsigned char> shell_al
 bool SingleSurface::moved_too_far(std::span<const Row> x) {
   parallel_for(moved_.size(), 1, [this, &x](std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
-      Box box;
-      for (std::size_t i = g * group_size; i < std::min(live_.size(), (g + 1) * group_size); ++i)
-        box.add(vec(x[live_[i]]) - vec(searched_at_[i]));
-      moved_[g] = box;
+      Motion motion;
+      for (std::size_t i = g * group_size; i < std::min(live_.size(), (g + 1) * group_size); ++i) {
+        const Row& at = x[live_[i]];
+        motion.since_search.add(vec(at) - vec(searched_at_[i]));
+        motion.step.add(vec(at) - vec(seen_at_[i]));
+        seen_at_[i] = at;
+      }
+      moved_[g] = motion;
     }
   });
-  Box all;
-  for (const Box& box : moved_) all.add(box);
+  if (moved_.empty()) return false;
+  Motion all;
+  for (const Motion& motion : moved_) {
+    all.since_search.add(motion.since_search);
+    all.step.add(motion.step);
+  }
   // No two points can have approached each other by more than the diagonal, whatever the surface does as a whole.
-  return !moved_.empty() && norm(all.high - all.low) > margin_;
+  travelled_ += norm(all.step.high - all.step.low);
+  return norm(all.since_search.high - all.since_search.low) > margin_;
 }
 
 void SingleSurface::search(std::span<const Row> x, std::span<const unsigned char> shell_alive) {
@@ -134,6 +144,7 @@ void SingleSurface::search(std::span<const Row> x, std::span<const unsigned char
     live_.push_back(n);
     searched_at_.push_back(x[n]);
   }
+  seen_at_ = searched_at_;
   moved_.resize((live_.size() + group_size - 1) / group_size);
 
   living_.clear();
@@ -180,11 +191,12 @@ void SingleSurface::list_neighbours(Block& block, std::span<const Row> x, std::s
       const double far = reach(t, pair.segment) + margin_;
       if (segment.has(tracked.node)) return;
       const kernel::Corners corners = corners_of(segment, x);
-      if (kernel::farther_than(far, corners, p)) return;
+      if (kernel::least_distance(corners, p) > far) return;
       const kernel::Foot foot = kernel::closest_point(corners, segment.triangle(), p);
       if (foot.distance > far) return;
       pair.xi = foot.xi;
       pair.eta = foot.eta;
+      pair.wake = travelled_ + (foot.distance - widest(t));
       block.pairs.push_back(pair);
     });
     const auto by_segment = [](const Pair& a, const Pair& b) { return a.segment < b.segment; };
@@ -199,6 +211,7 @@ void SingleSurface::list_neighbours(Block& block, std::span<const Row> x, std::s
     longest = std::max(longest, block.pairs.size() - start);
   }
   block.first.back() = static_cast<int>(block.pairs.size());
+  std::fill(block.wake.begin(), block.wake.end(), 0.0);
   block.candidates.reserve(longest);
   block.hits.reserve(block.pairs.size());
 }
@@ -209,7 +222,7 @@ void SingleSurface::list_neighbours(Block& block, std::span<const Row> x, std::s
 void SingleSurface::work(Block& block, const Step& step) const {
   block.hits.clear();
   for (int t = block.begin; t < block.end; ++t)
-    if (block.first[t - block.begin] < block.first[t - block.begin + 1]) look_at(block, t, step);
+    if (block.wake[t - block.begin] <= travelled_) look_at(block, t, step);
 }
 
 void SingleSurface::look_at(Block& block, int tracked, const Step& step) const {
@@ -226,22 +239,33 @@ void SingleSurface::gather_candidates(Block& block, int tracked, const Step& ste
   block.candidates.clear();
   const TrackedNode& node = setup_.nodes[tracked];
   const Vec3d p = vec(step.x[node.node]);
-  const double widest = 0.5 * (node.thickness + thickest_segment_);
+  const double far = widest(tracked);
   const int begin = block.first[tracked - block.begin], end = block.first[tracked - block.begin + 1];
+  double& first_wake = block.wake[tracked - block.begin];
+  first_wake = Box::infinity;
   for (int i = begin; i < end; ++i) {
     Pair& pair = block.pairs[i];
+    if (pair.wake > travelled_) {
+      first_wake = std::min(first_wake, pair.wake);
+      continue;
+    }
     const Pair before = pair;
     pair.touching = false;
     pair.side = 0;
     pair.offset = pair.depth = 0.0;
     const Segment& segment = setup_.segments[pair.segment];
+    if (!alive(pair.segment, step.shell_alive)) continue;
     const kernel::Corners corners = corners_of(segment, step.x);
-    if (kernel::farther_than(widest, corners, p) || !alive(pair.segment, step.shell_alive)) continue;
+    const double clear = kernel::least_distance(corners, p);
     Candidate c;
-    c.foot = kernel::closest_point(corners, segment.triangle(), p, pair.xi, pair.eta);
-    pair.xi = c.foot.xi;
-    pair.eta = c.foot.eta;
-    if (c.foot.distance >= widest) continue;
+    if (clear < far) {
+      c.foot = kernel::closest_point(corners, segment.triangle(), p, pair.xi, pair.eta);
+      pair.xi = c.foot.xi;
+      pair.eta = c.foot.eta;
+    }
+    pair.wake = travelled_ + ((clear < far ? c.foot.distance : clear) - far);
+    first_wake = std::min(first_wake, pair.wake);
+    if (pair.wake > travelled_) continue;
     c.pair = &pair;
     c.before = before;
     c.reach = reach(tracked, pair.segment);

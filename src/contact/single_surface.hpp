@@ -58,8 +58,9 @@ std::vector<Penetration> remove_penetrations(const SingleSurfaceSetup& setup, st
 /// geometry.
 ///
 /// Search. Each node lists the segments within contact distance plus a margin; the lists are renewed when two points of
-/// the surface can have come closer than that margin, judged by the box of all displacements since. No contact is
-/// missed between searches and none depends on how often one searches.
+/// the surface can have come closer than that margin, judged by the box of all displacements since. A pair found apart
+/// sleeps until the steps taken since, each judged by the box of its displacements, can have closed the gap. No contact
+/// is missed between searches and none depends on how often one searches.
 ///
 /// Results are the same bits for any number of threads. No memory is taken between searches.
 class SingleSurface {
@@ -93,6 +94,7 @@ class SingleSurface {
     double xi = 0.0, eta = 0.0;
     double offset = 0.0;  ///< overlap that the pair came with and that gives no force [length]
     double depth = 0.0;   ///< overlap that does [length]
+    double wake = 0.0;    ///< before `travelled_` gets here the two cannot touch [length]
   };
   /// A pair close enough to be looked at in this cycle.
   struct Candidate {
@@ -113,6 +115,7 @@ class SingleSurface {
   struct Block {
     int begin = 0, end = 0;      // tracked nodes
     std::vector<int> first;      // of the pairs of each node
+    std::vector<double> wake;    // of each node: the first of its pairs'
     std::vector<Pair> pairs;     // by node, then by segment
     std::vector<int> old_first;  // the lists before the search
     std::vector<Pair> old_pairs;
@@ -137,6 +140,7 @@ class SingleSurface {
   }
 
   bool moved_too_far(std::span<const Row> x);
+  double widest(int tracked) const { return 0.5 * (setup_.nodes[tracked].thickness + thickest_segment_); }
   void search(std::span<const Row> x, std::span<const unsigned char> shell_alive);
   void list_neighbours(Block& block, std::span<const Row> x, std::span<const unsigned char> shell_alive);
   void work(Block& block, const Step& step) const;
@@ -166,9 +170,14 @@ class SingleSurface {
   std::vector<Row> searched_at_;    // coordinates of live_ then
   bool searched_ = false;
   long searches_ = 0;
-  std::vector<Box> moved_;   // displacements of live_ since, by group of nodes
-  std::vector<int> living_;  // living segments at the last search
-  std::vector<Box> boxes_;   // of these, with their skin
+  std::vector<Row> seen_at_;  // coordinates of live_ in the cycle before
+  double travelled_ = 0.0;    // by how much two points can have approached each other since the start, at most
+  struct Motion {
+    Box since_search, step;
+  };
+  std::vector<Motion> moved_;  // displacements of live_, by group of nodes
+  std::vector<int> living_;    // living segments at the last search
+  std::vector<Box> boxes_;     // of these, with their skin
   BoxTree tree_;
   std::vector<Block> blocks_;
   std::vector<int> busy_;  // blocks that have pairs

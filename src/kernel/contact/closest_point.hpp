@@ -139,13 +139,16 @@ inline Foot closest_point(const Corners& corners, bool triangle, const Vec3d& x,
   return foot;
 }
 
-/// True if `x` is surely farther than `reach` from the segment: its distance from the mean plane of the corners exceeds
-/// `reach` and their warp (a bilinear surface stays between its corners). Cheap, and never wrong when true.
-inline bool farther_than(double reach, const Corners& c, const Vec3d& x) {
-  const Vec3d n = cross(c[2] - c[0], c[3] - c[1]);
-  const double height = std::abs(dot((x - c[0]) + (x - c[1]) + (x - c[2]) + (x - c[3]), n));
-  const double excess = 0.25 * (height - std::abs(dot(c[0] + c[2] - c[1] - c[3], n)));
-  return excess > 0.0 && excess * excess > reach * reach * dot(n, n);
+/// A distance that `x` surely has from the segment, cheap to find: that from the mean plane of the corners less their
+/// warp (a bilinear surface stays between its corners), or that from the sphere around them.
+inline double least_distance(const Corners& c, const Vec3d& x) {
+  const Vec3d to_middle = x - 0.25 * ((c[0] + c[1]) + (c[2] + c[3]));
+  const Vec3d p = c[2] - c[0], q = c[3] - c[1], n = cross(p, q), warp = 0.25 * ((c[0] + c[2]) - (c[1] + c[3]));
+  const double nn = dot(n, n);
+  const double above = std::abs(dot(to_middle, n)) - std::abs(dot(warp, n));
+  // A corner is half its diagonal and the warp away from the middle, at most.
+  const double beyond = norm(to_middle) - (0.5 * std::sqrt(std::max(dot(p, p), dot(q, q))) + norm(warp));
+  return std::max(beyond, above > 0.0 ? above / std::sqrt(nn) : 0.0);
 }
 
 }  // namespace nugget::kernel

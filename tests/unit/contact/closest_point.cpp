@@ -77,16 +77,17 @@ TEST(ClosestPoint, SegmentWithoutAreaGivesItsEdge) {
   EXPECT_NEAR(foot.distance, 1.0, 1e-14);
 }
 
-TEST(FartherThan, IsNeverWrongWhenTrue) {
+TEST(LeastDistance, IsNeverMoreThanTheDistance) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> at(-1.0, 3.0), height(-1.5, 1.5);
   int far = 0;
   for (int i = 0; i < 2000; ++i) {
     const Vec3d x{at(random), at(random), height(random)};
     for (const Corners& c : {square, warped, triangle}) {
-      if (!farther_than(0.5, c, x)) continue;
-      ++far;
-      EXPECT_GT(closest_point(c, c[2].x == c[3].x && c[2].y == c[3].y, x).distance, 0.5);
+      const double distance = closest_point(c, c[2].x == c[3].x && c[2].y == c[3].y, x).distance;
+      const double least = least_distance(c, x);
+      EXPECT_LE(least, distance * (1.0 + 1e-14));
+      if (least > 0.5) ++far;
     }
   }
   EXPECT_GT(far, 1000);

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <functional>
 #include <numbers>
+#include <random>
 
 #include "base/parallel.hpp"
 
@@ -571,6 +572,40 @@ std::vector<double> crumple(int thread_count) {
   out.push_back(static_cast<double>(contact.searches()));
   set_threads(1);
   return out;
+}
+
+// Pairs found apart sleep. Sabotage it must catch: a wake at twice the gap, or steps that are not added up.
+TEST(SingleSurface, SleepingPairsWakeInTime) {
+  Scene scene;
+  scene.dt = 1e-6;
+  scene.add_patch(6, 6, 1.0, [](int i, int j) { return Vec3d{5.0 * i, 5.0 * j, 0.0}; });
+  const int node = scene.add_node({15.2, 14.1, 3.0});
+  scene.setup.nodes = {{node, 1.0}};
+  SingleSurface contact = scene.contact();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> speed(-4e4, 4e4), drift(-3e3, 3e3);
+  int touched = 0, passed = 0;
+  double vz = 0.0, previous = 3.0;
+  for (int cycle = 0; cycle < 4000; ++cycle) {
+    if (cycle % 40 == 0) vz = speed(random);
+    if (scene.x[node].z - scene.x[0].z < 0.3) vz = std::abs(vz);
+    if (scene.x[node].z - scene.x[0].z > 4.0) vz = -std::abs(vz);
+    const double all = drift(random);  // the whole scene moves: that wakes nobody
+    for (int n = 0; n <= node; ++n) {
+      scene.v[n] = {all, 0.0, n == node ? all + vz : all, 0.0};
+      scene.x[n].x += scene.dt * scene.v[n].x;
+      scene.x[n].z += scene.dt * scene.v[n].z;
+    }
+    scene.evaluate(contact, scene.dt);
+    const double height = scene.x[node].z - scene.x[0].z;
+    ASSERT_EQ(contact.touching(), height < 1.0 ? 1 : 0) << cycle;
+    ASSERT_NEAR(contact.deepest(), std::max(0.0, 1.0 - height), 1e-9) << cycle;
+    touched += height < 1.0 ? 1 : 0;
+    passed += (height < 1.0) != (previous < 1.0) ? 1 : 0;
+    previous = height;
+  }
+  EXPECT_GT(touched, 100);
+  EXPECT_GT(passed, 20);
 }
 
 TEST(SingleSurface, SameBitsForAnyNumberOfThreads) {
