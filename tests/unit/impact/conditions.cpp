@@ -59,7 +59,14 @@ class Trial : public Recorder {
 const std::string mass = "*NODE\n1,0.0,0.0,0.0\n*ELEMENT_MASS\n1,1,2.0\n";
 const std::string until_one = "*CONTROL_TERMINATION\n1.0\n";
 
-// Sabotage to be caught: the work of a force with the velocity before the step (3/2 of it here).
+// F = 6 t on a mass of 2: v = 1.5 t^2. Sabotage to be caught: the force at the end of the step for the mean of both.
+TEST(Loads, RampDoesTheWorkThatMoves) {
+  Trial run(until_one + mass + "*DEFINE_CURVE\n1\n0.0,0.0\n10.0,10.0\n*LOAD_NODE_POINT\n1,1,1,6.0\n");
+  run.run();
+  EXPECT_NEAR(run.energy().external, 2.25, 1e-5);
+  EXPECT_LT(run.worst, 1e-13);
+}
+
 TEST(Loads, ConstantForceDoesTheWorkThatMoves) {
   Trial run(until_one + mass + "*DEFINE_CURVE\n1\n0.0,1.0\n10.0,1.0\n*LOAD_NODE_POINT\n1,1,1,6.0\n");
   run.run();
