@@ -34,7 +34,11 @@ class BrokenDecks(CommandTest):
         self.assertEqual([line for line in checked if line.startswith("model.k:")], findings)
 
     def test_the_deck_itself_is_sound(self):
-        self.check(0, [], ["model.k:48:1: note: *CONTACT_SPOTWELD 1: 2 nodes tied, none of them moved"])
+        self.check(0, [], [
+            "model.k:48:1: note: *CONTACT_SPOTWELD 1: 2 nodes tied, none of them moved",
+            "model.k: note: *CONTACT_SPOTWELD: no torsion in 1 weld beam: the shells have no stiffness about their "
+            "normal to hold it",
+        ])
 
     def test_missing_include(self):
         """An include file that is not there."""
@@ -178,6 +182,8 @@ class BrokenDecks(CommandTest):
             "model.k:48:1: note: *CONTACT_SPOTWELD 1: 1 node tied, none of them moved",
             "model.k:125: warning: *ELEMENT_BEAM: beam weld 31: on one sheet only, part 1 (expected: the two "
             "ends are on two different sheets) [see why the other end is not tied]",
+            "model.k: note: *CONTACT_SPOTWELD: no torsion in 1 weld beam: the shells have no stiffness about "
+            "their normal to hold it",
             "0 errors, 3 warnings",
         ])
 
@@ -339,6 +345,8 @@ class BrokenDecks(CommandTest):
             "model.k:42:1: warning: *ALE_REFERENCE_SYSTEM: fluids and large distortions by ALE are not built; the cards are "
             "left out",
             "model.k:50:1: note: *CONTACT_SPOTWELD 1: 2 nodes tied, none of them moved",
+            "model.k: note: *CONTACT_SPOTWELD: no torsion in 1 weld beam: the shells have no stiffness about their "
+            "normal to hold it",
             "0 errors, 1 warning",
         ])
 

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Public decks that nobody in this project wrote (../shared/decks): what `nugget check` says of each, and short runs."""
+import collections
+import re
+import unittest
+
+from nugget_command import CommandTest
+
+CAR6 = "decks/car6/main_v223.k"
+
+
+class RealDecks(CommandTest):
+    def findings(self, deck, expect):
+        """[(severity, keyword, field)] of `nugget check`, places left out; each has a text and names a file."""
+        self.nugget("check", self.shared(f"decks/{deck}"), "-o", "audit", expect=expect)
+        found = self.json("audit/findings.json")
+        for f in found:
+            self.assertTrue(f["text"] and f["file"], f)
+        return found
+
+    def refused(self, found):
+        """{(keyword, field): how often} of the errors."""
+        return collections.Counter((f["keyword"], f["field"]) for f in found if f["severity"] == "error")
+
+    def test_decks_that_are_accepted(self):
+        for deck in ("car6/main_v223.k", "car6/main_v223_param.k", "single_hex/single_hex_tension.k",
+                     "tensile_test/zug_test3_RS.k", "ball_plate/ball_plate.k"):
+            with self.subTest(deck):
+                self.assertFalse(self.refused(self.findings(deck, 0)))
+
+    def test_bumper_beam_is_refused_for_what_is_not_built_and_nothing_else(self):
+        found = self.findings("bumper_beam/Bumper_Beam_AP_meshed.k", 1)
+        errors = self.refused(found)
+        for keyword in ("*LOAD_BODY_GENERALIZED_SET_NODE", "*CONTACT_AUTOMATIC_NODES_TO_SURFACE_ID",
+                        "*CONTACT_TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET_ID", "*MAT_SIMPLIFIED_JOHNSON_COOK_TITLE",
+                        "*MAT_GENERAL_SPRING_DISCRETE_BEAM_TITLE", "*SET_PART_TREE"):
+            self.assertEqual(errors[(keyword, "")], 1, keyword)
+        self.assertEqual(errors[("*HOURGLASS", "ihq")], 1, "one card, one finding, however many parts")
+        self.assertEqual([f["text"] for f in found if "is not defined" in f["text"]], [], "what is refused is not undefined")
+
+    def test_box_drop_is_refused_for_its_contact(self):
+        self.assertEqual(self.refused(self.findings("box_drop/main.k", 1)),
+                         {("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID", ""): 1})
+
+    def test_camry_says_which_files_are_missing(self):
+        found = self.findings("camry_roof_crush_includes/Camry_RC_main.k", 1)
+        missing = [re.search(r"'(.+?)'", f["text"])[1] for f in found if f["keyword"] == "*INCLUDE"]
+        self.assertEqual(missing, ["Camry_V1_NoSusAndPowerTrain_impl7.k", "Camry_V1_NoSusAndPowerTrain_impl7_nodes.k"])
+        beams = next(f for f in found if f["keyword"] == "*ELEMENT_BEAM")
+        self.assertIn("part 7 is not defined; 2235 of its elements", beams["text"])
+
+    def test_weld_fragment_has_parts_without_section_and_material(self):
+        found = self.findings("hex_weld_fragment/rkrwelds.key", 1)
+        bare = [f for f in found if f["keyword"] == "*PART"]
+        self.assertEqual(len(bare), 21)
+        self.assertIn("has elements, but no section and no material", bare[0]["text"])
+        self.assertRegex(bare[-1]["text"], r"^and \d+ more of this kind$")
+
+    def test_frf_column_is_refused_by_its_solution(self):
+        errors = self.refused(self.findings("frf_column/frf_solid.k", 1))
+        self.assertEqual(errors[("*FREQUENCY_DOMAIN_FRF", "")], 1)
+        self.assertEqual(errors[("*CONTROL_IMPLICIT_EIGENVALUE", "")], 1)
+
+    def test_car6_for_ten_milliseconds(self):
+        """The car reaches the pole. Our own values of 2026-11: a change of the physics shows here first, and has to be judged
+        against LS-DYNA's numbers over the whole time before these are changed."""
+        self.nugget("run", self.shared(CAR6), "--until", "0.01", "--quiet", "-j", 2)
+        s = self.json("summary.json")
+        self.assertEqual((s["nodes"], s["elements"]["shell"], s["parts"], s["welds"]), (2378, 2424, 7, 3))
+        self.assertAlmostEqual(s["energy"]["ratio"], 1.0, delta=1e-3)
+        for name, value, expected, tolerance in (
+                ("mass", s["mass"]["physical"], 4.776406, 1e-6),
+                ("first step", s["time_step"]["first"], 7.03703e-6, 1e-5),
+                ("cycles", s["cycles"], 1418, 1e-2),
+                ("initial energy", s["energy"]["initial"], 1.359002e8, 1e-5),
+                ("kinetic energy", s["energy"]["kinetic"], 1.05299e8, 5e-3),
+                ("internal energy", s["energy"]["internal"], 2.6364e7, 1e-2),
+                ("hourglass energy", s["energy"]["hourglass"], 1.488e6, 5e-2)):
+            self.assertAlmostEqual(value / expected, 1.0, delta=tolerance, msg=f"{name}: {value}")
+
+    def test_single_hex_against_ls_dyna_and_the_static_answer(self):
+        """LS-DYNA's glstat beside the deck has the same first step; its later energies are unstable (single precision)."""
+        deck = self.shared("decks/single_hex/single_hex_tension.k")
+        theirs = re.search(r"time step\.+\s*(\S+)", (deck.parent / "glstat").read_text(encoding="latin-1"))[1]
+        self.nugget("run", deck, "--quiet")
+        states = self.glstat()
+        self.assertEqual(states[0]["time step"], float(theirs))
+        self.assertEqual(len(states), 101)
+        force, stiffness = 0.01, 210.0  # N_rr and EA / L of the brick, kN and mm
+        self.assertAlmostEqual(states[-1]["internal energy"] / (0.5 * force**2 / stiffness), 1.0, 3)
+        self.assertEqual(self.json("summary.json")["termination"], "normal")
+
+    def test_tensile_specimen_starts(self):
+        self.nugget("run", self.shared("decks/tensile_test/zug_test3_RS.k"), "--max-cycles", 2000, "--quiet")
+        s = self.json("summary.json")
+        self.assertAlmostEqual(s["energy"]["ratio"], 1.0, delta=1e-3)
+        self.assertGreater(s["energy"]["internal"], 100.0 * s["energy"]["kinetic"])
+
+    def test_ball_hits_the_plate(self):
+        self.nugget("run", self.shared("decks/ball_plate/ball_plate.k"), "--max-cycles", 500, "--quiet")
+        s = self.json("summary.json")
+        self.assertAlmostEqual(s["energy"]["ratio"], 1.0, delta=1e-3)
+        self.assertGreater(s["energy"]["internal"], 0.1 * s["energy"]["initial"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The same bits with one, two and three threads, in every result file."""
+import re
+import subprocess
+import sys
+import unittest
+
+from lap_joint import deck
+from nugget_command import SOURCE, CommandTest
+
+DATE = re.compile(rb"date \d\d/\d\d/\d{4}")
+
+
+class SameBits(CommandTest):
+    def bits(self, folder):
+        """{name: bytes} of the results; the only thing that two runs may differ by is the day, if midnight was between."""
+        names = [n for n in self.files(folder) if n not in ("run.log", "summary.json")]
+        return {name: DATE.sub(b"date", (self.folder / folder / name).read_bytes()) for name in names}
+
+    def compare(self, model, *options):
+        reference = None
+        for threads in (1, 2, 3):
+            self.nugget("run", model, "-o", f"t{threads}", "-j", threads, "--quiet", *options)
+            self.assertEqual(self.json(f"t{threads}/summary.json")["threads"], threads)
+            bits = self.bits(f"t{threads}")
+            reference = reference or bits
+            self.assertEqual(sorted(bits), sorted(reference))
+            for name, content in bits.items():
+                self.assertTrue(content == reference[name], f"{name} differs with {threads} threads")
+        return reference
+
+    def test_double_hat_welds_contact_wall_and_rigid_sled(self):
+        subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)
+        files = self.compare("double_hat.k", "--until", "2.0e-4")
+        self.assertLessEqual({"d3plot", "d3plot01", "swforc", "glstat", "matsum", "nodout", "rwforc", "rbdout"}, set(files))
+        self.assertGreater(len(files["swforc"]), 10000)
+
+    def test_lap_joint_whose_weld_fails(self):
+        self.compare(self.write(deck(("    8000.0    6000.0    6000.0", "    8000.0    1000.0    1000.0"))))
+
+    def test_a_different_load_gives_other_bits(self):
+        """The comparison can fail."""
+        self.write(deck(), "a.k")
+        self.write(deck(("             1.0e-05               500.0", "             1.0e-05               500.1")), "b.k")
+        self.nugget("run", "a.k", "-o", "a", "--quiet")
+        self.nugget("run", "b.k", "-o", "b", "--quiet")
+        a, b = self.bits("a"), self.bits("b")
+        for name in ("d3plot01", "swforc", "glstat", "matsum", "nodout"):
+            self.assertNotEqual(a[name], b[name], name)
+
+    def test_car6(self):
+        self.compare(self.shared("decks/car6/main_v223.k"), "--until", "0.005")
+
+
+if __name__ == "__main__":
+    unittest.main()
