@@ -152,8 +152,8 @@ std::string describe_keyword(std::string_view name) {
   const Keyword* keyword = find_keyword(written, options);
   if (keyword && !keyword->name.ends_with('*')) return describe(*keyword);
   if (const std::string members = family(written); !members.empty()) return fmt::format("*{}...: {}", written, members);
-  if (keyword) return describe(*keyword);
   const std::string_view similar = similar_keyword(written);
+  if (keyword) return describe(*keyword) + (similar.empty() ? "" : fmt::format("is it *{}?\n", similar));
   return fmt::format("*{}: not a keyword that this program knows{}\n", written,
                      similar.empty() ? "" : fmt::format("; is it *{}?", similar));
 }

@@ -237,9 +237,10 @@ void System::make_weld_beams(Findings& findings) {
     add_weld_beams(p, without, false);
   }
   if (untwisted > 0)
-    findings.note({model.deck, 0, 0}, "*CONTACT_SPOTWELD",
-                  fmt::format("{} weld beams carry no torsion: shells have no stiffness about their normal to hold it",
-                              untwisted));
+    findings.note(
+        {model.deck, 0, 0}, "*CONTACT_SPOTWELD",
+        fmt::format("no torsion in {} weld beam{}: the shells have no stiffness about their normal to hold it",
+                    untwisted, untwisted == 1 ? "" : "s"));
 }
 
 void System::add_weld_beams(std::size_t p, const std::vector<model::Index>& chosen, bool torsion) {
