@@ -52,6 +52,7 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
   force_ = {};
   normal_force_ = 0.0;
   touching_ = 0;
+  due_ = 0.0;
   Step step{dt, x, v, mass, skip, prescribed_velocity(time, dt)};
   const bool active = time >= birth_ && time < death_;
   if (mass_ > 0.0) {
@@ -70,7 +71,8 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
     for (const Sum& sum : sums_) {
       all.impulse += sum.impulse;
       all.normal += sum.normal;
-      all.energy += sum.energy;
+      all.opening += sum.opening;
+      all.closing += sum.closing;
       all.touching += sum.touching;
     }
     const double between_middles = 0.5 * (dt + dt_previous);
@@ -78,7 +80,9 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
     normal_force_ = all.normal / between_middles;
     impulse_ += all.impulse;
     normal_impulse_ += all.normal;
-    energy_ += all.energy;
+    energy_ += all.opening + all.closing;
+    const double share = dt_previous / between_middles;
+    due_ = (1.0 - share) * all.opening + all.closing;
     touching_ = all.touching;
   }
   started_ = active;
@@ -153,7 +157,8 @@ void RigidWall::stop(Tracked& tracked, const Step& step, Sum& sum) const {
   set(step.v[tracked.node], after);
   sum.impulse += impulse;
   sum.normal += dot(impulse, p.normal);
-  sum.energy -= 0.5 * dot(impulse, before + after);
+  sum.opening -= 0.5 * dot(impulse, before);
+  sum.closing -= 0.5 * dot(impulse, after);
   ++sum.touching;
 }
 

@@ -54,6 +54,10 @@ class RigidWall {
   /// accounted with f . (v_before + v_after)/2 dt, so that the total closes. Includes what a moving wall gained as
   /// kinetic energy.
   double energy() const { return energy_; }
+  /// The same up to `time` of the last `constrain`, which stands between the two middles: the impulses of that step
+  /// only with the share of their work that the kinetic energy at `time` contains (impact::kinetic_energy;
+  /// docs/decisions/0002).
+  double energy_until_now() const { return energy_ - due_; }
   /// Kinetic energy of a wall with mass, 0 for others.
   double kinetic_energy() const { return 0.5 * mass_ * velocity_ * velocity_; }
 
@@ -71,7 +75,8 @@ class RigidWall {
   };
   struct Sum {
     Vec3d impulse;
-    double normal = 0.0, energy = 0.0;
+    double normal = 0.0;
+    double opening = 0.0, closing = 0.0;  // halves of the energy: with the velocities before and after
     int touching = 0;
   };
   struct Step {
@@ -105,7 +110,7 @@ class RigidWall {
   bool started_ = false;   // `last` holds
 
   Vec3d force_, impulse_;
-  double normal_force_ = 0.0, normal_impulse_ = 0.0, energy_ = 0.0;
+  double normal_force_ = 0.0, normal_impulse_ = 0.0, energy_ = 0.0, due_ = 0.0;
   int touching_ = 0;
 };
 

@@ -48,7 +48,7 @@ output::GlstatState glstat_state(const Snapshot& now) {
   s.time_step = now.state.dt;
   s.kinetic = e.kinetic;
   s.internal = e.internal;
-  for (const contact::RigidWall& wall : now.walls) s.walls.push_back(wall.energy());
+  for (const contact::RigidWall& wall : now.walls) s.walls.push_back(wall.energy_until_now());
   if (model.control.hourglass_energy) s.hourglass = e.hourglass;
   s.system_damping = e.damping;
   s.sliding_interface = e.contact;

@@ -344,7 +344,7 @@ void Simulation::account() {
   energy_.contact = 0.0;
   for (const contact::SingleSurface& c : contacts_) energy_.contact += c.energy();
   energy_.wall = 0.0;
-  for (const contact::RigidWall& w : walls_) energy_.wall += w.energy();
+  for (const contact::RigidWall& w : walls_) energy_.wall += w.energy_until_now();
   energy_.external = supports_.work() + loads_.work();
   if (state_.cycle == 0) energy_.initial = energy_.total();
   if (std::isfinite(energy_.total())) return;
