@@ -104,5 +104,32 @@ class Sources(CheckCase):
         self.assertIn("701 lines", output)
 
 
+class VerificationTable(CheckCase):
+    ROW = "A-39\trod | wall: force [N]\t32481.4\t32494.1\t0.000392\t0.01\n"
+
+    def fill(self, rows, page="# Page\n<!-- table: begin -->\nold\n<!-- table: end -->\nafter\n"):
+        self.write("rows.tsv", rows)
+        self.write("page.md", page)
+        run = subprocess.run([sys.executable, str(TOOLS / "verification_table.py"), str(self.root / "rows.tsv"),
+                              str(self.root / "page.md")], capture_output=True, text=True)
+        return run.returncode, (self.root / "page.md").read_text(encoding="utf-8"), run.stderr
+
+    def test_rows_replace_what_stands_between_the_marks_in_the_order_of_the_cases(self):
+        code, page, _ = self.fill("speed\tb\t1\t1\t0\t0.1\n" + self.ROW + "A-04\ta\t1\t1.2\t0.2\t0.1\n")
+        self.assertEqual(code, 0)
+        self.assertNotIn("old", page)
+        self.assertTrue(page.endswith("after\n"))
+        self.assertIn("| A-04 | a | 1 | 1.2 | **20 %** | 10 % |\n"
+                      "| A-39 | rod \\| wall: force [N] | 32481.4 | 32494.1 | 0.039 % | 1 % |\n"
+                      "| speed | b |", page)
+
+    def test_broken_input_changes_nothing(self):
+        for rows, page in [("", None), ("A-1\ta\t1\n", None), ("A-1\ta\tx\t1\t0\t1\n", None), (self.ROW, "no marks")]:
+            code, after, error = self.fill(rows, page) if page else self.fill(rows)
+            self.assertEqual(code, 1, rows)
+            self.assertTrue("old" in after or after == "no marks")
+            self.assertIn("rows.tsv: ", error)
+
+
 if __name__ == "__main__":
     unittest.main()
