@@ -15,7 +15,7 @@ namespace {
 
 // The theory is that of small strains: the stress times the strain rate must not add to the hardening, which is a
 // hundredth of Young's modulus. So all stresses and velocities are a thousandth of the case's, and so are the
-// references. Sabotage: ETAN taken as the plastic modulus, or hardening left out of the flow stress.
+// references. Sabotage: the return to the yield surface with 2G instead of 3G.
 TEST(Plasticity, WavesInABilinearRod) {
   constexpr double thousandth = 1e-3, end = 1.9334e-4;
   constexpr int cells = 500;  // of 2 mm
@@ -56,8 +56,8 @@ TEST(Plasticity, WavesInABilinearRod) {
 }
 
 // A-45, in, lbf, s. Half of the span, one row of shells across, free to contract; ten layers. The node at the edge of
-// the loaded part gets half of the velocity, as half of its mass is loaded. Sabotage: yielding without the bending
-// strains, or thickness integration with one layer.
+// the loaded part gets half of the velocity, as half of its mass is loaded. Sabotage: the factor 1/4 of the spins in
+// the transverse shear strain taken as 1/2.
 TEST(Plasticity, BalmerWitmerBeam) {
   constexpr int cells = 50;
   constexpr double end = 2.0e-3;
@@ -118,8 +118,8 @@ class QuarterDisc {
   static constexpr double core_ = 0.6;
 };
 
-// A quarter of the bar, frictionless wall. Sabotage: the pressure of the plastic stress update left out of the
-// elastic part, or hourglass forces that do not turn with the brick.
+// A quarter of the bar, frictionless wall. Sabotage: the return to the yield surface with 2G
+// instead of 3G.
 TEST(Plasticity, TaylorBar) {
   constexpr double radius = 3.2, length = 32.4, end = 8e-5;
   constexpr int n = 3, layers = 54;

@@ -37,7 +37,7 @@ struct LumpedBar {
   }
 };
 
-// Sabotage: the first kick over a whole step instead of a half (state_.dt_previous = dt at the start) shifts the front.
+// Sabotage: V^(1/3) instead of V / largest face as the length of the stable step.
 TEST(Waves, AStepOfVelocityTravelsAsASharpFrontAtTheCriticalStep) {
   constexpr double v = 1e-6;  // small enough that the lengths do not change
   LumpedBar bar(1.0);
