@@ -66,18 +66,20 @@ const weld::History& Experiment::history(const impact::Snapshot& now, int id) co
   throw std::runtime_error(fmt::format("no weld {}", id));
 }
 
-const weld::Resultants& Experiment::weld(const impact::Snapshot& now, int id) const { return history(now, id).resultants(); }
+const weld::Resultants& Experiment::weld(const impact::Snapshot& now, int id) const {
+  return history(now, id).resultants();
+}
 
-void expect_reference(const std::string& test_case, const std::string& what, double value, double reference, double gate,
-                      double scale) {
+void expect_reference(const std::string& test_case, const std::string& what, double value, double reference,
+                      double gate, double scale) {
   const double base = scale != 0.0 ? std::abs(scale) : std::abs(reference);
   const double error = std::abs(value - reference) / base;
   EXPECT_LE(error, gate) << test_case << ", " << what << ": " << value << ", expected " << reference;
   EXPECT_TRUE(std::isfinite(value)) << test_case << ", " << what;
   // The book's table is made of these rows; see tools/verification_table.py.
   if (const char* path = std::getenv("NUGGET_VERIFICATION_ROWS"))
-    std::ofstream(path, std::ios::app) << fmt::format("{}\t{}\t{:.6g}\t{:.6g}\t{:.3g}\t{:.3g}\n", test_case, what, reference, value,
-                                                      error, gate);
+    std::ofstream(path, std::ios::app) << fmt::format("{}\t{}\t{:.6g}\t{:.6g}\t{:.3g}\t{:.3g}\n", test_case, what,
+                                                      reference, value, error, gate);
 }
 
 std::string fields(std::initializer_list<double> values) {
@@ -93,7 +95,9 @@ std::string fields(std::initializer_list<double> values) {
   return line + '\n';
 }
 
-std::string node_line(int id, double x, double y, double z) { return fmt::format("{:8d}{:16.9g}{:16.9g}{:16.9g}\n", id, x, y, z); }
+std::string node_line(int id, double x, double y, double z) {
+  return fmt::format("{:8d}{:16.9g}{:16.9g}{:16.9g}\n", id, x, y, z);
+}
 
 std::string element_line(int id, int part, std::initializer_list<int> nodes) {
   std::string line = fmt::format("{:8d}{:8d}", id, part);

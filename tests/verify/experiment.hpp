@@ -20,7 +20,8 @@ class Experiment {
   /// Reads, checks, ties. A refused deck throws std::runtime_error with all its findings.
   explicit Experiment(const std::string& deck);
 
-  /// Runs to the deck's end time (or `until`), calling `watch` at each t(n) with everything known. Energies are up to date.
+  /// Runs to the deck's end time (or `until`), calling `watch` at each t(n) with everything known. Energies are up to
+  /// date.
   impact::Outcome run(const Watch& watch, double until = 0.0);
 
   const model::Model& model() const { return *model_; }
@@ -46,16 +47,16 @@ class Experiment {
   std::unique_ptr<impact::Simulation> simulation_;
 };
 
-/// Compares a value with its reference from outside and writes a row for the book's table: case (as in the validation suite, e.g.
-/// `A-05`), what was measured, and the gate as a share of the reference (of `scale` where that is given, for references near 0).
-/// A failure is a test failure.
-void expect_reference(const std::string& test_case, const std::string& what, double value, double reference, double gate,
-                      double scale = 0.0);
+/// Compares a value with its reference from outside and writes a row for the book's table: case (as in the validation
+/// suite, e.g. `A-05`), what was measured, and the gate as a share of the reference (of `scale` where that is given,
+/// for references near 0). A failure is a test failure.
+void expect_reference(const std::string& test_case, const std::string& what, double value, double reference,
+                      double gate, double scale = 0.0);
 
 // Deck text in fixed columns.
-std::string fields(std::initializer_list<double> values);           ///< 10 columns each, full precision that fits
-std::string node_line(int id, double x, double y, double z);         ///< *NODE
-std::string element_line(int id, int part, std::initializer_list<int> nodes);  ///< 8 columns each
+std::string fields(std::initializer_list<double> values);     ///< 10 columns each, full precision that fits
+std::string node_line(int id, double x, double y, double z);  ///< *NODE
+std::string element_line(int id, int part, std::initializer_list<int> nodes);        ///< 8 columns each
 std::string curve(int id, std::initializer_list<std::pair<double, double>> points);  ///< *DEFINE_CURVE, whole
 
 }  // namespace nugget::verify

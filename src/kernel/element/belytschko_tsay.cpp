@@ -122,21 +122,18 @@ template <class R>
   return r;
 }
 
-template <class R>
-R held_within(const R& value, const R& limit) {
-  return max(-limit, min(value, limit));
-}
+/// What LS-DYNA's results say of its stiffness form: its resistance in the plane is about a hundredth of that which the
+/// formula of the theory manual gives (docs/decisions/0006; energies of published runs, docs/book/car6.md).
+constexpr double in_plane_share = 0.01;
 
 /// Hourglass forces at the end of the step (element-theory 3.4); stored, and their work added up, in the state.
 ///
-/// The stiffness form is a share of the element's own elastic resistance to the pattern: 3 QM in its plane, 3/2 QB in bending,
-/// QW SHRF / 2 in twist. Once the material yields the element itself resists no more than its fully plastic forces, so the
-/// hourglass forces are held within the same shares of those (docs/decisions/0006); else they would outgrow them at large
-/// strains. `yield`: first yield stress, infinite for elastic laws.
+/// The stiffness form is a share of the element's own elastic resistance to the pattern: 3/100 QM in its plane (3 QM by
+/// the theory manual), 3/2 QB in bending, QW SHRF / 2 in twist.
 template <class R>
 [[gnu::always_inline]] inline Hourglass<R> resist_hourglass(const ShellProperties& shell, const ElasticConstants& e,
                                                             const Geometry<R>& g, const Hourglass<R>& rate, double dt,
-                                                            double yield, double* state) {
+                                                            double* state) {
   using L = ShellLayout;
   const R t = load_field<R>(state, L::thickness), t2 = t * t;
   const Hourglass<R> old{load_field<R>(state, L::hourglass), load_field<R>(state, L::hourglass + 1),
@@ -146,19 +143,11 @@ template <class R>
   if (shell.hourglass >= 4) {
     const R bb = 2.0 * (g.bx13 * g.bx13 + g.bx24 * g.bx24 + g.by13 * g.by13 + g.by24 * g.by24);
     const R step = dt * t, in_plane = (0.125 * e.E) * step * g.area * bb;
-    const R membrane = shell.membrane_hourglass * in_plane;
+    const R membrane = (in_plane_share * shell.membrane_hourglass) * in_plane;
     const R bending = (shell.bending_hourglass / 24.0) * t2 * in_plane;
     const R warping = (shell.warping_hourglass * shell.shear_factor * e.shear / 12.0) * step * t2 * bb;
     now = {old.x + membrane * rate.x, old.y + membrane * rate.y, old.z + warping * rate.z, old.rx + bending * rate.rx,
            old.ry + bending * rate.ry};
-    if (yield < std::numeric_limits<double>::infinity()) {
-      const R side = sqrt(g.area);
-      const R in_plane_most = (std::min(1.0, 3.0 * shell.membrane_hourglass) * 0.25 * yield) * t * side;
-      const R bending_most = (std::min(1.0, 1.5 * shell.bending_hourglass) * 0.0625 * yield) * t2 * side;
-      const R twist_most = (std::min(1.0, 0.5 * shell.shear_factor * shell.warping_hourglass) * 0.288675134594812882 * yield) * t2;
-      now = {held_within(now.x, in_plane_most), held_within(now.y, in_plane_most), held_within(now.z, twist_most),
-             held_within(now.rx, bending_most), held_within(now.ry, bending_most)};
-    }
   } else {
     const R density = shell.density * load_field<R>(state, L::density_scale);
     const R viscosity = 0.25 * t * sqrt(density * e.plane * g.area);  // rho c t sqrt(A) / 4
@@ -275,7 +264,7 @@ NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const Prepared<Law>&
     rates.q = {select(alive, rates.q.x, R(0.0)), select(alive, rates.q.y, R(0.0)), select(alive, rates.q.z, R(0.0)),
                select(alive, rates.q.rx, R(0.0)), select(alive, rates.q.ry, R(0.0))};
   }
-  const Hourglass<R> q = resist_hourglass(shell, e, mid, rates.q, dt, law.first_yield(), state);
+  const Hourglass<R> q = resist_hourglass(shell, e, mid, rates.q, dt, state);
   ShellResultants<R> n = advance_layers(shell, law, rates.d, dt, state, alive);
   if (shell.bulk_quadratic != 0.0 || shell.bulk_linear != 0.0) {
     const R viscous = viscous_membrane(shell, law, rates.d.xx + rates.d.yy, end.area, state);

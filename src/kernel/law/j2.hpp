@@ -101,7 +101,6 @@ class J2 {
         failure_strain_(failure_strain > 0.0 ? failure_strain : std::numeric_limits<double>::infinity()) {}
 
   const ElasticConstants& elastic() const { return elastic_; }
-  double first_yield() const { return hardening_.lowest(); }
   bool can_fail() const { return failure_strain_ < std::numeric_limits<double>::infinity(); }
 
   /// Which points have failed.

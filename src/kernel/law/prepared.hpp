@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <limits>
-
 #include "kernel/law/elastic.hpp"
 #include "kernel/law/j2.hpp"
 #include "kernel/law/piecewise_linear.hpp"
@@ -18,7 +16,6 @@ namespace nugget::kernel {
 ///   stress has_plastic_strain                      the first number of the history is the effective plastic strain
 ///   layer(), solid(), fibre()               add a step of strain rate to a stress
 ///   rotate()                                turns a solid point's history with the material
-///   first_yield()                           a stress below which nothing yields; infinite for elastic laws
 ///   can_fail(), failed()                    whether, and which, points have failed (their stress is 0)
 ///   deletion_step()                         an element whose stable time step falls below is deleted; 0: never
 template <class Law>
@@ -34,7 +31,6 @@ class Prepared<Elastic> {
 
   const ElasticConstants& elastic() const { return elastic_; }
   double deletion_step() const { return 0.0; }
-  double first_yield() const { return std::numeric_limits<double>::infinity(); }
   bool can_fail() const { return false; }
   template <class R>
   MaskOf<R> failed(const double*) const {
