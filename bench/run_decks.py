@@ -3,8 +3,8 @@
 
     python3 bench/run_decks.py [--nugget build/nugget] [--shared ../shared] [--kernels kernels.json] [DECK ...]
 
-The decks come from SHARED/bench/gen_impact.py, which is not part of this repository; without it there is nothing to run
-and the program says so. One thread, one deck after the other: run nothing else meanwhile. KERNELS is the JSON output of
+The decks come from SHARED/bench/gen_impact.py and SHARED/decks (car6), which are not part of this repository; without them
+there is nothing to run and the program says so. One thread (and tube3 on two), one deck after the other: run nothing else meanwhile. KERNELS is the JSON output of
 nugget_bench; its STREAM and FMA peaks are printed with the table, because a figure means little without its machine.
 """
 import argparse
@@ -15,7 +15,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-DECKS = ("tube3", "tube5", "tube5c", "hex_ihq2", "hex_ihq6", "weld")
+DECKS = ("tube3", "tube5", "tube5c", "hex_ihq2", "hex_ihq6", "weld", "car6")
 
 
 def figures_of_openradioss(readme):
@@ -24,9 +24,9 @@ def figures_of_openradioss(readme):
     return {name: float(ns) for name, ns in re.findall(r"\b(\w+) (\d+)\b", match.group(0))} if match else {}
 
 
-def run(nugget, deck, results):
+def run(nugget, deck, results, threads):
     """summary.json of a run, or the reason why there is none."""
-    command = [str(nugget), "run", str(deck), "-o", str(results), "-j", "1", "--quiet"]
+    command = [str(nugget), "run", str(deck), "-o", str(results), "-j", str(threads), "--quiet"]
     done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
     summary = results / "summary.json"
     if done.returncode != 0 or not summary.is_file():
@@ -67,18 +67,26 @@ def main():
     arguments.work.mkdir(parents=True, exist_ok=True)
     subprocess.run([sys.executable, str(generator), str(arguments.work)], check=True)
     other = figures_of_openradioss(arguments.shared / "bench" / "README.md")
+    other.setdefault("car6", 1075.0)  # the README's sentence on car6
 
     failures = 0
     print(f"{'deck':<10}{'cycles':>10}{'seconds':>10}{'ns':>10}{'OpenRadioss ns':>16}{'ratio':>8}   (ns per element-cycle, one thread)")
-    for name in arguments.decks or DECKS:
-        summary, reason = run(arguments.nugget, arguments.work / f"{name}.k", arguments.work / name)
+    runs = [(name, 1) for name in arguments.decks or DECKS]
+    if ("tube3", 1) in runs:
+        runs.append(("tube3", 2))
+    for name, threads in runs:
+        deck = arguments.work / f"{name}.k"
+        if name == "car6":
+            deck = arguments.shared / "decks" / "car6" / "main_v223.k"
+        summary, reason = run(arguments.nugget, deck, arguments.work / name, threads)
+        label = name if threads == 1 else f"{name} -j{threads}"
         if summary is None:
             failures += 1
-            print(f"{name:<10}  {reason}")
+            print(f"{label:<10}  {reason}")
             continue
         ns = summary["ns_per_element_cycle"]
-        reference = other.get(name)
-        print(f"{name:<10}{summary['cycles']:>10}{summary['seconds']['solve']:>10.1f}{ns:>10.1f}"
+        reference = other.get(name) if threads == 1 else None
+        print(f"{label:<10}{summary['cycles']:>10}{summary['seconds']['solve']:>10.1f}{ns:>10.1f}"
               + (f"{reference:>16.0f}{reference / ns if ns else 0.0:>8.1f}" if reference else ""), flush=True)
     for line in peaks(arguments.kernels):
         print(line)
