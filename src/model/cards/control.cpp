@@ -351,6 +351,11 @@ void read_shell(Builder& b, const Block& block, const Options&) {
   c.thickness_update = thickness_update(b, one);
   c.default_shell = one.integer("theory");
   c.warping_stiffness = one.integer("bwc") == 1;
+  if (c.warping_stiffness)
+    one.complain(
+        b.findings, Severity::warning, "bwc",
+        "the warping coupling and the drill projection are computed, the transverse shear stays the one-point form",
+        "compare with BWC = 2 where warped shells matter");
   c.rotary_mass_scale = two.real("rotascl");
   c.lobatto = two.integer("intgrd") == 1;
 }
