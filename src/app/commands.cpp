@@ -168,7 +168,7 @@ output::Summary::Counts counts(const model::Model& model, const weld::Ties& ties
 void tell_histories(const impact::Simulation& run, std::vector<output::WeldReport>& welds) {
   const system::System& system = run.system();
   for (std::size_t i = 0; i < welds.size(); ++i) {
-    const weld::History* history = run.welds()[i].get();
+    const weld::History* history = run.welds().history(i);
     if (history == nullptr) continue;
     const system::System::Seat seat = system.beam_seat[at(system.ties.welds[i].element)];
     const system::ElementGroup& group = *system.groups[at(seat.group)];

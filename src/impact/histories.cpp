@@ -122,7 +122,7 @@ output::SwforcState swforc_state(const Snapshot& now) {
   s.time = now.state.time;
   const std::vector<weld::Weld>& welds = now.system.ties.welds;
   for (std::size_t i = 0; i < welds.size(); ++i) {
-    const weld::History* history = now.welds[i].get();
+    const weld::History* history = now.welds.history(i);
     if (history == nullptr) continue;
     const model::Part& part = model.parts[at(welds[i].part)];
     if (!model.beam_sections[at(part.section)].in_swforc) continue;

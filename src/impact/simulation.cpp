@@ -37,7 +37,7 @@ void Simulation::interrupt() {
 }
 
 Simulation::Simulation(system::System& system, Findings& findings)
-    : system_(system), state_(system.initial_state()), supports_(system, findings), loads_(system) {
+    : system_(system), state_(system.initial_state()), supports_(system, findings), loads_(system), welds_(system) {
   const model::Model& model = system.model;
   history_rotation_.resize(model.requests.history_nodes.size());
   dependent_.resize(system.all_nodes());
@@ -71,12 +71,6 @@ Simulation::Simulation(system::System& system, Findings& findings)
     for (model::Index n : wall.nodes) nodes.push_back(system.node_of[at(n)]);
     const Curve* curve = wall.motion_curve == model::none ? nullptr : &model.curves[at(wall.motion_curve)];
     walls_.emplace_back(wall, std::move(nodes), curve);
-  }
-  for (const weld::Weld& w : system.ties.welds) {
-    welds_.emplace_back();
-    if (w.kind != weld::Weld::Kind::beam || w.deleted) continue;
-    const model::Material& material = model.materials[at(model.parts[at(w.part)].material)];
-    welds_.back() = std::make_unique<weld::History>(std::get<kernel::Spotweld>(material.law));
   }
 }
 
@@ -119,7 +113,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     }
     if (progress && elapsed() >= next_report) {
       progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()),
-                welds_failed_, elapsed()});
+                welds_.failed(), elapsed()});
       next_report = elapsed() + 0.2;
     }
     watch.charge(seconds_[output]);
@@ -131,7 +125,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     move();
     watch.charge(seconds_[motion]);
     system_.internal_force(state_);
-    check_welds();
+    welds_.update(state_);
     bury_shells();
     watch.charge(seconds_[elements]);
     forces();
@@ -143,7 +137,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   solve_seconds_ = elapsed();
   if (progress)
     progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()),
-              welds_failed_, elapsed()});
+              welds_.failed(), elapsed()});
   return outcome;
 }
 
@@ -296,32 +290,6 @@ void Simulation::forces() {
   for (contact::SingleSurface& c : contacts_)
     c.apply(state_.time, state_.dt, state_.x, state_.v, contact_mass_, shell_alive_, state_.f);
   loads_.apply(state_, state_.dt);
-}
-
-void Simulation::check_welds() {
-  const std::vector<weld::Weld>& welds = system_.ties.welds;
-  for (std::size_t i = 0; i < welds.size(); ++i) {
-    weld::History* history = welds_[i].get();
-    if (history == nullptr || history->failed()) continue;
-    const system::System::Seat seat = system_.beam_seat[at(welds[i].element)];
-    system::ElementGroup& group = *system_.groups[at(seat.group)];
-    const auto e = at(seat.element);
-    const auto report = [&] {
-      ++welds_failed_;
-      events_.push_back(fmt::format("spotweld beam failed  id={:8d} time={:12.5E} cycle={} by {}", welds[i].id,
-                                    state_.time, state_.cycle, weld::to_string(history->mode())));
-    };
-    if (!group.alive(e)) {
-      history->fail(state_.time, weld::FailureMode::plastic_strain);
-      report();
-      continue;
-    }
-    const std::array<double, 8> r = group.resultants(e);
-    if (history->update(state_.time, {r[0], r[1], r[2], r[3], r[4], r[5]})) {
-      group.remove(e);
-      report();
-    }
-  }
 }
 
 /// Contact surfaces lose the shells that were deleted.

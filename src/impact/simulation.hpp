@@ -24,11 +24,10 @@ class Simulation {
   const system::System& system() const { return system_; }
   const system::State& state() const { return state_; }
   const Energy& energy() const { return energy_; }
-  const WeldHistories& welds() const { return welds_; }
+  const Welds& welds() const { return welds_; }
   double first_step() const { return first_step_; }
   double smallest_step() const { return smallest_step_; }
   const std::string& smallest_by() const { return smallest_by_; }
-  const std::vector<std::string>& events() const { return events_; }  ///< for run.log: failed welds and the like
 
   enum Phase { elements, contact_search, constraints, motion, output, phases };
   static constexpr std::array<std::string_view, phases> phase_names{"elements", "contact", "constraints", "motion",
@@ -46,7 +45,6 @@ class Simulation {
   void constrain_by_walls();
   void move();
   void forces();
-  void check_welds();
   void bury_shells();
   void update_inverse_mass();
   /// Energies of the moment; they stay those of before where the solution has become no number.
@@ -66,8 +64,7 @@ class Simulation {
   std::vector<Row> v_before_, w_before_;
   std::vector<Vec3d> momentum_before_;
   std::vector<Vec3d> history_rotation_;
-  WeldHistories welds_;
-  int welds_failed_ = 0;
+  Welds welds_;
   int deaths_ = 0;
   bool diverged_ = false;
 
@@ -77,7 +74,6 @@ class Simulation {
   system::System::Masses masses_;
   double first_step_ = 0.0, smallest_step_ = 0.0;
   std::string smallest_by_;
-  std::vector<std::string> events_;
   std::array<double, phases> seconds_{};
   double solve_seconds_ = 0.0;
 };

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,13 +10,10 @@
 #include "contact/single_surface.hpp"
 #include "impact/conditions.hpp"
 #include "impact/energy.hpp"
+#include "impact/welds.hpp"
 #include "system/system.hpp"
-#include "weld/failure.hpp"
 
 namespace nugget::impact {
-
-/// What happened to each weld beam of Ties::welds, in that order; empty where a weld has no history (deleted, rigid).
-using WeldHistories = std::vector<std::unique_ptr<weld::History>>;
 
 /// Everything known at one time t(n), for those who write results. Velocities at t(n) are the means of `before` and
 /// state's.
@@ -32,7 +28,7 @@ struct Snapshot {
   const Supports& supports;
   std::span<const contact::RigidWall> walls;
   std::span<const contact::SingleSurface> contacts;
-  const WeldHistories& welds;
+  const Welds& welds;
   std::span<const Vec3d> history_rotation;  ///< of the requests' history nodes: their spins, added up over time
 
   Vec3d velocity(std::size_t node) const { return 0.5 * (vec(v_before[node]) + vec(state.v[node])); }
