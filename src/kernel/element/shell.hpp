@@ -32,26 +32,31 @@ struct ShellProperties {
   int hourglass = 4;    ///< IHQ 1-3 viscous, 4-5 stiffness
   double membrane_hourglass = 0.1, bending_hourglass = 0.1, warping_hourglass = 0.1;  ///< QM, QB, QW [1]
   ThicknessUpdate thickness_update = ThicknessUpdate::none;
-  bool warping_stiffness = false;  ///< BWC 1
+  bool warping_stiffness = false;  ///< BWC 1; of the fully integrated shell IHQ 8
+  double drilling = 0.0;  ///< fully integrated shell: stiffness against drilling rotations, a share of G t A / 4 a node
   ShellLength length = ShellLength::area_over_side;
   double bulk_quadratic = 0.0, bulk_linear = 0.0;  ///< Q1, Q2 of CONTROL_BULK_VISCOSITY TYPE -1, -2; 0: off
 };
 
-/// Fields of the state of a shell. Field i of lane l stands at state[i * lanes + l].
+/// Fields of the state of a shell. Field i of lane l stands at state[i * lanes + l]. Layers stand column by column: one
+/// column through the thickness, or four in the fully integrated shell.
 struct ShellLayout {
   static constexpr int alive = 0;             ///< 1, or 0 once the element is deleted
   static constexpr int density_scale = 1;     ///< factor on the density by mass scaling [1]
   static constexpr int thickness = 2;         ///< [length]
-  static constexpr int hourglass = 3;         ///< five generalised hourglass forces
+  static constexpr int hourglass = 3;         ///< five generalised hourglass forces; or four drilling moments
   static constexpr int hourglass_energy = 8;  ///< work done against them [energy]
   static constexpr int first_layer = 9;
 
-  int layers = 0, history = 0;  ///< number of layers; numbers of history a layer
+  int layers = 0, history = 0;  ///< number of layers of a column; numbers of history a layer
+  int columns = 1;
 
-  int size() const { return layer(layers); }
-  /// Stress xx yy xy xz yz of layer k in the element's frame, followed by its history.
-  int layer(int k) const { return first_layer + k * (LayerTensor<double>::size + history); }
-  int history_of(int k) const { return layer(k) + LayerTensor<double>::size; }
+  int size() const { return layer(0, columns); }
+  /// Stress xx yy xy xz yz of layer k of a column in the element's frame, followed by its history.
+  int layer(int k, int column = 0) const {
+    return first_layer + (column * layers + k) * (LayerTensor<double>::size + history);
+  }
+  int history_of(int k, int column = 0) const { return layer(k, column) + LayerTensor<double>::size; }
 };
 
 template <class Law>

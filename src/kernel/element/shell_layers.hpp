@@ -27,31 +27,35 @@ ShellRates<R> select(const MaskOf<R>& m, const ShellRates<R>& a, const ShellRate
           select(m, a.kyy, b.kyy), select(m, a.kxy, b.kxy), select(m, a.xz, b.xz), select(m, a.yz, b.yz)};
 }
 
-/// Advances all layers by a step and adds them up on the new thickness. Elements of which every layer has failed are
-/// deleted: `alive` is cleared for them.
-template <class R, class Law>
-[[gnu::always_inline]] inline ShellResultants<R> advance_layers(const ShellProperties& shell, const Prepared<Law>& law,
-                                                                const ShellRates<R>& d, double dt, double* state,
-                                                                MaskOf<R>& alive) {
-  using L = ShellLayout;
-  const L layout = shell_layout(shell, law);
-  R t = load_field<R>(state, L::thickness);
+/// What the layers of one column through the thickness give in a step: resultants for a thickness of 1, and which
+/// elements have a layer there that has not failed.
+template <class R>
+struct Column {
   ShellResultants<R> n;
   ThicknessStrain<R> thinning;
   MaskOf<R> sound = R(1.0) < R(0.0);
-  for (int k = 0; k < layout.layers; ++k) {
+};
+
+/// Advances the layers of a column by a step. `first`: the state of its first layer.
+template <class R, class Law>
+[[gnu::always_inline]] inline Column<R> advance_column(const ShellProperties& shell, const Prepared<Law>& law,
+                                                       const ShellRates<R>& d, const R& t, double dt, double* first) {
+  constexpr int stride = (LayerTensor<R>::size + Prepared<Law>::layer_history) * lanes<R>;
+  Column<R> c;
+  ShellResultants<R>& n = c.n;
+  for (int k = 0; k < shell.layers.count; ++k) {
     const auto point = static_cast<std::size_t>(k);
     const double zeta = 0.5 * (shell.layers.zeta[point] - shell.offset), weight = shell.layers.weight[point];
     const R z = zeta * t;
-    double* stress = state + layout.layer(k) * lanes<R>;
-    double* history = state + layout.history_of(k) * lanes<R>;
+    double* stress = first + k * stride;
+    double* history = stress + LayerTensor<R>::size * lanes<R>;
     LayerTensor<R> s = load_layer<R>(stress);
     const ThicknessStrain<R> e =
         law.layer(s, LayerTensor<R>{d.xx + z * d.kxx, d.yy + z * d.kyy, d.xy + z * d.kxy, d.xz, d.yz}, dt, history);
     store_layer(stress, s);
-    thinning.total += weight * e.total;
-    thinning.plastic += weight * e.plastic;
-    if (law.can_fail()) sound = sound || !law.template failed<R>(history);
+    c.thinning.total += weight * e.total;
+    c.thinning.plastic += weight * e.plastic;
+    if (law.can_fail()) c.sound = c.sound || !law.template failed<R>(history);
     const R xx = weight * s.xx, yy = weight * s.yy, xy = weight * s.xy;
     n.nxx += xx;
     n.nyy += yy;
@@ -62,14 +66,38 @@ template <class R, class Law>
     n.qx += weight * s.xz;
     n.qy += weight * s.yz;
   }
-  if (law.can_fail()) alive = alive && sound;
+  return c;
+}
 
-  if (shell.thickness_update != ThicknessUpdate::none) {
-    t += t * (shell.thickness_update == ThicknessUpdate::all ? thinning.total : thinning.plastic);
-    store_field(state, L::thickness, t);
-  }
+/// The thickness after a step, stored as the element's (ISTUPD).
+template <class R>
+[[gnu::always_inline]] inline R thinned(const ShellProperties& shell, const ThicknessStrain<R>& thinning, R t,
+                                        double* state) {
+  if (shell.thickness_update == ThicknessUpdate::none) return t;
+  t += t * (shell.thickness_update == ThicknessUpdate::all ? thinning.total : thinning.plastic);
+  store_field(state, ShellLayout::thickness, t);
+  return t;
+}
+
+/// The resultants of a shell of thickness t from those for a thickness of 1.
+template <class R>
+[[gnu::always_inline]] inline ShellResultants<R> on_thickness(const ShellProperties& shell, const ShellResultants<R>& n,
+                                                              const R& t) {
   const R t2 = t * t, qt = shell.shear_factor * t;
   return {t * n.nxx, t * n.nyy, t * n.nxy, t2 * n.mxx, t2 * n.myy, t2 * n.mxy, qt * n.qx, qt * n.qy};
+}
+
+/// Advances all layers of a shell with one column by a step and adds them up on the new thickness. Elements of which
+/// every layer has failed are deleted: `alive` is cleared for them.
+template <class R, class Law>
+[[gnu::always_inline]] inline ShellResultants<R> advance_layers(const ShellProperties& shell, const Prepared<Law>& law,
+                                                                const ShellRates<R>& d, double dt, double* state,
+                                                                MaskOf<R>& alive) {
+  using L = ShellLayout;
+  const R t = load_field<R>(state, L::thickness);
+  const Column<R> c = advance_column(shell, law, d, t, dt, state + L::first_layer * lanes<R>);
+  if (law.can_fail()) alive = alive && c.sound;
+  return on_thickness(shell, c.n, thinned(shell, c.thinning, t, state));
 }
 
 /// Viscous pressure a length in a shell that is compressed in its plane (element-theory 5.6); 0 when stretched.

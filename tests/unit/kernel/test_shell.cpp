@@ -1,124 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <cstring>
-
-#include "kernel/element/belytschko_tsay.hpp"
-#include "motion.hpp"
+#include "driven_shell.hpp"
 
 namespace nugget::kernel {
 namespace {
-
-using Motion = NodalMotion<double, 4>;
-
-ShellProperties section(int layers = 3) {
-  ShellProperties shell;
-  shell.density = steel_density;
-  shell.layers = gauss_layers(layers);
-  return shell;
-}
-
-Motion square(double a = 5.0) {
-  Motion m;
-  m.x[0] = {0, 0, 0};
-  m.x[1] = {a, 0, 0};
-  m.x[2] = {a, a, 0};
-  m.x[3] = {0, a, 0};
-  return m;
-}
-
-Motion warped(Random& random) {
-  Motion m = square();
-  for (Vec3d& x : m.x) x += random.vector(0.6);
-  return m;
-}
-
-std::array<Vec3d, 4> positions(const Motion& m) {
-  return {m.x[0], m.x[1], m.x[2], m.x[3]};
-}
-
-/// A shell with its state, driven step by step.
-template <class Law>
-struct Driven {
-  ShellProperties shell;
-  Prepared<Law> law;
-  ShellLayout layout;
-  std::vector<double> state;
-  Motion nodes;
-  NodalForces<double, 4> force{};
-
-  Driven(const ShellProperties& s, const Law& parameters, const Motion& start, double thickness = 1.2)
-      : shell(s),
-        law(parameters),
-        layout(shell_layout(s, law)),
-        state(static_cast<std::size_t>(layout.size())),
-        nodes(start) {
-    start_shell(layout, thickness, state.data(), 1, 0);
-  }
-  const NodalForces<double, 4>& step(double dt) {
-    advance(nodes, dt);
-    return force = shell_cycle<double>(shell, law, nodes, dt, state.data());
-  }
-  double at(int field) const { return state[static_cast<std::size_t>(field)]; }
-};
-
-void expect_same(const Vec3d& a, const Vec3d& b) {
-  EXPECT_EQ(0, std::memcmp(&a, &b, sizeof a))
-      << a.x << ' ' << b.x << ' ' << a.y << ' ' << b.y << ' ' << a.z << ' ' << b.z;
-}
-
-template <class Law>
-void batch_gives_the_bits_of_double(const ShellProperties& shell, const Law& parameters, double speed) {
-  constexpr int W = native_width;
-  const double dt = 1e-6;
-  const Prepared<Law> law(parameters);
-  const ShellLayout layout = shell_layout(shell, law);
-  const auto size = static_cast<std::size_t>(layout.size());
-  std::vector<double> together(size * W), alone(size);
-  Random random;
-  std::vector<Driven<Law>> single;
-  for (int l = 0; l < W; ++l) {
-    single.emplace_back(shell, parameters, warped(random), 1.0 + 0.1 * l);
-    start_shell(layout, 1.0 + 0.1 * l, together.data(), W, l);
-  }
-  if (W > 2) {  // one lane is deleted
-    together[2] = 0.0;
-    single[2].state[0] = 0.0;
-  }
-  int yielded = 0;
-  for (int cycle = 0; cycle < 60; ++cycle) {
-    NodalMotion<NativeBatch, 4> nodes;
-    for (int l = 0; l < W; ++l) {
-      Driven<Law>& one = single[static_cast<std::size_t>(l)];
-      const double wild = speed * (l + 1);
-      const Vec3d spin = random.vector(500.0);
-      for (int i = 0; i < 4; ++i) {
-        one.nodes.v[i] = cross(spin, one.nodes.x[i]) + random.vector(wild);
-        one.nodes.w[i] = spin + random.vector(wild);
-      }
-      one.step(dt);
-      put(nodes, l, one.nodes);
-    }
-    const auto force = shell_cycle<NativeBatch>(shell, law, nodes, dt, together.data());
-    for (int l = 0; l < W; ++l) {
-      const Driven<Law>& one = single[static_cast<std::size_t>(l)];
-      for (int i = 0; i < 4; ++i) {
-        expect_same(get(force.f[i], l), one.force.f[i]);
-        expect_same(get(force.m[i], l), one.force.m[i]);
-      }
-      EXPECT_EQ(lane(force.stable_step, l), one.force.stable_step);
-      for (int i = 0; i < layout.size(); ++i)
-        ASSERT_EQ(together[static_cast<std::size_t>(i * W + l)], one.at(i)) << "field " << i << " cycle " << cycle;
-      if constexpr (Prepared<Law>::has_plastic_strain) {
-        yielded += one.at(layout.history_of(0)) > 0.0;
-      }
-    }
-    if (testing::Test::HasFailure()) return;
-  }
-  if constexpr (Prepared<Law>::has_plastic_strain) {
-    EXPECT_GT(yielded, 60);
-  }
-}
 
 TEST(Shell, BatchGivesTheBitsOfDouble) {
   batch_gives_the_bits_of_double(section(), steel, 3000.0);
@@ -408,25 +294,6 @@ TEST(Shell, SmallStepDeletes) {
   EXPECT_EQ(lives.at(ShellLayout::alive), 1.0);
 }
 
-// The elastic stiffness as the derivative of the forces.
-std::vector<double> stiffness_by_dual(const ShellProperties& shell, const Motion& m) {
-  NodalMotion<Dual<24>, 4> nodes;
-  const Prepared<Elastic> law(steel);
-  std::vector<double> state(static_cast<std::size_t>(shell_layout(shell, law).size()));
-  start_shell(shell_layout(shell, law), 1.2, state.data(), 1, 0);
-  for (int i = 0; i < 4; ++i) {
-    nodes.x[i] = {m.x[i].x, m.x[i].y, m.x[i].z};
-    nodes.v[i] = {Dual<24>::variable(0, 6 * i), Dual<24>::variable(0, 6 * i + 1), Dual<24>::variable(0, 6 * i + 2)};
-    nodes.w[i] = {Dual<24>::variable(0, 6 * i + 3), Dual<24>::variable(0, 6 * i + 4), Dual<24>::variable(0, 6 * i + 5)};
-  }
-  const auto force = shell_cycle<Dual<24>>(shell, law, nodes, 1.0, state.data());
-  std::vector<double> K;
-  for (int i = 0; i < 4; ++i)
-    for (const auto* row : {&force.f[i], &force.m[i]})
-      for (const Dual<24>* f : {&row->x, &row->y, &row->z}) K.insert(K.end(), f->d.begin(), f->d.end());
-  return K;
-}
-
 TEST(Shell, DualGivesTheStiffness) {
   Random random;
   const Motion m = warped(random);
@@ -454,33 +321,6 @@ TEST(Shell, DualGivesTheStiffness) {
       EXPECT_NEAR(K[i * 24 + j], K[j * 24 + i], 1e-9 * largest);
     }
   }
-}
-
-// Number of zero eigenvalues of a symmetric matrix, by Jacobi rotations.
-int zero_modes(std::vector<double> a, std::size_t n) {
-  const auto at = [&](std::size_t i, std::size_t j) -> double& { return a[i * n + j]; };
-  for (int sweep = 0; sweep < 30; ++sweep)
-    for (std::size_t p = 0; p < n; ++p)
-      for (std::size_t q = p + 1; q < n; ++q) {
-        if (at(p, q) == 0.0) continue;
-        const double theta = 0.5 * std::atan2(2 * at(p, q), at(q, q) - at(p, p)), c = std::cos(theta),
-                     s = std::sin(theta);
-        for (std::size_t k = 0; k < n; ++k) {
-          const double x = at(k, p), y = at(k, q);
-          at(k, p) = c * x - s * y;
-          at(k, q) = s * x + c * y;
-        }
-        for (std::size_t k = 0; k < n; ++k) {
-          const double x = at(p, k), y = at(q, k);
-          at(p, k) = c * x - s * y;
-          at(q, k) = s * x + c * y;
-        }
-      }
-  double largest = 0.0;
-  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::abs(at(i, i)));
-  int zeros = 0;
-  for (std::size_t i = 0; i < n; ++i) zeros += std::abs(at(i, i)) < 1e-10 * largest;
-  return zeros;
 }
 
 TEST(Shell, ZeroModes) {
