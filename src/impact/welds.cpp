@@ -12,7 +12,7 @@ Welds::Welds(system::System& system) : system_(system) {
     histories_.emplace_back();
     if (w.kind != weld::Weld::Kind::beam || w.deleted) continue;
     const model::Material& material = system.model.materials[at(system.model.parts[at(w.part)].material)];
-    histories_.back() = std::make_unique<weld::History>(std::get<kernel::Spotweld>(material.law));
+    histories_.back() = std::make_unique<weld::History>(system.model.weld_laws[at(material.weld)]);
   }
 }
 

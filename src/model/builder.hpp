@@ -102,6 +102,7 @@ class Builder {
 
   Ids nodes, shells, solids, beams, parts, shell_sections, solid_sections, beam_sections, materials, hourglass, curves,
       tables, systems, vectors, boxes;
+  Ids pair_strengths, load_rate_strengths, connections;  ///< of Model's arrays of these names
   Ids node_sets, part_sets, segment_sets, shell_sets, solid_sets, beam_sets;
 
   void later(Phase phase, std::function<void(Builder&)> work) {

@@ -18,6 +18,8 @@ std::vector<Keyword> all_families() {
            part_keywords,
            section_keywords,
            material_keywords,
+           weld_material_keywords,
+           weld_table_keywords,
            curve_keywords,
            frame_keywords,
            set_keywords,

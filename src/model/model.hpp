@@ -14,6 +14,7 @@
 #include "model/loads.hpp"
 #include "model/parts.hpp"
 #include "model/requests.hpp"
+#include "model/weld_law.hpp"
 
 // The checked, immutable meaning of a deck. Inside, everything is an index (position in its array, from 0); the user's
 // ids stand beside, in arrays `id`. Values are in the deck's own units.
@@ -123,6 +124,12 @@ struct Model {
   std::vector<SectionBeam> beam_sections;
   std::vector<Material> materials;
   std::vector<Hourglass> hourglass;
+
+  std::vector<WeldLaw> weld_laws;  ///< what the *MAT_SPOTWELD of `materials` say of welds as a whole
+  std::vector<RuptureStress> rupture_stresses;
+  std::vector<PairStrengths> pair_strengths;
+  std::vector<LoadRateStrengths> load_rate_strengths;
+  std::vector<ConnectionProperties> connections;
 
   std::vector<Curve> curves;  ///< offsets and scales applied
   std::vector<Table> tables;

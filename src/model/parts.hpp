@@ -30,6 +30,7 @@ struct Material {
   double density = 0.0;  ///< [mass/length^3]
   Law law;
   Place place;
+  Index weld = none;  ///< of a *MAT_SPOTWELD: in Model::weld_laws
 
   double young() const;    ///< Young's modulus [stress]
   double poisson() const;  ///< Poisson's ratio

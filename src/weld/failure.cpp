@@ -13,12 +13,12 @@ double Resultants::moment() const {
   return std::hypot(moment_s, moment_t);
 }
 
-std::array<double, 6> failure_terms(const std::array<double, 6>& strength, const Resultants& r) {
+std::array<double, 6> failure_terms(const std::array<model::RateValue, 6>& strength, const Resultants& r) {
   const std::array<double, 6> value{std::max(r.axial, 0.0), r.shear_s, r.shear_t, r.torsion, r.moment_s, r.moment_t};
   std::array<double, 6> term{};
   for (std::size_t i = 0; i < 6; ++i) {
-    if (strength[i] <= 0.0) continue;
-    const double ratio = value[i] / strength[i];
+    if (!strength[i].given()) continue;
+    const double ratio = value[i] / strength[i].value;
     term[i] = ratio * ratio;
   }
   return term;

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/law/spotweld.hpp"
+#include "model/weld_law.hpp"
 
 namespace nugget::weld {
 
@@ -23,7 +23,7 @@ struct Resultants {
 /// The six terms (R_i / R_iF)^2 of the resultant failure surface, N_rr N_rs N_rt M_rr M_ss M_tt; a strength of 0 omits
 /// its term, compression does not count (MAT_100, OPT 0; reference: spotweld-theory.md 4.3). The weld fails when they
 /// add up to 1.
-std::array<double, 6> failure_terms(const std::array<double, 6>& strength, const Resultants& r);
+std::array<double, 6> failure_terms(const std::array<model::RateValue, 6>& strength, const Resultants& r);
 
 /// Mean of the last `length` resultant vectors (NF of MAT_100); fewer at the start.
 class Filter {
@@ -43,7 +43,7 @@ std::string_view to_string(FailureMode mode);
 /// What happened to one weld: its filtered resultants now, its peaks, and its end.
 class History {
  public:
-  explicit History(const kernel::Spotweld& law) : law_(&law), filter_(law.filter) {}
+  explicit History(const model::WeldLaw& law) : law_(&law), filter_(law.filter) {}
 
   /// Takes the resultants at `time`. True if the weld fails now by the resultant surface or by time.
   bool update(double time, const Resultants& r);
@@ -60,7 +60,7 @@ class History {
   const std::array<double, 4>& peaks() const { return peaks_; }
 
  private:
-  const kernel::Spotweld* law_;
+  const model::WeldLaw* law_;
   Filter filter_;
   Resultants now_;
   double value_ = 0.0, peak_value_ = 0.0;

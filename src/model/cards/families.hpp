@@ -9,14 +9,16 @@
 // A new keyword is a row in its family's list; a new family is one line here and one in keywords.cpp.
 namespace nugget::model {
 
-std::vector<Keyword> mesh_keywords();      ///< nodes, elements, point masses
-std::vector<Keyword> part_keywords();      ///< *PART
-std::vector<Keyword> section_keywords();   ///< *SECTION_..., *HOURGLASS
-std::vector<Keyword> material_keywords();  ///< *MAT_...
-std::vector<Keyword> curve_keywords();     ///< curves and tables
-std::vector<Keyword> frame_keywords();     ///< coordinate systems, vectors, boxes
-std::vector<Keyword> set_keywords();       ///< *SET_...
-std::vector<Keyword> control_keywords();   ///< *CONTROL_..., *TITLE
+std::vector<Keyword> mesh_keywords();           ///< nodes, elements, point masses
+std::vector<Keyword> part_keywords();           ///< *PART
+std::vector<Keyword> section_keywords();        ///< *SECTION_..., *HOURGLASS
+std::vector<Keyword> material_keywords();       ///< *MAT_...
+std::vector<Keyword> weld_material_keywords();  ///< *MAT_SPOTWELD
+std::vector<Keyword> weld_table_keywords();     ///< the *DEFINE_ cards that belong to it
+std::vector<Keyword> curve_keywords();          ///< curves and tables
+std::vector<Keyword> frame_keywords();          ///< coordinate systems, vectors, boxes
+std::vector<Keyword> set_keywords();            ///< *SET_...
+std::vector<Keyword> control_keywords();        ///< *CONTROL_..., *TITLE
 
 std::vector<Keyword> database_keywords();     ///< *DATABASE_...
 std::vector<Keyword> boundary_keywords();     ///< *BOUNDARY_...

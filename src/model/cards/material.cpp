@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "model/cards/families.hpp"
+#include "model/cards/material.hpp"
 #include "model/cards/reading.hpp"
 #include "model/cards/yield_curves.hpp"
 
@@ -13,11 +14,6 @@ namespace {
 using deck::Block;
 using deck::Cursor;
 using deck::Row;
-
-constexpr Field material_id = id("mid", IdSpace::material, required, "material id");
-constexpr Field density = real("ro", dimension::density, required, above_zero(), "density");
-constexpr Field young = real("e", dimension::stress, required, above_zero(), "Young's modulus");
-constexpr Field poisson = real("pr", dimension::number, 0, between(0, 0.5), "Poisson's ratio");
 
 const Card elastic_card{{
     material_id,
@@ -134,41 +130,6 @@ const Card stress_card{{
     real("es7", dimension::stress, 0, at_least(0), "point 7"),
     real("es8", dimension::stress, 0, at_least(0), "point 8"),
 }};
-
-const Card weld_card{{
-    material_id,
-    density,
-    real("e", dimension::stress, required, any_value, "Young's modulus"),
-    poisson,
-    real("sigy", dimension::stress, required, any_value, "yield stress"),
-    real("eh", dimension::stress, 0, at_least(0), "hardening: slope of the yield stress over plastic strain"),
-    real("dt", dimension::time, 0, at_least(0), "time step to which the weld's mass is scaled; 0: none"),
-    real("tfail", dimension::time, 0, at_least(0), "time of failure; 0: none"),
-}};
-
-const Card weld_strength_card{{
-    real("efail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none"),
-    real("nrr", dimension::force, 0, any_value, "axial force at failure; 0: left out"),
-    real("nrs", dimension::force, 0, any_value, "shear force s at failure; 0: left out"),
-    real("nrt", dimension::force, 0, any_value, "shear force t at failure; 0: left out"),
-    real("mrr", dimension::moment, 0, any_value, "torsion at failure; 0: left out"),
-    real("mss", dimension::moment, 0, any_value, "bending s at failure; 0: left out"),
-    real("mtt", dimension::moment, 0, any_value, "bending t at failure; 0: left out"),
-    integer("nf", 0, at_least(0), "force vectors averaged for the failure"),
-}};
-
-/// LS-DYNA's "no failure" values are 0 and numbers of 1e20 and more; ours is 0.
-double failure_value(double written) {
-  return written >= 1e20 ? 0.0 : written;
-}
-
-Index add_material(Builder& b, const Row& row, std::string title, std::string_view name, Law law) {
-  const auto index = static_cast<Index>(b.model.materials.size());
-  Material m{row.integer("mid"), std::move(title), std::string(name), row.real("ro"), std::move(law), row.place()};
-  b.materials.add(m.id, index, m.place, row.keyword(), "material", b.findings);
-  b.model.materials.push_back(std::move(m));
-  return index;
-}
 
 void check_tangent(Builder& b, const Row& row) {
   if (row.real("etan") >= row.real("e") && row.real("e") > 0.0)
@@ -291,37 +252,6 @@ void read_plastic(Builder& b, const Block& block, const Options& options) {
   });
 }
 
-/// Negative values of MAT_100 mean curves or other stress states.
-void refuse_negative(Builder& b, const Row& row, std::string_view field, std::string text, std::string remedy) {
-  if (row.real(field) < 0.0) refuse(b, row, field, std::move(text), std::move(remedy));
-}
-
-void read_weld(Builder& b, const Block& block, const Options& options) {
-  Cursor cursor(b.deck, block, b.findings);
-  std::string title = read_title(cursor, options);
-  const Row row = cursor.read(weld_card);
-  const Row strength = cursor.read(weld_strength_card);
-  expect_end(b, cursor);
-  refuse_negative(b, row, "e", "the uniaxial stress state (negative E) is not supported", "give Young's modulus");
-  refuse_negative(b, row, "sigy", "a yield curve (negative SIGY) is not supported", "give SIGY and EH");
-  kernel::Spotweld law;
-  law.E = row.real("e");
-  law.nu = row.real("pr");
-  law.yield = row.real("sigy");
-  law.hardening = row.real("eh");
-  law.mass_step = row.real("dt");
-  law.failure_time = failure_value(row.real("tfail"));
-  law.failure_strain = failure_value(strength.real("efail"));
-  law.filter = strength.integer("nf");
-  std::size_t i = 0;
-  for (const auto* field : {"nrr", "nrs", "nrt", "mrr", "mss", "mtt"}) {
-    refuse_negative(b, strength, field, "a curve over the strain rate (negative value) is not supported",
-                    "give the quasi-static strength");
-    law.strength[i++] = failure_value(strength.real(field));
-  }
-  add_material(b, row, std::move(title), "MAT_SPOTWELD", law);
-}
-
 /// A material of LS-DYNA that is not built.
 Keyword not_built(std::string_view name, std::string_view number, std::string_view why) {
   return {.name = name,
@@ -332,11 +262,21 @@ Keyword not_built(std::string_view name, std::string_view number, std::string_vi
 }
 
 constexpr std::string_view use_024 = "this law is not built; MAT_024 with a yield curve (LCSS) comes nearest";
-constexpr std::string_view later_weld =
-    "this form of the weld law is not built yet; *MAT_SPOTWELD fails by EFAIL, TFAIL or the resultants NRR..MTT";
 constexpr std::string_view discrete = "discrete beams, springs and dampers are not built yet";
 
 }  // namespace
+
+double failure_value(double written) {
+  return written >= 1e20 ? 0.0 : written;
+}
+
+Index add_material(Builder& b, const Row& row, std::string title, std::string_view name, Law law) {
+  const auto index = static_cast<Index>(b.model.materials.size());
+  Material m{row.integer("mid"), std::move(title), std::string(name), row.real("ro"), std::move(law), row.place()};
+  b.materials.add(m.id, index, m.place, row.keyword(), "material", b.findings);
+  b.model.materials.push_back(std::move(m));
+  return index;
+}
 
 std::vector<Keyword> material_keywords() {
   return {
@@ -365,15 +305,6 @@ std::vector<Keyword> material_keywords() {
        .options = {"TITLE", "LOG_INTERPOLATION"},
        .layout = {{"", &plastic_card}, {"", &plastic_rate_card}, {"", &strain_card}, {"", &stress_card}},
        .read = read_plastic},
-      {.name = "MAT_SPOTWELD",
-       .aliases = {"MAT_100"},
-       .options = {"TITLE"},
-       .layout = {{"", &weld_card}, {"", &weld_strength_card}},
-       .read = read_weld},
-      not_built("MAT_SPOTWELD_DAMAGE-FAILURE", "MAT_100_DAMAGE-FAILURE", later_weld),
-      not_built("MAT_SPOTWELD_DAMAGE-FAILURE_UNIAXIAL", "MAT_100_DAMAGE-FAILURE_UNIAXIAL", later_weld),
-      not_built("MAT_SPOTWELD_UNIAXIAL", "MAT_100_UNIAXIAL", later_weld),
-      not_built("MAT_SPOTWELD_DAIMLERCHRYSLER", "MAT_100_DA", later_weld),
       not_built("MAT_ISOTROPIC_ELASTIC_PLASTIC", "MAT_012", use_024),
       not_built("MAT_JOHNSON_COOK", "MAT_015", use_024),
       not_built("MAT_PLASTICITY_WITH_DAMAGE", "MAT_081", use_024),

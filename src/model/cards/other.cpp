@@ -212,9 +212,7 @@ Rows other_conditions() {
 
 Rows other_definitions() {
   return {
-      refused("DEFINE_CONNECTION_PROPERTIES*", "connection properties of weld failure are not built yet"),
-      refused("DEFINE_SPOTWELD_*",
-              "weld failure by part, law or rate is not built yet; give the failure forces in *MAT_SPOTWELD"),
+      refused("DEFINE_SPOTWELD_*", "this table of weld strengths is not built"),
       refused("DEFINE_SPG_*", "particles (SPG) are not built"),
       refused("DEFINE_FUNCTION*", "functions as text are not built; give a curve"),
       refused("DEFINE_CURVE_*", "this form of curve is not built; give its points with *DEFINE_CURVE"),

@@ -114,33 +114,6 @@ TEST(Materials, PiecewiseLinearFaults) {
                   .error("this form of *MAT_PIECEWISE_LINEAR_PLASTICITY"));
 }
 
-TEST(Materials, Spotweld) {
-  const auto b = built(
-      "*MAT_SPOTWELD\n9,7.85e-9,210000.0,0.3,400.0,1000.0,1.0e-6,2.0\n0.25,8000.0,6000.0,6000.0,20000.0,12000.0,13000."
-      "0,5\n");
-  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
-  const auto& l = law<kernel::Spotweld>(b);
-  EXPECT_DOUBLE_EQ(l.yield, 400.0);
-  EXPECT_DOUBLE_EQ(l.hardening, 1000.0);
-  EXPECT_DOUBLE_EQ(l.mass_step, 1e-6);
-  EXPECT_DOUBLE_EQ(l.failure_time, 2.0);
-  EXPECT_DOUBLE_EQ(l.failure_strain, 0.25);
-  EXPECT_THAT(l.strength, ElementsAre(8000.0, 6000.0, 6000.0, 20000.0, 12000.0, 13000.0));
-  EXPECT_EQ(l.filter, 5);
-  const auto blank = built("*MAT_100\n9,7.85e-9,210000.0,0.3,400.0,1000.0,,1.0e20\n\n");
-  EXPECT_EQ(blank.findings.errors(), 0) << blank.all_findings();
-  EXPECT_DOUBLE_EQ(law<kernel::Spotweld>(blank).failure_time, 0.0);
-}
-
-TEST(Materials, SpotweldFormsThatAreNotBuilt) {
-  EXPECT_TRUE(built("*MAT_SPOTWELD_DAMAGE-FAILURE_TITLE\nx\n9,7.85e-9,210000.0,0.3\n")
-                  .error("this form of the weld law is not built yet"));
-  EXPECT_TRUE(built("*MAT_100_DA\n9,7.85e-9,210000.0,0.3\n").error("this form of the weld law is not built yet"));
-  EXPECT_TRUE(built("*MAT_100\n9,7.85e-9,210000.0,0.3,-4\n").error("a yield curve (negative SIGY)", "sigy"));
-  EXPECT_TRUE(built("*MAT_100\n9,7.85e-9,-210000.0,0.3,400.0\n").error("the uniaxial stress state", "e"));
-  EXPECT_TRUE(built("*MAT_100\n9,7.85e-9,210000.0,0.3,400.0\n,-11\n").error("a curve over the strain rate", "nrr"));
-}
-
 TEST(Materials, RefusedLawsNameTheNearestOne) {
   EXPECT_TRUE(built("*MAT_SIMPLIFIED_JOHNSON_COOK\n1\n").error("MAT_024 with a yield curve"));
   const auto skipped = Built("*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*MAT_098\n1\n", true);

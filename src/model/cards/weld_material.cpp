@@ -1,0 +1,481 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "model/cards/families.hpp"
+#include "model/cards/material.hpp"
+
+// *MAT_SPOTWELD (MAT_100) in all its forms. The second card's form follows from OPT, which stands on the third.
+namespace nugget::model {
+
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+// ---- cards ----------------------------------------------------------------------------------------------------------
+
+constexpr Field modulus =
+    real("e", dimension::stress, required, any_value, "Young's modulus; negative: its value, bricks uniaxial");
+constexpr Field mass_step =
+    real("dt", dimension::time, 0, at_least(0), "time step to which the weld's mass is scaled; 0: none");
+constexpr Field fail_time = real("tfail", dimension::time, 0, at_least(0), "time of failure; 0: none");
+constexpr Field fail_strain = real("efail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none");
+constexpr Field filter_length = integer("nf", 0, at_least(0), "force vectors averaged for the failure");
+
+const Card weld_card{{
+    material_id,
+    density,
+    modulus,
+    poisson,
+    real("sigy", dimension::stress, required, any_value,
+         "yield stress; negative: curve over plastic strain, or table over the strain rate"),
+    real("eh", dimension::stress, 0, at_least(0), "hardening: slope of the yield stress over plastic strain"),
+    mass_step,
+    fail_time,
+}};
+
+const Card resultant_card{{
+    fail_strain,
+    real("nrr", dimension::force, 0, any_value, "axial force at failure; 0: left out; negative: curve over the rate"),
+    real("nrs", dimension::force, 0, any_value, "shear force s at failure; 0 and negative as NRR"),
+    real("nrt", dimension::force, 0, any_value, "shear force t at failure; 0 and negative as NRR"),
+    real("mrr", dimension::moment, 0, any_value, "torsion at failure; 0 and negative as NRR"),
+    real("mss", dimension::moment, 0, any_value, "bending s at failure; 0 and negative as NRR"),
+    real("mtt", dimension::moment, 0, any_value, "bending t at failure; 0 and negative as NRR"),
+    filter_length,
+}};
+
+const Card stress_card{{
+    fail_strain,
+    real("sigax", dimension::stress, 0, any_value,
+         "axial stress at failure; 0: left out; negative: curve over the rate"),
+    real("sigtau", dimension::stress, 0, any_value, "shear stress at failure; 0 and negative as SIGAX"),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    filter_length,
+}};
+
+const Card notch_card{{
+    fail_strain,
+    real("zd", dimension::length, 0, at_least(0), "diameter; 0: the weld's own"),
+    real("zt", dimension::length, 0, at_least(0), "sheet thickness; 0: of the thinner sheet"),
+    real("zalp1", dimension::number, 1, at_least(0), "factor on the term of shear"),
+    real("zalp2", dimension::number, 1, at_least(0), "factor on the term of bending"),
+    real("zalp3", dimension::number, 1, at_least(0), "factor on the term of tension"),
+    real("zrrad", dimension::length, 0, at_least(0), "radius of the notch, for OPT 3"),
+    filter_length,
+}};
+
+const Card structural_card{{
+    fail_strain,
+    real("zd", dimension::length, 0, at_least(0), "diameter; 0: the weld's own"),
+    real("zt", dimension::length, 0, at_least(0), "thickness of sheet 1; 0: the sheet's own"),
+    real("zt2", dimension::length, 0, at_least(0), "thickness of sheet 2; 0: the sheet's own"),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+}};
+
+const Card table_card{{
+    fail_strain,
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    filter_length,
+}};
+
+const Card direction_card{{
+    fail_strain,
+    id("lct", IdSpace::function, 0, "tension: curve of allowed force over angle, or table over the rate; 0: no limit"),
+    id("lcc", IdSpace::function, 0, "compression: the same"),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    filter_length,
+}};
+
+constexpr Field rupture = real("rs", dimension::number, 0, at_least(0),
+                               "plastic strain (DMGOPT 2, 12: time after onset) at rupture; 0: none");
+constexpr Field true_thickness =
+    real("true_t", dimension::length, 0, at_least(0), "true thickness of single brick welds; 0: as modelled");
+constexpr Field whole = integer("asff", 0, between(0, 1), "1: the first brick to fail takes its assembly with it");
+constexpr Field correction = integer("ttopt", 0, between(0, 2), "form of the TRUE_T correction");
+
+const Card failure_card{{
+    rupture,
+    real("opt", dimension::number, 0, any_value, "failure function: -2 -1 0 1 3 4 5 6 7 10 11"),
+    real("fval", dimension::number, 0, any_value,
+         "OPT 3 4 5: stress at failure; 6: cycles; 10: *DEFINE_SPOTWELD_FAILURE"),
+    true_thickness,
+    whole,
+    real("beta", dimension::number, 0, at_least(0), "decay of the damaged stress; 0: linear"),
+    unused(),
+    real("dmgopt", dimension::number, 0, any_value, "damage: 0 1 2 10 11 12; -1: given on the next card"),
+}};
+
+const Card damage_card{{
+    real("dmgopt", dimension::number, 0, any_value, "damage: 0 1 2 10 11 12"),
+    real("fmode", dimension::number, 0, between(0, 1), "ratio of the failure surface that parts failure from damage"),
+    real("ffcap", dimension::number, 0, at_least(0), "failure value at which a damaged weld is deleted; 0: none"),
+    correction,
+}};
+
+const Card connection_card{{
+    material_id,
+    density,
+    modulus,
+    poisson,
+    unused(),
+    unused(),
+    mass_step,
+    fail_time,
+}};
+
+const Card connection_failure_card{{
+    rupture,
+    whole,
+    unused(),
+    true_thickness,
+    id("con_id", IdSpace::define, required, "*DEFINE_CONNECTION_PROPERTIES; negative: failure is off"),
+    real("rfiltf", dimension::number, 0, between(0, 1), "share of the last strain rate that is kept"),
+    real("jtol", dimension::number, 0.01, at_least(0), "relative Jacobian below which a brick is deleted"),
+    integer("dmgopt", 0, between(-1, 0), "-1: one more card"),
+}};
+
+const Card connection_more_card{{unused(), unused(), unused(), correction}};
+
+// ---- reading
+// ---------------------------------------------------------------------------------------------------------
+
+/// The second card's table for a failure function that is built; null for others.
+const Card* strength_card(int option) {
+  switch (option) {
+    case -2:
+    case -1:
+    case 0: return &resultant_card;
+    case 1: return &stress_card;
+    case 3:
+    case 4: return &notch_card;
+    case 5: return &structural_card;
+    case 6:
+    case 7:
+    case 10: return &table_card;
+    case 11: return &direction_card;
+    default: return nullptr;
+  }
+}
+
+void refuse_option(Builder& b, const Row& row, int option) {
+  constexpr std::string_view built = "built are -2, -1, 0, 1, 3, 4, 5, 6, 7, 10 and 11";
+  const auto say = [&](std::string_view why) {
+    refuse(b, row, "opt", fmt::format("OPT {} {}", option, why), std::string(built));
+  };
+  if (option == 2 || option == 12 || option == 22) return say("calls a user subroutine, which a deck does not hold");
+  if (option == 9 || option == -9)
+    return say("(*DEFINE_SPOTWELD_RUPTURE_PARAMETER): the formula of its constants is not public");
+  say("is not a failure function of MAT_100");
+}
+
+/// The failure card without a finding: the cursor reads it once more in its turn.
+Row look_ahead(const Builder& b, const Block& block, const Options& options) {
+  Findings unheard;
+  Cursor ahead(b.deck, block, unheard);
+  read_title(ahead, options);
+  for (int line = 0; line < 2 && ahead.more(); ++line) ahead.skip();
+  return ahead.read(failure_card);
+}
+
+/// The curve that the negative value of a field for numbers names, its id moved with its include.
+Index curve_of(Builder& b, const Row& row, std::string_view field, long offset) {
+  const int id = static_cast<int>(std::lround(-row.real(field)) + offset);
+  const Index curve = b.curves.find(id);
+  if (curve == none) refuse(b, row, field, fmt::format("curve {} is not defined", id), "define it, or give a number");
+  return curve;
+}
+
+/// A strength: 0 and 1e20 leave it out, a negative value is a curve over the strain rate.
+RateValue strength(Builder& b, const Row& row, std::string_view field, long offset) {
+  if (row.real(field) >= 0.0) return {failure_value(row.real(field)), {}};
+  refuse(b, row, field, "a curve over the strain rate (negative value) is not built yet", "give the static strength");
+  const Index curve = curve_of(b, row, field, offset);
+  if (curve == none) return {};
+  return {1.0, b.model.curves[static_cast<std::size_t>(curve)]};
+}
+
+/// A curve, or a table over the strain rate.
+DirectionStrength direction_strength(Builder& b, const Row& row, std::string_view field) {
+  const int id = row.integer(field);
+  if (id == 0) return {};
+  DirectionStrength strength;
+  if (const Index t = b.tables.find(id); t != none) {
+    const Table& table = b.model.tables[static_cast<std::size_t>(t)];
+    strength.rate = table.value;
+    for (const Index c : table.curve) strength.curve.push_back(b.model.curves[static_cast<std::size_t>(c)]);
+  } else if (const Index c = b.find(b.curves, "curve or table", row, field); c != none) {
+    strength.rate = {0.0};
+    strength.curve = {b.model.curves[static_cast<std::size_t>(c)]};
+  }
+  return strength;
+}
+
+void expect_positive(Builder& b, const Row& row, std::string_view field, std::string_view what) {
+  if (!(row.real(field) > 0.0)) refuse(b, row, field, fmt::format("{} must be given", what));
+}
+
+/// The strengths of the second card, as `law.option` has them.
+void set_strengths(Builder& b, WeldLaw& law, const Row& row, long offset) {
+  switch (law.option) {
+    case -2:
+    case -1:
+    case 0: {
+      std::size_t i = 0;
+      for (const auto* field : {"nrr", "nrs", "nrt", "mrr", "mss", "mtt"})
+        law.strength[i++] = strength(b, row, field, offset);
+      break;
+    }
+    case 1:
+      law.normal_stress = strength(b, row, "sigax", offset);
+      law.shear_stress = strength(b, row, "sigtau", offset);
+      break;
+    case 3:
+      expect_positive(b, row, "zrrad", "the radius of the notch");
+      law.notch_radius = row.real("zrrad");
+      [[fallthrough]];
+    case 4:
+      law.alpha = {row.real("zalp1"), row.real("zalp2"), row.real("zalp3")};
+      law.diameter = row.real("zd");
+      law.thickness[0] = row.real("zt");
+      break;
+    case 5:
+      law.diameter = row.real("zd");
+      law.thickness = {row.real("zt"), row.real("zt2")};
+      break;
+    case 11:
+      law.tension = direction_strength(b, row, "lct");
+      law.compression = direction_strength(b, row, "lcc");
+      break;
+    default: break;
+  }
+}
+
+/// The only one of some tables, or the one with the id in FVAL.
+template <class Tables>
+Index table_of(Builder& b, const Row& row, const Ids& ids, const Tables& tables, std::string_view keyword) {
+  const int id = static_cast<int>(row.real("fval"));
+  if (id == 0 && tables.size() == 1) return 0;
+  const Index table = ids.find(id);
+  if (table == none)
+    refuse(b, row, "fval",
+           id == 0 ? fmt::format("{} is defined {} times, and FVAL does not say which to take", keyword, tables.size())
+                   : fmt::format("{} {} is not defined", keyword, id),
+           fmt::format("define {} and give its id", keyword));
+  return table;
+}
+
+/// What FVAL is depends on OPT.
+void set_limit(Builder& b, WeldLaw& law, const Row& row) {
+  switch (law.option) {
+    case 0:
+      refuse_nonzero(b, row, "fval", "a failure function of one's own (*DEFINE_FUNCTION) is not supported",
+                     "leave FVAL blank: the resultants NRR to MTT fail the weld");
+      break;
+    case 3:
+    case 4:
+    case 5:
+      expect_positive(b, row, "fval", law.option == 4 ? "the stress intensity at failure" : "the stress at failure");
+      law.limit = row.real("fval");
+      break;
+    case 6:
+      law.cycles = std::max(1, static_cast<int>(row.real("fval")));
+      if (b.model.rupture_stresses.empty())
+        refuse(b, row, "opt", "*DEFINE_SPOTWELD_RUPTURE_STRESS is not in the deck", "define it for the sheets' parts");
+      break;
+    case 7:
+      law.table = table_of(b, row, b.pair_strengths, b.model.pair_strengths, "*DEFINE_SPOTWELD_FAILURE_RESULTANTS");
+      break;
+    case 10:
+      law.table = table_of(b, row, b.load_rate_strengths, b.model.load_rate_strengths, "*DEFINE_SPOTWELD_FAILURE");
+      break;
+    default: break;
+  }
+}
+
+/// Fields whose physics is still to be built.
+void refuse_unbuilt(Builder& b, const Row& row, std::initializer_list<std::string_view> fields) {
+  for (const auto field : fields)
+    refuse_nonzero(b, row, field, "damage of welds is not built yet", "write 0: the weld then fails at once");
+}
+
+void read_damage(Builder& b, Cursor& cursor, WeldLaw& law, const Row& row) {
+  WeldDamage& damage = law.damage;
+  damage.rupture = row.real("rs");
+  damage.true_thickness = row.real("true_t");
+  damage.whole = row.integer("asff") == 1;
+  damage.beta = row.real("beta");
+  damage.option = static_cast<int>(row.real("dmgopt"));
+  refuse_unbuilt(b, row, {"rs", "beta"});
+  if (damage.option != -1) return refuse_unbuilt(b, row, {"dmgopt"});
+  const Row more = cursor.read(damage_card);
+  damage.option = static_cast<int>(more.real("dmgopt"));
+  damage.mode = more.real("fmode");
+  damage.cap = more.real("ffcap");
+  damage.thickness_option = more.integer("ttopt");
+  refuse_unbuilt(b, more, {"dmgopt", "fmode", "ffcap"});
+}
+
+/// Adds the material and what it says of welds as a whole.
+Index add_weld(Builder& b, const Row& row, std::string title, std::string_view keyword, kernel::Spotweld law,
+               WeldLaw weld) {
+  const Index material = add_material(b, row, std::move(title), keyword, law);
+  b.model.materials[static_cast<std::size_t>(material)].weld = static_cast<Index>(b.model.weld_laws.size());
+  b.model.weld_laws.push_back(std::move(weld));
+  return b.model.materials[static_cast<std::size_t>(material)].weld;
+}
+
+kernel::Spotweld point_law(const Row& row) {
+  kernel::Spotweld law;
+  law.E = std::abs(row.real("e"));
+  law.nu = row.real("pr");
+  law.mass_step = row.real("dt");
+  return law;
+}
+
+/// Young's modulus and its sign, which with _UNIAXIAL is the stress state of bricks.
+bool is_uniaxial(Builder& b, const Row& row, const Options& options) {
+  if (row.real("e") == 0.0) refuse(b, row, "e", "Young's modulus must not be 0");
+  const bool uniaxial = row.real("e") < 0.0 || options.contains("UNIAXIAL");
+  if (uniaxial)
+    refuse(b, row, "e", "the uniaxial stress state (negative E, _UNIAXIAL) is not built yet",
+           "give Young's modulus, without _UNIAXIAL; weld beams are uniaxial anyway");
+  return uniaxial;
+}
+
+long function_offset(const Block& block) {
+  return block.transform ? block.transform->id_offset[static_cast<std::size_t>(IdSpace::function)] : 0;
+}
+
+/// *MAT_SPOTWELD, with the failure card if `with_failure`.
+void read_weld(Builder& b, const Block& block, const Options& options, bool with_failure) {
+  int option = 0;
+  if (with_failure) {
+    const Row failure = look_ahead(b, block, options);
+    option = static_cast<int>(failure.real("opt"));
+    if (!strength_card(option)) return refuse_option(b, failure, option);
+  }
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(weld_card);
+  const Row second = cursor.read(*strength_card(option));
+  kernel::Spotweld law = point_law(row);
+  if (row.real("sigy") < 0.0)
+    refuse(b, row, "sigy", "a yield curve (negative SIGY) is not built yet", "give SIGY and EH");
+  law.yield = row.real("sigy");
+  law.hardening = row.real("eh");
+  law.failure_strain = failure_value(second.real("efail"));
+  WeldLaw weld;
+  weld.option = option;
+  weld.uniaxial = is_uniaxial(b, row, options);
+  weld.failure_time = failure_value(row.real("tfail"));
+  weld.filter = option == 5 ? 0 : second.integer("nf");
+  std::optional<Row> failure;
+  if (with_failure) {
+    failure = cursor.read(failure_card);
+    read_damage(b, cursor, weld, *failure);
+  }
+  if (option != 0) refuse(b, *failure, "opt", fmt::format("OPT {} is not built yet", option), "write 0");
+  expect_end(b, cursor);
+  const Index index = add_weld(b, row, std::move(title), with_failure ? "MAT_SPOTWELD_DAMAGE-FAILURE" : "MAT_SPOTWELD",
+                               law, std::move(weld));
+  // Curves and tables may be defined later in the deck.
+  b.later(Phase::parts, [index, second, failure, offset = function_offset(block)](Builder& later) {
+    WeldLaw& built = later.model.weld_laws[static_cast<std::size_t>(index)];
+    set_strengths(later, built, second, offset);
+    if (failure) set_limit(later, built, *failure);
+  });
+}
+
+void read_plain(Builder& b, const Block& block, const Options& options) {
+  read_weld(b, block, options, false);
+}
+void read_failure(Builder& b, const Block& block, const Options& options) {
+  read_weld(b, block, options, true);
+}
+
+/// *MAT_SPOTWELD_DAIMLERCHRYSLER: yield stress, strengths and damage come from *DEFINE_CONNECTION_PROPERTIES.
+void read_connection(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(connection_card);
+  const Row second = cursor.read(table_card);
+  const Row third = cursor.read(connection_failure_card);
+  kernel::Spotweld law = point_law(row);
+  law.failure_strain = failure_value(second.real("efail"));
+  WeldLaw weld;
+  weld.connection = true;
+  weld.uniaxial = is_uniaxial(b, row, options);
+  weld.failure_time = failure_value(row.real("tfail"));
+  weld.filter = second.integer("nf");
+  weld.rate_filter = third.real("rfiltf");
+  weld.jacobian_limit = third.real("jtol");
+  weld.damage.rupture = third.real("rs");
+  weld.damage.true_thickness = third.real("true_t");
+  weld.damage.whole = third.integer("asff") == 1;
+  if (third.integer("dmgopt") == -1) weld.damage.thickness_option = cursor.read(connection_more_card).integer("ttopt");
+  expect_end(b, cursor);
+  refuse(b, third, "con_id", "welds by *DEFINE_CONNECTION_PROPERTIES are not built yet",
+         "use *MAT_SPOTWELD_DAMAGE-FAILURE");
+  const Index index = add_weld(b, row, std::move(title), "MAT_SPOTWELD_DAIMLERCHRYSLER", law, std::move(weld));
+  b.later(Phase::parts, [index, third](Builder& later) {
+    if (third.integer("con_id") > 0)
+      later.model.weld_laws[static_cast<std::size_t>(index)].properties =
+          later.find(later.connections, "connection", third, "con_id");
+  });
+}
+
+}  // namespace
+
+std::vector<Keyword> weld_material_keywords() {
+  constexpr std::string_view by_resultants = "OPT -2, -1, 0", by_stress = "OPT 1", by_notch = "OPT 3, 4",
+                             by_structure = "OPT 5", by_table = "OPT 6, 7, 10", by_direction = "OPT 11",
+                             more = "if DMGOPT = -1";
+  return {
+      {.name = "MAT_SPOTWELD",
+       .aliases = {"MAT_100"},
+       .options = {"TITLE", "UNIAXIAL"},
+       .layout = {{"", &weld_card}, {"", &resultant_card}},
+       .read = read_plain},
+      {.name = "MAT_SPOTWELD_DAMAGE-FAILURE",
+       .aliases = {"MAT_100_DAMAGE-FAILURE"},
+       .options = {"TITLE", "UNIAXIAL"},
+       .layout = {{"", &weld_card},
+                  {by_resultants, &resultant_card},
+                  {by_stress, &stress_card},
+                  {by_notch, &notch_card},
+                  {by_structure, &structural_card},
+                  {by_table, &table_card},
+                  {by_direction, &direction_card},
+                  {"", &failure_card},
+                  {more, &damage_card}},
+       .read = read_failure},
+      {.name = "MAT_SPOTWELD_DAIMLERCHRYSLER",
+       .aliases = {"MAT_SPOTWELD_DAIMLER", "MAT_100_DAIMLERCHRYSLER", "MAT_100_DAIMLER", "MAT_100_DA"},
+       .options = {"TITLE", "UNIAXIAL"},
+       .layout =
+           {{"", &connection_card}, {"", &table_card}, {"", &connection_failure_card}, {more, &connection_more_card}},
+       .read = read_connection},
+  };
+}
+
+}  // namespace nugget::model
