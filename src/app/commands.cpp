@@ -4,146 +4,28 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <ctime>
 #include <filesystem>
 #include <optional>
-#include <thread>
 
+#include "app/audit_table.hpp"
+#include "app/clock.hpp"
+#include "app/command.hpp"
 #include "app/progress.hpp"
 #include "app/run_log.hpp"
 #include "base/index.hpp"
 #include "base/parallel.hpp"
-#include "deck/deck.hpp"
 #include "impact/result_files.hpp"
 #include "impact/simulation.hpp"
-#include "model/builder.hpp"
 #include "model/describe.hpp"
 #include "output/results.hpp"
-#include "output/summary.hpp"
-#include "weld/audit.hpp"
-#include "weld/ties.hpp"
 
 namespace nugget::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Clock {
- public:
-  double seconds() {
-    const auto now = std::chrono::steady_clock::now();
-    const double s = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return s;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-/// What comes out of reading, checking and tying.
-struct Prepared {
-  bool has_text = false;  ///< the deck could be opened and is not empty
-  model::Model model;
-  weld::Ties ties;
-  std::vector<output::WeldReport> welds;
-  double read_seconds = 0.0, tie_seconds = 0.0;
-};
-
-/// run.log as it grows; written whole each time, so that it is there whatever happens next.
-class Log {
- public:
-  explicit Log(fs::path directory) : path_(std::move(directory) / "run.log") {}
-  void add(const std::string& text) {
-    text_ += text;
-    output::write_whole_file(path_, text_);
-  }
-  /// The same where the disk may be full.
-  void try_to_add(const std::string& text) {
-    try {
-      add(text);
-    } catch (const output::WriteError&) {
-      return;  // the log of before is still there
-    }
-  }
-
- private:
-  fs::path path_;
-  std::string text_;
-};
-
-void print_findings(const Findings& findings) {
-  for (const Finding& f : findings.all()) fmt::print(stderr, "{}\n", to_string(f));
-  if (findings.errors() + findings.warnings() > 0) fmt::print(stderr, "{}\n", totals(findings));
-}
-
-output::WeldReport weld_report(const model::Model& model, const weld::Weld& w) {
-  output::WeldReport r;
-  r.id = w.id;
-  r.kind = weld::to_string(w.kind);
-  r.part = w.part == model::none ? 0 : model.parts[at(w.part)].id;
-  for (model::Index sheet : w.sheets)
-    if (sheet != model::none) r.sheets.push_back(model.parts[at(sheet)].id);
-  r.diameter = w.diameter;
-  r.length = w.length;
-  r.tied = w.tied;
-  for (const weld::Projection& p : w.ends) {
-    output::WeldProjection out;
-    out.node = model.nodes.id[at(p.node)];
-    if (p.tied && p.kase != 0)
-      for (model::Index n : p.tie.segment) out.segment.push_back(model.nodes.id[at(n)]);
-    out.xi = p.tie.xi;
-    out.eta = p.tie.eta;
-    out.moved = p.tie.moved;
-    out.case_number = p.kase;
-    out.reason = p.reason;
-    r.projections.push_back(std::move(out));
-  }
-  return r;
-}
-
-/// Reads, checks, ties and audits. Findings hold what was wrong.
-Prepared prepare(const RunArguments& arguments, Findings& findings) {
-  Prepared p;
-  Clock clock;
-  const deck::Deck deck = deck::read(arguments.deck, findings);
-  p.has_text = deck.bytes > 0;
-  if (findings.errors() > 0 && deck.blocks.empty()) return p;  // nothing was read; no more is to be said about it
-  p.model = model::build(deck, findings, arguments.skip_unsupported);
-  p.read_seconds = clock.seconds();
-  if (findings.errors() > 0) return p;
-  p.ties = weld::tie(p.model, findings);
-  const std::vector<weld::Report> audit = weld::audit(p.model, p.ties, findings);
-  for (std::size_t i = 0; i < p.ties.welds.size(); ++i) {
-    p.welds.push_back(weld_report(p.model, p.ties.welds[i]));
-    for (const weld::Remark& remark : audit[i].remarks)
-      p.welds.back().remarks.push_back(fmt::format("{}: {}", remark.check, remark.text));
-  }
-  p.tie_seconds = clock.seconds();
-  return p;
-}
-
-int use_threads(int asked) {
-  const int all = static_cast<int>(std::thread::hardware_concurrency());
-  set_threads(asked > 0 ? asked : std::max(1, all));
-  return threads();
-}
-
-void start_log(Log& log, const RunArguments& arguments, const Prepared& p, const Findings& findings) {
-  log.add(log_head(NUGGET_VERSION, arguments.deck, std::to_string(threads())));
-  log.add(model::ledger_table(p.model));
-  log.add(log_findings(findings));
-}
-
-/// A wrong file name leaves the results of earlier runs alone.
-ExitCode refuse_missing(const Findings& findings) {
-  print_findings(findings);
-  fmt::print(stderr, "nothing was run; no file was changed\n");
-  return ExitCode::refused;
-}
 
 /// Writes what a refused deck leaves behind.
 ExitCode refuse(const fs::path& directory, Log& log, const Findings& findings) {
@@ -257,7 +139,7 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
   Prepared p = prepare(arguments, findings);
   if (!p.has_text) return refuse_missing(findings);
   output::remove_old_results(directory);
-  Log log(directory);
+  Log log(directory / "run.log");
   Clock clock;
   std::optional<system::System> system;
   std::optional<impact::Simulation> simulation;
@@ -268,7 +150,8 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
   print_findings(findings);
   output::write_findings(directory, findings.all());
   log.add(log_model(p.model));
-  log.add(log_ties(p.model, p.ties));
+  log.add(log_ties(p.model, p.ties, all_of_them) + log_tied_nodes(p.model, p.ties));
+  log.add(audit_table(p.model, p.ties, p.audit));
   const double setup_seconds = p.tie_seconds + clock.seconds();
 
   const impact::Outcome outcome = simulate(*simulation, directory, arguments, log);
@@ -296,57 +179,10 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
   return ExitCode::error_termination;
 }
 
-/// Runs `work` and turns a failed write into its exit code.
-template <class Work>
-ExitCode guarded(const std::string& directory, Work work) {
-  try {
-    std::error_code error;
-    fs::create_directories(directory, error);
-    if (error) throw output::WriteError(directory, error.message());
-    return work(fs::path(directory));
-  } catch (const output::WriteError& e) {
-    fmt::print(stderr, "nugget: {}\n", e.what());
-    return ExitCode::cannot_write;
-  }
-}
-
-void print_welds(const std::vector<output::WeldReport>& welds) {
-  if (welds.empty()) return;
-  fmt::print("{:>10} {:>9} {:>8} {:>9} {:>9} {:>5}  {:<9} {}\n", "weld", "kind", "part", "diameter", "length", "tied",
-             "sheets", "remarks");
-  for (const output::WeldReport& w : welds)
-    fmt::print("{:>10} {:>9} {:>8} {:>9.4g} {:>9.4g} {:>5}  {:<9} {}\n", w.id, w.kind, w.part, w.diameter, w.length,
-               w.tied ? "yes" : "no", fmt::format("{}", fmt::join(w.sheets, "+")), fmt::join(w.remarks, "; "));
-}
-
 }  // namespace
 
 ExitCode run(const RunArguments& arguments) {
   return guarded(arguments.directory, [&](const fs::path& directory) { return run_in(directory, arguments); });
-}
-
-ExitCode check(const RunArguments& arguments) {
-  return guarded(arguments.directory, [&](const fs::path& directory) {
-    use_threads(arguments.threads);
-    Findings findings;
-    Prepared p = prepare(arguments, findings);
-    if (!p.has_text) return refuse_missing(findings);
-    Log log(directory);
-    if (findings.errors() == 0) {
-      system::System system(p.model, p.ties, findings);
-      if (findings.errors() == 0) impact::Simulation simulation(system, findings);
-    }
-    start_log(log, arguments, p, findings);
-    output::write_findings(directory, findings.all());
-    print_findings(findings);
-    if (findings.errors() > 0) return ExitCode::refused;
-    log.add(log_model(p.model));
-    log.add(log_ties(p.model, p.ties));
-    output::write_welds(directory, p.welds);
-    fmt::print("{}{}", log_model(p.model), log_ties(p.model, p.ties));
-    print_welds(p.welds);
-    return ExitCode::normal;
-  });
 }
 
 ExitCode keywords(const std::string& name) {

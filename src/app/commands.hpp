@@ -26,8 +26,13 @@ struct RunArguments {
   bool quiet = false;
 };
 
+struct CheckArguments {
+  RunArguments deck;         ///< of these: deck, directory, threads, skip_unsupported
+  double target_step = 0.0;  ///< what each weld would take to allow it; 0: not asked [time]
+};
+
 ExitCode run(const RunArguments& arguments);
-ExitCode check(const RunArguments& arguments);
+ExitCode check(const CheckArguments& arguments);
 ExitCode keywords(const std::string& name);
 
 }  // namespace nugget::app

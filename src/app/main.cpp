@@ -83,12 +83,14 @@ int main(int argc, char** argv) {
   run_command->add_option("--checkpoint", checkpoint, "restart files: not built yet");
   run_command->add_option("--resume", resume, "go on from a restart file: not built yet");
 
-  nugget::app::RunArguments check;
+  nugget::app::CheckArguments check;
   CLI::App* check_command = cli.add_subcommand("check", "read, check, tie and audit a deck; run nothing");
-  check_command->add_option("model", check.deck, "the deck")->required();
-  check_command->add_option("-o,--output", check.directory, "folder for welds.csv, findings.json and run.log");
-  check_command->add_option("-j,--threads", check.threads, "threads (default: all cores)")->check(count);
-  check_command->add_flag("--skip-unsupported", check.skip_unsupported, "unsupported keywords are warnings");
+  check_command->add_option("model", check.deck.deck, "the deck")->required();
+  check_command->add_option("-o,--output", check.deck.directory, "folder for welds.csv, findings.json and check.log");
+  check_command->add_option("--target-step", check.target_step, "mass or stiffness that each weld takes for this step")
+      ->check(time);
+  check_command->add_option("-j,--threads", check.deck.threads, "threads (default: all cores)")->check(count);
+  check_command->add_flag("--skip-unsupported", check.deck.skip_unsupported, "unsupported keywords are warnings");
 
   std::string keyword;
   CLI::App* keywords_command = cli.add_subcommand("keywords", "what is supported, from the card tables");

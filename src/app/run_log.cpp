@@ -79,17 +79,18 @@ std::string log_model(const model::Model& model) {
   return s + '\n';
 }
 
-std::string log_ties(const model::Model& model, const weld::Ties& ties) {
+std::string log_ties(const model::Model& model, const weld::Ties& ties, std::size_t most) {
   if (ties.welds.empty() && ties.ties.empty()) return {};
   std::map<int, int> by_case;
   int tied = 0;
-  std::string open;
+  std::size_t open = 0;
+  std::string reasons;
   for (const weld::Weld& w : ties.welds) {
     tied += w.tied;
     for (const weld::Projection& p : w.ends) {
       ++by_case[p.kase];
-      if (!p.tied)
-        open +=
+      if (!p.tied && ++open <= most)
+        reasons +=
             fmt::format(" weld {} of part {}: node {} {}\n", w.id,
                         w.part == model::none ? 0 : model.parts[at(w.part)].id, model.nodes.id[at(p.node)], p.reason);
     }
@@ -97,11 +98,15 @@ std::string log_ties(const model::Model& model, const weld::Ties& ties) {
   std::string s = fmt::format("Welds: {}, tied at all their nodes: {}; tied nodes: {}\n\n", ties.welds.size(), tied,
                               ties.ties.size());
   for (const auto& [kase, n] : by_case) s += fmt::format(" case {}  {:>8} nodes  {}\n", kase, n, case_name(kase));
-  if (!open.empty()) s += "\nNot tied:\n" + open;
-  if (model.control.list_ties) {
-    s += "\nTied nodes (OUTSEG = 1):\n";
-    for (const weld::Tie& t : ties.ties) s += ' ' + weld::describe(model, t) + '\n';
-  }
+  if (open > 0) s += "\nNot tied:\n" + reasons;
+  if (open > most) s += fmt::format(" and {} more nodes; welds.csv has all\n", open - most);
+  return s + '\n';
+}
+
+std::string log_tied_nodes(const model::Model& model, const weld::Ties& ties) {
+  if (!model.control.list_ties || ties.ties.empty()) return {};
+  std::string s = "Tied nodes (OUTSEG = 1):\n";
+  for (const weld::Tie& t : ties.ties) s += ' ' + weld::describe(model, t) + '\n';
   return s + '\n';
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <chrono>
+#include <cstddef>
+#include <limits>
 #include <string>
 
 #include "base/finding.hpp"
@@ -13,12 +14,17 @@
 // The parts of run.log, each a text. What a person wants to read after a run, in the order of the run.
 namespace nugget::app {
 
+/// As many as there are.
+inline constexpr std::size_t all_of_them = std::numeric_limits<std::size_t>::max();
+
 std::string log_head(const std::string& version, const std::string& deck, const std::string& command_threads);
 std::string log_findings(const Findings& findings);
 /// Parts with their sections, materials, element counts and masses.
 std::string log_model(const model::Model& model);
-/// How many welds are tied, by projection case; each weld that is not, with its reason; OUTSEG's list where asked for.
-std::string log_ties(const model::Model& model, const weld::Ties& ties);
+/// How many welds are tied, by projection case; the first `most` weld nodes that are not, with their reasons.
+std::string log_ties(const model::Model& model, const weld::Ties& ties, std::size_t most);
+/// OUTSEG's list of the tied nodes, where asked for.
+std::string log_tied_nodes(const model::Model& model, const weld::Ties& ties);
 std::string log_mass(const system::System& system);
 std::string log_run(const impact::Simulation& simulation, const output::Summary& summary);
 /// LS-DYNA's words, which tools look for: ` N o r m a l    t e r m i n a t i o n`.

@@ -11,7 +11,8 @@
 namespace nugget::output {
 namespace {
 
-constexpr std::array<std::string_view, 25> names = {"run.log",
+constexpr std::array<std::string_view, 26> names = {"run.log",
+                                                    "check.log",
                                                     "summary.json",
                                                     "findings.json",
                                                     "welds.csv",

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,7 +43,8 @@ struct WeldReport {
   std::optional<double> failure_time;
   std::string failure_mode;
   WeldPeak peak;
-  std::vector<std::string> remarks;  ///< of the audit
+  std::vector<std::pair<std::string_view, double>> audit;  ///< column of welds.csv and number; the same for all welds
+  std::vector<std::string> remarks;                        ///< of the audit
 };
 
 /// One line of the modes of a modal run.

@@ -48,12 +48,14 @@ class CsvLine {
   bool first_ = true;
 };
 
-void head(std::string& out, std::size_t projections) {
+void head(std::string& out, std::size_t projections, const std::vector<WeldReport>& welds) {
   CsvLine line(out);
   for (const char* name : {"id", "kind", "part", "sheet1", "sheet2", "diameter", "length", "tied"}) line.cell(name);
   for (std::size_t i = 1; i <= projections; ++i)
     for (const char* name : {"node", "case", "moved", "xi", "eta", "segment", "reason"})
       line.cell(fmt::format("{}{}", name, i));
+  if (!welds.empty())
+    for (const auto& [name, value] : welds.front().audit) line.cell(name);
   for (const char* name : {"added_mass", "failed", "failure_time", "failure_mode", "peak_axial", "peak_shear",
                            "peak_bending", "peak_torsion", "remarks"})
     line.cell(name);
@@ -91,6 +93,7 @@ void row(std::string& out, const WeldReport& weld, std::size_t projections) {
       for (int empty = 0; empty < 7; ++empty) line.cell("");
     }
   }
+  for (const auto& [name, value] : weld.audit) line.cell(value);
   line.cell(weld.added_mass);
   line.flag(weld.failed);
   line.cell(weld.failure_time ? fmt::format("{}", *weld.failure_time) : std::string());
@@ -109,7 +112,7 @@ void write_welds(const std::filesystem::path& directory, const std::vector<WeldR
   std::size_t projections = 2;
   for (const WeldReport& weld : welds) projections = std::max(projections, weld.projections.size());
   std::string out;
-  head(out, projections);
+  head(out, projections, welds);
   for (const WeldReport& weld : welds) row(out, weld, projections);
   write_whole_file(directory / "welds.csv", out);
 }

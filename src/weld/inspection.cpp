@@ -4,24 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "weld/segment.hpp"
 #include "weld/welds.hpp"
 
 namespace nugget::weld {
 namespace {
-
-/// Sheets of 0.3 to 10 length units and of a density between that of magnesium in t/mm^3 and that of lead in g/mm^3 are
-/// in millimetres; metres, centimetres and inches all fall outside one of the two.
-bool in_millimetres(const model::Model& model) {
-  if (model.shells.size() == 0) return false;
-  const std::vector<double>& t = model.shells.thickness;
-  const double mean = std::accumulate(t.begin(), t.end(), 0.0) / static_cast<double>(t.size());
-  const Index material = model.parts[model.shells.part.front()].material;
-  const double density = material == none ? 0.0 : model.materials[material].density;
-  return mean >= 0.3 && mean <= 10.0 && density >= 1e-9 && density <= 2e-2;
-}
 
 double distance_to_line(const Vec3d& p, const Vec3d& from, const Vec3d& to) {
   const Vec3d side = to - from;
@@ -30,43 +18,50 @@ double distance_to_line(const Vec3d& p, const Vec3d& from, const Vec3d& to) {
   return norm(from + along * side - p);
 }
 
+bool share_a_sheet(const std::vector<Index>& a, const std::vector<Index>& b) {
+  return std::any_of(a.begin(), a.end(), [&](Index s) { return std::find(b.begin(), b.end(), s) != b.end(); });
+}
+
 }  // namespace
 
 Inspection::Inspection(const model::Model& model, const Ties& ties)
-    : model_(model), ties_(ties), millimetres_(in_millimetres(model)), shell_of_(model.nodes.size(), none) {
-  for (std::size_t e = 0; e < model.shells.size(); ++e)
-    for (Index n : model.shells.node[e])
-      if (shell_of_[n] == none) shell_of_[n] = static_cast<Index>(e);
+    : model_(model),
+      ties_(ties),
+      units_(model::recognise_units(model)),
+      mesh_(model, ties.x),
+      stacks_(ties, model.nodes.size()) {
   find_borders();
   std::vector<Box> boxes;
-  for (const Weld& weld : ties.welds) boxes.push_back({centre(weld), centre(weld)});
+  for (const Weld& weld : ties.welds) {
+    centre_.push_back(0.5 * (face_centre(weld, 0, ties_.x) + face_centre(weld, 1, ties_.x)));
+    boxes.push_back({centre_.back(), centre_.back()});
+  }
   weld_tree_ = BoxTree(boxes);
 }
 
-/// Edges of the sheets that occur once in the whole mesh.
+/// Edges of the welded sheets that occur once in the whole mesh.
 void Inspection::find_borders() {
   std::vector<char> welded(model_.parts.size(), 0);
   for (const Weld& weld : ties_.welds)
     for (Index sheet : weld.sheets)
       if (sheet != none) welded[sheet] = 1;
-  std::vector<Edge> edges;
-  for (std::size_t e = 0; e < model_.shells.size(); ++e)
+  std::vector<Box> boxes;
+  for (Index e = 0; e < static_cast<Index>(model_.shells.size()); ++e) {
+    if (!welded[model_.shells.part[e]]) continue;
     for (int k = 0; k < 4; ++k) {
-      const Index a = model_.shells.node[e][k], b = model_.shells.node[e][(k + 1) % 4];
-      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), model_.shells.part[e]});
+      const auto [a, b] = mesh_.side(e, k);
+      if (a == b || !mesh_.is_free(e, k)) continue;
+      borders_.push_back({a, b, model_.shells.part[e]});
+      boxes.emplace_back().add(ties_.x[a]);
+      boxes.back().add(ties_.x[b]);
     }
-  const auto ends = [](const Edge& edge) { return std::pair(edge.from, edge.to); };
-  std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) { return ends(a) < ends(b); });
-  for (std::size_t i = 0, next = 0; i < edges.size(); i = next) {
-    while (next < edges.size() && ends(edges[next]) == ends(edges[i])) ++next;
-    if (next == i + 1 && welded[edges[i].part]) borders_.push_back(edges[i]);
-  }
-  std::vector<Box> boxes(borders_.size());
-  for (std::size_t i = 0; i < borders_.size(); ++i) {
-    boxes[i].add(ties_.x[borders_[i].from]);
-    boxes[i].add(ties_.x[borders_[i].to]);
   }
   border_tree_ = BoxTree(boxes);
+}
+
+std::optional<double> Inspection::millimetre() const {
+  if (!units_) return std::nullopt;
+  return units_->millimetre;
 }
 
 Index Inspection::shell_at(const Weld& weld, int end) const {
@@ -74,7 +69,8 @@ Index Inspection::shell_at(const Weld& weld, int end) const {
   if (node == none) return none;
   for (const Projection& p : weld.ends)
     if (p.node == node && p.tied && p.kase != 0) return p.tie.shell;
-  return shell_of_[node];
+  const auto shells = mesh_.at(node);
+  return shells.empty() ? none : shells.front();
 }
 
 std::array<Vec3d, 4> Inspection::corners(Index shell) const {
@@ -82,8 +78,9 @@ std::array<Vec3d, 4> Inspection::corners(Index shell) const {
   return {ties_.x[n[0]], ties_.x[n[1]], ties_.x[n[2]], ties_.x[n[3]]};
 }
 
-Vec3d Inspection::centre(const Weld& weld) const {
-  return 0.5 * (face_centre(weld, 0, ties_.x) + face_centre(weld, 1, ties_.x));
+double Inspection::area(Index shell) const {
+  const std::array<Vec3d, 4> k = corners(shell);
+  return 0.5 * norm(cross(k[2] - k[0], k[3] - k[1]));
 }
 
 std::optional<double> Inspection::sheet_thickness(const Weld& weld, int end) const {
@@ -92,11 +89,16 @@ std::optional<double> Inspection::sheet_thickness(const Weld& weld, int end) con
   return model_.shells.thickness[shell];
 }
 
+std::optional<std::array<double, 2>> Inspection::thicknesses(const Weld& weld) const {
+  const auto t1 = sheet_thickness(weld, 0), t2 = sheet_thickness(weld, 1);
+  if (!t1 || !t2) return std::nullopt;
+  return std::array<double, 2>{std::min(*t1, *t2), std::max(*t1, *t2)};
+}
+
 std::optional<double> Inspection::element_size(const Weld& weld, int end) const {
   const Index shell = shell_at(weld, end);
   if (shell == none) return std::nullopt;
-  const std::array<Vec3d, 4> k = corners(shell);
-  return std::sqrt(0.5 * norm(cross(k[2] - k[0], k[3] - k[1])));
+  return std::sqrt(area(shell));
 }
 
 std::optional<double> Inspection::angle_to_normal(const Weld& weld, int end) const {
@@ -119,15 +121,77 @@ std::optional<double> Inspection::distance_to_border(const Weld& weld, int end, 
   return nearest.distance;
 }
 
+std::optional<int> Inspection::flange_width(const Weld& weld, int end, int most) const {
+  const Index shell = shell_at(weld, end);
+  if (shell == none) return std::nullopt;
+  return mesh_.flange_width(shell, most);
+}
+
+std::optional<double> Inspection::sheet_step(const Weld& weld, int end) const {
+  const Index shell = shell_at(weld, end);
+  if (shell == none) return std::nullopt;
+  const model::Part& part = model_.parts[model_.shells.part[shell]];
+  if (part.material == none || part.rigid_body != none) return std::nullopt;
+  const model::Material& material = model_.materials[part.material];
+  const std::array<Vec3d, 4> k = corners(shell);
+  const bool triangle = model_.shells.triangle(shell);
+  double longest = 0.0;
+  for (int i = 0; i < 4; ++i) longest = std::max(longest, norm(k[(i + 1) % 4] - k[i]));
+  const double nu = material.poisson();
+  const double speed = std::sqrt(material.young() / ((1.0 - nu * nu) * material.density));
+  return (triangle ? 2.0 : 1.0) * area(shell) / longest / speed;
+}
+
+double Inspection::sheet_mass(const Weld& weld) const {
+  double mass = 0.0;
+  for (int end = 0; end < 2; ++end) {
+    const Index shell = shell_at(weld, end);
+    if (shell == none) continue;
+    const model::Part& part = model_.parts[model_.shells.part[shell]];
+    if (part.material != none)
+      mass += model_.materials[part.material].density * model_.shells.thickness[shell] * area(shell);
+  }
+  return mass;
+}
+
+std::optional<double> Inspection::aspect_ratio(const Weld& weld) const {
+  if (weld.kind != Weld::Kind::solid && weld.kind != Weld::Kind::assembly) return std::nullopt;
+  double longest = 0.0, shortest = Box::infinity;
+  for (const auto& pair : opposite_faces(model_.solids.node[weld.element]))
+    for (const auto& face : pair)
+      for (std::size_t k = 0; k < 4; ++k) {
+        const double edge = norm(ties_.x[face[(k + 1) % 4]] - ties_.x[face[k]]);
+        longest = std::max(longest, edge);
+        if (edge > 0.0) shortest = std::min(shortest, edge);
+      }
+  return longest / shortest;
+}
+
 const Weld* Inspection::twin(const Weld& weld, double distance) const {
-  const auto self = static_cast<int>(&weld - ties_.welds.data());
-  const Vec3d here = centre(weld);
+  const auto self = static_cast<int>(number(weld));
+  const Vec3d here = centre_[self];
+  const auto same_sheets = [&](const Weld& other) {
+    return other.sheets == weld.sheets || (other.sheets[0] == weld.sheets[1] && other.sheets[1] == weld.sheets[0]);
+  };
   int first = self;
   weld_tree_.overlapping(Box{here, here}.grown(distance), [&](int other) {
-    if (other < first && !ties_.welds[other].deleted && norm(centre(ties_.welds[other]) - here) <= distance)
+    if (other < first && !ties_.welds[other].deleted && same_sheets(ties_.welds[other]) &&
+        norm(centre_[other] - here) <= distance)
       first = other;
   });
   return first == self ? nullptr : &ties_.welds[first];
+}
+
+Inspection::Neighbour Inspection::neighbour(const Weld& weld, double bound) const {
+  const std::size_t self = number(weld);
+  const Vec3d here = centre_[self];
+  const BoxTree::Nearest nearest = weld_tree_.nearest(here, bound, [&](int other) {
+    const bool apart = stacks_.of(other) != stacks_.of(self) && !ties_.welds[other].deleted;
+    return apart && share_a_sheet(stacks_.sheets(other), stacks_.sheets(self)) ? norm(centre_[other] - here)
+                                                                               : Box::infinity;
+  });
+  if (nearest.item < 0) return {};
+  return {&ties_.welds[nearest.item], nearest.distance};
 }
 
 }  // namespace nugget::weld

@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "base/bvh.hpp"
+#include "model/units.hpp"
+#include "weld/sheet_mesh.hpp"
+#include "weld/stacks.hpp"
 #include "weld/ties.hpp"
 
 namespace nugget::weld {
@@ -16,19 +19,44 @@ class Inspection {
   Inspection(const model::Model& model, const Ties& ties);
 
   const model::Model& model() const { return model_; }
+  /// Node coordinates after projection [length].
+  const std::vector<Vec3d>& x() const { return ties_.x; }
 
-  /// Thicknesses and densities are those of sheet metal in millimetres.
-  bool millimetres() const { return millimetres_; }
+  /// A millimetre in units of the model; nothing if the units are not known [length].
+  std::optional<double> millimetre() const;
   /// Thickness of the sheet at an end; nothing if that end is not on one [length].
   std::optional<double> sheet_thickness(const Weld& weld, int end) const;
+  /// Thinnest (first) and thickest of the sheets at the two ends; nothing unless both are on one [length].
+  std::optional<std::array<double, 2>> thicknesses(const Weld& weld) const;
   /// Side of a square with the area of the shell that an end is tied to [length].
   std::optional<double> element_size(const Weld& weld, int end) const;
   /// Angle between the weld's axis and the normal of the sheet at an end [degrees].
   std::optional<double> angle_to_normal(const Weld& weld, int end) const;
   /// Distance from an end to the free border of its sheet, if not greater than `bound` [length].
   std::optional<double> distance_to_border(const Weld& weld, int end, double bound) const;
-  /// The first weld before this one whose centre is within `distance`, or null.
+  /// Elements across the flange that an end is tied to, if there are at most `most`; see SheetMesh::flange_width.
+  std::optional<int> flange_width(const Weld& weld, int end, int most) const;
+  /// Largest time step of the shell at an end: (its area over its longest side) over the wave speed of a plate, as
+  /// ISDO = 0 has it [time].
+  std::optional<double> sheet_step(const Weld& weld, int end) const;
+  /// Mass of the shells that the two ends are tied to [mass].
+  double sheet_mass(const Weld& weld) const;
+
+  /// Longest over shortest edge of a weld's brick; nothing for other welds.
+  std::optional<double> aspect_ratio(const Weld& weld) const;
+
+  /// The first weld before this one between the same sheets whose centre is within `distance`, or null.
   const Weld* twin(const Weld& weld, double distance) const;
+  /// The first weld of the stack of this weld.
+  std::size_t spot(const Weld& weld) const { return stacks_.of(number(weld)); }
+  /// The parts that the stack of this weld joins.
+  const std::vector<Index>& stack(const Weld& weld) const { return stacks_.sheets(number(weld)); }
+  struct Neighbour {
+    const Weld* weld = nullptr;
+    double distance = 0.0;  ///< of the centres [length]
+  };
+  /// The closest weld of another stack that has a sheet in common with this one, within `bound`, or null.
+  Neighbour neighbour(const Weld& weld, double bound) const;
 
  private:
   struct Edge {
@@ -36,15 +64,18 @@ class Inspection {
     Index part = none;
   };
   void find_borders();
+  std::size_t number(const Weld& weld) const { return static_cast<std::size_t>(&weld - ties_.welds.data()); }
   Index shell_at(const Weld& weld, int end) const;
   std::array<Vec3d, 4> corners(Index shell) const;
-  Vec3d centre(const Weld& weld) const;
+  double area(Index shell) const;
 
   const model::Model& model_;
   const Ties& ties_;
-  bool millimetres_ = false;
-  std::vector<Index> shell_of_;  // of each node: the first shell at it
-  std::vector<Edge> borders_;    // edges that one shell alone has
+  std::optional<model::Units> units_;
+  SheetMesh mesh_;
+  Stacks stacks_;
+  std::vector<Edge> borders_;  // edges that one shell alone has
+  std::vector<Vec3d> centre_;  // of each weld
   BoxTree border_tree_, weld_tree_;
 };
 

@@ -2,6 +2,7 @@
 """What a run leaves in its folder, and the command's options."""
 import csv
 import io
+import math
 import re
 import unittest
 
@@ -189,11 +190,42 @@ class RunFiles(CommandTest):
     def test_check_audits_and_runs_nothing(self):
         self.write(deck(("     302          9.0000          9.0000          1.2000", "     302         11.0000          9.0000          1.2000")))
         run = self.nugget("check", "model.k", "-o", "audit")
-        self.assertEqual(self.files("audit"), ["findings.json", "run.log", "welds.csv"])
+        self.assertEqual(self.files("audit"), ["check.log", "findings.json", "welds.csv"])
         self.assertIn("degrees off the normal of its first sheet", run.stderr)
+        self.assertRegex(run.stdout, r"(?m)^ angle +degrees to normal +59 +59 +! +1 +31: 59$")
         self.assertRegex(run.stdout, r"(?m)^ +31 +beam +3 +6 +\S+ +yes  1\+2 +angle: its axis is ")
+        self.assertIn(" angle     degrees to normal", self.read("audit/check.log"))
         (row,) = csv.DictReader(io.StringIO(self.read("audit/welds.csv")))
         self.assertIn("angle", row["remarks"])
+        self.assertAlmostEqual(float(row["angle"]), math.degrees(math.atan(2.0 / 1.2)), 6)
+        self.assertEqual((row["stack_sheets"], row["aspect_ratio"]), ("2", ""))
+
+    def test_check_leaves_the_results_of_a_run_alone(self):
+        self.write(deck())
+        self.nugget("run", "model.k", "--quiet")
+        before = {name: (self.folder / name).read_bytes() for name in self.files()}
+        run = self.nugget("check", "model.k")
+        self.assertIn("holds the results of a run and was left as it is", run.stderr)
+        self.assertEqual(self.files("check"), ["check.log", "findings.json", "welds.csv"])
+        self.assertEqual({name: (self.folder / name).read_bytes() for name in self.files() if name != "check"}, before)
+        # A run clears away what a check left, as it does with what a run left.
+        self.nugget("check", "model.k", "-o", "other")
+        self.nugget("run", "model.k", "-o", "other", "--quiet")
+        self.assertEqual(self.files("other"), RESULTS)
+        self.assertIn(" diameter  d / 5 sqrt(t)", self.read("other/run.log"))
+
+    def test_what_a_weld_takes_for_a_target_step(self):
+        """L = 1.2, d = 6: step 2.320e-7; for 1e-6 the mass times 18.58, or E' = L^2 rho / DT^2 (validation A-04)."""
+        self.write(deck())
+        run = self.nugget("check", "model.k", "--target-step", "1e-6")
+        self.assertRegex(run.stdout, r"Time step 1e-06: 1 of 1 welds have a smaller one")
+        (row,) = csv.DictReader(io.StringIO(self.read("welds.csv")))
+        mass = 7.85e-9 * math.pi * 9.0 * 1.2
+        factor = 210000.0 / 7.85e-9 * (1e-6 / 1.2) ** 2
+        self.assertAlmostEqual(float(row["target_mass"]) / (mass * (factor - 1.0)), 1.0, 9)
+        self.assertAlmostEqual(float(row["target_young"]) / (1.2 ** 2 * 7.85e-9 / 1e-12), 1.0, 9)
+        self.assertRegex(run.stdout, rf"(?m)^ +31 +2\.32e-07 +\S+ +\S+ +{factor:.4g} +1\.13e\+04 +2\.1e\+05$")
+        self.nugget("check", "model.k", "--target-step", "0", expect=2)
 
     def test_version_and_help(self):
         self.assertRegex(self.nugget("--version").stdout, r"^nugget \d+\.\d+\.\d+\n$")

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/audit_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "base/index.hpp"
+#include "model/lumped_mass.hpp"
+#include "model/units.hpp"
+
+namespace nugget::app {
+namespace {
+
+constexpr std::size_t few = 25, shown_of_many = 15;
+
+std::string number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.3g}", value) : std::string("-");
+}
+
+double mass_of(const model::Model& model) {
+  double mass = 0.0;
+  for (model::Index p = 0; p < static_cast<model::Index>(model.parts.size()); ++p)
+    for (const model::NodeMass& m : model::lumped_mass(model, p)) mass += m.mass;
+  return mass;
+}
+
+std::string percent_of(double part, double whole) {
+  return whole > 0.0 ? fmt::format(" ({:.3g} % of the model)", 100.0 * part / whole) : std::string();
+}
+
+/// `4 beams, 2 assemblies`.
+std::string kinds(const weld::Ties& ties) {
+  static const std::map<weld::Weld::Kind, std::pair<const char*, const char*>> names{
+      {weld::Weld::Kind::beam, {"beam", "beams"}},
+      {weld::Weld::Kind::solid, {"brick", "bricks"}},
+      {weld::Weld::Kind::assembly, {"assembly of bricks", "assemblies of bricks"}},
+      {weld::Weld::Kind::rigid, {"rigid weld", "rigid welds"}}};
+  std::map<weld::Weld::Kind, int> count;
+  for (const weld::Weld& w : ties.welds) ++count[w.kind];
+  std::string text;
+  for (const auto& [kind, n] : count) {
+    const auto& [one, many] = names.at(kind);
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, n == 1 ? one : many);
+  }
+  return text;
+}
+
+/// How many spots go through how many sheets.
+std::string spots(const std::vector<weld::Report>& reports) {
+  std::map<std::size_t, int> by_sheets;
+  for (std::size_t w = 0; w < reports.size(); ++w)
+    if (reports[w].spot == w && !reports[w].stack.empty()) ++by_sheets[reports[w].stack.size()];
+  std::string text;
+  for (const auto& [sheets, n] : by_sheets)
+    text += fmt::format("{}{} through {} sheet{}", text.empty() ? "" : ", ", n, sheets, sheets == 1 ? "" : "s");
+  return text.empty() ? "none attached" : text;
+}
+
+std::string check_line(const weld::CheckSummary& found, const weld::Ties& ties,
+                       const std::vector<weld::Report>& reports) {
+  const weld::Check& check = *found.check;
+  const auto c = static_cast<std::size_t>(&check - weld::checks().data());
+  std::string worst;
+  for (const std::size_t w : found.worst)
+    worst += std::isfinite(reports[w].values[c]) ? fmt::format("  {}: {:.3g}", ties.welds[w].id, reports[w].values[c])
+                                                 : fmt::format("  {}", ties.welds[w].id);
+  if (found.remarks > found.worst.size()) worst += "  ...";
+  const bool looked = check.measure.empty() || std::isfinite(found.least);
+  const char* const mark = found.remarks > 0 ? (check.severity == Severity::warning ? "!" : "note")
+                           : looked          ? "ok"
+                                             : "-";
+  return fmt::format(" {:<10}{:<22}{:>9}{:>10}{:>6}{:>8} {}\n", check.name, check.measure, number(found.least),
+                     number(found.most), mark, found.remarks, worst);
+}
+
+std::string cost(const model::Model& model, const std::vector<weld::Report>& reports) {
+  double shortest = std::numeric_limits<double>::infinity(), mass = 0.0, by_dt = 0.0, by_dt2ms = 0.0;
+  for (const weld::Report& r : reports) {
+    shortest = std::min(shortest, r.price.time_step);
+    mass += r.price.mass;
+    by_dt += r.price.mass_by_dt;
+    by_dt2ms += r.price.mass_by_dt2ms;
+  }
+  const double whole = mass_of(model);
+  return fmt::format(
+      " smallest time step of a weld, as given  {}\n mass of the welds, as given             {:.4g}{}\n"
+      " mass that DT adds to welds              {:.4g}{}\n mass that DT2MS adds to welds           {:.4g}{}\n",
+      number(shortest), mass, percent_of(mass, whole), by_dt, percent_of(by_dt, whole), by_dt2ms,
+      percent_of(by_dt2ms, whole));
+}
+
+/// Of the warnings; 0 where there is none.
+double worst_excess(const weld::Report& report) {
+  double worst = 0.0;
+  for (const weld::Remark& remark : report.remarks)
+    if (remark.check->severity == Severity::warning) worst = std::max(worst, remark.excess);
+  return worst;
+}
+
+}  // namespace
+
+std::string audit_table(const model::Model& model, const weld::Ties& ties, const std::vector<weld::Report>& reports) {
+  if (ties.welds.empty()) return {};
+  const auto units = model::recognise_units(model);
+  std::string s = fmt::format("Audit: {}; spots: {}; units {}\n\n", kinds(ties), spots(reports),
+                              units ? units->name : "not recognised, so limits in millimetres are not looked at");
+  s += fmt::format(" {:<10}{:<22}{:>9}{:>10}{:>14}  {}\n", "check", "measured", "least", "most", "remarks",
+                   "worst welds");
+  const std::vector<weld::CheckSummary> summary = weld::summarise(reports);
+  for (const weld::CheckSummary& found : summary) s += check_line(found, ties, reports);
+  s += '\n';
+  for (const weld::CheckSummary& found : summary)
+    if (found.remarks > 0)
+      s += fmt::format(" {:<10}expected: {}; {}\n", found.check->name, found.check->rule, found.check->remedy);
+  return s + '\n' + cost(model, reports) + '\n';
+}
+
+std::string weld_table(const model::Model& model, const weld::Ties& ties, const std::vector<weld::Report>& reports) {
+  if (ties.welds.empty()) return {};
+  std::vector<std::size_t> order(ties.welds.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const bool all = order.size() <= few;
+  if (!all) {
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return worst_excess(reports[a]) > worst_excess(reports[b]); });
+    order.resize(shown_of_many);
+    std::erase_if(order, [&](std::size_t w) { return worst_excess(reports[w]) == 0.0; });
+  }
+  if (order.empty())
+    return fmt::format("{} welds without a warning; welds.csv has a row for each\n", ties.welds.size());
+  std::string s = fmt::format("{:>10} {:>9} {:>8} {:>9} {:>9} {:>5}  {:<9} {}\n", "weld", "kind", "part", "diameter",
+                              "length", "tied", "sheets", "remarks");
+  for (const std::size_t i : order) {
+    const weld::Weld& w = ties.welds[i];
+    std::vector<int> sheets;
+    for (const model::Index sheet : w.sheets)
+      if (sheet != model::none) sheets.push_back(model.parts[at(sheet)].id);
+    std::string remarks;
+    for (const weld::Remark& r : reports[i].remarks)
+      remarks += fmt::format("{}{}: {}", remarks.empty() ? "" : "; ", r.check->name, r.text);
+    s += fmt::format("{:>10} {:>9} {:>8} {:>9.4g} {:>9.4g} {:>5}  {:<9} {}\n", w.id, weld::to_string(w.kind),
+                     w.part == model::none ? 0 : model.parts[at(w.part)].id, w.diameter, w.length,
+                     w.tied ? "yes" : "no", fmt::format("{}", fmt::join(sheets, "+")), remarks);
+  }
+  if (!all)
+    s += fmt::format("the welds with the worst warnings, {} of {}; welds.csv has a row for each\n", order.size(),
+                     ties.welds.size());
+  return s;
+}
+
+std::string target_table(const model::Model& model, const weld::Ties& ties, const std::vector<weld::Report>& reports,
+                         double step) {
+  std::vector<std::size_t> below;
+  double total = 0.0;
+  for (std::size_t w = 0; w < reports.size(); ++w) {
+    if (reports[w].values.empty() || reports[w].price.time_step >= step) continue;
+    below.push_back(w);
+    total += weld::reach(reports[w].price, step).mass;
+  }
+  std::string s =
+      fmt::format("Time step {:.4g}: {} of {} welds have a smaller one\n\n", step, below.size(), ties.welds.size());
+  if (below.empty()) return s;
+  s += fmt::format(" by mass (DT = {:.4g} in *MAT_SPOTWELD): {:.4g} more{}\n by stiffness: E as below, no mass\n\n",
+                   step, total, percent_of(total, mass_of(model)));
+  std::stable_sort(below.begin(), below.end(), [&](std::size_t a, std::size_t b) {
+    return reports[a].price.time_step < reports[b].price.time_step;
+  });
+  s += fmt::format("{:>10} {:>11} {:>11} {:>11} {:>8}  {:>11} {:>11}\n", "weld", "time step", "mass", "mass added",
+                   "factor", "or E", "instead of");
+  const std::size_t shown = below.size() <= few ? below.size() : shown_of_many;
+  for (std::size_t i = 0; i < shown; ++i) {
+    const weld::Price& price = reports[below[i]].price;
+    const weld::Target target = weld::reach(price, step);
+    s += fmt::format("{:>10} {:>11.4g} {:>11.4g} {:>11.4g} {:>8.4g}  {:>11.4g} {:>11.4g}\n", ties.welds[below[i]].id,
+                     price.time_step, price.mass, target.mass, price.young / target.young, target.young, price.young);
+  }
+  if (shown < below.size())
+    s += fmt::format("the smallest steps, {} of {}; welds.csv has all (target_mass, target_young)\n", shown,
+                     below.size());
+  return s + '\n';
+}
+
+}  // namespace nugget::app

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/audit_table.hpp"
+#include "app/command.hpp"
+#include "app/run_log.hpp"
+#include "impact/simulation.hpp"
+
+namespace nugget::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The columns that --target-step adds to welds.csv.
+void add_target(Prepared& p, double step) {
+  for (std::size_t w = 0; w < p.welds.size(); ++w) {
+    const weld::Target target = weld::reach(p.audit[w].price, step);
+    p.welds[w].audit.emplace_back("target_mass", target.mass);
+    p.welds[w].audit.emplace_back("target_young", target.young);
+  }
+}
+
+ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
+  use_threads(arguments.deck.threads);
+  Findings findings;
+  Prepared p = prepare(arguments.deck, findings);
+  if (!p.has_text) return refuse_missing(findings);
+  Log log(directory / "check.log");
+  if (findings.errors() == 0) {
+    system::System system(p.model, p.ties, findings);
+    if (findings.errors() == 0) impact::Simulation simulation(system, findings);
+  }
+  start_log(log, arguments.deck, p, findings);
+  output::write_findings(directory, findings.all());
+  print_findings(findings);
+  if (findings.errors() > 0) return ExitCode::refused;
+  constexpr std::size_t most_on_terminal = 10;
+  std::string audit = audit_table(p.model, p.ties, p.audit);
+  if (arguments.target_step > 0.0) {
+    add_target(p, arguments.target_step);
+    audit += target_table(p.model, p.ties, p.audit, arguments.target_step);
+  }
+  audit += weld_table(p.model, p.ties, p.audit);
+  log.add(log_model(p.model) + log_ties(p.model, p.ties, all_of_them) + log_tied_nodes(p.model, p.ties) + audit);
+  output::write_welds(directory, p.welds);
+  fmt::print("{}{}{}", log_model(p.model), log_ties(p.model, p.ties, most_on_terminal), audit);
+  return ExitCode::normal;
+}
+
+}  // namespace
+
+ExitCode check(const CheckArguments& arguments) {
+  // A check must not take the place of results: those of a run in the same folder stay whole (decision 0015).
+  const fs::path asked = arguments.deck.directory;
+  std::error_code error;
+  const bool holds_a_run = fs::exists(asked / "summary.json", error);
+  const fs::path directory = holds_a_run ? asked / "check" : asked;
+  const ExitCode code =
+      guarded(directory.string(), [&](const fs::path& folder) { return check_in(folder, arguments); });
+  if (holds_a_run)
+    fmt::print(stderr, "{} holds the results of a run and was left as it is; this check is in {}\n", asked.string(),
+               directory.string());
+  return code;
+}
+
+}  // namespace nugget::app

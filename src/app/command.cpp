@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/command.hpp"
+
+#include <algorithm>
+#include <thread>
+
+#include "app/run_log.hpp"
+#include "base/parallel.hpp"
+#include "model/describe.hpp"
+
+namespace nugget::app {
+
+void start_log(Log& log, const RunArguments& arguments, const Prepared& p, const Findings& findings) {
+  log.add(log_head(NUGGET_VERSION, arguments.deck, std::to_string(threads())));
+  log.add(model::ledger_table(p.model));
+  log.add(log_findings(findings));
+}
+
+void print_findings(const Findings& findings) {
+  for (const Finding& f : findings.all()) fmt::print(stderr, "{}\n", to_string(f));
+  if (findings.errors() + findings.warnings() > 0) fmt::print(stderr, "{}\n", totals(findings));
+}
+
+ExitCode refuse_missing(const Findings& findings) {
+  print_findings(findings);
+  fmt::print(stderr, "nothing was run; no file was changed\n");
+  return ExitCode::refused;
+}
+
+void use_threads(int asked) {
+  const int all = static_cast<int>(std::thread::hardware_concurrency());
+  set_threads(asked > 0 ? asked : std::max(1, all));
+}
+
+}  // namespace nugget::app

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include "app/commands.hpp"
+#include "app/prepared.hpp"
+#include "base/finding.hpp"
+#include "output/result_file.hpp"
+
+// What the commands have in common: a log, findings on standard error, exit codes.
+namespace nugget::app {
+
+/// run.log or check.log as it grows; written whole each time, so that it is there whatever happens next.
+class Log {
+ public:
+  explicit Log(std::filesystem::path path) : path_(std::move(path)) {}
+  void add(const std::string& text) {
+    text_ += text;
+    output::write_whole_file(path_, text_);
+  }
+  /// The same where the disk may be full.
+  void try_to_add(const std::string& text) {
+    try {
+      add(text);
+    } catch (const output::WriteError&) {
+      return;  // the log of before is still there
+    }
+  }
+
+ private:
+  std::filesystem::path path_;
+  std::string text_;
+};
+
+/// Head, ledger of keywords, findings.
+void start_log(Log& log, const RunArguments& arguments, const Prepared& p, const Findings& findings);
+
+void print_findings(const Findings& findings);
+
+/// A wrong file name leaves the results of earlier runs alone.
+ExitCode refuse_missing(const Findings& findings);
+
+/// 0: all cores.
+void use_threads(int asked);
+
+/// Runs `work` in a folder, made where it is missing, and turns a failed write into its exit code.
+template <class Work>
+ExitCode guarded(const std::string& directory, Work work) {
+  try {
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    if (error) throw output::WriteError(directory, error.message());
+    return work(std::filesystem::path(directory));
+  } catch (const output::WriteError& e) {
+    fmt::print(stderr, "nugget: {}\n", e.what());
+    return ExitCode::cannot_write;
+  }
+}
+
+}  // namespace nugget::app

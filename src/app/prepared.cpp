@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/prepared.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "app/clock.hpp"
+#include "base/index.hpp"
+#include "deck/deck.hpp"
+#include "model/builder.hpp"
+
+namespace nugget::app {
+namespace {
+
+output::WeldReport weld_report(const model::Model& model, const weld::Weld& w, const weld::Report& audit) {
+  output::WeldReport r;
+  r.id = w.id;
+  r.kind = weld::to_string(w.kind);
+  r.part = w.part == model::none ? 0 : model.parts[at(w.part)].id;
+  for (model::Index sheet : w.sheets)
+    if (sheet != model::none) r.sheets.push_back(model.parts[at(sheet)].id);
+  r.diameter = w.diameter;
+  r.length = w.length;
+  r.tied = w.tied;
+  for (const weld::Projection& p : w.ends) {
+    output::WeldProjection out;
+    out.node = model.nodes.id[at(p.node)];
+    if (p.tied && p.kase != 0)
+      for (model::Index n : p.tie.segment) out.segment.push_back(model.nodes.id[at(n)]);
+    out.xi = p.tie.xi;
+    out.eta = p.tie.eta;
+    out.moved = p.tie.moved;
+    out.case_number = p.kase;
+    out.reason = p.reason;
+    r.projections.push_back(std::move(out));
+  }
+  for (std::size_t c = 0; c < weld::checks().size(); ++c)
+    if (const std::string_view column = weld::checks()[c].column; !column.empty())
+      r.audit.emplace_back(column, audit.values.empty() ? std::numeric_limits<double>::quiet_NaN() : audit.values[c]);
+  r.audit.emplace_back("time_step", audit.price.time_step);
+  r.audit.emplace_back("mass", audit.price.mass);
+  r.audit.emplace_back("mass_by_dt", audit.price.mass_by_dt);
+  r.audit.emplace_back("mass_by_dt2ms", audit.price.mass_by_dt2ms);
+  for (const weld::Remark& remark : audit.remarks)
+    r.remarks.push_back(fmt::format("{}: {}", remark.check->name, remark.text));
+  return r;
+}
+
+}  // namespace
+
+Prepared prepare(const RunArguments& arguments, Findings& findings) {
+  Prepared p;
+  Clock clock;
+  const deck::Deck deck = deck::read(arguments.deck, findings);
+  p.has_text = deck.bytes > 0;
+  if (findings.errors() > 0 && deck.blocks.empty()) return p;  // nothing was read; no more is to be said about it
+  p.model = model::build(deck, findings, arguments.skip_unsupported);
+  p.read_seconds = clock.seconds();
+  if (findings.errors() > 0) return p;
+  p.ties = weld::tie(p.model, findings);
+  p.audit = weld::audit(p.model, p.ties, findings);
+  for (std::size_t i = 0; i < p.ties.welds.size(); ++i)
+    p.welds.push_back(weld_report(p.model, p.ties.welds[i], p.audit[i]));
+  p.tie_seconds = clock.seconds();
+  return p;
+}
+
+}  // namespace nugget::app

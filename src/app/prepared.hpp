@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "app/commands.hpp"
+#include "base/finding.hpp"
+#include "output/summary.hpp"
+#include "weld/audit.hpp"
+#include "weld/ties.hpp"
+
+namespace nugget::app {
+
+/// What comes out of reading, checking, tying and auditing a deck.
+struct Prepared {
+  bool has_text = false;  ///< the deck could be opened and is not empty
+  model::Model model;
+  weld::Ties ties;
+  std::vector<weld::Report> audit;        ///< one a weld
+  std::vector<output::WeldReport> welds;  ///< one a weld, for welds.csv and summary.json
+  double read_seconds = 0.0, tie_seconds = 0.0;
+};
+
+/// Reads, checks, ties and audits. Findings hold what was wrong.
+Prepared prepare(const RunArguments& arguments, Findings& findings);
+
+}  // namespace nugget::app
