@@ -52,10 +52,12 @@ void tell_histories(const impact::Simulation& run, std::vector<output::WeldRepor
   for (std::size_t i = 0; i < welds.size(); ++i) {
     const weld::History* history = run.welds().history(i);
     if (history == nullptr) continue;
-    const system::System::Seat seat = system.beam_seat[at(system.ties.welds[i].element)];
-    const system::ElementGroup& group = *system.groups[at(seat.group)];
-    const auto e = at(seat.element);
-    welds[i].added_mass = group.mass(e) * (group.mass_scale(e) - 1.0);
+    for (model::Index element : system.ties.welds[i].elements) {
+      const system::System::Seat seat = system.seat_of(system.ties.welds[i], element);
+      const system::ElementGroup& group = *system.groups[at(seat.group)];
+      const auto e = at(seat.element);
+      welds[i].added_mass += group.mass(e) * (group.mass_scale(e) - 1.0);
+    }
     welds[i].failed = history->failed();
     if (history->failed()) welds[i].failure_time = history->failure_time();
     welds[i].failure_mode = weld::to_string(history->mode());

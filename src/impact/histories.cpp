@@ -22,6 +22,16 @@ output::ElementKind kind(model::ElementKind k) {
   }
 }
 
+output::WeldKind kind(weld::Weld::Kind k) {
+  switch (k) {
+    case weld::Weld::Kind::beam: return output::WeldKind::beam;
+    case weld::Weld::Kind::solid: return output::WeldKind::solid;
+    case weld::Weld::Kind::assembly: return output::WeldKind::assembly;
+    case weld::Weld::Kind::rigid: return output::WeldKind::generalized;
+  }
+  return output::WeldKind::beam;
+}
+
 /// Rotation vector of a triad that started as the global axes.
 Vec3d rotation_vector(const Frame3d& a) {
   const Vec3d twice_sin{a.e2.z - a.e3.y, a.e3.x - a.e1.z, a.e1.y - a.e2.x};
@@ -125,12 +135,10 @@ output::SwforcState swforc_state(const Snapshot& now) {
     const weld::History* history = now.welds.history(i);
     if (history == nullptr) continue;
     const model::Part& part = model.parts[at(welds[i].part)];
-    if (!model.beam_sections[at(part.section)].in_swforc) continue;
-    const system::System::Seat seat = now.system.beam_seat[at(welds[i].element)];
+    if (welds[i].kind == weld::Weld::Kind::beam && !model.beam_sections[at(part.section)].in_swforc) continue;
     const weld::Resultants& r = history->resultants();
-    s.rows.push_back({welds[i].id, output::WeldKind::beam, r.axial, r.shear(),
-                      now.system.groups[at(seat.group)]->thickness(at(seat.element)), r.moment(), r.torsion,
-                      history->failed() ? 1.0 : history->failure_value(), history->failure_time()});
+    s.rows.push_back({welds[i].id, kind(welds[i].kind), r.axial, r.shear(), now.welds.length(i, now.state), r.moment(),
+                      r.torsion, history->failed() ? 1.0 : history->failure_value(), history->failure_time()});
   }
   return s;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "system/system.hpp"
+#include "weld/brick_section.hpp"
 #include "weld/failure.hpp"
 
 namespace nugget::impact {
@@ -23,14 +24,37 @@ class Welds {
   std::size_t size() const { return histories_.size(); }
   /// What happened to weld i; null where a weld has no history (deleted by SPOTSTP, rigid).
   const weld::History* history(std::size_t i) const { return histories_[i].get(); }
+  /// Length of weld i now; after it has failed, of what is left between its ends [length].
+  double length(std::size_t i, const system::State& state) const;
+  /// Of a weld of bricks as it is loaded now, not filtered; null for others and for those without a history.
+  const weld::BrickSection::Load* brick_load(std::size_t i) const;
   int failed() const { return failed_; }
   const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
 
  private:
+  /// What a weld of bricks needs beside its history.
+  struct Bricks {
+    Bricks(const system::System& system, const weld::Weld& weld);
+    void gather(const system::System& system, const system::State& state);
+    weld::BrickSection section;
+    struct Corner {
+      system::System::Seat seat;
+      int corner;
+      std::size_t node;  ///< of the section
+    };
+    std::vector<Corner> corners;  ///< of all its bricks, those at its ends
+    std::vector<int> nodes;       ///< of the section, in the system's order
+    std::vector<Vec3d> x, force;  ///< of the section's nodes now
+    weld::BrickSection::Load load;
+  };
+  weld::Resultants resultants(std::size_t i, const system::State& state);
+  bool alive(std::size_t i) const;
+  void remove(std::size_t i);
   void report(std::size_t i, const system::State& state);
 
   system::System& system_;
   std::vector<std::unique_ptr<weld::History>> histories_;
+  std::vector<std::unique_ptr<Bricks>> bricks_;  ///< null for other welds
   int failed_ = 0;
   std::vector<std::string> events_;
 };

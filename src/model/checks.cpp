@@ -190,9 +190,7 @@ void check_law(Builder& b, const Part& part, const deck::Row& row) {
   const Model& m = b.model;
   const Material& material = m.materials[static_cast<std::size_t>(part.material)];
   const bool is_weld = is<kernel::Spotweld>(m, part);
-  if (is_weld && part.kind == ElementKind::solid)
-    refuse(b, row, "mid", "welds of bricks are not built yet", "model the welds by beams (ELFORM 9)");
-  else if (is_weld && part.kind == ElementKind::shell)
+  if (is_weld && part.kind == ElementKind::shell)
     refuse(b, row, "mid", "*MAT_SPOTWELD is a law of weld beams, but the part has shells", "give it a sheet's law");
   else if (part.kind == ElementKind::beam && !is_weld)
     refuse(b, row, "mid", fmt::format("beams are built with *MAT_SPOTWELD only, not with *{}", material.keyword),

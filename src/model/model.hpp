@@ -82,6 +82,14 @@ struct Beams {
   std::size_t size() const { return id.size(); }
 };
 
+/// *DEFINE_HEX_SPOTWELD_ASSEMBLY: bricks that make up one weld.
+struct HexAssembly {
+  int id = 0;
+  std::vector<Index> solids;
+  Vec3d orientation;  ///< direction of its s axis; zero: by rule
+  Place place;
+};
+
 struct PointMass {
   int id = 0;
   Index node = none;
@@ -115,6 +123,7 @@ struct Model {
   Shells shells;
   Solids solids;
   Beams beams;
+  std::vector<HexAssembly> hex_assemblies;
   std::vector<PointMass> masses;
   std::vector<PointInertia> inertias;
 

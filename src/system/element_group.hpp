@@ -25,6 +25,7 @@ class ElementGroup {
   model::Index part = model::none;
   std::vector<model::Index> element;  ///< model index of each element of the group, in the group's order
   int nodes_per_element = 0;
+  bool weld = false;           ///< of spot-weld material
   bool rotational = false;     ///< a slot is a force row and a moment row; else a force row only
   std::size_t first_slot = 0;  ///< row index of this group's first slot; see slot_row
 

@@ -64,14 +64,15 @@ std::vector<std::vector<model::Index>> by_part(const Elements& elements, std::si
   return sorted;
 }
 
-/// Calls `with` for the laws that shells and bricks have kernels for; false for the others (rigid, null).
-template <class With>
+/// Calls `with` for the laws that shells (and, with Spotweld, bricks) have kernels for; false for the others (rigid,
+/// null).
+template <class... More, class With>
 bool with_law(const model::Law& law, const With& with) {
   return std::visit(
       [&]<class Law>(const Law& l) {
         constexpr bool computed = std::is_same_v<Law, kernel::Elastic> ||
                                   std::is_same_v<Law, kernel::PlasticKinematic> ||
-                                  std::is_same_v<Law, kernel::PiecewiseLinear>;
+                                  std::is_same_v<Law, kernel::PiecewiseLinear> || (std::is_same_v<Law, More> || ...);
         if constexpr (computed) with(l);
         return computed;
       },
@@ -143,7 +144,7 @@ void System::make_groups(Findings& findings) {
   make_bricks();
   make_weld_beams(findings);
   for (const auto& group : groups) {
-    if (group->kind == model::ElementKind::beam && group->step_share == 1.0) continue;
+    if (group->weld && group->step_share == 1.0) continue;
     group->step_share = model.control.step_scale;
     if (group->mass_step == 0.0) group->mass_step = std::abs(model.control.mass_step);
   }
@@ -188,10 +189,20 @@ void System::make_shells() {
   }
 }
 
+std::vector<bool> System::deleted_with_welds(bool bricks) const {
+  std::vector<bool> deleted(bricks ? model.solids.size() : model.beams.size(), false);
+  for (const weld::Weld& w : ties.welds)
+    if (w.deleted && w.kind != weld::Weld::Kind::rigid && w.of_bricks() == bricks)
+      for (model::Index e : w.elements) deleted[at(e)] = true;
+  return deleted;
+}
+
 void System::make_bricks() {
   solid_seat.assign(model.solids.size(), {});
-  const auto sorted = by_part(model.solids, model.parts.size(), ties.x);
+  const std::vector<bool> deleted = deleted_with_welds(true);
+  auto sorted = by_part(model.solids, model.parts.size(), ties.x);
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
+    std::erase_if(sorted[p], [&](model::Index e) { return deleted[at(e)]; });
     if (sorted[p].empty()) continue;
     const model::Part& part = model.parts[p];
     const model::Material& material = model.materials[at(part.material)];
@@ -200,8 +211,9 @@ void System::make_bricks() {
     const kernel::HexahedronProperties brick{material.density, hourglass.type == 0 ? 2 : hourglass.type,
                                              hourglass.membrane, hourglass.bulk_quadratic, hourglass.bulk_linear};
     const Members m = members(model.solids, sorted[p]);
-    const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
+    const bool computed = with_law<kernel::Spotweld>(material.law, [&]<class Law>(const Law& law) {
       add_group(BrickElement<Law>{brick, kernel::Prepared<Law>(law)}, model::ElementKind::solid, p, m, solid_seat);
+      if constexpr (std::is_same_v<Law, kernel::Spotweld>) scale_like_a_weld(*groups.back(), law);
     });
     if (computed) continue;
     for (const std::array<int, 8>& node : m.node) {
@@ -215,13 +227,10 @@ void System::make_bricks() {
 
 void System::make_weld_beams(Findings& findings) {
   beam_seat.assign(model.beams.size(), {});
-  // A beam that SPOTSTP = 2 took out has no mass and no group.
-  std::vector<bool> deleted(model.beams.size(), false), on_shells(model.beams.size(), false);
-  for (const weld::Weld& w : ties.welds) {
-    if (w.kind != weld::Weld::Kind::beam) continue;
-    deleted[at(w.element)] = w.deleted;
-    on_shells[at(w.element)] = tied_to_shells(w);
-  }
+  const std::vector<bool> deleted = deleted_with_welds(false);
+  std::vector<bool> on_shells(model.beams.size(), false);
+  for (const weld::Weld& w : ties.welds)
+    if (w.kind == weld::Weld::Kind::beam) on_shells[at(w.element)] = tied_to_shells(w);
   std::size_t untwisted = 0;
   const auto sorted = by_part(model.beams, model.parts.size(), ties.x);
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
@@ -258,9 +267,13 @@ void System::add_weld_beams(std::size_t p, const std::vector<model::Index>& chos
   beam.no_torsion = !torsion;
   add_group(WeldBeamElement{beam, kernel::Prepared<kernel::Spotweld>(*law), law->nu, model.beams, ties.x},
             model::ElementKind::beam, p, members(model.beams, chosen), beam_seat);
-  ElementGroup& group = *groups.back();
-  if (law->mass_step > 0.0) {
-    group.mass_step = law->mass_step;
+  scale_like_a_weld(*groups.back(), *law);
+}
+
+void System::scale_like_a_weld(ElementGroup& group, const kernel::Spotweld& law) const {
+  group.weld = true;
+  if (law.mass_step > 0.0) {
+    group.mass_step = law.mass_step;
     group.added_mass_is_physical = true;
   } else if (model.control.mass_step != 0.0) {
     // S. Bala's talk: with DT = 0 welds are scaled to |DT2MS TSSFAC|, which is the step that will be run with.

@@ -249,6 +249,10 @@ void System::link_slots() {
   });
 }
 
+Vec3d System::nodal_force(Seat seat, int a) const {
+  return vec(slots_[groups[at(seat.group)]->slot_row(at(seat.element), a)]);
+}
+
 void System::internal_force(State& state) {
   parallel_for(blocks_.size(), 16, [&](std::size_t begin, std::size_t end) {
     while (begin < end) {
@@ -353,11 +357,10 @@ System::Masses System::masses() const {
   Masses m;
   m.added_by_part.assign(model.parts.size(), 0.0);
   for (const auto& group : groups) {
-    const bool weld = group->kind == model::ElementKind::beam;
     for (std::size_t e = 0; e < group->size(); ++e) {
       const double own = group->mass(e), extra = own * (group->mass_scale(e) - 1.0);
       m.physical += own;
-      if (weld) m.added_to_welds += extra;
+      if (group->weld) m.added_to_welds += extra;
       if (group->added_mass_is_physical) {
         m.physical += extra;
       } else {

@@ -49,6 +49,12 @@ class System {
     int element = -1;
   };
   std::vector<Seat> shell_seat, solid_seat, beam_seat;
+  /// Of an element of a weld.
+  Seat seat_of(const weld::Weld& weld, model::Index element) const {
+    return (weld.of_bricks() ? solid_seat : beam_seat)[static_cast<std::size_t>(element)];
+  }
+  /// Internal force of an element at its node `a` after the last cycle; on the node itself acts the opposite [force].
+  Vec3d nodal_force(Seat seat, int a) const;
 
   /// Elements that have mass but no kernel (rigid parts, MAT_NULL).
   struct Lump {
@@ -109,6 +115,10 @@ class System {
   template <int Corners>
   void add_shells(std::size_t part, const std::vector<model::Index>& chosen);
   void make_bricks();
+  /// By model element of a kind: whether SPOTSTP = 2 took its weld out; it then has no mass and no group.
+  std::vector<bool> deleted_with_welds(bool bricks) const;
+  /// DT of the weld material, and what stands in for it.
+  void scale_like_a_weld(ElementGroup& group, const kernel::Spotweld& law) const;
   void make_weld_beams(Findings& findings);
   void add_weld_beams(std::size_t part, const std::vector<model::Index>& chosen, bool torsion);
 

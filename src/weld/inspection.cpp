@@ -65,8 +65,8 @@ std::optional<double> Inspection::millimetre() const {
 }
 
 Index Inspection::shell_at(const Weld& weld, int end) const {
+  if (weld.face[end].empty()) return none;
   const Index node = weld.face[end][0];
-  if (node == none) return none;
   for (const Projection& p : weld.ends)
     if (p.node == node && p.tied && p.kase != 0) return p.tie.shell;
   const auto shells = mesh_.at(node);

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/parallel.hpp"
+#include "weld/assembly.hpp"
 #include "weld/reference.hpp"
 #include "weld/surroundings.hpp"
 #include "weld/tally.hpp"
@@ -97,6 +98,8 @@ class Tying {
     demand_parts();
     for (Index c = 0; c < static_cast<Index>(model_.contacts.size()); ++c)
       if (model_.contacts[c].tie()) work_through(c);
+    const auto sheet = [this](Index node) { return sheet_at(node); };
+    result_.welds = join_clusters(model_, std::move(result_.welds), sheet, findings_);
     fates_.resize(result_.welds.size(), 0);
     for (std::size_t w = 0; w < result_.welds.size(); ++w) judge(w);
     release_nodes_of_lost_welds();
@@ -125,7 +128,6 @@ class Tying {
   std::array<Index, 2> sheets_of(const std::vector<Projection>& ends) const;
   int position_case(const Record& r) const;
   std::string reason(const Record& r, const Projection& p) const;
-  void lay_faces(Weld& weld) const;
 
   Record* record(Index node) { return record_of_[node] == none ? nullptr : &records_[record_of_[node]]; }
   const Record* record(Index node) const { return record_of_[node] == none ? nullptr : &records_[record_of_[node]]; }
@@ -308,7 +310,6 @@ End Tying::end(const Weld& weld, int side) const {
   End end;
   int count = 0;
   for (Index node : weld.face[side]) {
-    if (node == none) continue;
     ++count;
     end.before += model_.nodes.x[node];
     end.after += projected(node);
@@ -344,13 +345,14 @@ int Tying::distorted(const End& a, const End& b, double diameter) const {
 /// Whether weld `w` is refused, tied, to be deleted.
 void Tying::judge(std::size_t w) {
   Weld& weld = result_.welds[w];
-  weld.length_before = measure(weld, model_.nodes.x).length;
-  weld.length = weld.length_before;
+  if (weld.of_bricks()) lay_faces(model_, weld, [this](Index node) { return sheet_at(node); });
+  const WeldSize size = measure(weld, model_.nodes.x);
+  weld.length = weld.length_before = size.length;
+  weld.diameter = size.diameter;
   if (weld.kind == Weld::Kind::rigid) {
     weld.tied = true;
     return;
   }
-  if (weld.kind == Weld::Kind::solid) lay_faces(weld);
   const End a = end(weld, 0), b = end(weld, 1);
   if ((a.attached || b.attached) && !model_.control.keep_tied_gap) fates_[w] = distorted(a, b, weld.diameter);
   const auto is_attached = [&](const Projection& p) { return attached(p.node); };
@@ -359,29 +361,6 @@ void Tying::judge(std::size_t w) {
   // SPOTSTP is about nodes that a contact tracks in vain.
   const bool in_vain = !weld.tied && std::any_of(weld.ends.begin(), weld.ends.end(), is_tracked);
   weld.deleted = in_vain && model_.control.untied_weld == 2;
-}
-
-/// The end faces of a brick are those on its sheets; where that does not tell, the closest pair.
-void Tying::lay_faces(Weld& weld) const {
-  const auto sheet_of = [&](const std::array<Index, 4>& face) {
-    const Index sheet = sheet_at(face[0]);
-    const bool one = std::all_of(face.begin(), face.end(), [&](Index n) { return sheet_at(n) == sheet; });
-    return one ? sheet : none;
-  };
-  double shortest = infinity;
-  for (const auto& pair : opposite_faces(model_.solids.node[weld.element])) {
-    const Index a = sheet_of(pair[0]), b = sheet_of(pair[1]);
-    Weld trial = weld;
-    trial.face = pair;
-    const bool between_sheets = a != none && b != none && a != b;
-    const double length = norm(face_centre(trial, 1, model_.nodes.x) - face_centre(trial, 0, model_.nodes.x));
-    if (!between_sheets && length >= shortest) continue;
-    weld.face = pair;
-    shortest = between_sheets ? 0.0 : length;
-  }
-  const WeldSize size = measure(weld, model_.nodes.x);
-  weld.length_before = weld.length = size.length;
-  weld.diameter = size.diameter;
 }
 
 /// A refused or deleted weld lets its nodes go, unless another weld holds them.

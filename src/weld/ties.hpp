@@ -52,24 +52,34 @@ struct Projection {
   bool only_sheet_taken = false;  ///< not tied: what is in reach is the sheet that holds the weld's other end
 };
 
-/// A spot weld: a beam or a brick of spot-weld material, or a generalized weld spot.
+/// Corners of one face of a brick.
+using Facet = std::array<Index, 4>;
+
+/// A spot weld: a beam, a brick or an assembly of bricks of spot-weld material, or a generalized weld spot.
 struct Weld {
   enum class Kind { beam, solid, assembly, rigid };
   Kind kind = Kind::beam;
-  int id = 0;                               ///< element id; of a rigid weld its weld id
+  int id = 0;                               ///< element id; of an assembly or a rigid weld its own
   Index part = none;                        ///< none for a rigid weld
   Index element = none;                     ///< in beams or solids by kind; of a rigid weld in Model::rigid_bodies
+  std::vector<Index> elements;              ///< all of them, `element` the first; more than one in assemblies only
   std::array<Index, 2> sheets{none, none};  ///< parts that its two ends are attached to
-  /// The nodes of its two end faces: of a brick the corners of the faces that lie on its sheets, both in the sense of
-  /// the axis from the first to the second; of a beam or rigid weld one node each, the other three none.
-  std::array<std::array<Index, 4>, 2> face{{{none, none, none, none}, {none, none, none, none}}};
-  double diameter = 0.0;  ///< of a brick: of the circle with the area of its end faces; of a rigid weld 0 [length]
+  /// The nodes of its two end faces, each once; of a beam or rigid weld one node each.
+  std::array<std::vector<Index>, 2> face;
+  /// Of bricks: the faces of its elements that make up the end faces, all with their corners in the sense of the axis
+  /// from the first end to the second.
+  std::array<std::vector<Facet>, 2> facets;
+  /// Of an assembly: direction in which its s axis starts; zero: by the rule of beams (see BrickSection).
+  Vec3d orientation;
+  double diameter = 0.0;  ///< of bricks: of the circle with the area of their end faces; of a rigid weld 0 [length]
   double length = 0.0, length_before = 0.0;  ///< after and before projection [length]
   bool tied = false;                         ///< every node of it is attached
   bool deleted = false;                      ///< by SPOTSTP = 2
   std::vector<Projection>
-      ends;  ///< beam: end 1, end 2; brick: each node once, in the element's order; rigid: its nodes
+      ends;  ///< beam: end 1, end 2; bricks: each node of the end faces once, in the elements' order; rigid: its nodes
   Place place;
+
+  bool of_bricks() const { return kind == Kind::solid || kind == Kind::assembly; }
 };
 
 std::string_view to_string(Weld::Kind kind);

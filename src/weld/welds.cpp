@@ -29,28 +29,53 @@ Weld beam_weld(const model::Model& model, Index beam) {
   weld.id = model.beams.id[beam];
   weld.part = model.beams.part[beam];
   weld.element = beam;
+  weld.elements = {beam};
   const Index section = model.parts[weld.part].section;
   if (section != none)
     weld.diameter = 0.5 * (model.beam_sections[section].outer[0] + model.beam_sections[section].outer[1]);
   const std::array<Index, 2>& nodes = model.beams.node[beam];
-  weld.face[0][0] = nodes[0];
-  weld.face[1][0] = nodes[1];
+  weld.face = {{{nodes[0]}, {nodes[1]}}};
   weld.ends = {Projection{}, Projection{}};
   for (int end = 0; end < 2; ++end) weld.ends[end].node = nodes[end];
   weld.place = model.beams.place[beam];
   return weld;
 }
 
-Weld solid_weld(const model::Model& model, Index solid) {
+/// A weld of bricks; its faces and ends are laid when it is known what it is tied to.
+Weld brick_weld(const model::Model& model, std::vector<Index> solids) {
   Weld weld;
   weld.kind = Weld::Kind::solid;
-  weld.id = model.solids.id[solid];
-  weld.part = model.solids.part[solid];
-  weld.element = solid;
-  weld.face = opposite_faces(model.solids.node[solid])[0];
-  weld.ends = projections(model.solids.node[solid]);
-  weld.place = model.solids.place[solid];
+  weld.element = solids.front();
+  weld.elements = std::move(solids);
+  weld.id = model.solids.id[weld.element];
+  weld.part = model.solids.part[weld.element];
+  weld.place = model.solids.place[weld.element];
   return weld;
+}
+
+Weld defined_assembly(const model::Model& model, const model::HexAssembly& assembly) {
+  Weld weld = brick_weld(model, assembly.solids);
+  weld.kind = Weld::Kind::assembly;
+  weld.id = assembly.id;
+  weld.orientation = assembly.orientation;
+  weld.place = assembly.place;
+  return weld;
+}
+
+/// Assemblies as the deck defines them and single bricks, in the order of their first bricks.
+void find_brick_welds(const model::Model& model, std::vector<Weld>& welds) {
+  std::vector<Index> first(model.solids.size(), none), taken(model.solids.size(), none);
+  for (Index a = 0; a < static_cast<Index>(model.hex_assemblies.size()); ++a) {
+    const std::vector<Index>& solids = model.hex_assemblies[a].solids;
+    first[*std::min_element(solids.begin(), solids.end())] = a;
+    for (Index e : solids) taken[e] = a;
+  }
+  for (Index e = 0; e < static_cast<Index>(model.solids.size()); ++e) {
+    if (first[e] != none)
+      welds.push_back(defined_assembly(model, model.hex_assemblies[first[e]]));
+    else if (taken[e] == none && of_weld_material(model, model.solids.part[e]))
+      welds.push_back(brick_weld(model, {e}));
+  }
 }
 
 Weld rigid_weld(const model::Model& model, Index body) {
@@ -59,23 +84,23 @@ Weld rigid_weld(const model::Model& model, Index body) {
   weld.kind = Weld::Kind::rigid;
   weld.id = rigid.id;
   weld.element = body;
+  weld.elements = {body};
   weld.ends = projections(rigid.nodes);
-  if (!rigid.nodes.empty()) {
-    weld.face[0][0] = rigid.nodes.front();
-    weld.face[1][0] = rigid.nodes.back();
-  }
+  if (!rigid.nodes.empty()) weld.face = {{{rigid.nodes.front()}, {rigid.nodes.back()}}};
   weld.place = rigid.place;
   return weld;
 }
 
-/// Area vector of a face.
-Vec3d area(const std::array<Index, 4>& face, const std::vector<Vec3d>& x) {
-  return 0.5 * cross(x[face[2]] - x[face[0]], x[face[3]] - x[face[1]]);
+/// Area vector of an end face.
+Vec3d area(const std::vector<Facet>& facets, const std::vector<Vec3d>& x) {
+  Vec3d sum;
+  for (const Facet& f : facets) sum += 0.5 * cross(x[f[2]] - x[f[0]], x[f[3]] - x[f[1]]);
+  return sum;
 }
 
-WeldSize measure_brick(const Weld& weld, const std::vector<Vec3d>& x) {
+WeldSize measure_bricks(const Weld& weld, const std::vector<Vec3d>& x) {
   const Vec3d axis = face_centre(weld, 1, x) - face_centre(weld, 0, x);
-  const Vec3d faces = area(weld.face[0], x) + area(weld.face[1], x);
+  const Vec3d faces = area(weld.facets[0], x) + area(weld.facets[1], x);
   const double size = norm(faces);
   if (size == 0.0) return {norm(axis), 0.0};
   // Mean of the end faces' areas, seen along the mean of their normals: a sheared brick keeps its length and its
@@ -98,8 +123,8 @@ std::string keyword_of(const Weld& weld) {
   switch (weld.kind) {
     case Weld::Kind::beam: return "*ELEMENT_BEAM";
     case Weld::Kind::rigid: return "*CONSTRAINED_GENERALIZED_WELD_SPOT";
-    case Weld::Kind::solid:
-    case Weld::Kind::assembly: return "*ELEMENT_SOLID";
+    case Weld::Kind::solid: return "*ELEMENT_SOLID";
+    case Weld::Kind::assembly: return "*DEFINE_HEX_SPOTWELD_ASSEMBLY";
   }
   return {};
 }
@@ -108,8 +133,7 @@ std::vector<Weld> find_welds(const model::Model& model) {
   std::vector<Weld> welds;
   for (Index e = 0; e < static_cast<Index>(model.beams.size()); ++e)
     if (of_weld_material(model, model.beams.part[e])) welds.push_back(beam_weld(model, e));
-  for (Index e = 0; e < static_cast<Index>(model.solids.size()); ++e)
-    if (of_weld_material(model, model.solids.part[e])) welds.push_back(solid_weld(model, e));
+  find_brick_welds(model, welds);
   for (Index b = 0; b < static_cast<Index>(model.rigid_bodies.size()); ++b)
     if (model.rigid_bodies[b].origin == model::RigidBody::Origin::weld) welds.push_back(rigid_weld(model, b));
   return welds;
@@ -117,21 +141,17 @@ std::vector<Weld> find_welds(const model::Model& model) {
 
 Vec3d face_centre(const Weld& weld, int end, const std::vector<Vec3d>& x) {
   Vec3d sum;
-  int count = 0;
-  for (Index node : weld.face[end]) {
-    if (node == none) continue;
-    sum += x[node];
-    ++count;
-  }
-  return count > 0 ? (1.0 / count) * sum : sum;
+  for (Index node : weld.face[end]) sum += x[node];
+  const auto count = static_cast<double>(weld.face[end].size());
+  return count > 0.0 ? (1.0 / count) * sum : sum;
 }
 
 WeldSize measure(const Weld& weld, const std::vector<Vec3d>& x) {
-  if (weld.kind == Weld::Kind::solid) return measure_brick(weld, x);
+  if (weld.of_bricks()) return measure_bricks(weld, x);
   return {norm(face_centre(weld, 1, x) - face_centre(weld, 0, x)), weld.diameter};
 }
 
-std::array<std::array<std::array<Index, 4>, 2>, 3> opposite_faces(const std::array<Index, 8>& n) {
+std::array<std::array<Facet, 2>, 3> opposite_faces(const std::array<Index, 8>& n) {
   return {{{{{n[0], n[1], n[2], n[3]}, {n[4], n[5], n[6], n[7]}}},
            {{{n[0], n[4], n[5], n[1]}, {n[3], n[7], n[6], n[2]}}},
            {{{n[0], n[3], n[7], n[4]}, {n[1], n[2], n[6], n[5]}}}}};

@@ -17,10 +17,11 @@ std::string name_weld(const Weld& weld);
 /// The keyword that defines a weld, with its star.
 std::string keyword_of(const Weld& weld);
 
-/// All welds of a model, in the order of Ties::welds, not yet tied: identity, nodes, end faces as numbered, diameter.
+/// All welds of a model, in the order of Ties::welds, not yet tied: identity, elements; ends and diameter of beams and
+/// rigid welds (those of bricks: lay_faces).
 std::vector<Weld> find_welds(const model::Model& model);
 
-/// Length along the axis and, for a brick, the diameter of the circle with its mean cross-section.
+/// Length along the axis and, for bricks, the diameter of the circle with its mean cross-section.
 struct WeldSize {
   double length = 0.0, diameter = 0.0;
 };
@@ -31,6 +32,6 @@ Vec3d face_centre(const Weld& weld, int end, const std::vector<Vec3d>& x);
 
 /// The three pairs of opposite faces of brick `element`, the pair of its numbering first; corners of both faces of a
 /// pair run in the sense of the axis from the first face to the second.
-std::array<std::array<std::array<Index, 4>, 2>, 3> opposite_faces(const std::array<Index, 8>& brick);
+std::array<std::array<Facet, 2>, 3> opposite_faces(const std::array<Index, 8>& brick);
 
 }  // namespace nugget::weld
