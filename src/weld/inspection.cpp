@@ -155,15 +155,16 @@ double Inspection::sheet_mass(const Weld& weld) const {
 }
 
 std::optional<double> Inspection::aspect_ratio(const Weld& weld) const {
-  if (weld.kind != Weld::Kind::solid && weld.kind != Weld::Kind::assembly) return std::nullopt;
+  if (!weld.of_bricks()) return std::nullopt;
   double longest = 0.0, shortest = Box::infinity;
-  for (const auto& pair : opposite_faces(model_.solids.node[weld.element]))
-    for (const auto& face : pair)
-      for (std::size_t k = 0; k < 4; ++k) {
-        const double edge = norm(ties_.x[face[(k + 1) % 4]] - ties_.x[face[k]]);
-        longest = std::max(longest, edge);
-        if (edge > 0.0) shortest = std::min(shortest, edge);
-      }
+  for (Index e : weld.elements)
+    for (const auto& pair : opposite_faces(model_.solids.node[e]))
+      for (const auto& face : pair)
+        for (std::size_t k = 0; k < 4; ++k) {
+          const double edge = norm(ties_.x[face[(k + 1) % 4]] - ties_.x[face[k]]);
+          longest = std::max(longest, edge);
+          if (edge > 0.0) shortest = std::min(shortest, edge);
+        }
   return longest / shortest;
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <variant>
 
+#include "kernel/element/hexahedron.hpp"
 #include "weld/welds.hpp"
 
 namespace nugget::weld {
@@ -24,19 +25,24 @@ Price beam_price(const model::Model& model, const Weld& weld, const model::Mater
   return price;
 }
 
+/// The step of a brick at rest contains the linear bulk viscosity: L / c / (Q2 + sqrt(1 + Q2^2)).
+double viscous_share(const model::Model& model, const model::Part& part) {
+  const model::Hourglass& h = part.hourglass == none ? model.control.hourglass : model.hourglass[part.hourglass];
+  return 1.0 / (h.bulk_linear + std::sqrt(1.0 + h.bulk_linear * h.bulk_linear));
+}
+
 Price brick_price(const model::Model& model, const std::vector<Vec3d>& x, const Weld& weld,
                   const model::Material& material) {
-  const double volume = 0.25 * std::numbers::pi * weld.diameter * weld.diameter * weld.length;
-  double largest = 0.0;
-  for (const auto& pair : opposite_faces(model.solids.node[weld.element]))
-    for (const auto& face : pair)
-      largest = std::max(largest, 0.5 * norm(cross(x[face[2]] - x[face[0]], x[face[3]] - x[face[1]])));
   Price price;
   price.young = std::abs(material.young());
-  const double nu = material.poisson();
-  const double speed = std::sqrt(price.young * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu) * material.density));
-  price.time_step = largest > 0.0 ? volume / largest / speed : 0.0;
-  price.mass = material.density * volume;
+  const double share = viscous_share(model, model.parts[weld.part]);
+  for (Index e : weld.elements) {
+    std::array<Vec3d, 8> corner;
+    for (std::size_t i = 0; i < 8; ++i) corner[i] = x[model.solids.node[e][i]];
+    const double step = kernel::hexahedron_stable_step(corner, price.young, material.poisson(), material.density);
+    price.time_step = std::min(price.time_step, share * step);
+    price.mass += 8.0 * kernel::hexahedron_nodal_mass(corner, material.density);
+  }
   return price;
 }
 

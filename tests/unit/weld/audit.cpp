@@ -375,10 +375,13 @@ TEST(Audit, TimeStepOfABrick) {
   for (Index n = 25; n < 50; ++n) a.model.nodes.x[n].z = 1.5;
   a.model.contacts[0].a.parts = {bricks};
   a.brick(bricks, 16, 16, 0, 1.5, 5.0);
+  a.model.control.hourglass.bulk_linear = 0.0;
   const Price report = Audited(a).reports[0].price;
   const double c = std::sqrt(210000.0 * 0.7 / (1.3 * 0.4 * 7.85e-9));
   EXPECT_NEAR(report.time_step, 1.5 / c, 1e-12);
   EXPECT_NEAR(report.mass, 7.85e-9 * 37.5, 1e-15);
+  a.model.control.hourglass.bulk_linear = 0.06;  // as a brick at rest runs
+  EXPECT_NEAR(Audited(a).reports[0].price.time_step, 1.5 / c / (0.06 + std::sqrt(1.0036)), 1e-12);
 }
 
 TEST(Audit, ARigidWeldLimitsNoStep) {
