@@ -133,9 +133,10 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
       "{:.5e}  initial {:.5e}  ratio {:.5f}\n hourglass / internal {:.3f} %\n\n",
       e.kinetic, e.internal, e.hourglass, e.contact, e.external, e.eroded, e.initial, e.ratio,
       e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0);
-  if (!run.welds().events().empty()) {
+  if (!run.welds().events().empty() || !run.tie_ends().events().empty()) {
     s += "Events\n\n";
     for (const std::string& event : run.welds().events()) s += ' ' + event + '\n';
+    for (const std::string& event : run.tie_ends().events()) s += ' ' + event + '\n';
     s += '\n';
   }
   s += fmt::format("Seconds\n\n read {:.3f}  setup {:.3f}  solve {:.3f}  output {:.3f}\n", summary.seconds.read,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "base/bvh.hpp"
 #include "base/index.hpp"
 
 namespace nugget::impact {
@@ -30,6 +31,34 @@ double volume(const model::Solids& solids, std::size_t e, const std::vector<Vec3
   return v;
 }
 
+/// The shells whose contact thickness SPOTHIN scales: those that a weld is tied to, and with SWRADF those of its sheets
+/// whose centre is within so many radii of an end of the weld.
+std::vector<char> shells_near_welds(const system::System& system) {
+  const model::Model& model = system.model;
+  std::vector<char> near(model.shells.size(), 0);
+  if (model.control.weld_thinning <= 0.0 || model.control.weld_thinning >= 1.0) return near;
+  std::vector<Box> centres(model.shells.size());
+  for (std::size_t e = 0; e < model.shells.size(); ++e) {
+    Vec3d centre{};
+    for (model::Index n : model.shells.node[e]) centre += 0.25 * system.ties.x[at(n)];
+    centres[e].add(centre);
+  }
+  const BoxTree tree(centres);
+  for (const weld::Weld& w : system.ties.welds) {
+    const double radius = 0.5 * w.diameter * model.control.weld_thinning_radius;
+    for (const weld::Projection& p : w.ends) {
+      if (!p.tied || p.kase == 0 || p.tie.shell == model::none) continue;
+      near[at(p.tie.shell)] = 1;
+      if (radius <= 0.0) continue;
+      const Vec3d& x = p.tie.point;
+      tree.overlapping(Box{x, x}.grown(radius), [&](int e) {
+        if (model.shells.part[at(e)] == p.tie.part && norm(centres[at(e)].low - x) <= radius) near[at(e)] = 1;
+      });
+    }
+  }
+  return near;
+}
+
 }  // namespace
 
 contact::SingleSurfaceSetup contact_setup(const system::System& system, const model::Contact& card) {
@@ -48,12 +77,14 @@ contact::SingleSurfaceSetup contact_setup(const system::System& system, const mo
                                                     : own;
     return t * card.thickness_scale_a * part.contact_scale;
   };
+  const std::vector<char> thinned = shells_near_welds(system);
   for (std::size_t e = 0; e < model.shells.size(); ++e) {
     if (!in[at(model.shells.part[e])]) continue;
     const model::Part& part = model.parts[at(model.shells.part[e])];
     contact::Segment s;
     for (std::size_t a = 0; a < 4; ++a) s.node[a] = system.node_of[at(model.shells.node[e][a])];
     s.thickness = thickness(part, model.shells.thickness[e]);
+    if (thinned[e]) s.thickness *= model.control.weld_thinning;
     s.bulk_modulus = bulk_modulus(part);
     s.shell = static_cast<int>(e);
     setup.segments.push_back(s);

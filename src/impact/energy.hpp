@@ -12,7 +12,8 @@ namespace nugget::impact {
 /// work).
 struct Energy {
   double kinetic = 0.0, internal = 0.0, hourglass = 0.0;
-  double contact = 0.0;  ///< stored in and dissipated by penalty contact (LS-DYNA: sliding interface energy)
+  double contact = 0.0;  ///< stored in and dissipated by penalty contact and springs of ties (LS-DYNA: sliding
+                         ///< interface energy)
   double wall = 0.0;     ///< taken out by rigid walls (stonewall energy)
   double damping = 0.0;
   double eroded = 0.0;    ///< internal and hourglass energy of deleted elements

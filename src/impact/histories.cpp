@@ -213,10 +213,18 @@ output::RcforcState rcforc_state(const Snapshot& now) {
   output::RcforcState s;
   s.time = now.state.time;
   std::size_t c = 0;
-  for (const model::Contact& card : now.system.model.contacts) {
-    if (card.tie()) continue;
-    s.rows.push_back({card.id, output::ContactSide::tracked, now.contacts[c].resultant(), 0.0});
-    ++c;
+  for (std::size_t i = 0; i < now.system.model.contacts.size(); ++i) {
+    const model::Contact& card = now.system.model.contacts[i];
+    const auto add = [&](output::ContactSide side, const Vec3d& force) {
+      s.rows.push_back({card.id, side, force, 0.0});
+    };
+    if (!card.tie()) {
+      add(output::ContactSide::tracked, now.contacts[c++].resultant());
+    } else if (card.tie_by_springs() || card.penalty_fallback) {
+      const Vec3d force = now.tie_forces.resultant(static_cast<model::Index>(i));
+      add(output::ContactSide::tracked, force);
+      add(output::ContactSide::reference, -force);
+    }
   }
   return s;
 }

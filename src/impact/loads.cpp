@@ -32,7 +32,7 @@ Loads::Loads(const system::System& system) : system_(system) {
   for (const model::BodyLoad& load : model.body_loads) {
     Body body{&load, {}, {}, 0.0};
     if (load.parts.empty()) {
-      for (std::size_t k = 0; k < system.all_nodes(); ++k) {
+      for (std::size_t k = 0; k < system.nodes + system.bodies.size(); ++k) {
         const double m = k < system.nodes ? system.mass[k] : system.bodies[k - system.nodes].mass;
         if (m <= 0.0) continue;
         body.nodes.push_back(static_cast<int>(k));

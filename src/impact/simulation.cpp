@@ -37,11 +37,15 @@ void Simulation::interrupt() {
 }
 
 Simulation::Simulation(system::System& system, Findings& findings)
-    : system_(system), state_(system.initial_state()), supports_(system, findings), loads_(system), welds_(system) {
+    : system_(system),
+      state_(system.initial_state()),
+      supports_(system, findings),
+      loads_(system),
+      welds_(system),
+      tie_forces_(system),
+      tie_ends_(system, welds_, tie_forces_) {
   const model::Model& model = system.model;
   history_rotation_.resize(model.requests.history_nodes.size());
-  dependent_.resize(system.all_nodes());
-  for (std::size_t k = 0; k < system.all_nodes(); ++k) dependent_[k] = system.map.dependent(static_cast<int>(k));
   shell_alive_.assign(model.shells.size(), 1);
   for (const model::Contact& card : model.contacts) {
     if (card.tie()) continue;
@@ -107,8 +111,8 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_) {
       masses_ = system_.masses();
-      const Snapshot now{system_, state_,    v_before_, w_before_, energy_, parts_,           controlling_,
-                         masses_, supports_, walls_,    contacts_, welds_,  history_rotation_};
+      const Snapshot now{system_, state_,    v_before_, w_before_, energy_,     parts_, controlling_,
+                         masses_, supports_, walls_,    contacts_, tie_forces_, welds_, history_rotation_};
       recorder.write(now, last);
     }
     if (progress && elapsed() >= next_report) {
@@ -126,7 +130,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     watch.charge(seconds_[motion]);
     system_.internal_force(state_);
     welds_.update(state_);
-    bury_shells();
+    end_ties();
     watch.charge(seconds_[elements]);
     forces();
     watch.charge(seconds_[contact_search]);
@@ -169,6 +173,9 @@ void Simulation::start() {
 }
 
 void Simulation::update_inverse_mass() {
+  tie_forces_.find_bounds();
+  dependent_.resize(system_.all_nodes());
+  for (std::size_t k = 0; k < system_.all_nodes(); ++k) dependent_[k] = system_.map.dependent(static_cast<int>(k));
   inverse_mass_.assign(system_.nodes, 0.0);
   inverse_inertia_.assign(system_.nodes, 0.0);
   contact_mass_.assign(system_.all_nodes(), 0.0);
@@ -289,27 +296,34 @@ void Simulation::move() {
 void Simulation::forces() {
   for (contact::SingleSurface& c : contacts_)
     c.apply(state_.time, state_.dt, state_.x, state_.v, contact_mass_, shell_alive_, state_.f);
+  tie_forces_.apply(state_);
   loads_.apply(state_, state_.dt);
 }
 
+void Simulation::end_ties() {
+  const bool shells_died = bury_shells();
+  if (tie_ends_.update(state_, shell_alive_, shells_died)) update_inverse_mass();
+}
+
 /// Contact surfaces lose the shells that were deleted.
-void Simulation::bury_shells() {
+bool Simulation::bury_shells() {
   int deaths = 0;
   for (const auto& group : system_.groups) deaths += group->deaths;
-  if (deaths == deaths_) return;
+  if (deaths == deaths_) return false;
   deaths_ = deaths;
   for (const auto& group : system_.groups) {
     if (group->kind != model::ElementKind::shell) continue;
     for (std::size_t e = 0; e < group->size(); ++e)
       if (!group->alive(e)) shell_alive_[at(group->element[e])] = 0;
   }
+  return true;
 }
 
 void Simulation::account() {
   const Energy before = energy_;
   element_energies(system_, state_, v_before_, energy_, parts_);
   energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_);
-  energy_.contact = 0.0;
+  energy_.contact = tie_forces_.energy();
   for (const contact::SingleSurface& c : contacts_) energy_.contact += c.energy();
   energy_.wall = 0.0;
   for (const contact::RigidWall& w : walls_) energy_.wall += w.energy_until_now();

@@ -8,6 +8,7 @@
 
 #include "impact/options.hpp"
 #include "impact/snapshot.hpp"
+#include "impact/tie_ends.hpp"
 
 namespace nugget::impact {
 
@@ -25,6 +26,8 @@ class Simulation {
   const system::State& state() const { return state_; }
   const Energy& energy() const { return energy_; }
   const Welds& welds() const { return welds_; }
+  const TieForces& tie_forces() const { return tie_forces_; }
+  const TieEnds& tie_ends() const { return tie_ends_; }
   double first_step() const { return first_step_; }
   double smallest_step() const { return smallest_step_; }
   const std::string& smallest_by() const { return smallest_by_; }
@@ -45,7 +48,9 @@ class Simulation {
   void constrain_by_walls();
   void move();
   void forces();
-  void bury_shells();
+  /// True if shells were deleted since the last call.
+  bool bury_shells();
+  void end_ties();
   void update_inverse_mass();
   /// Energies of the moment; they stay those of before where the solution has become no number.
   void account();
@@ -65,6 +70,8 @@ class Simulation {
   std::vector<Vec3d> momentum_before_;
   std::vector<Vec3d> history_rotation_;
   Welds welds_;
+  TieForces tie_forces_;
+  TieEnds tie_ends_;
   int deaths_ = 0;
   bool diverged_ = false;
 

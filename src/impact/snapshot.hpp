@@ -10,6 +10,7 @@
 #include "contact/single_surface.hpp"
 #include "impact/conditions.hpp"
 #include "impact/energy.hpp"
+#include "impact/tie_forces.hpp"
 #include "impact/welds.hpp"
 #include "system/system.hpp"
 
@@ -28,6 +29,7 @@ struct Snapshot {
   const Supports& supports;
   std::span<const contact::RigidWall> walls;
   std::span<const contact::SingleSurface> contacts;
+  const TieForces& tie_forces;
   const Welds& welds;
   std::span<const Vec3d> history_rotation;  ///< of the requests' history nodes: their spins, added up over time
 

@@ -34,7 +34,8 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
     if (system.map.dependent(node)) {
       findings.warning({model.deck, 0, 0}, "*BOUNDARY_SPC",
                        "node " + std::to_string(model.nodes.id[static_cast<std::size_t>(spc.node)]) +
-                           " is held by an SPC, but it moves with a rigid body or a tie; the SPC does nothing there",
+                           " is held by an SPC, but it moves with " + system.holder(node) +
+                           "; the SPC does nothing there",
                        "constrain the rigid body (MAT_RIGID CMO, *CONSTRAINED_NODAL_RIGID_BODY_SPC) instead");
       continue;
     }
@@ -65,9 +66,9 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
         const int node = system.node_of[static_cast<std::size_t>(n)];
         if (system.map.dependent(node)) {
           findings.error(motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
-                         "node " + std::to_string(model.nodes.id[static_cast<std::size_t>(n)]) +
-                             " moves with a rigid body or a tie and cannot be driven on its own",
-                         "drive the rigid body with *BOUNDARY_PRESCRIBED_MOTION_RIGID");
+                         "node " + std::to_string(model.nodes.id[static_cast<std::size_t>(n)]) + " moves with " +
+                             system.holder(node) + " and cannot be driven on its own",
+                         "drive the rigid body with *BOUNDARY_PRESCRIBED_MOTION_RIGID, or nodes of the sheet");
           continue;
         }
         drive(node, -1);

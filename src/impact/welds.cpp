@@ -99,6 +99,14 @@ void Welds::remove(std::size_t i) {
   }
 }
 
+void Welds::lose_sheet(std::size_t i, const system::State& state) {
+  weld::History* history = histories_[i].get();
+  if (history == nullptr || history->failed()) return;
+  remove(i);
+  history->fail(state.time, weld::FailureMode::sheet_deleted);
+  report(i, state);
+}
+
 void Welds::report(std::size_t i, const system::State& state) {
   ++failed_;
   const weld::Weld& w = system_.ties.welds[i];

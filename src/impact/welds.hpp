@@ -21,6 +21,9 @@ class Welds {
   /// To be called once a cycle, after the forces of the elements.
   void update(const system::State& state);
 
+  /// Deletes weld i, if it still stands, because the shells that held one of its ends are gone (SPOTDEL = 1).
+  void lose_sheet(std::size_t i, const system::State& state);
+
   std::size_t size() const { return histories_.size(); }
   /// What happened to weld i; null where a weld has no history (deleted by SPOTSTP, rigid).
   const weld::History* history(std::size_t i) const { return histories_[i].get(); }

@@ -46,7 +46,8 @@ struct Control {
   int untied_weld = 0;                ///< SPOTSTP
   Place untied_weld_place;            ///< where it stands; no line: nowhere
   int weld_of_deleted_shell = 0;      ///< SPOTDEL
-  double weld_thinning = 0.0;         ///< SPOTHIN
+  double weld_thinning = 0.0;         ///< SPOTHIN; 0: none
+  double weld_thinning_radius = 0.0;  ///< SWRADF, radii of the weld; 0: the shells that it is tied to
   bool keep_tied_gap = false;         ///< TIEDPRJ = 1
   double wall_thickness_share = 0.0;  ///< SHLTRW
 

@@ -10,12 +10,22 @@
 
 namespace nugget::system {
 
-/// The one sparse linear map v = T q of all constraints. A row says how a dependent node moves with independent ones,
+/// The one sparse linear map v = T q of all constraints. A row says how a dependent node moves with other nodes,
 ///     v_d = sum_k w_k (v_k + omega_k x a_k),      omega_d = sum_k w_k omega_k  (where rotations are coupled),
-/// with weights w_k that add up to 1 and arms a_k carried around by the independent node. A tied weld node has the four
-/// nodes of its segment (weights N_i, no arms); a node of a rigid body has one term, the body's virtual node, with
-/// weight 1. `follow` applies T to velocities, `collect` applies its transpose to forces (virtual power: f . T q = T^t
-/// f . q).
+/// with weights w_k that add up to 1 and arms a_k carried around by the nodes that they belong to. A tied weld node has
+/// the four nodes of its segment (weights N_i); a node of a rigid body has one term, the body's virtual node, with
+/// weight 1. Nodes that a row names may be dependent themselves: rows are worked through in the order of their
+/// dependence. `follow` applies T to velocities, `collect` its transpose to forces (virtual power: f . T q = T^t f .
+/// q).
+///
+/// Where nodes carry no rotation that could hold a moment, the dependent node's spin comes from the translations of the
+/// corners c of its segment (spotweld-theory.md, section 5.6). With r_c the arms from their centre,
+///     whole:  omega_d = J^-1 sum_c r_c x v_c,  J = sum_c (|r_c|^2 1 - r_c r_c^t),  and v_d gets omega_d x a besides;
+///     twist:  only the component along the segment's normal n, on a flat segment sum_c n . (r_c x v_c) / sum_c
+///     |r_c|^2;
+///             the other two as above.
+/// Transposed, a moment becomes forces (J^-1 M) x r_c on the corners, with sum_c f_c = 0 and sum_c r_c x f_c = M: a
+/// twist M_n of a flat segment gives M_n n x r_c / sum_c |r_c|^2.
 class ConstraintMap {
  public:
   struct Term {
@@ -23,15 +33,28 @@ class ConstraintMap {
     double weight;
     Vec3d arm;
   };
+  /// A node whose translation turns a dependent node.
+  struct Corner {
+    int node;
+    double weight;  ///< in sums over corners; of a segment 1
+    Vec3d arm;      ///< `add`: the node's place; afterwards from the corners' centre
+  };
+  enum class Turn { twist, whole };
 
-  /// Adds a row. Chains (a term's node is itself dependent) are resolved by `close`.
+  /// Adds a row whose spin comes from its terms' nodes.
   void add(int dependent, bool rotations, std::span<const Term> terms);
-  /// Replaces dependent nodes in terms by what they depend on, and merges equal nodes. `nodes`: number of nodes,
-  /// virtual ones included. Returns the dependent nodes of rows that depend on themselves in a circle (an input error).
+  /// Adds a row turned by the corners of a segment (in order; three or four for a twist). `arm`: from the point that
+  /// the weights interpolate to the dependent node, carried by its own spin; zero for a twist, whose terms have arms.
+  void add(int dependent, bool rotations, std::span<const Term> terms, Turn turn, std::span<const Corner> corners,
+           const Vec3d& arm = {});
+  /// To be called once when all rows are there: puts them in order. `nodes`: number of nodes, virtual ones included.
+  /// Returns the dependent nodes of rows that depend on themselves in a circle (an input error).
   std::vector<int> close(int nodes);
+  /// Lets a dependent node go; from then on it is independent.
+  void remove(int node);
 
   bool dependent(int node) const { return row_of_[static_cast<std::size_t>(node)] >= 0; }
-  /// The terms of a dependent node's row.
+  /// The terms of a dependent node's row; their nodes may be dependent.
   std::span<const Term> terms(int node) const;
   std::span<Term> terms(int node);
   bool rotations(int node) const {
@@ -40,20 +63,45 @@ class ConstraintMap {
   std::size_t size() const { return rows_.size(); }
 
   /// v, w := T (v, w) for the step dt; arms are turned to their place at the end of the step, so that x + dt v keeps a
-  /// rigid body rigid (the velocity is the chord of the arc).
+  /// rigid body rigid (the velocity is the chord of the arc). Corners' arms count as they are in the middle of the
+  /// step.
   void follow(double dt, std::span<Row> v, std::span<Row> w);
   /// f, m of dependent nodes go to the independent ones, and are zero afterwards.
   void collect(std::span<Row> f, std::span<Row> m) const;
+  /// Mass and rotary inertia of dependent nodes go to the nodes of their terms by their weights (inertia with what the
+  /// arm adds), and are zero afterwards, but for rows on nodes from `bodies` on: these dependent nodes keep theirs,
+  /// from which the body's own follow.
+  void hand_over(std::span<double> mass, std::span<double> inertia, int bodies) const;
+
+  /// How a dependent node moves with independent ones only, (v, omega)_d = sum of 6 x 6 blocks, row by row, times
+  /// (v, omega)_k: T as the dynamics of small motions (T^t K T) wants it. Ascending by node.
+  struct Block {
+    int node;
+    std::array<std::array<double, 6>, 6> of{};
+  };
+  std::vector<Block> blocks(int dependent) const;
 
  private:
   struct RowHead {
     int dependent;
     bool rotations;
-    int begin, end;
+    int begin, end;                        // terms
+    int first_corner = 0, end_corner = 0;  // none: its spin comes from the terms' nodes
+    Turn turn = Turn::twist;
+    Vec3d arm{};
+    bool removed = false;
   };
+  struct Spin;
+  Spin spin(const RowHead& row, std::span<const Corner> corners) const;
+  std::span<const Corner> corners(const RowHead& row) const;
+  void follow(RowHead& row, double dt, std::span<Row> v, std::span<Row> w);
+  void collect(const RowHead& row, std::span<Row> f, std::span<Row> m) const;
+
   std::vector<RowHead> rows_;
   std::vector<Term> terms_;
+  std::vector<Corner> corners_;
   std::vector<int> row_of_;
+  std::vector<std::size_t> levels_;  // rows of a level depend on nodes of lower levels only; where each ends
 };
 
 /// Rodrigues' formula: `a` turned by the rotation vector `phi`.

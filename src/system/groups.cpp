@@ -102,11 +102,11 @@ kernel::ShellProperties shell_properties(const model::SectionShell& section, con
   return shell;
 }
 
-/// A weld beam whose end is tied to deformable shells has nothing there to twist against: they have no drilling
-/// stiffness.
-bool tied_to_shells(const weld::Weld& w) {
+/// A weld beam whose end is tied to deformable shells has nothing there to twist against, for they have no drilling
+/// stiffness; unless the tie turns the twist into in-plane forces.
+bool free_to_twist(const weld::Weld& w) {
   return std::any_of(w.ends.begin(), w.ends.end(), [](const weld::Projection& e) {
-    return e.tied && e.kase != 0 && e.tie.rigid_body == model::none;
+    return e.tied && e.kase != 0 && e.tie.rigid_body == model::none && !e.tie.twist && !e.tie.couples;
   });
 }
 
@@ -228,9 +228,9 @@ void System::make_bricks() {
 void System::make_weld_beams(Findings& findings) {
   beam_seat.assign(model.beams.size(), {});
   const std::vector<bool> deleted = deleted_with_welds(false);
-  std::vector<bool> on_shells(model.beams.size(), false);
+  std::vector<bool> untwistable(model.beams.size(), false);
   for (const weld::Weld& w : ties.welds)
-    if (w.kind == weld::Weld::Kind::beam) on_shells[at(w.element)] = tied_to_shells(w);
+    if (w.kind == weld::Weld::Kind::beam) untwistable[at(w.element)] = free_to_twist(w);
   std::size_t untwisted = 0;
   const auto sorted = by_part(model.beams, model.parts.size(), ties.x);
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
@@ -239,8 +239,8 @@ void System::make_weld_beams(Findings& findings) {
     std::vector<model::Index> with, without;
     for (model::Index e : sorted[p]) {
       if (deleted[at(e)]) continue;
-      untwisted += wants_torsion && on_shells[at(e)];
-      (wants_torsion && !on_shells[at(e)] ? with : without).push_back(e);
+      untwisted += wants_torsion && untwistable[at(e)];
+      (wants_torsion && !untwistable[at(e)] ? with : without).push_back(e);
     }
     add_weld_beams(p, with, true);
     add_weld_beams(p, without, false);
@@ -249,7 +249,8 @@ void System::make_weld_beams(Findings& findings) {
     findings.note(
         {model.deck, 0, 0}, "*CONTACT_SPOTWELD",
         fmt::format("no torsion in {} weld beam{}: the shells have no stiffness about their normal to hold it",
-                    untwisted, untwisted == 1 ? "" : "s"));
+                    untwisted, untwisted == 1 ? "" : "s"),
+        "*CONTACT_SPOTWELD_WITH_TORSION turns it into in-plane forces");
 }
 
 void System::add_weld_beams(std::size_t p, const std::vector<model::Index>& chosen, bool torsion) {

@@ -13,14 +13,6 @@ Vec3d times(const Inertia& a, const Vec3d& b) {
           a[2] * b.x + a[4] * b.y + a[5] * b.z};
 }
 
-Vec3d solve(const Inertia& a, const Vec3d& b) {
-  const double c00 = a[3] * a[5] - a[4] * a[4], c01 = a[2] * a[4] - a[1] * a[5], c02 = a[1] * a[4] - a[2] * a[3];
-  const double c11 = a[0] * a[5] - a[2] * a[2], c12 = a[1] * a[2] - a[0] * a[4], c22 = a[0] * a[3] - a[1] * a[1];
-  const double det = a[0] * c00 + a[1] * c01 + a[2] * c02;
-  const Inertia inverse{c00, c01, c02, c11, c12, c22};
-  return (1.0 / det) * times(inverse, b);
-}
-
 Frame3d turned_axes(const Frame3d& axes, const Vec3d& phi) {
   return {turned(axes.e1, phi), turned(axes.e2, phi), turned(axes.e3, phi)};
 }
@@ -32,6 +24,14 @@ void hold(Vec3d& a, unsigned fixed) {
 }
 
 }  // namespace
+
+Vec3d solve(const Inertia& a, const Vec3d& b) {
+  const double c00 = a[3] * a[5] - a[4] * a[4], c01 = a[2] * a[4] - a[1] * a[5], c02 = a[1] * a[4] - a[2] * a[3];
+  const double c11 = a[0] * a[5] - a[2] * a[2], c12 = a[1] * a[2] - a[0] * a[4], c22 = a[0] * a[3] - a[1] * a[1];
+  const double det = a[0] * c00 + a[1] * c01 + a[2] * c02;
+  const Inertia inverse{c00, c01, c02, c11, c12, c22};
+  return (1.0 / det) * times(inverse, b);
+}
 
 void add_point(Inertia& inertia, double mass, double point_inertia, const Vec3d& r) {
   inertia[0] += mass * (r.y * r.y + r.z * r.z) + point_inertia;

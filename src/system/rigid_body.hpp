@@ -41,6 +41,9 @@ struct RigidBody {
   void set_spin(const Vec3d& axis, double value, double dt, State& state);
 };
 
+/// a^-1 b.
+Vec3d solve(const Inertia& a, const Vec3d& b);
+
 /// Adds a point mass with isotropic inertia at position r from the reference point.
 void add_point(Inertia& inertia, double mass, double point_inertia, const Vec3d& r);
 

@@ -10,6 +10,7 @@
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "system/order.hpp"
+#include "weld/tie_findings.hpp"
 
 namespace nugget::system {
 System::System(const model::Model& m, const weld::Ties& t, Findings& findings) : model(m), ties(t) {
@@ -18,8 +19,8 @@ System::System(const model::Model& m, const weld::Ties& t, Findings& findings) :
   make_constraints(findings);
   link_slots();
   assemble_mass();
-  make_bodies();
   hand_over_mass();
+  make_bodies();
 }
 
 void System::order_nodes() {
@@ -34,17 +35,17 @@ void System::order_nodes() {
 }
 
 void System::make_constraints(Findings& findings) {
-  std::vector<const char*> maker(nodes, nullptr);
-  const auto claim = [&](model::Index node, const char* what, const Place& place) {
-    const char*& held = maker[at(node)];
-    if (held != nullptr) {
+  std::vector<std::string> maker(nodes);
+  const auto claim = [&](model::Index node, std::string what, const Place& place) {
+    std::string& held = maker[at(node)];
+    if (!held.empty()) {
       findings.error(
           place, "",
           fmt::format("node {} is made dependent twice: by {} and by {}", model.nodes.id[at(node)], held, what),
           "a node may follow only one rigid body or tie: remove it from one of them");
       return false;
     }
-    held = what;
+    held = std::move(what);
     return true;
   };
   body_of.assign(model.rigid_bodies.size(), -1);
@@ -59,30 +60,73 @@ void System::make_constraints(Findings& findings) {
     body.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     body_of[b] = static_cast<int>(bodies.size());
     for (model::Index n : source.nodes) {
-      if (!claim(n, "a rigid body", source.place)) continue;
+      if (!claim(n, weld::name_body(source), source.place)) continue;
       // Arms hold the node's position until the centre is known; see make_bodies.
       const ConstraintMap::Term term{body.node, 1.0, ties.x[at(n)]};
       map.add(node_of[at(n)], true, {&term, 1});
     }
     bodies.push_back(std::move(body));
   }
-  for (const weld::Tie& tie : ties.ties) {
-    if (!claim(tie.node, "a tie", model.contacts[at(tie.contact)].place)) continue;
-    // With TIEDPRJ = 1 the node keeps its gap, which then turns with the segment.
-    const Vec3d arm = ties.x[at(tie.node)] - tie.point;
-    const bool projected = dot(arm, arm) <= 1e-24 * (1.0 + dot(tie.point, tie.point));
-    std::vector<ConstraintMap::Term> terms;
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (tie.weight[i] == 0.0) continue;
-      terms.push_back({node_of[at(tie.segment[i])], tie.weight[i], projected ? Vec3d{} : arm});
+  for (std::size_t t = 0; t < ties.ties.size(); ++t) {
+    const weld::Tie& tie = ties.ties[t];
+    const model::Contact& contact = model.contacts[at(tie.contact)];
+    const Vec3d gap = ties.x[at(tie.node)] - tie.point;
+    // With TIEDPRJ = 1 or an offset the node keeps its gap, which then turns with the segment.
+    const bool projected = dot(gap, gap) <= 1e-24 * (1.0 + dot(tie.point, tie.point));
+    if (tie.spring) {
+      const int anchor = static_cast<int>(nodes + bodies.size() + springs.size());
+      springs.push_back({t, node_of[at(tie.node)], anchor});
+      add_tie(anchor, tie, projected || !tie.lever ? Vec3d{} : gap, true);
+    } else if (claim(tie.node, weld::name_contact(contact), contact.place)) {
+      add_tie(node_of[at(tie.node)], tie, projected ? Vec3d{} : gap, tie.rotations);
     }
-    map.add(node_of[at(tie.node)], tie.rotations, terms);
   }
   for (int node : map.close(static_cast<int>(all_nodes())))
     findings.error(
         {model.deck, 0, 0}, "",
         fmt::format("node {} is tied to itself through other ties", model.nodes.id[at(model_node[at(node)])]),
         "tie the weld to a sheet whose nodes are free");
+}
+
+void System::add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool rotations) {
+  if (tie.rigid_body != model::none) {
+    // Arms hold the position until the centre is known; see make_bodies.
+    const ConstraintMap::Term term{bodies[at(body_of[at(tie.rigid_body)])].node, 1.0, tie.point + arm};
+    map.add(dependent, true, {&term, 1});
+    return;
+  }
+  const std::size_t corners = tie.segment[3] == tie.segment[2] ? 3 : 4;
+  std::vector<ConstraintMap::Term> terms;
+  for (std::size_t i = 0; i < corners; ++i)
+    if (tie.weight[i] != 0.0)
+      terms.push_back({node_of[at(tie.segment[i])], tie.weight[i], tie.couples ? Vec3d{} : arm});
+  if (!tie.couples && !tie.twist) {
+    map.add(dependent, rotations, terms);
+    return;
+  }
+  std::vector<ConstraintMap::Corner> around;
+  for (std::size_t i = 0; i < corners; ++i)
+    around.push_back({node_of[at(tie.segment[i])], 1.0, ties.x[at(tie.segment[i])]});
+  if (tie.couples)
+    map.add(dependent, rotations, terms, ConstraintMap::Turn::whole, around, arm);
+  else
+    map.add(dependent, rotations, terms, ConstraintMap::Turn::twist, around);
+}
+
+std::string System::holder(int node) const {
+  if (at(node) < nodes) {
+    const model::Index n = model_node[at(node)];
+    for (const weld::Tie& tie : ties.ties)
+      if (tie.node == n && !tie.spring) return weld::name_contact(model.contacts[at(tie.contact)]);
+    for (const model::RigidBody& body : model.rigid_bodies)
+      if (std::find(body.nodes.begin(), body.nodes.end(), n) != body.nodes.end()) return weld::name_body(body);
+  }
+  return "a constraint";
+}
+
+void System::release(std::size_t tie) {
+  const int node = node_of[at(ties.ties[tie].node)];
+  if (map.dependent(node)) map.remove(node);
 }
 
 void System::assemble_mass() {
@@ -114,7 +158,7 @@ void System::make_bodies() {
   std::vector<Vec3d> moment(bodies.size()), middle(bodies.size());
   std::vector<int> count(bodies.size(), 0);
   const auto each_term = [&](auto&& visit) {
-    for (std::size_t d = 0; d < nodes; ++d) {
+    for (std::size_t d = 0; d < all_nodes(); ++d) {
       if (!map.dependent(static_cast<int>(d))) continue;
       for (ConstraintMap::Term& t : map.terms(static_cast<int>(d)))
         if (at(t.node) >= nodes) visit(d, t);
@@ -122,8 +166,9 @@ void System::make_bodies() {
   };
   each_term([&](std::size_t d, ConstraintMap::Term& t) {
     const std::size_t b = at(t.node) - nodes;
-    mass_sum[b] += t.weight * own_mass[d];
-    moment[b] += (t.weight * own_mass[d]) * t.arm;
+    mass_sum[b] += t.weight * carried_mass_[d];
+    moment[b] += (t.weight * carried_mass_[d]) * t.arm;
+    if (d >= nodes) return;  // an anchor of a spring
     middle[b] += t.arm;
     ++count[b];
   });
@@ -138,7 +183,7 @@ void System::make_bodies() {
   each_term([&](std::size_t d, ConstraintMap::Term& t) {
     RigidBody& body = body_at(t.node);
     t.arm -= body.center0;
-    add_point(body.inertia, t.weight * own_mass[d], t.weight * own_inertia_[d], t.arm);
+    add_point(body.inertia, t.weight * carried_mass_[d], t.weight * carried_inertia_[d], t.arm);
   });
   for (RigidBody& body : bodies) {
     const model::RigidBody& source = model.rigid_bodies[at(body.source)];
@@ -159,17 +204,15 @@ void System::make_bodies() {
 }
 
 void System::hand_over_mass() {
-  mass = own_mass;
-  inertia = own_inertia_;
-  for (std::size_t d = 0; d < nodes; ++d) {
-    if (!map.dependent(static_cast<int>(d))) continue;
-    for (const ConstraintMap::Term& t : map.terms(static_cast<int>(d))) {
-      if (at(t.node) >= nodes) continue;  // bodies were given theirs by make_bodies
-      mass[at(t.node)] += t.weight * own_mass[d];
-      inertia[at(t.node)] += t.weight * (own_inertia_[d] + own_mass[d] * dot(t.arm, t.arm));
-    }
-    mass[d] = inertia[d] = 0.0;
-  }
+  carried_mass_ = own_mass;
+  carried_inertia_ = own_inertia_;
+  carried_mass_.resize(all_nodes(), 0.0);
+  carried_inertia_.resize(all_nodes(), 0.0);
+  map.hand_over(carried_mass_, carried_inertia_, static_cast<int>(nodes));
+  mass.assign(carried_mass_.begin(), carried_mass_.begin() + static_cast<std::ptrdiff_t>(nodes));
+  inertia.assign(carried_inertia_.begin(), carried_inertia_.begin() + static_cast<std::ptrdiff_t>(nodes));
+  for (std::size_t d = 0; d < nodes; ++d)
+    if (map.dependent(static_cast<int>(d))) mass[d] = inertia[d] = 0.0;
 }
 
 State System::initial_state() {
@@ -195,11 +238,11 @@ State System::initial_state() {
     for (const ConstraintMap::Term& t : map.terms(static_cast<int>(d))) {
       if (at(t.node) < nodes) continue;
       const std::size_t b = at(t.node) - nodes;
-      const double m = std::max(t.weight * own_mass[d], 1e-30);
+      const double m = std::max(t.weight * carried_mass_[d], 1e-30);
       sum[b] += m;
       linear[b] += m * vec(state.v[d]);
-      angular[b] += m * cross(t.arm, vec(state.v[d])) + (t.weight * own_inertia_[d]) * vec(state.w[d]);
-      add_point(spread[b], m, t.weight * own_inertia_[d], t.arm);
+      angular[b] += m * cross(t.arm, vec(state.v[d])) + (t.weight * carried_inertia_[d]) * vec(state.w[d]);
+      add_point(spread[b], m, t.weight * carried_inertia_[d], t.arm);
     }
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -216,6 +259,10 @@ State System::initial_state() {
     set(state.v[k], velocity);
     set(state.w[k], spin);
     body.angular_momentum = body.momentum(spin, body.axes);
+  }
+  for (const TieSpring& s : springs) {
+    const weld::Tie& tie = ties.ties[s.tie];
+    set(state.x[at(s.anchor)], tie.lever ? ties.x[at(tie.node)] : tie.point);
   }
   map.follow(0.0, state.v, state.w);
   return state;

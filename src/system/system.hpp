@@ -26,11 +26,12 @@ class System {
   const model::Model& model;
   const weld::Ties& ties;
 
-  // Nodes: system order. `node_of[model index]` and back; virtual nodes of bodies follow the real ones.
+  // Nodes: system order. `node_of[model index]` and back; virtual nodes of bodies and then of tie springs follow the
+  // real ones.
   std::size_t nodes = 0;
   std::vector<int> node_of;
   std::vector<model::Index> model_node;
-  std::size_t all_nodes() const { return nodes + bodies.size(); }
+  std::size_t all_nodes() const { return nodes + bodies.size() + springs.size(); }
 
   /// Lumped mass and rotary inertia by node; zero for dependent nodes (theirs is handed over) and for nodes that carry
   /// nothing.
@@ -41,6 +42,22 @@ class System {
   ConstraintMap map;
   std::vector<RigidBody> bodies;  ///< body b is virtual node nodes + b
   std::vector<int> body_of;       ///< by model rigid-body index
+
+  /// A tie by penalty: a spring between the tied node and an anchor, a virtual node that follows the segment. The two
+  /// stand at one place at first, unless the gap has no lever (see weld::Tie).
+  struct TieSpring {
+    std::size_t tie;  ///< in Ties::ties
+    int node;
+    int anchor;  ///< dependent in `map`
+  };
+  std::vector<TieSpring> springs;
+  /// What makes a dependent node dependent, for messages: `*CONTACT_SPOTWELD 3`, `rigid part 5`.
+  std::string holder(int node) const;
+  /// Ends a tie by constraint: its node keeps its velocity and takes its mass back. Then call `hand_over_mass`.
+  void release(std::size_t tie);
+  /// Masses and inertias of dependent nodes to those that they follow.
+  void hand_over_mass();
+
   std::vector<std::unique_ptr<ElementGroup>> groups;
 
   /// Where a model element lives; group -1 for elements that have no kernel (rigid parts, MAT_NULL, deleted welds).
@@ -124,8 +141,9 @@ class System {
 
   void make_constraints(Findings& findings);
   void make_bodies();
+  /// Adds the row by which `dependent` follows the segment of a tie at a distance `arm` from its foot.
+  void add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool rotations);
   void assemble_mass();
-  void hand_over_mass();
   void link_slots();
   /// Sets the density factor of an element and puts the change on its nodes.
   void set_mass_scale(ElementGroup& group, std::size_t e, double factor);
@@ -133,6 +151,7 @@ class System {
   std::vector<Vec3d> start_;  ///< positions at time 0, by system node
   std::vector<Lump> lumps_;
   std::vector<double> own_inertia_;
+  std::vector<double> carried_mass_, carried_inertia_;  ///< own, and handed over by ties; also of nodes of bodies
 
   std::vector<Row> slots_;
   std::vector<std::size_t> gather_start_;

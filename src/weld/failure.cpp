@@ -55,6 +55,7 @@ std::string_view to_string(FailureMode mode) {
     case FailureMode::bending: return "bending moment";
     case FailureMode::time: return "failure time";
     case FailureMode::plastic_strain: return "plastic strain";
+    case FailureMode::sheet_deleted: return "deleted sheet";
   }
   return "";
 }

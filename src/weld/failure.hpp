@@ -37,7 +37,7 @@ class Filter {
   std::vector<Resultants> kept_;
 };
 
-enum class FailureMode { intact, axial, shear, torsion, bending, time, plastic_strain };
+enum class FailureMode { intact, axial, shear, torsion, bending, time, plastic_strain, sheet_deleted };
 std::string_view to_string(FailureMode mode);
 
 /// What happened to one weld: its filtered resultants now, its peaks, and its end.

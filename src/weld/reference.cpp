@@ -6,6 +6,9 @@
 #include <limits>
 #include <map>
 
+#include "model/segments.hpp"
+#include "weld/welds.hpp"
+
 namespace nugget::weld {
 namespace {
 
@@ -43,6 +46,15 @@ std::vector<Candidate> best_of_each_part(std::vector<Candidate> all) {
   return best;
 }
 
+/// By node: the part of the first brick there, or none.
+std::vector<Index> first_brick_part_at_nodes(const model::Model& model) {
+  std::vector<Index> part(model.nodes.size(), none);
+  for (std::size_t e = 0; e < model.solids.size(); ++e)
+    for (Index n : model.solids.node[e])
+      if (part[n] == none) part[n] = model.solids.part[e];
+  return part;
+}
+
 std::array<Index, 4> sorted(model::Segment nodes) {
   std::sort(nodes.begin(), nodes.end());
   return nodes;
@@ -60,6 +72,9 @@ Reference::Reference(const model::Model& model, Index contact)
   for (Index part : contact_.b.parts) wanted[part] = 1;
   for (Index e = 0; e < static_cast<Index>(model.shells.size()); ++e)
     if (wanted[model.shells.part[e]]) add_shell(e);
+  for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part)
+    if (wanted[part] && model.parts[part].kind == model::ElementKind::solid && !of_weld_material(model, part))
+      add_brick_faces(part);
   if (!contact_.b.segments.empty()) add_segments(contact_.b.segments);
 
   std::vector<Box> boxes(segments_.size());
@@ -83,6 +98,23 @@ void Reference::add_shell(Index shell) {
   segments_.push_back(s);
 }
 
+/// The outer faces of a part of bricks.
+void Reference::add_brick_faces(Index part) {
+  std::vector<Index> bricks;
+  for (Index e = 0; e < static_cast<Index>(model_.solids.size()); ++e)
+    if (model_.solids.part[e] == part) bricks.push_back(e);
+  for (const model::Segment& face : model::exterior_faces(model_, bricks)) add_face(face, part);
+}
+
+void Reference::add_face(const model::Segment& nodes, Index part) {
+  ReferenceSegment s;
+  s.node = nodes;
+  s.part = part;
+  s.thickness = std::max(contact_.thickness_b, 0.0);
+  s.diagonal = shorter_diagonal(corners(s));
+  segments_.push_back(s);
+}
+
 void Reference::add_segments(const std::vector<model::Segment>& segments) {
   std::map<std::array<Index, 4>, Index> shell_of;
   for (const model::Segment& nodes : segments) shell_of.emplace(sorted(nodes), none);
@@ -90,17 +122,13 @@ void Reference::add_segments(const std::vector<model::Segment>& segments) {
     const auto wanted = shell_of.find(sorted(model_.shells.node[e]));
     if (wanted != shell_of.end() && wanted->second == none) wanted->second = e;
   }
+  const std::vector<Index> part_at = first_brick_part_at_nodes(model_);
   for (const model::Segment& nodes : segments) {
     const Index shell = shell_of.at(sorted(nodes));
-    if (shell != none) {
+    if (shell != none)
       add_shell(shell);
-      continue;
-    }
-    ReferenceSegment s;
-    s.node = nodes;
-    s.thickness = std::max(contact_.thickness_b, 0.0);
-    s.diagonal = shorter_diagonal(corners(s));
-    segments_.push_back(s);
+    else
+      add_face(nodes, part_at[nodes[0]]);
   }
 }
 

@@ -17,7 +17,7 @@ using model::none;
 struct ReferenceSegment {
   model::Segment node{};
   Index shell = none;      ///< none: the face of something else
-  Index part = none;       ///< of the shell
+  Index part = none;       ///< of the shell or brick
   double thickness = 0.0;  ///< as the contact sees it [length]
   double diagonal = 0.0;   ///< the shorter one [length]
 
@@ -63,7 +63,9 @@ class Reference {
 
  private:
   void add_shell(Index shell);
+  void add_brick_faces(Index part);
   void add_segments(const std::vector<model::Segment>& segments);
+  void add_face(const model::Segment& nodes, Index part);
   /// Holds every point that the segment may be in reach of, but for the share of the node's own thickness.
   Box neighbourhood(const ReferenceSegment& segment) const;
   bool allowed(const ReferenceSegment& segment, const Tracked& tracked) const;

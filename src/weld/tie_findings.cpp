@@ -15,15 +15,6 @@ namespace {
 /// Weights below this are round-off of a node on an edge or a corner.
 constexpr double no_weight = 1e-10;
 
-std::string name_body(const model::RigidBody& body) {
-  switch (body.origin) {
-    case model::RigidBody::Origin::part: return fmt::format("rigid part {}", body.id);
-    case model::RigidBody::Origin::nodal: return fmt::format("nodal rigid body {}", body.id);
-    case model::RigidBody::Origin::weld: return fmt::format("generalized weld spot {}", body.id);
-  }
-  return {};
-}
-
 std::string move_or_widen(double distance) {
   if (!std::isfinite(distance)) return "put the sheet's part on the reference side (SURFB) of the contact";
   const double thickness = 1.05 * distance / 1.2;
@@ -32,7 +23,7 @@ std::string move_or_widen(double distance) {
 }
 
 std::string shares(const model::Model& model, const Tie& tie) {
-  return fmt::format("{} tied to {}", name_node(model, tie.node), name_segment(model, tie.shell));
+  return fmt::format("{} tied to {}", name_node(model, tie.node), name_segment(model, tie.shell, tie.part));
 }
 
 bool carries(const std::array<double, 4>& weight, int corner) {
@@ -52,8 +43,8 @@ void note_rigid_sheets(const model::Model& model, const Surroundings& around, st
   std::set<std::pair<Index, Index>> told;  // body, part
   for (Tie& tie : ties) {
     tie.rigid_body = body_of_segment(tie, around);
-    if (tie.rigid_body == none) continue;
-    const Index part = tie.shell == none ? none : model.shells.part[tie.shell];
+    if (tie.rigid_body == none || tie.spring) continue;
+    const Index part = tie.part;
     if (!told.insert({tie.rigid_body, part}).second) continue;
     const model::Contact& contact = model.contacts[tie.contact];
     findings.note(
@@ -70,7 +61,7 @@ void warn_of_constrained_segments(const model::Model& model, const Surroundings&
                                   const std::vector<Index>& tie_of, Findings& findings) {
   Tally tally(findings);
   for (const Tie& tie : ties) {
-    if (tie.rigid_body != none) continue;
+    if (tie.rigid_body != none || tie.spring) continue;
     const model::Contact& contact = model.contacts[tie.contact];
     for (int corner = 0; corner < 4; ++corner) {
       const Index n = tie.segment[corner];
@@ -80,7 +71,7 @@ void warn_of_constrained_segments(const model::Model& model, const Surroundings&
         tally.warning(
             "segments with tied nodes", contact.place, name_contact(contact),
             fmt::format("{}: its segment's node {} is itself tied by {} to {}", shares(model, tie), model.nodes.id[n],
-                        name_contact(model.contacts[other.contact]), name_segment(model, other.shell)),
+                        name_contact(model.contacts[other.contact]), name_segment(model, other.shell, other.part)),
             "the load goes on through both ties; to avoid the chain, keep tied edges and welds apart");
       } else if (around.rigid_body[n] != none) {
         tally.warning("segments with nodes of rigid bodies", contact.place, name_contact(contact),
@@ -93,6 +84,27 @@ void warn_of_constrained_segments(const model::Model& model, const Surroundings&
   tally.close();
 }
 
+/// IPBACK: springs take the place of constraints to segments that are constrained themselves.
+void fall_back_on_springs(const model::Model& model, const Surroundings& around, std::vector<Tie>& ties,
+                          std::vector<Index>& tie_of, Findings& findings) {
+  std::vector<int> count(model.contacts.size(), 0);
+  for (Tie& tie : ties) {
+    if (!model.contacts[tie.contact].penalty_fallback) continue;
+    for (int corner = 0; corner < 4 && !tie.spring; ++corner) {
+      const Index n = tie.segment[corner];
+      tie.spring = carries(tie.weight, corner) && (tie_of[n] != none || around.rigid_body[n] != none);
+    }
+    if (!tie.spring) continue;
+    tie_of[tie.node] = none;
+    ++count[tie.contact];
+  }
+  for (std::size_t c = 0; c < count.size(); ++c)
+    if (count[c] > 0 && !model.contacts[c].tie_by_springs())
+      findings.note(
+          model.contacts[c].place, name_contact(model.contacts[c]),
+          fmt::format("{} nodes or their segments are constrained already; springs hold them (IPBACK)", count[c]));
+}
+
 /// Takes away the ties whose segments hang on nothing, again and again; what is left goes round in a circle.
 void refuse_circles(const model::Model& model, const std::vector<Tie>& ties, const std::vector<Index>& tie_of,
                     Findings& findings) {
@@ -101,7 +113,7 @@ void refuse_circles(const model::Model& model, const std::vector<Tie>& ties, con
   for (std::size_t t = 0; t < ties.size(); ++t)
     for (int corner = 0; corner < 4; ++corner) {
       const Index ahead = tie_of[ties[t].segment[corner]];
-      if (ahead == none || !carries(ties[t].weight, corner)) continue;
+      if (ahead == none || ties[t].spring || !carries(ties[t].weight, corner)) continue;
       behind[ahead].push_back(static_cast<Index>(t));
       ++waits_for[t];
     }
@@ -147,6 +159,36 @@ void report_end(const model::Model& model, const Weld& weld, const Projection& p
                        "the sheets cross here: separate them, or swap the ends of the weld");
       return;
     default: return;
+  }
+}
+
+/// Nodes that could turn their segment but hand over translations only.
+void report_hinges(const model::Model& model, const Surroundings& around, const std::vector<Tie>& ties,
+                   Findings& findings) {
+  struct Hinges {
+    int count = 0;
+    const Tie* first = nullptr;
+  };
+  std::vector<Hinges> of_welds(model.contacts.size()), of_others(model.contacts.size());
+  for (const Tie& tie : ties) {
+    if (tie.rotations || tie.rigid_body != none || !around.rotates[tie.node]) continue;
+    Hinges& h = (around.of_weld[tie.node] ? of_welds : of_others)[tie.contact];
+    if (h.count++ == 0) h.first = &tie;
+  }
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    const model::Contact& contact = model.contacts[c];
+    const auto text = [&](const Hinges& h) {
+      return fmt::format(
+          "{} nodes with rotations are tied by translations only, as by hinges: no moment is handed "
+          "over; first {}",
+          h.count, shares(model, *h.first));
+    };
+    if (of_welds[c].count > 0)
+      findings.warning(contact.place, name_contact(contact), text(of_welds[c]),
+                       "tie weld beams to shells with *CONTACT_SPOTWELD; bricks as welds need no rotations");
+    if (of_others[c].count > 0)
+      findings.note(contact.place, name_contact(contact), text(of_others[c]),
+                    "*CONTACT_TIED_SHELL_EDGE_TO_SURFACE hands moments over to shells, ..._TO_SOLID to bricks");
   }
 }
 
@@ -204,8 +246,18 @@ void note_distances(const model::Model& model, const Ties& ties, Findings& findi
 
 }  // namespace
 
-std::string name_segment(const model::Model& model, Index shell) {
-  if (shell == none) return "a segment of no shell";
+std::string name_body(const model::RigidBody& body) {
+  switch (body.origin) {
+    case model::RigidBody::Origin::part: return fmt::format("rigid part {}", body.id);
+    case model::RigidBody::Origin::nodal: return fmt::format("nodal rigid body {}", body.id);
+    case model::RigidBody::Origin::weld: return fmt::format("generalized weld spot {}", body.id);
+  }
+  return {};
+}
+
+std::string name_segment(const model::Model& model, Index shell, Index part) {
+  if (shell == none)
+    return part == none ? "a segment of no element" : fmt::format("a face of part {}", model.parts[part].id);
   return fmt::format("shell {} of part {}", model.shells.id[shell], model.parts[model.shells.part[shell]].id);
 }
 
@@ -222,16 +274,10 @@ std::string name_contact(const model::Contact& contact) {
 
 void report_what_is_not_built(const model::Model& model, const model::Contact& contact,
                               const std::vector<ReferenceSegment>& segments, Findings& findings) {
-  if (contact.birth > 0.0 || contact.death < model::forever)
+  if (contact.birth > 0.0)
     findings.error(contact.place, name_contact(contact),
-                   fmt::format("birth time {:.4g} and death time {:.4g}: a tie that comes or goes is not built",
-                               contact.birth, contact.death),
-                   "leave BT and DT blank");
-  for (Index part : contact.b.parts)
-    if (const model::Part& p = model.parts[part]; p.kind == model::ElementKind::solid && !of_weld_material(model, part))
-      findings.warning(contact.place, name_contact(contact),
-                       fmt::format("part {} is made of bricks; ties go to shells only, so nothing is tied to it", p.id),
-                       "cover its faces with shells of a null material that share its nodes, and tie to them");
+                   fmt::format("birth time {:.4g}: a tie that comes later than the start is not built", contact.birth),
+                   "leave BT blank; DT, the end of a tie, is obeyed");
   std::set<Index> told;
   for (const ReferenceSegment& s : segments) {
     if (s.shell == none || model.shells.offset[s.shell] == 0.0 || !told.insert(s.part).second) continue;
@@ -245,7 +291,7 @@ void report_what_is_not_built(const model::Model& model, const model::Contact& c
 
 void report_empty_side(const model::Contact& contact, bool reference_side, Findings& findings) {
   findings.warning(contact.place, name_contact(contact),
-                   reference_side ? "the reference side (SURFB) has no shells: nothing is tied"
+                   reference_side ? "the reference side (SURFB) has no shells or bricks: nothing is tied"
                                   : "the tracked side (SURFA) has no free nodes: nothing is tied",
                    reference_side ? "name the parts of the sheets" : "name the parts or nodes of the welds");
 }
@@ -280,7 +326,10 @@ void report_untied_nodes(const model::Model& model, const model::Contact& contac
 
 void check_segments(const model::Model& model, const Surroundings& around, std::vector<Tie>& ties, Findings& findings) {
   std::vector<Index> tie_of(model.nodes.size(), none);
-  for (std::size_t t = 0; t < ties.size(); ++t) tie_of[ties[t].node] = static_cast<Index>(t);
+  for (std::size_t t = 0; t < ties.size(); ++t)
+    if (!ties[t].spring) tie_of[ties[t].node] = static_cast<Index>(t);
+  fall_back_on_springs(model, around, ties, tie_of, findings);
+  report_hinges(model, around, ties, findings);
   note_rigid_sheets(model, around, ties, findings);
   warn_of_constrained_segments(model, around, ties, tie_of, findings);
   refuse_circles(model, ties, tie_of, findings);

@@ -12,14 +12,16 @@
 // a remedy.
 namespace nugget::weld {
 
-/// `shell 5 of part 2`.
-std::string name_segment(const model::Model& model, Index shell);
+/// `rigid part 5`.
+std::string name_body(const model::RigidBody& body);
+/// `shell 5 of part 2`, `a face of part 3`.
+std::string name_segment(const model::Model& model, Index shell, Index part);
 /// `node 17 at (1, 2, 3)`, with the coordinates of the deck.
 std::string name_node(const model::Model& model, Index node);
 /// `*CONTACT_SPOTWELD 3`; the id only if there is one.
 std::string name_contact(const model::Contact& contact);
 
-/// Birth and death of a tie, ties to brick faces, sheets whose reference surface is not the one of their nodes.
+/// Birth of a tie, sheets whose reference surface is not the one of their nodes.
 void report_what_is_not_built(const model::Model& model, const model::Contact& contact,
                               const std::vector<ReferenceSegment>& segments, Findings& findings);
 void report_empty_side(const model::Contact& contact, bool reference_side, Findings& findings);
@@ -33,7 +35,8 @@ void report_untied_nodes(const model::Model& model, const model::Contact& contac
 
 /// Looks for segments whose nodes are constrained themselves. A tie whose segment lies in one rigid body gets that
 /// body's index (one note a part); otherwise a constrained segment node gives a warning that names both constraints,
-/// and ties that go round in a circle an error.
+/// and ties that go round in a circle an error. IPBACK makes springs of such ties. Also told: nodes with rotations that
+/// are tied by translations only.
 void check_segments(const model::Model& model, const Surroundings& around, std::vector<Tie>& ties, Findings& findings);
 
 /// The projection cases 4 to 8 weld by weld, what SPOTSTP does about untied welds, and one note on how far nodes were

@@ -45,10 +45,12 @@ struct Record {
 /// One end of a weld: the mean of its face's nodes.
 struct End {
   bool attached = false;   ///< at least one node
+  bool moved = false;      ///< projected onto a segment
   Index sheet = none;      ///< part
   double thickness = 0.0;  ///< of the sheet [length]
   Vec3d normal;            ///< of the segment, zero where there is none
-  Vec3d before, after;     ///< in the deck, and projected onto the sheet [length]
+  Vec3d before, after;     ///< in the deck, and where it is tied [length]
+  Vec3d on_sheet;          ///< projected onto the sheet, moved there or not [length]
 };
 
 /// The nodes that a contact tracks, ascending, each once. `everything` means the nodes of all welds. Nodes that a weld
@@ -122,6 +124,7 @@ class Tying {
   int distorted(const End& a, const End& b, double diameter) const;
   void release_nodes_of_lost_welds();
   void make_ties();
+  void choose_hold(Tie& tie, const model::Contact& contact) const;
   void describe_weld(std::size_t w);
   Projection projection(std::size_t w, Index node, bool overlap) const;
   Projection held_rigidly(Index node) const;
@@ -130,6 +133,10 @@ class Tying {
   std::string reason(const Record& r, const Projection& p) const;
 
   Record* record(Index node) { return record_of_[node] == none ? nullptr : &records_[record_of_[node]]; }
+  /// Whether a tie of this contact moves nodes onto the segments.
+  bool projects(Index contact) const {
+    return !model_.control.keep_tied_gap && model_.contacts[contact].offset == model::Contact::Offset::projected;
+  }
   const Record* record(Index node) const { return record_of_[node] == none ? nullptr : &records_[record_of_[node]]; }
   /// A node that needs no tie: a node of a sheet, or of a rigid body.
   bool held(Index node) const { return around_.shell[node] != none || around_.rigid_body[node] != none; }
@@ -138,6 +145,7 @@ class Tying {
     return held(node) || (r && r->tied);
   }
   Index sheet_at(Index node) const;
+  Vec3d foot(Index node) const;
   Vec3d projected(Index node) const;
   End end(const Weld& weld, int side) const;
   bool penetrating(const Weld& weld) const;
@@ -200,7 +208,7 @@ std::vector<Tracked> Tying::tracked_nodes(Index contact) {
   std::vector<Index> rigid;
   std::vector<Tracked> tracked;
   for (Index node : nodes_on_side_a(model_, c, around_)) {
-    if (around_.rigid_body[node] != none) {
+    if (around_.rigid_body[node] != none && !c.penalty_fallback) {
       rigid.push_back(node);
       continue;
     }
@@ -301,9 +309,15 @@ Index Tying::sheet_at(Index node) const {
   return parts.empty() ? none : parts.front();
 }
 
-Vec3d Tying::projected(Index node) const {
+/// The place of a tied node on its segment, of any other in the deck.
+Vec3d Tying::foot(Index node) const {
   const Record* r = record(node);
   return r && r->tied ? r->closest.foot.point : model_.nodes.x[node];
+}
+
+Vec3d Tying::projected(Index node) const {
+  const Record* r = record(node);
+  return r && r->tied && projects(r->closest.contact) ? r->closest.foot.point : model_.nodes.x[node];
 }
 
 End Tying::end(const Weld& weld, int side) const {
@@ -313,10 +327,12 @@ End Tying::end(const Weld& weld, int side) const {
     ++count;
     end.before += model_.nodes.x[node];
     end.after += projected(node);
+    end.on_sheet += foot(node);
     if (end.attached || !attached(node)) continue;
     end.attached = true;
     end.sheet = sheet_at(node);
     if (const Record* r = record(node); r && r->tied) {
+      end.moved = projects(r->closest.contact);
       const ReferenceSegment& s = r->closest.segment;
       const std::vector<Vec3d>& x = model_.nodes.x;
       end.thickness = s.thickness;
@@ -328,6 +344,7 @@ End Tying::end(const Weld& weld, int side) const {
   if (count > 0) {
     end.before = (1.0 / count) * end.before;
     end.after = (1.0 / count) * end.after;
+    end.on_sheet = (1.0 / count) * end.on_sheet;
   }
   return end;
 }
@@ -354,7 +371,7 @@ void Tying::judge(std::size_t w) {
     return;
   }
   const End a = end(weld, 0), b = end(weld, 1);
-  if ((a.attached || b.attached) && !model_.control.keep_tied_gap) fates_[w] = distorted(a, b, weld.diameter);
+  if (a.moved || b.moved) fates_[w] = distorted(a, b, weld.diameter);
   const auto is_attached = [&](const Projection& p) { return attached(p.node); };
   const auto is_tracked = [&](const Projection& p) { return record(p.node) != nullptr; };
   weld.tied = fates_[w] == 0 && std::all_of(weld.ends.begin(), weld.ends.end(), is_attached);
@@ -381,23 +398,37 @@ void Tying::make_ties() {
     Record* r = record(node);
     if (!r || !r->tied) continue;
     const Candidate& c = r->closest;
+    const model::Contact& contact = model_.contacts[c.contact];
     Tie tie;
     tie.node = node;
     tie.contact = c.contact;
     tie.shell = c.segment.shell;
+    tie.part = c.segment.part;
     tie.segment = c.segment.node;
     tie.xi = c.foot.xi;
     tie.eta = c.foot.eta;
     tie.weight = c.foot.weight;
     tie.point = c.foot.point;
     tie.gap = c.foot.gap;
-    tie.moved = model_.control.keep_tied_gap ? 0.0 : c.foot.gap;
-    tie.rotations = around_.rotates[node] && c.segment.shell != none;
-    if (!model_.control.keep_tied_gap) result_.x[node] = tie.point;
+    tie.moved = projects(c.contact) ? c.foot.gap : 0.0;
+    if (projects(c.contact)) result_.x[node] = tie.point;
+    choose_hold(tie, contact);
     r->tie = static_cast<Index>(result_.ties.size());
     result_.ties.push_back(tie);
   }
   check_segments(model_, around_, result_.ties, findings_);
+}
+
+/// What the tie hands over, and by what means.
+void Tying::choose_hold(Tie& tie, const model::Contact& contact) const {
+  using Offset = model::Contact::Offset;
+  const bool on_shell = tie.shell != none;
+  const bool with_couples = contact.kind == model::Contact::Kind::tied_shell_edge_to_solid;
+  tie.rotations = around_.rotates[tie.node] && contact.ties_rotations() && (on_shell || with_couples);
+  tie.twist = contact.torsion && tie.rotations && on_shell;
+  tie.couples = !on_shell && (with_couples || contact.offset != Offset::projected || model_.control.keep_tied_gap);
+  tie.spring = contact.tie_by_springs() || around_.rigid_body[tie.node] != none;
+  tie.lever = contact.offset != Offset::penalty;
 }
 
 /// Sheets closer to each other than their thicknesses allow, in the right order.
@@ -406,7 +437,7 @@ bool Tying::penetrating(const Weld& weld) const {
   if (!a.attached || !b.attached || a.sheet == b.sheet || a.thickness == 0.0 || b.thickness == 0.0) return false;
   const Vec3d n = norm(a.normal) > 0.0 ? a.normal : b.normal;
   if (norm(n) == 0.0) return false;
-  return std::abs(dot(b.after - a.after, n)) < (1.0 - penetration_share) * 0.5 * (a.thickness + b.thickness);
+  return std::abs(dot(b.on_sheet - a.on_sheet, n)) < (1.0 - penetration_share) * 0.5 * (a.thickness + b.thickness);
 }
 
 void Tying::describe_weld(std::size_t w) {
@@ -490,7 +521,7 @@ int Tying::position_case(const Record& r) const {
 
 std::string Tying::reason(const Record& r, const Projection& p) const {
   const Foot& foot = r.closest.foot;
-  const std::string segment = name_segment(model_, r.closest.segment.shell);
+  const std::string segment = name_segment(model_, r.closest.segment.shell, r.closest.segment.part);
   const std::string distance = fmt::format("{:.4g}", foot.gap);
   std::string text;
   switch (p.kase) {
@@ -519,9 +550,13 @@ Ties tie(const model::Model& model, Findings& findings) {
 
 std::string describe(const model::Model& model, const Tie& tie) {
   const auto id = [&](int corner) { return model.nodes.id[tie.segment[corner]]; };
-  return fmt::format("node {} on segment {} {} {} {} ({}), xi {:.6f} eta {:.6f}, moved {:.4g}",
-                     model.nodes.id[tie.node], id(0), id(1), id(2), id(3), name_segment(model, tie.shell), tie.xi,
-                     tie.eta, tie.moved);
+  std::string text =
+      fmt::format("node {} on segment {} {} {} {} ({}), xi {:.6f} eta {:.6f}, moved {:.4g}", model.nodes.id[tie.node],
+                  id(0), id(1), id(2), id(3), name_segment(model, tie.shell, tie.part), tie.xi, tie.eta, tie.moved);
+  if (tie.moved == 0.0 && tie.gap > 0.0) text += fmt::format(", gap {:.4g} kept", tie.gap);
+  if (tie.spring) text += ", by springs";
+  if (!tie.rotations) text += ", translations only";
+  return text;
 }
 
 }  // namespace nugget::weld

@@ -17,18 +17,24 @@ namespace nugget::weld {
 using model::Index;
 using model::none;
 
-/// A node that follows a segment: v = sum of weight_k v_k, and the spins likewise if `rotations`.
+/// A node that follows a segment: v = sum of weight_k v_k, and the spins likewise if `rotations`. A node that is not
+/// moved onto the segment keeps its gap, which turns with the segment.
 struct Tie {
   Index node = none;
-  Index contact = none;  ///< in Model::contacts
-  Index shell = none;    ///< whose face the segment is; none for a segment that belongs to no shell
+  Index contact = none;                            ///< in Model::contacts
+  Index shell = none;                              ///< whose face the segment is; none for the face of a brick
+  Index part = none;                               ///< of the shell or brick; none for a segment of neither
   model::Segment segment{none, none, none, none};  ///< nodes; a triangle repeats its third
   double xi = 0.0, eta = 0.0;      ///< bilinear coordinates; on a triangle the area coordinates of its corners 2 and 3
   std::array<double, 4> weight{};  ///< shape functions, summing to 1; on a triangle the fourth is 0
   Vec3d point;                     ///< the node projected onto the surface through the segment's nodes [length]
   double gap = 0.0;                ///< from the node's place in the deck to `point` [length]
   double moved = 0.0;     ///< how far projection moved the node: `gap`, or 0 where TIEDPRJ = 1 keeps the gap [length]
-  bool rotations = true;  ///< node and segment both carry rotations, so moments are handed over
+  bool rotations = true;  ///< moments are handed over
+  bool twist = false;     ///< the moment about the segment's normal as in-plane forces (_WITH_TORSION)
+  bool couples = false;   ///< all moments as forces: the face of a brick, whose nodes have no rotations
+  bool spring = false;    ///< by penalty: the node is held by springs instead of a constraint
+  bool lever = true;      ///< the gap counts as a lever; false: _OFFSET by penalty
   Index rigid_body =
       none;  ///< in Model::rigid_bodies, if it carries all nodes of the segment: the node then belongs to it
 };

@@ -57,7 +57,7 @@ const Card friction_card{{
     real("vdc", dimension::number, 0, at_least(0), "damping, percent of critical"),
     integer("penchk", 0, any_value, "check of small penetrations; none in automatic contacts"),
     real("bt", dimension::time, 0, at_least(0), "the contact acts from this time on"),
-    real("dt", dimension::time, forever, at_least(0), "until this time"),
+    real("dt", dimension::time, forever, at_least(0), "until this time; 0: for ever"),
 }};
 const Card scale_card{{
     real("sfsa", dimension::number, 1, at_least(0), "scale of the tracked side's stiffness (SFS)"),
@@ -114,7 +114,7 @@ const Card card_d{{
 const Card card_e{{
     integer("sharec", 0, any_value, "shared constraints"),
     integer("cparm8", 0, any_value, "beams"),
-    integer("ipback", 0, any_value, "penalty in place of a constraint"),
+    integer("ipback", 0, any_value, "ties: not 0: springs where a node or its segment is constrained already"),
     integer("srnde", 0, any_value, "round edges of shells"),
     real("fricsf", dimension::number, 1, any_value, "scale of friction"),
     integer("icor", 0, any_value, "restitution"),
@@ -225,6 +225,8 @@ void take_friction(Builder& builder, const Row& row, Contact& contact) {
   contact.birth = row.real("bt");
   contact.death = death_time(row.real("dt"));
   if (!contact.tie()) warn_of_friction(builder, row);
+  if (contact.tie_by_springs())
+    expect(builder, row, Severity::warning, {{"vdc", 0, "the springs of a tie have no damping here"}});
 }
 
 void take_scales(const Row& row, Contact& contact) {
@@ -285,9 +287,9 @@ void take_d(Builder& builder, const Row& row, const Contact& contact) {
             {"shledg", 0, left}});
 }
 
-void take_e(Builder& builder, const Row& row, const Contact& contact) {
+void take_e(Builder& builder, const Row& row, Contact& contact) {
   if (contact.tie())
-    expect(builder, row, Severity::error, {{"ipback", 0, "a penalty in place of a constraint is not built"}});
+    contact.penalty_fallback = row.integer("ipback") != 0;
   else
     expect(builder, row, Severity::warning,
            {{"srnde", 0, left}, {"icor", 0, left}, {"ftorq", 0, left}, {"region", 0, left}});
@@ -319,6 +321,24 @@ void skip_mpp(Cursor& cursor, const Options& options) {
   if (cursor.peek().starts_with('&')) cursor.read(mpp_card2);
 }
 
+/// The forms of a tie that its keyword names.
+void take_form(Builder& builder, const Block& block, const Options& options, Contact& contact) {
+  using Offset = Contact::Offset;
+  int offsets = 0;
+  for (const auto& [name, offset] :
+       {std::pair{"OFFSET", Offset::penalty}, std::pair{"BEAM_OFFSET", Offset::beam},
+        std::pair{"CONSTRAINED_OFFSET", Offset::constrained}, std::pair{"PENALTY", Offset::beam},
+        std::pair{"WITH_TORSION_PENALTY", Offset::beam}}) {
+    if (!options.contains(name)) continue;
+    contact.offset = offset;
+    ++offsets;
+  }
+  contact.torsion = options.contains("WITH_TORSION") || options.contains("WITH_TORSION_PENALTY");
+  if (offsets > 1)
+    builder.findings.error(block.place, '*' + block.keyword, "says twice how the gap is to be kept",
+                           "keep one of _OFFSET, _BEAM_OFFSET, _CONSTRAINED_OFFSET, _PENALTY");
+}
+
 template <Kind kind>
 void read_contact(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
@@ -326,6 +346,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   contact.kind = kind;
   contact.keyword = block.keyword;
   contact.place = block.place;
+  take_form(builder, block, options, contact);
   const Heading heading = read_heading(cursor, options.contains("ID") || options.contains("TITLE"));
   contact.id = heading.id;
   contact.title = heading.text;
@@ -347,10 +368,11 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
 }
 
 template <Kind kind>
-Keyword contact_keyword(std::string_view name) {
+Keyword contact_keyword(std::string_view name, std::vector<std::string_view> forms = {}) {
+  forms.insert(forms.end(), {"ID", "TITLE", "MPP"});
   return {name,
           {},
-          {"ID", "TITLE", "MPP"},
+          std::move(forms),
           Verdict::used,
           {},
           {{"with _ID or _TITLE", &heading_card},
@@ -377,22 +399,24 @@ Keyword refused(std::string_view name, std::string_view why) {
 std::vector<Keyword> contact_keywords() {
   return {
       contact_keyword<Kind::single_surface>("CONTACT_AUTOMATIC_SINGLE_SURFACE"),
-      contact_keyword<Kind::spotweld>("CONTACT_SPOTWELD"),
-      contact_keyword<Kind::tied_shell_edge>("CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
+      contact_keyword<Kind::spotweld>("CONTACT_SPOTWELD", {"WITH_TORSION", "WITH_TORSION_PENALTY", "PENALTY", "OFFSET",
+                                                           "BEAM_OFFSET", "CONSTRAINED_OFFSET"}),
+      contact_keyword<Kind::tied_nodes>("CONTACT_TIED_NODES_TO_SURFACE", {"OFFSET", "CONSTRAINED_OFFSET"}),
+      contact_keyword<Kind::tied_surface>("CONTACT_TIED_SURFACE_TO_SURFACE", {"OFFSET", "CONSTRAINED_OFFSET"}),
+      contact_keyword<Kind::tied_shell_edge>("CONTACT_TIED_SHELL_EDGE_TO_SURFACE",
+                                             {"OFFSET", "BEAM_OFFSET", "CONSTRAINED_OFFSET"}),
+      contact_keyword<Kind::tied_shell_edge_to_solid>("CONTACT_TIED_SHELL_EDGE_TO_SOLID"),
 
-      refused("CONTACT_SPOTWELD_WITH_TORSION*",
-              "torsion handed over as forces is not built; *CONTACT_SPOTWELD ties rotations as well"),
       refused("CONTACT_SPOTWELD_*", "this form of the weld tie is not built; use *CONTACT_SPOTWELD"),
-      refused("CONTACT_TIED_SHELL_EDGE_TO_SURFACE_*",
-              "ties with an offset or by penalty are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE, which moves "
-              "the nodes onto the surface"),
-      refused("CONTACT_TIED_SHELL_EDGE_TO_SOLID*",
-              "shell edges tied to solids are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE on shells"),
-      refused("CONTACT_TIED_NODES_TO_SURFACE*",
-              "ties of translations only are not built; use *CONTACT_SPOTWELD or *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
-      refused("CONTACT_TIED_SURFACE_TO_SURFACE*",
-              "ties of translations only are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
-      refused("CONTACT_TIED_*", "this tie is not built; use *CONTACT_SPOTWELD or *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
+      refused("CONTACT_TIED_NODES_TO_SURFACE_*",
+              "this form is not built; of the ties of translations only _OFFSET and _CONSTRAINED_OFFSET are"),
+      refused(
+          "CONTACT_TIED_SURFACE_TO_SURFACE_*",
+          "this form is not built (ties of translations only: _OFFSET and _CONSTRAINED_OFFSET are; ties that fail are "
+          "not)"),
+      refused("CONTACT_TIED_*",
+              "this tie is not built; *CONTACT_SPOTWELD, *CONTACT_TIED_NODES_TO_SURFACE, "
+              "*CONTACT_TIED_SURFACE_TO_SURFACE, *CONTACT_TIED_SHELL_EDGE_TO_SURFACE and ..._TO_SOLID are"),
       refused("CONTACT_AUTOMATIC_SINGLE_SURFACE_*", "this form is not built; use *CONTACT_AUTOMATIC_SINGLE_SURFACE"),
       refused("CONTACT_AUTOMATIC_GENERAL*",
               "contact of beams and edges is not built; use *CONTACT_AUTOMATIC_SINGLE_SURFACE for the sheets"),

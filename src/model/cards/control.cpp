@@ -101,8 +101,10 @@ const Card contact_card_4{{
     flag("skiprwg", "pictures of rigid walls, no effect"),
     integer("outseg", 0, between(0, 1), "1: list weld nodes and their segments"),
     integer("spotstp", 0, between(0, 3), "weld without a sheet: 0 warn, 1 stop, 2 delete it, 3 keep it"),
-    integer("spotdel", 0, between(0, 1), "1: a weld goes with the shells it is tied to"),
-    real("spothin", dimension::number, 0, between(0, 1), "contact thickness of sheets near welds; 0: as it is"),
+    integer("spotdel", 0, between(0, 1),
+            "when the shells that a weld is tied to are deleted: 0 its nodes are let go, 1 it is deleted too"),
+    real("spothin", dimension::number, 0, between(0, 1),
+         "factor on the contact thickness of shells near welds; 0: as it is"),
     flag("dir_tie", "of LS-DYNA over several processes, no effect"),
 }};
 
@@ -113,7 +115,8 @@ const Card contact_card_5{{
     factor("rwgdth", 0, "for rigid walls by penalty, no effect"),
     factor("rwksf", 1, "for rigid walls by penalty, no effect"),
     flag("icov", "for eroding contact, no effect"),
-    factor("swradf", 0, "radius of SPOTHIN, no effect without it"),
+    real("swradf", dimension::number, 0, at_least(0),
+         "SPOTHIN thins shells within this many radii of a weld; 0: those that it is tied to"),
     flag("ithoff", "thermal, no effect"),
 }};
 
@@ -298,7 +301,7 @@ void read_contact(Builder& b, const Block& block, const Options&) {
   const Row one = cursor.read(contact_card_1), two = cursor.read(contact_card_2);
   cursor.read(contact_card_3);
   const Row four = cursor.read(contact_card_4);
-  cursor.read(contact_card_5);
+  const Row five = cursor.read(contact_card_5);
   const Row six = cursor.read(contact_card_6);
   cursor.read(contact_card_7);
   expect_end(b, cursor);
@@ -306,9 +309,6 @@ void read_contact(Builder& b, const Block& block, const Options&) {
          {{"penopt", 1, "not obeyed: the smaller stiffness of node and segment is used, as with 1"},
           {"thkchg", 0, "not obeyed: contact sees the initial thickness, as with 0"},
           {"enmass", 0, "not obeyed: nodes without elements leave the contact, as with 0"}});
-  expect(b, four, Severity::warning,
-         {{"spotdel", 0, "not obeyed: a weld stays when the shells that it is tied to are deleted, as with 0"},
-          {"spothin", 0, "not obeyed: sheets keep their contact thickness near welds, as with 0"}});
   expect(b, six, Severity::warning,
          {{"shledg", 0, "not obeyed: shell edges are round, as with 0"},
           {"shltrw", 0, "not obeyed: rigid walls stop the mid-surface of shells, as with 0"},
@@ -323,6 +323,7 @@ void read_contact(Builder& b, const Block& block, const Options&) {
   c.untied_weld_place = four.place("spotstp");
   c.weld_of_deleted_shell = four.integer("spotdel");
   c.weld_thinning = four.real("spothin");
+  c.weld_thinning_radius = five.real("swradf");
   c.wall_thickness_share = six.real("shltrw");
 }
 

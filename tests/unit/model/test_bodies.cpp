@@ -273,6 +273,44 @@ TEST(Contacts, TiesAndTheirSides) {
   EXPECT_EQ(contacts[2].a.segments.size(), 2u);
 }
 
+TEST(Contacts, FormsOfTies) {
+  using Kind = Contact::Kind;
+  using Offset = Contact::Offset;
+  struct Form {
+    const char* keyword;
+    Kind kind;
+    Offset offset;
+    bool torsion;
+  };
+  for (const Form& f :
+       {Form{"CONTACT_SPOTWELD_WITH_TORSION", Kind::spotweld, Offset::projected, true},
+        Form{"CONTACT_SPOTWELD_WITH_TORSION_PENALTY", Kind::spotweld, Offset::beam, true},
+        Form{"CONTACT_SPOTWELD_PENALTY_MPP", Kind::spotweld, Offset::beam, false},
+        Form{"CONTACT_SPOTWELD_BEAM_OFFSET_TITLE", Kind::spotweld, Offset::beam, false},
+        Form{"CONTACT_SPOTWELD_CONSTRAINED_OFFSET", Kind::spotweld, Offset::constrained, false},
+        Form{"CONTACT_TIED_NODES_TO_SURFACE", Kind::tied_nodes, Offset::projected, false},
+        Form{"CONTACT_TIED_NODES_TO_SURFACE_OFFSET_ID", Kind::tied_nodes, Offset::penalty, false},
+        Form{"CONTACT_TIED_SURFACE_TO_SURFACE_CONSTRAINED_OFFSET", Kind::tied_surface, Offset::constrained, false},
+        Form{"CONTACT_TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET_ID", Kind::tied_shell_edge, Offset::beam, false},
+        Form{"CONTACT_TIED_SHELL_EDGE_TO_SOLID", Kind::tied_shell_edge_to_solid, Offset::projected, false}}) {
+    const std::string keyword = f.keyword;
+    const bool heading = keyword.ends_with("ID") || keyword.ends_with("TITLE");
+    const std::string first = keyword.ends_with("SOLID") || !heading ? "" : "         7name\n";
+    const std::string mpp = keyword.ends_with("MPP") ? "         0\n" : "";
+    const Built built(
+        small_deck('*' + keyword + '\n' + first + mpp + "         1         3         4         3\n\n\n\n\n\n\n,,1\n"));
+    ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
+    const Contact& contact = built.model.contacts.at(0);
+    EXPECT_EQ(contact.kind, f.kind) << keyword;
+    EXPECT_EQ(contact.offset, f.offset) << keyword;
+    EXPECT_EQ(contact.torsion, f.torsion) << keyword;
+    EXPECT_TRUE(contact.penalty_fallback) << keyword;
+  }
+  EXPECT_TRUE(
+      Built(small_deck("*CONTACT_SPOTWELD_PENALTY_CONSTRAINED_OFFSET\n         1         3         4         3\n"))
+          .error("says twice"));
+}
+
 TEST(Contacts, WhatCannotBeObeyedIsRefused) {
   const auto single = [](const char* rest) {
     return Built(small_deck(std::string("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n") + rest));
@@ -287,8 +325,8 @@ TEST(Contacts, WhatCannotBeObeyedIsRefused) {
   EXPECT_TRUE(
       Built(small_deck("*CONTACT_SPOTWELD\n         1         1         4         4\n")).error("segments", "surfbtyp"));
   for (const char* name :
-       {"CONTACT_SPOTWELD_WITH_TORSION", "CONTACT_TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET_ID",
-        "CONTACT_TIED_NODES_TO_SURFACE_OFFSET", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", "CONTACT_ENTITY"})
+       {"CONTACT_SPOTWELD_THERMAL", "CONTACT_TIED_NODES_TO_SURFACE_BEAM_OFFSET",
+        "CONTACT_TIED_SURFACE_TO_SURFACE_FAILURE", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", "CONTACT_ENTITY"})
     EXPECT_TRUE(Built(small_deck('*' + std::string(name) + "\n         1\n")).error("not built")) << name;
 }
 

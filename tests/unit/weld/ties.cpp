@@ -587,16 +587,105 @@ TEST(Ties, SheetsOffTheirNodesAreWarnedOfOnceAPart) {
   EXPECT_THAT(text(a.findings), HasSubstr("the mid-surface of part 2 lies 0.5 off its nodes"));
 }
 
-TEST(Ties, BricksOnTheReferenceSideAreWarnedOf) {
+/// Two sheets with a block of brick 5 mm wide on the upper one's place; a beam that ends on its face.
+struct OnABlock : TwoSheets {
+  Index block;
+  OnABlock() : block(part(model::ElementKind::solid, kernel::Elastic{210000.0, 0.3})) {
+    brick(block, 15, 15, 2, 10, 5.0);
+    const Index weld_bricks = solid_part();  // these are not meant as sheets
+    model.contacts[0].b.parts = {lower, block, weld_bricks};
+    beam(welds, {15, 15, 0}, {15.5, 15, 2.2});
+  }
+};
+
+TEST(Ties, TheOuterFacesOfBricksAreSegmentsToo) {
+  OnABlock a;
+  const Ties ties = a.tied();
+  const Weld& weld = ties.welds.at(0);
+  ASSERT_EQ(ties.ties.size(), 2u);
+  const Tie& tie = ties.ties[1];
+  EXPECT_EQ(tie.shell, none);
+  EXPECT_EQ(tie.part, a.block);
+  EXPECT_FALSE(tie.rotations);
+  EXPECT_FALSE(tie.couples);
+  EXPECT_NEAR(ties.x[tie.node].z, 2.0, 1e-12);
+  EXPECT_EQ(weld.sheets, (std::array<Index, 2>{a.lower, a.block}));
+  EXPECT_THAT(text(a.findings), HasSubstr("tied to a face of part 4"));
+  EXPECT_THAT(text(a.findings), HasSubstr("1 nodes with rotations are tied by translations only, as by hinges"));
+  EXPECT_EQ(a.findings.warnings(), 1) << text(a.findings);
+}
+
+TEST(Ties, ShellEdgeToSolidHandsMomentsOverAsCouples) {
+  OnABlock a;
+  a.model.contacts[0].kind = model::Contact::Kind::tied_shell_edge_to_solid;
+  const Ties ties = a.tied();
+  EXPECT_FALSE(ties.ties[0].couples);
+  EXPECT_TRUE(ties.ties[1].couples);
+  EXPECT_TRUE(ties.ties[1].rotations);
+  EXPECT_EQ(a.findings.warnings(), 0) << text(a.findings);
+}
+
+/// What the forms of a tie do with a gap of 0.25.
+TEST(Ties, FormsOfATie) {
+  using Kind = model::Contact::Kind;
+  using Offset = model::Contact::Offset;
+  struct Form {
+    Kind kind;
+    Offset offset;
+    bool torsion;
+    bool moves, rotations, twist, spring, lever;
+  };
+  for (const Form& f : {Form{Kind::spotweld, Offset::projected, false, true, true, false, false, true},
+                        Form{Kind::spotweld, Offset::projected, true, true, true, true, false, true},
+                        Form{Kind::spotweld, Offset::constrained, false, false, true, false, false, true},
+                        Form{Kind::spotweld, Offset::beam, true, false, true, true, true, true},
+                        Form{Kind::tied_nodes, Offset::projected, false, true, false, false, false, true},
+                        Form{Kind::tied_surface, Offset::penalty, false, false, false, false, true, false},
+                        Form{Kind::tied_shell_edge, Offset::penalty, false, false, true, false, true, false},
+                        Form{Kind::tied_shell_edge, Offset::beam, false, false, true, false, true, true}}) {
+    TwoSheets a;
+    a.model.contacts[0].kind = f.kind;
+    a.model.contacts[0].offset = f.offset;
+    a.model.contacts[0].torsion = f.torsion;
+    a.beam(a.welds, {15, 15, 0.25}, {15, 15, 0.75});
+    const Ties ties = a.tied();
+    const Tie& tie = ties.welds.at(0).ends[0].tie;
+    EXPECT_TRUE(ties.welds[0].tied);
+    EXPECT_EQ(ties.x[tie.node].z, f.moves ? 0.0 : 0.25);
+    EXPECT_EQ(tie.moved, f.moves ? 0.25 : 0.0);
+    EXPECT_EQ(ties.welds[0].length, f.moves ? 1.0 : 0.5);
+    EXPECT_EQ(tie.rotations, f.rotations);
+    EXPECT_EQ(tie.twist, f.twist);
+    EXPECT_EQ(tie.spring, f.spring);
+    EXPECT_EQ(tie.lever, f.lever);
+    EXPECT_EQ(a.findings.warnings(), f.rotations ? 0 : 1) << text(a.findings);
+  }
+}
+
+TEST(Ties, IpbackPutsSpringsWhereConstraintsMeet) {
   TwoSheets a;
-  const Index block = a.part(model::ElementKind::solid, kernel::Elastic{210000.0, 0.3});
-  a.brick(block, 15, 15, 2, 10, 5.0);
-  const Index weld_bricks = a.solid_part();  // these are not meant as sheets
-  a.model.contacts[0].b.parts = {a.lower, a.upper, block, weld_bricks};
+  model::RigidBody body;
+  body.id = 2;
+  body.parts = {a.upper};
+  for (Index n = 16; n < 32; ++n) body.nodes.push_back(n);
+  a.model.rigid_bodies.push_back(body);
   a.beam(a.welds, {15, 15, 0}, {15, 15, 1});
-  a.tied();
-  EXPECT_EQ(a.findings.warnings(), 1);
-  EXPECT_THAT(text(a.findings), HasSubstr("part 4 is made of bricks"));
+  a.model.contacts[0].penalty_fallback = true;
+  const Ties ties = a.tied();
+  EXPECT_FALSE(ties.ties[0].spring);
+  EXPECT_TRUE(ties.ties[1].spring);
+  EXPECT_EQ(ties.ties[1].rigid_body, 0);
+  EXPECT_THAT(text(a.findings),
+              HasSubstr("1 nodes or their segments are constrained already; springs hold them (IPBACK)"));
+}
+
+TEST(Ties, SpringsMayGoRoundInACircle) {
+  TwoSheets a;
+  a.model.contacts.clear();
+  a.tie({a.lower}, {a.upper}).offset = model::Contact::Offset::beam;
+  a.tie({a.upper}, {a.lower}).offset = model::Contact::Offset::beam;
+  EXPECT_EQ(a.tied().ties.size(), 32u);
+  EXPECT_EQ(a.findings.errors(), 0) << text(a.findings);
 }
 
 TEST(Ties, AWeldThatNoContactTracksIsWarnedOf) {
@@ -609,13 +698,16 @@ TEST(Ties, AWeldThatNoContactTracksIsWarnedOf) {
   EXPECT_THAT(text(a.findings), HasSubstr("beam weld 1000: node 33 at (15, 15, 0): no contact tracks it"));
 }
 
-TEST(Ties, ATieThatComesOrGoesIsRefused) {
+TEST(Ties, ATieThatComesLaterIsRefusedOneThatEndsIsNot) {
   TwoSheets a;
   a.model.contacts[0].death = 0.01;
   a.beam(a.welds, {15, 15, 0}, {15, 15, 1});
   a.tied();
+  EXPECT_EQ(a.findings.errors(), 0);
+  a.model.contacts[0].birth = 0.001;
+  a.tied();
   EXPECT_EQ(a.findings.errors(), 1);
-  EXPECT_THAT(text(a.findings), HasSubstr("a tie that comes or goes is not built"));
+  EXPECT_THAT(text(a.findings), HasSubstr("a tie that comes later than the start is not built"));
 }
 
 TEST(Ties, AnEmptySideIsWarnedOf) {
@@ -623,7 +715,7 @@ TEST(Ties, AnEmptySideIsWarnedOf) {
   a.model.contacts[0].b.parts = {};
   a.beam(a.welds, {15, 15, 0}, {15, 15, 1});
   a.tied();
-  EXPECT_THAT(text(a.findings), HasSubstr("the reference side (SURFB) has no shells: nothing is tied"));
+  EXPECT_THAT(text(a.findings), HasSubstr("the reference side (SURFB) has no shells or bricks: nothing is tied"));
 }
 
 TEST(Ties, ABrickWeldIsTiedByItsEightNodes) {

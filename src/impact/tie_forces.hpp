@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "system/system.hpp"
+
+namespace nugget::impact {
+
+/// The springs of ties by penalty. Each holds its node at its anchor, a virtual node that follows the segment like a
+/// node tied by constraint would (system::System::springs): force -k u on the node, +k u on the anchor, from where the
+/// constraint map brings it to the segment. Where the tie hands over rotations a rotary spring holds the relative
+/// angle.
+///
+/// u is the distance that has come up since the start. With a lever node and anchor start at one place, so that the
+/// pair of forces turns nothing: rigid motion gives no force, and linear and angular momentum are kept. Without
+/// (_OFFSET) the anchor is the foot and the gap a vector constant in space: forces come in pairs, but a rotation of the
+/// assembly is resisted, as LS-DYNA documents of this form.
+///
+/// Stiffness: k = SFSA times that of the segment, K A / longest diagonal of a shell, K A^2 / V of a brick
+/// (kernel/contact/penalty.hpp), and of the rotary spring k A; each at most what the step bears. With G = sum over
+/// independent nodes of B (M / n)^-1 B^t, the inverse mass seen by the relative motion when every node shares its mass
+/// evenly among the n springs at it, lambda_max(K G) <= bearable / dt^2 for each spring implies the same for all
+/// together; `bearable` = min(1/2, 3 (1 - TSSFAC^2)) stays below the 4 (1 - TSSFAC^2) that elements with
+/// lambda_max <= 4 TSSFAC^2 / dt^2 leave of the 4 / dt^2 of central differences. The stiffness never rises in a run.
+class TieForces {
+ public:
+  explicit TieForces(const system::System& system);
+
+  bool empty() const { return springs_.empty(); }
+  /// To be called when masses have changed, and at the start.
+  void find_bounds();
+  /// Adds the forces at state.time to state.f and state.m, and books their work over the step that ends there.
+  void apply(system::State& state);
+  /// Ends one tie, an index of Ties::ties.
+  void release(std::size_t tie);
+
+  /// Stored in the springs, and lost to their softening where the step grew: minus the work of their forces [energy].
+  double energy() const { return energy_; }
+  /// Sum of the forces on the tied nodes of a contact, an index of Model::contacts.
+  Vec3d resultant(model::Index contact) const;
+
+ private:
+  struct Spring {
+    std::size_t tie;
+    int node, anchor;
+    bool rotary = false;
+    Vec3d gap;                                       ///< from anchor to node at rest, constant in space
+    double stiffness = 0.0, rotary_stiffness = 0.0;  ///< of the segment
+    double bound = 0.0, rotary_bound = 0.0;          ///< times dt^2: the largest stiffness
+    Vec3d angle;                                     ///< of the node against the anchor
+    Vec3d force, moment;                             ///< on the node
+    bool released = false;
+  };
+  void set_stiffness(Spring& spring) const;
+
+  const system::System& system_;
+  std::vector<Spring> springs_;
+  double longest_step_ = 0.0;
+  double energy_ = 0.0;
+};
+
+}  // namespace nugget::impact
