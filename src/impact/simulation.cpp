@@ -44,8 +44,8 @@ Simulation::Simulation(system::System& system, Findings& findings)
   for (std::size_t k = 0; k < system.all_nodes(); ++k) dependent_[k] = system.map.dependent(static_cast<int>(k));
   shell_alive_.assign(model.shells.size(), 1);
   for (const model::Contact& card : model.contacts) {
-    if (card.tie()) continue;
-    contact::SingleSurfaceSetup setup = contact_setup(system, card);
+    if (!card.slides()) continue;
+    contact::SurfaceContactSetup setup = contact_setup(system, card);
     if (setup.segments.empty()) {
       findings.error(card.place, '*' + card.keyword,
                      "the contact has no segments: none of its parts has shells or bricks", "check SURFA and SURFATYP");
@@ -287,7 +287,7 @@ void Simulation::move() {
 }
 
 void Simulation::forces() {
-  for (contact::SingleSurface& c : contacts_)
+  for (contact::SurfaceContact& c : contacts_)
     c.apply(state_.time, state_.dt, state_.x, state_.v, contact_mass_, shell_alive_, state_.f);
   loads_.apply(state_, state_.dt);
 }
@@ -310,7 +310,7 @@ void Simulation::account() {
   element_energies(system_, state_, v_before_, energy_, parts_);
   energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_);
   energy_.contact = 0.0;
-  for (const contact::SingleSurface& c : contacts_) energy_.contact += c.energy();
+  for (const contact::SurfaceContact& c : contacts_) energy_.contact += c.energy();
   energy_.wall = 0.0;
   for (const contact::RigidWall& w : walls_) energy_.wall += w.energy_until_now();
   energy_.external = supports_.work() + loads_.work();
