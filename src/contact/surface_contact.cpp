@@ -12,6 +12,8 @@ namespace {
 
 constexpr int block_size = 64;
 constexpr std::size_t group_size = 4096;
+constexpr double pressing_depth = 0.3;  // of a brick's depth
+constexpr double extension = 0.025;     // of a brick's face beyond its border, in sides
 
 bool finite(const Row& r) {
   return std::isfinite(r.x + r.y + r.z);
@@ -46,6 +48,8 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
     : setup_(std::move(setup)), around_(setup_.segments) {
   for (const Segment& s : setup_.segments) {
     segment_stiffness_.push_back(setup_.stiffness_scale * penalty_stiffness(s, x));
+    const double a = area(s, x);
+    inner_.push_back(s.volume > 0.0 && a > 0.0 ? pressing_depth * s.volume / a : 0.0);
     thickest_segment_ = std::max(thickest_segment_, s.thickness);
     surface_.insert(surface_.end(), s.node.begin(), s.node.end());
   }
@@ -157,7 +161,7 @@ void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned cha
     Box box;
     for (const Vec3d& c : corners_of(segment, x)) box.add(c);
     living_.push_back(static_cast<int>(s));
-    boxes_.push_back(box.grown(0.5 * segment.thickness));
+    boxes_.push_back(box.grown(0.5 * segment.thickness + inner_[s]));
   }
   tree_ = BoxTree(boxes_);
 
@@ -189,7 +193,7 @@ void SurfaceContact::list_neighbours(Block& block, std::span<const Row> x, std::
       Pair pair;
       pair.segment = living_[item];
       const Segment& segment = setup_.segments[pair.segment];
-      const double far = reach(t, pair.segment) + margin_;
+      const double far = reach(t, pair.segment) + inner_[pair.segment] + margin_;
       if (!(segment.side & tracked.against) || segment.has(tracked.node)) return;
       const kernel::Corners corners = corners_of(segment, x);
       if (kernel::least_distance(corners, p) > far) return;
@@ -197,7 +201,7 @@ void SurfaceContact::list_neighbours(Block& block, std::span<const Row> x, std::
       if (foot.distance > far) return;
       pair.xi = foot.xi;
       pair.eta = foot.eta;
-      pair.wake = travelled_ + (foot.distance - widest(t));
+      pair.wake = travelled_ + (foot.distance - (widest(t) + inner_[pair.segment]));
       block.pairs.push_back(pair);
     });
     const auto by_segment = [](const Pair& a, const Pair& b) { return a.segment < b.segment; };
@@ -229,7 +233,8 @@ void SurfaceContact::work(Block& block, const Step& step) const {
 void SurfaceContact::look_at(Block& block, int tracked, const Step& step) const {
   gather_candidates(block, tracked, step);
   const int node = setup_.nodes[tracked].node;
-  const auto close = [](const Candidate& c) { return c.foot.distance < c.reach; };
+  if (step.dt > 0.0) leave_out_strays(block, node, step);
+  const auto close = [](const Candidate& c) { return c.gap < c.reach; };
   if (std::none_of(block.candidates.begin(), block.candidates.end(), close)) return;
   if (!node_alive(node, step.shell_alive)) return;
   for (Candidate& candidate : block.candidates)
@@ -240,7 +245,6 @@ void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& st
   block.candidates.clear();
   const TrackedNode& node = setup_.nodes[tracked];
   const Vec3d p = vec(step.x[node.node]);
-  const double far = widest(tracked);
   const int begin = block.first[tracked - block.begin], end = block.first[tracked - block.begin + 1];
   double& first_wake = block.wake[tracked - block.begin];
   first_wake = Box::infinity;
@@ -258,6 +262,7 @@ void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& st
     const Segment& segment = setup_.segments[pair.segment];
     if (!alive(pair.segment, step.shell_alive)) continue;
     const kernel::Corners corners = corners_of(segment, step.x);
+    const double far = widest(tracked) + inner_[pair.segment];
     const double clear = kernel::least_distance(corners, p);
     Candidate c;
     if (clear < far) {
@@ -271,12 +276,52 @@ void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& st
     c.pair = &pair;
     c.before = before;
     c.reach = reach(tracked, pair.segment);
+    c.gap = c.foot.distance;
     if (c.foot.boundary == 0 && before.touching && before.side != 0)
       c.away = static_cast<double>(before.side) * c.foot.normal;
     else
       c.away = c.foot.distance > 0.0 ? (1.0 / c.foot.distance) * (p - c.foot.point) : c.foot.normal;
+    if (inner_[pair.segment] > 0.0 && inside(c, p, step)) {
+      c.gap = -c.foot.distance;
+      c.away = c.foot.boundary == 0 || c.foot.distance == 0.0 ? c.foot.normal : -c.away;
+    }
     block.candidates.push_back(c);
   }
+}
+
+/// A node inside a brick is near several of its faces. It belongs to those that it touched before, slid onto, or came
+/// through in this step; the others are no business of its.
+void SurfaceContact::leave_out_strays(Block& block, int node, const Step& step) const {
+  for (Candidate& candidate : block.candidates) {
+    if (candidate.gap >= 0.0 || candidate.before.touching) continue;
+    const Segment& segment = setup_.segments[candidate.pair->segment];
+    const Vec3d velocity = vec(step.v[node]) - interpolate(segment, candidate.foot.weight, step.v);
+    const Vec3d was_at = vec(step.x[node]) - candidate.foot.point - step.dt * velocity;
+    if (dot(was_at, candidate.foot.normal) >= 0.0) continue;
+    const Candidate* from = predecessor(block, candidate);
+    if (from == nullptr || dot(from->away, candidate.away) <= 0.5) candidate.gap = Box::infinity;
+  }
+}
+
+/// Whether p lies behind the face of a brick; where the foot is on an edge or corner, behind all faces that meet there,
+/// or beyond them by no more than the extension that segments have (MAXPAR).
+bool SurfaceContact::inside(const Candidate& candidate, const Vec3d& p, const Step& step) const {
+  const Vec3d r = p - candidate.foot.point;
+  if (dot(r, candidate.foot.normal) >= 0.0 || candidate.foot.distance > inner_[candidate.pair->segment]) return false;
+  const Segment& segment = setup_.segments[candidate.pair->segment];
+  const auto beyond = [&](int s) {
+    const Segment& other = setup_.segments[s];
+    if (!has_boundary(other, segment, candidate.foot.boundary) || !alive(s, step.shell_alive)) return false;
+    const kernel::Corners k = corners_of(other, step.x);
+    const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
+    return dot(r, n) > extension * std::sqrt(0.5 * norm(n)) * norm(n);
+  };
+  for (int c = 0; c < segment.corners(); ++c) {
+    if (!(candidate.foot.boundary >> c & 1u)) continue;
+    const std::span<const int> around = around_.at(segment.node[c]);
+    if (std::any_of(around.begin(), around.end(), beyond)) return false;
+  }
+  return true;
 }
 
 bool SurfaceContact::presses(const Block& block, const Candidate& candidate, int node, const Step& step) const {
@@ -300,10 +345,13 @@ bool SurfaceContact::at_home(const Candidate& candidate, int node, std::span<con
 /// in much the same direction (a facetted hollow, where both have a foot inside).
 bool SurfaceContact::hidden_by(const Candidate& other, const Candidate& candidate) const {
   if (&other == &candidate || other.foot.distance > candidate.foot.distance) return false;
+  if (candidate.gap < 0.0 && other.gap >= 0.0) return false;  // a face that it is not behind
   if (other.foot.distance == candidate.foot.distance && other.pair->segment > candidate.pair->segment) return false;
   const Segment &a = setup_.segments[other.pair->segment], &b = setup_.segments[candidate.pair->segment];
-  if (has_boundary(a, b, candidate.foot.boundary)) return true;
-  return share_a_node(a, b) && dot(other.away, candidate.away) > 0.5;
+  const bool alike = dot(other.away, candidate.away) > 0.5;
+  if (has_boundary(a, b, candidate.foot.boundary)) return candidate.gap >= 0.0 || alike || !candidate.before.touching;
+  if (candidate.gap < 0.0 && !candidate.before.touching && share_a_node(a, b)) return true;
+  return share_a_node(a, b) && alike;
 }
 
 /// The pair from which the node comes if it did not touch `candidate` before: a neighbour that it touched.
@@ -338,7 +386,9 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
 
   Vec3d direction = candidate.away;
   int side = dot(direction, candidate.foot.normal) < 0.0 ? -1 : 1;
-  if (candidate.foot.boundary == 0) {
+  if (candidate.gap < 0.0) {
+    side = 1;
+  } else if (candidate.foot.boundary == 0) {
     side = side_of(candidate, from, r - step.dt * velocity);
     direction = static_cast<double>(side) * candidate.foot.normal;
   }
@@ -452,8 +502,8 @@ std::vector<Penetration> find_penetrations(const SurfaceContactSetup& setup, std
       contact.gather_candidates(block, t, step);
       const int node = setup.nodes[t].node;
       for (const SurfaceContact::Candidate& c : block.candidates)
-        if (c.foot.distance < c.reach && contact.presses(block, c, node, step))
-          found.push_back({node, c.pair->segment, c.reach - c.foot.distance, c.away});
+        if (c.gap < c.reach && contact.presses(block, c, node, step))
+          found.push_back({node, c.pair->segment, c.reach - c.gap, c.away});
     }
   }
   return found;

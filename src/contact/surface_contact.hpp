@@ -48,6 +48,9 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 /// never do, however small they are against the thickness. So a node between two sheets feels both, and a flat sheet
 /// does not fight itself.
 ///
+/// Bricks. The face of a brick has no skin; a node behind it is inside, down to 0.3 of the brick's depth, and is
+/// pressed out along the normal. Of the faces around an edge the closest counts.
+///
 /// Sides. When a node first touches a segment, the side on which it stood a step earlier is kept until it leaves, and
 /// handed on to the neighbour over whose edge it slides. So a node pressed beyond the mid-surface is pressed back.
 ///
@@ -111,7 +114,8 @@ class SurfaceContact {
     Pair* pair = nullptr;
     Pair before;  ///< the pair as the cycle before left it
     kernel::Foot foot;
-    Vec3d away;          ///< unit vector from the foot to the node
+    Vec3d away;          ///< unit vector along which the node would leave
+    double gap = 0.0;    ///< from the foot to the node, negative inside a brick [length]
     double reach = 0.0;  ///< distance at which the two touch
   };
   /// A contact force to be added.
@@ -156,6 +160,8 @@ class SurfaceContact {
   void work(Block& block, const Step& step) const;
   void look_at(Block& block, int tracked, const Step& step) const;
   void gather_candidates(Block& block, int tracked, const Step& step) const;
+  void leave_out_strays(Block& block, int node, const Step& step) const;
+  bool inside(const Candidate& candidate, const Vec3d& p, const Step& step) const;
   bool presses(const Block& block, const Candidate& candidate, int node, const Step& step) const;
   bool at_home(const Candidate& candidate, int node, std::span<const unsigned char> shell_alive) const;
   bool hidden_by(const Candidate& other, const Candidate& candidate) const;
@@ -172,6 +178,7 @@ class SurfaceContact {
   SurfaceContactSetup setup_;
   NodeSegments around_;
   std::vector<double> segment_stiffness_;  // scaled
+  std::vector<double> inner_;              // how deep inside its brick a segment still presses; 0: a shell
   std::vector<double> node_stiffness_;     // scaled, by tracked node
   double thickest_segment_ = 0.0;
   unsigned pressing_ = 0;  // sides whose segments press any node
