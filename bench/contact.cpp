@@ -6,7 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/rigid_wall.hpp"
-#include "contact/single_surface.hpp"
+#include "contact/surface_contact.hpp"
 
 // Cost of contact per surface node and cycle. Two wavy sheets of 5 mm elements, 1 mm thick, slide past each other at 10
 // m/s in steps of half a microsecond: apart, and in touch all over.
@@ -18,7 +18,7 @@ constexpr int side = 300;
 constexpr double element = 5.0, dt = 5e-7;
 
 struct Sheets {
-  contact::SingleSurfaceSetup setup;
+  contact::SurfaceContactSetup setup;
   std::vector<Row> x, v, force;
   std::vector<double> mass;
 
@@ -52,7 +52,7 @@ struct Sheets {
 void run(benchmark::State& state, double gap) {
   set_threads(static_cast<int>(state.range(0)));
   Sheets sheets(gap);
-  contact::SingleSurface contact(sheets.setup, sheets.x);
+  contact::SurfaceContact contact(sheets.setup, sheets.x);
   for (auto _ : state) {
     sheets.slide();
     contact.apply(0.0, dt, sheets.x, sheets.v, sheets.mass, {}, sheets.force);

@@ -26,14 +26,18 @@ NodeSegments::NodeSegments(const std::vector<Segment>& segments) : first_(highes
     for (int c = 0; c < segments[s].corners(); ++c) segment_[next[segments[s].node[c]]++] = static_cast<int>(s);
 }
 
-std::vector<TrackedNode> nodes_of(const std::vector<Segment>& segments, std::span<const unsigned char> left_out) {
+std::vector<TrackedNode> nodes_of(const std::vector<Segment>& segments, unsigned side, unsigned against) {
   const NodeSegments around(segments);
   std::vector<TrackedNode> tracked;
   for (int n = 0; n <= highest_node(segments); ++n) {
-    if (around.at(n).empty() || (!left_out.empty() && left_out[n])) continue;
     double sum = 0.0;
-    for (int s : around.at(n)) sum += segments[s].thickness;
-    tracked.push_back({n, sum / static_cast<double>(around.at(n).size())});
+    int count = 0;
+    for (int s : around.at(n)) {
+      if (!(segments[s].side & side)) continue;
+      sum += segments[s].thickness;
+      ++count;
+    }
+    if (count > 0) tracked.push_back({n, sum / count, against});
   }
   return tracked;
 }

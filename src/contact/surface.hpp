@@ -17,6 +17,7 @@ struct Segment {
   double bulk_modulus = 0.0;  ///< K = E/(3(1-2 nu)), times SSF of *PART_CONTACT [stress]
   double volume = 0.0;        ///< of the brick behind the face; 0: a shell [length^3]
   int shell = -1;             ///< index of the shell that the segment is, in `shell_alive`; -1: it never dies
+  unsigned side = 1;          ///< of the contact: bit 0 the tracked side (SURFA), bit 1 the reference side (SURFB)
 
   bool triangle() const { return node[3] == node[2]; }
   int corners() const { return triangle() ? 3 : 4; }
@@ -27,11 +28,12 @@ struct Segment {
 struct TrackedNode {
   int node = 0;
   double thickness = 0.0;  ///< contact thickness: the mean of the adjoining segments' [length]
+  unsigned against = 1;    ///< the sides whose segments press it, by the bits of Segment::side
 };
 
-/// The nodes of the segments, ascending, each with the mean thickness of its segments. `left_out` (by node; may be
-/// empty) marks nodes that take no part as tracked nodes, such as those of welds.
-std::vector<TrackedNode> nodes_of(const std::vector<Segment>& segments, std::span<const unsigned char> left_out = {});
+/// The nodes of the segments of `side`, ascending, each with the mean thickness of these segments; to be pressed by
+/// those of the sides `against`.
+std::vector<TrackedNode> nodes_of(const std::vector<Segment>& segments, unsigned side = 1, unsigned against = 1);
 
 kernel::Corners corners_of(const Segment& segment, std::span<const Row> x);
 double area(const Segment& segment, std::span<const Row> x);

@@ -2,25 +2,21 @@
 #include "impact/contact_setup.hpp"
 
 #include <algorithm>
-#include <unordered_map>
+#include <map>
 
 #include "base/bvh.hpp"
 #include "base/index.hpp"
+#include "weld/welds.hpp"
 
 namespace nugget::impact {
 namespace {
 
+constexpr unsigned tracked = 1, reference = 2;  // bits of contact::Segment::side
+
 /// Corners of the six faces of a brick, outward.
 constexpr int faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 
-struct Face {
-  std::array<int, 4> sorted;
-  std::array<int, 4> node;
-  std::size_t solid;
-};
-
-double volume(const model::Solids& solids, std::size_t e, const std::vector<Vec3d>& x) {
-  const auto& n = solids.node[e];
+double volume(const std::array<model::Index, 8>& n, const std::vector<Vec3d>& x) {
   Vec3d middle{};
   for (model::Index k : n) middle += 0.125 * x[at(k)];
   double v = 0.0;
@@ -28,7 +24,16 @@ double volume(const model::Solids& solids, std::size_t e, const std::vector<Vec3
     const Vec3d a = x[at(n[at(f[0])])], b = x[at(n[at(f[1])])], c = x[at(n[at(f[2])])], d = x[at(n[at(f[3])])];
     v += dot(0.25 * (a + b + c + d) - middle, 0.5 * cross(c - a, d - b)) / 3.0;
   }
-  return v;
+  return std::abs(v);
+}
+
+/// A segment by its nodes, in whatever order they stand.
+using Key = std::array<model::Index, 4>;
+Key key_of(Key nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  const auto end = std::unique(nodes.begin(), nodes.end());
+  std::fill(end, nodes.end(), model::none);  // a triangle, wherever it repeats a node
+  return nodes;
 }
 
 /// The shells whose contact thickness SPOTHIN scales: those that a weld is tied to, and with SWRADF those of its sheets
@@ -59,77 +64,167 @@ std::vector<char> shells_near_welds(const system::System& system) {
   return near;
 }
 
-}  // namespace
+/// Gathers the segments of the two sides of a contact; one that belongs to both stands once.
+class Surfaces {
+ public:
+  Surfaces(const system::System& system, const model::Contact& card)
+      : system_(system), model_(system.model), card_(card), thinned_(shells_near_welds(system)) {}
 
-contact::SingleSurfaceSetup contact_setup(const system::System& system, const model::Contact& card) {
-  const model::Model& model = system.model;
-  contact::SingleSurfaceSetup setup;
-  std::vector<bool> in(model.parts.size(), card.a.everything);
-  for (model::Index p : card.a.parts) in[at(p)] = true;
+  void add(const model::Surface& surface, unsigned side) {
+    std::vector<bool> in(model_.parts.size(), surface.everything);
+    for (model::Index p : surface.parts) in[at(p)] = true;
+    for (std::size_t p = 0; p < in.size(); ++p)
+      if (weld::of_weld_material(model_, static_cast<model::Index>(p))) in[p] = false;
+    std::map<Key, bool> wanted;
+    for (const model::Segment& s : surface.segments) wanted.emplace(key_of(s), false);
+    for (std::size_t e = 0; e < model_.shells.size(); ++e) {
+      const auto found = wanted.find(key_of(model_.shells.node[e]));
+      if (in[at(model_.shells.part[e])] || found != wanted.end()) add_shell(e, side);
+      if (found != wanted.end()) found->second = true;
+    }
+    add_faces(in, wanted, side);
+  }
 
-  const auto bulk_modulus = [&](const model::Part& part) {
-    const model::Material& material = model.materials[at(part.material)];
+  std::vector<contact::Segment> take() { return std::move(segments_); }
+
+ private:
+  double bulk_modulus(const model::Part& part) const {
+    const model::Material& material = model_.materials[at(part.material)];
     return part.stiffness_scale * material.young() / (3.0 * (1.0 - 2.0 * std::min(material.poisson(), 0.49)));
-  };
-  const auto thickness = [&](const model::Part& part, double own) {
-    const double t = card.thickness_a > 0.0         ? card.thickness_a
-                     : part.contact_thickness > 0.0 ? part.contact_thickness
-                                                    : own;
-    return t * card.thickness_scale_a * part.contact_scale;
-  };
-  const std::vector<char> thinned = shells_near_welds(system);
-  for (std::size_t e = 0; e < model.shells.size(); ++e) {
-    if (!in[at(model.shells.part[e])]) continue;
-    const model::Part& part = model.parts[at(model.shells.part[e])];
+  }
+
+  double thickness(const model::Part& part, double own, unsigned side) const {
+    const double given = side == tracked ? card_.thickness_a : card_.thickness_b;
+    const double scale = side == tracked ? card_.thickness_scale_a : card_.thickness_scale_b;
+    const double t = given > 0.0 ? given : part.contact_thickness > 0.0 ? part.contact_thickness : own;
+    return t * scale * part.contact_scale;
+  }
+
+  void add_segment(const Key& key, const contact::Segment& segment, unsigned side) {
+    const auto [place, is_new] = place_.emplace(key, segments_.size());
+    if (is_new) segments_.push_back(segment);
+    segments_[place->second].side = is_new ? side : segments_[place->second].side | side;
+  }
+
+  void add_shell(std::size_t e, unsigned side) {
+    const model::Part& part = model_.parts[at(model_.shells.part[e])];
     contact::Segment s;
-    for (std::size_t a = 0; a < 4; ++a) s.node[a] = system.node_of[at(model.shells.node[e][a])];
-    s.thickness = thickness(part, model.shells.thickness[e]);
-    if (thinned[e]) s.thickness *= model.control.weld_thinning;
+    for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[at(model_.shells.node[e][a])];
+    s.thickness = thickness(part, model_.shells.thickness[e], side);
+    if (thinned_[e]) s.thickness *= model_.control.weld_thinning;
     s.bulk_modulus = bulk_modulus(part);
     s.shell = static_cast<int>(e);
-    setup.segments.push_back(s);
+    add_segment(key_of(model_.shells.node[e]), s, side);
   }
 
-  // Faces that only one brick has.
-  std::vector<Face> all;
-  for (std::size_t e = 0; e < model.solids.size(); ++e) {
-    if (!in[at(model.solids.part[e])]) continue;
-    for (const auto& f : faces) {
-      Face face;
-      face.solid = e;
-      for (std::size_t a = 0; a < 4; ++a) face.node[a] = model.solids.node[e][at(f[a])];
-      face.sorted = face.node;
-      std::sort(face.sorted.begin(), face.sorted.end());
-      const auto distinct = std::unique(face.sorted.begin(), face.sorted.end()) - face.sorted.begin();
-      if (distinct < 3) continue;  // a collapsed face of a wedge or a tetrahedron
-      all.push_back(face);
+  /// Faces that one brick alone has, among those of the parts; and those of a segment set that no shell is.
+  void add_faces(const std::vector<bool>& in, const std::map<Key, bool>& wanted, unsigned side) {
+    struct Face {
+      Key node;
+      std::size_t solid;
+      int count = 0;
+      bool listed = false;
+    };
+    std::map<Key, Face> found;
+    for (std::size_t e = 0; e < model_.solids.size(); ++e) {
+      for (const auto& f : faces) {
+        Key node;
+        for (std::size_t a = 0; a < 4; ++a) node[a] = model_.solids.node[e][at(f[a])];
+        const Key key = key_of(node);
+        if (key[2] == model::none) continue;  // a collapsed face of a wedge or a tetrahedron
+        const auto set = wanted.find(key);
+        const bool listed = set != wanted.end() && !set->second;
+        if (!in[at(model_.solids.part[e])] && !listed) continue;
+        Face& face = found.try_emplace(key, Face{node, e}).first->second;
+        ++face.count;
+        face.listed = face.listed || listed;
+      }
     }
+    for (const auto& [key, face] : found)
+      if (face.count == 1 || face.listed) add_face(key, face.node, face.solid, side);
   }
-  std::stable_sort(all.begin(), all.end(), [](const Face& a, const Face& b) { return a.sorted < b.sorted; });
-  for (std::size_t i = 0; i < all.size();) {
-    std::size_t same = i + 1;
-    while (same < all.size() && all[same].sorted == all[i].sorted) ++same;
-    if (same == i + 1) {
-      const Face& face = all[i];
-      const model::Part& part = model.parts[at(model.solids.part[face.solid])];
-      contact::Segment s;
-      // A triangle repeats its third node, wherever the repetition stood in the face.
-      std::vector<int> corner;
-      for (int n : face.node)
-        if (std::find(corner.begin(), corner.end(), n) == corner.end()) corner.push_back(n);
-      if (corner.size() == 3) corner.push_back(corner[2]);
-      for (std::size_t a = 0; a < 4; ++a) s.node[a] = system.node_of[at(corner[a])];
-      s.bulk_modulus = bulk_modulus(part);
-      s.volume = std::abs(volume(model.solids, face.solid, system.ties.x));
-      setup.segments.push_back(s);
+
+  void add_face(const Key& key, const Key& node, std::size_t solid, unsigned side) {
+    // A triangle repeats its third node, wherever the repetition stood in the face.
+    std::vector<int> corner;
+    for (int n : node)
+      if (std::find(corner.begin(), corner.end(), n) == corner.end()) corner.push_back(n);
+    if (corner.size() == 3) corner.push_back(corner[2]);
+    contact::Segment s;
+    for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[at(corner[a])];
+    s.bulk_modulus = bulk_modulus(model_.parts[at(model_.solids.part[solid])]);
+    s.volume = volume(model_.solids.node[solid], system_.ties.x);
+    add_segment(key, s, side);
+  }
+
+  const system::System& system_;
+  const model::Model& model_;
+  const model::Contact& card_;
+  std::vector<char> thinned_;  // shells near welds
+  std::vector<contact::Segment> segments_;
+  std::map<Key, std::size_t> place_;
+};
+
+/// The nodes of a node set, each as thick as the shells at it.
+std::vector<contact::TrackedNode> listed_nodes(const system::System& system, const model::Contact& card) {
+  const model::Model& model = system.model;
+  std::vector<double> sum(model.nodes.size(), 0.0);
+  std::vector<int> count(model.nodes.size(), 0);
+  for (std::size_t e = 0; e < model.shells.size(); ++e)
+    for (int a = 0; a < (model.shells.triangle(e) ? 3 : 4); ++a) {
+      sum[at(model.shells.node[e][at(a)])] += model.shells.thickness[e];
+      ++count[at(model.shells.node[e][at(a)])];
     }
-    i = same;
+  std::vector<contact::TrackedNode> nodes;
+  for (model::Index n : card.a.nodes) {
+    const double own = count[at(n)] > 0 ? sum[at(n)] / count[at(n)] : 0.0;
+    const double thickness = (card.thickness_a > 0.0 ? card.thickness_a : own) * card.thickness_scale_a;
+    nodes.push_back({system.node_of[at(n)], thickness, reference});
   }
-  setup.nodes = contact::nodes_of(setup.segments);
-  setup.stiffness_scale = model.control.penalty_scale * card.stiffness_scale_a;
-  setup.law.soft = card.soft == 1;
+  return nodes;
+}
+
+/// Both sides' nodes in one list, by node; one on both sides is against both.
+std::vector<contact::TrackedNode> merged(std::vector<contact::TrackedNode> nodes) {
+  const auto by_node = [](const auto& a, const auto& b) { return a.node < b.node; };
+  std::stable_sort(nodes.begin(), nodes.end(), by_node);
+  std::vector<contact::TrackedNode> once;
+  for (const contact::TrackedNode& n : nodes) {
+    if (once.empty() || once.back().node != n.node)
+      once.push_back(n);
+    else
+      once.back().against |= n.against;
+  }
+  return once;
+}
+
+}  // namespace
+
+contact::SurfaceContactSetup contact_setup(const system::System& system, const model::Contact& card) {
+  contact::SurfaceContactSetup setup;
+  Surfaces surfaces(system, card);
+  surfaces.add(card.a, tracked);
+  const bool single = card.kind == model::Contact::Kind::single_surface;
+  if (!single) surfaces.add(card.b, reference);
+  setup.segments = surfaces.take();
+
+  if (single) {
+    setup.nodes = contact::nodes_of(setup.segments);
+  } else {
+    setup.nodes = contact::nodes_of(setup.segments, tracked, reference);
+    const auto listed = listed_nodes(system, card);
+    setup.nodes.insert(setup.nodes.end(), listed.begin(), listed.end());
+    if (card.kind == model::Contact::Kind::two_surfaces) {
+      const auto others = contact::nodes_of(setup.segments, reference, tracked);
+      setup.nodes.insert(setup.nodes.end(), others.begin(), others.end());
+    }
+    setup.nodes = merged(std::move(setup.nodes));
+  }
+  setup.stiffness_scale = system.model.control.penalty_scale * card.stiffness_scale_a;
+  setup.law.soft = card.soft != 0;
   setup.law.soft_scale = card.soft_scale;
   setup.law.damping = card.damping;
+  setup.law.friction = card.friction;
   setup.birth = card.birth;
   setup.death = card.death;
   return setup;

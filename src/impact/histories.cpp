@@ -209,6 +209,21 @@ output::RbdoutState rbdout_state(const Snapshot& now) {
   return s;
 }
 
+/// Marks the system's nodes of a surface.
+static std::vector<unsigned char> nodes_of(const system::System& system, const model::Surface& surface) {
+  const model::Model& model = system.model;
+  std::vector<unsigned char> marked(system.nodes, surface.everything ? 1 : 0), in(model.parts.size(), 0);
+  const auto mark = [&](model::Index n) { marked[at(system.node_of[at(n)])] = 1; };
+  for (model::Index p : surface.parts) in[at(p)] = 1;
+  for (std::size_t e = 0; e < model.shells.size(); ++e)
+    if (in[at(model.shells.part[e])]) std::for_each(model.shells.node[e].begin(), model.shells.node[e].end(), mark);
+  for (std::size_t e = 0; e < model.solids.size(); ++e)
+    if (in[at(model.solids.part[e])]) std::for_each(model.solids.node[e].begin(), model.solids.node[e].end(), mark);
+  for (const model::Segment& s : surface.segments) std::for_each(s.begin(), s.end(), mark);
+  std::for_each(surface.nodes.begin(), surface.nodes.end(), mark);
+  return marked;
+}
+
 output::RcforcState rcforc_state(const Snapshot& now) {
   output::RcforcState s;
   s.time = now.state.time;
@@ -218,8 +233,15 @@ output::RcforcState rcforc_state(const Snapshot& now) {
     const auto add = [&](output::ContactSide side, const Vec3d& force) {
       s.rows.push_back({card.id, side, force, 0.0});
     };
-    if (!card.tie()) {
-      add(output::ContactSide::tracked, now.contacts[c++].resultant());
+    if (card.slides()) {
+      const Vec3d force = now.contacts[c++].resultant();
+      add(output::ContactSide::tracked, force);
+      if (card.kind != model::Contact::Kind::single_surface) add(output::ContactSide::reference, -force);
+    } else if (card.kind == model::Contact::Kind::transducer) {
+      const std::vector<unsigned char> marked = nodes_of(now.system, card.a);
+      Vec3d sum;
+      for (const contact::SurfaceContact& contact : now.contacts) sum += contact.force_on(marked);
+      add(output::ContactSide::tracked, sum);
     } else if (card.tie_by_springs() || card.penalty_fallback) {
       const Vec3d force = now.tie_forces.resultant(static_cast<model::Index>(i));
       add(output::ContactSide::tracked, force);

@@ -48,8 +48,8 @@ Simulation::Simulation(system::System& system, Findings& findings)
   history_rotation_.resize(model.requests.history_nodes.size());
   shell_alive_.assign(model.shells.size(), 1);
   for (const model::Contact& card : model.contacts) {
-    if (card.tie()) continue;
-    contact::SingleSurfaceSetup setup = contact_setup(system, card);
+    if (!card.slides()) continue;
+    contact::SurfaceContactSetup setup = contact_setup(system, card);
     if (setup.segments.empty()) {
       findings.error(card.place, '*' + card.keyword,
                      "the contact has no segments: none of its parts has shells or bricks", "check SURFA and SURFATYP");
@@ -294,7 +294,7 @@ void Simulation::move() {
 }
 
 void Simulation::forces() {
-  for (contact::SingleSurface& c : contacts_)
+  for (contact::SurfaceContact& c : contacts_)
     c.apply(state_.time, state_.dt, state_.x, state_.v, contact_mass_, shell_alive_, state_.f);
   tie_forces_.apply(state_);
   loads_.apply(state_, state_.dt);
@@ -324,7 +324,7 @@ void Simulation::account() {
   element_energies(system_, state_, v_before_, energy_, parts_);
   energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_);
   energy_.contact = tie_forces_.energy();
-  for (const contact::SingleSurface& c : contacts_) energy_.contact += c.energy();
+  for (const contact::SurfaceContact& c : contacts_) energy_.contact += c.energy();
   energy_.wall = 0.0;
   for (const contact::RigidWall& w : walls_) energy_.wall += w.energy_until_now();
   energy_.external = supports_.work() + loads_.work();

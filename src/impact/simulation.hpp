@@ -60,7 +60,7 @@ class Simulation {
   system::State state_;
   Supports supports_;
   Loads loads_;
-  std::vector<contact::SingleSurface> contacts_;
+  std::vector<contact::SurfaceContact> contacts_;
   std::vector<contact::RigidWall> walls_;
   std::vector<double> contact_mass_;        ///< by node, dependent nodes with what they had of their own
   std::vector<unsigned char> dependent_;    ///< by node

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact/rigid_wall.hpp"
-#include "contact/single_surface.hpp"
+#include "contact/surface_contact.hpp"
 #include "impact/conditions.hpp"
 #include "impact/energy.hpp"
 #include "impact/tie_forces.hpp"
@@ -28,7 +28,7 @@ struct Snapshot {
   const system::System::Masses& masses;
   const Supports& supports;
   std::span<const contact::RigidWall> walls;
-  std::span<const contact::SingleSurface> contacts;
+  std::span<const contact::SurfaceContact> contacts;
   const TieForces& tie_forces;
   const Welds& welds;
   std::span<const Vec3d> history_rotation;  ///< of the requests' history nodes: their spins, added up over time

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/contact/penalty.hpp"
 #include "model/loads.hpp"
 
 namespace nugget::model {
@@ -19,21 +20,33 @@ struct Surface {
 
 /// *CONTACT_...: the cards, in words. Penalty contacts and ties alike; `kind` says what is done with it.
 struct Contact {
-  enum class Kind { single_surface, spotweld, tied_nodes, tied_surface, tied_shell_edge, tied_shell_edge_to_solid };
-  /// What a tie does about the gap between node and segment. `projected`: the node is moved onto the segment; `constrained`:
-  /// the gap turns with the segment; `penalty`: springs, whose force acts at the segment without the gap's lever;
-  /// `beam`: springs, with the lever.
+  /// A surface against itself; two surfaces, each node against the other side; nodes of `a` against segments of `b`; a
+  /// transducer, which sums up the forces of other contacts; ties.
+  enum class Kind {
+    single_surface,
+    two_surfaces,
+    one_way,
+    transducer,
+    spotweld,
+    tied_nodes,
+    tied_surface,
+    tied_shell_edge,
+    tied_shell_edge_to_solid
+  };
+  /// What a tie does about the gap between node and segment. `projected`: the node is moved onto the segment;
+  /// `constrained`: the gap turns with the segment; `penalty`: springs, whose force acts at the segment without the
+  /// gap's lever; `beam`: springs, with the lever.
   enum class Offset { projected, constrained, penalty, beam };
   int id = 0;
   std::string title;
   std::string keyword;
   Kind kind = Kind::single_surface;
-  Offset offset = Offset::projected;   ///< ties
-  bool torsion = false;           ///< _WITH_TORSION: twist of a weld becomes in-plane forces
-  bool penalty_fallback = false;  ///< IPBACK: springs where a constraint meets another one
-  Surface a;                      ///< tracked (SURFA, slave)
-  Surface b;                      ///< reference (SURFB, master)
-  double friction_static = 0.0, friction_dynamic = 0.0, friction_decay = 0.0, friction_viscous = 0.0;
+  Offset offset = Offset::projected;  ///< ties
+  bool torsion = false;               ///< _WITH_TORSION: twist of a weld becomes in-plane forces
+  bool penalty_fallback = false;      ///< IPBACK: springs where a constraint meets another one
+  Surface a;                          ///< tracked (SURFA, slave)
+  Surface b;                          ///< reference (SURFB, master)
+  kernel::Friction friction;
   double damping = 0.0;  ///< VDC, percent of critical
   double birth = 0.0, death = forever;
   double stiffness_scale_a = 1.0, stiffness_scale_b = 1.0;  ///< SFSA, SFSB
@@ -45,7 +58,9 @@ struct Contact {
   int ignore = 0;           ///< IGNORE of optional card D, or the control card's
   Place place;
 
-  bool tie() const { return kind != Kind::single_surface; }
+  /// By penalty forces; else it is a tie or a transducer.
+  bool slides() const { return kind == Kind::single_surface || kind == Kind::two_surfaces || kind == Kind::one_way; }
+  bool tie() const { return !slides() && kind != Kind::transducer; }
   bool tie_by_springs() const { return offset == Offset::penalty || offset == Offset::beam; }
   /// Whether the tie hands over rotations and moments as well.
   bool ties_rotations() const { return tie() && kind != Kind::tied_nodes && kind != Kind::tied_surface; }

@@ -25,6 +25,13 @@ struct Foot {
                                    ///< (two bits) or is the corner (one bit) on which the foot lies
 };
 
+/// Shape functions of a segment at natural coordinates of Foot.
+inline std::array<double, 4> shape_functions(bool triangle, double xi, double eta) {
+  if (triangle) return {1.0 - xi - eta, xi, eta, 0.0};
+  return {0.25 * (1.0 - xi) * (1.0 - eta), 0.25 * (1.0 + xi) * (1.0 - eta), 0.25 * (1.0 + xi) * (1.0 + eta),
+          0.25 * (1.0 - xi) * (1.0 + eta)};
+}
+
 namespace detail {
 
 /// Position along the edge from `a` to `b`, 0 to 1, that is closest to `x`.
@@ -76,7 +83,7 @@ inline void on_triangle(const Corners& c, const Vec3d& x, Foot& foot) {
   foot.xi = det > 0.0 ? (vv * ru - uv * rv) / det : -1.0;
   foot.eta = det > 0.0 ? (uu * rv - uv * ru) / det : -1.0;
   if (foot.xi >= 0.0 && foot.eta >= 0.0 && foot.xi + foot.eta <= 1.0) {
-    foot.weight = {1.0 - foot.xi - foot.eta, foot.xi, foot.eta, 0.0};
+    foot.weight = shape_functions(true, foot.xi, foot.eta);
   } else {
     to_edges(c, 3, 0b111u, x, foot);
     foot.xi = foot.weight[1];
@@ -109,8 +116,7 @@ inline void on_quadrilateral(const Corners& c, const Vec3d& x, Foot& foot) {
   if (inside) {
     foot.xi = xi;
     foot.eta = eta;
-    foot.weight = {0.25 * (1.0 - xi) * (1.0 - eta), 0.25 * (1.0 + xi) * (1.0 - eta), 0.25 * (1.0 + xi) * (1.0 + eta),
-                   0.25 * (1.0 - xi) * (1.0 + eta)};
+    foot.weight = shape_functions(false, xi, eta);
   } else {
     // The distance being convex, the edges beyond which the foot lies hold the closest point, or lead to it over a
     // corner.

@@ -19,11 +19,29 @@ inline double solid_penalty(double bulk_modulus, double area, double volume) {
   return bulk_modulus * area * area / volume;
 }
 
+/// Friction after Coulomb, with a coefficient that falls from the static to the dynamic one and a bound on the shear
+/// stress: mu = FD + (FS - FD) exp(-DC |v|), force <= mu |normal force|, force <= VC area (LS-DYNA keyword manual,
+/// *CONTACT, card 2).
+struct Friction {
+  double at_rest = 0.0, sliding = 0.0;  ///< FS, FD [1]
+  double decay = 0.0;                   ///< DC [time/length]
+  double shear_strength = 0.0;          ///< VC; 0: no bound [stress]
+
+  bool any() const { return at_rest > 0.0 || sliding > 0.0; }
+  /// Largest friction force of a pair [force].
+  double bound(double normal_force, double slip_speed, double area) const {
+    const double coefficient = sliding + (at_rest - sliding) * std::exp(-decay * slip_speed);
+    const double coulomb = coefficient * normal_force;
+    return shear_strength > 0.0 ? std::min(coulomb, shear_strength * area) : coulomb;
+  }
+};
+
 /// What the pair law needs to know of a contact.
 struct PenaltyLaw {
   bool soft = false;  ///< SOFT = 1: the stiffness that the step allows counts too, for soft material against stiff
   double soft_scale = 0.1;  ///< SOFSCL
   double damping = 0.0;     ///< VDC, percent of critical
+  Friction friction;
 };
 
 /// Inverse of the mass that a pair moves, 1/m_s + sum N_i^2/m_i [1/mass]. A node without mass of its own counts as

@@ -50,7 +50,7 @@ const Card sides_set_part = sides_card(IdSpace::set, IdSpace::part);
 const Card sides_of_parts = sides_card(IdSpace::part, IdSpace::part);
 
 const Card friction_card{{
-    real("fs", dimension::number, 0, any_value, "static friction; not built yet, ties have none"),
+    real("fs", dimension::number, 0, any_value, "static friction; ties have none"),
     real("fd", dimension::number, 0, any_value, "dynamic friction"),
     real("dc", dimension::number, 0, any_value, "decay from the static to the dynamic coefficient"),
     real("vc", dimension::stress, 0, any_value, "viscous friction"),
@@ -191,6 +191,24 @@ void take_single_surface(Builder& builder, const Row& row, Contact& contact) {
     contact.a = surface_of(builder, row, "surfa", "surfatyp");
 }
 
+/// Both sides of a contact of two surfaces; a tracked side may be a set of nodes where only its nodes are looked at.
+void take_two_sides(Builder& builder, const Row& row, Contact& contact) {
+  if (row.integer("surfatyp") == 4 && contact.kind == Kind::two_surfaces)
+    refuse(builder, row, "surfatyp", "a set of nodes has no segments for the nodes of the other side",
+           "use *CONTACT_AUTOMATIC_NODES_TO_SURFACE");
+  if (row.integer("surfbtyp") == 4)
+    refuse(builder, row, "surfbtyp", "the reference side needs segments", "name parts, shells or a segment set");
+  contact.a = surface_of(builder, row, "surfa", "surfatyp");
+  contact.b = surface_of(builder, row, "surfb", "surfbtyp");
+}
+
+void take_transducer(Builder& builder, const Row& row, Contact& contact) {
+  if (row.integer("surfb") != 0)
+    refuse(builder, row, "surfb", "forces between two sides alone are not built; expected 0",
+           "give one transducer a side, or read the contact's own rows in rcforc");
+  contact.a = surface_of(builder, row, "surfa", "surfatyp");
+}
+
 void take_tie(Builder& builder, const Row& row, Contact& contact) {
   if (row.integer("surfbtyp") == 4)
     return refuse(builder, row, "surfbtyp", "the reference side of a tie needs segments",
@@ -205,26 +223,16 @@ void take_tie(Builder& builder, const Row& row, Contact& contact) {
 // ---- the cards that always stand
 // --------------------------------------------------------------------------------------------
 
-/// Friction of a penalty contact is not built: the run goes on without, and says so.
-void warn_of_friction(Builder& builder, const Row& row) {
-  for (const std::string_view field : {"fs", "fd", "vc"})
-    if (row.real(field) != 0.0) {
-      row.complain(builder.findings, Severity::warning, field,
-                   "friction is not built yet: this contact runs without friction",
-                   "expect sliding where the deck has sticking");
-      return;
-    }
-}
-
 void take_friction(Builder& builder, const Row& row, Contact& contact) {
-  contact.friction_static = row.real("fs");
-  contact.friction_dynamic = row.real("fd");
-  contact.friction_decay = row.real("dc");
-  contact.friction_viscous = row.real("vc");
+  if (contact.slides())
+    for (const std::string_view field : {"fs", "fd", "dc", "vc"})
+      if (row.real(field) < 0.0)
+        refuse(builder, row, field, "friction by part, table or function is not built; expected 0 or more",
+               "give the coefficients here");
+  contact.friction = {row.real("fs"), row.real("fd"), row.real("dc"), row.real("vc")};
   contact.damping = row.real("vdc");
   contact.birth = row.real("bt");
   contact.death = death_time(row.real("dt"));
-  if (!contact.tie()) warn_of_friction(builder, row);
   if (contact.tie_by_springs())
     expect(builder, row, Severity::warning, {{"vdc", 0, "the springs of a tie have no damping here"}});
 }
@@ -236,6 +244,9 @@ void take_scales(const Row& row, Contact& contact) {
   contact.thickness_b = row.real("sbst");
   contact.thickness_scale_a = row.real("sfsat");
   contact.thickness_scale_b = row.real("sfsbt");
+  contact.friction.at_rest *= row.real("fsf");
+  contact.friction.sliding *= row.real("fsf");
+  contact.friction.shear_strength *= row.real("vsf");
 }
 
 // ---- optional cards A to F
@@ -248,8 +259,12 @@ void take_a(Builder& builder, const Row& row, Contact& contact) {
   contact.soft_scale = row.real("sofscl");
   contact.search_interval = std::max(0, row.integer("bsort"));
   if (contact.tie()) return;  // of these fields none acts on a constraint
-  if (contact.soft != 0 && contact.soft != 1)
-    refuse(builder, row, "soft", "this form of the penalty is not built; expected 0 or 1",
+  if (contact.soft == 2)
+    row.complain(builder.findings, Severity::warning, "soft",
+                 "segments are not checked against segments; this contact runs as with soft = 1",
+                 "expect edges that cross between their nodes to pass through each other");
+  else if (contact.soft != 0 && contact.soft != 1)
+    refuse(builder, row, "soft", "this form of the penalty is not built; expected 0, 1 or 2",
            "use 1, which is near to segment-based contact in stiffness");
   expect(builder, row, Severity::error, {{"lcidab", 0, "airbag contact is not built"}});
 }
@@ -288,11 +303,14 @@ void take_d(Builder& builder, const Row& row, const Contact& contact) {
 }
 
 void take_e(Builder& builder, const Row& row, Contact& contact) {
-  if (contact.tie())
+  if (contact.tie()) {
     contact.penalty_fallback = row.integer("ipback") != 0;
-  else
-    expect(builder, row, Severity::warning,
-           {{"srnde", 0, left}, {"icor", 0, left}, {"ftorq", 0, left}, {"region", 0, left}});
+    return;
+  }
+  contact.friction.at_rest *= row.real("fricsf");
+  contact.friction.sliding *= row.real("fricsf");
+  expect(builder, row, Severity::warning,
+         {{"srnde", 0, left}, {"icor", 0, left}, {"ftorq", 0, left}, {"region", 0, left}});
 }
 
 void take_f(Builder& builder, const Row& row, const Contact& contact) {
@@ -360,6 +378,10 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   builder.later(Phase::conditions, [sides, contact = std::move(contact)](Builder& b) mutable {
     if (kind == Kind::single_surface)
       take_single_surface(b, sides, contact);
+    else if (contact.slides())
+      take_two_sides(b, sides, contact);
+    else if (kind == Kind::transducer)
+      take_transducer(b, sides, contact);
     else
       take_tie(b, sides, contact);
     if (contact.id == 0) contact.id = static_cast<int>(b.model.contacts.size()) + 1;
@@ -399,6 +421,11 @@ Keyword refused(std::string_view name, std::string_view why) {
 std::vector<Keyword> contact_keywords() {
   return {
       contact_keyword<Kind::single_surface>("CONTACT_AUTOMATIC_SINGLE_SURFACE"),
+      contact_keyword<Kind::two_surfaces>("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE"),
+      contact_keyword<Kind::one_way>("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE"),
+      contact_keyword<Kind::one_way>("CONTACT_AUTOMATIC_NODES_TO_SURFACE"),
+      contact_keyword<Kind::transducer>("CONTACT_FORCE_TRANSDUCER"),
+      contact_keyword<Kind::transducer>("CONTACT_FORCE_TRANSDUCER_PENALTY"),
       contact_keyword<Kind::spotweld>("CONTACT_SPOTWELD", {"WITH_TORSION", "WITH_TORSION_PENALTY", "PENALTY", "OFFSET",
                                                            "BEAM_OFFSET", "CONSTRAINED_OFFSET"}),
       contact_keyword<Kind::tied_nodes>("CONTACT_TIED_NODES_TO_SURFACE", {"OFFSET", "CONSTRAINED_OFFSET"}),
@@ -420,14 +447,10 @@ std::vector<Keyword> contact_keywords() {
       refused("CONTACT_AUTOMATIC_SINGLE_SURFACE_*", "this form is not built; use *CONTACT_AUTOMATIC_SINGLE_SURFACE"),
       refused("CONTACT_AUTOMATIC_GENERAL*",
               "contact of beams and edges is not built; use *CONTACT_AUTOMATIC_SINGLE_SURFACE for the sheets"),
-      refused("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE*",
-              "contact of two sides is not built; *CONTACT_AUTOMATIC_SINGLE_SURFACE over a part set of both covers it"),
-      refused("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE*",
-              "contact of two sides is not built; *CONTACT_AUTOMATIC_SINGLE_SURFACE over a part set of both covers it"),
-      refused(
-          "CONTACT_AUTOMATIC_NODES_TO_SURFACE*",
-          "contact of nodes with a surface is not built; *CONTACT_AUTOMATIC_SINGLE_SURFACE over the parts covers it"),
-      refused("CONTACT_FORCE_TRANSDUCER*", "force transducers are not built; rcforc holds the sums of each contact"),
+      refused("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK*", "contact that glues and breaks is not built"),
+      refused("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK*", "contact that glues and breaks is not built"),
+      refused("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_*", "this form is not built; use it without the last word"),
+      refused("CONTACT_FORCE_TRANSDUCER_*", "this transducer is not built; *CONTACT_FORCE_TRANSDUCER_PENALTY is"),
       refused("CONTACT_INTERIOR*", "contact inside soft solids is not built"),
       refused("CONTACT_ERODING*", "eroding contact is not built"),
       refused("CONTACT_RIGID*", "contact of rigid bodies by force curves is not built"),

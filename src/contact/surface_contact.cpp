@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/single_surface.hpp"
+#include "contact/surface_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,8 @@ namespace {
 
 constexpr int block_size = 64;
 constexpr std::size_t group_size = 4096;
+constexpr double pressing_depth = 0.3;  // of a brick's depth
+constexpr double extension = 0.025;     // of a brick's face beyond its border, in sides
 
 bool finite(const Row& r) {
   return std::isfinite(r.x + r.y + r.z);
@@ -42,10 +44,12 @@ double mean_edge(const std::vector<Segment>& segments, std::span<const Row> x) {
 
 }  // namespace
 
-SingleSurface::SingleSurface(SingleSurfaceSetup setup, std::span<const Row> x)
+SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x)
     : setup_(std::move(setup)), around_(setup_.segments) {
   for (const Segment& s : setup_.segments) {
     segment_stiffness_.push_back(setup_.stiffness_scale * penalty_stiffness(s, x));
+    const double a = area(s, x);
+    inner_.push_back(s.volume > 0.0 && a > 0.0 ? pressing_depth * s.volume / a : 0.0);
     thickest_segment_ = std::max(thickest_segment_, s.thickness);
     surface_.insert(surface_.end(), s.node.begin(), s.node.end());
   }
@@ -56,6 +60,7 @@ SingleSurface::SingleSurface(SingleSurfaceSetup setup, std::span<const Row> x)
     // A node without segments of its own (of a beam, say) is as stiff as what it meets.
     node_stiffness_.push_back(around.empty() ? Box::infinity : sum / static_cast<double>(around.size()));
     surface_.push_back(t.node);
+    pressing_ |= t.against;
   }
   std::sort(surface_.begin(), surface_.end());
   surface_.erase(std::unique(surface_.begin(), surface_.end()), surface_.end());
@@ -82,9 +87,9 @@ SingleSurface::SingleSurface(SingleSurfaceSetup setup, std::span<const Row> x)
   }
 }
 
-void SingleSurface::apply(double time, double dt, std::span<const Row> x, std::span<const Row> v,
-                          std::span<const double> mass, std::span<const unsigned char> shell_alive,
-                          std::span<Row> force) {
+void SurfaceContact::apply(double time, double dt, std::span<const Row> x, std::span<const Row> v,
+                           std::span<const double> mass, std::span<const unsigned char> shell_alive,
+                           std::span<Row> force) {
   next_cycle();
   const bool active = time >= setup_.birth && time < setup_.death;
   if (active) {
@@ -98,13 +103,13 @@ void SingleSurface::apply(double time, double dt, std::span<const Row> x, std::s
   account(dt, v);
 }
 
-std::size_t SingleSurface::listed() const {
+std::size_t SurfaceContact::listed() const {
   std::size_t count = 0;
   for (const Block& b : blocks_) count += b.pairs.size();
   return count;
 }
 
-bool SingleSurface::node_alive(int node, std::span<const unsigned char> shell_alive) const {
+bool SurfaceContact::node_alive(int node, std::span<const unsigned char> shell_alive) const {
   const std::span<const int> around = around_.at(node);
   return around.empty() || std::any_of(around.begin(), around.end(), [&](int s) { return alive(s, shell_alive); });
 }
@@ -112,7 +117,7 @@ bool SingleSurface::node_alive(int node, std::span<const unsigned char> shell_al
 // ----------------------------------------------------------------------------------------------------------------
 // search
 
-bool SingleSurface::moved_too_far(std::span<const Row> x) {
+bool SurfaceContact::moved_too_far(std::span<const Row> x) {
   parallel_for(moved_.size(), 1, [this, &x](std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
       Motion motion;
@@ -136,7 +141,7 @@ bool SingleSurface::moved_too_far(std::span<const Row> x) {
   return norm(all.since_search.high - all.since_search.low) > margin_;
 }
 
-void SingleSurface::search(std::span<const Row> x, std::span<const unsigned char> shell_alive) {
+void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned char> shell_alive) {
   live_.clear();
   searched_at_.clear();
   for (int n : surface_) {
@@ -152,11 +157,11 @@ void SingleSurface::search(std::span<const Row> x, std::span<const unsigned char
   for (std::size_t s = 0; s < setup_.segments.size(); ++s) {
     const Segment& segment = setup_.segments[s];
     const bool whole = std::all_of(segment.node.begin(), segment.node.end(), [&](int n) { return finite(x[n]); });
-    if (!whole || !alive(static_cast<int>(s), shell_alive)) continue;
+    if (!whole || !(segment.side & pressing_) || !alive(static_cast<int>(s), shell_alive)) continue;
     Box box;
     for (const Vec3d& c : corners_of(segment, x)) box.add(c);
     living_.push_back(static_cast<int>(s));
-    boxes_.push_back(box.grown(0.5 * segment.thickness));
+    boxes_.push_back(box.grown(0.5 * segment.thickness + inner_[s]));
   }
   tree_ = BoxTree(boxes_);
 
@@ -171,7 +176,7 @@ void SingleSurface::search(std::span<const Row> x, std::span<const unsigned char
   ++searches_;
 }
 
-void SingleSurface::list_neighbours(Block& block, std::span<const Row> x, std::span<const unsigned char> shell_alive) {
+void SurfaceContact::list_neighbours(Block& block, std::span<const Row> x, std::span<const unsigned char> shell_alive) {
   std::swap(block.first, block.old_first);
   std::swap(block.pairs, block.old_pairs);
   block.pairs.clear();
@@ -188,15 +193,15 @@ void SingleSurface::list_neighbours(Block& block, std::span<const Row> x, std::s
       Pair pair;
       pair.segment = living_[item];
       const Segment& segment = setup_.segments[pair.segment];
-      const double far = reach(t, pair.segment) + margin_;
-      if (segment.has(tracked.node)) return;
+      const double far = reach(t, pair.segment) + inner_[pair.segment] + margin_;
+      if (!(segment.side & tracked.against) || segment.has(tracked.node)) return;
       const kernel::Corners corners = corners_of(segment, x);
       if (kernel::least_distance(corners, p) > far) return;
       const kernel::Foot foot = kernel::closest_point(corners, segment.triangle(), p);
       if (foot.distance > far) return;
       pair.xi = foot.xi;
       pair.eta = foot.eta;
-      pair.wake = travelled_ + (foot.distance - widest(t));
+      pair.wake = travelled_ + (foot.distance - (widest(t) + inner_[pair.segment]));
       block.pairs.push_back(pair);
     });
     const auto by_segment = [](const Pair& a, const Pair& b) { return a.segment < b.segment; };
@@ -219,27 +224,27 @@ void SingleSurface::list_neighbours(Block& block, std::span<const Row> x, std::s
 // ----------------------------------------------------------------------------------------------------------- every
 // cycle
 
-void SingleSurface::work(Block& block, const Step& step) const {
+void SurfaceContact::work(Block& block, const Step& step) const {
   block.hits.clear();
   for (int t = block.begin; t < block.end; ++t)
     if (block.wake[t - block.begin] <= travelled_) look_at(block, t, step);
 }
 
-void SingleSurface::look_at(Block& block, int tracked, const Step& step) const {
+void SurfaceContact::look_at(Block& block, int tracked, const Step& step) const {
   gather_candidates(block, tracked, step);
   const int node = setup_.nodes[tracked].node;
-  const auto close = [](const Candidate& c) { return c.foot.distance < c.reach; };
+  if (step.dt > 0.0) leave_out_strays(block, node, step);
+  const auto close = [](const Candidate& c) { return c.gap < c.reach; };
   if (std::none_of(block.candidates.begin(), block.candidates.end(), close)) return;
   if (!node_alive(node, step.shell_alive)) return;
   for (Candidate& candidate : block.candidates)
     if (close(candidate) && presses(block, candidate, node, step)) press(block, candidate, tracked, step);
 }
 
-void SingleSurface::gather_candidates(Block& block, int tracked, const Step& step) const {
+void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& step) const {
   block.candidates.clear();
   const TrackedNode& node = setup_.nodes[tracked];
   const Vec3d p = vec(step.x[node.node]);
-  const double far = widest(tracked);
   const int begin = block.first[tracked - block.begin], end = block.first[tracked - block.begin + 1];
   double& first_wake = block.wake[tracked - block.begin];
   first_wake = Box::infinity;
@@ -253,9 +258,11 @@ void SingleSurface::gather_candidates(Block& block, int tracked, const Step& ste
     pair.touching = false;
     pair.side = 0;
     pair.offset = pair.depth = 0.0;
+    pair.friction = {};
     const Segment& segment = setup_.segments[pair.segment];
     if (!alive(pair.segment, step.shell_alive)) continue;
     const kernel::Corners corners = corners_of(segment, step.x);
+    const double far = widest(tracked) + inner_[pair.segment];
     const double clear = kernel::least_distance(corners, p);
     Candidate c;
     if (clear < far) {
@@ -269,15 +276,55 @@ void SingleSurface::gather_candidates(Block& block, int tracked, const Step& ste
     c.pair = &pair;
     c.before = before;
     c.reach = reach(tracked, pair.segment);
+    c.gap = c.foot.distance;
     if (c.foot.boundary == 0 && before.touching && before.side != 0)
       c.away = static_cast<double>(before.side) * c.foot.normal;
     else
       c.away = c.foot.distance > 0.0 ? (1.0 / c.foot.distance) * (p - c.foot.point) : c.foot.normal;
+    if (inner_[pair.segment] > 0.0 && inside(c, p, step)) {
+      c.gap = -c.foot.distance;
+      c.away = c.foot.boundary == 0 || c.foot.distance == 0.0 ? c.foot.normal : -c.away;
+    }
     block.candidates.push_back(c);
   }
 }
 
-bool SingleSurface::presses(const Block& block, const Candidate& candidate, int node, const Step& step) const {
+/// A node inside a brick is near several of its faces. It belongs to those that it touched before, slid onto, or came
+/// through in this step; the others are no business of its.
+void SurfaceContact::leave_out_strays(Block& block, int node, const Step& step) const {
+  for (Candidate& candidate : block.candidates) {
+    if (candidate.gap >= 0.0 || candidate.before.touching) continue;
+    const Segment& segment = setup_.segments[candidate.pair->segment];
+    const Vec3d velocity = vec(step.v[node]) - interpolate(segment, candidate.foot.weight, step.v);
+    const Vec3d was_at = vec(step.x[node]) - candidate.foot.point - step.dt * velocity;
+    if (dot(was_at, candidate.foot.normal) >= 0.0) continue;
+    const Candidate* from = predecessor(block, candidate);
+    if (from == nullptr || dot(from->away, candidate.away) <= 0.5) candidate.gap = Box::infinity;
+  }
+}
+
+/// Whether p lies behind the face of a brick; where the foot is on an edge or corner, behind all faces that meet there,
+/// or beyond them by no more than the extension that segments have (MAXPAR).
+bool SurfaceContact::inside(const Candidate& candidate, const Vec3d& p, const Step& step) const {
+  const Vec3d r = p - candidate.foot.point;
+  if (dot(r, candidate.foot.normal) >= 0.0 || candidate.foot.distance > inner_[candidate.pair->segment]) return false;
+  const Segment& segment = setup_.segments[candidate.pair->segment];
+  const auto beyond = [&](int s) {
+    const Segment& other = setup_.segments[s];
+    if (!has_boundary(other, segment, candidate.foot.boundary) || !alive(s, step.shell_alive)) return false;
+    const kernel::Corners k = corners_of(other, step.x);
+    const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
+    return dot(r, n) > extension * std::sqrt(0.5 * norm(n)) * norm(n);
+  };
+  for (int c = 0; c < segment.corners(); ++c) {
+    if (!(candidate.foot.boundary >> c & 1u)) continue;
+    const std::span<const int> around = around_.at(segment.node[c]);
+    if (std::any_of(around.begin(), around.end(), beyond)) return false;
+  }
+  return true;
+}
+
+bool SurfaceContact::presses(const Block& block, const Candidate& candidate, int node, const Step& step) const {
   if (at_home(candidate, node, step.shell_alive)) return false;
   return std::none_of(block.candidates.begin(), block.candidates.end(),
                       [&](const Candidate& other) { return hidden_by(other, candidate); });
@@ -285,7 +332,7 @@ bool SingleSurface::presses(const Block& block, const Candidate& candidate, int 
 
 /// The closest point lies on an edge or corner of the node's own segments: along the surface there is a way down to
 /// distance 0, so this is no contact of one part of the surface with another.
-bool SingleSurface::at_home(const Candidate& candidate, int node, std::span<const unsigned char> shell_alive) const {
+bool SurfaceContact::at_home(const Candidate& candidate, int node, std::span<const unsigned char> shell_alive) const {
   if (candidate.foot.boundary == 0) return false;
   const Segment& segment = setup_.segments[candidate.pair->segment];
   const std::span<const int> around = around_.at(node);
@@ -296,16 +343,19 @@ bool SingleSurface::at_home(const Candidate& candidate, int node, std::span<cons
 
 /// `other` is closer and the two are one stretch of surface: the foot lies on their common edge or corner, or they push
 /// in much the same direction (a facetted hollow, where both have a foot inside).
-bool SingleSurface::hidden_by(const Candidate& other, const Candidate& candidate) const {
+bool SurfaceContact::hidden_by(const Candidate& other, const Candidate& candidate) const {
   if (&other == &candidate || other.foot.distance > candidate.foot.distance) return false;
+  if (candidate.gap < 0.0 && other.gap >= 0.0) return false;  // a face that it is not behind
   if (other.foot.distance == candidate.foot.distance && other.pair->segment > candidate.pair->segment) return false;
   const Segment &a = setup_.segments[other.pair->segment], &b = setup_.segments[candidate.pair->segment];
-  if (has_boundary(a, b, candidate.foot.boundary)) return true;
-  return share_a_node(a, b) && dot(other.away, candidate.away) > 0.5;
+  const bool alike = dot(other.away, candidate.away) > 0.5;
+  if (has_boundary(a, b, candidate.foot.boundary)) return candidate.gap >= 0.0 || alike || !candidate.before.touching;
+  if (candidate.gap < 0.0 && !candidate.before.touching && share_a_node(a, b)) return true;
+  return share_a_node(a, b) && alike;
 }
 
 /// The pair from which the node comes if it did not touch `candidate` before: a neighbour that it touched.
-const SingleSurface::Candidate* SingleSurface::predecessor(const Block& block, const Candidate& candidate) const {
+const SurfaceContact::Candidate* SurfaceContact::predecessor(const Block& block, const Candidate& candidate) const {
   const Segment& segment = setup_.segments[candidate.pair->segment];
   const Candidate* found = nullptr;
   for (const Candidate& other : block.candidates) {
@@ -317,7 +367,7 @@ const SingleSurface::Candidate* SingleSurface::predecessor(const Block& block, c
   return found;
 }
 
-int SingleSurface::side_of(const Candidate& candidate, const Candidate* from, const Vec3d& was_at) const {
+int SurfaceContact::side_of(const Candidate& candidate, const Candidate* from, const Vec3d& was_at) const {
   if (candidate.before.touching && candidate.before.side != 0) return candidate.before.side;
   if (from != nullptr && from->before.side != 0) {
     const int same = same_side(setup_.segments[from->pair->segment], setup_.segments[candidate.pair->segment]);
@@ -326,7 +376,7 @@ int SingleSurface::side_of(const Candidate& candidate, const Candidate* from, co
   return dot(was_at, candidate.foot.normal) < 0.0 ? -1 : 1;
 }
 
-void SingleSurface::press(Block& block, Candidate& candidate, int tracked, const Step& step) const {
+void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, const Step& step) const {
   Pair& pair = *candidate.pair;
   const Segment& segment = setup_.segments[pair.segment];
   const int node = setup_.nodes[tracked].node;
@@ -336,7 +386,9 @@ void SingleSurface::press(Block& block, Candidate& candidate, int tracked, const
 
   Vec3d direction = candidate.away;
   int side = dot(direction, candidate.foot.normal) < 0.0 ? -1 : 1;
-  if (candidate.foot.boundary == 0) {
+  if (candidate.gap < 0.0) {
+    side = 1;
+  } else if (candidate.foot.boundary == 0) {
     side = side_of(candidate, from, r - step.dt * velocity);
     direction = static_cast<double>(side) * candidate.foot.normal;
   }
@@ -357,12 +409,35 @@ void SingleSurface::press(Block& block, Candidate& candidate, int tracked, const
   const double penalty = std::min(segment_stiffness_[pair.segment], node_stiffness_[tracked]);
   const double stiffness = kernel::pair_stiffness(setup_.law, penalty, inverse_mass, step.dt);
   const double size = kernel::pair_force(setup_.law, stiffness, inverse_mass, pair.depth, -dot(velocity, direction));
-  if (size > 0.0) block.hits.push_back({node, pair.segment, candidate.foot.weight, size * direction, pair.depth});
+  if (!(size > 0.0)) return;
+  Vec3d force = size * direction;
+  if (setup_.law.friction.any()) {
+    const Pair* before = candidate.before.touching ? &candidate.before : from != nullptr ? &from->before : nullptr;
+    pair.friction = friction(candidate, before, direction, stiffness, size, step);
+    force += pair.friction;
+  }
+  block.hits.push_back({node, pair.segment, candidate.foot.weight, force, pair.depth});
+}
+
+/// Friction on the node; `before`: the pair that it touched a cycle ago, this one or the one from which it came.
+Vec3d SurfaceContact::friction(const Candidate& candidate, const Pair* before, const Vec3d& direction, double stiffness,
+                               double normal_force, const Step& step) const {
+  if (before == nullptr) return {};
+  const Segment& from = setup_.segments[before->segment];
+  const Vec3d was = interpolate(from, kernel::shape_functions(from.triangle(), before->xi, before->eta), step.x);
+  const auto along = [&direction](const Vec3d& a) { return a - dot(a, direction) * direction; };
+  const Vec3d slip = along(candidate.foot.point - was);
+  const Vec3d trial = along(before->friction) - stiffness * slip;
+  const double speed = step.dt > 0.0 ? norm(slip) / step.dt : 0.0;
+  const double bound =
+      setup_.law.friction.bound(normal_force, speed, area(setup_.segments[candidate.pair->segment], step.x));
+  const double size = norm(trial);
+  return size > bound ? (bound / size) * trial : trial;
 }
 
 // --------------------------------------------------------------------------------------------------- forces and energy
 
-void SingleSurface::next_cycle() {
+void SurfaceContact::next_cycle() {
   std::swap(now_, before_);
   std::swap(touched_now_, touched_before_);
   for (int place : touched_now_) now_[place] = Row{};
@@ -373,7 +448,7 @@ void SingleSurface::next_cycle() {
   deepest_ = 0.0;
 }
 
-void SingleSurface::add(int node, const Vec3d& force) {
+void SurfaceContact::add(int node, const Vec3d& force) {
   const int place = surface_index_[node];
   if (stamp_[place] != cycle_) {
     stamp_[place] = cycle_;
@@ -382,13 +457,13 @@ void SingleSurface::add(int node, const Vec3d& force) {
   nugget::add(now_[place], force);
 }
 
-void SingleSurface::add_forces(std::span<Row> force) {
+void SurfaceContact::add_forces(std::span<Row> force) {
   for (int b : busy_) {
     for (const Hit& hit : blocks_[b].hits) {
       const Segment& segment = setup_.segments[hit.segment];
       add(hit.node, hit.force);
       for (int c = 0; c < segment.corners(); ++c) add(segment.node[c], -hit.weight[c] * hit.force);
-      resultant_ += hit.force;
+      resultant_ += segment.side == 1 && pressing_ != 1 ? -hit.force : hit.force;
       deepest_ = std::max(deepest_, hit.depth);
       ++touching_;
     }
@@ -396,7 +471,16 @@ void SingleSurface::add_forces(std::span<Row> force) {
   for (int place : touched_now_) nugget::add(force[surface_[place]], vec(now_[place]));
 }
 
-void SingleSurface::account(double dt, std::span<const Row> v) {
+Vec3d SurfaceContact::force_on(std::span<const unsigned char> marked) const {
+  Vec3d sum;
+  for (int place : touched_now_) {
+    const auto node = static_cast<std::size_t>(surface_[place]);
+    if (node < marked.size() && marked[node]) sum += vec(now_[place]);
+  }
+  return sum;
+}
+
+void SurfaceContact::account(double dt, std::span<const Row> v) {
   double power = 0.0;
   for (int place : touched_now_) power += dot(vec(now_[place]) + vec(before_[place]), vec(v[surface_[place]]));
   for (int place : touched_before_)
@@ -407,25 +491,25 @@ void SingleSurface::account(double dt, std::span<const Row> v) {
 // -------------------------------------------------------------------------------------------------- initial
 // penetrations
 
-std::vector<Penetration> find_penetrations(const SingleSurfaceSetup& setup, std::span<const Row> x) {
-  SingleSurface contact(setup, x);
+std::vector<Penetration> find_penetrations(const SurfaceContactSetup& setup, std::span<const Row> x) {
+  SurfaceContact contact(setup, x);
   contact.search(x, {});
   std::vector<Penetration> found;
-  const SingleSurface::Step step{0.0, x, {}, {}, {}};
+  const SurfaceContact::Step step{0.0, x, {}, {}, {}};
   for (int b : contact.busy_) {
-    SingleSurface::Block& block = contact.blocks_[b];
+    SurfaceContact::Block& block = contact.blocks_[b];
     for (int t = block.begin; t < block.end; ++t) {
       contact.gather_candidates(block, t, step);
       const int node = setup.nodes[t].node;
-      for (const SingleSurface::Candidate& c : block.candidates)
-        if (c.foot.distance < c.reach && contact.presses(block, c, node, step))
-          found.push_back({node, c.pair->segment, c.reach - c.foot.distance, c.away});
+      for (const SurfaceContact::Candidate& c : block.candidates)
+        if (c.gap < c.reach && contact.presses(block, c, node, step))
+          found.push_back({node, c.pair->segment, c.reach - c.gap, c.away});
     }
   }
   return found;
 }
 
-std::vector<Penetration> remove_penetrations(const SingleSurfaceSetup& setup, std::span<Row> x, int passes) {
+std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, std::span<Row> x, int passes) {
   const std::vector<Penetration> before = find_penetrations(setup, x);
   std::vector<Penetration> left = before;
   for (int pass = 0; pass < passes; ++pass) {

@@ -11,12 +11,13 @@
 
 namespace nugget::contact {
 
-/// What *CONTACT_AUTOMATIC_SINGLE_SURFACE says, on plain arrays. Node numbers are positions in the arrays of `apply`.
-struct SingleSurfaceSetup {
+/// What a penalty *CONTACT says, on plain arrays. Node numbers are positions in the arrays of `apply`. In a single
+/// surface contact all is of side 1 and against side 1; of two sides, each node is against the segments of the other.
+struct SurfaceContactSetup {
   std::vector<Segment> segments;
-  std::vector<TrackedNode> nodes;  ///< see nodes_of(); nodes left out do not push, segments push all tracked nodes
+  std::vector<TrackedNode> nodes;  ///< see nodes_of(); nodes left out do not push
   double stiffness_scale = 0.1;    ///< SLSFAC times SFS
-  kernel::PenaltyLaw law;          ///< SOFT, SOFSCL, VDC
+  kernel::PenaltyLaw law;          ///< SOFT, SOFSCL, VDC, friction
   double birth = 0.0, death = 1e20;
 };
 
@@ -29,15 +30,15 @@ struct Penetration {
 };
 
 /// All overlaps of tracked nodes and segments at the coordinates `x`, by node in the order of the setup.
-std::vector<Penetration> find_penetrations(const SingleSurfaceSetup& setup, std::span<const Row> x);
+std::vector<Penetration> find_penetrations(const SurfaceContactSetup& setup, std::span<const Row> x);
 
 /// IGNORE = 0: moves tracked nodes out of the segments that they penetrate, in passes of half the depth each (the other
 /// half is done by the nodes of the other side, or by the next pass), until none is deeper than 1e-3 of the thickness
 /// or `passes` are done. Returns what find_penetrations() found before; what is still left the contact keeps as an
 /// offset.
-std::vector<Penetration> remove_penetrations(const SingleSurfaceSetup& setup, std::span<Row> x, int passes = 20);
+std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, std::span<Row> x, int passes = 20);
 
-/// Penalty contact of a surface with itself, without friction.
+/// Penalty contact of a surface with itself, or of two surfaces with each other.
 ///
 /// Geometry. A segment is the bilinear surface through its nodes, with a skin at half its thickness on both sides and
 /// round edges of that radius (LS-DYNA's SHLEDG = 0); a tracked node carries half its own thickness. The pair overlaps
@@ -46,6 +47,9 @@ std::vector<Penetration> remove_penetrations(const SingleSurfaceSetup& setup, st
 /// local minimum: of segments that share nodes only the closest counts, and segments of the node's own neighbourhood
 /// never do, however small they are against the thickness. So a node between two sheets feels both, and a flat sheet
 /// does not fight itself.
+///
+/// Bricks. The face of a brick has no skin; a node behind it is inside, down to 0.3 of the brick's depth, and is
+/// pressed out along the normal. Of the faces around an edge the closest counts.
 ///
 /// Sides. When a node first touches a segment, the side on which it stood a step earlier is kept until it leaves, and
 /// handed on to the neighbour over whose edge it slides. So a node pressed beyond the mid-surface is pressed back.
@@ -57,16 +61,21 @@ std::vector<Penetration> remove_penetrations(const SingleSurfaceSetup& setup, st
 /// what the step bears; see kernel/contact/penalty.hpp. The node's stiffness is the mean of its segments'. Initial
 /// geometry.
 ///
+/// Friction. A spring along the surface with the same k is drawn out as the foot moves over the segment, and slips at
+/// the bound of kernel::Friction: f = f - k de, then |f| <= bound (theory manual, "Friction"). de is the way of the
+/// foot over the material of the segment, so that turning together is no slip; the spring is handed on from segment to
+/// segment. The force acts on the node and at the foot, half the thicknesses apart: that couple is not balanced.
+///
 /// Search. Each node lists the segments within contact distance plus a margin; the lists are renewed when two points of
 /// the surface can have come closer than that margin, judged by the box of all displacements since. A pair found apart
 /// sleeps until the steps taken since, each judged by the box of its displacements, can have closed the gap. No contact
 /// is missed between searches and none depends on how often one searches.
 ///
 /// Results are the same bits for any number of threads. No memory is taken between searches.
-class SingleSurface {
+class SurfaceContact {
  public:
   /// `x`: initial coordinates, for stiffness and search margin.
-  SingleSurface(SingleSurfaceSetup setup, std::span<const Row> x);
+  SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x);
 
   /// Adds the contact forces at the end of a step to `force`. Sign: forces that act on the nodes (an external force;
   /// the solver's a = (force - internal)/m). All spans are by node, except `shell_alive` (by shell; empty: all live).
@@ -78,8 +87,11 @@ class SingleSurface {
   /// Sliding energy: stored in the penalty springs and dissipated by damping [energy]. It is minus the work of the
   /// contact forces, sum over steps of 1/2 (f_n + f_n+1) . v_n+1/2 dt, exactly what they take from the nodes' ledger.
   double energy() const { return energy_; }
-  /// Sum of the forces on tracked nodes as such, without the reactions on segments [force].
+  /// Force on the tracked side (SURFA) as a whole. In a single surface contact, where that is zero: the sum over the
+  /// tracked nodes as such, without the reactions on segments [force].
   const Vec3d& resultant() const { return resultant_; }
+  /// Sum of the forces on the nodes that are marked (by node; nodes beyond its end are not) [force].
+  Vec3d force_on(std::span<const unsigned char> marked) const;
   int touching() const { return touching_; }   ///< pairs that carry force
   double deepest() const { return deepest_; }  ///< largest depth that counts in a force [length]
   long searches() const { return searches_; }  ///< how often the lists were made
@@ -94,6 +106,7 @@ class SingleSurface {
     double xi = 0.0, eta = 0.0;
     double offset = 0.0;  ///< overlap that the pair came with and that gives no force [length]
     double depth = 0.0;   ///< overlap that does [length]
+    Vec3d friction;       ///< force on the node along the surface [force]
     double wake = 0.0;    ///< before `travelled_` gets here the two cannot touch [length]
   };
   /// A pair close enough to be looked at in this cycle.
@@ -101,7 +114,8 @@ class SingleSurface {
     Pair* pair = nullptr;
     Pair before;  ///< the pair as the cycle before left it
     kernel::Foot foot;
-    Vec3d away;          ///< unit vector from the foot to the node
+    Vec3d away;          ///< unit vector along which the node would leave
+    double gap = 0.0;    ///< from the foot to the node, negative inside a brick [length]
     double reach = 0.0;  ///< distance at which the two touch
   };
   /// A contact force to be added.
@@ -128,7 +142,7 @@ class SingleSurface {
     std::span<const double> mass;
     std::span<const unsigned char> shell_alive;
   };
-  friend std::vector<Penetration> find_penetrations(const SingleSurfaceSetup&, std::span<const Row>);
+  friend std::vector<Penetration> find_penetrations(const SurfaceContactSetup&, std::span<const Row>);
 
   bool alive(int segment, std::span<const unsigned char> shell_alive) const {
     const int shell = setup_.segments[segment].shell;
@@ -146,22 +160,28 @@ class SingleSurface {
   void work(Block& block, const Step& step) const;
   void look_at(Block& block, int tracked, const Step& step) const;
   void gather_candidates(Block& block, int tracked, const Step& step) const;
+  void leave_out_strays(Block& block, int node, const Step& step) const;
+  bool inside(const Candidate& candidate, const Vec3d& p, const Step& step) const;
   bool presses(const Block& block, const Candidate& candidate, int node, const Step& step) const;
   bool at_home(const Candidate& candidate, int node, std::span<const unsigned char> shell_alive) const;
   bool hidden_by(const Candidate& other, const Candidate& candidate) const;
   const Candidate* predecessor(const Block& block, const Candidate& candidate) const;
   int side_of(const Candidate& candidate, const Candidate* from, const Vec3d& was_at) const;
+  Vec3d friction(const Candidate& candidate, const Pair* before, const Vec3d& direction, double stiffness,
+                 double normal_force, const Step& step) const;
   void press(Block& block, Candidate& candidate, int tracked, const Step& step) const;
   void add_forces(std::span<Row> force);
   void add(int surface_node, const Vec3d& force);
   void account(double dt, std::span<const Row> v);
   void next_cycle();
 
-  SingleSurfaceSetup setup_;
+  SurfaceContactSetup setup_;
   NodeSegments around_;
   std::vector<double> segment_stiffness_;  // scaled
+  std::vector<double> inner_;              // how deep inside its brick a segment still presses; 0: a shell
   std::vector<double> node_stiffness_;     // scaled, by tracked node
   double thickest_segment_ = 0.0;
+  unsigned pressing_ = 0;  // sides whose segments press any node
   double margin_ = 0.0;
 
   std::vector<int> surface_;        // all nodes of segments and all tracked nodes, ascending
