@@ -36,6 +36,7 @@ using AlignedReals = std::vector<double, Aligned<double>>;
 ///   cycle<R>(motion, dt, state)       the kernel; returns f, m (where rotational) and stable_step
 ///   mass, nodal_inertia (element)     of the undeformed element
 ///   layers(), layer(...), thickness(...), resultants(...)   for output
+///   Layout::integrity, hold_yield(state, lane)              of welds only
 template <class Element>
 class BatchGroup final : public ElementGroup {
  public:
@@ -43,6 +44,7 @@ class BatchGroup final : public ElementGroup {
   static constexpr int width = native_width;
   static constexpr int corners = Element::corners;
   static constexpr int rows = Element::rotational ? 2 : 1;
+  static constexpr bool is_weld = requires(Element & kernel) { kernel.hold_yield(nullptr, 0); };
 
   /// `connectivity`: system nodes of each element.
   BatchGroup(Element kernel, model::ElementKind k, model::Index p, std::vector<model::Index> elements,
@@ -136,6 +138,17 @@ class BatchGroup final : public ElementGroup {
     step_[e] *= std::sqrt(factor / mass_scale(e));
     field(e, Element::Layout::density_scale) = factor;
     find_block_step(e / width);
+  }
+
+  double integrity(std::size_t e) const override {
+    if constexpr (is_weld) return field(e, Element::Layout::integrity);
+    return 1.0;
+  }
+  void set_integrity(std::size_t e, double share) override {
+    if constexpr (is_weld) field(e, Element::Layout::integrity) = share;
+  }
+  void hold_yield(std::size_t e) override {
+    if constexpr (is_weld) kernel_.hold_yield(state(e), lane(e));
   }
 
   int layers() const override { return kernel_.layers(); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include "kernel/element/hexahedron.hpp"
 #include "model/model.hpp"
@@ -37,10 +38,15 @@ struct BrickElement {
     return kernel::hexahedron_cycle(brick, law, motion, dt, state);
   }
 
+  void hold_yield(double* state, int lane) const requires std::is_same_v<Law, kernel::Spotweld> {
+    kernel::hold_yield(law, state, native_width, lane);
+  }
+
   template <class Field>
   ElementGroup::Layer layer(const Field& field, int, const Places&) const {
     ElementGroup::Layer l;
-    for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] = field(Layout::stress + i);
+    const double left = field(Layout::integrity);
+    for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] = left * field(Layout::stress + i);
     if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = field(Layout::first_history);
     return l;
   }

@@ -57,6 +57,12 @@ class ElementGroup {
   virtual double mass_scale(std::size_t e) const = 0;         ///< factor on the density by mass scaling
   virtual void scale_mass(std::size_t e, double factor) = 0;  ///< sets that factor
 
+  // Damage of a weld as a whole, from outside its elements. Elements of other kinds are always sound.
+  virtual double integrity(std::size_t) const { return 1.0; }  ///< share of the sound element's force that is left
+  virtual void set_integrity(std::size_t, double) {}           ///< from the next cycle on
+  /// Lets no point's stress grow beyond what it is now; where the material says that this may happen.
+  virtual void hold_yield(std::size_t) {}
+
   /// Stresses and strains for output, global axes where not said otherwise.
   struct Layer {
     std::array<double, 6> stress{};  ///< xx yy zz xy yz zx

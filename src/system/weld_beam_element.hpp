@@ -46,11 +46,15 @@ struct WeldBeamElement {
     return kernel::weld_beam_cycle(beam, law, motion, dt, state);
   }
 
+  void hold_yield(double* state, int lane) const { kernel::hold_yield(layout(), law, state, native_width, lane); }
+
   /// Stress of a section point: rr in the first place, rs and rt in the fourth and the sixth.
   template <class Field>
   ElementGroup::Layer layer(const Field& field, int k, const Places&) const {
     const int at = layout().fibre(k);
-    return {{field(at), 0.0, 0.0, field(at + 1), 0.0, field(at + 2)}, field(layout().history_of(k))};
+    const double left = field(Layout::integrity);
+    return {{left * field(at), 0.0, 0.0, left * field(at + 1), 0.0, left * field(at + 2)},
+            field(layout().history_of(k))};
   }
   template <class Field>
   double thickness(const Field& field) const {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace nugget::kernel {
 namespace {
@@ -146,7 +147,8 @@ template <class R>
                                                             const ElasticConstants& e, const Gradient<R>& g,
                                                             const Patterns<R>& mid, const Patterns<R>& end,
                                                             const Hourglass<R>& rate, const Frame<R>& turn,
-                                                            const R& side, double dt, double* state) {
+                                                            const R& side, const R& integrity, double dt,
+                                                            double* state) {
   using L = HexahedronLayout;
   Hourglass<R> old = load_hourglass<R>(state), now = old, q = rate;
   if (brick.hourglass == 6) {
@@ -176,12 +178,37 @@ template <class R>
     power += dot(old.q[i] + now.q[i], q.q[i]);
     store_vector(state, L::hourglass + 3 * i, now.q[i]);
   }
-  store_field(state, L::hourglass_energy, load_field<R>(state, L::hourglass_energy) + (0.5 * dt) * power);
+  store_field(state, L::hourglass_energy, load_field<R>(state, L::hourglass_energy) + (0.5 * dt) * integrity * power);
+  for (Vec3<R>& a : now.q) a = integrity * a;
   if (brick.hourglass == 6) {
     const Frame<R> axes = axes_of(end);
     for (Vec3<R>& a : now.q) a = axes.global(a);
   }
   return now;
+}
+
+/// Axes of a weld: r along the mean of the normals of the faces 1-2-3-4 and 5-6-7-8, so that shear does not tilt it, s
+/// along xi (spotweld-theory 3.1).
+template <class R>
+Frame<R> weld_axes(const Patterns<R>& x) {
+  const Vec3<R> r = unit(cross(x.a, x.b) + cross(x.h[1], x.h[0])), s = unit(x.a - dot(x.a, r) * r);
+  return {r, s, cross(r, s)};
+}
+
+/// Stress of a weld of uniaxial stress state, in global axes: rr, rs and rt only.
+template <class R>
+SolidTensor<R> section_stress(const Prepared<Spotweld>& law, const Matrix<R>& l, const Patterns<R>& mid,
+                              const Patterns<R>& end, double dt, double* history) {
+  const Frame<R> m = weld_axes(mid);
+  const Vec3<R> along = l * m.e1;
+  const FibreTensor<R> rate{dot(m.e1, along), dot(m.e2, along) + dot(m.e1, l * m.e2),
+                            dot(m.e3, along) + dot(m.e1, l * m.e3)};
+  const FibreTensor<R> f = law.section(rate, dt, history);
+  const Frame<R> e = weld_axes(end);
+  const Vec3<R>& r = e.e1;
+  const Vec3<R> t = R(0.5) * f.rr * r + f.rs * e.e2 + f.rt * e.e3;  // sigma = r t + t r
+  return {2.0 * (r.x * t.x),     2.0 * (r.y * t.y),     2.0 * (r.z * t.z),
+          r.x * t.y + t.x * r.y, r.y * t.z + t.y * r.z, r.z * t.x + t.z * r.x};
 }
 
 /// Square of the largest face's area.
@@ -250,17 +277,27 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepare
   const R side = old_side * (cube + 2.0 * g_end.volume) / (2.0 * cube + g_end.volume);
   store_field(state, L::side, select(alive && g_end.volume > 0.0, side, old_side));
 
+  double* history = state + L::first_history * lanes<R>;
+  const SolidTensor<R> d{l.x.x, l.y.y, l.z.z, l.x.y + l.y.x, l.y.z + l.z.y, l.z.x + l.x.z};
+  SolidTensor<R> s = rotated(turn, load_solid<R>(state + L::stress * lanes<R>));
+  law.rotate(turn, history);
+  R integrity(1.0), whole(1.0);  // of hourglass forces and bulk viscosity; of the weld as a whole
+  if constexpr (std::is_same_v<Law, Spotweld>) {
+    if (law.uniaxial())
+      s = section_stress(law, l, mid, end, dt, history);
+    else
+      law.solid(s, d, dt, history);
+    whole = load_field<R>(state, L::integrity);
+    integrity = whole * law.template integrity<R>(history);
+  } else {
+    law.solid(s, d, dt, history);
+  }
+  store_solid(state + L::stress * lanes<R>, s);
+
   const bool orthogonal = brick.hourglass != 1;
   Hourglass<R> rate;
   for (int i = 0; i < 4; ++i) rate.q[i] = orthogonal ? v.h[i] - l * mid.h[i] : v.h[i];
-  const Hourglass<R> q = resist_hourglass(brick, e, g, mid, end, rate, turn, side, dt, state);
-
-  double* history = state + L::first_history * lanes<R>;
-  SolidTensor<R> s = rotated(turn, load_solid<R>(state + L::stress * lanes<R>));
-  law.rotate(turn, history);
-  const SolidTensor<R> d{l.x.x, l.y.y, l.z.z, l.x.y + l.y.x, l.y.z + l.z.y, l.z.x + l.x.z};
-  law.solid(s, d, dt, history);
-  store_solid(state + L::stress * lanes<R>, s);
+  const Hourglass<R> q = resist_hourglass(brick, e, g, mid, end, rate, turn, side, integrity, dt, state);
 
   // Bulk viscosity over the length that the step is made of. With V^(1/3) a flat brick is damped beyond what its step
   // bears: at TSSFAC 0.9 and Q2 0.06 from sides of 5:1 on, and the run diverges (docs/decisions/0008).
@@ -269,7 +306,8 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepare
   const R c2 = e.bulk_wave() / density, c = sqrt(c2), trace = d.xx + d.yy + d.zz, none = R(0.0);
   const auto compressed = trace < 0.0;
   const R viscous = density * length * (brick.bulk_quadratic * length * trace * trace - brick.bulk_linear * c * trace);
-  const R pressure = select(compressed, viscous, none);
+  const R pressure = select(compressed, integrity * viscous, none);
+  if constexpr (std::is_same_v<Law, Spotweld>) s = whole * s;
   s.xx -= pressure;
   s.yy -= pressure;
   s.zz -= pressure;
@@ -298,7 +336,17 @@ void start_hexahedron(const HexahedronLayout& layout, const std::array<Vec3d, 8>
   for (int i = 0; i < layout.size(); ++i) state[i * width + lane] = 0.0;
   state[L::alive * width + lane] = 1.0;
   state[L::density_scale * width + lane] = 1.0;
+  state[L::integrity * width + lane] = 1.0;
   state[L::side * width + lane] = std::cbrt(hexahedron_volume(x));
+}
+
+void hold_yield(const Prepared<Spotweld>& law, double* state, int width, int lane) {
+  using L = HexahedronLayout;
+  const auto at = [&](int i) { return state[(L::stress + i) * width + lane]; };
+  const double xy = at(0) - at(1), yz = at(1) - at(2), zx = at(2) - at(0);
+  const double shear2 = at(3) * at(3) + at(4) * at(4) + at(5) * at(5);
+  state[(L::first_history + Prepared<Spotweld>::held) * width + lane] =
+      law.stress_to_hold(std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * shear2));
 }
 
 double hexahedron_volume(const std::array<Vec3d, 8>& x) {

@@ -25,7 +25,8 @@ struct HexahedronLayout {
   static constexpr int hourglass = 3;          ///< four vectors of generalised hourglass forces
   static constexpr int hourglass_energy = 15;  ///< work done against them [energy]
   static constexpr int stress = 16;            ///< xx yy zz xy yz zx, global axes, without bulk viscosity
-  static constexpr int first_history = 22;
+  static constexpr int integrity = 22;  ///< share of the forces that the damage of a weld as a whole has left [1]
+  static constexpr int first_history = 23;
 
   int history = 0;
 
@@ -64,10 +65,12 @@ struct SolidForces {
 /// viscous on the plain patterns (not free of rigid rotation), 2 and 3 viscous on the patterns orthogonal to linear
 /// fields, 4 and 5 stiffness on them, turned with the material; 6 the physical stabilisation of Belytschko and Bindeman
 /// in the frame of the element's axes (QM 1 is the elastic value). 2 and 4 use the exact gradient as 3 and 5 do. Wedges
-/// and tetrahedra written with repeated nodes are computed as they come; their step is on the safe side. A brick whose
-/// point has failed, or whose stable step falls below the law's deletion step, is deleted: alive 0, no force, infinite
-/// stable step. Internal energy is the work of the nodal forces, less the hourglass energy. Sources: Flanagan,
-/// Belytschko, IJNME 17 (1981); Hughes, Winget, IJNME 15 (1980); Belytschko, Bindeman, CMAME 105 (1993);
+/// and tetrahedra written with repeated nodes are computed as they come; their step is on the safe side. A weld of
+/// uniaxial stress state has only the stresses on its cross-section, in axes that go with the faces 1-2-3-4 and
+/// 5-6-7-8; of a damaged weld stress, hourglass forces and bulk viscosity are damaged alike. A brick whose point has
+/// failed, or whose stable step falls below the law's deletion step, is deleted: alive 0, no force, infinite stable
+/// step. Internal energy is the work of the nodal forces, less the hourglass energy. Sources: Flanagan, Belytschko,
+/// IJNME 17 (1981); Hughes, Winget, IJNME 15 (1980); Belytschko, Bindeman, CMAME 105 (1993);
 /// ../shared/reference/element-theory.md section 5.
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld; Dual<24> with
@@ -75,6 +78,10 @@ struct SolidForces {
 template <class R, class Law>
 SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepared<Law>& law,
                                 const SolidMotion<R>& nodes, double dt, double* state);
+
+/// Holds the yield stress of a weld brick at its present effective stress, from now on; see hold_yield of
+/// weld_beam.hpp.
+void hold_yield(const Prepared<Spotweld>& law, double* state, int width, int lane);
 
 /// Volume; negative for inverted node order [length^3].
 double hexahedron_volume(const std::array<Vec3d, 8>& x);

@@ -66,6 +66,7 @@ void start_weld_beam(const WeldBeamLayout& layout, const Vec3d& x1, const Vec3d&
   const Vec3d s = unit(side);
   state[L::alive * width + lane] = 1.0;
   state[L::density_scale * width + lane] = 1.0;
+  state[L::integrity * width + lane] = 1.0;
   state[L::axis_s * width + lane] = s.x;
   state[(L::axis_s + 1) * width + lane] = s.y;
   state[(L::axis_s + 2) * width + lane] = s.z;
@@ -126,8 +127,9 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared
     alive = alive && sound;
     store_field(state, L::alive, select(alive, R(1.0), none));
   }
+  const R integrity = load_field<R>(state, L::integrity);
   for (int i = 0; i < 6; ++i) {
-    n[i] = select(alive, n[i], none);
+    n[i] = select(alive, integrity * n[i], none);
     store_field(state, L::resultant + i, n[i]);
   }
 
@@ -142,6 +144,15 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared
   out.stable_step =
       select(alive, length * sqrt(density * (1.0 / law.elastic().E)), R(std::numeric_limits<double>::infinity()));
   return out;
+}
+
+void hold_yield(const WeldBeamLayout& layout, const Prepared<Spotweld>& law, double* state, int width, int lane) {
+  for (int k = 0; k < layout.fibres; ++k) {
+    const auto stress = [&](int i) { return state[(layout.fibre(k) + i) * width + lane]; };
+    const double shear2 = stress(1) * stress(1) + stress(2) * stress(2);
+    state[(layout.history_of(k) + Prepared<Spotweld>::held) * width + lane] =
+        law.stress_to_hold(std::sqrt(stress(0) * stress(0) + 3.0 * shear2));
+  }
 }
 
 double weld_beam_stable_step(double length, double E, double density) {

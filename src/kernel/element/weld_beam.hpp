@@ -35,7 +35,8 @@ struct WeldBeamLayout {
   static constexpr int axis_s = 2;         ///< global components of the unit vector s; r is along the beam, t = r x s
   static constexpr int resultant = 5;      ///< N_rr N_rs N_rt [force], M_rr M_ss M_tt [moment], at mid-length
   static constexpr int length = 11;        ///< current length [length]
-  static constexpr int first_fibre = 12;
+  static constexpr int integrity = 12;     ///< share of the forces that the damage of the weld as a whole has left [1]
+  static constexpr int first_fibre = 13;
 
   int fibres = 0, history = 0;
 
@@ -61,14 +62,18 @@ void start_weld_beam(const WeldBeamLayout& layout, const Vec3d& x1, const Vec3d&
 ///
 /// Rates are formed on the mid-step geometry, forces on that of the end. s turns with the mean spin of the nodes and
 /// stays normal to the beam. Points whose plastic strain reaches the failure strain carry no stress; a beam of which
-/// every point has failed is deleted: alive 0, no force, infinite stable step. The resultants are left in the state for
-/// the weld's failure function. The stable step is L / sqrt(E / rho). Source: ../shared/reference/spotweld-theory.md
-/// section 2.
+/// every point has failed is deleted: alive 0, no force, infinite stable step. The resultants, damaged as the forces
+/// are, are left in the state for the weld's failure function. The stable step is L / sqrt(E / rho). Source:
+/// ../shared/reference/spotweld-theory.md section 2.
 ///
 /// Instantiated for R = double, NativeBatch with Elastic and Spotweld; Dual<12> with Elastic.
 template <class R, class Law>
 NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared<Law>& law,
                                   const NodalMotion<R, 2>& nodes, double dt, double* state);
+
+/// Holds the yield stress of every point at its present effective stress, from now on: the stress limit after the onset
+/// of damage of the weld as a whole (DMGOPT 11, 12). The law must allow it (Spotweld::yield_can_be_held).
+void hold_yield(const WeldBeamLayout& layout, const Prepared<Spotweld>& law, double* state, int width, int lane);
 
 /// Stable time step L / sqrt(E / rho) before TSSFAC [time].
 double weld_beam_stable_step(double length, double E, double density);

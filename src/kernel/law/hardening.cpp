@@ -4,6 +4,38 @@
 #include <algorithm>
 
 namespace nugget::kernel {
+namespace {
+
+/// The curve up to `strain`, then level.
+Curve levelled(const Curve& curve, double strain) {
+  Curve level;
+  level.id = curve.id;
+  for (std::size_t i = 0; i < curve.x.size() && curve.x[i] < strain; ++i) {
+    level.x.push_back(curve.x[i]);
+    level.y.push_back(curve.y[i]);
+  }
+  for (const double x : {strain, strain + 1.0}) {
+    level.x.push_back(x);
+    level.y.push_back(curve.extrapolated(strain));
+  }
+  return level;
+}
+
+PiecewiseLinear curves_of(const Spotweld& law) {
+  PiecewiseLinear curves;
+  curves.yield = law.yield_curves;
+  curves.rates = law.rates;
+  curves.log_rates = law.log_rates;
+  if (curves.yield.empty()) curves.yield = {{0, {0.0, 1.0}, {law.yield, law.yield + law.hardening}}};
+  if (law.damage.holds_yield)
+    for (Curve& curve : curves.yield) curve = levelled(curve, law.failure_strain);
+  return curves;
+}
+
+}  // namespace
+
+WeldHardening::WeldHardening(const Spotweld& law)
+    : CurveHardening(curves_of(law)), can_be_held_(law.yield_can_be_held) {}
 
 YieldCurve::YieldCurve(const Curve& curve) {
   const double forever = std::numeric_limits<double>::infinity();

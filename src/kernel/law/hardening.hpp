@@ -11,12 +11,14 @@
 #include "kernel/law/piecewise_linear.hpp"
 #include "kernel/law/plastic_kinematic.hpp"
 #include "kernel/law/spotweld.hpp"
+#include "kernel/law/stress_space.hpp"
 
 // How the yield stress of a J2 law depends on plastic strain and rate. A hardening gives
 //   lowest()              a stress below which no point yields, whatever its history: most points are done with it,
 //   needs_rate()          whether `At` wants the total strain rate,
 //   kinematic()           the part of the plastic modulus that moves the yield surface,
-//   At<R>                 one point in one step: yield stress and slope after a further plastic strain.
+//   At<R>                 one point in one step, by its history and strain rate: yield stress and slope after a further
+//                         plastic strain.
 namespace nugget::kernel {
 
 /// Yield stress and its slope over the plastic strain of this step, both [stress].
@@ -38,8 +40,7 @@ struct CowperSymonds {
   }
 };
 
-/// Linear hardening, part of it kinematic, with Cowper-Symonds rates (MAT_003; MAT_100 without kinematic part and
-/// rates).
+/// Linear hardening, part of it kinematic, with Cowper-Symonds rates (MAT_003).
 class BilinearHardening {
  public:
   explicit BilinearHardening(const PlasticKinematic& law)
@@ -48,7 +49,6 @@ class BilinearHardening {
     isotropic_ = law.beta * modulus;
     kinematic_ = (1.0 - law.beta) * modulus;
   }
-  explicit BilinearHardening(const Spotweld& law) : yield_(law.yield), isotropic_(law.hardening) {}
 
   double lowest() const { return isotropic_ < 0.0 ? 0.0 : yield_; }
   bool needs_rate() const { return rate_.active() && !viscoplastic_; }
@@ -57,8 +57,8 @@ class BilinearHardening {
   template <class R>
   class At {
    public:
-    At(const BilinearHardening& hardening, const R& plastic_strain, const R& strain_rate, double dt)
-        : hardening_(hardening), start_(hardening.yield_ + hardening.isotropic_ * plastic_strain), dt_(dt) {
+    At(const BilinearHardening& hardening, const double* history, const R& strain_rate, double dt)
+        : hardening_(hardening), start_(hardening.yield_ + hardening.isotropic_ * load_field<R>(history, 0)), dt_(dt) {
       slope_ = R(hardening.isotropic_);
       if (!hardening.needs_rate()) return;
       const R factor = hardening.rate_.factor(strain_rate);
@@ -124,8 +124,8 @@ class CurveHardening {
   template <class R>
   class At {
    public:
-    At(const CurveHardening& hardening, const R& plastic_strain, const R& strain_rate, double dt)
-        : hardening_(hardening), plastic_strain_(plastic_strain), rate_(strain_rate), dt_(dt) {
+    At(const CurveHardening& hardening, const double* history, const R& strain_rate, double dt)
+        : hardening_(hardening), plastic_strain_(load_field<R>(history, 0)), rate_(strain_rate), dt_(dt) {
       if (hardening.viscoplastic_) return;
       if (hardening.straight_) {
         const YieldCurve::Piece& line = hardening.curves_.front().last();
@@ -133,7 +133,7 @@ class CurveHardening {
         y_ = R(line.y);
         slope_ = R(line.slope);
       } else {
-        fetch(plastic_strain);
+        fetch(plastic_strain_);
       }
       if (hardening.needs_rate()) factor_ = map([&](double r) { return hardening.rate_factor(r); }, strain_rate);
     }
@@ -191,6 +191,43 @@ class CurveHardening {
   Curve rate_scale_;
   bool rate_dependent_ = false, viscoplastic_ = false, straight_ = false;
   double lowest_ = 0.0;
+};
+
+/// Hardening of MAT_100: EH, or curves; held at a stress of the point's history where the weld as a whole says so, and
+/// from EFAIL on where the damage does.
+class WeldHardening : public CurveHardening {
+ public:
+  /// Of a point's history: yield stress at which it is held; 0: not held [stress].
+  static constexpr int held = 1;
+
+  explicit WeldHardening(const Spotweld& law);
+
+  double lowest() const { return can_be_held_ ? 0.0 : CurveHardening::lowest(); }
+
+  template <class R>
+  class At {
+   public:
+    At(const WeldHardening& hardening, const double* history, const R& strain_rate, double dt)
+        : curve_(hardening, history, strain_rate, dt), can_be_held_(hardening.can_be_held_) {
+      if (!can_be_held_) return;
+      const R at = load_field<R>(history, held);
+      limit_ = select(at > 0.0, at, R(std::numeric_limits<double>::infinity()));
+    }
+    YieldStress<R> operator()(const R& increment) {
+      YieldStress<R> y = curve_(increment);
+      if (!can_be_held_) return y;
+      const auto over = y.value > limit_;
+      return {select(over, limit_, y.value), select(over, R(0.0), y.slope)};
+    }
+
+   private:
+    CurveHardening::At<R> curve_;
+    bool can_be_held_;
+    R limit_{};
+  };
+
+ private:
+  bool can_be_held_;
 };
 
 }  // namespace nugget::kernel

@@ -191,7 +191,7 @@ class J2 {
                               ThicknessStrain<R>& thickness) const {
     const Parts<LayerTensor<R>, R> trial = parts(s, history);
     const R plastic_strain = load_field<R>(history, 0), trial2 = trial.A + trial.B;
-    typename Hardening::template At<R> yield(hardening_, plastic_strain, rate_of(rate), dt);
+    typename Hardening::template At<R> yield(hardening_, history, rate_of(rate), dt);
     const YieldStress<R> start = yield(R(0.0));
     const auto plastic = trial2 > start.value * start.value;
     if (!any(plastic)) return;
@@ -226,7 +226,7 @@ class J2 {
   [[gnu::noinline]] void flow(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
     const Parts<SolidTensor<R>, R> trial = parts(s, history);
     const R plastic_strain = load_field<R>(history, 0);
-    typename Hardening::template At<R> yield(hardening_, plastic_strain, rate_of(rate), dt);
+    typename Hardening::template At<R> yield(hardening_, history, rate_of(rate), dt);
     const YieldStress<R> start = yield(R(0.0));
     const auto plastic = trial.B > start.value * start.value;
     if (!any(plastic)) return;
@@ -251,7 +251,7 @@ class J2 {
   [[gnu::noinline]] void flow(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt, double* history) const {
     const R A = s.rr * s.rr, B = 3.0 * (s.rs * s.rs + s.rt * s.rt), trial2 = A + B;
     const R plastic_strain = load_field<R>(history, 0);
-    typename Hardening::template At<R> yield(hardening_, plastic_strain, rate_of(rate), dt);
+    typename Hardening::template At<R> yield(hardening_, history, rate_of(rate), dt);
     const YieldStress<R> start = yield(R(0.0));
     const auto plastic = trial2 > start.value * start.value;
     if (!any(plastic)) return;

@@ -76,11 +76,93 @@ class Prepared<PiecewiseLinear> : public J2<CurveHardening, false> {
   double deletion_step_;
 };
 
+/// MAT_100. History of a point: plastic strain, yield stress at which it is held, time since its damage began, and the
+/// stress of the sound point, which the J2 return works on while the element gets the damaged one.
 template <>
-class Prepared<Spotweld> : public J2<BilinearHardening, false> {
+class Prepared<Spotweld> : public J2<WeldHardening, false> {
+  using Base = J2<WeldHardening, false>;
+
  public:
-  explicit Prepared(const Spotweld& law) : J2(law.E, law.nu, BilinearHardening(law), law.failure_strain) {}
+  static constexpr int held = WeldHardening::held, damaged_for = 2, sound = 3;
+  static constexpr int solid_history = sound + SolidTensor<double>::size;
+  static constexpr int fibre_history = sound + FibreTensor<double>::size;
+
+  explicit Prepared(const Spotweld& law)
+      : Base(law.E, law.nu, WeldHardening(law),
+             law.damage.growth == PointDamage::Growth::none ? law.failure_strain : 0.0),
+        damage_(law.damage),
+        onset_(law.failure_strain),
+        uniaxial_(law.uniaxial) {}
+
   double deletion_step() const { return 0.0; }
+  /// Whether bricks have no other stresses than those on the weld's cross-section: they call section(), not solid().
+  bool uniaxial() const { return uniaxial_; }
+
+  bool can_fail() const { return damages() || Base::can_fail(); }
+  template <class R>
+  MaskOf<R> failed(const double* history) const {
+    if (!damages()) return Base::failed<R>(history);
+    return load_field<R>(history, grows_in_time() ? damaged_for : 0) >= R(damage_.rupture);
+  }
+  /// What is left of the stress of a sound point.
+  template <class R>
+  [[gnu::always_inline]] inline R integrity(const double* history) const {
+    if (!damages()) return R(1.0);
+    const R w = grows_in_time() ? (1.0 / damage_.rupture) * load_field<R>(history, damaged_for)
+                                : (1.0 / (damage_.rupture - onset_)) * (load_field<R>(history, 0) - onset_);
+    const R grown = max(w, R(0.0));
+    const R left =
+        damage_.beta == 0.0 ? R(1.0) - grown : map([&](double g) { return std::exp(-damage_.beta * g); }, grown);
+    return select(failed<R>(history), R(0.0), left);
+  }
+
+  template <class R>
+  [[gnu::always_inline]] inline void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt,
+                                           double* history) const {
+    if (!damages()) return Base::solid(s, rate, dt, history);
+    SolidTensor<R> whole = load_solid<R>(history + sound * lanes<R>);
+    Base::solid(whole, rate, dt, history);
+    store_solid(history + sound * lanes<R>, whole);
+    grow_old<R>(dt, history);
+    s = integrity<R>(history) * whole;
+  }
+  template <class R>
+  [[gnu::always_inline]] inline void fibre(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt,
+                                           double* history) const {
+    if (!damages()) return Base::fibre(s, rate, dt, history);
+    s = section(rate, dt, history);
+  }
+  /// The same for a point that keeps its stress in its history only.
+  template <class R>
+  [[gnu::always_inline]] inline FibreTensor<R> section(const FibreTensor<R>& rate, double dt, double* history) const {
+    FibreTensor<R> whole = load_fibre<R>(history + sound * lanes<R>);
+    Base::fibre(whole, rate, dt, history);
+    store_fibre(history + sound * lanes<R>, whole);
+    grow_old<R>(dt, history);
+    return integrity<R>(history) * whole;
+  }
+  /// Stress at which a point of the effective stress given is held: its own, but not so low that the return to the
+  /// yield surface loses its digits (nor 0, which would say: not held).
+  double stress_to_hold(double effective) const { return std::max(effective, 1e-6 * elastic().E); }
+  template <class R>
+  void rotate(const Frame<R>& q, double* history) const {
+    double* whole = history + sound * lanes<R>;
+    if (damages() && !uniaxial_) store_solid(whole, rotated(q, load_solid<R>(whole)));
+  }
+
+ private:
+  bool damages() const { return damage_.growth != PointDamage::Growth::none; }
+  bool grows_in_time() const { return damage_.growth == PointDamage::Growth::time; }
+  template <class R>
+  void grow_old(double dt, double* history) const {
+    if (!grows_in_time()) return;
+    const auto begun = load_field<R>(history, 0) > R(onset_);
+    store_field(history, damaged_for, load_field<R>(history, damaged_for) + select(begun, R(dt), R(0.0)));
+  }
+
+  PointDamage damage_;
+  double onset_;
+  bool uniaxial_;
 };
 
 }  // namespace nugget::kernel

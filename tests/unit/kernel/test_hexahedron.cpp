@@ -74,6 +74,18 @@ Spotweld weld(double failure = 0.0) {
   return law;
 }
 
+Spotweld damaged_weld() {
+  Spotweld law = weld(0.05);
+  law.damage.growth = PointDamage::Growth::strain;
+  law.damage.rupture = 0.15;
+  return law;
+}
+
+Spotweld uniaxial_weld(Spotweld law) {
+  law.uniaxial = true;
+  return law;
+}
+
 template <class Law>
 void batch_gives_the_bits_of_double(const HexahedronProperties& properties, const Law& parameters) {
   constexpr int W = native_width;
@@ -127,6 +139,9 @@ TEST(Hexahedron, BatchGivesTheBitsOfDouble) {
   batch_gives_the_bits_of_double(brick(3), curved());
   batch_gives_the_bits_of_double(brick(6), tabled());
   batch_gives_the_bits_of_double(brick(6), weld(0.2));
+  batch_gives_the_bits_of_double(brick(6), damaged_weld());
+  batch_gives_the_bits_of_double(brick(6), uniaxial_weld(weld()));
+  batch_gives_the_bits_of_double(brick(2), uniaxial_weld(damaged_weld()));
 }
 
 TEST(Hexahedron, GradientIsTheDerivativeOfTheVolume) {
@@ -303,6 +318,98 @@ TEST(Hexahedron, FailedBrickIsDeleted) {
   EXPECT_EQ(largest(d.force), 0.0);
   EXPECT_GE(d.at(L::first_history), 0.02);
   EXPECT_TRUE(std::isinf(d.force.stable_step));
+}
+
+/// A weld brick of height 2 on a 5 x 5 section, its upper face driven, the lower one held.
+struct WeldBrick : Driven<Spotweld> {
+  explicit WeldBrick(const Spotweld& material) : Driven(kernel::brick(6, 1.0), material, box(5, 5, 2)) {}
+  void move(const Vec3d& by, double dt = 1.0) {
+    for (int i = 4; i < 8; ++i) nodes.v[i] = (1.0 / dt) * by;
+    step(dt);
+  }
+  Vec3d force_on_top() const { return force.f[4] + force.f[5] + force.f[6] + force.f[7]; }
+  double plastic_strain() const { return at(L::first_history); }
+};
+
+// Sabotage to be caught: lambda + 2 G in place of E; transverse stresses; G / 2.
+TEST(Hexahedron, UniaxialWeldHasOnlyTheStressesOfItsSection) {
+  WeldBrick d(uniaxial_weld(weld()));
+  d.move({1e-4, 2e-4, 3e-4}, 1e9);  // slow: no bulk viscosity
+  const double E = steel_E, G = E / 2.6, axial = std::log(1.0 + 3e-4 / 2);
+  EXPECT_NEAR(d.force_on_top().z, 25.0 * E * axial, 1e-6 * 25.0 * E * axial);
+  EXPECT_NEAR(d.force_on_top().x, 25.0 * G * 0.5e-4, 2e-4 * 25.0 * G * 0.5e-4);
+  EXPECT_NEAR(d.force_on_top().y, 25.0 * G * 1e-4, 2e-4 * 25.0 * G * 1e-4);
+  for (const int side : {0, 1}) {  // nothing across the weld
+    const double pull = side == 0 ? d.force.f[1].x + d.force.f[2].x + d.force.f[5].x + d.force.f[6].x
+                                  : d.force.f[2].y + d.force.f[3].y + d.force.f[6].y + d.force.f[7].y;
+    EXPECT_LT(std::abs(pull), 0.4 * norm(d.force_on_top()));
+    EXPECT_LT(std::abs(d.at(L::stress + side)), 1e-9);
+  }
+  WeldBrick full(weld());
+  full.move({0, 0, 3e-4}, 1e9);
+  EXPECT_GT(std::abs(full.at(L::stress)), 0.4 * full.at(L::stress + 2));
+}
+
+TEST(Hexahedron, UniaxialWeldTurnsWithItsFaces) {
+  WeldBrick d(uniaxial_weld(damaged_weld()));
+  for (int i = 0; i < 100; ++i) d.move({2e-4, 0, 5e-4});
+  const double axial = d.force_on_top().z, shear = d.force_on_top().x;
+  ASSERT_GT(d.plastic_strain(), 0.0);
+  const Vec3d axis = unit(Vec3d{1, 2, 3});
+  const double angle = 0.05;
+  for (int turn = 1; turn <= 126; ++turn) {
+    for (int i = 0; i < 8; ++i) {
+      const Vec3d x = turned(axis, angle, d.nodes.x[i]);
+      d.nodes.v[i] = x - d.nodes.x[i];
+    }
+    d.step(1.0);
+    const Vec3d back = turned(axis, -turn * angle, d.force_on_top());
+    EXPECT_NEAR(back.z, axial, 1e-8 * axial);
+    EXPECT_NEAR(back.x, shear, 1e-8 * axial);
+  }
+}
+
+// A-10 for a brick. Its transverse strain is free in the law only: with sides held, a uniaxial weld follows the closed
+// form of the beam.
+TEST(Hexahedron, WeldBrickDamagesOverPlasticStrain) {
+  WeldBrick d(uniaxial_weld(damaged_weld()));
+  double hourglass = 0.0;
+  while (d.at(L::alive) > 0.5 && d.nodes.x[4].z < 2.6) {
+    d.move({0, 0, 1e-4});
+    const double e = d.plastic_strain(), left = std::min(1.0, (0.15 - e) / 0.1);
+    if (e > 0.0 && d.at(L::alive) > 0.5) {
+      EXPECT_NEAR(d.force_on_top().z, left * (400.0 + 1000.0 * e) * 25.0, 1e-6 * 11250.0);
+    }
+    hourglass = std::max(hourglass, d.at(L::hourglass_energy));
+  }
+  EXPECT_EQ(d.at(L::alive), 0.0);
+  EXPECT_LT(hourglass, 1e-12);
+}
+
+TEST(Hexahedron, ForcesFollowTheIntegrityOfTheWeld) {
+  WeldBrick whole(weld()), half(weld());
+  half.state[L::integrity] = 0.5;
+  Random random;
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    for (int i = 0; i < 8; ++i) half.nodes.v[i] = whole.nodes.v[i] = random.vector(2000.0);
+    whole.step(1e-6);
+    half.step(1e-6);
+    for (int i = 0; i < 8; ++i) EXPECT_LT(norm(half.force.f[i] - 0.5 * whole.force.f[i]), 1e-9 * largest(whole.force));
+    EXPECT_NEAR(half.at(L::hourglass_energy), 0.5 * whole.at(L::hourglass_energy),
+                1e-9 * std::abs(whole.at(L::hourglass_energy)));
+  }
+  EXPECT_NE(whole.at(L::hourglass_energy), 0.0);
+}
+
+TEST(Hexahedron, HeldYieldStressLetsNoForceGrow) {
+  Spotweld law = uniaxial_weld(weld());
+  law.yield_can_be_held = true;
+  WeldBrick d(law);
+  for (int i = 0; i < 20; ++i) d.move({0, 0, 1e-4});
+  const double force = d.force_on_top().z;
+  hold_yield(d.law, d.state.data(), 1, 0);
+  for (int i = 0; i < 50; ++i) d.move({0, 0, 1e-4});
+  EXPECT_NEAR(d.force_on_top().z, force, 1e-9 * force);
 }
 
 TEST(Hexahedron, Mass) {
