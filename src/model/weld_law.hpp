@@ -53,7 +53,6 @@ struct WeldLaw {
   Index table = none;         ///< OPT 7: in Model::pair_strengths; OPT 10: in Model::load_rate_strengths
   int filter = 0;             ///< NF: resultant vectors averaged for the failure function
   double failure_time = 0.0;  ///< TFAIL [time]; 0: none
-  bool uniaxial = false;      ///< E < 0 or _UNIAXIAL: bricks carry no stress across the axis
   WeldDamage damage;
   bool connection = false;       ///< _DA: strengths and damage come from `properties`
   Index properties = none;       ///< CON_ID: in Model::connections; none (_DA with CON_ID < 0): failure is off

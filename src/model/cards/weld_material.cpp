@@ -7,6 +7,7 @@
 
 #include "model/cards/families.hpp"
 #include "model/cards/material.hpp"
+#include "model/cards/yield_curves.hpp"
 
 // *MAT_SPOTWELD (MAT_100) in all its forms. The second card's form follows from OPT, which stands on the third.
 namespace nugget::model {
@@ -312,27 +313,59 @@ void set_limit(Builder& b, WeldLaw& law, const Row& row) {
   }
 }
 
-/// Fields whose physics is still to be built.
-void refuse_unbuilt(Builder& b, const Row& row, std::initializer_list<std::string_view> fields) {
-  for (const auto field : fields)
-    refuse_nonzero(b, row, field, "damage of welds is not built yet", "write 0: the weld then fails at once");
+/// `row`: the card on which DMGOPT stands.
+void check_damage(Builder& b, const Row& failure, const Row& row, const WeldDamage& damage, double failure_strain) {
+  const int option = damage.option, kind = option % 10;
+  if (option < 0 || option > 12 || kind > 2)
+    return refuse(b, row, "dmgopt", fmt::format("DMGOPT {} is not a damage option of MAT_100", option),
+                  "built are 0, 1, 2, 10, 11 and 12");
+  if (option >= 10)
+    return refuse(b, row, "dmgopt",
+                  fmt::format("DMGOPT {} (damage that the failure function begins) is not built yet", option),
+                  "write 0, 1 or 2");
+  if (damage.rupture <= 0.0 && (option != 0 || damage.beta > 0.0))
+    failure.complain(b.findings, Severity::warning, "rs", "without RS there is no damage: the weld fails at once",
+                     "give RS");
+  if (option != 2 && damage.rupture > 0.0 && damage.rupture <= failure_strain)
+    refuse(b, failure, "rs", fmt::format("the plastic strain at rupture must be above EFAIL = {:g}", failure_strain),
+           "give a larger RS, or leave it blank: points then fail at EFAIL at once");
 }
 
-void read_damage(Builder& b, Cursor& cursor, WeldLaw& law, const Row& row) {
+/// What the third card and the one after it say; `failure_strain`: EFAIL.
+void read_damage(Builder& b, Cursor& cursor, WeldLaw& law, const Row& row, double failure_strain) {
   WeldDamage& damage = law.damage;
-  damage.rupture = row.real("rs");
+  damage.rupture = failure_value(row.real("rs"));
   damage.true_thickness = row.real("true_t");
   damage.whole = row.integer("asff") == 1;
   damage.beta = row.real("beta");
   damage.option = static_cast<int>(row.real("dmgopt"));
-  refuse_unbuilt(b, row, {"rs", "beta"});
-  if (damage.option != -1) return refuse_unbuilt(b, row, {"dmgopt"});
+  if (damage.option != -1) return check_damage(b, row, row, damage, failure_strain);
   const Row more = cursor.read(damage_card);
   damage.option = static_cast<int>(more.real("dmgopt"));
   damage.mode = more.real("fmode");
   damage.cap = more.real("ffcap");
   damage.thickness_option = more.integer("ttopt");
-  refuse_unbuilt(b, more, {"dmgopt", "fmode", "ffcap"});
+  check_damage(b, row, more, damage, failure_strain);
+  for (const auto* field : {"fmode", "ffcap"})
+    if (damage.option < 10 && more.real(field) != 0.0)
+      more.complain(b.findings, Severity::warning, field, "counts for DMGOPT 10, 11 and 12 only", "leave it blank");
+}
+
+/// DMGOPT 0 to 2: every point is damaged by itself.
+kernel::PointDamage point_damage(const WeldDamage& damage) {
+  using Growth = kernel::PointDamage::Growth;
+  if (damage.rupture <= 0.0 || damage.option > 2) return {};
+  return {damage.option == 2 ? Growth::time : Growth::strain, damage.rupture, damage.beta, damage.option > 0};
+}
+
+/// SIGY < 0: a yield curve over plastic strain, or a table of them over the strain rate.
+void set_yield_curve(Builder& b, const Row& row, long offset, kernel::Spotweld& law) {
+  if (row.real("sigy") >= 0.0) return;
+  const int id = static_cast<int>(std::lround(-row.real("sigy")) + offset);
+  YieldTable table = yield_table(b, row, "sigy", id, false);
+  law.yield_curves = std::move(table.curves);
+  law.rates = std::move(table.rates);
+  law.log_rates = table.log_rates;
 }
 
 /// Adds the material and what it says of welds as a whole.
@@ -355,11 +388,7 @@ kernel::Spotweld point_law(const Row& row) {
 /// Young's modulus and its sign, which with _UNIAXIAL is the stress state of bricks.
 bool is_uniaxial(Builder& b, const Row& row, const Options& options) {
   if (row.real("e") == 0.0) refuse(b, row, "e", "Young's modulus must not be 0");
-  const bool uniaxial = row.real("e") < 0.0 || options.contains("UNIAXIAL");
-  if (uniaxial)
-    refuse(b, row, "e", "the uniaxial stress state (negative E, _UNIAXIAL) is not built yet",
-           "give Young's modulus, without _UNIAXIAL; weld beams are uniaxial anyway");
-  return uniaxial;
+  return row.real("e") < 0.0 || options.contains("UNIAXIAL");
 }
 
 long function_offset(const Block& block) {
@@ -379,28 +408,29 @@ void read_weld(Builder& b, const Block& block, const Options& options, bool with
   const Row row = cursor.read(weld_card);
   const Row second = cursor.read(*strength_card(option));
   kernel::Spotweld law = point_law(row);
-  if (row.real("sigy") < 0.0)
-    refuse(b, row, "sigy", "a yield curve (negative SIGY) is not built yet", "give SIGY and EH");
   law.yield = row.real("sigy");
   law.hardening = row.real("eh");
   law.failure_strain = failure_value(second.real("efail"));
   WeldLaw weld;
   weld.option = option;
-  weld.uniaxial = is_uniaxial(b, row, options);
+  law.uniaxial = is_uniaxial(b, row, options);
   weld.failure_time = failure_value(row.real("tfail"));
   weld.filter = option == 5 ? 0 : second.integer("nf");
   std::optional<Row> failure;
   if (with_failure) {
     failure = cursor.read(failure_card);
-    read_damage(b, cursor, weld, *failure);
+    read_damage(b, cursor, weld, *failure, law.failure_strain);
+    law.damage = point_damage(weld.damage);
   }
   if (option != 0) refuse(b, *failure, "opt", fmt::format("OPT {} is not built yet", option), "write 0");
   expect_end(b, cursor);
   const Index index = add_weld(b, row, std::move(title), with_failure ? "MAT_SPOTWELD_DAMAGE-FAILURE" : "MAT_SPOTWELD",
                                law, std::move(weld));
   // Curves and tables may be defined later in the deck.
-  b.later(Phase::parts, [index, second, failure, offset = function_offset(block)](Builder& later) {
+  const std::size_t material = b.model.materials.size() - 1;
+  b.later(Phase::parts, [material, index, row, second, failure, offset = function_offset(block)](Builder& later) {
     WeldLaw& built = later.model.weld_laws[static_cast<std::size_t>(index)];
+    set_yield_curve(later, row, offset, std::get<kernel::Spotweld>(later.model.materials[material].law));
     set_strengths(later, built, second, offset);
     if (failure) set_limit(later, built, *failure);
   });
@@ -424,7 +454,7 @@ void read_connection(Builder& b, const Block& block, const Options& options) {
   law.failure_strain = failure_value(second.real("efail"));
   WeldLaw weld;
   weld.connection = true;
-  weld.uniaxial = is_uniaxial(b, row, options);
+  law.uniaxial = is_uniaxial(b, row, options);
   weld.failure_time = failure_value(row.real("tfail"));
   weld.filter = second.integer("nf");
   weld.rate_filter = third.real("rfiltf");

@@ -36,43 +36,47 @@ void set_points(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& la
   law.yield = {std::move(curve)};
 }
 
-/// Yield stresses over plastic strain must be positive; a curve of zeros gives a law without strength.
-void check_positive(Builder& b, const YieldCards& cards, const Curve& curve) {
-  if (!curve.empty() && *std::min_element(curve.y.begin(), curve.y.end()) <= 0.0)
-    refuse(b, cards.rate, "lcss", fmt::format("curve {} has a yield stress that is not above 0", curve.id),
-           "give the true yield stress over plastic strain, from strain 0 on");
-}
-
-void set_table(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law, const Table& table) {
-  if (table.curve.size() != table.value.size() || table.value.empty()) return;  // told where it is defined
-  law.rates = table.value;
-  law.log_rates = cards.log_rates;
-  if (law.rates.front() < 0.0) {
-    law.log_rates = true;
-    for (double& rate : law.rates) rate = std::exp(rate);
-  } else if (cards.log_rates && law.rates.front() == 0.0) {
-    refuse(b, cards.rate, "lcss", "a rate of 0 has no logarithm", "start the table at the lowest rate of the tests");
-  }
-  law.yield.clear();
-  for (const Index c : table.curve) {
-    const Curve& curve = b.model.curves[static_cast<std::size_t>(c)];
-    check_positive(b, cards, curve);
-    law.yield.push_back(curve);
-  }
-}
-
 void set_curve_or_table(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law) {
   const int id = cards.rate.integer("lcss");
   if (id < 0) return refuse(b, cards.rate, "lcss", "a negative id is not supported", "give the curve's id");
-  if (const Index t = b.tables.find(id); t != none)
-    return set_table(b, cards, law, b.model.tables[static_cast<std::size_t>(t)]);
-  const Index c = b.find(b.curves, "curve or table", cards.rate, "lcss");
-  if (c == none) return;
-  law.yield = {b.model.curves[static_cast<std::size_t>(c)]};
-  check_positive(b, cards, law.yield.front());
+  YieldTable table = yield_table(b, cards.rate, "lcss", id, cards.log_rates);
+  if (table.curves.empty()) return;
+  law.yield = std::move(table.curves);
+  law.rates = std::move(table.rates);
+  law.log_rates = table.log_rates;
 }
 
 }  // namespace
+
+YieldTable yield_table(Builder& b, const Row& row, std::string_view field, int id, bool log_rates) {
+  YieldTable y;
+  y.log_rates = log_rates;
+  std::vector<Index> curves;
+  if (const Index t = b.tables.find(id); t != none) {
+    const Table& table = b.model.tables[static_cast<std::size_t>(t)];
+    if (table.curve.size() != table.value.size() || table.value.empty()) return {};  // told where it is defined
+    curves = table.curve;
+    y.rates = table.value;
+    if (y.rates.front() < 0.0) {
+      y.log_rates = true;
+      for (double& rate : y.rates) rate = std::exp(rate);
+    } else if (log_rates && y.rates.front() == 0.0) {
+      refuse(b, row, field, "a rate of 0 has no logarithm", "start the table at the lowest rate of the tests");
+    }
+  } else if (const Index c = b.curves.find(id); c != none) {
+    curves = {c};
+  } else {
+    refuse(b, row, field, fmt::format("curve or table {} is not defined", id), "define it");
+  }
+  for (const Index c : curves) {
+    y.curves.push_back(b.model.curves[static_cast<std::size_t>(c)]);
+    const Curve& curve = y.curves.back();
+    if (!curve.empty() && *std::min_element(curve.y.begin(), curve.y.end()) <= 0.0)
+      refuse(b, row, field, fmt::format("curve {} has a yield stress that is not above 0", curve.id),
+             "give the true yield stress over plastic strain, from strain 0 on");
+  }
+  return y;
+}
 
 void set_yield_curves(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law) {
   law.yield = {bilinear(cards.main)};

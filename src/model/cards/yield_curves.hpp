@@ -5,6 +5,17 @@
 
 namespace nugget::model {
 
+/// Yield stress over plastic strain: one curve, or one a strain rate.
+struct YieldTable {
+  std::vector<Curve> curves;  ///< none: refused
+  std::vector<double> rates;  ///< plain rates, ascending [1/time]; empty: one curve
+  bool log_rates = false;     ///< to be interpolated over the logarithm of the rate
+};
+
+/// Curve or table `id`, which `field` of `row` asks for. A table whose first value is negative holds the natural
+/// logarithms of its rates. Yield stresses must be above 0.
+YieldTable yield_table(Builder& builder, const deck::Row& row, std::string_view field, int id, bool log_rates);
+
 /// The cards of MAT_024, from which its yield stress follows.
 struct YieldCards {
   deck::Row main;          ///< mid ro e pr sigy etan ...
@@ -15,8 +26,7 @@ struct YieldCards {
 };
 
 /// Sets yield, rates, log_rates and rate_scale, from the first of these that is given: LCSS (curve or table), EPS and
-/// ES, SIGY and ETAN with the plastic modulus E ETAN / (E - ETAN). A table whose first value is negative holds the
-/// natural logarithms of its rates.
+/// ES, SIGY and ETAN with the plastic modulus E ETAN / (E - ETAN).
 void set_yield_curves(Builder& builder, const YieldCards& cards, kernel::PiecewiseLinear& law);
 
 }  // namespace nugget::model

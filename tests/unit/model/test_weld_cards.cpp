@@ -61,16 +61,59 @@ TEST(WeldCards, RefusedFailureFunctionsSayWhy) {
 }
 
 TEST(WeldCards, RefusedUntilBuilt) {
-  EXPECT_TRUE(built("*MAT_100\n9,7.85e-9,210000.0,0.3,-4\n").error("a yield curve (negative SIGY)", "sigy"));
-  EXPECT_TRUE(built("*MAT_100\n9,7.85e-9,-210000.0,0.3,400.0\n").error("the uniaxial stress state", "e"));
-  EXPECT_TRUE(built("*MAT_100_UNIAXIAL\n" + first).error("the uniaxial stress state", "e"));
-  for (const auto* field : {"rs", "beta", "dmgopt"}) {
-    const std::string card = std::string(field) == "rs"     ? "0.3\n"
-                             : std::string(field) == "beta" ? ",,,,,1.0\n"
-                                                            : ",,,,,,,1\n";
-    EXPECT_TRUE(built("*MAT_100_DAMAGE-FAILURE\n" + first + "\n" + card).error("damage of welds", field)) << field;
-  }
+  const auto b = built("*MAT_100_DAMAGE-FAILURE\n" + first + "\n0.3,,,,,,,11\n");
+  EXPECT_TRUE(b.error("that the failure function begins", "dmgopt"));
   EXPECT_TRUE(built("*MAT_100_DA\n9,7.85e-9,210000.0,0.3\n\n,,,,-1\n").error("not built yet", "con_id"));
+}
+
+TEST(WeldCards, YieldCurves) {
+  const std::string curve = "*DEFINE_CURVE\n4\n0.0,400.0\n0.5,600.0\n";
+  const auto b = built("*MAT_100\n9,7.85e-9,210000.0,0.3,-4\n\n" + curve);
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  ASSERT_EQ(point(b).yield_curves.size(), 1u);
+  EXPECT_THAT(point(b).yield_curves[0].y, ElementsAre(400.0, 600.0));
+  EXPECT_TRUE(point(b).rates.empty());
+  const auto table = built("*MAT_100\n9,7.85e-9,210000.0,0.3,-5\n\n*DEFINE_TABLE\n5\n0.1\n100.0\n" + curve +
+                           "*DEFINE_CURVE\n6\n0.0,500.0\n0.5,700.0\n");
+  EXPECT_EQ(table.findings.errors(), 0) << table.all_findings();
+  EXPECT_EQ(point(table).yield_curves.size(), 2u);
+  EXPECT_THAT(point(table).rates, ElementsAre(0.1, 100.0));
+  EXPECT_TRUE(built("*MAT_100\n9,7.85e-9,210000.0,0.3,-77\n\n").error("curve or table 77 is not defined", "sigy"));
+  EXPECT_TRUE(built("*MAT_100\n9,7.85e-9,210000.0,0.3,-4\n\n*DEFINE_CURVE\n4\n0.0,0.0\n0.5,600.0\n")
+                  .error("a yield stress that is not above 0", "sigy"));
+}
+
+TEST(WeldCards, UniaxialState) {
+  const auto b = built("*MAT_100\n9,7.85e-9,-210000.0,0.3,400.0\n\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_TRUE(point(b).uniaxial);
+  EXPECT_DOUBLE_EQ(point(b).E, 210000.0);
+  EXPECT_TRUE(point(built("*MAT_100_DAMAGE-FAILURE_UNIAXIAL\n" + first + "\n\n")).uniaxial);
+  EXPECT_FALSE(point(built("*MAT_100\n" + first + "\n")).uniaxial);
+}
+
+TEST(WeldCards, DamageOfPoints) {
+  using Growth = kernel::PointDamage::Growth;
+  const auto with = [](const std::string& failure) {
+    return built("*MAT_100_DAMAGE-FAILURE\n" + first + "0.2\n" + failure);
+  };
+  const auto plain = with("0.3\n");
+  EXPECT_EQ(plain.findings.errors(), 0) << plain.all_findings();
+  EXPECT_EQ(point(plain).damage.growth, Growth::strain);
+  EXPECT_DOUBLE_EQ(point(plain).damage.rupture, 0.3);
+  EXPECT_DOUBLE_EQ(point(plain).failure_strain, 0.2);
+  EXPECT_FALSE(point(plain).damage.holds_yield);
+  const auto in_time = with("1.0e-4,,,,,2.5,,-1\n2\n");  // DMGOPT on the card of its own
+  EXPECT_EQ(in_time.findings.errors(), 0) << in_time.all_findings();
+  EXPECT_EQ(point(in_time).damage.growth, Growth::time);
+  EXPECT_DOUBLE_EQ(point(in_time).damage.beta, 2.5);
+  EXPECT_TRUE(point(in_time).damage.holds_yield);
+  EXPECT_EQ(point(with("\n")).damage.growth, Growth::none);
+  EXPECT_EQ(point(with("1.0e20\n")).damage.growth, Growth::none);
+  EXPECT_TRUE(with("0.2\n").error("must be above EFAIL = 0.2", "rs"));
+  EXPECT_TRUE(with("0.3,,,,,,,5\n").error("DMGOPT 5 is not", "dmgopt"));
+  EXPECT_TRUE(with(",,,,,,,1\n").warning("without RS", "rs"));
+  EXPECT_TRUE(with("0.3,,,,,,,-1\n1,0.5\n").warning("counts for DMGOPT 10", "fmode"));
 }
 
 TEST(WeldCards, TablesOfStrengths) {
