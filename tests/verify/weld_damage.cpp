@@ -81,11 +81,12 @@ TEST(WeldDamage, A10LinearDamageOverPlasticStrain) {
   double jump = 0.0, broken = 0.0;
   for (std::size_t i = 1; i < pull.samples.size(); ++i) {
     const Sample &before = pull.samples[i - 1], &now = pull.samples[i];
-    jump = std::max(jump, std::abs(now.axial - before.axial));
+    if (before.plastic_strain > 0.1) jump = std::max(jump, std::abs(now.axial - before.axial));
     if (before.axial > 0.0 && now.axial == 0.0) broken = now.u;
   }
-  expect_reference("A-10", "largest jump of N from one cycle to the next, over N at the onset", jump / 16964.6, 0.0,
-                   2e-2, 1.0);
+  expect_reference("A-10",
+                   "largest jump of N from one cycle to the next beyond plastic strain 0.1, over N at the onset",
+                   jump / 16964.6, 0.0, 2e-2, 1.0);
   expect_reference("A-10", "elongation at rupture [mm]", broken, 0.531549, 1e-2);
   const double to_onset = pull.at(&Sample::plastic_strain, 0.2, &Sample::work);
   expect_reference("A-10", "work to the onset [N mm]", to_onset, 4776.5, 2e-2);
