@@ -37,7 +37,7 @@ class BrokenDecks(CommandTest):
         self.check(0, [], [
             "model.k:48:1: note: *CONTACT_SPOTWELD 1: 2 nodes tied, none of them moved",
             "model.k: note: *CONTACT_SPOTWELD: no torsion in 1 weld beam: the shells have no stiffness about their "
-            "normal to hold it",
+            "normal to hold it [*CONTACT_SPOTWELD_WITH_TORSION turns it into in-plane forces]",
         ])
 
     def test_missing_include(self):
@@ -183,7 +183,7 @@ class BrokenDecks(CommandTest):
             "model.k:125: warning: *ELEMENT_BEAM: beam weld 31: on one sheet only, part 1 (expected: the two "
             "ends are on two different sheets) [see why the other end is not tied]",
             "model.k: note: *CONTACT_SPOTWELD: no torsion in 1 weld beam: the shells have no stiffness about "
-            "their normal to hold it",
+            "their normal to hold it [*CONTACT_SPOTWELD_WITH_TORSION turns it into in-plane forces]",
             "0 errors, 3 warnings",
         ])
 
@@ -346,7 +346,7 @@ class BrokenDecks(CommandTest):
             "left out",
             "model.k:50:1: note: *CONTACT_SPOTWELD 1: 2 nodes tied, none of them moved",
             "model.k: note: *CONTACT_SPOTWELD: no torsion in 1 weld beam: the shells have no stiffness about their "
-            "normal to hold it",
+            "normal to hold it [*CONTACT_SPOTWELD_WITH_TORSION turns it into in-plane forces]",
             "0 errors, 1 warning",
         ])
 

@@ -35,7 +35,7 @@ struct Spotweld {
   std::vector<Curve> yield_curves;  ///< SIGY < 0: yield stress over plastic strain, one a rate; empty: SIGY and EH
   std::vector<double> rates;        ///< total strain rates of the curves [1/time]; empty: one curve
   bool log_rates = false;           ///< interpolate over the logarithm of the rate
-  bool uniaxial = false;            ///< E < 0 or _UNIAXIAL: bricks have no other stresses than those on the weld's cross-section
+  bool uniaxial = false;  ///< E < 0 or _UNIAXIAL: bricks have no other stresses than those on the weld's cross-section
   PointDamage damage;
   bool yield_can_be_held = false;  ///< the weld as a whole may stop hardening where it stands (DMGOPT 11, 12)
 };

@@ -231,7 +231,8 @@ TEST(Contacts, SingleSurfaceOverAllParts) {
   EXPECT_EQ(contact.kind, Contact::Kind::single_surface);
   EXPECT_TRUE(contact.a.everything);
   EXPECT_TRUE(contact.b.empty());
-  EXPECT_TRUE(built.warning("without friction", "fs"));
+  EXPECT_EQ(contact.friction.at_rest, 0.2);
+  EXPECT_EQ(contact.friction.sliding, 0.1);
   EXPECT_EQ(contact.damping, 20.0);
   EXPECT_EQ(contact.birth, 0.5);
   EXPECT_EQ(contact.death, forever);
@@ -315,7 +316,9 @@ TEST(Contacts, WhatCannotBeObeyedIsRefused) {
   const auto single = [](const char* rest) {
     return Built(small_deck(std::string("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n") + rest));
   };
-  EXPECT_TRUE(single("         0         0         0         0\n\n\n         2\n").error("0 or 1", "soft"));
+  EXPECT_TRUE(single("         0         0         0         0\n\n\n         2\n").warning("as with soft = 1", "soft"));
+  EXPECT_TRUE(single("         0         0         0         0\n\n\n         3\n").error("0, 1 or 2", "soft"));
+  EXPECT_TRUE(single("         0         0         0         0\n      -1.0\n").error("by part", "fs"));
   EXPECT_TRUE(single("         1         0         4         0\n").error("node set", "surfatyp"));
   EXPECT_TRUE(single("         0         0         0         0         5\n").error("box", "saboxid"));
   EXPECT_TRUE(single("        77         0         2         0\n").error("part set 77 is not defined", "surfa"));
