@@ -20,19 +20,19 @@ struct Surface {
 /// *CONTACT_...: the cards, in words. Penalty contacts and ties alike; `kind` says what is done with it.
 struct Contact {
   enum class Kind { single_surface, spotweld, tied_nodes, tied_surface, tied_shell_edge, tied_shell_edge_to_solid };
-  /// What a tie does about the gap between node and segment. `projected`: the node is moved onto the segment; `constrained`:
-  /// the gap turns with the segment; `penalty`: springs, whose force acts at the segment without the gap's lever;
-  /// `beam`: springs, with the lever.
+  /// What a tie does about the gap between node and segment. `projected`: the node is moved onto the segment;
+  /// `constrained`: the gap turns with the segment; `penalty`: springs, whose force acts at the segment without the
+  /// gap's lever; `beam`: springs, with the lever.
   enum class Offset { projected, constrained, penalty, beam };
   int id = 0;
   std::string title;
   std::string keyword;
   Kind kind = Kind::single_surface;
-  Offset offset = Offset::projected;   ///< ties
-  bool torsion = false;           ///< _WITH_TORSION: twist of a weld becomes in-plane forces
-  bool penalty_fallback = false;  ///< IPBACK: springs where a constraint meets another one
-  Surface a;                      ///< tracked (SURFA, slave)
-  Surface b;                      ///< reference (SURFB, master)
+  Offset offset = Offset::projected;  ///< ties
+  bool torsion = false;               ///< _WITH_TORSION: twist of a weld becomes in-plane forces
+  bool penalty_fallback = false;      ///< IPBACK: springs where a constraint meets another one
+  Surface a;                          ///< tracked (SURFA, slave)
+  Surface b;                          ///< reference (SURFB, master)
   double friction_static = 0.0, friction_dynamic = 0.0, friction_decay = 0.0, friction_viscous = 0.0;
   double damping = 0.0;  ///< VDC, percent of critical
   double birth = 0.0, death = forever;
