@@ -180,6 +180,26 @@ void Binout::write(const SwforcState& s) {
   end_state();
 }
 
+void Binout::write(const DcfailState& s) {
+  using Row = DcfailRow;
+  if (begin_state("dcfail", collect(s.rows, [](const Row& r) { return r.id; })))
+    integers("type", collect(s.rows, [](const Row& r) { return r.connection; }));
+  begin_data("dcfail");
+  real("time", s.time);
+  reals("area", collect(s.rows, [](const Row& r) { return r.area; }));
+  reals("bending_term", collect(s.rows, [](const Row& r) { return r.bending; }));
+  reals("effective_strain_rate", collect(s.rows, [](const Row& r) { return r.strain_rate; }));
+  reals("failure_function", collect(s.rows, [](const Row& r) { return r.failure; }));
+  reals("normal_term", collect(s.rows, [](const Row& r) { return r.normal; }));
+  reals("shear_term", collect(s.rows, [](const Row& r) { return r.shear; }));
+  reals("area_sol", collect(s.rows, [](const Row& r) { return r.solid_area; }));
+  reals("axial_force", collect(s.rows, [](const Row& r) { return r.axial_force; }));
+  reals("shear_force", collect(s.rows, [](const Row& r) { return r.shear_force; }));
+  reals("torsional_moment", collect(s.rows, [](const Row& r) { return r.torsional_moment; }));
+  reals("bending_moment", collect(s.rows, [](const Row& r) { return r.bending_moment; }));
+  end_state();
+}
+
 void Binout::write(const RwforcState& s) {
   const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
   const std::vector<int> walls = collect(s.rows, [](const RwforcRow& r) { return r.wall; });

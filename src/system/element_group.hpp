@@ -78,6 +78,8 @@ class ElementGroup {
   };
   virtual int layers() const { return 0; }
   virtual Layer layer(std::size_t, int, const State&) const { return {}; }
+  /// Of a point of a weld; 0 of other elements.
+  virtual double plastic_strain(std::size_t, int) const { return 0.0; }
   /// Current thickness of a shell, length of a beam.
   virtual double thickness(std::size_t) const { return 0.0; }
   /// Shells: Mx My Mxy Qx Qy Nx Ny Nxy in local axes, per unit length. Beams: N_rr N_rs N_rt M_rr M_ss M_tt.

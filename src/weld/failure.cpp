@@ -26,10 +26,11 @@ failure::Load Filter::operator()(const failure::Load& load) {
   }
   const double share = 1.0 / static_cast<double>(kept_.size());
   const Resultants& r = mean.resultants;
-  return {{r.axial * share, r.shear_s * share, r.shear_t * share, r.torsion * share, r.moment_s * share,
-           r.moment_t * share},
-          mean.rate * share,
-          load.time};
+  failure::Load smooth = load;
+  smooth.resultants = {r.axial * share,   r.shear_s * share,  r.shear_t * share,
+                       r.torsion * share, r.moment_s * share, r.moment_t * share};
+  smooth.rate = mean.rate * share;
+  return smooth;
 }
 
 std::string_view to_string(FailureMode mode) {
@@ -49,6 +50,7 @@ std::string_view to_string(FailureMode mode) {
     case FailureMode::time: return "failure time";
     case FailureMode::plastic_strain: return "plastic strain";
     case FailureMode::sheet_deleted: return "deleted sheet";
+    case FailureMode::distortion: return "distortion";
   }
   return "";
 }
@@ -64,11 +66,25 @@ bool History::update(const failure::Load& load) {
     peak_value_ = value_.value;
     peak_time_ = load.time;
   }
-  if (surface_reached())
-    fail(load.time, value_.largest());
+  if (fade(load) == Damage::State::gone)
+    fail(load.time, onset_mode_);
   else if (law_->failure_time > 0.0 && load.time >= law_->failure_time)
     fail(load.time, FailureMode::time);
   return failed();
+}
+
+/// Carries the damage on, from the cycle on in which the failure function is reached; without a law of damage the weld
+/// is gone at once.
+Damage::State History::fade(const failure::Load& load) {
+  Damage::Seen now{load.time, load.plastic_strain, load.energy, surface_reached(), value_.value, 0.0, 0.0};
+  for (int i = 0; i < value_.terms; ++i) {
+    const failure::Value::Term& term = value_.term[static_cast<std::size_t>(i)];
+    const bool slides = term.mode == FailureMode::shear || term.mode == FailureMode::torsion;
+    if (slides && term.value > 0.0) now.sliding += term.value / value_.value;
+  }
+  now.load = value_.load / damage_.integrity();
+  if (!damage_.begun()) onset_mode_ = now.at_surface ? value_.largest() : FailureMode::plastic_strain;
+  return damage_.update(now);
 }
 
 /// OPT -1 and -2 only tell the value; OPT 6 wants it for FVAL cycles on end.

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "weld/damage.hpp"
 #include "weld/failure/function.hpp"
 
 namespace nugget::weld {
@@ -25,16 +26,19 @@ class Filter {
 class History {
  public:
   /// `law` must outlive it.
-  History(const model::WeldLaw& law, std::unique_ptr<failure::Function> function)
-      : law_(&law), function_(std::move(function)), filter_(law.filter) {}
+  History(const model::WeldLaw& law, std::unique_ptr<failure::Function> function, const DamageLaw& damage = {})
+      : law_(&law), function_(std::move(function)), filter_(law.filter), damage_(damage) {}
 
-  /// Takes the load of a cycle. True if the weld fails now, by its failure function or by time.
+  /// Takes the load of a cycle. True if the weld fails now: by its failure function, by time, or because its damage is
+  /// complete.
   bool update(const failure::Load& load);
   /// Tells that the weld was removed for a reason of its element (all section points failed).
   void fail(double time, FailureMode mode);
 
   const Resultants& resultants() const { return now_.resultants; }
-  double strain_rate() const { return now_.rate; }       ///< effective, filtered as the resultants are
+  double strain_rate() const { return now_.rate; }  ///< effective, filtered as the resultants are
+  /// What the failure function has begun, if the material lets the weld fade.
+  const Damage& damage() const { return damage_; }
   double failure_value() const { return value_.value; }  ///< of the failure function; 1 is failure
   bool failed() const { return mode_ != FailureMode::intact; }
   double failure_time() const { return failure_time_; }
@@ -50,6 +54,7 @@ class History {
 
  private:
   bool surface_reached();
+  Damage::State fade(const failure::Load& load);
   const model::WeldLaw* law_;
   std::unique_ptr<failure::Function> function_;
   Filter filter_;
@@ -57,6 +62,8 @@ class History {
   failure::Value value_;
   double peak_value_ = 0.0, peak_time_ = 0.0;
   int beyond_ = 0;  // consecutive cycles at or beyond the failure surface
+  Damage damage_;
+  FailureMode onset_mode_ = FailureMode::intact;  // what began the damage
   double failure_time_ = 0.0;
   FailureMode mode_ = FailureMode::intact;
   std::array<double, 4> peaks_{};

@@ -24,6 +24,7 @@ enum class FailureMode {
   time,
   plastic_strain,
   sheet_deleted,
+  distortion,
 };
 std::string_view to_string(FailureMode mode);
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "weld/connection.hpp"
+
 namespace nugget::weld::failure {
 namespace {
 
@@ -112,6 +114,16 @@ std::unique_ptr<Function> without_terms() {
   return resultant_surface({});
 }
 
+std::unique_ptr<Function> by_connection(const model::Model& model, const model::WeldLaw& law, const Geometry& weld,
+                                        const Place& place, Findings& findings) {
+  if (law.properties == none) return without_terms();
+  const model::ConnectionProperties& properties = model.connections[static_cast<std::size_t>(law.properties)];
+  if (properties.area_rule != 0 && !(weld.thinner() > 0.0))
+    findings.warning(place, keyword, "AREAEQ needs the thickness of the sheets, but the weld is tied to no shell",
+                     "tie the weld to its sheets; until then its area is that of its bricks");
+  return connection_stress(properties, connection_record(model, properties, weld.sheet), law.rate_filter, weld);
+}
+
 }  // namespace
 
 double Geometry::thinner() const {
@@ -156,6 +168,7 @@ FailureMode Value::largest() const {
 
 std::unique_ptr<Function> make_function(const model::Model& model, const model::WeldLaw& law, const Geometry& weld,
                                         const Place& place, Findings& findings) {
+  if (law.connection) return by_connection(model, law, weld, place, findings);
   switch (law.option) {
     case 1: return beam_stress(law.normal_stress, law.shear_stress, weld);
     case 3:

@@ -33,6 +33,9 @@ struct Load {
   Resultants resultants;
   double rate = 0.0;  ///< effective strain rate [1/time]
   double time = 0.0;
+  double area = 0.0;            ///< of the cross-section of a weld of bricks now, seen along r [length^2]
+  double plastic_strain = 0.0;  ///< mean over the weld
+  double energy = 0.0;          ///< work done on the weld's elements so far
 };
 
 /// A failure value and what it is made of. At 1 the weld fails.
@@ -44,6 +47,11 @@ struct Value {
   double value = 0.0;
   std::array<Term, 4> term;  ///< those that add up to `value`; of a largest value (OPT 5) the candidates
   int terms = 0;
+  // Of connections (MAT_100_DA) only.
+  double load = 0.0;        ///< over that on the failure surface in the same direction
+  double area = 0.0;        ///< of the section that the stresses are made with [length^2]
+  double solid_area = 0.0;  ///< of the bricks [length^2]
+  double rate = 0.0;        ///< smoothed strain rate [1/time]
 
   void add(FailureMode mode, double share) {
     term[static_cast<std::size_t>(terms++)] = {mode, share};
@@ -60,7 +68,7 @@ class Function {
   virtual Value operator()(const Load& load) = 0;
 };
 
-/// The failure function that OPT of `law` asks for. What the weld lacks for it (a sheet, a thickness, a strength) is a
+/// The failure function that OPT of `law` asks for, or the connection of MAT_100_DA. What the weld lacks for it (a sheet, a thickness, a strength) is a
 /// warning at `place`, and its terms are left out. `model` and `law` must outlive it.
 std::unique_ptr<Function> make_function(const model::Model& model, const model::WeldLaw& law, const Geometry& weld,
                                         const Place& place, Findings& findings);
@@ -81,5 +89,9 @@ std::unique_ptr<Function> structural_stress(double diameter, std::array<double, 
 std::unique_ptr<Function> load_rate_stress(const model::LoadRateStrengths& table, double normal, double shear,
                                            double diameter, double thickness);
 std::unique_ptr<Function> direction(const model::WeldLaw& law);  ///< OPT 11
+/// MAT_100_DA. `rate_filter`: RFILTF. `properties` must outlive it.
+std::unique_ptr<Function> connection_stress(const model::ConnectionProperties& properties,
+                                            const model::ConnectionProperties::Record& record, double rate_filter,
+                                            const Geometry& weld);
 
 }  // namespace nugget::weld::failure
