@@ -268,6 +268,13 @@ ConnectionProperties::Record record(Builder& b, const Row& first, const Row& mor
   return r;
 }
 
+/// DG_PR: how it bends the damage of DGTYP 1 is not public.
+void warn_of_hyperbola(Builder& b, const Row& row, std::string_view field) {
+  if (row.real(field) != 1e10)
+    row.complain(b.findings, Severity::warning, field, "hyperbolic damage is not public: the damage is linear",
+                 "leave it blank");
+}
+
 void read_connection(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
@@ -284,6 +291,9 @@ void read_connection(Builder& b, const Block& block, const Options& options) {
     table->area_change = first.integer("moarfl");
     table->standard = record(later, second, third, true);
     for (const MaterialRows& row : rows) table->records.push_back(record(later, row.strength, row.more, false));
+    if (table->damage_type != 1) return;
+    warn_of_hyperbola(later, second, "ddg_pr");
+    for (const MaterialRows& row : rows) warn_of_hyperbola(later, row.strength, "dg_pr");
   });
 }
 
