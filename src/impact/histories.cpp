@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/index.hpp"
+#include "weld/welds.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -137,8 +138,49 @@ output::SwforcState swforc_state(const Snapshot& now) {
     const model::Part& part = model.parts[at(welds[i].part)];
     if (welds[i].kind == weld::Weld::Kind::beam && !model.beam_sections[at(part.section)].in_swforc) continue;
     const weld::Resultants& r = history->resultants();
-    s.rows.push_back({welds[i].id, kind(welds[i].kind), r.axial, r.shear(), now.welds.length(i, now.state), r.moment(),
-                      r.torsion, history->failed() ? 1.0 : history->failure_value(), history->failure_time()});
+    s.rows.push_back({welds[i].id,
+                      kind(welds[i].kind),
+                      r.axial,
+                      r.shear(),
+                      now.welds.length(i, now.state),
+                      r.moment(),
+                      r.torsion,
+                      history->failed() ? 1.0 : history->failure_value(),
+                      history->failure_time(),
+                      {}});
+    if (model.weld_laws[at(model.materials[at(part.material)].weld)].option == -2)
+      s.rows.back().peak = {history->peak_failure_value(), history->peak_failure_time()};
+  }
+  return s;
+}
+
+output::DcfailState dcfail_state(const Snapshot& now) {
+  const model::Model& model = now.system.model;
+  output::DcfailState s;
+  s.time = now.state.time;
+  const std::vector<weld::Weld>& welds = now.system.ties.welds;
+  for (std::size_t i = 0; i < welds.size(); ++i) {
+    const weld::History* history = now.welds.history(i);
+    if (history == nullptr) continue;
+    const model::WeldLaw& law = weld::law_of(model, welds[i]);
+    if (!law.connection || law.properties == model::none) continue;
+    output::DcfailRow row;
+    row.id = welds[i].id;
+    row.connection = model.connections[at(law.properties)].id;
+    const weld::failure::Value& value = history->last_value();
+    row.failure = value.value;
+    row.normal = value.term[0].value;
+    row.bending = value.term[1].value;
+    row.shear = value.term[2].value;
+    row.area = value.area;
+    row.solid_area = value.solid_area;
+    row.strain_rate = value.rate;
+    const weld::Resultants& r = history->resultants();
+    row.axial_force = r.axial;
+    row.shear_force = r.shear();
+    row.torsional_moment = r.torsion;
+    row.bending_moment = r.moment();
+    s.rows.push_back(row);
   }
   return s;
 }

@@ -8,6 +8,7 @@
 #include "output/nodout.hpp"
 #include "output/rbdout.hpp"
 #include "output/rcforc.hpp"
+#include "output/dcfail.hpp"
 #include "output/rwforc.hpp"
 #include "output/spcforc.hpp"
 #include "output/swforc.hpp"
@@ -19,6 +20,7 @@ output::GlstatState glstat_state(const Snapshot& now);
 output::MatsumState matsum_state(const Snapshot& now);
 output::NodoutState nodout_state(const Snapshot& now);
 output::SwforcState swforc_state(const Snapshot& now);
+output::DcfailState dcfail_state(const Snapshot& now);
 output::RwforcState rwforc_state(const Snapshot& now);
 output::SpcforcState spcforc_state(const Snapshot& now);
 output::BndoutState bndout_state(const Snapshot& now);

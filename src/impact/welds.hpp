@@ -15,8 +15,8 @@ namespace nugget::impact {
 /// removes the elements of those that did. Indices are those of Ties::welds.
 class Welds {
  public:
-  /// The system must outlive it.
-  explicit Welds(system::System& system);
+  /// The system must outlive it. Findings: what a weld lacks for the failure function that its material asks for.
+  Welds(system::System& system, Findings& findings);
 
   /// To be called once a cycle, after the forces of the elements.
   void update(const system::State& state);
@@ -38,6 +38,8 @@ class Welds {
   /// What a weld of bricks needs beside its history.
   struct Bricks {
     Bricks(const system::System& system, const weld::Weld& weld);
+    /// Smallest Jacobian at a corner of a brick over what it was at the start.
+    double least_jacobian(const system::System& system, const system::State& state) const;
     void gather(const system::System& system, const system::State& state);
     weld::BrickSection section;
     struct Corner {
@@ -49,9 +51,18 @@ class Welds {
     std::vector<int> nodes;       ///< of the section, in the system's order
     std::vector<Vec3d> x, force;  ///< of the section's nodes now
     weld::BrickSection::Load load;
+    double area = 0.0;                            ///< of the cross-section now
+    std::vector<std::array<double, 8>> jacobian;  ///< at the start, by brick and corner
+    std::vector<system::System::Seat> seats;      ///< of its bricks
   };
   weld::Resultants resultants(std::size_t i, const system::State& state);
-  bool alive(std::size_t i) const;
+  weld::failure::Load load(std::size_t i, const system::State& state);
+  /// Calls `with(group, e)` for every element of weld i.
+  template <class With>
+  void each_element(std::size_t i, const With& with) const;
+  void spread_damage(std::size_t i, bool begins, const system::State& state);
+  /// Why weld i is gone for a reason of its elements; intact: it is not.
+  weld::FailureMode end_of_elements(std::size_t i, const system::State& state) const;
   void remove(std::size_t i);
   void report(std::size_t i, const system::State& state);
 

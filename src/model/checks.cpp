@@ -194,6 +194,10 @@ void check_law(Builder& b, const Part& part, const deck::Row& row) {
   const bool is_weld = is<kernel::Spotweld>(m, part);
   if (is_weld && part.kind == ElementKind::shell)
     refuse(b, row, "mid", "*MAT_SPOTWELD is a law of weld beams, but the part has shells", "give it a sheet's law");
+  else if (is_weld && part.kind == ElementKind::beam && material.weld != none &&
+           m.weld_laws[static_cast<std::size_t>(material.weld)].connection)
+    refuse(b, row, "mid", "*MAT_SPOTWELD_DAIMLERCHRYSLER is a law of welds of bricks, but the part has beams",
+           "model the welds by bricks, or use *MAT_SPOTWELD_DAMAGE-FAILURE");
   else if (part.kind == ElementKind::beam && !is_weld)
     refuse(b, row, "mid", fmt::format("beams are built with *MAT_SPOTWELD only, not with *{}", material.keyword),
            "give the part *MAT_SPOTWELD, or model it by shells");

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "base/curve.hpp"
@@ -17,7 +20,12 @@ struct RateValue {
   double value = 0.0;  ///< 0: not given, its term is left out
   Curve factor;        ///< over the strain rate [1/time], end values hold; empty: 1
   bool given() const { return value > 0.0; }
-  double at(double rate) const { return factor.empty() ? value : value * factor.clamped(rate); }
+  double at(double rate) const {
+    if (factor.empty()) return value;
+    return value * factor.clamped(log_rate() ? std::log(std::max(rate, std::numeric_limits<double>::min())) : rate);
+  }
+  /// A curve that begins below zero is over the natural logarithm of the rate.
+  bool log_rate() const { return factor.x.front() < 0.0; }
 };
 
 /// Allowed force over the loading direction in degrees (OPT 11): one curve, or a table over the strain rate.
@@ -29,6 +37,7 @@ struct DirectionStrength {
 /// Data of _DAMAGE-FAILURE and of the damage of _DA.
 struct WeldDamage {
   double rupture = 0.0;         ///< RS: plastic strain (DMGOPT 2, 12: time after onset) at rupture; 0: no damage
+  double failure_strain = 0.0;  ///< EFAIL, where it begins the damage of the weld as a whole; 0: it does not
   double true_thickness = 0.0;  ///< TRUE_T: of single brick welds [length]; 0: as modelled
   bool whole = false;           ///< ASFF = 1: the first brick to fail takes its assembly with it
   double beta = 0.0;            ///< BETA: decay of the damaged stress; 0: linear

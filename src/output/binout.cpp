@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/binout.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <stdexcept>
@@ -171,6 +172,31 @@ void Binout::write(const SwforcState& s) {
   reals("length", collect(s.rows, [](const SwforcRow& r) { return r.length; }));
   reals("resultant_moment", collect(s.rows, [](const SwforcRow& r) { return r.resultant_moment; }));
   reals("torsion", collect(s.rows, [](const SwforcRow& r) { return r.torsion; }));
+  if (std::any_of(s.rows.begin(), s.rows.end(), [](const SwforcRow& r) { return r.peak.has_value(); })) {
+    const auto peak = [](const SwforcRow& r) { return r.peak.value_or(std::pair{0.0, 0.0}); };
+    reals("max_failure", collect(s.rows, [&](const SwforcRow& r) { return peak(r).first; }));
+    reals("max_failure_time", collect(s.rows, [&](const SwforcRow& r) { return peak(r).second; }));
+  }
+  end_state();
+}
+
+void Binout::write(const DcfailState& s) {
+  using Row = DcfailRow;
+  if (begin_state("dcfail", collect(s.rows, [](const Row& r) { return r.id; })))
+    integers("type", collect(s.rows, [](const Row& r) { return r.connection; }));
+  begin_data("dcfail");
+  real("time", s.time);
+  reals("area", collect(s.rows, [](const Row& r) { return r.area; }));
+  reals("bending_term", collect(s.rows, [](const Row& r) { return r.bending; }));
+  reals("effective_strain_rate", collect(s.rows, [](const Row& r) { return r.strain_rate; }));
+  reals("failure_function", collect(s.rows, [](const Row& r) { return r.failure; }));
+  reals("normal_term", collect(s.rows, [](const Row& r) { return r.normal; }));
+  reals("shear_term", collect(s.rows, [](const Row& r) { return r.shear; }));
+  reals("area_sol", collect(s.rows, [](const Row& r) { return r.solid_area; }));
+  reals("axial_force", collect(s.rows, [](const Row& r) { return r.axial_force; }));
+  reals("shear_force", collect(s.rows, [](const Row& r) { return r.shear_force; }));
+  reals("torsional_moment", collect(s.rows, [](const Row& r) { return r.torsional_moment; }));
+  reals("bending_moment", collect(s.rows, [](const Row& r) { return r.bending_moment; }));
   end_state();
 }
 

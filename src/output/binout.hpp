@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "output/bndout.hpp"
+#include "output/dcfail.hpp"
 #include "output/glstat.hpp"
 #include "output/matsum.hpp"
 #include "output/nodout.hpp"
@@ -39,6 +40,7 @@ class Binout {
   void write(const BndoutState& state);
   void write(const RbdoutState& state);
   void write(const RcforcState& state);
+  void write(const DcfailState& state);
 
  private:
   /// Where a variable stands in the file, for the symbol table.

@@ -189,8 +189,16 @@ class BatchGroup final : public ElementGroup {
   Layer layer(std::size_t e, int k, const State& now) const override {
     return kernel_.layer(reader(e), k, places(e, now));
   }
+  double plastic_strain(std::size_t e, int k) const override {
+    if constexpr (is_weld) return field(e, kernel_.plastic_strain_field(k));
+    return 0.0;
+  }
   double thickness(std::size_t e) const override { return kernel_.thickness(reader(e)); }
   std::array<double, 8> resultants(std::size_t e) const override { return kernel_.resultants(reader(e)); }
+  double strain_rate(std::size_t e) const override {
+    if constexpr (requires { Element::Layout::strain_rate; }) return field(e, Element::Layout::strain_rate);
+    return 0.0;
+  }
 
  private:
   static int lane(std::size_t e) { return static_cast<int>(e % width); }

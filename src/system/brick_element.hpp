@@ -38,6 +38,7 @@ struct BrickElement {
     return kernel::hexahedron_cycle(brick, law, motion, dt, state);
   }
 
+  int plastic_strain_field(int) const { return Layout::first_history; }
   void hold_yield(double* state, int lane) const requires std::is_same_v<Law, kernel::Spotweld> {
     kernel::hold_yield(law, state, native_width, lane);
   }

@@ -78,10 +78,14 @@ class ElementGroup {
   };
   virtual int layers() const { return 0; }
   virtual Layer layer(std::size_t, int, const State&) const { return {}; }
+  /// Of a point of a weld; 0 of other elements.
+  virtual double plastic_strain(std::size_t, int) const { return 0.0; }
   /// Current thickness of a shell, length of a beam.
   virtual double thickness(std::size_t) const { return 0.0; }
   /// Shells: Mx My Mxy Qx Qy Nx Ny Nxy in local axes, per unit length. Beams: N_rr N_rs N_rt M_rr M_ss M_tt.
   virtual std::array<double, 8> resultants(std::size_t) const { return {}; }
+  /// Effective strain rate of a weld element in the last cycle, sqrt(2/3 e:e) of the deviator [1/time]; 0 of others.
+  virtual double strain_rate(std::size_t) const { return 0.0; }
 
   /// How many blocks lost elements in cycles so far; a change says that somebody died.
   std::atomic<int> deaths{0};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <type_traits>
 
 #include "base/index.hpp"
@@ -12,6 +13,8 @@
 #include "system/shell_elements.hpp"
 #include "system/system.hpp"
 #include "system/weld_beam_element.hpp"
+#include "weld/connection.hpp"
+#include "weld/welds.hpp"
 
 // Which kernel runs which element: one group a part and formulation.
 namespace nugget::system {
@@ -64,15 +67,14 @@ std::vector<std::vector<model::Index>> by_part(const Elements& elements, std::si
   return sorted;
 }
 
-/// Calls `with` for the laws that shells (and, with Spotweld, bricks) have kernels for; false for the others (rigid,
-/// null).
-template <class... More, class With>
+/// Calls `with` for the laws that shells and bricks have kernels for; false for the others (rigid, null, welds).
+template <class With>
 bool with_law(const model::Law& law, const With& with) {
   return std::visit(
       [&]<class Law>(const Law& l) {
         constexpr bool computed = std::is_same_v<Law, kernel::Elastic> ||
                                   std::is_same_v<Law, kernel::PlasticKinematic> ||
-                                  std::is_same_v<Law, kernel::PiecewiseLinear> || (std::is_same_v<Law, More> || ...);
+                                  std::is_same_v<Law, kernel::PiecewiseLinear>;
         if constexpr (computed) with(l);
         return computed;
       },
@@ -108,6 +110,23 @@ bool free_to_twist(const weld::Weld& w) {
   return std::any_of(w.ends.begin(), w.ends.end(), [](const weld::Projection& e) {
     return e.tied && e.kase != 0 && e.tie.rigid_body == model::none && !e.tie.twist && !e.tie.couples;
   });
+}
+
+/// The nodes of a weld's brick, so that zeta runs along the weld: the kernel's uniaxial stress state wants that.
+std::array<model::Index, 8> laid_along(const weld::Weld& weld, const std::array<model::Index, 8>& brick,
+                                       const std::vector<Vec3d>& x) {
+  const Vec3d axis = weld::face_centre(weld, 1, x) - weld::face_centre(weld, 0, x);
+  std::array<model::Index, 8> best = brick;
+  double most = -1.0;
+  for (const auto& [low, up] : weld::opposite_faces(brick)) {
+    Vec3d along;
+    for (std::size_t a = 0; a < 4; ++a) along += x[at(up[a])] - x[at(low[a])];
+    const double cosine = std::abs(dot(along, axis)) / norm(along);
+    if (!(cosine > most * (1.0 + 1e-9))) continue;
+    most = cosine;
+    best = {low[0], low[1], low[2], low[3], up[0], up[1], up[2], up[3]};
+  }
+  return best;
 }
 
 }  // namespace
@@ -210,10 +229,13 @@ void System::make_bricks() {
     // Without a card: viscous on the patterns orthogonal to linear fields (docs/decisions/0007).
     const kernel::HexahedronProperties brick{material.density, hourglass.type == 0 ? 2 : hourglass.type,
                                              hourglass.membrane, hourglass.bulk_quadratic, hourglass.bulk_linear};
+    if (const auto* law = std::get_if<kernel::Spotweld>(&material.law)) {
+      add_weld_bricks(p, sorted[p], brick, *law);
+      continue;
+    }
     const Members m = members(model.solids, sorted[p]);
-    const bool computed = with_law<kernel::Spotweld>(material.law, [&]<class Law>(const Law& law) {
+    const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
       add_group(BrickElement<Law>{brick, kernel::Prepared<Law>(law)}, model::ElementKind::solid, p, m, solid_seat);
-      if constexpr (std::is_same_v<Law, kernel::Spotweld>) scale_like_a_weld(*groups.back(), law);
     });
     if (computed) continue;
     for (const std::array<int, 8>& node : m.node) {
@@ -222,6 +244,34 @@ void System::make_bricks() {
       lumps_.push_back(
           {static_cast<model::Index>(p), 8, node, 8.0 * kernel::hexahedron_nodal_mass(x, material.density), 0.0});
     }
+  }
+}
+
+void System::add_weld_bricks(std::size_t p, const std::vector<model::Index>& chosen,
+                             const kernel::HexahedronProperties& brick, const kernel::Spotweld& law) {
+  std::vector<const weld::Weld*> weld_of(model.solids.size(), nullptr);
+  for (const weld::Weld& w : ties.welds)
+    if (w.kind != weld::Weld::Kind::rigid && w.of_bricks())
+      for (model::Index e : w.elements) weld_of[at(e)] = &w;
+  // Connections have yield stresses of their own: a group for each law.
+  std::map<std::pair<double, double>, std::pair<kernel::Spotweld, std::vector<model::Index>>> by_law;
+  for (model::Index e : chosen) {
+    const kernel::Spotweld own = weld_of[at(e)] ? weld::points_of(model, *weld_of[at(e)], law) : law;
+    auto& [shared, bricks] = by_law[{own.yield, own.hardening}];
+    shared = own;
+    bricks.push_back(e);
+  }
+  for (const auto& [key, entry] : by_law) {
+    const auto& [own, bricks] = entry;
+    Members m = members(model.solids, bricks);
+    for (std::size_t i = 0; i < bricks.size(); ++i) {
+      if (weld_of[at(bricks[i])] == nullptr) continue;
+      const auto laid = laid_along(*weld_of[at(bricks[i])], model.solids.node[at(bricks[i])], ties.x);
+      for (std::size_t a = 0; a < 8; ++a) m.node[i][a] = node_of[at(laid[a])];
+    }
+    add_group(BrickElement<kernel::Spotweld>{brick, kernel::Prepared<kernel::Spotweld>(own)}, model::ElementKind::solid,
+              p, m, solid_seat);
+    scale_like_a_weld(*groups.back(), own);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/finding.hpp"
 #include "base/index.hpp"
+#include "kernel/element/hexahedron.hpp"
 #include "model/model.hpp"
 #include "system/constraint_map.hpp"
 #include "system/element_group.hpp"
@@ -133,6 +134,8 @@ class System {
   template <int Corners>
   void add_shells(std::size_t part, const std::vector<model::Index>& chosen);
   void make_bricks();
+  void add_weld_bricks(std::size_t part, const std::vector<model::Index>& chosen,
+                       const kernel::HexahedronProperties& brick, const kernel::Spotweld& law);
   /// By model element of a kind: whether SPOTSTP = 2 took its weld out; it then has no mass and no group.
   std::vector<bool> deleted_with_welds(bool bricks) const;
   /// DT of the weld material, and what stands in for it.

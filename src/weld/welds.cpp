@@ -115,6 +115,11 @@ bool of_weld_material(const model::Model& model, Index part) {
   return material != none && std::holds_alternative<kernel::Spotweld>(model.materials[material].law);
 }
 
+const model::WeldLaw& law_of(const model::Model& model, const Weld& weld) {
+  const model::Material& material = model.materials[model.parts[weld.part].material];
+  return model.weld_laws[material.weld];
+}
+
 std::string name_weld(const Weld& weld) {
   return fmt::format("{} weld {}", to_string(weld.kind), weld.id);
 }

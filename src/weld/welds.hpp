@@ -12,6 +12,9 @@ namespace nugget::weld {
 /// Whether the elements of `part` are of spot-weld material (MAT_100).
 bool of_weld_material(const model::Model& model, Index part);
 
+/// What the material says of a weld as a whole; the weld must be of spot-weld material.
+const model::WeldLaw& law_of(const model::Model& model, const Weld& weld);
+
 /// `beam weld 17`.
 std::string name_weld(const Weld& weld);
 /// The keyword that defines a weld, with its star.

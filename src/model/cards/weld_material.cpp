@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "model/cards/families.hpp"
@@ -209,7 +210,6 @@ Index curve_of(Builder& b, const Row& row, std::string_view field, long offset) 
 /// A strength: 0 and 1e20 leave it out, a negative value is a curve over the strain rate.
 RateValue strength(Builder& b, const Row& row, std::string_view field, long offset) {
   if (row.real(field) >= 0.0) return {failure_value(row.real(field)), {}};
-  refuse(b, row, field, "a curve over the strain rate (negative value) is not built yet", "give the static strength");
   const Index curve = curve_of(b, row, field, offset);
   if (curve == none) return {};
   return {1.0, b.model.curves[static_cast<std::size_t>(curve)]};
@@ -319,14 +319,10 @@ void check_damage(Builder& b, const Row& failure, const Row& row, const WeldDama
   if (option < 0 || option > 12 || kind > 2)
     return refuse(b, row, "dmgopt", fmt::format("DMGOPT {} is not a damage option of MAT_100", option),
                   "built are 0, 1, 2, 10, 11 and 12");
-  if (option >= 10)
-    return refuse(b, row, "dmgopt",
-                  fmt::format("DMGOPT {} (damage that the failure function begins) is not built yet", option),
-                  "write 0, 1 or 2");
   if (damage.rupture <= 0.0 && (option != 0 || damage.beta > 0.0))
     failure.complain(b.findings, Severity::warning, "rs", "without RS there is no damage: the weld fails at once",
                      "give RS");
-  if (option != 2 && damage.rupture > 0.0 && damage.rupture <= failure_strain)
+  if (option < 2 && damage.rupture > 0.0 && damage.rupture <= failure_strain)
     refuse(b, failure, "rs", fmt::format("the plastic strain at rupture must be above EFAIL = {:g}", failure_strain),
            "give a larger RS, or leave it blank: points then fail at EFAIL at once");
 }
@@ -356,6 +352,14 @@ kernel::PointDamage point_damage(const WeldDamage& damage) {
   using Growth = kernel::PointDamage::Growth;
   if (damage.rupture <= 0.0 || damage.option > 2) return {};
   return {damage.option == 2 ? Growth::time : Growth::strain, damage.rupture, damage.beta, damage.option > 0};
+}
+
+/// DMGOPT 10 to 12: EFAIL begins the damage of the weld as a whole, and no point fails by itself.
+void let_the_weld_fade(WeldDamage& damage, kernel::Spotweld& law) {
+  if (damage.rupture <= 0.0 || damage.option < 10) return;
+  damage.failure_strain = law.failure_strain;
+  law.failure_strain = 0.0;
+  law.yield_can_be_held = damage.option > 10;
 }
 
 /// SIGY < 0: a yield curve over plastic strain, or a table of them over the strain rate.
@@ -421,8 +425,8 @@ void read_weld(Builder& b, const Block& block, const Options& options, bool with
     failure = cursor.read(failure_card);
     read_damage(b, cursor, weld, *failure, law.failure_strain);
     law.damage = point_damage(weld.damage);
+    let_the_weld_fade(weld.damage, law);
   }
-  if (option != 0) refuse(b, *failure, "opt", fmt::format("OPT {} is not built yet", option), "write 0");
   expect_end(b, cursor);
   const Index index = add_weld(b, row, std::move(title), with_failure ? "MAT_SPOTWELD_DAMAGE-FAILURE" : "MAT_SPOTWELD",
                                law, std::move(weld));
@@ -451,8 +455,9 @@ void read_connection(Builder& b, const Block& block, const Options& options) {
   const Row second = cursor.read(table_card);
   const Row third = cursor.read(connection_failure_card);
   kernel::Spotweld law = point_law(row);
-  law.failure_strain = failure_value(second.real("efail"));
+  law.yield = std::numeric_limits<double>::max();  // until the connection is known; it stays if CON_ID < 0
   WeldLaw weld;
+  weld.damage.failure_strain = failure_value(second.real("efail"));
   weld.connection = true;
   law.uniaxial = is_uniaxial(b, row, options);
   weld.failure_time = failure_value(row.real("tfail"));
@@ -464,8 +469,6 @@ void read_connection(Builder& b, const Block& block, const Options& options) {
   weld.damage.whole = third.integer("asff") == 1;
   if (third.integer("dmgopt") == -1) weld.damage.thickness_option = cursor.read(connection_more_card).integer("ttopt");
   expect_end(b, cursor);
-  refuse(b, third, "con_id", "welds by *DEFINE_CONNECTION_PROPERTIES are not built yet",
-         "use *MAT_SPOTWELD_DAMAGE-FAILURE");
   const Index index = add_weld(b, row, std::move(title), "MAT_SPOTWELD_DAIMLERCHRYSLER", law, std::move(weld));
   b.later(Phase::parts, [index, third](Builder& later) {
     if (third.integer("con_id") > 0)

@@ -60,10 +60,29 @@ TEST(WeldCards, RefusedFailureFunctionsSayWhy) {
   EXPECT_TRUE(built("*MAT_100_DAMAGE-FAILURE\n" + first + "\n,0,7\n").error("*DEFINE_FUNCTION", "fval"));
 }
 
-TEST(WeldCards, RefusedUntilBuilt) {
-  const auto b = built("*MAT_100_DAMAGE-FAILURE\n" + first + "\n0.3,,,,,,,11\n");
-  EXPECT_TRUE(b.error("that the failure function begins", "dmgopt"));
-  EXPECT_TRUE(built("*MAT_100_DA\n9,7.85e-9,210000.0,0.3\n\n,,,,-1\n").error("not built yet", "con_id"));
+TEST(WeldCards, DamageOfTheWholeWeld) {
+  const auto b = built("*MAT_100_DAMAGE-FAILURE\n" + first + "0.2,8000.0\n0.3,,,,,,,-1\n11,0.7,1.5\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_EQ(weld(b).damage.option, 11);
+  EXPECT_DOUBLE_EQ(weld(b).damage.failure_strain, 0.2);
+  EXPECT_DOUBLE_EQ(weld(b).damage.mode, 0.7);
+  EXPECT_DOUBLE_EQ(weld(b).damage.cap, 1.5);
+  EXPECT_EQ(point(b).failure_strain, 0.0);  // no point fails by itself
+  EXPECT_EQ(point(b).damage.growth, kernel::PointDamage::Growth::none);
+  EXPECT_TRUE(point(b).yield_can_be_held);
+}
+
+TEST(WeldCards, ConnectionOfAWeld) {
+  const auto b = built(
+      "*MAT_100_DA\n9,7.85e-9,210000.0,0.3\n0.1\n0.3,,,,4,0.9,0.05\n"
+      "*DEFINE_CONNECTION_PROPERTIES\n4,,1,,3\n,400.0,1000.0,,1.0,400.0,500.0,300.0\n,,,,,,50.0\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_TRUE(weld(b).connection);
+  EXPECT_EQ(weld(b).properties, 0);
+  EXPECT_DOUBLE_EQ(weld(b).damage.failure_strain, 0.1);
+  EXPECT_DOUBLE_EQ(weld(b).rate_filter, 0.9);
+  EXPECT_DOUBLE_EQ(weld(b).jacobian_limit, 0.05);
+  EXPECT_EQ(weld(built("*MAT_100_DA\n9,7.85e-9,210000.0,0.3\n\n,,,,-1\n")).properties, none);
 }
 
 TEST(WeldCards, YieldCurves) {
