@@ -46,6 +46,16 @@ output::Summary::Counts counts(const model::Model& model, const weld::Ties& ties
           static_cast<long>(ties.welds.size())};
 }
 
+output::WeldLoad last_load(const weld::History& history) {
+  const weld::Resultants& r = history.last_load().resultants;
+  std::string terms;
+  for (int i = 0; i < history.last_value().terms; ++i) {
+    const auto& [mode, value] = history.last_value().term[at(i)];
+    if (value > 0.0) terms += fmt::format("{}{} {:.3g}", terms.empty() ? "" : ", ", weld::to_string(mode), value);
+  }
+  return {r.axial, r.shear(), r.moment(), r.torsion, history.last_load().rate, history.failure_value(), terms};
+}
+
 /// Adds to the welds' reports what happened to them.
 void tell_histories(const impact::Simulation& run, std::vector<output::WeldReport>& welds) {
   const system::System& system = run.system();
@@ -57,12 +67,16 @@ void tell_histories(const impact::Simulation& run, std::vector<output::WeldRepor
       const system::ElementGroup& group = *system.groups[at(seat.group)];
       const auto e = at(seat.element);
       welds[i].added_mass += group.mass(e) * (group.mass_scale(e) - 1.0);
+      welds[i].energy += group.internal_energy(e) + group.hourglass_energy(e);
     }
     welds[i].failed = history->failed();
     if (history->failed()) welds[i].failure_time = history->failure_time();
     welds[i].failure_mode = weld::to_string(history->mode());
     const auto& peak = history->peaks();
     welds[i].peak = {peak[0], peak[1], peak[2], peak[3]};
+    welds[i].peak_failure = history->peak_failure_value();
+    welds[i].peak_failure_time = history->peak_failure_time();
+    welds[i].last = last_load(*history);
   }
 }
 

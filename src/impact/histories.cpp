@@ -137,8 +137,18 @@ output::SwforcState swforc_state(const Snapshot& now) {
     const model::Part& part = model.parts[at(welds[i].part)];
     if (welds[i].kind == weld::Weld::Kind::beam && !model.beam_sections[at(part.section)].in_swforc) continue;
     const weld::Resultants& r = history->resultants();
-    s.rows.push_back({welds[i].id, kind(welds[i].kind), r.axial, r.shear(), now.welds.length(i, now.state), r.moment(),
-                      r.torsion, history->failed() ? 1.0 : history->failure_value(), history->failure_time()});
+    s.rows.push_back({welds[i].id,
+                      kind(welds[i].kind),
+                      r.axial,
+                      r.shear(),
+                      now.welds.length(i, now.state),
+                      r.moment(),
+                      r.torsion,
+                      history->failed() ? 1.0 : history->failure_value(),
+                      history->failure_time(),
+                      {}});
+    if (model.weld_laws[at(model.materials[at(part.material)].weld)].option == -2)
+      s.rows.back().peak = {history->peak_failure_value(), history->peak_failure_time()};
   }
   return s;
 }

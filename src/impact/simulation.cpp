@@ -41,7 +41,7 @@ Simulation::Simulation(system::System& system, Findings& findings)
       state_(system.initial_state()),
       supports_(system, findings),
       loads_(system),
-      welds_(system),
+      welds_(system, findings),
       tie_forces_(system),
       tie_ends_(system, welds_, tie_forces_) {
   const model::Model& model = system.model;

@@ -28,13 +28,16 @@ void Welds::Bricks::gather(const system::System& system, const system::State& st
   for (const Corner& c : corners) force[c.node] += system.nodal_force(c.seat, c.corner);
 }
 
-Welds::Welds(system::System& system) : system_(system) {
+Welds::Welds(system::System& system, Findings& findings) : system_(system) {
   for (const weld::Weld& w : system.ties.welds) {
     histories_.emplace_back();
     bricks_.emplace_back();
     if (w.kind == weld::Weld::Kind::rigid || w.deleted) continue;
     const model::Material& material = system.model.materials[at(system.model.parts[at(w.part)].material)];
-    histories_.back() = std::make_unique<weld::History>(system.model.weld_laws[at(material.weld)]);
+    const model::WeldLaw& law = system.model.weld_laws[at(material.weld)];
+    histories_.back() = std::make_unique<weld::History>(
+        law, weld::failure::make_function(system.model, law, weld::failure::geometry_of(system.model, w), w.place,
+                                          findings));
     if (w.of_bricks()) bricks_.back() = std::make_unique<Bricks>(system, w);
   }
 }
@@ -48,7 +51,7 @@ void Welds::update(const system::State& state) {
       report(i, state);
       continue;
     }
-    if (history->update(state.time, resultants(i, state))) {
+    if (history->update({resultants(i, state), strain_rate(i), state.time})) {
       remove(i);
       report(i, state);
     }
@@ -65,6 +68,21 @@ weld::Resultants Welds::resultants(std::size_t i, const system::State& state) {
   const system::System::Seat seat = system_.seat_of(w, w.element);
   const std::array<double, 8> r = system_.groups[at(seat.group)]->resultants(at(seat.element));
   return {r[0], r[1], r[2], r[3], r[4], r[5]};
+}
+
+/// Mean over the elements of the weld that hold.
+double Welds::strain_rate(std::size_t i) const {
+  const weld::Weld& w = system_.ties.welds[i];
+  double sum = 0.0;
+  int holding = 0;
+  for (model::Index e : w.elements) {
+    const system::System::Seat seat = system_.seat_of(w, e);
+    const system::ElementGroup& group = *system_.groups[at(seat.group)];
+    if (!group.alive(at(seat.element))) continue;
+    sum += group.strain_rate(at(seat.element));
+    ++holding;
+  }
+  return holding > 0 ? sum / holding : 0.0;
 }
 
 const weld::BrickSection::Load* Welds::brick_load(std::size_t i) const {

@@ -15,8 +15,8 @@ namespace nugget::impact {
 /// removes the elements of those that did. Indices are those of Ties::welds.
 class Welds {
  public:
-  /// The system must outlive it.
-  explicit Welds(system::System& system);
+  /// The system must outlive it. Findings: what a weld lacks for the failure function that its material asks for.
+  Welds(system::System& system, Findings& findings);
 
   /// To be called once a cycle, after the forces of the elements.
   void update(const system::State& state);
@@ -51,6 +51,7 @@ class Welds {
     weld::BrickSection::Load load;
   };
   weld::Resultants resultants(std::size_t i, const system::State& state);
+  double strain_rate(std::size_t i) const;
   bool alive(std::size_t i) const;
   void remove(std::size_t i);
   void report(std::size_t i, const system::State& state);

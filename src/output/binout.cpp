@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/binout.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <stdexcept>
@@ -171,6 +172,11 @@ void Binout::write(const SwforcState& s) {
   reals("length", collect(s.rows, [](const SwforcRow& r) { return r.length; }));
   reals("resultant_moment", collect(s.rows, [](const SwforcRow& r) { return r.resultant_moment; }));
   reals("torsion", collect(s.rows, [](const SwforcRow& r) { return r.torsion; }));
+  if (std::any_of(s.rows.begin(), s.rows.end(), [](const SwforcRow& r) { return r.peak.has_value(); })) {
+    const auto peak = [](const SwforcRow& r) { return r.peak.value_or(std::pair{0.0, 0.0}); };
+    reals("max_failure", collect(s.rows, [&](const SwforcRow& r) { return peak(r).first; }));
+    reals("max_failure_time", collect(s.rows, [&](const SwforcRow& r) { return peak(r).second; }));
+  }
   end_state();
 }
 

@@ -29,6 +29,15 @@ struct WeldPeak {
   double bending = 0.0, torsion = 0.0;  ///< [force length]
 };
 
+/// How a weld was loaded in the cycle in which it failed; of one that holds, at the end of the run.
+struct WeldLoad {
+  double axial = 0.0, shear = 0.0;      ///< [force]
+  double bending = 0.0, torsion = 0.0;  ///< [force length]
+  double strain_rate = 0.0;             ///< effective [1/time]
+  double failure = 0.0;                 ///< value of the failure function; 1 is failure
+  std::string terms;                    ///< what it is made of, e.g. `axial force 0.81, shear force 0.19`
+};
+
 /// One weld: the audit before the run, the history after it. A line of welds.csv, an entry of `weld` in summary.json.
 struct WeldReport {
   int id = 0;               ///< user id of the element, assembly or constraint
@@ -43,6 +52,9 @@ struct WeldReport {
   std::optional<double> failure_time;
   std::string failure_mode;
   WeldPeak peak;
+  double peak_failure = 0.0, peak_failure_time = 0.0;  ///< largest failure value and when it was
+  WeldLoad last;
+  double energy = 0.0;  ///< work that was done on it; of a failed weld all of it is dissipated [energy]
   std::vector<std::pair<std::string_view, double>> audit;  ///< column of welds.csv and number; the same for all welds
   std::vector<std::string> remarks;                        ///< of the audit
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/swforc.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nugget::output {
@@ -12,13 +13,30 @@ const char* label(WeldKind kind) {
     case WeldKind::generalized: return "generalized weld ID ";
     case WeldKind::beam: return "spotweld beam  ID   ";
     case WeldKind::solid: return "spotweld solid ID   ";
+    case WeldKind::nonnodal: return "nonnodal cnst  ID   ";
     case WeldKind::assembly: return "spotweld assmy ID   ";
   }
   return "";
 }
 
+/// A Fortran E7.2: the E gives way to the sign of the exponent.
+std::string number_in_seven(double value) {
+  if (std::isnan(value)) return "    nan";
+  if (value < 1e-99) return "0.00+00";
+  std::string text = fmt::format("{:.2E}", std::min(value, 9.99e99));
+  if (value < 1.0 && text.starts_with("1.00E+00")) return "9.99-01";  // below 1 is below failure
+  text.erase(text.find('E'), 1);
+  return fmt::format("{:>7}", text);
+}
+
 bool is_brick(WeldKind kind) {
   return kind == WeldKind::solid || kind == WeldKind::assembly;
+}
+
+/// ` fcmx=1.29+00 t=1.25E-03`, of OPT -2.
+std::string peak(const SwforcRow& row) {
+  if (!row.peak) return "";
+  return fmt::format(" fcmx={} t={:8.2E}", number_in_seven(row.peak->first), row.peak->second);
 }
 
 /// What stands behind the label: length, moment and torsion where the kind has them, or when the weld failed.
@@ -31,18 +49,15 @@ std::string tail(const SwforcRow& row) {
     default: break;
   }
   if (row.failure_time > 0.0) return fmt::format("               failure time={:12.4E}", row.failure_time);
-  return fmt::format("{:13.5E}{:13.5E}{:13.5E}", column(row.length), column(row.resultant_moment), column(row.torsion));
+  return fmt::format("{:13.5E}{:13.5E}{:13.5E}{}", column(row.length), column(row.resultant_moment),
+                     column(row.torsion), peak(row));
 }
 
 }  // namespace
 
-std::string failure_column(double failure) {
-  if (!(failure < 1.0)) return std::isnan(failure) ? "    nan" : "failure";
-  if (failure > -1e-99 && failure < 1e-99) return "0.00+00";
-  std::string text = fmt::format("{:.2E}", failure);   // a Fortran E7.2: the E gives way to the sign of the exponent
-  if (text.starts_with("1.00E+00")) return "9.99-01";  // below 1 has not failed
-  text.erase(text.find('E'), 1);
-  return fmt::format("{:>7}", text);
+std::string failure_column(double failure, bool has_failed) {
+  if (has_failed) return "failure";
+  return number_in_seven(failure);
 }
 
 Swforc::Swforc(std::filesystem::path path, const Header& header) : file_(std::move(path), title_lines(header)) {}
@@ -59,7 +74,7 @@ void Swforc::write(const SwforcState& state) {
     if (is_brick(row.kind))
       file_.print(" {:8.4f}    ", row.failure);
     else
-      file_.print("  {}    ", failure_column(row.failure));
+      file_.print("  {}    ", failure_column(row.failure, row.failure_time > 0.0));
     file_.print("{}{:8}{}\n", label(row.kind), row.id, tail(row));
   }
   file_.end_state();

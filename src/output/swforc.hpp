@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "output/ascii.hpp"
@@ -8,7 +11,7 @@
 namespace nugget::output {
 
 /// LS-DYNA's type numbers of welds (binout: swforc/metadata/types).
-enum class WeldKind { constraint = 0, generalized = 1, beam = 2, solid = 3, assembly = 6 };
+enum class WeldKind { constraint = 0, generalized = 1, beam = 2, solid = 3, nonnodal = 4, assembly = 6 };
 
 /// Resultants of one weld in its own axes.
 struct SwforcRow {
@@ -19,8 +22,10 @@ struct SwforcRow {
   double length = 0.0;            ///< now [length]
   double resultant_moment = 0.0;  ///< sqrt(M_ss^2 + M_tt^2) [force length]
   double torsion = 0.0;           ///< M_rr [force length]
-  double failure = 0.0;           ///< value of the failure function; 1 and more: failed
+  double failure = 0.0;           ///< value of the failure function; 1 is failure
   double failure_time = 0.0;      ///< 0 while the weld holds
+  /// Largest failure value so far and its time, where OPT = -2 asks for them.
+  std::optional<std::pair<double, double>> peak = std::nullopt;
 };
 
 struct SwforcState {
@@ -28,8 +33,9 @@ struct SwforcState {
   std::vector<SwforcRow> rows;  ///< the same welds in the same order in every state
 };
 
-/// The seven columns of the failure value of constraints and beams: `0.00+00`, `3.10-02`, and `failure` from 1 on.
-std::string failure_column(double failure);
+/// The seven columns of the failure value of constraints and beams: `0.00+00`, `3.10-02`, and `failure` of a weld that
+/// has failed. A value of 1 and more of one that has not (OPT -1, -2, or OPT 6 for a while) is a number, `1.29+00`.
+std::string failure_column(double failure, bool has_failed);
 
 /// The ASCII file `swforc` in the layout of LS-DYNA R13, where weld beams carry torsion.
 class Swforc {

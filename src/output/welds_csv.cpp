@@ -56,8 +56,10 @@ void head(std::string& out, std::size_t projections, const std::vector<WeldRepor
       line.cell(fmt::format("{}{}", name, i));
   if (!welds.empty())
     for (const auto& [name, value] : welds.front().audit) line.cell(name);
-  for (const char* name : {"added_mass", "failed", "failure_time", "failure_mode", "peak_axial", "peak_shear",
-                           "peak_bending", "peak_torsion", "remarks"})
+  for (const char* name :
+       {"added_mass", "failed", "failure_time", "failure_mode", "peak_axial", "peak_shear", "peak_bending",
+        "peak_torsion", "peak_failure", "peak_failure_time", "last_axial", "last_shear", "last_bending", "last_torsion",
+        "last_strain_rate", "last_failure", "last_terms", "energy", "remarks"})
     line.cell(name);
 }
 
@@ -102,6 +104,13 @@ void row(std::string& out, const WeldReport& weld, std::size_t projections) {
   line.cell(weld.peak.shear);
   line.cell(weld.peak.bending);
   line.cell(weld.peak.torsion);
+  line.cell(weld.peak_failure);
+  line.cell(weld.peak_failure_time);
+  for (const double value : {weld.last.axial, weld.last.shear, weld.last.bending, weld.last.torsion,
+                             weld.last.strain_rate, weld.last.failure})
+    line.cell(value);
+  line.cell(weld.last.terms);
+  line.cell(weld.energy);
   line.cell(fmt::format("{}", fmt::join(weld.remarks, "; ")));
 }
 

@@ -157,6 +157,10 @@ class BatchGroup final : public ElementGroup {
   }
   double thickness(std::size_t e) const override { return kernel_.thickness(reader(e)); }
   std::array<double, 8> resultants(std::size_t e) const override { return kernel_.resultants(reader(e)); }
+  double strain_rate(std::size_t e) const override {
+    if constexpr (requires { Element::Layout::strain_rate; }) return field(e, Element::Layout::strain_rate);
+    return 0.0;
+  }
 
  private:
   static int lane(std::size_t e) { return static_cast<int>(e % width); }

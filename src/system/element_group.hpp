@@ -74,6 +74,8 @@ class ElementGroup {
   virtual double thickness(std::size_t) const { return 0.0; }
   /// Shells: Mx My Mxy Qx Qy Nx Ny Nxy in local axes, per unit length. Beams: N_rr N_rs N_rt M_rr M_ss M_tt.
   virtual std::array<double, 8> resultants(std::size_t) const { return {}; }
+  /// Effective strain rate of a weld element in the last cycle, sqrt(2/3 e:e) of the deviator [1/time]; 0 of others.
+  virtual double strain_rate(std::size_t) const { return 0.0; }
 
   /// How many blocks lost elements in cycles so far; a change says that somebody died.
   std::atomic<int> deaths{0};

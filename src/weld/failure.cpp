@@ -6,44 +6,30 @@
 
 namespace nugget::weld {
 
-double Resultants::shear() const {
-  return std::hypot(shear_s, shear_t);
-}
-double Resultants::moment() const {
-  return std::hypot(moment_s, moment_t);
-}
-
-std::array<double, 6> failure_terms(const std::array<model::RateValue, 6>& strength, const Resultants& r) {
-  const std::array<double, 6> value{std::max(r.axial, 0.0), r.shear_s, r.shear_t, r.torsion, r.moment_s, r.moment_t};
-  std::array<double, 6> term{};
-  for (std::size_t i = 0; i < 6; ++i) {
-    if (!strength[i].given()) continue;
-    const double ratio = value[i] / strength[i].value;
-    term[i] = ratio * ratio;
-  }
-  return term;
-}
-
-Resultants Filter::operator()(const Resultants& r) {
-  if (length_ <= 1) return r;
+failure::Load Filter::operator()(const failure::Load& load) {
+  if (length_ <= 1) return load;
   if (kept_.size() < static_cast<std::size_t>(length_)) {
-    kept_.push_back(r);
+    kept_.push_back(load);
   } else {
-    kept_[next_] = r;
+    kept_[next_] = load;
     next_ = (next_ + 1) % kept_.size();
   }
-  Resultants mean;
-  for (const Resultants& k : kept_) {
-    mean.axial += k.axial;
-    mean.shear_s += k.shear_s;
-    mean.shear_t += k.shear_t;
-    mean.torsion += k.torsion;
-    mean.moment_s += k.moment_s;
-    mean.moment_t += k.moment_t;
+  failure::Load mean;
+  for (const failure::Load& k : kept_) {
+    mean.resultants.axial += k.resultants.axial;
+    mean.resultants.shear_s += k.resultants.shear_s;
+    mean.resultants.shear_t += k.resultants.shear_t;
+    mean.resultants.torsion += k.resultants.torsion;
+    mean.resultants.moment_s += k.resultants.moment_s;
+    mean.resultants.moment_t += k.resultants.moment_t;
+    mean.rate += k.rate;
   }
   const double share = 1.0 / static_cast<double>(kept_.size());
-  return {mean.axial * share,   mean.shear_s * share,  mean.shear_t * share,
-          mean.torsion * share, mean.moment_s * share, mean.moment_t * share};
+  const Resultants& r = mean.resultants;
+  return {{r.axial * share, r.shear_s * share, r.shear_t * share, r.torsion * share, r.moment_s * share,
+           r.moment_t * share},
+          mean.rate * share,
+          load.time};
 }
 
 std::string_view to_string(FailureMode mode) {
@@ -53,6 +39,13 @@ std::string_view to_string(FailureMode mode) {
     case FailureMode::shear: return "shear force";
     case FailureMode::torsion: return "torsion";
     case FailureMode::bending: return "bending moment";
+    case FailureMode::normal_stress: return "normal stress";
+    case FailureMode::shear_stress: return "shear stress";
+    case FailureMode::sheet_1: return "stress in sheet 1";
+    case FailureMode::sheet_2: return "stress in sheet 2";
+    case FailureMode::nugget: return "stress in the nugget";
+    case FailureMode::tension: return "tension at its angle";
+    case FailureMode::compression: return "compression at its angle";
     case FailureMode::time: return "failure time";
     case FailureMode::plastic_strain: return "plastic strain";
     case FailureMode::sheet_deleted: return "deleted sheet";
@@ -60,26 +53,28 @@ std::string_view to_string(FailureMode mode) {
   return "";
 }
 
-bool History::update(double time, const Resultants& r) {
+bool History::update(const failure::Load& load) {
   if (failed()) return false;
-  now_ = filter_(r);
-  peaks_ = {std::max(peaks_[0], std::abs(now_.axial)), std::max(peaks_[1], now_.shear()),
-            std::max(peaks_[2], now_.moment()), std::max(peaks_[3], std::abs(now_.torsion))};
-  const std::array<double, 6> term = failure_terms(law_->strength, now_);
-  value_ = term[0] + term[1] + term[2] + term[3] + term[4] + term[5];
-  peak_value_ = std::max(peak_value_, value_);
-  if (value_ >= 1.0) {
-    const std::array<double, 4> share{term[0], term[1] + term[2], term[3], term[4] + term[5]};
-    constexpr FailureMode mode[4] = {FailureMode::axial, FailureMode::shear, FailureMode::torsion,
-                                     FailureMode::bending};
-    fail(time, mode[std::max_element(share.begin(), share.end()) - share.begin()]);
-    return true;
+  now_ = last_ = filter_(load);
+  const Resultants& r = now_.resultants;
+  peaks_ = {std::max(peaks_[0], std::abs(r.axial)), std::max(peaks_[1], r.shear()), std::max(peaks_[2], r.moment()),
+            std::max(peaks_[3], std::abs(r.torsion))};
+  value_ = (*function_)(now_);
+  if (value_.value > peak_value_) {
+    peak_value_ = value_.value;
+    peak_time_ = load.time;
   }
-  if (law_->failure_time > 0.0 && time >= law_->failure_time) {
-    fail(time, FailureMode::time);
-    return true;
-  }
-  return false;
+  if (surface_reached())
+    fail(load.time, value_.largest());
+  else if (law_->failure_time > 0.0 && load.time >= law_->failure_time)
+    fail(load.time, FailureMode::time);
+  return failed();
+}
+
+/// OPT -1 and -2 only tell the value; OPT 6 wants it for FVAL cycles on end.
+bool History::surface_reached() {
+  beyond_ = value_.value >= 1.0 ? beyond_ + 1 : 0;
+  return law_->option >= 0 && beyond_ >= std::max(law_->cycles, 1);
 }
 
 void History::fail(double time, FailureMode mode) {

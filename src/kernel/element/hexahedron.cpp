@@ -249,6 +249,13 @@ Patterns<double> patterns_of(const std::array<Vec3d, 8>& x) {
   return patterns_of<double>(nodes);
 }
 
+/// sqrt(2/3 e:e) of the deviator; the shears of `d` are engineering shears.
+template <class R>
+R effective_rate(const SolidTensor<R>& d) {
+  const R mean = (1.0 / 3.0) * (d.xx + d.yy + d.zz), x = d.xx - mean, y = d.yy - mean, z = d.zz - mean;
+  return sqrt((2.0 / 3.0) * (x * x + y * y + z * z) + (1.0 / 3.0) * (d.xy * d.xy + d.yz * d.yz + d.zx * d.zx));
+}
+
 }  // namespace
 
 template <class R, class Law>
@@ -283,6 +290,7 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepare
   law.rotate(turn, history);
   R integrity(1.0), whole(1.0);  // of hourglass forces and bulk viscosity; of the weld as a whole
   if constexpr (std::is_same_v<Law, Spotweld>) {
+    store_field(state, L::strain_rate, effective_rate(d));
     if (law.uniaxial())
       s = section_stress(law, l, mid, end, dt, history);
     else

@@ -25,8 +25,9 @@ struct HexahedronLayout {
   static constexpr int hourglass = 3;          ///< four vectors of generalised hourglass forces
   static constexpr int hourglass_energy = 15;  ///< work done against them [energy]
   static constexpr int stress = 16;            ///< xx yy zz xy yz zx, global axes, without bulk viscosity
-  static constexpr int integrity = 22;  ///< share of the forces that the damage of a weld as a whole has left [1]
-  static constexpr int first_history = 23;
+  static constexpr int integrity = 22;    ///< share of the forces that the damage of a weld as a whole has left [1]
+  static constexpr int strain_rate = 23;  ///< of a weld: effective [1/time]
+  static constexpr int first_history = 24;
 
   int history = 0;
 

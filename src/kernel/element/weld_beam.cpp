@@ -102,7 +102,8 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared
   const double torsion = beam.no_torsion ? 0.0 : 1.0;
   const R rs = beam.shear_factor * (dv.y - mean.z), rt = beam.shear_factor * (dv.z + mean.y), twist = torsion * dw.x;
 
-  R n[6]{};
+  R n[6]{}, strain_rate = 0.0;
+  double whole = 0.0;
   auto sound = R(1.0) < R(0.0);
   const R none = R(0.0);
   for (int k = 0; k < layout.fibres; ++k) {
@@ -112,6 +113,9 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared
     double* history = state + layout.history_of(k) * lanes<R>;
     FibreTensor<R> a = load_fibre<R>(stress);
     const FibreTensor<R> rate{dv.x + pt * dw.y - ps * dw.z, rs - pt * twist, rt + ps * twist};
+    // von Mises' equivalent of the rate, so that it is the plastic strain's rate when all of it is plastic.
+    strain_rate += area * sqrt(rate.rr * rate.rr + (1.0 / 3.0) * (rate.rs * rate.rs + rate.rt * rate.rt));
+    whole += area;
     law.fibre(a, select(alive, rate, FibreTensor<R>{}), dt, history);
     store_fibre(stress, a);
     if (law.can_fail()) sound = sound || !law.template failed<R>(history);
@@ -132,6 +136,8 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared
     n[i] = select(alive, integrity * n[i], none);
     store_field(state, L::resultant + i, n[i]);
   }
+
+  store_field(state, L::strain_rate, select(alive, (1.0 / whole) * strain_rate, none));
 
   const Frame<R> end{r, s, t};
   const R half = 0.5 * length;

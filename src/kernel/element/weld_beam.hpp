@@ -36,7 +36,8 @@ struct WeldBeamLayout {
   static constexpr int resultant = 5;      ///< N_rr N_rs N_rt [force], M_rr M_ss M_tt [moment], at mid-length
   static constexpr int length = 11;        ///< current length [length]
   static constexpr int integrity = 12;     ///< share of the forces that the damage of the weld as a whole has left [1]
-  static constexpr int first_fibre = 13;
+  static constexpr int strain_rate = 13;   ///< effective, mean over the section [1/time]
+  static constexpr int first_fibre = 14;
 
   int fibres = 0, history = 0;
 

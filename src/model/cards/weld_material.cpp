@@ -209,7 +209,6 @@ Index curve_of(Builder& b, const Row& row, std::string_view field, long offset) 
 /// A strength: 0 and 1e20 leave it out, a negative value is a curve over the strain rate.
 RateValue strength(Builder& b, const Row& row, std::string_view field, long offset) {
   if (row.real(field) >= 0.0) return {failure_value(row.real(field)), {}};
-  refuse(b, row, field, "a curve over the strain rate (negative value) is not built yet", "give the static strength");
   const Index curve = curve_of(b, row, field, offset);
   if (curve == none) return {};
   return {1.0, b.model.curves[static_cast<std::size_t>(curve)]};
@@ -422,7 +421,6 @@ void read_weld(Builder& b, const Block& block, const Options& options, bool with
     read_damage(b, cursor, weld, *failure, law.failure_strain);
     law.damage = point_damage(weld.damage);
   }
-  if (option != 0) refuse(b, *failure, "opt", fmt::format("OPT {} is not built yet", option), "write 0");
   expect_end(b, cursor);
   const Index index = add_weld(b, row, std::move(title), with_failure ? "MAT_SPOTWELD_DAMAGE-FAILURE" : "MAT_SPOTWELD",
                                law, std::move(weld));

@@ -41,9 +41,9 @@ const Card load_rate_card{{
     id("id", IdSpace::define, required, "number of this table, FVAL of *MAT_SPOTWELD"),
     integer("tflag", 0, between(0, 3), "thickness: 0 thinner sheet, 1 mean, 2 thicker sheet, 3 sum"),
     real("dc1", dimension::number, 1.183, any_value, "dynamic coefficient: constant"),
-    real("dc2", dimension::number, 0.002963, any_value, "dynamic coefficient of the load rate"),
+    real("dc2", dimension::number, 0.002963, any_value, "dynamic coefficient of the rate of the force"),
     real("dc3", dimension::number, 0.0458, any_value, "dynamic coefficient of its logarithm"),
-    real("dc4", {1, -1, -3}, 0.1, above_zero(), "load rate by which the load rate is divided"),
+    real("dc4", {1, 1, -3}, 0.1, above_zero(), "rate of the force by which that rate is divided"),
     real("exn", dimension::number, 2, above_zero(), "exponent of the normal term"),
     real("exs", dimension::number, 2, above_zero(), "exponent of the shear term"),
 }};
@@ -133,8 +133,9 @@ RateValue rate_value(Builder& b, const Row& row, std::string_view value, std::st
 // Parts, materials and curves may be defined later in the deck: all of these tables are made in Phase::curves, before
 // the materials' own turn.
 
-void read_rupture_stress(Builder& b, const Block& block, const Options&) {
+void read_rupture_stress(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
   while (!at_end(cursor)) {
     const Row row = cursor.read(rupture_stress_card);
     b.later(Phase::curves, [row](Builder& later) {
@@ -162,8 +163,9 @@ Table* add_table(Builder& b, std::vector<Table>& tables, Ids& ids, const Row& ro
   return &table;
 }
 
-void read_pair_strengths(Builder& b, const Block& block, const Options&) {
+void read_pair_strengths(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
   const Row first = cursor.read(pair_default_card);
   const std::vector<Row> pairs = rest_of(cursor, pair_card);
   b.later(Phase::curves, [first, pairs](Builder& later) {
@@ -192,6 +194,7 @@ LoadRateStrengths::Entry load_rate_entry(Builder& b, const Row& row, bool by_pai
 
 void read_load_rate(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
   const bool by_pair = options.contains("PID");
   const Row first = cursor.read(load_rate_card), second = cursor.read(load_rate_default_card);
   const std::vector<Row> rows = rest_of(cursor, by_pair ? load_rate_pair_card : load_rate_material_card);
@@ -212,8 +215,9 @@ void read_load_rate(Builder& b, const Block& block, const Options& options) {
   });
 }
 
-void read_load_rate_add(Builder& b, const Block& block, const Options&) {
+void read_load_rate_add(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
   const Row first = cursor.read(load_rate_add_card);
   const std::vector<Row> rows = rest_of(cursor, load_rate_material_card);
   // One phase later than the tables themselves.
@@ -264,8 +268,9 @@ ConnectionProperties::Record record(Builder& b, const Row& first, const Row& mor
   return r;
 }
 
-void read_connection(Builder& b, const Block& block, const Options&) {
+void read_connection(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
   const Row first = cursor.read(connection_card), second = cursor.read(connection_default_card),
             third = cursor.read(connection_default_more_card);
   const std::vector<MaterialRows> rows = material_rows(cursor);
@@ -282,8 +287,9 @@ void read_connection(Builder& b, const Block& block, const Options&) {
   });
 }
 
-void read_connection_add(Builder& b, const Block& block, const Options&) {
+void read_connection_add(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
   const Row first = cursor.read(connection_card);
   const std::vector<MaterialRows> rows = material_rows(cursor);
   // One phase later than the connections themselves.
@@ -301,22 +307,26 @@ void read_connection_add(Builder& b, const Block& block, const Options&) {
 std::vector<Keyword> weld_table_keywords() {
   return {
       {.name = "DEFINE_SPOTWELD_RUPTURE_STRESS",
+       .options = {"TITLE"},
        .layout = {{"repeated", &rupture_stress_card}},
        .read = read_rupture_stress},
       {.name = "DEFINE_SPOTWELD_FAILURE_RESULTANTS",
+       .options = {"TITLE"},
        .layout = {{"", &pair_default_card}, {"repeated", &pair_card}},
        .read = read_pair_strengths},
       {.name = "DEFINE_SPOTWELD_FAILURE",
-       .options = {"PID"},
+       .options = {"PID", "TITLE"},
        .layout = {{"", &load_rate_card},
                   {"", &load_rate_default_card},
                   {"repeated, without _PID", &load_rate_material_card},
                   {"repeated, with _PID", &load_rate_pair_card}},
        .read = read_load_rate},
       {.name = "DEFINE_SPOTWELD_FAILURE_ADD",
+       .options = {"TITLE"},
        .layout = {{"", &load_rate_add_card}, {"repeated", &load_rate_material_card}},
        .read = read_load_rate_add},
       {.name = "DEFINE_CONNECTION_PROPERTIES",
+       .options = {"TITLE"},
        .layout = {{"", &connection_card},
                   {"", &connection_default_card},
                   {"", &connection_default_more_card},
@@ -324,6 +334,7 @@ std::vector<Keyword> weld_table_keywords() {
                   {"repeated with the last", &connection_material_more_card}},
        .read = read_connection},
       {.name = "DEFINE_CONNECTION_PROPERTIES_ADD",
+       .options = {"TITLE"},
        .layout = {{"only CON_ID counts", &connection_card},
                   {"repeated with the next", &connection_material_card},
                   {"repeated with the last", &connection_material_more_card}},

@@ -59,6 +59,15 @@ TEST(Swforc, BeamLineIsLsDynasOwn) {
           "  1.96262E-17  3.93459E-14\n");
 }
 
+TEST(Swforc, PeakOfOptMinus2StandsBehindTheMoments) {
+  Scratch scratch;
+  Swforc file(scratch / "swforc", header);
+  file.write({2e-3, {{7, WeldKind::beam, 10.0, 0.0, 1.5, 2.0, 3.0, 0.5, 0.0, std::pair{1.29097, 1.25e-3}}}});
+  EXPECT_THAT(content(scratch / "swforc"),
+              testing::HasSubstr("  5.00-01    spotweld beam  ID          7  1.50000E+00  2.00000E+00  3.00000E+00"
+                                 " fcmx=1.29+00 t=1.25E-03\n"));
+}
+
 TEST(Swforc, EachKindHasItsLabelAndTail) {
   Scratch scratch;
   Swforc file(scratch / "swforc", header);
@@ -68,7 +77,8 @@ TEST(Swforc, EachKindHasItsLabelAndTail) {
                 {20001, WeldKind::assembly, 2345.6, 12.3, 1.2, 310.0, 15.0, 0.2345, 0.0},
                 {20002, WeldKind::solid, 0.0, 0.0, 1.2, 0.0, 0.0, 1.5, 9e-4},
                 {30001, WeldKind::constraint, 812.5, 55.5, 0.0, 0.0, 0.0, 0.031, 0.0},
-                {30002, WeldKind::generalized, 1.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0}};
+                {30002, WeldKind::generalized, 1.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+                {30003, WeldKind::nonnodal, 1.0, 2.0, 0.5, 3.0, 4.0, 0.0, 0.0}};
   file.write(state);
   const std::string text = content(scratch / "swforc");
   EXPECT_EQ(text.substr(text.find("torsion\n") + 8),
@@ -81,16 +91,19 @@ TEST(Swforc, EachKindHasItsLabelAndTail) {
             "failure "
             "time=  9.0000E-04\n"
             "          4  8.12500E+02  5.55000E+01  1.00000E-03  3.10-02    constraint/weld  ID    30001  0.00000E+00\n"
-            "          5  1.00000E+00  2.00000E+00  1.00000E-03  0.00+00    generalized weld ID    30002\n");
+            "          5  1.00000E+00  2.00000E+00  1.00000E-03  0.00+00    generalized weld ID    30002\n"
+            "          6  1.00000E+00  2.00000E+00  1.00000E-03  0.00+00    nonnodal cnst  ID      30003  5.00000E-01"
+            "  3.00000E+00  4.00000E+00\n");
 }
 
 TEST(Swforc, FailureFillsSevenColumns) {
-  EXPECT_EQ(failure_column(0.0), "0.00+00");
-  EXPECT_EQ(failure_column(1e-200), "0.00+00");
-  EXPECT_EQ(failure_column(0.031), "3.10-02");
-  EXPECT_EQ(failure_column(0.9999), "9.99-01");
-  EXPECT_EQ(failure_column(1.0), "failure");
-  EXPECT_EQ(failure_column(std::numeric_limits<double>::quiet_NaN()), "    nan");
+  EXPECT_EQ(failure_column(0.0, false), "0.00+00");
+  EXPECT_EQ(failure_column(1e-200, false), "0.00+00");
+  EXPECT_EQ(failure_column(0.031, false), "3.10-02");
+  EXPECT_EQ(failure_column(0.9999, false), "9.99-01");
+  EXPECT_EQ(failure_column(1.0, true), "failure");
+  EXPECT_EQ(failure_column(1.29097, false), "1.29+00");  // OPT -1: it is told, and the weld holds
+  EXPECT_EQ(failure_column(std::numeric_limits<double>::quiet_NaN(), false), "    nan");
 }
 
 /// The states of a glstat, each as the text from `dt of cycle` on.

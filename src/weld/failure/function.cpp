@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "weld/failure/function.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace nugget::weld::failure {
+namespace {
+
+using model::Index;
+using model::none;
+
+const std::string keyword = "*MAT_SPOTWELD";
+
+/// Cowper-Symonds constants of a sheet's material, where its law has them.
+void take_rate_constants(const model::Model& model, Index part, SheetStrength& sheet) {
+  const Index material = model.parts[static_cast<std::size_t>(part)].material;
+  if (material == none) return;
+  const auto take = [&](const auto& law) {
+    if constexpr (requires { law.rate_c; }) {
+      sheet.rate_c = law.rate_c;
+      sheet.rate_p = law.rate_p;
+    }
+  };
+  std::visit(take, model.materials[static_cast<std::size_t>(material)].law);
+}
+
+std::unique_ptr<Function> by_sheet(const model::Model& model, const Geometry& weld, const Place& place,
+                                   Findings& findings) {
+  std::array<SheetStrength, 2> sheets;
+  bool is_any = false;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto entry = std::find_if(model.rupture_stresses.begin(), model.rupture_stresses.end(),
+                                    [&](const model::RuptureStress& r) { return r.part == weld.sheet[k]; });
+    if (entry == model.rupture_stresses.end()) continue;
+    is_any = true;
+    sheets[k].normal = entry->normal;
+    sheets[k].shear = entry->shear;
+    take_rate_constants(model, entry->part, sheets[k]);
+  }
+  if (!is_any)
+    findings.warning(place, keyword, "OPT 6, but neither sheet of the weld has a *DEFINE_SPOTWELD_RUPTURE_STRESS",
+                     "define it for a sheet's part; until then stresses do not fail this weld");
+  return sheet_stress(sheets, weld);
+}
+
+std::unique_ptr<Function> by_pair(const model::PairStrengths& table, const Geometry& weld) {
+  const auto same = [&](const model::PairStrengths::Pair& p) {
+    const auto& [i, j] = p.parts;
+    return (i == weld.sheet[0] && j == weld.sheet[1]) || (i == weld.sheet[1] && j == weld.sheet[0]);
+  };
+  const auto pair = std::find_if(table.pairs.begin(), table.pairs.end(), same);
+  const model::PairStrengths::Pair& found = pair == table.pairs.end() ? table.standard : *pair;
+  return beam_stress(found.normal, found.shear, weld);
+}
+
+double sheet_thickness(const model::LoadRateStrengths& table, const Geometry& weld) {
+  const auto [a, b] = weld.thickness;
+  switch (table.thickness_rule) {
+    case 1: return 0.5 * (a + b);
+    case 2: return std::max(a, b);
+    case 3: return a + b;
+    default: return weld.thinner();
+  }
+}
+
+/// The strengths of a pair of parts, or of a material; the lower of both sheets'.
+std::unique_ptr<Function> by_load_rate(const model::Model& model, const model::LoadRateStrengths& table,
+                                       const Geometry& weld, const Place& place, Findings& findings) {
+  const double thickness = table.thickness_scale * sheet_thickness(table, weld);
+  if (!(thickness > 0.0))
+    findings.warning(place, keyword, "OPT 10 needs the thickness of the sheets, but the weld is tied to no shell",
+                     "tie the weld to its sheets; until then stresses do not fail it");
+  double normal = 0.0, shear = 0.0;
+  const auto lower = [](double& strength, double other) {
+    if (other > 0.0 && (strength == 0.0 || other < strength)) strength = other;
+  };
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Index part = weld.sheet[k];
+    const Index material = part == none ? none : model.parts[static_cast<std::size_t>(part)].material;
+    const auto fits = [&](const model::LoadRateStrengths::Entry& e) {
+      if (e.parts[0] == none) return material != none && e.material == material;
+      return (e.parts[0] == part && e.parts[1] == weld.sheet[1 - k]) ||
+             (e.parts[1] == part && e.parts[0] == weld.sheet[1 - k]);
+    };
+    const auto entry = std::find_if(table.entries.begin(), table.entries.end(), fits);
+    lower(normal, entry == table.entries.end() ? table.normal : entry->normal);
+    lower(shear, entry == table.entries.end() ? table.shear : entry->shear);
+  }
+  return load_rate_stress(table, normal, shear, weld.diameter, thickness);
+}
+
+/// The value of the law, or the weld's own where that is 0.
+double own_or(double given, double own) {
+  return given > 0.0 ? given : own;
+}
+
+/// A warning if a sheet's thickness is known neither from the law nor from the weld.
+bool has_thickness(double thickness, const model::WeldLaw& law, const Place& place, Findings& findings) {
+  if (thickness > 0.0) return true;
+  findings.warning(
+      place, keyword,
+      fmt::format("OPT {} needs a sheet's thickness, but ZT is not given and the weld is tied to no shell", law.option),
+      "give ZT; until then stresses do not fail this weld");
+  return false;
+}
+
+std::unique_ptr<Function> without_terms() {
+  return resultant_surface({});
+}
+
+}  // namespace
+
+double Geometry::thinner() const {
+  const auto [a, b] = thickness;
+  return a > 0.0 && b > 0.0 ? std::min(a, b) : std::max(a, b);
+}
+
+Geometry disc(double diameter) {
+  const double area = 0.25 * std::numbers::pi * diameter * diameter;
+  return {diameter, area, 0.125 * area * diameter, {}, {none, none}};
+}
+
+Geometry geometry_of(const model::Model& model, const Weld& weld) {
+  Geometry g = disc(weld.diameter);
+  const Index section = weld.part == none ? none : model.parts[static_cast<std::size_t>(weld.part)].section;
+  if (weld.kind == Weld::Kind::beam && section != none) {
+    const model::SectionBeam& s = model.beam_sections[static_cast<std::size_t>(section)];
+    const double d = g.diameter, inner = 0.5 * (s.inner[0] + s.inner[1]), pi = std::numbers::pi;
+    g.area = 0.25 * pi * (d * d - inner * inner);
+    if (d > 0.0) g.section_modulus = pi / 32.0 * (d * d * d * d - inner * inner * inner * inner) / d;
+  }
+  g.sheet = weld.sheets;
+  std::array<int, 2> shells{};
+  for (const Projection& end : weld.ends) {
+    if (!end.tied || end.tie.shell == none) continue;
+    const auto shell = static_cast<std::size_t>(end.tie.shell);
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (model.shells.part[shell] != g.sheet[k]) continue;
+      g.thickness[k] += model.shells.thickness[shell];
+      ++shells[k];
+    }
+  }
+  for (std::size_t k = 0; k < 2; ++k)
+    if (shells[k] > 0) g.thickness[k] /= shells[k];
+  return g;
+}
+
+FailureMode Value::largest() const {
+  const auto end = term.begin() + terms;
+  return std::max_element(term.begin(), end, [](const Term& a, const Term& b) { return a.value < b.value; })->mode;
+}
+
+std::unique_ptr<Function> make_function(const model::Model& model, const model::WeldLaw& law, const Geometry& weld,
+                                        const Place& place, Findings& findings) {
+  switch (law.option) {
+    case 1: return beam_stress(law.normal_stress, law.shear_stress, weld);
+    case 3:
+    case 4: {
+      const double t = own_or(law.thickness[0], weld.thinner());
+      if (!has_thickness(t, law, place, findings)) return without_terms();
+      return notch_stress(law, own_or(law.diameter, weld.diameter), t);
+    }
+    case 5: {
+      const std::array<double, 2> t{own_or(law.thickness[0], weld.thickness[0]),
+                                    own_or(law.thickness[1], weld.thickness[1])};
+      has_thickness(std::max(t[0], t[1]), law, place, findings);
+      return structural_stress(own_or(law.diameter, weld.diameter), t, law.limit);
+    }
+    case 6: return by_sheet(model, weld, place, findings);
+    case 7: return by_pair(model.pair_strengths[static_cast<std::size_t>(law.table)], weld);
+    case 10:
+      return by_load_rate(model, model.load_rate_strengths[static_cast<std::size_t>(law.table)], weld, place, findings);
+    case 11: return direction(law);
+    default: return resultant_surface(law);
+  }
+}
+
+}  // namespace nugget::weld::failure

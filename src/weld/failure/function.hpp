@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "base/finding.hpp"
+#include "model/model.hpp"
+#include "weld/failure_mode.hpp"
+#include "weld/resultants.hpp"
+#include "weld/ties.hpp"
+
+// The failure functions of MAT_100, one file for each kind. Formulas and what is known of their source:
+// ../shared/reference/spotweld-theory.md sections 4.3 to 4.5, and the book's page on weld failure.
+namespace nugget::weld::failure {
+
+/// What a failure function knows of its weld beside the load; constant over the run.
+struct Geometry {
+  double diameter = 0.0;            ///< outer [length]
+  double area = 0.0;                ///< of the cross-section [length^2]
+  double section_modulus = 0.0;     ///< Z, of bending; of torsion it is 2 Z [length^3]
+  std::array<double, 2> thickness;  ///< of the shells that its ends are tied to; 0: none [length]
+  std::array<model::Index, 2> sheet{model::none, model::none};  ///< their parts
+
+  double thinner() const;  ///< of the two thicknesses that are not 0; 0: there is none
+};
+/// Of a solid disc.
+Geometry disc(double diameter);
+/// Of a weld as it was tied.
+Geometry geometry_of(const model::Model& model, const Weld& weld);
+
+struct Load {
+  Resultants resultants;
+  double rate = 0.0;  ///< effective strain rate [1/time]
+  double time = 0.0;
+};
+
+/// A failure value and what it is made of. At 1 the weld fails.
+struct Value {
+  struct Term {
+    FailureMode mode = FailureMode::axial;
+    double value = 0.0;
+  };
+  double value = 0.0;
+  std::array<Term, 4> term;  ///< those that add up to `value`; of a largest value (OPT 5) the candidates
+  int terms = 0;
+
+  void add(FailureMode mode, double share) {
+    term[static_cast<std::size_t>(terms++)] = {mode, share};
+    value += share;
+  }
+  /// The largest term; meaningful if there is one.
+  FailureMode largest() const;
+};
+
+/// Left side of the failure criterion of one weld. It may remember earlier loads: to be called once a cycle.
+class Function {
+ public:
+  virtual ~Function() = default;
+  virtual Value operator()(const Load& load) = 0;
+};
+
+/// The failure function that OPT of `law` asks for. What the weld lacks for it (a sheet, a thickness, a strength) is a
+/// warning at `place`, and its terms are left out. `model` and `law` must outlive it.
+std::unique_ptr<Function> make_function(const model::Model& model, const model::WeldLaw& law, const Geometry& weld,
+                                        const Place& place, Findings& findings);
+
+// Each kind. Several OPT may share one.
+std::unique_ptr<Function> resultant_surface(const model::WeldLaw& law);  ///< OPT -2 -1 0
+std::unique_ptr<Function> beam_stress(model::RateValue normal, model::RateValue shear, const Geometry& weld);  ///< 1, 7
+/// OPT 6: the sheets' own stresses at failure, each raised by its material's Cowper-Symonds factor; the weaker counts.
+struct SheetStrength {
+  double normal = 0.0, shear = 0.0;   ///< [stress]; 0: left out
+  double rate_c = 0.0, rate_p = 0.0;  ///< Cowper-Symonds; C = 0: no rate effect
+};
+std::unique_ptr<Function> sheet_stress(std::array<SheetStrength, 2> sheets, const Geometry& weld);
+/// OPT 3 and 4: diameter and thickness of the law, or the weld's own.
+std::unique_ptr<Function> notch_stress(const model::WeldLaw& law, double diameter, double thickness);
+std::unique_ptr<Function> structural_stress(double diameter, std::array<double, 2> thickness, double limit);  ///< OPT 5
+/// OPT 10. `normal` and `shear` are static strengths, `thickness` the effective one (TFLAG, TSCALE).
+std::unique_ptr<Function> load_rate_stress(const model::LoadRateStrengths& table, double normal, double shear,
+                                           double diameter, double thickness);
+std::unique_ptr<Function> direction(const model::WeldLaw& law);  ///< OPT 11
+
+}  // namespace nugget::weld::failure

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+namespace nugget::weld {
+
+/// What a weld failed by: a term of its failure function, or something else.
+enum class FailureMode {
+  intact,
+  // terms of failure functions
+  axial,
+  shear,
+  torsion,
+  bending,
+  normal_stress,
+  shear_stress,
+  sheet_1,
+  sheet_2,
+  nugget,
+  tension,
+  compression,
+  // other ends
+  time,
+  plastic_strain,
+  sheet_deleted,
+};
+std::string_view to_string(FailureMode mode);
+
+}  // namespace nugget::weld
