@@ -37,17 +37,6 @@ Json to_json(const WeldReport& w) {
       {"failure_mode", w.failure_mode},
       {"peak",
        {{"axial", w.peak.axial}, {"shear", w.peak.shear}, {"bending", w.peak.bending}, {"torsion", w.peak.torsion}}},
-      {"peak_failure", w.peak_failure},
-      {"peak_failure_time", w.peak_failure_time},
-      {"last",
-       {{"axial", w.last.axial},
-        {"shear", w.last.shear},
-        {"bending", w.last.bending},
-        {"torsion", w.last.torsion},
-        {"strain_rate", w.last.strain_rate},
-        {"failure", w.last.failure},
-        {"terms", w.last.terms}}},
-      {"energy", w.energy},
       {"remarks", w.remarks}};
 }
 

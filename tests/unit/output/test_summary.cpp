@@ -28,6 +28,9 @@ WeldReport sample_weld() {
   w.failure_time = 0.1;
   w.failure_mode = "resultant";
   w.peak = {8000.0, 1.0 / 3.0, 0.0, std::nan("")};
+  w.peak_failure = 1.02, w.peak_failure_time = 0.1;
+  w.last = {8000.0, 500.0, 60.0, 7.0, 2.5, 1.02, "axial force 1, shear force 0.02"};
+  w.energy = 42.5;
   w.remarks = {"edge", "pitch"};
   return w;
 }
@@ -105,9 +108,11 @@ TEST(WeldsCsv, HasARowForEachWeld) {
       content(scratch / "welds.csv"),
       "id,kind,part,sheet1,sheet2,diameter,length,tied,node1,case1,moved1,xi1,eta1,segment1,reason1,node2,case2,moved2,"
       "xi2,eta2,segment2,reason2,added_mass,failed,failure_time,failure_mode,peak_axial,peak_shear,peak_bending,"
-      "peak_torsion,remarks\n"
+      "peak_torsion,peak_failure,peak_failure_time,last_axial,last_shear,last_bending,last_torsion,last_strain_rate,"
+      "last_failure,last_terms,energy,remarks\n"
       "17,beam,5,1,2,6,1.5,yes,101,1,0.1,0.25,-0.5,1 2 3 4,,102,8,0,0,0,,\"no \"\"sheet\"\", none in reach\",1e-09,yes,"
-      "0.1,resultant,8000,0.3333333333333333,0,,edge; pitch\n");
+      "0.1,resultant,8000,0.3333333333333333,0,,1.02,0.1,8000,500,60,7,2.5,1.02,"
+      "\"axial force 1, shear force 0.02\",42.5,edge; pitch\n");
 }
 
 TEST(WeldsCsv, LosesNoNodeOfABrickWeld) {
@@ -120,8 +125,8 @@ TEST(WeldsCsv, LosesNoNodeOfABrickWeld) {
   std::getline(lines, head), std::getline(lines, first), std::getline(lines, second);
   EXPECT_THAT(head, testing::HasSubstr(",reason8,added_mass,"));
   const auto commas = [](const std::string& s) { return std::count(s.begin(), s.end(), ','); };
-  EXPECT_EQ(commas(first), commas(head) + 1);  // one more inside the quoted reason
-  EXPECT_EQ(commas(second), commas(head) + 1);
+  EXPECT_EQ(commas(first), commas(head) + 2);  // two more inside the quoted reason and the quoted terms
+  EXPECT_EQ(commas(second), commas(head) + 2);
 }
 
 }  // namespace
