@@ -153,16 +153,31 @@ bool is(const Model& m, const Part& part) {
   return part.material != none && std::holds_alternative<L>(m.materials[static_cast<std::size_t>(part.material)].law);
 }
 
+/// LS-DYNA's other fully integrated quadrilaterals, which 16 stands for.
+bool computed_as_full(int elform) {
+  return elform == -16 || elform == 18 || elform == 20 || elform == 21;
+}
+
 void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& told) {
   const auto s = static_cast<std::size_t>(part.section);
   SectionShell& section = b.model.shell_sections[s];
   if (section.elform == 0) section.elform = b.model.control.default_shell;
   const bool is_computed = !is<kernel::Rigid>(b.model, part) && !is<kernel::Null>(b.model, part);
-  if (!is_computed || section.elform == 2 || section.elform == 4 || std::exchange(told[s], char{1})) return;
-  refuse(
-      b, b.shell_section_rows[s], "elform",
-      fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay) and 4 (triangle)", section.elform),
-      "write 2, with an hourglass control of type 4 for stiffness against hourglassing");
+  const bool is_built = section.elform == 2 || section.elform == 4 || section.elform == 16;
+  if (!is_computed || is_built || std::exchange(told[s], char{1})) return;
+  if (computed_as_full(section.elform)) {
+    b.shell_section_rows[s].complain(
+        b.findings, Severity::warning, "elform",
+        fmt::format("shell formulation {} is computed as 16, fully integrated, with large rotations", section.elform),
+        "write 16");
+    section.elform = 16;
+    return;
+  }
+  refuse(b, b.shell_section_rows[s], "elform",
+         fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay), 4 (triangle) and 16 (fully "
+                     "integrated)",
+                     section.elform),
+         "write 16, or 2 with an hourglass control of type 4 for stiffness against hourglassing");
 }
 
 void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& told) {
@@ -207,7 +222,10 @@ void check_hourglass(Builder& b) {
   std::map<std::pair<Index, ElementKind>, std::vector<int>> parts;
   for (const Part& part : m.parts) {
     const bool is_computed = part.section != none && !is<kernel::Rigid>(m, part) && !is<kernel::Null>(m, part);
-    if (is_computed) parts[{part.hourglass, part.kind}].push_back(part.id);
+    // Formulation 16 has no hourglass modes: type 8 gives it warping stiffness, the others mean nothing to it.
+    const bool has_modes =
+        part.kind != ElementKind::shell || m.shell_sections[static_cast<std::size_t>(part.section)].elform != 16;
+    if (is_computed && has_modes) parts[{part.hourglass, part.kind}].push_back(part.id);
   }
   for (const auto& [user, ids] : parts) {
     const auto [card, kind] = user;
@@ -219,7 +237,8 @@ void check_hourglass(Builder& b) {
         {Severity::error, h.place, card == none ? "*CONTROL_HOURGLASS" : "*HOURGLASS", "ihq", std::to_string(h.type),
          fmt::format("part{} {} {} {}, for which types 1 to {} are built", ids.size() == 1 ? "" : "s",
                      fmt::join(ids, " "), ids.size() == 1 ? "has" : "have", is_shell ? "shells" : "solids", highest),
-         is_shell ? "write 4" : "write 2, 5 or 6, or give the solids an *HOURGLASS of their own"});
+         is_shell ? "write 4, or give the shells ELFORM 16"
+                  : "write 2, 5 or 6, or give the solids an *HOURGLASS of their own"});
   }
 }
 

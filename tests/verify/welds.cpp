@@ -344,8 +344,8 @@ TEST(WeldFailure, A11FailureTime) {
     }
   });
   EXPECT_NEAR(last_time, tfail, 3e-7);
-  expect_reference("A-11", "time of failure, TFAIL = 1e-3 [s]", run.simulation().welds().history(0)->failure_time(), tfail,
-                   3e-4);
+  expect_reference("A-11", "time of failure, TFAIL = 1e-3 [s]", run.simulation().welds().history(0)->failure_time(),
+                   tfail, 3e-4);
   // The load came slowly enough that the weld follows it within the oscillation that the ramp leaves (a few percent).
   expect_reference("A-11", "force just before TFAIL [N]", last_force, force, 5e-2);
   expect_reference("A-11", "eroded energy over F^2/2k [N mm]", energy.eroded,
