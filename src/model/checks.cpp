@@ -183,10 +183,18 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
 void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& told) {
   const auto s = static_cast<std::size_t>(part.section);
   const int elform = b.model.solid_sections[s].elform;
-  if (is<kernel::Rigid>(b.model, part) || elform == 1 || std::exchange(told[s], char{1})) return;
-  refuse(b, b.solid_section_rows[s], "elform",
-         fmt::format("solid formulation {} is not built; built is 1 (constant stress)", elform),
-         "write 1, with an hourglass control of type 2 or 3");
+  const bool is_weld = is<kernel::Spotweld>(b.model, part), is_built = elform == 1 || (elform == 2 && !is_weld);
+  if (is<kernel::Rigid>(b.model, part) || is_built || std::exchange(told[s], char{1})) return;
+  if (is_weld)
+    return refuse(b, b.solid_section_rows[s], "elform",
+                  fmt::format("welds of bricks are built with solid formulation 1, not with {}", elform),
+                  "write 1, with an hourglass control of type 6");
+  const bool is_brick_that_bends = elform == -1 || elform == -2 || elform == 18;
+  refuse(
+      b, b.solid_section_rows[s], "elform",
+      fmt::format("solid formulation {} is not built; built are 1 (constant stress) and 2 (fully integrated)", elform),
+      is_brick_that_bends ? "write 1, with an hourglass control of type 6 and QM 1, which bends without locking"
+                          : "write 1, with an hourglass control of type 2 or 3");
 }
 
 void check_beam_formulation(Builder& b, const Part& part, std::vector<char>& told) {

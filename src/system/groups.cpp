@@ -223,8 +223,13 @@ void System::make_bricks() {
                                              hourglass.membrane, hourglass.bulk_quadratic, hourglass.bulk_linear};
     const Members m = members(model.solids, sorted[p]);
     const bool computed = with_law<kernel::Spotweld>(material.law, [&]<class Law>(const Law& law) {
-      add_group(BrickElement<Law>{brick, kernel::Prepared<Law>(law)}, model::ElementKind::solid, p, m, solid_seat);
-      if constexpr (std::is_same_v<Law, kernel::Spotweld>) scale_like_a_weld(*groups.back(), law);
+      constexpr bool is_weld = std::is_same_v<Law, kernel::Spotweld>;
+      const BrickElement<Law> element{brick, kernel::Prepared<Law>(law)};
+      if constexpr (!is_weld)
+        if (model.solid_sections[at(part.section)].elform == 2)
+          return add_group(FullBrickElement<Law>{element}, model::ElementKind::solid, p, m, solid_seat);
+      add_group(element, model::ElementKind::solid, p, m, solid_seat);
+      if constexpr (is_weld) scale_like_a_weld(*groups.back(), law);
     });
     if (computed) continue;
     for (const std::array<int, 8>& node : m.node) {

@@ -43,7 +43,7 @@ const Card shell_thickness_card{{
 
 const Card solid_card{{
     id("secid", IdSpace::other, required, "section id"),
-    integer("elform", 1, any_value, "formulation: 1 constant stress"),
+    integer("elform", 1, any_value, "formulation: 1 constant stress, 2 fully integrated"),
     integer("aet", 0, only(0), "ambient elements"),
     unused(),
     unused(),

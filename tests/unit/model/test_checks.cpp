@@ -77,14 +77,23 @@ TEST(Checks, ManyFaultsOfOneKindAreCounted) {
 TEST(Checks, FormulationsAreRefusedByName) {
   const Built b(
       sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12,6\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"
-                 "*PART\nb\n3,13,1\n*SECTION_SOLID\n13,2\n*ELEMENT_SOLID\n1,3,1,2,3,4,5,6,7,8\n"
+                 "*PART\nb\n3,13,1\n*SECTION_SOLID\n13,-1\n*ELEMENT_SOLID\n1,3,1,2,3,4,5,6,7,8\n"
                  "*PART\nc\n4,14,2\n*SECTION_BEAM\n14,6\n1.0,1.0\n*MAT_SPOTWELD\n2,7.85e-9,210000.0,0.3,400.0\n"
                  "*ELEMENT_BEAM\n1,4,1,5\n"));
   const Finding* shell = b.find(Severity::error, "shell formulation 6 is not built", "elform");
   ASSERT_NE(shell, nullptr) << b.all_findings();
   EXPECT_EQ(shell->value, "6");
-  EXPECT_TRUE(b.error("solid formulation 2 is not built", "elform"));
+  EXPECT_TRUE(b.error("solid formulation -1 is not built", "elform"));
   EXPECT_TRUE(b.error("discrete beams (formulation 6) are not built yet", "elform"));
+}
+
+TEST(Checks, WeldsOfBricksHaveFormulationOne) {
+  const auto deck = [](const char* elform) {
+    return sheet_deck("*MAT_SPOTWELD\n2,7.85e-9,210000.0,0.3,400.0\n*PART\nb\n2,12,2\n*SECTION_SOLID\n12," +
+                      std::string(elform) + "\n*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n");
+  };
+  EXPECT_TRUE(Built(deck("2")).error("welds of bricks are built with solid formulation 1, not with 2", "elform"));
+  EXPECT_EQ(Built(deck("1")).find(Severity::error, "formulation", "elform"), nullptr);
 }
 
 TEST(Checks, RigidPartsMayHaveAnyFormulation) {
