@@ -153,16 +153,31 @@ bool is(const Model& m, const Part& part) {
   return part.material != none && std::holds_alternative<L>(m.materials[static_cast<std::size_t>(part.material)].law);
 }
 
+/// LS-DYNA's other fully integrated quadrilaterals, which 16 stands for.
+bool computed_as_full(int elform) {
+  return elform == -16 || elform == 18 || elform == 20 || elform == 21;
+}
+
 void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& told) {
   const auto s = static_cast<std::size_t>(part.section);
   SectionShell& section = b.model.shell_sections[s];
   if (section.elform == 0) section.elform = b.model.control.default_shell;
   const bool is_computed = !is<kernel::Rigid>(b.model, part) && !is<kernel::Null>(b.model, part);
-  if (!is_computed || section.elform == 2 || section.elform == 4 || std::exchange(told[s], char{1})) return;
-  refuse(
-      b, b.shell_section_rows[s], "elform",
-      fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay) and 4 (triangle)", section.elform),
-      "write 2, with an hourglass control of type 4 for stiffness against hourglassing");
+  const bool is_built = section.elform == 2 || section.elform == 4 || section.elform == 16;
+  if (!is_computed || is_built || std::exchange(told[s], char{1})) return;
+  if (computed_as_full(section.elform)) {
+    b.shell_section_rows[s].complain(
+        b.findings, Severity::warning, "elform",
+        fmt::format("shell formulation {} is computed as 16, fully integrated, with large rotations", section.elform),
+        "write 16");
+    section.elform = 16;
+    return;
+  }
+  refuse(b, b.shell_section_rows[s], "elform",
+         fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay), 4 (triangle) and 16 (fully "
+                     "integrated)",
+                     section.elform),
+         "write 16, or 2 with an hourglass control of type 4 for stiffness against hourglassing");
 }
 
 void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& told) {
@@ -170,10 +185,18 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
   const int elform = b.model.solid_sections[s].elform;
   // In linear analyses the one-point brick with its physical stabilisation stands for 18 (nvh::linear_model).
   const bool linear = elform == 18 && b.model.implicit.active;
-  if (is<kernel::Rigid>(b.model, part) || elform == 1 || linear || std::exchange(told[s], char{1})) return;
-  refuse(b, b.solid_section_rows[s], "elform",
-         fmt::format("solid formulation {} is not built; built is 1 (constant stress)", elform),
-         "write 1, with an hourglass control of type 2 or 3");
+  const bool is_weld = is<kernel::Spotweld>(b.model, part), is_built = elform == 1 || linear || (elform == 2 && !is_weld);
+  if (is<kernel::Rigid>(b.model, part) || is_built || std::exchange(told[s], char{1})) return;
+  if (is_weld)
+    return refuse(b, b.solid_section_rows[s], "elform",
+                  fmt::format("welds of bricks are built with solid formulation 1, not with {}", elform),
+                  "write 1, with an hourglass control of type 6");
+  const bool is_brick_that_bends = elform == -1 || elform == -2 || elform == 18;
+  refuse(
+      b, b.solid_section_rows[s], "elform",
+      fmt::format("solid formulation {} is not built; built are 1 (constant stress) and 2 (fully integrated)", elform),
+      is_brick_that_bends ? "write 1, with an hourglass control of type 6 and QM 1, which bends without locking"
+                          : "write 1, with an hourglass control of type 2 or 3");
 }
 
 void check_beam_formulation(Builder& b, const Part& part, std::vector<char>& told) {
@@ -213,7 +236,10 @@ void check_hourglass(Builder& b) {
   std::map<std::pair<Index, ElementKind>, std::vector<int>> parts;
   for (const Part& part : m.parts) {
     const bool is_computed = part.section != none && !is<kernel::Rigid>(m, part) && !is<kernel::Null>(m, part);
-    if (is_computed) parts[{part.hourglass, part.kind}].push_back(part.id);
+    // Formulation 16 has no hourglass modes: type 8 gives it warping stiffness, the others mean nothing to it.
+    const bool has_modes =
+        part.kind != ElementKind::shell || m.shell_sections[static_cast<std::size_t>(part.section)].elform != 16;
+    if (is_computed && has_modes) parts[{part.hourglass, part.kind}].push_back(part.id);
   }
   for (const auto& [user, ids] : parts) {
     const auto [card, kind] = user;
@@ -225,7 +251,8 @@ void check_hourglass(Builder& b) {
         {Severity::error, h.place, card == none ? "*CONTROL_HOURGLASS" : "*HOURGLASS", "ihq", std::to_string(h.type),
          fmt::format("part{} {} {} {}, for which types 1 to {} are built", ids.size() == 1 ? "" : "s",
                      fmt::join(ids, " "), ids.size() == 1 ? "has" : "have", is_shell ? "shells" : "solids", highest),
-         is_shell ? "write 4" : "write 2, 5 or 6, or give the solids an *HOURGLASS of their own"});
+         is_shell ? "write 4, or give the shells ELFORM 16"
+                  : "write 2, 5 or 6, or give the solids an *HOURGLASS of their own"});
   }
 }
 

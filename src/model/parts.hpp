@@ -91,6 +91,7 @@ struct Part {
   double contact_thickness = 0.0;  ///< OPTT of *PART_CONTACT (0: none given) [length]
   double contact_scale = 1.0;      ///< SFT
   double stiffness_scale = 1.0;    ///< SSF
+  double drilling = 0.0;           ///< factor on the usual stiffness of its shells against drilling: DRCPRM; 0: none
   Place place;
 };
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <type_traits>
 
-#include "kernel/element/hexahedron.hpp"
+#include "kernel/element/full_hexahedron.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
 
@@ -58,6 +58,37 @@ struct BrickElement {
   template <class Field>
   std::array<double, 8> resultants(const Field&) const {
     return {};
+  }
+};
+
+/// The fully integrated brick as BatchGroup wants it; see there.
+template <class Law>
+struct FullBrickElement : BrickElement<Law> {
+  using Layout = kernel::FullHexahedronLayout;
+  using typename BrickElement<Law>::Places;
+  template <class R>
+  using Motion = kernel::SolidMotion<R>;
+
+  Layout layout() const { return kernel::full_hexahedron_layout(this->law); }
+  int state_size() const { return layout().size(); }
+
+  void start(double* state, int lane, model::Index, const Places&) const {
+    kernel::start_full_hexahedron(layout(), state, native_width, lane);
+  }
+  template <class R>
+  kernel::SolidForces<R> cycle(const Motion<R>& motion, double dt, double* state) const {
+    return kernel::full_hexahedron_cycle(this->brick, this->law, motion, dt, state);
+  }
+  /// The mean of the points.
+  template <class Field>
+  ElementGroup::Layer layer(const Field& field, int, const Places&) const {
+    constexpr double share = 1.0 / Layout::points;
+    ElementGroup::Layer l;
+    for (int p = 0; p < Layout::points; ++p) {
+      for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] += share * field(layout().point(p) + i);
+      if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain += share * field(layout().history_of(p));
+    }
+    return l;
   }
 };
 

@@ -81,8 +81,13 @@ bool with_law(const model::Law& law, const With& with) {
       law);
 }
 
-kernel::ShellProperties shell_properties(const model::SectionShell& section, const model::Material& material,
-                                         const model::Hourglass& hourglass, const model::Control& control) {
+bool fully_integrated(const model::SectionShell& section) {
+  return section.elform == 16;
+}
+
+kernel::ShellProperties shell_properties(const model::Part& part, const model::SectionShell& section,
+                                         const model::Material& material, const model::Hourglass& hourglass,
+                                         const model::Control& control) {
   kernel::ShellProperties shell;
   shell.density = material.density;
   shell.layers = layers(section, control);
@@ -93,7 +98,8 @@ kernel::ShellProperties shell_properties(const model::SectionShell& section, con
   shell.bending_hourglass = hourglass.bending;
   shell.warping_hourglass = hourglass.warping;
   shell.thickness_update = thickness_update(control.thickness_update);
-  shell.warping_stiffness = control.warping_stiffness;
+  shell.warping_stiffness = fully_integrated(section) ? hourglass.type == 8 : control.warping_stiffness;
+  shell.drilling = kernel::usual_drilling * part.drilling;
   shell.length = control.length_basis == 2   ? kernel::ShellLength::bar
                  : control.length_basis == 1 ? kernel::ShellLength::area_over_diagonal
                                              : kernel::ShellLength::area_over_side;
@@ -169,29 +175,30 @@ void System::make_groups(Findings& findings) {
   }
 }
 
-template <int Corners>
+template <ShellKind Kind>
 void System::add_shells(std::size_t p, const std::vector<model::Index>& chosen) {
   if (chosen.empty()) return;
   const model::Part& part = model.parts[p];
   const model::SectionShell& section = model.shell_sections[at(part.section)];
   const model::Material& material = model.materials[at(part.material)];
-  const kernel::ShellProperties shell = shell_properties(section, material, hourglass_of(part), model.control);
+  const kernel::ShellProperties shell = shell_properties(part, section, material, hourglass_of(part), model.control);
   const Members m = members(model.shells, chosen);
+  constexpr int corners = ShellElement<kernel::Elastic, Kind>::corners;
   const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
-    add_group(ShellElement<Law, Corners>{shell, kernel::Prepared<Law>(law), model.shells, section.extra_mass},
+    add_group(ShellElement<Law, Kind>{shell, kernel::Prepared<Law>(law), model.shells, section.extra_mass},
               model::ElementKind::shell, p, m, shell_seat);
   });
   if (computed) return;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    std::array<Vec3d, Corners> x;
-    for (std::size_t a = 0; a < Corners; ++a) x[a] = start_[at(m.node[i][a])];
+    std::array<Vec3d, corners> x;
+    for (std::size_t a = 0; a < corners; ++a) x[a] = start_[at(m.node[i][a])];
     const double t = model.shells.thickness[at(chosen[i])];
     kernel::NodalMass own;
-    if constexpr (Corners == 4)
+    if constexpr (corners == 4)
       own = kernel::shell_nodal_mass(x, t, shell.density, shell.offset, section.extra_mass);
     else
       own = kernel::triangle_nodal_mass(x, t, shell.density, shell.offset, section.extra_mass);
-    lumps_.push_back({static_cast<model::Index>(p), Corners, m.node[i], Corners * own.mass, own.inertia});
+    lumps_.push_back({static_cast<model::Index>(p), corners, m.node[i], corners * own.mass, own.inertia});
   }
 }
 
@@ -200,11 +207,15 @@ void System::make_shells() {
   const auto sorted = by_part(model.shells, model.parts.size(), ties.x);
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     if (sorted[p].empty()) continue;
-    const bool sort_out = model.control.sort_triangles || model.shell_sections[at(model.parts[p].section)].elform == 4;
+    const model::SectionShell& section = model.shell_sections[at(model.parts[p].section)];
+    const bool sort_out = model.control.sort_triangles || section.elform == 4;
     std::vector<model::Index> quads, triangles;
     for (model::Index e : sorted[p]) (sort_out && model.shells.triangle(at(e)) ? triangles : quads).push_back(e);
-    add_shells<4>(p, quads);
-    add_shells<3>(p, triangles);
+    if (fully_integrated(section))
+      add_shells<ShellKind::full>(p, quads);
+    else
+      add_shells<ShellKind::one_point>(p, quads);
+    add_shells<ShellKind::triangle>(p, triangles);
   }
 }
 
@@ -235,7 +246,10 @@ void System::make_bricks() {
     }
     const Members m = members(model.solids, sorted[p]);
     const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
-      add_group(BrickElement<Law>{brick, kernel::Prepared<Law>(law)}, model::ElementKind::solid, p, m, solid_seat);
+      const BrickElement<Law> element{brick, kernel::Prepared<Law>(law)};
+      if (model.solid_sections[at(part.section)].elform == 2)
+        return add_group(FullBrickElement<Law>{element}, model::ElementKind::solid, p, m, solid_seat);
+      add_group(element, model::ElementKind::solid, p, m, solid_seat);
     });
     if (computed) continue;
     for (const std::array<int, 8>& node : m.node) {

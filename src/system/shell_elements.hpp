@@ -5,6 +5,7 @@
 
 #include "kernel/element/belytschko_tsay.hpp"
 #include "kernel/element/c0_triangle.hpp"
+#include "kernel/element/full_shell.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
 
@@ -14,21 +15,30 @@ namespace nugget::system {
 /// Global stress of a shell layer, from its components in the element's frame.
 std::array<double, 6> global_stress(const Frame3d& frame, double xx, double yy, double xy, double xz, double yz);
 
-template <class Law, int Corners>
+/// ELFORM 2, 4 and 16.
+enum class ShellKind { one_point, triangle, full };
+
+template <class Law, ShellKind Kind>
 struct ShellElement {
-  static constexpr int corners = Corners;
+  static constexpr int corners = Kind == ShellKind::triangle ? 3 : 4;
+  static constexpr int columns = Kind == ShellKind::full ? kernel::full_shell_columns : 1;
   static constexpr bool rotational = true;
   using Layout = kernel::ShellLayout;
   template <class R>
-  using Motion = kernel::NodalMotion<R, Corners>;
-  using Places = std::array<Vec3d, Corners>;
+  using Motion = kernel::NodalMotion<R, corners>;
+  using Places = std::array<Vec3d, corners>;
 
   kernel::ShellProperties shell;
   kernel::Prepared<Law> law;
   const model::Shells& shells;
   double mass_per_area;
 
-  kernel::ShellLayout layout() const { return kernel::shell_layout(shell, law); }
+  kernel::ShellLayout layout() const {
+    if constexpr (Kind == ShellKind::full)
+      return kernel::full_shell_layout(shell, law);
+    else
+      return kernel::shell_layout(shell, law);
+  }
   int state_size() const { return layout().size(); }
   int layers() const { return shell.layers.count; }
 
@@ -37,32 +47,42 @@ struct ShellElement {
   }
   kernel::NodalMass nodal_mass(model::Index e, const Places& x) const {
     const double t = shells.thickness[static_cast<std::size_t>(e)];
-    if constexpr (Corners == 4)
+    if constexpr (corners == 4)
       return kernel::shell_nodal_mass(x, t, shell.density, shell.offset, mass_per_area);
     else
       return kernel::triangle_nodal_mass(x, t, shell.density, shell.offset, mass_per_area);
   }
-  double mass(model::Index e, const Places& x) const { return Corners * nodal_mass(e, x).mass; }
+  double mass(model::Index e, const Places& x) const { return corners * nodal_mass(e, x).mass; }
   double nodal_inertia(model::Index e, const Places& x) const { return nodal_mass(e, x).inertia; }
 
   template <class R>
-  kernel::NodalForces<R, Corners> cycle(const Motion<R>& motion, double dt, double* state) const {
-    if constexpr (Corners == 4)
+  kernel::NodalForces<R, corners> cycle(const Motion<R>& motion, double dt, double* state) const {
+    if constexpr (Kind == ShellKind::one_point)
       return kernel::shell_cycle(shell, law, motion, dt, state);
+    else if constexpr (Kind == ShellKind::full)
+      return kernel::full_shell_cycle(shell, law, motion, dt, state);
     else
       return kernel::triangle_cycle(shell, law, motion, dt, state);
   }
 
+  /// Component `c` of layer k, counted on into its history: the mean over the columns.
+  template <class Field>
+  double component(const Field& field, int k, int c) const {
+    double sum = 0.0;
+    for (int column = 0; column < columns; ++column) sum += field(layout().layer(k, column) + c);
+    return sum / columns;
+  }
   template <class Field>
   ElementGroup::Layer layer(const Field& field, int k, const Places& x) const {
-    const int at = layout().layer(k);
     Frame3d frame;
-    if constexpr (Corners == 4)
+    if constexpr (corners == 4)
       frame = kernel::shell_frame(x);
     else
       frame = kernel::triangle_frame(x);
-    return {global_stress(frame, field(at), field(at + 1), field(at + 2), field(at + 3), field(at + 4)),
-            kernel::Prepared<Law>::has_plastic_strain ? field(layout().history_of(k)) : 0.0};
+    std::array<double, 5> s;
+    for (int c = 0; c < 5; ++c) s[static_cast<std::size_t>(c)] = component(field, k, c);
+    return {global_stress(frame, s[0], s[1], s[2], s[3], s[4]),
+            kernel::Prepared<Law>::has_plastic_strain ? component(field, k, 5) : 0.0};
   }
   template <class Field>
   double thickness(const Field& field) const {
@@ -75,11 +95,11 @@ struct ShellElement {
     const double t = field(Layout::thickness);
     for (int k = 0; k < layers(); ++k) {
       const auto point = static_cast<std::size_t>(k);
-      const int at = layout().layer(k);
       const double w = t * shell.layers.weight[point], z = 0.5 * t * (shell.layers.zeta[point] - shell.offset);
-      for (int c = 0; c < 3; ++c) r[static_cast<std::size_t>(c)] += w * z * field(at + c);
-      for (int c = 0; c < 2; ++c) r[static_cast<std::size_t>(3 + c)] += shell.shear_factor * w * field(at + 3 + c);
-      for (int c = 0; c < 3; ++c) r[static_cast<std::size_t>(5 + c)] += w * field(at + c);
+      for (int c = 0; c < 3; ++c) r[static_cast<std::size_t>(c)] += w * z * component(field, k, c);
+      for (int c = 0; c < 2; ++c)
+        r[static_cast<std::size_t>(3 + c)] += shell.shear_factor * w * component(field, k, 3 + c);
+      for (int c = 0; c < 3; ++c) r[static_cast<std::size_t>(5 + c)] += w * component(field, k, c);
     }
     return r;
   }

@@ -19,6 +19,8 @@
 
 namespace nugget::system {
 
+enum class ShellKind;  // shell_elements.hpp
+
 /// A model made discrete: nodes and elements in an order that keeps neighbours close in memory, lumped masses, the
 /// constraint map, element blocks. Impact and NVH share it. Refers to the model and the ties, which must outlive it.
 class System {
@@ -131,7 +133,7 @@ class System {
   const model::Hourglass& hourglass_of(const model::Part& part) const;
   void make_groups(Findings& findings);
   void make_shells();
-  template <int Corners>
+  template <ShellKind Kind>
   void add_shells(std::size_t part, const std::vector<model::Index>& chosen);
   void make_bricks();
   void add_weld_bricks(std::size_t part, const std::vector<model::Index>& chosen,

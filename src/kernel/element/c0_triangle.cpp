@@ -29,8 +29,17 @@ struct Geometry {
   R dy(const R& f31, const R& fx) const { return (f31 - x31 * fx) * over_y; }
 };
 
+/// What a triangle without free modes resists beside the rates at its point: the sum of the transverse shears around
+/// its sides, which leaves the shear at the point alone, and the spins of its nodes about the normal relative to its
+/// own.
 template <class R>
-[[gnu::always_inline]] inline ShellRates<R> rates_on(const Geometry<R>& g, const NodalMotion<R, 3>& nodes) {
+struct Completion {
+  R around{}, spin[3]{};
+};
+
+template <class R>
+[[gnu::always_inline]] inline ShellRates<R> rates_on(const Geometry<R>& g, const NodalMotion<R, 3>& nodes,
+                                                     Completion<R>& more) {
   const Vec3<R> v21 = g.frame.local(nodes.v[1] - nodes.v[0]), v31 = g.frame.local(nodes.v[2] - nodes.v[0]);
   const Vec3<R> w21 = g.frame.local(nodes.w[1] - nodes.w[0]), w31 = g.frame.local(nodes.w[2] - nodes.w[0]);
   const Vec3<R> w1 = g.frame.local(nodes.w[0]);
@@ -47,23 +56,54 @@ template <class R>
   const R third = (1.0 / 3.0) * (s13 - s12 - s23);
   const R xz = g.dx(s12 + third), yz = g.dy(s13 - third, xz);
 
-  return {vxx, g.dy(v31.y, vyx), g.dy(v31.x, vxx) + vyx, wyx, -wxy, wyy - wxx, xz, yz};
+  const R vxy = g.dy(v31.x, vxx), turn = 0.5 * (vyx - vxy);
+  more.around = s12 + s23 - s13;
+  more.spin[0] = w1.z - turn;
+  more.spin[1] = w1.z + w21.z - turn;
+  more.spin[2] = w1.z + w31.z - turn;
+  return {vxx, g.dy(v31.y, vyx), vxy + vyx, wyx, -wxy, wyy - wxx, xz, yz};
+}
+
+/// Forces against them at the end of the step, stored, and their work added up, in the state. The shear that varies
+/// over the element is that of Lee and Bathe's MITC3, integrated: kappa G t (sum of sides^2) / (144 A).
+template <class R>
+[[gnu::always_inline]] inline Completion<R> complete(const ShellProperties& shell, const ElasticConstants& e,
+                                                     const Geometry<R>& g, const Completion<R>& rate, double dt,
+                                                     double* state) {
+  using L = ShellLayout;
+  const R t = load_field<R>(state, L::thickness), gt = e.shear * dt * t;
+  const R sides2 = 2.0 * (g.x21 * g.x21 + g.x31 * g.x31 + g.y31 * g.y31 - g.x31 * g.x21);
+  const R along = (shell.shear_factor / 144.0) * gt * sides2 / g.area, about = (shell.drilling / 3.0) * gt * (t * t);
+  Completion<R> now;
+  R power = R(0.0);
+  const auto resist = [&](int i, const R& stiffness, const R& q, R& force) {
+    const R old = load_field<R>(state, L::hourglass + i);
+    force = old + stiffness * q;
+    store_field(state, L::hourglass + i, force);
+    power += (old + force) * q;
+  };
+  for (int i = 0; i < 3; ++i) resist(i, about, rate.spin[i], now.spin[i]);
+  resist(3, along, rate.around, now.around);
+  store_field(state, L::hourglass_energy, load_field<R>(state, L::hourglass_energy) + (0.5 * dt) * power);
+  return now;
 }
 
 template <class R>
 [[gnu::always_inline]] inline NodalForces<R, 3> forces_on(const Geometry<R>& g, const ShellResultants<R>& n,
-                                                          const MaskOf<R>& alive) {
+                                                          const Completion<R>& more, const MaskOf<R>& alive) {
   const R bx = g.area * g.over_x, by3 = g.area * g.over_y, by2 = -by3 * g.x31 * g.over_x;
   const R along = bx * n.qx + by2 * n.qy, across = by3 * n.qy, third = (1.0 / 3.0) * (across - along);
-  const R s12 = along + third, s13 = across - third, s23 = third;
+  const R s12 = along + third + more.around, s13 = across - third - more.around, s23 = third + more.around;
   const R x32 = g.x31 - g.x21;
-  const R none = R(0.0);
-  Vec3<R> f2{bx * n.nxx + by2 * n.nxy, by2 * n.nyy + bx * n.nxy, s12 - s23};
-  Vec3<R> f3{by3 * n.nxy, by3 * n.nyy, s13 + s23};
+  // Drilling pulls on the rotation in the plane: by -1/2 of its sum on vy,x, by 1/2 on vx,y.
+  const R twist = 0.5 * (more.spin[0] + more.spin[1] + more.spin[2]);
+  const R twist_x = twist * g.over_x, twist_y = twist * g.over_y;
+  Vec3<R> f2{bx * n.nxx + by2 * n.nxy - twist_y * g.x31 * g.over_x, by2 * n.nyy + bx * n.nxy - twist_x, s12 - s23};
+  Vec3<R> f3{by3 * n.nxy + twist_y, by3 * n.nyy, s13 + s23};
   const R mx2 = by2 * n.myy + bx * n.mxy, my2 = bx * n.mxx + by2 * n.mxy, mx3 = by3 * n.myy, my3 = by3 * n.mxy;
-  Vec3<R> m1{mx2 + mx3 - 0.5 * g.y31 * s13, 0.5 * (g.x21 * s12 + g.x31 * s13) - my2 - my3, none};
-  Vec3<R> m2{-mx2 - 0.5 * g.y31 * s23, my2 + 0.5 * (g.x21 * s12 + x32 * s23), none};
-  Vec3<R> m3{-mx3 - 0.5 * g.y31 * (s13 + s23), my3 + 0.5 * (g.x31 * s13 + x32 * s23), none};
+  Vec3<R> m1{mx2 + mx3 - 0.5 * g.y31 * s13, 0.5 * (g.x21 * s12 + g.x31 * s13) - my2 - my3, more.spin[0]};
+  Vec3<R> m2{-mx2 - 0.5 * g.y31 * s23, my2 + 0.5 * (g.x21 * s12 + x32 * s23), more.spin[1]};
+  Vec3<R> m3{-mx3 - 0.5 * g.y31 * (s13 + s23), my3 + 0.5 * (g.x31 * s13 + x32 * s23), more.spin[2]};
 
   const auto out_of = [&](const Vec3<R>& a) { return select(alive, g.frame.global(a), Vec3<R>{}); };
   NodalForces<R, 3> out;
@@ -103,7 +143,14 @@ NodalForces<R, 3> triangle_cycle(const ShellProperties& shell, const Prepared<La
   for (int i = 0; i < 3; ++i) middle[i] = nodes.x[i] - half * nodes.v[i];
   const Geometry<R> mid(middle), end(nodes.x);
 
-  const ShellRates<R> rates = select(alive, rates_on(mid, nodes), ShellRates<R>{});
+  Completion<R> more;
+  const ShellRates<R> rates = select(alive, rates_on(mid, nodes, more), ShellRates<R>{});
+  if (shell.drilling > 0.0) {
+    for (R* q : {&more.around, &more.spin[0], &more.spin[1], &more.spin[2]}) *q = select(alive, *q, R(0.0));
+    more = complete(shell, e, mid, more, dt, state);
+  } else {
+    more = Completion<R>();
+  }
   ShellResultants<R> n = advance_layers(shell, law, rates, dt, state, alive);
   if (shell.bulk_quadratic != 0.0 || shell.bulk_linear != 0.0) {
     const R viscous = viscous_membrane(shell, law, rates.xx + rates.yy, end.area, state);
@@ -116,7 +163,7 @@ NodalForces<R, 3> triangle_cycle(const ShellProperties& shell, const Prepared<La
   if (law.deletion_step() > 0.0) alive = alive && step >= law.deletion_step();
   if (law.can_fail() || law.deletion_step() > 0.0) store_field(state, L::alive, select(alive, R(1.0), R(0.0)));
 
-  NodalForces<R, 3> out = forces_on(end, n, alive);
+  NodalForces<R, 3> out = forces_on(end, n, more, alive);
   out.stable_step = select(alive, step, R(std::numeric_limits<double>::infinity()));
   return out;
 }

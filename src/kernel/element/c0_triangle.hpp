@@ -9,7 +9,10 @@ namespace nugget::kernel {
 
 /// One cycle of the three-node C0 triangle (ELFORM 4): one point in the plane, constant membrane strain and curvature,
 /// transverse shear from the edges; no hourglass modes. Mid-step rates, forces at the end, layers, thickness update and
-/// deletion as in shell_cycle; state as ShellLayout says. Sources: ../shared/reference/element-theory.md section 3.9.
+/// deletion as in shell_cycle; state as ShellLayout says. With `shell.drilling` > 0 no motion but the rigid ones is
+/// free: drilling is resisted as in full_shell_cycle, and so is the part of the transverse shear that the point does
+/// not see (Lee, Bathe, Computers and Structures 82 (2004), integrated exactly; elastic). Sources:
+/// ../shared/reference/element-theory.md section 3.9.
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; Dual<18> with Elastic.
 template <class R, class Law>

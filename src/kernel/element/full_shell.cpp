@@ -181,10 +181,9 @@ template <class R>
 /// Drilling moments at the end of the step; stored, and their work added up, in the state.
 template <class R>
 [[gnu::always_inline]] inline void resist_drilling(const ShellProperties& shell, const ElasticConstants& e,
-                                                   const R& area, const R (&spin)[4], double dt, double* state,
-                                                   R (&moment)[4]) {
+                                                   const R (&spin)[4], double dt, double* state, R (&moment)[4]) {
   using L = ShellLayout;
-  const R stiffness = (0.25 * shell.drilling * e.shear * dt) * (load_field<R>(state, L::thickness) * area);
+  const R t = load_field<R>(state, L::thickness), stiffness = (0.25 * shell.drilling * e.shear * dt) * (t * t * t);
   R power = R(0.0);
   for (int i = 0; i < 4; ++i) {
     const R old = load_field<R>(state, L::hourglass + i);
@@ -285,7 +284,7 @@ NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const Prepared<
   if (shell.drilling > 0.0) {
     if (any(!alive))
       for (R& spin : drilling.spin) spin = select(alive, spin, R(0.0));
-    resist_drilling(shell, e, mid.area, drilling.spin, dt, state, moment);
+    resist_drilling(shell, e, drilling.spin, dt, state, moment);
   }
 
   const R t = load_field<R>(state, L::thickness);

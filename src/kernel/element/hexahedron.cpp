@@ -5,46 +5,10 @@
 #include <limits>
 #include <type_traits>
 
+#include "kernel/element/brick_patterns.hpp"
+
 namespace nugget::kernel {
 namespace {
-
-/// A nodal field as a sum of the patterns xi, eta, zeta, eta zeta, zeta xi, xi eta, xi eta zeta (the constant is left
-/// out). The patterns are orthogonal, so that gradient, hourglass rates and forces are sums over seven coefficients
-/// instead of eight nodes.
-template <class R>
-struct Patterns {
-  Vec3<R> a, b, c, h[4];
-};
-
-template <class R>
-[[gnu::always_inline]] inline Patterns<R> patterns_of(const Vec3<R> (&f)[8]) {
-  struct Face {
-    Vec3<R> one, a, b, ab;
-  };
-  const auto face = [&](int i) {
-    const Vec3<R> s12 = f[i] + f[i + 1], d12 = f[i + 1] - f[i], s34 = f[i + 2] + f[i + 3], d34 = f[i + 2] - f[i + 3];
-    return Face{s12 + s34, d12 + d34, s34 - s12, d34 - d12};
-  };
-  const Face low = face(0), up = face(4);
-  const R eighth = R(0.125);
-  return {eighth * (up.a + low.a),
-          eighth * (up.b + low.b),
-          eighth * (up.one - low.one),
-          {eighth * (up.b - low.b), eighth * (up.a - low.a), eighth * (up.ab + low.ab), eighth * (up.ab - low.ab)}};
-}
-
-template <class R>
-[[gnu::always_inline]] inline void nodes_of(const Patterns<R>& p, Vec3<R> (&f)[8]) {
-  const auto face = [&](int i, const Vec3<R>& one, const Vec3<R>& a, const Vec3<R>& b, const Vec3<R>& ab) {
-    const Vec3<R> minus = one - b, plus = one + b, near = a - ab, far = a + ab;
-    f[i] = minus - near;
-    f[i + 1] = minus + near;
-    f[i + 2] = plus + far;
-    f[i + 3] = plus - far;
-  };
-  face(0, -p.c, p.a - p.h[1], p.b - p.h[0], p.h[2] - p.h[3]);
-  face(4, p.c, p.a + p.h[1], p.b + p.h[0], p.h[2] + p.h[3]);
-}
 
 /// dV/dx_I by patterns, V times the uniform gradient b: the trilinear integral of Flanagan and Belytschko, written in
 /// the patterns of the geometry. The coefficient of xi eta zeta is zero.
@@ -71,13 +35,6 @@ struct Gradient {
   }
 };
 
-/// A 3 x 3 matrix by rows.
-template <class R>
-struct Matrix {
-  Vec3<R> x, y, z;
-  Vec3<R> operator*(const Vec3<R>& u) const { return {dot(x, u), dot(y, u), dot(z, u)}; }
-};
-
 /// Velocity gradient v_i,j.
 template <class R>
 [[gnu::always_inline]] inline Matrix<R> velocity_gradient(const Gradient<R>& g, const Patterns<R>& v) {
@@ -87,17 +44,6 @@ template <class R>
            (v.a.*i * g.a + v.b.*i * g.b + v.c.*i * g.c + v.h[0].*i * g.h[0] + v.h[1].*i * g.h[1] + v.h[2].*i * g.h[2]);
   };
   return {row(&Vec3<R>::x), row(&Vec3<R>::y), row(&Vec3<R>::z)};
-}
-
-/// Hughes and Winget's rotation (I - W dt/2)^-1 (I + W dt/2), by rows.
-template <class R>
-[[gnu::always_inline]] inline Frame<R> rotation_of(const Matrix<R>& l, double dt) {
-  const double q = 0.25 * dt;
-  const Vec3<R> a{q * (l.z.y - l.y.z), q * (l.x.z - l.z.x), q * (l.y.x - l.x.y)};
-  const R a2 = dot(a, a), s = 2.0 / (1.0 + a2), d = 1.0 - s * a2;
-  return {{d + s * (a.x * a.x), s * (a.x * a.y - a.z), s * (a.x * a.z + a.y)},
-          {s * (a.x * a.y + a.z), d + s * (a.y * a.y), s * (a.y * a.z - a.x)},
-          {s * (a.x * a.z - a.y), s * (a.y * a.z + a.x), d + s * (a.z * a.z)}};
 }
 
 /// Frame of the element's axes: e1 along xi, e3 across xi and eta.
@@ -211,20 +157,6 @@ SolidTensor<R> section_stress(const Prepared<Spotweld>& law, const Matrix<R>& l,
           r.x * t.y + t.x * r.y, r.y * t.z + t.y * r.z, r.z * t.x + t.z * r.x};
 }
 
-/// Square of the largest face's area.
-template <class R>
-R largest_face2(const Patterns<R>& x) {
-  R most = R(0.0);
-  const auto pair = [&](const Vec3<R>& a, const Vec3<R>& ha, const Vec3<R>& b, const Vec3<R>& hb) {
-    const Vec3<R> up = cross(a + ha, b + hb), down = cross(a - ha, b - hb);
-    most = max(most, max(dot(up, up), dot(down, down)));
-  };
-  pair(x.a, x.h[1], x.b, x.h[0]);
-  pair(x.b, x.h[2], x.c, x.h[1]);
-  pair(x.c, x.h[0], x.a, x.h[2]);
-  return 16.0 * most;
-}
-
 /// Forces that do the work of stress and hourglass forces: V sigma_ij b_jI + sum_k Q_ik gamma_kI, gamma_k = h_k / 8 -
 /// (x_k . b).
 template <class R>
@@ -242,11 +174,6 @@ template <class R>
   Patterns<R> p{m * g.a, m * g.b, m * g.c, {m * g.h[0], m * g.h[1], m * g.h[2], {}}};
   for (int i = 0; i < 4; ++i) p.h[i] += eighth * q.q[i];
   nodes_of(p, f);
-}
-
-Patterns<double> patterns_of(const std::array<Vec3d, 8>& x) {
-  const Vec3d nodes[8] = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};
-  return patterns_of<double>(nodes);
 }
 
 /// sqrt(2/3 e:e) of the deviator; the shears of `d` are engineering shears.
@@ -307,23 +234,15 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepare
   for (int i = 0; i < 4; ++i) rate.q[i] = orthogonal ? v.h[i] - l * mid.h[i] : v.h[i];
   const Hourglass<R> q = resist_hourglass(brick, e, g, mid, end, rate, turn, side, integrity, dt, state);
 
-  // Bulk viscosity over the length that the step is made of. With V^(1/3) a flat brick is damped beyond what its step
-  // bears: at TSSFAC 0.9 and Q2 0.06 from sides of 5:1 on, and the run diverges (docs/decisions/0008).
-  const R density = brick.density * load_field<R>(state, L::density_scale);
+  const R density = brick.density * load_field<R>(state, L::density_scale), none = R(0.0);
   const R length = g_end.volume / sqrt(largest_face2(end));
-  const R c2 = e.bulk_wave() / density, c = sqrt(c2), trace = d.xx + d.yy + d.zz, none = R(0.0);
-  const auto compressed = trace < 0.0;
-  const R viscous = density * length * (brick.bulk_quadratic * length * trace * trace - brick.bulk_linear * c * trace);
-  const R pressure = select(compressed, integrity * viscous, none);
+  const BulkViscosity<R> bulk(brick, e, density, length, d.xx + d.yy + d.zz);
+  const R pressure = integrity * bulk.pressure;
   if constexpr (std::is_same_v<Law, Spotweld>) s = whole * s;
   s.xx -= pressure;
   s.yy -= pressure;
   s.zz -= pressure;
-
-  // The linear viscosity counts in expansion too: a brick that breathes is compressed half a period later, and
-  // LS-DYNA's first step of a brick at rest contains it (1.40796e-4 in ../shared/decks/single_hex/glstat).
-  const R slow = brick.bulk_linear * c - select(compressed, brick.bulk_quadratic * length * trace, none);
-  const R step = length / (slow + sqrt(slow * slow + c2));
+  const R step = bulk.step;
 
   if (law.can_fail()) alive = alive && !law.template failed<R>(history);
   if (law.deletion_step() > 0.0) alive = alive && step >= law.deletion_step();

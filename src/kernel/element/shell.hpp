@@ -23,6 +23,10 @@ LayerRule lobatto_layers(int count);
 enum class ThicknessUpdate { none, all, plastic };                   ///< ISTUPD 0, 1, 4
 enum class ShellLength { area_over_side, area_over_diagonal, bar };  ///< ISDO 0, 1, 2
 
+/// Share for ShellProperties::drilling where it is wanted; ten times more or less hardly changes a result
+/// (docs/decisions/0018).
+inline constexpr double usual_drilling = 0.1;
+
 /// Section and control data of a block of shells; the thickness of each element is part of its state.
 struct ShellProperties {
   double density = 0.0;  ///< [mass/volume], before mass scaling
@@ -33,7 +37,7 @@ struct ShellProperties {
   double membrane_hourglass = 0.1, bending_hourglass = 0.1, warping_hourglass = 0.1;  ///< QM, QB, QW [1]
   ThicknessUpdate thickness_update = ThicknessUpdate::none;
   bool warping_stiffness = false;  ///< BWC 1; of the fully integrated shell IHQ 8
-  double drilling = 0.0;  ///< fully integrated shell: stiffness against drilling rotations, a share of G t A / 4 a node
+  double drilling = 0.0;  ///< stiffness against drilling rotations, a share of G t^3 / corners a node; not in ELFORM 2
   ShellLength length = ShellLength::area_over_side;
   double bulk_quadratic = 0.0, bulk_linear = 0.0;  ///< Q1, Q2 of CONTROL_BULK_VISCOSITY TYPE -1, -2; 0: off
 };
@@ -44,7 +48,7 @@ struct ShellLayout {
   static constexpr int alive = 0;             ///< 1, or 0 once the element is deleted
   static constexpr int density_scale = 1;     ///< factor on the density by mass scaling [1]
   static constexpr int thickness = 2;         ///< [length]
-  static constexpr int hourglass = 3;         ///< five generalised hourglass forces; or four drilling moments
+  static constexpr int hourglass = 3;         ///< five generalised hourglass forces, or drilling moments
   static constexpr int hourglass_energy = 8;  ///< work done against them [energy]
   static constexpr int first_layer = 9;
 

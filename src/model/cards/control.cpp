@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "model/cards/families.hpp"
@@ -172,17 +174,17 @@ const Card shell_card_3{{
 
 const Card shell_card_4{{
     integer("nfail1", 0, any_value, "1: distorted shells are deleted"),
-    integer("nfail4", 0, any_value, "for fully integrated shells, no effect"),
+    integer("nfail4", 0, any_value, "1: distorted fully integrated shells are deleted"),
     flag("psnfail", "parts of NFAIL, no effect"),
     flag("keepcs", "contact of nodes of deleted shells of NFAIL, no effect"),
     integer("delfr", 0, any_value, "1: free shells are deleted"),
-    integer("drcpsid", 0, only(0), "drilling constraint"),
-    factor("drcprm", 1, "drilling constraint, no effect without DRCPSID"),
+    id("drcpsid", IdSpace::set, 0, "part set with stiffness against drilling rotations, of formulation 16 or 4"),
+    real("drcprm", dimension::number, 1, at_least(0), "factor on that stiffness; 1: a tenth of G t^3 a shell"),
     flag("intperr", "message of stress initialization, no effect"),
 }};
 
 const Card shell_card_5{{
-    flag("drcmth", "drilling constraint, no effect without DRCPSID"),
+    flag("drcmth", "method of the drilling constraint; there is one here"),
     flag("lispsid", "implicit, no effect"),
     integer("nlocdt", 0, any_value, "time step with NLOC"),
     flag("iswshl", "no effect"),
@@ -327,6 +329,23 @@ void read_contact(Builder& b, const Block& block, const Options&) {
   c.wall_thickness_share = six.real("shltrw");
 }
 
+/// Gives the shells of DRCPSID stiffness against drilling. LS-DYNA's own amount is not published; ours is tried in
+/// docs/decisions/0018.
+void resist_drilling(Builder& b, const Row& row) {
+  const auto* parts = b.part_set(row, "drcpsid");
+  if (parts == nullptr) return;
+  for (const Index p : parts->members) {
+    Part& part = b.model.parts[static_cast<std::size_t>(p)];
+    if (part.kind != ElementKind::shell || part.section == none) continue;
+    if (b.model.shell_sections[static_cast<std::size_t>(part.section)].elform == 2)
+      refuse(b, row, "drcpsid",
+             fmt::format("part {} has shells of formulation 2, which cannot resist drilling", part.id),
+             "give the part ELFORM 16, or take it out of the set");
+    else
+      part.drilling = row.real("drcprm");
+  }
+}
+
 /// ISTUPD 2 and 3 add what only shells 25 and 26 do, so they come down to 0 and 1.
 int thickness_update(Builder& b, const Row& row) {
   const int update = row.integer("istupd");
@@ -344,7 +363,9 @@ void read_shell(Builder& b, const Block& block, const Options&) {
          {{"cntco", 0, "not obeyed: contact surfaces lie about the mid-surface, as with 0"}});
   expect(b, four, Severity::warning,
          {{"nfail1", 0, "not obeyed: a shell that turns inside out stops the run"},
+          {"nfail4", 0, "not obeyed: a shell that turns inside out stops the run"},
           {"delfr", 0, "not obeyed: shells that have come loose stay"}});
+  if (four.integer("drcpsid") != 0) b.later(Phase::checks, [four](Builder& later) { resist_drilling(later, four); });
   expect(b, five, Severity::warning, {{"nlocdt", 0, "not obeyed: the time step is that of the mid-surface"}});
   Control& c = b.model.control;
   c.warp_warning = one.real("wrpang");

@@ -18,7 +18,10 @@ using deck::Row;
 
 const Card shell_card{{
     id("secid", IdSpace::other, required, "section id"),
-    integer("elform", 0, any_value, "formulation: 2 Belytschko-Tsay, 4 triangle; blank: THEORY of *CONTROL_SHELL"),
+    integer(
+        "elform", 0, any_value,
+        "formulation: 2 Belytschko-Tsay, 4 triangle, 16 fully integrated (also for -16, 18, 20, 21); blank: THEORY of "
+        "*CONTROL_SHELL"),
     real("shrf", dimension::number, 1, above_zero(), "shear correction factor"),
     integer("nip", 2, between(1, 10), "layers through the thickness"),
     integer("propt", 1, any_value, "printout option, no effect"),
@@ -40,7 +43,7 @@ const Card shell_thickness_card{{
 
 const Card solid_card{{
     id("secid", IdSpace::other, required, "section id"),
-    integer("elform", 1, any_value, "formulation: 1 constant stress"),
+    integer("elform", 1, any_value, "formulation: 1 constant stress, 2 fully integrated"),
     integer("aet", 0, only(0), "ambient elements"),
     unused(),
     unused(),
@@ -72,7 +75,8 @@ const Card weld_card{{
 
 const Card hourglass_card{{
     id("hgid", IdSpace::other, required, "id"),
-    integer("ihq", 0, between(0, 10), "type: shells 1-3 viscous, 4 5 stiffness; solids 1-3 viscous"),
+    integer("ihq", 0, between(0, 10),
+            "type: shells 1-3 viscous, 4 5 stiffness, 8 warping stiffness of formulation 16; solids 1-3 viscous"),
     real("qm", dimension::number, 0.1, at_least(0), "coefficient (membrane)"),
     unused(),
     real("q1", dimension::number, 1.5, any_value, "quadratic bulk viscosity"),

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstring>
 
 #include "kernel/element/belytschko_tsay.hpp"
@@ -170,40 +169,6 @@ std::vector<double> stiffness_by_dual(const ShellProperties& shell, const Motion
     for (const auto* row : {&force.f[i], &force.m[i]})
       for (const Dual<24>* f : {&row->x, &row->y, &row->z}) K.insert(K.end(), f->d.begin(), f->d.end());
   return K;
-}
-
-/// Eigenvalues of a symmetric matrix, by Jacobi rotations, in no order.
-inline std::vector<double> eigenvalues(std::vector<double> a, std::size_t n) {
-  const auto at = [&](std::size_t i, std::size_t j) -> double& { return a[i * n + j]; };
-  for (int sweep = 0; sweep < 30; ++sweep)
-    for (std::size_t p = 0; p < n; ++p)
-      for (std::size_t q = p + 1; q < n; ++q) {
-        if (at(p, q) == 0.0) continue;
-        const double theta = 0.5 * std::atan2(2 * at(p, q), at(q, q) - at(p, p)), c = std::cos(theta),
-                     s = std::sin(theta);
-        for (std::size_t k = 0; k < n; ++k) {
-          const double x = at(k, p), y = at(k, q);
-          at(k, p) = c * x - s * y;
-          at(k, q) = s * x + c * y;
-        }
-        for (std::size_t k = 0; k < n; ++k) {
-          const double x = at(p, k), y = at(q, k);
-          at(p, k) = c * x - s * y;
-          at(q, k) = s * x + c * y;
-        }
-      }
-  std::vector<double> values;
-  for (std::size_t i = 0; i < n; ++i) values.push_back(at(i, i));
-  return values;
-}
-
-/// Number of its zero eigenvalues.
-inline int zero_modes(const std::vector<double>& a, std::size_t n) {
-  const std::vector<double> values = eigenvalues(a, n);
-  double largest = 0.0;
-  for (double v : values) largest = std::max(largest, std::abs(v));
-  return static_cast<int>(
-      std::count_if(values.begin(), values.end(), [&](double v) { return std::abs(v) < 1e-10 * largest; }));
 }
 
 }  // namespace nugget::kernel

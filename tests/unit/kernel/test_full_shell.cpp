@@ -6,7 +6,7 @@ namespace {
 
 ShellProperties drilled(int layers = 2) {
   ShellProperties shell = section(layers);
-  shell.drilling = 1e-3;
+  shell.drilling = usual_drilling;
   shell.warping_stiffness = true;
   return shell;
 }

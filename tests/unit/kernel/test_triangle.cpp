@@ -168,23 +168,51 @@ TEST(Triangle, MembraneAndBendingPatch) {
   }
 }
 
-TEST(Triangle, DualGivesTheStiffness) {
-  Random random;
-  const Motion m = triangle(random);
+std::vector<double> stiffness_by_dual(const ShellProperties& shell, const Motion& m) {
   NodalMotion<Dual<18>, 3> nodes;
-  Driven<Elastic> d(section(), steel, m);
+  Driven<Elastic> d(shell, steel, m);
   for (int i = 0; i < 3; ++i) {
     nodes.x[i] = {m.x[i].x, m.x[i].y, m.x[i].z};
     nodes.v[i] = {Dual<18>::variable(0, 6 * i), Dual<18>::variable(0, 6 * i + 1), Dual<18>::variable(0, 6 * i + 2)};
     nodes.w[i] = {Dual<18>::variable(0, 6 * i + 3), Dual<18>::variable(0, 6 * i + 4), Dual<18>::variable(0, 6 * i + 5)};
   }
-  const auto f = triangle_cycle<Dual<18>>(d.shell, d.law, nodes, 1.0, d.state.data());
-  std::vector<Dual<18>> rows;
-  for (int i = 0; i < 3; ++i) rows.insert(rows.end(), {f.f[i].x, f.f[i].y, f.f[i].z, f.m[i].x, f.m[i].y, f.m[i].z});
+  const auto force = triangle_cycle<Dual<18>>(d.shell, d.law, nodes, 1.0, d.state.data());
+  std::vector<double> K;
+  for (int i = 0; i < 3; ++i)
+    for (const auto* row : {&force.f[i], &force.m[i]})
+      for (const Dual<18>* f : {&row->x, &row->y, &row->z}) K.insert(K.end(), f->d.begin(), f->d.end());
+  return K;
+}
+
+TEST(Triangle, DualGivesTheStiffness) {
+  Random random;
+  const Motion m = triangle(random);
+  ShellProperties complete = section();
+  complete.drilling = usual_drilling;
+  for (const ShellProperties& shell : {section(), complete}) {
+    const std::vector<double> K = stiffness_by_dual(shell, m);
+    double largest = 0.0;
+    for (double k : K) largest = std::max(largest, std::abs(k));
+    for (std::size_t i = 0; i < 18; ++i)
+      for (std::size_t j = 0; j < 18; ++j) EXPECT_NEAR(K[i * 18 + j], K[j * 18 + i], 1e-10 * largest);
+    // Without completion the drilling of three nodes is free, and a mode that bends and shears nothing at the point.
+    EXPECT_EQ(zero_modes(K, 18), shell.drilling > 0.0 ? 6 : 10);
+  }
+}
+
+TEST(Triangle, CompletionDoesNotDependOnTheFirstNode) {
+  Random random;
+  const Motion m = triangle(random);
+  Motion shifted;
+  for (int i = 0; i < 3; ++i) shifted.x[i] = m.x[(i + 1) % 3];
+  ShellProperties complete = section();
+  complete.drilling = usual_drilling;
+  const std::vector<double> a = stiffness_by_dual(complete, m), b = stiffness_by_dual(complete, shifted);
   double largest = 0.0;
-  for (std::size_t i = 0; i < 18; ++i) largest = std::max(largest, rows[i].d[i]);
+  for (double k : a) largest = std::max(largest, std::abs(k));
   for (std::size_t i = 0; i < 18; ++i)
-    for (std::size_t j = 0; j < 18; ++j) EXPECT_NEAR(rows[i].d[j], rows[j].d[i], 1e-10 * largest);
+    for (std::size_t j = 0; j < 18; ++j)
+      EXPECT_NEAR(b[i * 18 + j], a[(i + 6) % 18 * 18 + (j + 6) % 18], 1e-11 * largest);
 }
 
 TEST(Triangle, StableStepAndMass) {

@@ -76,28 +76,67 @@ TEST(Checks, ManyFaultsOfOneKindAreCounted) {
 
 TEST(Checks, FormulationsAreRefusedByName) {
   const Built b(
-      sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12,16\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"
-                 "*PART\nb\n3,13,1\n*SECTION_SOLID\n13,2\n*ELEMENT_SOLID\n1,3,1,2,3,4,5,6,7,8\n"
+      sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12,6\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"
+                 "*PART\nb\n3,13,1\n*SECTION_SOLID\n13,-1\n*ELEMENT_SOLID\n1,3,1,2,3,4,5,6,7,8\n"
                  "*PART\nc\n4,14,2\n*SECTION_BEAM\n14,6\n1.0,1.0\n*MAT_SPOTWELD\n2,7.85e-9,210000.0,0.3,400.0\n"
                  "*ELEMENT_BEAM\n1,4,1,5\n"));
-  const Finding* shell = b.find(Severity::error, "shell formulation 16 is not built", "elform");
+  const Finding* shell = b.find(Severity::error, "shell formulation 6 is not built", "elform");
   ASSERT_NE(shell, nullptr) << b.all_findings();
-  EXPECT_EQ(shell->value, "16");
-  EXPECT_TRUE(b.error("solid formulation 2 is not built", "elform"));
+  EXPECT_EQ(shell->value, "6");
+  EXPECT_TRUE(b.error("solid formulation -1 is not built", "elform"));
   EXPECT_TRUE(b.error("discrete beams (formulation 6) are not built yet", "elform"));
+}
+
+TEST(Checks, WeldsOfBricksHaveFormulationOne) {
+  const auto deck = [](const char* elform) {
+    return sheet_deck("*MAT_SPOTWELD\n2,7.85e-9,210000.0,0.3,400.0\n*PART\nb\n2,12,2\n*SECTION_SOLID\n12," +
+                      std::string(elform) + "\n*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n");
+  };
+  EXPECT_TRUE(Built(deck("2")).error("welds of bricks are built with solid formulation 1, not with 2", "elform"));
+  EXPECT_EQ(Built(deck("1")).find(Severity::error, "formulation", "elform"), nullptr);
 }
 
 TEST(Checks, RigidPartsMayHaveAnyFormulation) {
   const Built b(
-      sheet_deck("*PART\na\n2,12,2\n*SECTION_SHELL\n12,16\n1.0\n*MAT_RIGID\n2,7.85e-9,210000.0,0.3\n\n\n"
+      sheet_deck("*PART\na\n2,12,2\n*SECTION_SHELL\n12,6\n1.0\n*MAT_RIGID\n2,7.85e-9,210000.0,0.3\n\n\n"
                  "*ELEMENT_SHELL\n2,2,5,6,7,8\n"));
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
 }
 
 TEST(Checks, TheoryStandsInForABlankFormulation) {
   const Built b(
-      sheet_deck("*CONTROL_SHELL\n,,,,16\n*PART\na\n2,12,1\n*SECTION_SHELL\n12\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"));
-  EXPECT_TRUE(b.error("shell formulation 16 is not built", "elform")) << b.all_findings();
+      sheet_deck("*CONTROL_SHELL\n,,,,6\n*PART\na\n2,12,1\n*SECTION_SHELL\n12\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"));
+  EXPECT_TRUE(b.error("shell formulation 6 is not built", "elform")) << b.all_findings();
+}
+
+TEST(Checks, FullyIntegratedShells) {
+  const auto deck = [](const std::string& elform, const std::string& more) {
+    return sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12," + elform + "\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n" + more);
+  };
+  const Built plain(deck("16", ""));
+  EXPECT_EQ(plain.findings.errors(), 0) << plain.all_findings();
+  EXPECT_FALSE(plain.warning("is computed as 16"));
+  for (const char* linear : {"-16", "18", "20", "21"}) {
+    const Built b(deck(linear, ""));
+    EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+    EXPECT_TRUE(b.warning("is computed as 16, fully integrated")) << b.all_findings();
+    EXPECT_EQ(b.model.shell_sections.back().elform, 16);
+  }
+  // Type 8 is for formulation 16 only: part 1 has formulation 2.
+  EXPECT_TRUE(Built(deck("16", "*CONTROL_HOURGLASS\n8\n")).error("part 1 has shells, for which types 1 to 5"));
+}
+
+TEST(Checks, DrillingOfThePartsOfASet) {
+  const auto deck = [](const std::string& elform) {
+    return sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12," + elform +
+                      "\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n*SET_PART\n7\n2\n"
+                      "*CONTROL_SHELL\n20.0\n1.0\n0\n0,0,0,0,0,7,2.5\n");
+  };
+  const Built b(deck("16"));
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_EQ(b.model.parts[0].drilling, 0.0);
+  EXPECT_EQ(b.model.parts[1].drilling, 2.5);
+  EXPECT_TRUE(Built(deck("2")).error("part 2 has shells of formulation 2, which cannot resist drilling", "drcpsid"));
 }
 
 TEST(Checks, LawsAndElementsMustGoTogether) {

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kernel/element/hexahedron.hpp"
+
+// Geometry of an eight-node brick, common to its formulations. Included by their .cpp files only.
+namespace nugget::kernel {
+
+/// A nodal field as a sum of the patterns xi, eta, zeta, eta zeta, zeta xi, xi eta, xi eta zeta (the constant is left
+/// out). The patterns are orthogonal, so that gradient, hourglass rates and forces are sums over seven coefficients
+/// instead of eight nodes.
+template <class R>
+struct Patterns {
+  Vec3<R> a, b, c, h[4];
+};
+
+template <class R>
+[[gnu::always_inline]] inline Patterns<R> patterns_of(const Vec3<R> (&f)[8]) {
+  struct Face {
+    Vec3<R> one, a, b, ab;
+  };
+  const auto face = [&](int i) {
+    const Vec3<R> s12 = f[i] + f[i + 1], d12 = f[i + 1] - f[i], s34 = f[i + 2] + f[i + 3], d34 = f[i + 2] - f[i + 3];
+    return Face{s12 + s34, d12 + d34, s34 - s12, d34 - d12};
+  };
+  const Face low = face(0), up = face(4);
+  const R eighth = R(0.125);
+  return {eighth * (up.a + low.a),
+          eighth * (up.b + low.b),
+          eighth * (up.one - low.one),
+          {eighth * (up.b - low.b), eighth * (up.a - low.a), eighth * (up.ab + low.ab), eighth * (up.ab - low.ab)}};
+}
+
+template <class R>
+[[gnu::always_inline]] inline void nodes_of(const Patterns<R>& p, Vec3<R> (&f)[8]) {
+  const auto face = [&](int i, const Vec3<R>& one, const Vec3<R>& a, const Vec3<R>& b, const Vec3<R>& ab) {
+    const Vec3<R> minus = one - b, plus = one + b, near = a - ab, far = a + ab;
+    f[i] = minus - near;
+    f[i + 1] = minus + near;
+    f[i + 2] = plus + far;
+    f[i + 3] = plus - far;
+  };
+  face(0, -p.c, p.a - p.h[1], p.b - p.h[0], p.h[2] - p.h[3]);
+  face(4, p.c, p.a + p.h[1], p.b + p.h[0], p.h[2] + p.h[3]);
+}
+
+/// A 3 x 3 matrix by rows.
+template <class R>
+struct Matrix {
+  Vec3<R> x, y, z;
+  Vec3<R> operator*(const Vec3<R>& u) const { return {dot(x, u), dot(y, u), dot(z, u)}; }
+};
+
+/// Hughes and Winget's rotation (I - W dt/2)^-1 (I + W dt/2), by rows.
+template <class R>
+[[gnu::always_inline]] inline Frame<R> rotation_of(const Matrix<R>& l, double dt) {
+  const double q = 0.25 * dt;
+  const Vec3<R> a{q * (l.z.y - l.y.z), q * (l.x.z - l.z.x), q * (l.y.x - l.x.y)};
+  const R a2 = dot(a, a), s = 2.0 / (1.0 + a2), d = 1.0 - s * a2;
+  return {{d + s * (a.x * a.x), s * (a.x * a.y - a.z), s * (a.x * a.z + a.y)},
+          {s * (a.x * a.y + a.z), d + s * (a.y * a.y), s * (a.y * a.z - a.x)},
+          {s * (a.x * a.z - a.y), s * (a.y * a.z + a.x), d + s * (a.z * a.z)}};
+}
+
+/// Square of the largest face's area.
+template <class R>
+R largest_face2(const Patterns<R>& x) {
+  R most = R(0.0);
+  const auto pair = [&](const Vec3<R>& a, const Vec3<R>& ha, const Vec3<R>& b, const Vec3<R>& hb) {
+    const Vec3<R> up = cross(a + ha, b + hb), down = cross(a - ha, b - hb);
+    most = max(most, max(dot(up, up), dot(down, down)));
+  };
+  pair(x.a, x.h[1], x.b, x.h[0]);
+  pair(x.b, x.h[2], x.c, x.h[1]);
+  pair(x.c, x.h[0], x.a, x.h[2]);
+  return 16.0 * most;
+}
+
+/// Bulk viscosity, and the stable step with it, over the length that the step is made of. With V^(1/3) a flat brick is
+/// damped beyond what its step bears: at TSSFAC 0.9 and Q2 0.06 from sides of 5:1 on, and the run diverges
+/// (docs/decisions/0008).
+template <class R>
+struct BulkViscosity {
+  R pressure, step;
+
+  [[gnu::always_inline]] BulkViscosity(const HexahedronProperties& brick, const ElasticConstants& e, const R& density,
+                                       const R& length, const R& trace) {
+    const R c2 = e.bulk_wave() / density, c = sqrt(c2), none = R(0.0);
+    const auto compressed = trace < 0.0;
+    const R viscous =
+        density * length * (brick.bulk_quadratic * length * trace * trace - brick.bulk_linear * c * trace);
+    pressure = select(compressed, viscous, none);
+    // The linear viscosity counts in expansion too: a brick that breathes is compressed half a period later, and
+    // LS-DYNA's first step of a brick at rest contains it (1.40796e-4 in ../shared/decks/single_hex/glstat).
+    const R slow = brick.bulk_linear * c - select(compressed, brick.bulk_quadratic * length * trace, none);
+    step = length / (slow + sqrt(slow * slow + c2));
+  }
+};
+
+inline Patterns<double> patterns_of(const std::array<Vec3d, 8>& x) {
+  const Vec3d nodes[8] = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};
+  return patterns_of<double>(nodes);
+}
+
+}  // namespace nugget::kernel

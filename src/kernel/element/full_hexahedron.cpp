@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernel/element/full_hexahedron.hpp"
+
+#include <limits>
+
+#include "kernel/element/brick_patterns.hpp"
+
+namespace nugget::kernel {
+namespace {
+
+constexpr int points = FullHexahedronLayout::points;
+constexpr double gauss = 0.57735026918962576;
+
+/// Natural coordinates of a Gauss point.
+struct Place {
+  double xi, eta, zeta;
+};
+constexpr Place place_of(int p) {
+  return {p & 1 ? gauss : -gauss, p & 2 ? gauss : -gauss, p & 4 ? gauss : -gauss};
+}
+
+/// Derivatives of a nodal field by xi, eta and zeta at a point.
+template <class R>
+struct Slopes {
+  Vec3<R> xi, eta, zeta;
+  [[gnu::always_inline]] Slopes(const Patterns<R>& f, const Place& at)
+      : xi(f.a + R(at.eta) * f.h[2] + R(at.zeta) * f.h[1] + R(at.eta * at.zeta) * f.h[3]),
+        eta(f.b + R(at.xi) * f.h[2] + R(at.zeta) * f.h[0] + R(at.xi * at.zeta) * f.h[3]),
+        zeta(f.c + R(at.xi) * f.h[1] + R(at.eta) * f.h[0] + R(at.xi * at.eta) * f.h[3]) {}
+};
+
+/// The gradients of xi, eta and zeta at a point, times its Jacobian.
+template <class R>
+struct Cofactors {
+  Vec3<R> xi, eta, zeta;
+  R jacobian;
+  [[gnu::always_inline]] explicit Cofactors(const Slopes<R>& x)
+      : xi(cross(x.eta, x.zeta)), eta(cross(x.zeta, x.xi)), zeta(cross(x.xi, x.eta)), jacobian(dot(x.xi, xi)) {}
+};
+
+/// Velocity gradient v_i,j at a point.
+template <class R>
+[[gnu::always_inline]] inline Matrix<R> velocity_gradient(const Slopes<R>& v, const Cofactors<R>& c) {
+  const R over = 1.0 / c.jacobian;
+  const auto row = [&](R Vec3<R>::*i) { return over * (v.xi.*i * c.xi + v.eta.*i * c.eta + v.zeta.*i * c.zeta); };
+  return {row(&Vec3<R>::x), row(&Vec3<R>::y), row(&Vec3<R>::z)};
+}
+
+/// Adds a point's share to the forces that do work on the patterns of velocity.
+template <class R>
+[[gnu::always_inline]] inline void collect(const SolidTensor<R>& s, const Cofactors<R>& c, const Place& at,
+                                           Patterns<R>& f) {
+  const Matrix<R> stress{{s.xx, s.xy, s.zx}, {s.xy, s.yy, s.yz}, {s.zx, s.yz, s.zz}};
+  const Vec3<R> xi = stress * c.xi, eta = stress * c.eta, zeta = stress * c.zeta;
+  f.a += xi;
+  f.b += eta;
+  f.c += zeta;
+  f.h[0] += R(at.zeta) * eta + R(at.eta) * zeta;
+  f.h[1] += R(at.zeta) * xi + R(at.xi) * zeta;
+  f.h[2] += R(at.eta) * xi + R(at.xi) * eta;
+  f.h[3] += R(at.eta * at.zeta) * xi + R(at.xi * at.zeta) * eta + R(at.xi * at.eta) * zeta;
+}
+
+}  // namespace
+
+template <class R, class Law>
+SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Prepared<Law>& law,
+                                     const SolidMotion<R>& nodes, double dt, double* state) {
+  using L = FullHexahedronLayout;
+  const ElasticConstants& e = law.elastic();
+  const L layout = full_hexahedron_layout(law);
+  auto alive = load_field<R>(state, L::alive) > 0.5;
+  const R none = R(0.0), third = R(1.0 / 3.0);
+
+  Patterns<R> v = patterns_of(nodes.v);
+  if (any(!alive))
+    for (Vec3<R>* a : {&v.a, &v.b, &v.c, &v.h[0], &v.h[1], &v.h[2], &v.h[3]}) *a = select(alive, *a, Vec3<R>{});
+  const Patterns<R> end = patterns_of(nodes.x);
+  const R half = R(0.5 * dt);
+  const Patterns<R> mid{
+      end.a - half * v.a,
+      end.b - half * v.b,
+      end.c - half * v.c,
+      {end.h[0] - half * v.h[0], end.h[1] - half * v.h[1], end.h[2] - half * v.h[2], end.h[3] - half * v.h[3]}};
+
+  Matrix<R> l[points];
+  R volume = none, growth = none;
+  for (int p = 0; p < points; ++p) {
+    const Cofactors<R> c(Slopes<R>(mid, place_of(p)));
+    l[p] = velocity_gradient(Slopes<R>(v, place_of(p)), c);
+    volume += c.jacobian;
+    growth += c.jacobian * (l[p].x.x + l[p].y.y + l[p].z.z);
+  }
+  const R trace = growth / volume;
+
+  SolidTensor<R> stress[points];
+  auto sound = R(1.0) < none;
+  for (int p = 0; p < points; ++p) {
+    double* at = state + layout.point(p) * lanes<R>;
+    double* history = state + layout.history_of(p) * lanes<R>;
+    const Frame<R> turn = rotation_of(l[p], dt);
+    const R extra = third * (trace - (l[p].x.x + l[p].y.y + l[p].z.z));
+    SolidTensor<R> s = rotated(turn, load_solid<R>(at));
+    law.rotate(turn, history);
+    const SolidTensor<R> d{l[p].x.x + extra,    l[p].y.y + extra,    l[p].z.z + extra,
+                           l[p].x.y + l[p].y.x, l[p].y.z + l[p].z.y, l[p].z.x + l[p].x.z};
+    law.solid(s, d, dt, history);
+    store_solid(at, s);
+    stress[p] = s;
+    if (law.can_fail()) sound = sound || !law.template failed<R>(history);
+  }
+
+  // Mean pressure at the end; the points keep their deviators.
+  R end_volume = none, mean = none;
+  for (int p = 0; p < points; ++p) {
+    const Cofactors<R> c(Slopes<R>(end, place_of(p)));
+    end_volume += c.jacobian;
+    mean += c.jacobian * (third * (stress[p].xx + stress[p].yy + stress[p].zz));
+  }
+  mean = mean / end_volume;
+
+  const R density = brick.density * load_field<R>(state, L::density_scale);
+  const BulkViscosity<R> bulk(brick, e, density, end_volume / sqrt(largest_face2(end)), trace);
+  mean -= bulk.pressure;
+
+  if (law.can_fail()) alive = alive && sound;
+  if (law.deletion_step() > 0.0) alive = alive && bulk.step >= law.deletion_step();
+  if (law.can_fail() || law.deletion_step() > 0.0) store_field(state, L::alive, select(alive, R(1.0), none));
+
+  Patterns<R> f;
+  for (int p = 0; p < points; ++p) {
+    const Cofactors<R> c(Slopes<R>(end, place_of(p)));
+    SolidTensor<R> s = stress[p];
+    const R change = mean - third * (s.xx + s.yy + s.zz);
+    s.xx += change;
+    s.yy += change;
+    s.zz += change;
+    collect(s, c, place_of(p), f);
+  }
+  const R eighth = R(0.125);
+  SolidForces<R> out;
+  nodes_of(Patterns<R>{eighth * f.a,
+                       eighth * f.b,
+                       eighth * f.c,
+                       {eighth * f.h[0], eighth * f.h[1], eighth * f.h[2], eighth * f.h[3]}},
+           out.f);
+  if (any(!alive))
+    for (Vec3<R>& a : out.f) a = select(alive, a, Vec3<R>{});
+  out.stable_step = select(alive, bulk.step, R(std::numeric_limits<double>::infinity()));
+  out.volume = select(alive, end_volume, R(1.0));
+  return out;
+}
+
+void start_full_hexahedron(const FullHexahedronLayout& layout, double* state, int width, int lane) {
+  using L = FullHexahedronLayout;
+  for (int i = 0; i < layout.size(); ++i) state[i * width + lane] = 0.0;
+  state[L::alive * width + lane] = 1.0;
+  state[L::density_scale * width + lane] = 1.0;
+}
+
+template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
+                                                   const SolidMotion<double>&, double, double*);
+template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<PlasticKinematic>&,
+                                                   const SolidMotion<double>&, double, double*);
+template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
+                                                   const SolidMotion<double>&, double, double*);
+template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
+                                                        const SolidMotion<NativeBatch>&, double, double*);
+template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<PlasticKinematic>&,
+                                                        const SolidMotion<NativeBatch>&, double, double*);
+template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
+                                                        const SolidMotion<NativeBatch>&, double, double*);
+template SolidForces<Dual<24>> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
+                                                     const SolidMotion<Dual<24>>&, double, double*);
+
+}  // namespace nugget::kernel

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kernel/element/hexahedron.hpp"
+
+namespace nugget::kernel {
+
+/// Fields of the state of a fully integrated brick. Field i of lane l stands at state[i * lanes + l].
+struct FullHexahedronLayout {
+  static constexpr int alive = 0;              ///< 1, or 0 once the element is deleted
+  static constexpr int density_scale = 1;      ///< factor on the density by mass scaling [1]
+  static constexpr int hourglass_energy = -1;  ///< there is none
+  static constexpr int first_point = 2;
+  static constexpr int points = 8;
+
+  int history = 0;
+
+  int size() const { return point(points); }
+  /// Stress xx yy zz xy yz zx of a point in global axes, without bulk viscosity, followed by its history.
+  int point(int p) const { return first_point + p * (SolidTensor<double>::size + history); }
+  int history_of(int p) const { return point(p) + SolidTensor<double>::size; }
+};
+
+template <class Law>
+FullHexahedronLayout full_hexahedron_layout(const Prepared<Law>&) {
+  return {Prepared<Law>::solid_history};
+}
+
+/// State of an undeformed, stress-free brick in lane `lane` of `width`.
+void start_full_hexahedron(const FullHexahedronLayout& layout, double* state, int width, int lane);
+
+/// One cycle of the brick with 2 x 2 x 2 points and one pressure (ELFORM 2, selectively reduced).
+///
+/// The velocity gradient of each point is taken on the mid-step geometry, with the dilatation rate replaced by the
+/// element's mean; nodal forces use the points' deviatoric stresses and the mean pressure on the geometry at the end,
+/// which is B-bar (Hughes, IJNME 15 (1980)). Each point's stress turns with its own spin, as in hexahedron_cycle; so do
+/// bulk viscosity (of the mean dilatation) and the stable step. It has no hourglass modes, and like every such brick it
+/// locks in bending, the more the longer it is for its thickness. An element is deleted when all its points have
+/// failed, or its stable step falls below the law's deletion step. Sources: LS-DYNA Theory Manual, solid elements;
+/// ../shared/reference/element-theory.md section 5.5. Hourglass data of `brick` are not used.
+///
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; Dual<24> with Elastic.
+template <class R, class Law>
+SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Prepared<Law>& law,
+                                     const SolidMotion<R>& nodes, double dt, double* state);
+
+}  // namespace nugget::kernel

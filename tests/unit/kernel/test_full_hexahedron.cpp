@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "kernel/element/full_hexahedron.hpp"
+#include "motion.hpp"
+
+namespace nugget::kernel {
+namespace {
+
+using L = FullHexahedronLayout;
+using Corners = std::array<Vec3d, 8>;
+
+Corners distorted(Random& random, double size = 0.4) {
+  Corners x{Vec3d{0, 0, 0}, {5, 0, 0}, {5, 4, 0}, {0, 4, 0}, {0, 0, 3}, {5, 0, 3}, {5, 4, 3}, {0, 4, 3}};
+  for (Vec3d& p : x) p += random.vector(size);
+  return x;
+}
+
+HexahedronProperties inviscid() {
+  HexahedronProperties b;
+  b.density = steel_density;
+  b.bulk_linear = b.bulk_quadratic = 0.0;
+  return b;
+}
+
+template <class Law>
+struct Driven {
+  HexahedronProperties brick;
+  Prepared<Law> law;
+  L layout;
+  std::vector<double> state;
+  SolidMotion<double> nodes;
+  SolidForces<double> force{};
+
+  Driven(const HexahedronProperties& properties, const Law& parameters, const Corners& x)
+      : brick(properties),
+        law(parameters),
+        layout(full_hexahedron_layout(law)),
+        state(static_cast<std::size_t>(layout.size())) {
+    for (std::size_t i = 0; i < 8; ++i) nodes.x[i] = x[i];
+    start_full_hexahedron(layout, state.data(), 1, 0);
+  }
+  const SolidForces<double>& step(double dt) {
+    for (int i = 0; i < 8; ++i) nodes.x[i] += dt * nodes.v[i];
+    return force = full_hexahedron_cycle<double>(brick, law, nodes, dt, state.data());
+  }
+  double at(int field) const { return state[static_cast<std::size_t>(field)]; }
+  double pressure(int p) const {
+    const int s = layout.point(p);
+    return (at(s) + at(s + 1) + at(s + 2)) / 3.0;
+  }
+};
+
+double largest(const SolidForces<double>& f) {
+  double most = 0.0;
+  for (const Vec3d& a : f.f) most = std::max(most, norm(a));
+  return most;
+}
+
+template <class Law>
+void batch_gives_the_bits_of_double(const HexahedronProperties& properties, const Law& parameters) {
+  constexpr int W = native_width;
+  const double dt = 1e-7;
+  Random random;
+  std::vector<Driven<Law>> single;
+  for (int l = 0; l < W; ++l) single.emplace_back(properties, parameters, distorted(random));
+  const std::size_t size = single[0].state.size();
+  std::vector<double> together(size * W);
+  for (int l = 0; l < W; ++l) {
+    if (l == 1) single[1].state[L::alive] = 0.0;
+    for (std::size_t i = 0; i < size; ++i)
+      together[i * W + static_cast<std::size_t>(l)] = single[static_cast<std::size_t>(l)].state[i];
+  }
+  for (int cycle = 0; cycle < 40; ++cycle) {
+    SolidMotion<NativeBatch> nodes;
+    for (int l = 0; l < W; ++l) {
+      Driven<Law>& one = single[static_cast<std::size_t>(l)];
+      const Vec3d spin = random.vector(1e4);
+      for (int i = 0; i < 8; ++i) one.nodes.v[i] = cross(spin, one.nodes.x[i]) + random.vector(20000.0 * (l + 1));
+      one.step(dt);
+      for (int i = 0; i < 8; ++i)
+        for (double Vec3d::*c : {&Vec3d::x, &Vec3d::y, &Vec3d::z}) {
+          const auto part = c == &Vec3d::x   ? &Vec3<NativeBatch>::x
+                            : c == &Vec3d::y ? &Vec3<NativeBatch>::y
+                                             : &Vec3<NativeBatch>::z;
+          set_lane(nodes.x[i].*part, l, one.nodes.x[i].*c);
+          set_lane(nodes.v[i].*part, l, one.nodes.v[i].*c);
+        }
+    }
+    const auto force = full_hexahedron_cycle<NativeBatch>(properties, single[0].law, nodes, dt, together.data());
+    for (int l = 0; l < W; ++l) {
+      const Driven<Law>& one = single[static_cast<std::size_t>(l)];
+      for (int i = 0; i < 8; ++i) {
+        const Vec3d f = get(force.f[i], l);
+        ASSERT_EQ(0, std::memcmp(&f, &one.force.f[i], sizeof f)) << cycle;
+      }
+      ASSERT_EQ(lane(force.stable_step, l), one.force.stable_step);
+      for (std::size_t i = 0; i < size; ++i)
+        ASSERT_EQ(together[i * W + static_cast<std::size_t>(l)], one.state[i]) << i;
+    }
+  }
+  if constexpr (Prepared<Law>::has_plastic_strain) {
+    EXPECT_GT(single[0].at(single[0].layout.history_of(0)), 0.0);
+  }
+}
+
+TEST(FullHexahedron, BatchGivesTheBitsOfDouble) {
+  HexahedronProperties viscous = inviscid();
+  viscous.bulk_linear = 0.06;
+  viscous.bulk_quadratic = 1.5;
+  batch_gives_the_bits_of_double(viscous, steel);
+  batch_gives_the_bits_of_double(viscous, mixed(0.3));
+  PiecewiseLinear failing = curved();
+  failing.failure_strain = 0.05;
+  batch_gives_the_bits_of_double(inviscid(), failing);
+}
+
+TEST(FullHexahedron, Patch) {
+  Random random;
+  Driven<Elastic> d(inviscid(), steel, distorted(random));
+  for (Vec3d& v : d.nodes.v) {
+    const Vec3d& x = d.nodes.x[&v - d.nodes.v];
+    v = 1e-6 * Vec3d{x.x + 0.5 * x.y, x.y + 0.5 * x.x - 0.2 * x.z, 0.3 * x.z - 0.2 * x.y};
+  }
+  d.step(1e-3);
+  const double lambda = steel_E * steel_nu / (1.3 * 0.4), G = steel_E / 2.6, unit_strain = 1e-9;
+  for (int p = 0; p < L::points; ++p) {
+    const int s = d.layout.point(p);
+    EXPECT_NEAR(d.at(s), (2.3 * lambda + 2 * G) * unit_strain, 1e-12);
+    EXPECT_NEAR(d.at(s + 2), (2.3 * lambda + 0.6 * G) * unit_strain, 1e-12);
+    EXPECT_NEAR(d.at(s + 3), G * unit_strain, 1e-12);
+    EXPECT_NEAR(d.at(s + 4), -0.4 * G * unit_strain, 1e-12);
+  }
+}
+
+TEST(FullHexahedron, ConstantStressIsPassedOnExactly) {
+  // A unit mean stress gives dV/dx, as in every brick; so neighbours of any shape balance.
+  Random random;
+  const Corners x = distorted(random);
+  Driven<Elastic> d(inviscid(), steel, x);
+  for (int p = 0; p < L::points; ++p)
+    for (int i = 0; i < 3; ++i) d.state[static_cast<std::size_t>(d.layout.point(p) + i)] = 1.0;
+  d.step(0.0);
+  for (std::size_t i = 0; i < 8; ++i)
+    for (double Vec3d::*c : {&Vec3d::x, &Vec3d::y, &Vec3d::z}) {
+      Corners up = x, down = x;
+      up[i].*c += 1e-4;
+      down[i].*c -= 1e-4;
+      EXPECT_NEAR(d.force.f[i].*c, (hexahedron_volume(up) - hexahedron_volume(down)) / 2e-4, 1e-8);
+    }
+  EXPECT_NEAR(d.force.volume, hexahedron_volume(x), 1e-12);
+}
+
+TEST(FullHexahedron, OnePressure) {
+  Random random;
+  Driven<PiecewiseLinear> d(inviscid(), curved(), distorted(random));
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    for (Vec3d& v : d.nodes.v) v = random.vector(20000.0);
+    d.step(1e-7);
+  }
+  EXPECT_GT(std::abs(d.pressure(0)), 10.0);
+  for (int p = 1; p < L::points; ++p) EXPECT_NEAR(d.pressure(p), d.pressure(0), 1e-9 * std::abs(d.pressure(0)));
+}
+
+TEST(FullHexahedron, RigidRotationStrainsNothing) {
+  Random random;
+  const double dt = 1e-7;
+  Driven<PlasticKinematic> d(inviscid(), mixed(0.5), distorted(random));
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    for (Vec3d& v : d.nodes.v) v = random.vector(40000.0);
+    d.step(dt);
+  }
+  ASSERT_GT(d.at(d.layout.history_of(0)), 0.0);
+  const std::vector<double> before = d.state;
+  const auto start = d.force;
+  const Vec3d axis = unit(Vec3d{1, 2, 3});
+  for (int cycle = 0; cycle < 360; ++cycle) {
+    for (int i = 0; i < 8; ++i) d.nodes.v[i] = (1.0 / dt) * (turned(axis, 2 * M_PI / 360, d.nodes.x[i]) - d.nodes.x[i]);
+    d.step(dt);
+  }
+  for (std::size_t i = 0; i < before.size(); ++i)
+    EXPECT_NEAR(d.state[i], before[i], 1e-7 * (1 + std::abs(before[i]))) << i;
+  for (int i = 0; i < 8; ++i) EXPECT_LT(norm(d.force.f[i] - start.f[i]), 1e-7 * largest(start));
+}
+
+std::vector<double> stiffness(const Corners& x) {
+  Driven<Elastic> d(inviscid(), steel, x);
+  SolidMotion<Dual<24>> nodes;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const int j = 3 * static_cast<int>(i);
+    nodes.x[i] = {x[i].x, x[i].y, x[i].z};
+    nodes.v[i] = {Dual<24>::variable(0, j), Dual<24>::variable(0, j + 1), Dual<24>::variable(0, j + 2)};
+  }
+  const auto f = full_hexahedron_cycle<Dual<24>>(d.brick, d.law, nodes, 1.0, d.state.data());
+  std::vector<double> K;
+  for (const auto& a : f.f)
+    for (const Dual<24>* c : {&a.x, &a.y, &a.z}) K.insert(K.end(), c->d.begin(), c->d.end());
+  return K;
+}
+
+TEST(FullHexahedron, OnlyRigidMotionIsFree) {
+  Random random;
+  const std::vector<double> K = stiffness(distorted(random));
+  double most = 0.0;
+  for (double k : K) most = std::max(most, std::abs(k));
+  for (std::size_t i = 0; i < 24; ++i)
+    for (std::size_t j = 0; j < 24; ++j) EXPECT_NEAR(K[i * 24 + j], K[j * 24 + i], 1e-12 * most);
+  EXPECT_EQ(zero_modes(K, 24), 6);
+}
+
+TEST(FullHexahedron, FailedBrickIsDeleted) {
+  PiecewiseLinear law = bilinear(250, 0);
+  law.failure_strain = 0.02;
+  Random random;
+  Driven<PiecewiseLinear> d(inviscid(), law, distorted(random, 0.1));
+  int cycle = 0;
+  bool partly = false;
+  for (; cycle < 5000 && d.at(L::alive) > 0.5; ++cycle) {
+    for (int i = 4; i < 8; ++i) d.nodes.v[i].x = 1000.0 + 100.0 * d.nodes.x[i].y;
+    d.step(1e-7);
+    for (int p = 0; p < L::points; ++p) partly = partly || d.at(d.layout.history_of(p)) >= 0.02;
+    if (cycle == 10) {
+      EXPECT_GT(largest(d.force), 0.0);
+    }
+  }
+  EXPECT_TRUE(partly);
+  EXPECT_LT(cycle, 5000);
+  EXPECT_EQ(largest(d.force), 0.0);
+  EXPECT_TRUE(std::isinf(d.force.stable_step));
+}
+
+}  // namespace
+}  // namespace nugget::kernel
