@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <cmath>
 #include <csignal>
-#include <ctime>
 #include <filesystem>
 #include <optional>
 
 #include "app/audit_table.hpp"
 #include "app/clock.hpp"
 #include "app/command.hpp"
+#include "app/modes.hpp"
+#include "app/outcome.hpp"
 #include "app/progress.hpp"
 #include "app/run_log.hpp"
 #include "base/index.hpp"
@@ -26,25 +26,6 @@ namespace nugget::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Writes what a refused deck leaves behind.
-ExitCode refuse(const fs::path& directory, Log& log, const Findings& findings) {
-  output::write_findings(directory, findings.all());
-  log.add(" E r r o r   t e r m i n a t i o n\n");
-  print_findings(findings);
-  fmt::print(stderr, "the deck is refused; nothing was run\n");
-  return ExitCode::refused;
-}
-
-output::Summary::Counts counts(const model::Model& model, const weld::Ties& ties) {
-  return {static_cast<long>(model.nodes.size()),
-          static_cast<long>(model.shells.size()),
-          static_cast<long>(model.solids.size()),
-          static_cast<long>(model.beams.size()),
-          0,
-          static_cast<long>(model.parts.size()),
-          static_cast<long>(ties.welds.size())};
-}
 
 /// Adds to the welds' reports what happened to them.
 void tell_histories(const impact::Simulation& run, std::vector<output::WeldReport>& welds) {
@@ -99,10 +80,6 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   return s;
 }
 
-std::string today() {
-  return fmt::format("{:%m/%d/%Y}", fmt::localtime(std::time(nullptr)));
-}
-
 /// Runs with results, progress and the keyboard's interrupt. A result that cannot be written is told in run.log, as far
 /// as that can still be done.
 impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directory, const RunArguments& arguments,
@@ -141,6 +118,11 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
   Prepared p = prepare(arguments, findings);
   if (!p.has_text) return refuse_missing(findings);
   output::remove_old_results(directory);
+  if (p.model.implicit.active) {
+    ModesArguments modes;
+    modes.run = arguments;
+    return modes_of(directory, modes, std::move(p), findings);
+  }
   Log log(directory / "run.log");
   Clock clock;
   std::optional<system::System> system;

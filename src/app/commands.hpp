@@ -26,12 +26,19 @@ struct RunArguments {
   bool quiet = false;
 };
 
+struct ModesArguments {
+  RunArguments run;              ///< of these: deck, directory, threads, skip_unsupported, quiet
+  int count = 0;                 ///< 0: the deck's NEIG, or 20
+  double low = 0.0, high = 0.0;  ///< frequencies [cycles/time]; 0: the deck's
+};
+
 struct CheckArguments {
   RunArguments deck;         ///< of these: deck, directory, threads, skip_unsupported
   double target_step = 0.0;  ///< what each weld would take to allow it; 0: not asked [time]
 };
 
 ExitCode run(const RunArguments& arguments);
+ExitCode modes(const ModesArguments& arguments);
 ExitCode check(const CheckArguments& arguments);
 ExitCode keywords(const std::string& name);
 

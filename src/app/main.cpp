@@ -30,6 +30,8 @@ std::vector<std::string> translated(int argc, char** argv) {
       // A negative count asks for repeatable sums, which is always the case here.
       out.emplace_back("-j");
       out.emplace_back(*n == '-' ? n + 1 : n);
+    } else if (word == "-fmin" || word == "-fmax") {
+      out.push_back('-' + word);
     } else if (value("memory=") || value("memory2=")) {
       continue;
     } else {
@@ -63,7 +65,9 @@ bool is_unknown_command(const CLI::App& cli, const std::vector<std::string>& wor
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App cli{"Nugget: spot-welded structures from one LS-DYNA keyword deck, impact by explicit dynamics.", "nugget"};
+  CLI::App cli{
+      "Nugget: spot-welded structures from one LS-DYNA keyword deck, impact by explicit dynamics, natural modes.",
+      "nugget"};
   cli.set_version_flag("--version", fmt::format("nugget {}", NUGGET_VERSION));
   cli.require_subcommand(1);
 
@@ -83,6 +87,23 @@ int main(int argc, char** argv) {
   run_command->add_option("--checkpoint", checkpoint, "restart files: not built yet");
   run_command->add_option("--resume", resume, "go on from a restart file: not built yet");
 
+  const CLI::Validator frequency = above_zero("a frequency above 0", false);
+  nugget::app::ModesArguments modes;
+  CLI::App* modes_command = cli.add_subcommand("modes", "natural modes of a deck");
+  modes_command->add_option("model", modes.run.deck, "the deck; also i=MODEL.k")->required();
+  modes_command->add_option("-o,--output", modes.run.directory, "folder for the results (default: the current one)");
+  modes_command->add_option("-n,--number", modes.count, "number of modes (default: the deck's NEIG, or 20)")
+      ->check(count);
+  modes_command->add_option("--fmin", modes.low, "no modes below this frequency [cycles/time]; also -fmin")
+      ->check(frequency);
+  modes_command->add_option("--fmax", modes.high, "no modes above this frequency [cycles/time]; also -fmax")
+      ->check(frequency);
+  modes_command->add_option("-j,--threads", modes.run.threads, "threads (default: all cores); also ncpu=N")
+      ->check(count);
+  modes_command->add_flag("--skip-unsupported", modes.run.skip_unsupported,
+                          "leave out what is not supported, with a warning each");
+  modes_command->add_flag("--quiet", modes.run.quiet, "no progress on the terminal");
+
   nugget::app::CheckArguments check;
   CLI::App* check_command = cli.add_subcommand("check", "read, check, tie and audit a deck; run nothing");
   check_command->add_option("model", check.deck.deck, "the deck")->required();
@@ -96,7 +117,7 @@ int main(int argc, char** argv) {
   CLI::App* keywords_command = cli.add_subcommand("keywords", "what is supported, from the card tables");
   keywords_command->add_option("name", keyword, "one keyword: its fields, defaults, ranges, meaning");
 
-  const char* const later[] = {"modes", "frf", "report", "weld"};
+  const char* const later[] = {"frf", "report", "weld"};
   for (const char* name : later) cli.add_subcommand(name, "not built yet")->allow_extras();
 
   std::vector<std::string> words = translated(argc, argv);
@@ -114,7 +135,8 @@ int main(int argc, char** argv) {
   }
   for (const char* name : later) {
     if (!cli.got_subcommand(name)) continue;
-    fmt::print(stderr, "nugget: the command '{}' is not built yet; this version has run, check and keywords\n", name);
+    fmt::print(stderr, "nugget: the command '{}' is not built yet; this version has run, modes, check and keywords\n",
+               name);
     return static_cast<int>(ExitCode::wrong_command);
   }
   if (!checkpoint.empty() || !resume.empty()) {
@@ -123,6 +145,7 @@ int main(int argc, char** argv) {
     return static_cast<int>(ExitCode::wrong_command);
   }
   if (run_command->parsed()) return static_cast<int>(nugget::app::run(run));
+  if (modes_command->parsed()) return static_cast<int>(nugget::app::modes(modes));
   if (check_command->parsed()) return static_cast<int>(nugget::app::check(check));
   return static_cast<int>(nugget::app::keywords(keyword));
 }

@@ -5,6 +5,7 @@
 
 #include "impact/d3plot_states.hpp"
 #include "impact/histories.hpp"
+#include "output/model_geometry.hpp"
 
 namespace nugget::impact {
 
@@ -56,7 +57,7 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
   if (!system.bodies.empty()) add<output::Rbdout>(ask.rbdout, "rbdout", rbdout_state);
   add<output::Rcforc>(ask.rcforc, "rcforc", rcforc_state, contacts);
   if (ask.d3plot.asked()) {
-    auto file = std::make_shared<output::D3plot>(directory, d3plot_geometry(system));
+    auto file = std::make_shared<output::D3plot>(directory, output::d3plot_geometry(system));
     channels_.push_back({&ask.d3plot, [file](const Snapshot& now) { file->write(d3plot_state(now)); }});
   }
 }

@@ -168,7 +168,9 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
 void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& told) {
   const auto s = static_cast<std::size_t>(part.section);
   const int elform = b.model.solid_sections[s].elform;
-  if (is<kernel::Rigid>(b.model, part) || elform == 1 || std::exchange(told[s], char{1})) return;
+  // In linear analyses the one-point brick with its physical stabilisation stands for 18 (nvh::linear_model).
+  const bool linear = elform == 18 && b.model.implicit.active;
+  if (is<kernel::Rigid>(b.model, part) || elform == 1 || linear || std::exchange(told[s], char{1})) return;
   refuse(b, b.solid_section_rows[s], "elform",
          fmt::format("solid formulation {} is not built; built is 1 (constant stress)", elform),
          "write 1, with an hourglass control of type 2 or 3");
@@ -291,7 +293,7 @@ void check_parts(Builder& b) {
   }
   check_hourglass(b);
   check_triangles(b);
-  if (!(b.model.control.end_time > 0.0))
+  if (!b.model.implicit.active && !(b.model.control.end_time > 0.0))
     b.findings.error({b.model.deck, 0, 0}, "*CONTROL_TERMINATION", "no end time is given",
                      "give ENDTIM, the time up to which is to be computed");
 }

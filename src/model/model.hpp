@@ -11,6 +11,7 @@
 #include "base/vec3.hpp"
 #include "model/contact.hpp"
 #include "model/control.hpp"
+#include "model/implicit.hpp"
 #include "model/loads.hpp"
 #include "model/parts.hpp"
 #include "model/requests.hpp"
@@ -116,6 +117,7 @@ struct Model {
   std::string title;
   std::string deck;  ///< path of the master file as given
   Control control;
+  Implicit implicit;
   Requests requests;
   std::vector<LedgerEntry> ledger;
 

@@ -100,16 +100,17 @@ void control(Words& out, const D3plotGeometry& g) {
   const int shell_parts = static_cast<int>(g.parts.size()) - solid_parts - beam_parts;
   out.text(g.title, 40);
   out.integer(g.seconds_since_1970);
-  out.integer(1);  // file type d3plot
-  out.integer(0);  // source version
+  out.integer(g.modes ? 11 : 1);  // file type
+  out.integer(0);                 // source version
   out.text("R11", word);
   out.real(format_version);
   out.integer(4);  // NDIM: three dimensions, connectivity unpacked
   out.integer(static_cast<std::int64_t>(g.node_ids.size()));
   out.integer(6);  // ICODE
   out.integer(global_words(g));
-  out.integer(0);                                       // IT: no temperatures
-  for (int flag = 0; flag < 3; ++flag) out.integer(1);  // IU, IV, IA
+  out.integer(0);                                                     // IT: no temperatures
+  out.integer(1);                                                     // IU: coordinates
+  for (int flag = 0; flag < 2; ++flag) out.integer(g.modes ? 0 : 1);  // IV, IA
   out.integer(static_cast<std::int64_t>(g.solids.size()));
   out.integer(solid_parts);
   out.integer(0), out.integer(0);  // NUMDS, NUMST
@@ -234,8 +235,8 @@ void check(const D3plotGeometry& g, const D3plotState& s) {
   check_size(s.parts.size(), g.parts.size() + static_cast<std::size_t>(g.nodal_rigid_bodies), "parts");
   check_size(s.wall_forces.size(), static_cast<std::size_t>(g.rigid_walls), "wall_forces");
   check_size(s.x.size(), nodes, "x");
-  check_size(s.v.size(), nodes, "v");
-  check_size(s.a.size(), nodes, "a");
+  check_size(s.v.size(), g.modes ? 0 : nodes, "v");
+  check_size(s.a.size(), g.modes ? 0 : nodes, "a");
   check_size(s.solids.size(), g.solids.size(), "solids");
   check_size(s.beams.size(), g.beams.size(), "beams");
   check_size(s.beam_points.size(), g.beams.size() * static_cast<std::size_t>(g.beam_points), "beam_points");
@@ -328,7 +329,7 @@ D3plot::D3plot(std::filesystem::path directory, D3plotGeometry geometry)
   numbering(out, g);
   titles(out, g);
   out.fill_block();
-  ResultFile root(directory_ / "d3plot");
+  ResultFile root(directory_ / stem());
   root.buffer() = std::move(out.bytes());
   root.commit();
 }
@@ -360,7 +361,7 @@ void D3plot::write(const D3plotState& s) {
 void D3plot::append_state(std::string_view words) {
   const bool full = end_mark_ + words.size() + word > family_member;
   if (!member_ || full || geometry_.one_state_a_file) {
-    member_.emplace(directory_ / fmt::format("d3plot{:02}", ++members_));
+    member_.emplace(directory_ / fmt::format("{}{:02}", stem(), ++members_));
     end_mark_ = 0;
   }
   std::string tail(words.substr(word));

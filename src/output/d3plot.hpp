@@ -44,6 +44,8 @@ struct D3plotGeometry {
   int beam_points = 0;            ///< BEAMIP: integration points of beams
   bool strains = false;           ///< STRFLG
   bool one_state_a_file = false;  ///< IEVERP
+  /// d3eigv: files of that name, the time of a state is a frequency, coordinates only (no velocities, accelerations).
+  bool modes = false;
 };
 
 /// Energies [force length], mass and velocity of one part.
@@ -117,6 +119,7 @@ class D3plot {
   void write(const D3plotState& state);
 
  private:
+  const char* stem() const { return geometry_.modes ? "d3eigv" : "d3plot"; }
   void append_state(std::string_view words);
 
   std::filesystem::path directory_;

@@ -11,13 +11,14 @@
 namespace nugget::output {
 namespace {
 
-constexpr std::array<std::string_view, 26> names = {"run.log",
+constexpr std::array<std::string_view, 27> names = {"run.log",
                                                     "check.log",
                                                     "summary.json",
                                                     "findings.json",
                                                     "welds.csv",
                                                     "report.html",
                                                     "frf.csv",
+                                                    "mode_energy.csv",
                                                     "d3plot",
                                                     "d3eigv",
                                                     "swforc",

@@ -118,6 +118,40 @@ class BatchGroup final : public ElementGroup {
     }
   }
 
+  /// The kernel's forces after a step with unit velocity in one freedom, a freedom a lane. The step is so short that it
+  /// moves nothing and meets no yield, and a power of two: what is left is the exact derivative (docs/decisions/0017).
+  void stiffness(std::size_t e, const State& start, std::span<double> k) const override {
+    constexpr double step = 0x1p-100;
+    constexpr int per_node = Element::rotational ? 6 : 3, size = corners * per_node;
+    typename Element::template Motion<R> motion;
+    for (int a = 0; a < corners; ++a) {
+      const Vec3d x = vec(start.x[static_cast<std::size_t>(nodes_[node_index(e, a)])]);
+      motion.x[a] = {R(x.x), R(x.y), R(x.z)};
+    }
+    AlignedReals scratch(static_cast<std::size_t>(kernel_.state_size() * width));
+    for (int first = 0; first < size; first += width) {
+      for (int i = 0; i < kernel_.state_size(); ++i)
+        for (int l = 0; l < width; ++l) scratch[static_cast<std::size_t>(i * width + l)] = field(e, i);
+      for (int a = 0; a < corners; ++a) {
+        motion.v[a] = unit_motion(first - a * per_node);
+        if constexpr (Element::rotational) motion.w[a] = unit_motion(first - a * per_node - 3);
+      }
+      const auto out = kernel_.template cycle<R>(motion, step, scratch.data());
+      for (int l = 0; l < std::min(width, size - first); ++l)
+        for (int a = 0; a < corners; ++a) {
+          double* column = &k[static_cast<std::size_t>(a * per_node * size + first + l)];
+          const auto put = [&](const Vec3<R>& f) {
+            for (const R* c : {&f.x, &f.y, &f.z}) {
+              *column = nugget::lane(*c, l) / step;
+              column += size;
+            }
+          };
+          put(out.f[a]);
+          if constexpr (Element::rotational) put(out.m[a]);
+        }
+    }
+  }
+
   std::array<int, 8> nodes(std::size_t e) const override {
     std::array<int, 8> n{};
     for (int a = 0; a < corners; ++a) n[static_cast<std::size_t>(a)] = nodes_[node_index(e, a)];
@@ -171,6 +205,16 @@ class BatchGroup final : public ElementGroup {
   double field(std::size_t e, int i) const { return state(e)[i * width + lane(e)]; }
   auto reader(std::size_t e) const {
     return [s = state(e), l = lane(e)](int i) { return s[i * width + l]; };
+  }
+  /// Lane l stands for component first + l of three: that component is 1 in its lane, everything else is 0.
+  static Vec3<R> unit_motion(int first) {
+    Vec3<R> v;
+    for (int l = 0; l < width; ++l) {
+      if (first + l == 0) set_lane(v.x, l, 1.0);
+      if (first + l == 1) set_lane(v.y, l, 1.0);
+      if (first + l == 2) set_lane(v.z, l, 1.0);
+    }
+    return v;
   }
   std::array<Vec3d, corners> places(std::size_t e, const State& now) const {
     std::array<Vec3d, corners> x;

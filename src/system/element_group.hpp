@@ -45,6 +45,14 @@ class ElementGroup {
   /// Rows that the group needs, padding lanes included.
   virtual std::size_t slot_rows() const = 0;
 
+  /// Degrees of freedom of a node: three translations, then three rotations where `rotational`.
+  int freedoms() const { return rotational ? 6 : 3; }
+  /// Stiffness of element e in its initial, unstressed state: row i, column j of `k` is the force in freedom i of the
+  /// element for a unit motion of freedom j, d f_i / d u_j, global axes, freedoms node by node. It comes out of the
+  /// cycle's own kernel, so that modes and impact cannot disagree; what a kernel resists by viscosity is not in it.
+  /// `k` holds (nodes_per_element freedoms())^2 numbers.
+  virtual void stiffness(std::size_t e, const State& start, std::span<double> k) const = 0;
+
   // What is known of element e of the group.
   virtual std::array<int, 8> nodes(std::size_t e) const = 0;  ///< system nodes
   virtual bool alive(std::size_t e) const = 0;

@@ -56,7 +56,7 @@ Rows without_effect() {
 /// Other solution methods than the explicit run.
 Rows other_solutions() {
   return {
-      refused("CONTROL_IMPLICIT_*", "implicit and modal solutions are not built yet; this is an explicit run"),
+      refused("CONTROL_IMPLICIT_*", "this part of implicit solutions is not built; modes are"),
       refused("FREQUENCY_DOMAIN_*", "frequency response is not built yet"),
       refused("CONTROL_THERMAL_*", "heat conduction is not built"),
       refused("CONTROL_SOLUTION", "other solutions than the structural one are not built"),

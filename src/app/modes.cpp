@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/modes.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "app/clock.hpp"
+#include "app/outcome.hpp"
+#include "app/run_log.hpp"
+#include "base/index.hpp"
+#include "base/parallel.hpp"
+#include "nvh/linear_model.hpp"
+#include "nvh/mode_files.hpp"
+#include "output/results.hpp"
+
+namespace nugget::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+nvh::ModeRequest request_of(const ModesArguments& arguments, const model::Implicit& deck) {
+  nvh::ModeRequest r;
+  const bool interval = arguments.low > 0.0 || arguments.high > 0.0;
+  if (interval) {
+    if (arguments.low > 0.0) r.low = arguments.low;
+    if (arguments.high > 0.0) r.high = arguments.high;
+  } else if (arguments.count == 0) {
+    if (deck.low) r.low = *deck.low;
+    if (deck.high) r.high = *deck.high;
+    r.centre = deck.centre;
+  }
+  constexpr int usual = 20;
+  const bool all = interval && std::isfinite(r.high);
+  r.count = arguments.count > 0 ? arguments.count : all ? 0 : deck.modes > 0 ? deck.modes : usual;
+  return r;
+}
+
+std::string mode_table(const nvh::Modes& modes) {
+  std::string s = fmt::format("Modes: {}\n\n {:>6} {:>14} {:>14}   effective mass as a share: {:>7} {:>7} {:>7}\n",
+                              modes.eigenvalue.size(), "mode", "frequency", "omega^2", "x", "y", "z");
+  for (std::size_t i = 0; i < modes.eigenvalue.size(); ++i) {
+    s += fmt::format(" {:>6} {:>14.6g} {:>14.6g}   {:>26}", i + 1, modes.frequency(i), modes.eigenvalue[i], "");
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double p = modes.participation[i][k];
+      s += fmt::format(" {:>7.4f}", modes.total[k] > 0.0 ? p * p / modes.total[k] : 0.0);
+    }
+    s += '\n';
+  }
+  const nvh::Modes::Proof& proof = modes.proof;
+  return s + fmt::format("\n Sylvester's count: {} eigenvalues {} {:.6g}; found {}: {}\n\n", proof.counted,
+                         proof.low > 0.0 ? fmt::format("between {:.6g} and", proof.low) : "below", proof.high,
+                         proof.found, proof.complete() ? "no mode was missed" : "MODES ARE MISSING");
+}
+
+/// The parts and welds that hold most of each mode's strain energy.
+std::string energy_table(const model::Model& model, const weld::Ties& ties, const nvh::Modes& modes,
+                         const nvh::EnergyShares& shares) {
+  std::string s = "Strain energy, shares in percent (all of them in mode_energy.csv)\n\n";
+  const auto largest = [](std::span<const double> share, std::size_t most) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < share.size(); ++i)
+      if (share[i] >= 0.0005) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return share[a] > share[b]; });
+    order.resize(std::min(order.size(), most));
+    return order;
+  };
+  for (std::size_t i = 0; i < modes.eigenvalue.size(); ++i) {
+    s += fmt::format(" mode {:>4}  parts", i + 1);
+    for (const std::size_t p : largest(shares.part[i], 4))
+      s += fmt::format("  {}: {:.1f}", model.parts[p].id, 100.0 * shares.part[i][p]);
+    const std::vector<std::size_t> welds = largest(shares.weld[i], 5);
+    if (!welds.empty()) s += "   welds";
+    for (const std::size_t w : welds) s += fmt::format("  {}: {:.2f}", ties.welds[w].id, 100.0 * shares.weld[i][w]);
+    s += '\n';
+  }
+  return s + '\n';
+}
+
+std::string cost_table(const nvh::Matrices& m, const nvh::Modes& modes, const output::Summary& summary) {
+  return fmt::format(
+      "Cost\n\n {} equations, {:.4g} million entries in K, {:.4g} million in its factor\n {} factorizations {:.2f} s, "
+      "{} solutions in Lanczos {:.2f} s; setup {:.2f} s, output {:.2f} s\n\n",
+      m.size(), 1e-6 * static_cast<double>(m.stiffness.entries()), 1e-6 * modes.cost.factor_entries,
+      modes.cost.factorizations, modes.cost.factor_seconds, modes.cost.solves, modes.cost.lanczos_seconds,
+      summary.seconds.setup, summary.seconds.output);
+}
+
+/// One line on the terminal that says what is going on.
+class Status {
+ public:
+  explicit Status(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO)) {}
+  ~Status() { clear(); }
+  Status(const Status&) = delete;
+  Status& operator=(const Status&) = delete;
+  void operator()(const std::string& text) {
+    if (shown_) fmt::print(stderr, "\r\033[K{}", text);
+  }
+  void clear() {
+    if (shown_) fmt::print(stderr, "\r\033[K");
+  }
+
+ private:
+  bool shown_;
+};
+
+output::Summary summarise(const ModesArguments& arguments, const Prepared& p, const nvh::Modes& modes) {
+  output::Summary s;
+  s.version = NUGGET_VERSION;
+  s.deck = arguments.run.deck;
+  s.count = counts(p.model, p.ties);
+  s.mass.physical = modes.total[0];
+  s.seconds.read = p.read_seconds;
+  s.threads = threads();
+  s.welds = p.welds;
+  for (std::size_t i = 0; i < modes.eigenvalue.size(); ++i) {
+    output::ModeReport r;
+    r.mode = static_cast<int>(i) + 1;
+    r.frequency_hz = modes.frequency(i);
+    r.participation = modes.participation[i];
+    for (std::size_t k = 0; k < 6; ++k) r.effective_mass[k] = r.participation[k] * r.participation[k];
+    s.modes.push_back(r);
+  }
+  return s;
+}
+
+}  // namespace
+
+ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Prepared p, Findings& findings) {
+  Log log(directory / "run.log");
+  Clock clock;
+  std::optional<model::Model> linear;
+  std::optional<system::System> system;
+  std::optional<nvh::Matrices> matrices;
+  if (findings.errors() == 0) linear.emplace(nvh::linear_model(p.model, findings));
+  if (findings.errors() == 0) system.emplace(*linear, p.ties, findings);
+  if (findings.errors() == 0) matrices.emplace(*system, findings);
+  start_log(log, arguments.run, p, findings);
+  if (findings.errors() > 0) return refuse(directory, log, findings);
+  print_findings(findings);
+  output::write_findings(directory, findings.all());
+  log.add(log_model(p.model));
+  log.add(log_ties(p.model, p.ties, all_of_them) + log_tied_nodes(p.model, p.ties));
+  const double setup = p.tie_seconds + clock.seconds();
+
+  try {
+    Status status(arguments.run.quiet);
+    const nvh::Modes modes = nvh::find_modes(*matrices, request_of(arguments, p.model.implicit), std::ref(status));
+    const double solve = clock.seconds();
+    status("strain energies and files");
+    const nvh::EnergyShares shares = nvh::energy_shares(*matrices, modes);
+    output::Summary summary = summarise(arguments, p, modes);
+    summary.seconds.setup = setup;
+    summary.seconds.solve = solve;
+    nvh::write_modes(directory, {p.model.title, fmt::format("nugget {}", NUGGET_VERSION), today()}, *matrices, modes,
+                     shares);
+    output::write_welds(directory, p.welds);
+    summary.seconds.output = clock.seconds();
+    if (!modes.proof.complete()) {
+      summary.termination = "error";
+      summary.message = fmt::format("{} modes were counted but {} found", modes.proof.counted, modes.proof.found);
+    }
+    output::write_summary(directory, summary);
+    const std::string table = mode_table(modes);
+    log.add(table + energy_table(p.model, p.ties, modes, shares) + cost_table(*matrices, modes, summary));
+    status.clear();
+    fmt::print("{}", table);
+    const impact::Termination end = modes.proof.complete() ? impact::Termination::normal : impact::Termination::error;
+    log.add(log_termination({end, summary.message}));
+    if (!summary.message.empty()) fmt::print(stderr, "{}\n", summary.message);
+    if (!arguments.run.quiet)
+      fmt::print(stderr, "{} modes of {} equations in {:.2f} s; results in {}\n", modes.eigenvalue.size(),
+                 matrices->size(), solve, directory.string());
+    fmt::print("{}", log_termination({end, {}}));
+    return end == impact::Termination::normal ? ExitCode::normal : ExitCode::error_termination;
+  } catch (const nvh::Factorization::SolverError& error) {
+    const impact::Outcome outcome{impact::Termination::error, error.text};
+    log.add(log_termination(outcome));
+    fmt::print(stderr, "{}\n", error.text);
+    fmt::print("{}", log_termination({outcome.termination, {}}));
+    return ExitCode::error_termination;
+  }
+}
+
+ExitCode modes(const ModesArguments& arguments) {
+  return guarded(arguments.run.directory, [&](const fs::path& directory) {
+    use_threads(arguments.run.threads);
+    Findings findings;
+    Prepared p = prepare(arguments.run, findings);
+    if (!p.has_text) return refuse_missing(findings);
+    output::remove_old_results(directory);
+    return modes_of(directory, arguments, std::move(p), findings);
+  });
+}
+
+}  // namespace nugget::app

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/cards/families.hpp"
+#include "model/cards/reading.hpp"
+
+// *CONTROL_IMPLICIT_...: natural modes and linear statics. What tunes LS-DYNA's own solvers has no effect here, and its
+// meaning says so.
+namespace nugget::model {
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+constexpr Field choice(std::string_view name, int fallback, std::string_view meaning) {
+  return integer(name, fallback, any_value, meaning);
+}
+constexpr Field tuning(std::string_view name, double fallback) {
+  return real(name, dimension::number, fallback, any_value, "of LS-DYNA's own solver, no effect");
+}
+
+const Card general_card{{
+    integer("imflag", 0, between(0, 1), "0: explicit run, 1: implicit (modes or linear statics)"),
+    real("dt0", dimension::time, 0, any_value, "time step; a linear solution has none, no effect"),
+    choice("imform", 2, "springback formulation, no effect"),
+    choice("nsbs", 1, "springback steps, no effect"),
+    integer("igs", 2, between(0, 2), "geometric stiffness of initial stress: 1 on, 2 off"),
+    choice("cnstn", 0, "consistent tangent of plasticity, no effect"),
+    choice("form", 0, "formulation of fully integrated elements, no effect"),
+    choice("zero_v", 0, "velocities at a switch to implicit, no effect"),
+}};
+
+const Card eigenvalue_card{{
+    integer("neig", 0, at_least(0), "number of modes"),
+    real("center", dimension::rate, 0, at_least(0), "modes nearest to this frequency [cycles/time]; 0: the lowest"),
+    integer("lflag", 0, between(0, 1), "1: no modes below lftend"),
+    real("lftend", dimension::rate, -1e29, any_value, "lower end of the interval [cycles/time]"),
+    integer("rflag", 0, between(0, 1), "1: no modes above rhtend"),
+    real("rhtend", dimension::rate, 1e29, any_value, "upper end of the interval [cycles/time]"),
+    integer("eigmth", 2, any_value, "method; block shift-invert Lanczos in any case"),
+    tuning("shfscl", 0),
+}};
+
+const Card eigenvalue_card_2{{
+    integer("isolid", 0, only(0), "formulation of solids in this analysis"),
+    integer("ibeam", 0, only(0), "formulation of beams in this analysis"),
+    integer("ishell", 0, only(0), "formulation of shells in this analysis"),
+    integer("itshell", 0, any_value, "formulation of thick shells, no effect"),
+    integer("mstres", 0, any_value, "1: stresses of the modes in d3eigv"),
+    integer("evdump", 0, any_value, "vectors in a file Eigen_Vectors"),
+    tuning("mstrscl", 0.001),
+}};
+
+const Card solver_card{{
+    choice("lsolvr", 7, "linear solver; MUMPS in any case"),
+    choice("lprint", 0, "listing, no effect"),
+    choice("negev", 2, "negative eigenvalues are an error in any case"),
+    choice("order", 0, "order of elimination; METIS in any case"),
+    choice("drcm", 4, "drilling stiffness of shells; that of the element in any case"),
+    tuning("drcprm", 0),
+    choice("autospc", 1, "holding of rotations that nothing resists; always done"),
+    tuning("autotol", 0),
+}};
+
+const Card solution_card{{
+    choice("nsolvr", 12, "1 -1: linear; others: nonlinear, which only modes go without"),
+    choice("ilimit", 11, "nonlinear solver, no effect"),
+    choice("maxref", 15, "nonlinear solver, no effect"),
+    tuning("dctol", 0.001),
+    tuning("ectol", 0.01),
+    tuning("rctol", 1e10),
+    tuning("lstol", 0.9),
+    tuning("abstol", 1e-10),
+}};
+
+const Card dynamics_card{{
+    integer("imass", 0, any_value, "0: statics, 1: Newmark's rule"),
+    tuning("gamma", 0.5),
+    tuning("beta", 0.25),
+    real("tdybir", dimension::time, 0, any_value, "birth of the dynamic terms, no effect"),
+    real("tdydth", dimension::time, 1e28, any_value, "death of the dynamic terms, no effect"),
+    real("tdybur", dimension::time, 1e28, any_value, "burial of the dynamic terms, no effect"),
+    choice("irate", 0, "strain rates, no effect"),
+    tuning("alpha", 0),
+}};
+
+void read_general(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  const Row row = cursor.read(general_card);
+  expect_end(b, cursor);
+  b.model.implicit.active = row.integer("imflag") == 1;
+  b.model.implicit.geometric = row.integer("igs") == 1;
+  if (!b.model.implicit.active) return;
+  expect(b, row, Severity::error, {{"igs", 2, "geometric stiffness of preloaded structures is not built; write 2"}});
+  b.later(Phase::checks, [row](Builder& later) {
+    if (later.model.implicit.modes > 0) return;
+    refuse(later, row, "imflag", "implicit runs are built for natural modes only",
+           "give NEIG in *CONTROL_IMPLICIT_EIGENVALUE, or run explicitly with IMFLAG 0");
+  });
+}
+
+void read_eigenvalue(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  const Row row = cursor.read(eigenvalue_card);
+  const Row more = cursor.read(eigenvalue_card_2);  // further cards tune other methods
+  Implicit& i = b.model.implicit;
+  i.modes = row.integer("neig");
+  i.centre = row.real("center");
+  if (row.integer("lflag") == 1) i.low = row.real("lftend");
+  if (row.integer("rflag") == 1) i.high = row.real("rhtend");
+  i.modal_stresses = more.integer("mstres") == 1;
+  expect(b, row, Severity::warning, {{"eigmth", 2, "not obeyed: modes come from block Lanczos, as with 2"}});
+  expect(b, more, Severity::warning,
+         {{"mstres", 0, "not obeyed: d3eigv has shapes without stresses, as with 0"},
+          {"evdump", 0, "not obeyed: no Eigen_Vectors; d3eigv holds the shapes"}});
+  if (i.low && i.high && *i.low >= *i.high)
+    refuse(b, row, "rhtend", "the interval is empty", "give an RHTEND above LFTEND");
+  b.later(Phase::checks, [row](Builder& later) {
+    if (later.model.implicit.active || later.model.implicit.modes == 0) return;
+    row.complain(later.findings, Severity::warning, "neig",
+                 "no modes: the run is explicit, since IMFLAG of *CONTROL_IMPLICIT_GENERAL is not 1",
+                 "write IMFLAG 1, or use `nugget modes`");
+  });
+}
+
+void read_solver(Builder& b, const Block& block, const Options&) {
+  Cursor(b.deck, block, b.findings).read(solver_card);  // its further cards tune solvers that this program has not
+}
+
+void read_solution(Builder& b, const Block& block, const Options&) {
+  Cursor(b.deck, block, b.findings).read(solution_card);
+}
+
+void read_dynamics(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  const Row row = cursor.read(dynamics_card);
+  expect_end(b, cursor);
+  b.later(Phase::checks, [row](Builder& later) {
+    if (later.model.implicit.active && later.model.implicit.modes == 0 && row.integer("imass") != 0)
+      refuse(later, row, "imass", "implicit dynamics is not built", "run explicitly, with IMFLAG 0");
+  });
+}
+
+}  // namespace
+
+std::vector<Keyword> implicit_keywords() {
+  return {
+      {.name = "CONTROL_IMPLICIT_GENERAL", .layout = {{"", &general_card}}, .read = read_general},
+      {.name = "CONTROL_IMPLICIT_EIGENVALUE",
+       .layout = {{"", &eigenvalue_card}, {"optional", &eigenvalue_card_2}},
+       .read = read_eigenvalue},
+      {.name = "CONTROL_IMPLICIT_SOLVER", .layout = {{"", &solver_card}}, .read = read_solver},
+      {.name = "CONTROL_IMPLICIT_SOLUTION", .layout = {{"", &solution_card}}, .read = read_solution},
+      {.name = "CONTROL_IMPLICIT_DYNAMICS", .layout = {{"", &dynamics_card}}, .read = read_dynamics},
+      {.name = "CONTROL_IMPLICIT_AUTO",
+       .verdict = Verdict::ignored,
+       .why = "steps of nonlinear implicit runs; a linear solution has none"},
+  };
+}
+
+}  // namespace nugget::model

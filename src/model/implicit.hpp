@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+namespace nugget::model {
+
+/// *CONTROL_IMPLICIT_...: what linear analysis the deck asks for instead of an explicit run.
+struct Implicit {
+  bool active = false;          ///< IMFLAG = 1
+  bool geometric = false;       ///< IGS = 1
+  int modes = 0;                ///< NEIG
+  double centre = 0.0;          ///< CENTER [cycles/time]
+  std::optional<double> low;    ///< LFTEND where LFLAG = 1 [cycles/time]
+  std::optional<double> high;   ///< RHTEND where RFLAG = 1 [cycles/time]
+  bool modal_stresses = false;  ///< MSTRES = 1
+};
+
+}  // namespace nugget::model

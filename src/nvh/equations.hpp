@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "system/system.hpp"
+
+namespace nugget::nvh {
+
+/// Translation x y z and rotation about x y z of one node, or force and moment on it; global axes.
+using Six = std::array<double, 6>;
+
+/// The unknowns q of a linear analysis and how every node moves with them, u = T q. What supports hold (also in local
+/// axes), what rigid bodies and ties make dependent, and rotations that no element knows are no unknowns: they are
+/// eliminated exactly, by the same constraint map as in impact.
+class Equations {
+ public:
+  /// SPCs and held rigid bodies; the directions of prescribed motions are held as well (`driven` are those of which
+  /// there were any). SPCs that end or begin during the run count if they are in force at time 0.
+  Equations(const system::System& system, Findings& findings);
+
+  int size() const { return size_; }
+  std::size_t nodes() const { return (start_.size() - 1) / 6; }  ///< of the system, virtual ones included
+
+  struct Term {
+    int equation;
+    double factor;
+  };
+  /// How component i (0..5) of a system node moves: sum of factor times unknown. Empty: it does not.
+  std::span<const Term> terms(int node, int i) const {
+    const std::size_t k = 6 * static_cast<std::size_t>(node) + static_cast<std::size_t>(i);
+    return {terms_.data() + start_[k], start_[k + 1] - start_[k]};
+  }
+  /// Node whose unknown an equation is (a virtual node for a rigid body's).
+  int node_of(int equation) const { return owner_[static_cast<std::size_t>(equation)]; }
+
+  /// Motion of a node.
+  Six motion(int node, std::span<const double> q) const;
+  /// Adds T^t of a load on a node to `f`.
+  void add_load(int node, const Six& load, std::span<double> f) const;
+
+ private:
+  int size_ = 0;
+  std::vector<std::size_t> start_;  ///< 6 a node
+  std::vector<Term> terms_;
+  std::vector<int> owner_;
+};
+
+}  // namespace nugget::nvh

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nvh/lanczos.hpp"
+
+#include <cblas.h>
+#include <lapacke.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/index.hpp"
+
+namespace nugget::nvh {
+namespace {
+
+constexpr double tolerance = 1e-9;
+
+/// Dense columns: C = A^t B.
+Columns inner(const Columns& a, std::size_t a_count, const Columns& b) {
+  Columns c(a_count, b.count);
+  if (a_count > 0 && b.count > 0)
+    cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, static_cast<int>(a_count), static_cast<int>(b.count),
+                static_cast<int>(a.rows), 1.0, a.value.data(), static_cast<int>(a.rows), b.value.data(),
+                static_cast<int>(b.rows), 0.0, c.value.data(), static_cast<int>(a_count));
+  return c;
+}
+
+/// C := beta C + alpha A B with the first columns of A.
+void add_product(double alpha, const Columns& a, std::size_t a_count, const Columns& b, double beta, Columns& c) {
+  if (a_count > 0 && b.count > 0)
+    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, static_cast<int>(a.rows), static_cast<int>(b.count),
+                static_cast<int>(a_count), alpha, a.value.data(), static_cast<int>(a.rows), b.value.data(),
+                static_cast<int>(b.rows), beta, c.value.data(), static_cast<int>(c.rows));
+}
+
+/// Eigenvalues, ascending, and vectors (in place) of a small symmetric matrix.
+std::vector<double> diagonalize(Columns& a) {
+  std::vector<double> value(a.count);
+  LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'L', static_cast<int>(a.count), a.value.data(), static_cast<int>(a.rows),
+                 value.data());
+  return value;
+}
+
+/// The growing basis V, orthonormal in M, and the projection T = V^t M A^-1 M V.
+class Basis {
+ public:
+  Basis(const Matrices& m, std::size_t most) : m_(m), v_(m.size(), most), t_(most, most) {}
+
+  std::size_t size() const { return size_; }
+  /// Makes w orthonormal to the basis and in itself, in the inner product of M, and drops directions that are
+  /// dependent. Returns R and H with w_before = V H + w R, and M w.
+  struct Orthonormal {
+    Columns h, r, mass;
+  };
+  Orthonormal orthonormalize(Columns& w) const {
+    Orthonormal o{Columns(size_, w.count), Columns(w.count, w.count), Columns(w.rows, w.count)};
+    for (std::size_t i = 0; i < w.count; ++i) o.r[i][i] = 1.0;
+    for (int pass = 0; pass < 3; ++pass) {
+      multiply(m_.mass, w, o.mass);
+      const Columns h = inner(v_, size_, o.mass);
+      add_product(-1.0, v_, size_, h, 1.0, w);
+      add_product(1.0, h, h.count, o.r, 1.0, o.h);
+      multiply(m_.mass, w, o.mass);
+      Columns g = inner(w, w.count, o.mass);
+      const std::vector<double> d = diagonalize(g);
+      // w := w G D^-1/2, so w_before = w_after (D^1/2 G^t); the largest first.
+      const double least = 1e-28 * std::max(d.back(), 1e-300);
+      std::vector<std::size_t> kept;
+      for (std::size_t i = d.size(); i-- > 0;)
+        if (d[i] > least) kept.push_back(i);
+      Columns turn(w.count, kept.size()), back(kept.size(), w.count);
+      for (std::size_t k = 0; k < kept.size(); ++k)
+        for (std::size_t i = 0; i < w.count; ++i) {
+          turn[k][i] = g[kept[k]][i] / std::sqrt(d[kept[k]]);
+          back[i][k] = g[kept[k]][i] * std::sqrt(d[kept[k]]);
+        }
+      Columns next(w.rows, kept.size()), r(kept.size(), o.r.count);
+      add_product(1.0, w, w.count, turn, 0.0, next);
+      add_product(1.0, back, back.count, o.r, 0.0, r);
+      w = std::move(next);
+      o.r = std::move(r);
+      o.mass = Columns(w.rows, w.count);
+    }
+    multiply(m_.mass, w, o.mass);
+    return o;
+  }
+  void append(const Columns& w) {
+    std::copy(w.value.begin(), w.value.end(), v_[size_].begin());
+    size_ += w.count;
+  }
+  /// Column block of T from `first` on, and by symmetry its rows.
+  void project(std::size_t first, const Columns& h) {
+    for (std::size_t j = 0; j < h.count; ++j)
+      for (std::size_t i = 0; i < h.rows; ++i) t_[first + j][i] = t_[i][first + j] = h[j][i];
+  }
+  /// Eigenpairs of T.
+  std::vector<double> ritz(Columns& y) const {
+    y = Columns(size_, size_);
+    for (std::size_t j = 0; j < size_; ++j)
+      for (std::size_t i = 0; i < size_; ++i) y[j][i] = 0.5 * (t_[j][i] + t_[i][j]);
+    return diagonalize(y);
+  }
+  Columns vectors(const Columns& y) const {
+    Columns x(v_.rows, y.count);
+    add_product(1.0, v_, size_, y, 0.0, x);
+    return x;
+  }
+  /// Keeps the Ritz vectors y with their values.
+  void restart(const Columns& y, const std::vector<double>& theta) {
+    const Columns x = vectors(y);
+    std::copy(x.value.begin(), x.value.end(), v_.value.begin());
+    std::fill(t_.value.begin(), t_.value.end(), 0.0);
+    size_ = y.count;
+    for (std::size_t i = 0; i < size_; ++i) t_[i][i] = theta[i];
+  }
+
+ private:
+  const Matrices& m_;
+  Columns v_, t_;
+  std::size_t size_ = 0;
+};
+
+/// The same numbers on every machine.
+void fill_at_random(Columns& x) {
+  std::uint64_t s = 0x9e3779b97f4a7c15u;
+  for (double& v : x.value) {
+    s ^= s << 13;
+    s ^= s >> 7;
+    s ^= s << 17;
+    v = static_cast<double>(s >> 11) * 0x1p-53 - 0.5;
+  }
+}
+
+struct Ritz {
+  std::vector<std::size_t> order;  ///< by |theta|, the largest first
+  std::vector<double> theta;
+  Columns y;
+  std::vector<double> residual;  ///< relative to theta
+};
+
+Ritz ritz_pairs(const Basis& basis, const Columns& r) {
+  Ritz p;
+  p.theta = basis.ritz(p.y);
+  p.order.resize(p.theta.size());
+  std::iota(p.order.begin(), p.order.end(), std::size_t{0});
+  std::sort(p.order.begin(), p.order.end(),
+            [&](std::size_t a, std::size_t b) { return std::abs(p.theta[a]) > std::abs(p.theta[b]); });
+  // A^-1 M V y - theta V y = w (r y_last): its length in M is that of r y_last.
+  const std::size_t first = basis.size() - r.count;
+  for (std::size_t j = 0; j < p.theta.size(); ++j) {
+    double square = 0.0;
+    for (std::size_t i = 0; i < r.rows; ++i) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < r.count; ++k) sum += r[k][i] * p.y[j][first + k];
+      square += sum * sum;
+    }
+    p.residual.push_back(std::sqrt(square) / std::max(std::abs(p.theta[j]), 1e-300));
+  }
+  return p;
+}
+
+Columns chosen(const Columns& y, const std::vector<std::size_t>& order, std::size_t count) {
+  Columns c(y.rows, count);
+  for (std::size_t j = 0; j < count; ++j) std::copy(y[order[j]].begin(), y[order[j]].end(), c[j].begin());
+  return c;
+}
+
+}  // namespace
+
+Eigenpairs nearest(const Matrices& m, const Factorization& a, int wanted, const std::function<void(int)>& progress) {
+  const std::size_t n = m.size(), want = std::min(at(wanted), n);
+  const std::size_t width = std::min<std::size_t>({n, 8, std::max<std::size_t>(want, 2)});
+  const std::size_t most = std::min(n, 2 * want + 8 * width);
+  Basis basis(m, most + width);
+  Eigenpairs found;
+
+  Columns w(n, width);
+  fill_at_random(w);
+  const auto apply = [&](Columns& x) {  // w := A^-1 (M w), where x holds M w
+    a.solve(x);
+    found.solves += static_cast<int>(x.count);
+    return x;
+  };
+  {
+    Columns mass(n, width);
+    multiply(m.mass, w, mass);
+    w = apply(mass);
+  }
+  Basis::Orthonormal o = basis.orthonormalize(w);
+  Ritz p;
+  for (int restarts = 0;;) {
+    const std::size_t first = basis.size();
+    basis.append(w);
+    Columns next = apply(o.mass);
+    o = basis.orthonormalize(next);
+    basis.project(first, o.h);
+    w = std::move(next);
+    p = ritz_pairs(basis, o.r);
+    std::size_t converged = 0;
+    while (converged < std::min(want, p.order.size()) && p.residual[p.order[converged]] < tolerance) ++converged;
+    if (progress) progress(static_cast<int>(converged));
+    const bool exhausted = w.count == 0 || basis.size() >= n;
+    if (converged == want || exhausted) break;
+    if (basis.size() + w.count > most) {
+      if (++restarts > 60) {
+        found.converged = false;
+        break;
+      }
+      const std::size_t keep = std::min(p.order.size(), want + 2 * width);
+      std::vector<double> theta;
+      for (std::size_t j = 0; j < keep; ++j) theta.push_back(p.theta[p.order[j]]);
+      basis.restart(chosen(p.y, p.order, keep), theta);
+    }
+  }
+  const std::size_t count = std::min(want, p.order.size());
+  const Columns x = basis.vectors(chosen(p.y, p.order, count));
+  std::vector<std::size_t> by_value(count);
+  std::iota(by_value.begin(), by_value.end(), std::size_t{0});
+  std::vector<double> lambda;
+  for (std::size_t j = 0; j < count; ++j) lambda.push_back(1.0 / p.theta[p.order[j]] - a.shift());
+  std::sort(by_value.begin(), by_value.end(), [&](std::size_t i, std::size_t j) { return lambda[i] < lambda[j]; });
+  found.vector = Columns(n, count);
+  for (std::size_t j = 0; j < count; ++j) {
+    found.value.push_back(lambda[by_value[j]]);
+    std::copy(x[by_value[j]].begin(), x[by_value[j]].end(), found.vector[j].begin());
+  }
+  return found;
+}
+
+}  // namespace nugget::nvh

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nvh/linear_model.hpp"
+
+#include <fmt/format.h>
+
+#include "base/index.hpp"
+
+namespace nugget::nvh {
+namespace {
+
+void stabilize_bricks(model::Model& m, Findings& findings) {
+  std::vector<int> changed;
+  for (model::Part& part : m.parts) {
+    if (part.kind != model::ElementKind::solid || part.section == model::none) continue;
+    const model::Hourglass& now = part.hourglass == model::none ? m.control.hourglass : m.hourglass[at(part.hourglass)];
+    model::Hourglass bindeman = now;
+    if (now.type != 6) {
+      bindeman.type = 6;
+      bindeman.membrane = 1.0;
+      changed.push_back(part.id);
+    }
+    bindeman.bulk_linear = bindeman.bulk_quadratic = 0.0;
+    part.hourglass = static_cast<model::Index>(m.hourglass.size());
+    m.hourglass.push_back(bindeman);
+  }
+  if (!changed.empty())
+    findings.note(
+        {m.deck, 0, 0}, "*CONTROL_IMPLICIT_GENERAL",
+        fmt::format("bricks of part{} {}: linear analyses use hourglass type 6 with QM = 1, which is exact in "
+                    "bending of rectangular bricks",
+                    changed.size() == 1 ? "" : "s", fmt::join(changed, " ")));
+}
+
+}  // namespace
+
+model::Model linear_model(const model::Model& model, Findings& findings) {
+  model::Model m = model;
+  m.control.mass_step = 0.0;
+  m.control.bulk_viscosity_type = 1;  // none in shells
+  stabilize_bricks(m, findings);
+  return m;
+}
+
+}  // namespace nugget::nvh

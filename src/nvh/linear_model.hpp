@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/finding.hpp"
+#include "model/model.hpp"
+
+namespace nugget::nvh {
+
+/// The model as a linear analysis sees it: formulations without zero-energy patterns, no viscosity, no scaled masses.
+/// One-point bricks (ELFORM 1) get the physical stabilisation of Belytschko and Bindeman with QM = 1 unless their
+/// hourglass card already says type 6. Each change is a note.
+model::Model linear_model(const model::Model& model, Findings& findings);
+
+}  // namespace nugget::nvh

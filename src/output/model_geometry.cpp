@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/model_geometry.hpp"
+
+namespace nugget::output {
+
+D3plotGeometry d3plot_geometry(const system::System& system) {
+  const model::Model& model = system.model;
+  D3plotGeometry g;
+  g.title = model.title;
+  g.node_ids = model.nodes.id;
+  g.x = system.ties.x;
+  for (std::size_t e = 0; e < model.solids.size(); ++e)
+    g.solids.push_back({model.solids.id[e], model.solids.node[e], model.solids.part[e]});
+  for (std::size_t e = 0; e < model.beams.size(); ++e)
+    g.beams.push_back({model.beams.id[e], model.beams.node[e], model.beams.part[e]});
+  for (std::size_t e = 0; e < model.shells.size(); ++e)
+    g.shells.push_back({model.shells.id[e], model.shells.node[e], model.shells.part[e]});
+  for (const model::Part& p : model.parts) g.parts.push_back({p.id, p.title});
+  g.rigid_walls = static_cast<int>(model.walls.size());
+  g.layers = model.requests.layers;
+  g.beam_points = model.requests.beam_points;
+  g.one_state_a_file = model.requests.one_state_a_file;
+  return g;
+}
+
+}  // namespace nugget::output

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "linear.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "base/index.hpp"
+#include "deck/deck.hpp"
+#include "model/builder.hpp"
+#include "nvh/linear_model.hpp"
+
+namespace nugget::verify {
+
+LinearExperiment::LinearExperiment(const std::string& text) {
+  const auto stop_on_errors = [&] {
+    if (findings_.errors() == 0) return;
+    std::string all = "the deck is refused:";
+    for (const Finding& f : findings_.all()) all += '\n' + to_string(f);
+    throw std::runtime_error(all);
+  };
+  const deck::Deck deck = deck::read_text(text, findings_);
+  model_ = std::make_unique<model::Model>(model::build(deck, findings_));
+  stop_on_errors();
+  ties_ = std::make_unique<weld::Ties>(weld::tie(*model_, findings_));
+  stop_on_errors();
+  linear_ = std::make_unique<model::Model>(nvh::linear_model(*model_, findings_));
+  system_ = std::make_unique<system::System>(*linear_, *ties_, findings_);
+  matrices_ = std::make_unique<nvh::Matrices>(*system_, findings_);
+  stop_on_errors();
+}
+
+nvh::Modes LinearExperiment::modes(int count) const {
+  nvh::ModeRequest request;
+  request.count = count;
+  nvh::Modes modes = nvh::find_modes(*matrices_, request);
+  EXPECT_TRUE(modes.proof.complete()) << modes.proof.counted << " modes counted, " << modes.proof.found << " found";
+  EXPECT_EQ(modes.eigenvalue.size(), at(count));
+  return modes;
+}
+
+std::vector<double> LinearExperiment::elastic_frequencies(int count) const {
+  const nvh::Modes all = modes(count + 6);
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_LT(std::sqrt(std::abs(all.eigenvalue[i])), 1e-3 * std::sqrt(all.eigenvalue[6])) << "rigid motion " << i;
+  std::vector<double> f;
+  for (std::size_t i = 6; i < all.eigenvalue.size(); ++i) f.push_back(all.frequency(i));
+  return f;
+}
+
+nvh::Six LinearExperiment::motion(const nvh::Modes& modes, std::size_t mode, int node) const {
+  const model::Index n = system_->model.node_index(node);
+  return matrices_->equations.motion(system_->node_of[at(n)], modes.shape[mode]);
+}
+
+}  // namespace nugget::verify
