@@ -15,7 +15,7 @@ def generate(name):
     """{deck name: its text}"""
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([sys.executable, str(HERE / name / "make.py"), folder], check=True)
-        return {path.stem: path.read_text(encoding="ascii") for path in sorted(pathlib.Path(folder).iterdir())}
+        return {path.stem: path.read_text(encoding="ascii") for path in sorted(pathlib.Path(folder).glob("*.k"))}
 
 
 class Mesh:
@@ -154,6 +154,21 @@ class Runs(unittest.TestCase):
         share = {line.split()[0]: float(line.split()[2]) for line in table.splitlines()[2:5]}
         self.assertTrue(95.0 <= share["centre"] <= 105.0, table)
         self.assertTrue(share["corner"] < share["edge"] - 10.0 < share["centre"] - 20.0, table)
+
+
+    def test_the_weld_can_be_placed_by_the_program(self):
+        make = HERE / "weld_placement" / "make.py"
+        subprocess.run([sys.executable, str(make), str(self.folder)], check=True)
+        placed = self.folder / "placed"
+        self.nugget("weld", placed / "points.csv", placed / "sheets.k", "-o", placed / "welded.k", "--material",
+                    "sigy=2000,nrr=9000,nrs=9000,nrt=9000")
+        for deck in (placed / "welded.k", self.folder / "centre.k"):
+            self.nugget("run", deck, "-o", self.folder / deck.stem, "--until", "1e-3", "--quiet")
+        ours, theirs = (json.loads((self.folder / name / "summary.json").read_text(encoding="utf-8"))["weld"][0]
+                        for name in ("welded", "centre"))
+        self.assertEqual(ours["diameter"], theirs["diameter"])
+        self.assertEqual(ours["length"], theirs["length"])
+        self.assertAlmostEqual(ours["peak"]["shear"] / theirs["peak"]["shear"], 1.0, 6)
 
 
 if __name__ == "__main__":

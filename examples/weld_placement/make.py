@@ -6,6 +6,10 @@
 Two strips of 100 x 40 x 1.5 mm overlap by 40 mm and are held together by one spot weld of 6 mm in the middle of the
 overlap. The coupon is the same in all three decks; only the mesh lines move by half an element, so that the weld stands
 over the centre of an element, on the middle of an element's edge, or on a node. Units: mm, t, s, N, MPa.
+
+Also writes placed/sheets.k, the first coupon without its weld, and placed/points.csv, where the weld is to be, for
+
+    nugget weld placed/points.csv placed/sheets.k -o placed/welded.k --as solid4
 """
 import pathlib
 import sys
@@ -55,12 +59,33 @@ def strip(part, case, nodes, shells):
     return [number(i, j) for i, x in enumerate(xs) for j in range(len(ys)) if x < grip_edge + 1.0e-6]
 
 
-def make(case):
+def weld(d):
+    """The weld's part, section, material and contact."""
+    d.part("spot weld", pid=WELD, secid=WELD, mid=WELD)
+    d.keyword("SECTION_BEAM")
+    d.card(secid=WELD, elform=9, shrf=1.0, qr=2, cst=1.0)
+    d.card(ts1=DIAMETER, ts2=DIAMETER, tt1=0.0, tt2=0.0)
+    d.comment(f"Strong enough not to yield; fails at {STRENGTH:g} N.")
+    d.keyword("MAT_SPOTWELD")
+    d.card(mid=WELD, ro=7.85e-9, e=210000.0, pr=0.3, sigy=2000.0, eh=1000.0)
+    d.card(efail=0.0, nrr=STRENGTH, nrs=STRENGTH, nrt=STRENGTH)
+    d.keyword("CONTACT_SPOTWELD_ID")
+    d.text(f"{1:10d}weld to strips")
+    d.card(surfa=WELD, surfb=1, surfatyp=3, surfbtyp=2)
+    d.card(fs=None)
+    d.card(sfsa=None)
+    d.keyword("SET_PART_LIST")
+    d.card(sid=1)
+    d.ids([UPPER, LOWER])
+
+
+def make(case, welded=True):
     nodes, shells = {}, {}
     held = strip(UPPER, case, nodes, shells)
     pulled = strip(LOWER, case, nodes, shells)
-    nodes[3001] = (0.0, 0.0, THICKNESS / 2.0)
-    nodes[3002] = (0.0, 0.0, -THICKNESS / 2.0)
+    if welded:
+        nodes[3001] = (0.0, 0.0, THICKNESS / 2.0)
+        nodes[3002] = (0.0, 0.0, -THICKNESS / 2.0)
 
     d = Deck()
     d.keyword("KEYWORD")
@@ -104,22 +129,8 @@ in a grip: the left one stays, the right one is pulled along x. In this deck the
     d.card(eps1=None)
     d.card(es1=None)
 
-    d.part("spot weld", pid=WELD, secid=WELD, mid=WELD)
-    d.keyword("SECTION_BEAM")
-    d.card(secid=WELD, elform=9, shrf=1.0, qr=2, cst=1.0)
-    d.card(ts1=DIAMETER, ts2=DIAMETER, tt1=0.0, tt2=0.0)
-    d.comment(f"Strong enough not to yield; fails at {STRENGTH:g} N.")
-    d.keyword("MAT_SPOTWELD")
-    d.card(mid=WELD, ro=7.85e-9, e=210000.0, pr=0.3, sigy=2000.0, eh=1000.0)
-    d.card(efail=0.0, nrr=STRENGTH, nrs=STRENGTH, nrt=STRENGTH)
-    d.keyword("CONTACT_SPOTWELD_ID")
-    d.text(f"{1:10d}weld to strips")
-    d.card(surfa=WELD, surfb=1, surfatyp=3, surfbtyp=2)
-    d.card(fs=None)
-    d.card(sfsa=None)
-    d.keyword("SET_PART_LIST")
-    d.card(sid=1)
-    d.ids([UPPER, LOWER])
+    if welded:
+        weld(d)
 
     d.comment("The grips.")
     d.node_set(1, held)
@@ -134,7 +145,8 @@ in a grip: the left one stays, the right one is pulled along x. In this deck the
 
     d.nodes(nodes)
     d.shells(shells)
-    d.beams({3001: (WELD, (3001, 3002))})
+    if welded:
+        d.beams({3001: (WELD, (3001, 3002))})
     return d
 
 
@@ -145,3 +157,7 @@ if __name__ == "__main__":
     folder.mkdir(parents=True, exist_ok=True)
     for case in CASES:
         make(case).write(folder / f"{case}.k")
+    (folder / "placed").mkdir(exist_ok=True)
+    make("centre", welded=False).write(folder / "placed" / "sheets.k")
+    (folder / "placed" / "points.csv").write_text(f"x, y, z, diameter, parts\n0, 0, 0, {DIAMETER:g}, {UPPER}+{LOWER}\n",
+                                                  encoding="ascii")

@@ -43,6 +43,8 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
     audit += target_table(p.model, p.ties, p.audit, arguments.target_step);
   }
   audit += weld_table(p.model, p.ties, p.audit);
+  audit +=
+      fmt::format("\nSeconds: read {:.2f}, tie {:.2f}, audit {:.2f}\n", p.read_seconds, p.tie_seconds, p.audit_seconds);
   log.add(log_model(p.model) + log_ties(p.model, p.ties, all_of_them) + log_tied_nodes(p.model, p.ties) + audit);
   output::write_welds(directory, p.welds);
   fmt::print("{}{}{}", log_model(p.model), log_ties(p.model, p.ties, most_on_terminal), audit);

@@ -150,7 +150,7 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
   log.add(log_model(p.model));
   log.add(log_ties(p.model, p.ties, all_of_them) + log_tied_nodes(p.model, p.ties));
   log.add(audit_table(p.model, p.ties, p.audit));
-  const double setup_seconds = p.tie_seconds + clock.seconds();
+  const double setup_seconds = p.tie_seconds + p.audit_seconds + clock.seconds();
 
   const impact::Outcome outcome = simulate(*simulation, directory, arguments, log);
 

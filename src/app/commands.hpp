@@ -2,6 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "weld/placement_deck.hpp"
 
 // The verbs of the `nugget` command. Findings and progress go to standard error, results to files.
 namespace nugget::app {
@@ -37,9 +40,19 @@ struct CheckArguments {
   double target_step = 0.0;  ///< what each weld would take to allow it; 0: not asked [time]
 };
 
+struct WeldArguments {
+  std::string points, deck, output;
+  weld::WeldForm form = weld::WeldForm::beam;
+  double reach = 0.0, diameter = 0.0;  ///< see weld::PlacementOptions
+  std::vector<std::string> material;   ///< `[CLASS:]FIELD=VALUE,...` of *MAT_SPOTWELD
+  int threads = 0;
+  bool skip_unsupported = false;
+};
+
 ExitCode run(const RunArguments& arguments);
 ExitCode modes(const ModesArguments& arguments);
 ExitCode check(const CheckArguments& arguments);
+ExitCode weld(const WeldArguments& arguments);
 ExitCode keywords(const std::string& name);
 
 }  // namespace nugget::app

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -113,11 +114,32 @@ int main(int argc, char** argv) {
   check_command->add_option("-j,--threads", check.deck.threads, "threads (default: all cores)")->check(count);
   check_command->add_flag("--skip-unsupported", check.deck.skip_unsupported, "unsupported keywords are warnings");
 
+  nugget::app::WeldArguments weld;
+  const std::map<std::string, nugget::weld::WeldForm> forms{{"beam", nugget::weld::WeldForm::beam},
+                                                            {"solid", nugget::weld::WeldForm::solid},
+                                                            {"solid4", nugget::weld::WeldForm::solid4},
+                                                            {"solid8", nugget::weld::WeldForm::solid8}};
+  std::string form = "beam";
+  CLI::App* weld_command = cli.add_subcommand("weld", "place welds from a list of points");
+  weld_command->add_option("points", weld.points, "table of x, y, z, diameter, parts, class, or xMCF")->required();
+  weld_command->add_option("model", weld.deck, "the deck with the sheets")->required();
+  weld_command->add_option("-o,--output", weld.output, "the deck to be written: it includes the model")->required();
+  weld_command->add_option("--as", form, "beam, solid, solid4 or solid8: one beam, or 1, 4, 8 bricks a weld")
+      ->check(CLI::IsMember({"beam", "solid", "solid4", "solid8"}));
+  const CLI::Validator length = above_zero("a length above 0", false);
+  weld_command->add_option("--diameter", weld.diameter, "where the list gives none (default: 5 sqrt(t))")
+      ->check(length);
+  weld_command->add_option("--reach", weld.reach, "how far a sheet may be from a point (default: 3 t)")->check(length);
+  weld_command->add_option("--material", weld.material,
+                           "[CLASS:]FIELD=VALUE,... of *MAT_SPOTWELD, e.g. nrr=8000,nrs=6000");
+  weld_command->add_option("-j,--threads", weld.threads, "threads (default: all cores)")->check(count);
+  weld_command->add_flag("--skip-unsupported", weld.skip_unsupported, "unsupported keywords are left out");
+
   std::string keyword;
   CLI::App* keywords_command = cli.add_subcommand("keywords", "what is supported, from the card tables");
   keywords_command->add_option("name", keyword, "one keyword: its fields, defaults, ranges, meaning");
 
-  const char* const later[] = {"frf", "report", "weld"};
+  const char* const later[] = {"frf", "report"};
   for (const char* name : later) cli.add_subcommand(name, "not built yet")->allow_extras();
 
   std::vector<std::string> words = translated(argc, argv);
@@ -135,7 +157,8 @@ int main(int argc, char** argv) {
   }
   for (const char* name : later) {
     if (!cli.got_subcommand(name)) continue;
-    fmt::print(stderr, "nugget: the command '{}' is not built yet; this version has run, modes, check and keywords\n",
+    fmt::print(stderr,
+               "nugget: the command '{}' is not built yet; this version has run, modes, check, weld and keywords\n",
                name);
     return static_cast<int>(ExitCode::wrong_command);
   }
@@ -147,5 +170,9 @@ int main(int argc, char** argv) {
   if (run_command->parsed()) return static_cast<int>(nugget::app::run(run));
   if (modes_command->parsed()) return static_cast<int>(nugget::app::modes(modes));
   if (check_command->parsed()) return static_cast<int>(nugget::app::check(check));
+  if (weld_command->parsed()) {
+    weld.form = forms.at(form);
+    return static_cast<int>(nugget::app::weld(weld));
+  }
   return static_cast<int>(nugget::app::keywords(keyword));
 }

@@ -59,10 +59,11 @@ Prepared prepare(const RunArguments& arguments, Findings& findings) {
   p.read_seconds = clock.seconds();
   if (findings.errors() > 0) return p;
   p.ties = weld::tie(p.model, findings);
+  p.tie_seconds = clock.seconds();
   p.audit = weld::audit(p.model, p.ties, findings);
   for (std::size_t i = 0; i < p.ties.welds.size(); ++i)
     p.welds.push_back(weld_report(p.model, p.ties.welds[i], p.audit[i]));
-  p.tie_seconds = clock.seconds();
+  p.audit_seconds = clock.seconds();
   return p;
 }
 

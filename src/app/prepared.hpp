@@ -18,7 +18,7 @@ struct Prepared {
   weld::Ties ties;
   std::vector<weld::Report> audit;        ///< one a weld
   std::vector<output::WeldReport> welds;  ///< one a weld, for welds.csv and summary.json
-  double read_seconds = 0.0, tie_seconds = 0.0;
+  double read_seconds = 0.0, tie_seconds = 0.0, audit_seconds = 0.0;
 };
 
 /// Reads, checks, ties and audits. Findings hold what was wrong.

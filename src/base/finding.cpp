@@ -24,7 +24,8 @@ std::string to_string(const Finding& f) {
   }
   s += fmt::format("{}: ", to_string(f.severity));
   if (!f.keyword.empty()) s += f.keyword;
-  if (!f.field.empty()) s += fmt::format(" {} = {}", f.field, f.value.empty() ? "(blank)" : f.value);
+  if (!f.field.empty())
+    s += fmt::format("{}{} = {}", f.keyword.empty() ? "" : " ", f.field, f.value.empty() ? "(blank)" : f.value);
   if (!f.keyword.empty() || !f.field.empty()) s += ": ";
   s += f.text;
   if (!f.remedy.empty()) s += fmt::format(" [{}]", f.remedy);

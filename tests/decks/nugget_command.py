@@ -23,7 +23,7 @@ def line_of(finding):
             place += f":{finding[number]}"
     about = finding["keyword"]
     if finding["field"]:
-        about += f" {finding['field']} = {finding['value'] or '(blank)'}"
+        about += f"{' ' if about else ''}{finding['field']} = {finding['value'] or '(blank)'}"
     remedy = f" [{finding['remedy']}]" if finding["remedy"] else ""
     return f"{place}: {finding['severity']}: {about + ': ' if about else ''}{finding['text']}{remedy}"
 

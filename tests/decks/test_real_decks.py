@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Public decks that nobody in this project wrote (../shared/decks): what `nugget check` says of each, and short runs."""
 import collections
+import pathlib
 import re
 import unittest
 
@@ -50,6 +51,32 @@ class RealDecks(CommandTest):
         self.assertEqual(len(bare), 21)
         self.assertIn("has elements, but no section and no material", bare[0]["text"])
         self.assertRegex(bare[-1]["text"], r"^and \d+ more of this kind$")
+
+    def test_every_brick_weld_part_of_the_fragment_is_told(self):
+        """The fragment has 99 weld parts; neither more nor fewer are told to be bare."""
+        bare = [f["text"] for f in self.findings("hex_weld_fragment/rkrwelds.key", 1) if f["keyword"] == "*PART"]
+        more = int(re.fullmatch(r"and (\d+) more of this kind", bare[-1])[1])
+        self.assertEqual(len(bare) - 1 + more, 99)
+
+    def test_the_welds_of_the_camry_are_told_to_hang_on_missing_parts(self):
+        found = self.findings("camry_roof_crush_includes/Camry_RC_main.k", 1)
+        for file, field, text in (("xtra_sw.k", "mid", "material 5000033 is not defined"),
+                                  ("roof_welds.k", "mid", "material 50000002 is not defined")):
+            self.assertTrue([f for f in found if f["file"].endswith(file) and f["field"] == field and f["text"] == text], file)
+
+    def test_each_error_of_a_refused_deck_can_be_found_in_its_file(self):
+        for deck in ("bumper_beam/Bumper_Beam_AP_meshed.k", "hex_weld_fragment/rkrwelds.key",
+                     "camry_roof_crush_includes/Camry_RC_main.k"):
+            with self.subTest(deck):
+                for f in self.findings(deck, 1):
+                    if f["severity"] != "error" or not f["line"]:
+                        continue
+                    lines = pathlib.Path(f["file"]).read_text(encoding="latin-1").splitlines()
+                    above = next(line for line in reversed(lines[:f["line"]]) if line.startswith("*"))
+                    self.assertTrue(above.upper().startswith(f["keyword"].split()[0]), (f["keyword"], above))
+                log = self.read("audit/check.log")
+                self.assertEqual(len(re.findall(r"(?m)^ .*: error: ", log)),
+                                 sum(f["severity"] == "error" for f in self.json("audit/findings.json")))
 
     def test_frf_column_resonates_where_the_plot_of_ls_dyna_peaks(self):
         """The base moves along x; the plot beside the deck peaks at the modes that take part in that motion."""

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/command.hpp"
+#include "deck/deck.hpp"
+#include "deck/numbers.hpp"
+#include "model/builder.hpp"
+#include "weld/placement_deck.hpp"
+
+namespace nugget::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `[CLASS:]FIELD=VALUE,FIELD=VALUE`; a sentence on what is wrong, or nothing.
+std::string read_fields(const std::string& text, std::map<std::string, weld::WeldFields>& fields) {
+  const std::size_t colon = text.find(':');
+  weld::WeldFields& own = fields[colon == std::string::npos ? std::string() : text.substr(0, colon)];
+  std::size_t begin = colon == std::string::npos ? 0 : colon + 1;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string piece = text.substr(begin, end - begin);
+    const std::size_t equals = piece.find('=');
+    const std::string name = piece.substr(0, equals);
+    const std::vector<std::string>& known = weld::weld_fields();
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      return fmt::format("'{}' is no field of *MAT_SPOTWELD that can be given here; these can: {}", name,
+                         fmt::join(known, ", "));
+    double value = 0.0;
+    if (equals == std::string::npos || !deck::parse_real(piece.substr(equals + 1), value))
+      return fmt::format("'{}', expected {}=NUMBER", piece, name);
+    own[name] = value;
+    begin = end + 1;
+  }
+  return {};
+}
+
+ExitCode refuse(const Findings& findings) {
+  print_findings(findings);
+  fmt::print(stderr, "no welds were placed; no file was changed\n");
+  return ExitCode::refused;
+}
+
+ExitCode place_welds(const WeldArguments& arguments, const std::map<std::string, weld::WeldFields>& fields) {
+  use_threads(arguments.threads);
+  Findings findings;
+  const deck::Deck deck = deck::read(arguments.deck, findings);
+  if (findings.errors() > 0) return refuse(findings);
+  const model::Model model = model::build(deck, findings, arguments.skip_unsupported);
+  if (findings.errors() > 0) return refuse(findings);
+  Findings own;  // what the model's findings are, `nugget check` tells
+  const std::vector<weld::SpotPoint> points = weld::read_spots(arguments.points, model, own);
+  if (own.errors() > 0) return refuse(own);
+  const weld::Sheets sheets(model);
+  const std::vector<weld::Spot> spots = weld::place(model, sheets, points, {arguments.reach, arguments.diameter}, own);
+  if (own.errors() > 0) return refuse(own);
+  const fs::path folder = fs::absolute(arguments.output).parent_path();
+  const std::string included = fs::proximate(fs::absolute(arguments.deck), folder).generic_string();
+  const weld::PlacementDeck placed = weld::write_placement(model, sheets, spots, arguments.form, fields, included, own);
+  if (own.errors() > 0 || placed.spots == 0) return refuse(own);
+  output::write_whole_file(arguments.output, placed.text);
+  print_findings(own);
+  fmt::print("{} of {} spots placed as {} {}; {}\n", placed.spots, points.size(), placed.elements,
+             arguments.form == weld::WeldForm::beam ? "beams" : "bricks", arguments.output);
+  return ExitCode::normal;
+}
+
+}  // namespace
+
+ExitCode weld(const WeldArguments& arguments) {
+  std::map<std::string, weld::WeldFields> fields;
+  for (const std::string& text : arguments.material)
+    if (const std::string wrong = read_fields(text, fields); !wrong.empty()) {
+      fmt::print(stderr, "nugget: --material {}: {}\n", text, wrong);
+      return ExitCode::wrong_command;
+    }
+  std::error_code error;
+  for (const std::string& input : {arguments.deck, arguments.points})
+    if (fs::equivalent(arguments.output, input, error)) {
+      fmt::print(stderr, "nugget: {} would be overwritten; give another name after -o\n", input);
+      return ExitCode::wrong_command;
+    }
+  try {
+    return place_welds(arguments, fields);
+  } catch (const output::WriteError& e) {
+    fmt::print(stderr, "nugget: {}\n", e.what());
+    return ExitCode::cannot_write;
+  }
+}
+
+}  // namespace nugget::app

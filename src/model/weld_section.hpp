@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace nugget::model {
+
+/// A round weld section cut into quadrilaterals, for welds made of bricks.
+struct WeldSection {
+  std::vector<std::array<double, 2>> point;  ///< s and t, the weld's axis in the origin [length]
+  std::vector<std::array<int, 4>> quad;      ///< points of each, counter-clockwise seen against the axis
+};
+
+/// Templates of 1, 4 or 8 quadrilaterals with the area of the circle of this diameter (spotweld-theory 3.4): a square;
+/// an octagon in four; a rectangle in two with six around it up to a hexagon. Any other count gives an empty section.
+WeldSection weld_section(int quads, double diameter);
+
+}  // namespace nugget::model
