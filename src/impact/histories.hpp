@@ -3,12 +3,12 @@
 
 #include "impact/snapshot.hpp"
 #include "output/bndout.hpp"
+#include "output/dcfail.hpp"
 #include "output/glstat.hpp"
 #include "output/matsum.hpp"
 #include "output/nodout.hpp"
 #include "output/rbdout.hpp"
 #include "output/rcforc.hpp"
-#include "output/dcfail.hpp"
 #include "output/rwforc.hpp"
 #include "output/spcforc.hpp"
 #include "output/swforc.hpp"

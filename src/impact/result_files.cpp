@@ -52,9 +52,8 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
   add<output::Matsum>(ask.matsum, "matsum", matsum_state, parts);
   if (!ask.history_nodes.empty()) add<output::Nodout>(ask.nodout, "nodout", nodout_state, nodes);
   if (!system.ties.welds.empty()) add<output::Swforc>(ask.swforc, "swforc", swforc_state);
-  const bool has_connections = std::any_of(model_.weld_laws.begin(), model_.weld_laws.end(), [](const auto& law) {
-    return law.properties != model::none;
-  });
+  const bool has_connections = std::any_of(model_.weld_laws.begin(), model_.weld_laws.end(),
+                                           [](const auto& law) { return law.properties != model::none; });
   if (has_connections) add<output::Dcfail>(ask.dcfail, "dcfail", dcfail_state);
   if (!model_.walls.empty()) add<output::Rwforc>(ask.rwforc, "rwforc", rwforc_state, walls);
   if (!model_.spcs.empty()) add<output::Spcforc>(ask.spcforc, "spcforc", spcforc_state);

@@ -185,7 +185,8 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
   const int elform = b.model.solid_sections[s].elform;
   // In linear analyses the one-point brick with its physical stabilisation stands for 18 (nvh::linear_model).
   const bool linear = elform == 18 && b.model.implicit.active;
-  const bool is_weld = is<kernel::Spotweld>(b.model, part), is_built = elform == 1 || linear || (elform == 2 && !is_weld);
+  const bool is_weld = is<kernel::Spotweld>(b.model, part),
+             is_built = elform == 1 || linear || (elform == 2 && !is_weld);
   if (is<kernel::Rigid>(b.model, part) || is_built || std::exchange(told[s], char{1})) return;
   if (is_weld)
     return refuse(b, b.solid_section_rows[s], "elform",

@@ -11,7 +11,7 @@
 namespace nugget::output {
 namespace {
 
-constexpr std::array<std::string_view, 27> names = {"run.log",
+constexpr std::array<std::string_view, 28> names = {"run.log",
                                                     "check.log",
                                                     "summary.json",
                                                     "findings.json",

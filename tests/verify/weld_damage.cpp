@@ -37,9 +37,7 @@ class Pulled {
                    "*PART\nwelds\n" + fields({1, 1, 1}) + "*SECTION_BEAM\n" + fields({1, 9, 1, 2, 1}) +
                    fields({w.diameter, w.diameter, 0, 0}) + material +
                    beam_between(1, 1, 1, {0, 0, 0}, 2, {w.length, 0, 0}) + fixed({1}) +
-                   driven(
-                       2, [&](double s) { return std::array<double, 6>{s * end}; }, cycles * step, 1, 100) +
-                   "*END\n");
+                   driven(2, path, cycles * step, 1, 100) + "*END\n");
     run.run([&](const impact::Snapshot& now) {
       const system::System::Seat seat = now.system.beam_seat[0];
       const auto& group = *now.system.groups[static_cast<std::size_t>(seat.group)];

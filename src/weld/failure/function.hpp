@@ -68,8 +68,9 @@ class Function {
   virtual Value operator()(const Load& load) = 0;
 };
 
-/// The failure function that OPT of `law` asks for, or the connection of MAT_100_DA. What the weld lacks for it (a sheet, a thickness, a strength) is a
-/// warning at `place`, and its terms are left out. `model` and `law` must outlive it.
+/// The failure function that OPT of `law` asks for, or the connection of MAT_100_DA. What the weld lacks for it (a
+/// sheet, a thickness, a strength) is a warning at `place`, and its terms are left out. `model` and `law` must outlive
+/// it.
 std::unique_ptr<Function> make_function(const model::Model& model, const model::WeldLaw& law, const Geometry& weld,
                                         const Place& place, Findings& findings);
 
