@@ -359,5 +359,55 @@ TEST(WeldConnection, StrengthOverTheStrainRate) {
   }
 }
 
+/// Two sheets of one shell each, of materials 3 (t = 1.2, SN = 400) and 4 (t = 0.8, SN = 300), 1 mm apart, the upper
+/// one lifted; between them a weld of 5 x 5 in n x n bricks. Materials without a record have SN = 100.
+std::string two_sheets(double rank_3, double rank_4, int area_rule, int n) {
+  const double duration = 4e-5, lift = 0.002;
+  std::string deck = "*KEYWORD\n" + termination(duration, 0.9, 0.0, 90) + curve(90, {{0.0, 2e-8}, {1.0, 2e-8}}) +
+                     "*PART\nbrick welds\n" + fields({1, 1, 1, 0, 1}) + "*SECTION_SOLID\n" + fields({1, 1}) +
+                     "*HOURGLASS\n" + fields({1, 6, 1.0}) + "*MAT_SPOTWELD_DAIMLERCHRYSLER\n" +
+                     fields({1, 7.8e-9, 210000, 0.3}) + fields({0}) + fields({0, 0, 0, 0, 7}) +
+                     "*DEFINE_CONNECTION_PROPERTIES\n" + fields({7, 0, static_cast<double>(area_rule), 0, 0, 1}) +
+                     fields({0, 0, 0, 0, 50, 100}) + fields({1, 1, 1}) + fields({3, 0, 0, 0, rank_3, 400}) +
+                     fields({1, 1, 1}) + "*DEFINE_CONNECTION_PROPERTIES_ADD\n" + fields({7}) +
+                     fields({4, 0, 0, 0, rank_4, 300}) + fields({1, 1, 1}) + sheet_part(3, 1.2) + sheet_part(4, 0.8) +
+                     weld_contact_to_set(1, {3, 4}) + square_prism(5.0, 1.0, n).text();
+  const SheetMesh low{1001, 3, {-6, -6, 0}, 1, 1, {12, 0, 0}, {0, 12, 0}};
+  const SheetMesh up{2001, 4, {-6, -6, 1}, 1, 1, {12, 0, 0}, {0, 12, 0}};
+  deck += low.text() + up.text() + fixed({low.node(0, 0), low.node(1, 0), low.node(0, 1), low.node(1, 1)});
+  int first_curve = 100;
+  for (const int node : {up.node(0, 0), up.node(1, 0), up.node(0, 1), up.node(1, 1)}) {
+    deck += driven(
+        node,
+        [=](double s) {
+          return std::array<double, 6>{0, 0, s * lift};
+        },
+        duration, 1, first_curve);
+    first_curve += 6;
+  }
+  return deck + "*END\n";
+}
+
+// Sabotage to be caught: the higher rank, the defaults although a sheet has a record, the area of the bricks where
+// AREAEQ wants that of 5 sqrt(t).
+TEST(WeldConnection, SheetsChooseTheStrength) {
+  const auto stress = [](double rank_3, double rank_4, int area_rule, int n, double real_area) {
+    Experiment run(two_sheets(rank_3, rank_4, area_rule, n));
+    double most = 0.0;
+    run.run([&](const impact::Snapshot& now) { most = std::max(most, now.welds.history(0)->resultants().axial); });
+    EXPECT_EQ(run.ties().welds.size(), 1u);
+    EXPECT_TRUE(run.simulation().welds().history(0)->failed());
+    return most / real_area;
+  };
+  expect_reference("theory 4.7", "stress at failure, sheet 1 of lower RANK [MPa]", stress(1, 2, 0, 1, 25.0), 400.0,
+                   1e-2);
+  expect_reference("theory 4.7", "stress at failure, sheet 2 of lower RANK [MPa]", stress(90, 80, 0, 1, 25.0), 300.0,
+                   1e-2);
+  expect_reference("theory 4.7", "stress at failure on 19.635 t_min (AREAEQ 1) [MPa]", stress(1, 2, 1, 1, 15.708),
+                   400.0, 1e-2);
+  expect_reference("theory 4.7", "stress at failure of an assembly of 4 bricks [MPa]", stress(3, 2, 0, 2, 25.0), 300.0,
+                   1e-2);
+}
+
 }  // namespace
 }  // namespace nugget::verify

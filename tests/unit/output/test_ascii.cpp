@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "output/bndout.hpp"
+#include "output/dcfail.hpp"
 #include "output/glstat.hpp"
 #include "output/matsum.hpp"
 #include "output/nodout.hpp"
@@ -42,6 +43,17 @@ TEST(Ascii, LegendNamesEntities) {
 TEST(Ascii, TinyNumbersDoNotLetColumnsGrowTogether) {
   EXPECT_EQ(column(-1e-120), 0.0);
   EXPECT_EQ(column(-1e-98), -1e-98);
+}
+
+TEST(Dcfail, ARowHoldsTheTermsAndTheResultants) {
+  Scratch scratch;
+  Dcfail file(scratch / "dcfail", header);
+  file.write({0.5, {{11, 7, 0.9, 0.4, 0.3, 0.2, 28.0, 25.0, 60.0, 1000.0, 200.0, 30.0, 4.0}}});
+  const std::string text = content(scratch / "dcfail");
+  EXPECT_NE(text.find("\n define connection failure, time=  5.00000E-01\n"), std::string::npos);
+  EXPECT_NE(text.find("\n        11         7  9.00000E-01  4.00000E-01  3.00000E-01  2.00000E-01  2.80000E+01"
+                      "  2.50000E+01  6.00000E+01  1.00000E+03  2.00000E+02  3.00000E+01  4.00000E+00\n"),
+            std::string::npos);
 }
 
 // The line is of LS-DYNA R13.1.1, one weld beam (shared/decks/README.md).

@@ -44,6 +44,29 @@ TEST(Binout, HoldsEachStateOfSwforc) {
   EXPECT_THAT(lsda.reals("/swforc/d000002/torsion"), ElementsAre(3.0, 4.0));
 }
 
+TEST(Binout, HoldsTheTermsOfConnections) {
+  Scratch scratch;
+  Binout file(scratch.path(), header);
+  file.write(DcfailState{0.5, {{11, 7, 0.9, 0.4, 0.3, 0.2, 28.0, 25.0, 60.0, 1000.0, 200.0, 30.0, 4.0}}});
+  const Lsda lsda(content(scratch / "binout0000"));
+  EXPECT_THAT(lsda.integers("/dcfail/metadata/ids"), ElementsAre(11));
+  EXPECT_THAT(lsda.integers("/dcfail/metadata/type"), ElementsAre(7));
+  const std::pair<const char*, double> values[] = {{"failure_function", 0.9},
+                                                   {"normal_term", 0.4},
+                                                   {"bending_term", 0.3},
+                                                   {"shear_term", 0.2},
+                                                   {"area", 28.0},
+                                                   {"area_sol", 25.0},
+                                                   {"axial_force", 1000.0},
+                                                   {"shear_force", 200.0},
+                                                   {"effective_strain_rate", 60.0},
+                                                   {"bending_moment", 4.0},
+                                                   {"torsional_moment", 30.0},
+                                                   {"time", 0.5}};
+  for (const auto& [name, value] : values)
+    EXPECT_THAT(lsda.reals(std::string("/dcfail/d000001/") + name), ElementsAre(value)) << name;
+}
+
 TEST(Binout, EachTableIsAlphabetical) {
   Scratch scratch;
   Binout file(scratch.path(), header);
