@@ -223,7 +223,9 @@ TEST(WeldBeam, RigidRotationStrainsNothing) {
     d.force = weld_beam_cycle<double>(d.beam, d.law, d.nodes, 1.0, d.state.data());
     work += 0.5 * (power(last, d.nodes) + power(d.force, d.nodes));
     for (std::size_t i = L::resultant; i < before.size(); ++i)
-      if (i != L::strain_rate) ASSERT_NEAR(d.state[i], before[i], 1e-7 * largest_force(start)) << i;
+      if (i != L::strain_rate) {
+        ASSERT_NEAR(d.state[i], before[i], 1e-7 * largest_force(start)) << i;
+      }
   }
   for (int i = 0; i < 2; ++i) EXPECT_LT(norm(d.force.f[i] - start.f[i]), 1e-9 * largest_force(start));
   EXPECT_LT(std::abs(work), 1e-3 * largest_force(start));
