@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <ctime>
 #include <map>
+#include <numbers>
 
 #include "base/index.hpp"
 
@@ -43,6 +44,19 @@ std::string section_name(const model::Model& model, const model::Part& part) {
     case model::ElementKind::nothing: break;
   }
   return "no elements";
+}
+
+/// Which bricks each assembly, and each weld that took the place of a beam, is made of.
+std::string log_bricks(const model::Model& model, const weld::Ties& ties) {
+  std::string s;
+  for (const weld::Weld& w : ties.welds) {
+    if (!w.of_bricks() || (w.elements.size() == 1 && w.id == model.solids.id[at(w.element)])) continue;
+    s += fmt::format(" weld {:>8} of part {:>8}, A = {:.5g}:", w.id, model.parts[at(w.part)].id,
+                     0.25 * std::numbers::pi * w.diameter * w.diameter);
+    for (model::Index e : w.elements) s += fmt::format(" {}", model.solids.id[at(e)]);
+    s += '\n';
+  }
+  return s.empty() ? s : "\nWelds of bricks, and their bricks:\n" + s;
 }
 
 }  // namespace
@@ -100,6 +114,7 @@ std::string log_ties(const model::Model& model, const weld::Ties& ties, std::siz
   for (const auto& [kase, n] : by_case) s += fmt::format(" case {}  {:>8} nodes  {}\n", kase, n, case_name(kase));
   if (open > 0) s += "\nNot tied:\n" + reasons;
   if (open > most) s += fmt::format(" and {} more nodes; welds.csv has all\n", open - most);
+  s += log_bricks(model, ties);
   return s + '\n';
 }
 

@@ -136,7 +136,9 @@ output::SwforcState swforc_state(const Snapshot& now) {
     const weld::History* history = now.welds.history(i);
     if (history == nullptr) continue;
     const model::Part& part = model.parts[at(welds[i].part)];
-    if (welds[i].kind == weld::Weld::Kind::beam && !model.beam_sections[at(part.section)].in_swforc) continue;
+    const bool wanted = welds[i].of_bricks() ? model.solid_sections[at(part.section)].in_swforc
+                                             : model.beam_sections[at(part.section)].in_swforc;
+    if (!wanted) continue;
     const weld::Resultants& r = history->resultants();
     s.rows.push_back({welds[i].id,
                       kind(welds[i].kind),

@@ -3,6 +3,7 @@
 
 #include <unordered_map>
 
+#include "model/brick_clusters.hpp"
 #include "model/builder.hpp"
 #include "model/describe.hpp"
 #include "model/passes.hpp"
@@ -101,7 +102,8 @@ Model build(const deck::Deck& deck, Findings& findings, bool skip_unsupported) {
   for (const Phase phase : {Phase::curves, Phase::mesh, Phase::parts, Phase::systems, Phase::sets, Phase::bodies,
                             Phase::conditions, Phase::checks})
     b.run(phase);
-  return std::move(b.model);
+  if (findings.errors() > 0) return std::move(b.model);
+  return with_brick_clusters(std::move(b.model), findings);
 }
 
 }  // namespace nugget::model

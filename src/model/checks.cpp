@@ -257,6 +257,24 @@ void check_hourglass(Builder& b) {
   }
 }
 
+/// Bending and torsion of a one-point brick are carried by its hourglass forces alone.
+void check_weld_hourglass(Builder& b) {
+  const Model& m = b.model;
+  for (const Part& part : m.parts) {
+    if (part.kind != ElementKind::solid || part.section == none || !is<kernel::Spotweld>(m, part)) continue;
+    const Hourglass& h =
+        part.hourglass == none ? m.control.hourglass : m.hourglass[static_cast<std::size_t>(part.hourglass)];
+    const bool one_point = m.solid_sections[static_cast<std::size_t>(part.section)].elform == 1;
+    if (!one_point || (h.type == 6 && h.membrane == 1.0)) continue;
+    b.findings.warning(
+        part.place, "*PART",
+        fmt::format("the brick welds of part {} have hourglass control type {} with QM = {:g}; their moments are "
+                    "hourglass forces, and right (elastic) with type 6 and QM = 1 only",
+                    part.id, h.type, h.membrane),
+        "give the part an *HOURGLASS with IHQ = 6, QM = 1");
+  }
+}
+
 /// ELFORM 4 is a triangle only.
 void check_triangles(Builder& b) {
   const Model& m = b.model;
@@ -324,6 +342,7 @@ void check_parts(Builder& b) {
     if (part.kind == ElementKind::beam) check_beam_formulation(b, part, told_beam);
   }
   check_hourglass(b);
+  check_weld_hourglass(b);
   check_triangles(b);
   if (!b.model.implicit.active && !(b.model.control.end_time > 0.0))
     b.findings.error({b.model.deck, 0, 0}, "*CONTROL_TERMINATION", "no end time is given",

@@ -5,6 +5,17 @@
 
 namespace nugget::model {
 
+/// *CONTROL_SPOTWELD_BEAM.
+struct WeldBeamControl {
+  Index tension_curve = none, shear_curve = none;  ///< LCT, LCS: factor over the size of the shell tied to
+  bool list = false;                               ///< PRTFLG
+  int bricks = 0;                                  ///< RPBHX: bricks in place of a weld beam; 0: beams stay
+  bool only_some = false;                          ///< BMSID is given: only `beams` are replaced
+  std::vector<Index> beams;                        ///< of BMSID, before any is replaced
+  int part_offset = 0;                             ///< ID_OFF
+  Place place;
+};
+
 /// The *CONTROL_... cards that this program obeys, in words; defaults are LS-DYNA's.
 struct Control {
   // *CONTROL_TERMINATION
@@ -50,6 +61,8 @@ struct Control {
   double weld_thinning_radius = 0.0;  ///< SWRADF, radii of the weld; 0: the shells that it is tied to
   bool keep_tied_gap = false;         ///< TIEDPRJ = 1
   double wall_thickness_share = 0.0;  ///< SHLTRW
+
+  WeldBeamControl weld_beams;
 
   // *CONTROL_OUTPUT, *CONTROL_SOLID
   bool average_accelerations = false;  ///< IACCOP = 1

@@ -29,6 +29,10 @@ class Places {
   void push_back(int file, int line) { entries_.push_back({file, line}); }
   void reserve(std::size_t count) { entries_.reserve(count); }
   std::size_t size() const { return entries_.size(); }
+  /// One more, as place i of `from`, whose files are the same.
+  void append(const Places& from, std::size_t i) { entries_.push_back(from.entries_[i]); }
+  /// No place, in the same files.
+  Places none_of_them() const { return Places(files_); }
   Place operator[](std::size_t i) const {
     const auto file = static_cast<std::size_t>(entries_[i].file);
     return {file < files_.size() ? files_[file] : std::string{}, entries_[i].line, 0};
@@ -87,7 +91,8 @@ struct Beams {
 struct HexAssembly {
   int id = 0;
   std::vector<Index> solids;
-  Vec3d orientation;  ///< direction of its s axis; zero: by rule
+  Vec3d orientation;                            ///< direction of its s axis; zero: by rule
+  std::array<Index, 2> tied_parts{none, none};  ///< of the beam that it replaces; see Beams
   Place place;
 };
 

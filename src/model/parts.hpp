@@ -52,6 +52,7 @@ struct SectionShell {
 struct SectionSolid {
   int id = 0;
   int elform = 1;
+  bool in_swforc = true;  ///< PRINT = 0 of the weld beams that bricks of this section replace
   Place place;
 };
 

@@ -13,6 +13,9 @@
 namespace nugget::weld {
 namespace {
 
+/// Of *DEFINE_HEX_SPOTWELD_ASSEMBLY.
+constexpr std::size_t most_bricks = 16;
+
 Facet sorted(Facet face) {
   std::sort(face.begin(), face.end());
   return face;
@@ -130,26 +133,40 @@ Clusters cluster(const model::Model& model, const std::vector<Weld>& welds, cons
 std::vector<Weld> join_clusters(const model::Model& model, std::vector<Weld> welds, const SheetAt& sheet_at,
                                 Findings& findings) {
   const Clusters clusters = cluster(model, welds, sheet_at);
-  std::vector<std::size_t> assemblies;
-  for (std::size_t w = 0; w < welds.size(); ++w) {
-    Weld& first = welds[clusters.root(w)];
-    if (&first == &welds[w]) continue;
-    if (first.kind == Weld::Kind::solid) assemblies.push_back(clusters.root(w));
+  std::map<std::size_t, std::vector<std::size_t>> members;  // of each cluster, by its first weld
+  for (std::size_t w = 0; w < welds.size(); ++w)
+    if (welds[w].kind == Weld::Kind::solid) members[clusters.root(w)].push_back(w);
+  std::size_t joined = 0;
+  const Weld* first_joined = nullptr;
+  for (const auto& [root, all] : members) {
+    if (all.size() == 1) continue;
+    Weld& first = welds[root];
+    if (all.size() > most_bricks) {
+      findings.warning(
+          first.place, "*ELEMENT_SOLID",
+          fmt::format("{} bricks of part {} share nodes, from brick {} on: more than the {} that one weld "
+                      "may have; each is taken for a weld of its own",
+                      all.size(), model.parts[first.part].id, first.id, most_bricks),
+          "see whether the part is a weld at all; *DEFINE_HEX_SPOTWELD_ASSEMBLY says which bricks are one");
+      continue;
+    }
+    for (std::size_t w : all) {
+      first.id = std::min(first.id, welds[w].id);
+      if (w == root) continue;
+      first.elements.push_back(welds[w].element);
+      welds[w].elements.clear();
+    }
     first.kind = Weld::Kind::assembly;
-    first.id = std::min(first.id, welds[w].id);
-    first.elements.push_back(welds[w].element);
-    welds[w].elements.clear();
+    if (joined++ == 0) first_joined = &first;
   }
-  if (!assemblies.empty()) {
-    const Weld& first = welds[*std::min_element(assemblies.begin(), assemblies.end())];
+  if (joined > 0)
     findings.note(
-        first.place, "*ELEMENT_SOLID",
+        first_joined->place, "*ELEMENT_SOLID",
         fmt::format("{} weld{} recognised as assemblies: bricks of a weld part that share nodes are one weld, "
                     "its id the least of theirs; the first is {}, of {} bricks of part {}",
-                    assemblies.size(), assemblies.size() == 1 ? "" : "s", first.id, first.elements.size(),
-                    model.parts[first.part].id),
+                    joined, joined == 1 ? "" : "s", first_joined->id, first_joined->elements.size(),
+                    model.parts[first_joined->part].id),
         "*DEFINE_HEX_SPOTWELD_ASSEMBLY says which bricks are one weld, and gives it an id of its own");
-  }
   std::erase_if(welds, [](const Weld& w) { return w.elements.empty(); });
   return welds;
 }

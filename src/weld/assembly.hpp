@@ -15,7 +15,8 @@ using SheetAt = std::function<Index(Index node)>;
 /// Makes assemblies of brick welds that belong together without a *DEFINE_HEX_SPOTWELD_ASSEMBLY saying so. Two bricks
 /// of one part are of one weld if they share at least an edge (two nodes), unless all nodes that they share lie on one
 /// and the same sheet: such bricks are stacked through that sheet and are two welds. An assembly takes the place of its
-/// first brick and the least of its bricks' ids; a note says so.
+/// first brick and the least of its bricks' ids; a note says so. More than 16 bricks (LS-DYNA's limit) are not joined:
+/// a warning.
 std::vector<Weld> join_clusters(const model::Model& model, std::vector<Weld> welds, const SheetAt& sheet_at,
                                 Findings& findings);
 

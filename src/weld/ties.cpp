@@ -163,21 +163,21 @@ class Tying {
 
 /// Gathers the parts that *ELEMENT_BEAM_PID asks for.
 void Tying::demand_parts() {
-  for (const Weld& weld : result_.welds) {
-    if (weld.kind != Weld::Kind::beam) continue;
-    for (int end = 0; end < 2; ++end) {
-      const Index wanted = model_.beams.tied_parts[weld.element][end];
-      Index& part = only_part_[weld.ends[end].node];
-      if (part != none && wanted != none && part != wanted)
-        findings_.warning(
-            weld.place, "*ELEMENT_BEAM_PID",
-            fmt::format("weld {} wants node {} tied to part {}, but a weld before it wants part {}: the first "
-                        "one wins",
-                        weld.id, model_.nodes.id[weld.ends[end].node], model_.parts[wanted].id, model_.parts[part].id),
-            "give the two welds nodes of their own");
-      if (part == none) part = wanted;
+  for (const Weld& weld : result_.welds)
+    for (std::size_t end = 0; end < 2; ++end) {
+      const Index wanted = weld.tied_parts[end];
+      if (wanted == none) continue;
+      for (Index node : nodes_as_numbered(model_, weld, end)) {
+        Index& part = only_part_[node];
+        if (part != none && part != wanted)
+          findings_.warning(weld.place, "*ELEMENT_BEAM_PID",
+                            fmt::format("weld {} wants node {} tied to part {}, but a weld before it wants part {}: "
+                                        "the first one wins",
+                                        weld.id, model_.nodes.id[node], model_.parts[wanted].id, model_.parts[part].id),
+                            "give the two welds nodes of their own");
+        if (part == none) part = wanted;
+      }
     }
-  }
 }
 
 void Tying::work_through(Index contact) {

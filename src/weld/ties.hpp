@@ -75,6 +75,7 @@ struct Weld {
   /// Of bricks: the faces of its elements that make up the end faces, all with their corners in the sense of the axis
   /// from the first end to the second.
   std::array<std::vector<Facet>, 2> facets;
+  std::array<Index, 2> tied_parts{none, none};  ///< that its ends are to be tied to (*ELEMENT_BEAM_PID), or none
   /// Of an assembly: direction in which its s axis starts; zero: by the rule of beams (see BrickSection).
   Vec3d orientation;
   double diameter = 0.0;  ///< of bricks: of the circle with the area of their end faces; of a rigid weld 0 [length]

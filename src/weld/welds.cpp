@@ -30,6 +30,7 @@ Weld beam_weld(const model::Model& model, Index beam) {
   weld.part = model.beams.part[beam];
   weld.element = beam;
   weld.elements = {beam};
+  weld.tied_parts = model.beams.tied_parts[beam];
   const Index section = model.parts[weld.part].section;
   if (section != none)
     weld.diameter = 0.5 * (model.beam_sections[section].outer[0] + model.beam_sections[section].outer[1]);
@@ -55,9 +56,10 @@ Weld brick_weld(const model::Model& model, std::vector<Index> solids) {
 
 Weld defined_assembly(const model::Model& model, const model::HexAssembly& assembly) {
   Weld weld = brick_weld(model, assembly.solids);
-  weld.kind = Weld::Kind::assembly;
+  if (assembly.solids.size() > 1) weld.kind = Weld::Kind::assembly;
   weld.id = assembly.id;
   weld.orientation = assembly.orientation;
+  weld.tied_parts = assembly.tied_parts;
   weld.place = assembly.place;
   return weld;
 }
@@ -142,6 +144,14 @@ std::vector<Weld> find_welds(const model::Model& model) {
   for (Index b = 0; b < static_cast<Index>(model.rigid_bodies.size()); ++b)
     if (model.rigid_bodies[b].origin == model::RigidBody::Origin::weld) welds.push_back(rigid_weld(model, b));
   return welds;
+}
+
+std::vector<Index> nodes_as_numbered(const model::Model& model, const Weld& weld, std::size_t end) {
+  if (!weld.of_bricks()) return weld.face[end];
+  std::vector<Index> nodes;
+  for (Index e : weld.elements)
+    for (std::size_t i = 0; i < 4; ++i) nodes.push_back(model.solids.node[e][4 * end + i]);
+  return nodes;
 }
 
 Vec3d face_centre(const Weld& weld, int end, const std::vector<Vec3d>& x) {

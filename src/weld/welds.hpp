@@ -30,6 +30,9 @@ struct WeldSize {
 };
 WeldSize measure(const Weld& weld, const std::vector<Vec3d>& x);
 
+/// The nodes of an end by the numbering of its elements alone, before anything is tied.
+std::vector<Index> nodes_as_numbered(const model::Model& model, const Weld& weld, std::size_t end);
+
 /// Mean position of the nodes of an end face.
 Vec3d face_centre(const Weld& weld, int end, const std::vector<Vec3d>& x);
 

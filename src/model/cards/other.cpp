@@ -67,8 +67,6 @@ Rows other_solutions() {
       refused("CONTROL_SUBCYCLE*", "subcycling is not built; use mass scaling (DT2MS)"),
       refused("CONTROL_COUPLING", "coupling to other programs is not built"),
       refused("CONTROL_STAGED_CONSTRUCTION", "construction in stages is not built"),
-      refused("CONTROL_SPOTWELD_BEAM",
-              "scaling of weld failure by shell size and conversion of beams to bricks are not built yet"),
       refused("CASE*", "several load cases in one deck are not built; make a deck for each"),
       refused("RESTART*", "LS-DYNA's restart decks are not read; use nugget run --resume"),
       refused("STRESS_INITIALIZATION*", "LS-DYNA's full restart is not built"),
@@ -134,7 +132,6 @@ Rows other_elements() {
       refused("PART_*", "this form of *PART is not built; INERTIA and CONTACT are"),
       refused("NODE_*", "this form of *NODE is not built"),
       refused("COMPONENT_*", "dummies are not built"),
-      refused("DEFINE_HEX_SPOTWELD_ASSEMBLY*", "welds of several bricks are not built yet; use a weld beam"),
   };
 }
 
