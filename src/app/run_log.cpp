@@ -133,12 +133,10 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
       "{:.5e}  initial {:.5e}  ratio {:.5f}\n hourglass / internal {:.3f} %\n\n",
       e.kinetic, e.internal, e.hourglass, e.contact, e.external, e.eroded, e.initial, e.ratio,
       e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0);
-  if (!run.welds().events().empty() || !run.tie_ends().events().empty()) {
-    s += "Events\n\n";
-    for (const std::string& event : run.welds().events()) s += ' ' + event + '\n';
-    for (const std::string& event : run.tie_ends().events()) s += ' ' + event + '\n';
-    s += '\n';
-  }
+  std::string events;
+  for (const auto* list : {&run.welds().events(), &run.rigid_welds().events(), &run.tie_ends().events()})
+    for (const std::string& event : *list) events += ' ' + event + '\n';
+  if (!events.empty()) s += "Events\n\n" + events + '\n';
   s += fmt::format("Seconds\n\n read {:.3f}  setup {:.3f}  solve {:.3f}  output {:.3f}\n", summary.seconds.read,
                    summary.seconds.setup, summary.seconds.solve, summary.seconds.output);
   for (const auto& [name, seconds] : summary.seconds.phases)

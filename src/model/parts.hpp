@@ -123,7 +123,7 @@ struct Sets {
 
 /// A body that moves as one. Its mass properties follow from its nodes and elements unless `given`.
 struct RigidBody {
-  enum class Origin { part, nodal, weld };  ///< MAT_RIGID part, nodal rigid body, generalized weld spot
+  enum class Origin { part, nodal, weld };  ///< MAT_RIGID part, nodal rigid body, rigid weld
   Origin origin = Origin::part;
   int id = 0;  ///< part id, or PID of the nodal rigid body, or weld id
   std::string title;

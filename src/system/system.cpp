@@ -13,6 +13,22 @@
 #include "weld/tie_findings.hpp"
 
 namespace nugget::system {
+namespace {
+
+/// Nodes in a line without rotary inertia leave one direction without any: a small isotropic share keeps it solvable.
+void keep_solvable(Inertia& i) {
+  const double trace = i[0] + i[3] + i[5];
+  const double det =
+      i[0] * (i[3] * i[5] - i[4] * i[4]) - i[1] * (i[1] * i[5] - i[2] * i[4]) + i[2] * (i[1] * i[4] - i[2] * i[3]);
+  if (det > 1e-12 * trace * trace * trace) return;
+  const double share = trace > 0.0 ? 1e-3 * trace : 1.0;
+  i[0] += share;
+  i[3] += share;
+  i[5] += share;
+}
+
+}  // namespace
+
 System::System(const model::Model& m, const weld::Ties& t, Findings& findings) : model(m), ties(t) {
   order_nodes();
   make_groups(findings);
@@ -183,19 +199,46 @@ void System::make_bodies() {
   for (RigidBody& body : bodies) {
     const model::RigidBody& source = model.rigid_bodies[at(body.source)];
     if (source.given) body.inertia = source.inertia.inertia;
-    // Nodes in a line without rotary inertia leave one direction without any: a small isotropic share keeps it
-    // solvable.
-    Inertia& i = body.inertia;
-    const double trace = i[0] + i[3] + i[5];
-    const double det =
-        i[0] * (i[3] * i[5] - i[4] * i[4]) - i[1] * (i[1] * i[5] - i[2] * i[4]) + i[2] * (i[1] * i[4] - i[2] * i[3]);
-    if (det <= 1e-12 * trace * trace * trace) {
-      const double share = trace > 0.0 ? 1e-3 * trace : 1.0;
-      i[0] += share;
-      i[3] += share;
-      i[5] += share;
-    }
+    keep_solvable(body.inertia);
   }
+}
+
+void System::release_nodes(std::size_t b, std::span<const int> released, std::span<const int> kept, State& state) {
+  RigidBody& body = bodies[b];
+  const auto c = at(body.node);
+  Vec3d momentum = body.mass * vec(state.v[c]);
+  for (const int d : released) {
+    map.remove(d);
+    momentum -= own_mass[at(d)] * vec(state.v[at(d)]);
+  }
+  hand_over_mass();
+  body.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  body.mass = 0.0;
+  body.inertia = {};
+  body.angular_momentum = {};
+  state.f[c] = state.m[c] = Row{};
+  if (kept.empty()) {
+    state.v[c] = state.w[c] = Row{};
+    return;
+  }
+  Vec3d moment;
+  for (const int d : kept) {
+    body.mass += own_mass[at(d)];
+    moment += own_mass[at(d)] * map.terms(d).front().arm;
+  }
+  const Vec3d shift = (1.0 / body.mass) * moment;
+  for (const int d : kept) {
+    Vec3d& arm = map.terms(d).front().arm;
+    arm -= shift;
+    add_point(body.inertia, own_mass[at(d)], own_inertia_[at(d)], arm);
+    add(state.f[c], vec(state.f[at(d)]));
+    add(state.m[c], vec(state.m[at(d)]) + cross(arm, vec(state.f[at(d)])));
+    state.f[at(d)] = state.m[at(d)] = Row{};
+  }
+  keep_solvable(body.inertia);
+  add(state.x[c], shift);
+  set(state.v[c], (1.0 / body.mass) * momentum);
+  body.angular_momentum = body.momentum(vec(state.w[c]), body.axes);
 }
 
 void System::hand_over_mass() {

@@ -42,6 +42,7 @@ class System {
   std::vector<double> mass, inertia;
   /// The same before anything was handed over: what the elements and point masses put there.
   std::vector<double> own_mass;
+  const std::vector<double>& own_inertia() const { return own_inertia_; }
 
   ConstraintMap map;
   std::vector<RigidBody> bodies;  ///< body b is virtual node nodes + b
@@ -106,6 +107,12 @@ class System {
   /// Mass scaling to the deck's DT2MS and the welds' DT: raises the density of elements whose stable step is too small.
   /// True if any mass was added; nodal masses are then assembled anew.
   bool scale_mass(bool at_start);
+
+  /// Lets nodes of a rigid body go while the model moves: they are free from now on, with their own mass and the
+  /// velocity they have. What the body keeps moves on as a body of its own mass and inertia; linear momentum is
+  /// conserved to round-off, angular momentum to the square of the angle turned in a step. `kept`: its other nodes;
+  /// where there are none it is at rest and has no mass. Loads of all these nodes stand in `state`, not yet collected.
+  void release_nodes(std::size_t body, std::span<const int> released, std::span<const int> kept, State& state);
 
   struct Masses {
     double physical = 0.0;        ///< of the model as the deck describes it, DT of welds included

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // *CONSTRAINED_...: rigid bodies out of nodes and parts. The cards wait in Builder::body_cards; rigid_bodies.cpp makes
 // the bodies.
+#include <fmt/format.h>
+
 #include "model/axes.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
@@ -79,21 +81,39 @@ const Card merge_card{{
     integer("iflag", 0, any_value, "0: a given inertia of the lead body holds for both"),
 }};
 const Card weld_id_card{{id("wid", IdSpace::other, 0, "number of the weld")}};
+constexpr Field normal_strength = real("sn", dimension::force, 0, at_least(0), "normal force at failure; 0: left out");
+constexpr Field shear_strength = real("ss", dimension::force, 0, at_least(0), "shear force at failure; 0: left out");
+constexpr Field normal_exponent = real("n", dimension::number, 0, at_least(0), "exponent of the normal force");
+constexpr Field shear_exponent = real("m", dimension::number, 0, at_least(0), "exponent of the shear force");
 const Card weld_card1{{
-    id("nsid", IdSpace::set, required, "nodes that are welded together"),
-    id("cid", IdSpace::define, 0, "coordinate system of the forces"),
-    integer("filter", 0, any_value, "force vectors that are averaged for failure"),
-    real("window", dimension::time, 0, any_value, "time window of that average"),
+    id("nsid", IdSpace::set, required, "nodes that are welded together, in their order along the weld"),
+    id("cid", IdSpace::define, 0, "coordinate system whose z is the normal direction; 0: first node to last"),
+    integer("filter", 0, at_least(0), "force vectors that are averaged for failure; up to 1: none"),
+    real("window", dimension::time, 0, at_least(0), "time window of that average; 0: all FILTER vectors"),
     integer("npr", 0, any_value, "pairs of nodes for output"),
     integer("nprt", 0, any_value, "output in rbdout"),
 }};
 const Card weld_card2{{
     real("tfail", dimension::time, forever, at_least(0), "time of failure"),
-    real("epsf", dimension::number, 0, at_least(0), "plastic strain at failure"),
-    real("sn", dimension::force, 0, at_least(0), "normal force at failure"),
-    real("ss", dimension::force, 0, at_least(0), "shear force at failure"),
-    real("n", dimension::number, 0, any_value, "exponent of the normal force"),
-    real("m", dimension::number, 0, any_value, "exponent of the shear force"),
+    real("epsf", dimension::number, 0, at_least(0), "plastic strain of the adjoining elements at failure; 0: none"),
+    normal_strength,
+    shear_strength,
+    normal_exponent,
+    shear_exponent,
+}};
+const Card spotweld_card{{
+    id("n1", IdSpace::node, required, "node 1"),
+    id("n2", IdSpace::node, required, "node 2, at another place"),
+    normal_strength,
+    shear_strength,
+    normal_exponent,
+    shear_exponent,
+    real("tf", dimension::time, forever, at_least(0), "time of failure"),
+    real("ep", dimension::number, forever, at_least(0), "plastic strain of the adjoining elements at failure"),
+}};
+const Card spotweld_filter_card{{
+    integer("nf", 0, at_least(0), "force vectors that are averaged for failure; up to 1: none"),
+    real("tw", dimension::time, 0, at_least(0), "time window of that average; 0: all NF vectors"),
 }};
 
 // ---- nodal rigid bodies
@@ -168,24 +188,67 @@ void read_mergers(Builder& builder, const Block& block, const Options&) {
   while (!at_end(cursor)) builder.body_cards.merges.push_back(cursor.read(merge_card));
 }
 
-/// Failure of a generalized weld spot is not built: the spot would hold where LS-DYNA's breaks.
-void refuse_failure(Builder& builder, const Row& row) {
-  constexpr std::string_view text = "failure of a generalized weld spot is not built",
-                             remedy = "use *MAT_SPOTWELD elements with *CONTACT_SPOTWELD";
-  if (row.real("tfail") < forever) refuse(builder, row, "tfail", std::string(text), std::string(remedy));
-  for (const std::string_view field : {"epsf", "sn", "ss"})
-    if (row.real(field) < forever) refuse_nonzero(builder, row, field, std::string(text), std::string(remedy));
+// ---- rigid welds
+// -------------------------------------------------------------------------------------------------------------
+
+/// SN SS N M. A strength without an exponent would be reached at once.
+void take_strength(Builder& builder, const Row& row, RigidWeld& weld) {
+  const auto take = [&](std::string_view force, std::string_view exponent, double& strength, double& power) {
+    if (row.real(force) <= 0.0 || row.real(force) >= forever) return;
+    strength = row.real(force);
+    power = row.real(exponent);
+    if (!(power > 0.0))
+      refuse(builder, row, exponent, fmt::format("the exponent that goes with {} must be more than 0", force),
+             "give 1 for a straight and 2 for a round failure curve");
+  };
+  take("sn", "n", weld.normal_strength, weld.normal_exponent);
+  take("ss", "m", weld.shear_strength, weld.shear_exponent);
+}
+
+/// LS-DYNA's 0 and 1e20 both mean that there is no such failure; ours is 0.
+double failure_value(const Row& row, std::string_view field) {
+  return row.real(field) >= forever ? 0.0 : row.real(field);
+}
+
+void keep_weld(Builder& builder, BodyCards::Weld weld) {
+  weld.weld.place = weld.row.place();
+  if (weld.weld.id == 0) weld.weld.id = static_cast<int>(builder.body_cards.welds.size()) + 1;
+  builder.body_cards.welds.push_back(std::move(weld));
 }
 
 void read_weld_spot(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     BodyCards::Weld weld;
-    if (options.contains("ID")) weld.id = cursor.read(weld_id_card).integer("wid");
-    if (weld.id == 0) weld.id = static_cast<int>(builder.body_cards.welds.size()) + 1;
+    weld.weld.kind = RigidWeld::Kind::generalized;
+    if (options.contains("ID")) weld.weld.id = cursor.read(weld_id_card).integer("wid");
     weld.row = cursor.read(weld_card1);
-    refuse_failure(builder, cursor.read(weld_card2));
-    builder.body_cards.welds.push_back(std::move(weld));
+    weld.weld.filter = weld.row.integer("filter");
+    weld.weld.window = weld.row.real("window");
+    const Row failure = cursor.read(weld_card2);
+    weld.weld.failure_time = failure_value(failure, "tfail");
+    weld.weld.failure_strain = failure_value(failure, "epsf");
+    take_strength(builder, failure, weld.weld);
+    keep_weld(builder, std::move(weld));
+  }
+}
+
+void read_spotweld(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    BodyCards::Weld weld;
+    weld.weld.kind = RigidWeld::Kind::spotweld;
+    if (options.contains("ID")) weld.weld.id = cursor.read(weld_id_card).integer("wid");
+    weld.row = cursor.read(spotweld_card);
+    weld.weld.failure_time = failure_value(weld.row, "tf");
+    weld.weld.failure_strain = failure_value(weld.row, "ep");
+    take_strength(builder, weld.row, weld.weld);
+    if (options.contains("FILTERED_FORCE")) {
+      const Row filter = cursor.read(spotweld_filter_card);
+      weld.weld.filter = filter.integer("nf");
+      weld.weld.window = filter.real("tw");
+    }
+    keep_weld(builder, std::move(weld));
   }
 }
 
@@ -219,13 +282,18 @@ std::vector<Keyword> constrained_keywords() {
        {},
        {{"with _ID", &weld_id_card}, {{}, &weld_card1}, {{}, &weld_card2}},
        read_weld_spot},
+      {"CONSTRAINED_SPOTWELD",
+       {},
+       {"ID", "FILTERED_FORCE"},
+       Verdict::used,
+       {},
+       {{"with _ID", &weld_id_card}, {{}, &spotweld_card}, {"with _FILTERED_FORCE", &spotweld_filter_card}},
+       read_spotweld},
 
-      refused("CONSTRAINED_SPOTWELD",
-              "massless weld links are not built; use *MAT_SPOTWELD elements with *CONTACT_SPOTWELD, or a generalized "
-              "weld spot without failure"),
       refused("CONSTRAINED_RIVET", "rivets are not built; use *MAT_SPOTWELD elements with *CONTACT_SPOTWELD"),
       refused("CONSTRAINED_GENERALIZED_WELD_*",
-              "fillet, butt, cross and combined welds are not built; only spots without failure are"),
+              "fillet, butt, cross and combined welds are not built: their cards are not documented to this project; "
+              "spots (*CONSTRAINED_GENERALIZED_WELD_SPOT) are"),
       refused("CONSTRAINED_INTERPOLATION",
               "weighted averages of nodes are not built; a *CONSTRAINED_NODAL_RIGID_BODY is stiffer"),
       refused("CONSTRAINED_JOINT_*",
@@ -246,8 +314,8 @@ std::vector<Keyword> constrained_keywords() {
       refused("CONSTRAINED_SPR*",
               "self-piercing rivets are not built; use *MAT_SPOTWELD elements with *CONTACT_SPOTWELD"),
       refused("CONSTRAINED_*",
-              "this constraint is not built; nodal rigid bodies, extra nodes, merged rigid bodies and generalized weld "
-              "spots are"),
+              "this constraint is not built; nodal rigid bodies, extra nodes, merged rigid bodies, spotwelds and "
+              "generalized weld spots are"),
   };
 }
 
