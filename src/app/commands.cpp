@@ -52,6 +52,12 @@ void tell_histories(const impact::Simulation& run, std::vector<output::WeldRepor
     if (system.ties.welds[i].kind == weld::Weld::Kind::rigid)
       if (const auto* rigid = run.rigid_welds().history_of_body(system.ties.welds[i].element))
         tell_history(*rigid, welds[i]);
+    if (const impact::Connectors::Record* record = run.connectors().record(i)) {
+      welds[i].failed = record->failed;
+      if (record->failed) welds[i].failure_time = record->failure_time;
+      if (record->failed) welds[i].failure_mode = "limit of its law";
+      welds[i].peak = {record->peaks[0], record->peaks[1], record->peaks[2], record->peaks[3]};
+    }
     const weld::History* history = run.welds().history(i);
     if (history == nullptr) continue;
     for (model::Index element : system.ties.welds[i].elements) {

@@ -43,6 +43,7 @@ Simulation::Simulation(system::System& system, Findings& findings)
       loads_(system),
       welds_(system, findings),
       rigid_welds_(system, findings),
+      connectors_(system),
       tie_forces_(system),
       tie_ends_(system, welds_, tie_forces_) {
   const model::Model& model = system.model;
@@ -118,7 +119,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     }
     if (progress && elapsed() >= next_report) {
       progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()),
-                welds_.failed() + rigid_welds_.failed(), elapsed()});
+                welds_.failed() + rigid_welds_.failed() + connectors_.failed(), elapsed()});
       next_report = elapsed() + 0.2;
     }
     watch.charge(seconds_[output]);
@@ -131,6 +132,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     watch.charge(seconds_[motion]);
     system_.internal_force(state_);
     welds_.update(state_);
+    connectors_.update(state_);
     end_ties();
     watch.charge(seconds_[elements]);
     forces();
@@ -142,7 +144,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   solve_seconds_ = elapsed();
   if (progress)
     progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()),
-              welds_.failed() + rigid_welds_.failed(), elapsed()});
+              welds_.failed() + rigid_welds_.failed() + connectors_.failed(), elapsed()});
   return outcome;
 }
 

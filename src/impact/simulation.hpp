@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "impact/connectors.hpp"
 #include "impact/options.hpp"
 #include "impact/rigid_welds.hpp"
 #include "impact/snapshot.hpp"
@@ -30,6 +31,7 @@ class Simulation {
   const TieForces& tie_forces() const { return tie_forces_; }
   const TieEnds& tie_ends() const { return tie_ends_; }
   const RigidWelds& rigid_welds() const { return rigid_welds_; }
+  const Connectors& connectors() const { return connectors_; }
   double first_step() const { return first_step_; }
   double smallest_step() const { return smallest_step_; }
   const std::string& smallest_by() const { return smallest_by_; }
@@ -75,6 +77,7 @@ class Simulation {
   std::vector<Vec3d> history_rotation_;
   Welds welds_;
   RigidWelds rigid_welds_;
+  Connectors connectors_;
   TieForces tie_forces_;
   TieEnds tie_ends_;
   int deaths_ = 0;

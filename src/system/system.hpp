@@ -150,6 +150,7 @@ class System {
   /// DT of the weld material, and what stands in for it.
   void scale_like_a_weld(ElementGroup& group, const kernel::Spotweld& law) const;
   void make_weld_beams(Findings& findings);
+  void add_discrete_beams(std::size_t part, const std::vector<model::Index>& chosen, Findings& findings);
   void add_weld_beams(std::size_t part, const std::vector<model::Index>& chosen, bool torsion);
 
   void make_constraints(Findings& findings);

@@ -164,7 +164,7 @@ class Tying {
 /// Gathers the parts that *ELEMENT_BEAM_PID asks for.
 void Tying::demand_parts() {
   for (const Weld& weld : result_.welds) {
-    if (weld.kind != Weld::Kind::beam) continue;
+    if (weld.kind != Weld::Kind::beam && weld.kind != Weld::Kind::connector) continue;
     for (int end = 0; end < 2; ++end) {
       const Index wanted = model_.beams.tied_parts[weld.element][end];
       Index& part = only_part_[weld.ends[end].node];
@@ -195,7 +195,7 @@ void Tying::work_through(Index contact) {
   take_offers(contact, tracked, std::move(offers));
 
   for (const Weld& weld : result_.welds)
-    if (weld.kind == Weld::Kind::beam) settle_beam(weld);
+    if (weld.kind == Weld::Kind::beam || weld.kind == Weld::Kind::connector) settle_beam(weld);
   for (const Tracked& t : tracked)
     if (Record& r = *record(t.node); !r.tied && !r.only_sheet_taken) settle(r, best(r, none));
   for (const Tracked& t : tracked) record(t.node)->in_reach.clear();

@@ -63,7 +63,7 @@ using Facet = std::array<Index, 4>;
 
 /// A spot weld: a beam, a brick or an assembly of bricks of spot-weld material, or a rigid weld.
 struct Weld {
-  enum class Kind { beam, solid, assembly, rigid };
+  enum class Kind { beam, solid, assembly, rigid, connector };  ///< connector: a discrete beam between sheets
   Kind kind = Kind::beam;
   int id = 0;                               ///< element id; of an assembly or a rigid weld its own
   Index part = none;                        ///< none for a rigid weld

@@ -9,6 +9,8 @@
 #include <span>
 #include <variant>
 
+#include "weld/connectors.hpp"
+
 namespace nugget::weld {
 namespace {
 
@@ -126,7 +128,8 @@ std::string name_weld(const Weld& weld) {
 
 std::string keyword_of(const Weld& weld) {
   switch (weld.kind) {
-    case Weld::Kind::beam: return "*ELEMENT_BEAM";
+    case Weld::Kind::beam:
+    case Weld::Kind::connector: return "*ELEMENT_BEAM";
     case Weld::Kind::rigid: return weld.generalized ? "*CONSTRAINED_GENERALIZED_WELD_SPOT" : "*CONSTRAINED_SPOTWELD";
     case Weld::Kind::solid: return "*ELEMENT_SOLID";
     case Weld::Kind::assembly: return "*DEFINE_HEX_SPOTWELD_ASSEMBLY";
@@ -138,6 +141,10 @@ std::vector<Weld> find_welds(const model::Model& model) {
   std::vector<Weld> welds;
   for (Index e = 0; e < static_cast<Index>(model.beams.size()); ++e)
     if (of_weld_material(model, model.beams.part[e])) welds.push_back(beam_weld(model, e));
+  for (const Index e : find_connectors(model)) {
+    welds.push_back(beam_weld(model, e));
+    welds.back().kind = Weld::Kind::connector;
+  }
   find_brick_welds(model, welds);
   for (const model::RigidWeld& rigid : model.rigid_welds) welds.push_back(rigid_weld(rigid));
   return welds;
@@ -167,6 +174,7 @@ std::string_view to_string(Weld::Kind kind) {
     case Weld::Kind::solid: return "solid";
     case Weld::Kind::assembly: return "assembly";
     case Weld::Kind::rigid: return "rigid";
+    case Weld::Kind::connector: return "beam";
   }
   return "beam";
 }
