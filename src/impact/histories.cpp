@@ -28,7 +28,8 @@ output::WeldKind kind(weld::Weld::Kind k) {
     case weld::Weld::Kind::beam: return output::WeldKind::beam;
     case weld::Weld::Kind::solid: return output::WeldKind::solid;
     case weld::Weld::Kind::assembly: return output::WeldKind::assembly;
-    case weld::Weld::Kind::rigid: return output::WeldKind::generalized;
+    case weld::Weld::Kind::rigid:
+    case weld::Weld::Kind::connector: return output::WeldKind::generalized;
   }
   return output::WeldKind::beam;
 }

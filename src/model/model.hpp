@@ -12,6 +12,7 @@
 #include "model/contact.hpp"
 #include "model/control.hpp"
 #include "model/implicit.hpp"
+#include "model/interpolation.hpp"
 #include "model/loads.hpp"
 #include "model/parts.hpp"
 #include "model/requests.hpp"
@@ -150,6 +151,7 @@ struct Model {
 
   std::vector<RigidBody> rigid_bodies;  ///< MAT_RIGID parts (merged), nodal rigid bodies, rigid welds
   std::vector<RigidWeld> rigid_welds;
+  std::vector<Interpolation> interpolations;
   std::vector<SinglePointConstraint> spcs;
   std::vector<PrescribedMotion> motions;
   std::vector<Vec3d> initial_velocity;  ///< per node; empty: all zero [length/time]

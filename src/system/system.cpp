@@ -97,6 +97,19 @@ void System::make_constraints(Findings& findings) {
       add_tie(node_of[at(tie.node)], tie, projected ? Vec3d{} : gap, tie.rotations);
     }
   }
+  for (const model::Interpolation& i : model.interpolations) {
+    if (!claim(i.node, fmt::format("interpolation {}", i.id), i.place)) continue;
+    std::vector<ConstraintMap::Term> terms;
+    std::vector<ConstraintMap::Corner> corners;
+    Vec3d centre;
+    for (std::size_t k = 0; k < i.weight.size(); ++k) {
+      const model::Index n = i.independent[k];
+      terms.push_back({node_of[at(n)], i.weight[k], {}});
+      corners.push_back({node_of[at(n)], i.weight[k], ties.x[at(n)]});
+      centre += i.weight[k] * ties.x[at(n)];
+    }
+    map.add(node_of[at(i.node)], i.rotations, terms, ConstraintMap::Turn::whole, corners, ties.x[at(i.node)] - centre);
+  }
   for (int node : map.close(static_cast<int>(all_nodes())))
     findings.error(
         {model.deck, 0, 0}, "",

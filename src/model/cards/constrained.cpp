@@ -3,6 +3,8 @@
 // the bodies.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/axes.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
@@ -114,6 +116,26 @@ const Card spotweld_card{{
 const Card spotweld_filter_card{{
     integer("nf", 0, at_least(0), "force vectors that are averaged for failure; up to 1: none"),
     real("tw", dimension::time, 0, at_least(0), "time window of that average; 0: all NF vectors"),
+}};
+
+const Card interpolation_card1{{
+    id("icid", IdSpace::other, 0, "number of the interpolation"),
+    id("dnid", IdSpace::node, required, "dependent node"),
+    integer("ddof", 123456, between(123, 123456), "its dependent degrees of freedom: 123456, or 123 (translations)"),
+    unused(),
+    integer("ityp", 0, between(0, 1), "INID is 0 a node, 1 a node set"),
+    integer("idnsw", 1, only(1), "switch of the explicit solution"),
+    integer("fgm", 0, any_value, "output of the weights, no effect"),
+}};
+const Card interpolation_card2{{
+    integer("inid", required, at_least(1), "independent node, or set"),
+    integer("idof", 0, any_value, "its degrees of freedom: 123; rotations are not built"),
+    real("twghtx", dimension::number, 1, above_zero(), "weight of its translation"),
+    real("twghty", dimension::number, 0, at_least(0), "along y; 0: as along x, and nothing else"),
+    real("twghtz", dimension::number, 0, at_least(0), "along z; 0: as along x, and nothing else"),
+    real("rwghtx", dimension::number, 0, only(0), "weight of its rotation: not built"),
+    real("rwghty", dimension::number, 0, only(0), "not built"),
+    real("rwghtz", dimension::number, 0, only(0), "not built"),
 }};
 
 // ---- nodal rigid bodies
@@ -252,6 +274,74 @@ void read_spotweld(Builder& builder, const Block& block, const Options& options)
   }
 }
 
+// ---- interpolation
+// -------------------------------------------------------------------------------------------------------------
+
+/// The nodes of one row, with their weight.
+void take_independent(Builder& b, const Row& head, const Row& row, Interpolation& out) {
+  for (const std::string_view field : {"twghty", "twghtz"})
+    if (row.real(field) != 0.0 && row.real(field) != row.real("twghtx"))
+      refuse(b, row, field, "weights that differ between the directions are not built", "leave it blank");
+  if (row.integer("idof") > 123)
+    refuse(b, row, "idof", "rotations of the independent nodes have no part in this average", "write 123");
+  const auto add = [&](Index node) {
+    out.independent.push_back(node);
+    out.weight.push_back(row.real("twghtx"));
+  };
+  if (head.integer("ityp") == 1) {
+    if (const Set<Index>* set = b.node_set(row, "inid")) std::for_each(set->members.begin(), set->members.end(), add);
+  } else if (const Index node = b.node(row, "inid"); node != none) {
+    add(node);
+  }
+}
+
+/// Whether the nodes tell a rotation: they must not lie on a line.
+bool on_a_line(const Model& model, const Interpolation& i) {
+  Vec3d centre;
+  const auto place = [&](std::size_t k) { return model.nodes.x[static_cast<std::size_t>(i.independent[k])]; };
+  for (std::size_t k = 0; k < i.weight.size(); ++k) centre += i.weight[k] * place(k);
+  double across = 0.0, size = 0.0;
+  for (std::size_t k = 0; k < i.weight.size(); ++k)
+    for (std::size_t l = 0; l < k; ++l) {
+      const Vec3d a = place(k) - centre, b = place(l) - centre;
+      across = std::max(across, norm(cross(a, b)));
+      size = std::max({size, dot(a, a), dot(b, b)});
+    }
+  return !(across > 1e-6 * size);
+}
+
+void make_interpolation(Builder& b, const Row& head, const std::vector<Row>& rows) {
+  Interpolation out;
+  out.id = head.integer("icid");
+  out.node = b.node(head, "dnid");
+  out.place = head.place();
+  const int ddof = head.integer("ddof");
+  out.rotations = ddof == 123456;
+  if (ddof != 123 && ddof != 123456)
+    refuse(b, head, "ddof", "some degrees of freedom of a node cannot be interpolated without the others",
+           "write 123456, or 123 for its translations");
+  const int errors = b.findings.errors();
+  for (const Row& row : rows) take_independent(b, head, row, out);
+  if (out.node == none || b.findings.errors() > errors) return;
+  double sum = 0.0;
+  for (const double w : out.weight) sum += w;
+  for (double& w : out.weight) w /= sum;
+  if (std::find(out.independent.begin(), out.independent.end(), out.node) != out.independent.end())
+    return refuse(b, head, "dnid", "is among its own independent nodes", "take it out of them");
+  if (out.weight.size() < 3 || on_a_line(b.model, out))
+    return refuse(b, head, "icid", "the independent nodes lie on a line, so they do not tell a rotation",
+                  "give three or more that do not");
+  b.model.interpolations.push_back(std::move(out));
+}
+
+void read_interpolation(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  const Row head = cursor.read(interpolation_card1);
+  std::vector<Row> rows;
+  while (!at_end(cursor)) rows.push_back(cursor.read(interpolation_card2));
+  builder.later(Phase::conditions, [head, rows](Builder& later) { make_interpolation(later, head, rows); });
+}
+
 }  // namespace
 
 std::vector<Keyword> constrained_keywords() {
@@ -282,6 +372,13 @@ std::vector<Keyword> constrained_keywords() {
        {},
        {{"with _ID", &weld_id_card}, {{}, &weld_card1}, {{}, &weld_card2}},
        read_weld_spot},
+      {"CONSTRAINED_INTERPOLATION",
+       {},
+       {},
+       Verdict::used,
+       {},
+       {{{}, &interpolation_card1}, {"for each independent node or set", &interpolation_card2}},
+       read_interpolation},
       {"CONSTRAINED_SPOTWELD",
        {},
        {"ID", "FILTERED_FORCE"},
@@ -294,8 +391,8 @@ std::vector<Keyword> constrained_keywords() {
       refused("CONSTRAINED_GENERALIZED_WELD_*",
               "fillet, butt, cross and combined welds are not built: their cards are not documented to this project; "
               "spots (*CONSTRAINED_GENERALIZED_WELD_SPOT) are"),
-      refused("CONSTRAINED_INTERPOLATION",
-              "weighted averages of nodes are not built; a *CONSTRAINED_NODAL_RIGID_BODY is stiffer"),
+      refused("CONSTRAINED_INTERPOLATION_LOCAL",
+              "weights in local axes are not built; give weights that are the same in all directions"),
       refused("CONSTRAINED_JOINT_*",
               "joints between rigid bodies are not built; *CONSTRAINED_RIGID_BODIES joins them rigidly"),
       refused("CONSTRAINED_TIE_BREAK", "tied nodes that break are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
