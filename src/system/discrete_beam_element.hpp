@@ -41,6 +41,14 @@ struct DiscreteBeamElement {
     return kernel::discrete_beam_cycle(beam, law, motion, dt, state);
   }
 
+  /// Curves and dampers have no exact derivative by a tiny step, so the stiffness is written down; see BatchGroup.
+  template <class Field>
+  void stiffness(const Field& field, const Places& place, std::span<double> k) const {
+    const Vec3d r{field(Layout::axis_r), field(Layout::axis_r + 1), field(Layout::axis_r + 2)};
+    const Vec3d s{field(Layout::axis_s), field(Layout::axis_s + 1), field(Layout::axis_s + 2)};
+    kernel::discrete_beam_stiffness(beam, law, {r, s, cross(r, s)}, place[1] - place[0], k);
+  }
+
   template <class Field>
   ElementGroup::Layer layer(const Field&, int, const Places&) const {
     return {};

@@ -74,6 +74,27 @@ double discrete_beam_stable_step(const DiscreteBeamProperties& beam, const Discr
   return fastest > 0.0 ? 2.0 / fastest : std::numeric_limits<double>::infinity();
 }
 
+void discrete_beam_stiffness(const DiscreteBeamProperties& beam, const DiscreteBeam& law, const Frame3d& axes,
+                             const Vec3d& line, std::span<double> k) {
+  std::fill(k.begin(), k.end(), 0.0);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double stiffness = law.dof[i].initial_stiffness();
+    const Vec3d axis = i % 3 == 0 ? axes.e1 : i % 3 == 1 ? axes.e2 : axes.e3;
+    // The displacement of the spring for a unit motion of each freedom: e . (v2 - v1 - (w1 + w2)/2 x line).
+    const Vec3d spin = i < 3 && beam.long_beam() ? -0.5 * cross(line, axis) : Vec3d{};
+    const Vec3d move = i < 3 ? axis : Vec3d{}, turn = i < 3 ? Vec3d{} : axis;
+    const std::array<Vec3d, 4> part{-1.0 * move, spin - turn, move, spin + turn};
+    std::array<double, 12> b{};
+    for (std::size_t p = 0; p < 4; ++p) {
+      b[3 * p] = part[p].x;
+      b[3 * p + 1] = part[p].y;
+      b[3 * p + 2] = part[p].z;
+    }
+    for (std::size_t row = 0; row < 12; ++row)
+      for (std::size_t column = 0; column < 12; ++column) k[12 * row + column] += stiffness * b[row] * b[column];
+  }
+}
+
 template <class R>
 NodalForces<R, 2> discrete_beam_cycle(const DiscreteBeamProperties& beam, const DiscreteBeam& law,
                                       const NodalMotion<R, 2>& nodes, double dt, double* state) {

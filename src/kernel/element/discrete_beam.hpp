@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include "base/batch.hpp"
 #include "kernel/element/shell.hpp"
 #include "kernel/law/discrete_beam.hpp"
@@ -44,6 +46,13 @@ void start_discrete_beam(const DiscreteBeamProperties& beam, const DiscreteBeam&
 /// scaling; `force`: of the springs, on which the viscosity of rate factors depends.
 double discrete_beam_stable_step(const DiscreteBeamProperties& beam, const DiscreteBeam& law, double length,
                                  double scale = 1.0, const std::array<double, 6>& force = {});
+
+/// Stiffness of the beam at rest in its axes, with node 2 at `line` from node 1: row i, column j of `k` is the force in
+/// freedom i for a unit motion of freedom j, three translations and three rotations of node 1, then of node 2, global
+/// axes. Springs count with their slope at the start; dampers, preload and failure do not. Beams of no length (SCOOR up
+/// to 1 in size) have no couples here and no part of the spin, so that it is symmetric whatever their length.
+void discrete_beam_stiffness(const DiscreteBeamProperties& beam, const DiscreteBeam& law, const Frame3d& axes,
+                             const Vec3d& line, std::span<double> k);
 
 /// One cycle: displacements of node 2 relative to node 1 in the turning triad,
 ///     u' = R (v2 - v1 - w x (x2 - x1)),   theta' = R (w2 - w1),

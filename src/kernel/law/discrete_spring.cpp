@@ -23,6 +23,15 @@ double ForceCurve::operator()(double d) const {
   return mirrored_ && d < 0.0 ? -piece(-d) : piece(d);
 }
 
+double ForceCurve::slope(double d) const {
+  if (empty()) return 0.0;
+  if (mirrored_ && d < 0.0) return slope(-d);
+  std::size_t i = 0;
+  while (i + 1 < slope_.size() && d > x_[i + 1]) ++i;
+  const bool at_point = i + 1 < slope_.size() && d == x_[i + 1];
+  return at_point ? 0.5 * (slope_[i] + slope_[i + 1]) : slope_[i];
+}
+
 double ForceCurve::steepest() const {
   double s = 0.0;
   for (const double slope : slope_) s = std::max(s, std::abs(slope));
@@ -112,6 +121,18 @@ double DiscreteSpring::advance(State& s, double increment, double velocity) cons
   const double factor = 1.0 + linear_rate * velocity + (velocity < 0.0 ? -log_term : log_term);
   const double scale = damper_scale.empty() ? 1.0 : damper_scale(d);
   return preload + factor * s.force + damping * velocity + scale * damper(velocity);
+}
+
+double DiscreteSpring::initial_stiffness() const {
+  switch (kind) {
+    case Kind::none: return 0.0;
+    case Kind::linear:
+    case Kind::elastoplastic: return stiffness;
+    case Kind::elastic:
+    case Kind::two_curves:
+    case Kind::hysteresis: return load.slope(start);
+  }
+  return 0.0;
 }
 
 double DiscreteSpring::greatest_stiffness() const {

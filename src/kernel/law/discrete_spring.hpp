@@ -18,6 +18,7 @@ class ForceCurve {
 
   bool empty() const { return x_.empty(); }
   double operator()(double d) const;
+  double slope(double d) const;  ///< of the piece that holds d; at a point the mean of both its pieces [force/length]
   double steepest() const;       ///< largest slope in size [force/length]
   double steepest_rise() const;  ///< largest rising slope; 0: it never rises
   double steepest_fall() const;  ///< largest falling slope, as a positive number; 0: it never falls
@@ -69,6 +70,8 @@ struct DiscreteSpring {
   };
   /// Advances the state by the displacement `increment` at `velocity`; returns F.
   double advance(State& state, double increment, double velocity) const;
+  /// Slope of f at the start, for linear analyses [force/length].
+  double initial_stiffness() const;
   /// Bounds for the time step: largest stiffness, largest viscosity at a force `f`.
   double greatest_stiffness() const;
   double greatest_viscosity(double f) const;

@@ -170,5 +170,41 @@ TEST(DiscreteBeam, StableStepIsThatOfItsFastestMode) {
   EXPECT_NEAR(discrete_beam_stable_step(beam, law, 1.0), 0.2 * (std::sqrt(2.0) - 1.0), 1e-15);
 }
 
+// The stiffness is what the cycle does in a small motion; here by differences.
+TEST(DiscreteBeam, StiffnessIsTheDerivativeOfTheForces) {
+  const DiscreteBeamProperties beam{2.0, 0.5, 2};
+  DiscreteBeam law;
+  for (std::size_t i = 0; i < 6; ++i) {
+    law.dof[i].kind = Kind::linear;
+    law.dof[i].stiffness = 100.0 + 30.0 * static_cast<double>(i);
+  }
+  law.dof[1].kind = Kind::elastic;
+  law.dof[1].load = curve({-2, -1, 3}, {-150, -100, 300});
+  const Vec3d x1{0.3, -0.2, 0.1}, x2{1.1, 0.7, 2.0};
+  const Frame3d global{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  std::array<double, DiscreteBeamLayout::count> rest{};
+  start_discrete_beam(beam, law, global, x1, x2, rest.data(), 1, 0);
+  const Vec3d r{rest[2], rest[3], rest[4]}, s{rest[5], rest[6], rest[7]};
+  std::array<double, 144> k{};
+  discrete_beam_stiffness(beam, law, {r, s, cross(r, s)}, x2 - x1, k);
+  const double small = 1e-6;
+  for (int j = 0; j < 12; ++j) {
+    NodalMotion<double, 2> motion{};
+    motion.x[0] = x1;
+    motion.x[1] = x2;
+    Vec3d& moved = j % 6 < 3 ? motion.v[j / 6] : motion.w[j / 6];
+    (j % 3 == 0 ? moved.x : j % 3 == 1 ? moved.y : moved.z) = 1.0;
+    for (int a = 0; a < 2; ++a) motion.x[a] += small * motion.v[a];
+    auto state = rest;
+    const auto out = discrete_beam_cycle(beam, law, motion, small, state.data());
+    const Vec3d force[4]{out.f[0], out.m[0], out.f[1], out.m[1]};
+    for (int i = 0; i < 12; ++i) {
+      const Vec3d& f = force[i / 3];
+      const double got = (i % 3 == 0 ? f.x : i % 3 == 1 ? f.y : f.z) / small;
+      EXPECT_NEAR(got, k[static_cast<std::size_t>(12 * i + j)], 1e-2) << i << ' ' << j;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace nugget::kernel
