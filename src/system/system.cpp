@@ -54,7 +54,7 @@ void System::make_constraints(Findings& findings) {
   holder_.assign(nodes, {});
   const auto claim = [&](model::Index node, const Holder& who, const Place& place) {
     Holder& held = holder_[at(node_of[at(node)])];
-    if (held.body != model::none || held.contact != model::none) {
+    if (!held.none()) {
       findings.error(place, "",
                      fmt::format("node {} is made dependent twice: by {} and by {}", model.nodes.id[at(node)],
                                  name(held), name(who)),
@@ -97,24 +97,29 @@ void System::make_constraints(Findings& findings) {
       add_tie(node_of[at(tie.node)], tie, projected ? Vec3d{} : gap, tie.rotations);
     }
   }
-  for (const model::Interpolation& i : model.interpolations) {
-    if (!claim(i.node, fmt::format("interpolation {}", i.id), i.place)) continue;
-    std::vector<ConstraintMap::Term> terms;
-    std::vector<ConstraintMap::Corner> corners;
-    Vec3d centre;
-    for (std::size_t k = 0; k < i.weight.size(); ++k) {
-      const model::Index n = i.independent[k];
-      terms.push_back({node_of[at(n)], i.weight[k], {}});
-      corners.push_back({node_of[at(n)], i.weight[k], ties.x[at(n)]});
-      centre += i.weight[k] * ties.x[at(n)];
-    }
-    map.add(node_of[at(i.node)], i.rotations, terms, ConstraintMap::Turn::whole, corners, ties.x[at(i.node)] - centre);
+  for (std::size_t k = 0; k < model.interpolations.size(); ++k) {
+    const model::Interpolation& i = model.interpolations[k];
+    if (claim(i.node, {.interpolation = static_cast<model::Index>(k)}, i.place)) add_interpolation(i);
   }
   for (int node : map.close(static_cast<int>(all_nodes())))
     findings.error(
         {model.deck, 0, 0}, "",
         fmt::format("node {} is tied to itself through other ties", model.nodes.id[at(model_node[at(node)])]),
         "tie the weld to a sheet whose nodes are free");
+}
+
+void System::add_interpolation(const model::Interpolation& i) {
+  std::vector<ConstraintMap::Term> terms;
+  std::vector<ConstraintMap::Corner> corners;
+  Vec3d centre;
+  for (std::size_t k = 0; k < i.weight.size(); ++k) {
+    const Vec3d x = ties.x[at(i.independent[k])];
+    const int node = node_of[at(i.independent[k])];
+    terms.push_back({node, i.weight[k], {}});
+    corners.push_back({node, i.weight[k], x});
+    centre += i.weight[k] * x;
+  }
+  map.add(node_of[at(i.node)], i.rotations, terms, ConstraintMap::Turn::whole, corners, ties.x[at(i.node)] - centre);
 }
 
 void System::add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool rotations) {
@@ -145,6 +150,8 @@ void System::add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool
 std::string System::name(const Holder& holder) const {
   if (holder.body != model::none) return weld::name_body(model.rigid_bodies[at(holder.body)]);
   if (holder.contact != model::none) return weld::name_contact(model.contacts[at(holder.contact)]);
+  if (holder.interpolation != model::none)
+    return fmt::format("*CONSTRAINED_INTERPOLATION {}", model.interpolations[at(holder.interpolation)].id);
   return "nothing";
 }
 

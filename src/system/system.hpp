@@ -156,6 +156,7 @@ class System {
   void make_constraints(Findings& findings);
   void make_bodies();
   /// Adds the row by which `dependent` follows the segment of a tie at a distance `arm` from its foot.
+  void add_interpolation(const model::Interpolation& interpolation);
   void add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool rotations);
   void assemble_mass();
   void link_slots();
@@ -165,9 +166,10 @@ class System {
   std::vector<Vec3d> start_;  ///< positions at time 0, by system node
   std::vector<Lump> lumps_;
   std::vector<double> own_inertia_;
-  /// What makes a node dependent: a rigid body or a tie contact of the model.
+  /// What makes a node dependent: a rigid body, a tie contact or an interpolation of the model.
   struct Holder {
-    model::Index body = model::none, contact = model::none;
+    model::Index body = model::none, contact = model::none, interpolation = model::none;
+    bool none() const { return body == model::none && contact == model::none && interpolation == model::none; }
   };
   std::string name(const Holder& holder) const;
   std::vector<Holder> holder_;                          ///< by system node
