@@ -38,7 +38,8 @@ std::string kinds(const weld::Ties& ties) {
       {weld::Weld::Kind::beam, {"beam", "beams"}},
       {weld::Weld::Kind::solid, {"brick", "bricks"}},
       {weld::Weld::Kind::assembly, {"assembly of bricks", "assemblies of bricks"}},
-      {weld::Weld::Kind::rigid, {"rigid weld", "rigid welds"}}};
+      {weld::Weld::Kind::rigid, {"rigid weld", "rigid welds"}},
+      {weld::Weld::Kind::connector, {"discrete beam", "discrete beams"}}};
   std::map<weld::Weld::Kind, int> count;
   for (const weld::Weld& w : ties.welds) ++count[w.kind];
   std::string text;
@@ -176,7 +177,8 @@ std::string target_table(const model::Model& model, const weld::Ties& ties, cons
     const weld::Price& price = reports[below[i]].price;
     const weld::Target target = weld::reach(price, step);
     s += fmt::format("{:>10} {:>11.4g} {:>11.4g} {:>11.4g} {:>8.4g}  {:>11.4g} {:>11.4g}\n", ties.welds[below[i]].id,
-                     price.time_step, price.mass, target.mass, price.young / target.young, target.young, price.young);
+                     price.time_step, price.mass, target.mass, std::pow(step / price.time_step, 2.0), target.young,
+                     price.young);
   }
   if (shown < below.size())
     s += fmt::format("the smallest steps, {} of {}; welds.csv has all (target_mass, target_young)\n", shown,

@@ -37,10 +37,27 @@ output::WeldLoad last_load(const weld::History& history) {
   return {r.axial, r.shear(), r.moment(), r.torsion, history.last_load().rate, history.failure_value(), terms};
 }
 
+void tell_history(const weld::RigidWeldHistory& history, output::WeldReport& report) {
+  report.failed = history.failed();
+  if (history.failed()) report.failure_time = history.failure_time();
+  report.failure_mode = weld::to_string(history.mode());
+  const auto& peak = history.peaks();
+  report.peak = {peak[0], peak[1], peak[2], peak[3]};
+}
+
 /// Adds to the welds' reports what happened to them.
 void tell_histories(const impact::Simulation& run, std::vector<output::WeldReport>& welds) {
   const system::System& system = run.system();
   for (std::size_t i = 0; i < welds.size(); ++i) {
+    if (system.ties.welds[i].kind == weld::Weld::Kind::rigid)
+      if (const auto* rigid = run.rigid_welds().history_of_body(system.ties.welds[i].element))
+        tell_history(*rigid, welds[i]);
+    if (const impact::Connectors::Record* record = run.connectors().record(i)) {
+      welds[i].failed = record->failed;
+      if (record->failed) welds[i].failure_time = record->failure_time;
+      if (record->failed) welds[i].failure_mode = "limit of its law";
+      welds[i].peak = {record->peaks[0], record->peaks[1], record->peaks[2], record->peaks[3]};
+    }
     const weld::History* history = run.welds().history(i);
     if (history == nullptr) continue;
     for (model::Index element : system.ties.welds[i].elements) {

@@ -42,6 +42,9 @@ output::WeldReport weld_report(const model::Model& model, const weld::Weld& w, c
   r.audit.emplace_back("mass", audit.price.mass);
   r.audit.emplace_back("mass_by_dt", audit.price.mass_by_dt);
   r.audit.emplace_back("mass_by_dt2ms", audit.price.mass_by_dt2ms);
+  if (w.kind == weld::Weld::Kind::connector)
+    r.remarks.push_back(
+        fmt::format("discrete beam of *{}", model.materials[at(model.parts[at(w.part)].material)].keyword));
   for (const weld::Remark& remark : audit.remarks)
     r.remarks.push_back(fmt::format("{}: {}", remark.check->name, remark.text));
   return r;

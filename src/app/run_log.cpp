@@ -39,6 +39,7 @@ std::string section_name(const model::Model& model, const model::Part& part) {
       return fmt::format("solid, ELFORM {}", model.solid_sections[at(part.section)].elform);
     case model::ElementKind::beam: {
       const model::SectionBeam& s = model.beam_sections[at(part.section)];
+      if (s.elform == 6) return fmt::format("discrete beam, ELFORM 6, VOL = {:.4g}, SCOOR = {}", s.volume, s.scoor);
       return fmt::format("beam, ELFORM {}, d = {:.4g}", s.elform, 0.5 * (s.outer[0] + s.outer[1]));
     }
     case model::ElementKind::nothing: break;
@@ -111,6 +112,9 @@ std::string log_ties(const model::Model& model, const weld::Ties& ties, std::siz
   }
   std::string s = fmt::format("Welds: {}, tied at all their nodes: {}; tied nodes: {}\n\n", ties.welds.size(), tied,
                               ties.ties.size());
+  const auto connectors = std::count_if(ties.welds.begin(), ties.welds.end(),
+                                        [](const weld::Weld& w) { return w.kind == weld::Weld::Kind::connector; });
+  if (connectors > 0) s += fmt::format(" discrete beams (ELFORM 6) among them: {}\n\n", connectors);
   for (const auto& [kase, n] : by_case) s += fmt::format(" case {}  {:>8} nodes  {}\n", kase, n, case_name(kase));
   if (open > 0) s += "\nNot tied:\n" + reasons;
   if (open > most) s += fmt::format(" and {} more nodes; welds.csv has all\n", open - most);
@@ -148,12 +152,11 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
       "{:.5e}  initial {:.5e}  ratio {:.5f}\n hourglass / internal {:.3f} %\n\n",
       e.kinetic, e.internal, e.hourglass, e.contact, e.external, e.eroded, e.initial, e.ratio,
       e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0);
-  if (!run.welds().events().empty() || !run.tie_ends().events().empty()) {
-    s += "Events\n\n";
-    for (const std::string& event : run.welds().events()) s += ' ' + event + '\n';
-    for (const std::string& event : run.tie_ends().events()) s += ' ' + event + '\n';
-    s += '\n';
-  }
+  std::string events;
+  for (const auto* list :
+       {&run.welds().events(), &run.rigid_welds().events(), &run.connectors().events(), &run.tie_ends().events()})
+    for (const std::string& event : *list) events += ' ' + event + '\n';
+  if (!events.empty()) s += "Events\n\n" + events + '\n';
   s += fmt::format("Seconds\n\n read {:.3f}  setup {:.3f}  solve {:.3f}  output {:.3f}\n", summary.seconds.read,
                    summary.seconds.setup, summary.seconds.solve, summary.seconds.output);
   for (const auto& [name, seconds] : summary.seconds.phases)

@@ -28,7 +28,8 @@ output::WeldKind kind(weld::Weld::Kind k) {
     case weld::Weld::Kind::beam: return output::WeldKind::beam;
     case weld::Weld::Kind::solid: return output::WeldKind::solid;
     case weld::Weld::Kind::assembly: return output::WeldKind::assembly;
-    case weld::Weld::Kind::rigid: return output::WeldKind::generalized;
+    case weld::Weld::Kind::rigid:
+    case weld::Weld::Kind::connector: return output::WeldKind::generalized;
   }
   return output::WeldKind::beam;
 }
@@ -152,6 +153,21 @@ output::SwforcState swforc_state(const Snapshot& now) {
                       {}});
     if (model.weld_laws[at(model.materials[at(part.material)].weld)].option == -2)
       s.rows.back().peak = {history->peak_failure_value(), history->peak_failure_time()};
+  }
+  for (std::size_t i = 0; i < now.rigid_welds.size(); ++i) {
+    const model::RigidWeld& weld = now.rigid_welds.weld(i);
+    const weld::RigidWeldHistory& h = now.rigid_welds.history(i);
+    s.rows.push_back(
+        {weld.id,
+         weld.kind == model::RigidWeld::Kind::spotweld ? output::WeldKind::constraint : output::WeldKind::generalized,
+         h.axial(),
+         h.shear(),
+         now.rigid_welds.length(i, now.state),
+         h.moment(),
+         h.torsion(),
+         h.failed() ? 1.0 : h.failure_value(),
+         h.failure_time(),
+         {}});
   }
   return s;
 }

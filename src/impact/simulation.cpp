@@ -42,6 +42,8 @@ Simulation::Simulation(system::System& system, Findings& findings)
       supports_(system, findings),
       loads_(system),
       welds_(system, findings),
+      rigid_welds_(system, findings),
+      connectors_(system),
       tie_forces_(system),
       tie_ends_(system, welds_, tie_forces_) {
   const model::Model& model = system.model;
@@ -111,13 +113,13 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_) {
       masses_ = system_.masses();
-      const Snapshot now{system_, state_,    v_before_, w_before_, energy_,     parts_, controlling_,
-                         masses_, supports_, walls_,    contacts_, tie_forces_, welds_, history_rotation_};
+      const Snapshot now{system_,   state_, v_before_, w_before_,   energy_, parts_,       controlling_,     masses_,
+                         supports_, walls_, contacts_, tie_forces_, welds_,  rigid_welds_, history_rotation_};
       recorder.write(now, last);
     }
     if (progress && elapsed() >= next_report) {
       progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()),
-                welds_.failed(), elapsed()});
+                welds_.failed() + rigid_welds_.failed() + connectors_.failed(), elapsed()});
       next_report = elapsed() + 0.2;
     }
     watch.charge(seconds_[output]);
@@ -130,18 +132,19 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     watch.charge(seconds_[motion]);
     system_.internal_force(state_);
     welds_.update(state_);
+    connectors_.update(state_);
     end_ties();
     watch.charge(seconds_[elements]);
     forces();
     watch.charge(seconds_[contact_search]);
-    system_.map.collect(state_.f, state_.m);
+    collect();
     if (system_.scale_mass(false)) update_inverse_mass();
     watch.charge(seconds_[constraints]);
   }
   solve_seconds_ = elapsed();
   if (progress)
     progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()),
-              welds_.failed(), elapsed()});
+              welds_.failed() + rigid_welds_.failed() + connectors_.failed(), elapsed()});
   return outcome;
 }
 
@@ -165,7 +168,7 @@ void Simulation::start() {
   update_inverse_mass();
   tie_forces_.find_bounds();
   forces();
-  system_.map.collect(state_.f, state_.m);
+  collect();
   masses_ = system_.masses();
 
   controlling_ = system_.controlling();
@@ -303,6 +306,14 @@ void Simulation::forces() {
 void Simulation::end_ties() {
   const bool shells_died = bury_shells();
   if (!tie_ends_.update(state_, shell_alive_, shells_died)) return;
+  update_inverse_mass();
+  tie_forces_.find_bounds();
+}
+
+void Simulation::collect() {
+  rigid_welds_.take_loads(state_);
+  system_.map.collect(state_.f, state_.m);
+  if (!rigid_welds_.update(state_)) return;
   update_inverse_mass();
   tie_forces_.find_bounds();
 }

@@ -6,7 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "impact/connectors.hpp"
 #include "impact/options.hpp"
+#include "impact/rigid_welds.hpp"
 #include "impact/snapshot.hpp"
 #include "impact/tie_ends.hpp"
 
@@ -28,6 +30,8 @@ class Simulation {
   const Welds& welds() const { return welds_; }
   const TieForces& tie_forces() const { return tie_forces_; }
   const TieEnds& tie_ends() const { return tie_ends_; }
+  const RigidWelds& rigid_welds() const { return rigid_welds_; }
+  const Connectors& connectors() const { return connectors_; }
   double first_step() const { return first_step_; }
   double smallest_step() const { return smallest_step_; }
   const std::string& smallest_by() const { return smallest_by_; }
@@ -51,6 +55,8 @@ class Simulation {
   /// True if shells were deleted since the last call.
   bool bury_shells();
   void end_ties();
+  /// Loads of dependent nodes go to the independent ones; rigid welds that they overload open.
+  void collect();
   void update_inverse_mass();
   /// Energies of the moment; they stay those of before where the solution has become no number.
   void account();
@@ -70,6 +76,8 @@ class Simulation {
   std::vector<Vec3d> momentum_before_;
   std::vector<Vec3d> history_rotation_;
   Welds welds_;
+  RigidWelds rigid_welds_;
+  Connectors connectors_;
   TieForces tie_forces_;
   TieEnds tie_ends_;
   int deaths_ = 0;

@@ -10,6 +10,7 @@
 #include "contact/surface_contact.hpp"
 #include "impact/conditions.hpp"
 #include "impact/energy.hpp"
+#include "impact/rigid_welds.hpp"
 #include "impact/tie_forces.hpp"
 #include "impact/welds.hpp"
 #include "system/system.hpp"
@@ -31,6 +32,7 @@ struct Snapshot {
   std::span<const contact::SurfaceContact> contacts;
   const TieForces& tie_forces;
   const Welds& welds;
+  const RigidWelds& rigid_welds;
   std::span<const Vec3d> history_rotation;  ///< of the requests' history nodes: their spins, added up over time
 
   Vec3d velocity(std::size_t node) const { return 0.5 * (vec(v_before[node]) + vec(state.v[node])); }

@@ -66,7 +66,7 @@ Welds::Welds(system::System& system, Findings& findings) : system_(system) {
   for (const weld::Weld& w : system.ties.welds) {
     histories_.emplace_back();
     bricks_.emplace_back();
-    if (w.kind == weld::Weld::Kind::rigid || w.deleted) continue;
+    if (w.kind == weld::Weld::Kind::rigid || w.kind == weld::Weld::Kind::connector || w.deleted) continue;
     const model::Material& material = system.model.materials[at(system.model.parts[at(w.part)].material)];
     const model::WeldLaw& law = system.model.weld_laws[at(material.weld)];
     histories_.back() = std::make_unique<weld::History>(

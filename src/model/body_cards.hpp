@@ -7,6 +7,7 @@
 
 #include "deck/deck.hpp"
 #include "model/parts.hpp"
+#include "model/rigid_weld.hpp"
 
 // The cards of *CONSTRAINED_... that make rigid bodies or change them, as read, until Phase::bodies.
 namespace nugget::model {
@@ -27,8 +28,8 @@ struct BodyCards {
     deck::Row row;
   };
   struct Weld {
-    int id = 0;
-    deck::Row row;  ///< NSID CID ...
+    RigidWeld weld;  ///< nodes, body and axis are found later
+    deck::Row row;   ///< generalized: NSID CID ...; else N1 N2 ...
   };
 
   std::vector<Nodal> nodal;

@@ -115,8 +115,12 @@ void check_solids(Builder& b) {
 void check_beams(Builder& b) {
   const Model& m = b.model;
   Tally short_ones(b.findings, Severity::note, "*ELEMENT_BEAM");
+  const auto discrete = [&](std::size_t e) {
+    const Index section = m.parts[static_cast<std::size_t>(m.beams.part[e])].section;
+    return section != none && m.beam_sections[static_cast<std::size_t>(section)].elform == 6;
+  };
   for (std::size_t e = 0; e < m.beams.size(); ++e)
-    if (!(beam_length(m, e) > 0.0))
+    if (!(beam_length(m, e) > 0.0) && !discrete(e))
       short_ones.add(m.beams.place[e], [&] {
         return fmt::format("beam {} has no length; a weld of no length takes its length from its tie", m.beams.id[e]);
       });
@@ -200,14 +204,48 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
                           : "write 1, with an hourglass control of type 2 or 3");
 }
 
+/// A spring needs a mass to have a time step.
+void check_discrete_beam(Builder& b, const Part& part) {
+  const auto s = static_cast<std::size_t>(part.section);
+  const SectionBeam& section = b.model.beam_sections[s];
+  if (!is<kernel::DiscreteBeam>(b.model, part)) return;  // told by check_law
+  const auto& law = std::get<kernel::DiscreteBeam>(b.model.materials[static_cast<std::size_t>(part.material)].law);
+  const auto works = [&](std::size_t i) {
+    const kernel::DiscreteSpring& spring = law.dof[i];
+    return spring.greatest_stiffness() > 0.0 || spring.greatest_viscosity(0.0) > 0.0;
+  };
+  const bool translations = works(0) || works(1) || works(2), rotations = works(3) || works(4) || works(5);
+  const bool couples = std::abs(section.scoor) >= 2 && (works(1) || works(2));
+  if (translations && !(section.volume > 0.0))
+    refuse(b, b.beam_section_rows[s], "elform", "a discrete beam of no volume (VOL) has no mass, so no time step",
+           "give VOL; mass = density times VOL");
+  if ((rotations || couples) && !(section.inertia > 0.0))
+    refuse(b, b.beam_section_rows[s], "elform",
+           "a discrete beam whose moments turn its nodes needs a rotary inertia (INER)", "give INER");
+}
+
 void check_beam_formulation(Builder& b, const Part& part, std::vector<char>& told) {
   const auto s = static_cast<std::size_t>(part.section);
   const int elform = b.model.beam_sections[s].elform;
+  if (elform == 6) return check_discrete_beam(b, part);
   if (elform == 9 || std::exchange(told[s], char{1})) return;
   refuse(b, b.beam_section_rows[s], "elform",
-         elform == 6 ? std::string("discrete beams (formulation 6) are not built yet; built is 9 (spot weld)")
-                     : fmt::format("beam formulation {} is not built; built is 9 (spot weld)", elform),
+         fmt::format("beam formulation {} is not built; built are 9 (spot weld) and 6 (discrete)", elform),
          "model the joint by spot-weld beams (ELFORM 9, MAT_SPOTWELD), or leave the part out");
+}
+
+/// Spot-weld beams have the weld's law, discrete beams one of springs.
+void check_beam_law(Builder& b, const Part& part, const deck::Row& row) {
+  const Model& m = b.model;
+  const Material& material = m.materials[static_cast<std::size_t>(part.material)];
+  const bool discrete = m.beam_sections[static_cast<std::size_t>(part.section)].elform == 6;
+  if (discrete ? is<kernel::DiscreteBeam>(m, part) : is<kernel::Spotweld>(m, part)) return;
+  if (discrete)
+    refuse(b, row, "mid", fmt::format("*{} is not a law of discrete beams (ELFORM 6)", material.keyword),
+           "built are *MAT_066, 067, 068, 074, 119, 121 and 196");
+  else
+    refuse(b, row, "mid", fmt::format("beams are built with *MAT_SPOTWELD only, not with *{}", material.keyword),
+           "give the part *MAT_SPOTWELD, or model it by shells");
 }
 
 /// Which law may be used by which elements.
@@ -222,9 +260,12 @@ void check_law(Builder& b, const Part& part, const deck::Row& row) {
            m.weld_laws[static_cast<std::size_t>(material.weld)].connection)
     refuse(b, row, "mid", "*MAT_SPOTWELD_DAIMLERCHRYSLER is a law of welds of bricks, but the part has beams",
            "model the welds by bricks, or use *MAT_SPOTWELD_DAMAGE-FAILURE");
-  else if (part.kind == ElementKind::beam && !is_weld)
-    refuse(b, row, "mid", fmt::format("beams are built with *MAT_SPOTWELD only, not with *{}", material.keyword),
-           "give the part *MAT_SPOTWELD, or model it by shells");
+  else if (part.kind == ElementKind::beam && part.section != none)
+    check_beam_law(b, part, row);
+  else if (is<kernel::DiscreteBeam>(m, part))
+    refuse(b, row, "mid",
+           fmt::format("*{} is a law of discrete beams, but the part has other elements", material.keyword),
+           "give it the law of a sheet");
   else if (part.kind == ElementKind::solid && is<kernel::Null>(m, part))
     refuse(b, row, "mid", "*MAT_NULL in solids needs an equation of state, which is not built", "use another law");
   else if (part.kind == ElementKind::solid && material.poisson() >= 0.5 && !is<kernel::Rigid>(m, part))

@@ -73,7 +73,9 @@ std::vector<NodeMass> lumped_mass(const Model& m, Index part) {
   const SectionBeam* beam = p.kind == ElementKind::beam ? section_of(m.beam_sections, p) : nullptr;
   for (std::size_t e = 0; beam && e < m.beams.size(); ++e)
     if (m.beams.part[e] == part)
-      share(shares, m.beams.node[e], (density * beam_area(*beam) + beam->extra_mass) * beam_length(m, e));
+      share(shares, m.beams.node[e],
+            beam->elform == 6 ? density * beam->volume
+                              : (density * beam_area(*beam) + beam->extra_mass) * beam_length(m, e));
   return joined(std::move(shares));
 }
 

@@ -13,7 +13,8 @@ struct NodeMass {
 };
 
 /// Mass of a part's elements at its nodes, in ascending order of nodes: each element gives equal shares to its nodes
-/// (a triangle thirds). Shells rho A t plus MAREA, bricks rho V, beams rho A L of a round (tube) section plus NSM.
+/// (a triangle thirds). Shells rho A t plus MAREA, bricks rho V, beams rho A L of a round (tube) section plus NSM,
+/// discrete beams rho VOL.
 std::vector<NodeMass> lumped_mass(const Model& model, Index part);
 
 /// Area of a shell, half the cross product of its diagonals [length^2].

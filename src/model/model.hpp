@@ -12,9 +12,11 @@
 #include "model/contact.hpp"
 #include "model/control.hpp"
 #include "model/implicit.hpp"
+#include "model/interpolation.hpp"
 #include "model/loads.hpp"
 #include "model/parts.hpp"
 #include "model/requests.hpp"
+#include "model/rigid_weld.hpp"
 #include "model/weld_law.hpp"
 
 // The checked, immutable meaning of a deck. Inside, everything is an index (position in its array, from 0); the user's
@@ -152,8 +154,9 @@ struct Model {
   std::vector<CoordinateSystem> systems;
   Sets sets;
 
-  std::vector<RigidBody>
-      rigid_bodies;  ///< MAT_RIGID parts (merged), nodal rigid bodies, generalized weld spots without failure
+  std::vector<RigidBody> rigid_bodies;  ///< MAT_RIGID parts (merged), nodal rigid bodies, rigid welds
+  std::vector<RigidWeld> rigid_welds;
+  std::vector<Interpolation> interpolations;
   std::vector<SinglePointConstraint> spcs;
   std::vector<PrescribedMotion> motions;
   std::vector<Vec3d> initial_velocity;  ///< per node; empty: all zero [length/time]

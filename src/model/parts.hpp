@@ -8,6 +8,7 @@
 
 #include "base/finding.hpp"
 #include "base/vec3.hpp"
+#include "kernel/law/discrete_beam.hpp"
 #include "kernel/law/elastic.hpp"
 #include "kernel/law/null.hpp"
 #include "kernel/law/piecewise_linear.hpp"
@@ -21,7 +22,7 @@ using Index = int;
 inline constexpr Index none = -1;
 
 using Law = std::variant<kernel::Elastic, kernel::PlasticKinematic, kernel::PiecewiseLinear, kernel::Null,
-                         kernel::Rigid, kernel::Spotweld>;
+                         kernel::Rigid, kernel::Spotweld, kernel::DiscreteBeam>;
 
 struct Material {
   int id = 0;
@@ -67,6 +68,11 @@ struct SectionBeam {
   std::array<double, 2> inner{};  ///< TT1, TT2: inner diameters [length]
   bool in_swforc = true;          ///< PRINT = 0
   bool torsion = true;            ///< ITOFF = 0
+  // Of a discrete beam (ELFORM 6):
+  double volume = 0.0;   ///< VOL; its mass is density times that [length^3]
+  double inertia = 0.0;  ///< INER [mass length^2]
+  int scoor = 0;         ///< SCOOR
+  Index system = none;   ///< CID
   Place place;
 };
 
@@ -124,7 +130,7 @@ struct Sets {
 
 /// A body that moves as one. Its mass properties follow from its nodes and elements unless `given`.
 struct RigidBody {
-  enum class Origin { part, nodal, weld };  ///< MAT_RIGID part, nodal rigid body, generalized weld spot
+  enum class Origin { part, nodal, weld };  ///< MAT_RIGID part, nodal rigid body, rigid weld
   Origin origin = Origin::part;
   int id = 0;  ///< part id, or PID of the nodal rigid body, or weld id
   std::string title;

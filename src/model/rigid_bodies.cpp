@@ -20,7 +20,7 @@ std::string name_of(const RigidBody& body) {
     case RigidBody::Origin::nodal: return fmt::format("nodal rigid body {}", body.id);
     case RigidBody::Origin::weld: break;
   }
-  return fmt::format("generalized weld spot {}", body.id);
+  return fmt::format("rigid weld {}", body.id);
 }
 
 bool is_rigid(const Model& model, const Part& part) {
@@ -227,33 +227,71 @@ class Maker {
     }
   }
 
-  // -- generalized weld spots --
+  // -- rigid welds --
 
   void add_weld(const BodyCards::Weld& card) {
-    const Set<Index>* nodes = b_.node_set(card.row, "nsid");
-    if (!nodes) return;
-    if (const Index part_body = touched_part(*nodes); part_body != none) {
-      card.row.complain(b_.findings, Severity::note, "nsid",
+    RigidWeld weld = card.weld;
+    const bool generalized = weld.kind == RigidWeld::Kind::generalized;
+    const std::string_view field = generalized ? "nsid" : "n1";
+    if (!find_weld_nodes(card.row, weld)) return;
+    if (const Index part_body = touched_part(weld.nodes); part_body != none) {
+      if (weld.can_fail())
+        return refuse(
+            b_, card.row, field,
+            fmt::format("a weld to {} cannot fail: its nodes would be part of that body", name_of(body(part_body))),
+            "weld deformable sheets, or take the failure values out");
+      card.row.complain(b_.findings, Severity::note, field,
                         fmt::format("touches {}: its nodes become extra nodes of that body", name_of(body(part_body))));
-      give(part_body, nodes->members);
+      give(part_body, weld.nodes);
       claim(part_body);
       return;
     }
-    RigidBody weld;
-    weld.origin = RigidBody::Origin::weld;
-    weld.id = card.id;
-    weld.place = card.row.place();
-    weld.nodes = nodes->members;
-    make_unique(weld.nodes);
-    if (weld.nodes.size() < 2)
-      return refuse(b_, card.row, "nsid", "a weld spot joins two nodes or more", "add nodes to the set");
-    model_.rigid_bodies.push_back(std::move(weld));
+    if (!find_axis(card.row, weld)) return;
+    RigidBody held;
+    held.origin = RigidBody::Origin::weld;
+    held.id = weld.id;
+    held.place = weld.place;
+    held.nodes = weld.nodes;
+    make_unique(held.nodes);
+    if (held.nodes.size() < 2)
+      return refuse(b_, card.row, field, "a weld joins two nodes or more",
+                    generalized ? "add nodes to the set" : "give two different nodes");
+    weld.body = static_cast<Index>(model_.rigid_bodies.size());
+    model_.rigid_bodies.push_back(std::move(held));
+    model_.rigid_welds.push_back(std::move(weld));
     claim(static_cast<Index>(model_.rigid_bodies.size()) - 1);
   }
 
+  bool find_weld_nodes(const Row& row, RigidWeld& weld) {
+    if (weld.kind == RigidWeld::Kind::generalized) {
+      const Set<Index>* set = b_.node_set(row, "nsid");
+      if (set) weld.nodes = set->members;
+      return set != nullptr;
+    }
+    weld.nodes = {b_.node(row, "n1"), b_.node(row, "n2")};
+    return weld.nodes[0] != none && weld.nodes[1] != none;
+  }
+
+  /// The axis of CID. Without one the first and the last node must tell it, where it is needed.
+  bool find_axis(const Row& row, RigidWeld& weld) {
+    const bool generalized = weld.kind == RigidWeld::Kind::generalized;
+    if (generalized)
+      if (const Index system = b_.system(row, "cid"); system != none)
+        weld.axis = model_.systems[static_cast<std::size_t>(system)].axes.e3;
+    const auto place = [&](Index node) { return model_.nodes.x[static_cast<std::size_t>(node)]; };
+    const bool apart = norm(place(weld.nodes.back()) - place(weld.nodes.front())) > 0.0;
+    if (apart || weld.axis || (generalized && !weld.can_fail())) return true;
+    if (generalized)
+      refuse(b_, row, "cid", "the nodes are at one place, so they do not tell in which direction the weld fails",
+             "give a coordinate system whose z axis is the normal of the sheets");
+    else
+      refuse(b_, row, "n2", "both nodes are at one place", "use *CONSTRAINED_GENERALIZED_WELD_SPOT for such nodes");
+    return false;
+  }
+
   /// The rigid part that one of the nodes belongs to, or none.
-  Index touched_part(const Set<Index>& nodes) {
-    for (const Index node : nodes.members) {
+  Index touched_part(const std::vector<Index>& nodes) {
+    for (const Index node : nodes) {
       const Index holder = b_.body_of_node[static_cast<std::size_t>(node)];
       if (holder != none && body(holder).origin == RigidBody::Origin::part) return holder;
     }

@@ -6,7 +6,7 @@
 #include "model/builder.hpp"
 
 // What moves as one: MAT_RIGID parts (merged by *CONSTRAINED_RIGID_BODIES, with their extra nodes), nodal rigid bodies,
-// generalized weld spots without failure.
+// rigid welds.
 namespace nugget::model {
 
 /// Makes Model::rigid_bodies, Part::rigid_body, Builder::bodies and Builder::body_of_node of the parts and of

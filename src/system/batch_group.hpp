@@ -36,6 +36,7 @@ using AlignedReals = std::vector<double, Aligned<double>>;
 ///   cycle<R>(motion, dt, state)       the kernel; returns f, m (where rotational) and stable_step
 ///   mass, nodal_inertia (element)     of the undeformed element
 ///   layers(), layer(...), thickness(...), resultants(...)   for output
+///   stiffness(state, places, k)       where the kernel's own derivative is not exact; may be absent
 ///   Layout::integrity, hold_yield(state, lane)              of welds only
 template <class Element>
 class BatchGroup final : public ElementGroup {
@@ -121,6 +122,10 @@ class BatchGroup final : public ElementGroup {
   /// The kernel's forces after a step with unit velocity in one freedom, a freedom a lane. The step is so short that it
   /// moves nothing and meets no yield, and a power of two: what is left is the exact derivative (docs/decisions/0017).
   void stiffness(std::size_t e, const State& start, std::span<double> k) const override {
+    if constexpr (requires { kernel_.stiffness(reader(e), places(e, start), k); }) {
+      kernel_.stiffness(reader(e), places(e, start), k);
+      return;
+    }
     constexpr double step = 0x1p-100;
     constexpr int per_node = Element::rotational ? 6 : 3, size = corners * per_node;
     typename Element::template Motion<R> motion;

@@ -9,6 +9,7 @@
 #include "base/index.hpp"
 #include "system/batch_group.hpp"
 #include "system/brick_element.hpp"
+#include "system/discrete_beam_element.hpp"
 #include "system/order.hpp"
 #include "system/shell_elements.hpp"
 #include "system/system.hpp"
@@ -299,6 +300,13 @@ void System::make_weld_beams(Findings& findings) {
   const auto sorted = by_part(model.beams, model.parts.size(), ties.x);
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     if (sorted[p].empty()) continue;
+    if (model.beam_sections[at(model.parts[p].section)].elform == 6) {
+      std::vector<model::Index> kept;
+      for (model::Index e : sorted[p])
+        if (!deleted[at(e)]) kept.push_back(e);
+      add_discrete_beams(p, kept, findings);
+      continue;
+    }
     const bool wants_torsion = model.beam_sections[at(model.parts[p].section)].torsion;
     std::vector<model::Index> with, without;
     for (model::Index e : sorted[p]) {
@@ -315,6 +323,28 @@ void System::make_weld_beams(Findings& findings) {
         fmt::format("no torsion in {} weld beam{}: the shells have no stiffness about their normal to hold it",
                     untwisted, untwisted == 1 ? "" : "s"),
         "*CONTACT_SPOTWELD_WITH_TORSION turns it into in-plane forces");
+}
+
+void System::add_discrete_beams(std::size_t p, const std::vector<model::Index>& chosen, Findings& findings) {
+  if (chosen.empty()) return;
+  const model::Part& part = model.parts[p];
+  const model::SectionBeam& section = model.beam_sections[at(part.section)];
+  const model::Material& material = model.materials[at(part.material)];
+  const auto* law = std::get_if<kernel::DiscreteBeam>(&material.law);
+  if (law == nullptr) return;  // refused by the model
+  const kernel::DiscreteBeamProperties beam{material.density * section.volume, section.inertia, section.scoor};
+  for (const model::Index e : chosen) {
+    const auto& n = model.beams.node[at(e)];
+    if (beam.follows_line() && !(norm(ties.x[at(n[1])] - ties.x[at(n[0])]) > 0.0))
+      findings.error(model.beams.place[at(e)], "*ELEMENT_BEAM",
+                     fmt::format("discrete beam {} has no length, so its r axis cannot follow it (SCOOR = {})",
+                                 model.beams.id[at(e)], section.scoor),
+                     "write SCOOR 0 for beams of no length");
+  }
+  std::optional<Frame3d> axes;
+  if (section.system != model::none) axes = model.systems[at(section.system)].axes;
+  add_group(DiscreteBeamElement{beam, *law, axes, model.beams, ties.x}, model::ElementKind::beam, p,
+            members(model.beams, chosen), beam_seat);
 }
 
 void System::add_weld_beams(std::size_t p, const std::vector<model::Index>& chosen, bool torsion) {

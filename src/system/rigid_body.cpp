@@ -51,6 +51,7 @@ Vec3d RigidBody::momentum(const Vec3d& spin, const Frame3d& at) const {
 }
 
 void RigidBody::advance(double kick, double dt, State& state) {
+  if (!(mass > 0.0)) return;  // all its nodes were released
   const auto k = static_cast<std::size_t>(node);
   Vec3d velocity = vec(state.v[k]) + (kick / mass) * vec(state.f[k]);
   hold(velocity, fixed);

@@ -13,6 +13,22 @@
 #include "weld/tie_findings.hpp"
 
 namespace nugget::system {
+namespace {
+
+/// Nodes in a line without rotary inertia leave one direction without any: a small isotropic share keeps it solvable.
+void keep_solvable(Inertia& i) {
+  const double trace = i[0] + i[3] + i[5];
+  const double det =
+      i[0] * (i[3] * i[5] - i[4] * i[4]) - i[1] * (i[1] * i[5] - i[2] * i[4]) + i[2] * (i[1] * i[4] - i[2] * i[3]);
+  if (det > 1e-12 * trace * trace * trace) return;
+  const double share = trace > 0.0 ? 1e-3 * trace : 1.0;
+  i[0] += share;
+  i[3] += share;
+  i[5] += share;
+}
+
+}  // namespace
+
 System::System(const model::Model& m, const weld::Ties& t, Findings& findings) : model(m), ties(t) {
   order_nodes();
   make_groups(findings);
@@ -38,7 +54,7 @@ void System::make_constraints(Findings& findings) {
   holder_.assign(nodes, {});
   const auto claim = [&](model::Index node, const Holder& who, const Place& place) {
     Holder& held = holder_[at(node_of[at(node)])];
-    if (held.body != model::none || held.contact != model::none) {
+    if (!held.none()) {
       findings.error(place, "",
                      fmt::format("node {} is made dependent twice: by {} and by {}", model.nodes.id[at(node)],
                                  name(held), name(who)),
@@ -81,11 +97,29 @@ void System::make_constraints(Findings& findings) {
       add_tie(node_of[at(tie.node)], tie, projected ? Vec3d{} : gap, tie.rotations);
     }
   }
+  for (std::size_t k = 0; k < model.interpolations.size(); ++k) {
+    const model::Interpolation& i = model.interpolations[k];
+    if (claim(i.node, {.interpolation = static_cast<model::Index>(k)}, i.place)) add_interpolation(i);
+  }
   for (int node : map.close(static_cast<int>(all_nodes())))
     findings.error(
         {model.deck, 0, 0}, "",
         fmt::format("node {} is tied to itself through other ties", model.nodes.id[at(model_node[at(node)])]),
         "tie the weld to a sheet whose nodes are free");
+}
+
+void System::add_interpolation(const model::Interpolation& i) {
+  std::vector<ConstraintMap::Term> terms;
+  std::vector<ConstraintMap::Corner> corners;
+  Vec3d centre;
+  for (std::size_t k = 0; k < i.weight.size(); ++k) {
+    const Vec3d x = ties.x[at(i.independent[k])];
+    const int node = node_of[at(i.independent[k])];
+    terms.push_back({node, i.weight[k], {}});
+    corners.push_back({node, i.weight[k], x});
+    centre += i.weight[k] * x;
+  }
+  map.add(node_of[at(i.node)], i.rotations, terms, ConstraintMap::Turn::whole, corners, ties.x[at(i.node)] - centre);
 }
 
 void System::add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool rotations) {
@@ -116,6 +150,8 @@ void System::add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool
 std::string System::name(const Holder& holder) const {
   if (holder.body != model::none) return weld::name_body(model.rigid_bodies[at(holder.body)]);
   if (holder.contact != model::none) return weld::name_contact(model.contacts[at(holder.contact)]);
+  if (holder.interpolation != model::none)
+    return fmt::format("*CONSTRAINED_INTERPOLATION {}", model.interpolations[at(holder.interpolation)].id);
   return "nothing";
 }
 
@@ -183,19 +219,46 @@ void System::make_bodies() {
   for (RigidBody& body : bodies) {
     const model::RigidBody& source = model.rigid_bodies[at(body.source)];
     if (source.given) body.inertia = source.inertia.inertia;
-    // Nodes in a line without rotary inertia leave one direction without any: a small isotropic share keeps it
-    // solvable.
-    Inertia& i = body.inertia;
-    const double trace = i[0] + i[3] + i[5];
-    const double det =
-        i[0] * (i[3] * i[5] - i[4] * i[4]) - i[1] * (i[1] * i[5] - i[2] * i[4]) + i[2] * (i[1] * i[4] - i[2] * i[3]);
-    if (det <= 1e-12 * trace * trace * trace) {
-      const double share = trace > 0.0 ? 1e-3 * trace : 1.0;
-      i[0] += share;
-      i[3] += share;
-      i[5] += share;
-    }
+    keep_solvable(body.inertia);
   }
+}
+
+void System::release_nodes(std::size_t b, std::span<const int> released, std::span<const int> kept, State& state) {
+  RigidBody& body = bodies[b];
+  const auto c = at(body.node);
+  Vec3d momentum = body.mass * vec(state.v[c]);
+  for (const int d : released) {
+    map.remove(d);
+    momentum -= own_mass[at(d)] * vec(state.v[at(d)]);
+  }
+  hand_over_mass();
+  body.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  body.mass = 0.0;
+  body.inertia = {};
+  body.angular_momentum = {};
+  state.f[c] = state.m[c] = Row{};
+  if (kept.empty()) {
+    state.v[c] = state.w[c] = Row{};
+    return;
+  }
+  Vec3d moment;
+  for (const int d : kept) {
+    body.mass += own_mass[at(d)];
+    moment += own_mass[at(d)] * map.terms(d).front().arm;
+  }
+  const Vec3d shift = (1.0 / body.mass) * moment;
+  for (const int d : kept) {
+    Vec3d& arm = map.terms(d).front().arm;
+    arm -= shift;
+    add_point(body.inertia, own_mass[at(d)], own_inertia_[at(d)], arm);
+    add(state.f[c], vec(state.f[at(d)]));
+    add(state.m[c], vec(state.m[at(d)]) + cross(arm, vec(state.f[at(d)])));
+    state.f[at(d)] = state.m[at(d)] = Row{};
+  }
+  keep_solvable(body.inertia);
+  add(state.x[c], shift);
+  set(state.v[c], (1.0 / body.mass) * momentum);
+  body.angular_momentum = body.momentum(vec(state.w[c]), body.axes);
 }
 
 void System::hand_over_mass() {

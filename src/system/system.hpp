@@ -42,6 +42,7 @@ class System {
   std::vector<double> mass, inertia;
   /// The same before anything was handed over: what the elements and point masses put there.
   std::vector<double> own_mass;
+  const std::vector<double>& own_inertia() const { return own_inertia_; }
 
   ConstraintMap map;
   std::vector<RigidBody> bodies;  ///< body b is virtual node nodes + b
@@ -107,6 +108,12 @@ class System {
   /// True if any mass was added; nodal masses are then assembled anew.
   bool scale_mass(bool at_start);
 
+  /// Lets nodes of a rigid body go while the model moves: they are free from now on, with their own mass and the
+  /// velocity they have. What the body keeps moves on as a body of its own mass and inertia; linear momentum is
+  /// conserved to round-off, angular momentum to the square of the angle turned in a step. `kept`: its other nodes;
+  /// where there are none it is at rest and has no mass. Loads of all these nodes stand in `state`, not yet collected.
+  void release_nodes(std::size_t body, std::span<const int> released, std::span<const int> kept, State& state);
+
   struct Masses {
     double physical = 0.0;        ///< of the model as the deck describes it, DT of welds included
     double added = 0.0;           ///< by DT2MS
@@ -143,11 +150,13 @@ class System {
   /// DT of the weld material, and what stands in for it.
   void scale_like_a_weld(ElementGroup& group, const kernel::Spotweld& law) const;
   void make_weld_beams(Findings& findings);
+  void add_discrete_beams(std::size_t part, const std::vector<model::Index>& chosen, Findings& findings);
   void add_weld_beams(std::size_t part, const std::vector<model::Index>& chosen, bool torsion);
 
   void make_constraints(Findings& findings);
   void make_bodies();
   /// Adds the row by which `dependent` follows the segment of a tie at a distance `arm` from its foot.
+  void add_interpolation(const model::Interpolation& interpolation);
   void add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool rotations);
   void assemble_mass();
   void link_slots();
@@ -157,9 +166,10 @@ class System {
   std::vector<Vec3d> start_;  ///< positions at time 0, by system node
   std::vector<Lump> lumps_;
   std::vector<double> own_inertia_;
-  /// What makes a node dependent: a rigid body or a tie contact of the model.
+  /// What makes a node dependent: a rigid body, a tie contact or an interpolation of the model.
   struct Holder {
-    model::Index body = model::none, contact = model::none;
+    model::Index body = model::none, contact = model::none, interpolation = model::none;
+    bool none() const { return body == model::none && contact == model::none && interpolation == model::none; }
   };
   std::string name(const Holder& holder) const;
   std::vector<Holder> holder_;                          ///< by system node

@@ -65,7 +65,7 @@ Look look_at_stack(const Inspection& in, const Weld& weld) {
 
 Look look_at_length(const Inspection& in, const Weld& weld) {
   constexpr double shortest = 1e-6, least = 0.3, most = 3.0;
-  if (weld.kind == Weld::Kind::rigid) return {};
+  if (weld.kind == Weld::Kind::rigid || weld.kind == Weld::Kind::connector) return {};
   const auto t = in.thicknesses(weld);
   const double usual = t ? 0.5 * ((*t)[0] + (*t)[1]) : 0.0;
   if (weld.length <= shortest * weld.diameter || usual <= 0.0)

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <variant>
 
+#include "kernel/element/discrete_beam.hpp"
 #include "kernel/element/hexahedron.hpp"
 #include "weld/welds.hpp"
 
@@ -46,6 +47,17 @@ Price brick_price(const model::Model& model, const std::vector<Vec3d>& x, const 
   return price;
 }
 
+Price connector_price(const model::Model& model, const Weld& weld) {
+  const model::Part& part = model.parts[weld.part];
+  const model::SectionBeam& section = model.beam_sections[part.section];
+  const model::Material& material = model.materials[part.material];
+  const kernel::DiscreteBeamProperties beam{material.density * section.volume, section.inertia, section.scoor};
+  Price price;
+  price.time_step = kernel::discrete_beam_stable_step(beam, std::get<kernel::DiscreteBeam>(material.law), weld.length);
+  price.mass = beam.mass;
+  return price;
+}
+
 /// Mass times the factor that lifts a time step to `wanted`, less the mass; the step goes with sqrt(density).
 double mass_to_reach(double wanted, double step, double mass) {
   return step > 0.0 && step < wanted ? mass * ((wanted / step) * (wanted / step) - 1.0) : 0.0;
@@ -55,12 +67,17 @@ double mass_to_reach(double wanted, double step, double mass) {
 
 Price price(const model::Model& model, const std::vector<Vec3d>& x, const Weld& weld) {
   if (weld.kind == Weld::Kind::rigid) return {};
+  const double target = std::abs(model.control.mass_step * model.control.step_scale);
+  if (weld.kind == Weld::Kind::connector) {
+    Price price = connector_price(model, weld);
+    price.mass_by_dt2ms = mass_to_reach(target, price.time_step, price.mass);
+    return price;
+  }
   const model::Material& material = model.materials[model.parts[weld.part].material];
   Price price =
       weld.kind == Weld::Kind::beam ? beam_price(model, weld, material) : brick_price(model, x, weld, material);
   const double dt = std::get<kernel::Spotweld>(material.law).mass_step;
   price.mass_by_dt = mass_to_reach(dt, price.time_step, price.mass);
-  const double target = std::abs(model.control.mass_step * model.control.step_scale);
   price.mass_by_dt2ms = mass_to_reach(target, std::max(price.time_step, dt), price.mass + price.mass_by_dt);
   return price;
 }

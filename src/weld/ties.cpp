@@ -195,7 +195,7 @@ void Tying::work_through(Index contact) {
   take_offers(contact, tracked, std::move(offers));
 
   for (const Weld& weld : result_.welds)
-    if (weld.kind == Weld::Kind::beam) settle_beam(weld);
+    if (weld.kind == Weld::Kind::beam || weld.kind == Weld::Kind::connector) settle_beam(weld);
   for (const Tracked& t : tracked)
     if (Record& r = *record(t.node); !r.tied && !r.only_sheet_taken) settle(r, best(r, none));
   for (const Tracked& t : tracked) record(t.node)->in_reach.clear();

@@ -9,6 +9,8 @@
 #include <span>
 #include <variant>
 
+#include "weld/connectors.hpp"
+
 namespace nugget::weld {
 namespace {
 
@@ -80,15 +82,15 @@ void find_brick_welds(const model::Model& model, std::vector<Weld>& welds) {
   }
 }
 
-Weld rigid_weld(const model::Model& model, Index body) {
-  const model::RigidBody& rigid = model.rigid_bodies[body];
+Weld rigid_weld(const model::RigidWeld& rigid) {
   Weld weld;
   weld.kind = Weld::Kind::rigid;
+  weld.generalized = rigid.kind == model::RigidWeld::Kind::generalized;
   weld.id = rigid.id;
-  weld.element = body;
-  weld.elements = {body};
+  weld.element = rigid.body;
+  weld.elements = {rigid.body};
   weld.ends = projections(rigid.nodes);
-  if (!rigid.nodes.empty()) weld.face = {{{rigid.nodes.front()}, {rigid.nodes.back()}}};
+  weld.face = {{{rigid.nodes.front()}, {rigid.nodes.back()}}};
   weld.place = rigid.place;
   return weld;
 }
@@ -128,8 +130,9 @@ std::string name_weld(const Weld& weld) {
 
 std::string keyword_of(const Weld& weld) {
   switch (weld.kind) {
-    case Weld::Kind::beam: return "*ELEMENT_BEAM";
-    case Weld::Kind::rigid: return "*CONSTRAINED_GENERALIZED_WELD_SPOT";
+    case Weld::Kind::beam:
+    case Weld::Kind::connector: return "*ELEMENT_BEAM";
+    case Weld::Kind::rigid: return weld.generalized ? "*CONSTRAINED_GENERALIZED_WELD_SPOT" : "*CONSTRAINED_SPOTWELD";
     case Weld::Kind::solid: return "*ELEMENT_SOLID";
     case Weld::Kind::assembly: return "*DEFINE_HEX_SPOTWELD_ASSEMBLY";
   }
@@ -140,9 +143,12 @@ std::vector<Weld> find_welds(const model::Model& model) {
   std::vector<Weld> welds;
   for (Index e = 0; e < static_cast<Index>(model.beams.size()); ++e)
     if (of_weld_material(model, model.beams.part[e])) welds.push_back(beam_weld(model, e));
+  for (const Index e : find_connectors(model)) {
+    welds.push_back(beam_weld(model, e));
+    welds.back().kind = Weld::Kind::connector;
+  }
   find_brick_welds(model, welds);
-  for (Index b = 0; b < static_cast<Index>(model.rigid_bodies.size()); ++b)
-    if (model.rigid_bodies[b].origin == model::RigidBody::Origin::weld) welds.push_back(rigid_weld(model, b));
+  for (const model::RigidWeld& rigid : model.rigid_welds) welds.push_back(rigid_weld(rigid));
   return welds;
 }
 
@@ -178,6 +184,7 @@ std::string_view to_string(Weld::Kind kind) {
     case Weld::Kind::solid: return "solid";
     case Weld::Kind::assembly: return "assembly";
     case Weld::Kind::rigid: return "rigid";
+    case Weld::Kind::connector: return "beam";
   }
   return "beam";
 }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // *CONSTRAINED_...: rigid bodies out of nodes and parts. The cards wait in Builder::body_cards; rigid_bodies.cpp makes
 // the bodies.
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "model/axes.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
@@ -79,21 +83,59 @@ const Card merge_card{{
     integer("iflag", 0, any_value, "0: a given inertia of the lead body holds for both"),
 }};
 const Card weld_id_card{{id("wid", IdSpace::other, 0, "number of the weld")}};
+constexpr Field normal_strength = real("sn", dimension::force, 0, at_least(0), "normal force at failure; 0: left out");
+constexpr Field shear_strength = real("ss", dimension::force, 0, at_least(0), "shear force at failure; 0: left out");
+constexpr Field normal_exponent = real("n", dimension::number, 0, at_least(0), "exponent of the normal force");
+constexpr Field shear_exponent = real("m", dimension::number, 0, at_least(0), "exponent of the shear force");
 const Card weld_card1{{
-    id("nsid", IdSpace::set, required, "nodes that are welded together"),
-    id("cid", IdSpace::define, 0, "coordinate system of the forces"),
-    integer("filter", 0, any_value, "force vectors that are averaged for failure"),
-    real("window", dimension::time, 0, any_value, "time window of that average"),
+    id("nsid", IdSpace::set, required, "nodes that are welded together, in their order along the weld"),
+    id("cid", IdSpace::define, 0, "coordinate system whose z is the normal direction; 0: first node to last"),
+    integer("filter", 0, at_least(0), "force vectors that are averaged for failure; up to 1: none"),
+    real("window", dimension::time, 0, at_least(0), "time window of that average; 0: all FILTER vectors"),
     integer("npr", 0, any_value, "pairs of nodes for output"),
     integer("nprt", 0, any_value, "output in rbdout"),
 }};
 const Card weld_card2{{
     real("tfail", dimension::time, forever, at_least(0), "time of failure"),
-    real("epsf", dimension::number, 0, at_least(0), "plastic strain at failure"),
-    real("sn", dimension::force, 0, at_least(0), "normal force at failure"),
-    real("ss", dimension::force, 0, at_least(0), "shear force at failure"),
-    real("n", dimension::number, 0, any_value, "exponent of the normal force"),
-    real("m", dimension::number, 0, any_value, "exponent of the shear force"),
+    real("epsf", dimension::number, 0, at_least(0), "plastic strain of the adjoining elements at failure; 0: none"),
+    normal_strength,
+    shear_strength,
+    normal_exponent,
+    shear_exponent,
+}};
+const Card spotweld_card{{
+    id("n1", IdSpace::node, required, "node 1"),
+    id("n2", IdSpace::node, required, "node 2, at another place"),
+    normal_strength,
+    shear_strength,
+    normal_exponent,
+    shear_exponent,
+    real("tf", dimension::time, forever, at_least(0), "time of failure"),
+    real("ep", dimension::number, forever, at_least(0), "plastic strain of the adjoining elements at failure"),
+}};
+const Card spotweld_filter_card{{
+    integer("nf", 0, at_least(0), "force vectors that are averaged for failure; up to 1: none"),
+    real("tw", dimension::time, 0, at_least(0), "time window of that average; 0: all NF vectors"),
+}};
+
+const Card interpolation_card1{{
+    id("icid", IdSpace::other, 0, "number of the interpolation"),
+    id("dnid", IdSpace::node, required, "dependent node"),
+    integer("ddof", 123456, between(123, 123456), "its dependent degrees of freedom: 123456, or 123 (translations)"),
+    unused(),
+    integer("ityp", 0, between(0, 1), "INID is 0 a node, 1 a node set"),
+    integer("idnsw", 1, only(1), "switch of the explicit solution"),
+    integer("fgm", 0, any_value, "output of the weights, no effect"),
+}};
+const Card interpolation_card2{{
+    integer("inid", required, at_least(1), "independent node, or set"),
+    integer("idof", 0, any_value, "its degrees of freedom: 123; rotations are not built"),
+    real("twghtx", dimension::number, 1, above_zero(), "weight of its translation"),
+    real("twghty", dimension::number, 0, at_least(0), "along y; 0: as along x, and nothing else"),
+    real("twghtz", dimension::number, 0, at_least(0), "along z; 0: as along x, and nothing else"),
+    real("rwghtx", dimension::number, 0, only(0), "weight of its rotation: not built"),
+    real("rwghty", dimension::number, 0, only(0), "not built"),
+    real("rwghtz", dimension::number, 0, only(0), "not built"),
 }};
 
 // ---- nodal rigid bodies
@@ -168,25 +210,136 @@ void read_mergers(Builder& builder, const Block& block, const Options&) {
   while (!at_end(cursor)) builder.body_cards.merges.push_back(cursor.read(merge_card));
 }
 
-/// Failure of a generalized weld spot is not built: the spot would hold where LS-DYNA's breaks.
-void refuse_failure(Builder& builder, const Row& row) {
-  constexpr std::string_view text = "failure of a generalized weld spot is not built",
-                             remedy = "use *MAT_SPOTWELD elements with *CONTACT_SPOTWELD";
-  if (row.real("tfail") < forever) refuse(builder, row, "tfail", std::string(text), std::string(remedy));
-  for (const std::string_view field : {"epsf", "sn", "ss"})
-    if (row.real(field) < forever) refuse_nonzero(builder, row, field, std::string(text), std::string(remedy));
+// ---- rigid welds
+// -------------------------------------------------------------------------------------------------------------
+
+/// SN SS N M. A strength without an exponent would be reached at once.
+void take_strength(Builder& builder, const Row& row, RigidWeld& weld) {
+  const auto take = [&](std::string_view force, std::string_view exponent, double& strength, double& power) {
+    if (row.real(force) <= 0.0 || row.real(force) >= forever) return;
+    strength = row.real(force);
+    power = row.real(exponent);
+    if (!(power > 0.0))
+      refuse(builder, row, exponent, fmt::format("the exponent that goes with {} must be more than 0", force),
+             "give 1 for a straight and 2 for a round failure curve");
+  };
+  take("sn", "n", weld.normal_strength, weld.normal_exponent);
+  take("ss", "m", weld.shear_strength, weld.shear_exponent);
+}
+
+/// LS-DYNA's 0 and 1e20 both mean that there is no such failure; ours is 0.
+double failure_value(const Row& row, std::string_view field) {
+  return row.real(field) >= forever ? 0.0 : row.real(field);
+}
+
+void keep_weld(Builder& builder, BodyCards::Weld weld) {
+  weld.weld.place = weld.row.place();
+  if (weld.weld.id == 0) weld.weld.id = static_cast<int>(builder.body_cards.welds.size()) + 1;
+  builder.body_cards.welds.push_back(std::move(weld));
 }
 
 void read_weld_spot(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     BodyCards::Weld weld;
-    if (options.contains("ID")) weld.id = cursor.read(weld_id_card).integer("wid");
-    if (weld.id == 0) weld.id = static_cast<int>(builder.body_cards.welds.size()) + 1;
+    weld.weld.kind = RigidWeld::Kind::generalized;
+    if (options.contains("ID")) weld.weld.id = cursor.read(weld_id_card).integer("wid");
     weld.row = cursor.read(weld_card1);
-    refuse_failure(builder, cursor.read(weld_card2));
-    builder.body_cards.welds.push_back(std::move(weld));
+    weld.weld.filter = weld.row.integer("filter");
+    weld.weld.window = weld.row.real("window");
+    const Row failure = cursor.read(weld_card2);
+    weld.weld.failure_time = failure_value(failure, "tfail");
+    weld.weld.failure_strain = failure_value(failure, "epsf");
+    take_strength(builder, failure, weld.weld);
+    keep_weld(builder, std::move(weld));
   }
+}
+
+void read_spotweld(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    BodyCards::Weld weld;
+    weld.weld.kind = RigidWeld::Kind::spotweld;
+    if (options.contains("ID")) weld.weld.id = cursor.read(weld_id_card).integer("wid");
+    weld.row = cursor.read(spotweld_card);
+    weld.weld.failure_time = failure_value(weld.row, "tf");
+    weld.weld.failure_strain = failure_value(weld.row, "ep");
+    take_strength(builder, weld.row, weld.weld);
+    if (options.contains("FILTERED_FORCE")) {
+      const Row filter = cursor.read(spotweld_filter_card);
+      weld.weld.filter = filter.integer("nf");
+      weld.weld.window = filter.real("tw");
+    }
+    keep_weld(builder, std::move(weld));
+  }
+}
+
+// ---- interpolation
+// -------------------------------------------------------------------------------------------------------------
+
+/// The nodes of one row, with their weight.
+void take_independent(Builder& b, const Row& head, const Row& row, Interpolation& out) {
+  for (const std::string_view field : {"twghty", "twghtz"})
+    if (row.real(field) != 0.0 && row.real(field) != row.real("twghtx"))
+      refuse(b, row, field, "weights that differ between the directions are not built", "leave it blank");
+  if (row.integer("idof") > 123)
+    refuse(b, row, "idof", "rotations of the independent nodes have no part in this average", "write 123");
+  const auto add = [&](Index node) {
+    out.independent.push_back(node);
+    out.weight.push_back(row.real("twghtx"));
+  };
+  if (head.integer("ityp") == 1) {
+    if (const Set<Index>* set = b.node_set(row, "inid")) std::for_each(set->members.begin(), set->members.end(), add);
+  } else if (const Index node = b.node(row, "inid"); node != none) {
+    add(node);
+  }
+}
+
+/// Whether the nodes tell a rotation: they must not lie on a line.
+bool on_a_line(const Model& model, const Interpolation& i) {
+  Vec3d centre;
+  const auto place = [&](std::size_t k) { return model.nodes.x[static_cast<std::size_t>(i.independent[k])]; };
+  for (std::size_t k = 0; k < i.weight.size(); ++k) centre += i.weight[k] * place(k);
+  double across = 0.0, size = 0.0;
+  for (std::size_t k = 0; k < i.weight.size(); ++k)
+    for (std::size_t l = 0; l < k; ++l) {
+      const Vec3d a = place(k) - centre, b = place(l) - centre;
+      across = std::max(across, norm(cross(a, b)));
+      size = std::max({size, dot(a, a), dot(b, b)});
+    }
+  return !(across > 1e-6 * size);
+}
+
+void make_interpolation(Builder& b, const Row& head, const std::vector<Row>& rows) {
+  Interpolation out;
+  out.id = head.integer("icid");
+  out.node = b.node(head, "dnid");
+  out.place = head.place();
+  const int ddof = head.integer("ddof");
+  out.rotations = ddof == 123456;
+  if (ddof != 123 && ddof != 123456)
+    refuse(b, head, "ddof", "some degrees of freedom of a node cannot be interpolated without the others",
+           "write 123456, or 123 for its translations");
+  const int errors = b.findings.errors();
+  for (const Row& row : rows) take_independent(b, head, row, out);
+  if (out.node == none || b.findings.errors() > errors) return;
+  double sum = 0.0;
+  for (const double w : out.weight) sum += w;
+  for (double& w : out.weight) w /= sum;
+  if (std::find(out.independent.begin(), out.independent.end(), out.node) != out.independent.end())
+    return refuse(b, head, "dnid", "is among its own independent nodes", "take it out of them");
+  if (out.weight.size() < 3 || on_a_line(b.model, out))
+    return refuse(b, head, "icid", "the independent nodes lie on a line, so they do not tell a rotation",
+                  "give three or more that do not");
+  b.model.interpolations.push_back(std::move(out));
+}
+
+void read_interpolation(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  const Row head = cursor.read(interpolation_card1);
+  std::vector<Row> rows;
+  while (!at_end(cursor)) rows.push_back(cursor.read(interpolation_card2));
+  builder.later(Phase::conditions, [head, rows](Builder& later) { make_interpolation(later, head, rows); });
 }
 
 }  // namespace
@@ -219,15 +372,27 @@ std::vector<Keyword> constrained_keywords() {
        {},
        {{"with _ID", &weld_id_card}, {{}, &weld_card1}, {{}, &weld_card2}},
        read_weld_spot},
+      {"CONSTRAINED_INTERPOLATION",
+       {},
+       {},
+       Verdict::used,
+       {},
+       {{{}, &interpolation_card1}, {"for each independent node or set", &interpolation_card2}},
+       read_interpolation},
+      {"CONSTRAINED_SPOTWELD",
+       {},
+       {"ID", "FILTERED_FORCE"},
+       Verdict::used,
+       {},
+       {{"with _ID", &weld_id_card}, {{}, &spotweld_card}, {"with _FILTERED_FORCE", &spotweld_filter_card}},
+       read_spotweld},
 
-      refused("CONSTRAINED_SPOTWELD",
-              "massless weld links are not built; use *MAT_SPOTWELD elements with *CONTACT_SPOTWELD, or a generalized "
-              "weld spot without failure"),
       refused("CONSTRAINED_RIVET", "rivets are not built; use *MAT_SPOTWELD elements with *CONTACT_SPOTWELD"),
       refused("CONSTRAINED_GENERALIZED_WELD_*",
-              "fillet, butt, cross and combined welds are not built; only spots without failure are"),
-      refused("CONSTRAINED_INTERPOLATION",
-              "weighted averages of nodes are not built; a *CONSTRAINED_NODAL_RIGID_BODY is stiffer"),
+              "fillet, butt, cross and combined welds are not built: their cards are not documented to this project; "
+              "spots (*CONSTRAINED_GENERALIZED_WELD_SPOT) are"),
+      refused("CONSTRAINED_INTERPOLATION_LOCAL",
+              "weights in local axes are not built; give weights that are the same in all directions"),
       refused("CONSTRAINED_JOINT_*",
               "joints between rigid bodies are not built; *CONSTRAINED_RIGID_BODIES joins them rigidly"),
       refused("CONSTRAINED_TIE_BREAK", "tied nodes that break are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
@@ -246,8 +411,8 @@ std::vector<Keyword> constrained_keywords() {
       refused("CONSTRAINED_SPR*",
               "self-piercing rivets are not built; use *MAT_SPOTWELD elements with *CONTACT_SPOTWELD"),
       refused("CONSTRAINED_*",
-              "this constraint is not built; nodal rigid bodies, extra nodes, merged rigid bodies and generalized weld "
-              "spots are"),
+              "this constraint is not built; nodal rigid bodies, extra nodes, merged rigid bodies, spotwelds and "
+              "generalized weld spots are"),
   };
 }
 

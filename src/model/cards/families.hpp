@@ -16,6 +16,7 @@ std::vector<Keyword> material_keywords();       ///< *MAT_...
 std::vector<Keyword> weld_material_keywords();  ///< *MAT_SPOTWELD
 std::vector<Keyword> weld_table_keywords();     ///< the *DEFINE_ cards that belong to it
 std::vector<Keyword> weld_brick_keywords();     ///< welds of bricks, weld beams replaced by bricks
+std::vector<Keyword> discrete_beam_keywords();  ///< *MAT_... of discrete beams
 std::vector<Keyword> curve_keywords();          ///< curves and tables
 std::vector<Keyword> frame_keywords();          ///< coordinate systems, vectors, boxes
 std::vector<Keyword> set_keywords();            ///< *SET_...

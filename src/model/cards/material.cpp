@@ -262,7 +262,6 @@ Keyword not_built(std::string_view name, std::string_view number, std::string_vi
 }
 
 constexpr std::string_view use_024 = "this law is not built; MAT_024 with a yield curve (LCSS) comes nearest";
-constexpr std::string_view discrete = "discrete beams, springs and dampers are not built yet";
 
 }  // namespace
 
@@ -311,10 +310,6 @@ std::vector<Keyword> material_keywords() {
       not_built("MAT_SIMPLIFIED_JOHNSON_COOK", "MAT_098", use_024),
       not_built("MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", "MAT_123", use_024),
       not_built("MAT_3-PARAMETER_BARLAT", "MAT_036", use_024),
-      not_built("MAT_LINEAR_ELASTIC_DISCRETE_BEAM", "MAT_066", discrete),
-      not_built("MAT_NONLINEAR_ELASTIC_DISCRETE_BEAM", "MAT_067", discrete),
-      not_built("MAT_ELASTIC_SPRING_DISCRETE_BEAM", "MAT_074", discrete),
-      not_built("MAT_GENERAL_NONLINEAR_6DOF_DISCRETE_BEAM", "MAT_119", discrete),
   };
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <limits>
 
 #include "model/cards/families.hpp"
@@ -54,11 +55,12 @@ const Card solid_card{{
 
 const Card beam_card{{
     id("secid", IdSpace::other, required, "section id"),
-    integer("elform", 1, any_value, "formulation: 9 spot weld"),
+    integer("elform", 1, any_value, "formulation: 9 spot weld, 6 discrete beam"),
     real("shrf", dimension::number, 1, above_zero(), "shear factor"),
     integer("qr_irid", 2, any_value, "integration rule; a weld is a round beam in any case"),
     integer("cst", 0, any_value, "cross section: 1 tubular"),
-    real("scoor", dimension::number, 0, any_value, "for discrete beams only"),
+    real("scoor", dimension::number, 0, any_value,
+         "discrete beam: triad turns with node 1 (< 0), 2 (> 0), both (0); 2, 3: finite length; 2: r along the nodes"),
     real("nsm", dimension::mass_per_length, 0, at_least(0), "non-structural mass per length"),
     integer("naupd", 0, any_value, "for integrated beams only"),
 }};
@@ -71,6 +73,17 @@ const Card weld_card{{
     integer("print", 0, between(0, 1), "1: not in swforc"),
     unused(),
     integer("itoff", 0, between(0, 1), "1: no torsional stiffness"),
+}};
+
+const Card discrete_card{{
+    real("vol", dimension::volume, 0, at_least(0), "volume; mass = density times volume, half at each node"),
+    real("iner", dimension::inertia, 0, at_least(0), "rotary inertia, half at each node"),
+    id("cid", IdSpace::define, 0, "coordinate system of r s t; 0: third node, else global axes"),
+    real("ca", dimension::area, 0, any_value, "for cables only"),
+    real("offset", dimension::length, 0, any_value, "for cables only"),
+    real("rrcon", dimension::number, 0, only(0), "1: the triad does not turn about r"),
+    real("srcon", dimension::number, 0, only(0), "1: the triad does not turn about s"),
+    real("trcon", dimension::number, 0, only(0), "1: the triad does not turn about t"),
 }};
 
 const Card hourglass_card{{
@@ -151,6 +164,18 @@ void read_diameters(Builder& b, const Row& row, const Row& weld, SectionBeam& s)
     row.complain(b.findings, Severity::warning, "cst", "a weld is round: TS and TT are taken as diameters", "write 1");
 }
 
+void read_discrete(Builder& b, const Row& row, const Row& discrete, SectionBeam& s) {
+  s.volume = discrete.real("vol");
+  s.inertia = discrete.real("iner");
+  s.scoor = static_cast<int>(row.real("scoor"));
+  if (s.scoor != row.real("scoor") || std::abs(s.scoor) > 3)
+    refuse(b, row, "scoor", "this way of turning the triad is not built", "write a whole number from -3 to 3");
+  if (discrete.integer("cid") == 0) return;
+  b.later(Phase::bodies, [index = b.model.beam_sections.size(), discrete](Builder& later) {
+    later.model.beam_sections[index].system = later.system(discrete, "cid");
+  });
+}
+
 void read_beam(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     read_title(cursor, options);
@@ -162,6 +187,8 @@ void read_beam(Builder& b, const Block& block, const Options& options) {
     s.extra_mass = row.real("nsm");
     if (row.integer("elform") == 9)
       read_diameters(b, row, cursor.read(weld_card), s);
+    else if (row.integer("elform") == 6)
+      read_discrete(b, row, cursor.read(discrete_card), s);
     else
       cursor.skip();  // another formulation is refused where a part uses it; its second card is not ours to read
     add_section(b, row, s, b.beam_sections, b.model.beam_sections, b.beam_section_rows, "beam section");
@@ -198,7 +225,7 @@ std::vector<Keyword> section_keywords() {
       {.name = "SECTION_SOLID", .options = {"TITLE"}, .layout = {{"", &solid_card}}, .read = read_solid},
       {.name = "SECTION_BEAM",
        .options = {"TITLE"},
-       .layout = {{"", &beam_card}, {"if ELFORM = 9", &weld_card}},
+       .layout = {{"", &beam_card}, {"if ELFORM = 9", &weld_card}, {"if ELFORM = 6", &discrete_card}},
        .read = read_beam},
       {.name = "HOURGLASS", .options = {"TITLE"}, .layout = {{"", &hourglass_card}}, .read = read_hourglass},
   };

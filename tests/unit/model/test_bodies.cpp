@@ -113,12 +113,52 @@ TEST(RigidBodies, WeldSpotsWithoutFailure) {
   ASSERT_EQ(on_part.model.rigid_bodies.size(), 2u);
   EXPECT_THAT(user_ids(on_part.model, on_part.model.rigid_bodies[0].nodes), ElementsAre(4, 5, 6, 7, 8));
   EXPECT_TRUE(on_part.find(Severity::note, "extra nodes", "nsid"));
+}
 
+TEST(RigidBodies, WeldsThatFail) {
+  const Built spot(
+      small_deck("*CONSTRAINED_GENERALIZED_WELD_SPOT_ID\n        11\n         1         0         5       0.2\n"
+                 "       0.1      0.25    5000.0    3000.0       1.5       2.0\n"));
+  ASSERT_EQ(spot.findings.errors(), 0) << spot.all_findings();
+  ASSERT_EQ(spot.model.rigid_welds.size(), 1u);
+  const RigidWeld& weld = spot.model.rigid_welds[0];
+  EXPECT_EQ(weld.kind, RigidWeld::Kind::generalized);
+  EXPECT_EQ(weld.id, 11);
+  EXPECT_EQ(spot.model.rigid_bodies[static_cast<std::size_t>(weld.body)].origin, RigidBody::Origin::weld);
+  EXPECT_EQ(weld.filter, 5);
+  EXPECT_EQ(weld.window, 0.2);
+  EXPECT_EQ(weld.failure_time, 0.1);
+  EXPECT_EQ(weld.failure_strain, 0.25);
+  EXPECT_EQ(weld.normal_strength, 5000.0);
+  EXPECT_EQ(weld.shear_strength, 3000.0);
+  EXPECT_EQ(weld.normal_exponent, 1.5);
+  EXPECT_EQ(weld.shear_exponent, 2.0);
+
+  const Built link(
+      small_deck("*CONSTRAINED_SPOTWELD_FILTERED_FORCE_ID\n         7\n         1         2    5000.0       0.0       "
+                 "2.0       0.0       0.3\n         4       0.1\n"));
+  ASSERT_EQ(link.findings.errors(), 0) << link.all_findings();
+  ASSERT_EQ(link.model.rigid_welds.size(), 1u);
+  const RigidWeld& pair = link.model.rigid_welds[0];
+  EXPECT_EQ(pair.kind, RigidWeld::Kind::spotweld);
+  EXPECT_THAT(user_ids(link.model, pair.nodes), ElementsAre(1, 2));
+  EXPECT_EQ(pair.shear_strength, 0.0);
+  EXPECT_EQ(pair.failure_strain, 0.0) << "1e20 means none";
+  EXPECT_EQ(pair.failure_time, 0.3);
+  EXPECT_EQ(pair.filter, 4);
+}
+
+TEST(RigidBodies, FaultsOfRigidWelds) {
+  EXPECT_TRUE(Built(small_deck("*CONSTRAINED_SPOTWELD\n         1         2    5000.0\n")).error("exponent", "n"));
+  EXPECT_TRUE(Built(small_deck("*CONSTRAINED_SPOTWELD\n         1         1\n")).error("one place", "n2"));
+  EXPECT_TRUE(Built(small_deck("*CONSTRAINED_SPOTWELD\n         1        99\n")).error("not defined", "n2"));
+  EXPECT_TRUE(Built(small_deck("*CONSTRAINED_SPOTWELD\n         1         5    5000.0       0.0       1.0\n"))
+                  .error("cannot fail", "n1"))
+      << "node 5 belongs to a rigid part";
   EXPECT_TRUE(
-      Built(small_deck("*CONSTRAINED_GENERALIZED_WELD_SPOT\n         1\n       0.1\n")).error("failure", "tfail"));
-  EXPECT_TRUE(Built(small_deck("*CONSTRAINED_GENERALIZED_WELD_SPOT\n         1\n1.00000E20       0.0    5000.0\n"))
-                  .error("failure", "sn"));
-  EXPECT_TRUE(Built(small_deck("*CONSTRAINED_SPOTWELD\n         1         2\n")).error("MAT_SPOTWELD"));
+      Built(small_deck("*CONSTRAINED_SPOTWELD\n         1         2\n*CONSTRAINED_SPOTWELD\n         2         3\n"))
+          .error("node 2 belongs to two rigid bodies"));
+  EXPECT_TRUE(Built(small_deck("*CONSTRAINED_GENERALIZED_WELD_FILLET\n         1\n")).error("not documented"));
 }
 
 // ---- rigid walls

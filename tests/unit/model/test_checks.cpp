@@ -84,7 +84,67 @@ TEST(Checks, FormulationsAreRefusedByName) {
   ASSERT_NE(shell, nullptr) << b.all_findings();
   EXPECT_EQ(shell->value, "6");
   EXPECT_TRUE(b.error("solid formulation -1 is not built", "elform"));
-  EXPECT_TRUE(b.error("discrete beams (formulation 6) are not built yet", "elform"));
+  EXPECT_TRUE(b.error("not a law of discrete beams (ELFORM 6)", "mid"));
+}
+
+TEST(Checks, DiscreteBeams) {
+  const auto part = [](const std::string& section, const std::string& law) {
+    return Built(sheet_deck("*PART\nc\n4,14,2\n*SECTION_BEAM\n" + section + law + "*ELEMENT_BEAM\n1,4,1,5\n"));
+  };
+  const std::string linear = "*MAT_066\n2,1.0,100.0,0,0,0,0,5.0\n\n\n";
+  const Built good = part("14,6,1,2,0,2\n0.1,0.2\n", linear);
+  ASSERT_EQ(good.findings.errors(), 0) << good.all_findings();
+  const SectionBeam& section = good.model.beam_sections[0];
+  EXPECT_EQ(section.scoor, 2);
+  EXPECT_EQ(section.volume, 0.1);
+  EXPECT_EQ(section.inertia, 0.2);
+  const auto& law = std::get<kernel::DiscreteBeam>(good.model.materials[1].law);
+  EXPECT_EQ(law.dof[0].stiffness, 100.0);
+  EXPECT_EQ(law.dof[5].stiffness, 5.0);
+
+  EXPECT_TRUE(part("14,6\n0.0,0.2\n", linear).error("no mass", "elform"));
+  EXPECT_TRUE(part("14,6\n0.1\n", linear).error("rotary inertia", "elform"));
+  EXPECT_TRUE(part("14,6,1,2,0,12\n0.1,0.2\n", linear).error("triad", "scoor"));
+  EXPECT_TRUE(part("14,9\n5.0,5.0\n", linear).error("*MAT_SPOTWELD only", "mid"));
+}
+
+TEST(Checks, LawsOfDiscreteBeams) {
+  const auto law = [](const std::string& material) {
+    return Built(sheet_deck("*PART\nc\n4,14,2\n*SECTION_BEAM\n14,6\n0.1,0.2\n" + material +
+                            "*ELEMENT_BEAM\n1,4,1,5\n*DEFINE_CURVE\n7\n0.0,0.0\n1.0,50.0\n2.0,60.0\n"
+                            "*DEFINE_CURVE\n8\n0.0,50.0\n1.0,70.0\n*DEFINE_CURVE\n9\n0.0,50.0\n0.01,0.0\n"));
+  };
+  using Kind = kernel::DiscreteSpring::Kind;
+  const auto spring = [](const Built& b, std::size_t i) {
+    return std::get<kernel::DiscreteBeam>(b.model.materials[1].law).dof[i];
+  };
+  const Built general = law("*MAT_GENERAL_SPRING_DISCRETE_BEAM\n2,1.0\n1,1,100.0,0,0,0.5\n8\n4,0,30.0\n\n");
+  ASSERT_EQ(general.findings.errors(), 0) << general.all_findings();
+  EXPECT_EQ(spring(general, 0).kind, Kind::elastoplastic);
+  EXPECT_EQ(spring(general, 3).kind, Kind::linear);
+  EXPECT_EQ(spring(general, 1).kind, Kind::none);
+  EXPECT_EQ(std::get<kernel::DiscreteBeam>(general.model.materials[1].law).tension_limit[0], 0.5);
+  EXPECT_TRUE(law("*MAT_196\n2,1.0\n1,1,100.0\n9\n").error("falls faster", "flcid"));
+
+  const Built six = law("*MAT_119\n2,1.0,200.0,0,2\n7\n7\n\n\n0.3,0,0,0,0,0,1\n\n\n");
+  ASSERT_EQ(six.findings.errors(), 0) << six.all_findings();
+  EXPECT_EQ(spring(six, 0).kind, Kind::hysteresis);
+  EXPECT_EQ(std::get<kernel::DiscreteBeam>(six.model.materials[1].law).rule, kernel::DiscreteBeam::Rule::together);
+  EXPECT_TRUE(law("*MAT_119\n2,1.0,0,0,2\n7\n7\n\n\n\n\n\n").error("needs this stiffness", "kt"));
+  EXPECT_TRUE(law("*MAT_119\n2,1.0,9.0,0,2\n7\n\n\n\n\n\n\n").error("needs an unloading curve", "lcidtur"));
+  EXPECT_TRUE(law("*MAT_119\n2,1.0,9.0,0,3\n7\n\n\n\n\n\n\n").error("0 to 2", "iunld"));
+
+  const Built one = law("*MAT_121\n2,1.0\n7\n0.4,0.3,0.1\n");
+  ASSERT_EQ(one.findings.errors(), 0) << one.all_findings();
+  EXPECT_EQ(spring(one, 0).kind, Kind::elastic);
+  EXPECT_EQ(spring(one, 0).start, 0.1);
+  const Built plastic = law("*MAT_068\n2,1.0,100.0\n\n8\n30.0\n\n\n");
+  ASSERT_EQ(plastic.findings.errors(), 0) << plastic.all_findings();
+  EXPECT_EQ(spring(plastic, 0).kind, Kind::elastoplastic);
+  EXPECT_EQ(std::get<kernel::DiscreteBeam>(plastic.model.materials[1].law).force_limit[0], 30.0);
+  const Built pull = law("*MAT_074\n2,1.0,100.0,5.0,2.0,0.2,0.3\n\n");
+  ASSERT_EQ(pull.findings.errors(), 0) << pull.all_findings();
+  EXPECT_EQ(spring(pull, 0).preload, 5.0);
 }
 
 TEST(Checks, WeldsOfBricksHaveFormulationOne) {

@@ -16,6 +16,7 @@ namespace {
 
 using test::Assembly;
 using test::text;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -384,15 +385,29 @@ TEST(Audit, TimeStepOfABrick) {
   EXPECT_NEAR(Audited(a).reports[0].price.time_step, 1.5 / c / (0.06 + std::sqrt(1.0036)), 1e-12);
 }
 
+void weld_rigidly(Flange& a, Index first, Index second) {
+  model::RigidBody held;
+  held.origin = model::RigidBody::Origin::weld;
+  held.nodes = {first, second};
+  model::RigidWeld spot;
+  spot.body = static_cast<Index>(a.model.rigid_bodies.size());
+  spot.nodes = held.nodes;
+  a.model.rigid_bodies.push_back(held);
+  a.model.rigid_welds.push_back(spot);
+}
+
 TEST(Audit, ARigidWeldLimitsNoStep) {
   Flange a;
-  model::RigidBody spot;
-  spot.origin = model::RigidBody::Origin::weld;
-  spot.nodes = {12, 37};
-  a.model.rigid_bodies.push_back(spot);
+  weld_rigidly(a, 12, 37);
   const Audited audited(a);
   EXPECT_TRUE(std::isinf(audited.reports.at(0).price.time_step));
   EXPECT_THAT(audited.names(0), IsEmpty());
+}
+
+TEST(Audit, ARigidWeldAcrossTheSheetsNormalIsTold) {
+  Flange a;
+  weld_rigidly(a, 12, 38);  // one node aside
+  EXPECT_THAT(Audited(a).names(0), Contains("angle"));
 }
 
 TEST(Audit, EveryCheckHasANameOfItsOwnARuleAndARemedy) {

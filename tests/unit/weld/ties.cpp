@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "weld/ties.hpp"
+#include "weld/welds.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -754,10 +755,17 @@ TEST(Ties, AGeneralizedWeldSpotIsAWeldToo) {
   spot.id = 41;
   spot.nodes = {5, 21};
   a.model.rigid_bodies.push_back(spot);
+  model::RigidWeld rigid;
+  rigid.kind = model::RigidWeld::Kind::generalized;
+  rigid.id = 41;
+  rigid.body = 0;
+  rigid.nodes = {5, 21};
+  a.model.rigid_welds.push_back(rigid);
   const Ties ties = a.tied();
   const Weld& weld = ties.welds.at(0);
   EXPECT_EQ(weld.kind, Weld::Kind::rigid);
   EXPECT_EQ(weld.id, 41);
+  EXPECT_EQ(keyword_of(weld), "*CONSTRAINED_GENERALIZED_WELD_SPOT");
   EXPECT_TRUE(weld.tied);
   EXPECT_EQ(weld.sheets, (std::array<Index, 2>{a.lower, a.upper}));
   EXPECT_NEAR(weld.length, 1.0, 1e-12);

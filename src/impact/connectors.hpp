@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "system/system.hpp"
+
+namespace nugget::impact {
+
+/// The discrete beams that join sheets, while the model moves: largest forces, and when they failed. Their elements
+/// judge failure themselves. Indices are those of Ties::welds; other kinds of welds have no record.
+class Connectors {
+ public:
+  struct Record {
+    std::array<double, 4> peaks{};  ///< |N_r|, shear, bending moment, |torsion|
+    bool failed = false;
+    double failure_time = 0.0;
+  };
+
+  /// The system must outlive it.
+  explicit Connectors(const system::System& system);
+
+  /// To be called once a cycle, after the forces of the elements.
+  void update(const system::State& state);
+
+  /// Null where weld i is no connector, or was deleted before the run.
+  const Record* record(std::size_t i) const { return records_[i].seat.group < 0 ? nullptr : &records_[i].record; }
+  int failed() const { return failed_; }
+  const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
+
+ private:
+  struct Entry {
+    system::System::Seat seat;
+    Record record;
+  };
+  const system::System& system_;
+  std::vector<Entry> records_;
+  int failed_ = 0;
+  std::vector<std::string> events_;
+};
+
+}  // namespace nugget::impact

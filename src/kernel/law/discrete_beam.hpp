@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "kernel/law/discrete_spring.hpp"
+
+namespace nugget::kernel {
+
+/// Law of a discrete beam (ELFORM 6): six degrees of freedom that know nothing of each other, displacements along r, s,
+/// t, then rotations about them; and when the beam fails. Source: keywords.md section 5.
+struct DiscreteBeam {
+  static constexpr double E = 0.0, nu = 0.0;  ///< it has none; asked of every law
+  std::array<DiscreteSpring, 6> dof;
+
+  /// How the limits of displacement act together. A limit of 0 is none.
+  enum class Rule {
+    any,       ///< one displacement beyond its limit is enough (MAT_074, 121, 196)
+    sides,     ///< sum of squares, the positive and the negative displacements apart (MAT_119, FCRIT 0)
+    together,  ///< sum of squares of all (MAT_067, 068; MAT_119, FCRIT 1)
+  };
+  Rule rule = Rule::any;
+  std::array<double, 6> force_limit{};                         ///< sum of squares of force/limit reaches 1
+  std::array<double, 6> tension_limit{}, compression_limit{};  ///< both positive
+
+  /// Whether forces and displacements are beyond the limits.
+  bool fails(const std::array<double, 6>& force, const std::array<double, 6>& displacement) const;
+  /// The value that reaches 1 at failure.
+  double failure_value(const std::array<double, 6>& force, const std::array<double, 6>& displacement) const;
+};
+
+}  // namespace nugget::kernel

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "kernel/element/discrete_beam.hpp"
+#include "model/model.hpp"
+#include "system/element_group.hpp"
+
+namespace nugget::system {
+
+/// The discrete beam as BatchGroup wants it; see there.
+struct DiscreteBeamElement {
+  static constexpr int corners = 2;
+  static constexpr bool rotational = true;
+  struct Layout : kernel::DiscreteBeamLayout {
+    static constexpr int hourglass_energy = -1;  ///< it has none
+  };
+  template <class R>
+  using Motion = kernel::NodalMotion<R, 2>;
+  using Places = std::array<Vec3d, 2>;
+
+  kernel::DiscreteBeamProperties beam;
+  const kernel::DiscreteBeam& law;
+  std::optional<Frame3d> axes;  ///< of CID
+  const model::Beams& beams;
+  const std::vector<Vec3d>& x;  ///< by model node
+
+  int state_size() const { return Layout::count; }
+  int layers() const { return 0; }
+
+  void start(double* state, int lane, model::Index element, const Places& place) const {
+    kernel::start_discrete_beam(beam, law, triad(element, place), place[0], place[1], state, native_width, lane);
+  }
+  double mass(model::Index, const Places&) const { return beam.mass; }
+  double nodal_inertia(model::Index, const Places&) const { return 0.5 * beam.inertia; }
+
+  template <class R>
+  kernel::NodalForces<R, 2> cycle(const Motion<R>& motion, double dt, double* state) const {
+    return kernel::discrete_beam_cycle(beam, law, motion, dt, state);
+  }
+
+  /// Curves and dampers have no exact derivative by a tiny step, so the stiffness is written down; see BatchGroup.
+  template <class Field>
+  void stiffness(const Field& field, const Places& place, std::span<double> k) const {
+    const Vec3d r{field(Layout::axis_r), field(Layout::axis_r + 1), field(Layout::axis_r + 2)};
+    const Vec3d s{field(Layout::axis_s), field(Layout::axis_s + 1), field(Layout::axis_s + 2)};
+    kernel::discrete_beam_stiffness(beam, law, {r, s, cross(r, s)}, place[1] - place[0], k);
+  }
+
+  template <class Field>
+  ElementGroup::Layer layer(const Field&, int, const Places&) const {
+    return {};
+  }
+  template <class Field>
+  double thickness(const Field& field) const {
+    return field(Layout::length);
+  }
+  /// N_r N_s N_t M_r M_s M_t.
+  template <class Field>
+  std::array<double, 8> resultants(const Field& field) const {
+    std::array<double, 8> r{};
+    for (int i = 0; i < 6; ++i) r[static_cast<std::size_t>(i)] = field(Layout::resultant + i);
+    return r;
+  }
+
+ private:
+  /// Axes of CID; else r from node 1 to node 2 with s towards the third node; else the global ones.
+  Frame3d triad(model::Index element, const Places& place) const {
+    const Frame3d global{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    if (axes) return *axes;
+    const model::Index third = beams.orientation[static_cast<std::size_t>(element)];
+    const Vec3d line = place[1] - place[0];
+    if (third == model::none || !(norm(line) > 0.0)) return global;
+    const Vec3d r = unit(line), towards = x[static_cast<std::size_t>(third)] - place[0];
+    const Vec3d s = towards - dot(towards, r) * r;
+    if (!(norm(s) > 1e-9 * norm(towards))) return global;
+    return {r, unit(s), cross(r, unit(s))};
+  }
+};
+
+}  // namespace nugget::system
