@@ -163,6 +163,7 @@ void Simulation::start() {
   w.swap(state_.w);
   system_.scale_mass(true);
   update_inverse_mass();
+  tie_forces_.find_bounds();
   forces();
   system_.map.collect(state_.f, state_.m);
   masses_ = system_.masses();
@@ -173,7 +174,6 @@ void Simulation::start() {
 }
 
 void Simulation::update_inverse_mass() {
-  tie_forces_.find_bounds();
   dependent_.resize(system_.all_nodes());
   for (std::size_t k = 0; k < system_.all_nodes(); ++k) dependent_[k] = system_.map.dependent(static_cast<int>(k));
   inverse_mass_.assign(system_.nodes, 0.0);
@@ -302,7 +302,9 @@ void Simulation::forces() {
 
 void Simulation::end_ties() {
   const bool shells_died = bury_shells();
-  if (tie_ends_.update(state_, shell_alive_, shells_died)) update_inverse_mass();
+  if (!tie_ends_.update(state_, shell_alive_, shells_died)) return;
+  update_inverse_mass();
+  tie_forces_.find_bounds();
 }
 
 /// Contact surfaces lose the shells that were deleted.

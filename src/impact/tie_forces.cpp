@@ -111,7 +111,6 @@ TieForces::TieForces(const system::System& system) : system_(system) {
     set_stiffness(spring);
     springs_.push_back(spring);
   }
-  find_bounds();
 }
 
 void TieForces::set_stiffness(Spring& spring) const {

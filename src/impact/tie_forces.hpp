@@ -28,7 +28,7 @@ class TieForces {
   explicit TieForces(const system::System& system);
 
   bool empty() const { return springs_.empty(); }
-  /// To be called when masses have changed, and at the start.
+  /// To be called at the start, and when masses may have become smaller: when a tie has ended, not at mass scaling.
   void find_bounds();
   /// Adds the forces at state.time to state.f and state.m, and books their work over the step that ends there.
   void apply(system::State& state);

@@ -35,17 +35,17 @@ void System::order_nodes() {
 }
 
 void System::make_constraints(Findings& findings) {
-  std::vector<std::string> maker(nodes);
-  const auto claim = [&](model::Index node, std::string what, const Place& place) {
-    std::string& held = maker[at(node)];
-    if (!held.empty()) {
-      findings.error(
-          place, "",
-          fmt::format("node {} is made dependent twice: by {} and by {}", model.nodes.id[at(node)], held, what),
-          "a node may follow only one rigid body or tie: remove it from one of them");
+  holder_.assign(nodes, {});
+  const auto claim = [&](model::Index node, const Holder& who, const Place& place) {
+    Holder& held = holder_[at(node_of[at(node)])];
+    if (held.body != model::none || held.contact != model::none) {
+      findings.error(place, "",
+                     fmt::format("node {} is made dependent twice: by {} and by {}", model.nodes.id[at(node)],
+                                 name(held), name(who)),
+                     "a node may follow only one rigid body or tie: remove it from one of them");
       return false;
     }
-    held = std::move(what);
+    held = who;
     return true;
   };
   body_of.assign(model.rigid_bodies.size(), -1);
@@ -60,7 +60,7 @@ void System::make_constraints(Findings& findings) {
     body.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     body_of[b] = static_cast<int>(bodies.size());
     for (model::Index n : source.nodes) {
-      if (!claim(n, weld::name_body(source), source.place)) continue;
+      if (!claim(n, {.body = static_cast<model::Index>(b)}, source.place)) continue;
       // Arms hold the node's position until the centre is known; see make_bodies.
       const ConstraintMap::Term term{body.node, 1.0, ties.x[at(n)]};
       map.add(node_of[at(n)], true, {&term, 1});
@@ -77,7 +77,7 @@ void System::make_constraints(Findings& findings) {
       const int anchor = static_cast<int>(nodes + bodies.size() + springs.size());
       springs.push_back({t, node_of[at(tie.node)], anchor});
       add_tie(anchor, tie, projected || !tie.lever ? Vec3d{} : gap, true);
-    } else if (claim(tie.node, weld::name_contact(contact), contact.place)) {
+    } else if (claim(tie.node, {.contact = tie.contact}, contact.place)) {
       add_tie(node_of[at(tie.node)], tie, projected ? Vec3d{} : gap, tie.rotations);
     }
   }
@@ -113,15 +113,10 @@ void System::add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool
     map.add(dependent, rotations, terms, ConstraintMap::Turn::twist, around);
 }
 
-std::string System::holder(int node) const {
-  if (at(node) < nodes) {
-    const model::Index n = model_node[at(node)];
-    for (const weld::Tie& tie : ties.ties)
-      if (tie.node == n && !tie.spring) return weld::name_contact(model.contacts[at(tie.contact)]);
-    for (const model::RigidBody& body : model.rigid_bodies)
-      if (std::find(body.nodes.begin(), body.nodes.end(), n) != body.nodes.end()) return weld::name_body(body);
-  }
-  return "a constraint";
+std::string System::name(const Holder& holder) const {
+  if (holder.body != model::none) return weld::name_body(model.rigid_bodies[at(holder.body)]);
+  if (holder.contact != model::none) return weld::name_contact(model.contacts[at(holder.contact)]);
+  return "nothing";
 }
 
 void System::release(std::size_t tie) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/finding.hpp"
+#include "base/index.hpp"
 #include "model/model.hpp"
 #include "system/constraint_map.hpp"
 #include "system/element_group.hpp"
@@ -52,7 +53,7 @@ class System {
   };
   std::vector<TieSpring> springs;
   /// What makes a dependent node dependent, for messages: `*CONTACT_SPOTWELD 3`, `rigid part 5`.
-  std::string holder(int node) const;
+  std::string holder(int node) const { return name(holder_[at(node)]); }
   /// Ends a tie by constraint: its node keeps its velocity and takes its mass back. Then call `hand_over_mass`.
   void release(std::size_t tie);
   /// Masses and inertias of dependent nodes to those that they follow.
@@ -151,6 +152,12 @@ class System {
   std::vector<Vec3d> start_;  ///< positions at time 0, by system node
   std::vector<Lump> lumps_;
   std::vector<double> own_inertia_;
+  /// What makes a node dependent: a rigid body or a tie contact of the model.
+  struct Holder {
+    model::Index body = model::none, contact = model::none;
+  };
+  std::string name(const Holder& holder) const;
+  std::vector<Holder> holder_;                          ///< by system node
   std::vector<double> carried_mass_, carried_inertia_;  ///< own, and handed over by ties; also of nodes of bodies
 
   std::vector<Row> slots_;

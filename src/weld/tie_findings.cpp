@@ -228,19 +228,27 @@ std::string count_of(int nodes) {
 
 void note_distances(const model::Model& model, const Ties& ties, Findings& findings) {
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
-    int count = 0, moved = 0;
+    int count = 0, moved = 0, springs = 0;
     const Tie* farthest = nullptr;
     for (const Tie& tie : ties.ties) {
       if (tie.contact != static_cast<Index>(c)) continue;
       ++count;
-      if (tie.moved > 0.0) ++moved;
-      if (!farthest || tie.moved > farthest->moved) farthest = &tie;
+      moved += tie.moved > 0.0;
+      springs += tie.spring;
+      if (!farthest || tie.gap > farthest->gap) farthest = &tie;
     }
     if (!farthest) continue;
-    findings.note(model.contacts[c].place, name_contact(model.contacts[c]),
-                  moved == 0 ? fmt::format("{}, none of them moved", count_of(count))
-                             : fmt::format("{}, {} of them moved onto the mid-surface, at most by {:.4g} ({})",
-                                           count_of(count), moved, farthest->moved, name_node(model, farthest->node)));
+    std::string text = count_of(count);
+    if (springs > 0) text += springs == count ? " by springs" : fmt::format(" ({} by springs)", springs);
+    if (moved > 0)
+      text += fmt::format(", {} of them moved onto the mid-surface, at most by {:.4g} ({})", moved, farthest->moved,
+                          name_node(model, farthest->node));
+    else if (farthest->gap > 0.0)
+      text += fmt::format(", none of them moved; the largest gap kept is {:.4g} ({})", farthest->gap,
+                          name_node(model, farthest->node));
+    else
+      text += ", none of them moved";
+    findings.note(model.contacts[c].place, name_contact(model.contacts[c]), text);
   }
 }
 
