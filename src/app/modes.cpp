@@ -133,10 +133,11 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
   Log log(directory / "run.log");
   Clock clock;
   std::optional<model::Model> linear;
+  const weld::Ties ties = nvh::linear_ties(p.ties, findings);
   std::optional<system::System> system;
   std::optional<nvh::Matrices> matrices;
   if (findings.errors() == 0) linear.emplace(nvh::linear_model(p.model, findings));
-  if (findings.errors() == 0) system.emplace(*linear, p.ties, findings);
+  if (findings.errors() == 0) system.emplace(*linear, ties, findings);
   if (findings.errors() == 0) matrices.emplace(*system, findings);
   start_log(log, arguments.run, p, findings);
   if (findings.errors() > 0) return refuse(directory, log, findings);

@@ -65,11 +65,12 @@ Needs needs_of(const system::System& system) {
   // A dependent node hands its needs on; arms make rotations of them.
   for (std::size_t d = 0; d < system.nodes; ++d) {
     if (!system.map.dependent(static_cast<int>(d))) continue;
-    for (const system::ConstraintMap::Term& t : system.map.terms(static_cast<int>(d))) {
-      needs.translation[at(t.node)] |= needs.translation[d];
-      needs.rotation[at(t.node)] |= needs.rotation[d] && system.map.rotations(static_cast<int>(d));
-      needs.rotation[at(t.node)] |= needs.translation[d] && dot(t.arm, t.arm) > 0.0;
-    }
+    for (const system::ConstraintMap::Block& b : system.map.blocks(static_cast<int>(d)))
+      for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j < 6; ++j) {
+          const bool needed = i < 3 ? needs.translation[d] : needs.rotation[d];
+          if (needed && b.of[i][j] != 0.0) (j < 3 ? needs.translation : needs.rotation)[at(b.node)] = 1;
+        }
   }
   return needs;
 }
@@ -145,7 +146,7 @@ Equations::Equations(const system::System& system, Findings& findings) {
     if (needs.rotation[k] && own_rotation) number(k, 3, held.rotation[k]);
   }
 
-  // Rows of dependent nodes: v_d = sum w (v + omega x a), omega_d = sum w omega.
+  // Rows of dependent nodes, in independent ones.
   for (std::size_t d = 0; d < system.nodes; ++d) {
     if (!dependent(d)) continue;
     const auto put = [&](int i, int node, int j, double factor) {
@@ -159,16 +160,9 @@ Equations::Equations(const system::System& system, Findings& findings) {
           row.push_back({t.equation, factor * t.factor});
       }
     };
-    for (const system::ConstraintMap::Term& t : system.map.terms(static_cast<int>(d))) {
-      for (int i = 0; i < 3; ++i) put(i, t.node, i, t.weight);
-      const double a[3] = {t.arm.x, t.arm.y, t.arm.z};
-      for (int i = 0; i < 3; ++i) {
-        put(i, t.node, 3 + (i + 1) % 3, t.weight * a[(i + 2) % 3]);
-        put(i, t.node, 3 + (i + 2) % 3, -t.weight * a[(i + 1) % 3]);
-      }
-      if (system.map.rotations(static_cast<int>(d)))
-        for (int i = 3; i < 6; ++i) put(i, t.node, i, t.weight);
-    }
+    for (const system::ConstraintMap::Block& b : system.map.blocks(static_cast<int>(d)))
+      for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < 6; ++j) put(i, b.node, j, b.of[at(i)][at(j)]);
   }
 
   start_.reserve(own.size() + 1);

@@ -41,4 +41,19 @@ model::Model linear_model(const model::Model& model, Findings& findings) {
   return m;
 }
 
+weld::Ties linear_ties(const weld::Ties& ties, Findings& findings) {
+  weld::Ties rigid = ties;
+  std::size_t springs = 0;
+  for (weld::Tie& tie : rigid.ties) {
+    springs += tie.spring;
+    tie.spring = false;
+    tie.lever = true;
+  }
+  if (springs > 0)
+    findings.note(
+        {}, "*CONTACT_TIED",
+        fmt::format("{} nodes are tied by springs: linear analyses tie them by constraint, gaps as levers", springs));
+  return rigid;
+}
+
 }  // namespace nugget::nvh

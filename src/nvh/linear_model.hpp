@@ -3,6 +3,7 @@
 
 #include "base/finding.hpp"
 #include "model/model.hpp"
+#include "weld/ties.hpp"
 
 namespace nugget::nvh {
 
@@ -10,5 +11,9 @@ namespace nugget::nvh {
 /// One-point bricks (ELFORM 1) get the physical stabilisation of Belytschko and Bindeman with QM = 1 unless their
 /// hourglass card already says type 6. Each change is a note.
 model::Model linear_model(const model::Model& model, Findings& findings);
+
+/// The ties as a linear analysis sees them: springs of ties by penalty become constraints that keep the gap as a lever,
+/// which is their limit of large stiffness. A note says so.
+weld::Ties linear_ties(const weld::Ties& ties, Findings& findings);
 
 }  // namespace nugget::nvh
