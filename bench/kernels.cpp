@@ -10,6 +10,8 @@
 #include "base/row.hpp"
 #include "kernel/element/belytschko_tsay.hpp"
 #include "kernel/element/c0_triangle.hpp"
+#include "kernel/element/full_hexahedron.hpp"
+#include "kernel/element/full_shell.hpp"
 #include "kernel/element/hexahedron.hpp"
 #include "kernel/element/weld_beam.hpp"
 
@@ -214,6 +216,19 @@ void shell(benchmark::State& state, const Law& parameters, double dt, ShellPrope
 }
 
 template <class R, class Law>
+void full_shell(benchmark::State& state, const Law& parameters, double dt, ShellProperties properties = section()) {
+  static const Mesh mesh = sheet(false);
+  const Prepared<Law> law(parameters);
+  const ShellLayout layout = full_shell_layout(properties, law);
+  sweep<R>(
+      state, mesh, layout.size(), 2,
+      [&](double* s, int lane, const int*) { start_shell(layout, 1.5, s, lanes<R>, lane); },
+      [&](const int* id, double* s, Row* slot) {
+        store_forces(slot, full_shell_cycle(properties, law, gather_motion<R, 4>(mesh, id), dt, s));
+      });
+}
+
+template <class R, class Law>
 void triangle(benchmark::State& state, const Law& parameters, double dt) {
   static const Mesh mesh = sheet(true);
   const ShellProperties properties = section();
@@ -256,6 +271,27 @@ void brick(benchmark::State& state, const Law& parameters, double dt, int hourgl
       });
 }
 
+template <class R, class Law>
+void full_brick(benchmark::State& state, const Law& parameters, double dt) {
+  static const Mesh mesh = block();
+  HexahedronProperties properties;
+  properties.density = 7.85e-9;
+  const Prepared<Law> law(parameters);
+  const FullHexahedronLayout layout = full_hexahedron_layout(law);
+  sweep<R>(
+      state, mesh, layout.size(), 1,
+      [&](double* s, int lane, const int*) { start_full_hexahedron(layout, s, lanes<R>, lane); },
+      [&](const int* id, double* s, Row* slot) {
+        SolidMotion<R> n;
+        for (int a = 0; a < 8; ++a) {
+          n.x[a] = gather<R>(mesh.x.data(), id + a * lanes<R>);
+          n.v[a] = gather<R>(mesh.v.data(), id + a * lanes<R>);
+        }
+        const SolidForces<R> f = full_hexahedron_cycle(properties, law, n, dt, s);
+        for (int a = 0; a < 8; ++a) store_rows<R>(slot + a * lanes<R>, f.f[a]);
+      });
+}
+
 template <class R>
 void weld_beam(benchmark::State& state, double dt, int quadrature) {
   static const Mesh mesh = welds();
@@ -280,6 +316,13 @@ ShellProperties with_warping() {
   return shell;
 }
 
+ShellProperties with_drilling() {
+  ShellProperties shell = section();
+  shell.warping_stiffness = true;
+  shell.drilling = usual_drilling;
+  return shell;
+}
+
 /// Registers a case over double and over the machine's batch.
 template <class Case>
 void both(const std::string& name, Case run) {
@@ -300,6 +343,10 @@ void both(const std::string& name, Case run) {
   both("shell/kinematic all plastic", []<class R>(benchmark::State& s) { shell<R>(s, kinematic(), large_step); });
   both("shell/j2 elastic, warping, thinning",
        []<class R>(benchmark::State& s) { shell<R>(s, bilinear(), small_step, with_warping()); });
+  both("full shell/j2 elastic", []<class R>(benchmark::State& s) { full_shell<R>(s, bilinear(), small_step); });
+  both("full shell/j2 all plastic", []<class R>(benchmark::State& s) { full_shell<R>(s, bilinear(), large_step); });
+  both("full shell/j2 elastic, warping, drilling",
+       []<class R>(benchmark::State& s) { full_shell<R>(s, bilinear(), small_step, with_drilling()); });
   both("triangle/j2 elastic", []<class R>(benchmark::State& s) { triangle<R>(s, bilinear(), small_step); });
   both("triangle/j2 all plastic", []<class R>(benchmark::State& s) { triangle<R>(s, bilinear(), large_step); });
   both("brick/j2 elastic, hourglass 2", []<class R>(benchmark::State& s) { brick<R>(s, bilinear(), small_step, 2); });
@@ -307,6 +354,8 @@ void both(const std::string& name, Case run) {
   both("brick/j2 elastic, hourglass 6", []<class R>(benchmark::State& s) { brick<R>(s, bilinear(), small_step, 6); });
   both("brick/j2 all plastic, hourglass 2",
        []<class R>(benchmark::State& s) { brick<R>(s, bilinear(), large_step, 2); });
+  both("full brick/j2 elastic", []<class R>(benchmark::State& s) { full_brick<R>(s, bilinear(), small_step); });
+  both("full brick/j2 all plastic", []<class R>(benchmark::State& s) { full_brick<R>(s, bilinear(), large_step); });
   both("weld beam/elastic, 4 points", []<class R>(benchmark::State& s) { weld_beam<R>(s, small_step, 2); });
   both("weld beam/all plastic, 4 points", []<class R>(benchmark::State& s) { weld_beam<R>(s, large_step, 2); });
   both("weld beam/elastic, 16 points", []<class R>(benchmark::State& s) { weld_beam<R>(s, small_step, 3); });

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/index.hpp"
 
 namespace nugget::nvh {
@@ -31,6 +33,31 @@ void stabilize_bricks(model::Model& m, Findings& findings) {
                     changed.size() == 1 ? "" : "s", fmt::join(changed, " ")));
 }
 
+/// Shells run fully integrated, with stiffness against drilling and against the spins of warped corners.
+void integrate_shells_fully(model::Model& m, Findings& findings) {
+  std::vector<int> changed;
+  for (model::Part& part : m.parts) {
+    if (part.kind != model::ElementKind::shell || part.section == model::none) continue;
+    part.drilling = std::max(part.drilling, 1.0);
+    model::Hourglass warping = part.hourglass == model::none ? m.control.hourglass : m.hourglass[at(part.hourglass)];
+    model::SectionShell section = m.shell_sections[at(part.section)];
+    if (section.elform == 4) continue;
+    if (section.elform != 16) changed.push_back(part.id);
+    section.elform = 16;
+    warping.type = 8;
+    part.section = static_cast<model::Index>(m.shell_sections.size());
+    m.shell_sections.push_back(section);
+    part.hourglass = static_cast<model::Index>(m.hourglass.size());
+    m.hourglass.push_back(warping);
+  }
+  m.control.sort_triangles = true;
+  if (!changed.empty())
+    findings.note({m.deck, 0, 0}, "*CONTROL_IMPLICIT_GENERAL",
+                  fmt::format("shells of part{} {}: linear analyses use formulation 16 instead of a one-point shell, "
+                              "which has motions without stiffness",
+                              changed.size() == 1 ? "" : "s", fmt::join(changed, " ")));
+}
+
 }  // namespace
 
 model::Model linear_model(const model::Model& model, Findings& findings) {
@@ -38,6 +65,7 @@ model::Model linear_model(const model::Model& model, Findings& findings) {
   m.control.mass_step = 0.0;
   m.control.bulk_viscosity_type = 1;  // none in shells
   stabilize_bricks(m, findings);
+  integrate_shells_fully(m, findings);
   return m;
 }
 
