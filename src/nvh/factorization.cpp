@@ -89,7 +89,7 @@ Factorization::Factorization(const Matrices& m, double shift) : mumps_(std::make
         mumps.value.push_back(factor * matrix.values(j)[k]);
       }
   };
-  const std::size_t entries = m.stiffness.entries() + m.mass.entries();
+  const std::size_t entries = m.stiffness.entries() + (shift != 0.0 ? m.mass.entries() : 0);
   mumps.row.reserve(entries);
   mumps.column.reserve(entries);
   mumps.value.reserve(entries);

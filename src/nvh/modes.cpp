@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
@@ -111,18 +112,20 @@ Eigenpairs lowest(Search& search, const Factorization& f, std::size_t want, std:
 
 void find_lowest(Search& search, const Matrices& m, const ModeRequest& r, Modes& modes, Eigenpairs& p) {
   const double shift = small_shift(m);
-  const Factorization f = search.factor(-shift);
+  std::optional<Factorization> f = search.factor(-shift);
   std::size_t want = r.count > 0 ? at(r.count) : m.size();
   if (std::isfinite(r.high)) want = std::min(want, at(search.below(squared(r.high))));
   want = std::min(want, m.size());
   if (want == 0) return;
-  p = lowest(search, f, want, m.size());
+  p = lowest(search, *f, want, m.size());
+  const int below_zero = f->negative();
+  f.reset();  // counting needs a factor of its own; both at once would be the peak of memory
   // The mode after the wanted ones may be their twin: count behind the last that lies apart.
   std::size_t end = std::min(want, p.value.size());
   const double gap = 1e-6;
   while (end < p.value.size() && p.value[end] - p.value[end - 1] < gap * (std::abs(p.value[end]) + shift)) ++end;
   const double place = between(p.value, end, shift);
-  modes.proof = {0.0, std::sqrt(std::max(0.0, place)) / two_pi, search.below(place) + f.negative(),
+  modes.proof = {0.0, std::sqrt(std::max(0.0, place)) / two_pi, search.below(place) + below_zero,
                  static_cast<int>(end)};
   cut(p, want);
 }

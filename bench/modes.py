@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Natural modes of a spot-welded hat and of a plate: nugget against CalculiX on the same mesh, in one run.
+
+    python3 bench/modes.py [--nugget build/nugget] [--hat 0.005] [--plate 160x100] [--ccx ccx]
+
+The meshes come from ../shared/bench/gen_nvh.py. Prints seconds of processor time, memory and their ratios; both programs run
+on one thread. The hat of nugget is free and held together by rigid bodies, that of CalculiX clamped and held by beams:
+as much work, but not the same frequencies.
+"""
+import argparse
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+GENERATOR = ROOT.parent / "shared" / "bench" / "gen_nvh.py"
+
+
+def measure(command, folder):
+    """Processor seconds and peak memory in MB of a command."""
+    with subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                          env=dict(os.environ, OMP_NUM_THREADS="1")) as process:
+        _, status, used = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode:
+        sys.exit(f"{' '.join(map(str, command))} failed")
+    return used.ru_utime + used.ru_stime, used.ru_maxrss / 1024.0
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--nugget", default=ROOT / "build" / "nugget", type=pathlib.Path)
+    parser.add_argument("--ccx", default="ccx")
+    parser.add_argument("--hat", default="0.005")
+    parser.add_argument("--plate", default="160x100")
+    arguments = parser.parse_args()
+    if not GENERATOR.exists():
+        sys.exit(f"{GENERATOR} is not there; nothing to measure")
+    with tempfile.TemporaryDirectory() as folder:
+        nx, ny = arguments.plate.split("x")
+        for name, words in (("hat", ["weld", arguments.hat]), ("plate", ["plate", nx, ny])):
+            subprocess.run([sys.executable, GENERATOR, *words, name], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+            ours = measure([arguments.nugget.resolve(), "run", f"{name}.k", "-o", name, "-j", "1", "--quiet"], folder)
+            theirs = measure([arguments.ccx, f"{name}_s4"], folder)
+            print(f"{name:6}  nugget {ours[0]:7.2f} s {ours[1]:6.0f} MB   CalculiX {theirs[0]:7.2f} s {theirs[1]:6.0f} MB   "
+                  f"ratios {theirs[0] / ours[0]:.1f} in time, {theirs[1] / ours[1]:.1f} in memory")
+
+
+if __name__ == "__main__":
+    main()
