@@ -207,7 +207,9 @@ void Simulation::choose_step(double end_time) {
     smallest_step_ = dt;
     smallest_by_ = controlling_.describe(system_);
   }
-  if (state_.time < end_time && state_.time + dt > end_time) dt = end_time - state_.time;
+  // A rest of less than a millionth of a step, which round-off leaves, belongs to this step: over a step of nothing no
+  // acceleration and no reaction has a meaning.
+  if (state_.time < end_time && state_.time + (1.0 + 1e-6) * dt > end_time) dt = end_time - state_.time;
   state_.dt = dt;
 }
 

@@ -111,11 +111,12 @@ kernel::ShellProperties shell_properties(const model::Part& part, const model::S
   return shell;
 }
 
-/// A weld beam whose end is tied to deformable shells has nothing there to twist against, for they have no drilling
-/// stiffness; unless the tie turns the twist into in-plane forces.
-bool free_to_twist(const weld::Weld& w) {
-  return std::any_of(w.ends.begin(), w.ends.end(), [](const weld::Projection& e) {
-    return e.tied && e.kase != 0 && e.tie.rigid_body == model::none && !e.tie.twist && !e.tie.couples;
+/// A weld beam whose end is tied to deformable shells has nothing there to twist against, unless they have drilling
+/// stiffness or the tie turns the twist into in-plane forces.
+bool free_to_twist(const model::Model& model, const weld::Weld& w) {
+  return std::any_of(w.ends.begin(), w.ends.end(), [&](const weld::Projection& e) {
+    const bool drills = e.tie.shell != model::none && model.parts[at(e.tie.part)].drilling > 0.0;
+    return e.tied && e.kase != 0 && e.tie.rigid_body == model::none && !e.tie.twist && !e.tie.couples && !drills;
   });
 }
 
@@ -295,7 +296,7 @@ void System::make_weld_beams(Findings& findings) {
   const std::vector<bool> deleted = deleted_with_welds(false);
   std::vector<bool> untwistable(model.beams.size(), false);
   for (const weld::Weld& w : ties.welds)
-    if (w.kind == weld::Weld::Kind::beam) untwistable[at(w.element)] = free_to_twist(w);
+    if (w.kind == weld::Weld::Kind::beam) untwistable[at(w.element)] = free_to_twist(model, w);
   std::size_t untwisted = 0;
   const auto sorted = by_part(model.beams, model.parts.size(), ties.x);
   for (std::size_t p = 0; p < model.parts.size(); ++p) {

@@ -135,6 +135,7 @@ TEST(DiscreteBeams, LongBeamKeepsTheBalanceOfMoments) {
   Experiment experiment(s.deck());
   double momentum = 0.0, time = 0.0, linear = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
+    if (now.state.dt != now.state.dt_previous) return;  // the mean velocity stands at t only between equal steps
     momentum = 0.0;
     Vec3d sum;
     for (const int n : {a, b}) {

@@ -41,6 +41,7 @@ TEST(Interpolation, ForceAndItsMomentGoToTheIndependentNodes) {
   std::array<Vec3d, 4> velocity;
   double time = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
+    if (now.state.dt != now.state.dt_previous) return;  // the mean velocity stands at t only between equal steps
     for (std::size_t i = 0; i < 4; ++i) velocity[i] = experiment.velocity(now, f.n[i]);
     time = now.state.time;
   });

@@ -69,7 +69,9 @@ TEST(RigidWelds, TensionFailsAtItsStrengthAndMomentumStays) {
     const double momentum = 2.0 * experiment.velocity(now, a).x + experiment.velocity(now, b).x;
     const double bound =
         now.system.map.dependent(static_cast<int>(experiment.node(a))) ? force * step : 30.0 * step * step;
-    momentum_error = std::max(momentum_error, std::abs(momentum + 15.0 * t * t) - bound);
+    // The mean of both half-steps' velocities stands at t only between equal steps; the last one is trimmed.
+    if (now.state.dt == now.state.dt_previous)
+      momentum_error = std::max(momentum_error, std::abs(momentum + 15.0 * t * t) - bound);
     energy.push_back(now.energy.ratio());
   });
   EXPECT_NEAR(worst, 0.0, 1e-9);
