@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "base/index.hpp"
+#include "weld/failure/function.hpp"
 
 namespace nugget::app {
 namespace {
@@ -58,6 +59,20 @@ std::string log_bricks(const model::Model& model, const weld::Ties& ties) {
     s += '\n';
   }
   return s.empty() ? s : "\nWelds of bricks, and their bricks:\n" + s;
+}
+
+/// PRTFLG of *CONTROL_SPOTWELD_BEAM.
+std::string log_shell_factors(const model::Model& model, const weld::Ties& ties) {
+  if (!model.control.weld_beams.list) return {};
+  std::string s = "\nFactors on the failure of weld beams (LCT, LCS), by the size of the shell at each end:\n";
+  for (const weld::Weld& w : ties.welds) {
+    if (w.kind != weld::Weld::Kind::beam) continue;
+    s += fmt::format(" weld {:>8}", w.id);
+    for (const auto& end : weld::failure::shell_factors(model, w))
+      s += fmt::format("   size {:9.4g}  tension {:9.4g}  shear {:9.4g}", end.size, end.tension, end.shear);
+    s += '\n';
+  }
+  return s;
 }
 
 }  // namespace
@@ -118,7 +133,7 @@ std::string log_ties(const model::Model& model, const weld::Ties& ties, std::siz
   for (const auto& [kase, n] : by_case) s += fmt::format(" case {}  {:>8} nodes  {}\n", kase, n, case_name(kase));
   if (open > 0) s += "\nNot tied:\n" + reasons;
   if (open > most) s += fmt::format(" and {} more nodes; welds.csv has all\n", open - most);
-  s += log_bricks(model, ties);
+  s += log_bricks(model, ties) + log_shell_factors(model, ties);
   return s + '\n';
 }
 

@@ -44,7 +44,6 @@ struct WeldDamage {
   int option = 0;               ///< DMGOPT 0, 1, 2, 10, 11, 12
   double mode = 0.0;            ///< FMODE: ratio that parts failure from damage; 0: damage
   double cap = 0.0;             ///< FFCAP: failure value at which a damaged weld is deleted; 0: none
-  int thickness_option = 0;     ///< TTOPT: form of the TRUE_T correction
 };
 
 /// MAT_100 but for the law of its points.

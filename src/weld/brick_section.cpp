@@ -87,31 +87,4 @@ BrickSection::Load BrickSection::load(const Shape& shape, std::span<const Vec3d>
   return {{n.x, n.y, n.z, m.x, m.y, m.z}, {m + couple, m - couple}};
 }
 
-double BrickSection::strain_rate(const Shape& shape, std::span<const Vec3d> x, std::span<const Vec3d> v) const {
-  std::array<Vec3d, 2> mean, place;
-  const std::array<std::size_t, 3> bound{0, of_first_face_, nodes_.size()};
-  for (std::size_t end = 0; end < 2; ++end) {
-    const double share = 1.0 / static_cast<double>(bound[end + 1] - bound[end]);
-    for (std::size_t i = bound[end]; i < bound[end + 1]; ++i) {
-      mean[end] += share * v[i];
-      place[end] += share * x[i];
-    }
-  }
-  double ss = 0.0, st = 0.0, tt = 0.0, rs = 0.0, rt = 0.0;  // least squares for the slopes of v_r
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const std::size_t end = i < of_first_face_ ? 0 : 1;
-    const Vec3d p = shape.axes.local(x[i] - place[end]);
-    const double along = dot(shape.axes.e1, v[i] - mean[end]);
-    ss += p.y * p.y;
-    st += p.y * p.z;
-    tt += p.z * p.z;
-    rs += p.y * along;
-    rt += p.z * along;
-  }
-  const double det = ss * tt - st * st;
-  const Vec3d apart = (1.0 / shape.length) * shape.axes.local(mean[1] - mean[0]);
-  const double s = apart.y + (tt * rs - st * rt) / det, t = apart.z + (ss * rt - st * rs) / det;
-  return std::sqrt(apart.x * apart.x + (s * s + t * t) / 3.0);
-}
-
 }  // namespace nugget::weld

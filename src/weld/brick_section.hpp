@@ -43,11 +43,6 @@ class BrickSection {
   /// the second and the first end.
   Load load(const Shape& shape, std::span<const Vec3d> x, std::span<const Vec3d> force) const;
 
-  /// Effective strain rate, as of weld beams: sqrt(e_rr^2 + (g_rs^2 + g_rt^2) / 3), with e_rr = D v_r / L and g_rs =
-  /// D v_s / L + d v_r / d s, D the difference of the faces' mean velocities, d/ds the mean slope over each face;
-  /// strain across the axis, which stiff sheets block, is left out [1/time].
-  double strain_rate(const Shape& shape, std::span<const Vec3d> x, std::span<const Vec3d> v) const;
-
  private:
   Frame3d frame(const Vec3d& r, std::span<const Vec3d> x) const;
 

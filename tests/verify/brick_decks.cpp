@@ -8,10 +8,13 @@ namespace nugget::verify {
 std::string brick_part(int part, const WeldData& w, const HourglassData& hourglass) {
   const double id = part;
   const auto& f = w.strength;
+  const bool plain = w.option == 0 && w.true_thickness == 0.0;
   return "*PART\nbrick welds\n" + fields({id, id, id, 0, id}) + "*SECTION_SOLID\n" + fields({id, 1}) + "*HOURGLASS\n" +
-         fields({id, static_cast<double>(hourglass.type), hourglass.coefficient}) + "*MAT_SPOTWELD\n" +
+         fields({id, static_cast<double>(hourglass.type), hourglass.coefficient}) +
+         (plain ? "*MAT_SPOTWELD\n" : "*MAT_SPOTWELD_DAMAGE-FAILURE\n") +
          fields({id, w.density, w.E, w.nu, w.yield, w.hardening, w.mass_step, w.failure_time}) +
-         fields({w.failure_strain, f[0], f[1], f[2], f[3], f[4], f[5], static_cast<double>(w.filter)});
+         fields({w.failure_strain, f[0], f[1], f[2], f[3], f[4], f[5], static_cast<double>(w.filter)}) +
+         (plain ? "" : fields({0, static_cast<double>(w.option), 0, w.true_thickness}));
 }
 
 std::vector<int> Prism::layer(int k) const {

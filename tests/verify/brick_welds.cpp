@@ -316,10 +316,47 @@ TEST(BrickWeldFailure, ResultantSurface) {
                      square(all.tension / 8000.0) + square(all.shear / 6000.0) + square(all.torsion / 9000.0), 1.0,
                      1e-2);
   }
+  // Shear with strengths of moments: the moments at the sheets count, not the none at mid-length; of TRUE_T a part.
+  const double h = 1.5;
+  for (const double true_t : {0.0, 0.3}) {
+    WeldData w = strong();
+    w.strength = {0, 6000, 0, 0, 0, 7000};
+    w.true_thickness = true_t;
+    const AtFailure f = at_failure(square_prism(side, h), w, {.shear_s = 8e-3});
+    const double ratio = 0.5 * (true_t > 0.0 ? true_t : h) / 7000.0;
+    expect_reference("theory 3.3",
+                     fmt::format("one brick: shear at failure with moments at the sheets, TRUE_T = {} [N]", true_t),
+                     f.shear, 1.0 / std::hypot(1.0 / 6000.0, ratio), 5e-3);
+  }
   // Compression does not fail a weld.
   WeldData w = strong();
   w.strength = {8000};
   EXPECT_FALSE(at_failure(square_prism(side, 1.5), w, {.pull = -6e-3}).failed);
+}
+
+// OPT 1, with the equivalent diameter of 6 mm: A = 28.274, Z = 21.206.
+TEST(BrickWeldFailure, BeamStresses) {
+  for (const bool cluster : {false, true}) {
+    const Prism prism = cluster ? o_grid() : square_prism(side, 1.5);
+    const std::string what = cluster ? "8 bricks" : "one brick";
+    WeldData w = strong();
+    w.option = 1;
+    w.strength = {500, 300};
+    w.true_thickness = 1e-6;  // moments as at mid-length
+    if (cluster) w.true_thickness = 0.0;
+    expect_reference("theory 4.4", what + ": tension at failure, SIGAX = 500 [N]",
+                     at_failure(prism, w, {.pull = 6e-3}).tension, 500 * 28.2743, 5e-3);
+    expect_reference("theory 4.4", what + ": bending at failure, SIGAX = 500 [N mm]",
+                     at_failure(prism, w, {.bend_t = 4e-3}).bending, 500 * 21.2058, 5e-3);
+    expect_reference("theory 4.4", what + ": torsion at failure, SIGTAU = 300 [N mm]",
+                     at_failure(prism, w, {.twist = 8e-3}).torsion, 300 * 42.4115, 5e-3);
+    w.strength = {0, 300};  // else the moments of shear at a cluster's ends count too
+    expect_reference("theory 4.4", what + ": shear at failure, SIGTAU = 300 [N]",
+                     at_failure(prism, w, {.shear_s = 1e-2}).shear, 300 * 28.2743, 5e-3);
+    const AtFailure all = at_failure(prism, w, {1e-3, 3e-3, 2e-3, 1e-3});
+    expect_reference("theory 4.4", what + ": shear stress at failure, shear and torsion together [MPa]",
+                     all.shear / 28.2743 + all.torsion / 42.4115, 300.0, 5e-3);
+  }
 }
 
 }  // namespace

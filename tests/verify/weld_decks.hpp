@@ -17,6 +17,9 @@ struct WeldData {
   double mass_step = 0.0, failure_time = 0.0, failure_strain = 0.0;
   std::array<double, 6> strength{};  ///< NRR NRS NRT MRR MSS MTT
   int filter = 0, quadrature = 2;
+  // Of bricks (brick_decks.hpp) only.
+  int option = 0;               ///< OPT; 1: `strength` begins with SIGAX SIGTAU
+  double true_thickness = 0.0;  ///< TRUE_T
 
   double area() const;
   double second_moment() const;  ///< I; the polar one is 2 I

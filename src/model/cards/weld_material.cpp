@@ -113,7 +113,8 @@ constexpr Field rupture = real("rs", dimension::number, 0, at_least(0),
 constexpr Field true_thickness =
     real("true_t", dimension::length, 0, at_least(0), "true thickness of single brick welds; 0: as modelled");
 constexpr Field whole = integer("asff", 0, between(0, 1), "1: the first brick to fail takes its assembly with it");
-constexpr Field correction = integer("ttopt", 0, between(0, 2), "form of the TRUE_T correction");
+constexpr Field correction =
+    integer("ttopt", 0, between(0, 2), "form of the TRUE_T correction; here as 2, free of the numbering");
 
 const Card failure_card{{
     rupture,
@@ -327,6 +328,13 @@ void check_damage(Builder& b, const Row& failure, const Row& row, const WeldDama
            "give a larger RS, or leave it blank: points then fail at EFAIL at once");
 }
 
+void check_correction(Builder& b, const Row& row) {
+  if (row.integer("ttopt") == 1)
+    row.complain(b.findings, Severity::warning, "ttopt",
+                 "the correction of release 8 is not public: it is made free of the numbering, as with 2",
+                 "write 0 or 2");
+}
+
 /// What the third card and the one after it say; `failure_strain`: EFAIL.
 void read_damage(Builder& b, Cursor& cursor, WeldLaw& law, const Row& row, double failure_strain) {
   WeldDamage& damage = law.damage;
@@ -340,7 +348,7 @@ void read_damage(Builder& b, Cursor& cursor, WeldLaw& law, const Row& row, doubl
   damage.option = static_cast<int>(more.real("dmgopt"));
   damage.mode = more.real("fmode");
   damage.cap = more.real("ffcap");
-  damage.thickness_option = more.integer("ttopt");
+  check_correction(b, more);
   check_damage(b, row, more, damage, failure_strain);
   for (const auto* field : {"fmode", "ffcap"})
     if (damage.option < 10 && more.real(field) != 0.0)
@@ -467,7 +475,7 @@ void read_connection(Builder& b, const Block& block, const Options& options) {
   weld.damage.rupture = third.real("rs");
   weld.damage.true_thickness = third.real("true_t");
   weld.damage.whole = third.integer("asff") == 1;
-  if (third.integer("dmgopt") == -1) weld.damage.thickness_option = cursor.read(connection_more_card).integer("ttopt");
+  if (third.integer("dmgopt") == -1) check_correction(b, cursor.read(connection_more_card));
   expect_end(b, cursor);
   const Index index = add_weld(b, row, std::move(title), "MAT_SPOTWELD_DAIMLERCHRYSLER", law, std::move(weld));
   b.later(Phase::parts, [index, third](Builder& later) {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "weld/connection.hpp"
+#include "weld/welds.hpp"
 
 namespace nugget::weld::failure {
 namespace {
@@ -146,6 +147,12 @@ Geometry geometry_of(const model::Model& model, const Weld& weld) {
     if (d > 0.0) g.section_modulus = pi / 32.0 * (d * d * d * d - inner * inner * inner * inner) / d;
   }
   g.sheet = weld.sheets;
+  if (weld.kind == Weld::Kind::beam) g.shell = shell_factors(model, weld);
+  if (weld.of_bricks()) {
+    // TRUE_T is documented for single bricks.
+    const double true_thickness = law_of(model, weld).damage.true_thickness;
+    g.height = weld.kind == Weld::Kind::solid && true_thickness > 0.0 ? true_thickness : weld.length;
+  }
   std::array<int, 2> shells{};
   for (const Projection& end : weld.ends) {
     if (!end.tied || end.tie.shell == none) continue;
@@ -166,8 +173,11 @@ FailureMode Value::largest() const {
   return std::max_element(term.begin(), end, [](const Term& a, const Term& b) { return a.value < b.value; })->mode;
 }
 
-std::unique_ptr<Function> make_function(const model::Model& model, const model::WeldLaw& law, const Geometry& weld,
-                                        const Place& place, Findings& findings) {
+namespace {
+
+/// The failure function of a weld as it is loaded at mid-length.
+std::unique_ptr<Function> plain_function(const model::Model& model, const model::WeldLaw& law, const Geometry& weld,
+                                         const Place& place, Findings& findings) {
   if (law.connection) return by_connection(model, law, weld, place, findings);
   switch (law.option) {
     case 1: return beam_stress(law.normal_stress, law.shear_stress, weld);
@@ -190,6 +200,36 @@ std::unique_ptr<Function> make_function(const model::Model& model, const model::
     case 11: return direction(law);
     default: return resultant_surface(law);
   }
+}
+
+/// Those that ask for bending moments at the ends: OPT -2 to 1, 7 and _DA.
+bool has_moments(const model::WeldLaw& law) {
+  return law.connection || law.option <= 1 || law.option == 7;
+}
+
+/// Those whose terms add up to the value.
+bool is_sum(const model::WeldLaw& law) {
+  return !law.connection && (law.option <= 1 || law.option == 6 || law.option == 7 || law.option == 10);
+}
+
+bool is_scaled(const Geometry& weld) {
+  return std::any_of(weld.shell.begin(), weld.shell.end(),
+                     [](const Geometry::ShellFactor& f) { return f.tension != 1.0 || f.shear != 1.0; });
+}
+
+}  // namespace
+
+std::unique_ptr<Function> make_function(const model::Model& model, const model::WeldLaw& law, const Geometry& weld,
+                                        const Place& place, Findings& findings) {
+  auto function = plain_function(model, law, weld, place, findings);
+  if (weld.height > 0.0 && has_moments(law)) return worse_end(std::move(function), weld.height, law.connection);
+  if (!is_scaled(weld)) return function;
+  if (is_sum(law)) return by_shell_size(std::move(function), weld.shell);
+  findings.warning(
+      place, "*CONTROL_SPOTWELD_BEAM",
+      fmt::format("LCT and LCS do not act on OPT {}, whose value is no sum of tension and shear", law.option),
+      "use OPT 0, 1, 6, 7 or 10, or leave LCT and LCS 0");
+  return function;
 }
 
 }  // namespace nugget::weld::failure

@@ -22,6 +22,14 @@ struct Geometry {
   std::array<double, 2> thickness;  ///< of the shells that its ends are tied to; 0: none [length]
   std::array<model::Index, 2> sheet{model::none, model::none};  ///< their parts
 
+  double height = 0.0;  ///< of bricks: over which the shear force makes moments at the ends; 0: none [length]
+  /// LCT and LCS of *CONTROL_SPOTWELD_BEAM at the shells that a beam's ends are tied to.
+  struct ShellFactor {
+    double size = 0.0;  ///< of the shell, sqrt of its area; 0: none [length]
+    double tension = 1.0, shear = 1.0;
+  };
+  std::array<ShellFactor, 2> shell{};
+
   double thinner() const;  ///< of the two thicknesses that are not 0; 0: there is none
 };
 /// Of a solid disc.
@@ -94,5 +102,16 @@ std::unique_ptr<Function> direction(const model::WeldLaw& law);  ///< OPT 11
 std::unique_ptr<Function> connection_stress(const model::ConnectionProperties& properties,
                                             const model::ConnectionProperties::Record& record, double rate_filter,
                                             const Geometry& weld);
+
+/// Of a beam tied to shells; all factors 1 without curves.
+std::array<Geometry::ShellFactor, 2> shell_factors(const model::Model& model, const Weld& weld);
+
+// Around another function.
+/// The value at the end of a weld of bricks where it is larger, the shear force acting over `height` (TRUE_T). `once`:
+/// `inner` remembers, and is asked for the end with the larger bending moment only.
+std::unique_ptr<Function> worse_end(std::unique_ptr<Function> inner, double height, bool once);
+/// The value with its parts by tension and by shear over the factors of the shells' sizes, at the worse end.
+std::unique_ptr<Function> by_shell_size(std::unique_ptr<Function> inner,
+                                        const std::array<Geometry::ShellFactor, 2>& ends);
 
 }  // namespace nugget::weld::failure

@@ -165,23 +165,5 @@ TEST(BrickSection, AShearForceHasItsMomentAtTheEnds) {
   EXPECT_NEAR(load.moment_at_end[1].z, -400.0, 1e-9);
 }
 
-TEST(BrickSection, StrainRateIsThatOfABeamAndFreeOfRotation) {
-  Stack a({0.0, 2.0}, 2);
-  const Ties ties = a.tied();
-  const BrickSection section(ties.welds[0], ties.x);
-  const auto rate = [&](const auto& velocity) {
-    std::vector<Vec3d> x, v;
-    for (Index n : section.nodes()) {
-      x.push_back(ties.x[static_cast<std::size_t>(n)]);
-      v.push_back(velocity(x.back()));
-    }
-    return section.strain_rate(section.shape(x), x, v);
-  };
-  EXPECT_NEAR(rate([](const Vec3d& x) { return cross(Vec3d{3, -2, 5}, x); }), 0.0, 1e-12);
-  EXPECT_NEAR(rate([](const Vec3d& x) { return Vec3d{0, 0, 7 * x.z}; }), 7.0, 1e-12);
-  EXPECT_NEAR(rate([](const Vec3d& x) { return Vec3d{7 * x.z, 0, 0}; }), 7.0 / std::sqrt(3.0), 1e-12);
-  EXPECT_NEAR(rate([](const Vec3d& x) { return Vec3d{0, 0, 7 * x.y}; }), 7.0 / std::sqrt(3.0), 1e-12);
-}
-
 }  // namespace
 }  // namespace nugget::weld

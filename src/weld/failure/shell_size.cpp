@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "weld/failure/function.hpp"
+
+namespace nugget::weld::failure {
+namespace {
+
+bool is_tension(FailureMode mode) {
+  return mode == FailureMode::axial || mode == FailureMode::bending || mode == FailureMode::normal_stress;
+}
+
+/// LCT and LCS of *CONTROL_SPOTWELD_BEAM: the parts of the failure value by tension and bending and by shear and
+/// torsion, each over its factor at the size of the shell; the end with the larger value counts. Reference:
+/// spotweld-theory.md 4.9 (the project's own form).
+class ShellSize final : public Function {
+ public:
+  ShellSize(std::unique_ptr<Function> inner, const std::array<Geometry::ShellFactor, 2>& ends)
+      : inner_(std::move(inner)), ends_(ends) {}
+
+  Value operator()(const Load& load) override {
+    const Value plain = (*inner_)(load);
+    Value worse;
+    for (const Geometry::ShellFactor& end : ends_) {
+      Value f;
+      for (int i = 0; i < plain.terms; ++i) {
+        const Value::Term& term = plain.term[static_cast<std::size_t>(i)];
+        f.add(term.mode, term.value / (is_tension(term.mode) ? end.tension : end.shear));
+      }
+      if (f.value >= worse.value) worse = f;
+    }
+    return worse;
+  }
+
+ private:
+  std::unique_ptr<Function> inner_;
+  std::array<Geometry::ShellFactor, 2> ends_;
+};
+
+}  // namespace
+
+std::array<Geometry::ShellFactor, 2> shell_factors(const model::Model& model, const Weld& weld) {
+  const model::WeldBeamControl& control = model.control.weld_beams;
+  std::array<Geometry::ShellFactor, 2> ends;
+  for (std::size_t k = 0; k < 2 && k < weld.ends.size(); ++k) {
+    const model::Index shell = weld.ends[k].tied ? weld.ends[k].tie.shell : model::none;
+    if (shell == model::none) continue;
+    const auto& n = model.shells.node[static_cast<std::size_t>(shell)];
+    const auto x = [&](std::size_t i) { return model.nodes.x[static_cast<std::size_t>(n[i])]; };
+    ends[k].size = std::sqrt(0.5 * norm(cross(x(2) - x(0), x(3) - x(1))));
+    const auto factor = [&](model::Index curve) {
+      return curve == model::none ? 1.0 : model.curves[static_cast<std::size_t>(curve)].clamped(ends[k].size);
+    };
+    ends[k].tension = factor(control.tension_curve);
+    ends[k].shear = factor(control.shear_curve);
+  }
+  return ends;
+}
+
+std::unique_ptr<Function> by_shell_size(std::unique_ptr<Function> inner,
+                                        const std::array<Geometry::ShellFactor, 2>& ends) {
+  return std::make_unique<ShellSize>(std::move(inner), ends);
+}
+
+}  // namespace nugget::weld::failure
