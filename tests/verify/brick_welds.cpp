@@ -124,7 +124,7 @@ double bending_stiffness(int n, double theta) {
                              moved(prism, prism.top(), {0, 0, 1}, turn(0.5), cycles * step, 60, 500)));
   double moment = 0.0;
   run.run([&](const impact::Snapshot& now) { moment = run.weld(now, run.ties().welds[0].id).moment_t; });
-  return -moment / theta;
+  return moment / theta;
 }
 
 // Sabotage to be caught: bricks of an assembly counted once; moments about the brick's own centre; the hourglass forces
@@ -147,7 +147,8 @@ double tip_deflection(int n, double couple, double force, double coefficient) {
   Prism beam = square_prism(10.0, 100.0);
   beam.z.clear();
   for (int k = 0; k <= n; ++k) beam.z.push_back(100.0 * k / n);
-  const double end = 24e-3;  // 20 periods of the first mode
+  const double end = 24e-3;       // 20 periods of the first mode
+  const double step_scale = 0.6;  // a single row of bricks is not stable at 0.9: docs/book/elements.md
   std::string loads = "*LOAD_NODE_POINT\n";
   for (int id : beam.top()) {
     const double pull = beam.place(id).x > 0.0 ? 1.0 : -1.0;
@@ -156,7 +157,7 @@ double tip_deflection(int n, double couple, double force, double coefficient) {
   }
   std::string ramp = "*DEFINE_CURVE\n" + fields({1, 0, 1, 1, 0, 0, 0});
   for (int k = 0; k <= 200; ++k) ramp += fmt::format("{:20.12g}{:20.12g}\n", end * k / 200, smooth(k / 200.0));
-  Experiment run("*KEYWORD\n" + termination(end) + brick_part(1, strong(), {6, coefficient}) + beam.text() +
+  Experiment run("*KEYWORD\n" + termination(end, step_scale) + brick_part(1, strong(), {6, coefficient}) + beam.text() +
                  held(beam.bottom(), {0, 0, 1}) + held({1}, {1, 1, 0}) + held({2}, {0, 1, 0}) + ramp + loads +
                  "*END\n");
   double w = 0.0;
@@ -167,13 +168,14 @@ double tip_deflection(int n, double couple, double force, double coefficient) {
   return w;
 }
 
+// The couple is a tenth of the suite's: its answer is the linear one, and at 1e5 the turning of the tip costs 0.3 %.
 // Sabotage to be caught: the stabilisation of element-theory 5.4 with QM left out; a factor on one of its four modes.
 TEST(BrickWeld, A14BendingByHourglassForces) {
   const double shear[3][2] = {{1, 1.44095}, {2, 1.79809}, {5, 1.89810}};
   for (const auto& [n, w] : shear) {
     const int count = static_cast<int>(n);
     expect_reference("A-14", fmt::format("tip deflection under the couple, {} bricks [mm]", count),
-                     tip_deflection(count, 1e5, 0.0, 1.0), 2.857143, 2e-3);
+                     10.0 * tip_deflection(count, 1e4, 0.0, 1.0), 2.857143, 2e-3);
     expect_reference("A-14", fmt::format("tip deflection under the shear force, {} bricks [mm]", count),
                      tip_deflection(count, 0.0, 1000.0, 1.0), w, 1e-2);
   }
