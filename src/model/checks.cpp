@@ -262,7 +262,7 @@ void check_law(Builder& b, const Part& part, const deck::Row& row) {
            "model the welds by bricks, or use *MAT_SPOTWELD_DAMAGE-FAILURE");
   else if (part.kind == ElementKind::beam && part.section != none)
     check_beam_law(b, part, row);
-  else if (is<kernel::DiscreteBeam>(m, part))
+  else if (is<kernel::DiscreteBeam>(m, part) && (part.kind == ElementKind::shell || part.kind == ElementKind::solid))
     refuse(b, row, "mid",
            fmt::format("*{} is a law of discrete beams, but the part has other elements", material.keyword),
            "give it the law of a sheet");

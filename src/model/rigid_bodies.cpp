@@ -115,7 +115,24 @@ class Maker {
     return inertia;
   }
 
+  /// A tensor that is not positive definite belongs to no body: some direction has no inertia, or less than none, and a
+  /// moment about it turns the body without bound.
+  void check_tensor(const RigidBody& body) {
+    const auto& i = body.inertia.inertia;
+    const double trace = i[0] + i[3] + i[5], two = i[0] * i[3] - i[1] * i[1];
+    const double all =
+        i[0] * (i[3] * i[5] - i[4] * i[4]) - i[1] * (i[1] * i[5] - i[2] * i[4]) + i[2] * (i[1] * i[4] - i[2] * i[3]);
+    constexpr double least = 1e-9;
+    if (i[0] > least * trace && two > least * trace * trace && all > least * trace * trace * trace) return;
+    b_.findings.warning(
+        body.place, "",
+        fmt::format("the tensor of inertia of {} is not that of a body: it is not positive definite", name_of(body)),
+        "give its moments about the centre, and products that are smaller than these; "
+        "0 for products that are not known");
+  }
+
   void add_seed(RigidBody body, std::string_view what) {
+    if (body.given) check_tensor(body);
     const auto index = static_cast<Index>(seeds_.size());
     if (!seed_ids_.add(body.id, index, body.place, "*CONSTRAINED_NODAL_RIGID_BODY", what, b_.findings)) return;
     seeds_.push_back(std::move(body));

@@ -82,6 +82,15 @@ bracket
   EXPECT_NEAR(body.inertia.inertia[5], 3.0, 1e-12);
 }
 
+TEST(RigidBodies, TensorOfNoBodyIsTold) {
+  const auto body = [](const std::string& tensor) {
+    return Built(small_deck("*CONSTRAINED_NODAL_RIGID_BODY_INERTIA\n        40         0         1\n" +
+                            std::string("       0.0       0.0       0.0       5.0\n") + tensor + "\n\n"));
+  };
+  EXPECT_TRUE(body("      50.0      50.0      50.0      50.0      50.0      50.0").warning("not positive definite"));
+  EXPECT_FALSE(body("      50.0       0.0       0.0      50.0       0.0      50.0").warning("not positive definite"));
+}
+
 TEST(RigidBodies, Faults) {
   const Built twice(
       small_deck("*CONSTRAINED_NODAL_RIGID_BODY\n        40         0         1\n*CONSTRAINED_NODAL_RIGID_BODY\n       "
