@@ -152,6 +152,7 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
   if (p.model.implicit.active) {
     ModesArguments modes;
     modes.run = arguments;
+    modes.response = true;
     return modes_of(directory, modes, std::move(p), findings);
   }
   Log log(directory / "run.log");

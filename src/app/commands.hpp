@@ -33,6 +33,7 @@ struct ModesArguments {
   RunArguments run;              ///< of these: deck, directory, threads, skip_unsupported, quiet
   int count = 0;                 ///< 0: the deck's NEIG, or 20
   double low = 0.0, high = 0.0;  ///< frequencies [cycles/time]; 0: the deck's
+  bool response = false;         ///< the frequency response that the deck asks for as well
 };
 
 struct CheckArguments {
@@ -51,6 +52,7 @@ struct WeldArguments {
 
 ExitCode run(const RunArguments& arguments);
 ExitCode modes(const ModesArguments& arguments);
+ExitCode frf(const RunArguments& arguments);
 ExitCode check(const CheckArguments& arguments);
 ExitCode weld(const WeldArguments& arguments);
 ExitCode keywords(const std::string& name);

@@ -67,7 +67,8 @@ bool is_unknown_command(const CLI::App& cli, const std::vector<std::string>& wor
 
 int main(int argc, char** argv) {
   CLI::App cli{
-      "Nugget: spot-welded structures from one LS-DYNA keyword deck, impact by explicit dynamics, natural modes.",
+      "Nugget: spot-welded structures from one LS-DYNA keyword deck, impact by explicit dynamics, natural modes and "
+      "frequency response.",
       "nugget"};
   cli.set_version_flag("--version", fmt::format("nugget {}", NUGGET_VERSION));
   cli.require_subcommand(1);
@@ -105,6 +106,15 @@ int main(int argc, char** argv) {
                           "leave out what is not supported, with a warning each");
   modes_command->add_flag("--quiet", modes.run.quiet, "no progress on the terminal");
 
+  nugget::app::RunArguments frf;
+  CLI::App* frf_command = cli.add_subcommand("frf", "frequency response of a deck with *FREQUENCY_DOMAIN_FRF");
+  frf_command->add_option("model", frf.deck, "the deck; also i=MODEL.k")->required();
+  frf_command->add_option("-o,--output", frf.directory, "folder for the results (default: the current one)");
+  frf_command->add_option("-j,--threads", frf.threads, "threads (default: all cores); also ncpu=N")->check(count);
+  frf_command->add_flag("--skip-unsupported", frf.skip_unsupported,
+                        "leave out what is not supported, with a warning each");
+  frf_command->add_flag("--quiet", frf.quiet, "no progress on the terminal");
+
   nugget::app::CheckArguments check;
   CLI::App* check_command = cli.add_subcommand("check", "read, check, tie and audit a deck; run nothing");
   check_command->add_option("model", check.deck.deck, "the deck")->required();
@@ -139,7 +149,7 @@ int main(int argc, char** argv) {
   CLI::App* keywords_command = cli.add_subcommand("keywords", "what is supported, from the card tables");
   keywords_command->add_option("name", keyword, "one keyword: its fields, defaults, ranges, meaning");
 
-  const char* const later[] = {"frf", "report"};
+  const char* const later[] = {"report"};
   for (const char* name : later) cli.add_subcommand(name, "not built yet")->allow_extras();
 
   std::vector<std::string> words = translated(argc, argv);
@@ -157,9 +167,10 @@ int main(int argc, char** argv) {
   }
   for (const char* name : later) {
     if (!cli.got_subcommand(name)) continue;
-    fmt::print(stderr,
-               "nugget: the command '{}' is not built yet; this version has run, modes, check, weld and keywords\n",
-               name);
+    fmt::print(
+        stderr,
+        "nugget: the command '{}' is not built yet; this version has run, modes, frf, check, weld and keywords\n",
+        name);
     return static_cast<int>(ExitCode::wrong_command);
   }
   if (!checkpoint.empty() || !resume.empty()) {
@@ -169,6 +180,7 @@ int main(int argc, char** argv) {
   }
   if (run_command->parsed()) return static_cast<int>(nugget::app::run(run));
   if (modes_command->parsed()) return static_cast<int>(nugget::app::modes(modes));
+  if (frf_command->parsed()) return static_cast<int>(nugget::app::frf(frf));
   if (check_command->parsed()) return static_cast<int>(nugget::app::check(check));
   if (weld_command->parsed()) {
     weld.form = forms.at(form);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/clock.hpp"
+#include "app/frf.hpp"
 #include "app/outcome.hpp"
 #include "app/run_log.hpp"
 #include "base/index.hpp"
@@ -22,8 +23,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-nvh::ModeRequest request_of(const ModesArguments& arguments, const model::Implicit& deck) {
+nvh::ModeRequest request_of(const ModesArguments& arguments, const model::Model& model) {
+  const model::Implicit& deck = model.implicit;
   nvh::ModeRequest r;
+  if (arguments.response && model.frequency_response && deck.modes == 0) {
+    const model::FrequencyResponse& response = *model.frequency_response;
+    r.high = response.modes.highest > 0.0 ? response.modes.highest : 1.5 * response.frequency.back();
+    return r;
+  }
   const bool interval = arguments.low > 0.0 || arguments.high > 0.0;
   if (interval) {
     if (arguments.low > 0.0) r.low = arguments.low;
@@ -149,7 +156,7 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
 
   try {
     Status status(arguments.run.quiet);
-    const nvh::Modes modes = nvh::find_modes(*matrices, request_of(arguments, p.model.implicit), std::ref(status));
+    const nvh::Modes modes = nvh::find_modes(*matrices, request_of(arguments, p.model), std::ref(status));
     const double solve = clock.seconds();
     status("strain energies and files");
     const nvh::EnergyShares shares = nvh::energy_shares(*matrices, modes);
@@ -158,6 +165,11 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
     summary.seconds.solve = solve;
     nvh::write_modes(directory, {p.model.title, fmt::format("nugget {}", NUGGET_VERSION), today()}, *matrices, modes,
                      shares);
+    std::string response;
+    if (arguments.response && p.model.frequency_response) {
+      status("frequency response");
+      response = frf_of(directory, *matrices, modes, *p.model.frequency_response);
+    }
     output::write_welds(directory, p.welds);
     summary.seconds.output = clock.seconds();
     if (!modes.proof.complete()) {
@@ -166,9 +178,9 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
     }
     output::write_summary(directory, summary);
     const std::string table = mode_table(modes);
-    log.add(table + energy_table(p.model, p.ties, modes, shares) + cost_table(*matrices, modes, summary));
+    log.add(table + energy_table(p.model, p.ties, modes, shares) + response + cost_table(*matrices, modes, summary));
     status.clear();
-    fmt::print("{}", table);
+    fmt::print("{}{}", table, response);
     const impact::Termination end = modes.proof.complete() ? impact::Termination::normal : impact::Termination::error;
     log.add(log_termination({end, summary.message}));
     if (!summary.message.empty()) fmt::print(stderr, "{}\n", summary.message);

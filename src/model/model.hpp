@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "base/vec3.hpp"
 #include "model/contact.hpp"
 #include "model/control.hpp"
+#include "model/frequency.hpp"
 #include "model/implicit.hpp"
 #include "model/interpolation.hpp"
 #include "model/loads.hpp"
@@ -125,6 +127,7 @@ struct Model {
   std::string deck;  ///< path of the master file as given
   Control control;
   Implicit implicit;
+  std::optional<FrequencyResponse> frequency_response;
   Requests requests;
   std::vector<LedgerEntry> ledger;
 

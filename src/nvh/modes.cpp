@@ -21,30 +21,6 @@ double squared(double frequency) {
   return two_pi * frequency * two_pi * frequency;
 }
 
-/// A small part of the first elastic eigenvalue of a slender body of the model's size and thickness: with it K + shift
-/// M of a free body is positive definite and the shift costs no digits.
-double small_shift(const Matrices& m) {
-  Vec3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  for (std::size_t k = 0; k < m.system.nodes; ++k) {
-    const Vec3d x = vec(m.rest.x[k]);
-    low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
-    high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
-  }
-  const double size = norm(high - low);
-  double speed2 = 0.0, thickness = size;
-  for (const auto& group : m.system.groups) {
-    const model::Material& material = m.system.model.materials[at(m.system.model.parts[at(group->part)].material)];
-    if (material.density > 0.0) speed2 = std::max(speed2, material.young() / material.density);
-    if (group->kind != model::ElementKind::shell) continue;
-    for (std::size_t e = 0; e < group->size(); ++e) thickness = std::min(thickness, group->thickness(e));
-  }
-  if (!(size > 0.0) || !(speed2 > 0.0)) return 1.0;
-  for (const double side : {high.x - low.x, high.y - low.y, high.z - low.z})
-    if (side > 1e-6 * size) thickness = std::min(thickness, side);
-  const double slenderness = std::max(thickness / size, 1e-4);
-  return speed2 / (size * size) * slenderness * slenderness;
-}
-
 class Search {
  public:
   Search(const Matrices& m, const Tell& tell, Modes& modes) : m_(m), tell_(tell), modes_(modes) {}
@@ -225,6 +201,28 @@ void fix_signs(Columns& shape) {
 }
 
 }  // namespace
+
+double small_shift(const Matrices& m) {
+  Vec3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  for (std::size_t k = 0; k < m.system.nodes; ++k) {
+    const Vec3d x = vec(m.rest.x[k]);
+    low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
+    high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
+  }
+  const double size = norm(high - low);
+  double speed2 = 0.0, thickness = size;
+  for (const auto& group : m.system.groups) {
+    const model::Material& material = m.system.model.materials[at(m.system.model.parts[at(group->part)].material)];
+    if (material.density > 0.0) speed2 = std::max(speed2, material.young() / material.density);
+    if (group->kind != model::ElementKind::shell) continue;
+    for (std::size_t e = 0; e < group->size(); ++e) thickness = std::min(thickness, group->thickness(e));
+  }
+  if (!(size > 0.0) || !(speed2 > 0.0)) return 1.0;
+  for (const double side : {high.x - low.x, high.y - low.y, high.z - low.z})
+    if (side > 1e-6 * size) thickness = std::min(thickness, side);
+  const double slenderness = std::max(thickness / size, 1e-4);
+  return speed2 / (size * size) * slenderness * slenderness;
+}
 
 double Modes::frequency(std::size_t i) const {
   return std::sqrt(std::max(0.0, eigenvalue[i])) / two_pi;

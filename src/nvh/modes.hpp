@@ -47,6 +47,10 @@ using Tell = std::function<void(const std::string&)>;
 /// Throws Factorization::SolverError.
 Modes find_modes(const Matrices& matrices, const ModeRequest& request, const Tell& tell = {});
 
+/// A small part of the first elastic eigenvalue of a slender body of the model's size and thickness: with it K + shift
+/// M of a free body is positive definite and the shift costs no digits [1/time^2].
+double small_shift(const Matrices& matrices);
+
 /// How the strain energy of each mode is spread: rows are parts or welds, columns are modes; a column of `part` sums to
 /// 1 (welds are elements of their part). Rigid motions, which have none, have zeros.
 struct EnergyShares {

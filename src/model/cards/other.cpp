@@ -57,7 +57,6 @@ Rows without_effect() {
 Rows other_solutions() {
   return {
       refused("CONTROL_IMPLICIT_*", "this part of implicit solutions is not built; modes are"),
-      refused("FREQUENCY_DOMAIN_*", "frequency response is not built yet"),
       refused("CONTROL_THERMAL_*", "heat conduction is not built"),
       refused("CONTROL_SOLUTION", "other solutions than the structural one are not built"),
       refused("CONTROL_ADAPTIVE*", "adaptive remeshing is not built; refine the mesh in advance"),
