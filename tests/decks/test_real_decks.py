@@ -90,8 +90,8 @@ class RealDecks(CommandTest):
             self.assertAlmostEqual(frequency / peak, 1.0, delta=0.03)
 
     def test_frf_column_responds_as_in_the_plot_of_ls_dyna(self):
-        """Frequencies and amplitudes of the four peaks, read off the picture; the first two are as sharp as the spacing of the
-        frequencies, so that their height depends on where these fall."""
+        """Frequencies and amplitudes of the four peaks, read off the picture. It shows one curve and does not say of which node of
+        the set; amplitudes are those of the first. Over the set they vary by 0.1, 0.3, 2 and 6 %."""
         self.nugget("frf", self.shared("decks/frf_column/frf_solid.k"), "--quiet")
         curves = collections.defaultdict(list)
         for row in csv.DictReader(self.read("frf.csv").splitlines()):
@@ -102,8 +102,9 @@ class RealDecks(CommandTest):
             self.assertEqual(len(curve), 1000)
             peaks = [b for a, b, c in zip(curve, curve[1:], curve[2:]) if a[1] < b[1] > c[1] and b[1] > 3.0]
             for (f, a), (frequency, amplitude) in zip(peaks, PLOT, strict=True):
-                self.assertAlmostEqual(f / frequency, 1.0, delta=0.025, msg=node)
-                self.assertAlmostEqual(a / amplitude, 1.0, delta=0.05, msg=node)
+                self.assertAlmostEqual(f / frequency, 1.0, delta=0.02, msg=node)
+                if node == "290":
+                    self.assertAlmostEqual(a / amplitude, 1.0, delta=0.02, msg=frequency)
 
     def test_car6_for_ten_milliseconds(self):
         """The car reaches the pole. Our own values of 2026-11: a change of the physics shows here first, and has to be judged
