@@ -15,6 +15,7 @@
 #include "app/outcome.hpp"
 #include "app/progress.hpp"
 #include "app/run_log.hpp"
+#include "app/statics.hpp"
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "impact/result_files.hpp"
@@ -149,6 +150,8 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
   Prepared p = prepare(arguments, findings);
   if (!p.has_text) return refuse_missing(findings);
   output::remove_old_results(directory);
+  if (p.model.implicit.active && p.model.implicit.modes == 0 && !p.model.frequency_response)
+    return statics_of(directory, arguments, std::move(p), findings);
   if (p.model.implicit.active) {
     ModesArguments modes;
     modes.run = arguments;

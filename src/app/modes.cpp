@@ -146,6 +146,7 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
   if (findings.errors() == 0) linear.emplace(nvh::linear_model(p.model, findings));
   if (findings.errors() == 0) system.emplace(*linear, ties, findings);
   if (findings.errors() == 0) matrices.emplace(*system, findings);
+  if (matrices) nvh::tell_held_motions(matrices->equations, p.model, findings);
   start_log(log, arguments.run, p, findings);
   if (findings.errors() > 0) return refuse(directory, log, findings);
   print_findings(findings);

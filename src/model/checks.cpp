@@ -385,7 +385,7 @@ void check_parts(Builder& b) {
   check_hourglass(b);
   check_weld_hourglass(b);
   check_triangles(b);
-  if (!b.model.implicit.active && !(b.model.control.end_time > 0.0))
+  if ((!b.model.implicit.active || b.model.implicit.modes == 0) && !(b.model.control.end_time > 0.0))
     b.findings.error({b.model.deck, 0, 0}, "*CONTROL_TERMINATION", "no end time is given",
                      "give ENDTIM, the time up to which is to be computed");
 }

@@ -17,9 +17,12 @@ constexpr Vec3d axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 struct Held {
   std::vector<Vec3d> direction;
 
-  void add(Vec3d d) {
+  /// The unit direction that `d` takes away of what was left; zero: none.
+  Vec3d add(Vec3d d) {
     for (const Vec3d& h : direction) d -= dot(h, d) * h;
-    if (dot(d, d) > 1e-12) direction.push_back(unit(d));
+    if (!(dot(d, d) > 1e-12)) return {};
+    direction.push_back(unit(d));
+    return direction.back();
   }
   /// Directions that are left: the global axes where those will do, completed otherwise.
   std::vector<Vec3d> free() const {
@@ -77,12 +80,35 @@ Needs needs_of(const system::System& system) {
 
 struct Supports {
   std::vector<Held> translation, rotation;
+  std::vector<Equations::Support> list;
+
+  void add(Equations::Support support) {
+    support.taken = (support.rotation ? rotation : translation)[at(support.node)].add(support.direction);
+    list.push_back(support);
+  }
 };
+
+/// SPCs that are not in force all the time: what is made of them.
+void tell_passing_spcs(const model::Model& model, Findings& findings) {
+  int late = 0, early = 0;
+  for (const model::SinglePointConstraint& spc : model.spcs) {
+    late += spc.birth > 0.0;
+    early += spc.birth <= 0.0 && spc.death < std::max(model.control.end_time, 0.0);
+  }
+  if (late + early > 0)
+    findings.warning({model.deck, 0, 0}, "*BOUNDARY_SPC",
+                     fmt::format("SPCs that are born later hold nothing in a linear analysis ({} nodes), those that "
+                                 "die during the run hold ({} nodes): what is in force at time 0 counts",
+                                 late, early),
+                     "write BIRTH 0 and no DEATH for what holds, take out what does not");
+}
 
 Supports supports_of(const system::System& system, Findings& findings) {
   const model::Model& model = system.model;
-  Supports held{std::vector<Held>(system.all_nodes()), std::vector<Held>(system.all_nodes())};
-  for (const model::SinglePointConstraint& spc : model.spcs) {
+  Supports held{std::vector<Held>(system.all_nodes()), std::vector<Held>(system.all_nodes()), {}};
+  tell_passing_spcs(model, findings);
+  for (std::size_t s = 0; s < model.spcs.size(); ++s) {
+    const model::SinglePointConstraint& spc = model.spcs[s];
     if (spc.birth > 0.0) continue;
     const int node = system.node_of[at(spc.node)];
     if (system.map.dependent(node)) {
@@ -98,25 +124,38 @@ Supports supports_of(const system::System& system, Findings& findings) {
       const Frame3d local =
           spc.system == model::none ? Frame3d{axes[0], axes[1], axes[2]} : model.systems[at(spc.system)].axes;
       const Vec3d axis = i % 3 == 0 ? local.e1 : i % 3 == 1 ? local.e2 : local.e3;
-      (i < 3 ? held.translation : held.rotation)[at(node)].add(axis);
+      held.add({Equations::Support::Source::spc, s, node, i >= 3, axis, {}});
     }
   }
-  for (const system::RigidBody& body : system.bodies)
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
     for (int i = 0; i < 6; ++i)
-      if (body.fixed >> i & 1u) (i < 3 ? held.translation : held.rotation)[at(body.node)].add(axes[i % 3]);
-  for (const model::PrescribedMotion& motion : model.motions) {
+      if (system.bodies[b].fixed >> i & 1u)
+        held.add({Equations::Support::Source::body, b, system.bodies[b].node, i >= 3, axes[i % 3], {}});
+  for (std::size_t m = 0; m < model.motions.size(); ++m) {
+    const model::PrescribedMotion& motion = model.motions[m];
     const auto hold = [&](int node) {
-      std::vector<Held>& kind = motion.rotation ? held.rotation : held.translation;
-      kind[at(node)].add(motion.direction);
+      constexpr auto source = Equations::Support::Source::motion;
+      held.add({source, m, node, motion.rotation, motion.direction, {}, true});
       if (motion.only_direction) return;
-      for (const Vec3d& axis : axes) kind[at(node)].add(axis);
+      for (const Vec3d& axis : axes) {
+        const Vec3d across = axis - dot(axis, motion.direction) * motion.direction;
+        if (dot(across, across) > 1e-12) held.add({source, m, node, motion.rotation, unit(across), {}});
+      }
     };
     if (motion.target != model::PrescribedMotion::Target::nodes) {
       hold(system.bodies[at(system.body_of[at(motion.rigid_body)])].node);
       continue;
     }
-    for (model::Index n : motion.nodes)
-      if (!system.map.dependent(system.node_of[at(n)])) hold(system.node_of[at(n)]);
+    for (model::Index n : motion.nodes) {
+      const int node = system.node_of[at(n)];
+      if (system.map.dependent(node))
+        findings.error(motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
+                       fmt::format("node {} moves with {} and cannot be driven on its own", model.nodes.id[at(n)],
+                                   system.holder(node)),
+                       "drive the rigid body with *BOUNDARY_PRESCRIBED_MOTION_RIGID, or nodes of the sheet");
+      else
+        hold(node);
+    }
   }
   return held;
 }
@@ -125,7 +164,8 @@ Supports supports_of(const system::System& system, Findings& findings) {
 
 Equations::Equations(const system::System& system, Findings& findings) {
   const Needs needs = needs_of(system);
-  const Supports held = supports_of(system, findings);
+  Supports held = supports_of(system, findings);
+  supports_ = std::move(held.list);
   const std::size_t nodes = system.all_nodes();
 
   // Unknowns of each node: directions of translation and rotation.
@@ -171,6 +211,26 @@ Equations::Equations(const system::System& system, Findings& findings) {
     terms_.insert(terms_.end(), row.begin(), row.end());
     start_.push_back(terms_.size());
   }
+}
+
+void Equations::hold(const std::vector<char>& marked) {
+  std::vector<int> number(at(size_), -1), owner;
+  for (std::size_t i = 0; i < marked.size(); ++i) {
+    if (marked[i]) continue;
+    number[i] = static_cast<int>(owner.size());
+    owner.push_back(owner_[i]);
+  }
+  std::vector<Term> kept;
+  std::vector<std::size_t> start{0};
+  for (std::size_t row = 0; row + 1 < start_.size(); ++row) {
+    for (std::size_t t = start_[row]; t < start_[row + 1]; ++t)
+      if (const int n = number[at(terms_[t].equation)]; n >= 0) kept.push_back({n, terms_[t].factor});
+    start.push_back(kept.size());
+  }
+  size_ = static_cast<int>(owner.size());
+  owner_ = std::move(owner);
+  terms_ = std::move(kept);
+  start_ = std::move(start);
 }
 
 Six Equations::motion(int node, std::span<const double> q) const {

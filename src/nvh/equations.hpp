@@ -17,12 +17,29 @@ using Six = std::array<double, 6>;
 /// eliminated exactly, by the same constraint map as in impact.
 class Equations {
  public:
-  /// SPCs and held rigid bodies; the directions of prescribed motions are held as well (`driven` are those of which
-  /// there were any). SPCs that end or begin during the run count if they are in force at time 0.
+  /// SPCs and held rigid bodies; the directions of prescribed motions are held as well. SPCs that end or begin during
+  /// the run count if they are in force at time 0, and a warning says so.
   Equations(const system::System& system, Findings& findings);
 
   int size() const { return size_; }
   std::size_t nodes() const { return (start_.size() - 1) / 6; }  ///< of the system, virtual ones included
+
+  /// One direction of a node that is held or driven. Those of a node stand in the order SPC, rigid body, motion; each
+  /// takes away what those before it have left.
+  struct Support {
+    enum class Source { spc, body, motion };
+    Source source = Source::spc;
+    std::size_t index = 0;  ///< in Model::spcs, System::bodies or Model::motions
+    int node = 0;
+    bool rotation = false;
+    Vec3d direction;     ///< that was asked for, unit
+    Vec3d taken;         ///< unit, normal to those taken before; zero: nothing was left to take
+    bool moves = false;  ///< along a prescribed motion; else it stands still
+  };
+  const std::vector<Support>& supports() const { return supports_; }
+
+  /// Takes unknowns out: those marked stay zero, the others are counted anew.
+  void hold(const std::vector<char>& marked);
 
   struct Term {
     int equation;
@@ -46,6 +63,7 @@ class Equations {
   std::vector<std::size_t> start_;  ///< 6 a node
   std::vector<Term> terms_;
   std::vector<int> owner_;
+  std::vector<Support> supports_;
 };
 
 }  // namespace nugget::nvh

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nvh/matrices.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -169,6 +171,15 @@ Symmetric assemble_stiffness(const system::System& system, const system::State& 
   return k;
 }
 
+/// Marks the unknowns whose row of K is zero.
+std::vector<char> unresisted(const Symmetric& k) {
+  std::vector<char> loose(k.size(), 1);
+  for (std::size_t j = 0; j < k.size(); ++j)
+    for (std::size_t i = 0; i < k.rows(j).size(); ++i)
+      if (k.values(j)[i] != 0.0) loose[j] = loose[at(k.rows(j)[i])] = 0;
+  return loose;
+}
+
 Symmetric assemble_mass(const Equations& equations, const std::vector<NodalMass>& nodal) {
   std::vector<std::vector<int>> lists;
   const auto reach = [&](std::size_t k) {
@@ -186,6 +197,14 @@ Symmetric assemble_mass(const Equations& equations, const std::vector<NodalMass>
 Matrices::Matrices(const system::System& s, Findings& findings)
     : system(s), rest(at_rest(s)), equations(s, findings), nodal_mass(nodal_masses(s)) {
   stiffness = assemble_stiffness(s, rest, equations);
+  const std::vector<char> loose = unresisted(stiffness);
+  held = static_cast<int>(std::count(loose.begin(), loose.end(), 1));
+  if (held > 0) {
+    equations.hold(loose);
+    stiffness = assemble_stiffness(s, rest, equations);
+    findings.note({s.model.deck, 0, 0}, "*CONTROL_IMPLICIT_SOLVER",
+                  fmt::format("{} directions of nodes are held, since nothing resists motion in them (AUTOSPC)", held));
+  }
   mass = assemble_mass(equations, nodal_mass);
 }
 

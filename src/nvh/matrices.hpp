@@ -27,6 +27,7 @@ struct Matrices {
   const system::System& system;
   system::State rest;  ///< positions at time 0
   Equations equations;
+  int held = 0;  ///< unknowns without any stiffness, which are held (AUTOSPC)
   Symmetric stiffness, mass;
   std::vector<NodalMass> nodal_mass;  ///< by system node, virtual ones last
 

@@ -228,6 +228,17 @@ double Modes::frequency(std::size_t i) const {
   return std::sqrt(std::max(0.0, eigenvalue[i])) / two_pi;
 }
 
+void tell_held_motions(const Equations& equations, const model::Model& model, Findings& findings) {
+  const auto held =
+      std::count_if(equations.supports().begin(), equations.supports().end(), [](const Equations::Support& s) {
+        return s.source == Equations::Support::Source::motion && dot(s.taken, s.taken) > 0.0;
+      });
+  if (held > 0)
+    findings.note(
+        {model.deck, 0, 0}, "*BOUNDARY_PRESCRIBED_MOTION",
+        fmt::format("{} directions of nodes are prescribed; modes are those of the structure held there", held));
+}
+
 Modes find_modes(const Matrices& m, const ModeRequest& r, const Tell& tell) {
   Modes modes;
   Eigenpairs p;

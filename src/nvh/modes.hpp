@@ -41,6 +41,9 @@ struct Modes {
   } cost;
 };
 
+/// A note on the directions of prescribed motions, which stand still in modes.
+void tell_held_motions(const Equations& equations, const model::Model& model, Findings& findings);
+
 /// What is going on, in words, for a progress line.
 using Tell = std::function<void(const std::string&)>;
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
 
@@ -57,12 +59,13 @@ const Card solver_card{{
     choice("order", 0, "order of elimination; METIS in any case"),
     choice("drcm", 4, "drilling stiffness of shells; that of the element in any case"),
     tuning("drcprm", 0),
-    choice("autospc", 1, "holding of rotations that nothing resists; always done"),
+    choice("autospc", 1,
+           "1: directions of nodes whose row of the stiffness matrix is zero are held, and counted in a note"),
     tuning("autotol", 0),
 }};
 
 const Card solution_card{{
-    choice("nsolvr", 12, "1 -1: linear; others: nonlinear, which only modes go without"),
+    choice("nsolvr", 12, "1: linear statics at the end time; others are refused unless modes are asked for"),
     choice("ilimit", 11, "nonlinear solver, no effect"),
     choice("maxref", 15, "nonlinear solver, no effect"),
     tuning("dctol", 0.001),
@@ -92,9 +95,13 @@ void read_general(Builder& b, const Block& block, const Options&) {
   if (!b.model.implicit.active) return;
   expect(b, row, Severity::error, {{"igs", 2, "geometric stiffness of preloaded structures is not built; write 2"}});
   b.later(Phase::checks, [row](Builder& later) {
-    if (later.model.implicit.modes > 0) return;
-    refuse(later, row, "imflag", "implicit runs are built for natural modes only",
-           "give NEIG in *CONTROL_IMPLICIT_EIGENVALUE, or run explicitly with IMFLAG 0");
+    const bool has_solution =
+        std::any_of(later.model.ledger.begin(), later.model.ledger.end(),
+                    [](const LedgerEntry& entry) { return entry.keyword == "CONTROL_IMPLICIT_SOLUTION"; });
+    if (later.model.implicit.modes > 0 || has_solution) return;
+    refuse(later, row, "imflag", "without further cards this is a nonlinear implicit run, which is not built",
+           "give NSOLVR 1 in *CONTROL_IMPLICIT_SOLUTION for linear statics, NEIG in *CONTROL_IMPLICIT_EIGENVALUE for "
+           "natural modes, or run explicitly with IMFLAG 0");
   });
 }
 
@@ -123,11 +130,20 @@ void read_eigenvalue(Builder& b, const Block& block, const Options&) {
 }
 
 void read_solver(Builder& b, const Block& block, const Options&) {
-  Cursor(b.deck, block, b.findings).read(solver_card);  // its further cards tune solvers that this program has not
+  Cursor cursor(b.deck, block, b.findings);
+  const Row row = cursor.read(solver_card);  // its further cards tune solvers that this program has not
+  expect(b, row, Severity::warning,
+         {{"autospc", 1, "not obeyed: zero rows of the stiffness matrix are held, as with 1"}});
 }
 
 void read_solution(Builder& b, const Block& block, const Options&) {
-  Cursor(b.deck, block, b.findings).read(solution_card);
+  Cursor cursor(b.deck, block, b.findings);
+  const Row row = cursor.read(solution_card);  // its further cards tune nonlinear solvers
+  b.later(Phase::checks, [row](Builder& later) {
+    if (later.model.implicit.active && later.model.implicit.modes == 0 && row.integer("nsolvr") != 1)
+      refuse(later, row, "nsolvr", "nonlinear implicit solutions are not built",
+             "write 1 (linear statics), or run explicitly with IMFLAG 0");
+  });
 }
 
 void read_dynamics(Builder& b, const Block& block, const Options&) {

@@ -56,7 +56,7 @@ Rows without_effect() {
 /// Other solution methods than the explicit run.
 Rows other_solutions() {
   return {
-      refused("CONTROL_IMPLICIT_*", "this part of implicit solutions is not built; modes are"),
+      refused("CONTROL_IMPLICIT_*", "this part of implicit solutions is not built; modes and linear statics are"),
       refused("CONTROL_THERMAL_*", "heat conduction is not built"),
       refused("CONTROL_SOLUTION", "other solutions than the structural one are not built"),
       refused("CONTROL_ADAPTIVE*", "adaptive remeshing is not built; refine the mesh in advance"),
