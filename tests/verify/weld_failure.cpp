@@ -247,5 +247,29 @@ TEST(WeldFailureFunctions, OptMinus1AndMinus2Hold) {
   }
 }
 
+// A weld between rigid plates, pulled along its axis at a lever: N = F, M = F e at every section. Sabotage to be
+// caught: the moment taken at one end of a sheared weld; bending left out of the surface.
+TEST(WeldFailureFunctions, A68RigidCoachPeel) {
+  const struct { double lever, force; } peels[] = {{2, 3206.6}, {5, 1379.0}, {10, 697.3}, {20, 349.7}};
+  for (const auto& [lever, force] : peels) {
+    WeldData w;
+    w.yield = 2000.0;
+    w.strength = {8000, 6000, 6000, 9000, 7000, 7000};
+    const double end = 2e-3, most = 1.2 * force;  // a thousand periods of the plate on its weld
+    Experiment run(
+        "*KEYWORD\n" + termination(end) + weld_part(2, w) + "*PART\nplate\n" + fields({1, 1, 1}) + "*SECTION_SHELL\n" +
+        fields({1, 2, 1, 2}) + fields({1, 1, 1, 1}) + "*MAT_RIGID\n" + fields({1, 7.85e-9, 210000, 0.3}) + fields({0}) +
+        fields({0}) + "*CONSTRAINED_EXTRA_NODES_NODE\n" + fields({1, 6}) + fields({1, 7}) +
+        SheetMesh{.corner = {-5, -5, 1.5}, .along = {30, 0, 0}, .across = {0, 10, 0}}.text() +
+        beam_between(11, 2, 5, {0, 0, 0}, 6, {0, 0, 1.5}) + "*NODE\n" + node_line(7, lever, 0, 1.5) + fixed({5}) +
+        curve(1, {{0.0, 0.0}, {end, most}}) + "*LOAD_NODE_POINT\n" + fields({7, 3, 1, 1}) + "*END\n");
+    run.run([](const impact::Snapshot&) {});
+    const weld::History& history = *run.simulation().welds().history(0);
+    ASSERT_TRUE(history.failed());
+    expect_reference("A-68", fmt::format("force at failure, lever {} [N]", lever), most * history.failure_time() / end,
+                     force, 1e-2);
+  }
+}
+
 }  // namespace
 }  // namespace nugget::verify
