@@ -29,11 +29,11 @@ class BrickWelds(CommandTest):
                 rows = [line for line in swforc.splitlines() if label in line]
                 self.assertTrue(rows)
                 self.assertIn(f"{label}   {weld['id']:>8}"[:28], rows[-1])
-                self.assertRegex(log, rf"weld +{weld['id']} of part +3, A = 28.27:" + r"( \d+)" * bricks + r"\n")
+                self.assertRegex(log, rf"weld +{weld['id']} of part +3, A = 28.274:" + r"( \d+)" * bricks + r"\n")
 
     def test_the_fragment_with_brick_welds_says_that_they_have_no_sheets(self):
         """99 parts without section and material: given both, every brick is a weld that nothing tracks."""
-        lines = open(self.shared("decks/hex_weld_fragment/rkrwelds.key"), encoding="ascii").read().splitlines()
+        lines = self.shared("decks/hex_weld_fragment/rkrwelds.key").read_text(encoding="ascii").splitlines()
         parts = 0
         for i, line in enumerate(lines):
             if not line.startswith("*PART"):
