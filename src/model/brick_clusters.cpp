@@ -139,8 +139,8 @@ void Replacement::keep_beams_of_mixed_parts() {
           control_.place, "*CONTROL_SPOTWELD_BEAM",
           fmt::format("the beams of part {} that are not replaced are part {} now", m_.parts[at(p)].id, copy.id));
       m_.parts.push_back(std::move(copy));
-      const auto also = [&](std::vector<Index>& parts) {
-        if (std::find(parts.begin(), parts.end(), p) != parts.end()) parts.push_back(at_own->second);
+      const auto also = [p, stays = at_own->second](std::vector<Index>& parts) {
+        if (std::find(parts.begin(), parts.end(), p) != parts.end()) parts.push_back(stays);
       };
       for (Contact& c : m_.contacts) {
         also(c.a.parts);
