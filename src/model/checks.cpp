@@ -94,6 +94,7 @@ bool has_equal_nodes(const std::array<Index, 8>& nodes) {
 void check_solids(Builder& b) {
   const Model& m = b.model;
   Tally negative(b.findings, Severity::error, "*ELEMENT_SOLID"), bent(b.findings, Severity::warning, "*ELEMENT_SOLID");
+  Tally misshapen(b.findings, Severity::error, "*ELEMENT_SOLID");
   for (std::size_t e = 0; e < m.solids.size(); ++e) {
     const int id = m.solids.id[e];
     const double volume = solid_volume(m, e);
@@ -109,6 +110,17 @@ void check_solids(Builder& b) {
           m.solids.place[e],
           [&] { return fmt::format("solid {} is turned inside out at a corner (negative Jacobian there)", id); },
           "mend the mesh there; it may fail early");
+    const Index section = m.parts[static_cast<std::size_t>(m.solids.part[e])].section;
+    const int elform = section == none ? 1 : m.solid_sections[static_cast<std::size_t>(section)].elform;
+    const std::size_t corners = elform == 10 || elform == 15 ? m.solids.corners(e).size() : 0;
+    if ((elform == 10 && corners != 4) || (elform == 15 && corners != 6))
+      misshapen.add(
+          m.solids.place[e],
+          [&] {
+            return fmt::format("solid {} has {} different nodes, expected {} of formulation {}", id, corners,
+                               elform == 10 ? "the four of a tetrahedron" : "the six of a wedge", elform);
+          },
+          "write ELFORM 1 and sort by ESORT = 1 of *CONTROL_SOLID, or part the mesh by shape");
   }
 }
 
@@ -190,8 +202,12 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
   // In linear analyses the one-point brick with its physical stabilisation stands for 18 (nvh::linear_model).
   const bool linear = elform == 18 && b.model.implicit.active;
   const bool is_weld = is<kernel::Spotweld>(b.model, part),
-             is_built = elform == 1 || linear || (elform == 2 && !is_weld);
-  if (is<kernel::Rigid>(b.model, part) || is_built || std::exchange(told[s], char{1})) return;
+             is_built = elform == 1 || linear || ((elform == 2 || elform == 10 || elform == 15) && !is_weld);
+  const bool is_wedge = elform == 15 && is_built;
+  if (is<kernel::Rigid>(b.model, part) || (is_built && !is_wedge) || std::exchange(told[s], char{1})) return;
+  if (is_wedge)
+    return b.solid_section_rows[s].complain(b.findings, Severity::warning, "elform",
+                                            "wedges are computed as collapsed bricks of eight points (formulation 2)");
   if (is_weld)
     return refuse(b, b.solid_section_rows[s], "elform",
                   fmt::format("welds of bricks are built with solid formulation 1, not with {}", elform),
@@ -199,9 +215,12 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
   const bool is_brick_that_bends = elform == -1 || elform == -2 || elform == 18;
   refuse(
       b, b.solid_section_rows[s], "elform",
-      fmt::format("solid formulation {} is not built; built are 1 (constant stress) and 2 (fully integrated)", elform),
-      is_brick_that_bends ? "write 1, with an hourglass control of type 6 and QM 1, which bends without locking"
-                          : "write 1, with an hourglass control of type 2 or 3");
+      fmt::format(
+          "solid formulation {} is not built; built are 1 (constant stress), 2 (fully integrated) and 10 (tetrahedron)",
+          elform),
+      elform == 4 || elform == 13 ? "write 10; it locks in bending and in plastic flow, so mesh finely"
+      : is_brick_that_bends       ? "write 1, with an hourglass control of type 6 and QM 1, which bends without locking"
+                                  : "write 1, with an hourglass control of type 2 or 3");
 }
 
 /// A spring needs a mass to have a time step.

@@ -197,6 +197,17 @@ bool complete_solid(std::array<Index, 8>& n) {
   return std::count(n.begin(), n.end(), none) == 0;
 }
 
+}  // namespace
+
+std::vector<Index> Solids::corners(std::size_t e) const {
+  std::vector<Index> different;
+  for (const Index n : node[e])
+    if (std::find(different.begin(), different.end(), n) == different.end()) different.push_back(n);
+  return different;
+}
+
+namespace {
+
 void make_solids(Builder& b) {
   const auto& table = b.solid_table;
   const auto rows = rows_by_id(b, table, "solid", "*ELEMENT_SOLID");

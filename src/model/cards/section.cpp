@@ -44,7 +44,7 @@ const Card shell_thickness_card{{
 
 const Card solid_card{{
     id("secid", IdSpace::other, required, "section id"),
-    integer("elform", 1, any_value, "formulation: 1 constant stress, 2 fully integrated"),
+    integer("elform", 1, any_value, "formulation: 1 constant stress, 2 fully integrated, 10 tetrahedron, 15 wedge (as a collapsed 2)"),
     integer("aet", 0, only(0), "ambient elements"),
     unused(),
     unused(),
