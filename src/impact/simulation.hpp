@@ -48,6 +48,7 @@ class Simulation {
  private:
   void start();
   void choose_step(double end_time);
+  /// Gives the free nodes and bodies their velocities at t(n+1/2); `power_on_change_` begins anew.
   void accelerate();
   void constrain_by_walls();
   void move();
@@ -82,6 +83,8 @@ class Simulation {
   TieEnds tie_ends_;
   int deaths_ = 0;
   bool diverged_ = false;
+  double power_on_change_ = 0.0;     ///< forces at t(n) times the change of velocity from t(n-1/2) to t(n+1/2)
+  std::vector<double> block_power_;  ///< the nodes' part of it, by block
 
   Energy energy_;
   std::vector<PartEnergy> parts_;

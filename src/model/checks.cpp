@@ -198,29 +198,37 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
 
 void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& told) {
   const auto s = static_cast<std::size_t>(part.section);
-  const int elform = b.model.solid_sections[s].elform;
+  int& elform = b.model.solid_sections[s].elform;
   // In linear analyses the one-point brick with its physical stabilisation stands for 18 (nvh::linear_model).
   const bool linear = elform == 18 && b.model.implicit.active;
-  const bool is_weld = is<kernel::Spotweld>(b.model, part),
-             is_built = elform == 1 || linear || ((elform == 2 || elform == 10 || elform == 15) && !is_weld);
+  const bool is_weld = is<kernel::Spotweld>(b.model, part), is_corner_shape = elform == 10 || elform == 15;
+  const bool is_built = elform == 1 || elform == 2 || linear || (is_corner_shape && !is_weld);
   const bool is_wedge = elform == 15 && is_built;
   if (is<kernel::Rigid>(b.model, part) || (is_built && !is_wedge) || std::exchange(told[s], char{1})) return;
   if (is_wedge)
     return b.solid_section_rows[s].complain(b.findings, Severity::warning, "elform",
                                             "wedges are computed as collapsed bricks of eight points (formulation 2)");
-  if (is_weld)
-    return refuse(b, b.solid_section_rows[s], "elform",
-                  fmt::format("welds of bricks are built with solid formulation 1, not with {}", elform),
-                  "write 1, with an hourglass control of type 6");
-  const bool is_brick_that_bends = elform == -1 || elform == -2 || elform == 18;
+  if (elform == 0) {
+    b.solid_section_rows[s].complain(
+        b.findings, Severity::warning, "elform",
+        "solid formulation 0 is the brick of LS-DYNA's honeycombs (*MAT_126); it is computed as 1, as a blank field is",
+        "write 1");
+    elform = 1;
+    return;
+  }
+  const bool is_scaled = elform == -1 || elform == -2;
+  const bool is_brick_that_bends = is_scaled || elform == 18 || is_weld;
   refuse(
       b, b.solid_section_rows[s], "elform",
-      fmt::format(
-          "solid formulation {} is not built; built are 1 (constant stress), 2 (fully integrated) and 10 (tetrahedron)",
-          elform),
-      elform == 4 || elform == 13 ? "write 10; it locks in bending and in plastic flow, so mesh finely"
-      : is_brick_that_bends       ? "write 1, with an hourglass control of type 6 and QM 1, which bends without locking"
-                                  : "write 1, with an hourglass control of type 2 or 3");
+      fmt::format("solid formulation {} is not built{}; built are 1 (constant stress), 2 (fully integrated) and, not "
+                  "for welds, 10 (tetrahedron) and 15 (wedge)",
+                  elform,
+                  is_scaled ? " (its changed Jacobian is not public in detail, and a patent application, US "
+                              "2011/0191072, covers it)"
+                            : ""),
+      is_brick_that_bends ? "write 1, with an hourglass control of type 6 and QM 1, which bends without locking"
+      : elform == 4 || elform == 13 ? "write 10; it locks in bending and in plastic flow, so mesh finely"
+                                    : "write 1, with an hourglass control of type 2 or 3");
 }
 
 /// A spring needs a mass to have a time step.
@@ -335,6 +343,23 @@ void check_weld_hourglass(Builder& b) {
   }
 }
 
+/// OPT 7 is documented for bricks, 11 for beams; the formulas ask for resultants only, which both have.
+void check_weld_options(Builder& b) {
+  const Model& m = b.model;
+  for (const Part& part : m.parts) {
+    const Index law = part.material == none ? none : m.materials[static_cast<std::size_t>(part.material)].weld;
+    if (law == none) continue;
+    const int option = m.weld_laws[static_cast<std::size_t>(law)].option;
+    const bool of_bricks = part.kind == ElementKind::solid, of_beams = part.kind == ElementKind::beam;
+    if ((option == 11 && of_bricks) || (option == 7 && of_beams))
+      b.findings.warning(part.place, "*PART",
+                         fmt::format("OPT {} is documented for {} only, but part {} has {}; it acts on their "
+                                     "resultants in the same way",
+                                     option, of_bricks ? "beams" : "bricks", part.id, of_bricks ? "bricks" : "beams"),
+                         of_bricks ? "OPT 0, 1 or 7 are defined for bricks" : "OPT 1 has the same formula");
+  }
+}
+
 /// ELFORM 4 is a triangle only.
 void check_triangles(Builder& b) {
   const Model& m = b.model;
@@ -403,6 +428,7 @@ void check_parts(Builder& b) {
   }
   check_hourglass(b);
   check_weld_hourglass(b);
+  check_weld_options(b);
   check_triangles(b);
   if ((!b.model.implicit.active || b.model.implicit.modes == 0) && !(b.model.control.end_time > 0.0))
     b.findings.error({b.model.deck, 0, 0}, "*CONTROL_TERMINATION", "no end time is given",

@@ -54,9 +54,9 @@ Json to_json(const Summary::Seconds& s) {
 }
 
 Json to_json(const Summary::Energies& e) {
-  return {{"kinetic", e.kinetic}, {"internal", e.internal}, {"hourglass", e.hourglass},
-          {"contact", e.contact}, {"damping", e.damping},   {"external", e.external},
-          {"eroded", e.eroded},   {"initial", e.initial},   {"ratio", e.ratio}};
+  return {{"kinetic", e.kinetic}, {"internal", e.internal}, {"hourglass", e.hourglass}, {"contact", e.contact},
+          {"damping", e.damping}, {"external", e.external}, {"eroded", e.eroded},       {"step_change", e.step_change},
+          {"initial", e.initial}, {"ratio", e.ratio}};
 }
 
 Json to_json(const Summary& s) {

@@ -314,8 +314,11 @@ void System::add_weld_bricks(std::size_t p, const std::vector<model::Index>& cho
       const auto laid = laid_along(*weld_of[at(bricks[i])], model.solids.node[at(bricks[i])], ties.x);
       for (std::size_t a = 0; a < 8; ++a) m.node[i][a] = node_of[at(laid[a])];
     }
-    add_group(BrickElement<kernel::Spotweld>{brick, kernel::Prepared<kernel::Spotweld>(own)}, model::ElementKind::solid,
-              p, m, solid_seat);
+    const BrickElement<kernel::Spotweld> element{brick, kernel::Prepared<kernel::Spotweld>(own)};
+    if (model.solid_sections[at(model.parts[p].section)].elform == 2)
+      add_group(FullBrickElement<kernel::Spotweld>{element}, model::ElementKind::solid, p, m, solid_seat);
+    else
+      add_group(element, model::ElementKind::solid, p, m, solid_seat);
     scale_like_a_weld(*groups.back(), own);
   }
 }
