@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 
+#include "app/finding_list.hpp"
 #include "base/index.hpp"
 #include "weld/failure/function.hpp"
 
@@ -31,6 +32,7 @@ const char* case_name(int kase) {
 }
 
 std::string section_name(const model::Model& model, const model::Part& part) {
+  if (part.kind != model::ElementKind::nothing && part.section == model::none) return "none";
   switch (part.kind) {
     case model::ElementKind::shell: {
       const model::SectionShell& s = model.shell_sections[at(part.section)];
@@ -84,7 +86,7 @@ std::string log_head(const std::string& version, const std::string& deck, const 
 
 std::string log_findings(const Findings& findings) {
   std::string s = fmt::format("Findings: {}, {} in all\n\n", totals(findings), findings.all().size());
-  for (const Finding& f : findings.all()) s += ' ' + to_string(f) + '\n';
+  for (const std::string& line : list_findings(findings.all())) s += ' ' + line + '\n';
   return s + '\n';
 }
 
