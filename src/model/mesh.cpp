@@ -391,7 +391,7 @@ void make_mesh(Builder& b) {
   const auto shell_rows = make_shells(b);
   make_solids(b);
   const auto beam_rows = make_beams(b);
-  Tally bare(b.findings, Severity::error, "*PART", 10000);
+  Tally bare(b.findings, Severity::error, "*PART");
   for (const auto& [index, row] : b.part_rows) {
     Part& part = b.model.parts[static_cast<std::size_t>(index)];
     link_section(b, part, row);

@@ -85,17 +85,45 @@ void find_brick_welds(const model::Model& model, std::vector<Weld>& welds) {
   }
 }
 
-Weld rigid_weld(const model::RigidWeld& rigid) {
+Weld rigid_weld(Weld::Rigid rigid, int id, Index element, std::span<const Index> nodes, const Place& place) {
   Weld weld;
   weld.kind = Weld::Kind::rigid;
-  weld.generalized = rigid.kind == model::RigidWeld::Kind::generalized;
-  weld.id = rigid.id;
-  weld.element = rigid.body;
-  weld.elements = {rigid.body};
-  weld.ends = projections(rigid.nodes);
-  weld.face = {{{rigid.nodes.front()}, {rigid.nodes.back()}}};
-  weld.place = rigid.place;
+  weld.rigid = rigid;
+  weld.id = id;
+  weld.element = element;
+  weld.elements = {element};
+  weld.ends = projections(nodes);
+  weld.face = {{{nodes.front()}, {nodes.back()}}};
+  weld.place = place;
   return weld;
+}
+
+Weld::Rigid written_as(model::RigidWeld::Kind kind) {
+  switch (kind) {
+    case model::RigidWeld::Kind::spotweld: return Weld::Rigid::spotweld;
+    case model::RigidWeld::Kind::generalized: return Weld::Rigid::generalized;
+    case model::RigidWeld::Kind::nodal_body: return Weld::Rigid::nodal_body;
+  }
+  return Weld::Rigid::spotweld;
+}
+
+std::string keyword_of_rigid(Weld::Rigid rigid) {
+  switch (rigid) {
+    case Weld::Rigid::spotweld: return "*CONSTRAINED_SPOTWELD";
+    case Weld::Rigid::generalized: return "*CONSTRAINED_GENERALIZED_WELD_SPOT";
+    case Weld::Rigid::nodal_body: return "*CONSTRAINED_NODAL_RIGID_BODY";
+    case Weld::Rigid::rivet: return "*CONSTRAINED_RIVET";
+  }
+  return {};
+}
+
+void find_rigid_welds(const model::Model& model, std::vector<Weld>& welds) {
+  for (const model::RigidWeld& w : model.rigid_welds)
+    welds.push_back(rigid_weld(written_as(w.kind), w.id, w.body, w.nodes, w.place));
+  for (Index r = 0; r < static_cast<Index>(model.rivets.size()); ++r) {
+    const model::Rivet& rivet = model.rivets[r];
+    welds.push_back(rigid_weld(Weld::Rigid::rivet, rivet.id, r, rivet.nodes, rivet.place));
+  }
 }
 
 /// Area vector of an end face.
@@ -128,6 +156,7 @@ const model::WeldLaw& law_of(const model::Model& model, const Weld& weld) {
 }
 
 std::string name_weld(const Weld& weld) {
+  if (weld.kind == Weld::Kind::rigid && weld.rigid == Weld::Rigid::rivet) return fmt::format("rivet {}", weld.id);
   return fmt::format("{} weld {}", to_string(weld.kind), weld.id);
 }
 
@@ -135,7 +164,7 @@ std::string keyword_of(const Weld& weld) {
   switch (weld.kind) {
     case Weld::Kind::beam:
     case Weld::Kind::connector: return "*ELEMENT_BEAM";
-    case Weld::Kind::rigid: return weld.generalized ? "*CONSTRAINED_GENERALIZED_WELD_SPOT" : "*CONSTRAINED_SPOTWELD";
+    case Weld::Kind::rigid: return keyword_of_rigid(weld.rigid);
     case Weld::Kind::solid: return "*ELEMENT_SOLID";
     case Weld::Kind::assembly: return "*DEFINE_HEX_SPOTWELD_ASSEMBLY";
   }
@@ -152,7 +181,7 @@ std::vector<Weld> find_welds(const model::Model& model) {
     welds.back().kind = Weld::Kind::connector;
   }
   find_brick_welds(model, welds);
-  for (const model::RigidWeld& rigid : model.rigid_welds) welds.push_back(rigid_weld(rigid));
+  find_rigid_welds(model, welds);
   return welds;
 }
 
