@@ -55,6 +55,8 @@ ExitCode modes(const ModesArguments& arguments);
 ExitCode frf(const RunArguments& arguments);
 ExitCode check(const CheckArguments& arguments);
 ExitCode weld(const WeldArguments& arguments);
+/// (Re)makes report.html of the results in a folder.
+ExitCode report(const std::string& directory);
 ExitCode keywords(const std::string& name);
 
 }  // namespace nugget::app

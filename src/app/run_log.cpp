@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 
+#include "app/finding_list.hpp"
 #include "base/index.hpp"
 #include "weld/failure/function.hpp"
 
@@ -31,6 +32,7 @@ const char* case_name(int kase) {
 }
 
 std::string section_name(const model::Model& model, const model::Part& part) {
+  if (part.kind != model::ElementKind::nothing && part.section == model::none) return "none";
   switch (part.kind) {
     case model::ElementKind::shell: {
       const model::SectionShell& s = model.shell_sections[at(part.section)];
@@ -84,7 +86,7 @@ std::string log_head(const std::string& version, const std::string& deck, const 
 
 std::string log_findings(const Findings& findings) {
   std::string s = fmt::format("Findings: {}, {} in all\n\n", totals(findings), findings.all().size());
-  for (const Finding& f : findings.all()) s += ' ' + to_string(f) + '\n';
+  for (const std::string& line : list_findings(findings.all())) s += ' ' + line + '\n';
   return s + '\n';
 }
 
@@ -168,8 +170,8 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
       e.kinetic, e.internal, e.hourglass, e.contact, e.external, e.eroded, e.step_change, e.initial, e.ratio,
       e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0);
   std::string events;
-  for (const auto* list :
-       {&run.welds().events(), &run.rigid_welds().events(), &run.connectors().events(), &run.tie_ends().events()})
+  for (const auto* list : {&run.welds().events(), &run.rigid_welds().events(), &run.rivets().events(),
+                           &run.connectors().events(), &run.tie_ends().events()})
     for (const std::string& event : *list) events += ' ' + event + '\n';
   if (!events.empty()) s += "Events\n\n" + events + '\n';
   s += fmt::format("Seconds\n\n read {:.3f}  setup {:.3f}  solve {:.3f}  output {:.3f}\n", summary.seconds.read,

@@ -43,6 +43,7 @@ Simulation::Simulation(system::System& system, Findings& findings)
       loads_(system),
       welds_(system, findings),
       rigid_welds_(system, findings),
+      rivets_(system, findings),
       connectors_(system),
       tie_forces_(system),
       tie_ends_(system, welds_, tie_forces_) {
@@ -104,6 +105,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
       for (std::size_t b = 0; b < system_.bodies.size(); ++b) momentum_before_[b] = system_.bodies[b].angular_momentum;
     }
 
+    rivets_.hold(state_, 0.5 * (state_.dt + state_.dt_previous), inverse_mass_);
     accelerate();
     supports_.prescribe(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
     power_on_change_ += supports_.power_on_change();
@@ -114,13 +116,14 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_) {
       masses_ = system_.masses();
-      const Snapshot now{system_,   state_, v_before_, w_before_,   energy_, parts_,       controlling_,     masses_,
-                         supports_, walls_, contacts_, tie_forces_, welds_,  rigid_welds_, history_rotation_};
+      const Snapshot now{system_,      state_,       v_before_, w_before_,        energy_,   parts_,
+                         controlling_, masses_,      supports_, walls_,           contacts_, tie_forces_,
+                         welds_,       rigid_welds_, rivets_,   history_rotation_};
       recorder.write(now, last);
     }
     if (progress && elapsed() >= next_report) {
       progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()),
-                welds_.failed() + rigid_welds_.failed() + connectors_.failed(), elapsed()});
+                failed_welds(), elapsed()});
       next_report = elapsed() + 0.2;
     }
     watch.charge(seconds_[output]);
@@ -148,7 +151,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   solve_seconds_ = elapsed();
   if (progress)
     progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()),
-              welds_.failed() + rigid_welds_.failed() + connectors_.failed(), elapsed()});
+              failed_welds(), elapsed()});
   return outcome;
 }
 

@@ -9,6 +9,7 @@
 #include "impact/connectors.hpp"
 #include "impact/options.hpp"
 #include "impact/rigid_welds.hpp"
+#include "impact/rivets.hpp"
 #include "impact/snapshot.hpp"
 #include "impact/tie_ends.hpp"
 
@@ -31,6 +32,7 @@ class Simulation {
   const TieForces& tie_forces() const { return tie_forces_; }
   const TieEnds& tie_ends() const { return tie_ends_; }
   const RigidWelds& rigid_welds() const { return rigid_welds_; }
+  const Rivets& rivets() const { return rivets_; }
   const Connectors& connectors() const { return connectors_; }
   double first_step() const { return first_step_; }
   double smallest_step() const { return smallest_step_; }
@@ -58,6 +60,8 @@ class Simulation {
   void end_ties();
   /// Loads of dependent nodes go to the independent ones; rigid welds that they overload open.
   void collect();
+  /// Welds of every kind that have failed so far.
+  int failed_welds() const { return welds_.failed() + rigid_welds_.failed() + rivets_.failed() + connectors_.failed(); }
   void update_inverse_mass();
   /// Energies of the moment; they stay those of before where the solution has become no number.
   void account();
@@ -78,6 +82,7 @@ class Simulation {
   std::vector<Vec3d> history_rotation_;
   Welds welds_;
   RigidWelds rigid_welds_;
+  Rivets rivets_;
   Connectors connectors_;
   TieForces tie_forces_;
   TieEnds tie_ends_;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,6 +55,9 @@ struct WeldReport {
   WeldPeak peak;
   double peak_failure = 0.0, peak_failure_time = 0.0;  ///< largest failure value and when it was
   WeldLoad last;
+  /// 0 sound to 1 failed; of damage that goes point by point the mean. NaN: its law has no damage, or none that is
+  /// known.
+  double damage = std::numeric_limits<double>::quiet_NaN();
   double energy = 0.0;  ///< work that was done on it; of a failed weld all of it is dissipated [energy]
   std::vector<std::pair<std::string_view, double>> audit;  ///< column of welds.csv and number; the same for all welds
   std::vector<std::string> remarks;                        ///< of the audit
