@@ -34,6 +34,8 @@ struct ModesArguments {
   int count = 0;                 ///< 0: the deck's NEIG, or 20
   double low = 0.0, high = 0.0;  ///< frequencies [cycles/time]; 0: the deck's
   bool response = false;         ///< the frequency response that the deck asks for as well
+  std::string drop;              ///< welds to be taken out: ids separated by commas, or `all`; empty: none
+  std::string compare;           ///< folder of another run whose modes are compared; empty: none
 };
 
 struct CheckArguments {

@@ -100,6 +100,10 @@ int main(int argc, char** argv) {
       ->check(frequency);
   modes_command->add_option("--fmax", modes.high, "no modes above this frequency [cycles/time]; also -fmax")
       ->check(frequency);
+  modes_command->add_option("--drop-weld", modes.drop,
+                            "what the modes are without a weld: its id, ids separated by commas (together), or all "
+                            "(each on its own, ranked)");
+  modes_command->add_option("--compare", modes.compare, "folder of another run: which modes are the same (MAC)");
   modes_command->add_option("-j,--threads", modes.run.threads, "threads (default: all cores); also ncpu=N")
       ->check(count);
   modes_command->add_flag("--skip-unsupported", modes.run.skip_unsupported,

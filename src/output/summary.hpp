@@ -70,6 +70,14 @@ struct ModeReport {
   std::array<double, 6> participation{}, effective_mass{};
 };
 
+/// What becomes of the mode that suffers most when welds are taken out (`nugget modes --drop-weld`).
+struct WeldDropReport {
+  std::vector<int> welds;  ///< user ids
+  int mode = 0;
+  double frequency = 0.0, first_order = 0.0, without = 0.0;  ///< with them; without them by perturbation, by estimate
+  std::optional<double> solved;                              ///< without them, solved anew
+};
+
 /// What summary.json says of a run; keys as the contract has them. Quantities in the deck's units, seconds of the
 /// clock.
 struct Summary {
@@ -100,6 +108,7 @@ struct Summary {
   int threads = 0, ranks = 1;
   std::vector<WeldReport> welds;
   std::vector<ModeReport> modes;
+  std::vector<WeldDropReport> weld_drops;  ///< those that matter most first
 };
 
 /// Each writes one file into `directory`, all at once. NaN and infinity become null in JSON and an empty cell in CSV;
