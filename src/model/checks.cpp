@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "kernel/law/composition.hpp"
 #include "model/lumped_mass.hpp"
 #include "model/passes.hpp"
 
@@ -275,12 +276,27 @@ void check_beam_law(Builder& b, const Part& part, const deck::Row& row) {
            "give the part *MAT_SPOTWELD, or model it by shells");
 }
 
+/// Some laws are made for shells or bricks only.
+void check_compound(Builder& b, const Part& part, const deck::Row& row) {
+  const Material& material = b.model.materials[static_cast<std::size_t>(part.material)];
+  const auto* law = std::get_if<kernel::Compound>(&material.law);
+  if (law == nullptr) return;
+  if (part.kind == ElementKind::solid && !law->made_of->for_bricks)
+    refuse(b, row, "mid",
+           fmt::format("*{} in solids needs an equation of state, which is not built", material.keyword),
+           "use *MAT_SIMPLIFIED_JOHNSON_COOK, which needs none");
+  if (part.kind == ElementKind::shell && !law->made_of->for_shells)
+    refuse(b, row, "mid", fmt::format("*{} is a law of solids, but the part has shells", material.keyword),
+           "give it the law of a sheet");
+}
+
 /// Which law may be used by which elements.
 void check_law(Builder& b, const Part& part, const deck::Row& row) {
   if (part.material == none) return;
   const Model& m = b.model;
   const Material& material = m.materials[static_cast<std::size_t>(part.material)];
   const bool is_weld = is<kernel::Spotweld>(m, part);
+  check_compound(b, part, row);
   if (is_weld && part.kind == ElementKind::shell)
     refuse(b, row, "mid", "*MAT_SPOTWELD is a law of weld beams, but the part has shells", "give it a sheet's law");
   else if (is_weld && part.kind == ElementKind::beam && material.weld != none &&

@@ -7,6 +7,8 @@
 #include <type_traits>
 
 #include "base/index.hpp"
+#include "kernel/law/composition.hpp"
+#include "kernel/law/prepared_compound.hpp"
 #include "model/lumped_mass.hpp"
 #include "system/batch_group.hpp"
 #include "system/brick_element.hpp"
@@ -77,7 +79,7 @@ bool with_law(const model::Law& law, const With& with) {
       [&]<class Law>(const Law& l) {
         constexpr bool computed = std::is_same_v<Law, kernel::Elastic> ||
                                   std::is_same_v<Law, kernel::PlasticKinematic> ||
-                                  std::is_same_v<Law, kernel::PiecewiseLinear>;
+                                  std::is_same_v<Law, kernel::PiecewiseLinear> || std::is_same_v<Law, kernel::Compound>;
         if constexpr (computed) with(l);
         return computed;
       },
@@ -241,9 +243,12 @@ void System::make_bricks() {
     const model::Part& part = model.parts[p];
     const model::Material& material = model.materials[at(part.material)];
     const model::Hourglass& hourglass = hourglass_of(part);
+    const auto* compound = std::get_if<kernel::Compound>(&material.law);
+    const bool viscous = compound == nullptr || compound->made_of->bulk_viscosity;
     // Without a card: viscous on the patterns orthogonal to linear fields (docs/decisions/0007).
     const kernel::HexahedronProperties brick{material.density, hourglass.type == 0 ? 2 : hourglass.type,
-                                             hourglass.membrane, hourglass.bulk_quadratic, hourglass.bulk_linear};
+                                             hourglass.membrane, viscous ? hourglass.bulk_quadratic : 0.0,
+                                             viscous ? hourglass.bulk_linear : 0.0};
     if (const auto* law = std::get_if<kernel::Spotweld>(&material.law)) {
       add_weld_bricks(p, sorted[p], brick, *law);
       continue;

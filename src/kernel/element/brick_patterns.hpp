@@ -85,9 +85,9 @@ template <class R>
 struct BulkViscosity {
   R pressure, step;
 
-  [[gnu::always_inline]] BulkViscosity(const HexahedronProperties& brick, const ElasticConstants& e, const R& density,
+  [[gnu::always_inline]] BulkViscosity(const HexahedronProperties& brick, const R& wave_modulus, const R& density,
                                        const R& length, const R& trace) {
-    const R c2 = e.bulk_wave() / density, c = sqrt(c2), none = R(0.0);
+    const R c2 = wave_modulus / density, c = sqrt(c2), none = R(0.0);
     const auto compressed = trace < 0.0;
     const R viscous =
         density * length * (brick.bulk_quadratic * length * trace * trace - brick.bulk_linear * c * trace);

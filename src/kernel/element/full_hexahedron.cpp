@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "kernel/element/brick_patterns.hpp"
+#include "kernel/law/prepared_compound.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -63,13 +64,20 @@ template <class R>
   f.h[3] += R(at.eta * at.zeta) * xi + R(at.xi * at.zeta) * eta + R(at.xi * at.eta) * zeta;
 }
 
+/// Failed points that delete an element.
+template <class Law>
+double points_to_delete(const Prepared<Law>& law) {
+  const double limit = law.points_to_delete();
+  if (limit < 0.0) return -limit * points / 100.0;
+  return limit > 0.0 && limit < points ? limit : points;
+}
+
 }  // namespace
 
 template <class R, class Law>
 SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Prepared<Law>& law,
                                      const SolidMotion<R>& nodes, double dt, double* state) {
   using L = FullHexahedronLayout;
-  const ElasticConstants& e = law.elastic();
   const L layout = full_hexahedron_layout(law);
   auto alive = load_field<R>(state, L::alive) > 0.5;
   const R none = R(0.0), third = R(1.0 / 3.0);
@@ -93,7 +101,7 @@ SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Pr
   const R share = R(1.0 / points), whole = load_field<R>(state, L::integrity);
   R rate = none, left = none;  // means over the points: effective strain rate, what damage has left
   SolidTensor<R> stress[points];
-  auto sound = R(1.0) < none;
+  R failed = none, wave = none;  // points that have failed; greatest wave modulus
   for (int p = 0; p < points; ++p) {
     double* at = state + layout.point(p) * lanes<R>;
     double* history = state + layout.history_of(p) * lanes<R>;
@@ -115,7 +123,8 @@ SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Pr
     }
     store_solid(at, s);
     stress[p] = weld ? whole * s : s;
-    if (law.can_fail()) sound = sound || !law.template failed<R>(history);
+    wave = max(wave, law.template wave_modulus<R>(history));
+    if (law.can_fail()) failed += select(law.template failed<R>(history), R(1.0), none);
   }
 
   if constexpr (weld) store_field(state, L::strain_rate, rate);
@@ -130,11 +139,11 @@ SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Pr
   mean = mean / end_volume;
 
   const R density = brick.density * load_field<R>(state, L::density_scale);
-  const BulkViscosity<R> bulk(brick, e, density, end_volume / sqrt(largest_face2(end)), trace);
+  const BulkViscosity<R> bulk(brick, wave, density, end_volume / sqrt(largest_face2(end)), trace);
   const R pressure = weld ? whole * left * bulk.pressure : bulk.pressure;
   mean -= pressure;
 
-  if (law.can_fail()) alive = alive && sound;
+  if (law.can_fail()) alive = alive && failed < R(points_to_delete(law));
   if (law.deletion_step() > 0.0) alive = alive && bulk.step >= law.deletion_step();
   if (law.can_fail() || law.deletion_step() > 0.0) store_field(state, L::alive, select(alive, R(1.0), none));
 
@@ -194,6 +203,8 @@ template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperti
 template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
                                                         const SolidMotion<NativeBatch>&, double, double*);
 template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Spotweld>&,
+                                                        const SolidMotion<NativeBatch>&, double, double*);
+template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Compound>&,
                                                         const SolidMotion<NativeBatch>&, double, double*);
 template SolidForces<Dual<24>> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
                                                      const SolidMotion<Dual<24>>&, double, double*);

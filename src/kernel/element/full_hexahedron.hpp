@@ -24,8 +24,8 @@ struct FullHexahedronLayout {
 };
 
 template <class Law>
-FullHexahedronLayout full_hexahedron_layout(const Prepared<Law>&) {
-  return {Prepared<Law>::solid_history};
+FullHexahedronLayout full_hexahedron_layout(const Prepared<Law>& law) {
+  return {law.solid_history()};
 }
 
 /// State of an undeformed, stress-free brick in lane `lane` of `width`.
@@ -43,8 +43,8 @@ void start_full_hexahedron(const FullHexahedronLayout& layout, double* state, in
 /// Theory Manual, solid elements;
 /// ../shared/reference/element-theory.md section 5.5. Hourglass data of `brick` are not used.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld; Dual<24> with
-/// Elastic.
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld; NativeBatch with
+/// Compound; Dual<24> with Elastic.
 template <class R, class Law>
 SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Prepared<Law>& law,
                                      const SolidMotion<R>& nodes, double dt, double* state);

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "kernel/element/brick_patterns.hpp"
+#include "kernel/law/prepared_compound.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -197,7 +198,7 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepare
 
   const R density = brick.density * load_field<R>(state, L::density_scale), none = R(0.0);
   const R length = g_end.volume / sqrt(largest_face2(end));
-  const BulkViscosity<R> bulk(brick, e, density, length, d.xx + d.yy + d.zz);
+  const BulkViscosity<R> bulk(brick, law.template wave_modulus<R>(history), density, length, d.xx + d.yy + d.zz);
   const R pressure = integrity * bulk.pressure;
   if constexpr (std::is_same_v<Law, Spotweld>) s = whole * s;
   s.xx -= pressure;
@@ -263,6 +264,8 @@ template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, 
 template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
                                                    const SolidMotion<NativeBatch>&, double, double*);
 template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const Prepared<Spotweld>&,
+                                                   const SolidMotion<NativeBatch>&, double, double*);
+template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const Prepared<Compound>&,
                                                    const SolidMotion<NativeBatch>&, double, double*);
 template SolidForces<Dual<24>> hexahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
                                                 const SolidMotion<Dual<24>>&, double, double*);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "kernel/element/brick_patterns.hpp"
+#include "kernel/law/prepared_compound.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -90,7 +91,7 @@ TetrahedronForces<R> tetrahedron_cycle(const HexahedronProperties& solid, const 
   const R density = solid.density * load_field<R>(state, L::density_scale);
   const double stiffest = std::max(e.E / (1.0 - 2.0 * e.nu), 2.0 * e.shear);  // 3 K, 2 G
   const R length = sqrt(R(e.bulk_wave() / stiffest) / end.largest());
-  const BulkViscosity<R> bulk(solid, e, density, length, trace);
+  const BulkViscosity<R> bulk(solid, law.template wave_modulus<R>(history), density, length, trace);
   s.xx -= bulk.pressure;
   s.yy -= bulk.pressure;
   s.zz -= bulk.pressure;
@@ -134,6 +135,8 @@ template TetrahedronForces<NativeBatch> tetrahedron_cycle(const HexahedronProper
                                                           const Prepared<PlasticKinematic>&,
                                                           const TetrahedronMotion<NativeBatch>&, double, double*);
 template TetrahedronForces<NativeBatch> tetrahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
+                                                          const TetrahedronMotion<NativeBatch>&, double, double*);
+template TetrahedronForces<NativeBatch> tetrahedron_cycle(const HexahedronProperties&, const Prepared<Compound>&,
                                                           const TetrahedronMotion<NativeBatch>&, double, double*);
 
 }  // namespace nugget::kernel

@@ -19,8 +19,8 @@ struct TetrahedronLayout {
 };
 
 template <class Law>
-TetrahedronLayout tetrahedron_layout(const Prepared<Law>&) {
-  return {Prepared<Law>::solid_history};
+TetrahedronLayout tetrahedron_layout(const Prepared<Law>& law) {
+  return {law.solid_history()};
 }
 
 /// State of an undeformed, stress-free tetrahedron in lane `lane` of `width`.
@@ -51,8 +51,8 @@ struct TetrahedronForces {
 /// The least altitude over the wave speed, which LS-DYNA's theory manual gives, is up to 1.6 times longer and not safe
 /// for a tetrahedron alone. The length of the bulk viscosity is the wave speed times this step.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear. Hourglass data of `solid`
-/// are not used. Source: Zienkiewicz, Taylor, The Finite Element Method, vol. 1, constant-strain tetrahedron; the bound
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with Compound.
+/// Hourglass data of `solid` are not used. Source: Zienkiewicz, Taylor, The Finite Element Method, vol. 1, constant-strain tetrahedron; the bound
 /// follows from |sum u_I b_I^T|^2 <= g |u|^2.
 template <class R, class Law>
 TetrahedronForces<R> tetrahedron_cycle(const HexahedronProperties& solid, const Prepared<Law>& law,
