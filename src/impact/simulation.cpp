@@ -45,6 +45,7 @@ Simulation::Simulation(system::System& system, Findings& findings)
       rigid_welds_(system, findings),
       connectors_(system),
       tie_forces_(system),
+      joints_(system),
       tie_ends_(system, welds_, tie_forces_) {
   const model::Model& model = system.model;
   history_rotation_.resize(model.requests.history_nodes.size());
@@ -72,6 +73,9 @@ Simulation::Simulation(system::System& system, Findings& findings)
     }
     contacts_.emplace_back(std::move(setup), state_.x);
   }
+  for (const auto& group : system.groups)
+    if (auto* springs = dynamic_cast<system::SpringGroup*>(group.get()); springs && springs->has_stops())
+      stopped_springs_.push_back(springs);
   for (const model::RigidWall& wall : model.walls) {
     std::vector<int> nodes;
     for (model::Index n : wall.nodes) nodes.push_back(system.node_of[at(n)]);
@@ -106,6 +110,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
 
     accelerate();
     supports_.prescribe(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
+    for (system::SpringGroup* springs : stopped_springs_) springs->stop(state_, system_.mass);
     constrain_by_walls();
     watch.charge(seconds_[motion]);
 
@@ -113,8 +118,9 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_) {
       masses_ = system_.masses();
-      const Snapshot now{system_,   state_, v_before_, w_before_,   energy_, parts_,       controlling_,     masses_,
-                         supports_, walls_, contacts_, tie_forces_, welds_,  rigid_welds_, history_rotation_};
+      const Snapshot now{system_,      state_,       v_before_, w_before_,        energy_,   parts_,
+                         controlling_, masses_,      supports_, walls_,           contacts_, tie_forces_,
+                         welds_,       rigid_welds_, joints_,   history_rotation_};
       recorder.write(now, last);
     }
     if (progress && elapsed() >= next_report) {
@@ -165,8 +171,7 @@ void Simulation::start() {
   v.swap(state_.v);
   w.swap(state_.w);
   system_.scale_mass(true);
-  update_inverse_mass();
-  tie_forces_.find_bounds();
+  masses_changed();
   forces();
   collect();
   masses_ = system_.masses();
@@ -174,6 +179,12 @@ void Simulation::start() {
   controlling_ = system_.controlling();
   first_step_ = controlling_.step;
   smallest_step_ = std::numeric_limits<double>::infinity();
+}
+
+void Simulation::masses_changed() {
+  update_inverse_mass();
+  tie_forces_.find_bounds();
+  system::bound_springs(system_);
 }
 
 void Simulation::update_inverse_mass() {
@@ -302,22 +313,21 @@ void Simulation::forces() {
   for (contact::SurfaceContact& c : contacts_)
     c.apply(state_.time, state_.dt, state_.x, state_.v, contact_mass_, shell_alive_, state_.f);
   tie_forces_.apply(state_);
+  joints_.apply(state_);
   loads_.apply(state_, state_.dt);
 }
 
 void Simulation::end_ties() {
   const bool shells_died = bury_shells();
   if (!tie_ends_.update(state_, shell_alive_, shells_died)) return;
-  update_inverse_mass();
-  tie_forces_.find_bounds();
+  masses_changed();
 }
 
 void Simulation::collect() {
   rigid_welds_.take_loads(state_);
   system_.map.collect(state_.f, state_.m);
   if (!rigid_welds_.update(state_)) return;
-  update_inverse_mass();
-  tie_forces_.find_bounds();
+  masses_changed();
 }
 
 /// Contact surfaces lose the shells that were deleted.
@@ -338,6 +348,7 @@ void Simulation::account() {
   const Energy before = energy_;
   element_energies(system_, state_, v_before_, energy_, parts_);
   energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_);
+  energy_.internal += joints_.energy();
   energy_.contact = tie_forces_.energy();
   for (const contact::SurfaceContact& c : contacts_) energy_.contact += c.energy();
   energy_.wall = 0.0;
