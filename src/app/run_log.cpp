@@ -45,6 +45,10 @@ std::string section_name(const model::Model& model, const model::Part& part) {
       if (s.elform == 6) return fmt::format("discrete beam, ELFORM 6, VOL = {:.4g}, SCOOR = {}", s.volume, s.scoor);
       return fmt::format("beam, ELFORM {}, d = {:.4g}", s.elform, 0.5 * (s.outer[0] + s.outer[1]));
     }
+    case model::ElementKind::discrete: {
+      const model::SectionDiscrete& s = model.discrete_sections[at(part.section)];
+      return s.torsional ? "spring or damper, torsional" : "spring or damper";
+    }
     case model::ElementKind::nothing: break;
   }
   return "no elements";
@@ -173,6 +177,12 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
   for (const auto* list : {&run.welds().events(), &run.rigid_welds().events(), &run.rivets().events(),
                            &run.connectors().events(), &run.tie_ends().events()})
     for (const std::string& event : *list) events += ' ' + event + '\n';
+  if (!run.joints().empty()) {
+    s += "Joints: largest distance between the points that they hold together\n\n";
+    for (std::size_t i = 0; i < run.joints().size(); ++i)
+      s += fmt::format(" joint {:>8} {:12.4e}\n", run.system().model.joints[i].id, run.joints().largest_opening(i));
+    s += '\n';
+  }
   if (!events.empty()) s += "Events\n\n" + events + '\n';
   s += fmt::format("Seconds\n\n read {:.3f}  setup {:.3f}  solve {:.3f}  output {:.3f}\n", summary.seconds.read,
                    summary.seconds.setup, summary.seconds.solve, summary.seconds.output);

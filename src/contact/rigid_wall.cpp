@@ -11,10 +11,13 @@ namespace {
 
 constexpr std::size_t group_size = 1024;
 
-std::variant<kernel::PlaneWall, kernel::CylinderWall, kernel::SphereWall> shape_of(const model::RigidWall& wall) {
+std::variant<kernel::PlaneWall, kernel::CylinderWall, kernel::SphereWall, kernel::PrismWall> shape_of(
+    const model::RigidWall& wall) {
   switch (wall.shape) {
     case model::RigidWall::Shape::cylinder: return kernel::CylinderWall{wall.normal, wall.radius, wall.length};
     case model::RigidWall::Shape::sphere: return kernel::SphereWall{wall.radius};
+    case model::RigidWall::Shape::prism:
+      return kernel::PrismWall{wall.normal, wall.edge_l, wall.edge_m, wall.length_l, wall.length_m, wall.depth};
     case model::RigidWall::Shape::plane: break;
   }
   if (!wall.finite) return kernel::PlaneWall{wall.normal, {}, {}};

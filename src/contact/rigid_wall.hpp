@@ -13,7 +13,8 @@
 
 namespace nugget::contact {
 
-/// *RIGIDWALL_PLANAR and _GEOMETRIC_CYLINDER, _SPHERE: stops nodes by changing their velocities, perfectly plastic.
+/// *RIGIDWALL_PLANAR and _GEOMETRIC_FLAT, _PRISM, _CYLINDER, _SPHERE: stops nodes by changing their velocities,
+/// perfectly plastic.
 ///
 /// A node whose position at the end of the step would be behind the wall gets the velocity along the wall's normal that
 /// brings it to the wall, or, when it stands there already, the wall's own; that is LS-DYNA's constraint method with
@@ -100,7 +101,7 @@ class RigidWall {
   void stop(Tracked& tracked, const Step& step, Sum& sum) const;
   Vec3d friction(const Vec3d& slip, double normal_change) const;
 
-  std::variant<kernel::PlaneWall, kernel::CylinderWall, kernel::SphereWall> shape_;
+  std::variant<kernel::PlaneWall, kernel::CylinderWall, kernel::SphereWall, kernel::PrismWall> shape_;
   Vec3d origin_, normal_;
   double friction_ = 0.0, weld_velocity_ = 0.0;
   double mass_ = 0.0, velocity_ = 0.0;

@@ -74,7 +74,10 @@ void fill_beams(const Snapshot& now, output::D3plotState& s) {
     const system::System::Seat seat = now.system.beam_seat[e];
     const system::ElementGroup* group = group_of(now, seat);
     if (group == nullptr) {
-      s.beam_alive[e] = 0;  // taken out before the run
+      // A weld was taken out before the run; beams of rigid parts have no group either, but are there.
+      const model::Law& law = model.materials[at(model.parts[at(model.beams.part[e])].material)].law;
+      if (std::holds_alternative<kernel::Spotweld>(law) || std::holds_alternative<kernel::DiscreteBeam>(law))
+        s.beam_alive[e] = 0;
       continue;
     }
     const std::array<double, 8> r = group->resultants(at(seat.element));

@@ -55,6 +55,15 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
   const bool has_connections = std::any_of(model_.weld_laws.begin(), model_.weld_laws.end(),
                                            [](const auto& law) { return law.properties != model::none; });
   if (has_connections) add<output::Dcfail>(ask.dcfail, "dcfail", dcfail_state);
+  const auto printed = [](const model::Discrete& d) { return d.in_deforc; };
+  if (std::any_of(model_.discretes.begin(), model_.discretes.end(), printed))
+    add<output::Deforc>(ask.deforc, "deforc", deforc_state);
+  if (!model_.joints.empty()) {
+    std::vector<output::LegendEntry> joints;
+    for (const model::Joint& j : model_.joints)
+      if (!j.title.empty()) joints.push_back({j.id, j.title});
+    add<output::Jntforc>(ask.jntforc, "jntforc", jntforc_state, joints);
+  }
   if (!model_.walls.empty()) add<output::Rwforc>(ask.rwforc, "rwforc", rwforc_state, walls);
   if (!model_.spcs.empty()) add<output::Spcforc>(ask.spcforc, "spcforc", spcforc_state);
   if (!model_.motions.empty()) add<output::Bndout>(ask.bndout, "bndout", bndout_state);

@@ -46,6 +46,7 @@ Simulation::Simulation(system::System& system, Findings& findings)
       rivets_(system, findings),
       connectors_(system),
       tie_forces_(system),
+      joints_(system),
       tie_ends_(system, welds_, tie_forces_) {
   const model::Model& model = system.model;
   history_rotation_.resize(model.requests.history_nodes.size());
@@ -73,6 +74,9 @@ Simulation::Simulation(system::System& system, Findings& findings)
     }
     contacts_.emplace_back(std::move(setup), state_.x);
   }
+  for (const auto& group : system.groups)
+    if (auto* springs = dynamic_cast<system::SpringGroup*>(group.get()); springs && springs->has_stops())
+      stopped_springs_.push_back(springs);
   for (const model::RigidWall& wall : model.walls) {
     std::vector<int> nodes;
     for (model::Index n : wall.nodes) nodes.push_back(system.node_of[at(n)]);
@@ -109,6 +113,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     accelerate();
     supports_.prescribe(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
     power_on_change_ += supports_.power_on_change();
+    for (system::SpringGroup* springs : stopped_springs_) springs->stop(state_, system_.mass);
     constrain_by_walls();
     watch.charge(seconds_[motion]);
 
@@ -118,7 +123,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
       masses_ = system_.masses();
       const Snapshot now{system_,      state_,       v_before_, w_before_,        energy_,   parts_,
                          controlling_, masses_,      supports_, walls_,           contacts_, tie_forces_,
-                         welds_,       rigid_welds_, rivets_,   history_rotation_};
+                         welds_,       rigid_welds_, rivets_,   joints_,          history_rotation_};
       recorder.write(now, last);
     }
     if (progress && elapsed() >= next_report) {
@@ -172,8 +177,7 @@ void Simulation::start() {
   v.swap(state_.v);
   w.swap(state_.w);
   system_.scale_mass(true);
-  update_inverse_mass();
-  tie_forces_.find_bounds();
+  masses_changed();
   forces();
   collect();
   masses_ = system_.masses();
@@ -181,6 +185,12 @@ void Simulation::start() {
   controlling_ = system_.controlling();
   first_step_ = controlling_.step;
   smallest_step_ = std::numeric_limits<double>::infinity();
+}
+
+void Simulation::masses_changed() {
+  update_inverse_mass();
+  tie_forces_.find_bounds();
+  system::bound_springs(system_);
 }
 
 void Simulation::update_inverse_mass() {
@@ -320,22 +330,21 @@ void Simulation::forces() {
   for (contact::SurfaceContact& c : contacts_)
     c.apply(state_.time, state_.dt, state_.x, state_.v, contact_mass_, shell_alive_, state_.f);
   tie_forces_.apply(state_);
+  joints_.apply(state_);
   loads_.apply(state_, state_.dt);
 }
 
 void Simulation::end_ties() {
   const bool shells_died = bury_shells();
   if (!tie_ends_.update(state_, shell_alive_, shells_died)) return;
-  update_inverse_mass();
-  tie_forces_.find_bounds();
+  masses_changed();
 }
 
 void Simulation::collect() {
   rigid_welds_.take_loads(state_);
   system_.map.collect(state_.f, state_.m);
   if (!rigid_welds_.update(state_)) return;
-  update_inverse_mass();
-  tie_forces_.find_bounds();
+  masses_changed();
 }
 
 /// Contact surfaces lose the shells that were deleted.
@@ -356,6 +365,7 @@ void Simulation::account() {
   const Energy before = energy_;
   element_energies(system_, state_, v_before_, energy_, parts_);
   energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_);
+  energy_.internal += joints_.energy();
   energy_.contact = tie_forces_.energy();
   for (const contact::SurfaceContact& c : contacts_) energy_.contact += c.energy();
   energy_.wall = 0.0;

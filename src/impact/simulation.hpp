@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "impact/connectors.hpp"
+#include "impact/joints.hpp"
 #include "impact/options.hpp"
 #include "impact/rigid_welds.hpp"
 #include "impact/rivets.hpp"
 #include "impact/snapshot.hpp"
 #include "impact/tie_ends.hpp"
+#include "system/spring_group.hpp"
 
 namespace nugget::impact {
 
@@ -33,6 +35,7 @@ class Simulation {
   const TieEnds& tie_ends() const { return tie_ends_; }
   const RigidWelds& rigid_welds() const { return rigid_welds_; }
   const Rivets& rivets() const { return rivets_; }
+  const Joints& joints() const { return joints_; }
   const Connectors& connectors() const { return connectors_; }
   double first_step() const { return first_step_; }
   double smallest_step() const { return smallest_step_; }
@@ -63,6 +66,8 @@ class Simulation {
   /// Welds of every kind that have failed so far.
   int failed_welds() const { return welds_.failed() + rigid_welds_.failed() + rivets_.failed() + connectors_.failed(); }
   void update_inverse_mass();
+  /// At the start, and where nodes were let go: bounds that follow from nodal masses.
+  void masses_changed();
   /// Energies of the moment; they stay those of before where the solution has become no number.
   void account();
   Outcome reason_to_stop(const Options& options, double end_time) const;
@@ -73,9 +78,10 @@ class Simulation {
   Loads loads_;
   std::vector<contact::SurfaceContact> contacts_;
   std::vector<contact::RigidWall> walls_;
-  std::vector<double> contact_mass_;        ///< by node, dependent nodes with what they had of their own
-  std::vector<unsigned char> dependent_;    ///< by node
-  std::vector<unsigned char> shell_alive_;  ///< by model shell
+  std::vector<system::SpringGroup*> stopped_springs_;  ///< those with stops
+  std::vector<double> contact_mass_;                   ///< by node, dependent nodes with what they had of their own
+  std::vector<unsigned char> dependent_;               ///< by node
+  std::vector<unsigned char> shell_alive_;             ///< by model shell
   std::vector<double> inverse_mass_, inverse_inertia_;
   std::vector<Row> v_before_, w_before_;
   std::vector<Vec3d> momentum_before_;
@@ -85,6 +91,7 @@ class Simulation {
   Rivets rivets_;
   Connectors connectors_;
   TieForces tie_forces_;
+  Joints joints_;
   TieEnds tie_ends_;
   int deaths_ = 0;
   bool diverged_ = false;

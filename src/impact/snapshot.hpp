@@ -10,6 +10,7 @@
 #include "contact/surface_contact.hpp"
 #include "impact/conditions.hpp"
 #include "impact/energy.hpp"
+#include "impact/joints.hpp"
 #include "impact/rigid_welds.hpp"
 #include "impact/rivets.hpp"
 #include "impact/tie_forces.hpp"
@@ -35,6 +36,7 @@ struct Snapshot {
   const Welds& welds;
   const RigidWelds& rigid_welds;
   const Rivets& rivets;
+  const Joints& joints;
   std::span<const Vec3d> history_rotation;  ///< of the requests' history nodes: their spins, added up over time
 
   Vec3d velocity(std::size_t node) const { return 0.5 * (vec(v_before[node]) + vec(state.v[node])); }

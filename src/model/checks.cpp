@@ -125,6 +125,21 @@ void check_solids(Builder& b) {
   }
 }
 
+/// Whether it matters how the cross-section is turned about the beam.
+bool directed(const SectionBeam& s) {
+  if (s.elform == 2) return s.moment_s != s.moment_t;
+  return s.cross_section == 0 && (s.outer != s.inner || s.quadrature != 2);
+}
+
+/// Whether the third node tells a side.
+bool has_side(const Model& m, std::size_t e) {
+  if (m.beams.orientation[e] == none) return false;
+  const auto& n = m.beams.node[e];
+  const Vec3d line = position(m, n[1]) - position(m, n[0]),
+              towards = position(m, m.beams.orientation[e]) - position(m, n[0]);
+  return norm(cross(line, towards)) > 1e-6 * norm(line) * norm(towards);
+}
+
 void check_beams(Builder& b) {
   const Model& m = b.model;
   Tally short_ones(b.findings, Severity::note, "*ELEMENT_BEAM");
@@ -132,11 +147,27 @@ void check_beams(Builder& b) {
     const Index section = m.parts[static_cast<std::size_t>(m.beams.part[e])].section;
     return section != none && m.beam_sections[static_cast<std::size_t>(section)].elform == 6;
   };
-  for (std::size_t e = 0; e < m.beams.size(); ++e)
-    if (!(beam_length(m, e) > 0.0) && !discrete(e))
+  Tally without(b.findings, Severity::error, "*ELEMENT_BEAM");
+  for (std::size_t e = 0; e < m.beams.size(); ++e) {
+    const bool has_length = beam_length(m, e) > 0.0;
+    const Index section = m.parts[static_cast<std::size_t>(m.beams.part[e])].section;
+    const int elform = section == none ? 9 : m.beam_sections[static_cast<std::size_t>(section)].elform;
+    if (!has_length && elform != 6 && elform != 9)
+      without.add(
+          m.beams.place[e], [&] { return fmt::format("beam {} has no length", m.beams.id[e]); },
+          "remove it, or correct its nodes");
+    else if (!has_length && !discrete(e))
       short_ones.add(m.beams.place[e], [&] {
         return fmt::format("beam {} has no length; a weld of no length takes its length from its tie", m.beams.id[e]);
       });
+    else if (elform <= 2 && directed(m.beam_sections[static_cast<std::size_t>(section)]) && !has_side(m, e))
+      without.add(
+          m.beams.place[e],
+          [&] {
+            return fmt::format("beam {} has no third node off its line, so its axes s and t are open", m.beams.id[e]);
+          },
+          "give N3, a node in the plane of r and s");
+  }
 }
 
 /// Nodes that nothing holds or uses do not move with anything; often the remains of editing.
@@ -150,6 +181,8 @@ void count_free_nodes(Builder& b) {
   for (const auto& nodes : m.solids.node) std::for_each(nodes.begin(), nodes.end(), use);
   for (const auto& nodes : m.beams.node) std::for_each(nodes.begin(), nodes.end(), use);
   std::for_each(m.beams.orientation.begin(), m.beams.orientation.end(), use);
+  for (const Discrete& d : m.discretes) std::for_each(d.node.begin(), d.node.end(), use);
+  for (const SpringOrientation& o : m.spring_orientations) std::for_each(o.node.begin(), o.node.end(), use);
   for (const auto& p : m.masses) use(p.node);
   for (const auto& p : m.inertias) use(p.node);
   for (const auto& body : m.rigid_bodies) std::for_each(body.nodes.begin(), body.nodes.end(), use);
@@ -256,24 +289,43 @@ void check_beam_formulation(Builder& b, const Part& part, std::vector<char>& tol
   const auto s = static_cast<std::size_t>(part.section);
   const int elform = b.model.beam_sections[s].elform;
   if (elform == 6) return check_discrete_beam(b, part);
-  if (elform == 9 || std::exchange(told[s], char{1})) return;
+  const bool is_built = elform == 9 || (elform >= 1 && elform <= 3);
+  if (is_built || std::exchange(told[s], char{1})) return;
   refuse(b, b.beam_section_rows[s], "elform",
-         fmt::format("beam formulation {} is not built; built are 9 (spot weld) and 6 (discrete)", elform),
-         "model the joint by spot-weld beams (ELFORM 9, MAT_SPOTWELD), or leave the part out");
+         fmt::format("beam formulation {} is not built; built are 1 (Hughes-Liu), 2 (Belytschko-Schwer), 3 (truss), 6 "
+                     "(discrete) and 9 (spot weld)",
+                     elform),
+         "write 1 with the dimensions of the section, or 2 with its moments");
 }
 
-/// Spot-weld beams have the weld's law, discrete beams one of springs.
+/// Spot-weld beams have the weld's law, discrete beams one of springs, others that of a bar.
 void check_beam_law(Builder& b, const Part& part, const deck::Row& row) {
   const Model& m = b.model;
   const Material& material = m.materials[static_cast<std::size_t>(part.material)];
-  const bool discrete = m.beam_sections[static_cast<std::size_t>(part.section)].elform == 6;
-  if (discrete ? is<kernel::DiscreteBeam>(m, part) : is<kernel::Spotweld>(m, part)) return;
-  if (discrete)
-    refuse(b, row, "mid", fmt::format("*{} is not a law of discrete beams (ELFORM 6)", material.keyword),
-           "built are *MAT_066, 067, 068, 074, 119, 121 and 196");
-  else
-    refuse(b, row, "mid", fmt::format("beams are built with *MAT_SPOTWELD only, not with *{}", material.keyword),
-           "give the part *MAT_SPOTWELD, or model it by shells");
+  const int elform = m.beam_sections[static_cast<std::size_t>(part.section)].elform;
+  if (elform == 6) {
+    if (!is<kernel::DiscreteBeam>(m, part))
+      refuse(b, row, "mid", fmt::format("*{} is not a law of discrete beams (ELFORM 6)", material.keyword),
+             "built are *MAT_066, 067, 068, 074, 119, 121 and 196");
+  } else if (elform == 9) {
+    if (!is<kernel::Spotweld>(m, part))
+      refuse(b, row, "mid", fmt::format("spot-weld beams (ELFORM 9) need *MAT_SPOTWELD, not *{}", material.keyword),
+             "give the part *MAT_SPOTWELD, or its section ELFORM 1");
+  } else if (is<kernel::Spotweld>(m, part)) {
+    refuse(b, row, "mid", fmt::format("*MAT_SPOTWELD needs spot-weld beams, but the section has ELFORM {}", elform),
+           "write ELFORM 9");
+  } else if (elform <= 3) {
+    const bool is_moved = is<kernel::Rigid>(m, part) || is<kernel::Null>(m, part),
+               is_elastic = is<kernel::Elastic>(m, part);
+    const bool is_plastic = is<kernel::PlasticKinematic>(m, part) || is<kernel::PiecewiseLinear>(m, part);
+    if (elform == 2 && !is_moved && !is_elastic)
+      refuse(b, row, "mid",
+             fmt::format("resultant beams (ELFORM 2) are elastic here, but the part has *{}", material.keyword),
+             "write ELFORM 1 with the dimensions of the section");
+    else if (!is_moved && !is_elastic && !is_plastic)
+      refuse(b, row, "mid", fmt::format("*{} is not built for beams", material.keyword),
+             "built are *MAT_001, 003, 009, 020 and 024");
+  }
 }
 
 /// Some laws are made for shells or bricks only.
@@ -303,6 +355,14 @@ void check_law(Builder& b, const Part& part, const deck::Row& row) {
            m.weld_laws[static_cast<std::size_t>(material.weld)].connection)
     refuse(b, row, "mid", "*MAT_SPOTWELD_DAIMLERCHRYSLER is a law of welds of bricks, but the part has beams",
            "model the welds by bricks, or use *MAT_SPOTWELD_DAMAGE-FAILURE");
+  else if (part.kind == ElementKind::discrete && !is<kernel::Spring>(m, part))
+    refuse(b, row, "mid", fmt::format("*{} is not a law of springs and dampers", material.keyword),
+           "give one of *MAT_S01 to *MAT_S08");
+  else if (is<kernel::Spring>(m, part) && part.kind != ElementKind::discrete && part.kind != ElementKind::nothing)
+    refuse(
+        b, row, "mid",
+        fmt::format("*{} is a law of springs (*ELEMENT_DISCRETE), but the part has other elements", material.keyword),
+        "give it the law of its elements");
   else if (part.kind == ElementKind::beam && part.section != none)
     check_beam_law(b, part, row);
   else if (is<kernel::DiscreteBeam>(m, part) && (part.kind == ElementKind::shell || part.kind == ElementKind::solid))

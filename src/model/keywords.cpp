@@ -25,6 +25,7 @@ std::vector<Keyword> all_families() {
            weld_table_keywords,
            weld_brick_keywords,
            discrete_beam_keywords,
+           spring_keywords,
            curve_keywords,
            frame_keywords,
            set_keywords,

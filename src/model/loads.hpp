@@ -68,7 +68,7 @@ struct PressureLoad {
 
 /// *RIGIDWALL_...
 struct RigidWall {
-  enum class Shape { plane, cylinder, sphere };
+  enum class Shape { plane, cylinder, sphere, prism };
   int id = 0;
   std::string title;
   Shape shape = Shape::plane;
@@ -80,6 +80,7 @@ struct RigidWall {
   bool finite = false;       ///< plane: bounded by edges l and m
   Vec3d edge_l, edge_m;      ///< unit vectors
   double length_l = 0.0, length_m = 0.0;  ///< 0 infinite
+  double depth = 0.0;                     ///< prism: extent against the normal, from the face inwards; 0 infinite
   double friction = 0.0;                  ///< 0 none, 1 stick, between: Coulomb
   double weld_velocity = 0.0;             ///< WVEL, for friction 2 and 3
   double mass = 0.0;                      ///< of a moving wall; 0: fixed

@@ -24,11 +24,6 @@ void share(std::vector<NodeMass>& out, std::span<const Index> nodes, double mass
   for (const Index n : nodes) out.push_back({n, mass / static_cast<double>(nodes.size())});
 }
 
-double beam_area(const SectionBeam& s) {
-  const auto squared = [](const std::array<double, 2>& d) { return 0.5 * (d[0] * d[0] + d[1] * d[1]); };
-  return 0.25 * std::numbers::pi * (squared(s.outer) - squared(s.inner));
-}
-
 std::vector<NodeMass> joined(std::vector<NodeMass> shares) {
   std::stable_sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
   std::vector<NodeMass> out;
@@ -40,6 +35,13 @@ std::vector<NodeMass> joined(std::vector<NodeMass> shares) {
 }
 
 }  // namespace
+
+double beam_area(const SectionBeam& s) {
+  if (s.area > 0.0) return s.area;
+  if (s.elform == 1 && s.cross_section == 0) return 0.25 * (s.outer[0] + s.outer[1]) * (s.inner[0] + s.inner[1]);
+  const auto squared = [](const std::array<double, 2>& d) { return 0.5 * (d[0] * d[0] + d[1] * d[1]); };
+  return 0.25 * std::numbers::pi * (squared(s.outer) - squared(s.inner));
+}
 
 double shell_area(const Model& m, std::size_t e) {
   const auto& n = m.shells.node[e];

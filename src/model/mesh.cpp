@@ -359,6 +359,7 @@ std::string_view name_of(ElementKind kind) {
     case ElementKind::shell: return "shell";
     case ElementKind::solid: return "solid";
     case ElementKind::beam: return "beam";
+    case ElementKind::discrete: return "discrete";
     case ElementKind::nothing: break;
   }
   return "no";
@@ -366,9 +367,10 @@ std::string_view name_of(ElementKind kind) {
 
 /// The section that a part's elements need: same id, of their kind.
 void link_section(Builder& b, Part& part, const deck::Row& row) {
-  const std::array<std::pair<ElementKind, const Ids*>, 3> kinds{{{ElementKind::shell, &b.shell_sections},
+  const std::array<std::pair<ElementKind, const Ids*>, 4> kinds{{{ElementKind::shell, &b.shell_sections},
                                                                  {ElementKind::solid, &b.solid_sections},
-                                                                 {ElementKind::beam, &b.beam_sections}}};
+                                                                 {ElementKind::beam, &b.beam_sections},
+                                                                 {ElementKind::discrete, &b.discrete_sections}}};
   const int id = row.integer("secid");
   if (id == 0) return;
   bool exists = false;
@@ -402,6 +404,7 @@ void make_mesh(Builder& b) {
   const auto shell_rows = make_shells(b);
   make_solids(b);
   const auto beam_rows = make_beams(b);
+  make_discretes(b);
   Tally bare(b.findings, Severity::error, "*PART");
   for (const auto& [index, row] : b.part_rows) {
     Part& part = b.model.parts[static_cast<std::size_t>(index)];

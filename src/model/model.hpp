@@ -12,9 +12,11 @@
 #include "base/vec3.hpp"
 #include "model/contact.hpp"
 #include "model/control.hpp"
+#include "model/discrete.hpp"
 #include "model/frequency.hpp"
 #include "model/implicit.hpp"
 #include "model/interpolation.hpp"
+#include "model/joint.hpp"
 #include "model/loads.hpp"
 #include "model/parts.hpp"
 #include "model/requests.hpp"
@@ -137,6 +139,7 @@ struct Model {
   Shells shells;
   Solids solids;
   Beams beams;
+  std::vector<Discrete> discretes;
   std::vector<HexAssembly> hex_assemblies;
   std::vector<PointMass> masses;
   std::vector<PointInertia> inertias;
@@ -145,6 +148,7 @@ struct Model {
   std::vector<SectionShell> shell_sections;
   std::vector<SectionSolid> solid_sections;
   std::vector<SectionBeam> beam_sections;
+  std::vector<SectionDiscrete> discrete_sections;
   std::vector<Material> materials;
   std::vector<Hourglass> hourglass;
 
@@ -157,12 +161,15 @@ struct Model {
   std::vector<Curve> curves;  ///< offsets and scales applied
   std::vector<Table> tables;
   std::vector<CoordinateSystem> systems;
+  std::vector<SpringOrientation> spring_orientations;
   Sets sets;
 
   std::vector<RigidBody> rigid_bodies;  ///< MAT_RIGID parts (merged), nodal rigid bodies, rigid welds
   std::vector<RigidWeld> rigid_welds;
   std::vector<Rivet> rivets;
   std::vector<Interpolation> interpolations;
+  std::vector<Joint> joints;
+  std::vector<Accelerometer> accelerometers;
   std::vector<SinglePointConstraint> spcs;
   std::vector<PrescribedMotion> motions;
   std::vector<Vec3d> initial_velocity;  ///< per node; empty: all zero [length/time]

@@ -25,7 +25,8 @@ struct NamedEntity {
 
 /// The *DATABASE_... cards.
 struct Requests {
-  Request glstat, matsum, nodout, swforc, dcfail, rwforc, spcforc, bndout, rbdout, rcforc, secforc, elout, deforc;
+  Request glstat, matsum, nodout, swforc, dcfail, rwforc, spcforc, bndout, rbdout, rcforc, secforc, elout, deforc,
+      jntforc;
   Request d3plot;  ///< interval; `binary` unused
   std::vector<NamedEntity> history_nodes, history_shells, history_solids, history_beams;
 

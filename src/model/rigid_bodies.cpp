@@ -60,8 +60,7 @@ class Maker {
       body.title = part.title;
       body.parts = {static_cast<Index>(p)};
       body.place = part.place;
-      if (const auto card = b_.rigid_cards.find(part.material); card != b_.rigid_cards.end())
-        body.fixed = fixed_bits(card->second);
+      if (const auto card = b_.rigid_cards.find(part.material); card != b_.rigid_cards.end()) hold(body, card->second);
       if (const auto inertia = b_.part_inertia.find(static_cast<Index>(p)); inertia != b_.part_inertia.end()) {
         body.given = true;
         body.inertia = inertia->second;
@@ -80,12 +79,22 @@ class Maker {
                        [&](const Row& row) { return names(row, "pidl") || names(row, "pidc"); });
   }
 
-  unsigned fixed_bits(const RigidCard& card) {
-    if (card.cmo == 1) return bits_of_code(card.con1) | bits_of_code(card.con2) << 3;
-    if (card.cmo == -1)
-      refuse(b_, card.row, "cmo", "constraints of a rigid part in local axes are not built",
-             "use CMO = 1 with codes in global axes, or *BOUNDARY_PRESCRIBED_MOTION_RIGID with zero motion");
-    return 0;
+  void hold(RigidBody& body, const RigidCard& card) {
+    if (card.cmo == 1) body.fixed = bits_of_code(card.con1) | bits_of_code(card.con2) << 3;
+    if (card.cmo != -1) return;
+    const Index system = b_.system(card.row, "con1");
+    if (system == none) {
+      if (card.con1 == 0)
+        refuse(b_, card.row, "con1", "CMO -1 needs the coordinate system of its directions", "give its id");
+      return;
+    }
+    body.fixed_axes = model_.systems[static_cast<std::size_t>(system)].axes;
+    // Digits x y z rx ry rz, leading zeros may be missing.
+    int digits = card.con2;
+    for (int i = 5; i >= 0; --i, digits /= 10) {
+      if (digits % 10 > 1) return refuse(b_, card.row, "con2", "expected six digits, each 0 or 1, e.g. 110111");
+      if (digits % 10 == 1) body.fixed |= 1u << i;
+    }
   }
 
   void add_nodal(const BodyCards::Nodal& card) {

@@ -129,9 +129,12 @@ Supports supports_of(const system::System& system, Findings& findings) {
     }
   }
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
-    for (int i = 0; i < 6; ++i)
+    for (int i = 0; i < 6; ++i) {
+      const Frame3d& own = system.bodies[b].fixed_axes;
+      const Vec3d axis = i % 3 == 0 ? own.e1 : i % 3 == 1 ? own.e2 : own.e3;
       if (system.bodies[b].fixed >> i & 1u)
-        held.add({Equations::Support::Source::body, b, system.bodies[b].node, i >= 3, axes[i % 3], {}});
+        held.add({Equations::Support::Source::body, b, system.bodies[b].node, i >= 3, axis, {}});
+    }
   for (std::size_t m = 0; m < model.motions.size(); ++m) {
     const model::PrescribedMotion& motion = model.motions[m];
     const auto hold = [&](int node) {

@@ -213,6 +213,10 @@ std::array<double, 36> mass_matrix(const NodalMass& n) {
 
 Matrices::Matrices(const system::System& s, Findings& findings)
     : system(s), rest(at_rest(s)), equations(s, findings), nodal_mass(nodal_masses(s, rest)) {
+  for (const model::Joint& joint : s.model.joints)
+    findings.error(joint.place, "*CONSTRAINED_JOINT",
+                   fmt::format("joint {}: joints are not in the linear analyses yet", joint.id),
+                   "leave the joint out, or join the bodies by springs (*ELEMENT_DISCRETE, ELFORM 6)");
   stiffness = assemble_stiffness(s, rest, equations);
   const std::vector<char> loose = unresisted(stiffness);
   held = static_cast<int>(std::count(loose.begin(), loose.end(), 1));

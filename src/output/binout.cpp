@@ -77,7 +77,7 @@ void Binout::set_legend(const std::string& branch, std::vector<LegendEntry> lege
 }
 
 void Binout::write(const GlstatState& s) {
-  if (begin_state("glstat", {})) text("element_types", "solid,beam,shell,thick shell");
+  if (begin_state("glstat", {})) text("element_types", "solid,beam,shell,thick shell,discrete");
   begin_data("glstat");
   const auto optional_real = [this](const char* name, const std::optional<double>& value) {
     if (value) real(name, *value);
@@ -94,6 +94,7 @@ void Binout::write(const GlstatState& s) {
   real("internal_energy", s.internal);
   if (!s.walls.empty()) reals("stonewall_energy", s.walls);
   optional_real("spring_and_damper_energy", s.spring_and_damper);
+  optional_real("joint_internal_energy", s.joint);
   optional_real("hourglass_energy", s.hourglass);
   real("system_damping_energy", s.system_damping);
   real("sliding_interface_energy", s.sliding_interface);
@@ -209,6 +210,35 @@ void Binout::write(const RwforcState& s) {
   reals("normal_force", collect(s.rows, [](const RwforcRow& r) { return r.normal; }));
   put_vectors(
       "*_force", s.rows, [](const RwforcRow& r) { return r.force; }, column_of);
+  end_state();
+}
+
+void Binout::write(const DeforcState& s) {
+  const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
+  if (begin_state("deforc", collect(s.rows, [](const DeforcRow& r) { return r.spring; })))
+    integers("irot", collect(s.rows, [](const DeforcRow& r) { return r.torsional ? 1 : 0; }));
+  begin_data("deforc");
+  real("time", s.time);
+  put_vectors(
+      "*_force", s.rows, [](const DeforcRow& r) { return r.force; }, column_of);
+  reals("resultant_force", collect(s.rows, [](const DeforcRow& r) { return r.resultant; }));
+  reals("displacement", collect(s.rows, [](const DeforcRow& r) { return r.displacement; }));
+  end_state();
+}
+
+void Binout::write(const JntforcState& s) {
+  const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
+  if (begin_state("jntforc/joints", collect(s.rows, [](const JntforcRow& r) { return r.joint; })))
+    integers("local", std::vector<int>(s.rows.size(), 0));
+  begin_data("jntforc/joints");
+  real("time", s.time);
+  put_vectors(
+      "*_force", s.rows, [](const JntforcRow& r) { return r.force; }, column_of);
+  put_vectors(
+      "*_moment", s.rows, [](const JntforcRow& r) { return r.moment; }, column_of);
+  reals("resultant_force", collect(s.rows, [](const JntforcRow& r) { return norm(r.force); }));
+  reals("resultant_moment", collect(s.rows, [](const JntforcRow& r) { return norm(r.moment); }));
+  reals("energy", collect(s.rows, [](const JntforcRow& r) { return r.energy; }));
   end_state();
 }
 

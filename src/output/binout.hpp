@@ -7,7 +7,9 @@
 
 #include "output/bndout.hpp"
 #include "output/dcfail.hpp"
+#include "output/deforc.hpp"
 #include "output/glstat.hpp"
+#include "output/jntforc.hpp"
 #include "output/matsum.hpp"
 #include "output/nodout.hpp"
 #include "output/rbdout.hpp"
@@ -41,6 +43,8 @@ class Binout {
   void write(const RbdoutState& state);
   void write(const RcforcState& state);
   void write(const DcfailState& state);
+  void write(const DeforcState& state);
+  void write(const JntforcState& state);
 
  private:
   /// Where a variable stands in the file, for the symbol table.

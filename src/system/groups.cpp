@@ -11,10 +11,12 @@
 #include "kernel/law/prepared_compound.hpp"
 #include "model/lumped_mass.hpp"
 #include "system/batch_group.hpp"
+#include "system/beam_elements.hpp"
 #include "system/brick_element.hpp"
 #include "system/discrete_beam_element.hpp"
 #include "system/order.hpp"
 #include "system/shell_elements.hpp"
+#include "system/spring_group.hpp"
 #include "system/system.hpp"
 #include "system/tetrahedron_element.hpp"
 #include "system/weld_beam_element.hpp"
@@ -115,6 +117,26 @@ kernel::ShellProperties shell_properties(const model::Part& part, const model::S
   return shell;
 }
 
+kernel::WeldBeamProperties integrated_beam(const model::SectionBeam& section, double density) {
+  kernel::WeldBeamProperties beam;
+  beam.density = density;
+  beam.shear_factor = section.shear_factor;
+  beam.mass_per_length = section.extra_mass;
+  const double first = 0.5 * (section.outer[0] + section.outer[1]),
+               second = 0.5 * (section.inner[0] + section.inner[1]);
+  if (section.cross_section == 1) {
+    beam.fibres = kernel::disc_fibres(first, second, section.quadrature);
+    return beam;
+  }
+  beam.fibres = kernel::rectangle_fibres(first, second, section.quadrature);
+  beam.torsion_share = kernel::rectangle_torsion_share(first, second);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(beam.fibres.count); ++k) {
+    beam.fibres.s[k] -= 0.5 * section.location[0] * first;
+    beam.fibres.t[k] -= 0.5 * section.location[1] * second;
+  }
+  return beam;
+}
+
 /// A weld beam whose end is tied to deformable shells has nothing there to twist against, unless they have drilling
 /// stiffness or the tie turns the twist into in-plane forces.
 bool free_to_twist(const model::Model& model, const weld::Weld& w) {
@@ -174,9 +196,11 @@ void System::make_groups(Findings& findings) {
   make_shells();
   make_bricks();
   make_weld_beams(findings);
+  make_springs();
   for (const auto& group : groups) {
     if (group->weld && group->step_share == 1.0) continue;
     group->step_share = model.control.step_scale;
+    if (group->kind == model::ElementKind::discrete) continue;  // they have no mass to scale
     if (group->mass_step == 0.0) group->mass_step = std::abs(model.control.mass_step);
   }
 }
@@ -345,6 +369,10 @@ void System::make_weld_beams(Findings& findings) {
       add_discrete_beams(p, kept, findings);
       continue;
     }
+    if (!std::holds_alternative<kernel::Spotweld>(model.materials[at(model.parts[p].material)].law)) {
+      add_beams(p, sorted[p]);
+      continue;
+    }
     const bool wants_torsion = model.beam_sections[at(model.parts[p].section)].torsion;
     std::vector<model::Index> with, without;
     for (model::Index e : sorted[p]) {
@@ -361,6 +389,38 @@ void System::make_weld_beams(Findings& findings) {
         fmt::format("no torsion in {} weld beam{}: the shells have no stiffness about their normal to hold it",
                     untwisted, untwisted == 1 ? "" : "s"),
         "*CONTACT_SPOTWELD_WITH_TORSION turns it into in-plane forces");
+}
+
+void System::add_beams(std::size_t p, const std::vector<model::Index>& chosen) {
+  const model::Part& part = model.parts[p];
+  const model::SectionBeam& section = model.beam_sections[at(part.section)];
+  const model::Material& material = model.materials[at(part.material)];
+  const Members m = members(model.beams, chosen);
+  const auto kind = model::ElementKind::beam;
+  if (section.elform == 2) {
+    if (const auto* law = std::get_if<kernel::Elastic>(&material.law))
+      return add_group(ResultantBeamElement{{material.density, section.area, section.moment_s, section.moment_t,
+                                             section.torsion_constant, section.shear_area, section.extra_mass},
+                                            {law->E, law->nu},
+                                            model.beams,
+                                            ties.x},
+                       kind, p, m, beam_seat);
+  }
+  const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
+    if (section.elform == 3)
+      add_group(TrussElement<Law>{section.area, material.density, section.extra_mass, kernel::Prepared<Law>(law)}, kind,
+                p, m, beam_seat);
+    else if (section.elform == 1)
+      add_group(IntegratedBeamElement<Law>{integrated_beam(section, material.density), kernel::Prepared<Law>(law),
+                                           law.nu, model.beams, ties.x},
+                kind, p, m, beam_seat);
+  });
+  if (computed) return;
+  for (const std::array<int, 8>& node : m.node) {
+    const double length = norm(start_[at(node[1])] - start_[at(node[0])]);
+    const double whole = (material.density * model::beam_area(section) + section.extra_mass) * length;
+    lumps_.push_back({static_cast<model::Index>(p), 2, node, whole, whole * length * length / 24.0});
+  }
 }
 
 void System::add_discrete_beams(std::size_t p, const std::vector<model::Index>& chosen, Findings& findings) {
@@ -383,6 +443,18 @@ void System::add_discrete_beams(std::size_t p, const std::vector<model::Index>& 
   if (section.system != model::none) axes = model.systems[at(section.system)].axes;
   add_group(DiscreteBeamElement{beam, *law, axes, model.beams, ties.x}, model::ElementKind::beam, p,
             members(model.beams, chosen), beam_seat);
+}
+
+void System::make_springs() {
+  discrete_seat.assign(model.discretes.size(), {});
+  std::map<std::pair<model::Index, bool>, std::vector<model::Index>> sorted;
+  for (std::size_t e = 0; e < model.discretes.size(); ++e)
+    sorted[{model.discretes[e].part, model.discretes[e].grounded()}].push_back(static_cast<model::Index>(e));
+  for (const auto& [key, chosen] : sorted) {
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      discrete_seat[at(chosen[i])] = {static_cast<int>(groups.size()), static_cast<int>(i)};
+    groups.push_back(std::make_unique<SpringGroup>(model, key.first, chosen, node_of, start_));
+  }
 }
 
 void System::add_weld_beams(std::size_t p, const std::vector<model::Index>& chosen, bool torsion) {

@@ -17,10 +17,10 @@ Frame3d turned_axes(const Frame3d& axes, const Vec3d& phi) {
   return {turned(axes.e1, phi), turned(axes.e2, phi), turned(axes.e3, phi)};
 }
 
-void hold(Vec3d& a, unsigned fixed) {
-  if (fixed & 1u) a.x = 0.0;
-  if (fixed & 2u) a.y = 0.0;
-  if (fixed & 4u) a.z = 0.0;
+void hold(Vec3d& a, unsigned fixed, const Frame3d& axes) {
+  if (fixed & 1u) a -= dot(a, axes.e1) * axes.e1;
+  if (fixed & 2u) a -= dot(a, axes.e2) * axes.e2;
+  if (fixed & 4u) a -= dot(a, axes.e3) * axes.e3;
 }
 
 }  // namespace
@@ -55,14 +55,14 @@ double RigidBody::advance(double kick, double dt, State& state) {
   const auto k = static_cast<std::size_t>(node);
   const Vec3d force = vec(state.f[k]), moment = vec(state.m[k]), v_before = vec(state.v[k]), w_before = vec(state.w[k]);
   Vec3d velocity = v_before + (kick / mass) * force;
-  hold(velocity, fixed);
+  hold(velocity, fixed & 7u, fixed_axes);
   set(state.v[k], velocity);
 
   angular_momentum += kick * moment;
   Vec3d w = w_before;
   for (int i = 0; i < 50; ++i) {
     Vec3d next = spin(angular_momentum, turned_axes(axes, (0.5 * dt) * w));
-    hold(next, fixed >> 3);
+    hold(next, fixed >> 3, fixed_axes);
     const Vec3d change = next - w;
     w = next;
     if (dot(change, change) <= 1e-30 * dot(w, w)) break;

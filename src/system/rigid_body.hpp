@@ -19,8 +19,9 @@ struct RigidBody {
   model::Index source = model::none;  ///< in Model::rigid_bodies
   int id = 0;
   std::string title;
-  int node = 0;        ///< virtual node in State
-  unsigned fixed = 0;  ///< bits 0..2 translations, 3..5 rotations
+  int node = 0;                                         ///< virtual node in State
+  unsigned fixed = 0;                                   ///< bits 0..2 translations, 3..5 rotations that cannot move
+  Frame3d fixed_axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< whose x y z those are; they stay where they are
   double mass = 0.0;
   Inertia inertia{};       ///< about the centre, in body axes (global axes of time 0)
   Frame3d axes;            ///< rows: body axes in global components, at t(n)

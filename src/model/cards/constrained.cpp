@@ -427,8 +427,6 @@ std::vector<Keyword> constrained_keywords() {
               "spots (*CONSTRAINED_GENERALIZED_WELD_SPOT) are"),
       refused("CONSTRAINED_INTERPOLATION_LOCAL",
               "weights in local axes are not built; give weights that are the same in all directions"),
-      refused("CONSTRAINED_JOINT_*",
-              "joints between rigid bodies are not built; *CONSTRAINED_RIGID_BODIES joins them rigidly"),
       refused("CONSTRAINED_TIE_BREAK", "tied nodes that break are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
       refused("CONSTRAINED_TIED_NODES_FAILURE",
               "tied nodes that break are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),

@@ -43,12 +43,8 @@ Rows without_effect() {
       ignored("CONTROL_STRUCTURED*", "writes a structured copy of the deck; no result depends on it"),
       ignored("CONTROL_DEBUG", "messages of LS-DYNA for its developers"),
       ignored("CONTROL_REQUIRE_REVISION", "a demand on the release of LS-DYNA"),
-      ignored("CONTROL_RIGID", "options of joints and of flexible rigid bodies, neither of which is built"),
       ignored("CONTROL_NONLOCAL", "storage for nonlocal laws, which are not built"),
       ignored("ELEMENT_PLOTEL", "lines for pictures only"),
-      ignored("ELEMENT_SEATBELT_ACCELEROMETER",
-              "local axes for the histories of its nodes, which are written in global axes"),
-      ignored("SENSOR_DEFINE_*", "measures something that only *SENSOR_SWITCH and *SENSOR_CONTROL act upon"),
       ignored("INTERFACE_SPRINGBACK_*", "asks for a file of the final state (dynain); d3plot holds it"),
   };
 }
@@ -111,8 +107,7 @@ Rows other_physics() {
 
 Rows other_elements() {
   return {
-      refused("ELEMENT_DISCRETE*", "springs and dampers are not built yet"),
-      refused("SECTION_DISCRETE*", "springs and dampers are not built yet"),
+      refused("ELEMENT_DISCRETE_*", "this form of a spring is not built; write *ELEMENT_DISCRETE"),
       refused("ELEMENT_SEATBELT*", "seat belts are not built"),
       refused("SECTION_SEATBELT*", "seat belts are not built"),
       refused("ELEMENT_TSHELL*", "thick shells are not built; use shells or bricks"),
@@ -122,8 +117,8 @@ Rows other_elements() {
       refused("ELEMENT_DISCRETE_SPHERE*", "particles (DES) are not built"),
       refused("ELEMENT_MASS_MATRIX*", "mass matrices are not built; use *ELEMENT_MASS"),
       refused("ELEMENT_DIRECT_MATRIX_INPUT*", "superelements are not built"),
-      refused("ELEMENT_*", "this element is not built; shells, bricks, spot-weld beams and masses are"),
-      refused("SECTION_*", "this section is not built; *SECTION_SHELL, _SOLID and _BEAM are"),
+      refused("ELEMENT_*", "this element is not built; shells, bricks, beams, springs and masses are"),
+      refused("SECTION_*", "this section is not built; *SECTION_SHELL, _SOLID, _BEAM and _DISCRETE are"),
       refused("INTEGRATION_*", "integration rules of the user are not built; use NIP and QR of the section"),
       refused("PART_COMPOSITE*", "layered composites are not built"),
       refused("PART_MOVE",
@@ -142,10 +137,8 @@ Rows other_laws() {
       refused("MAT_100_*",
               "the damage and failure forms of *MAT_SPOTWELD are not built yet; the plain one with its resultant "
               "surface is"),
-      refused("MAT_SPRING_*", "springs and dampers are not built yet"),
-      refused("MAT_DAMPER_*", "springs and dampers are not built yet"),
-      refused("MAT_S0*", "springs and dampers are not built yet"),
-      refused("MAT_S1*", "springs and dampers are not built yet"),
+      refused("MAT_SPRING_*", "this law of springs is not built; *MAT_S01 to *MAT_S08 are"),
+      refused("MAT_S1*", "this law of springs is not built; *MAT_S01 to *MAT_S08 are"),
       refused("MAT_GENERAL_NONLINEAR_*", "discrete beams are not built yet"),
       refused("MAT_GENERAL_SPRING_*", "discrete beams are not built yet"),
       refused("MAT_GENERAL_JOINT_*", "discrete beams are not built yet"),

@@ -105,7 +105,7 @@ TEST(Checks, DiscreteBeams) {
   EXPECT_TRUE(part("14,6\n0.0,0.2\n", linear).error("no mass", "elform"));
   EXPECT_TRUE(part("14,6\n0.1\n", linear).error("rotary inertia", "elform"));
   EXPECT_TRUE(part("14,6,1,2,0,12\n0.1,0.2\n", linear).error("triad", "scoor"));
-  EXPECT_TRUE(part("14,9\n5.0,5.0\n", linear).error("*MAT_SPOTWELD only", "mid"));
+  EXPECT_TRUE(part("14,9\n5.0,5.0\n", linear).error("need *MAT_SPOTWELD", "mid"));
 }
 
 TEST(Checks, LawsOfDiscreteBeams) {
@@ -224,7 +224,7 @@ TEST(Checks, LawsAndElementsMustGoTogether) {
                  "*PART\nnull sheet\n6,1,3\n*ELEMENT_SHELL\n6,6,1,2,6,5\n"));
   EXPECT_TRUE(b.error("*MAT_SPOTWELD is a law of weld beams", "mid")) << b.all_findings();
   EXPECT_TRUE(b.error("*MAT_NULL in solids needs an equation of state", "mid"));
-  EXPECT_TRUE(b.error("beams are built with *MAT_SPOTWELD only, not with *MAT_ELASTIC", "mid"));
+  EXPECT_TRUE(b.error("spot-weld beams (ELFORM 9) need *MAT_SPOTWELD, not *MAT_ELASTIC", "mid"));
   EXPECT_EQ(b.findings.errors(), 3) << b.all_findings();
 }
 
