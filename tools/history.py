@@ -1,15 +1,31 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws columns of an ASCII history (rwforc, rcforc ...) over its first one as an SVG.
+"""Draws histories over time as an SVG: columns of an ASCII file (rwforc, rcforc ...), or variables of a binout.
 
     tools/history.py FILE PICTURE.svg COLUMN[:NAME]... [--x TITLE] [--y TITLE]
+    tools/history.py FILE PICTURE.svg BRANCH/VARIABLE/NUMBER[:NAME]... [--x TITLE] [--y TITLE]
 
-Columns count from 1; rows are the lines of numbers only, the first number being the time.
+Columns count from 1; rows are the lines of numbers only, the first number being the time. NUMBER is the place among the
+entities of a binout's branch, from 0. tools/binout.py lists branches and variables.
 """
 import argparse
 import pathlib
 
+import binout
+
 COLOURS = ("#1f5f99", "#c8501e", "#3c8c3c", "#7a4fa0")
 WIDTH, HEIGHT, LEFT, BOTTOM = 720, 300, 70, 45
+
+
+def from_binout(path, places):
+    """A table as of an ASCII file: time and one column a place."""
+    table = []
+    for i, place in enumerate(places):
+        branch, variable, number = place.rsplit("/", 2)
+        for row, (time, values) in enumerate(binout.history(path, branch, variable)):
+            if i == 0:
+                table.append([time])
+            table[row].append(values[int(number)])
+    return table
 
 
 def rows(path):
@@ -32,7 +48,7 @@ def ticks(low, high):
 def draw(table, columns, x_title, y_title):
     t = [row[0] for row in table]
     curves = [(name, [row[c - 1] for row in table]) for c, name in columns]
-    low = min(0.0, *(min(y) for _, y in curves))
+    low = min(0.0, min(min(y) for _, y in curves))
     high = max(max(y) for _, y in curves) or 1.0
     u = lambda a: LEFT + (WIDTH - LEFT - 15) * (a - t[0]) / (t[-1] - t[0])
     v = lambda b: 15 + (HEIGHT - BOTTOM - 15) * (high - b) / (high - low)
@@ -61,8 +77,14 @@ def main():
     parser.add_argument("--x", default="time")
     parser.add_argument("--y", default="")
     a = parser.parse_args()
-    columns = [(int(c.partition(":")[0]), c.partition(":")[2]) for c in a.column]
-    table = [row for row in rows(a.file) if len(row) >= max(c for c, _ in columns)]
+    asked = [c.partition(":")[::2] for c in a.column]
+    if "/" in asked[0][0]:
+        table = from_binout(a.file, [place for place, _ in asked])
+        columns = [(i + 2, name) for i, (_, name) in enumerate(asked)]
+    else:
+        columns = [(int(c), name) for c, name in asked]
+        table = [row for row in rows(a.file) if len(row) >= max(c for c, _ in columns)]
+    table = table[::max(1, len(table) // 1000)]  # more points than pixels tell nothing
     a.picture.write_text(draw(table, columns, a.x, a.y), encoding="utf-8")
 
 
