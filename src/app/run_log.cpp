@@ -168,8 +168,8 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
       e.kinetic, e.internal, e.hourglass, e.contact, e.external, e.eroded, e.initial, e.ratio,
       e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0);
   std::string events;
-  for (const auto* list :
-       {&run.welds().events(), &run.rigid_welds().events(), &run.connectors().events(), &run.tie_ends().events()})
+  for (const auto* list : {&run.welds().events(), &run.rigid_welds().events(), &run.connectors().events(),
+                           &run.tie_ends().events(), &run.erosion().events()})
     for (const std::string& event : *list) events += ' ' + event + '\n';
   if (!events.empty()) s += "Events\n\n" + events + '\n';
   s += fmt::format("Seconds\n\n read {:.3f}  setup {:.3f}  solve {:.3f}  output {:.3f}\n", summary.seconds.read,

@@ -7,7 +7,10 @@
 #include <vector>
 
 #include "impact/connectors.hpp"
+#include "impact/damping.hpp"
+#include "impact/erosion.hpp"
 #include "impact/options.hpp"
+#include "impact/preloads.hpp"
 #include "impact/rigid_welds.hpp"
 #include "impact/snapshot.hpp"
 #include "impact/tie_ends.hpp"
@@ -32,6 +35,7 @@ class Simulation {
   const TieEnds& tie_ends() const { return tie_ends_; }
   const RigidWelds& rigid_welds() const { return rigid_welds_; }
   const Connectors& connectors() const { return connectors_; }
+  const Erosion& erosion() const { return erosion_; }
   double first_step() const { return first_step_; }
   double smallest_step() const { return smallest_step_; }
   const std::string& smallest_by() const { return smallest_by_; }
@@ -80,6 +84,11 @@ class Simulation {
   Connectors connectors_;
   TieForces tie_forces_;
   TieEnds tie_ends_;
+  Damping damping_;
+  Preloads preloads_;
+  Erosion erosion_;
+  Strains strains_;
+  NodalForceGroups nodal_forces_;
   int deaths_ = 0;
   bool diverged_ = false;
 

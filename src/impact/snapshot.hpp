@@ -10,7 +10,9 @@
 #include "contact/surface_contact.hpp"
 #include "impact/conditions.hpp"
 #include "impact/energy.hpp"
+#include "impact/nodal_force_groups.hpp"
 #include "impact/rigid_welds.hpp"
+#include "impact/strains.hpp"
 #include "impact/tie_forces.hpp"
 #include "impact/welds.hpp"
 #include "system/system.hpp"
@@ -33,6 +35,8 @@ struct Snapshot {
   const TieForces& tie_forces;
   const Welds& welds;
   const RigidWelds& rigid_welds;
+  const Strains& strains;
+  const NodalForceGroups& nodal_forces;
   std::span<const Vec3d> history_rotation;  ///< of the requests' history nodes: their spins, added up over time
 
   Vec3d velocity(std::size_t node) const { return 0.5 * (vec(v_before[node]) + vec(state.v[node])); }

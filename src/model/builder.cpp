@@ -154,6 +154,15 @@ Index Builder::beam(const deck::Row& row, std::string_view field) {
   return find(beams, "beam", row, field);
 }
 Index Builder::system(const deck::Row& row, std::string_view field) {
+  const Index found = turning_or_fixed_system(row, field);
+  if (found == none || !model.systems[static_cast<std::size_t>(found)].turning) return found;
+  refuse(
+      *this, row, field,
+      fmt::format("coordinate system {} turns with its nodes (FLAG 1); fixed axes are built here", id_of(row, field)),
+      "define one with FLAG 0");
+  return none;
+}
+Index Builder::turning_or_fixed_system(const deck::Row& row, std::string_view field) {
   return find(systems, "coordinate system", row, field);
 }
 

@@ -121,7 +121,9 @@ class Builder {
   const Set<Index>* solid_set(const deck::Row& row, std::string_view field);
   const Set<Index>* beam_set(const deck::Row& row, std::string_view field);
   const Set<Segment>* segment_set(const deck::Row& row, std::string_view field);
-  Index system(const deck::Row& row, std::string_view field);  ///< a coordinate system
+  /// A coordinate system with fixed axes; one that turns with its nodes is refused there.
+  Index system(const deck::Row& row, std::string_view field);
+  Index turning_or_fixed_system(const deck::Row& row, std::string_view field);
   const Vec3d* vector(const deck::Row& row, std::string_view field);
   const Box* box(const deck::Row& row, std::string_view field);
   Index shell(const deck::Row& row, std::string_view field);
