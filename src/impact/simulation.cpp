@@ -47,7 +47,12 @@ Simulation::Simulation(system::System& system, Findings& findings)
       connectors_(system),
       tie_forces_(system),
       joints_(system),
-      tie_ends_(system, welds_, tie_forces_) {
+      tie_ends_(system, welds_, tie_forces_),
+      damping_(system),
+      preloads_(system, findings),
+      erosion_(system),
+      strains_(system, system.model.requests.strains),
+      nodal_forces_(system) {
   const model::Model& model = system.model;
   history_rotation_.resize(model.requests.history_nodes.size());
   shell_alive_.assign(model.shells.size(), 1);
@@ -121,9 +126,9 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_) {
       masses_ = system_.masses();
-      const Snapshot now{system_,      state_,       v_before_, w_before_,        energy_,   parts_,
-                         controlling_, masses_,      supports_, walls_,           contacts_, tie_forces_,
-                         welds_,       rigid_welds_, rivets_,   joints_,          history_rotation_};
+      const Snapshot now{system_, state_,    v_before_, w_before_,     energy_,          parts_, controlling_,
+                         masses_, supports_, walls_,    contacts_,     tie_forces_,      welds_, rigid_welds_,
+                         rivets_, joints_,   strains_,  nodal_forces_, history_rotation_};
       recorder.write(now, last);
     }
     if (progress && elapsed() >= next_report) {
@@ -142,7 +147,11 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     watch.charge(seconds_[constraints]);
     move();
     watch.charge(seconds_[motion]);
+    preloads_.apply(state_);
     system_.internal_force(state_);
+    erosion_.update(state_, first_step_);
+    strains_.update(state_);
+    nodal_forces_.update(state_);
     welds_.update(state_);
     connectors_.update(state_);
     end_ties();
@@ -173,6 +182,9 @@ void Simulation::start() {
   std::vector<Row> v(state_.v.size()), w(state_.w.size());
   v.swap(state_.v);
   w.swap(state_.w);
+  preloads_.start(state_);
+  strains_.start(state_);
+  preloads_.apply(state_);
   system_.internal_force(state_);
   v.swap(state_.v);
   w.swap(state_.w);
@@ -253,6 +265,7 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
   if (diverged_)
     return error(fmt::format("the solution diverged: its energy is not a number at time {:.6g}, cycle {}", state_.time,
                              state_.cycle));
+  if (!erosion_.reason_to_stop().empty()) return error(erosion_.reason_to_stop());
   if (std::isnan(state_.dt))
     return error(
         fmt::format("the solution diverged: {} has no stable time step (not a number) at time {:.6g}, cycle {}",
@@ -332,6 +345,7 @@ void Simulation::forces() {
   tie_forces_.apply(state_);
   joints_.apply(state_);
   loads_.apply(state_, state_.dt);
+  damping_.apply(state_, state_.dt);
 }
 
 void Simulation::end_ties() {
@@ -371,6 +385,7 @@ void Simulation::account() {
   energy_.wall = 0.0;
   for (const contact::RigidWall& w : walls_) energy_.wall += w.energy_until_now();
   energy_.external = supports_.work() + loads_.work();
+  energy_.damping = damping_.energy();
   if (state_.cycle == 0) energy_.initial = energy_.total();
   if (std::isfinite(energy_.total())) return;
   diverged_ = true;

@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "impact/connectors.hpp"
+#include "impact/damping.hpp"
+#include "impact/erosion.hpp"
 #include "impact/joints.hpp"
 #include "impact/options.hpp"
+#include "impact/preloads.hpp"
 #include "impact/rigid_welds.hpp"
 #include "impact/rivets.hpp"
 #include "impact/snapshot.hpp"
@@ -37,6 +40,7 @@ class Simulation {
   const Rivets& rivets() const { return rivets_; }
   const Joints& joints() const { return joints_; }
   const Connectors& connectors() const { return connectors_; }
+  const Erosion& erosion() const { return erosion_; }
   double first_step() const { return first_step_; }
   double smallest_step() const { return smallest_step_; }
   const std::string& smallest_by() const { return smallest_by_; }
@@ -93,6 +97,11 @@ class Simulation {
   TieForces tie_forces_;
   Joints joints_;
   TieEnds tie_ends_;
+  Damping damping_;
+  Preloads preloads_;
+  Erosion erosion_;
+  Strains strains_;
+  NodalForceGroups nodal_forces_;
   int deaths_ = 0;
   bool diverged_ = false;
   double power_on_change_ = 0.0;     ///< forces at t(n) times the change of velocity from t(n-1/2) to t(n+1/2)
