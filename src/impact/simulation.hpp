@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "impact/connectors.hpp"
+#include "impact/element_alive.hpp"
 #include "impact/options.hpp"
 #include "impact/rigid_welds.hpp"
 #include "impact/snapshot.hpp"
@@ -52,9 +53,8 @@ class Simulation {
   void constrain_by_walls();
   void move();
   void forces();
-  /// True if shells were deleted since the last call.
-  bool bury_shells();
-  void end_ties();
+  /// Contacts and ties lose the elements that were deleted.
+  void bury();
   /// Loads of dependent nodes go to the independent ones; rigid welds that they overload open.
   void collect();
   void update_inverse_mass();
@@ -66,11 +66,11 @@ class Simulation {
   system::State state_;
   Supports supports_;
   Loads loads_;
-  std::vector<contact::SurfaceContact> contacts_;
+  std::vector<contact::PenaltyContact> contacts_;
   std::vector<contact::RigidWall> walls_;
-  std::vector<double> contact_mass_;        ///< by node, dependent nodes with what they had of their own
-  std::vector<unsigned char> dependent_;    ///< by node
-  std::vector<unsigned char> shell_alive_;  ///< by model shell
+  std::vector<double> contact_mass_;      ///< by node, dependent nodes with what they had of their own
+  std::vector<unsigned char> dependent_;  ///< by node
+  ElementAlive element_alive_;
   std::vector<double> inverse_mass_, inverse_inertia_;
   std::vector<Row> v_before_, w_before_;
   std::vector<Vec3d> momentum_before_;
@@ -80,7 +80,6 @@ class Simulation {
   Connectors connectors_;
   TieForces tie_forces_;
   TieEnds tie_ends_;
-  int deaths_ = 0;
   bool diverged_ = false;
 
   Energy energy_;
