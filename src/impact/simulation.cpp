@@ -11,6 +11,8 @@
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "impact/contact_setup.hpp"
+#include "impact/edge_setup.hpp"
+#include "impact/initial_penetrations.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -41,6 +43,7 @@ Simulation::Simulation(system::System& system, Findings& findings)
       state_(system.initial_state()),
       supports_(system, findings),
       loads_(system),
+      element_alive_(system.model),
       welds_(system, findings),
       rigid_welds_(system, findings),
       rivets_(system, findings),
@@ -55,7 +58,6 @@ Simulation::Simulation(system::System& system, Findings& findings)
       nodal_forces_(system) {
   const model::Model& model = system.model;
   history_rotation_.resize(model.requests.history_nodes.size());
-  shell_alive_.assign(model.shells.size(), 1);
   for (const model::Contact& card : model.contacts) {
     if (!card.slides()) continue;
     contact::SurfaceContactSetup setup = contact_setup(system, card);
@@ -64,20 +66,9 @@ Simulation::Simulation(system::System& system, Findings& findings)
                      "the contact has no segments: none of its parts has shells or bricks", "check SURFA and SURFATYP");
       continue;
     }
-    if (card.ignore == 0) {
-      const auto found = contact::remove_penetrations(setup, state_.x);
-      if (!found.empty())
-        findings.warning(
-            card.place, '*' + card.keyword,
-            fmt::format(
-                "{} nodes stood in the thickness of a sheet and were moved out (IGNORE = 0); the deepest by {:.4g}",
-                found.size(),
-                std::max_element(found.begin(), found.end(),
-                                 [](const auto& a, const auto& b) { return a.depth < b.depth; })
-                    ->depth),
-            "IGNORE = 1 keeps the coordinates and tracks the initial penetration");
-    }
-    contacts_.emplace_back(std::move(setup), state_.x);
+    treat_initial_penetrations(system, card, setup, state_.x, findings);
+    auto edges = edge_setup(system, card, setup, state_.x);
+    contacts_.emplace_back(std::move(setup), std::move(edges), state_.x);
   }
   for (const auto& group : system.groups)
     if (auto* springs = dynamic_cast<system::SpringGroup*>(group.get()); springs && springs->has_stops())
@@ -154,7 +145,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     nodal_forces_.update(state_);
     welds_.update(state_);
     connectors_.update(state_);
-    end_ties();
+    bury();
     watch.charge(seconds_[elements]);
     forces();
     watch.charge(seconds_[contact_search]);
@@ -340,17 +331,19 @@ void Simulation::move() {
 }
 
 void Simulation::forces() {
-  for (contact::SurfaceContact& c : contacts_)
-    c.apply(state_.time, state_.dt, state_.x, state_.v, contact_mass_, shell_alive_, state_.f);
+  for (contact::PenaltyContact& c : contacts_)
+    c.apply(state_.time, state_.dt, state_.x, state_.v, contact_mass_, element_alive_.all(), state_.f);
   tie_forces_.apply(state_);
   joints_.apply(state_);
   loads_.apply(state_, state_.dt);
   damping_.apply(state_, state_.dt);
 }
 
-void Simulation::end_ties() {
-  const bool shells_died = bury_shells();
-  if (!tie_ends_.update(state_, shell_alive_, shells_died)) return;
+void Simulation::bury() {
+  const ElementAlive::Deaths deaths = element_alive_.update(system_);
+  if (deaths.any)
+    for (contact::PenaltyContact& c : contacts_) c.surface_changed();
+  if (!tie_ends_.update(state_, element_alive_.all(), deaths.shells)) return;
   masses_changed();
 }
 
@@ -361,27 +354,13 @@ void Simulation::collect() {
   masses_changed();
 }
 
-/// Contact surfaces lose the shells that were deleted.
-bool Simulation::bury_shells() {
-  int deaths = 0;
-  for (const auto& group : system_.groups) deaths += group->deaths;
-  if (deaths == deaths_) return false;
-  deaths_ = deaths;
-  for (const auto& group : system_.groups) {
-    if (group->kind != model::ElementKind::shell) continue;
-    for (std::size_t e = 0; e < group->size(); ++e)
-      if (!group->alive(e)) shell_alive_[at(group->element[e])] = 0;
-  }
-  return true;
-}
-
 void Simulation::account() {
   const Energy before = energy_;
   element_energies(system_, state_, v_before_, energy_, parts_);
   energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_);
   energy_.internal += joints_.energy();
   energy_.contact = tie_forces_.energy();
-  for (const contact::SurfaceContact& c : contacts_) energy_.contact += c.energy();
+  for (const contact::PenaltyContact& c : contacts_) energy_.contact += c.energy();
   energy_.wall = 0.0;
   for (const contact::RigidWall& w : walls_) energy_.wall += w.energy_until_now();
   energy_.external = supports_.work() + loads_.work();

@@ -8,6 +8,7 @@
 
 #include "impact/connectors.hpp"
 #include "impact/damping.hpp"
+#include "impact/element_alive.hpp"
 #include "impact/erosion.hpp"
 #include "impact/joints.hpp"
 #include "impact/options.hpp"
@@ -62,9 +63,8 @@ class Simulation {
   void constrain_by_walls();
   void move();
   void forces();
-  /// True if shells were deleted since the last call.
-  bool bury_shells();
-  void end_ties();
+  /// Contacts and ties lose the elements that were deleted.
+  void bury();
   /// Loads of dependent nodes go to the independent ones; rigid welds that they overload open.
   void collect();
   /// Welds of every kind that have failed so far.
@@ -80,12 +80,12 @@ class Simulation {
   system::State state_;
   Supports supports_;
   Loads loads_;
-  std::vector<contact::SurfaceContact> contacts_;
+  std::vector<contact::PenaltyContact> contacts_;
   std::vector<contact::RigidWall> walls_;
   std::vector<system::SpringGroup*> stopped_springs_;  ///< those with stops
   std::vector<double> contact_mass_;                   ///< by node, dependent nodes with what they had of their own
   std::vector<unsigned char> dependent_;               ///< by node
-  std::vector<unsigned char> shell_alive_;             ///< by model shell
+  ElementAlive element_alive_;
   std::vector<double> inverse_mass_, inverse_inertia_;
   std::vector<Row> v_before_, w_before_;
   std::vector<Vec3d> momentum_before_;
@@ -102,7 +102,6 @@ class Simulation {
   Erosion erosion_;
   Strains strains_;
   NodalForceGroups nodal_forces_;
-  int deaths_ = 0;
   bool diverged_ = false;
   double power_on_change_ = 0.0;     ///< forces at t(n) times the change of velocity from t(n-1/2) to t(n+1/2)
   std::vector<double> block_power_;  ///< the nodes' part of it, by block

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "contact/penalty_contact.hpp"
 #include "contact/rigid_wall.hpp"
-#include "contact/surface_contact.hpp"
 #include "impact/conditions.hpp"
 #include "impact/energy.hpp"
 #include "impact/joints.hpp"
@@ -33,7 +33,7 @@ struct Snapshot {
   const system::System::Masses& masses;
   const Supports& supports;
   std::span<const contact::RigidWall> walls;
-  std::span<const contact::SurfaceContact> contacts;
+  std::span<const contact::PenaltyContact> contacts;
   const TieForces& tie_forces;
   const Welds& welds;
   const RigidWelds& rigid_welds;
