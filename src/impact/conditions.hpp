@@ -24,6 +24,8 @@ class Supports {
   /// Books the opening half, with the velocities that `prescribe` left.
   void open_step(double dt);
   double work() const { return work_; }
+  /// Sum over what is held of the other forces times what the last `prescribe` changed in the velocities [power].
+  double power_on_change() const { return power_on_change_; }
 
   /// Reaction on one node (or body) at t(n).
   struct Reaction {
@@ -61,6 +63,7 @@ class Supports {
   std::vector<Reaction> spc_, motion_;
   double work_ = 0.0;
   double dt_previous_ = 0.0;  ///< of the last prescribe
+  double power_on_change_ = 0.0;
 };
 
 /// Forces, moments, pressures and body loads.

@@ -192,18 +192,29 @@ output::SwforcState swforc_state(const Snapshot& now) {
   for (std::size_t i = 0; i < now.rigid_welds.size(); ++i) {
     const model::RigidWeld& weld = now.rigid_welds.weld(i);
     const weld::RigidWeldHistory& h = now.rigid_welds.history(i);
-    s.rows.push_back(
-        {weld.id,
-         weld.kind == model::RigidWeld::Kind::spotweld ? output::WeldKind::constraint : output::WeldKind::generalized,
-         h.axial(),
-         h.shear(),
-         now.rigid_welds.length(i, now.state),
-         h.moment(),
-         h.torsion(),
-         h.failed() ? 1.0 : h.failure_value(),
-         h.failure_time(),
-         {}});
+    s.rows.push_back({weld.id,
+                      weld.kind == model::RigidWeld::Kind::generalized ? output::WeldKind::generalized
+                                                                       : output::WeldKind::constraint,
+                      h.axial(),
+                      h.shear(),
+                      now.rigid_welds.length(i, now.state),
+                      h.moment(),
+                      h.torsion(),
+                      h.failed() ? 1.0 : h.failure_value(),
+                      h.failure_time(),
+                      {}});
   }
+  for (std::size_t i = 0; i < now.rivets.size(); ++i)
+    s.rows.push_back({now.rivets.rivet(i).id,
+                      output::WeldKind::constraint,
+                      now.rivets.axial(i),
+                      0.0,
+                      now.rivets.length(i, now.state),
+                      0.0,
+                      0.0,
+                      now.rivets.failed(i) ? 1.0 : 0.0,
+                      now.rivets.failure_time(i),
+                      {}});
   return s;
 }
 

@@ -10,6 +10,7 @@
 #include "impact/joints.hpp"
 #include "impact/options.hpp"
 #include "impact/rigid_welds.hpp"
+#include "impact/rivets.hpp"
 #include "impact/snapshot.hpp"
 #include "impact/tie_ends.hpp"
 #include "system/spring_group.hpp"
@@ -33,6 +34,7 @@ class Simulation {
   const TieForces& tie_forces() const { return tie_forces_; }
   const TieEnds& tie_ends() const { return tie_ends_; }
   const RigidWelds& rigid_welds() const { return rigid_welds_; }
+  const Rivets& rivets() const { return rivets_; }
   const Joints& joints() const { return joints_; }
   const Connectors& connectors() const { return connectors_; }
   double first_step() const { return first_step_; }
@@ -51,6 +53,7 @@ class Simulation {
  private:
   void start();
   void choose_step(double end_time);
+  /// Gives the free nodes and bodies their velocities at t(n+1/2); `power_on_change_` begins anew.
   void accelerate();
   void constrain_by_walls();
   void move();
@@ -60,6 +63,8 @@ class Simulation {
   void end_ties();
   /// Loads of dependent nodes go to the independent ones; rigid welds that they overload open.
   void collect();
+  /// Welds of every kind that have failed so far.
+  int failed_welds() const { return welds_.failed() + rigid_welds_.failed() + rivets_.failed() + connectors_.failed(); }
   void update_inverse_mass();
   /// At the start, and where nodes were let go: bounds that follow from nodal masses.
   void masses_changed();
@@ -83,12 +88,15 @@ class Simulation {
   std::vector<Vec3d> history_rotation_;
   Welds welds_;
   RigidWelds rigid_welds_;
+  Rivets rivets_;
   Connectors connectors_;
   TieForces tie_forces_;
   Joints joints_;
   TieEnds tie_ends_;
   int deaths_ = 0;
   bool diverged_ = false;
+  double power_on_change_ = 0.0;     ///< forces at t(n) times the change of velocity from t(n-1/2) to t(n+1/2)
+  std::vector<double> block_power_;  ///< the nodes' part of it, by block
 
   Energy energy_;
   std::vector<PartEnergy> parts_;

@@ -12,6 +12,7 @@
 #include "impact/energy.hpp"
 #include "impact/joints.hpp"
 #include "impact/rigid_welds.hpp"
+#include "impact/rivets.hpp"
 #include "impact/tie_forces.hpp"
 #include "impact/welds.hpp"
 #include "system/system.hpp"
@@ -34,6 +35,7 @@ struct Snapshot {
   const TieForces& tie_forces;
   const Welds& welds;
   const RigidWelds& rigid_welds;
+  const Rivets& rivets;
   const Joints& joints;
   std::span<const Vec3d> history_rotation;  ///< of the requests' history nodes: their spins, added up over time
 

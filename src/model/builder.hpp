@@ -158,10 +158,11 @@ void refuse(Builder& builder, const deck::Row& row, std::string_view field, std:
 void refuse_nonzero(Builder& builder, const deck::Row& row, std::string_view field, std::string text,
                     std::string remedy = {});
 
-/// Findings of one kind, of which only the first few are written out and the rest counted.
+/// Findings of one kind, of which the first ones are written out and the rest counted: lists of findings sum up what is
+/// alike, findings.json has each, but not millions of them.
 class Tally {
  public:
-  Tally(Findings& findings, Severity severity, std::string keyword, int limit = 20)
+  Tally(Findings& findings, Severity severity, std::string keyword, int limit = 10000)
       : findings_(findings), severity_(severity), keyword_(std::move(keyword)), limit_(limit) {}
   ~Tally() { finish(); }
   Tally(const Tally&) = delete;

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "kernel/law/composition.hpp"
 #include "model/lumped_mass.hpp"
 #include "model/passes.hpp"
 
@@ -94,6 +95,7 @@ bool has_equal_nodes(const std::array<Index, 8>& nodes) {
 void check_solids(Builder& b) {
   const Model& m = b.model;
   Tally negative(b.findings, Severity::error, "*ELEMENT_SOLID"), bent(b.findings, Severity::warning, "*ELEMENT_SOLID");
+  Tally misshapen(b.findings, Severity::error, "*ELEMENT_SOLID");
   for (std::size_t e = 0; e < m.solids.size(); ++e) {
     const int id = m.solids.id[e];
     const double volume = solid_volume(m, e);
@@ -109,6 +111,17 @@ void check_solids(Builder& b) {
           m.solids.place[e],
           [&] { return fmt::format("solid {} is turned inside out at a corner (negative Jacobian there)", id); },
           "mend the mesh there; it may fail early");
+    const Index section = m.parts[static_cast<std::size_t>(m.solids.part[e])].section;
+    const int elform = section == none ? 1 : m.solid_sections[static_cast<std::size_t>(section)].elform;
+    const std::size_t corners = elform == 10 || elform == 15 ? m.solids.corners(e).size() : 0;
+    if ((elform == 10 && corners != 4) || (elform == 15 && corners != 6))
+      misshapen.add(
+          m.solids.place[e],
+          [&] {
+            return fmt::format("solid {} has {} different nodes, expected {} of formulation {}", id, corners,
+                               elform == 10 ? "the four of a tetrahedron" : "the six of a wedge", elform);
+          },
+          "write ELFORM 1 and sort by ESORT = 1 of *CONTROL_SOLID, or part the mesh by shape");
   }
 }
 
@@ -219,22 +232,37 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
 
 void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& told) {
   const auto s = static_cast<std::size_t>(part.section);
-  const int elform = b.model.solid_sections[s].elform;
+  int& elform = b.model.solid_sections[s].elform;
   // In linear analyses the one-point brick with its physical stabilisation stands for 18 (nvh::linear_model).
   const bool linear = elform == 18 && b.model.implicit.active;
-  const bool is_weld = is<kernel::Spotweld>(b.model, part),
-             is_built = elform == 1 || linear || (elform == 2 && !is_weld);
-  if (is<kernel::Rigid>(b.model, part) || is_built || std::exchange(told[s], char{1})) return;
-  if (is_weld)
-    return refuse(b, b.solid_section_rows[s], "elform",
-                  fmt::format("welds of bricks are built with solid formulation 1, not with {}", elform),
-                  "write 1, with an hourglass control of type 6");
-  const bool is_brick_that_bends = elform == -1 || elform == -2 || elform == 18;
+  const bool is_weld = is<kernel::Spotweld>(b.model, part), is_corner_shape = elform == 10 || elform == 15;
+  const bool is_built = elform == 1 || elform == 2 || linear || (is_corner_shape && !is_weld);
+  const bool is_wedge = elform == 15 && is_built;
+  if (is<kernel::Rigid>(b.model, part) || (is_built && !is_wedge) || std::exchange(told[s], char{1})) return;
+  if (is_wedge)
+    return b.solid_section_rows[s].complain(b.findings, Severity::warning, "elform",
+                                            "wedges are computed as collapsed bricks of eight points (formulation 2)");
+  if (elform == 0) {
+    b.solid_section_rows[s].complain(
+        b.findings, Severity::warning, "elform",
+        "solid formulation 0 is the brick of LS-DYNA's honeycombs (*MAT_126); it is computed as 1, as a blank field is",
+        "write 1");
+    elform = 1;
+    return;
+  }
+  const bool is_scaled = elform == -1 || elform == -2;
+  const bool is_brick_that_bends = is_scaled || elform == 18 || is_weld;
   refuse(
       b, b.solid_section_rows[s], "elform",
-      fmt::format("solid formulation {} is not built; built are 1 (constant stress) and 2 (fully integrated)", elform),
+      fmt::format("solid formulation {} is not built{}; built are 1 (constant stress), 2 (fully integrated) and, not "
+                  "for welds, 10 (tetrahedron) and 15 (wedge)",
+                  elform,
+                  is_scaled ? " (its changed Jacobian is not public in detail, and a patent application, US "
+                              "2011/0191072, covers it)"
+                            : ""),
       is_brick_that_bends ? "write 1, with an hourglass control of type 6 and QM 1, which bends without locking"
-                          : "write 1, with an hourglass control of type 2 or 3");
+      : elform == 4 || elform == 13 ? "write 10; it locks in bending and in plastic flow, so mesh finely"
+                                    : "write 1, with an hourglass control of type 2 or 3");
 }
 
 /// A spring needs a mass to have a time step.
@@ -300,12 +328,27 @@ void check_beam_law(Builder& b, const Part& part, const deck::Row& row) {
   }
 }
 
+/// Some laws are made for shells or bricks only.
+void check_compound(Builder& b, const Part& part, const deck::Row& row) {
+  const Material& material = b.model.materials[static_cast<std::size_t>(part.material)];
+  const auto* law = std::get_if<kernel::Compound>(&material.law);
+  if (law == nullptr) return;
+  if (part.kind == ElementKind::solid && !law->made_of->for_bricks)
+    refuse(b, row, "mid",
+           fmt::format("*{} in solids needs an equation of state, which is not built", material.keyword),
+           "use *MAT_SIMPLIFIED_JOHNSON_COOK, which needs none");
+  if (part.kind == ElementKind::shell && !law->made_of->for_shells)
+    refuse(b, row, "mid", fmt::format("*{} is a law of solids, but the part has shells", material.keyword),
+           "give it the law of a sheet");
+}
+
 /// Which law may be used by which elements.
 void check_law(Builder& b, const Part& part, const deck::Row& row) {
   if (part.material == none) return;
   const Model& m = b.model;
   const Material& material = m.materials[static_cast<std::size_t>(part.material)];
   const bool is_weld = is<kernel::Spotweld>(m, part);
+  check_compound(b, part, row);
   if (is_weld && part.kind == ElementKind::shell)
     refuse(b, row, "mid", "*MAT_SPOTWELD is a law of weld beams, but the part has shells", "give it a sheet's law");
   else if (is_weld && part.kind == ElementKind::beam && material.weld != none &&
@@ -373,6 +416,23 @@ void check_weld_hourglass(Builder& b) {
                     "hourglass forces, and right (elastic) with type 6 and QM = 1 only",
                     part.id, h.type, h.membrane),
         "give the part an *HOURGLASS with IHQ = 6, QM = 1");
+  }
+}
+
+/// OPT 7 is documented for bricks, 11 for beams; the formulas ask for resultants only, which both have.
+void check_weld_options(Builder& b) {
+  const Model& m = b.model;
+  for (const Part& part : m.parts) {
+    const Index law = part.material == none ? none : m.materials[static_cast<std::size_t>(part.material)].weld;
+    if (law == none) continue;
+    const int option = m.weld_laws[static_cast<std::size_t>(law)].option;
+    const bool of_bricks = part.kind == ElementKind::solid, of_beams = part.kind == ElementKind::beam;
+    if ((option == 11 && of_bricks) || (option == 7 && of_beams))
+      b.findings.warning(part.place, "*PART",
+                         fmt::format("OPT {} is documented for {} only, but part {} has {}; it acts on their "
+                                     "resultants in the same way",
+                                     option, of_bricks ? "beams" : "bricks", part.id, of_bricks ? "bricks" : "beams"),
+                         of_bricks ? "OPT 0, 1 or 7 are defined for bricks" : "OPT 1 has the same formula");
   }
 }
 
@@ -444,6 +504,7 @@ void check_parts(Builder& b) {
   }
   check_hourglass(b);
   check_weld_hourglass(b);
+  check_weld_options(b);
   check_triangles(b);
   if ((!b.model.implicit.active || b.model.implicit.modes == 0) && !(b.model.control.end_time > 0.0))
     b.findings.error({b.model.deck, 0, 0}, "*CONTROL_TERMINATION", "no end time is given",

@@ -37,6 +37,7 @@ struct Control {
   // *CONTROL_SHELL
   double warp_warning = 20.0;      ///< WRPANG [degrees]
   bool sort_triangles = false;     ///< ESORT: collapsed quads become C0 triangles
+  bool sort_solids = false;        ///< ESORT of solids: tetrahedra become ELFORM 10, wedges ELFORM 15
   int thickness_update = 0;        ///< ISTUPD
   int default_shell = 2;           ///< THEORY
   bool warping_stiffness = false;  ///< BWC = 1

@@ -14,11 +14,32 @@ namespace {
 std::vector<Keyword> all_families() {
   std::vector<Keyword> all;
   for (const auto family : {
-           mesh_keywords,        part_keywords,       section_keywords,       material_keywords, weld_material_keywords,
-           weld_table_keywords,  weld_brick_keywords, discrete_beam_keywords, spring_keywords,   curve_keywords,
-           frame_keywords,       set_keywords,        control_keywords,       implicit_keywords, frequency_keywords,
-           database_keywords,    boundary_keywords,   initial_keywords,       load_keywords,     rigidwall_keywords,
-           constrained_keywords, contact_keywords,    other_keywords,
+           mesh_keywords,
+           part_keywords,
+           section_keywords,
+           material_keywords,
+           plastic_material_keywords,
+           erosion_keywords,
+           soft_material_keywords,
+           weld_material_keywords,
+           weld_table_keywords,
+           weld_brick_keywords,
+           discrete_beam_keywords,
+           spring_keywords,
+           curve_keywords,
+           frame_keywords,
+           set_keywords,
+           control_keywords,
+           implicit_keywords,
+           frequency_keywords,
+           database_keywords,
+           boundary_keywords,
+           initial_keywords,
+           load_keywords,
+           rigidwall_keywords,
+           constrained_keywords,
+           contact_keywords,
+           other_keywords,
        }) {
     auto rows = family();
     std::move(rows.begin(), rows.end(), std::back_inserter(all));

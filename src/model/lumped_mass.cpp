@@ -5,6 +5,8 @@
 #include <numbers>
 #include <span>
 
+#include "kernel/element/hexahedron.hpp"
+
 namespace nugget::model {
 
 namespace {
@@ -47,12 +49,9 @@ double shell_area(const Model& m, std::size_t e) {
 }
 
 double solid_volume(const Model& m, std::size_t e) {
-  const auto& n = m.solids.node[e];
-  const auto x = [&](std::size_t i) { return position(m, n[i]); };
-  const Vec3d a = x(1) + x(2) + x(5) + x(6) - x(0) - x(3) - x(4) - x(7);
-  const Vec3d b = x(2) + x(3) + x(6) + x(7) - x(0) - x(1) - x(4) - x(5);
-  const Vec3d c = x(4) + x(5) + x(6) + x(7) - x(0) - x(1) - x(2) - x(3);
-  return dot(a, cross(b, c)) / 64.0;
+  std::array<Vec3d, 8> x;
+  for (std::size_t a = 0; a < 8; ++a) x[a] = position(m, m.solids.node[e][a]);
+  return kernel::hexahedron_volume(x);
 }
 
 double beam_length(const Model& m, std::size_t e) {
@@ -71,7 +70,7 @@ std::vector<NodeMass> lumped_mass(const Model& m, Index part) {
       share(shares, std::span(m.shells.node[e]).first(m.shells.triangle(e) ? 3 : 4),
             (density * m.shells.thickness[e] + shell->extra_mass) * shell_area(m, e));
   for (std::size_t e = 0; p.kind == ElementKind::solid && e < m.solids.size(); ++e)
-    if (m.solids.part[e] == part) share(shares, m.solids.node[e], density * solid_volume(m, e));
+    if (m.solids.part[e] == part) share(shares, m.solids.corners(e), density * solid_volume(m, e));
   const SectionBeam* beam = p.kind == ElementKind::beam ? section_of(m.beam_sections, p) : nullptr;
   for (std::size_t e = 0; beam && e < m.beams.size(); ++e)
     if (m.beams.part[e] == part)

@@ -79,6 +79,8 @@ struct Solids {
   std::vector<std::array<Index, 8>> node;
   Places place;
   std::size_t size() const { return id.size(); }
+  /// The different nodes of a solid in the order of its card: eight of a brick, six of a wedge, four of a tetrahedron.
+  std::vector<Index> corners(std::size_t e) const;
 };
 
 /// Two-node beams in ascending order of user id.
@@ -164,6 +166,7 @@ struct Model {
 
   std::vector<RigidBody> rigid_bodies;  ///< MAT_RIGID parts (merged), nodal rigid bodies, rigid welds
   std::vector<RigidWeld> rigid_welds;
+  std::vector<Rivet> rivets;
   std::vector<Interpolation> interpolations;
   std::vector<Joint> joints;
   std::vector<Accelerometer> accelerometers;

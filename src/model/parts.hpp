@@ -8,6 +8,7 @@
 
 #include "base/finding.hpp"
 #include "base/vec3.hpp"
+#include "kernel/law/compound.hpp"
 #include "kernel/law/discrete_beam.hpp"
 #include "kernel/law/elastic.hpp"
 #include "kernel/law/null.hpp"
@@ -23,7 +24,7 @@ using Index = int;
 inline constexpr Index none = -1;
 
 using Law = std::variant<kernel::Elastic, kernel::PlasticKinematic, kernel::PiecewiseLinear, kernel::Null,
-                         kernel::Rigid, kernel::Spotweld, kernel::DiscreteBeam, kernel::Spring>;
+                         kernel::Rigid, kernel::Spotweld, kernel::DiscreteBeam, kernel::Spring, kernel::Compound>;
 
 struct Material {
   int id = 0;

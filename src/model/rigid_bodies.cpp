@@ -42,6 +42,7 @@ class Maker {
     for (const auto& card : b_.body_cards.extra_nodes) add_extra_nodes(card);
     claim_all();
     for (const auto& card : b_.body_cards.welds) add_weld(card);
+    recognise_nodal_welds();
     report_empty();
     move_given_bodies();
   }
@@ -323,6 +324,66 @@ class Maker {
     }
     return none;
   }
+
+  /// Nodal rigid bodies of a few nodes, each on another sheet, are how many models write a rigid weld.
+  void recognise_nodal_welds() {
+    constexpr std::size_t most_sheets = 4;
+    std::vector<Index> shell_at;
+    for (std::size_t i = 0; i < model_.rigid_bodies.size(); ++i) {
+      const RigidBody& each = model_.rigid_bodies[i];
+      const std::size_t count = each.nodes.size();
+      if (each.origin != RigidBody::Origin::nodal || !each.parts.empty() || each.given || each.fixed != 0) continue;
+      if (count < 2 || count > most_sheets) continue;
+      if (shell_at.empty()) shell_at = first_shells();
+      if (!on_different_sheets(each.nodes, shell_at)) continue;
+      RigidWeld weld;
+      weld.kind = RigidWeld::Kind::nodal_body;
+      weld.id = each.id;
+      weld.body = static_cast<Index>(i);
+      weld.nodes = in_line(each.nodes);
+      weld.place = each.place;
+      model_.rigid_welds.push_back(std::move(weld));
+    }
+  }
+
+  /// By node: its first shell, or none.
+  std::vector<Index> first_shells() const {
+    std::vector<Index> first(model_.nodes.size(), none);
+    for (std::size_t e = model_.shells.size(); e-- > 0;)
+      for (const Index node : model_.shells.node[e]) first[static_cast<std::size_t>(node)] = static_cast<Index>(e);
+    return first;
+  }
+
+  /// Each node on a sheet of its own, and all of them within a few thicknesses: a longer body is a strut.
+  bool on_different_sheets(const std::vector<Index>& nodes, const std::vector<Index>& shell_at) const {
+    constexpr double most_thicknesses = 5.0;
+    std::vector<Index> sheets;
+    double thickness = 0.0, length = 0.0;
+    for (const Index node : nodes) {
+      const Index shell = shell_at[static_cast<std::size_t>(node)];
+      if (shell == none) return false;
+      sheets.push_back(model_.shells.part[static_cast<std::size_t>(shell)]);
+      thickness += model_.shells.thickness[static_cast<std::size_t>(shell)];
+      for (const Index other : nodes) length = std::max(length, norm(place_of(node) - place_of(other)));
+    }
+    make_unique(sheets);
+    return sheets.size() == nodes.size() && length <= most_thicknesses * thickness;
+  }
+
+  /// From one end of the line that the nodes lie on to the other.
+  std::vector<Index> in_line(std::vector<Index> nodes) const {
+    std::pair<Index, Index> ends{nodes.front(), nodes.back()};
+    for (const Index a : nodes)
+      for (const Index b : nodes)
+        if (a < b && norm(place_of(b) - place_of(a)) > norm(place_of(ends.second) - place_of(ends.first)))
+          ends = {a, b};
+    const Vec3d start = place_of(ends.first), line = place_of(ends.second) - start;
+    std::stable_sort(nodes.begin(), nodes.end(),
+                     [&](Index a, Index b) { return dot(place_of(a) - start, line) < dot(place_of(b) - start, line); });
+    return nodes;
+  }
+
+  const Vec3d& place_of(Index node) const { return model_.nodes.x[static_cast<std::size_t>(node)]; }
 
   // -- the end --
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -9,10 +10,11 @@
 
 namespace nugget::model {
 
-/// A weld that holds its nodes together as one rigid body until it fails: *CONSTRAINED_SPOTWELD (two nodes) or
-/// *CONSTRAINED_GENERALIZED_WELD_SPOT (an ordered set).
+/// A weld that holds its nodes together as one rigid body until it fails: *CONSTRAINED_SPOTWELD (two nodes),
+/// *CONSTRAINED_GENERALIZED_WELD_SPOT (an ordered set), or a *CONSTRAINED_NODAL_RIGID_BODY whose two to four nodes lie
+/// on as many different sheets; that one never fails.
 struct RigidWeld {
-  enum class Kind { spotweld, generalized };
+  enum class Kind { spotweld, generalized, nodal_body };
   Kind kind = Kind::spotweld;
   int id = 0;
   Index body = none;         ///< in Model::rigid_bodies
@@ -31,6 +33,14 @@ struct RigidWeld {
   bool can_fail() const {
     return normal_strength > 0.0 || shear_strength > 0.0 || failure_time > 0.0 || failure_strain > 0.0;
   }
+};
+
+/// *CONSTRAINED_RIVET: a rigid massless truss between two nodes. It keeps their distance; all else is free.
+struct Rivet {
+  int id = 0;
+  std::array<Index, 2> nodes{none, none};
+  double failure_time = 0.0;  ///< TF [time]; 0: none
+  Place place;
 };
 
 }  // namespace nugget::model

@@ -50,6 +50,7 @@ Needs needs_of(const system::System& system) {
   Needs needs{std::vector<char>(system.all_nodes(), 0), std::vector<char>(system.all_nodes(), 0)};
   for (const auto& group : system.groups)
     for (std::size_t e = 0; e < group->size(); ++e) {
+      if (!group->alive(e)) continue;
       const std::array<int, 8> node = group->nodes(e);
       for (std::size_t a = 0; a < at(group->nodes_per_element); ++a) {
         needs.translation[at(node[a])] = 1;

@@ -11,7 +11,7 @@
 namespace nugget::output {
 namespace {
 
-constexpr std::array<std::string_view, 28> names = {"run.log",
+constexpr std::array<std::string_view, 30> names = {"run.log",
                                                     "check.log",
                                                     "summary.json",
                                                     "findings.json",
@@ -19,6 +19,8 @@ constexpr std::array<std::string_view, 28> names = {"run.log",
                                                     "report.html",
                                                     "frf.csv",
                                                     "mode_energy.csv",
+                                                    "weld_drop.csv",
+                                                    "mac.csv",
                                                     "d3plot",
                                                     "d3eigv",
                                                     "swforc",

@@ -37,7 +37,7 @@ using AlignedReals = std::vector<double, Aligned<double>>;
 ///   mass, nodal_inertia (element)     of the undeformed element
 ///   layers(), layer(...), thickness(...), resultants(...)   for output
 ///   stiffness(state, places, k)       where the kernel's own derivative is not exact; may be absent
-///   Layout::integrity, hold_yield(state, lane)              of welds only
+///   Layout::integrity, hold_yield(state, lane), plastic_strain(state, k)     of welds only
 template <class Element>
 class BatchGroup final : public ElementGroup {
  public:
@@ -195,7 +195,7 @@ class BatchGroup final : public ElementGroup {
     return kernel_.layer(reader(e), k, places(e, now));
   }
   double plastic_strain(std::size_t e, int k) const override {
-    if constexpr (is_weld) return field(e, kernel_.plastic_strain_field(k));
+    if constexpr (is_weld) return kernel_.plastic_strain(reader(e), k);
     return 0.0;
   }
   double thickness(std::size_t e) const override { return kernel_.thickness(reader(e)); }

@@ -7,6 +7,8 @@
 #include <type_traits>
 
 #include "base/index.hpp"
+#include "kernel/law/composition.hpp"
+#include "kernel/law/prepared_compound.hpp"
 #include "model/lumped_mass.hpp"
 #include "system/batch_group.hpp"
 #include "system/beam_elements.hpp"
@@ -16,6 +18,7 @@
 #include "system/shell_elements.hpp"
 #include "system/spring_group.hpp"
 #include "system/system.hpp"
+#include "system/tetrahedron_element.hpp"
 #include "system/weld_beam_element.hpp"
 #include "weld/connection.hpp"
 #include "weld/welds.hpp"
@@ -78,7 +81,7 @@ bool with_law(const model::Law& law, const With& with) {
       [&]<class Law>(const Law& l) {
         constexpr bool computed = std::is_same_v<Law, kernel::Elastic> ||
                                   std::is_same_v<Law, kernel::PlasticKinematic> ||
-                                  std::is_same_v<Law, kernel::PiecewiseLinear>;
+                                  std::is_same_v<Law, kernel::PiecewiseLinear> || std::is_same_v<Law, kernel::Compound>;
         if constexpr (computed) with(l);
         return computed;
       },
@@ -264,28 +267,58 @@ void System::make_bricks() {
     const model::Part& part = model.parts[p];
     const model::Material& material = model.materials[at(part.material)];
     const model::Hourglass& hourglass = hourglass_of(part);
+    const auto* compound = std::get_if<kernel::Compound>(&material.law);
+    const bool viscous = compound == nullptr || compound->made_of->bulk_viscosity;
     // Without a card: viscous on the patterns orthogonal to linear fields (docs/decisions/0007).
     const kernel::HexahedronProperties brick{material.density, hourglass.type == 0 ? 2 : hourglass.type,
-                                             hourglass.membrane, hourglass.bulk_quadratic, hourglass.bulk_linear};
+                                             hourglass.membrane, viscous ? hourglass.bulk_quadratic : 0.0,
+                                             viscous ? hourglass.bulk_linear : 0.0};
     if (const auto* law = std::get_if<kernel::Spotweld>(&material.law)) {
       add_weld_bricks(p, sorted[p], brick, *law);
       continue;
     }
-    const Members m = members(model.solids, sorted[p]);
     const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
       const BrickElement<Law> element{brick, kernel::Prepared<Law>(law)};
-      if (model.solid_sections[at(part.section)].elform == 2)
-        return add_group(FullBrickElement<Law>{element}, model::ElementKind::solid, p, m, solid_seat);
-      add_group(element, model::ElementKind::solid, p, m, solid_seat);
+      const auto [tetrahedra, full, others] = by_formulation(sorted[p], model.solid_sections[at(part.section)].elform);
+      if (!tetrahedra.empty())
+        add_group(TetrahedronElement<Law>{brick, element.law}, model::ElementKind::solid, p, corners(tetrahedra),
+                  solid_seat);
+      if (!full.empty())
+        add_group(FullBrickElement<Law>{element}, model::ElementKind::solid, p, members(model.solids, full),
+                  solid_seat);
+      if (!others.empty()) add_group(element, model::ElementKind::solid, p, members(model.solids, others), solid_seat);
     });
     if (computed) continue;
-    for (const std::array<int, 8>& node : m.node) {
-      std::array<Vec3d, 8> x;
-      for (std::size_t a = 0; a < 8; ++a) x[a] = start_[at(node[a])];
-      lumps_.push_back(
-          {static_cast<model::Index>(p), 8, node, 8.0 * kernel::hexahedron_nodal_mass(x, material.density), 0.0});
+    const Members m = corners(sorted[p]);
+    for (std::size_t i = 0; i < sorted[p].size(); ++i) {
+      const double whole = material.density * model::solid_volume(model, at(sorted[p][i]));
+      const int count = static_cast<int>(model.solids.corners(at(sorted[p][i])).size());
+      lumps_.push_back({static_cast<model::Index>(p), count, m.node[i], whole, 0.0});
     }
   }
+}
+
+System::Members System::corners(const std::vector<model::Index>& solids) const {
+  Members m;
+  m.element = solids;
+  for (const model::Index e : solids) {
+    std::array<int, 8> node{};
+    const std::vector<model::Index> different = model.solids.corners(at(e));
+    for (std::size_t a = 0; a < different.size(); ++a) node[a] = node_of[at(different[a])];
+    m.node.push_back(node);
+  }
+  return m;
+}
+
+System::Formulations System::by_formulation(const std::vector<model::Index>& solids, int elform) const {
+  const bool sorts = model.control.sort_solids;
+  Formulations f;
+  for (const model::Index e : solids) {
+    const std::size_t corners = model.solids.corners(at(e)).size();
+    const bool tetrahedron = corners == 4 && (sorts || elform == 10), wedge = corners == 6 && sorts;
+    (tetrahedron ? f.tetrahedra : wedge || elform == 2 || elform == 15 ? f.full : f.others).push_back(e);
+  }
+  return f;
 }
 
 void System::add_weld_bricks(std::size_t p, const std::vector<model::Index>& chosen,
@@ -310,8 +343,11 @@ void System::add_weld_bricks(std::size_t p, const std::vector<model::Index>& cho
       const auto laid = laid_along(*weld_of[at(bricks[i])], model.solids.node[at(bricks[i])], ties.x);
       for (std::size_t a = 0; a < 8; ++a) m.node[i][a] = node_of[at(laid[a])];
     }
-    add_group(BrickElement<kernel::Spotweld>{brick, kernel::Prepared<kernel::Spotweld>(own)}, model::ElementKind::solid,
-              p, m, solid_seat);
+    const BrickElement<kernel::Spotweld> element{brick, kernel::Prepared<kernel::Spotweld>(own)};
+    if (model.solid_sections[at(model.parts[p].section)].elform == 2)
+      add_group(FullBrickElement<kernel::Spotweld>{element}, model::ElementKind::solid, p, m, solid_seat);
+    else
+      add_group(element, model::ElementKind::solid, p, m, solid_seat);
     scale_like_a_weld(*groups.back(), own);
   }
 }

@@ -34,8 +34,8 @@ struct RigidBody {
 
   /// From t(n-1/2) to t(n+1/2): momentum by force and torque over `kick`, then the spin that turns the body over `dt`.
   /// The spin satisfies the midpoint rule w = I(t+dt/2)^-1 L with I at the half-turned axes (fixed-point iteration to
-  /// round-off).
-  void advance(double kick, double dt, State& state);
+  /// round-off). Returns force times change of velocity plus torque times change of spin.
+  double advance(double kick, double dt, State& state);
   /// Turns the axes over the step with the spin in `state`.
   void turn(double dt, const State& state);
   /// Makes the spin component along unit vector `axis` equal to `value`; momentum follows.

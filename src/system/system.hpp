@@ -147,6 +147,13 @@ class System {
   template <ShellKind Kind>
   void add_shells(std::size_t part, const std::vector<model::Index>& chosen);
   void make_bricks();
+  /// The different nodes of solids only; see model::Solids::corners.
+  Members corners(const std::vector<model::Index>& solids) const;
+  /// Solids of a part by the kernel that runs them; wedges of formulation 15 are collapsed bricks, fully integrated.
+  struct Formulations {
+    std::vector<model::Index> tetrahedra, full, others;
+  };
+  Formulations by_formulation(const std::vector<model::Index>& solids, int elform) const;
   void add_weld_bricks(std::size_t part, const std::vector<model::Index>& chosen,
                        const kernel::HexahedronProperties& brick, const kernel::Spotweld& law);
   /// By model element of a kind: whether SPOTSTP = 2 took its weld out; it then has no mass and no group.

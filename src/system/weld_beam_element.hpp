@@ -46,7 +46,10 @@ struct WeldBeamElement {
     return kernel::weld_beam_cycle(beam, law, motion, dt, state);
   }
 
-  int plastic_strain_field(int k) const { return layout().history_of(k); }
+  template <class Field>
+  double plastic_strain(const Field& field, int k) const {
+    return field(layout().history_of(k));
+  }
   void hold_yield(double* state, int lane) const { kernel::hold_yield(layout(), law, state, native_width, lane); }
 
   /// Stress of a section point: rr in the first place, rs and rt in the fourth and the sixth.

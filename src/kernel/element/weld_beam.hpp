@@ -57,7 +57,7 @@ struct WeldBeamLayout {
 
 template <class Law>
 WeldBeamLayout weld_beam_layout(const WeldBeamProperties& beam, const Prepared<Law>&) {
-  return {beam.fibres.count, Prepared<Law>::fibre_history};
+  return {beam.fibres.count, Prepared<Law>::fibre_history()};
 }
 
 /// State of an undeformed, stress-free beam between x1 and x2 in lane `lane` of `width`. s lies in the plane of the

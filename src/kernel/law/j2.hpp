@@ -89,9 +89,9 @@ template <bool both, class R, class Yield>
 template <class Hardening, bool back_stress>
 class J2 {
  public:
-  static constexpr int layer_history = 1 + (back_stress ? LayerTensor<double>::size : 0);
-  static constexpr int solid_history = 1 + (back_stress ? SolidTensor<double>::size : 0);
-  static constexpr int fibre_history = 1 + (back_stress ? FibreTensor<double>::size : 0);
+  static constexpr int layer_history() { return 1 + (back_stress ? LayerTensor<double>::size : 0); }
+  static constexpr int solid_history() { return 1 + (back_stress ? SolidTensor<double>::size : 0); }
+  static constexpr int fibre_history() { return 1 + (back_stress ? FibreTensor<double>::size : 0); }
   static constexpr bool has_plastic_strain = true;  // the first number of the history
 
   J2(double E, double nu, Hardening hardening, double failure_strain)
@@ -102,6 +102,12 @@ class J2 {
 
   const ElasticConstants& elastic() const { return elastic_; }
   bool can_fail() const { return failure_strain_ < std::numeric_limits<double>::infinity(); }
+  static constexpr double points_to_delete() { return 0.0; }
+
+  template <class R>
+  R wave_modulus(const double*) const {
+    return R(elastic_.bulk_wave());
+  }
 
   /// Which points have failed.
   template <class R>

@@ -224,7 +224,7 @@ const Card accuracy_card{{
 }};
 
 const Card solid_card_1{{
-    integer("esort", 0, any_value, "1: wedges and tetrahedra get formulations of their own"),
+    integer("esort", 0, between(0, 3), "1, 2, 3: tetrahedra become formulation 10, wedges 15"),
     flag("fmatrx", "deformation gradient of other laws, no effect"),
     integer("niptets", 4, any_value, "for tetrahedra of ten nodes, no effect"),
     integer("swlocl", 1, any_value, "axes of the stresses of brick welds, no effect"),
@@ -413,17 +413,11 @@ void read_accuracy(Builder& b, const Block& block, const Options&) {
 }
 
 void read_solid(Builder& b, const Block& block, const Options&) {
-  // Its further cards are about tetrahedra, cohesive elements and brick welds only.
+  // Its further cards are about tetrahedra of ten nodes, cohesive elements and brick welds only.
   Cursor cursor(b.deck, block, b.findings);
   const Row row = cursor.read(solid_card_1);
   expect(b, row, Severity::warning, {{"psfail", 0, "not obeyed: a brick of negative volume stops the run"}});
-  if (row.integer("esort") == 0) return;
-  b.later(Phase::checks, [row](Builder& later) {
-    for (const auto& n : later.model.solids.node)
-      if (n[6] == n[7])
-        return refuse(later, row, "esort", "the model has wedges or tetrahedra, whose own formulations are not built",
-                      "write 0: they are then computed as collapsed bricks");
-  });
+  b.model.control.sort_solids = row.integer("esort") > 0;
 }
 
 void read_output(Builder& b, const Block& block, const Options&) {

@@ -9,21 +9,24 @@
 // A new keyword is a row in its family's list; a new family is one line here and one in keywords.cpp.
 namespace nugget::model {
 
-std::vector<Keyword> mesh_keywords();           ///< nodes, elements, point masses
-std::vector<Keyword> part_keywords();           ///< *PART
-std::vector<Keyword> section_keywords();        ///< *SECTION_..., *HOURGLASS
-std::vector<Keyword> material_keywords();       ///< *MAT_...
-std::vector<Keyword> weld_material_keywords();  ///< *MAT_SPOTWELD
-std::vector<Keyword> weld_table_keywords();     ///< the *DEFINE_ cards that belong to it
-std::vector<Keyword> weld_brick_keywords();     ///< welds of bricks, weld beams replaced by bricks
-std::vector<Keyword> discrete_beam_keywords();  ///< *MAT_... of discrete beams
-std::vector<Keyword> spring_keywords();         ///< springs and dampers, their sections, lines and laws
-std::vector<Keyword> curve_keywords();          ///< curves and tables
-std::vector<Keyword> frame_keywords();          ///< coordinate systems, vectors, boxes
-std::vector<Keyword> set_keywords();            ///< *SET_...
-std::vector<Keyword> control_keywords();        ///< *CONTROL_..., *TITLE
-std::vector<Keyword> implicit_keywords();       ///< *CONTROL_IMPLICIT_...
-std::vector<Keyword> frequency_keywords();      ///< *FREQUENCY_DOMAIN_...
+std::vector<Keyword> mesh_keywords();              ///< nodes, elements, point masses
+std::vector<Keyword> part_keywords();              ///< *PART
+std::vector<Keyword> section_keywords();           ///< *SECTION_..., *HOURGLASS
+std::vector<Keyword> material_keywords();          ///< *MAT_...
+std::vector<Keyword> soft_material_keywords();     ///< *MAT_... of rubber and foam
+std::vector<Keyword> erosion_keywords();           ///< *MAT_ADD_EROSION
+std::vector<Keyword> plastic_material_keywords();  ///< *MAT_... of metals beside 003 and 024
+std::vector<Keyword> weld_material_keywords();     ///< *MAT_SPOTWELD
+std::vector<Keyword> weld_table_keywords();        ///< the *DEFINE_ cards that belong to it
+std::vector<Keyword> weld_brick_keywords();        ///< welds of bricks, weld beams replaced by bricks
+std::vector<Keyword> discrete_beam_keywords();     ///< *MAT_... of discrete beams
+std::vector<Keyword> spring_keywords();            ///< springs and dampers, their sections, lines and laws
+std::vector<Keyword> curve_keywords();             ///< curves and tables
+std::vector<Keyword> frame_keywords();             ///< coordinate systems, vectors, boxes
+std::vector<Keyword> set_keywords();               ///< *SET_...
+std::vector<Keyword> control_keywords();           ///< *CONTROL_..., *TITLE
+std::vector<Keyword> implicit_keywords();          ///< *CONTROL_IMPLICIT_...
+std::vector<Keyword> frequency_keywords();         ///< *FREQUENCY_DOMAIN_...
 
 std::vector<Keyword> database_keywords();     ///< *DATABASE_...
 std::vector<Keyword> boundary_keywords();     ///< *BOUNDARY_...

@@ -42,9 +42,18 @@ const Card shell_thickness_card{{
     integer("edgset", 0, any_value, "for two-dimensional seatbelts only"),
 }};
 
+/// A written 0 is a formulation of its own, not a blank field.
+constexpr Field solid_formulation() {
+  Field f = integer("elform", 1, any_value,
+                    "formulation: 1 constant stress, 2 fully integrated, 10 tetrahedron, 15 wedge (as a collapsed 2); "
+                    "0 is computed as 1");
+  f.zero_is_default = false;
+  return f;
+}
+
 const Card solid_card{{
     id("secid", IdSpace::other, required, "section id"),
-    integer("elform", 1, any_value, "formulation: 1 constant stress, 2 fully integrated"),
+    solid_formulation(),
     integer("aet", 0, only(0), "ambient elements"),
     unused(),
     unused(),

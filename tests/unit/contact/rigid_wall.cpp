@@ -48,8 +48,10 @@ struct Masses {
   }
   void step(RigidWall& wall) {
     const std::vector<Row> before = v;
+    std::vector<Row> force(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) nugget::add(force[i], mass[i] * acceleration[i]);
     for (std::size_t i = 0; i < x.size(); ++i) nugget::add(v[i], dt * acceleration[i]);
-    wall.constrain(time, dt, dt, x, v, mass, skip);
+    wall.constrain(time, dt, dt, x, v, force, mass, skip);
     for (std::size_t i = 0; i < x.size(); ++i) {
       force_work += 0.5 * mass[i] * dt * dot(acceleration[i], vec(before[i]) + vec(v[i]));
       nugget::add(x[i], dt * vec(v[i]));
