@@ -95,6 +95,7 @@ class Loads {
   void apply(Nodal& nodal, system::State& state, double dt);
   void apply(Pressure& pressure, system::State& state, double dt);
   void apply(Body& body, system::State& state, double dt);
+  void take_nodes(Body& body) const;
 
   const system::System& system_;
   std::vector<Nodal> nodal_;

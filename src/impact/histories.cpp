@@ -139,6 +139,20 @@ static void turn_into_accelerometer(const Snapshot& now, model::Index node, outp
     *v = axes.local(*v);
 }
 
+/// The motion of a node in the axes that its history asks for; coordinates stay global.
+static void turn_into_local_axes(const Snapshot& now, const model::NamedEntity& entity, output::NodoutRow& row) {
+  if (entity.system == model::none) return;
+  const model::CoordinateSystem& system = now.system.model.systems[at(entity.system)];
+  Frame3d axes = system.axes;
+  const auto place = [&](model::Index n) { return vec(now.state.x[at(now.system.node_of[at(n)])]); };
+  if (entity.turning)
+    model::frame_of_points(place(system.nodes->origin), place(system.nodes->on_axis), place(system.nodes->in_plane),
+                           system.nodes->axis, axes);
+  for (Vec3d* vector : {&row.displacement, &row.velocity, &row.acceleration, &row.rotation, &row.rotational_velocity,
+                        &row.rotational_acceleration})
+    *vector = axes.local(*vector);
+}
+
 output::NodoutState nodout_state(const Snapshot& now) {
   const model::Model& model = now.system.model;
   output::NodoutState s;
@@ -157,6 +171,7 @@ output::NodoutState nodout_state(const Snapshot& now) {
     row.rotational_velocity = now.spin(k);
     row.rotational_acceleration = now.rotary_acceleration(k);
     row.rotation = now.history_rotation[i];
+    turn_into_local_axes(now, entity, row);
     turn_into_accelerometer(now, entity.index, row);
     s.rows.push_back(row);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <map>
 
+#include "base/index.hpp"
 #include "impact/conditions.hpp"
 
 namespace nugget::impact {
@@ -31,7 +33,9 @@ Loads::Loads(const system::System& system) : system_(system) {
     pressure_.push_back({&load, std::vector<Vec3d>(4 * load.segments.size())});
   for (const model::BodyLoad& load : model.body_loads) {
     Body body{&load, {}, {}, 0.0};
-    if (load.parts.empty()) {
+    if (!load.nodes.empty()) {
+      take_nodes(body);
+    } else if (load.parts.empty()) {
       for (std::size_t k = 0; k < system.nodes + system.bodies.size(); ++k) {
         const double m = k < system.nodes ? system.mass[k] : system.bodies[k - system.nodes].mass;
         if (m <= 0.0) continue;
@@ -56,6 +60,28 @@ Loads::Loads(const system::System& system) : system_(system) {
     }
     body_.push_back(std::move(body));
   }
+}
+
+/// The nodes of a set with their own masses. A rigid body that is in the set as a whole weighs what it weighs: its
+/// given mass is not that of its nodes.
+void Loads::take_nodes(Body& body) const {
+  const model::Model& model = system_.model;
+  std::vector<char> wanted(system_.nodes, 0);
+  const auto place = [&](model::Index n) { return at(system_.node_of[at(n)]); };
+  for (const model::Index n : body.load->nodes) wanted[place(n)] = 1;
+  const auto take = [&](int node, double mass) {
+    if (!(mass > 0.0)) return;
+    body.nodes.push_back(node);
+    body.mass.push_back(mass);
+  };
+  for (const system::RigidBody& rigid : system_.bodies) {
+    const std::vector<model::Index>& nodes = model.rigid_bodies[at(rigid.source)].nodes;
+    if (!std::all_of(nodes.begin(), nodes.end(), [&](model::Index n) { return wanted[place(n)] != 0; })) continue;
+    for (const model::Index n : nodes) wanted[place(n)] = 0;
+    take(rigid.node, rigid.mass);
+  }
+  for (std::size_t k = 0; k < system_.nodes; ++k)
+    if (wanted[k]) take(static_cast<int>(k), system_.own_mass[k]);
 }
 
 void Loads::apply(system::State& state, double dt) {

@@ -104,7 +104,7 @@ class Builder {
   Ids nodes, shells, solids, beams, discretes, parts, shell_sections, solid_sections, beam_sections, discrete_sections,
       materials, hourglass, curves, tables, systems, vectors, boxes, spring_orientations;
   Ids pair_strengths, load_rate_strengths, connections;  ///< of Model's arrays of these names
-  Ids node_sets, part_sets, segment_sets, shell_sets, solid_sets, beam_sets;
+  Ids node_sets, part_sets, segment_sets, shell_sets, solid_sets, beam_sets, branches;
 
   void later(Phase phase, std::function<void(Builder&)> work) {
     work_[static_cast<std::size_t>(phase)].push_back(std::move(work));
@@ -122,7 +122,10 @@ class Builder {
   const Set<Index>* solid_set(const deck::Row& row, std::string_view field);
   const Set<Index>* beam_set(const deck::Row& row, std::string_view field);
   const Set<Segment>* segment_set(const deck::Row& row, std::string_view field);
-  Index system(const deck::Row& row, std::string_view field);  ///< a coordinate system
+  const Set<Index>* branch(const deck::Row& row, std::string_view field);
+  /// A coordinate system with fixed axes; one that turns with its nodes is refused there.
+  Index system(const deck::Row& row, std::string_view field);
+  Index turning_or_fixed_system(const deck::Row& row, std::string_view field);
   const Vec3d* vector(const deck::Row& row, std::string_view field);
   const Box* box(const deck::Row& row, std::string_view field);
   Index shell(const deck::Row& row, std::string_view field);

@@ -36,6 +36,7 @@ std::vector<Keyword> all_families() {
            boundary_keywords,
            initial_keywords,
            load_keywords,
+           generalized_body_load_keywords,
            rigidwall_keywords,
            constrained_keywords,
            contact_keywords,

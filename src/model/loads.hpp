@@ -56,6 +56,8 @@ struct BodyLoad {
   Index curve = none;
   double scale = 1.0;
   std::vector<Index> parts;  ///< empty: all
+  std::vector<Index> nodes;  ///< only these (*LOAD_BODY_GENERALIZED); empty: all of `parts`
+  bool generalized = false;  ///< of *LOAD_BODY_GENERALIZED: *LOAD_BODY_PARTS does not restrict it
 };
 
 /// Pressure on segments; positive pushes onto the face, against its right-hand normal.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -118,9 +119,16 @@ struct Table {
 
 /// *DEFINE_COORDINATE_...; the rows of the triad are the local axes.
 struct CoordinateSystem {
+  /// Of *DEFINE_COORDINATE_NODES.
+  struct Nodes {
+    Index origin = none, on_axis = none, in_plane = none;
+    int axis = 0;  ///< DIR: 0 x, 1 y, 2 z goes through `on_axis`, and the next one lies in the plane
+  };
   int id = 0;
   Vec3d origin;
-  Frame3d axes;
+  Frame3d axes;  ///< of time 0
+  std::optional<Nodes> nodes{};
+  bool turning = false;  ///< FLAG 1: the axes turn with the nodes
 };
 
 template <class Member>
@@ -133,6 +141,7 @@ using Segment = std::array<Index, 4>;  ///< nodes; a triangle repeats its third
 
 struct Sets {
   std::vector<Set<Index>> nodes, parts, shells, solids, beams;
+  std::vector<Set<Index>> branches;  ///< of parts: *SET_PART_TREE
   std::vector<Set<Segment>> segments;
 };
 

@@ -20,7 +20,9 @@ struct Request {
 
 struct NamedEntity {
   Index index = none;
-  std::string heading;  ///< of the _ID form
+  std::string heading;   ///< of the _ID form
+  Index system = none;   ///< of a node: the axes of its motion (*DATABASE_HISTORY_NODE_LOCAL), or none: global
+  bool turning = false;  ///< REF 1: these axes as they stand at that time; else as at time 0
 };
 
 /// The *DATABASE_... cards.

@@ -14,6 +14,13 @@ namespace {
 
 using deck::Row;
 
+bool is_rigid(const Model& model, const Part& part) {
+  return part.material != none &&
+         std::holds_alternative<kernel::Rigid>(model.materials[static_cast<std::size_t>(part.material)].law);
+}
+
+}  // namespace
+
 std::string name_of(const RigidBody& body) {
   switch (body.origin) {
     case RigidBody::Origin::part: return fmt::format("rigid part {}", body.id);
@@ -23,10 +30,7 @@ std::string name_of(const RigidBody& body) {
   return fmt::format("rigid weld {}", body.id);
 }
 
-bool is_rigid(const Model& model, const Part& part) {
-  return part.material != none &&
-         std::holds_alternative<kernel::Rigid>(model.materials[static_cast<std::size_t>(part.material)].law);
-}
+namespace {
 
 /// Goes through the making once; its members are what the steps hand on to each other.
 class Maker {
@@ -43,6 +47,7 @@ class Maker {
     claim_all();
     for (const auto& card : b_.body_cards.welds) add_weld(card);
     recognise_nodal_welds();
+    for (const auto& card : b_.body_cards.nodal) add_reference_node(card);
     report_empty();
     move_given_bodies();
   }
@@ -125,24 +130,7 @@ class Maker {
     return inertia;
   }
 
-  /// A tensor that is not positive definite belongs to no body: some direction has no inertia, or less than none, and a
-  /// moment about it turns the body without bound.
-  void check_tensor(const RigidBody& body) {
-    const auto& i = body.inertia.inertia;
-    const double trace = i[0] + i[3] + i[5], two = i[0] * i[3] - i[1] * i[1];
-    const double all =
-        i[0] * (i[3] * i[5] - i[4] * i[4]) - i[1] * (i[1] * i[5] - i[2] * i[4]) + i[2] * (i[1] * i[4] - i[2] * i[3]);
-    constexpr double least = 1e-9;
-    if (i[0] > least * trace && two > least * trace * trace && all > least * trace * trace * trace) return;
-    b_.findings.warning(
-        body.place, "",
-        fmt::format("the tensor of inertia of {} is not that of a body: it is not positive definite", name_of(body)),
-        "give its moments about the centre, and products that are smaller than these; "
-        "0 for products that are not known");
-  }
-
   void add_seed(RigidBody body, std::string_view what) {
-    if (body.given) check_tensor(body);
     const auto index = static_cast<Index>(seeds_.size());
     if (!seed_ids_.add(body.id, index, body.place, "*CONSTRAINED_NODAL_RIGID_BODY", what, b_.findings)) return;
     seeds_.push_back(std::move(body));
@@ -227,6 +215,36 @@ class Maker {
     auto& held = body(owner).nodes;
     held.insert(held.end(), nodes.begin(), nodes.end());
     make_unique(held);
+  }
+
+  /// PNODE: a node without elements goes with the body, drawn at its centre of mass.
+  void add_reference_node(const BodyCards::Nodal& card) {
+    const Index node = b_.node(card.row, "pnode"), owner = b_.bodies.find(card.row.integer("pid"));
+    if (node == none || owner == none || b_.body_of_node[static_cast<std::size_t>(node)] != none) return;
+    if (has_element(node)) {
+      card.row.complain(b_.findings, Severity::warning, "pnode",
+                        "belongs to an element but not to the body: it stays where it is",
+                        "name a node without elements, or add it to the body's nodes");
+      return;
+    }
+    const Vec3d center = center_of_mass(model_, body(owner));
+    Vec3d& x = model_.nodes.x[static_cast<std::size_t>(node)];
+    if (norm(x - center) > 0.0) {
+      card.row.complain(b_.findings, Severity::note, "pnode",
+                        fmt::format("is moved by {:.4g} to the centre of mass of its body", norm(x - center)));
+      x = center;
+    }
+    give(owner, {node});
+    b_.body_of_node[static_cast<std::size_t>(node)] = owner;
+  }
+
+  bool has_element(Index node) const {
+    const auto in = [node](const auto& elements) {
+      return std::any_of(elements.node.begin(), elements.node.end(), [node](const auto& nodes) {
+        return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+      });
+    };
+    return in(model_.shells) || in(model_.solids) || in(model_.beams);
   }
 
   /// Writes down who holds each node.

@@ -31,11 +31,14 @@ class RealDecks(CommandTest):
             with self.subTest(deck):
                 self.assertFalse(self.refused(self.findings(deck, 0)))
 
-    def test_bumper_beam_is_refused_for_what_is_not_built_and_nothing_else(self):
-        found = self.findings("bumper_beam/Bumper_Beam_AP_meshed.k", 1)
+    def test_bumper_beam_is_accepted(self):
+        found = self.findings("bumper_beam/Bumper_Beam_AP_meshed.k", 0)
         errors = self.refused(found)
-        for keyword in ("*LOAD_BODY_GENERALIZED_SET_NODE", "*MAT_SIMPLIFIED_JOHNSON_COOK_TITLE", "*SET_PART_TREE"):
-            self.assertEqual(errors[(keyword, "")], 1, keyword)
+        self.assertEqual(errors, {})
+        told = {(f["keyword"], f["field"]): f["text"] for f in found}
+        self.assertIn("born after the end of the run", told[("*RIGIDWALL_GEOMETRIC_CYLINDER_ID", "birth")])
+        self.assertIn("held as a whole by the SPCs", told[("*BOUNDARY_SPC", "")])
+        self.assertTrue(any("cannot turn, so it does not matter" in f["text"] for f in found))
         about_welds = [f for f in found if f["severity"] == "error" and
                        ("DISCRETE_BEAM" in f["keyword"] or f["keyword"] in ("*SECTION_BEAM", "*ELEMENT_BEAM"))]
         self.assertEqual(about_welds, [], "its 78 welds are discrete beams of MAT_196")
@@ -128,6 +131,18 @@ class RealDecks(CommandTest):
         s = self.json("summary.json")
         self.assertAlmostEqual(s["energy"]["ratio"], 1.0, delta=1e-3)
         self.assertGreater(s["energy"]["internal"], 100.0 * s["energy"]["kinetic"])
+
+    def test_box_bounces_at_ten_times_its_speed(self):
+        """At its own speed the box arrives after 8.5 ms, too long for a test; at 5 m/s it must not get through the plate either."""
+        text = self.shared("decks/box_drop/main.k").read_text(encoding="latin-1")
+        text = re.sub(r"(?m)^(\*CONTROL_TERMINATION\s*\n) *\S+", r"\g<1>    0.0015", text)
+        text = re.sub(r"(?m)^        0\.        0\.     -500\.", "        0.        0.    -5000.", text)
+        self.write(text.replace("*END", "*DATABASE_GLSTAT\n  2.5E-04\n*END"), "box.k")
+        self.nugget("run", "box.k", "--quiet")
+        states = self.glstat()
+        self.assertAlmostEqual(states[-1]["total energy / initial energy"], 1.0, delta=1e-3)
+        self.assertLess(states[0]["global z velocity"], -4000.0)
+        self.assertGreater(states[-1]["global z velocity"], 0.5 * -states[0]["global z velocity"])
 
     def test_ball_hits_the_plate(self):
         self.nugget("run", self.shared("decks/ball_plate/ball_plate.k"), "--max-cycles", 500, "--quiet")

@@ -35,9 +35,10 @@ Card sides_card(IdSpace a, IdSpace b) {
   return {{
       id("surfa", a, 0, "tracked side (SSID); 0 in a single surface contact: all parts"),
       id("surfb", b, 0, "reference side (MSID)"),
-      integer("surfatyp", 0, between(0, 6),
-              "0 segment set, 1 shell set, 2 part set, 3 part, 4 node set, 5 all, 6 all but a part set"),
-      integer("surfbtyp", 0, between(0, 6), "the same, without 4"),
+      integer("surfatyp", 0, between(0, 7),
+              "0 segment set, 1 shell set, 2 part set, 3 part, 4 node set, 5 all, 6 all but a part set, 7 branch of "
+              "parts (*SET_PART_TREE)"),
+      integer("surfbtyp", 0, between(0, 7), "the same, without 4"),
       id("saboxid", IdSpace::define, 0, "box of the tracked side: not built"),
       id("sbboxid", IdSpace::define, 0, "box of the reference side: not built"),
       integer("sapr", 0, any_value, "forces of the tracked side in ncforc and intfor"),
@@ -175,6 +176,9 @@ Surface surface_of(Builder& builder, const Row& row, std::string_view field, std
     case 5: surface.everything = true; break;
     case 6:
       if (const auto* set = builder.part_set(row, field)) take_all_but(builder, set->members, surface);
+      break;
+    case 7:
+      if (const auto* branch = builder.branch(row, field)) surface.parts = branch->members;
       break;
     default: break;
   }

@@ -358,7 +358,8 @@ void read_shell(Builder& b, const Block& block, const Options&) {
   const Row one = cursor.read(shell_card_1), two = cursor.read(shell_card_2), three = cursor.read(shell_card_3),
             four = cursor.read(shell_card_4), five = cursor.read(shell_card_5);
   expect_end(b, cursor);
-  expect(b, one, Severity::warning, {{"proj", 0, "not obeyed: drill projection is used, as with 0"}});
+  if (one.integer("bwc") == 1)  // what it projects is the warping stiffness
+    expect(b, one, Severity::warning, {{"proj", 0, "not obeyed: drill projection is used, as with 0"}});
   expect(b, three, Severity::warning,
          {{"cntco", 0, "not obeyed: contact surfaces lie about the mid-surface, as with 0"}});
   expect(b, four, Severity::warning,

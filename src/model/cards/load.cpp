@@ -145,7 +145,8 @@ void read_body_parts(Builder& builder, const Block& block, const Options&) {
   // In the phase of the checks, when every body load is there: the restriction holds for all of them.
   builder.later(Phase::checks, [row](Builder& b) {
     if (const auto* parts = b.part_set(row, "psid"))
-      for (BodyLoad& load : b.model.body_loads) load.parts = parts->members;
+      for (BodyLoad& load : b.model.body_loads)
+        if (!load.generalized) load.parts = parts->members;
   });
 }
 

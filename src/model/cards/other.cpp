@@ -185,8 +185,6 @@ Rows other_conditions() {
       refused("LOAD_BODY_RX", "centrifugal loads are not built; turn the parts with *INITIAL_VELOCITY_GENERATION"),
       refused("LOAD_BODY_RY", "centrifugal loads are not built; turn the parts with *INITIAL_VELOCITY_GENERATION"),
       refused("LOAD_BODY_RZ", "centrifugal loads are not built; turn the parts with *INITIAL_VELOCITY_GENERATION"),
-      refused("LOAD_BODY_GENERALIZED*",
-              "base accelerations of node sets are not built; *LOAD_BODY_PARTS restricts to parts"),
       refused("LOAD_GRAVITY_PART*", "gravity by part is not built; use *LOAD_BODY_Z with *LOAD_BODY_PARTS"),
       refused("LOAD_THERMAL_*", "heat and thermal strains are not built"),
       refused("LOAD_BLAST*", "blast loads are not built; use *LOAD_SEGMENT_SET with a pressure curve"),

@@ -200,6 +200,10 @@ void take_nodes(Builder& builder, const Row& row, double reach, RigidWall& wall)
 void leave_wall(Builder& builder, const Row& row, double reach, RigidWall wall, const std::optional<Row>& motion = {}) {
   builder.later(Phase::conditions, [row, reach, wall = std::move(wall), motion](Builder& b) mutable {
     take_nodes(b, row, reach, wall);
+    if (const double end = b.model.control.end_time; end > 0.0 && wall.birth >= end)
+      row.complain(b.findings, Severity::warning, "birth",
+                   fmt::format("the wall is born after the end of the run ({:g}): it stops nothing", end),
+                   "give 0 if it is to act from the start");
     if (motion) wall.motion_curve = b.curve(*motion, "lcid");
     if (wall.id == 0) wall.id = static_cast<int>(b.model.walls.size()) + 1;
     b.model.walls.push_back(std::move(wall));
