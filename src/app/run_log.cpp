@@ -175,7 +175,7 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
       e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0);
   std::string events;
   for (const auto* list : {&run.welds().events(), &run.rigid_welds().events(), &run.rivets().events(),
-                           &run.connectors().events(), &run.tie_ends().events()})
+                           &run.connectors().events(), &run.tie_ends().events(), &run.erosion().events()})
     for (const std::string& event : *list) events += ' ' + event + '\n';
   if (!run.joints().empty()) {
     s += "Joints: largest distance between the points that they hold together\n\n";

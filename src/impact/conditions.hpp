@@ -91,11 +91,13 @@ class Loads {
     std::vector<int> nodes;
     std::vector<double> mass;
     double last = 0.0;
+    std::vector<Vec3d> last_force;  ///< by node, of a centrifugal load
   };
   void apply(Nodal& nodal, system::State& state, double dt);
   void apply(Pressure& pressure, system::State& state, double dt);
   void apply(Body& body, system::State& state, double dt);
   void take_nodes(Body& body) const;
+  void apply_centrifugal(Body& body, system::State& state, double dt, double omega);
 
   const system::System& system_;
   std::vector<Nodal> nodal_;

@@ -47,6 +47,10 @@ void fill_shells(const Snapshot& now, output::D3plotState& s) {
       const double density = model.materials[at(model.parts[at(group->part)].material)].density;
       shell.internal_energy = group->mass(i) > 0.0 ? group->internal_energy(i) * density / group->mass(i) : 0.0;
       s.shell_alive[e] = group->alive(i);
+      if (!model.requests.strains) continue;
+      const Strains::Faces faces = now.strains.shell(e, now.state);
+      shell.inner_strain = faces.lower;
+      shell.outer_strain = faces.upper;
     }
   });
 }
@@ -60,6 +64,7 @@ void fill_solids(const Snapshot& now, output::D3plotState& s) {
     const system::ElementGroup* group = group_of(now, seat);
     if (group == nullptr) continue;
     static_cast<output::StressRecord&>(s.solids[e]) = record(group->layer(at(seat.element), 0, now.state));
+    s.solids[e].strain = now.strains.solid(e);
     s.solid_alive[e] = group->alive(at(seat.element));
   }
 }

@@ -384,7 +384,7 @@ output::RcforcState rcforc_state(const Snapshot& now) {
     } else if (card.kind == model::Contact::Kind::transducer) {
       const std::vector<unsigned char> marked = nodes_of(now.system, card.a);
       Vec3d sum;
-      for (const contact::SurfaceContact& contact : now.contacts) sum += contact.force_on(marked);
+      for (const contact::PenaltyContact& contact : now.contacts) sum += contact.force_on(marked);
       add(output::ContactSide::tracked, sum);
     } else if (card.tie_by_springs() || card.penalty_fallback) {
       const Vec3d force = now.tie_forces.resultant(static_cast<model::Index>(i));

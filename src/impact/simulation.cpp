@@ -11,6 +11,8 @@
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "impact/contact_setup.hpp"
+#include "impact/edge_setup.hpp"
+#include "impact/initial_penetrations.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -41,16 +43,21 @@ Simulation::Simulation(system::System& system, Findings& findings)
       state_(system.initial_state()),
       supports_(system, findings),
       loads_(system),
+      element_alive_(system.model),
       welds_(system, findings),
       rigid_welds_(system, findings),
       rivets_(system, findings),
       connectors_(system),
       tie_forces_(system),
       joints_(system),
-      tie_ends_(system, welds_, tie_forces_) {
+      tie_ends_(system, welds_, tie_forces_),
+      damping_(system),
+      preloads_(system, findings),
+      erosion_(system),
+      strains_(system, system.model.requests.strains),
+      nodal_forces_(system) {
   const model::Model& model = system.model;
   history_rotation_.resize(model.requests.history_nodes.size());
-  shell_alive_.assign(model.shells.size(), 1);
   for (const model::Contact& card : model.contacts) {
     if (!card.slides()) continue;
     contact::SurfaceContactSetup setup = contact_setup(system, card);
@@ -59,20 +66,9 @@ Simulation::Simulation(system::System& system, Findings& findings)
                      "the contact has no segments: none of its parts has shells or bricks", "check SURFA and SURFATYP");
       continue;
     }
-    if (card.ignore == 0) {
-      const auto found = contact::remove_penetrations(setup, state_.x);
-      if (!found.empty())
-        findings.warning(
-            card.place, '*' + card.keyword,
-            fmt::format(
-                "{} nodes stood in the thickness of a sheet and were moved out (IGNORE = 0); the deepest by {:.4g}",
-                found.size(),
-                std::max_element(found.begin(), found.end(),
-                                 [](const auto& a, const auto& b) { return a.depth < b.depth; })
-                    ->depth),
-            "IGNORE = 1 keeps the coordinates and tracks the initial penetration");
-    }
-    contacts_.emplace_back(std::move(setup), state_.x);
+    treat_initial_penetrations(system, card, setup, state_.x, findings);
+    auto edges = edge_setup(system, card, setup, state_.x);
+    contacts_.emplace_back(std::move(setup), std::move(edges), state_.x);
   }
   for (const auto& group : system.groups)
     if (auto* springs = dynamic_cast<system::SpringGroup*>(group.get()); springs && springs->has_stops())
@@ -121,9 +117,9 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_) {
       masses_ = system_.masses();
-      const Snapshot now{system_,      state_,       v_before_, w_before_,        energy_,   parts_,
-                         controlling_, masses_,      supports_, walls_,           contacts_, tie_forces_,
-                         welds_,       rigid_welds_, rivets_,   joints_,          history_rotation_};
+      const Snapshot now{system_, state_,    v_before_, w_before_,     energy_,          parts_, controlling_,
+                         masses_, supports_, walls_,    contacts_,     tie_forces_,      welds_, rigid_welds_,
+                         rivets_, joints_,   strains_,  nodal_forces_, history_rotation_};
       recorder.write(now, last);
     }
     if (progress && elapsed() >= next_report) {
@@ -142,10 +138,14 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     watch.charge(seconds_[constraints]);
     move();
     watch.charge(seconds_[motion]);
+    preloads_.apply(state_);
     system_.internal_force(state_);
+    erosion_.update(state_, first_step_);
+    strains_.update(state_);
+    nodal_forces_.update(state_);
     welds_.update(state_);
     connectors_.update(state_);
-    end_ties();
+    bury();
     watch.charge(seconds_[elements]);
     forces();
     watch.charge(seconds_[contact_search]);
@@ -173,6 +173,9 @@ void Simulation::start() {
   std::vector<Row> v(state_.v.size()), w(state_.w.size());
   v.swap(state_.v);
   w.swap(state_.w);
+  preloads_.start(state_);
+  strains_.start(state_);
+  preloads_.apply(state_);
   system_.internal_force(state_);
   v.swap(state_.v);
   w.swap(state_.w);
@@ -253,6 +256,7 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
   if (diverged_)
     return error(fmt::format("the solution diverged: its energy is not a number at time {:.6g}, cycle {}", state_.time,
                              state_.cycle));
+  if (!erosion_.reason_to_stop().empty()) return error(erosion_.reason_to_stop());
   if (std::isnan(state_.dt))
     return error(
         fmt::format("the solution diverged: {} has no stable time step (not a number) at time {:.6g}, cycle {}",
@@ -327,16 +331,19 @@ void Simulation::move() {
 }
 
 void Simulation::forces() {
-  for (contact::SurfaceContact& c : contacts_)
-    c.apply(state_.time, state_.dt, state_.x, state_.v, contact_mass_, shell_alive_, state_.f);
+  for (contact::PenaltyContact& c : contacts_)
+    c.apply(state_.time, state_.dt, state_.x, state_.v, contact_mass_, element_alive_.all(), state_.f);
   tie_forces_.apply(state_);
   joints_.apply(state_);
   loads_.apply(state_, state_.dt);
+  damping_.apply(state_, state_.dt);
 }
 
-void Simulation::end_ties() {
-  const bool shells_died = bury_shells();
-  if (!tie_ends_.update(state_, shell_alive_, shells_died)) return;
+void Simulation::bury() {
+  const ElementAlive::Deaths deaths = element_alive_.update(system_);
+  if (deaths.any)
+    for (contact::PenaltyContact& c : contacts_) c.surface_changed();
+  if (!tie_ends_.update(state_, element_alive_.all(), deaths.shells)) return;
   masses_changed();
 }
 
@@ -347,30 +354,17 @@ void Simulation::collect() {
   masses_changed();
 }
 
-/// Contact surfaces lose the shells that were deleted.
-bool Simulation::bury_shells() {
-  int deaths = 0;
-  for (const auto& group : system_.groups) deaths += group->deaths;
-  if (deaths == deaths_) return false;
-  deaths_ = deaths;
-  for (const auto& group : system_.groups) {
-    if (group->kind != model::ElementKind::shell) continue;
-    for (std::size_t e = 0; e < group->size(); ++e)
-      if (!group->alive(e)) shell_alive_[at(group->element[e])] = 0;
-  }
-  return true;
-}
-
 void Simulation::account() {
   const Energy before = energy_;
   element_energies(system_, state_, v_before_, energy_, parts_);
   energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_);
   energy_.internal += joints_.energy();
   energy_.contact = tie_forces_.energy();
-  for (const contact::SurfaceContact& c : contacts_) energy_.contact += c.energy();
+  for (const contact::PenaltyContact& c : contacts_) energy_.contact += c.energy();
   energy_.wall = 0.0;
   for (const contact::RigidWall& w : walls_) energy_.wall += w.energy_until_now();
   energy_.external = supports_.work() + loads_.work();
+  energy_.damping = damping_.energy();
   if (state_.cycle == 0) energy_.initial = energy_.total();
   if (std::isfinite(energy_.total())) return;
   diverged_ = true;

@@ -7,8 +7,12 @@
 #include <vector>
 
 #include "impact/connectors.hpp"
+#include "impact/damping.hpp"
+#include "impact/element_alive.hpp"
+#include "impact/erosion.hpp"
 #include "impact/joints.hpp"
 #include "impact/options.hpp"
+#include "impact/preloads.hpp"
 #include "impact/rigid_welds.hpp"
 #include "impact/rivets.hpp"
 #include "impact/snapshot.hpp"
@@ -37,6 +41,7 @@ class Simulation {
   const Rivets& rivets() const { return rivets_; }
   const Joints& joints() const { return joints_; }
   const Connectors& connectors() const { return connectors_; }
+  const Erosion& erosion() const { return erosion_; }
   double first_step() const { return first_step_; }
   double smallest_step() const { return smallest_step_; }
   const std::string& smallest_by() const { return smallest_by_; }
@@ -58,9 +63,8 @@ class Simulation {
   void constrain_by_walls();
   void move();
   void forces();
-  /// True if shells were deleted since the last call.
-  bool bury_shells();
-  void end_ties();
+  /// Contacts and ties lose the elements that were deleted.
+  void bury();
   /// Loads of dependent nodes go to the independent ones; rigid welds that they overload open.
   void collect();
   /// Welds of every kind that have failed so far.
@@ -76,12 +80,12 @@ class Simulation {
   system::State state_;
   Supports supports_;
   Loads loads_;
-  std::vector<contact::SurfaceContact> contacts_;
+  std::vector<contact::PenaltyContact> contacts_;
   std::vector<contact::RigidWall> walls_;
   std::vector<system::SpringGroup*> stopped_springs_;  ///< those with stops
   std::vector<double> contact_mass_;                   ///< by node, dependent nodes with what they had of their own
   std::vector<unsigned char> dependent_;               ///< by node
-  std::vector<unsigned char> shell_alive_;             ///< by model shell
+  ElementAlive element_alive_;
   std::vector<double> inverse_mass_, inverse_inertia_;
   std::vector<Row> v_before_, w_before_;
   std::vector<Vec3d> momentum_before_;
@@ -93,7 +97,11 @@ class Simulation {
   TieForces tie_forces_;
   Joints joints_;
   TieEnds tie_ends_;
-  int deaths_ = 0;
+  Damping damping_;
+  Preloads preloads_;
+  Erosion erosion_;
+  Strains strains_;
+  NodalForceGroups nodal_forces_;
   bool diverged_ = false;
   double power_on_change_ = 0.0;     ///< forces at t(n) times the change of velocity from t(n-1/2) to t(n+1/2)
   std::vector<double> block_power_;  ///< the nodes' part of it, by block

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "model/parts.hpp"
 
 namespace nugget::model {
@@ -43,6 +45,8 @@ struct Control {
   bool warping_stiffness = false;  ///< BWC = 1
   bool lobatto = false;            ///< INTGRD = 1
   double rotary_mass_scale = 1.0;  ///< ROTASCL
+  int distorted_shells = 0;        ///< NFAIL1, of shells with one in-plane point; see DistortedShells
+  int distorted_full_shells = 0;   ///< NFAIL4, of fully integrated shells
 
   // *CONTROL_HOURGLASS, *CONTROL_BULK_VISCOSITY
   Hourglass hourglass;
@@ -67,6 +71,7 @@ struct Control {
 
   // *CONTROL_OUTPUT, *CONTROL_SOLID
   bool average_accelerations = false;  ///< IACCOP = 1
+  std::vector<Index> eroding_parts;    ///< PSFAIL: only their bricks are deleted at negative volume; empty: all
   double tied_rotary_mass = 0.0;       ///< RMAVG
 };
 

@@ -12,9 +12,11 @@
 #include "base/vec3.hpp"
 #include "model/contact.hpp"
 #include "model/control.hpp"
+#include "model/damping.hpp"
 #include "model/discrete.hpp"
 #include "model/frequency.hpp"
 #include "model/implicit.hpp"
+#include "model/initial_state.hpp"
 #include "model/interpolation.hpp"
 #include "model/joint.hpp"
 #include "model/loads.hpp"
@@ -177,6 +179,8 @@ struct Model {
   std::vector<NodalLoad> nodal_loads;
   std::vector<BodyLoad> body_loads;
   std::vector<PressureLoad> pressure_loads;
+  Damping damping;
+  InitialState initial_state;
   std::vector<RigidWall> walls;
   std::vector<Contact> contacts;  ///< penalty contacts and ties, in deck order
 

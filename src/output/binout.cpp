@@ -6,6 +6,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "output/columns.hpp"
+
 namespace nugget::output {
 namespace {
 
@@ -31,28 +33,6 @@ void append_record_head(std::string& bytes, std::size_t body, char command) {
 template <class T>
 std::string_view bytes_of(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
-
-template <class Rows, class Member>
-auto collect(const Rows& rows, Member member) {
-  std::vector<std::decay_t<decltype(member(rows.front()))>> values;
-  values.reserve(rows.size());
-  for (const auto& row : rows) values.push_back(member(row));
-  return values;
-}
-
-/// Three names from one: `*_force` gives x_force, y_force, z_force.
-std::string component_name(std::string name, char axis) {
-  name[name.find('*')] = axis;
-  return name;
-}
-
-/// Three columns of a table, one for each component of the vector that `member` picks. `put(name, values)` writes one.
-template <class Rows, class Member, class Put>
-void put_vectors(const std::string& name, const Rows& rows, Member member, Put put) {
-  put(component_name(name, 'x'), collect(rows, [&](const auto& row) { return member(row).x; }));
-  put(component_name(name, 'y'), collect(rows, [&](const auto& row) { return member(row).y; }));
-  put(component_name(name, 'z'), collect(rows, [&](const auto& row) { return member(row).z; }));
 }
 
 /// LS-DYNA counts element types from 1, in the order of glstat/metadata/element_types.
@@ -360,7 +340,9 @@ void Binout::metadata(const std::string& path, const std::string& branch, const 
   text("date", fixed_width(header_.date, 10));
   if (!ids.empty() && branch != "spcforc") integers("ids", ids);
 
-  const auto legend = legends_.find(branch);
+  // A branch of several kinds (elout/shell, elout/solid) has a legend for each.
+  auto legend = legends_.find(path);
+  if (legend == legends_.end()) legend = legends_.find(branch);
   if (legend == legends_.end() || legend->second.empty()) return;
   std::string headings;
   for (const LegendEntry& entry : legend->second) headings += fixed_width(entry.heading, 70);

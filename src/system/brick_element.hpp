@@ -54,6 +54,21 @@ struct BrickElement {
     if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = field(Layout::first_history);
     return l;
   }
+  template <class Put>
+  void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
+    for (int i = 0; i < 6; ++i) put(Layout::stress + i, l.stress[static_cast<std::size_t>(i)]);
+    if (kernel::Prepared<Law>::has_plastic_strain) put(Layout::first_history, l.plastic_strain);
+  }
+  /// The same element without viscous forces.
+  BrickElement inviscid() const {
+    BrickElement e = *this;
+    e.make_inviscid();
+    return e;
+  }
+  void make_inviscid() {
+    brick.bulk_quadratic = brick.bulk_linear = 0.0;
+    if (brick.hourglass <= 3) brick.hourglass_coefficient = 0.0;
+  }
   template <class Field>
   double thickness(const Field&) const {
     return 0.0;
@@ -90,6 +105,19 @@ struct FullBrickElement : BrickElement<Law> {
     double mean = 0.0;
     for (int p = 0; p < Layout::points; ++p) mean += field(layout().history_of(p)) / Layout::points;
     return mean;
+  }
+  FullBrickElement inviscid() const {
+    FullBrickElement e = *this;
+    e.make_inviscid();
+    return e;
+  }
+  /// All points get the same stress.
+  template <class Put>
+  void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
+    for (int p = 0; p < Layout::points; ++p) {
+      for (int i = 0; i < 6; ++i) put(layout().point(p) + i, l.stress[static_cast<std::size_t>(i)]);
+      if (kernel::Prepared<Law>::has_plastic_strain) put(layout().history_of(p), l.plastic_strain);
+    }
   }
   /// The mean of the points.
   template <class Field>

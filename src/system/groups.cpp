@@ -59,6 +59,15 @@ std::array<double, 6> global_stress(const Frame3d& f, double xx, double yy, doub
           component(&Vec3d::x, &Vec3d::y), component(&Vec3d::y, &Vec3d::z), component(&Vec3d::z, &Vec3d::x)};
 }
 
+std::array<double, 5> local_stress(const Frame3d& f, const std::array<double, 6>& s) {
+  const auto times = [&](const Vec3d& a) {
+    return Vec3d{s[0] * a.x + s[3] * a.y + s[5] * a.z, s[3] * a.x + s[1] * a.y + s[4] * a.z,
+                 s[5] * a.x + s[4] * a.y + s[2] * a.z};
+  };
+  return {dot(f.e1, times(f.e1)), dot(f.e2, times(f.e2)), dot(f.e1, times(f.e2)), dot(f.e1, times(f.e3)),
+          dot(f.e2, times(f.e3))};
+}
+
 namespace {
 
 /// Elements sorted by part, within a part along a Morton curve.

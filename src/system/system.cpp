@@ -369,6 +369,11 @@ Vec3d System::nodal_force(Seat seat, int a) const {
   return vec(slots_[groups[at(seat.group)]->slot_row(at(seat.element), a)]);
 }
 
+Vec3d System::nodal_moment(Seat seat, int a) const {
+  const ElementGroup& group = *groups[at(seat.group)];
+  return group.rotational ? vec(slots_[group.slot_row(at(seat.element), a) + 1]) : Vec3d{};
+}
+
 void System::internal_force(State& state) {
   parallel_for(blocks_.size(), 16, [&](std::size_t begin, std::size_t end) {
     while (begin < end) {
@@ -401,7 +406,7 @@ System::Controlling System::controlling() const {
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const std::vector<double>& steps = groups[g]->block_step;
     for (std::size_t b = 0; b < steps.size(); ++b) {
-      const double step = groups[g]->step_share * steps[b];
+      const double step = groups[g]->step_share * groups[g]->damped_step(steps[b]);
       if (!(step >= c.step)) {  // a NaN comes through, and stays
         c.step = step;
         c.group = static_cast<int>(g);

@@ -78,6 +78,8 @@ class System {
   }
   /// Internal force of an element at its node `a` after the last cycle; on the node itself acts the opposite [force].
   Vec3d nodal_force(Seat seat, int a) const;
+  /// The moment that belongs to it; zero for elements without rotations [force length].
+  Vec3d nodal_moment(Seat seat, int a) const;
 
   /// Elements that have mass but no kernel (rigid parts, MAT_NULL).
   struct Lump {

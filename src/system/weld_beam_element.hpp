@@ -60,6 +60,16 @@ struct WeldBeamElement {
     return {{left * field(at), 0.0, 0.0, left * field(at + 1), 0.0, left * field(at + 2)},
             field(layout().history_of(k))};
   }
+  /// The other way round; the stress of the sound point, which damage keeps, is the same.
+  template <class Put>
+  void set_layer(const Put& put, int k, const ElementGroup::Layer& l, const Places&) const {
+    const double stress[3] = {l.stress[0], l.stress[3], l.stress[5]};
+    for (int i = 0; i < 3; ++i) {
+      put(layout().fibre(k) + i, stress[i]);
+      put(layout().history_of(k) + kernel::Prepared<kernel::Spotweld>::sound + i, stress[i]);
+    }
+    put(layout().history_of(k), l.plastic_strain);
+  }
   template <class Field>
   double thickness(const Field& field) const {
     return field(Layout::length);

@@ -315,6 +315,9 @@ Keyword without_effect(std::string_view name, std::string_view why) {
 std::vector<Keyword> database_keywords() {
   return {
       file_keyword<&Requests::glstat>("DATABASE_GLSTAT"),
+      file_keyword<&Requests::elout>("DATABASE_ELOUT"),
+      file_keyword<&Requests::secforc>("DATABASE_SECFORC"),
+      file_keyword<&Requests::nodfor>("DATABASE_NODFOR"),
       file_keyword<&Requests::matsum>("DATABASE_MATSUM"),
       file_keyword<&Requests::nodout>("DATABASE_NODOUT"),
       file_keyword<&Requests::swforc>("DATABASE_SWFORC"),
@@ -357,14 +360,8 @@ std::vector<Keyword> database_keywords() {
       history_keyword<beam_history, false>("DATABASE_HISTORY_BEAM", element_ids, element_id_heading),
       history_keyword<beam_history, true>("DATABASE_HISTORY_BEAM_SET", set_ids, set_id_heading),
 
-      not_written("DATABASE_ELOUT", "element histories (elout) are not written yet; d3plot holds the stresses"),
-      not_written("DATABASE_SECFORC", "forces of cross sections (secforc) are not written yet"),
-      not_written("DATABASE_CROSS_SECTION_SET", "forces of cross sections (secforc) are not written yet"),
-      not_written("DATABASE_CROSS_SECTION_PLANE", "forces of cross sections (secforc) are not written yet"),
       not_written("DATABASE_SLEOUT", "energies of each contact (sleout) are not written yet; glstat holds their sum"),
       not_written("DATABASE_NCFORC", "contact forces by node (ncforc) are not written yet; rcforc holds their sums"),
-      not_written("DATABASE_NODFOR", "forces of groups of nodes (nodfor) are not written yet"),
-      not_written("DATABASE_NODAL_FORCE_GROUP", "forces of groups of nodes (nodfor) are not written yet"),
       not_written("DATABASE_DISBOUT", "discrete beams (disbout) are not written; there are none"),
       not_written("DATABASE_ABSTAT", "airbags (abstat) are not written; there are none"),
       not_written("DATABASE_SBTOUT", "seat belts (sbtout) are not written; there are none"),
