@@ -28,6 +28,10 @@ system::Mobility::Matrix at_point(const system::RigidBody& body, const system::M
   return g;
 }
 
+double trace(const system::Mobility::Matrix& m) {
+  return m[0][0] + m[1][1] + m[2][2];
+}
+
 }  // namespace
 
 Joints::Joints(const system::System& system) : system_(system) {
@@ -63,29 +67,25 @@ void Joints::find_bounds() {
   for (const Joint& j : joints_)
     for (const system::RigidBody* body : j.body) count(body) += 1 + static_cast<int>(j.directions.size());
   for (Joint& j : joints_) {
-    system::Mobility::Matrix g{}, rotary{};
-    for (std::size_t side = 0; side < 2; ++side) {
+    // Traces: row sums in body axes would change as bodies turn. They bound the largest eigenvalue.
+    double shared = 0.0, rotary_shared = 0.0, own = 0.0, rotary_own = 0.0;
+    for (const std::size_t side : {0u, 1u}) {
       const system::RigidBody& body = *j.body[side];
-      const system::Mobility::Matrix inverse = system::inverse_inertia(body),
-                                     point = at_point(body, inverse, j.arm[side]);
-      for (std::size_t r = 0; r < 3; ++r)
-        for (std::size_t c = 0; c < 3; ++c) {
-          g[r][c] += count(&body) * point[r][c];
-          rotary[r][c] += count(&body) * inverse[r][c];
-        }
+      const system::Mobility::Matrix inverse = system::inverse_inertia(body);
+      const double point = trace(at_point(body, inverse, j.arm[side])), turning = trace(inverse);
+      own += point;
+      rotary_own += turning;
+      shared += count(&body) * point;
+      rotary_shared += count(&body) * turning;
     }
     const double share = std::min(stiffness_share * j.source->stiffness_scale, largest_share);
-    const auto bound = [&](const system::Mobility::Matrix& m) {
-      // In body axes the row sums would change as bodies turn; the trace does not, and bounds them all.
-      const double most = m[0][0] + m[1][1] + m[2][2];
-      return most > 0.0 ? share / most : 0.0;
-    };
-    j.bound = bound(g);
-    j.rotary_bound = bound(rotary);
-    // c = 2 xi sqrt(k m) with m = 1 / lambda = bound / share.
-    const double ratio = 2.0 * damping_ratio * j.source->damping / std::sqrt(share);
-    j.damping = ratio * j.bound;
-    j.rotary_damping = ratio * j.rotary_bound;
+    const auto over = [](double a, double sum) { return sum > 0.0 ? a / sum : 0.0; };
+    j.bound = over(share, shared);
+    j.rotary_bound = over(share, rotary_shared);
+    // c = 2 xi sqrt(k m) with the mean mass of the relative motion.
+    const double ratio = 2.0 * damping_ratio * j.source->damping;
+    j.damping = ratio * std::sqrt(j.bound * over(3.0, own));
+    j.rotary_damping = ratio * std::sqrt(j.rotary_bound * over(3.0, rotary_own));
   }
 }
 

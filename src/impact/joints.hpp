@@ -19,7 +19,7 @@ namespace nugget::impact {
 /// kept to round-off.
 ///
 /// Stiffness: with G the inverse mass that a piece's relative motion meets, when each body shares its mass evenly among
-/// the pieces at it, k = RPS beta / (dt^2 lambda_max(G)), beta = 1/4: all pieces together have omega dt <= 1/2, well
+/// the pieces at it, k = RPS beta / (dt^2 tr(G)), beta = 1/4: all pieces together have omega dt <= 1/2, well
 /// inside the 2 of central differences. dt is the longest step so far, so k never rises in a run. Damping ratio 0.1
 /// DAMP. Both are PROJECT: LS-DYNA documents that its stiffness follows from masses and step, not how.
 class Joints {

@@ -416,13 +416,15 @@ void System::add_beams(std::size_t p, const std::vector<model::Index>& chosen) {
                        kind, p, m, beam_seat);
   }
   const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
-    if (section.elform == 3)
-      add_group(TrussElement<Law>{section.area, material.density, section.extra_mass, kernel::Prepared<Law>(law)}, kind,
-                p, m, beam_seat);
-    else if (section.elform == 1)
-      add_group(IntegratedBeamElement<Law>{integrated_beam(section, material.density), kernel::Prepared<Law>(law),
-                                           law.nu, model.beams, ties.x},
-                kind, p, m, beam_seat);
+    if constexpr (!std::is_same_v<Law, kernel::Compound>) {  // refused by the model
+      if (section.elform == 3)
+        add_group(TrussElement<Law>{section.area, material.density, section.extra_mass, kernel::Prepared<Law>(law)},
+                  kind, p, m, beam_seat);
+      else if (section.elform == 1)
+        add_group(IntegratedBeamElement<Law>{integrated_beam(section, material.density), kernel::Prepared<Law>(law),
+                                             law.nu, model.beams, ties.x},
+                  kind, p, m, beam_seat);
+    }
   });
   if (computed) return;
   for (const std::array<int, 8>& node : m.node) {

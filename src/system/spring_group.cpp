@@ -162,6 +162,22 @@ void SpringGroup::stiffness(std::size_t e, const State&, std::span<double> k) co
               (a == b ? stiffness : -stiffness) * n[i] * n[j];
 }
 
+void SpringGroup::elastic_rate(std::size_t b, const State& now, std::span<Row> f, std::span<Row> m) const {
+  const std::span<Row> rates = rotational ? m : f;
+  const std::vector<Row>& of = rotational ? now.w : now.v;
+  for (std::size_t i = 0; i < width; ++i) {
+    const std::size_t e = b * width + i;
+    for (std::size_t a = 0; a < at_each_node(); ++a) f[i * at_each_node() + a] = m[i * at_each_node() + a] = Row{};
+    if (e >= size()) continue;
+    const Entry& s = springs_[e];
+    const Vec3d second = s.node[1] < 0 ? Vec3d{} : vec(of[at(s.node[1])]);
+    const double k = s.source->scale * law_.initial_stiffness();
+    const Vec3d rate = (k * dot(second - vec(of[at(s.node[0])]), s.line)) * s.line;
+    set(rates[i * at_each_node()], -rate);
+    if (s.node[1] >= 0) set(rates[i * at_each_node() + 1], rate);
+  }
+}
+
 std::array<int, 8> SpringGroup::nodes(std::size_t e) const {
   std::array<int, 8> n{};
   for (std::size_t a = 0; a < at_each_node(); ++a) n[a] = springs_[e].node[a];

@@ -31,6 +31,8 @@ class SpringGroup final : public ElementGroup {
   std::size_t slot_rows() const override { return blocks() * width * at_each_node() * (rotational ? 2 : 1); }
   void cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots) override;
   void stiffness(std::size_t e, const State& start, std::span<double> k) const override;
+  void keep_unstressed() override {}
+  void elastic_rate(std::size_t block, const State& now, std::span<Row> f, std::span<Row> m) const override;
 
   std::array<int, 8> nodes(std::size_t e) const override;
   bool alive(std::size_t e) const override { return springs_[e].alive; }

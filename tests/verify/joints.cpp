@@ -256,7 +256,7 @@ TEST(Joints, FreedomsThatAreLeft) {
     body(s, 1, {.center = {0, 0, 0}, .fixed = true}, p.a);
     body(s, 2, {.center = {0, 0, 0}, .velocity = c.velocity, .spin = c.spin}, p.b);
     joint(s, c.kind, p);
-    timing(s, 0.2, 1e-3);
+    timing(s, 0.8, 1e-3);
     Experiment experiment(s.deck());
     Vec3d v, w;
     run_to_end(experiment, [&](const impact::Snapshot& now) { v = velocity(now, 2), w = spin(now, 2); });

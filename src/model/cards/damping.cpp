@@ -145,7 +145,12 @@ void read_part_stiffness(Builder& builder, const Block& block, const Options&) {
              "give 0.01 to 0.25, or a negative value for Rayleigh's beta");
     builder.later(Phase::conditions, [row, coefficient](Builder& b) {
       for (const Index part : parts_of<set>(b, row)) {
-        if (coefficient == 0.0 || b.model.parts[at(part)].rigid_body != none) continue;
+        const Part& damped = b.model.parts[at(part)];
+        if (coefficient == 0.0 || damped.rigid_body != none) continue;
+        const bool is_beam = damped.kind == ElementKind::beam && damped.section != none;
+        if (is_beam && b.model.beam_sections[at(damped.section)].elform == 2)
+          refuse(b, row, set ? "psid" : "pid", "damping by stiffness of resultant beams (ELFORM 2) is not built",
+                 "write ELFORM 1 in their section");
         auto& all = b.model.damping.stiffness;
         std::erase_if(all, [part](const StiffnessDamping& d) { return d.part == part; });  // the last one holds
         all.push_back({part, std::max(coefficient, 0.0), std::max(-coefficient, 0.0)});

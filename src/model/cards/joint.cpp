@@ -24,7 +24,7 @@ const Card joint_card{{
     id("n5", IdSpace::node, 0, "node of body A off the axis (translational, locking)"),
     id("n6", IdSpace::node, 0, "node of body B at the place of n5"),
     real("rps", dimension::number, 1, above_zero(), "factor on the penalty stiffness; 2 is the most that is stable"),
-    real("damp", dimension::number, 1, at_least(0), "factor on the damping; up to 0.01: none"),
+    real("damp", dimension::number, 1, between(0, 5), "factor on the damping; up to 0.01: none"),
 }};
 
 const Card rigid_card{{
