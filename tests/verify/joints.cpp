@@ -14,10 +14,10 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 struct Body {
-  Vec3d center;
+  Vec3d center{};
   double mass = 1.0;
   Vec3d inertia{1.0, 1.0, 1.0};
-  Vec3d velocity, spin;
+  Vec3d velocity{}, spin{};
   bool fixed = false;
 };
 
