@@ -92,7 +92,7 @@ void tell_histories(const impact::Simulation& run, std::vector<output::WeldRepor
   const system::System& system = run.system();
   for (std::size_t i = 0; i < welds.size(); ++i) {
     if (is_rivet(system.ties.welds[i]))
-      tell_rivet(run.rivets(), at(system.ties.welds[i].element), welds[i]);
+      tell_rivet(run.rivets(), run.rivets().find(welds[i].id), welds[i]);
     else if (system.ties.welds[i].kind == weld::Weld::Kind::rigid)
       if (const auto* rigid = run.rigid_welds().history_of_body(system.ties.welds[i].element))
         tell_history(*rigid, welds[i]);

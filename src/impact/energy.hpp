@@ -24,9 +24,14 @@ struct Energy {
   double step_change = 0.0;
 
   double total() const { return kinetic + internal + hourglass + contact + wall + damping + eroded + step_change; }
-  double ratio() const {
-    const double base = initial + external;
-    return base != 0.0 ? total() / base : 1.0;
+  double ratio() const { return over_input(total()); }
+  /// The same without the account of a changing step: what ENDENG judges, since an unstable step shows in it.
+  double bare_ratio() const { return over_input(total() - step_change); }
+
+ private:
+  double over_input(double energy) const {
+    const double input = initial + external;
+    return input != 0.0 ? energy / input : 1.0;
   }
 };
 

@@ -11,6 +11,7 @@ namespace nugget::impact {
 
 RigidWelds::RigidWelds(system::System& system, Findings& findings) : system_(system) {
   for (const model::RigidWeld& source : system.model.rigid_welds) {
+    if (source.kind == model::RigidWeld::Kind::rivet) continue;
     Weld weld;
     weld.source = &source;
     weld.body = at(system.body_of[at(source.body)]);

@@ -27,7 +27,8 @@ void hold_direction(Matrix& m, const Vec3d& axis) {
 }  // namespace
 
 Rivets::Rivets(const system::System& system, Findings& findings) : system_(system) {
-  for (const model::Rivet& source : system.model.rivets) {
+  for (const model::RigidWeld& source : system.model.rigid_welds) {
+    if (source.kind != model::RigidWeld::Kind::rivet) continue;
     Rivet rivet{};
     rivet.source = &source;
     for (std::size_t end = 0; end < 2; ++end) {
@@ -138,6 +139,11 @@ void Rivets::end(Rivet& rivet, const system::State& state) {
   ++failed_;
   events_.push_back(
       fmt::format("rivet failed  id={:8d} time={:12.5E} cycle={} by time", rivet.source->id, state.time, state.cycle));
+}
+
+std::size_t Rivets::find(int id) const {
+  const auto has = [id](const Rivet& rivet) { return rivet.source->id == id; };
+  return static_cast<std::size_t>(std::find_if(rivets_.begin(), rivets_.end(), has) - rivets_.begin());
 }
 
 double Rivets::length(std::size_t i, const system::State& state) const {

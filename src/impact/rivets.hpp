@@ -26,10 +26,12 @@ class Rivets {
   void hold(system::State& state, double kick, const std::vector<double>& inverse_mass);
 
   std::size_t size() const { return rivets_.size(); }
-  const model::Rivet& rivet(std::size_t i) const { return *rivets_[i].source; }
+  const model::RigidWeld& rivet(std::size_t i) const { return *rivets_[i].source; }
   double axial(std::size_t i) const { return rivets_[i].force; }  ///< tension positive [force]
   double peak(std::size_t i) const { return rivets_[i].peak; }    ///< largest |axial| so far [force]
   double length(std::size_t i, const system::State& state) const;
+  /// Of the rivet with this number, first come first; size() where there is none.
+  std::size_t find(int id) const;
   bool failed(std::size_t i) const { return rivets_[i].failed; }
   double failure_time(std::size_t i) const { return rivets_[i].failure_time; }
   int failed() const { return failed_; }
@@ -37,7 +39,7 @@ class Rivets {
 
  private:
   struct Rivet {
-    const model::Rivet* source;
+    const model::RigidWeld* source;
     std::array<std::size_t, 2> node;               ///< system nodes
     std::array<std::array<Vec3d, 3>, 2> mobility;  ///< of each node: rows of the matrix that leaves out held directions
     double length;                                 ///< at time 0 [length]

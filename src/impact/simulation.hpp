@@ -103,6 +103,7 @@ class Simulation {
   Strains strains_;
   NodalForceGroups nodal_forces_;
   bool diverged_ = false;
+  double step_change_ = 0.0;         ///< Energy::step_change so far
   double power_on_change_ = 0.0;     ///< forces at t(n) times the change of velocity from t(n-1/2) to t(n+1/2)
   std::vector<double> block_power_;  ///< the nodes' part of it, by block
 

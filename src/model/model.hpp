@@ -168,7 +168,6 @@ struct Model {
 
   std::vector<RigidBody> rigid_bodies;  ///< MAT_RIGID parts (merged), nodal rigid bodies, rigid welds
   std::vector<RigidWeld> rigid_welds;
-  std::vector<Rivet> rivets;
   std::vector<Interpolation> interpolations;
   std::vector<Joint> joints;
   std::vector<Accelerometer> accelerometers;

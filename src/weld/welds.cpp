@@ -85,24 +85,12 @@ void find_brick_welds(const model::Model& model, std::vector<Weld>& welds) {
   }
 }
 
-Weld rigid_weld(Weld::Rigid rigid, int id, Index element, std::span<const Index> nodes, const Place& place) {
-  Weld weld;
-  weld.kind = Weld::Kind::rigid;
-  weld.rigid = rigid;
-  weld.id = id;
-  weld.element = element;
-  weld.elements = {element};
-  weld.ends = projections(nodes);
-  weld.face = {{{nodes.front()}, {nodes.back()}}};
-  weld.place = place;
-  return weld;
-}
-
 Weld::Rigid written_as(model::RigidWeld::Kind kind) {
   switch (kind) {
     case model::RigidWeld::Kind::spotweld: return Weld::Rigid::spotweld;
     case model::RigidWeld::Kind::generalized: return Weld::Rigid::generalized;
     case model::RigidWeld::Kind::nodal_body: return Weld::Rigid::nodal_body;
+    case model::RigidWeld::Kind::rivet: return Weld::Rigid::rivet;
   }
   return Weld::Rigid::spotweld;
 }
@@ -117,13 +105,17 @@ std::string keyword_of_rigid(Weld::Rigid rigid) {
   return {};
 }
 
-void find_rigid_welds(const model::Model& model, std::vector<Weld>& welds) {
-  for (const model::RigidWeld& w : model.rigid_welds)
-    welds.push_back(rigid_weld(written_as(w.kind), w.id, w.body, w.nodes, w.place));
-  for (Index r = 0; r < static_cast<Index>(model.rivets.size()); ++r) {
-    const model::Rivet& rivet = model.rivets[r];
-    welds.push_back(rigid_weld(Weld::Rigid::rivet, rivet.id, r, rivet.nodes, rivet.place));
-  }
+Weld rigid_weld(const model::RigidWeld& rigid) {
+  Weld weld;
+  weld.kind = Weld::Kind::rigid;
+  weld.rigid = written_as(rigid.kind);
+  weld.id = rigid.id;
+  weld.element = rigid.body;
+  weld.elements = {rigid.body};
+  weld.ends = projections(rigid.nodes);
+  weld.face = {{{rigid.nodes.front()}, {rigid.nodes.back()}}};
+  weld.place = rigid.place;
+  return weld;
 }
 
 /// Area vector of an end face.
@@ -181,7 +173,7 @@ std::vector<Weld> find_welds(const model::Model& model) {
     welds.back().kind = Weld::Kind::connector;
   }
   find_brick_welds(model, welds);
-  find_rigid_welds(model, welds);
+  for (const model::RigidWeld& rigid : model.rigid_welds) welds.push_back(rigid_weld(rigid));
   return welds;
 }
 

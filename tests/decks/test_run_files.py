@@ -9,7 +9,7 @@ import unittest
 from lap_joint import deck
 from nugget_command import CommandTest
 
-RESULTS = ["d3plot", "d3plot01", "findings.json", "glstat", "matsum", "nodout", "run.log", "summary.json", "swforc", "welds.csv"]
+RESULTS = ["d3plot", "d3plot01", "findings.json", "glstat", "matsum", "nodout", "report.html", "run.log", "summary.json", "swforc", "welds.csv"]
 
 NUMBER, COUNT, TEXT, FLAG = float, int, str, bool
 PROJECTION = {"node": COUNT, "segment": [COUNT], "xi": NUMBER, "eta": NUMBER, "moved": NUMBER, "case": COUNT, "reason": TEXT}

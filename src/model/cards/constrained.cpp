@@ -280,17 +280,20 @@ void read_spotweld(Builder& builder, const Block& block, const Options& options)
 }
 
 void make_rivet(Builder& b, const Row& row, int id) {
-  Rivet rivet;
-  rivet.id = id != 0 ? id : static_cast<int>(b.model.rivets.size()) + 1;
+  RigidWeld rivet;
+  rivet.kind = RigidWeld::Kind::rivet;
   rivet.nodes = {b.node(row, "n1"), b.node(row, "n2")};
   rivet.failure_time = failure_value(row, "tf");
   rivet.place = row.place();
+  const auto is_rivet = [](const RigidWeld& w) { return w.kind == RigidWeld::Kind::rivet; };
+  const auto& welds = b.model.rigid_welds;
+  rivet.id = id != 0 ? id : static_cast<int>(std::count_if(welds.begin(), welds.end(), is_rivet)) + 1;
   if (rivet.nodes[0] == none || rivet.nodes[1] == none) return;
   const auto place = [&](std::size_t end) { return b.model.nodes.x[static_cast<std::size_t>(rivet.nodes[end])]; };
   if (norm(place(1) - place(0)) == 0.0)
     return refuse(b, row, "n2", "both nodes are at one place, so the rivet has no direction",
                   "move one of them, or use *CONSTRAINED_GENERALIZED_WELD_SPOT for such nodes");
-  b.model.rivets.push_back(std::move(rivet));
+  b.model.rigid_welds.push_back(std::move(rivet));
 }
 
 void read_rivet(Builder& builder, const Block& block, const Options& options) {
