@@ -32,7 +32,7 @@ Loads::Loads(const system::System& system) : system_(system) {
   for (const model::PressureLoad& load : model.pressure_loads)
     pressure_.push_back({&load, std::vector<Vec3d>(4 * load.segments.size())});
   for (const model::BodyLoad& load : model.body_loads) {
-    Body body{&load, {}, {}, 0.0};
+    Body body{&load, {}, {}, 0.0, {}};
     if (!load.nodes.empty()) {
       take_nodes(body);
     } else if (load.parts.empty()) {
@@ -53,6 +53,11 @@ Loads::Loads(const system::System& system) : system_(system) {
             mass[nodes[static_cast<std::size_t>(a)]] += group->mass(e) / group->nodes_per_element;
         }
       }
+      // Rigid parts, and what else has mass without a kernel.
+      for (const system::System::Lump& lump : system.lumps())
+        if (std::find(load.parts.begin(), load.parts.end(), lump.part) != load.parts.end())
+          for (int a = 0; a < lump.corners; ++a)
+            mass[lump.node[static_cast<std::size_t>(a)]] += lump.mass / lump.corners;
       for (const auto& [node, m] : mass) {
         body.nodes.push_back(node);
         body.mass.push_back(m);
@@ -135,8 +140,11 @@ void Loads::apply(Pressure& pressure, system::State& state, double dt) {
 
 void Loads::apply(Body& body, system::State& state, double dt) {
   const model::BodyLoad& load = *body.load;
+  const double value =
+      load.scale * (load.curve == model::none ? 1.0 : curve(system_, load.curve).zero_outside(state.time));
+  if (load.centrifugal) return apply_centrifugal(body, state, dt, value);
   // Base acceleration: the structure feels -m a.
-  const double a = -load.scale * curve(system_, load.curve).zero_outside(state.time);
+  const double a = -value;
   double momentum = 0.0;
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     const auto k = static_cast<std::size_t>(body.nodes[i]);
@@ -145,6 +153,20 @@ void Loads::apply(Body& body, system::State& state, double dt) {
   }
   work_ += 0.5 * dt * (body.last + a) * momentum;
   body.last = a;
+}
+
+void Loads::apply_centrifugal(Body& body, system::State& state, double dt, double omega) {
+  const model::BodyLoad& load = *body.load;
+  body.last_force.resize(body.nodes.size());
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    const auto k = static_cast<std::size_t>(body.nodes[i]);
+    const Vec3d arm = vec(state.x[k]) - load.center;
+    const Vec3d outwards = arm - dot(arm, load.direction) * load.direction;
+    const Vec3d force = (body.mass[i] * omega * omega) * outwards;
+    work_ += 0.5 * dt * dot(body.last_force[i] + force, vec(state.v[k]));
+    add(state.f[k], force);
+    body.last_force[i] = force;
+  }
 }
 
 }  // namespace nugget::impact

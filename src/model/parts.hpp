@@ -9,6 +9,7 @@
 
 #include "base/finding.hpp"
 #include "base/vec3.hpp"
+#include "kernel/law/compound.hpp"
 #include "kernel/law/discrete_beam.hpp"
 #include "kernel/law/elastic.hpp"
 #include "kernel/law/null.hpp"
@@ -16,6 +17,7 @@
 #include "kernel/law/plastic_kinematic.hpp"
 #include "kernel/law/rigid.hpp"
 #include "kernel/law/spotweld.hpp"
+#include "kernel/law/spring.hpp"
 
 namespace nugget::model {
 
@@ -23,7 +25,7 @@ using Index = int;
 inline constexpr Index none = -1;
 
 using Law = std::variant<kernel::Elastic, kernel::PlasticKinematic, kernel::PiecewiseLinear, kernel::Null,
-                         kernel::Rigid, kernel::Spotweld, kernel::DiscreteBeam>;
+                         kernel::Rigid, kernel::Spotweld, kernel::DiscreteBeam, kernel::Spring, kernel::Compound>;
 
 struct Material {
   int id = 0;
@@ -65,10 +67,16 @@ struct SectionBeam {
   int quadrature = 2;             ///< QR
   int cross_section = 0;          ///< CST
   double extra_mass = 0.0;        ///< NSM [mass/length]
-  std::array<double, 2> outer{};  ///< TS1, TS2: outer diameters of a weld [length]
-  std::array<double, 2> inner{};  ///< TT1, TT2: inner diameters [length]
+  std::array<double, 2> outer{};  ///< TS1, TS2: outer diameters of a weld or tube; of a rectangle (CST = 0) its extent
+                                  ///< along s [length]
+  std::array<double, 2> inner{};  ///< TT1, TT2: inner diameters; of a rectangle its extent along t [length]
   bool in_swforc = true;          ///< PRINT = 0
   bool torsion = true;            ///< ITOFF = 0
+  // Of an integrated beam (ELFORM 1), of a resultant beam (2) and of a truss (3):
+  std::array<double, 2> location{};  ///< NSLOC, NTLOC: place of the nodes on the section, -1 to 1 along s and t
+  double area = 0.0;                 ///< A [length^2]
+  double shear_area = 0.0;           ///< SA; 0: no shear deformation [length^2]
+  double moment_s = 0.0, moment_t = 0.0, torsion_constant = 0.0;  ///< ISS, ITT, J [length^4]
   // Of a discrete beam (ELFORM 6):
   double volume = 0.0;   ///< VOL; its mass is density times that [length^3]
   double inertia = 0.0;  ///< INER [mass length^2]
@@ -86,7 +94,7 @@ struct Hourglass {
   Place place;
 };
 
-enum class ElementKind { nothing, shell, solid, beam };
+enum class ElementKind { nothing, shell, solid, beam, discrete };
 
 struct Part {
   int id = 0;
@@ -145,7 +153,8 @@ struct RigidBody {
   std::string title;
   std::vector<Index> parts;  ///< MAT_RIGID parts merged into it
   std::vector<Index> nodes;  ///< all nodes that it carries, ascending
-  unsigned fixed = 0;        ///< bits 0..2 translations x y z, 3..5 rotations that cannot move (CMO = 1)
+  unsigned fixed = 0;        ///< bits 0..2 translations x y z, 3..5 rotations that cannot move
+  Frame3d fixed_axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< whose x y z those are (CMO = -1: local ones)
   struct Inertia {
     double mass = 0.0;
     Vec3d center;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/cross_section.hpp"
 #include "model/parts.hpp"
 
 namespace nugget::model {
@@ -27,9 +28,12 @@ struct NamedEntity {
 
 /// The *DATABASE_... cards.
 struct Requests {
-  Request glstat, matsum, nodout, swforc, dcfail, rwforc, spcforc, bndout, rbdout, rcforc, secforc, elout, deforc;
+  Request glstat, matsum, nodout, swforc, dcfail, rwforc, spcforc, bndout, rbdout, rcforc, secforc, elout, deforc,
+      jntforc, nodfor;
   Request d3plot;  ///< interval; `binary` unused
   std::vector<NamedEntity> history_nodes, history_shells, history_solids, history_beams;
+  std::vector<CrossSection> cross_sections;         ///< of secforc
+  std::vector<NodalForceGroup> nodal_force_groups;  ///< of nodfor
 
   // *DATABASE_EXTENT_BINARY
   int layers = 3;                 ///< MAXINT

@@ -31,15 +31,16 @@ class RealDecks(CommandTest):
             with self.subTest(deck):
                 self.assertFalse(self.refused(self.findings(deck, 0)))
 
-    def test_bumper_beam_is_refused_for_what_is_not_built_and_nothing_else(self):
-        found = self.findings("bumper_beam/Bumper_Beam_AP_meshed.k", 1)
+    def test_bumper_beam_is_accepted(self):
+        found = self.findings("bumper_beam/Bumper_Beam_AP_meshed.k", 0)
         errors = self.refused(found)
-        self.assertEqual(errors, {("*MAT_SIMPLIFIED_JOHNSON_COOK_TITLE", ""): 1})
+        self.assertEqual(errors, {})
         told = {(f["keyword"], f["field"]): f["text"] for f in found}
         self.assertIn("born after the end of the run", told[("*RIGIDWALL_GEOMETRIC_CYLINDER_ID", "birth")])
         self.assertIn("the body is held", told[("*BOUNDARY_SPC_SET", "nsid")])
         self.assertTrue(any("cannot turn, so it does not matter" in f["text"] for f in found))
-        about_welds = [f for f in found if "DISCRETE_BEAM" in f["keyword"] or f["keyword"] in ("*SECTION_BEAM", "*ELEMENT_BEAM")]
+        about_welds = [f for f in found if f["severity"] == "error" and
+                       ("DISCRETE_BEAM" in f["keyword"] or f["keyword"] in ("*SECTION_BEAM", "*ELEMENT_BEAM"))]
         self.assertEqual(about_welds, [], "its 78 welds are discrete beams of MAT_196")
         self.assertEqual([f["text"] for f in found if "is not defined" in f["text"]], [], "what is refused is not undefined")
 
@@ -49,19 +50,6 @@ class RealDecks(CommandTest):
         self.assertEqual(missing, ["Camry_V1_NoSusAndPowerTrain_impl7.k", "Camry_V1_NoSusAndPowerTrain_impl7_nodes.k"])
         beams = next(f for f in found if f["keyword"] == "*ELEMENT_BEAM")
         self.assertIn("part 7 is not defined; 2235 of its elements", beams["text"])
-
-    def test_weld_fragment_has_parts_without_section_and_material(self):
-        found = self.findings("hex_weld_fragment/rkrwelds.key", 1)
-        bare = [f for f in found if f["keyword"] == "*PART"]
-        self.assertEqual(len(bare), 21)
-        self.assertIn("has elements, but no section and no material", bare[0]["text"])
-        self.assertRegex(bare[-1]["text"], r"^and \d+ more of this kind$")
-
-    def test_every_brick_weld_part_of_the_fragment_is_told(self):
-        """The fragment has 99 weld parts; neither more nor fewer are told to be bare."""
-        bare = [f["text"] for f in self.findings("hex_weld_fragment/rkrwelds.key", 1) if f["keyword"] == "*PART"]
-        more = int(re.fullmatch(r"and (\d+) more of this kind", bare[-1])[1])
-        self.assertEqual(len(bare) - 1 + more, 99)
 
     def test_the_welds_of_the_camry_are_told_to_hang_on_missing_parts(self):
         found = self.findings("camry_roof_crush_includes/Camry_RC_main.k", 1)
@@ -79,9 +67,9 @@ class RealDecks(CommandTest):
                     lines = pathlib.Path(f["file"]).read_text(encoding="latin-1").splitlines()
                     above = next(line for line in reversed(lines[:f["line"]]) if line.startswith("*"))
                     self.assertTrue(above.upper().startswith(f["keyword"].split()[0]), (f["keyword"], above))
-                log = self.read("audit/check.log")
-                self.assertEqual(len(re.findall(r"(?m)^ .*: error: ", log)),
-                                 sum(f["severity"] == "error" for f in self.json("audit/findings.json")))
+                # Where many are alike the log counts them: `..., and 96 more of this kind, ...` stands for 96.
+                told = [int(m[1] or 1) for m in re.finditer(r"(?m)^ .*: error: (?:\S+: and (\d+) more of this kind)?", self.read("audit/check.log"))]
+                self.assertEqual(sum(told), sum(f["severity"] == "error" for f in self.json("audit/findings.json")))
 
     def test_frf_column_resonates_where_the_plot_of_ls_dyna_peaks(self):
         """The base moves along x; the plot beside the deck peaks at the modes that take part in that motion."""

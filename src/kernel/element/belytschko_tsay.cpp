@@ -3,6 +3,7 @@
 
 #include "kernel/element/quadrilateral.hpp"
 #include "kernel/element/shell_layers.hpp"
+#include "kernel/law/prepared_compound.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -257,6 +258,8 @@ template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const P
 template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const Prepared<PlasticKinematic>&,
                                                  const NodalMotion<NativeBatch, 4>&, double, double*);
 template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const Prepared<PiecewiseLinear>&,
+                                                 const NodalMotion<NativeBatch, 4>&, double, double*);
+template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const Prepared<Compound>&,
                                                  const NodalMotion<NativeBatch, 4>&, double, double*);
 template NodalForces<Dual<24>, 4> shell_cycle(const ShellProperties&, const Prepared<Elastic>&,
                                               const NodalMotion<Dual<24>, 4>&, double, double*);

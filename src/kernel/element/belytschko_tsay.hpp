@@ -22,7 +22,8 @@ namespace nugget::kernel {
 /// not computed here: it is the work of the nodal forces. Sources: Belytschko, Lin, Tsay, CMAME 42 (1984); LS-DYNA
 /// Theory Manual; ../shared/reference/element-theory.md section 3.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; Dual<24> with Elastic.
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with Compound;
+/// Dual<24> with Elastic.
 template <class R, class Law>
 NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const Prepared<Law>& law, const NodalMotion<R, 4>& nodes,
                               double dt, double* state);

@@ -2,6 +2,7 @@
 #include "kernel/element/c0_triangle.hpp"
 
 #include "kernel/element/shell_layers.hpp"
+#include "kernel/law/prepared_compound.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -208,6 +209,8 @@ template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, cons
 template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const Prepared<PlasticKinematic>&,
                                                     const NodalMotion<NativeBatch, 3>&, double, double*);
 template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const Prepared<PiecewiseLinear>&,
+                                                    const NodalMotion<NativeBatch, 3>&, double, double*);
+template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const Prepared<Compound>&,
                                                     const NodalMotion<NativeBatch, 3>&, double, double*);
 template NodalForces<Dual<18>, 3> triangle_cycle(const ShellProperties&, const Prepared<Elastic>&,
                                                  const NodalMotion<Dual<18>, 3>&, double, double*);

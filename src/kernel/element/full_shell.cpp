@@ -3,6 +3,7 @@
 
 #include "kernel/element/quadrilateral.hpp"
 #include "kernel/element/shell_layers.hpp"
+#include "kernel/law/prepared_compound.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -290,7 +291,6 @@ NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const Prepared<
   const R t = load_field<R>(state, L::thickness);
   ShellResultants<R> n[4];
   ThicknessStrain<R> thinning;
-  MaskOf<R> sound = R(1.0) < R(0.0);
   for (int p = 0; p < full_shell_columns; ++p) {
     ShellRates<R> d = rates_at(mid, rates, e.nu, gauss * corner_xi[p], gauss * corner_eta[p]);
     if (any(!alive)) d = select(alive, d, ShellRates<R>{});
@@ -298,9 +298,8 @@ NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const Prepared<
     n[p] = column.n;
     thinning.total += 0.25 * column.thinning.total;
     thinning.plastic += 0.25 * column.thinning.plastic;
-    sound = sound || column.sound;
   }
-  if (law.can_fail()) alive = alive && sound;
+  if (law.can_fail()) alive = alive && !worn_out<R>(law, layout, state);
   const R now = thinned(shell, thinning, t, state);
   PatternForces<R> f;
   for (int p = 0; p < full_shell_columns; ++p)
@@ -332,6 +331,8 @@ template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, co
 template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const Prepared<PlasticKinematic>&,
                                                       const NodalMotion<NativeBatch, 4>&, double, double*);
 template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const Prepared<PiecewiseLinear>&,
+                                                      const NodalMotion<NativeBatch, 4>&, double, double*);
+template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const Prepared<Compound>&,
                                                       const NodalMotion<NativeBatch, 4>&, double, double*);
 template NodalForces<Dual<24>, 4> full_shell_cycle(const ShellProperties&, const Prepared<Elastic>&,
                                                    const NodalMotion<Dual<24>, 4>&, double, double*);

@@ -11,8 +11,8 @@ namespace nugget::kernel {
 inline constexpr int full_shell_columns = 4;
 
 template <class Law>
-ShellLayout full_shell_layout(const ShellProperties& shell, const Prepared<Law>&) {
-  return {shell.layers.count, Prepared<Law>::layer_history, full_shell_columns};
+ShellLayout full_shell_layout(const ShellProperties& shell, const Prepared<Law>& law) {
+  return {shell.layers.count, law.layer_history(), full_shell_columns};
 }
 
 /// One cycle of the four-node fully integrated shell (ELFORM 16): 2 x 2 points in the plane, layers through the
@@ -38,7 +38,8 @@ ShellLayout full_shell_layout(const ShellProperties& shell, const Prepared<Law>&
 /// Belytschko, Bachrach, CMAME 54 (1986); Hughes, Brezzi, CMAME 72 (1989); ../shared/reference/element-theory.md
 /// section 4.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; Dual<24> with Elastic.
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with Compound;
+/// Dual<24> with Elastic.
 template <class R, class Law>
 NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const Prepared<Law>& law,
                                    const NodalMotion<R, 4>& nodes, double dt, double* state);

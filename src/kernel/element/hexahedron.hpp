@@ -35,8 +35,8 @@ struct HexahedronLayout {
 };
 
 template <class Law>
-HexahedronLayout hexahedron_layout(const Prepared<Law>&) {
-  return {Prepared<Law>::solid_history};
+HexahedronLayout hexahedron_layout(const Prepared<Law>& law) {
+  return {law.solid_history()};
 }
 
 /// State of an undeformed, stress-free brick in lane `lane` of `width`.
@@ -74,8 +74,8 @@ struct SolidForces {
 /// IJNME 17 (1981); Hughes, Winget, IJNME 15 (1980); Belytschko, Bindeman, CMAME 105 (1993);
 /// ../shared/reference/element-theory.md section 5.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld; Dual<24> with
-/// Elastic.
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld; NativeBatch with
+/// Compound; Dual<24> with Elastic.
 template <class R, class Law>
 SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepared<Law>& law,
                                 const SolidMotion<R>& nodes, double dt, double* state);

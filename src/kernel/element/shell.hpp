@@ -64,8 +64,8 @@ struct ShellLayout {
 };
 
 template <class Law>
-ShellLayout shell_layout(const ShellProperties& shell, const Prepared<Law>&) {
-  return {shell.layers.count, Prepared<Law>::layer_history};
+ShellLayout shell_layout(const ShellProperties& shell, const Prepared<Law>& law) {
+  return {shell.layers.count, law.layer_history()};
 }
 
 /// State of an undeformed, stress-free shell in lane `lane` of `width`.

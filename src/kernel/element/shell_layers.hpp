@@ -27,20 +27,18 @@ ShellRates<R> select(const MaskOf<R>& m, const ShellRates<R>& a, const ShellRate
           select(m, a.kyy, b.kyy), select(m, a.kxy, b.kxy), select(m, a.xz, b.xz), select(m, a.yz, b.yz)};
 }
 
-/// What the layers of one column through the thickness give in a step: resultants for a thickness of 1, and which
-/// elements have a layer there that has not failed.
+/// What the layers of one column through the thickness give in a step: resultants for a thickness of 1.
 template <class R>
 struct Column {
   ShellResultants<R> n;
   ThicknessStrain<R> thinning;
-  MaskOf<R> sound = R(1.0) < R(0.0);
 };
 
 /// Advances the layers of a column by a step. `first`: the state of its first layer.
 template <class R, class Law>
 [[gnu::always_inline]] inline Column<R> advance_column(const ShellProperties& shell, const Prepared<Law>& law,
                                                        const ShellRates<R>& d, const R& t, double dt, double* first) {
-  constexpr int stride = (LayerTensor<R>::size + Prepared<Law>::layer_history) * lanes<R>;
+  const int stride = (LayerTensor<R>::size + law.layer_history()) * lanes<R>;
   Column<R> c;
   ShellResultants<R>& n = c.n;
   for (int k = 0; k < shell.layers.count; ++k) {
@@ -55,7 +53,6 @@ template <class R, class Law>
     store_layer(stress, s);
     c.thinning.total += weight * e.total;
     c.thinning.plastic += weight * e.plastic;
-    if (law.can_fail()) c.sound = c.sound || !law.template failed<R>(history);
     const R xx = weight * s.xx, yy = weight * s.yy, xy = weight * s.xy;
     n.nxx += xx;
     n.nyy += yy;
@@ -87,8 +84,26 @@ template <class R>
   return {t * n.nxx, t * n.nyy, t * n.nxy, t2 * n.mxx, t2 * n.myy, t2 * n.mxy, qt * n.qx, qt * n.qy};
 }
 
-/// Advances all layers of a shell with one column by a step and adds them up on the new thickness. Elements of which
-/// every layer has failed are deleted: `alive` is cleared for them.
+/// Which elements have lost so many points that they are deleted: all, a number, or a percentage of the layers.
+template <class R, class Law>
+MaskOf<R> worn_out(const Prepared<Law>& law, const ShellLayout& layout, const double* state) {
+  const double limit = law.points_to_delete();
+  const R none = R(0.0), one = R(1.0);
+  R points = none, failed_layers = none;
+  for (int k = 0; k < layout.layers; ++k) {
+    R here = none;
+    for (int c = 0; c < layout.columns; ++c)
+      here += select(law.template failed<R>(state + layout.history_of(k, c) * lanes<R>), one, none);
+    points += here;
+    failed_layers += min(here, one);
+  }
+  const int all = layout.layers * layout.columns;
+  if (limit < 0.0) return R(100.0) * failed_layers >= R(-limit * layout.layers);
+  return points >= R(limit > 0.0 && limit < all ? limit : all);
+}
+
+/// Advances all layers of a shell with one column by a step and adds them up on the new thickness. Elements that are
+/// worn out are deleted: `alive` is cleared for them.
 template <class R, class Law>
 [[gnu::always_inline]] inline ShellResultants<R> advance_layers(const ShellProperties& shell, const Prepared<Law>& law,
                                                                 const ShellRates<R>& d, double dt, double* state,
@@ -96,7 +111,7 @@ template <class R, class Law>
   using L = ShellLayout;
   const R t = load_field<R>(state, L::thickness);
   const Column<R> c = advance_column(shell, law, d, t, dt, state + L::first_layer * lanes<R>);
-  if (law.can_fail()) alive = alive && c.sound;
+  if (law.can_fail()) alive = alive && !worn_out<R>(law, shell_layout(shell, law), state);
   return on_thickness(shell, c.n, thinned(shell, c.thinning, t, state));
 }
 

@@ -12,11 +12,14 @@ namespace nugget::kernel {
 /// A law made ready for the kernels: moduli, look-up tables. Made once from the parameters, then only read (by any
 /// number of threads).
 ///   elastic()                               elastic constants
-///   layer_history, solid_history, fibre_history   numbers of history a point needs in each stress space, beside its
-///   stress has_plastic_strain                      the first number of the history is the effective plastic strain
+///   layer_history(), solid_history(), fibre_history()   numbers of history a point needs in each stress space, beside
+///                                           its stress
+///   has_plastic_strain                      the first number of the history is the effective plastic strain
 ///   layer(), solid(), fibre()               add a step of strain rate to a stress
+///   wave_modulus()                          of a solid point as it is, for the stable step [stress]
 ///   rotate()                                turns a solid point's history with the material
 ///   can_fail(), failed()                    whether, and which, points have failed (their stress is 0)
+///   points_to_delete()                      failed points that delete an element, as in Compound; 0: all
 ///   deletion_step()                         an element whose stable time step falls below is deleted; 0: never
 template <class Law>
 class Prepared;
@@ -24,7 +27,9 @@ class Prepared;
 template <>
 class Prepared<Elastic> {
  public:
-  static constexpr int layer_history = 0, solid_history = 0, fibre_history = 0;
+  static constexpr int layer_history() { return 0; }
+  static constexpr int solid_history() { return 0; }
+  static constexpr int fibre_history() { return 0; }
   static constexpr bool has_plastic_strain = false;
 
   explicit Prepared(const Elastic& law) : elastic_(law.E, law.nu) {}
@@ -32,9 +37,14 @@ class Prepared<Elastic> {
   const ElasticConstants& elastic() const { return elastic_; }
   double deletion_step() const { return 0.0; }
   bool can_fail() const { return false; }
+  static constexpr double points_to_delete() { return 0.0; }
   template <class R>
   MaskOf<R> failed(const double*) const {
     return R(1.0) < R(0.0);
+  }
+  template <class R>
+  R wave_modulus(const double*) const {
+    return R(elastic_.bulk_wave());
   }
 
   template <class R>
@@ -84,8 +94,8 @@ class Prepared<Spotweld> : public J2<WeldHardening, false> {
 
  public:
   static constexpr int held = WeldHardening::held, damaged_for = 2, sound = 3;
-  static constexpr int solid_history = sound + SolidTensor<double>::size;
-  static constexpr int fibre_history = sound + FibreTensor<double>::size;
+  static constexpr int solid_history() { return sound + SolidTensor<double>::size; }
+  static constexpr int fibre_history() { return sound + FibreTensor<double>::size; }
 
   explicit Prepared(const Spotweld& law)
       : Base(law.E, law.nu, WeldHardening(law),

@@ -63,7 +63,7 @@ std::vector<Index> members(const Set<Index>* set) {
 
 void make_load(Builder& b, Region region, const Row& row, const Row& motion, const Vec3d& scales) {
   BodyLoad load;
-  load.generalized = true;
+  load.own_parts = true;
   load.direction = unit(scales);
   load.scale = norm(scales);
   load.curve = b.curve(row, "lcid");

@@ -109,40 +109,6 @@ const Card plastic_rate_card{{
     unused(),
 }};
 
-const Card strain_card{{
-    real("eps1", dimension::number, 0, at_least(0), "plastic strain of point 1"),
-    real("eps2", dimension::number, 0, at_least(0), "point 2"),
-    real("eps3", dimension::number, 0, at_least(0), "point 3"),
-    real("eps4", dimension::number, 0, at_least(0), "point 4"),
-    real("eps5", dimension::number, 0, at_least(0), "point 5"),
-    real("eps6", dimension::number, 0, at_least(0), "point 6"),
-    real("eps7", dimension::number, 0, at_least(0), "point 7"),
-    real("eps8", dimension::number, 0, at_least(0), "point 8"),
-}};
-
-const Card stress_card{{
-    real("es1", dimension::stress, 0, at_least(0), "yield stress of point 1"),
-    real("es2", dimension::stress, 0, at_least(0), "point 2"),
-    real("es3", dimension::stress, 0, at_least(0), "point 3"),
-    real("es4", dimension::stress, 0, at_least(0), "point 4"),
-    real("es5", dimension::stress, 0, at_least(0), "point 5"),
-    real("es6", dimension::stress, 0, at_least(0), "point 6"),
-    real("es7", dimension::stress, 0, at_least(0), "point 7"),
-    real("es8", dimension::stress, 0, at_least(0), "point 8"),
-}};
-
-void check_tangent(Builder& b, const Row& row) {
-  if (row.real("etan") >= row.real("e") && row.real("e") > 0.0)
-    refuse(b, row, "etan", fmt::format("the tangent modulus must be below Young's modulus {:g}", row.real("e")));
-}
-
-void warn_of_half_a_rate(Builder& b, const Row& row, std::string_view c, std::string_view p) {
-  if ((row.real(c) > 0.0) == (row.real(p) > 0.0)) return;
-  const bool has_c = row.real(c) > 0.0;
-  row.complain(b.findings, Severity::warning, has_c ? p : c, "Cowper-Symonds needs both constants: no rate effect",
-               "give both, or neither");
-}
-
 void read_elastic(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
@@ -229,8 +195,8 @@ void read_rigid(Builder& b, const Block& block, const Options& options) {
 void read_plastic(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  YieldCards cards{cursor.read(plastic_card), cursor.read(plastic_rate_card), cursor.read(strain_card),
-                   cursor.read(stress_card), options.contains("LOG_INTERPOLATION")};
+  YieldCards cards{cursor.read(plastic_card), cursor.read(plastic_rate_card), cursor.read(yield_strain_card),
+                   cursor.read(yield_stress_card), options.contains("LOG_INTERPOLATION")};
   expect_end(b, cursor);
   check_tangent(b, cards.main);
   warn_of_half_a_rate(b, cards.rate, "c", "p");
@@ -302,13 +268,8 @@ std::vector<Keyword> material_keywords() {
       {.name = "MAT_PIECEWISE_LINEAR_PLASTICITY",
        .aliases = {"MAT_024"},
        .options = {"TITLE", "LOG_INTERPOLATION"},
-       .layout = {{"", &plastic_card}, {"", &plastic_rate_card}, {"", &strain_card}, {"", &stress_card}},
+       .layout = {{"", &plastic_card}, {"", &plastic_rate_card}, {"", &yield_strain_card}, {"", &yield_stress_card}},
        .read = read_plastic},
-      not_built("MAT_ISOTROPIC_ELASTIC_PLASTIC", "MAT_012", use_024),
-      not_built("MAT_JOHNSON_COOK", "MAT_015", use_024),
-      not_built("MAT_PLASTICITY_WITH_DAMAGE", "MAT_081", use_024),
-      not_built("MAT_SIMPLIFIED_JOHNSON_COOK", "MAT_098", use_024),
-      not_built("MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", "MAT_123", use_024),
       not_built("MAT_3-PARAMETER_BARLAT", "MAT_036", use_024),
   };
 }

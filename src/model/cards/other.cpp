@@ -43,12 +43,8 @@ Rows without_effect() {
       ignored("CONTROL_STRUCTURED*", "writes a structured copy of the deck; no result depends on it"),
       ignored("CONTROL_DEBUG", "messages of LS-DYNA for its developers"),
       ignored("CONTROL_REQUIRE_REVISION", "a demand on the release of LS-DYNA"),
-      ignored("CONTROL_RIGID", "options of joints and of flexible rigid bodies, neither of which is built"),
       ignored("CONTROL_NONLOCAL", "storage for nonlocal laws, which are not built"),
       ignored("ELEMENT_PLOTEL", "lines for pictures only"),
-      ignored("ELEMENT_SEATBELT_ACCELEROMETER",
-              "local axes for the histories of its nodes, which are written in global axes"),
-      ignored("SENSOR_DEFINE_*", "measures something that only *SENSOR_SWITCH and *SENSOR_CONTROL act upon"),
       ignored("INTERFACE_SPRINGBACK_*", "asks for a file of the final state (dynain); d3plot holds it"),
   };
 }
@@ -79,6 +75,8 @@ Rows other_solutions() {
       refused("PERTURBATION*", "random imperfections are not built; move the nodes in the deck"),
       refused("USER_*", "user subroutines are not built"),
       refused("MODULE_*", "user subroutines are not built"),
+      refused("SENSOR_SWITCH*", "nothing is switched on or off during a run; give birth and death times instead"),
+      refused("SENSOR_CONTROL", "nothing is switched on or off during a run; give birth and death times instead"),
       refused("SENSOR_*", "switching by sensors is not built"),
   };
 }
@@ -111,8 +109,7 @@ Rows other_physics() {
 
 Rows other_elements() {
   return {
-      refused("ELEMENT_DISCRETE*", "springs and dampers are not built yet"),
-      refused("SECTION_DISCRETE*", "springs and dampers are not built yet"),
+      refused("ELEMENT_DISCRETE_*", "this form of a spring is not built; write *ELEMENT_DISCRETE"),
       refused("ELEMENT_SEATBELT*", "seat belts are not built"),
       refused("SECTION_SEATBELT*", "seat belts are not built"),
       refused("ELEMENT_TSHELL*", "thick shells are not built; use shells or bricks"),
@@ -122,8 +119,8 @@ Rows other_elements() {
       refused("ELEMENT_DISCRETE_SPHERE*", "particles (DES) are not built"),
       refused("ELEMENT_MASS_MATRIX*", "mass matrices are not built; use *ELEMENT_MASS"),
       refused("ELEMENT_DIRECT_MATRIX_INPUT*", "superelements are not built"),
-      refused("ELEMENT_*", "this element is not built; shells, bricks, spot-weld beams and masses are"),
-      refused("SECTION_*", "this section is not built; *SECTION_SHELL, _SOLID and _BEAM are"),
+      refused("ELEMENT_*", "this element is not built; shells, bricks, beams, springs and masses are"),
+      refused("SECTION_*", "this section is not built; *SECTION_SHELL, _SOLID, _BEAM and _DISCRETE are"),
       refused("INTEGRATION_*", "integration rules of the user are not built; use NIP and QR of the section"),
       refused("PART_COMPOSITE*", "layered composites are not built"),
       refused("PART_MOVE",
@@ -142,10 +139,8 @@ Rows other_laws() {
       refused("MAT_100_*",
               "the damage and failure forms of *MAT_SPOTWELD are not built yet; the plain one with its resultant "
               "surface is"),
-      refused("MAT_SPRING_*", "springs and dampers are not built yet"),
-      refused("MAT_DAMPER_*", "springs and dampers are not built yet"),
-      refused("MAT_S0*", "springs and dampers are not built yet"),
-      refused("MAT_S1*", "springs and dampers are not built yet"),
+      refused("MAT_SPRING_*", "this law of springs is not built; *MAT_S01 to *MAT_S08 are"),
+      refused("MAT_S1*", "this law of springs is not built; *MAT_S01 to *MAT_S08 are"),
       refused("MAT_GENERAL_NONLINEAR_*", "discrete beams are not built yet"),
       refused("MAT_GENERAL_SPRING_*", "discrete beams are not built yet"),
       refused("MAT_GENERAL_JOINT_*", "discrete beams are not built yet"),
@@ -159,12 +154,11 @@ Rows other_laws() {
       refused("MAT_ELASTIC_FLUID*", "fluids are not built"),
       refused("MAT_COHESIVE_*", "cohesive laws are not built yet"),
       refused("MAT_ARUP_ADHESIVE*", "cohesive laws are not built yet"),
-      refused("MAT_ADD_EROSION*",
-              "erosion added to a law is not built yet; FAIL of *MAT_PIECEWISE_LINEAR_PLASTICITY is"),
       refused("MAT_ADD_*", "damage or other behaviour added to a law is not built"),
-      refused("MAT_*",
-              "this material is not built; 001 elastic, 003 plastic kinematic, 009 null, 020 rigid, 024 piecewise "
-              "linear plasticity and 100 spot weld are"),
+      refused(
+          "MAT_*",
+          "this material is not built; 001 elastic, 003 plastic kinematic, 009 null, 012, 015, 018, 019, 020 rigid, "
+          "024 piecewise linear plasticity, 081, 098, 100 spot weld and 123 are"),
   };
 }
 
@@ -184,20 +178,17 @@ Rows other_conditions() {
       refused("BOUNDARY_RADIATION*", "heat conduction is not built"),
       refused("BOUNDARY_*",
               "this boundary condition is not built; single point constraints and prescribed motions are"),
-      refused("INITIAL_STRESS_*", "initial stresses are not built"),
-      refused("INITIAL_STRAIN_*", "initial strains are not built"),
-      refused("INITIAL_AXIAL_FORCE_BEAM", "bolt preload is not built"),
+      refused("INITIAL_STRESS_*", "this form of initial stresses is not built; _SHELL, _SOLID and _SECTION are"),
+      refused("INITIAL_STRAIN_*", "this form of initial strains is not built; _SHELL is"),
       refused("INITIAL_TEMPERATURE*", "heat conduction is not built"),
       refused("INITIAL_*",
               "this initial condition is not built; velocities of nodes, sets, parts and rigid bodies are"),
-      refused("LOAD_BODY_RX", "centrifugal loads are not built; turn the parts with *INITIAL_VELOCITY_GENERATION"),
-      refused("LOAD_BODY_RY", "centrifugal loads are not built; turn the parts with *INITIAL_VELOCITY_GENERATION"),
-      refused("LOAD_BODY_RZ", "centrifugal loads are not built; turn the parts with *INITIAL_VELOCITY_GENERATION"),
-      refused("LOAD_GRAVITY_PART*", "gravity by part is not built; use *LOAD_BODY_Z with *LOAD_BODY_PARTS"),
+      refused("LOAD_GRAVITY_PART_*", "gravity of part sets and with stages is not built; use *LOAD_GRAVITY_PART"),
       refused("LOAD_THERMAL_*", "heat and thermal strains are not built"),
       refused("LOAD_BLAST*", "blast loads are not built; use *LOAD_SEGMENT_SET with a pressure curve"),
       refused("LOAD_*", "this load is not built; nodal, body and pressure loads are"),
-      refused("DAMPING_*", "damping by cards is not built yet"),
+      refused("DAMPING_*",
+              "this damping is not built; _GLOBAL, _PART_MASS, _PART_STIFFNESS, _FREQUENCY_RANGE and _RELATIVE are"),
       refused("RIGIDWALL_*", "this wall is not built; planes, cylinders and spheres are"),
       {"CONTROL_DYNAMIC_RELAXATION", {}, {}, Verdict::used, {}, {{{}, &relaxation_card}}, read_relaxation},
       refused("CONTROL_*", "this control card is not known here, so what it asks for cannot be obeyed"),

@@ -48,6 +48,40 @@ void set_curve_or_table(Builder& b, const YieldCards& cards, kernel::PiecewiseLi
 
 }  // namespace
 
+const Card yield_strain_card{{
+    real("eps1", dimension::number, 0, at_least(0), "plastic strain of point 1"),
+    real("eps2", dimension::number, 0, at_least(0), "point 2"),
+    real("eps3", dimension::number, 0, at_least(0), "point 3"),
+    real("eps4", dimension::number, 0, at_least(0), "point 4"),
+    real("eps5", dimension::number, 0, at_least(0), "point 5"),
+    real("eps6", dimension::number, 0, at_least(0), "point 6"),
+    real("eps7", dimension::number, 0, at_least(0), "point 7"),
+    real("eps8", dimension::number, 0, at_least(0), "point 8"),
+}};
+
+const Card yield_stress_card{{
+    real("es1", dimension::stress, 0, at_least(0), "yield stress of point 1"),
+    real("es2", dimension::stress, 0, at_least(0), "point 2"),
+    real("es3", dimension::stress, 0, at_least(0), "point 3"),
+    real("es4", dimension::stress, 0, at_least(0), "point 4"),
+    real("es5", dimension::stress, 0, at_least(0), "point 5"),
+    real("es6", dimension::stress, 0, at_least(0), "point 6"),
+    real("es7", dimension::stress, 0, at_least(0), "point 7"),
+    real("es8", dimension::stress, 0, at_least(0), "point 8"),
+}};
+
+void check_tangent(Builder& b, const Row& row) {
+  if (row.real("etan") >= row.real("e") && row.real("e") > 0.0)
+    refuse(b, row, "etan", fmt::format("the tangent modulus must be below Young's modulus {:g}", row.real("e")));
+}
+
+void warn_of_half_a_rate(Builder& b, const Row& row, std::string_view c, std::string_view p) {
+  if ((row.real(c) > 0.0) == (row.real(p) > 0.0)) return;
+  const bool has_c = row.real(c) > 0.0;
+  row.complain(b.findings, Severity::warning, has_c ? p : c, "Cowper-Symonds needs both constants: no rate effect",
+               "give both, or neither");
+}
+
 YieldTable yield_table(Builder& b, const Row& row, std::string_view field, int id, bool log_rates) {
   YieldTable y;
   y.log_rates = log_rates;

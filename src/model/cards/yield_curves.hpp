@@ -25,6 +25,14 @@ struct YieldCards {
   bool log_rates = false;  ///< _LOG_INTERPOLATION
 };
 
+/// EPS1..8 and ES1..8, as in MAT_024.
+extern const Card yield_strain_card, yield_stress_card;
+
+/// An error where ETAN is not below E.
+void check_tangent(Builder& builder, const deck::Row& row);
+/// A warning where only one of the constants of Cowper and Symonds is given.
+void warn_of_half_a_rate(Builder& builder, const deck::Row& row, std::string_view c, std::string_view p);
+
 /// Sets yield, rates, log_rates and rate_scale, from the first of these that is given: LCSS (curve or table), EPS and
 /// ES, SIGY and ETAN with the plastic modulus E ETAN / (E - ETAN).
 void set_yield_curves(Builder& builder, const YieldCards& cards, kernel::PiecewiseLinear& law);

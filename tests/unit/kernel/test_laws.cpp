@@ -3,65 +3,11 @@
 
 #include <functional>
 
-#include "kernel/law/prepared.hpp"
+#include "law_point.hpp"
 #include "motion.hpp"
 
 namespace nugget::kernel {
 namespace {
-
-/// One point of a law in one stress space, driven by strain increments.
-template <class Law>
-struct LayerPoint {
-  Prepared<Law> law;
-  std::vector<double> history = std::vector<double>(8);
-  LayerTensor<double> s{};
-  ThicknessStrain<double> thickness{};
-  double dt = 1.0;
-
-  explicit LayerPoint(const Law& parameters) : law(parameters) {}
-  void strain(const LayerTensor<double>& increment) {
-    thickness = law.template layer<double>(s, (1.0 / dt) * increment, dt, history.data());
-  }
-  /// Axial strain with the transverse strain that leaves no transverse stress, found by secants on copies.
-  void uniaxial(double axial, double shear = 0.0) {
-    const auto lateral_stress = [&](double lateral) {
-      LayerPoint copy = *this;
-      copy.strain({axial, lateral, shear, 0, 0});
-      return copy.s.yy;
-    };
-    double a = -0.3 * axial, b = -0.5 * axial, fa = lateral_stress(a), fb = lateral_stress(b);
-    for (int i = 0; i < 60 && std::abs(fb) > 1e-9 && fb != fa; ++i) {
-      const double c = b - fb * (b - a) / (fb - fa);
-      a = b, fa = fb;
-      b = c, fb = lateral_stress(c);
-    }
-    strain({axial, b, shear, 0, 0});
-  }
-  double plastic_strain() const { return history[0]; }
-  double effective(const LayerTensor<double>& back = {}) const {
-    const double xx = s.xx - back.xx, yy = s.yy - back.yy, xy = s.xy - back.xy, xz = s.xz - back.xz,
-                 yz = s.yz - back.yz;
-    return std::sqrt(xx * xx + yy * yy - xx * yy + 3 * (xy * xy + xz * xz + yz * yz));
-  }
-};
-
-template <class Law>
-struct SolidPoint {
-  Prepared<Law> law;
-  std::vector<double> history = std::vector<double>(8);
-  SolidTensor<double> s{};
-  double dt = 1.0;
-
-  explicit SolidPoint(const Law& parameters) : law(parameters) {}
-  void strain(const SolidTensor<double>& increment) {
-    law.template solid<double>(s, (1.0 / dt) * increment, dt, history.data());
-  }
-  double plastic_strain() const { return history[0]; }
-  double effective() const {
-    const double m = (s.xx + s.yy + s.zz) / 3, x = s.xx - m, y = s.yy - m, z = s.zz - m;
-    return std::sqrt(1.5 * (x * x + y * y + z * z) + 3 * (s.xy * s.xy + s.yz * s.yz + s.zx * s.zx));
-  }
-};
 
 constexpr double E = steel_E;
 

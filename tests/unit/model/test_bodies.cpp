@@ -38,7 +38,7 @@ TEST(RigidBodies, PartsWithRigidMaterial) {
   EXPECT_EQ(bodies[0].fixed, 0b111011u) << "CON1 4 holds x and y";
   EXPECT_EQ(built.model.parts[0].rigid_body, none);
   EXPECT_EQ(built.model.parts[2].rigid_body, 1);
-  EXPECT_TRUE(Built(small_deck("", "      -1.0         5    110111")).error("local axes", "cmo"));
+  EXPECT_TRUE(Built(small_deck("", "      -1.0         5    110111")).error("is not defined", "con1"));
 }
 
 TEST(RigidBodies, MergersAndExtraNodes) {

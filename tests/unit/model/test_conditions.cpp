@@ -81,7 +81,7 @@ TEST(Database, HistoriesOfNodesSetsAndHeadings) {
 }
 
 TEST(Database, WhatIsNotWrittenIsSaid) {
-  const Built built(small_deck(R"(*DATABASE_ELOUT
+  const Built built(small_deck(R"(*DATABASE_ABSTAT
     1.0E-3
 *DATABASE_BINARY_RUNRSF
     1000.0
@@ -93,7 +93,7 @@ TEST(Database, WhatIsNotWrittenIsSaid) {
          4         0        -3
 )"));
   EXPECT_EQ(built.findings.errors(), 0) << built.all_findings();
-  EXPECT_TRUE(built.warning("elout"));
+  EXPECT_TRUE(built.warning("abstat"));
   EXPECT_TRUE(built.warning("not written", "neiph"));
   EXPECT_TRUE(built.warning("not written", "option1"));
   EXPECT_TRUE(built.warning("one in-plane point", "maxint"));
@@ -369,7 +369,22 @@ TEST(Load, BaseAccelerationOfSomeParts) {
   EXPECT_EQ(built.model.body_loads[0].scale, 9810.0);
   expect_vector(built.model.body_loads[1].direction, 0, 0.6, 0.8);
   for (const BodyLoad& load : built.model.body_loads) EXPECT_THAT(load.parts, ElementsAre(0));
-  EXPECT_TRUE(Built(small_deck("*LOAD_BODY_RZ\n         7\n")).error("centrifugal"));
+  const Built others(small_deck(R"(*LOAD_BODY_RZ
+         7       2.0         0       1.0       2.0       3.0
+*LOAD_GRAVITY_PART
+         1         3         0    9810.0
+*LOAD_BODY_PARTS
+         1
+)"));
+  ASSERT_EQ(others.findings.errors(), 0) << others.all_findings();
+  ASSERT_EQ(others.model.body_loads.size(), 2u);
+  const BodyLoad &spin = others.model.body_loads[0], &gravity = others.model.body_loads[1];
+  EXPECT_TRUE(spin.centrifugal);
+  expect_vector(spin.center, 1, 2, 3);
+  expect_vector(gravity.direction, 0, 0, 1);
+  EXPECT_EQ(gravity.curve, none);
+  EXPECT_THAT(gravity.parts, ElementsAre(0));
+  EXPECT_TRUE(gravity.own_parts);
 }
 
 TEST(Load, BaseAccelerationOfARegion) {

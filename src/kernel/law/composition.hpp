@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "kernel/law/compound.hpp"
+#include "kernel/law/elastic.hpp"
+#include "kernel/law/foam.hpp"
+#include "kernel/law/johnson_cook.hpp"
+#include "kernel/law/piecewise_linear.hpp"
+#include "kernel/law/plastic_kinematic.hpp"
+#include "kernel/law/point_damage.hpp"
+#include "kernel/law/power_law.hpp"
+#include "kernel/law/rate_dependent_yield.hpp"
+#include "kernel/law/rubber.hpp"
+#include "kernel/law/viscoelastic.hpp"
+
+namespace nugget::kernel {
+
+/// How a point flows.
+using Flow = std::variant<Elastic, PlasticKinematic, PiecewiseLinear, JohnsonCook, PowerLaw, RateDependentYield,
+                          MooneyRivlin, Ogden, LowDensityFoam, CrushableFoam, Viscoelastic>;
+
+/// What a compound law is made of: how a point flows, and when it and its element fail.
+struct Composition {
+  Flow flow;                         ///< its own failure strain and deletion step are not used
+  double failure_strain = 0.0;       ///< effective plastic strain at which a point fails [1]; 0: none
+  Curve failure_strain_over_rate{};  ///< the same over the total strain rate; empty: none
+  std::optional<PlasticDamage> damage{};
+  std::optional<JohnsonCookFracture> fracture{};
+  StrainLimits limits{};
+  std::optional<Erosion> erosion{};
+  double points_to_delete = 0.0;  ///< failed points of an element that delete it; 0: all; below 0: percentage of a
+                                  ///< shell's layers, of which one failed point makes a layer a failed one
+  double deletion_step = 0.0;     ///< an element whose stable time step falls below is deleted [time]; 0: never
+  bool for_shells = true, for_bricks = true;  ///< elements that may have the law
+  bool bulk_viscosity = true;                 ///< whether bricks have it
+};
+
+inline Compound compound(Composition made_of) {
+  const auto [E, nu] = std::visit([](const auto& flow) { return std::pair{flow.E, flow.nu}; }, made_of.flow);
+  return {E, nu, std::make_shared<const Composition>(std::move(made_of))};
+}
+
+}  // namespace nugget::kernel

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <utility>
+
+#include "kernel/law/composition.hpp"
+#include "kernel/law/point_failure.hpp"
+#include "kernel/law/prepared_compound.hpp"
+#include "kernel/law/single_points.hpp"
+#include "kernel/law/smooth_hardening.hpp"
+
+namespace nugget::kernel {
+
+/// History of a point: plastic strain and, where plastic work heats it, its temperature rise.
+template <>
+class Prepared<JohnsonCook> : public J2<SmoothHardening<JohnsonCookFormula>, false> {
+  using Base = J2<SmoothHardening<JohnsonCookFormula>, false>;
+
+ public:
+  explicit Prepared(const JohnsonCook& law)
+      : J2(law.E, law.nu, SmoothHardening<JohnsonCookFormula>(law), 0.0),
+        heating_(law.heating),
+        melting_rise_(law.melting_rise) {}
+
+  int layer_history() const { return heats() ? 2 : 1; }
+  int solid_history() const { return heats() ? 2 : 1; }
+  bool heats() const { return heating_ > 0.0; }
+
+  template <class R>
+  ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, double* history) const {
+    const R before = load_field<R>(history, 0);
+    const ThicknessStrain<R> thickness = Base::layer(s, rate, dt, history);
+    if (heats())
+      heat(sqrt(s.xx * s.xx + s.yy * s.yy - s.xx * s.yy + 3.0 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz)), before,
+           history);
+    return thickness;
+  }
+  template <class R>
+  void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
+    const R before = load_field<R>(history, 0);
+    Base::solid(s, rate, dt, history);
+    if (!heats()) return;
+    const R xy = s.xx - s.yy, yz = s.yy - s.zz, zx = s.zz - s.xx;
+    heat(sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * (s.xy * s.xy + s.yz * s.yz + s.zx * s.zx)), before, history);
+  }
+
+ private:
+  template <class R>
+  void heat(const R& effective, const R& before, double* history) const {
+    const R rise = load_field<R>(history, 1) + heating_ * effective * (load_field<R>(history, 0) - before);
+    store_field(history, 1, min(rise, R(melting_rise_)));
+  }
+
+  double heating_, melting_rise_;
+};
+
+template <>
+class Prepared<PowerLaw> : public J2<SmoothHardening<PowerLawFormula>, false> {
+ public:
+  explicit Prepared(const PowerLaw& law) : J2(law.E, law.nu, SmoothHardening<PowerLawFormula>(law), 0.0) {}
+};
+
+template <>
+class Prepared<RateDependentYield> : public J2<SmoothHardening<RateDependentFormula>, false> {
+ public:
+  explicit Prepared(const RateDependentYield& law)
+      : J2(law.E, law.nu, SmoothHardening<RateDependentFormula>(law), 0.0) {}
+};
+
+template <>
+class Prepared<MooneyRivlin> : public SolidPointLaw<MooneyRivlinPoint> {
+ public:
+  using SolidPointLaw::SolidPointLaw;
+};
+
+template <>
+class Prepared<Ogden> : public SolidPointLaw<OgdenPoint> {
+ public:
+  using SolidPointLaw::SolidPointLaw;
+};
+
+template <>
+class Prepared<LowDensityFoam> : public SolidPointLaw<LowDensityFoamPoint> {
+ public:
+  using SolidPointLaw::SolidPointLaw;
+};
+
+template <>
+class Prepared<CrushableFoam> : public SolidPointLaw<CrushableFoamPoint> {
+ public:
+  using SolidPointLaw::SolidPointLaw;
+};
+
+template <>
+class Prepared<Viscoelastic> : public SolidPointLaw<ViscoelasticPoint> {
+ public:
+  using SolidPointLaw::SolidPointLaw;
+};
+
+namespace {
+
+/// The flows made ready, in the order of Flow.
+template <class Flows>
+struct PreparedFlows;
+template <class... Laws>
+struct PreparedFlows<std::variant<Laws...>> {
+  using Type = std::variant<Prepared<Laws>...>;
+};
+
+template <class R>
+SolidTensor<R> as_solid(const LayerTensor<R>& a, const R& zz) {
+  return {a.xx, a.yy, zz, a.xy, a.yz, a.xz};
+}
+
+/// Divides by the share that is left; the stress of a point that has nothing left is 0 already.
+template <class R, class Tensor>
+Tensor made_whole(const Tensor& s, const double* failure) {
+  return (1.0 / max(PointFailure::left<R>(failure), R(1e-30))) * s;
+}
+
+}  // namespace
+
+struct Prepared<Compound>::Parts {
+  using Flows = PreparedFlows<Flow>::Type;
+
+  explicit Parts(const Composition& c)
+      : flow(std::visit([]<class Law>(const Law& law) -> Flows { return Prepared<Law>(law); }, c.flow)),
+        failure(c),
+        softens(c.damage.has_value()),
+        heats(std::holds_alternative<Prepared<JohnsonCook>>(flow) && std::get<Prepared<JohnsonCook>>(flow).heats()) {}
+
+  Flows flow;
+  PointFailure failure;
+  bool softens;  ///< points lose their stress little by little
+  bool heats;    ///< the second number of the history is a temperature rise
+};
+
+Prepared<Compound>::Prepared(const Compound& law)
+    : elastic_(law.E, law.nu),
+      parts_(std::make_shared<const Parts>(*law.made_of)),
+      lost_(std::visit([](const auto& flow) { return std::max(flow.solid_history(), 1); }, parts_->flow)),
+      history_(lost_ + parts_->failure.history()),
+      points_to_delete_(law.made_of->points_to_delete),
+      deletion_step_(law.made_of->deletion_step),
+      can_fail_(parts_->failure.active()) {}
+
+template <class R>
+ThicknessStrain<R> Prepared<Compound>::layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt,
+                                             double* history) const {
+  const auto flow = [&] {
+    return std::visit([&](const auto& law) { return law.layer(s, rate, dt, history); }, parts_->flow);
+  };
+  if (!can_fail_) return flow();
+  double* failure = history + lost_ * lanes<R>;
+  if (parts_->softens) s = made_whole<R>(s, failure);
+  const R before = load_field<R>(history, 0);
+  const ThicknessStrain<R> thickness = flow();
+  const R strain = load_field<R>(history, 0);
+  const double over_dt = dt > 0.0 ? 1.0 / dt : 0.0;  // the first forces of a run are those of no step
+  parts_->failure.advance(
+      PointStep<R>{as_solid(s, R(0.0)), as_solid(rate, over_dt * thickness.total), strain, strain - before,
+                   -thickness.plastic, parts_->heats ? load_field<R>(history, 1) : R(0.0), dt, true},
+      failure);
+  s = PointFailure::left<R>(failure) * s;
+  return thickness;
+}
+
+template <class R>
+void Prepared<Compound>::solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
+  const auto flow = [&] { std::visit([&](const auto& law) { law.solid(s, rate, dt, history); }, parts_->flow); };
+  if (!can_fail_) return flow();
+  double* failure = history + lost_ * lanes<R>;
+  if (parts_->softens) s = made_whole<R>(s, failure);
+  const R before = load_field<R>(history, 0);
+  flow();
+  const R strain = load_field<R>(history, 0);
+  parts_->failure.advance(PointStep<R>{s, rate, strain, strain - before, R(0.0),
+                                       parts_->heats ? load_field<R>(history, 1) : R(0.0), dt, false},
+                          failure);
+  s = PointFailure::left<R>(failure) * s;
+}
+
+template <class R>
+void Prepared<Compound>::rotate(const Frame<R>& q, double* history) const {
+  std::visit([&](const auto& flow) { flow.rotate(q, history); }, parts_->flow);
+  parts_->failure.rotate(q, history + lost_ * lanes<R>);
+}
+
+template <class R>
+R Prepared<Compound>::wave_modulus(const double* history) const {
+  return std::visit([&](const auto& flow) { return flow.template wave_modulus<R>(history); }, parts_->flow);
+}
+
+template ThicknessStrain<double> Prepared<Compound>::layer(LayerTensor<double>&, const LayerTensor<double>&, double,
+                                                           double*) const;
+template ThicknessStrain<NativeBatch> Prepared<Compound>::layer(LayerTensor<NativeBatch>&,
+                                                                const LayerTensor<NativeBatch>&, double, double*) const;
+template void Prepared<Compound>::solid(SolidTensor<double>&, const SolidTensor<double>&, double, double*) const;
+template void Prepared<Compound>::solid(SolidTensor<NativeBatch>&, const SolidTensor<NativeBatch>&, double,
+                                        double*) const;
+template void Prepared<Compound>::rotate(const Frame<double>&, double*) const;
+template void Prepared<Compound>::rotate(const Frame<NativeBatch>&, double*) const;
+template double Prepared<Compound>::wave_modulus(const double*) const;
+template NativeBatch Prepared<Compound>::wave_modulus(const double*) const;
+
+}  // namespace nugget::kernel

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+
+namespace nugget::kernel {
+
+/// Yield stress of G.R. Johnson and W.H. Cook (7th Int. Symp. on Ballistics, 1983; MAT_015, without heat MAT_098):
+///   min{ min[A + B ep^N, SIGMAX] (1 + C ln(rate / EPSO)), SIGSAT } (1 - T*^M),
+/// the logarithm never below 0; isotropic hardening. All plastic work heats the point, and no heat leaves it; T* is the
+/// rise of its temperature over TM - TR. The yield stress never falls below a millionth of what it is when cold.
+struct JohnsonCook {
+  double E = 0.0;            ///< Young's modulus [stress]
+  double nu = 0.0;           ///< Poisson's ratio [1]
+  double yield = 0.0;        ///< A [stress]
+  double hardening = 0.0;    ///< B [stress]
+  double exponent = 1.0;     ///< N [1]
+  double rate_factor = 0.0;  ///< C [1]; 0: no rate effect
+  double rest_rate = 1.0;    ///< EPSO, the rate up to which there is no effect [1/time]
+  double most_hardened = std::numeric_limits<double>::infinity();  ///< SIGMAX, of hardening without rates [stress]
+  double saturation = std::numeric_limits<double>::infinity();     ///< SIGSAT, with rates [stress]
+  double heating = 0.0;       ///< rise of temperature a work, 1 / (RO CP) [temperature/stress]; 0: none
+  double melting_rise = 1.0;  ///< TM - TR [temperature]
+  double softening = 1.0;     ///< M [1]
+  bool viscoplastic = false;  ///< VP 1: the rate is the plastic strain rate, else the total strain rate
+};
+
+}  // namespace nugget::kernel

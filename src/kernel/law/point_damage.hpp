@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "base/curve.hpp"
+
+// What makes a point of a compound law lose its stress, beside a limit of its plastic strain.
+namespace nugget::kernel {
+
+/// Damage w that grows with the plastic strain (MAT_081): stress and stiffness are (1 - w) times those of the sound
+/// point; at 1 the point has failed.
+struct PlasticDamage {
+  double onset = 0.0;    ///< EPPF, plastic strain at which it begins [1]
+  double rupture = 0.0;  ///< EPPFR, plastic strain at which it is 1, linear in between [1]
+  Curve growth{};        ///< LCDM: damage over plastic strain beyond the onset; empty: linear
+};
+
+/// Johnson and Cook's strain at fracture (Eng. Fract. Mech. 21, 1985):
+///   max{[D1 + D2 exp(D3 p*)] [1 + D4 ln(rate / EPSO)] [1 + D5 T*], EFMIN},
+/// p* mean stress over effective stress, tension positive. A point fails when its plastic strain increments, each over
+/// the strain at fracture of its moment, add up to 1; until then it has all its stress.
+struct JohnsonCookFracture {
+  double d1 = 0.0, d2 = 0.0, d3 = 0.0, d4 = 0.0, d5 = 0.0;
+  double least = 1e-6;           ///< EFMIN [1]
+  double rest_rate = 1.0;        ///< EPSO [1/time]
+  double melting_rise = 0.0;     ///< TM - TR [temperature]; 0: cold, T* = 0
+  bool by_plastic_rate = false;  ///< VP 1: the rate is the plastic strain rate, else the total strain rate
+};
+
+/// Criteria of *MAT_ADD_EROSION. Pressure is positive in compression; strains are time integrals of the strain rate in
+/// axes that turn with the material; principal values are of all three axes, in a layer too.
+struct Erosion {
+  std::optional<double> most_pressure, least_pressure;  ///< MXPRES, MNPRES [stress]
+  std::optional<double> least_strain, most_strain;      ///< MNEPS, MXEPS: principal strains [1]
+  std::optional<double> effective_strain;               ///< EFFEPS: sqrt(2/3 e:e) of the deviator [1]
+  std::optional<double> volume_strain;                  ///< VOLEPS: reached from 0 on, up or down [1]
+  std::optional<double> most_stress;                    ///< SIGP1: principal stress [stress]
+  std::optional<double> effective_stress;               ///< SIGVM [stress]
+  Curve effective_stress_over_rate;                     ///< SIGVM < 0; empty: none
+  std::optional<double> shear_strain;                   ///< EPSSH: largest tensorial shear [1]
+  std::optional<double> impulse;                        ///< IMPULSE: of (s1 - SIGTH)^2 over time
+  double threshold = 0.0;                               ///< SIGTH [stress]
+  std::optional<double> time;                           ///< FAILTM
+  std::optional<double> thinning;                       ///< EPSTHIN, of a layer [1]
+  int needed = 1;                                       ///< NCS: how many must hold at once
+};
+
+/// Limits of strain in a layer (MAT_123).
+struct StrainLimits {
+  double plastic_thinning = 0.0;  ///< EPSTHIN [1]; 0: none
+  double major = 0.0;             ///< EPSMAJ, larger principal strain in the plane; of a solid the largest [1]; 0: none
+};
+
+}  // namespace nugget::kernel

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernel/law/point_failure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace nugget::kernel {
+namespace {
+
+template <class R>
+SolidTensor<double> lane_of(const SolidTensor<R>& a, int l) {
+  return {lane(a.xx, l), lane(a.yy, l), lane(a.zz, l), lane(a.xy, l), lane(a.yz, l), lane(a.zx, l)};
+}
+
+/// a:a of the deviator.
+double deviator2(const SolidTensor<double>& a) {
+  const double m = (a.xx + a.yy + a.zz) / 3.0, x = a.xx - m, y = a.yy - m, z = a.zz - m;
+  return x * x + y * y + z * z + 2.0 * (a.xy * a.xy + a.yz * a.yz + a.zx * a.zx);
+}
+
+/// Larger principal value in the plane.
+double major_in_plane(const SolidTensor<double>& a) {
+  return 0.5 * (a.xx + a.yy) + std::hypot(0.5 * (a.xx - a.yy), a.xy);
+}
+
+/// sqrt(2/3 d:d) of a rate with engineering shears.
+double effective_rate(const SolidTensor<double>& d) {
+  return std::sqrt((2.0 / 3.0) * (d.xx * d.xx + d.yy * d.yy + d.zz * d.zz) +
+                   (1.0 / 3.0) * (d.xy * d.xy + d.yz * d.yz + d.zx * d.zx));
+}
+
+}  // namespace
+
+std::array<double, 3> principal_values(const SolidTensor<double>& a) {
+  const double mean = (a.xx + a.yy + a.zz) / 3.0, j2 = 0.5 * deviator2(a);
+  if (!(j2 > 0.0)) return {mean, mean, mean};
+  const double x = a.xx - mean, y = a.yy - mean, z = a.zz - mean;
+  const double j3 = x * (y * z - a.yz * a.yz) - a.xy * (a.xy * z - a.yz * a.zx) + a.zx * (a.xy * a.yz - y * a.zx);
+  const double radius = 2.0 * std::sqrt(j2 / 3.0);
+  const double cosine = std::clamp(4.0 * j3 / (radius * radius * radius), -1.0, 1.0);
+  const double angle = std::acos(cosine) / 3.0, third = 2.0 * std::numbers::pi / 3.0;
+  return {mean + radius * std::cos(angle + third), mean + radius * std::cos(angle - third),
+          mean + radius * std::cos(angle)};
+}
+
+int PointFailure::add(bool needed, int numbers) {
+  if (!needed) return 0;
+  size_ += numbers;
+  return size_ - numbers;
+}
+
+PointFailure::PointFailure(const Composition& law)
+    : failure_strain_(law.failure_strain),
+      failure_strain_over_rate_(law.failure_strain_over_rate),
+      damage_(law.damage),
+      fracture_(law.fracture),
+      erosion_(law.erosion),
+      limits_(law.limits),
+      fractured_(add(fracture_.has_value(), 1)),
+      thinned_(add(limits_.plastic_thinning > 0.0, 1)),
+      strain_(add(erosion_.has_value() || limits_.major > 0.0, SolidTensor<double>::size)),
+      impulse_(add(erosion_ && erosion_->impulse, 1)),
+      age_(add(erosion_ && erosion_->time, 1)),
+      active_(failure_strain_ > 0.0 || !failure_strain_over_rate_.empty() || damage_ || size_ > 1) {}
+
+double PointFailure::damage(double plastic_strain) const {
+  const double beyond = plastic_strain - damage_->onset;
+  if (!(beyond > 0.0)) return 0.0;
+  if (!damage_->growth.empty()) return std::clamp(damage_->growth.clamped(beyond), 0.0, 1.0);
+  return std::min(beyond / (damage_->rupture - damage_->onset), 1.0);
+}
+
+double PointFailure::fracture_strain(double triaxiality, double rate, double heating) const {
+  const JohnsonCookFracture& f = *fracture_;
+  const double over = std::max(rate / f.rest_rate, 1.0);
+  const double warmth = f.melting_rise > 0.0 ? std::min(heating / f.melting_rise, 1.0) : 0.0;
+  return std::max((f.d1 + f.d2 * std::exp(f.d3 * triaxiality)) * (1.0 + f.d4 * std::log(over)) * (1.0 + f.d5 * warmth),
+                  f.least);
+}
+
+bool PointFailure::eroded(const Now& now) const {
+  const Erosion& e = *erosion_;
+  const double pressure = -(now.stress.xx + now.stress.yy + now.stress.zz) / 3.0;
+  const double volume = now.strain.xx + now.strain.yy + now.strain.zz;
+  const std::array<double, 3> strain = principal_values(now.strain);
+  int met = 0;
+  const auto reaches = [&met](const std::optional<double>& limit, double value) { met += limit && value >= *limit; };
+  const auto falls_to = [&met](const std::optional<double>& limit, double value) { met += limit && value <= *limit; };
+  reaches(e.most_pressure, pressure);
+  falls_to(e.least_pressure, pressure);
+  falls_to(e.least_strain, strain[0]);
+  reaches(e.most_strain, strain[2]);
+  reaches(e.effective_strain, std::sqrt(2.0 / 3.0 * deviator2(now.strain)));
+  if (e.volume_strain) (*e.volume_strain > 0.0 ? reaches(e.volume_strain, volume) : falls_to(e.volume_strain, volume));
+  if (e.most_stress) reaches(e.most_stress, principal_values(now.stress)[2]);
+  const double effective = std::sqrt(1.5 * deviator2(now.stress));
+  reaches(e.effective_stress, effective);
+  if (!e.effective_stress_over_rate.empty()) reaches(e.effective_stress_over_rate.clamped(now.rate), effective);
+  reaches(e.shear_strain, 0.5 * (strain[2] - strain[0]));
+  reaches(e.impulse, now.impulse);
+  reaches(e.time, now.age);
+  if (now.layer) reaches(e.thinning, -now.strain.zz);
+  return met >= e.needed;
+}
+
+bool PointFailure::beyond_strain_limits(const Now& now, double thinning) const {
+  if (limits_.plastic_thinning > 0.0 && thinning >= limits_.plastic_thinning) return true;
+  if (!(limits_.major > 0.0)) return false;
+  return (now.layer ? major_in_plane(now.strain) : principal_values(now.strain)[2]) >= limits_.major;
+}
+
+template <class R>
+void PointFailure::advance(const PointStep<R>& step, double* history) const {
+  const auto at = [&](int field, int l) -> double& { return history[field * lanes<R> + l]; };
+  for (int l = 0; l < lanes<R>; ++l) {
+    double& lost = at(0, l);
+    if (lost >= 1.0) continue;
+    const double strain = lane(step.plastic_strain, l), increment = lane(step.plastic_increment, l);
+    if (damage_) lost = std::max(lost, damage(strain));
+    const SolidTensor<double> rate = lane_of(step.rate, l);
+    Now now{(1.0 - lost) * lane_of(step.stress, l), {}, effective_rate(rate), 0.0, 0.0, step.layer};
+    if (strain_ > 0) {
+      const double change[] = {rate.xx, rate.yy, rate.zz, 0.5 * rate.xy, 0.5 * rate.yz, 0.5 * rate.zx};
+      for (int i = 0; i < SolidTensor<double>::size; ++i) at(strain_ + i, l) += step.dt * change[i];
+      now.strain = {at(strain_, l),     at(strain_ + 1, l), at(strain_ + 2, l),
+                    at(strain_ + 3, l), at(strain_ + 4, l), at(strain_ + 5, l)};
+    }
+    if (impulse_ > 0) {
+      const double over = std::max(principal_values(now.stress)[2] - erosion_->threshold, 0.0);
+      now.impulse = at(impulse_, l) += over * over * step.dt;
+    }
+    if (age_ > 0) now.age = at(age_, l) += step.dt;
+    if (thinned_ > 0) at(thinned_, l) += lane(step.plastic_thinning, l);
+
+    if (fracture_ && increment > 0.0) {
+      const double mean = (now.stress.xx + now.stress.yy + now.stress.zz) / 3.0;
+      const double fracture_rate = fracture_->by_plastic_rate ? increment / step.dt : now.rate;
+      at(fractured_, l) += increment / fracture_strain(mean / std::sqrt(1.5 * deviator2(now.stress)), fracture_rate,
+                                                       lane(step.heating, l));
+    }
+    const bool gone =
+        (failure_strain_ > 0.0 && strain >= failure_strain_) ||
+        (!failure_strain_over_rate_.empty() && strain > 0.0 && strain >= failure_strain_over_rate_.clamped(now.rate)) ||
+        (fracture_ && at(fractured_, l) >= 1.0) || beyond_strain_limits(now, thinned_ > 0 ? at(thinned_, l) : 0.0) ||
+        (erosion_ && eroded(now));
+    if (gone) lost = 1.0;
+  }
+}
+
+template void PointFailure::advance(const PointStep<double>&, double*) const;
+template void PointFailure::advance(const PointStep<NativeBatch>&, double*) const;
+
+}  // namespace nugget::kernel

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "base/batch.hpp"
+#include "kernel/law/composition.hpp"
+#include "kernel/law/stress_space.hpp"
+
+namespace nugget::kernel {
+
+/// What happened to a point in a step. A layer's strain rate through the thickness is in `rate` too.
+template <class R>
+struct PointStep {
+  SolidTensor<R> stress;  ///< of the sound point at the end of the step
+  SolidTensor<R> rate;    ///< strain rate; shears are engineering shears
+  R plastic_strain;       ///< at the end of the step
+  R plastic_increment;
+  R plastic_thinning;  ///< plastic strain increment through the thickness of a layer, thinner positive
+  R heating;           ///< temperature rise so far
+  double dt = 0.0;
+  bool layer = false;
+};
+
+/// Principal values of a symmetric tensor with tensorial shears, ascending.
+std::array<double, 3> principal_values(const SolidTensor<double>& a);
+
+/// Damage and failure of a point of a compound law. Of its history, the first number is the share of its stress that a
+/// point has lost, 1 once it has failed; the others are what its criteria need.
+class PointFailure {
+ public:
+  explicit PointFailure(const Composition& law);
+
+  bool active() const { return active_; }
+  int history() const { return size_; }
+
+  /// Share of the sound point's stress that is left.
+  template <class R>
+  static R left(const double* history) {
+    return R(1.0) - load_field<R>(history, 0);
+  }
+  template <class R>
+  void advance(const PointStep<R>& step, double* history) const;
+  /// Turns what stands in a solid's axes with the material.
+  template <class R>
+  void rotate(const Frame<R>& q, double* history) const {
+    if (strain_ == 0) return;
+    SolidTensor<R> e = load_solid<R>(history + strain_ * lanes<R>);
+    store_solid(history + strain_ * lanes<R>, rotated(q, e));
+  }
+
+ private:
+  /// One point, where it stands at the end of a step.
+  struct Now {
+    SolidTensor<double> stress, strain;  ///< both with tensorial shears
+    double rate, impulse, age;
+    bool layer;
+  };
+  double damage(double plastic_strain) const;
+  double fracture_strain(double triaxiality, double rate, double heating) const;
+  bool eroded(const Now& now) const;
+  bool beyond_strain_limits(const Now& now, double thinning) const;
+  int add(bool needed, int numbers);
+
+  double failure_strain_;
+  Curve failure_strain_over_rate_;
+  std::optional<PlasticDamage> damage_;
+  std::optional<JohnsonCookFracture> fracture_;
+  std::optional<Erosion> erosion_;
+  StrainLimits limits_;
+  int size_ = 1;
+  int fractured_, thinned_, strain_, impulse_, age_;  ///< places in the history; 0: not kept
+  bool active_;
+};
+
+}  // namespace nugget::kernel

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "base/batch.hpp"
+#include "kernel/law/compound.hpp"
+#include "kernel/law/prepared.hpp"
+
+namespace nugget::kernel {
+
+/// A law put together at run time. History of a point: that of its flow, which begins with the effective plastic
+/// strain, then that of its failure (PointFailure): the share of its stress that it has lost, 1 once it has failed.
+///
+/// What depends on the composition is compiled in compound.cpp, for R = double and NativeBatch.
+template <>
+class Prepared<Compound> {
+ public:
+  static constexpr bool has_plastic_strain = true;
+
+  explicit Prepared(const Compound& law);
+
+  const ElasticConstants& elastic() const { return elastic_; }
+  int layer_history() const { return history_; }
+  int solid_history() const { return history_; }
+  double deletion_step() const { return deletion_step_; }
+  bool can_fail() const { return can_fail_; }
+  double points_to_delete() const { return points_to_delete_; }
+  template <class R>
+  MaskOf<R> failed(const double* history) const {
+    return load_field<R>(history, lost_) >= R(1.0);
+  }
+
+  template <class R>
+  ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, double* history) const;
+  template <class R>
+  void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const;
+  template <class R>
+  void rotate(const Frame<R>& q, double* history) const;
+  template <class R>
+  R wave_modulus(const double* history) const;
+
+ private:
+  struct Parts;
+
+  ElasticConstants elastic_;
+  std::shared_ptr<const Parts> parts_;
+  int lost_, history_;  ///< where in the history stands what a point has lost; size of the history
+  double points_to_delete_, deletion_step_;
+  bool can_fail_;
+};
+
+}  // namespace nugget::kernel

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/batch.hpp"
+#include "kernel/law/hardening.hpp"
+#include "kernel/law/johnson_cook.hpp"
+#include "kernel/law/power_law.hpp"
+#include "kernel/law/rate_dependent_yield.hpp"
+
+// Hardenings by formulas rather than curves; see hardening.hpp for what a hardening gives.
+namespace nugget::kernel {
+
+/// What a formula for the yield stress may depend on.
+struct YieldPoint {
+  double strain = 0.0;     ///< plastic strain at the start of the step
+  double increment = 0.0;  ///< of it in the step
+  double rate = 0.0;       ///< total strain rate, where the formula needs it
+  double heating = 0.0;    ///< temperature rise at the start of the step, where the formula keeps one
+  double dt = 0.0;
+};
+
+/// Hardening by a formula. `Formula` has lowest(), needs_rate(), yield(YieldPoint), and heats(): whether the second
+/// number of the history is a temperature rise.
+template <class Formula>
+class SmoothHardening : public Formula {
+ public:
+  using Formula::Formula;
+
+  double kinematic() const { return 0.0; }
+
+  template <class R>
+  class At {
+   public:
+    At(const SmoothHardening& hardening, const double* history, const R& strain_rate, double dt)
+        : hardening_(hardening), plastic_strain_(load_field<R>(history, 0)), rate_(strain_rate), dt_(dt) {
+      if (hardening.heats()) heating_ = load_field<R>(history, 1);
+    }
+    YieldStress<R> operator()(const R& increment) const {
+      YieldStress<R> y;
+      for (int l = 0; l < lanes<R>; ++l) {
+        const YieldStress<double> one =
+            hardening_.yield({lane(plastic_strain_, l), lane(increment, l), lane(rate_, l), lane(heating_, l), dt_});
+        set_lane(y.value, l, one.value);
+        set_lane(y.slope, l, one.slope);
+      }
+      return y;
+    }
+
+   private:
+    const SmoothHardening& hardening_;
+    R plastic_strain_, rate_, heating_{};
+    double dt_;
+  };
+};
+
+/// B e^N and its slope. Below a plastic strain of 1e-9, where the slope would be without bound, a straight line.
+class PowerOfStrain {
+ public:
+  PowerOfStrain(double factor, double exponent)
+      : factor_(factor), exponent_(exponent), start_(factor * std::pow(tiny, exponent)) {}
+  YieldStress<double> at(double strain) const {
+    if (strain < tiny) return {start_ * (strain / tiny), start_ / tiny};
+    const double value = factor_ * std::pow(strain, exponent_);
+    return {value, exponent_ * value / strain};
+  }
+
+ private:
+  static constexpr double tiny = 1e-9;
+  double factor_, exponent_, start_;
+};
+
+/// Johnson and Cook's yield stress.
+class JohnsonCookFormula {
+ public:
+  explicit JohnsonCookFormula(const JohnsonCook& law) : law_(law), power_(law.hardening, law.exponent) {}
+
+  double lowest() const { return heats() ? 0.0 : std::min({law_.yield, law_.most_hardened, law_.saturation}); }
+  bool heats() const { return law_.heating > 0.0; }
+  bool needs_rate() const { return law_.rate_factor != 0.0 && !law_.viscoplastic; }
+  YieldStress<double> yield(const YieldPoint& p) const {
+    YieldStress<double> y = power_.at(p.strain + p.increment);
+    y.value += law_.yield;
+    if (y.value > law_.most_hardened) y = {law_.most_hardened, 0.0};
+    const double over = (law_.viscoplastic ? p.increment / p.dt : p.rate) / law_.rest_rate;
+    if (law_.rate_factor != 0.0 && over > 1.0) {
+      const double factor = 1.0 + law_.rate_factor * std::log(over);
+      y.slope *= factor;
+      if (law_.viscoplastic) y.slope += y.value * law_.rate_factor / p.increment;
+      y.value *= factor;
+    }
+    if (y.value > law_.saturation) y = {law_.saturation, 0.0};
+    if (!heats()) return y;
+    const double cold = std::max(1.0 - std::pow(p.heating / law_.melting_rise, law_.softening), 1e-6);
+    return {y.value * cold, y.slope * cold};
+  }
+
+ private:
+  JohnsonCook law_;
+  PowerOfStrain power_;
+};
+
+/// Power law of the elastic and plastic strain.
+class PowerLawFormula {
+ public:
+  explicit PowerLawFormula(const PowerLaw& law) : law_(law), rate_{law.rate_c, law.rate_p} {}
+
+  double lowest() const { return law_.strength * std::pow(law_.yield_strain, law_.exponent); }
+  static constexpr bool heats() { return false; }
+  bool needs_rate() const { return rate_.active() && !law_.viscoplastic; }
+  YieldStress<double> yield(const YieldPoint& p) const {
+    const double strain = law_.yield_strain + p.strain + p.increment;
+    YieldStress<double> y{law_.strength * std::pow(strain, law_.exponent), 0.0};
+    y.slope = law_.exponent * y.value / strain;
+    if (!rate_.active()) return y;
+    const double factor = rate_.factor(law_.viscoplastic ? p.increment / p.dt : p.rate);
+    const double steeper = law_.viscoplastic && p.increment > 0.0 ? (factor - 1.0) / (law_.rate_p * p.increment) : 0.0;
+    return {y.value * factor, y.slope * factor + y.value * steeper};
+  }
+
+ private:
+  PowerLaw law_;
+  CowperSymonds rate_;
+};
+
+/// Yield stress and plastic modulus by curves over the rate.
+class RateDependentFormula {
+ public:
+  explicit RateDependentFormula(const RateDependentYield& law) : law_(law) {}
+
+  double lowest() const { return *std::min_element(law_.yield.y.begin(), law_.yield.y.end()); }
+  static constexpr bool heats() { return false; }
+  bool needs_rate() const { return !law_.viscoplastic; }
+  YieldStress<double> yield(const YieldPoint& p) const {
+    const double rate = law_.viscoplastic ? p.increment / p.dt : p.rate, strain = p.strain + p.increment;
+    const double modulus = law_.plastic_modulus.clamped(rate);
+    YieldStress<double> y{law_.yield.clamped(rate) + modulus * strain, modulus};
+    const bool inside = rate > law_.yield.x.front() && rate < law_.yield.x.back();
+    if (law_.viscoplastic && inside) y.slope += law_.yield.slope(rate) / p.dt;
+    return y;
+  }
+
+ private:
+  RateDependentYield law_;
+};
+
+}  // namespace nugget::kernel

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/law/composition.hpp"
+#include "model/cards/families.hpp"
+#include "model/cards/reading.hpp"
+
+// *MAT_ADD_EROSION: criteria of failure added to a law.
+namespace nugget::model {
+
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+const Card first_card{{
+    id("mid", IdSpace::material, required, "material to which the criteria are added"),
+    real("excl", dimension::number, 0, any_value, "criteria of this value do not count"),
+    real("mxpres", dimension::stress, 0, any_value, "greatest pressure"),
+    real("mneps", dimension::number, 0, any_value, "least principal strain"),
+    real("effeps", dimension::number, 0, any_value, "greatest effective strain; below 0: effective plastic strain"),
+    real("voleps", dimension::number, 0, any_value, "volumetric strain, above 0 in expansion, below 0 in compression"),
+    real("numfip", dimension::number, 1, any_value,
+         "failed points that delete the element; below 0: percentage of a shell's layers, below -100: points + 100"),
+    real("ncs", dimension::number, 1, at_least(1), "how many criteria must hold at once"),
+}};
+
+const Card second_card{{
+    real("mnpres", dimension::stress, 0, any_value, "least pressure"),
+    real("sigp1", dimension::stress, 0, any_value, "greatest principal stress"),
+    real("sigvm", dimension::stress, 0, any_value, "greatest effective stress; below 0: curve over the strain rate"),
+    real("mxeps", dimension::number, 0, any_value, "greatest principal strain"),
+    real("epssh", dimension::number, 0, any_value, "greatest tensorial shear strain"),
+    real("sigth", dimension::stress, 0, any_value, "threshold of the principal stress for IMPULSE"),
+    real("impulse", {2, -2, -3}, 0, any_value, "integral of (principal stress - SIGTH)^2 over time"),
+    real("failtm", dimension::time, 0, any_value, "time at which the material is taken away"),
+}};
+
+const Card third_card{{
+    integer("idam", 0, only(0), "damage model; GISSMO and DIEM are not built"),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    integer("lcregd", 0, any_value, "regularization, for IDAM only"),
+}};
+
+const Card fourth_card{{
+    integer("lcfld", 0, only(0), "forming limit curve"),
+    integer("nsff", 10, any_value, "fade-out, for LCFLD only"),
+    real("epsthin", dimension::number, 0, at_least(0), "thinning strain of a layer"),
+    real("engcrt", dimension::number, 0, only(0), "critical energy of a neighbourhood"),
+    real("radcrt", dimension::length, 0, any_value, "its radius, for ENGCRT only"),
+    integer("lceps12", 0, only(0), "in-plane shear strain over element size"),
+    integer("lceps13", 0, only(0), "transverse shear strain over element size"),
+    integer("lcepsmx", 0, only(0), "major strain over element size"),
+}};
+
+const Card fifth_card{{
+    real("dteflt", dimension::time, 0, any_value, "filter, for MXEPS below 0 only"),
+    real("volfrac", dimension::number, 0, any_value, "for elements of higher order only"),
+    real("mxtmp", dimension::number, 0, only(0), "greatest temperature"),
+    real("dtmin", dimension::time, 0, only(0), "smallest time step; TSMIN and TDEL are built"),
+}};
+
+struct Cards {
+  Row first, second, fourth;
+  int stress_curve;  ///< SIGVM below 0: id of the curve
+};
+
+/// The value of a criterion, if it counts. A zero in the first card never does.
+std::optional<double> criterion(const Cards& cards, const Row& row, std::string_view field, bool zero_counts = true) {
+  const double value = row.real(field);
+  if (value == cards.first.real("excl") || (value == 0.0 && !zero_counts)) return std::nullopt;
+  return value;
+}
+
+kernel::Erosion criteria(Builder& b, const Cards& cards) {
+  const auto one = [&](std::string_view field) { return criterion(cards, cards.first, field, false); };
+  const auto two = [&](std::string_view field) { return criterion(cards, cards.second, field); };
+  kernel::Erosion e;
+  e.most_pressure = one("mxpres");
+  e.least_strain = one("mneps");
+  e.volume_strain = one("voleps");
+  if (const auto strain = one("effeps"); strain && *strain > 0.0) e.effective_strain = strain;
+  e.needed = static_cast<int>(cards.first.real("ncs"));
+  e.least_pressure = two("mnpres");
+  e.most_stress = two("sigp1");
+  e.most_strain = two("mxeps");
+  e.shear_strain = two("epssh");
+  if (const auto impulse = two("impulse")) {
+    e.impulse = impulse;
+    e.threshold = cards.second.real("sigth");
+  }
+  if (const auto time = two("failtm")) e.time = std::abs(*time);
+  if (cards.fourth.real("epsthin") > 0.0) e.thinning = cards.fourth.real("epsthin");
+  if (const auto stress = two("sigvm"); stress && *stress >= 0.0) {
+    e.effective_stress = stress;
+  } else if (stress) {
+    if (const Index curve = b.curves.find(cards.stress_curve); curve != none)
+      e.effective_stress_over_rate = b.model.curves[static_cast<std::size_t>(curve)];
+    else
+      refuse(b, cards.second, "sigvm", fmt::format("curve {} is not defined", cards.stress_curve), "define it");
+  }
+  if (e.most_strain && *e.most_strain < 0.0)
+    refuse(b, cards.second, "mxeps", "a curve over the strain rate is not supported", "give a strain");
+  return e;
+}
+
+/// Failed points that delete an element, as in kernel::Composition.
+double points_to_delete(double numfip) {
+  return numfip < -100.0 ? -numfip - 100.0 : numfip;
+}
+
+/// The law as one put together at run time; nullopt for those that erosion cannot be added to.
+std::optional<kernel::Composition> composition_of(const Law& law) {
+  if (const auto* elastic = std::get_if<kernel::Elastic>(&law)) return kernel::Composition{*elastic};
+  if (const auto* kinematic = std::get_if<kernel::PlasticKinematic>(&law)) {
+    kernel::PlasticKinematic flow = *kinematic;
+    const double failure = std::exchange(flow.failure_strain, 0.0);
+    return kernel::Composition{flow, failure};
+  }
+  if (const auto* curves = std::get_if<kernel::PiecewiseLinear>(&law)) {
+    kernel::PiecewiseLinear flow = *curves;
+    kernel::Composition made{kernel::Elastic{}, std::exchange(flow.failure_strain, 0.0)};
+    made.deletion_step = std::exchange(flow.tdel, 0.0);
+    made.flow = std::move(flow);
+    return made;
+  }
+  if (const auto* compound = std::get_if<kernel::Compound>(&law)) return *compound->made_of;
+  return std::nullopt;
+}
+
+void add_erosion(Builder& b, const Cards& cards) {
+  const Index index = b.find(b.materials, "material", cards.first, "mid");
+  if (index == none) return;
+  Material& material = b.model.materials[static_cast<std::size_t>(index)];
+  std::optional<kernel::Composition> law = composition_of(material.law);
+  if (!law)
+    return refuse(b, cards.first, "mid", fmt::format("erosion cannot be added to *{}", material.keyword),
+                  "welds and discrete beams have failure criteria of their own");
+  if (law->erosion)
+    return refuse(b, cards.first, "mid", fmt::format("material {} has criteria of erosion already", material.id),
+                  "write all criteria on one *MAT_ADD_EROSION");
+  law->erosion = criteria(b, cards);
+  if (const auto strain = criterion(cards, cards.first, "effeps", false); strain && *strain < 0.0) {
+    if (law->erosion->needed > 1)
+      return refuse(b, cards.first, "effeps", "a plastic strain together with NCS above 1 is not supported",
+                    "write NCS 1");
+    law->failure_strain = law->failure_strain > 0.0 ? std::min(law->failure_strain, -*strain) : -*strain;
+  }
+  law->points_to_delete = points_to_delete(cards.first.real("numfip"));
+  material.law = compound(std::move(*law));
+}
+
+void read_erosion(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
+  Cards cards{cursor.read(first_card), cursor.read(second_card), {}, 0};
+  cursor.read(third_card);
+  cards.fourth = cursor.read(fourth_card);
+  cursor.read(fifth_card);
+  expect_end(b, cursor);
+  if (const double sigvm = cards.second.real("sigvm"); sigvm < 0.0) {
+    cards.stress_curve = static_cast<int>(-sigvm);
+    if (block.transform)
+      cards.stress_curve += static_cast<int>(block.transform->id_offset[static_cast<std::size_t>(IdSpace::function)]);
+  }
+  // After the laws have their curves.
+  b.later(Phase::systems, [cards](Builder& later) { add_erosion(later, cards); });
+}
+
+}  // namespace
+
+std::vector<Keyword> erosion_keywords() {
+  return {
+      {.name = "MAT_ADD_EROSION",
+       .options = {"TITLE"},
+       .layout = {{"", &first_card}, {"", &second_card}, {"", &third_card}, {"", &fourth_card}, {"", &fifth_card}},
+       .read = read_erosion},
+  };
+}
+
+}  // namespace nugget::model

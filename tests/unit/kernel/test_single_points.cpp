@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "kernel/law/composition.hpp"
+#include "kernel/law/single_points.hpp"
+#include "law_point.hpp"
+#include "motion.hpp"
+
+// Rubbers, foams and viscoelasticity of solids, against their closed forms.
+namespace nugget::kernel {
+namespace {
+
+using Point = SolidPoint<Compound>;
+
+/// Strain increment of the mid-step rate by which a length l becomes l + d.
+double mid(double l, double d) {
+  return d / (l + 0.5 * d);
+}
+
+/// Stretches along the axes, from where the point stands, in `steps` of equal changes of length.
+void pull(Point& p, std::array<double, 3>& stretch, const std::array<double, 3>& to, int steps) {
+  std::array<double, 3> d;
+  for (std::size_t i = 0; i < 3; ++i) d[i] = (to[i] - stretch[i]) / steps;
+  for (int n = 0; n < steps; ++n) {
+    p.strain({mid(stretch[0], d[0]), mid(stretch[1], d[1]), mid(stretch[2], d[2]), 0, 0, 0});
+    for (std::size_t i = 0; i < 3; ++i) stretch[i] += d[i];
+  }
+}
+
+MooneyRivlin mooney(double a, double b, double nu) {
+  return {4.0 * (a + b) * (1.0 + nu), nu, a, b};
+}
+
+/// Cauchy stresses by the derivative of the energy over principal stretches, sigma_i = l_i / J dW/dl_i, by differences.
+std::array<double, 3> by_energy(const std::function<double(double, double, double)>& W,
+                                const std::array<double, 3>& l) {
+  std::array<double, 3> s{};
+  const double h = 1e-5, J = l[0] * l[1] * l[2];
+  for (std::size_t i = 0; i < 3; ++i) {
+    auto up = l, down = l;
+    up[i] += h;
+    down[i] -= h;
+    s[i] = l[i] / J * (W(up[0], up[1], up[2]) - W(down[0], down[1], down[2])) / (2.0 * h);
+  }
+  return s;
+}
+
+void expect_energy(const Composition& law, const std::function<double(double, double, double)>& W, double gate) {
+  for (const std::array<double, 3>& to : {std::array{1.8, 0.75, 0.75}, std::array{0.6, 1.28, 1.3},
+                                          std::array{1.2, 1.3, 0.65}, std::array{1.0, 1.0, 1.0}}) {
+    Point p(compound(law));
+    std::array<double, 3> l{1, 1, 1};
+    pull(p, l, {1.3, 0.9, 1.0}, 100);  // any way there
+    pull(p, l, to, 100);
+    const std::array<double, 3> s = by_energy(W, to);
+    EXPECT_NEAR(p.s.xx, s[0], gate);
+    EXPECT_NEAR(p.s.yy, s[1], gate);
+    EXPECT_NEAR(p.s.zz, s[2], gate);
+    EXPECT_NEAR(p.s.xy, 0.0, 1e-9);
+  }
+}
+
+TEST(SinglePoints, MooneyRivlinIsTheDerivativeOfItsEnergy) {
+  const double a = 0.8, b = 0.2, nu = 0.49, c = 0.5 * a + b,
+               d = (a * (5 * nu - 2) + b * (11 * nu - 5)) / (2 * (1 - 2 * nu));
+  const auto W = [=](double x, double y, double z) {
+    const double first = x * x + y * y + z * z, third = x * x * y * y * z * z;
+    const double second = x * x * y * y + y * y * z * z + z * z * x * x;
+    return a * (first - 3) + b * (second - 3) + c * (1 / (third * third) - 1) + d * (third - 1) * (third - 1);
+  };
+  expect_energy({mooney(a, b, nu)}, W, 1e-6);
+}
+
+TEST(SinglePoints, OgdenIsTheDerivativeOfItsEnergy) {
+  // Treloar's rubber in Ogden's three terms.
+  const std::vector<Ogden::Term> terms{{0.63, 1.3}, {0.0012, 5.0}, {-0.01, -2.0}};
+  double G = 0.0;
+  for (const Ogden::Term& t : terms) G += 0.5 * t.mu * t.alpha;
+  const double nu = 0.49, K = 2 * G * (1 + nu) / (3 * (1 - 2 * nu));
+  const auto W = [=](double x, double y, double z) {
+    const double J = x * y * z, s = 1 / std::cbrt(J);
+    double w = K * (J - 1 - std::log(J));
+    for (const Ogden::Term& t : terms)
+      w += t.mu / t.alpha * (std::pow(s * x, t.alpha) + std::pow(s * y, t.alpha) + std::pow(s * z, t.alpha) - 3);
+    return w;
+  };
+  expect_energy({Ogden{2 * G * (1 + nu), nu, terms}}, W, 1e-6);
+}
+
+TEST(SinglePoints, RubberIsElasticAtSmallStrains) {
+  const double nu = 0.45;
+  const Ogden ogden{2 * 0.5 * (1 + nu), nu, {{0.5, 2.0}}};
+  for (const Composition& law : {Composition{mooney(0.2, 0.05, nu)}, Composition{ogden}})
+    for (const double size : {1e-12, 1e-5}) {
+      Point p(compound(law));
+      SolidPoint<Elastic> e(Elastic{1.0 * (1 + nu), nu});
+      p.strain({size, -0.2 * size, 0.1 * size, size, 0.3 * size, 0});
+      e.strain({size, -0.2 * size, 0.1 * size, size, 0.3 * size, 0});
+      EXPECT_NEAR(p.s.xx / size, e.s.xx / size, 1e-3);
+      EXPECT_NEAR(p.s.yy / size, e.s.yy / size, 1e-3);
+      EXPECT_NEAR(p.s.xy / size, e.s.xy / size, 1e-3);
+    }
+}
+
+TEST(SinglePoints, RubberInSimpleShear) {
+  // Neo-Hookean and Mooney: tau = 2 (A + B) g at constant volume; normal stress difference 2 (A + B) g^2.
+  const double a = 0.8, b = 0.2;
+  Point p(compound({mooney(a, b, 0.45)}));
+  // v_x = g y: rate of strain g/2 and spin g/2 together, as a brick applies them.
+  const double dg = 1e-3;
+  for (int i = 0; i < 1000; ++i) {
+    const double q = 0.5 * dg;
+    const double h = 0.5 * q, s = 2.0 / (1.0 + h * h);  // Cayley of the spin
+    const Frame3d turn{{1.0 - s * h * h, s * h, 0}, {-s * h, 1.0 - s * h * h, 0}, {0, 0, 1}};
+    p.s = rotated(turn, p.s);
+    p.law.rotate(turn, p.history.data());
+    p.strain({0, 0, 0, dg, 0, 0});
+  }
+  EXPECT_NEAR(p.s.xy, 2.0 * (a + b), 2e-3);
+  EXPECT_NEAR(p.s.xx - p.s.yy, 2.0 * (a + b), 4e-3);
+}
+
+TEST(SinglePoints, TheStableStepKnowsTheStiffnessReached) {
+  // Wave modulus at least the tangent of a laterally held pull.
+  const MooneyRivlin law = mooney(0.8, 0.2, 0.49);
+  for (const double to : {0.7, 1.0, 1.4}) {
+    Point p(compound({law}));
+    std::array<double, 3> l{1, 1, 1};
+    pull(p, l, {to, 1.0, 1.0}, 50);
+    const double wave = p.law.wave_modulus<double>(p.history.data()), before = p.s.xx;
+    p.strain({1e-6, 0, 0, 0, 0, 0});
+    EXPECT_GE(wave, (p.s.xx - before) / 1e-6 * 0.999) << to;
+  }
+}
+
+LowDensityFoam foam() {
+  LowDensityFoam law;
+  law.E = 2.0;
+  law.compression = Curve{0, {0.0, 0.05, 0.5, 0.7, 0.8}, {0.0, 0.1, 0.15, 0.4, 1.2}};
+  return law;
+}
+
+TEST(SinglePoints, LowDensityFoamFollowsItsCurve) {
+  Point p(compound({foam()}));
+  std::array<double, 3> l{1, 1, 1};
+  for (const double to : {0.97, 0.7, 0.4, 0.15, 0.6, 1.0}) {
+    pull(p, l, {to, 1.0, 1.0}, 200);
+    EXPECT_NEAR(p.s.xx, -foam().compression.extrapolated(1.0 - to), 1e-9) << to;  // nominal is true: no contraction
+    EXPECT_NEAR(p.s.yy, 0.0, 1e-12);
+  }
+  pull(p, l, {1.5, 1.0, 1.0}, 100);
+  EXPECT_NEAR(p.s.xx, 2.0 * 0.5, 1e-9);
+  // Pressed in two directions: the force on a face is that of its own curve, the face is smaller.
+  pull(p, l, {0.5, 0.8, 1.0}, 200);
+  EXPECT_NEAR(p.s.xx, -0.15 / 0.8, 1e-9);
+  EXPECT_NEAR(p.s.yy, -foam().compression.extrapolated(0.2) / 0.5, 1e-9);
+}
+
+TEST(SinglePoints, LowDensityFoamUnloadsAlongAnotherPath) {
+  LowDensityFoam law = foam();
+  law.unloading = 0.1;
+  law.shape = 2.0;
+  Point p(compound({law}));
+  std::array<double, 3> l{1, 1, 1};
+  pull(p, l, {0.3, 1.0, 1.0}, 200);
+  const auto area = [&](double x) {  // plainly, by the midpoint rule
+    double sum = 0.0;
+    for (int i = 0; i < 10000; ++i) sum += law.compression.extrapolated(x * (i + 0.5) / 10000) * x / 10000;
+    return sum;
+  };
+  EXPECT_NEAR(p.s.xx, -0.4, 1e-9);
+  pull(p, l, {0.6, 1.0, 1.0}, 200);
+  const double left = 0.1 + 0.9 * std::pow(area(0.4) / area(0.7), 2.0);
+  EXPECT_NEAR(p.s.xx, -left * law.compression.extrapolated(0.4), 1e-6);
+  pull(p, l, {0.25, 1.0, 1.0}, 200);  // loading again beyond where it was
+  EXPECT_NEAR(p.s.xx, -law.compression.extrapolated(0.75), 1e-9);
+}
+
+TEST(SinglePoints, LowDensityFoamTears) {
+  for (const bool tears : {false, true}) {
+    LowDensityFoam law = foam();
+    law.cutoff = 0.3;
+    law.tears = tears;
+    Point p(compound({law}));
+    std::array<double, 3> l{1, 1, 1};
+    pull(p, l, {1.1, 1.0, 1.0}, 100);
+    EXPECT_NEAR(p.s.xx, 0.2, 1e-9);
+    pull(p, l, {1.2, 1.0, 1.0}, 100);
+    EXPECT_NEAR(p.s.xx, tears ? 0.0 : 0.3, 1e-9);
+    pull(p, l, {1.1, 1.0, 1.0}, 100);
+    EXPECT_NEAR(p.s.xx, tears ? 0.0 : 0.2, 1e-9);
+    pull(p, l, {0.95, 1.0, 1.0}, 100);
+    EXPECT_NEAR(p.s.xx, -0.1, 1e-9);
+  }
+}
+
+TEST(SinglePoints, CrushableFoamYieldsByVolumeAndDoesNotRecover) {
+  CrushableFoam law;
+  law.E = 50.0;
+  law.yield = Curve{0, {0.0, 0.4, 0.8}, {0.5, 0.7, 20.7}};
+  law.cutoff = 0.2;
+  Point p(compound({law}));
+  std::array<double, 3> l{1, 1, 1};
+  pull(p, l, {0.995, 1.0, 1.0}, 10);
+  EXPECT_NEAR(p.s.xx, 50.0 * std::log(0.995), 1e-6);
+  pull(p, l, {0.5, 1.0, 1.0}, 500);
+  EXPECT_NEAR(p.s.xx, -law.yield.extrapolated(0.5), 1e-6);
+  EXPECT_NEAR(p.s.yy, 0.0, 1e-12);
+  const double pressed = p.s.xx;
+  pull(p, l, {0.505, 1.0, 1.0}, 10);
+  EXPECT_NEAR(p.s.xx, pressed + 50.0 * std::log(0.505 / 0.5), 1e-6);  // elastic way back
+  pull(p, l, {0.7, 1.0, 1.0}, 100);
+  EXPECT_NEAR(p.s.xx, 0.2, 1e-9);  // the cutoff
+  // In shear: principal stresses +- tau, tension cut off at 0.2.
+  Point q(compound({law}));
+  for (int i = 0; i < 500; ++i) q.strain({0, 0, 0, 1e-4, 0, 0});
+  const Principal axes = principal_axes(q.s);
+  EXPECT_NEAR(axes.value[2], 0.2, 1e-9);
+  EXPECT_NEAR(axes.value[0], -0.5, 1e-9);
+}
+
+TEST(SinglePoints, ViscoelasticRelaxation) {
+  const double K = 2000.0, G0 = 50.0, G1 = 10.0, beta = 100.0;
+  const Viscoelastic law{9 * K * G0 / (3 * K + G0), (3 * K - 2 * G0) / (6 * K + 2 * G0), K, G0, G1, beta};
+  for (const double dt : {1e-5, 2e-3}) {  // exact for any step
+    Point p(compound({law}));
+    p.dt = dt;
+    // A constant rate of shear g: tau = GI g t + (G0 - GI) g (1 - exp(-beta t)) / beta.
+    const int steps = static_cast<int>(std::lround(0.02 / dt));
+    for (int i = 0; i < steps; ++i) p.strain({0, 0, 0, 0.5 * dt, 0, 0});
+    const double relaxing = 0.5 * (1 - std::exp(-beta * 0.02)) / beta;
+    EXPECT_NEAR(p.s.xy, G1 * 0.5 * 0.02 + (G0 - G1) * relaxing, 1e-9);
+    // Held: GI g + what decays.
+    for (int i = 0; i < steps; ++i) p.strain({});
+    EXPECT_NEAR(p.s.xy, G1 * 0.5 * 0.02 + (G0 - G1) * relaxing * std::exp(-beta * 0.02), 1e-9);
+    Point q(compound({law}));
+    q.dt = dt;
+    q.strain({1e-3, 1e-3, 1e-3, 0, 0, 0});
+    for (int i = 0; i < 100; ++i) q.strain({});
+    EXPECT_NEAR(q.s.xx, 3e-3 * K, 1e-9);  // volume does not relax
+  }
+}
+
+TEST(SinglePoints, PrincipalAxes) {
+  Random random;
+  for (int i = 0; i < 50; ++i) {
+    const SolidTensor<double> a{random(), random(), random(), random(), random(), random()};
+    const SolidTensor<double> same = with_values(principal_axes(a), principal_axes(a).value);
+    EXPECT_NEAR(same.xx, a.xx, 1e-14);
+    EXPECT_NEAR(same.xy, a.xy, 1e-14);
+    EXPECT_NEAR(same.zx, a.zx, 1e-14);
+  }
+}
+
+}  // namespace
+}  // namespace nugget::kernel

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "kernel/law/composition.hpp"
+#include "small_model.hpp"
+
+namespace nugget::model {
+namespace {
+
+Built built(const std::string& more) {
+  return Built("*KEYWORD\n*CONTROL_TERMINATION\n1.0\n" + more);
+}
+
+const kernel::Composition& composition(const Built& b) {
+  return *std::get<kernel::Compound>(b.model.materials.at(0).law).made_of;
+}
+template <class Flow>
+const Flow& flow(const Built& b) {
+  return std::get<Flow>(composition(b).flow);
+}
+
+TEST(PlasticMaterials, SimplifiedJohnsonCook) {
+  const auto b = built("*MAT_098_TITLE\nsteel\n4,7.85e-9,210000.0,0.3,1.0\n300.0,500.0,0.3,0.05,0.4,700.0,900.0,0.1\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_EQ(b.model.materials.at(0).title, "steel");
+  EXPECT_DOUBLE_EQ(b.model.materials.at(0).young(), 210000.0);
+  EXPECT_DOUBLE_EQ(b.model.materials.at(0).poisson(), 0.3);
+  const auto& law = flow<kernel::JohnsonCook>(b);
+  EXPECT_DOUBLE_EQ(law.yield, 300.0);
+  EXPECT_DOUBLE_EQ(law.hardening, 500.0);
+  EXPECT_DOUBLE_EQ(law.exponent, 0.3);
+  EXPECT_DOUBLE_EQ(law.rate_factor, 0.05);
+  EXPECT_DOUBLE_EQ(law.most_hardened, 700.0);
+  EXPECT_DOUBLE_EQ(law.saturation, 900.0);
+  EXPECT_DOUBLE_EQ(law.rest_rate, 0.1);
+  EXPECT_TRUE(law.viscoplastic);
+  EXPECT_DOUBLE_EQ(composition(b).failure_strain, 0.4);
+}
+
+TEST(PlasticMaterials, SimplifiedJohnsonCookZerosAreDefaults) {
+  const auto b = built("*MAT_SIMPLIFIED_JOHNSON_COOK\n4,7.85e-9,210000.0,0.3\n300.0,500.0,0.3,0.0,0.0,0.0,0.0,0.0\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_GT(flow<kernel::JohnsonCook>(b).most_hardened, 1e20);
+  EXPECT_GT(flow<kernel::JohnsonCook>(b).saturation, 1e20);
+  EXPECT_DOUBLE_EQ(flow<kernel::JohnsonCook>(b).rest_rate, 1.0);
+  EXPECT_DOUBLE_EQ(composition(b).failure_strain, 0.0);
+  EXPECT_TRUE(built("*MAT_098\n4,7.85e-9,210000.0,0.3\n,500.0\n").error("must be given", "a"));
+  EXPECT_TRUE(built("*MAT_098\n4,7.85e-9,210000.0,0.3,2.0\n300.0\n").error("expected 0 to 1", "vp"));
+}
+
+constexpr const char* johnson_cook_yield = "792.0,510.0,0.26,0.014,1.03,1793.0,293.0,1.0\n";
+
+TEST(PlasticMaterials, JohnsonCook) {
+  const auto b = built(std::string("*MAT_015\n4,7.85e-9,80000.0,210000.0,0.3,1e-7\n") + johnson_cook_yield +
+                       "4.77e8,-1e9,2.0,0.0,0.05,3.44,-2.12,0.002\n0.61,,,1e-4,2\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const auto& law = flow<kernel::JohnsonCook>(b);
+  EXPECT_DOUBLE_EQ(law.yield, 792.0);
+  EXPECT_DOUBLE_EQ(law.heating, 1.0 / (7.85e-9 * 4.77e8));
+  EXPECT_DOUBLE_EQ(law.melting_rise, 1500.0);
+  EXPECT_DOUBLE_EQ(law.softening, 1.03);
+  EXPECT_DOUBLE_EQ(composition(b).fracture->d3, -2.12);
+  EXPECT_DOUBLE_EQ(composition(b).fracture->d5, 0.61);
+  EXPECT_DOUBLE_EQ(composition(b).fracture->least, 1e-4);
+  EXPECT_DOUBLE_EQ(composition(b).points_to_delete, 2.0);
+  EXPECT_DOUBLE_EQ(composition(b).deletion_step, 1e-7);
+  const auto cold = built(std::string("*MAT_JOHNSON_COOK\n4,7.85e-9,80000.0,210000.0,0.3\n") + johnson_cook_yield);
+  EXPECT_EQ(cold.findings.errors(), 0) << cold.all_findings();
+  EXPECT_FALSE(composition(cold).fracture);
+  EXPECT_DOUBLE_EQ(flow<kernel::JohnsonCook>(cold).heating, 0.0);
+}
+
+TEST(PlasticMaterials, JohnsonCookFaults) {
+  const std::string main = "*MAT_015\n4,7.85e-9,80000.0,210000.0,0.3\n";
+  EXPECT_TRUE(built(main + "792.0,510.0,0.26,0.014,1.03,,,1.0\n4.77e8\n").error("melting must lie above", "tm"));
+  EXPECT_TRUE(built(main + "792.0,510.0,0.26,0.014,,1793.0,293.0,1.0\n4.77e8\n").error("exponent M", "m"));
+  EXPECT_TRUE(built(main + johnson_cook_yield + "\n,,1.0\n").error("only 0 is supported", "erod"));
+  EXPECT_TRUE(built(main + johnson_cook_yield + ",,,,0.05,3.44,2.12\n").warning("grows with tension", "d3"));
+  EXPECT_TRUE(built("*MAT_015\n4,7.85e-9,80000.0,210000.0,0.3,,,1.0\n792.0\n").error("only 0 is supported", "rateop"));
+  const std::string brick =
+      "*SECTION_SOLID\n1,1\n*PART\np\n1,1,4\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0,0,1\n6,1,0,1\n7,1,1,1\n"
+      "8,0,1,1\n*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n";
+  EXPECT_TRUE(built(main + johnson_cook_yield + brick).error("needs an equation of state", "mid"));
+}
+
+TEST(PlasticMaterials, IsotropicElasticPlastic) {
+  const auto b = built("*MAT_012\n4,7.85e-9,80000.0,300.0,1000.0,175000.0\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const auto& law = std::get<kernel::PiecewiseLinear>(b.model.materials.at(0).law);
+  EXPECT_NEAR(law.E / (2.0 * (1.0 + law.nu)), 80000.0, 1e-6);
+  EXPECT_NEAR(law.E / (3.0 * (1.0 - 2.0 * law.nu)), 175000.0, 1e-6);
+  EXPECT_DOUBLE_EQ(law.yield.at(0).extrapolated(0.5), 800.0);
+  EXPECT_TRUE(built("*MAT_012\n4,7.85e-9,80000.0,300.0,,10000.0\n").error("negative Poisson", "bulk"));
+}
+
+TEST(PlasticMaterials, PowerLaw) {
+  const std::string main = "*MAT_018\n4,7.85e-9,210000.0,0.3,600.0,0.2,40.4,5.0\n";
+  const auto b = built(main + ",1.0,0.3\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const auto& law = flow<kernel::PowerLaw>(b);
+  EXPECT_NEAR(210000.0 * law.yield_strain, 600.0 * std::pow(law.yield_strain, 0.2), 1e-6);
+  EXPECT_DOUBLE_EQ(law.rate_c, 40.4);
+  EXPECT_TRUE(law.viscoplastic);
+  EXPECT_DOUBLE_EQ(composition(b).failure_strain, 0.3);
+  const double at_stress = flow<kernel::PowerLaw>(built(main + "250.0\n")).yield_strain;
+  EXPECT_NEAR(600.0 * std::pow(at_stress, 0.2), 250.0, 1e-6);
+  EXPECT_DOUBLE_EQ(flow<kernel::PowerLaw>(built(main + "0.002\n")).yield_strain, 0.002);
+  EXPECT_TRUE(built("*MAT_018\n4,7.85e-9,210000.0,0.3,600.0,1.0\n").error("does not meet", "n"));
+}
+
+TEST(PlasticMaterials, RateDependent) {
+  const std::string curves =
+      "*DEFINE_CURVE\n1\n0.0,250.0\n100.0,400.0\n*DEFINE_CURVE\n2\n0.0,1000.0\n100.0,2000.0\n"
+      "*DEFINE_CURVE\n3\n0.0,0.2\n100.0,0.1\n";
+  const auto b = built("*MAT_019\n4,7.85e-9,210000.0,0.3,1.0\n1,,,2,3,1e-8\n" + curves);
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const auto& law = flow<kernel::RateDependentYield>(b);
+  EXPECT_DOUBLE_EQ(law.yield.y[1], 400.0);
+  EXPECT_DOUBLE_EQ(law.plastic_modulus.y[1], 210000.0 * 2000.0 / 208000.0);
+  EXPECT_TRUE(law.viscoplastic);
+  EXPECT_DOUBLE_EQ(composition(b).failure_strain_over_rate.y[1], 0.1);
+  EXPECT_DOUBLE_EQ(composition(b).deletion_step, 1e-8);
+  EXPECT_TRUE(built("*MAT_019\n4,7.85e-9,210000.0,0.3\n7\n").error("curve 7 is not defined", "lc1"));
+  EXPECT_TRUE(built("*MAT_019\n4,7.85e-9,210000.0,0.3\n1,,2\n" + curves).error("only 0 is supported", "lc2"));
+  EXPECT_TRUE(built("*MAT_019\n4,7.85e-9,210000.0,0.3\n1,,,,,,2.0\n" + curves).error("only 1 is supported", "rdef"));
+}
+
+TEST(PlasticMaterials, Damage) {
+  const std::string main = "*MAT_081\n4,7.85e-9,210000.0,0.3,300.0,1000.0,0.1,1e-8\n";
+  const auto b = built(main + "40.0,5.0,,,0.3,,,2\n\n\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_DOUBLE_EQ(composition(b).damage->onset, 0.1);
+  EXPECT_DOUBLE_EQ(composition(b).damage->rupture, 0.3);
+  EXPECT_DOUBLE_EQ(composition(b).points_to_delete, 2.0);
+  EXPECT_DOUBLE_EQ(composition(b).deletion_step, 1e-8);
+  EXPECT_DOUBLE_EQ(flow<kernel::PiecewiseLinear>(b).rate_c, 40.0);
+  const auto curve = built(main + ",,,,,,5\n\n\n*DEFINE_CURVE\n5\n0.0,0.0\n0.1,1.0\n");
+  EXPECT_EQ(curve.findings.errors(), 0) << curve.all_findings();
+  EXPECT_DOUBLE_EQ(composition(curve).damage->growth.y[1], 1.0);
+  EXPECT_TRUE(built(main + ",,,,0.3,,5\n\n\n*DEFINE_CURVE\n5\n0.0,0.0\n0.1,1.0\n").error("together with EPPFR"));
+  EXPECT_TRUE(built(main + ",,,,0.05\n\n\n").error("after the onset", "eppfr"));
+  EXPECT_TRUE(built(main + "\n\n\n").warning("nothing is damaged", "eppf"));
+  EXPECT_TRUE(built("*MAT_082\n4\n").error("damage across the crack"));
+}
+
+TEST(PlasticMaterials, StrainLimits) {
+  const auto b = built("*MAT_123\n4,7.85e-9,210000.0,0.3,300.0,1000.0,0.4,1e-8\n,,,,,0.2,0.35,-50.0\n\n\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_DOUBLE_EQ(composition(b).failure_strain, 0.4);
+  EXPECT_DOUBLE_EQ(composition(b).limits.plastic_thinning, 0.2);
+  EXPECT_DOUBLE_EQ(composition(b).limits.major, 0.35);
+  EXPECT_DOUBLE_EQ(composition(b).points_to_delete, -50.0);
+  EXPECT_TRUE(built("*MAT_123\n4,7.85e-9,210000.0,0.3,300.0\n,,,,,,-0.35\n").error("expected 0 or more", "epsmaj"));
+}
+
+TEST(PlasticMaterials, ErosionIsAddedToALaw) {
+  const std::string material = "*MAT_024\n4,7.85e-9,210000.0,0.3,300.0,,0.5,1e-8\n\n\n\n";
+  const auto b =
+      built("*MAT_ADD_EROSION\n4,,1000.0,-0.3,-0.2,0.1,-50.0\n-500.0,800.0,,0.25,0.3,700.0,0.01,2.0\n" + material);
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const kernel::Composition& law = composition(b);
+  EXPECT_DOUBLE_EQ(std::get<kernel::PiecewiseLinear>(law.flow).yield.at(0).y[0], 300.0);
+  EXPECT_DOUBLE_EQ(law.failure_strain, 0.2);  // EFFEPS below 0, less than FAIL
+  EXPECT_DOUBLE_EQ(law.deletion_step, 1e-8);
+  EXPECT_DOUBLE_EQ(law.points_to_delete, -50.0);
+  const kernel::Erosion& e = *law.erosion;
+  EXPECT_DOUBLE_EQ(*e.most_pressure, 1000.0);
+  EXPECT_DOUBLE_EQ(*e.least_strain, -0.3);
+  EXPECT_DOUBLE_EQ(*e.volume_strain, 0.1);
+  EXPECT_DOUBLE_EQ(*e.least_pressure, -500.0);
+  EXPECT_DOUBLE_EQ(*e.most_stress, 800.0);
+  EXPECT_FALSE(e.effective_stress);
+  EXPECT_FALSE(e.effective_strain);
+  EXPECT_DOUBLE_EQ(*e.most_strain, 0.25);
+  EXPECT_DOUBLE_EQ(*e.shear_strain, 0.3);
+  EXPECT_DOUBLE_EQ(e.threshold, 700.0);
+  EXPECT_DOUBLE_EQ(*e.impulse, 0.01);
+  EXPECT_DOUBLE_EQ(*e.time, 2.0);
+}
+
+TEST(PlasticMaterials, ErosionExcludesAValue) {
+  const std::string material = "*MAT_001\n4,7.85e-9,210000.0,0.3\n";
+  const auto b = built(material +
+                       "*MAT_ADD_EROSION\n4,1234.0,1234.0,1234.0,1234.0,1234.0\n0.0,1234.0,1234.0,1234.0,"
+                       "1234.0,1234.0,1234.0,1234.0\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const kernel::Erosion& e = *composition(b).erosion;
+  EXPECT_DOUBLE_EQ(*e.least_pressure, 0.0);  // no tension
+  EXPECT_FALSE(e.most_pressure || e.most_stress || e.most_strain || e.time || e.impulse);
+  const auto curve = built(material + "*MAT_ADD_EROSION\n4\n,,-7.0\n*DEFINE_CURVE\n7\n0.0,300.0\n1.0,400.0\n");
+  EXPECT_DOUBLE_EQ(composition(curve).erosion->effective_stress_over_rate.y[1], 400.0) << curve.all_findings();
+}
+
+TEST(PlasticMaterials, ErosionFaults) {
+  const std::string material = "*MAT_001\n4,7.85e-9,210000.0,0.3\n", erosion = "*MAT_ADD_EROSION\n4,,,,0.3\n\n";
+  EXPECT_TRUE(built(erosion).error("material 4 is not defined", "mid"));
+  EXPECT_TRUE(built(material + erosion + erosion).error("already", "mid"));
+  EXPECT_TRUE(built(material + erosion + "1\n").error("only 0 is supported", "idam"));
+  EXPECT_TRUE(built(material + erosion + "\n3\n").error("only 0 is supported", "lcfld"));
+  EXPECT_TRUE(built(material + "*MAT_ADD_EROSION\n4\n,,,-3.0\n").error("curve over the strain rate", "mxeps"));
+  EXPECT_TRUE(built("*MAT_020\n4,7.85e-9,210000.0,0.3\n" + erosion).error("cannot be added", "mid"));
+}
+
+TEST(SoftMaterials, Rubbers) {
+  const auto mooney = built("*MAT_027\n4,1.2e-9,0.49,0.8,0.2\n");
+  EXPECT_EQ(mooney.findings.errors(), 0) << mooney.all_findings();
+  EXPECT_DOUBLE_EQ(flow<kernel::MooneyRivlin>(mooney).a, 0.8);
+  EXPECT_DOUBLE_EQ(mooney.model.materials.at(0).young(), 4.0 * 1.0 * 1.49);
+  EXPECT_FALSE(composition(mooney).for_shells);
+  EXPECT_TRUE(built("*MAT_027\n4,1.2e-9,0.5,0.8,0.2\n").error("expected 0 to", "pr"));
+  EXPECT_TRUE(built("*MAT_027\n4,1.2e-9,0.49,0.8,0.2\n,,,5\n").error("only 0 is supported", "lcid"));
+  const auto ogden = built("*MAT_077_O\n4,1.2e-9,0.49\n0.63,0.0012,-0.01\n1.3,5.0,-2.0\n");
+  EXPECT_EQ(ogden.findings.errors(), 0) << ogden.all_findings();
+  EXPECT_EQ(flow<kernel::Ogden>(ogden).terms.size(), 3u);
+  EXPECT_NEAR(ogden.model.materials.at(0).young(), (0.63 * 1.3 + 0.0012 * 5.0 + 0.02) * 1.49, 1e-12);
+  EXPECT_TRUE(built("*MAT_077_O\n4,1.2e-9,0.49\n-1.0\n2.0\n").error("shear modulus", "mu1"));
+  EXPECT_TRUE(built("*MAT_077_H\n4\n").error("this rubber is not built"));
+  const std::string shell =
+      "*SECTION_SHELL\n1,2\n1.0\n*PART\np\n1,1,4\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n"
+      "*ELEMENT_SHELL\n1,1,1,2,3,4\n";
+  EXPECT_TRUE(built("*MAT_027\n4,1.2e-9,0.49,0.8,0.2\n" + shell).error("is a law of solids", "mid"));
+}
+
+TEST(SoftMaterials, Foams) {
+  const std::string curve = "*DEFINE_CURVE\n5\n0.0,0.0\n0.5,0.2\n0.8,1.4\n";
+  const auto low = built("*MAT_057\n4,5e-11,2.0,5,0.3,0.1\n2.0,1.0,1.0\n" + curve);
+  EXPECT_EQ(low.findings.errors(), 0) << low.all_findings();
+  const auto& foam = flow<kernel::LowDensityFoam>(low);
+  EXPECT_DOUBLE_EQ(foam.compression.y[1], 0.2);
+  EXPECT_DOUBLE_EQ(foam.cutoff, 0.3);
+  EXPECT_DOUBLE_EQ(foam.unloading, 0.1);
+  EXPECT_DOUBLE_EQ(foam.shape, 2.0);
+  EXPECT_TRUE(foam.tears);
+  EXPECT_TRUE(composition(low).bulk_viscosity);
+  EXPECT_FALSE(composition(built("*MAT_057\n4,5e-11,2.0,5\n" + curve)).bulk_viscosity);
+  EXPECT_TRUE(built("*MAT_057\n4,5e-11,2.0,5,,,,0.1\n" + curve).error("only 0 is supported", "damp"));
+  EXPECT_TRUE(built("*MAT_057\n4,5e-11,2.0,5\n\n*DEFINE_CURVE\n5\n-0.5,-0.2\n0.0,0.0\n").error("begin at", "lcid"));
+  const auto crushable = built("*MAT_063\n4,5e-11,2.0,0.1,5,0.05\n" + curve);
+  EXPECT_EQ(crushable.findings.errors(), 0) << crushable.all_findings();
+  EXPECT_DOUBLE_EQ(flow<kernel::CrushableFoam>(crushable).E, 1.2 / 0.3);
+  EXPECT_DOUBLE_EQ(flow<kernel::CrushableFoam>(crushable).cutoff, 0.05);
+  EXPECT_TRUE(
+      built("*MAT_063\n4,5e-11,2.0,0.1,5,0.05\n*DEFINE_CURVE\n5\n0.0,0.2\n1.0,0.2\n").error("last slope", "lcid"));
+  EXPECT_TRUE(built("*MAT_083\n4\n").error("curves over the strain rate"));
+}
+
+TEST(SoftMaterials, Viscoelastic) {
+  const auto b = built("*MAT_006\n4,1.2e-9,2000.0,50.0,10.0,100.0\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_DOUBLE_EQ(flow<kernel::Viscoelastic>(b).in_the_end, 10.0);
+  EXPECT_NEAR(b.model.materials.at(0).young() / (2.0 * (1.0 + b.model.materials.at(0).poisson())), 50.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace nugget::model
