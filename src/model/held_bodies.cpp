@@ -10,70 +10,47 @@ namespace {
 
 constexpr unsigned translations = 7u, rotations = 56u;  // bits of SinglePointConstraint::fixed
 
-/// Turns SPCs on nodes of bodies into constraints of the bodies.
-class Holder {
- public:
-  explicit Holder(Builder& builder) : b_(builder), model_(builder.model) {
-    for (const RigidBody& body : model_.rigid_bodies) center_.push_back(center_of_mass(model_, body));
-  }
+bool cannot_turn(const RigidBody& body) {
+  return (body.fixed & rotations) == rotations;
+}
 
-  void hold() {
-    count_.assign(model_.rigid_bodies.size(), 0);
-    // Rotations first: a body that cannot turn has one velocity, so translations may then be held at any node.
-    for (SinglePointConstraint& spc : model_.spcs)
-      if (RigidBody* body = held_body(spc)) take(spc, *body, rotations);
-    for (SinglePointConstraint& spc : model_.spcs)
-      if (RigidBody* body = held_body(spc); body && (at_center(spc, *body) || (body->fixed & rotations) == rotations))
-        take(spc, *body, translations);
-    std::erase_if(model_.spcs, [](const SinglePointConstraint& spc) { return spc.fixed == 0; });
-    tell();
-  }
+bool at_center(const Model& model, const RigidBody& body, Index node) {
+  const Vec3d center = center_of_mass(model, body);
+  const auto away = [&](Index n) { return norm(model.nodes.x[static_cast<std::size_t>(n)] - center); };
+  double size = 0.0;
+  for (const Index n : body.nodes) size = std::max(size, away(n));
+  return away(node) <= 1e-6 * size;
+}
 
- private:
-  /// The body that the SPC may hold: it must act all the time, in global axes.
-  RigidBody* held_body(const SinglePointConstraint& spc) {
-    const Index owner = b_.body_of_node[static_cast<std::size_t>(spc.node)];
-    if (owner == none || spc.system != none || spc.birth > 0.0 || spc.death < forever) return nullptr;
-    RigidBody& body = model_.rigid_bodies[static_cast<std::size_t>(owner)];
-    return body.origin == RigidBody::Origin::weld ? nullptr : &body;
-  }
+RigidBody& body_of(Builder& b, Index node) {
+  return b.model.rigid_bodies[static_cast<std::size_t>(b.body_of_node[static_cast<std::size_t>(node)])];
+}
 
-  std::size_t index(const RigidBody& body) const {
-    return static_cast<std::size_t>(&body - model_.rigid_bodies.data());
-  }
+/// One finding about some nodes of an SPC, which names the first.
+void tell(Builder& b, const deck::Row& row, std::string_view field, Severity severity, const std::vector<Index>& nodes,
+          std::string_view what, std::string remedy) {
+  if (nodes.empty()) return;
+  row.complain(b.findings, severity, field,
+               fmt::format("node {} belongs to rigid body {}, which moves as one: {} ({} such node{})",
+                           b.model.nodes.id[static_cast<std::size_t>(nodes.front())], body_of(b, nodes.front()).id,
+                           what, nodes.size(), nodes.size() == 1 ? "" : "s"),
+               std::move(remedy));
+}
 
-  bool at_center(const SinglePointConstraint& spc, const RigidBody& body) const {
-    const auto away = [&](Index n) { return norm(model_.nodes.x[static_cast<std::size_t>(n)] - center_[index(body)]); };
-    double size = 0.0;
-    for (const Index n : body.nodes) size = std::max(size, away(n));
-    return away(spc.node) <= 1e-6 * size;
+/// The translations, when all rotations that are held are known: a body that cannot turn has one velocity.
+void hold_translations(Builder& b, const deck::Row& row, std::string_view field, unsigned fixed,
+                       const std::vector<Index>& nodes) {
+  std::vector<Index> held, left;
+  for (const Index node : nodes) {
+    RigidBody& body = body_of(b, node);
+    const bool exact = (fixed & translations) == 0 || cannot_turn(body) || at_center(b.model, body, node);
+    if (exact) body.fixed |= fixed & translations;
+    (exact ? held : left).push_back(node);
   }
-
-  void take(SinglePointConstraint& spc, RigidBody& body, unsigned which) {
-    if ((spc.fixed & which) == 0) return;
-    body.fixed |= spc.fixed & which;
-    spc.fixed &= ~which;
-    ++count_[index(body)];
-  }
-
-  void tell() const {
-    for (std::size_t i = 0; i < count_.size(); ++i)
-      if (count_[i] > 0)
-        b_.findings.add({Severity::note,
-                         model_.rigid_bodies[i].place,
-                         "*BOUNDARY_SPC",
-                         {},
-                         {},
-                         fmt::format("{} is held as a whole by the SPCs on its nodes; spcforc has no reaction of it",
-                                     name_of(model_.rigid_bodies[i])),
-                         {}});
-  }
-
-  Builder& b_;
-  Model& model_;
-  std::vector<Vec3d> center_;  // by body
-  std::vector<int> count_;     // by body: SPCs taken
-};
+  tell(b, row, field, Severity::note, held, "the body is held; spcforc has no such reaction", {});
+  tell(b, row, field, Severity::warning, left, "its translation is not held",
+       "hold the body by CMO of *MAT_RIGID, or _SPC of the nodal rigid body");
+}
 
 /// Whether every direction has inertia. Where one has none, or less, a moment about it turns the body without bound.
 bool is_positive_definite(const std::array<double, 6>& i) {
@@ -86,22 +63,39 @@ bool is_positive_definite(const std::array<double, 6>& i) {
 
 }  // namespace
 
-void hold_bodies(Builder& builder) {
-  Holder(builder).hold();
+void hold_bodies(Builder& builder, const deck::Row& row, std::string_view field, const SinglePointConstraint& spc,
+                 std::vector<Index>& nodes) {
+  const auto in_body = [&](Index n) { return builder.body_of_node[static_cast<std::size_t>(n)] != none; };
+  const bool plain = spc.system == none && spc.birth <= 0.0 && spc.death >= forever;
+  std::vector<Index> taken, left;
+  for (const Index node : nodes)
+    if (in_body(node))
+      (plain && body_of(builder, node).origin != RigidBody::Origin::weld ? taken : left).push_back(node);
+  std::erase_if(nodes, in_body);
+  tell(builder, row, field, Severity::warning, left, "nothing is prescribed to it",
+       "hold the body by CMO of *MAT_RIGID, or _SPC of the nodal rigid body");
+  if (taken.empty()) return;
+  for (const Index node : taken) body_of(builder, node).fixed |= spc.fixed & rotations;
+  builder.later(Phase::checks, [row, name = std::string(field), fixed = spc.fixed, taken](Builder& b) {
+    hold_translations(b, row, name, fixed, taken);
+  });
+}
+
+void check_inertia(Builder& builder) {
   for (const RigidBody& body : builder.model.rigid_bodies) {
     if (!body.given || is_positive_definite(body.inertia.inertia)) continue;
-    const bool can_turn = (body.fixed & rotations) != rotations;
+    const bool harmless = cannot_turn(body);
     builder.findings.add(
-        {can_turn ? Severity::error : Severity::note,
+        {harmless ? Severity::note : Severity::error,
          body.place,
          "",
          {},
          {},
          fmt::format("the tensor of inertia of {} is not that of a body: it is not positive definite{}", name_of(body),
-                     can_turn ? "" : "; this body cannot turn, so it does not matter"),
-         can_turn ? "give its moments about the centre, and products that are smaller than these; "
-                    "0 for products that are not known"
-                  : ""});
+                     harmless ? "; this body cannot turn, so it does not matter" : ""),
+         harmless ? ""
+                  : "give its moments about the centre, and products that are smaller than these; "
+                    "0 for products that are not known"});
   }
 }
 

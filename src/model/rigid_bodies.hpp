@@ -25,11 +25,14 @@ const Frame3d* body_axes(Builder& builder, int id);
 /// Centre of mass: as given, or of the lumped masses at the body's nodes [length].
 Vec3d center_of_mass(const Model& model, const RigidBody& body);
 
-/// Phase::checks. SPCs on nodes of rigid parts and nodal rigid bodies hold the body where they say so exactly: those of
-/// rotations at any node, those of translations at the centre of mass, or at any node of a body that cannot turn. They
-/// leave Model::spcs for RigidBody::fixed. A body that can turn and whose given tensor of inertia is not positive
-/// definite is refused.
-void hold_bodies(Builder& builder);
+/// Phase::conditions. Takes the nodes of rigid bodies out of the `nodes` of an SPC. Where the constraint of such a node
+/// is exactly one of its body, the body is held instead: rotations at any node, translations at the centre of mass, or
+/// at any node of a body that cannot turn. The others do nothing and are told.
+void hold_bodies(Builder& builder, const deck::Row& row, std::string_view field, const SinglePointConstraint& spc,
+                 std::vector<Index>& nodes);
+/// Phase::checks, when all that holds the bodies is known: a body that can turn and whose given tensor of inertia is
+/// not positive definite is refused.
+void check_inertia(Builder& builder);
 
 /// "nodal rigid body 7", for messages.
 std::string name_of(const RigidBody& body);

@@ -37,7 +37,7 @@ class RealDecks(CommandTest):
         self.assertEqual(errors, {})
         told = {(f["keyword"], f["field"]): f["text"] for f in found}
         self.assertIn("born after the end of the run", told[("*RIGIDWALL_GEOMETRIC_CYLINDER_ID", "birth")])
-        self.assertIn("held as a whole by the SPCs", told[("*BOUNDARY_SPC", "")])
+        self.assertIn("the body is held", told[("*BOUNDARY_SPC_SET", "nsid")])
         self.assertTrue(any("cannot turn, so it does not matter" in f["text"] for f in found))
         about_welds = [f for f in found if f["severity"] == "error" and
                        ("DISCRETE_BEAM" in f["keyword"] or f["keyword"] in ("*SECTION_BEAM", "*ELEMENT_BEAM"))]

@@ -96,8 +96,7 @@ void read_spc(Builder& builder, const Block& block, const Options& options) {
       spc.system = b.system(row, "cid");
       if constexpr (set) spc.set_id = row.integer("nsid");
       auto nodes = nodes_of<set>(b, row);
-      leave_out_rigid(b, row, set ? "nsid" : "nid", Severity::warning, nodes,
-                      "hold the body by CMO of *MAT_RIGID, or _SPC of the nodal rigid body");
+      hold_bodies(b, row, set ? "nsid" : "nid", spc, nodes);
       for (const Index node : nodes) {
         spc.node = node;
         b.model.spcs.push_back(spc);

@@ -313,7 +313,7 @@ void read_branch(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
   const Row head = cursor.read(branch_card);
-  cursor.read(branch_heading);
+  cursor.read_text();  // the heading
   SetRecipe recipe{SetKind::branch, head.integer("brid"), false, block.starred(), head.place(), {}};
   const auto offset = [&](IdSpace space) {
     return block.transform ? static_cast<int>(block.transform->id_offset[static_cast<std::size_t>(space)]) : 0;

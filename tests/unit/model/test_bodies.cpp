@@ -123,8 +123,7 @@ TEST(RigidBodies, PointConstraintsHoldTheBody) {
   // Elsewhere a translation is no constraint of the centre, unless the body cannot turn; a rotation always is.
   const Built off_center = built(spc(2, "0,0,1,1,0,0"));
   EXPECT_EQ(fixed(off_center), 0b001000u);
-  ASSERT_EQ(off_center.model.spcs.size(), 1u);
-  EXPECT_EQ(off_center.model.spcs[0].fixed, 0b000100u);
+  EXPECT_TRUE(off_center.warning("node 2 belongs to rigid body 40, which moves as one: its translation is not held"));
   const Built without_rotation = built(spc(2, "1,0,1,0,0,0") + spc(3, "0,0,0,1,1,1"));
   EXPECT_EQ(fixed(without_rotation), 0b111101u);
   EXPECT_TRUE(without_rotation.model.spcs.empty());

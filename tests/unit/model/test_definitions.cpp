@@ -237,7 +237,7 @@ TEST(Sets, TreesOfParts) {
   EXPECT_THAT(sets.branches[0].members, ElementsAre(0, 1, 2));
   EXPECT_THAT(sets.parts.at(0).members, ElementsAre(2)) << "branches have ids of their own";
   EXPECT_EQ(sets.segments.at(0).members.size(), 2u);
-  EXPECT_TRUE(strip("*SET_PART_TREE\n7\n\n8\n").error("branch of parts 8 is not defined"));
+  EXPECT_TRUE(strip("*SET_PART_TREE\n7\n\n8\n").error("branch of parts set 8 is not defined"));
   EXPECT_TRUE(strip("*SET_PART_TREE\n7\n\n7\n").error("contains itself"));
   EXPECT_TRUE(strip("*SET_PART_TREE\n7\n\n-5\n").error("part 5 is not defined"));
 }
