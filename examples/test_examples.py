@@ -80,7 +80,7 @@ class Examples(unittest.TestCase):
                 self.assertLessEqual(len(line), 80, f"line {number}")
 
     def test_the_same_bytes_each_time(self):
-        for name in ("double_hat", "weld_placement"):
+        for name in ("double_hat", "weld_placement", "tube_crush", "hat_crush"):
             self.assertEqual(generate(name), generate(name))
 
     def test_double_hat(self):
@@ -97,6 +97,16 @@ class Examples(unittest.TestCase):
             self.assertEqual({p for p, _, _ in mesh.shells_at(mesh.nodes[upper])}, {1})
             self.assertEqual({p for p, _, _ in mesh.shells_at(mesh.nodes[lower])}, {2})
             self.assertTrue(all(node not in shell for shell in mesh.shells.values() for node in (upper, lower)))
+
+    def test_crushed_columns(self):
+        for name, parts in (("tube_crush", {1}), ("hat_crush", {1, 3})):
+            for case, text in generate(name).items():
+                self.check_text(text)
+                mesh = Mesh(text)
+                self.assertEqual({shell[0] for shell in mesh.shells.values()}, parts | {2}, case)
+                for part, upper, lower, _ in mesh.beams.values():
+                    self.assertEqual({p for p, _, _ in mesh.shells_at(mesh.nodes[upper])}, {1}, case)
+                    self.assertEqual({p for p, _, _ in mesh.shells_at(mesh.nodes[lower])}, {3}, case)
 
     def test_weld_placement(self):
         decks = generate("weld_placement")
@@ -128,7 +138,7 @@ class Runs(unittest.TestCase):
         return run.stderr
 
     def test_no_deck_gives_a_warning(self):
-        for name in ("double_hat", "weld_placement"):
+        for name in ("double_hat", "weld_placement", "tube_crush", "hat_crush"):
             for case, text in generate(name).items():
                 deck = self.folder / f"{case}.k"
                 deck.write_text(text, encoding="ascii")
@@ -143,6 +153,16 @@ class Runs(unittest.TestCase):
         self.assertAlmostEqual(summary["energy"]["ratio"], 1.0, 3)
         self.assertGreater(summary["energy"]["internal"], 0.01 * summary["energy"]["initial"])
         self.assertEqual(sum(weld["tied"] for weld in summary["weld"]), 40)
+
+    def test_the_first_fold_of_a_tube(self):
+        deck = self.folder / "tube_5.k"
+        deck.write_text(generate("tube_crush")["tube_5"], encoding="ascii")
+        self.nugget("run", deck, "-o", self.folder, "--until", "2e-3", "--quiet")  # 10 mm
+        energy = json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))["energy"]
+        self.assertAlmostEqual(energy["ratio"], 1.0, 2)
+        self.assertLess(energy["hourglass"], 0.05 * energy["internal"])
+        # Half a peak force and more, half the mean one and more; less than squashing the whole section at yield.
+        self.assertTrue(0.5 * 28400 * 10 < energy["internal"] < 300 * 300 * 10, energy)
 
     def test_a_weld_over_the_centre_is_as_stiff_as_one_of_solids(self):
         for case, text in generate("weld_placement").items():

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Draws the last state of a d3plot family as an SVG: shells coloured by plastic strain, welds as dots, failed ones red.
+"""Draws the last state of a d3plot family as an SVG: shells and the skin of bricks coloured by plastic strain,
+welds as dots, failed ones red.
 
     tools/picture.py FOLDER PICTURE.svg [--view X,Y,Z] [--up X,Y,Z] [--width PIXELS]
 
@@ -11,26 +12,54 @@ import pathlib
 import numpy as np
 
 
-def read(folder):
+FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))  # of a brick, outward
+
+
+def skin(solids, alive):
+    """The faces that one living brick alone has, and the brick of each."""
+    faces, owner = {}, {}
+    for e in np.flatnonzero(alive):
+        for face in FACES:
+            nodes = [solids[e][c] for c in face]
+            key = tuple(sorted(set(nodes)))
+            if len(key) < 3:
+                continue
+            faces[key] = None if key in faces else nodes
+            owner[key] = e
+    kept = [k for k, nodes in faces.items() if nodes is not None]
+    return np.array([faces[k] for k in kept], int).reshape(-1, 4), np.array([owner[k] for k in kept], int)
+
+
+def read(folder, number=-1):
+    """Of a state: coordinates; facets of living shells and of the skin of bricks, with their plastic strain; beams, which of them live."""
     words = np.fromfile(folder / "d3plot", dtype="<i4")
     numnp, nglbv, nel8, nv3d = words[16], words[18], words[23], words[27]
     nel2, nv1d, nel4, nv2d = words[28], words[30], words[31], words[33]
-    at = 64 + 3 * numnp + 9 * nel8
+    at = 64 + 3 * numnp
+    solids = words[at:at + 9 * nel8].reshape(-1, 9)[:, :8] - 1
+    at += 9 * nel8
     beams = words[at:at + 6 * nel2].reshape(-1, 6)[:, :2] - 1
     at += 6 * nel2
     shells = words[at:at + 5 * nel4].reshape(-1, 5)[:, :4] - 1
     size = 1 + nglbv + 9 * numnp + nel8 * nv3d + nel2 * nv1d + nel4 * nv2d + nel8 + nel4 + nel2
-    last = sorted(folder.glob("d3plot[0-9]*"), key=lambda p: (len(p.name), p.name))[-1]
-    data = np.fromfile(last, dtype="<f4")
+    family = sorted(folder.glob("d3plot[0-9]*"), key=lambda p: (len(p.name), p.name))
+    data = np.fromfile(family[number], dtype="<f4")
     count = 0
     while (count + 1) * size <= data.size and data[count * size] != -999999.0:
         count += 1
-    state = data[(count - 1) * size:count * size]
+    state = data[:size] if number == 0 else data[(count - 1) * size:count * size]
     x = state[1 + nglbv:1 + nglbv + 3 * numnp].reshape(-1, 3).astype(float)
-    at = 1 + nglbv + 9 * numnp + nel8 * nv3d + nel2 * nv1d
-    strain = state[at:at + nel4 * nv2d].reshape(nel4, nv2d)[:, [6, 13, 20]].max(axis=1)
-    at += nel4 * nv2d + nel8
-    return x, shells, strain, state[at:at + nel4] != 0, beams, state[at + nel4:at + nel4 + nel2] != 0
+    at = 1 + nglbv + 9 * numnp
+    solid_strain = state[at:at + nel8 * nv3d].reshape(nel8, nv3d)[:, 6] if nel8 else np.zeros(0)
+    at += nel8 * nv3d + nel2 * nv1d
+    strain = state[at:at + nel4 * nv2d].reshape(nel4, nv2d)[:, [6, 13, 20]].max(axis=1) if nel4 else np.zeros(0)
+    at += nel4 * nv2d
+    faces, owner = skin(solids, state[at:at + nel8] != 0)
+    at += nel8
+    shell_alive = state[at:at + nel4] != 0
+    facets = np.concatenate([shells[shell_alive].reshape(-1, 4), faces])
+    strain = np.concatenate([strain[shell_alive], solid_strain[owner]])
+    return x, facets, strain, beams, state[at + nel4:at + nel4 + nel2] != 0
 
 
 def colour(share):
@@ -56,7 +85,7 @@ def visible(p, shells, order, width, height):
 
 
 def draw(folder, width, view, up):
-    x, shells, strain, shell_alive, beams, beam_alive = read(folder)
+    x, shells, strain, beams, beam_alive = read(folder)
     towards = view / np.linalg.norm(view)
     right = np.cross(up, towards)
     right /= np.linalg.norm(right)
@@ -71,8 +100,7 @@ def draw(folder, width, view, up):
     most = max(np.percentile(strain, 99), 1e-6)
     out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" height="{height}">',
            '<rect width="100%" height="100%" fill="#fff"/><g stroke="#0004" stroke-width=".3">']
-    order = [e for e in np.argsort(depth[shells].mean(axis=1)) if shell_alive[e]]
-    for e in visible(p, shells, order, width, height):
+    for e in visible(p, shells, np.argsort(depth[shells].mean(axis=1)), width, height):
         a, b = x[shells[e][2]] - x[shells[e][0]], x[shells[e][3]] - x[shells[e][1]]
         normal = np.cross(a, b)
         light = 0.55 + 0.45 * abs(normal @ (0.8 * towards + 0.6 * top)) / (np.linalg.norm(normal) or 1.0)

@@ -32,8 +32,9 @@ std::string percent_of(double part, double whole) {
   return whole > 0.0 ? fmt::format(" ({:.3g} % of the model)", 100.0 * part / whole) : std::string();
 }
 
-/// `4 beams, 2 assemblies`.
-std::string kinds(const weld::Ties& ties) {
+}  // namespace
+
+std::string weld_kinds(const weld::Ties& ties) {
   static const std::map<weld::Weld::Kind, std::pair<const char*, const char*>> names{
       {weld::Weld::Kind::beam, {"beam", "beams"}},
       {weld::Weld::Kind::solid, {"brick", "bricks"}},
@@ -49,6 +50,8 @@ std::string kinds(const weld::Ties& ties) {
   }
   return text;
 }
+
+namespace {
 
 /// How many spots go through how many sheets.
 std::string spots(const std::vector<weld::Report>& reports) {
@@ -70,7 +73,10 @@ std::string check_line(const weld::CheckSummary& found, const weld::Ties& ties,
     worst += std::isfinite(reports[w].values[c]) ? fmt::format("  {}: {:.3g}", ties.welds[w].id, reports[w].values[c])
                                                  : fmt::format("  {}", ties.welds[w].id);
   if (found.remarks > found.worst.size()) worst += "  ...";
-  const bool looked = check.measure.empty() || std::isfinite(found.least);
+  const auto is_attached = [](const weld::Report& r) { return !r.stack.empty(); };
+  const bool by_number = !check.measure.empty(), of_sheets = check.name == "sheets";
+  const bool looked =
+      by_number ? std::isfinite(found.least) : !of_sheets || std::any_of(reports.begin(), reports.end(), is_attached);
   const char* const mark = found.remarks > 0 ? (check.severity == Severity::warning ? "!" : "note")
                            : looked          ? "ok"
                                              : "-";
@@ -107,7 +113,7 @@ double worst_excess(const weld::Report& report) {
 std::string audit_table(const model::Model& model, const weld::Ties& ties, const std::vector<weld::Report>& reports) {
   if (ties.welds.empty()) return {};
   const auto units = model::recognise_units(model);
-  std::string s = fmt::format("Audit: {}; spots: {}; units {}\n\n", kinds(ties), spots(reports),
+  std::string s = fmt::format("Audit: {}; spots: {}; units {}\n\n", weld_kinds(ties), spots(reports),
                               units ? units->name : "not recognised, so limits in millimetres are not looked at");
   s += fmt::format(" {:<10}{:<22}{:>9}{:>10}{:>14}  {}\n", "check", "measured", "least", "most", "remarks",
                    "worst welds");

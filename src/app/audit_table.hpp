@@ -14,6 +14,9 @@ namespace nugget::app {
 /// Empty where there are no welds.
 std::string audit_table(const model::Model& model, const weld::Ties& ties, const std::vector<weld::Report>& reports);
 
+/// How many welds of which kind: `4 beams, 2 assemblies of bricks`.
+std::string weld_kinds(const weld::Ties& ties);
+
 /// A line per weld with its remarks: of all welds if they are few, else of those with the worst remarks.
 std::string weld_table(const model::Model& model, const weld::Ties& ties, const std::vector<weld::Report>& reports);
 

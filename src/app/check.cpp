@@ -32,12 +32,13 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
     system::System system(p.model, p.ties, findings);
     if (findings.errors() == 0) impact::Simulation simulation(system, findings);
   }
+  const std::string account = findings.errors() > 0 ? account_for_refused(p, findings) : std::string();
   start_log(log, arguments.deck, p, findings);
   output::write_findings(directory, findings.all());
   print_findings(findings);
-  if (findings.errors() > 0) return ExitCode::refused;
+  if (findings.errors() > 0 && p.welds.empty()) return ExitCode::refused;
   constexpr std::size_t most_on_terminal = 10;
-  std::string audit = audit_table(p.model, p.ties, p.audit);
+  std::string audit = account + audit_table(p.model, p.ties, p.audit);
   if (arguments.target_step > 0.0) {
     add_target(p, arguments.target_step);
     audit += target_table(p.model, p.ties, p.audit, arguments.target_step);
@@ -48,7 +49,7 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
   log.add(log_model(p.model) + log_ties(p.model, p.ties, all_of_them) + log_tied_nodes(p.model, p.ties) + audit);
   output::write_welds(directory, p.welds);
   fmt::print("{}{}{}", log_model(p.model), log_ties(p.model, p.ties, most_on_terminal), audit);
-  return ExitCode::normal;
+  return findings.errors() > 0 ? ExitCode::refused : ExitCode::normal;
 }
 
 }  // namespace

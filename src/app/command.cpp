@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/finding_list.hpp"
 #include "app/run_log.hpp"
 #include "base/parallel.hpp"
 #include "model/describe.hpp"
@@ -17,7 +18,7 @@ void start_log(Log& log, const RunArguments& arguments, const Prepared& p, const
 }
 
 void print_findings(const Findings& findings) {
-  for (const Finding& f : findings.all()) fmt::print(stderr, "{}\n", to_string(f));
+  for (const std::string& line : list_findings(findings.all())) fmt::print(stderr, "{}\n", line);
   if (findings.errors() + findings.warnings() > 0) fmt::print(stderr, "{}\n", totals(findings));
 }
 

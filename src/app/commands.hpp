@@ -34,6 +34,8 @@ struct ModesArguments {
   int count = 0;                 ///< 0: the deck's NEIG, or 20
   double low = 0.0, high = 0.0;  ///< frequencies [cycles/time]; 0: the deck's
   bool response = false;         ///< the frequency response that the deck asks for as well
+  std::string drop;              ///< welds to be taken out: ids separated by commas, or `all`; empty: none
+  std::string compare;           ///< folder of another run whose modes are compared; empty: none
 };
 
 struct CheckArguments {
@@ -55,6 +57,8 @@ ExitCode modes(const ModesArguments& arguments);
 ExitCode frf(const RunArguments& arguments);
 ExitCode check(const CheckArguments& arguments);
 ExitCode weld(const WeldArguments& arguments);
+/// (Re)makes report.html of the results in a folder.
+ExitCode report(const std::string& directory);
 ExitCode keywords(const std::string& name);
 
 }  // namespace nugget::app

@@ -100,6 +100,10 @@ int main(int argc, char** argv) {
       ->check(frequency);
   modes_command->add_option("--fmax", modes.high, "no modes above this frequency [cycles/time]; also -fmax")
       ->check(frequency);
+  modes_command->add_option("--drop-weld", modes.drop,
+                            "what the modes are without a weld: its id, ids separated by commas (together), or all "
+                            "(each on its own, ranked)");
+  modes_command->add_option("--compare", modes.compare, "folder of another run: which modes are the same (MAC)");
   modes_command->add_option("-j,--threads", modes.run.threads, "threads (default: all cores); also ncpu=N")
       ->check(count);
   modes_command->add_flag("--skip-unsupported", modes.run.skip_unsupported,
@@ -149,8 +153,9 @@ int main(int argc, char** argv) {
   CLI::App* keywords_command = cli.add_subcommand("keywords", "what is supported, from the card tables");
   keywords_command->add_option("name", keyword, "one keyword: its fields, defaults, ranges, meaning");
 
-  const char* const later[] = {"report"};
-  for (const char* name : later) cli.add_subcommand(name, "not built yet")->allow_extras();
+  std::string results;
+  CLI::App* report_command = cli.add_subcommand("report", "(re)make report.html from the results in a folder");
+  report_command->add_option("directory", results, "folder with summary.json")->required();
 
   std::vector<std::string> words = translated(argc, argv);
   if (is_unknown_command(cli, words)) {
@@ -165,14 +170,6 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return cli.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::wrong_command);
   }
-  for (const char* name : later) {
-    if (!cli.got_subcommand(name)) continue;
-    fmt::print(
-        stderr,
-        "nugget: the command '{}' is not built yet; this version has run, modes, frf, check, weld and keywords\n",
-        name);
-    return static_cast<int>(ExitCode::wrong_command);
-  }
   if (!checkpoint.empty() || !resume.empty()) {
     fmt::print(stderr, "nugget: {} is not built yet: this version writes no restart files\n",
                checkpoint.empty() ? "--resume" : "--checkpoint");
@@ -186,5 +183,6 @@ int main(int argc, char** argv) {
     weld.form = forms.at(form);
     return static_cast<int>(nugget::app::weld(weld));
   }
+  if (report_command->parsed()) return static_cast<int>(nugget::app::report(results));
   return static_cast<int>(nugget::app::keywords(keyword));
 }

@@ -10,8 +10,10 @@
 
 #include "app/clock.hpp"
 #include "app/frf.hpp"
+#include "app/mode_pairs.hpp"
 #include "app/outcome.hpp"
 #include "app/run_log.hpp"
+#include "app/weld_study.hpp"
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "nvh/linear_model.hpp"
@@ -136,7 +138,8 @@ output::Summary summarise(const ModesArguments& arguments, const Prepared& p, co
 
 }  // namespace
 
-ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Prepared p, Findings& findings) {
+ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Prepared p, Findings& findings,
+                  const std::optional<nvh::ShapeFile>& other) {
   Log log(directory / "run.log");
   Clock clock;
   std::optional<model::Model> linear;
@@ -154,10 +157,24 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
   log.add(log_model(p.model));
   log.add(log_ties(p.model, p.ties, all_of_them) + log_tied_nodes(p.model, p.ties));
   const double setup = p.tie_seconds + clock.seconds();
+  const nvh::ModeRequest request = request_of(arguments, p.model);
+  std::optional<DropRequest> drop;
+  if (!arguments.drop.empty()) {
+    std::string complaint;
+    if (request.low > 0.0 || request.centre > 0.0)
+      complaint = "it needs the lowest modes: leave out --fmin (LFLAG, CENTER in the deck)";
+    else
+      drop = drop_request(arguments.drop, *system, complaint);
+    if (!drop) {
+      fmt::print(stderr, "nugget: --drop-weld {}: {}\n", arguments.drop, complaint);
+      log.add(log_termination({impact::Termination::error, complaint}));
+      return ExitCode::wrong_command;
+    }
+  }
 
   try {
     Status status(arguments.run.quiet);
-    const nvh::Modes modes = nvh::find_modes(*matrices, request_of(arguments, p.model), std::ref(status));
+    const nvh::Modes modes = nvh::find_modes(*matrices, request, std::ref(status));
     const double solve = clock.seconds();
     status("strain energies and files");
     const nvh::EnergyShares shares = nvh::energy_shares(*matrices, modes);
@@ -166,10 +183,16 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
     summary.seconds.solve = solve;
     nvh::write_modes(directory, {p.model.title, fmt::format("nugget {}", NUGGET_VERSION), today()}, *matrices, modes,
                      shares);
-    std::string response;
+    std::string response;  // and what else is told after the modes
     if (arguments.response && p.model.frequency_response) {
       status("frequency response");
       response = frf_of(directory, *matrices, modes, *p.model.frequency_response);
+    }
+    if (drop) response += weld_study(directory, *matrices, modes, *drop, summary, std::ref(status));
+    if (other) {
+      const nvh::ModeComparison comparison = nvh::compare(*matrices, modes, *other);
+      nvh::write_mac(directory, modes, comparison);
+      response += pair_table(modes, comparison, arguments.compare);
     }
     output::write_welds(directory, p.welds);
     summary.seconds.output = clock.seconds();
@@ -205,8 +228,15 @@ ExitCode modes(const ModesArguments& arguments) {
     Findings findings;
     Prepared p = prepare(arguments.run, findings);
     if (!p.has_text) return refuse_missing(findings);
+    std::optional<nvh::ShapeFile> other;
+    try {  // before old results go: it may be this very folder
+      if (!arguments.compare.empty()) other.emplace(arguments.compare);
+    } catch (const nvh::ShapeFile::ReadError& error) {
+      fmt::print(stderr, "nugget: --compare {}: {}\n", arguments.compare, error.what());
+      return ExitCode::wrong_command;
+    }
     output::remove_old_results(directory);
-    return modes_of(directory, arguments, std::move(p), findings);
+    return modes_of(directory, arguments, std::move(p), findings, other);
   });
 }
 

@@ -2,14 +2,16 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "app/commands.hpp"
 #include "app/prepared.hpp"
+#include "nvh/shape_file.hpp"
 
 namespace nugget::app {
 
-/// Natural modes of a prepared deck, into a folder whose old results are gone.
+/// Natural modes of a prepared deck, into a folder whose old results are gone; `other`: modes to compare them with.
 ExitCode modes_of(const std::filesystem::path& directory, const ModesArguments& arguments, Prepared prepared,
-                  Findings& findings);
+                  Findings& findings, const std::optional<nvh::ShapeFile>& other = {});
 
 }  // namespace nugget::app

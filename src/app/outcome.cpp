@@ -16,12 +16,9 @@ ExitCode refuse(const std::filesystem::path& directory, Log& log, const Findings
 }
 
 output::Summary::Counts counts(const model::Model& model, const weld::Ties& ties) {
-  return {static_cast<long>(model.nodes.size()),
-          static_cast<long>(model.shells.size()),
-          static_cast<long>(model.solids.size()),
-          static_cast<long>(model.beams.size()),
-          0,
-          static_cast<long>(model.parts.size()),
+  return {static_cast<long>(model.nodes.size()),     static_cast<long>(model.shells.size()),
+          static_cast<long>(model.solids.size()),    static_cast<long>(model.beams.size()),
+          static_cast<long>(model.discretes.size()), static_cast<long>(model.parts.size()),
           static_cast<long>(ties.welds.size())};
 }
 

@@ -3,12 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "app/clock.hpp"
+#include "app/weld_account.hpp"
 #include "base/index.hpp"
 #include "deck/deck.hpp"
 #include "model/builder.hpp"
+#include "weld/failure/missing_data.hpp"
+#include "weld/presumed.hpp"
 
 namespace nugget::app {
 namespace {
@@ -42,12 +46,24 @@ output::WeldReport weld_report(const model::Model& model, const weld::Weld& w, c
   r.audit.emplace_back("mass", audit.price.mass);
   r.audit.emplace_back("mass_by_dt", audit.price.mass_by_dt);
   r.audit.emplace_back("mass_by_dt2ms", audit.price.mass_by_dt2ms);
+  if (weld::presumed(model, w)) r.remarks.emplace_back("its part has no material: taken for a weld");
   if (w.kind == weld::Weld::Kind::connector)
     r.remarks.push_back(
         fmt::format("discrete beam of *{}", model.materials[at(model.parts[at(w.part)].material)].keyword));
   for (const weld::Remark& remark : audit.remarks)
     r.remarks.push_back(fmt::format("{}: {}", remark.check->name, remark.text));
   return r;
+}
+
+void tie_and_audit(Prepared& p, Findings& findings) {
+  Clock clock;
+  p.ties = weld::tie(p.model, findings);
+  p.tie_seconds = clock.seconds();
+  p.audit = weld::audit(p.model, p.ties, findings);
+  for (std::size_t i = 0; i < p.ties.welds.size(); ++i)
+    p.welds.push_back(weld_report(p.model, p.ties.welds[i], p.audit[i]));
+  p.audit_seconds = clock.seconds();
+  p.is_tied = true;
 }
 
 }  // namespace
@@ -61,13 +77,24 @@ Prepared prepare(const RunArguments& arguments, Findings& findings) {
   p.model = model::build(deck, findings, arguments.skip_unsupported);
   p.read_seconds = clock.seconds();
   if (findings.errors() > 0) return p;
-  p.ties = weld::tie(p.model, findings);
-  p.tie_seconds = clock.seconds();
-  p.audit = weld::audit(p.model, p.ties, findings);
-  for (std::size_t i = 0; i < p.ties.welds.size(); ++i)
-    p.welds.push_back(weld_report(p.model, p.ties.welds[i], p.audit[i]));
-  p.audit_seconds = clock.seconds();
+  tie_and_audit(p, findings);
   return p;
+}
+
+std::string account_for_refused(Prepared& p, Findings& findings) {
+  std::vector<std::string> left_out;
+  if (!p.is_tied) {
+    left_out = leave_out_broken_ties(p.model);
+    Findings found;
+    tie_and_audit(p, found);
+    weld::failure::tell_missing_data(p.model, p.ties, found);
+    for (Finding finding : found.all()) {
+      // A weld without a hold may follow from what was refused before: the errors are those.
+      finding.severity = std::min(finding.severity, Severity::warning);
+      findings.add(std::move(finding));
+    }
+  }
+  return weld_account(p.model, p.ties, left_out, findings);
 }
 
 }  // namespace nugget::app

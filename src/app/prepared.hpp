@@ -16,12 +16,17 @@ struct Prepared {
   bool has_text = false;  ///< the deck could be opened and is not empty
   model::Model model;
   weld::Ties ties;
+  bool is_tied = false;                   ///< ties, audit and welds are there
   std::vector<weld::Report> audit;        ///< one a weld
   std::vector<output::WeldReport> welds;  ///< one a weld, for welds.csv and summary.json
   double read_seconds = 0.0, tie_seconds = 0.0, audit_seconds = 0.0;
 };
 
-/// Reads, checks, ties and audits. Findings hold what was wrong.
+/// Reads, checks, ties and audits. Findings hold what was wrong; after errors nothing is tied.
 Prepared prepare(const RunArguments& arguments, Findings& findings);
+
+/// Ties and audits what there is of the welds of a deck that has errors, unless that was done before they came, for
+/// `nugget check`: the account of them, empty where there are none.
+std::string account_for_refused(Prepared& prepared, Findings& findings);
 
 }  // namespace nugget::app

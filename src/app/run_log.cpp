@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 
+#include "app/finding_list.hpp"
 #include "base/index.hpp"
 #include "weld/failure/function.hpp"
 
@@ -31,6 +32,7 @@ const char* case_name(int kase) {
 }
 
 std::string section_name(const model::Model& model, const model::Part& part) {
+  if (part.kind != model::ElementKind::nothing && part.section == model::none) return "none";
   switch (part.kind) {
     case model::ElementKind::shell: {
       const model::SectionShell& s = model.shell_sections[at(part.section)];
@@ -42,6 +44,10 @@ std::string section_name(const model::Model& model, const model::Part& part) {
       const model::SectionBeam& s = model.beam_sections[at(part.section)];
       if (s.elform == 6) return fmt::format("discrete beam, ELFORM 6, VOL = {:.4g}, SCOOR = {}", s.volume, s.scoor);
       return fmt::format("beam, ELFORM {}, d = {:.4g}", s.elform, 0.5 * (s.outer[0] + s.outer[1]));
+    }
+    case model::ElementKind::discrete: {
+      const model::SectionDiscrete& s = model.discrete_sections[at(part.section)];
+      return s.torsional ? "spring or damper, torsional" : "spring or damper";
     }
     case model::ElementKind::nothing: break;
   }
@@ -84,7 +90,7 @@ std::string log_head(const std::string& version, const std::string& deck, const 
 
 std::string log_findings(const Findings& findings) {
   std::string s = fmt::format("Findings: {}, {} in all\n\n", totals(findings), findings.all().size());
-  for (const Finding& f : findings.all()) s += ' ' + to_string(f) + '\n';
+  for (const std::string& line : list_findings(findings.all())) s += ' ' + line + '\n';
   return s + '\n';
 }
 
@@ -164,13 +170,19 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
   s += fmt::format(
       "Energy at the end\n\n kinetic {:.5e}  internal {:.5e}  hourglass {:.5e}  contact {:.5e}\n external {:.5e}  "
       "eroded "
-      "{:.5e}  initial {:.5e}  ratio {:.5f}\n hourglass / internal {:.3f} %\n\n",
-      e.kinetic, e.internal, e.hourglass, e.contact, e.external, e.eroded, e.initial, e.ratio,
+      "{:.5e}  change of step {:.5e}\n initial {:.5e}  ratio {:.5f}\n hourglass / internal {:.3f} %\n\n",
+      e.kinetic, e.internal, e.hourglass, e.contact, e.external, e.eroded, e.step_change, e.initial, e.ratio,
       e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0);
   std::string events;
-  for (const auto* list :
-       {&run.welds().events(), &run.rigid_welds().events(), &run.connectors().events(), &run.tie_ends().events()})
+  for (const auto* list : {&run.welds().events(), &run.rigid_welds().events(), &run.rivets().events(),
+                           &run.connectors().events(), &run.tie_ends().events(), &run.erosion().events()})
     for (const std::string& event : *list) events += ' ' + event + '\n';
+  if (!run.joints().empty()) {
+    s += "Joints: largest distance between the points that they hold together\n\n";
+    for (std::size_t i = 0; i < run.joints().size(); ++i)
+      s += fmt::format(" joint {:>8} {:12.4e}\n", run.system().model.joints[i].id, run.joints().largest_opening(i));
+    s += '\n';
+  }
   if (!events.empty()) s += "Events\n\n" + events + '\n';
   s += fmt::format("Seconds\n\n read {:.3f}  setup {:.3f}  solve {:.3f}  output {:.3f}\n", summary.seconds.read,
                    summary.seconds.setup, summary.seconds.solve, summary.seconds.output);

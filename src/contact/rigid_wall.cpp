@@ -11,10 +11,13 @@ namespace {
 
 constexpr std::size_t group_size = 1024;
 
-std::variant<kernel::PlaneWall, kernel::CylinderWall, kernel::SphereWall> shape_of(const model::RigidWall& wall) {
+std::variant<kernel::PlaneWall, kernel::CylinderWall, kernel::SphereWall, kernel::PrismWall> shape_of(
+    const model::RigidWall& wall) {
   switch (wall.shape) {
     case model::RigidWall::Shape::cylinder: return kernel::CylinderWall{wall.normal, wall.radius, wall.length};
     case model::RigidWall::Shape::sphere: return kernel::SphereWall{wall.radius};
+    case model::RigidWall::Shape::prism:
+      return kernel::PrismWall{wall.normal, wall.edge_l, wall.edge_m, wall.length_l, wall.length_m, wall.depth};
     case model::RigidWall::Shape::plane: break;
   }
   if (!wall.finite) return kernel::PlaneWall{wall.normal, {}, {}};
@@ -48,12 +51,12 @@ Vec3d RigidWall::prescribed_velocity(double time, double dt) const {
 }
 
 void RigidWall::constrain(double time, double dt, double dt_previous, std::span<const Row> x, std::span<Row> v,
-                          std::span<const double> mass, std::span<const unsigned char> skip) {
+                          std::span<const Row> f, std::span<const double> mass, std::span<const unsigned char> skip) {
   force_ = {};
   normal_force_ = 0.0;
   touching_ = 0;
-  due_ = 0.0;
-  Step step{dt, x, v, mass, skip, prescribed_velocity(time, dt)};
+  due_ = power_on_change_ = 0.0;
+  Step step{dt, x, v, f, mass, skip, prescribed_velocity(time, dt)};
   const bool active = time >= birth_ && time < death_;
   if (mass_ > 0.0) {
     if (active) collide(step);
@@ -73,6 +76,7 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
       all.normal += sum.normal;
       all.opening += sum.opening;
       all.closing += sum.closing;
+      all.power_on_change += sum.power_on_change;
       all.touching += sum.touching;
     }
     const double between_middles = 0.5 * (dt + dt_previous);
@@ -84,6 +88,7 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
     const double share = dt_previous / between_middles;
     due_ = (1.0 - share) * all.opening + all.closing;
     touching_ = all.touching;
+    power_on_change_ = all.power_on_change;
   }
   started_ = active;
   origin_ += dt * step.wall_velocity;
@@ -159,6 +164,7 @@ void RigidWall::stop(Tracked& tracked, const Step& step, Sum& sum) const {
   sum.normal += dot(impulse, p.normal);
   sum.opening -= 0.5 * dot(impulse, before);
   sum.closing -= 0.5 * dot(impulse, after);
+  sum.power_on_change += dot(vec(step.f[tracked.node]), after - free);
   ++sum.touching;
 }
 

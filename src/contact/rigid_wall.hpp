@@ -13,7 +13,8 @@
 
 namespace nugget::contact {
 
-/// *RIGIDWALL_PLANAR and _GEOMETRIC_CYLINDER, _SPHERE: stops nodes by changing their velocities, perfectly plastic.
+/// *RIGIDWALL_PLANAR and _GEOMETRIC_FLAT, _PRISM, _CYLINDER, _SPHERE: stops nodes by changing their velocities,
+/// perfectly plastic.
 ///
 /// A node whose position at the end of the step would be behind the wall gets the velocity along the wall's normal that
 /// brings it to the wall, or, when it stands there already, the wall's own; that is LS-DYNA's constraint method with
@@ -37,9 +38,9 @@ class RigidWall {
   /// Call when the velocities of the middle of the step are known, v(t + dt/2), and before nodes move to x(t + dt). `x`
   /// at `time`. `dt_previous`: the step that led to `time`; forces are impulses over the time between the two middles,
   /// (dt + dt_previous)/2. `skip` (by node; may be empty) marks nodes that the wall leaves alone: dependent ones, and
-  /// those of rigid bodies.
+  /// those of rigid bodies. `f`: the other forces on the nodes at `time`.
   void constrain(double time, double dt, double dt_previous, std::span<const Row> x, std::span<Row> v,
-                 std::span<const double> mass, std::span<const unsigned char> skip);
+                 std::span<const Row> f, std::span<const double> mass, std::span<const unsigned char> skip);
 
   /// Force of the wall on the nodes at `time` [force], and the sum of its normal parts.
   const Vec3d& force() const { return force_; }
@@ -66,6 +67,8 @@ class RigidWall {
   /// Velocity along the normal of a wall with mass, in the middle of the last step.
   double velocity() const { return velocity_; }
   int touching() const { return touching_; }  ///< nodes stopped in the last step
+  /// Sum over the nodes of the other forces times what the wall changed in their velocities in the last step [power].
+  double power_on_change() const { return power_on_change_; }
 
  private:
   struct Tracked {
@@ -77,12 +80,14 @@ class RigidWall {
     Vec3d impulse;
     double normal = 0.0;
     double opening = 0.0, closing = 0.0;  // halves of the energy: with the velocities before and after
+    double power_on_change = 0.0;
     int touching = 0;
   };
   struct Step {
     double dt;
     std::span<const Row> x;
     std::span<Row> v;
+    std::span<const Row> f;
     std::span<const double> mass;
     std::span<const unsigned char> skip;
     Vec3d wall_velocity;
@@ -96,7 +101,7 @@ class RigidWall {
   void stop(Tracked& tracked, const Step& step, Sum& sum) const;
   Vec3d friction(const Vec3d& slip, double normal_change) const;
 
-  std::variant<kernel::PlaneWall, kernel::CylinderWall, kernel::SphereWall> shape_;
+  std::variant<kernel::PlaneWall, kernel::CylinderWall, kernel::SphereWall, kernel::PrismWall> shape_;
   Vec3d origin_, normal_;
   double friction_ = 0.0, weld_velocity_ = 0.0;
   double mass_ = 0.0, velocity_ = 0.0;
@@ -110,7 +115,7 @@ class RigidWall {
   bool started_ = false;   // `last` holds
 
   Vec3d force_, impulse_;
-  double normal_force_ = 0.0, normal_impulse_ = 0.0, energy_ = 0.0, due_ = 0.0;
+  double normal_force_ = 0.0, normal_impulse_ = 0.0, energy_ = 0.0, due_ = 0.0, power_on_change_ = 0.0;
   int touching_ = 0;
 };
 

@@ -14,9 +14,10 @@ namespace nugget::contact {
 struct Segment {
   std::array<int, 4> node{};  ///< a triangle repeats its third node
   double thickness = 0.0;     ///< contact thickness, scale factors applied; 0 for the face of a brick [length]
-  double bulk_modulus = 0.0;  ///< K = E/(3(1-2 nu)), times SSF of *PART_CONTACT [stress]
+  double bulk_modulus = 0.0;  ///< K = E/(3(1-2 nu)), times SSF of *PART_CONTACT and SFSA or SFSB [stress]
   double volume = 0.0;        ///< of the brick behind the face; 0: a shell [length^3]
-  int shell = -1;             ///< index of the shell that the segment is, in `shell_alive`; -1: it never dies
+  int element = -1;           ///< whose death ends the segment, as an index in `element_alive`; -1: it never dies
+  int covered_by = -1;        ///< the brick on the other side of the face: only its death lays the segment bare
   unsigned side = 1;          ///< of the contact: bit 0 the tracked side (SURFA), bit 1 the reference side (SURFB)
 
   bool triangle() const { return node[3] == node[2]; }
@@ -24,11 +25,18 @@ struct Segment {
   bool has(int n) const { return node[0] == n || node[1] == n || node[2] == n || node[3] == n; }
 };
 
+/// Whether the segment is there. `element_alive`: by element; empty: all live.
+inline bool bare(const Segment& s, std::span<const unsigned char> element_alive) {
+  if (element_alive.empty()) return s.covered_by < 0;
+  return (s.element < 0 || element_alive[s.element]) && (s.covered_by < 0 || !element_alive[s.covered_by]);
+}
+
 /// A node that must not pass through the segments.
 struct TrackedNode {
   int node = 0;
   double thickness = 0.0;  ///< contact thickness: the mean of the adjoining segments' [length]
   unsigned against = 1;    ///< the sides whose segments press it, by the bits of Segment::side
+  bool stays = false;      ///< it is pressed even when all its segments are gone
 };
 
 /// The nodes of the segments of `side`, ascending, each with the mean thickness of these segments; to be pressed by

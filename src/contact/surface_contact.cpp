@@ -42,39 +42,41 @@ double mean_edge(const std::vector<Segment>& segments, std::span<const Row> x) {
   return segments.empty() ? 0.0 : sum / static_cast<double>(segments.size());
 }
 
+/// All nodes of segments and all tracked nodes, ascending.
+std::vector<int> all_nodes(const SurfaceContactSetup& setup) {
+  std::vector<int> nodes;
+  for (const Segment& s : setup.segments) nodes.insert(nodes.end(), s.node.begin(), s.node.end());
+  for (const TrackedNode& t : setup.nodes) nodes.push_back(t.node);
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
 }  // namespace
 
 SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x)
-    : setup_(std::move(setup)), around_(setup_.segments) {
+    : setup_(std::move(setup)), around_(setup_.segments), forces_(all_nodes(setup_)) {
   for (const Segment& s : setup_.segments) {
     segment_stiffness_.push_back(setup_.stiffness_scale * penalty_stiffness(s, x));
     const double a = area(s, x);
     inner_.push_back(s.volume > 0.0 && a > 0.0 ? pressing_depth * s.volume / a : 0.0);
     thickest_segment_ = std::max(thickest_segment_, s.thickness);
-    surface_.insert(surface_.end(), s.node.begin(), s.node.end());
   }
+  stays_.assign(forces_.nodes().empty() ? 0 : forces_.nodes().back() + 1, 0);
   for (const TrackedNode& t : setup_.nodes) {
     const std::span<const int> around = around_.at(t.node);
     double sum = 0.0;
     for (int s : around) sum += segment_stiffness_[s];
     // A node without segments of its own (of a beam, say) is as stiff as what it meets.
     node_stiffness_.push_back(around.empty() ? Box::infinity : sum / static_cast<double>(around.size()));
-    surface_.push_back(t.node);
     pressing_ |= t.against;
+    if (t.stays) stays_[t.node] = 1;
   }
-  std::sort(surface_.begin(), surface_.end());
-  surface_.erase(std::unique(surface_.begin(), surface_.end()), surface_.end());
-  surface_index_.assign(surface_.empty() ? 0 : surface_.back() + 1, -1);
-  for (std::size_t i = 0; i < surface_.size(); ++i) surface_index_[surface_[i]] = static_cast<int>(i);
+  book_sides();
 
   // A quarter of an element: few pairs are listed in vain, and a search lasts some hundred cycles at crash speeds.
   margin_ = 0.25 * mean_edge(setup_.segments, x);
 
-  now_.resize(surface_.size());
-  before_.resize(surface_.size());
-  stamp_.assign(surface_.size(), 0);
-  touched_now_.reserve(surface_.size());
-  touched_before_.reserve(surface_.size());
   const int tracked = static_cast<int>(setup_.nodes.size());
   for (int begin = 0; begin < tracked; begin += block_size) {
     Block block;
@@ -87,14 +89,23 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
   }
 }
 
+/// Work on nodes that belong to the reference side alone is booked there.
+void SurfaceContact::book_sides() {
+  for (int n : forces_.nodes()) {
+    unsigned sides = 0;
+    for (int s : around_.at(n)) sides |= setup_.segments[s].side;
+    forces_.set_side(n, sides == 2 ? 1 : 0);
+  }
+}
+
 void SurfaceContact::apply(double time, double dt, std::span<const Row> x, std::span<const Row> v,
-                           std::span<const double> mass, std::span<const unsigned char> shell_alive,
+                           std::span<const double> mass, std::span<const unsigned char> element_alive,
                            std::span<Row> force) {
   next_cycle();
   const bool active = time >= setup_.birth && time < setup_.death;
   if (active) {
-    if (!searched_ || moved_too_far(x)) search(x, shell_alive);
-    const Step step{dt, x, v, mass, shell_alive};
+    if (!searched_ || moved_too_far(x)) search(x, element_alive);
+    const Step step{dt, x, v, mass, element_alive};
     parallel_for(busy_.size(), 4, [this, &step](std::size_t begin, std::size_t end) {
       for (std::size_t b = begin; b < end; ++b) work(blocks_[busy_[b]], step);
     });
@@ -109,9 +120,10 @@ std::size_t SurfaceContact::listed() const {
   return count;
 }
 
-bool SurfaceContact::node_alive(int node, std::span<const unsigned char> shell_alive) const {
+bool SurfaceContact::node_alive(int node, std::span<const unsigned char> element_alive) const {
   const std::span<const int> around = around_.at(node);
-  return around.empty() || std::any_of(around.begin(), around.end(), [&](int s) { return alive(s, shell_alive); });
+  if (around.empty() || stays_[node]) return true;
+  return std::any_of(around.begin(), around.end(), [&](int s) { return alive(s, element_alive); });
 }
 
 // ----------------------------------------------------------------------------------------------------------------
@@ -141,11 +153,11 @@ bool SurfaceContact::moved_too_far(std::span<const Row> x) {
   return norm(all.since_search.high - all.since_search.low) > margin_;
 }
 
-void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned char> shell_alive) {
+void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned char> element_alive) {
   live_.clear();
   searched_at_.clear();
-  for (int n : surface_) {
-    if (!node_alive(n, shell_alive) || !finite(x[n])) continue;
+  for (int n : forces_.nodes()) {
+    if (!node_alive(n, element_alive) || !finite(x[n])) continue;
     live_.push_back(n);
     searched_at_.push_back(x[n]);
   }
@@ -157,7 +169,7 @@ void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned cha
   for (std::size_t s = 0; s < setup_.segments.size(); ++s) {
     const Segment& segment = setup_.segments[s];
     const bool whole = std::all_of(segment.node.begin(), segment.node.end(), [&](int n) { return finite(x[n]); });
-    if (!whole || !(segment.side & pressing_) || !alive(static_cast<int>(s), shell_alive)) continue;
+    if (!whole || !(segment.side & pressing_) || !alive(static_cast<int>(s), element_alive)) continue;
     Box box;
     for (const Vec3d& c : corners_of(segment, x)) box.add(c);
     living_.push_back(static_cast<int>(s));
@@ -165,8 +177,8 @@ void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned cha
   }
   tree_ = BoxTree(boxes_);
 
-  const auto list = [this, &x, &shell_alive](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b) list_neighbours(blocks_[b], x, shell_alive);
+  const auto list = [this, &x, &element_alive](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) list_neighbours(blocks_[b], x, element_alive);
   };
   parallel_for(blocks_.size(), 4, list);
   busy_.clear();
@@ -176,7 +188,8 @@ void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned cha
   ++searches_;
 }
 
-void SurfaceContact::list_neighbours(Block& block, std::span<const Row> x, std::span<const unsigned char> shell_alive) {
+void SurfaceContact::list_neighbours(Block& block, std::span<const Row> x,
+                                     std::span<const unsigned char> element_alive) {
   std::swap(block.first, block.old_first);
   std::swap(block.pairs, block.old_pairs);
   block.pairs.clear();
@@ -185,7 +198,7 @@ void SurfaceContact::list_neighbours(Block& block, std::span<const Row> x, std::
     const std::size_t start = block.pairs.size();
     block.first[t - block.begin] = static_cast<int>(start);
     const TrackedNode& tracked = setup_.nodes[t];
-    if (!finite(x[tracked.node]) || !node_alive(tracked.node, shell_alive)) continue;
+    if (!finite(x[tracked.node]) || !node_alive(tracked.node, element_alive)) continue;
     const Vec3d p = vec(x[tracked.node]);
     Box box;
     box.add(p);
@@ -236,7 +249,7 @@ void SurfaceContact::look_at(Block& block, int tracked, const Step& step) const 
   if (step.dt > 0.0) leave_out_strays(block, node, step);
   const auto close = [](const Candidate& c) { return c.gap < c.reach; };
   if (std::none_of(block.candidates.begin(), block.candidates.end(), close)) return;
-  if (!node_alive(node, step.shell_alive)) return;
+  if (!node_alive(node, step.element_alive)) return;
   for (Candidate& candidate : block.candidates)
     if (close(candidate) && presses(block, candidate, node, step)) press(block, candidate, tracked, step);
 }
@@ -260,7 +273,7 @@ void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& st
     pair.offset = pair.depth = 0.0;
     pair.friction = {};
     const Segment& segment = setup_.segments[pair.segment];
-    if (!alive(pair.segment, step.shell_alive)) continue;
+    if (!alive(pair.segment, step.element_alive)) continue;
     const kernel::Corners corners = corners_of(segment, step.x);
     const double far = widest(tracked) + inner_[pair.segment];
     const double clear = kernel::least_distance(corners, p);
@@ -272,7 +285,7 @@ void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& st
     }
     pair.wake = travelled_ + ((clear < far ? c.foot.distance : clear) - far);
     first_wake = std::min(first_wake, pair.wake);
-    if (pair.wake > travelled_) continue;
+    if (clear >= far || pair.wake > travelled_) continue;
     c.pair = &pair;
     c.before = before;
     c.reach = reach(tracked, pair.segment);
@@ -311,7 +324,7 @@ bool SurfaceContact::inside(const Candidate& candidate, const Vec3d& p, const St
   const Segment& segment = setup_.segments[candidate.pair->segment];
   const auto beyond = [&](int s) {
     const Segment& other = setup_.segments[s];
-    if (!has_boundary(other, segment, candidate.foot.boundary) || !alive(s, step.shell_alive)) return false;
+    if (!has_boundary(other, segment, candidate.foot.boundary) || !alive(s, step.element_alive)) return false;
     const kernel::Corners k = corners_of(other, step.x);
     const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
     return dot(r, n) > extension * std::sqrt(0.5 * norm(n)) * norm(n);
@@ -325,19 +338,19 @@ bool SurfaceContact::inside(const Candidate& candidate, const Vec3d& p, const St
 }
 
 bool SurfaceContact::presses(const Block& block, const Candidate& candidate, int node, const Step& step) const {
-  if (at_home(candidate, node, step.shell_alive)) return false;
+  if (at_home(candidate, node, step.element_alive)) return false;
   return std::none_of(block.candidates.begin(), block.candidates.end(),
                       [&](const Candidate& other) { return hidden_by(other, candidate); });
 }
 
 /// The closest point lies on an edge or corner of the node's own segments: along the surface there is a way down to
 /// distance 0, so this is no contact of one part of the surface with another.
-bool SurfaceContact::at_home(const Candidate& candidate, int node, std::span<const unsigned char> shell_alive) const {
+bool SurfaceContact::at_home(const Candidate& candidate, int node, std::span<const unsigned char> element_alive) const {
   if (candidate.foot.boundary == 0) return false;
   const Segment& segment = setup_.segments[candidate.pair->segment];
   const std::span<const int> around = around_.at(node);
   return std::any_of(around.begin(), around.end(), [&](int own) {
-    return alive(own, shell_alive) && has_boundary(setup_.segments[own], segment, candidate.foot.boundary);
+    return alive(own, element_alive) && has_boundary(setup_.segments[own], segment, candidate.foot.boundary);
   });
 }
 
@@ -438,54 +451,29 @@ Vec3d SurfaceContact::friction(const Candidate& candidate, const Pair* before, c
 // --------------------------------------------------------------------------------------------------- forces and energy
 
 void SurfaceContact::next_cycle() {
-  std::swap(now_, before_);
-  std::swap(touched_now_, touched_before_);
-  for (int place : touched_now_) now_[place] = Row{};
-  touched_now_.clear();
-  ++cycle_;
+  forces_.next_cycle();
   resultant_ = {};
   touching_ = 0;
   deepest_ = 0.0;
-}
-
-void SurfaceContact::add(int node, const Vec3d& force) {
-  const int place = surface_index_[node];
-  if (stamp_[place] != cycle_) {
-    stamp_[place] = cycle_;
-    touched_now_.push_back(place);
-  }
-  nugget::add(now_[place], force);
 }
 
 void SurfaceContact::add_forces(std::span<Row> force) {
   for (int b : busy_) {
     for (const Hit& hit : blocks_[b].hits) {
       const Segment& segment = setup_.segments[hit.segment];
-      add(hit.node, hit.force);
-      for (int c = 0; c < segment.corners(); ++c) add(segment.node[c], -hit.weight[c] * hit.force);
+      forces_.add(hit.node, hit.force);
+      for (int c = 0; c < segment.corners(); ++c) forces_.add(segment.node[c], -hit.weight[c] * hit.force);
       resultant_ += segment.side == 1 && pressing_ != 1 ? -hit.force : hit.force;
       deepest_ = std::max(deepest_, hit.depth);
       ++touching_;
     }
   }
-  for (int place : touched_now_) nugget::add(force[surface_[place]], vec(now_[place]));
-}
-
-Vec3d SurfaceContact::force_on(std::span<const unsigned char> marked) const {
-  Vec3d sum;
-  for (int place : touched_now_) {
-    const auto node = static_cast<std::size_t>(surface_[place]);
-    if (node < marked.size() && marked[node]) sum += vec(now_[place]);
-  }
-  return sum;
+  forces_.add_to(force);
 }
 
 void SurfaceContact::account(double dt, std::span<const Row> v) {
-  double power = 0.0;
-  for (int place : touched_now_) power += dot(vec(now_[place]) + vec(before_[place]), vec(v[surface_[place]]));
-  for (int place : touched_before_)
-    if (stamp_[place] != cycle_) power += dot(vec(before_[place]), vec(v[surface_[place]]));
-  energy_ -= 0.5 * dt * power;
+  const std::array<double, 2> work = forces_.work(dt, v);
+  for (int side = 0; side < 2; ++side) energy_[side] -= work[side];
 }
 
 // -------------------------------------------------------------------------------------------------- initial

@@ -6,6 +6,7 @@
 
 #include "base/bvh.hpp"
 #include "base/row.hpp"
+#include "contact/nodal_forces.hpp"
 #include "contact/surface.hpp"
 #include "kernel/contact/penalty.hpp"
 
@@ -16,7 +17,7 @@ namespace nugget::contact {
 struct SurfaceContactSetup {
   std::vector<Segment> segments;
   std::vector<TrackedNode> nodes;  ///< see nodes_of(); nodes left out do not push
-  double stiffness_scale = 0.1;    ///< SLSFAC times SFS
+  double stiffness_scale = 0.1;    ///< SLSFAC
   kernel::PenaltyLaw law;          ///< SOFT, SOFSCL, VDC, friction
   double birth = 0.0, death = 1e20;
 };
@@ -78,20 +79,26 @@ class SurfaceContact {
   SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x);
 
   /// Adds the contact forces at the end of a step to `force`. Sign: forces that act on the nodes (an external force;
-  /// the solver's a = (force - internal)/m). All spans are by node, except `shell_alive` (by shell; empty: all live).
-  /// `x` at `time`, `v` the velocity in the middle of the step `dt` that led to it. dt = 0 at the start: no force is
-  /// bounded by the step then, and all overlaps found are initial ones.
+  /// the solver's a = (force - internal)/m). All spans are by node, except `element_alive` (see Segment::element;
+  /// empty: all live). `x` at `time`, `v` the velocity in the middle of the step `dt` that led to it. dt = 0 at the
+  /// start: no force is bounded by the step then, and all overlaps found are initial ones.
   void apply(double time, double dt, std::span<const Row> x, std::span<const Row> v, std::span<const double> mass,
-             std::span<const unsigned char> shell_alive, std::span<Row> force);
+             std::span<const unsigned char> element_alive, std::span<Row> force);
+
+  /// Elements have died and laid faces bare: the lists are made anew before the next forces.
+  void surface_changed() { searched_ = false; }
 
   /// Sliding energy: stored in the penalty springs and dissipated by damping [energy]. It is minus the work of the
   /// contact forces, sum over steps of 1/2 (f_n + f_n+1) . v_n+1/2 dt, exactly what they take from the nodes' ledger.
-  double energy() const { return energy_; }
+  double energy() const { return energy_[0] + energy_[1]; }
+  /// Its shares: what the tracked side (SURFA) and what the reference side gave. In a single surface contact all is of
+  /// the first.
+  const std::array<double, 2>& energy_of_sides() const { return energy_; }
   /// Force on the tracked side (SURFA) as a whole. In a single surface contact, where that is zero: the sum over the
   /// tracked nodes as such, without the reactions on segments [force].
   const Vec3d& resultant() const { return resultant_; }
   /// Sum of the forces on the nodes that are marked (by node; nodes beyond its end are not) [force].
-  Vec3d force_on(std::span<const unsigned char> marked) const;
+  Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
   int touching() const { return touching_; }   ///< pairs that carry force
   double deepest() const { return deepest_; }  ///< largest depth that counts in a force [length]
   long searches() const { return searches_; }  ///< how often the lists were made
@@ -140,30 +147,30 @@ class SurfaceContact {
     double dt;
     std::span<const Row> x, v;
     std::span<const double> mass;
-    std::span<const unsigned char> shell_alive;
+    std::span<const unsigned char> element_alive;
   };
   friend std::vector<Penetration> find_penetrations(const SurfaceContactSetup&, std::span<const Row>);
 
-  bool alive(int segment, std::span<const unsigned char> shell_alive) const {
-    const int shell = setup_.segments[segment].shell;
-    return shell < 0 || shell_alive.empty() || shell_alive[shell];
+  bool alive(int segment, std::span<const unsigned char> element_alive) const {
+    return bare(setup_.segments[segment], element_alive);
   }
-  bool node_alive(int node, std::span<const unsigned char> shell_alive) const;
+  bool node_alive(int node, std::span<const unsigned char> element_alive) const;
   double reach(int tracked, int segment) const {
     return 0.5 * (setup_.nodes[tracked].thickness + setup_.segments[segment].thickness);
   }
 
+  void book_sides();
   bool moved_too_far(std::span<const Row> x);
   double widest(int tracked) const { return 0.5 * (setup_.nodes[tracked].thickness + thickest_segment_); }
-  void search(std::span<const Row> x, std::span<const unsigned char> shell_alive);
-  void list_neighbours(Block& block, std::span<const Row> x, std::span<const unsigned char> shell_alive);
+  void search(std::span<const Row> x, std::span<const unsigned char> element_alive);
+  void list_neighbours(Block& block, std::span<const Row> x, std::span<const unsigned char> element_alive);
   void work(Block& block, const Step& step) const;
   void look_at(Block& block, int tracked, const Step& step) const;
   void gather_candidates(Block& block, int tracked, const Step& step) const;
   void leave_out_strays(Block& block, int node, const Step& step) const;
   bool inside(const Candidate& candidate, const Vec3d& p, const Step& step) const;
   bool presses(const Block& block, const Candidate& candidate, int node, const Step& step) const;
-  bool at_home(const Candidate& candidate, int node, std::span<const unsigned char> shell_alive) const;
+  bool at_home(const Candidate& candidate, int node, std::span<const unsigned char> element_alive) const;
   bool hidden_by(const Candidate& other, const Candidate& candidate) const;
   const Candidate* predecessor(const Block& block, const Candidate& candidate) const;
   int side_of(const Candidate& candidate, const Candidate* from, const Vec3d& was_at) const;
@@ -171,7 +178,6 @@ class SurfaceContact {
                  double normal_force, const Step& step) const;
   void press(Block& block, Candidate& candidate, int tracked, const Step& step) const;
   void add_forces(std::span<Row> force);
-  void add(int surface_node, const Vec3d& force);
   void account(double dt, std::span<const Row> v);
   void next_cycle();
 
@@ -180,14 +186,14 @@ class SurfaceContact {
   std::vector<double> segment_stiffness_;  // scaled
   std::vector<double> inner_;              // how deep inside its brick a segment still presses; 0: a shell
   std::vector<double> node_stiffness_;     // scaled, by tracked node
+  std::vector<char> stays_;                // by node: TrackedNode::stays
   double thickest_segment_ = 0.0;
   unsigned pressing_ = 0;  // sides whose segments press any node
   double margin_ = 0.0;
 
-  std::vector<int> surface_;        // all nodes of segments and all tracked nodes, ascending
-  std::vector<int> surface_index_;  // by node: its place in surface_
-  std::vector<int> live_;           // those of surface_ with living segments at the last search
-  std::vector<Row> searched_at_;    // coordinates of live_ then
+  NodalForces forces_;            // on all nodes of segments and all tracked nodes
+  std::vector<int> live_;         // those of them with living segments at the last search
+  std::vector<Row> searched_at_;  // coordinates of live_ then
   bool searched_ = false;
   long searches_ = 0;
   std::vector<Row> seen_at_;  // coordinates of live_ in the cycle before
@@ -202,13 +208,7 @@ class SurfaceContact {
   std::vector<Block> blocks_;
   std::vector<int> busy_;  // blocks that have pairs
 
-  // Nodal forces by place in surface_, now and a cycle before, and which of them are not zero.
-  std::vector<Row> now_, before_;
-  std::vector<int> touched_now_, touched_before_;
-  std::vector<long> stamp_;  // cycle in which a place was last touched
-  long cycle_ = 0;
-
-  double energy_ = 0.0;
+  std::array<double, 2> energy_{};
   Vec3d resultant_;
   int touching_ = 0;
   double deepest_ = 0.0;

@@ -24,6 +24,8 @@ class Supports {
   /// Books the opening half, with the velocities that `prescribe` left.
   void open_step(double dt);
   double work() const { return work_; }
+  /// Sum over what is held of the other forces times what the last `prescribe` changed in the velocities [power].
+  double power_on_change() const { return power_on_change_; }
 
   /// Reaction on one node (or body) at t(n).
   struct Reaction {
@@ -61,6 +63,7 @@ class Supports {
   std::vector<Reaction> spc_, motion_;
   double work_ = 0.0;
   double dt_previous_ = 0.0;  ///< of the last prescribe
+  double power_on_change_ = 0.0;
 };
 
 /// Forces, moments, pressures and body loads.
@@ -88,10 +91,13 @@ class Loads {
     std::vector<int> nodes;
     std::vector<double> mass;
     double last = 0.0;
+    std::vector<Vec3d> last_force;  ///< by node, of a centrifugal load
   };
   void apply(Nodal& nodal, system::State& state, double dt);
   void apply(Pressure& pressure, system::State& state, double dt);
   void apply(Body& body, system::State& state, double dt);
+  void take_nodes(Body& body) const;
+  void apply_centrifugal(Body& body, system::State& state, double dt, double omega);
 
   const system::System& system_;
   std::vector<Nodal> nodal_;

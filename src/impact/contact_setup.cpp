@@ -6,6 +6,9 @@
 
 #include "base/bvh.hpp"
 #include "base/index.hpp"
+#include "impact/edge_setup.hpp"
+#include "impact/element_alive.hpp"
+#include "model/contact_form.hpp"
 #include "weld/welds.hpp"
 
 namespace nugget::impact {
@@ -88,9 +91,8 @@ class Surfaces {
   std::vector<contact::Segment> take() { return std::move(segments_); }
 
  private:
-  double bulk_modulus(const model::Part& part) const {
-    const model::Material& material = model_.materials[at(part.material)];
-    return part.stiffness_scale * material.young() / (3.0 * (1.0 - 2.0 * std::min(material.poisson(), 0.49)));
+  double stiffness_scale(unsigned side) const {
+    return side == tracked ? card_.stiffness_scale_a : card_.stiffness_scale_b;
   }
 
   double thickness(const model::Part& part, double own, unsigned side) const {
@@ -112,20 +114,20 @@ class Surfaces {
     for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[at(model_.shells.node[e][a])];
     s.thickness = thickness(part, model_.shells.thickness[e], side);
     if (thinned_[e]) s.thickness *= model_.control.weld_thinning;
-    s.bulk_modulus = bulk_modulus(part);
-    s.shell = static_cast<int>(e);
+    s.bulk_modulus = stiffness_scale(side) * bulk_modulus(model_, part);
+    s.element = static_cast<int>(e);
     add_segment(key_of(model_.shells.node[e]), s, side);
   }
 
-  /// Faces that one brick alone has, among those of the parts; and those of a segment set that no shell is.
+  /// Faces that one brick alone has, among those of the parts; those of a segment set that no shell is; and of an
+  /// eroding contact those between two bricks, once for each: it is bare when the other has died.
   void add_faces(const std::vector<bool>& in, const std::map<Key, bool>& wanted, unsigned side) {
     struct Face {
       Key node;
       std::size_t solid;
-      int count = 0;
-      bool listed = false;
+      bool listed;
     };
-    std::map<Key, Face> found;
+    std::map<Key, std::vector<Face>> found;
     for (std::size_t e = 0; e < model_.solids.size(); ++e) {
       for (const auto& f : faces) {
         Key node;
@@ -134,17 +136,18 @@ class Surfaces {
         if (key[2] == model::none) continue;  // a collapsed face of a wedge or a tetrahedron
         const auto set = wanted.find(key);
         const bool listed = set != wanted.end() && !set->second;
-        if (!in[at(model_.solids.part[e])] && !listed) continue;
-        Face& face = found.try_emplace(key, Face{node, e}).first->second;
-        ++face.count;
-        face.listed = face.listed || listed;
+        if (in[at(model_.solids.part[e])] || listed) found[key].push_back({node, e, listed});
       }
     }
-    for (const auto& [key, face] : found)
-      if (face.count == 1 || face.listed) add_face(key, face.node, face.solid, side);
+    for (const auto& [key, of] : found) {
+      if (of.size() == 1 || of.front().listed) add_face(key, of.front().node, of.front().solid, side);
+      if (!erodes(card_) || of.size() != 2 || of.front().listed) continue;
+      add_covered_face(of[0].node, of[0].solid, of[1].solid, side);
+      add_covered_face(of[1].node, of[1].solid, of[0].solid, side);
+    }
   }
 
-  void add_face(const Key& key, const Key& node, std::size_t solid, unsigned side) {
+  contact::Segment face(const Key& node, std::size_t solid, unsigned side) const {
     // A triangle repeats its third node, wherever the repetition stood in the face.
     std::vector<int> corner;
     for (int n : node)
@@ -152,9 +155,26 @@ class Surfaces {
     if (corner.size() == 3) corner.push_back(corner[2]);
     contact::Segment s;
     for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[at(corner[a])];
-    s.bulk_modulus = bulk_modulus(model_.parts[at(model_.solids.part[solid])]);
+    const model::Part& part = model_.parts[at(model_.solids.part[solid])];
+    s.bulk_modulus = stiffness_scale(side) * bulk_modulus(model_, part);
     s.volume = volume(model_.solids.node[solid], system_.ties.x);
-    add_segment(key, s, side);
+    s.element = place_of(solid);
+    return s;
+  }
+
+  int place_of(std::size_t solid) const {
+    return ElementAlive::place(model_, model::ElementKind::solid, static_cast<model::Index>(solid));
+  }
+
+  void add_face(const Key& key, const Key& node, std::size_t solid, unsigned side) {
+    add_segment(key, face(node, solid, side), side);
+  }
+
+  void add_covered_face(const Key& node, std::size_t solid, std::size_t other, unsigned side) {
+    contact::Segment s = face(node, solid, side);
+    s.covered_by = place_of(other);
+    s.side = side;
+    segments_.push_back(s);
   }
 
   const system::System& system_;
@@ -184,6 +204,15 @@ std::vector<contact::TrackedNode> listed_nodes(const system::System& system, con
   return nodes;
 }
 
+/// The nodes of the beams of a contact that looks at beams.
+std::vector<contact::TrackedNode> ends_of_bars(const system::System& system, const model::Contact& card) {
+  std::vector<contact::TrackedNode> nodes;
+  if (!checks_edges(card)) return nodes;
+  for (const contact::Edge& bar : bars(system, card))
+    for (int n : bar.node) nodes.push_back({n, bar.thickness, tracked});
+  return nodes;
+}
+
 /// Both sides' nodes in one list, by node; one on both sides is against both.
 std::vector<contact::TrackedNode> merged(std::vector<contact::TrackedNode> nodes) {
   const auto by_node = [](const auto& a, const auto& b) { return a.node < b.node; };
@@ -200,6 +229,21 @@ std::vector<contact::TrackedNode> merged(std::vector<contact::TrackedNode> nodes
 
 }  // namespace
 
+double bulk_modulus(const model::Model& model, const model::Part& part) {
+  const model::Material& material = model.materials[at(part.material)];
+  return part.stiffness_scale * material.young() / (3.0 * (1.0 - 2.0 * std::min(material.poisson(), 0.49)));
+}
+
+/// The penalty law that the card asks for.
+static kernel::PenaltyLaw law_of(const model::Contact& card) {
+  kernel::PenaltyLaw law;
+  law.soft = card.soft != 0;
+  law.soft_scale = card.soft_scale;
+  law.damping = card.damping;
+  law.friction = card.friction;
+  return law;
+}
+
 contact::SurfaceContactSetup contact_setup(const system::System& system, const model::Contact& card) {
   contact::SurfaceContactSetup setup;
   Surfaces surfaces(system, card);
@@ -210,6 +254,9 @@ contact::SurfaceContactSetup contact_setup(const system::System& system, const m
 
   if (single) {
     setup.nodes = contact::nodes_of(setup.segments);
+    const auto ends = ends_of_bars(system, card);
+    setup.nodes.insert(setup.nodes.end(), ends.begin(), ends.end());
+    setup.nodes = merged(std::move(setup.nodes));
   } else {
     setup.nodes = contact::nodes_of(setup.segments, tracked, reference);
     const auto listed = listed_nodes(system, card);
@@ -220,11 +267,8 @@ contact::SurfaceContactSetup contact_setup(const system::System& system, const m
     }
     setup.nodes = merged(std::move(setup.nodes));
   }
-  setup.stiffness_scale = system.model.control.penalty_scale * card.stiffness_scale_a;
-  setup.law.soft = card.soft != 0;
-  setup.law.soft_scale = card.soft_scale;
-  setup.law.damping = card.damping;
-  setup.law.friction = card.friction;
+  setup.stiffness_scale = system.model.control.penalty_scale;
+  setup.law = law_of(card);
   setup.birth = card.birth;
   setup.death = card.death;
   return setup;

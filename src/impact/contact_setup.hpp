@@ -10,4 +10,7 @@ namespace nugget::impact {
 /// themselves, bricks their exterior faces; weld elements never contact. Node numbers are the system's.
 contact::SurfaceContactSetup contact_setup(const system::System& system, const model::Contact& contact);
 
+/// Bulk modulus that a part's contact stiffness is found from, E/(3(1 - 2 nu)) times SSF of *PART_CONTACT [stress].
+double bulk_modulus(const model::Model& model, const model::Part& part);
+
 }  // namespace nugget::impact

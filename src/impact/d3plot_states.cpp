@@ -47,6 +47,10 @@ void fill_shells(const Snapshot& now, output::D3plotState& s) {
       const double density = model.materials[at(model.parts[at(group->part)].material)].density;
       shell.internal_energy = group->mass(i) > 0.0 ? group->internal_energy(i) * density / group->mass(i) : 0.0;
       s.shell_alive[e] = group->alive(i);
+      if (!model.requests.strains) continue;
+      const Strains::Faces faces = now.strains.shell(e, now.state);
+      shell.inner_strain = faces.lower;
+      shell.outer_strain = faces.upper;
     }
   });
 }
@@ -60,6 +64,7 @@ void fill_solids(const Snapshot& now, output::D3plotState& s) {
     const system::ElementGroup* group = group_of(now, seat);
     if (group == nullptr) continue;
     static_cast<output::StressRecord&>(s.solids[e]) = record(group->layer(at(seat.element), 0, now.state));
+    s.solids[e].strain = now.strains.solid(e);
     s.solid_alive[e] = group->alive(at(seat.element));
   }
 }
@@ -74,7 +79,10 @@ void fill_beams(const Snapshot& now, output::D3plotState& s) {
     const system::System::Seat seat = now.system.beam_seat[e];
     const system::ElementGroup* group = group_of(now, seat);
     if (group == nullptr) {
-      s.beam_alive[e] = 0;  // taken out before the run
+      // A weld was taken out before the run; beams of rigid parts have no group either, but are there.
+      const model::Law& law = model.materials[at(model.parts[at(model.beams.part[e])].material)].law;
+      if (std::holds_alternative<kernel::Spotweld>(law) || std::holds_alternative<kernel::DiscreteBeam>(law))
+        s.beam_alive[e] = 0;
       continue;
     }
     const std::array<double, 8> r = group->resultants(at(seat.element));

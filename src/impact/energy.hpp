@@ -19,11 +19,19 @@ struct Energy {
   double eroded = 0.0;    ///< internal and hourglass energy of deleted elements
   double external = 0.0;  ///< work of loads and supports
   double initial = 0.0;   ///< total at time 0
+  /// What the kinetic energy lost because the time step changed (docs/decisions/0021); no work, and 0 at a constant
+  /// step.
+  double step_change = 0.0;
 
-  double total() const { return kinetic + internal + hourglass + contact + wall + damping + eroded; }
-  double ratio() const {
-    const double base = initial + external;
-    return base != 0.0 ? total() / base : 1.0;
+  double total() const { return kinetic + internal + hourglass + contact + wall + damping + eroded + step_change; }
+  double ratio() const { return over_input(total()); }
+  /// The same without the account of a changing step: what ENDENG judges, since an unstable step shows in it.
+  double bare_ratio() const { return over_input(total() - step_change); }
+
+ private:
+  double over_input(double energy) const {
+    const double input = initial + external;
+    return input != 0.0 ? energy / input : 1.0;
   }
 };
 

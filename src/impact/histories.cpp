@@ -6,6 +6,8 @@
 #include <map>
 
 #include "base/index.hpp"
+#include "model/axes.hpp"
+#include "system/spring_group.hpp"
 #include "weld/welds.hpp"
 
 namespace nugget::impact {
@@ -19,6 +21,7 @@ output::ElementKind kind(model::ElementKind k) {
   switch (k) {
     case model::ElementKind::beam: return output::ElementKind::beam;
     case model::ElementKind::shell: return output::ElementKind::shell;
+    case model::ElementKind::discrete: return output::ElementKind::discrete;
     default: return output::ElementKind::solid;
   }
 }
@@ -51,16 +54,20 @@ output::GlstatState glstat_state(const Snapshot& now) {
   if (now.controlling.group >= 0) {
     const system::ElementGroup& group = *now.system.groups[at(now.controlling.group)];
     const model::Index element = now.controlling.element >= 0 ? group.element[at(now.controlling.element)] : 0;
-    const std::vector<int>& ids = group.kind == model::ElementKind::shell   ? model.shells.id
-                                  : group.kind == model::ElementKind::solid ? model.solids.id
-                                                                            : model.beams.id;
-    s.controlling = output::ControllingElement{kind(group.kind), ids[at(element)], model.parts[at(group.part)].id};
+    s.controlling = output::ControllingElement{kind(group.kind), now.system.element_id(group, element),
+                                               model.parts[at(group.part)].id};
   }
   s.time = now.state.time;
   s.time_step = now.state.dt;
   s.kinetic = e.kinetic;
   s.internal = e.internal;
   for (const contact::RigidWall& wall : now.walls) s.walls.push_back(wall.energy_until_now());
+  if (!model.discretes.empty()) {
+    s.spring_and_damper = 0.0;  // part of the internal energy, as in LS-DYNA
+    for (std::size_t p = 0; p < now.parts.size(); ++p)
+      if (model.parts[p].kind == model::ElementKind::discrete) *s.spring_and_damper += now.parts[p].internal;
+  }
+  if (!now.joints.empty()) s.joint = now.joints.energy();  // also part of it
   if (model.control.hourglass_energy) s.hourglass = e.hourglass;
   s.system_damping = e.damping;
   s.sliding_interface = e.contact;
@@ -105,6 +112,47 @@ output::MatsumState matsum_state(const Snapshot& now) {
   return s;
 }
 
+/// Acceleration that body loads on all parts give every node.
+static Vec3d gravity(const Snapshot& now) {
+  const model::Model& model = now.system.model;
+  Vec3d sum;
+  for (const model::BodyLoad& load : model.body_loads)
+    if (load.parts.empty())
+      sum -= load.scale * model.curves[at(load.curve)].zero_outside(now.state.time) * load.direction;
+  return sum;
+}
+
+/// Histories of accelerometers are in axes that turn with the nodes.
+static void turn_into_accelerometer(const Snapshot& now, model::Index node, output::NodoutRow& row) {
+  const model::Model& model = now.system.model;
+  const auto found = std::find_if(model.accelerometers.begin(), model.accelerometers.end(),
+                                  [&](const model::Accelerometer& a) { return a.node[0] == node; });
+  if (found == model.accelerometers.end()) return;
+  const auto place = [&](std::size_t i) { return vec(now.state.x[at(now.system.node_of[at(found->node[i])])]); };
+  Frame3d axes;
+  if (!model::frame_from(place(1) - place(0), place(2) - place(0), axes)) return;
+  const Vec3d g = found->without_gravity != 0 ? gravity(now) : Vec3d{};
+  const auto left_out = [&](unsigned i, double value) { return found->without_gravity >> i & 1u ? value : 0.0; };
+  row.acceleration -= Vec3d{left_out(0, g.x), left_out(1, g.y), left_out(2, g.z)};
+  for (Vec3d* v : {&row.displacement, &row.velocity, &row.acceleration, &row.rotation, &row.rotational_velocity,
+                   &row.rotational_acceleration})
+    *v = axes.local(*v);
+}
+
+/// The motion of a node in the axes that its history asks for; coordinates stay global.
+static void turn_into_local_axes(const Snapshot& now, const model::NamedEntity& entity, output::NodoutRow& row) {
+  if (entity.system == model::none) return;
+  const model::CoordinateSystem& system = now.system.model.systems[at(entity.system)];
+  Frame3d axes = system.axes;
+  const auto place = [&](model::Index n) { return vec(now.state.x[at(now.system.node_of[at(n)])]); };
+  if (entity.turning)
+    model::frame_of_points(place(system.nodes->origin), place(system.nodes->on_axis), place(system.nodes->in_plane),
+                           system.nodes->axis, axes);
+  for (Vec3d* vector : {&row.displacement, &row.velocity, &row.acceleration, &row.rotation, &row.rotational_velocity,
+                        &row.rotational_acceleration})
+    *vector = axes.local(*vector);
+}
+
 output::NodoutState nodout_state(const Snapshot& now) {
   const model::Model& model = now.system.model;
   output::NodoutState s;
@@ -123,6 +171,8 @@ output::NodoutState nodout_state(const Snapshot& now) {
     row.rotational_velocity = now.spin(k);
     row.rotational_acceleration = now.rotary_acceleration(k);
     row.rotation = now.history_rotation[i];
+    turn_into_local_axes(now, entity, row);
+    turn_into_accelerometer(now, entity.index, row);
     s.rows.push_back(row);
   }
   return s;
@@ -157,18 +207,29 @@ output::SwforcState swforc_state(const Snapshot& now) {
   for (std::size_t i = 0; i < now.rigid_welds.size(); ++i) {
     const model::RigidWeld& weld = now.rigid_welds.weld(i);
     const weld::RigidWeldHistory& h = now.rigid_welds.history(i);
-    s.rows.push_back(
-        {weld.id,
-         weld.kind == model::RigidWeld::Kind::spotweld ? output::WeldKind::constraint : output::WeldKind::generalized,
-         h.axial(),
-         h.shear(),
-         now.rigid_welds.length(i, now.state),
-         h.moment(),
-         h.torsion(),
-         h.failed() ? 1.0 : h.failure_value(),
-         h.failure_time(),
-         {}});
+    s.rows.push_back({weld.id,
+                      weld.kind == model::RigidWeld::Kind::generalized ? output::WeldKind::generalized
+                                                                       : output::WeldKind::constraint,
+                      h.axial(),
+                      h.shear(),
+                      now.rigid_welds.length(i, now.state),
+                      h.moment(),
+                      h.torsion(),
+                      h.failed() ? 1.0 : h.failure_value(),
+                      h.failure_time(),
+                      {}});
   }
+  for (std::size_t i = 0; i < now.rivets.size(); ++i)
+    s.rows.push_back({now.rivets.rivet(i).id,
+                      output::WeldKind::constraint,
+                      now.rivets.axial(i),
+                      0.0,
+                      now.rivets.length(i, now.state),
+                      0.0,
+                      0.0,
+                      now.rivets.failed(i) ? 1.0 : 0.0,
+                      now.rivets.failure_time(i),
+                      {}});
   return s;
 }
 
@@ -200,6 +261,29 @@ output::DcfailState dcfail_state(const Snapshot& now) {
     row.bending_moment = r.moment();
     s.rows.push_back(row);
   }
+  return s;
+}
+
+output::DeforcState deforc_state(const Snapshot& now) {
+  const model::Model& model = now.system.model;
+  output::DeforcState s;
+  s.time = now.state.time;
+  for (std::size_t e = 0; e < model.discretes.size(); ++e) {
+    if (!model.discretes[e].in_deforc) continue;
+    const system::System::Seat seat = now.system.discrete_seat[e];
+    const auto& group = static_cast<const system::SpringGroup&>(*now.system.groups[at(seat.group)]);
+    const std::size_t i = at(seat.element);
+    const double force = group.force(i);
+    s.rows.push_back({model.discretes[e].id, group.torsional(), force * group.line(i), force, group.elongation(i)});
+  }
+  return s;
+}
+
+output::JntforcState jntforc_state(const Snapshot& now) {
+  output::JntforcState s;
+  s.time = now.state.time;
+  for (std::size_t i = 0; i < now.joints.size(); ++i)
+    s.rows.push_back({now.system.model.joints[i].id, now.joints.force(i), now.joints.moment(i), now.joints.energy(i)});
   return s;
 }
 
@@ -300,7 +384,7 @@ output::RcforcState rcforc_state(const Snapshot& now) {
     } else if (card.kind == model::Contact::Kind::transducer) {
       const std::vector<unsigned char> marked = nodes_of(now.system, card.a);
       Vec3d sum;
-      for (const contact::SurfaceContact& contact : now.contacts) sum += contact.force_on(marked);
+      for (const contact::PenaltyContact& contact : now.contacts) sum += contact.force_on(marked);
       add(output::ContactSide::tracked, sum);
     } else if (card.tie_by_springs() || card.penalty_fallback) {
       const Vec3d force = now.tie_forces.resultant(static_cast<model::Index>(i));

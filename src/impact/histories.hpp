@@ -4,7 +4,9 @@
 #include "impact/snapshot.hpp"
 #include "output/bndout.hpp"
 #include "output/dcfail.hpp"
+#include "output/deforc.hpp"
 #include "output/glstat.hpp"
+#include "output/jntforc.hpp"
 #include "output/matsum.hpp"
 #include "output/nodout.hpp"
 #include "output/rbdout.hpp"
@@ -21,6 +23,8 @@ output::MatsumState matsum_state(const Snapshot& now);
 output::NodoutState nodout_state(const Snapshot& now);
 output::SwforcState swforc_state(const Snapshot& now);
 output::DcfailState dcfail_state(const Snapshot& now);
+output::DeforcState deforc_state(const Snapshot& now);
+output::JntforcState jntforc_state(const Snapshot& now);
 output::RwforcState rwforc_state(const Snapshot& now);
 output::SpcforcState spcforc_state(const Snapshot& now);
 output::BndoutState bndout_state(const Snapshot& now);

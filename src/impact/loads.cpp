@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <map>
 
+#include "base/index.hpp"
 #include "impact/conditions.hpp"
 
 namespace nugget::impact {
@@ -30,8 +32,10 @@ Loads::Loads(const system::System& system) : system_(system) {
   for (const model::PressureLoad& load : model.pressure_loads)
     pressure_.push_back({&load, std::vector<Vec3d>(4 * load.segments.size())});
   for (const model::BodyLoad& load : model.body_loads) {
-    Body body{&load, {}, {}, 0.0};
-    if (load.parts.empty()) {
+    Body body{&load, {}, {}, 0.0, {}};
+    if (!load.nodes.empty()) {
+      take_nodes(body);
+    } else if (load.parts.empty()) {
       for (std::size_t k = 0; k < system.nodes + system.bodies.size(); ++k) {
         const double m = k < system.nodes ? system.mass[k] : system.bodies[k - system.nodes].mass;
         if (m <= 0.0) continue;
@@ -49,6 +53,11 @@ Loads::Loads(const system::System& system) : system_(system) {
             mass[nodes[static_cast<std::size_t>(a)]] += group->mass(e) / group->nodes_per_element;
         }
       }
+      // Rigid parts, and what else has mass without a kernel.
+      for (const system::System::Lump& lump : system.lumps())
+        if (std::find(load.parts.begin(), load.parts.end(), lump.part) != load.parts.end())
+          for (int a = 0; a < lump.corners; ++a)
+            mass[lump.node[static_cast<std::size_t>(a)]] += lump.mass / lump.corners;
       for (const auto& [node, m] : mass) {
         body.nodes.push_back(node);
         body.mass.push_back(m);
@@ -56,6 +65,28 @@ Loads::Loads(const system::System& system) : system_(system) {
     }
     body_.push_back(std::move(body));
   }
+}
+
+/// The nodes of a set with their own masses. A rigid body that is in the set as a whole weighs what it weighs: its
+/// given mass is not that of its nodes.
+void Loads::take_nodes(Body& body) const {
+  const model::Model& model = system_.model;
+  std::vector<char> wanted(system_.nodes, 0);
+  const auto place = [&](model::Index n) { return at(system_.node_of[at(n)]); };
+  for (const model::Index n : body.load->nodes) wanted[place(n)] = 1;
+  const auto take = [&](int node, double mass) {
+    if (!(mass > 0.0)) return;
+    body.nodes.push_back(node);
+    body.mass.push_back(mass);
+  };
+  for (const system::RigidBody& rigid : system_.bodies) {
+    const std::vector<model::Index>& nodes = model.rigid_bodies[at(rigid.source)].nodes;
+    if (!std::all_of(nodes.begin(), nodes.end(), [&](model::Index n) { return wanted[place(n)] != 0; })) continue;
+    for (const model::Index n : nodes) wanted[place(n)] = 0;
+    take(rigid.node, rigid.mass);
+  }
+  for (std::size_t k = 0; k < system_.nodes; ++k)
+    if (wanted[k]) take(static_cast<int>(k), system_.own_mass[k]);
 }
 
 void Loads::apply(system::State& state, double dt) {
@@ -109,8 +140,11 @@ void Loads::apply(Pressure& pressure, system::State& state, double dt) {
 
 void Loads::apply(Body& body, system::State& state, double dt) {
   const model::BodyLoad& load = *body.load;
+  const double value =
+      load.scale * (load.curve == model::none ? 1.0 : curve(system_, load.curve).zero_outside(state.time));
+  if (load.centrifugal) return apply_centrifugal(body, state, dt, value);
   // Base acceleration: the structure feels -m a.
-  const double a = -load.scale * curve(system_, load.curve).zero_outside(state.time);
+  const double a = -value;
   double momentum = 0.0;
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     const auto k = static_cast<std::size_t>(body.nodes[i]);
@@ -119,6 +153,20 @@ void Loads::apply(Body& body, system::State& state, double dt) {
   }
   work_ += 0.5 * dt * (body.last + a) * momentum;
   body.last = a;
+}
+
+void Loads::apply_centrifugal(Body& body, system::State& state, double dt, double omega) {
+  const model::BodyLoad& load = *body.load;
+  body.last_force.resize(body.nodes.size());
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    const auto k = static_cast<std::size_t>(body.nodes[i]);
+    const Vec3d arm = vec(state.x[k]) - load.center;
+    const Vec3d outwards = arm - dot(arm, load.direction) * load.direction;
+    const Vec3d force = (body.mass[i] * omega * omega) * outwards;
+    work_ += 0.5 * dt * dot(body.last_force[i] + force, vec(state.v[k]));
+    add(state.f[k], force);
+    body.last_force[i] = force;
+  }
 }
 
 }  // namespace nugget::impact

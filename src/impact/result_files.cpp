@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "impact/cross_sections.hpp"
 #include "impact/d3plot_states.hpp"
+#include "impact/element_histories.hpp"
 #include "impact/histories.hpp"
 #include "output/model_geometry.hpp"
 
@@ -24,8 +26,8 @@ void ResultFiles::add(const model::Request& request, const char* name, MakeState
   }
   std::shared_ptr<output::Binout> binary;
   if (request.binout()) {
-    if (!binout_) binout_ = std::make_shared<output::Binout>(directory_, header_);
-    if (!legend.empty()) binout_->set_legend(name, legend);
+    if (!legend.empty()) binout().set_legend(name, legend);
+    binout();
     binary = binout_;
   }
   channels_.push_back({&request, [=](const Snapshot& now) {
@@ -48,6 +50,10 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
   for (const model::Contact& c : model_.contacts)
     if (!c.title.empty()) contacts.push_back({c.id, c.title});
 
+  std::vector<output::LegendEntry> sections;
+  for (const model::CrossSection& c : ask.cross_sections)
+    if (!c.title.empty()) sections.push_back({c.id, c.title});
+
   add<output::Glstat>(ask.glstat, "glstat", glstat_state);
   add<output::Matsum>(ask.matsum, "matsum", matsum_state, parts);
   if (!ask.history_nodes.empty()) add<output::Nodout>(ask.nodout, "nodout", nodout_state, nodes);
@@ -55,15 +61,57 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
   const bool has_connections = std::any_of(model_.weld_laws.begin(), model_.weld_laws.end(),
                                            [](const auto& law) { return law.properties != model::none; });
   if (has_connections) add<output::Dcfail>(ask.dcfail, "dcfail", dcfail_state);
+  const auto printed = [](const model::Discrete& d) { return d.in_deforc; };
+  if (std::any_of(model_.discretes.begin(), model_.discretes.end(), printed))
+    add<output::Deforc>(ask.deforc, "deforc", deforc_state);
+  if (!model_.joints.empty()) {
+    std::vector<output::LegendEntry> joints;
+    for (const model::Joint& j : model_.joints)
+      if (!j.title.empty()) joints.push_back({j.id, j.title});
+    add<output::Jntforc>(ask.jntforc, "jntforc", jntforc_state, joints);
+  }
   if (!model_.walls.empty()) add<output::Rwforc>(ask.rwforc, "rwforc", rwforc_state, walls);
   if (!model_.spcs.empty()) add<output::Spcforc>(ask.spcforc, "spcforc", spcforc_state);
   if (!model_.motions.empty()) add<output::Bndout>(ask.bndout, "bndout", bndout_state);
   if (!system.bodies.empty()) add<output::Rbdout>(ask.rbdout, "rbdout", rbdout_state);
   add<output::Rcforc>(ask.rcforc, "rcforc", rcforc_state, contacts);
+  if (!ask.cross_sections.empty()) {
+    const auto through = std::make_shared<CrossSections>(system);
+    add<output::Secforc>(
+        ask.secforc, "secforc", [through](const Snapshot& now) { return through->state(now); }, sections);
+  }
+  if (!ask.nodal_force_groups.empty())
+    add<output::Nodfor>(ask.nodfor, "nodfor", [](const Snapshot& now) { return now.nodal_forces.state(now.state); });
+  if (!ask.history_shells.empty() || !ask.history_solids.empty() || !ask.history_beams.empty()) add_elout();
   if (ask.d3plot.asked()) {
-    auto file = std::make_shared<output::D3plot>(directory, output::d3plot_geometry(system));
+    output::D3plotGeometry geometry = output::d3plot_geometry(system);
+    geometry.strains = ask.strains;
+    auto file = std::make_shared<output::D3plot>(directory, std::move(geometry));
     channels_.push_back({&ask.d3plot, [file](const Snapshot& now) { file->write(d3plot_state(now)); }});
   }
+}
+
+/// Each kind of element has a branch of its own in binout, and the ASCII file a legend of all.
+void ResultFiles::add_elout() {
+  const model::Requests& ask = model_.requests;
+  std::vector<output::LegendEntry> all;
+  const auto legend = [&](const std::vector<model::NamedEntity>& entities, const std::vector<int>& ids,
+                          const char* branch) {
+    std::vector<output::LegendEntry> named;
+    for (const model::NamedEntity& e : entities)
+      if (!e.heading.empty()) named.push_back({ids[static_cast<std::size_t>(e.index)], e.heading});
+    all.insert(all.end(), named.begin(), named.end());
+    if (!named.empty() && ask.elout.binout()) binout().set_legend(branch, std::move(named));
+  };
+  legend(ask.history_solids, model_.solids.id, "elout/solid");
+  legend(ask.history_beams, model_.beams.id, "elout/beam");
+  legend(ask.history_shells, model_.shells.id, "elout/shell");
+  add<output::Elout>(ask.elout, "elout", elout_state, all);
+}
+
+output::Binout& ResultFiles::binout() {
+  if (!binout_) binout_ = std::make_shared<output::Binout>(directory_, header_);
+  return *binout_;
 }
 
 /// Due at the last time that is not beyond the mark, as LS-DYNA does: the next step would pass it.

@@ -35,6 +35,8 @@ class ResultFiles : public Recorder {
   template <class File, class MakeState>
   void add(const model::Request& request, const char* name, MakeState make_state,
            std::vector<output::LegendEntry> legend = {});
+  void add_elout();
+  output::Binout& binout();  ///< made where it is asked for first
 
   const model::Model& model_;
   std::filesystem::path directory_;

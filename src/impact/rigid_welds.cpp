@@ -11,6 +11,7 @@ namespace nugget::impact {
 
 RigidWelds::RigidWelds(system::System& system, Findings& findings) : system_(system) {
   for (const model::RigidWeld& source : system.model.rigid_welds) {
+    if (source.kind == model::RigidWeld::Kind::rivet) continue;
     Weld weld;
     weld.source = &source;
     weld.body = at(system.body_of[at(source.body)]);
@@ -36,7 +37,7 @@ void RigidWelds::find_neighbours() {
   if (!any) return;
   for (std::size_t g = 0; g < system_.groups.size(); ++g) {
     const system::ElementGroup& group = *system_.groups[g];
-    if (group.kind == model::ElementKind::beam) continue;
+    if (group.kind != model::ElementKind::shell && group.kind != model::ElementKind::solid) continue;
     for (std::size_t e = 0; e < group.size(); ++e) {
       const auto nodes = group.nodes(e);
       for (int a = 0; a < group.nodes_per_element; ++a)

@@ -7,10 +7,17 @@
 #include <vector>
 
 #include "impact/connectors.hpp"
+#include "impact/damping.hpp"
+#include "impact/element_alive.hpp"
+#include "impact/erosion.hpp"
+#include "impact/joints.hpp"
 #include "impact/options.hpp"
+#include "impact/preloads.hpp"
 #include "impact/rigid_welds.hpp"
+#include "impact/rivets.hpp"
 #include "impact/snapshot.hpp"
 #include "impact/tie_ends.hpp"
+#include "system/spring_group.hpp"
 
 namespace nugget::impact {
 
@@ -31,7 +38,10 @@ class Simulation {
   const TieForces& tie_forces() const { return tie_forces_; }
   const TieEnds& tie_ends() const { return tie_ends_; }
   const RigidWelds& rigid_welds() const { return rigid_welds_; }
+  const Rivets& rivets() const { return rivets_; }
+  const Joints& joints() const { return joints_; }
   const Connectors& connectors() const { return connectors_; }
+  const Erosion& erosion() const { return erosion_; }
   double first_step() const { return first_step_; }
   double smallest_step() const { return smallest_step_; }
   const std::string& smallest_by() const { return smallest_by_; }
@@ -48,16 +58,20 @@ class Simulation {
  private:
   void start();
   void choose_step(double end_time);
+  /// Gives the free nodes and bodies their velocities at t(n+1/2); `power_on_change_` begins anew.
   void accelerate();
   void constrain_by_walls();
   void move();
   void forces();
-  /// True if shells were deleted since the last call.
-  bool bury_shells();
-  void end_ties();
+  /// Contacts and ties lose the elements that were deleted.
+  void bury();
   /// Loads of dependent nodes go to the independent ones; rigid welds that they overload open.
   void collect();
+  /// Welds of every kind that have failed so far.
+  int failed_welds() const { return welds_.failed() + rigid_welds_.failed() + rivets_.failed() + connectors_.failed(); }
   void update_inverse_mass();
+  /// At the start, and where nodes were let go: bounds that follow from nodal masses.
+  void masses_changed();
   /// Energies of the moment; they stay those of before where the solution has become no number.
   void account();
   Outcome reason_to_stop(const Options& options, double end_time) const;
@@ -66,22 +80,32 @@ class Simulation {
   system::State state_;
   Supports supports_;
   Loads loads_;
-  std::vector<contact::SurfaceContact> contacts_;
+  std::vector<contact::PenaltyContact> contacts_;
   std::vector<contact::RigidWall> walls_;
-  std::vector<double> contact_mass_;        ///< by node, dependent nodes with what they had of their own
-  std::vector<unsigned char> dependent_;    ///< by node
-  std::vector<unsigned char> shell_alive_;  ///< by model shell
+  std::vector<system::SpringGroup*> stopped_springs_;  ///< those with stops
+  std::vector<double> contact_mass_;                   ///< by node, dependent nodes with what they had of their own
+  std::vector<unsigned char> dependent_;               ///< by node
+  ElementAlive element_alive_;
   std::vector<double> inverse_mass_, inverse_inertia_;
   std::vector<Row> v_before_, w_before_;
   std::vector<Vec3d> momentum_before_;
   std::vector<Vec3d> history_rotation_;
   Welds welds_;
   RigidWelds rigid_welds_;
+  Rivets rivets_;
   Connectors connectors_;
   TieForces tie_forces_;
+  Joints joints_;
   TieEnds tie_ends_;
-  int deaths_ = 0;
+  Damping damping_;
+  Preloads preloads_;
+  Erosion erosion_;
+  Strains strains_;
+  NodalForceGroups nodal_forces_;
   bool diverged_ = false;
+  double step_change_ = 0.0;         ///< Energy::step_change so far
+  double power_on_change_ = 0.0;     ///< forces at t(n) times the change of velocity from t(n-1/2) to t(n+1/2)
+  std::vector<double> block_power_;  ///< the nodes' part of it, by block
 
   Energy energy_;
   std::vector<PartEnergy> parts_;

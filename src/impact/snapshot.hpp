@@ -6,11 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "contact/penalty_contact.hpp"
 #include "contact/rigid_wall.hpp"
-#include "contact/surface_contact.hpp"
 #include "impact/conditions.hpp"
 #include "impact/energy.hpp"
+#include "impact/joints.hpp"
+#include "impact/nodal_force_groups.hpp"
 #include "impact/rigid_welds.hpp"
+#include "impact/rivets.hpp"
+#include "impact/strains.hpp"
 #include "impact/tie_forces.hpp"
 #include "impact/welds.hpp"
 #include "system/system.hpp"
@@ -29,10 +33,14 @@ struct Snapshot {
   const system::System::Masses& masses;
   const Supports& supports;
   std::span<const contact::RigidWall> walls;
-  std::span<const contact::SurfaceContact> contacts;
+  std::span<const contact::PenaltyContact> contacts;
   const TieForces& tie_forces;
   const Welds& welds;
   const RigidWelds& rigid_welds;
+  const Rivets& rivets;
+  const Joints& joints;
+  const Strains& strains;
+  const NodalForceGroups& nodal_forces;
   std::span<const Vec3d> history_rotation;  ///< of the requests' history nodes: their spins, added up over time
 
   Vec3d velocity(std::size_t node) const { return 0.5 * (vec(v_before[node]) + vec(state.v[node])); }

@@ -123,6 +123,7 @@ void Supports::set_component(Held& held, double target, int body, system::State&
     impulse = inertia * (target - free_velocity);
     add(row, (target - free_velocity) * held.axis);
   }
+  power_on_change_ += (target - free_velocity) * dot(held.axis, vec(held.rotation ? state.m[node] : state.f[node]));
   held.force = kick > 0.0 ? impulse / kick : 0.0;
   Reaction& reaction = reactions[held.reaction];
   (held.rotation ? reaction.moment : reaction.force) += held.force * held.axis;
@@ -137,6 +138,7 @@ void Supports::set_component(Held& held, double target, int body, system::State&
 void Supports::prescribe(system::State& state, double kick, std::span<system::RigidBody> bodies) {
   const auto in_force = [&](const Held& h) { return state.time >= h.birth && state.time < h.death; };
   dt_previous_ = state.dt_previous;
+  power_on_change_ = 0.0;
   const auto component = [&](const Held& h) {
     return dot(h.axis, vec(h.rotation ? state.w[at(h.node)] : state.v[at(h.node)]));
   };

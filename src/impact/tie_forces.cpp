@@ -8,11 +8,12 @@
 #include "base/index.hpp"
 #include "kernel/contact/penalty.hpp"
 #include "model/segments.hpp"
+#include "system/mobility.hpp"
 
 namespace nugget::impact {
 namespace {
 
-using Matrix3 = std::array<std::array<double, 3>, 3>;
+using Matrix3 = system::Mobility::Matrix;
 using Block = system::ConstraintMap::Block;
 
 /// How a node moves with independent ones; itself where it is independent.
@@ -39,37 +40,6 @@ std::map<int, Block> relative_motion(const system::System& system, int node, int
   add(node, 1.0);
   add(anchor, -1.0);
   return sum;
-}
-
-/// Adds rows `first` to `first` + 2 of B M^-1 B^t; a node without mass or inertia cannot be moved there.
-void add_inverse_mass(Matrix3& g, const Block& b, std::size_t first, double inverse_mass,
-                      const Matrix3& inverse_inertia) {
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t k = 0; k < 3; ++k) {
-        g[i][j] += b.of[first + i][k] * inverse_mass * b.of[first + j][k];
-        for (std::size_t l = 0; l < 3; ++l)
-          g[i][j] += b.of[first + i][3 + k] * inverse_inertia[k][l] * b.of[first + j][3 + l];
-      }
-}
-
-/// An upper bound of the largest eigenvalue: the largest sum of magnitudes of a row.
-double largest(const Matrix3& g) {
-  double most = 0.0;
-  for (const auto& row : g) most = std::max(most, std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2]));
-  return most;
-}
-
-Matrix3 inverse_of_body(const system::RigidBody& body) {
-  Matrix3 inverse{};
-  const Vec3d axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  for (std::size_t j = 0; j < 3; ++j) {
-    const Vec3d column = body.spin(axes[j], body.axes);
-    inverse[0][j] = column.x;
-    inverse[1][j] = column.y;
-    inverse[2][j] = column.z;
-  }
-  return inverse;
 }
 
 double volume(const std::array<Vec3d, 8>& x) {
@@ -159,17 +129,18 @@ void TieForces::find_bounds() {
       } else {
         const system::RigidBody& body = system_.bodies[at(node) - system_.nodes];
         if (body.mass > 0.0) inverse_mass = share / body.mass;
-        inverse_inertia = inverse_of_body(body);
+        inverse_inertia = system::inverse_inertia(body);
         for (auto& row : inverse_inertia)
           for (double& c : row) c *= share;
       }
-      add_inverse_mass(g, block, 0, inverse_mass, inverse_inertia);
-      add_inverse_mass(rotary, block, 3, inverse_mass, inverse_inertia);
+      system::add_inverse_mass(g, block, 0, inverse_mass, inverse_inertia);
+      system::add_inverse_mass(rotary, block, 3, inverse_mass, inverse_inertia);
     }
     Spring& s = springs_[i];
     const double part = s.rotary ? 0.5 * bearable : bearable;
-    s.bound = largest(g) > 0.0 ? part / largest(g) : 0.0;
-    s.rotary_bound = s.rotary && largest(rotary) > 0.0 ? part / largest(rotary) : 0.0;
+    s.bound = system::Mobility::largest(g) > 0.0 ? part / system::Mobility::largest(g) : 0.0;
+    s.rotary_bound =
+        s.rotary && system::Mobility::largest(rotary) > 0.0 ? part / system::Mobility::largest(rotary) : 0.0;
   }
 }
 

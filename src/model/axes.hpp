@@ -19,6 +19,16 @@ inline bool frame_from(const Vec3d& x, const Vec3d& in_plane, Frame3d& frame) {
   return true;
 }
 
+/// The axes of three points: `on_axis` lies on the axis number `axis` (0 x, 1 y, 2 z) through `origin`, `in_plane` in
+/// its plane with the next one (*DEFINE_COORDINATE_NODES). False where the points lie on a line.
+inline bool frame_of_points(const Vec3d& origin, const Vec3d& on_axis, const Vec3d& in_plane, int axis,
+                            Frame3d& frame) {
+  Frame3d f;
+  if (!frame_from(on_axis - origin, in_plane - origin, f)) return false;
+  frame = axis == 0 ? f : axis == 1 ? Frame3d{f.e3, f.e1, f.e2} : Frame3d{f.e2, f.e3, f.e1};
+  return true;
+}
+
 /// A symmetric tensor (xx xy xz yy yz zz) given in the axes of `frame`, in global axes.
 inline std::array<double, 6> to_global(const std::array<double, 6>& t, const Frame3d& frame) {
   const auto times = [&](const Vec3d& a) {

@@ -251,6 +251,11 @@ void Replacement::remove_beams() {
   }
   for (NamedEntity& n : m_.requests.history_beams) n.index = now[at(n.index)];
   std::erase_if(m_.requests.history_beams, [](const NamedEntity& n) { return n.index == none; });
+  for (CrossSection& section : m_.requests.cross_sections) {
+    for (CrossSection::Facet& facet : section.facets)
+      if (facet.kind == ElementKind::beam) facet.element = now[at(facet.element)];
+    std::erase_if(section.facets, [](const CrossSection::Facet& facet) { return facet.element == none; });
+  }
 }
 
 void Replacement::tell() const {

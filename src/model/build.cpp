@@ -94,6 +94,7 @@ Model build(const deck::Deck& deck, Findings& findings, bool skip_unsupported) {
   b.later(Phase::mesh, make_mesh);
   b.later(Phase::sets, resolve_sets);
   b.later(Phase::bodies, make_rigid_bodies);
+  b.later(Phase::checks, hold_bodies);
   b.later(Phase::checks, check_mesh);
   b.later(Phase::checks, check_parts);
   b.later(Phase::checks, check_units);

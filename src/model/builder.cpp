@@ -111,8 +111,9 @@ void Builder::leave_out(const deck::Block& block) {
   };
   const Family families[] = {
       {"MAT_", IdSpace::material, {&materials}},
-      {"SECTION_", IdSpace::other, {&shell_sections, &solid_sections, &beam_sections}},
+      {"SECTION_", IdSpace::other, {&shell_sections, &solid_sections, &beam_sections, &discrete_sections}},
       {"SET_NODE", IdSpace::set, {&node_sets}},
+      {"SET_PART_TREE", IdSpace::set, {&branches}},
       {"SET_PART", IdSpace::set, {&part_sets}},
       {"SET_SEGMENT", IdSpace::set, {&segment_sets}},
       {"SET_SHELL", IdSpace::set, {&shell_sets}},
@@ -154,6 +155,15 @@ Index Builder::beam(const deck::Row& row, std::string_view field) {
   return find(beams, "beam", row, field);
 }
 Index Builder::system(const deck::Row& row, std::string_view field) {
+  const Index found = turning_or_fixed_system(row, field);
+  if (found == none || !model.systems[static_cast<std::size_t>(found)].turning) return found;
+  refuse(
+      *this, row, field,
+      fmt::format("coordinate system {} turns with its nodes (FLAG 1); fixed axes are built here", id_of(row, field)),
+      "define one with FLAG 0");
+  return none;
+}
+Index Builder::turning_or_fixed_system(const deck::Row& row, std::string_view field) {
   return find(systems, "coordinate system", row, field);
 }
 
@@ -180,6 +190,9 @@ const Set<Index>* Builder::solid_set(const deck::Row& row, std::string_view fiel
 }
 const Set<Index>* Builder::beam_set(const deck::Row& row, std::string_view field) {
   return find_set(*this, beam_sets, model.sets.beams, "beam set", row, field);
+}
+const Set<Index>* Builder::branch(const deck::Row& row, std::string_view field) {
+  return find_set(*this, branches, model.sets.branches, "branch of parts", row, field);
 }
 const Set<Segment>* Builder::segment_set(const deck::Row& row, std::string_view field) {
   return find_set(*this, segment_sets, model.sets.segments, "segment set", row, field);

@@ -88,6 +88,7 @@ class Builder {
   // Cards as read, until their phase.
   deck::NodeTable node_table;
   deck::ElementTable shell_table, solid_table, beam_table;
+  std::vector<deck::Row> discrete_rows;
   std::unordered_map<Index, RigidCard> rigid_cards;            ///< by material
   std::unordered_map<Index, RigidBody::Inertia> part_inertia;  ///< by part; known after Phase::sets
   std::vector<Box> box_list;                                   ///< by index of `boxes`
@@ -100,10 +101,10 @@ class Builder {
   std::vector<deck::Row> shell_section_rows, solid_section_rows, beam_section_rows;  ///< by section: first card
   std::vector<std::pair<Index, deck::Row>> part_rows;  ///< by part: the card that names section, material and hourglass
 
-  Ids nodes, shells, solids, beams, parts, shell_sections, solid_sections, beam_sections, materials, hourglass, curves,
-      tables, systems, vectors, boxes;
+  Ids nodes, shells, solids, beams, discretes, parts, shell_sections, solid_sections, beam_sections, discrete_sections,
+      materials, hourglass, curves, tables, systems, vectors, boxes, spring_orientations;
   Ids pair_strengths, load_rate_strengths, connections;  ///< of Model's arrays of these names
-  Ids node_sets, part_sets, segment_sets, shell_sets, solid_sets, beam_sets;
+  Ids node_sets, part_sets, segment_sets, shell_sets, solid_sets, beam_sets, branches;
 
   void later(Phase phase, std::function<void(Builder&)> work) {
     work_[static_cast<std::size_t>(phase)].push_back(std::move(work));
@@ -121,7 +122,10 @@ class Builder {
   const Set<Index>* solid_set(const deck::Row& row, std::string_view field);
   const Set<Index>* beam_set(const deck::Row& row, std::string_view field);
   const Set<Segment>* segment_set(const deck::Row& row, std::string_view field);
-  Index system(const deck::Row& row, std::string_view field);  ///< a coordinate system
+  const Set<Index>* branch(const deck::Row& row, std::string_view field);
+  /// A coordinate system with fixed axes; one that turns with its nodes is refused there.
+  Index system(const deck::Row& row, std::string_view field);
+  Index turning_or_fixed_system(const deck::Row& row, std::string_view field);
   const Vec3d* vector(const deck::Row& row, std::string_view field);
   const Box* box(const deck::Row& row, std::string_view field);
   Index shell(const deck::Row& row, std::string_view field);
@@ -157,10 +161,11 @@ void refuse(Builder& builder, const deck::Row& row, std::string_view field, std:
 void refuse_nonzero(Builder& builder, const deck::Row& row, std::string_view field, std::string text,
                     std::string remedy = {});
 
-/// Findings of one kind, of which only the first few are written out and the rest counted.
+/// Findings of one kind, of which the first ones are written out and the rest counted: lists of findings sum up what is
+/// alike, findings.json has each, but not millions of them.
 class Tally {
  public:
-  Tally(Findings& findings, Severity severity, std::string keyword, int limit = 20)
+  Tally(Findings& findings, Severity severity, std::string keyword, int limit = 10000)
       : findings_(findings), severity_(severity), keyword_(std::move(keyword)), limit_(limit) {}
   ~Tally() { finish(); }
   Tally(const Tally&) = delete;

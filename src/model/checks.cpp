@@ -95,6 +95,7 @@ bool has_equal_nodes(const std::array<Index, 8>& nodes) {
 void check_solids(Builder& b) {
   const Model& m = b.model;
   Tally negative(b.findings, Severity::error, "*ELEMENT_SOLID"), bent(b.findings, Severity::warning, "*ELEMENT_SOLID");
+  Tally misshapen(b.findings, Severity::error, "*ELEMENT_SOLID");
   for (std::size_t e = 0; e < m.solids.size(); ++e) {
     const int id = m.solids.id[e];
     const double volume = solid_volume(m, e);
@@ -110,7 +111,33 @@ void check_solids(Builder& b) {
           m.solids.place[e],
           [&] { return fmt::format("solid {} is turned inside out at a corner (negative Jacobian there)", id); },
           "mend the mesh there; it may fail early");
+    const Index section = m.parts[static_cast<std::size_t>(m.solids.part[e])].section;
+    const int elform = section == none ? 1 : m.solid_sections[static_cast<std::size_t>(section)].elform;
+    const std::size_t corners = elform == 10 || elform == 15 ? m.solids.corners(e).size() : 0;
+    if ((elform == 10 && corners != 4) || (elform == 15 && corners != 6))
+      misshapen.add(
+          m.solids.place[e],
+          [&] {
+            return fmt::format("solid {} has {} different nodes, expected {} of formulation {}", id, corners,
+                               elform == 10 ? "the four of a tetrahedron" : "the six of a wedge", elform);
+          },
+          "write ELFORM 1 and sort by ESORT = 1 of *CONTROL_SOLID, or part the mesh by shape");
   }
+}
+
+/// Whether it matters how the cross-section is turned about the beam.
+bool directed(const SectionBeam& s) {
+  if (s.elform == 2) return s.moment_s != s.moment_t;
+  return s.cross_section == 0 && (s.outer != s.inner || s.quadrature != 2);
+}
+
+/// Whether the third node tells a side.
+bool has_side(const Model& m, std::size_t e) {
+  if (m.beams.orientation[e] == none) return false;
+  const auto& n = m.beams.node[e];
+  const Vec3d line = position(m, n[1]) - position(m, n[0]),
+              towards = position(m, m.beams.orientation[e]) - position(m, n[0]);
+  return norm(cross(line, towards)) > 1e-6 * norm(line) * norm(towards);
 }
 
 void check_beams(Builder& b) {
@@ -120,11 +147,27 @@ void check_beams(Builder& b) {
     const Index section = m.parts[static_cast<std::size_t>(m.beams.part[e])].section;
     return section != none && m.beam_sections[static_cast<std::size_t>(section)].elform == 6;
   };
-  for (std::size_t e = 0; e < m.beams.size(); ++e)
-    if (!(beam_length(m, e) > 0.0) && !discrete(e))
+  Tally without(b.findings, Severity::error, "*ELEMENT_BEAM");
+  for (std::size_t e = 0; e < m.beams.size(); ++e) {
+    const bool has_length = beam_length(m, e) > 0.0;
+    const Index section = m.parts[static_cast<std::size_t>(m.beams.part[e])].section;
+    const int elform = section == none ? 9 : m.beam_sections[static_cast<std::size_t>(section)].elform;
+    if (!has_length && elform != 6 && elform != 9)
+      without.add(
+          m.beams.place[e], [&] { return fmt::format("beam {} has no length", m.beams.id[e]); },
+          "remove it, or correct its nodes");
+    else if (!has_length && !discrete(e))
       short_ones.add(m.beams.place[e], [&] {
         return fmt::format("beam {} has no length; a weld of no length takes its length from its tie", m.beams.id[e]);
       });
+    else if (elform <= 2 && directed(m.beam_sections[static_cast<std::size_t>(section)]) && !has_side(m, e))
+      without.add(
+          m.beams.place[e],
+          [&] {
+            return fmt::format("beam {} has no third node off its line, so its axes s and t are open", m.beams.id[e]);
+          },
+          "give N3, a node in the plane of r and s");
+  }
 }
 
 /// Nodes that nothing holds or uses do not move with anything; often the remains of editing.
@@ -138,6 +181,8 @@ void count_free_nodes(Builder& b) {
   for (const auto& nodes : m.solids.node) std::for_each(nodes.begin(), nodes.end(), use);
   for (const auto& nodes : m.beams.node) std::for_each(nodes.begin(), nodes.end(), use);
   std::for_each(m.beams.orientation.begin(), m.beams.orientation.end(), use);
+  for (const Discrete& d : m.discretes) std::for_each(d.node.begin(), d.node.end(), use);
+  for (const SpringOrientation& o : m.spring_orientations) std::for_each(o.node.begin(), o.node.end(), use);
   for (const auto& p : m.masses) use(p.node);
   for (const auto& p : m.inertias) use(p.node);
   for (const auto& body : m.rigid_bodies) std::for_each(body.nodes.begin(), body.nodes.end(), use);
@@ -187,22 +232,37 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
 
 void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& told) {
   const auto s = static_cast<std::size_t>(part.section);
-  const int elform = b.model.solid_sections[s].elform;
+  int& elform = b.model.solid_sections[s].elform;
   // In linear analyses the one-point brick with its physical stabilisation stands for 18 (nvh::linear_model).
   const bool linear = elform == 18 && b.model.implicit.active;
-  const bool is_weld = is<kernel::Spotweld>(b.model, part),
-             is_built = elform == 1 || linear || (elform == 2 && !is_weld);
-  if (is<kernel::Rigid>(b.model, part) || is_built || std::exchange(told[s], char{1})) return;
-  if (is_weld)
-    return refuse(b, b.solid_section_rows[s], "elform",
-                  fmt::format("welds of bricks are built with solid formulation 1, not with {}", elform),
-                  "write 1, with an hourglass control of type 6");
-  const bool is_brick_that_bends = elform == -1 || elform == -2 || elform == 18;
+  const bool is_weld = is<kernel::Spotweld>(b.model, part), is_corner_shape = elform == 10 || elform == 15;
+  const bool is_built = elform == 1 || elform == 2 || linear || (is_corner_shape && !is_weld);
+  const bool is_wedge = elform == 15 && is_built;
+  if (is<kernel::Rigid>(b.model, part) || (is_built && !is_wedge) || std::exchange(told[s], char{1})) return;
+  if (is_wedge)
+    return b.solid_section_rows[s].complain(b.findings, Severity::warning, "elform",
+                                            "wedges are computed as collapsed bricks of eight points (formulation 2)");
+  if (elform == 0) {
+    b.solid_section_rows[s].complain(
+        b.findings, Severity::warning, "elform",
+        "solid formulation 0 is the brick of LS-DYNA's honeycombs (*MAT_126); it is computed as 1, as a blank field is",
+        "write 1");
+    elform = 1;
+    return;
+  }
+  const bool is_scaled = elform == -1 || elform == -2;
+  const bool is_brick_that_bends = is_scaled || elform == 18 || is_weld;
   refuse(
       b, b.solid_section_rows[s], "elform",
-      fmt::format("solid formulation {} is not built; built are 1 (constant stress) and 2 (fully integrated)", elform),
+      fmt::format("solid formulation {} is not built{}; built are 1 (constant stress), 2 (fully integrated) and, not "
+                  "for welds, 10 (tetrahedron) and 15 (wedge)",
+                  elform,
+                  is_scaled ? " (its changed Jacobian is not public in detail, and a patent application, US "
+                              "2011/0191072, covers it)"
+                            : ""),
       is_brick_that_bends ? "write 1, with an hourglass control of type 6 and QM 1, which bends without locking"
-                          : "write 1, with an hourglass control of type 2 or 3");
+      : elform == 4 || elform == 13 ? "write 10; it locks in bending and in plastic flow, so mesh finely"
+                                    : "write 1, with an hourglass control of type 2 or 3");
 }
 
 /// A spring needs a mass to have a time step.
@@ -229,24 +289,43 @@ void check_beam_formulation(Builder& b, const Part& part, std::vector<char>& tol
   const auto s = static_cast<std::size_t>(part.section);
   const int elform = b.model.beam_sections[s].elform;
   if (elform == 6) return check_discrete_beam(b, part);
-  if (elform == 9 || std::exchange(told[s], char{1})) return;
+  const bool is_built = elform == 9 || (elform >= 1 && elform <= 3);
+  if (is_built || std::exchange(told[s], char{1})) return;
   refuse(b, b.beam_section_rows[s], "elform",
-         fmt::format("beam formulation {} is not built; built are 9 (spot weld) and 6 (discrete)", elform),
-         "model the joint by spot-weld beams (ELFORM 9, MAT_SPOTWELD), or leave the part out");
+         fmt::format("beam formulation {} is not built; built are 1 (Hughes-Liu), 2 (Belytschko-Schwer), 3 (truss), 6 "
+                     "(discrete) and 9 (spot weld)",
+                     elform),
+         "write 1 with the dimensions of the section, or 2 with its moments");
 }
 
-/// Spot-weld beams have the weld's law, discrete beams one of springs.
+/// Spot-weld beams have the weld's law, discrete beams one of springs, others that of a bar.
 void check_beam_law(Builder& b, const Part& part, const deck::Row& row) {
   const Model& m = b.model;
   const Material& material = m.materials[static_cast<std::size_t>(part.material)];
-  const bool discrete = m.beam_sections[static_cast<std::size_t>(part.section)].elform == 6;
-  if (discrete ? is<kernel::DiscreteBeam>(m, part) : is<kernel::Spotweld>(m, part)) return;
-  if (discrete)
-    refuse(b, row, "mid", fmt::format("*{} is not a law of discrete beams (ELFORM 6)", material.keyword),
-           "built are *MAT_066, 067, 068, 074, 119, 121 and 196");
-  else
-    refuse(b, row, "mid", fmt::format("beams are built with *MAT_SPOTWELD only, not with *{}", material.keyword),
-           "give the part *MAT_SPOTWELD, or model it by shells");
+  const int elform = m.beam_sections[static_cast<std::size_t>(part.section)].elform;
+  if (elform == 6) {
+    if (!is<kernel::DiscreteBeam>(m, part))
+      refuse(b, row, "mid", fmt::format("*{} is not a law of discrete beams (ELFORM 6)", material.keyword),
+             "built are *MAT_066, 067, 068, 074, 119, 121 and 196");
+  } else if (elform == 9) {
+    if (!is<kernel::Spotweld>(m, part))
+      refuse(b, row, "mid", fmt::format("spot-weld beams (ELFORM 9) need *MAT_SPOTWELD, not *{}", material.keyword),
+             "give the part *MAT_SPOTWELD, or its section ELFORM 1");
+  } else if (is<kernel::Spotweld>(m, part)) {
+    refuse(b, row, "mid", fmt::format("*MAT_SPOTWELD needs spot-weld beams, but the section has ELFORM {}", elform),
+           "write ELFORM 9");
+  } else if (elform <= 3) {
+    const bool is_moved = is<kernel::Rigid>(m, part) || is<kernel::Null>(m, part),
+               is_elastic = is<kernel::Elastic>(m, part);
+    const bool is_plastic = is<kernel::PlasticKinematic>(m, part) || is<kernel::PiecewiseLinear>(m, part);
+    if (elform == 2 && !is_moved && !is_elastic)
+      refuse(b, row, "mid",
+             fmt::format("resultant beams (ELFORM 2) are elastic here, but the part has *{}", material.keyword),
+             "write ELFORM 1 with the dimensions of the section");
+    else if (!is_moved && !is_elastic && !is_plastic)
+      refuse(b, row, "mid", fmt::format("*{} is not built for beams", material.keyword),
+             "built are *MAT_001, 003, 009, 020 and 024");
+  }
 }
 
 /// Some laws are made for shells or bricks only.
@@ -275,6 +354,14 @@ void check_law(Builder& b, const Part& part, const deck::Row& row) {
            m.weld_laws[static_cast<std::size_t>(material.weld)].connection)
     refuse(b, row, "mid", "*MAT_SPOTWELD_DAIMLERCHRYSLER is a law of welds of bricks, but the part has beams",
            "model the welds by bricks, or use *MAT_SPOTWELD_DAMAGE-FAILURE");
+  else if (part.kind == ElementKind::discrete && !is<kernel::Spring>(m, part))
+    refuse(b, row, "mid", fmt::format("*{} is not a law of springs and dampers", material.keyword),
+           "give one of *MAT_S01 to *MAT_S08");
+  else if (is<kernel::Spring>(m, part) && part.kind != ElementKind::discrete && part.kind != ElementKind::nothing)
+    refuse(
+        b, row, "mid",
+        fmt::format("*{} is a law of springs (*ELEMENT_DISCRETE), but the part has other elements", material.keyword),
+        "give it the law of its elements");
   else if (part.kind == ElementKind::beam && part.section != none)
     check_beam_law(b, part, row);
   else if (is<kernel::DiscreteBeam>(m, part) && (part.kind == ElementKind::shell || part.kind == ElementKind::solid))
@@ -328,6 +415,23 @@ void check_weld_hourglass(Builder& b) {
                     "hourglass forces, and right (elastic) with type 6 and QM = 1 only",
                     part.id, h.type, h.membrane),
         "give the part an *HOURGLASS with IHQ = 6, QM = 1");
+  }
+}
+
+/// OPT 7 is documented for bricks, 11 for beams; the formulas ask for resultants only, which both have.
+void check_weld_options(Builder& b) {
+  const Model& m = b.model;
+  for (const Part& part : m.parts) {
+    const Index law = part.material == none ? none : m.materials[static_cast<std::size_t>(part.material)].weld;
+    if (law == none) continue;
+    const int option = m.weld_laws[static_cast<std::size_t>(law)].option;
+    const bool of_bricks = part.kind == ElementKind::solid, of_beams = part.kind == ElementKind::beam;
+    if ((option == 11 && of_bricks) || (option == 7 && of_beams))
+      b.findings.warning(part.place, "*PART",
+                         fmt::format("OPT {} is documented for {} only, but part {} has {}; it acts on their "
+                                     "resultants in the same way",
+                                     option, of_bricks ? "beams" : "bricks", part.id, of_bricks ? "bricks" : "beams"),
+                         of_bricks ? "OPT 0, 1 or 7 are defined for bricks" : "OPT 1 has the same formula");
   }
 }
 
@@ -399,6 +503,7 @@ void check_parts(Builder& b) {
   }
   check_hourglass(b);
   check_weld_hourglass(b);
+  check_weld_options(b);
   check_triangles(b);
   if ((!b.model.implicit.active || b.model.implicit.modes == 0) && !(b.model.control.end_time > 0.0))
     b.findings.error({b.model.deck, 0, 0}, "*CONTROL_TERMINATION", "no end time is given",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "model/parts.hpp"
 
 namespace nugget::model {
@@ -37,11 +39,14 @@ struct Control {
   // *CONTROL_SHELL
   double warp_warning = 20.0;      ///< WRPANG [degrees]
   bool sort_triangles = false;     ///< ESORT: collapsed quads become C0 triangles
+  bool sort_solids = false;        ///< ESORT of solids: tetrahedra become ELFORM 10, wedges ELFORM 15
   int thickness_update = 0;        ///< ISTUPD
   int default_shell = 2;           ///< THEORY
   bool warping_stiffness = false;  ///< BWC = 1
   bool lobatto = false;            ///< INTGRD = 1
   double rotary_mass_scale = 1.0;  ///< ROTASCL
+  int distorted_shells = 0;        ///< NFAIL1, of shells with one in-plane point; see DistortedShells
+  int distorted_full_shells = 0;   ///< NFAIL4, of fully integrated shells
 
   // *CONTROL_HOURGLASS, *CONTROL_BULK_VISCOSITY
   Hourglass hourglass;
@@ -66,6 +71,7 @@ struct Control {
 
   // *CONTROL_OUTPUT, *CONTROL_SOLID
   bool average_accelerations = false;  ///< IACCOP = 1
+  std::vector<Index> eroding_parts;    ///< PSFAIL: only their bricks are deleted at negative volume; empty: all
   double tied_rotary_mass = 0.0;       ///< RMAVG
 };
 

@@ -53,9 +53,15 @@ struct NodalLoad {
 /// Base acceleration: each node feels the inertial force -m a (a positive value in z pulls down, LS-DYNA's way).
 struct BodyLoad {
   Vec3d direction;  ///< unit vector
+  /// *LOAD_BODY_RX, _RY, _RZ: the curve is an angular velocity w about `direction` through `center`, and each node
+  /// feels the centrifugal force m w x (w x r) outwards, at its place of the moment.
+  bool centrifugal = false;
+  Vec3d center;
+  bool own_parts = false;  ///< *LOAD_GRAVITY_PART, *LOAD_BODY_GENERALIZED: *LOAD_BODY_PARTS does not change `parts`
   Index curve = none;
   double scale = 1.0;
   std::vector<Index> parts;  ///< empty: all
+  std::vector<Index> nodes;  ///< only these (*LOAD_BODY_GENERALIZED); empty: all of `parts`
 };
 
 /// Pressure on segments; positive pushes onto the face, against its right-hand normal.
@@ -68,7 +74,7 @@ struct PressureLoad {
 
 /// *RIGIDWALL_...
 struct RigidWall {
-  enum class Shape { plane, cylinder, sphere };
+  enum class Shape { plane, cylinder, sphere, prism };
   int id = 0;
   std::string title;
   Shape shape = Shape::plane;
@@ -80,6 +86,7 @@ struct RigidWall {
   bool finite = false;       ///< plane: bounded by edges l and m
   Vec3d edge_l, edge_m;      ///< unit vectors
   double length_l = 0.0, length_m = 0.0;  ///< 0 infinite
+  double depth = 0.0;                     ///< prism: extent against the normal, from the face inwards; 0 infinite
   double friction = 0.0;                  ///< 0 none, 1 stick, between: Coulomb
   double weld_velocity = 0.0;             ///< WVEL, for friction 2 and 3
   double mass = 0.0;                      ///< of a moving wall; 0: fixed

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <span>
 
+#include "kernel/element/hexahedron.hpp"
+
 namespace nugget::model {
 
 namespace {
@@ -22,11 +24,6 @@ void share(std::vector<NodeMass>& out, std::span<const Index> nodes, double mass
   for (const Index n : nodes) out.push_back({n, mass / static_cast<double>(nodes.size())});
 }
 
-double beam_area(const SectionBeam& s) {
-  const auto squared = [](const std::array<double, 2>& d) { return 0.5 * (d[0] * d[0] + d[1] * d[1]); };
-  return 0.25 * std::numbers::pi * (squared(s.outer) - squared(s.inner));
-}
-
 std::vector<NodeMass> joined(std::vector<NodeMass> shares) {
   std::stable_sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
   std::vector<NodeMass> out;
@@ -39,18 +36,22 @@ std::vector<NodeMass> joined(std::vector<NodeMass> shares) {
 
 }  // namespace
 
+double beam_area(const SectionBeam& s) {
+  if (s.area > 0.0) return s.area;
+  if (s.elform == 1 && s.cross_section == 0) return 0.25 * (s.outer[0] + s.outer[1]) * (s.inner[0] + s.inner[1]);
+  const auto squared = [](const std::array<double, 2>& d) { return 0.5 * (d[0] * d[0] + d[1] * d[1]); };
+  return 0.25 * std::numbers::pi * (squared(s.outer) - squared(s.inner));
+}
+
 double shell_area(const Model& m, std::size_t e) {
   const auto& n = m.shells.node[e];
   return 0.5 * norm(cross(position(m, n[2]) - position(m, n[0]), position(m, n[3]) - position(m, n[1])));
 }
 
 double solid_volume(const Model& m, std::size_t e) {
-  const auto& n = m.solids.node[e];
-  const auto x = [&](std::size_t i) { return position(m, n[i]); };
-  const Vec3d a = x(1) + x(2) + x(5) + x(6) - x(0) - x(3) - x(4) - x(7);
-  const Vec3d b = x(2) + x(3) + x(6) + x(7) - x(0) - x(1) - x(4) - x(5);
-  const Vec3d c = x(4) + x(5) + x(6) + x(7) - x(0) - x(1) - x(2) - x(3);
-  return dot(a, cross(b, c)) / 64.0;
+  std::array<Vec3d, 8> x;
+  for (std::size_t a = 0; a < 8; ++a) x[a] = position(m, m.solids.node[e][a]);
+  return kernel::hexahedron_volume(x);
 }
 
 double beam_length(const Model& m, std::size_t e) {
@@ -69,7 +70,7 @@ std::vector<NodeMass> lumped_mass(const Model& m, Index part) {
       share(shares, std::span(m.shells.node[e]).first(m.shells.triangle(e) ? 3 : 4),
             (density * m.shells.thickness[e] + shell->extra_mass) * shell_area(m, e));
   for (std::size_t e = 0; p.kind == ElementKind::solid && e < m.solids.size(); ++e)
-    if (m.solids.part[e] == part) share(shares, m.solids.node[e], density * solid_volume(m, e));
+    if (m.solids.part[e] == part) share(shares, m.solids.corners(e), density * solid_volume(m, e));
   const SectionBeam* beam = p.kind == ElementKind::beam ? section_of(m.beam_sections, p) : nullptr;
   for (std::size_t e = 0; beam && e < m.beams.size(); ++e)
     if (m.beams.part[e] == part)

@@ -13,7 +13,7 @@ struct NodeMass {
 };
 
 /// Mass of a part's elements at its nodes, in ascending order of nodes: each element gives equal shares to its nodes
-/// (a triangle thirds). Shells rho A t plus MAREA, bricks rho V, beams rho A L of a round (tube) section plus NSM,
+/// (a triangle thirds). Shells rho A t plus MAREA, bricks rho V, beams rho A L plus NSM,
 /// discrete beams rho VOL.
 std::vector<NodeMass> lumped_mass(const Model& model, Index part);
 
@@ -21,6 +21,8 @@ std::vector<NodeMass> lumped_mass(const Model& model, Index part);
 double shell_area(const Model& model, std::size_t shell);
 /// Eight times the Jacobian determinant at the centre: the volume that a one-point brick integrates [length^3].
 double solid_volume(const Model& model, std::size_t solid);
+/// Of a beam's cross-section: A, a rectangle, or a round tube [length^2].
+double beam_area(const SectionBeam& section);
 double beam_length(const Model& model, std::size_t beam);
 
 }  // namespace nugget::model

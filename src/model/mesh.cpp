@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -75,23 +76,24 @@ class Elements {
   ~Elements() {
     for (const auto& [id, missing] : missing_parts_)
       b_.findings.error(place(missing.row), keyword_,
-                        fmt::format("part {} is not defined; {} of its elements, from {} {} on, are left out", id,
-                                    missing.count, what_, table_.id[missing.row]),
+                        fmt::format("part {} is not defined; {} of its elements, from {} {} on, have no section and no "
+                                    "material",
+                                    id, missing.count, what_, table_.id[missing.row]),
                         "define it by *PART");
   }
 
-  /// Index of the row's part, or none and a finding.
+  /// Index of the row's part, or none and a finding. A part that is not defined is a finding, and gets a stand-in of
+  /// this id: what is known of its elements is kept for the audit of a refused deck.
   Index part(std::size_t row) {
     const int id = table_.part[row];
     if (id != last_id_) {
       last_id_ = id;
       last_ = b_.parts.find(id);
+      if (last_ == none) last_ = stand_in(id, row);
+      const auto missing = missing_parts_.find(id);
+      missing_ = missing == missing_parts_.end() ? nullptr : &missing->second;
     }
-    if (last_ == none) {
-      MissingPart& missing = missing_parts_[id];
-      if (missing.count++ == 0) missing.row = row;
-      return none;
-    }
+    if (missing_ != nullptr) ++missing_->count;
     Part& p = b_.model.parts[static_cast<std::size_t>(last_)];
     if (p.kind == ElementKind::nothing) p.kind = kind_;
     if (p.kind == kind_) return last_;
@@ -141,6 +143,17 @@ class Elements {
     int count = 0;
   };
 
+  Index stand_in(int id, std::size_t row) {
+    missing_parts_[id].row = row;
+    Part part;
+    part.id = id;
+    part.place = place(row);
+    const auto index = static_cast<Index>(b_.model.parts.size());
+    b_.model.parts.push_back(std::move(part));
+    b_.parts.add(id, index, place(row), keyword_, "part", b_.findings);
+    return index;
+  }
+
   Builder& b_;
   const deck::ElementTable& table_;
   ElementKind kind_;
@@ -148,8 +161,9 @@ class Elements {
   std::string keyword_;
   std::map<int, MissingPart> missing_parts_;
   Tally unknown_, mixed_, shape_;
-  int last_id_ = 0;
+  int last_id_ = std::numeric_limits<int>::min();
   Index last_ = none;
+  MissingPart* missing_ = nullptr;  ///< of `last_id_`; null where the part is defined
 };
 
 /// Rows of the table that became elements, in order.
@@ -196,6 +210,17 @@ bool complete_solid(std::array<Index, 8>& n) {
   if (std::count(n.begin() + 4, n.end(), none) == 4) std::fill(n.begin() + 4, n.end(), n[3]);
   return std::count(n.begin(), n.end(), none) == 0;
 }
+
+}  // namespace
+
+std::vector<Index> Solids::corners(std::size_t e) const {
+  std::vector<Index> different;
+  for (const Index n : node[e])
+    if (std::find(different.begin(), different.end(), n) == different.end()) different.push_back(n);
+  return different;
+}
+
+namespace {
 
 void make_solids(Builder& b) {
   const auto& table = b.solid_table;
@@ -334,6 +359,7 @@ std::string_view name_of(ElementKind kind) {
     case ElementKind::shell: return "shell";
     case ElementKind::solid: return "solid";
     case ElementKind::beam: return "beam";
+    case ElementKind::discrete: return "discrete";
     case ElementKind::nothing: break;
   }
   return "no";
@@ -341,9 +367,10 @@ std::string_view name_of(ElementKind kind) {
 
 /// The section that a part's elements need: same id, of their kind.
 void link_section(Builder& b, Part& part, const deck::Row& row) {
-  const std::array<std::pair<ElementKind, const Ids*>, 3> kinds{{{ElementKind::shell, &b.shell_sections},
+  const std::array<std::pair<ElementKind, const Ids*>, 4> kinds{{{ElementKind::shell, &b.shell_sections},
                                                                  {ElementKind::solid, &b.solid_sections},
-                                                                 {ElementKind::beam, &b.beam_sections}}};
+                                                                 {ElementKind::beam, &b.beam_sections},
+                                                                 {ElementKind::discrete, &b.discrete_sections}}};
   const int id = row.integer("secid");
   if (id == 0) return;
   bool exists = false;
@@ -377,6 +404,7 @@ void make_mesh(Builder& b) {
   const auto shell_rows = make_shells(b);
   make_solids(b);
   const auto beam_rows = make_beams(b);
+  make_discretes(b);
   Tally bare(b.findings, Severity::error, "*PART");
   for (const auto& [index, row] : b.part_rows) {
     Part& part = b.model.parts[static_cast<std::size_t>(index)];

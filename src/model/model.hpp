@@ -12,9 +12,13 @@
 #include "base/vec3.hpp"
 #include "model/contact.hpp"
 #include "model/control.hpp"
+#include "model/damping.hpp"
+#include "model/discrete.hpp"
 #include "model/frequency.hpp"
 #include "model/implicit.hpp"
+#include "model/initial_state.hpp"
 #include "model/interpolation.hpp"
+#include "model/joint.hpp"
 #include "model/loads.hpp"
 #include "model/parts.hpp"
 #include "model/requests.hpp"
@@ -77,6 +81,8 @@ struct Solids {
   std::vector<std::array<Index, 8>> node;
   Places place;
   std::size_t size() const { return id.size(); }
+  /// The different nodes of a solid in the order of its card: eight of a brick, six of a wedge, four of a tetrahedron.
+  std::vector<Index> corners(std::size_t e) const;
 };
 
 /// Two-node beams in ascending order of user id.
@@ -135,6 +141,7 @@ struct Model {
   Shells shells;
   Solids solids;
   Beams beams;
+  std::vector<Discrete> discretes;
   std::vector<HexAssembly> hex_assemblies;
   std::vector<PointMass> masses;
   std::vector<PointInertia> inertias;
@@ -143,6 +150,7 @@ struct Model {
   std::vector<SectionShell> shell_sections;
   std::vector<SectionSolid> solid_sections;
   std::vector<SectionBeam> beam_sections;
+  std::vector<SectionDiscrete> discrete_sections;
   std::vector<Material> materials;
   std::vector<Hourglass> hourglass;
 
@@ -155,11 +163,14 @@ struct Model {
   std::vector<Curve> curves;  ///< offsets and scales applied
   std::vector<Table> tables;
   std::vector<CoordinateSystem> systems;
+  std::vector<SpringOrientation> spring_orientations;
   Sets sets;
 
   std::vector<RigidBody> rigid_bodies;  ///< MAT_RIGID parts (merged), nodal rigid bodies, rigid welds
   std::vector<RigidWeld> rigid_welds;
   std::vector<Interpolation> interpolations;
+  std::vector<Joint> joints;
+  std::vector<Accelerometer> accelerometers;
   std::vector<SinglePointConstraint> spcs;
   std::vector<PrescribedMotion> motions;
   std::vector<Vec3d> initial_velocity;  ///< per node; empty: all zero [length/time]
@@ -167,6 +178,8 @@ struct Model {
   std::vector<NodalLoad> nodal_loads;
   std::vector<BodyLoad> body_loads;
   std::vector<PressureLoad> pressure_loads;
+  Damping damping;
+  InitialState initial_state;
   std::vector<RigidWall> walls;
   std::vector<Contact> contacts;  ///< penalty contacts and ties, in deck order
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "kernel/law/plastic_kinematic.hpp"
 #include "kernel/law/rigid.hpp"
 #include "kernel/law/spotweld.hpp"
+#include "kernel/law/spring.hpp"
 
 namespace nugget::model {
 
@@ -23,7 +25,7 @@ using Index = int;
 inline constexpr Index none = -1;
 
 using Law = std::variant<kernel::Elastic, kernel::PlasticKinematic, kernel::PiecewiseLinear, kernel::Null,
-                         kernel::Rigid, kernel::Spotweld, kernel::DiscreteBeam, kernel::Compound>;
+                         kernel::Rigid, kernel::Spotweld, kernel::DiscreteBeam, kernel::Spring, kernel::Compound>;
 
 struct Material {
   int id = 0;
@@ -65,10 +67,16 @@ struct SectionBeam {
   int quadrature = 2;             ///< QR
   int cross_section = 0;          ///< CST
   double extra_mass = 0.0;        ///< NSM [mass/length]
-  std::array<double, 2> outer{};  ///< TS1, TS2: outer diameters of a weld [length]
-  std::array<double, 2> inner{};  ///< TT1, TT2: inner diameters [length]
+  std::array<double, 2> outer{};  ///< TS1, TS2: outer diameters of a weld or tube; of a rectangle (CST = 0) its extent
+                                  ///< along s [length]
+  std::array<double, 2> inner{};  ///< TT1, TT2: inner diameters; of a rectangle its extent along t [length]
   bool in_swforc = true;          ///< PRINT = 0
   bool torsion = true;            ///< ITOFF = 0
+  // Of an integrated beam (ELFORM 1), of a resultant beam (2) and of a truss (3):
+  std::array<double, 2> location{};  ///< NSLOC, NTLOC: place of the nodes on the section, -1 to 1 along s and t
+  double area = 0.0;                 ///< A [length^2]
+  double shear_area = 0.0;           ///< SA; 0: no shear deformation [length^2]
+  double moment_s = 0.0, moment_t = 0.0, torsion_constant = 0.0;  ///< ISS, ITT, J [length^4]
   // Of a discrete beam (ELFORM 6):
   double volume = 0.0;   ///< VOL; its mass is density times that [length^3]
   double inertia = 0.0;  ///< INER [mass length^2]
@@ -86,7 +94,7 @@ struct Hourglass {
   Place place;
 };
 
-enum class ElementKind { nothing, shell, solid, beam };
+enum class ElementKind { nothing, shell, solid, beam, discrete };
 
 struct Part {
   int id = 0;
@@ -111,9 +119,16 @@ struct Table {
 
 /// *DEFINE_COORDINATE_...; the rows of the triad are the local axes.
 struct CoordinateSystem {
+  /// Of *DEFINE_COORDINATE_NODES.
+  struct Nodes {
+    Index origin = none, on_axis = none, in_plane = none;
+    int axis = 0;  ///< DIR: 0 x, 1 y, 2 z goes through `on_axis`, and the next one lies in the plane
+  };
   int id = 0;
   Vec3d origin;
-  Frame3d axes;
+  Frame3d axes;  ///< of time 0
+  std::optional<Nodes> nodes{};
+  bool turning = false;  ///< FLAG 1: the axes turn with the nodes
 };
 
 template <class Member>
@@ -126,6 +141,7 @@ using Segment = std::array<Index, 4>;  ///< nodes; a triangle repeats its third
 
 struct Sets {
   std::vector<Set<Index>> nodes, parts, shells, solids, beams;
+  std::vector<Set<Index>> branches;  ///< of parts: *SET_PART_TREE
   std::vector<Set<Segment>> segments;
 };
 
@@ -137,7 +153,8 @@ struct RigidBody {
   std::string title;
   std::vector<Index> parts;  ///< MAT_RIGID parts merged into it
   std::vector<Index> nodes;  ///< all nodes that it carries, ascending
-  unsigned fixed = 0;        ///< bits 0..2 translations x y z, 3..5 rotations that cannot move (CMO = 1)
+  unsigned fixed = 0;        ///< bits 0..2 translations x y z, 3..5 rotations that cannot move
+  Frame3d fixed_axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< whose x y z those are (CMO = -1: local ones)
   struct Inertia {
     double mass = 0.0;
     Vec3d center;

@@ -10,6 +10,9 @@ namespace nugget::model {
 /// and hourglass, and gives each shell its thickness and offset. An element whose node or part is missing is left out.
 void make_mesh(Builder& builder);
 
+/// Part of it: springs and dampers, before the parts are linked to their sections.
+void make_discretes(Builder& builder);
+
 /// Phase::sets. Works out the members of all sets, whichever order they refer to each other in.
 void resolve_sets(Builder& builder);
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/cross_section.hpp"
 #include "model/parts.hpp"
 
 namespace nugget::model {
@@ -20,14 +21,19 @@ struct Request {
 
 struct NamedEntity {
   Index index = none;
-  std::string heading;  ///< of the _ID form
+  std::string heading;   ///< of the _ID form
+  Index system = none;   ///< of a node: the axes of its motion (*DATABASE_HISTORY_NODE_LOCAL), or none: global
+  bool turning = false;  ///< REF 1: these axes as they stand at that time; else as at time 0
 };
 
 /// The *DATABASE_... cards.
 struct Requests {
-  Request glstat, matsum, nodout, swforc, dcfail, rwforc, spcforc, bndout, rbdout, rcforc, secforc, elout, deforc;
+  Request glstat, matsum, nodout, swforc, dcfail, rwforc, spcforc, bndout, rbdout, rcforc, secforc, elout, deforc,
+      jntforc, nodfor;
   Request d3plot;  ///< interval; `binary` unused
   std::vector<NamedEntity> history_nodes, history_shells, history_solids, history_beams;
+  std::vector<CrossSection> cross_sections;         ///< of secforc
+  std::vector<NodalForceGroup> nodal_force_groups;  ///< of nodfor
 
   // *DATABASE_EXTENT_BINARY
   int layers = 3;                 ///< MAXINT

@@ -14,6 +14,13 @@ namespace {
 
 using deck::Row;
 
+bool is_rigid(const Model& model, const Part& part) {
+  return part.material != none &&
+         std::holds_alternative<kernel::Rigid>(model.materials[static_cast<std::size_t>(part.material)].law);
+}
+
+}  // namespace
+
 std::string name_of(const RigidBody& body) {
   switch (body.origin) {
     case RigidBody::Origin::part: return fmt::format("rigid part {}", body.id);
@@ -23,10 +30,7 @@ std::string name_of(const RigidBody& body) {
   return fmt::format("rigid weld {}", body.id);
 }
 
-bool is_rigid(const Model& model, const Part& part) {
-  return part.material != none &&
-         std::holds_alternative<kernel::Rigid>(model.materials[static_cast<std::size_t>(part.material)].law);
-}
+namespace {
 
 /// Goes through the making once; its members are what the steps hand on to each other.
 class Maker {
@@ -42,6 +46,8 @@ class Maker {
     for (const auto& card : b_.body_cards.extra_nodes) add_extra_nodes(card);
     claim_all();
     for (const auto& card : b_.body_cards.welds) add_weld(card);
+    recognise_nodal_welds();
+    for (const auto& card : b_.body_cards.nodal) add_reference_node(card);
     report_empty();
     move_given_bodies();
   }
@@ -59,8 +65,7 @@ class Maker {
       body.title = part.title;
       body.parts = {static_cast<Index>(p)};
       body.place = part.place;
-      if (const auto card = b_.rigid_cards.find(part.material); card != b_.rigid_cards.end())
-        body.fixed = fixed_bits(card->second);
+      if (const auto card = b_.rigid_cards.find(part.material); card != b_.rigid_cards.end()) hold(body, card->second);
       if (const auto inertia = b_.part_inertia.find(static_cast<Index>(p)); inertia != b_.part_inertia.end()) {
         body.given = true;
         body.inertia = inertia->second;
@@ -79,12 +84,22 @@ class Maker {
                        [&](const Row& row) { return names(row, "pidl") || names(row, "pidc"); });
   }
 
-  unsigned fixed_bits(const RigidCard& card) {
-    if (card.cmo == 1) return bits_of_code(card.con1) | bits_of_code(card.con2) << 3;
-    if (card.cmo == -1)
-      refuse(b_, card.row, "cmo", "constraints of a rigid part in local axes are not built",
-             "use CMO = 1 with codes in global axes, or *BOUNDARY_PRESCRIBED_MOTION_RIGID with zero motion");
-    return 0;
+  void hold(RigidBody& body, const RigidCard& card) {
+    if (card.cmo == 1) body.fixed = bits_of_code(card.con1) | bits_of_code(card.con2) << 3;
+    if (card.cmo != -1) return;
+    const Index system = b_.system(card.row, "con1");
+    if (system == none) {
+      if (card.con1 == 0)
+        refuse(b_, card.row, "con1", "CMO -1 needs the coordinate system of its directions", "give its id");
+      return;
+    }
+    body.fixed_axes = model_.systems[static_cast<std::size_t>(system)].axes;
+    // Digits x y z rx ry rz, leading zeros may be missing.
+    int digits = card.con2;
+    for (int i = 5; i >= 0; --i, digits /= 10) {
+      if (digits % 10 > 1) return refuse(b_, card.row, "con2", "expected six digits, each 0 or 1, e.g. 110111");
+      if (digits % 10 == 1) body.fixed |= 1u << i;
+    }
   }
 
   void add_nodal(const BodyCards::Nodal& card) {
@@ -115,24 +130,7 @@ class Maker {
     return inertia;
   }
 
-  /// A tensor that is not positive definite belongs to no body: some direction has no inertia, or less than none, and a
-  /// moment about it turns the body without bound.
-  void check_tensor(const RigidBody& body) {
-    const auto& i = body.inertia.inertia;
-    const double trace = i[0] + i[3] + i[5], two = i[0] * i[3] - i[1] * i[1];
-    const double all =
-        i[0] * (i[3] * i[5] - i[4] * i[4]) - i[1] * (i[1] * i[5] - i[2] * i[4]) + i[2] * (i[1] * i[4] - i[2] * i[3]);
-    constexpr double least = 1e-9;
-    if (i[0] > least * trace && two > least * trace * trace && all > least * trace * trace * trace) return;
-    b_.findings.warning(
-        body.place, "",
-        fmt::format("the tensor of inertia of {} is not that of a body: it is not positive definite", name_of(body)),
-        "give its moments about the centre, and products that are smaller than these; "
-        "0 for products that are not known");
-  }
-
   void add_seed(RigidBody body, std::string_view what) {
-    if (body.given) check_tensor(body);
     const auto index = static_cast<Index>(seeds_.size());
     if (!seed_ids_.add(body.id, index, body.place, "*CONSTRAINED_NODAL_RIGID_BODY", what, b_.findings)) return;
     seeds_.push_back(std::move(body));
@@ -217,6 +215,36 @@ class Maker {
     auto& held = body(owner).nodes;
     held.insert(held.end(), nodes.begin(), nodes.end());
     make_unique(held);
+  }
+
+  /// PNODE: a node without elements goes with the body, drawn at its centre of mass.
+  void add_reference_node(const BodyCards::Nodal& card) {
+    const Index node = b_.node(card.row, "pnode"), owner = b_.bodies.find(card.row.integer("pid"));
+    if (node == none || owner == none || b_.body_of_node[static_cast<std::size_t>(node)] != none) return;
+    if (has_element(node)) {
+      card.row.complain(b_.findings, Severity::warning, "pnode",
+                        "belongs to an element but not to the body: it stays where it is",
+                        "name a node without elements, or add it to the body's nodes");
+      return;
+    }
+    const Vec3d center = center_of_mass(model_, body(owner));
+    Vec3d& x = model_.nodes.x[static_cast<std::size_t>(node)];
+    if (norm(x - center) > 0.0) {
+      card.row.complain(b_.findings, Severity::note, "pnode",
+                        fmt::format("is moved by {:.4g} to the centre of mass of its body", norm(x - center)));
+      x = center;
+    }
+    give(owner, {node});
+    b_.body_of_node[static_cast<std::size_t>(node)] = owner;
+  }
+
+  bool has_element(Index node) const {
+    const auto in = [node](const auto& elements) {
+      return std::any_of(elements.node.begin(), elements.node.end(), [node](const auto& nodes) {
+        return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+      });
+    };
+    return in(model_.shells) || in(model_.solids) || in(model_.beams);
   }
 
   /// Writes down who holds each node.
@@ -314,6 +342,66 @@ class Maker {
     }
     return none;
   }
+
+  /// Nodal rigid bodies of a few nodes, each on another sheet, are how many models write a rigid weld.
+  void recognise_nodal_welds() {
+    constexpr std::size_t most_sheets = 4;
+    std::vector<Index> shell_at;
+    for (std::size_t i = 0; i < model_.rigid_bodies.size(); ++i) {
+      const RigidBody& each = model_.rigid_bodies[i];
+      const std::size_t count = each.nodes.size();
+      if (each.origin != RigidBody::Origin::nodal || !each.parts.empty() || each.given || each.fixed != 0) continue;
+      if (count < 2 || count > most_sheets) continue;
+      if (shell_at.empty()) shell_at = first_shells();
+      if (!on_different_sheets(each.nodes, shell_at)) continue;
+      RigidWeld weld;
+      weld.kind = RigidWeld::Kind::nodal_body;
+      weld.id = each.id;
+      weld.body = static_cast<Index>(i);
+      weld.nodes = in_line(each.nodes);
+      weld.place = each.place;
+      model_.rigid_welds.push_back(std::move(weld));
+    }
+  }
+
+  /// By node: its first shell, or none.
+  std::vector<Index> first_shells() const {
+    std::vector<Index> first(model_.nodes.size(), none);
+    for (std::size_t e = model_.shells.size(); e-- > 0;)
+      for (const Index node : model_.shells.node[e]) first[static_cast<std::size_t>(node)] = static_cast<Index>(e);
+    return first;
+  }
+
+  /// Each node on a sheet of its own, and all of them within a few thicknesses: a longer body is a strut.
+  bool on_different_sheets(const std::vector<Index>& nodes, const std::vector<Index>& shell_at) const {
+    constexpr double most_thicknesses = 5.0;
+    std::vector<Index> sheets;
+    double thickness = 0.0, length = 0.0;
+    for (const Index node : nodes) {
+      const Index shell = shell_at[static_cast<std::size_t>(node)];
+      if (shell == none) return false;
+      sheets.push_back(model_.shells.part[static_cast<std::size_t>(shell)]);
+      thickness += model_.shells.thickness[static_cast<std::size_t>(shell)];
+      for (const Index other : nodes) length = std::max(length, norm(place_of(node) - place_of(other)));
+    }
+    make_unique(sheets);
+    return sheets.size() == nodes.size() && length <= most_thicknesses * thickness;
+  }
+
+  /// From one end of the line that the nodes lie on to the other.
+  std::vector<Index> in_line(std::vector<Index> nodes) const {
+    std::pair<Index, Index> ends{nodes.front(), nodes.back()};
+    for (const Index a : nodes)
+      for (const Index b : nodes)
+        if (a < b && norm(place_of(b) - place_of(a)) > norm(place_of(ends.second) - place_of(ends.first)))
+          ends = {a, b};
+    const Vec3d start = place_of(ends.first), line = place_of(ends.second) - start;
+    std::stable_sort(nodes.begin(), nodes.end(),
+                     [&](Index a, Index b) { return dot(place_of(a) - start, line) < dot(place_of(b) - start, line); });
+    return nodes;
+  }
+
+  const Vec3d& place_of(Index node) const { return model_.nodes.x[static_cast<std::size_t>(node)]; }
 
   // -- the end --
 

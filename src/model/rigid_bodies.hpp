@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "model/builder.hpp"
@@ -23,6 +24,15 @@ const Frame3d* body_axes(Builder& builder, int id);
 
 /// Centre of mass: as given, or of the lumped masses at the body's nodes [length].
 Vec3d center_of_mass(const Model& model, const RigidBody& body);
+
+/// Phase::checks. SPCs on nodes of rigid parts and nodal rigid bodies hold the body where they say so exactly: those of
+/// rotations at any node, those of translations at the centre of mass, or at any node of a body that cannot turn. They
+/// leave Model::spcs for RigidBody::fixed. A body that can turn and whose given tensor of inertia is not positive
+/// definite is refused.
+void hold_bodies(Builder& builder);
+
+/// "nodal rigid body 7", for messages.
+std::string name_of(const RigidBody& body);
 
 /// Gives the nodes of a body the velocities of a rigid motion about `center`.
 void set_motion(Model& model, const RigidBody& body, const Vec3d& center, const Vec3d& velocity, const Vec3d& spin);

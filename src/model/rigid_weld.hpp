@@ -9,13 +9,15 @@
 
 namespace nugget::model {
 
-/// A weld that holds its nodes together as one rigid body until it fails: *CONSTRAINED_SPOTWELD (two nodes) or
-/// *CONSTRAINED_GENERALIZED_WELD_SPOT (an ordered set).
+/// A weld without elements. One that holds its nodes together as a rigid body until it fails: *CONSTRAINED_SPOTWELD
+/// (two nodes), *CONSTRAINED_GENERALIZED_WELD_SPOT (an ordered set), or a *CONSTRAINED_NODAL_RIGID_BODY whose two to
+/// four nodes lie on as many different sheets, which never fails. Or a *CONSTRAINED_RIVET: a rigid massless truss that
+/// keeps the distance of its two nodes, leaves all else free and fails by time only; it has no body.
 struct RigidWeld {
-  enum class Kind { spotweld, generalized };
+  enum class Kind { spotweld, generalized, nodal_body, rivet };
   Kind kind = Kind::spotweld;
   int id = 0;
-  Index body = none;         ///< in Model::rigid_bodies
+  Index body = none;         ///< in Model::rigid_bodies; none of a rivet
   std::vector<Index> nodes;  ///< in the order of the deck, which is that along the weld
   /// Tensile direction at time 0 where the deck gives it (z of CID); else the line from the first node to the last.
   std::optional<Vec3d> axis;

@@ -10,7 +10,8 @@
 // to these.
 namespace nugget::model {
 
-enum class SetKind { node, part, segment, shell, solid, beam };
+/// A branch (*SET_PART_TREE) is a set of parts with ids of its own.
+enum class SetKind { node, part, segment, shell, solid, beam, branch };
 
 /// One line of a set.
 struct SetStep {

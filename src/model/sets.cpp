@@ -17,7 +17,7 @@ using Source = SetStep::Source;
 using Action = SetStep::Action;
 
 std::string_view name_of(SetKind kind) {
-  static constexpr std::string_view names[] = {"node", "part", "segment", "shell", "solid", "beam"};
+  static constexpr std::string_view names[] = {"node", "part", "segment", "shell", "solid", "beam", "branch of parts"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -112,7 +112,8 @@ class Resolver {
 
   const Ids& ids_of(SetKind kind) const {
     switch (kind) {
-      case SetKind::part: return b_.parts;
+      case SetKind::part:
+      case SetKind::branch: return b_.parts;
       case SetKind::shell: return b_.shells;
       case SetKind::solid: return b_.solids;
       case SetKind::beam: return b_.beams;
@@ -122,7 +123,8 @@ class Resolver {
 
   std::size_t count_of(SetKind kind) const {
     switch (kind) {
-      case SetKind::part: return m_.parts.size();
+      case SetKind::part:
+      case SetKind::branch: return m_.parts.size();
       case SetKind::shell: return m_.shells.size();
       case SetKind::solid: return m_.solids.size();
       case SetKind::beam: return m_.beams.size();
@@ -132,7 +134,8 @@ class Resolver {
 
   int user_id(SetKind kind, std::size_t i) const {
     switch (kind) {
-      case SetKind::part: return m_.parts[i].id;
+      case SetKind::part:
+      case SetKind::branch: return m_.parts[i].id;
       case SetKind::shell: return m_.shells.id[i];
       case SetKind::solid: return m_.solids.id[i];
       case SetKind::beam: return m_.beams.id[i];
@@ -225,7 +228,8 @@ class Resolver {
 
   /// Things of one kind as things of another: elements of parts, nodes of elements and parts.
   std::vector<Index> turned(std::vector<Index> from, SetKind kind, SetKind own) const {
-    if (kind == own) return from;
+    const bool are_parts = kind == SetKind::part || kind == SetKind::branch;
+    if (kind == own || (are_parts && own == SetKind::branch)) return from;
     std::vector<Index> out;
     const auto add_nodes = [&](const auto& elements, const std::vector<Index>& list) {
       for (const Index e : list)
@@ -234,7 +238,7 @@ class Resolver {
     if (kind == SetKind::shell) add_nodes(m_.shells, from);
     if (kind == SetKind::solid) add_nodes(m_.solids, from);
     if (kind == SetKind::beam) add_nodes(m_.beams, from);
-    if (kind != SetKind::part) return out;
+    if (!are_parts) return out;
     for (const Index part : from) {
       const auto p = static_cast<std::size_t>(part);
       if (own == SetKind::shell) append(out, shells_of_[p]);
@@ -338,7 +342,7 @@ class Resolver {
   void add_faces_of(std::vector<Segment>& out, const std::vector<Index>& things, SetKind kind) const {
     if (kind == SetKind::shell) add_faces(out, things, {});
     if (kind == SetKind::solid) add_faces(out, {}, things);
-    if (kind == SetKind::part)
+    if (kind == SetKind::part || kind == SetKind::branch)
       for (const Index p : things)
         add_faces(out, shells_of_[static_cast<std::size_t>(p)], solids_of_[static_cast<std::size_t>(p)]);
   }
@@ -376,6 +380,7 @@ class Resolver {
       case SetKind::shell: return put(b_.shell_sets, m_.sets.shells, set.members);
       case SetKind::solid: return put(b_.solid_sets, m_.sets.solids, set.members);
       case SetKind::beam: return put(b_.beam_sets, m_.sets.beams, set.members);
+      case SetKind::branch: return put(b_.branches, m_.sets.branches, set.members);
       case SetKind::segment: return put(b_.segment_sets, m_.sets.segments, set.segments);
     }
   }

@@ -50,6 +50,7 @@ Needs needs_of(const system::System& system) {
   Needs needs{std::vector<char>(system.all_nodes(), 0), std::vector<char>(system.all_nodes(), 0)};
   for (const auto& group : system.groups)
     for (std::size_t e = 0; e < group->size(); ++e) {
+      if (!group->alive(e)) continue;
       const std::array<int, 8> node = group->nodes(e);
       for (std::size_t a = 0; a < at(group->nodes_per_element); ++a) {
         needs.translation[at(node[a])] = 1;
@@ -128,9 +129,12 @@ Supports supports_of(const system::System& system, Findings& findings) {
     }
   }
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
-    for (int i = 0; i < 6; ++i)
+    for (int i = 0; i < 6; ++i) {
+      const Frame3d& own = system.bodies[b].fixed_axes;
+      const Vec3d axis = i % 3 == 0 ? own.e1 : i % 3 == 1 ? own.e2 : own.e3;
       if (system.bodies[b].fixed >> i & 1u)
-        held.add({Equations::Support::Source::body, b, system.bodies[b].node, i >= 3, axes[i % 3], {}});
+        held.add({Equations::Support::Source::body, b, system.bodies[b].node, i >= 3, axis, {}});
+    }
   for (std::size_t m = 0; m < model.motions.size(); ++m) {
     const model::PrescribedMotion& motion = model.motions[m];
     const auto hold = [&](int node) {

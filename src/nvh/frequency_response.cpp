@@ -25,8 +25,8 @@ std::vector<double> load_of(const Matrices& m, const model::FrequencyResponse::E
   const Vec3d& d = excitation.direction;
   if (excitation.base)
     for (std::size_t k = 0; k < m.nodal_mass.size(); ++k) {
-      const double p = -m.nodal_mass[k].mass;
-      if (p != 0.0) m.equations.add_load(static_cast<int>(k), {p * d.x, p * d.y, p * d.z, 0, 0, 0}, f);
+      if (m.nodal_mass[k].none()) continue;
+      m.equations.add_load(static_cast<int>(k), m.nodal_mass[k].momentum({-d.x, -d.y, -d.z, 0, 0, 0}), f);
     }
   else
     for (const model::Index n : excitation.nodes)

@@ -1,45 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nvh/lanczos.hpp"
 
-#include <cblas.h>
-#include <lapacke.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "base/index.hpp"
+#include "nvh/dense.hpp"
 
 namespace nugget::nvh {
 namespace {
 
 constexpr double tolerance = 1e-9;
-
-/// Dense columns: C = A^t B.
-Columns inner(const Columns& a, std::size_t a_count, const Columns& b) {
-  Columns c(a_count, b.count);
-  if (a_count > 0 && b.count > 0)
-    cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, static_cast<int>(a_count), static_cast<int>(b.count),
-                static_cast<int>(a.rows), 1.0, a.value.data(), static_cast<int>(a.rows), b.value.data(),
-                static_cast<int>(b.rows), 0.0, c.value.data(), static_cast<int>(a_count));
-  return c;
-}
-
-/// C := beta C + alpha A B with the first columns of A.
-void add_product(double alpha, const Columns& a, std::size_t a_count, const Columns& b, double beta, Columns& c) {
-  if (a_count > 0 && b.count > 0)
-    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, static_cast<int>(a.rows), static_cast<int>(b.count),
-                static_cast<int>(a_count), alpha, a.value.data(), static_cast<int>(a.rows), b.value.data(),
-                static_cast<int>(b.rows), beta, c.value.data(), static_cast<int>(c.rows));
-}
-
-/// Eigenvalues, ascending, and vectors (in place) of a small symmetric matrix.
-std::vector<double> diagonalize(Columns& a) {
-  std::vector<double> value(a.count);
-  LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'L', static_cast<int>(a.count), a.value.data(), static_cast<int>(a.rows),
-                 value.data());
-  return value;
-}
 
 /// The growing basis V, orthonormal in M, and the projection T = V^t M A^-1 M V.
 class Basis {

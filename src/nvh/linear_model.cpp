@@ -64,6 +64,10 @@ model::Model linear_model(const model::Model& model, Findings& findings) {
   model::Model m = model;
   m.control.mass_step = 0.0;
   m.control.bulk_viscosity_type = 1;  // none in shells
+  for (const model::RigidWeld& weld : m.rigid_welds)
+    if (weld.kind == model::RigidWeld::Kind::rivet)
+      findings.error(weld.place, "*CONSTRAINED_RIVET", "rivets are not built in linear analyses",
+                     "weld the two nodes with *CONSTRAINED_SPOTWELD");
   stabilize_bricks(m, findings);
   integrate_shells_fully(m, findings);
   return m;

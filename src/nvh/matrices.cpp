@@ -8,88 +8,69 @@
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
+#include "nvh/reach.hpp"
 
 namespace nugget::nvh {
 namespace {
 
+/// Where the share of corner a of a shell lies beside the node, so that the corners' sum is the integral of the square
+/// of the normal velocity over the shell: the trapezoidal rule with its end correction. Along an edge of length h,
+///     integral f = h/2 (f1 + f2) + h^2/12 (f1' - f2'),   f = w^2,  f' = 2 w w',
+/// is a mass m h/2 whose first moment about node 1 is m h/2 times h/6; likewise on triangles, from the rule of the
+/// middles of the edges, with an eighth.
+Vec3d corner_offset(const system::ElementGroup& group, std::size_t e, std::size_t a, const system::State& rest) {
+  const std::array<int, 8> node = group.nodes(e);
+  const std::size_t corners = at(group.nodes_per_element);
+  const auto place = [&](std::size_t k) { return vec(rest.x[at(node[k % corners])]); };
+  return (corners == 4 ? 1.0 / 6.0 : 1.0 / 8.0) * (place(a + 1) + place(a + corners - 1) - 2.0 * place(a));
+}
+
+Vec3d shell_normal(const system::ElementGroup& group, std::size_t e, const system::State& rest) {
+  const std::array<int, 8> node = group.nodes(e);
+  const auto place = [&](std::size_t k) { return vec(rest.x[at(node[k])]); };
+  return group.nodes_per_element == 4 ? unit(cross(place(2) - place(0), place(3) - place(1)))
+                                      : unit(cross(place(1) - place(0), place(2) - place(0)));
+}
+
+/// Mass beside a node needs at least the inertia of being there, S^t S / m.
+void add_least_inertia(NodalMass& n) {
+  if (!(n.mass > 0.0)) return;
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i; j < 3; ++j) {
+      double square = 0.0;
+      for (std::size_t k = 0; k < 3; ++k) square += n.first[k][i] * n.first[k][j];
+      n.inertia[place++] += square / n.mass;
+    }
+}
+
 /// Masses at the nodes as the elements, point masses and given bodies put them there.
-std::vector<NodalMass> nodal_masses(const system::System& system) {
+std::vector<NodalMass> nodal_masses(const system::System& system, const system::State& rest) {
   std::vector<NodalMass> at_node(system.all_nodes());
-  const auto put = [&](int node, double mass, double inertia) {
-    NodalMass& n = at_node[at(node)];
-    n.mass += mass;
-    for (const int i : {0, 3, 5}) n.inertia[at(i)] += inertia;
-  };
+  const auto put = [&](int node, const NodalMass& share) { at_node[at(node)].add(share); };
   for (const auto& group : system.groups) {
-    const int corners = group->nodes_per_element;
     for (std::size_t e = 0; e < group->size(); ++e) {
-      const double mass = group->mass(e) / corners, t = group->thickness(e);
-      const bool shell = group->kind == model::ElementKind::shell;
-      const double inertia = shell ? mass * t * t / 12.0 : group->nodal_inertia(e);
+      if (!group->alive(e)) continue;
       const std::array<int, 8> node = group->nodes(e);
-      for (int a = 0; a < corners; ++a) put(node[at(a)], mass, inertia);
+      for (std::size_t a = 0; a < at(group->nodes_per_element); ++a) put(node[a], nodal_share(*group, e, a, rest));
     }
   }
   for (const system::System::Lump& lump : system.lumps())
-    for (int a = 0; a < lump.corners; ++a) put(lump.node[at(a)], lump.mass / lump.corners, lump.nodal_inertia);
-  for (const model::PointMass& m : system.model.masses) put(system.node_of[at(m.node)], m.mass, 0.0);
-  for (const model::PointInertia& p : system.model.inertias) {
-    NodalMass& n = at_node[at(system.node_of[at(p.node)])];
-    n.mass += p.mass;
-    for (std::size_t i = 0; i < 6; ++i) n.inertia[i] += p.inertia[i];
-  }
+    for (int a = 0; a < lump.corners; ++a) {
+      const double inertia = lump.nodal_inertia;
+      put(lump.node[at(a)], {lump.mass / lump.corners, {inertia, 0, 0, inertia, 0, inertia}, {}});
+    }
+  for (const model::PointMass& m : system.model.masses) put(system.node_of[at(m.node)], {m.mass, {}, {}});
+  for (NodalMass& n : at_node) add_least_inertia(n);
+  for (const model::PointInertia& p : system.model.inertias) put(system.node_of[at(p.node)], {p.mass, p.inertia, {}});
   for (const system::RigidBody& body : system.bodies) {
     const model::RigidBody& source = system.model.rigid_bodies[at(body.source)];
     if (!source.given) continue;
     for (const model::Index n : source.nodes) at_node[at(system.node_of[at(n)])] = {};
-    at_node[at(body.node)] = {source.inertia.mass, source.inertia.inertia};
+    at_node[at(body.node)] = {source.inertia.mass, source.inertia.inertia, {}};
   }
   return at_node;
 }
-
-/// The unknowns that a list of freedoms depends on, and how: u = C q.
-class Reach {
- public:
-  Reach(const Equations& equations, std::span<const int> nodes, int freedoms_a_node) {
-    for (const int node : nodes)
-      for (int i = 0; i < freedoms_a_node; ++i) {
-        for (const Equations::Term& t : equations.terms(node, i)) {
-          term_.push_back(t);
-          equation_.push_back(t.equation);
-        }
-        end_.push_back(term_.size());
-      }
-    std::sort(equation_.begin(), equation_.end());
-    equation_.erase(std::unique(equation_.begin(), equation_.end()), equation_.end());
-    for (Equations::Term& t : term_)
-      t.equation =
-          static_cast<int>(std::lower_bound(equation_.begin(), equation_.end(), t.equation) - equation_.begin());
-  }
-  const std::vector<int>& equations() const { return equation_; }
-
-  /// C^t k C, row-major; `k` has as many rows as there are freedoms.
-  std::vector<double> reduced(std::span<const double> k) const {
-    const std::size_t n = end_.size(), m = equation_.size();
-    std::vector<double> half(n * m, 0.0), full(m * m, 0.0);
-    for (std::size_t i = 0; i < n; ++i)
-      each_term([&](std::size_t j, std::size_t place, double factor) { half[i * m + place] += k[i * n + j] * factor; });
-    each_term([&](std::size_t i, std::size_t place, double factor) {
-      for (std::size_t j = 0; j < m; ++j) full[place * m + j] += factor * half[i * m + j];
-    });
-    return full;
-  }
-
- private:
-  template <class Visit>
-  void each_term(const Visit& visit) const {
-    std::size_t t = 0;
-    for (std::size_t i = 0; i < end_.size(); ++i)
-      for (; t < end_[i]; ++t) visit(i, at(term_[t].equation), term_[t].factor);
-  }
-  std::vector<Equations::Term> term_;  ///< equations as places in `equation_`
-  std::vector<std::size_t> end_;       ///< of each freedom's terms
-  std::vector<int> equation_;
-};
 
 std::span<const int> element_nodes(const system::ElementGroup& group, const std::array<int, 8>& nodes) {
   return {nodes.data(), at(group.nodes_per_element)};
@@ -124,16 +105,6 @@ std::vector<std::vector<int>> pattern(std::size_t size, const std::vector<std::v
   return rows;
 }
 
-std::array<double, 36> mass_matrix(const NodalMass& n) {
-  std::array<double, 36> m{};
-  for (const std::size_t i : {0u, 1u, 2u}) m[7 * i] = n.mass;
-  const system::Inertia& j = n.inertia;
-  const double block[3][3] = {{j[0], j[1], j[2]}, {j[1], j[3], j[4]}, {j[2], j[4], j[5]}};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) m[6 * (3 + i) + 3 + k] = block[i][k];
-  return m;
-}
-
 /// Positions at rest, which is all that stiffnesses need.
 system::State at_rest(const system::System& system) {
   system::State state;
@@ -146,6 +117,7 @@ Symmetric assemble_stiffness(const system::System& system, const system::State& 
   std::vector<std::vector<int>> lists;
   for (const auto& group : system.groups)
     for (std::size_t e = 0; e < group->size(); ++e) {
+      if (!group->alive(e)) continue;
       const std::array<int, 8> node = group->nodes(e);
       lists.push_back(Reach(equations, element_nodes(*group, node), group->freedoms()).equations());
     }
@@ -163,6 +135,7 @@ Symmetric assemble_stiffness(const system::System& system, const system::State& 
         for (std::size_t i = begin; i < end; ++i) group->stiffness(first + i, rest, matrix(i));
       });
       for (std::size_t i = 0; i < count; ++i) {
+        if (!group->alive(first + i)) continue;
         const std::array<int, 8> node = group->nodes(first + i);
         scatter(Reach(equations, element_nodes(*group, node), group->freedoms()), matrix(i), k);
       }
@@ -194,8 +167,56 @@ Symmetric assemble_mass(const Equations& equations, const std::vector<NodalMass>
 
 }  // namespace
 
+void NodalMass::add(const NodalMass& more) {
+  mass += more.mass;
+  for (std::size_t i = 0; i < 6; ++i) inertia[i] += more.inertia[i];
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) first[i][j] += more.first[i][j];
+}
+
+Six NodalMass::momentum(const Six& motion) const {
+  const std::array<double, 36> m = mass_matrix(*this);
+  Six p{};
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j) p[i] += m[6 * i + j] * motion[j];
+  return p;
+}
+
+NodalMass nodal_share(const system::ElementGroup& group, std::size_t e, std::size_t a, const system::State& rest) {
+  const std::size_t corners = at(group.nodes_per_element);
+  NodalMass share;
+  share.mass = group.mass(e) / static_cast<double>(corners);
+  const bool shell = group.kind == model::ElementKind::shell;
+  const double t = group.thickness(e), own = shell ? share.mass * t * t / 12.0 : group.nodal_inertia(e);
+  share.inertia = {own, 0, 0, own, 0, own};
+  if (!shell) return share;
+  // A point at s beside the node has the normal velocity n . (v + w x s) = n . v + w . (s x n).
+  const Vec3d n = shell_normal(group, e, rest), arm = cross(corner_offset(group, e, a, rest), n);
+  const double normal[] = {n.x, n.y, n.z}, lever[] = {arm.x, arm.y, arm.z};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) share.first[i][j] = share.mass * normal[i] * lever[j];
+  return share;
+}
+
+std::array<double, 36> mass_matrix(const NodalMass& n) {
+  std::array<double, 36> m{};
+  for (const std::size_t i : {0u, 1u, 2u}) m[7 * i] = n.mass;
+  const system::Inertia& j = n.inertia;
+  const double block[3][3] = {{j[0], j[1], j[2]}, {j[1], j[3], j[4]}, {j[2], j[4], j[5]}};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      m[6 * (3 + i) + 3 + k] = block[i][k];
+      m[6 * i + 3 + k] = m[6 * (3 + k) + i] = n.first[i][k];
+    }
+  return m;
+}
+
 Matrices::Matrices(const system::System& s, Findings& findings)
-    : system(s), rest(at_rest(s)), equations(s, findings), nodal_mass(nodal_masses(s)) {
+    : system(s), rest(at_rest(s)), equations(s, findings), nodal_mass(nodal_masses(s, rest)) {
+  for (const model::Joint& joint : s.model.joints)
+    findings.error(joint.place, "*CONSTRAINED_JOINT",
+                   fmt::format("joint {}: joints are not in the linear analyses yet", joint.id),
+                   "leave the joint out, or join the bodies by springs (*ELEMENT_DISCRETE, ELFORM 6)");
   stiffness = assemble_stiffness(s, rest, equations);
   const std::vector<char> loose = unresisted(stiffness);
   held = static_cast<int>(std::count(loose.begin(), loose.end(), 1));

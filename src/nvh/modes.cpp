@@ -162,12 +162,9 @@ void find_participation(const Matrices& m, Modes& modes) {
   }
   if (mass > 0.0) modes.centre = (1.0 / mass) * moment;
   const auto momentum = [&](std::size_t k, const Six& u) {  // of a node's motion: linear, and about the centre
-    const NodalMass& n = m.nodal_mass[k];
-    const Vec3d p = n.mass * Vec3d{u[0], u[1], u[2]};
-    const system::Inertia& j = n.inertia;
-    const Vec3d own{j[0] * u[3] + j[1] * u[4] + j[2] * u[5], j[1] * u[3] + j[3] * u[4] + j[4] * u[5],
-                    j[2] * u[3] + j[4] * u[4] + j[5] * u[5]};
-    const Vec3d l = cross(place(k) - modes.centre, p) + own;
+    const Six own = m.nodal_mass[k].momentum(u);
+    const Vec3d p{own[0], own[1], own[2]};
+    const Vec3d l = cross(place(k) - modes.centre, p) + Vec3d{own[3], own[4], own[5]};
     return Six{p.x, p.y, p.z, l.x, l.y, l.z};
   };
   for (std::size_t i = 0; i < 6; ++i)
@@ -181,7 +178,7 @@ void find_participation(const Matrices& m, Modes& modes) {
   parallel_for(modes.eigenvalue.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t mode = begin; mode < end; ++mode)
       for (std::size_t k = 0; k < m.nodal_mass.size(); ++k) {
-        if (m.nodal_mass[k].mass == 0.0 && m.nodal_mass[k].inertia[0] == 0.0) continue;
+        if (m.nodal_mass[k].none()) continue;
         const Six p = momentum(k, m.equations.motion(static_cast<int>(k), modes.shape[mode]));
         for (std::size_t i = 0; i < 6; ++i) modes.participation[mode][i] += p[i];
       }
@@ -228,6 +225,10 @@ double Modes::frequency(std::size_t i) const {
   return std::sqrt(std::max(0.0, eigenvalue[i])) / two_pi;
 }
 
+bool Modes::elastic(std::size_t i) const {
+  return eigenvalue[i] > 1e-9 * eigenvalue.back();
+}
+
 void tell_held_motions(const Equations& equations, const model::Model& model, Findings& findings) {
   const auto held =
       std::count_if(equations.supports().begin(), equations.supports().end(), [](const Equations::Support& s) {
@@ -267,23 +268,24 @@ EnergyShares energy_shares(const Matrices& m, const Modes& modes) {
   std::vector<std::size_t> weld_of(system.model.beams.size(), system.ties.welds.size());
   for (std::size_t w = 0; w < system.ties.welds.size(); ++w)
     if (system.ties.welds[w].kind == weld::Weld::Kind::beam) weld_of[at(system.ties.welds[w].element)] = w;
-  double stiffest = 0.0;
-  for (const double v : modes.eigenvalue) stiffest = std::max(stiffest, v);
   for (const auto& group : system.groups) {
     std::vector<std::vector<double>> energies(group->size());
     parallel_for(group->size(), 64, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t e = begin; e < end; ++e) energies[e] = m.element_energies(*group, e, modes.shape);
+      for (std::size_t e = begin; e < end; ++e)
+        if (group->alive(e)) energies[e] = m.element_energies(*group, e, modes.shape);
     });
-    for (std::size_t e = 0; e < group->size(); ++e)
+    for (std::size_t e = 0; e < group->size(); ++e) {
+      if (!group->alive(e)) continue;
       for (std::size_t mode = 0; mode < count; ++mode) {
-        // The strain energy of a mode is omega^2 / 2; rigid motions have round-off only.
-        if (!(modes.eigenvalue[mode] > 1e-9 * stiffest)) continue;
+        if (!modes.elastic(mode)) continue;
+        // The strain energy of a mode is omega^2 / 2.
         const double share = energies[e][mode] / (0.5 * modes.eigenvalue[mode]);
         shares.part[mode][at(group->part)] += share;
         if (group->kind != model::ElementKind::beam) continue;
         const std::size_t w = weld_of[at(group->element[e])];
         if (w < system.ties.welds.size()) shares.weld[mode][w] += share;
       }
+    }
   }
   return shares;
 }
@@ -301,6 +303,23 @@ Columns assurance(const Columns& a, const Columns& b) {
       mac[i][j] = aa > 0.0 && bb > 0.0 ? ab * ab / (aa * bb) : 0.0;
     }
   return mac;
+}
+
+std::vector<int> partners(const Columns& likeness) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;  // column, row
+  for (std::size_t i = 0; i < likeness.count; ++i)
+    for (std::size_t j = 0; j < likeness.rows; ++j) pairs.emplace_back(i, j);
+  std::stable_sort(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) {
+    return likeness[a.first][a.second] > likeness[b.first][b.second];
+  });
+  std::vector<int> partner(likeness.count, -1);
+  std::vector<char> taken(likeness.rows, 0);
+  for (const auto& [i, j] : pairs) {
+    if (partner[i] >= 0 || taken[j]) continue;
+    partner[i] = static_cast<int>(j);
+    taken[j] = 1;
+  }
+  return partner;
 }
 
 }  // namespace nugget::nvh

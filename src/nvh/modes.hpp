@@ -21,6 +21,7 @@ struct Modes {
   std::vector<double> eigenvalue;         ///< omega^2 [1/time^2]; about 0 for rigid motions, of either sign
   Columns shape;                          ///< in the unknowns of the Equations
   double frequency(std::size_t i) const;  ///< cycles per time; 0 for a negative eigenvalue
+  bool elastic(std::size_t i) const;      ///< no rigid motion, whose eigenvalue is round-off only
 
   /// Participation phi^t M r, r the rigid motions of unit size: translations, and rotations about the centre of mass.
   /// Its square is the effective mass (or inertia).
@@ -65,5 +66,9 @@ EnergyShares energy_shares(const Matrices& matrices, const Modes& modes);
 /// Modal assurance criterion between nodal motions: |a^t b|^2 / (a^t a b^t b), over translations. Entry j of column i
 /// compares mode i of `a` with mode j of `b`; both have 3 numbers a node, the same nodes.
 Columns assurance(const Columns& a, const Columns& b);
+
+/// Partners by likeness (modes of one run in columns, of the other in rows), the most alike first: the row of each
+/// column, each row once; -1 where none is left.
+std::vector<int> partners(const Columns& likeness);
 
 }  // namespace nugget::nvh

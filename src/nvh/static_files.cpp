@@ -60,6 +60,11 @@ class States {
       row.displacement = share * displacement(n);
       row.coordinate = model_.nodes.x[n] + row.displacement;
       row.rotation = share * rotation(s_.motion[at(m_.system.node_of[n])]);
+      if (entity.system != model::none) {  // small motions do not turn the axes
+        const Frame3d& axes = model_.systems[at(entity.system)].axes;
+        row.displacement = axes.local(row.displacement);
+        row.rotation = axes.local(row.rotation);
+      }
       state.rows.push_back(row);
     }
     return state;

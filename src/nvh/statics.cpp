@@ -228,8 +228,8 @@ void check_statics(const model::Model& model, Findings& findings) {
                      "leave BIRTH and DEATH empty");
   }
   for (const model::BodyLoad& load : model.body_loads)
-    if (!load.parts.empty())
-      findings.error(deck, "*LOAD_BODY", "body loads on some parts only are not built in linear statics",
+    if (!load.parts.empty() || !load.nodes.empty())
+      findings.error(deck, "*LOAD_BODY", "body loads on some parts or nodes only are not built in linear statics",
                      "load all parts, or put nodal forces on these");
   const auto sliding =
       std::count_if(model.contacts.begin(), model.contacts.end(), [](const model::Contact& c) { return c.slides(); });

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "output/columns.hpp"
+
 namespace nugget::output {
 namespace {
 
@@ -33,28 +35,6 @@ std::string_view bytes_of(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-template <class Rows, class Member>
-auto collect(const Rows& rows, Member member) {
-  std::vector<std::decay_t<decltype(member(rows.front()))>> values;
-  values.reserve(rows.size());
-  for (const auto& row : rows) values.push_back(member(row));
-  return values;
-}
-
-/// Three names from one: `*_force` gives x_force, y_force, z_force.
-std::string component_name(std::string name, char axis) {
-  name[name.find('*')] = axis;
-  return name;
-}
-
-/// Three columns of a table, one for each component of the vector that `member` picks. `put(name, values)` writes one.
-template <class Rows, class Member, class Put>
-void put_vectors(const std::string& name, const Rows& rows, Member member, Put put) {
-  put(component_name(name, 'x'), collect(rows, [&](const auto& row) { return member(row).x; }));
-  put(component_name(name, 'y'), collect(rows, [&](const auto& row) { return member(row).y; }));
-  put(component_name(name, 'z'), collect(rows, [&](const auto& row) { return member(row).z; }));
-}
-
 /// LS-DYNA counts element types from 1, in the order of glstat/metadata/element_types.
 int type_number(ElementKind kind) {
   return static_cast<int>(kind) + 1;
@@ -77,7 +57,7 @@ void Binout::set_legend(const std::string& branch, std::vector<LegendEntry> lege
 }
 
 void Binout::write(const GlstatState& s) {
-  if (begin_state("glstat", {})) text("element_types", "solid,beam,shell,thick shell");
+  if (begin_state("glstat", {})) text("element_types", "solid,beam,shell,thick shell,discrete");
   begin_data("glstat");
   const auto optional_real = [this](const char* name, const std::optional<double>& value) {
     if (value) real(name, *value);
@@ -94,6 +74,7 @@ void Binout::write(const GlstatState& s) {
   real("internal_energy", s.internal);
   if (!s.walls.empty()) reals("stonewall_energy", s.walls);
   optional_real("spring_and_damper_energy", s.spring_and_damper);
+  optional_real("joint_internal_energy", s.joint);
   optional_real("hourglass_energy", s.hourglass);
   real("system_damping_energy", s.system_damping);
   real("sliding_interface_energy", s.sliding_interface);
@@ -209,6 +190,35 @@ void Binout::write(const RwforcState& s) {
   reals("normal_force", collect(s.rows, [](const RwforcRow& r) { return r.normal; }));
   put_vectors(
       "*_force", s.rows, [](const RwforcRow& r) { return r.force; }, column_of);
+  end_state();
+}
+
+void Binout::write(const DeforcState& s) {
+  const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
+  if (begin_state("deforc", collect(s.rows, [](const DeforcRow& r) { return r.spring; })))
+    integers("irot", collect(s.rows, [](const DeforcRow& r) { return r.torsional ? 1 : 0; }));
+  begin_data("deforc");
+  real("time", s.time);
+  put_vectors(
+      "*_force", s.rows, [](const DeforcRow& r) { return r.force; }, column_of);
+  reals("resultant_force", collect(s.rows, [](const DeforcRow& r) { return r.resultant; }));
+  reals("displacement", collect(s.rows, [](const DeforcRow& r) { return r.displacement; }));
+  end_state();
+}
+
+void Binout::write(const JntforcState& s) {
+  const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
+  if (begin_state("jntforc/joints", collect(s.rows, [](const JntforcRow& r) { return r.joint; })))
+    integers("local", std::vector<int>(s.rows.size(), 0));
+  begin_data("jntforc/joints");
+  real("time", s.time);
+  put_vectors(
+      "*_force", s.rows, [](const JntforcRow& r) { return r.force; }, column_of);
+  put_vectors(
+      "*_moment", s.rows, [](const JntforcRow& r) { return r.moment; }, column_of);
+  reals("resultant_force", collect(s.rows, [](const JntforcRow& r) { return norm(r.force); }));
+  reals("resultant_moment", collect(s.rows, [](const JntforcRow& r) { return norm(r.moment); }));
+  reals("energy", collect(s.rows, [](const JntforcRow& r) { return r.energy; }));
   end_state();
 }
 
@@ -330,7 +340,9 @@ void Binout::metadata(const std::string& path, const std::string& branch, const 
   text("date", fixed_width(header_.date, 10));
   if (!ids.empty() && branch != "spcforc") integers("ids", ids);
 
-  const auto legend = legends_.find(branch);
+  // A branch of several kinds (elout/shell, elout/solid) has a legend for each.
+  auto legend = legends_.find(path);
+  if (legend == legends_.end()) legend = legends_.find(branch);
   if (legend == legends_.end() || legend->second.empty()) return;
   std::string headings;
   for (const LegendEntry& entry : legend->second) headings += fixed_width(entry.heading, 70);

@@ -7,12 +7,17 @@
 
 #include "output/bndout.hpp"
 #include "output/dcfail.hpp"
+#include "output/deforc.hpp"
+#include "output/elout.hpp"
 #include "output/glstat.hpp"
+#include "output/jntforc.hpp"
 #include "output/matsum.hpp"
+#include "output/nodfor.hpp"
 #include "output/nodout.hpp"
 #include "output/rbdout.hpp"
 #include "output/rcforc.hpp"
 #include "output/rwforc.hpp"
+#include "output/secforc.hpp"
 #include "output/spcforc.hpp"
 #include "output/swforc.hpp"
 
@@ -28,7 +33,7 @@ class Binout {
   /// Creates `directory/binout0000`. Throws WriteError.
   Binout(const std::filesystem::path& directory, Header header);
 
-  /// Headings for a branch (`matsum`, `nodout`, `rwforc`, `rcforc`); to be given before its first state.
+  /// Headings for a branch (`matsum`, `nodout`, `elout/shell`); to be given before its first state.
   void set_legend(const std::string& branch, std::vector<LegendEntry> legend);
 
   void write(const GlstatState& state);
@@ -41,6 +46,11 @@ class Binout {
   void write(const RbdoutState& state);
   void write(const RcforcState& state);
   void write(const DcfailState& state);
+  void write(const DeforcState& state);
+  void write(const JntforcState& state);
+  void write(const SecforcState& state);
+  void write(const NodforState& state);
+  void write(const EloutState& state);
 
  private:
   /// Where a variable stands in the file, for the symbol table.
@@ -58,6 +68,9 @@ class Binout {
   void metadata(const std::string& path, const std::string& branch, const std::vector<int>& ids);
   void begin_data(const std::string& path);
   void end_state();
+  void write_beams(const EloutState& state);
+  void write_shells(const EloutState& state);
+  void write_solids(const EloutState& state);
 
   void directory(const std::string& path);
   void text(const std::string& name, const std::string& value);

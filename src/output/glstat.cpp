@@ -10,6 +10,7 @@ const char* name(ElementKind kind) {
     case ElementKind::beam: return "beam";
     case ElementKind::shell: return "shell";
     case ElementKind::thick_shell: return "thk shell";
+    case ElementKind::discrete: return "discrete";
   }
   return "";
 }
@@ -45,6 +46,7 @@ void Glstat::write(const GlstatState& s) {
   for (std::size_t i = 0; i < s.walls.size(); ++i)
     file_.print(" {:.<31}{:14.5E} wall#{:2}\n", "stonewall energy", column(s.walls[i]), i + 1);
   quantity(file_, "spring and damper energy", s.spring_and_damper);
+  quantity(file_, "joint internal energy", s.joint);
   quantity(file_, "hourglass energy ", s.hourglass);
   quantity(file_, "system damping energy", s.system_damping);
   quantity(file_, "sliding interface energy", s.sliding_interface);

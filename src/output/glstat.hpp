@@ -9,7 +9,7 @@
 
 namespace nugget::output {
 
-enum class ElementKind { solid, beam, shell, thick_shell };
+enum class ElementKind { solid, beam, shell, thick_shell, discrete };
 
 /// The element whose time step the run follows.
 struct ControllingElement {
@@ -24,7 +24,7 @@ struct GlstatState {
   double time = 0.0, time_step = 0.0;
   double kinetic = 0.0, internal = 0.0;
   std::vector<double> walls;  ///< stonewall energy of each rigid wall
-  std::optional<double> spring_and_damper, hourglass;
+  std::optional<double> spring_and_damper, joint, hourglass;
   double system_damping = 0.0, sliding_interface = 0.0, external_work = 0.0;
   std::optional<double> eroded_kinetic, eroded_internal, eroded_hourglass;
   double total = 0.0;

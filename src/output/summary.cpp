@@ -47,6 +47,16 @@ Json to_json(const ModeReport& m) {
           {"effective_mass", m.effective_mass}};
 }
 
+Json to_json(const WeldDropReport& d) {
+  Json json{{"welds", d.welds},
+            {"mode", d.mode},
+            {"frequency_hz", d.frequency},
+            {"first_order_hz", d.first_order},
+            {"without_hz", d.without}};
+  json["solved_hz"] = d.solved ? Json(*d.solved) : Json(nullptr);
+  return json;
+}
+
 Json to_json(const Summary::Seconds& s) {
   Json phases = Json::object();
   for (const auto& [name, seconds] : s.phases) phases[name] = seconds;
@@ -54,9 +64,9 @@ Json to_json(const Summary::Seconds& s) {
 }
 
 Json to_json(const Summary::Energies& e) {
-  return {{"kinetic", e.kinetic}, {"internal", e.internal}, {"hourglass", e.hourglass},
-          {"contact", e.contact}, {"damping", e.damping},   {"external", e.external},
-          {"eroded", e.eroded},   {"initial", e.initial},   {"ratio", e.ratio}};
+  return {{"kinetic", e.kinetic}, {"internal", e.internal}, {"hourglass", e.hourglass}, {"contact", e.contact},
+          {"damping", e.damping}, {"external", e.external}, {"eroded", e.eroded},       {"step_change", e.step_change},
+          {"initial", e.initial}, {"ratio", e.ratio}};
 }
 
 Json to_json(const Summary& s) {
@@ -80,6 +90,7 @@ Json to_json(const Summary& s) {
   for (const WeldReport& weld : s.welds) json["weld"].push_back(to_json(weld));
   json["modes"] = Json::array();
   for (const ModeReport& mode : s.modes) json["modes"].push_back(to_json(mode));
+  for (const WeldDropReport& drop : s.weld_drops) json["drop_weld"].push_back(to_json(drop));
   return json;
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,6 +55,9 @@ struct WeldReport {
   WeldPeak peak;
   double peak_failure = 0.0, peak_failure_time = 0.0;  ///< largest failure value and when it was
   WeldLoad last;
+  /// 0 sound to 1 failed; of damage that goes point by point the mean. NaN: its law has no damage, or none that is
+  /// known.
+  double damage = std::numeric_limits<double>::quiet_NaN();
   double energy = 0.0;  ///< work that was done on it; of a failed weld all of it is dissipated [energy]
   std::vector<std::pair<std::string_view, double>> audit;  ///< column of welds.csv and number; the same for all welds
   std::vector<std::string> remarks;                        ///< of the audit
@@ -64,6 +68,14 @@ struct ModeReport {
   int mode = 0;
   double frequency_hz = 0.0;
   std::array<double, 6> participation{}, effective_mass{};
+};
+
+/// What becomes of the mode that suffers most when welds are taken out (`nugget modes --drop-weld`).
+struct WeldDropReport {
+  std::vector<int> welds;  ///< user ids
+  int mode = 0;
+  double frequency = 0.0, first_order = 0.0, without = 0.0;  ///< with them; without them by perturbation, by estimate
+  std::optional<double> solved;                              ///< without them, solved anew
 };
 
 /// What summary.json says of a run; keys as the contract has them. Quantities in the deck's units, seconds of the
@@ -86,7 +98,7 @@ struct Summary {
   } mass;
   struct Energies {
     double kinetic = 0.0, internal = 0.0, hourglass = 0.0, contact = 0.0, damping = 0.0, external = 0.0, eroded = 0.0,
-           initial = 0.0, ratio = 1.0;
+           step_change = 0.0, initial = 0.0, ratio = 1.0;
   } energy;
   struct Seconds {
     double read = 0.0, setup = 0.0, solve = 0.0, output = 0.0;
@@ -96,6 +108,7 @@ struct Summary {
   int threads = 0, ranks = 1;
   std::vector<WeldReport> welds;
   std::vector<ModeReport> modes;
+  std::vector<WeldDropReport> weld_drops;  ///< those that matter most first
 };
 
 /// Each writes one file into `directory`, all at once. NaN and infinity become null in JSON and an empty cell in CSV;

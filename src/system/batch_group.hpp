@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "base/batch.hpp"
+#include "base/index.hpp"
 #include "base/row.hpp"
 #include "system/element_group.hpp"
 
@@ -36,8 +38,9 @@ using AlignedReals = std::vector<double, Aligned<double>>;
 ///   cycle<R>(motion, dt, state)       the kernel; returns f, m (where rotational) and stable_step
 ///   mass, nodal_inertia (element)     of the undeformed element
 ///   layers(), layer(...), thickness(...), resultants(...)   for output
+///   set_layer(put, k, layer, places), inviscid()   may be absent; see ElementGroup::set_layer, elastic_rate
 ///   stiffness(state, places, k)       where the kernel's own derivative is not exact; may be absent
-///   Layout::integrity, hold_yield(state, lane)              of welds only
+///   Layout::integrity, hold_yield(state, lane), plastic_strain(state, k)     of welds only
 template <class Element>
 class BatchGroup final : public ElementGroup {
  public:
@@ -157,13 +160,48 @@ class BatchGroup final : public ElementGroup {
     }
   }
 
+  void keep_unstressed() override {
+    unstressed_ = state_;
+    if constexpr (requires { kernel_.inviscid(); })
+      inviscid_.emplace(kernel_.inviscid());
+    else
+      inviscid_.emplace(kernel_);
+  }
+  void elastic_rate(std::size_t b, const State& now, std::span<Row> f, std::span<Row> m) const override {
+    constexpr double step = 0x1p-100;  // as in `stiffness`
+    const int* id = &nodes_[b * width * corners];
+    typename Element::template Motion<R> motion;
+    for (int a = 0; a < corners; ++a) {
+      motion.x[a] = gather<R>(now.x.data(), id + a * width);
+      motion.v[a] = gather<R>(now.v.data(), id + a * width);
+      if constexpr (Element::rotational) motion.w[a] = gather<R>(now.w.data(), id + a * width);
+    }
+    const auto size = static_cast<std::ptrdiff_t>(kernel_.state_size() * width);
+    const auto first = unstressed_.begin() + static_cast<std::ptrdiff_t>(b) * size;
+    thread_local AlignedReals scratch;
+    scratch.assign(first, first + size);
+    std::copy_n(state(b * width) + Element::Layout::alive * width, width, &scratch[at(Element::Layout::alive * width)]);
+    const auto out = inviscid_->template cycle<R>(motion, step, scratch.data());
+    for (int a = 0; a < corners; ++a) {
+      int row[width];
+      for (int l = 0; l < width; ++l) row[l] = l * corners + a;
+      scatter<R>(f.data(), row, R(1.0 / step) * out.f[a]);
+      if constexpr (Element::rotational) scatter<R>(m.data(), row, R(1.0 / step) * out.m[a]);
+    }
+  }
+
   std::array<int, 8> nodes(std::size_t e) const override {
     std::array<int, 8> n{};
     for (int a = 0; a < corners; ++a) n[static_cast<std::size_t>(a)] = nodes_[node_index(e, a)];
     return n;
   }
   bool alive(std::size_t e) const override { return field(e, Element::Layout::alive) != 0.0; }
-  void remove(std::size_t e) override { field(e, Element::Layout::alive) = 0.0; }
+  void remove(std::size_t e) override {
+    field(e, Element::Layout::alive) = 0.0;
+    step_[e] = std::numeric_limits<double>::infinity();
+    find_block_step(e / width);
+    ++deaths;
+  }
   double stable_step(std::size_t e) const override { return step_[e]; }
   double internal_energy(std::size_t e) const override { return energy_[e] - hourglass_energy(e); }
   double hourglass_energy(std::size_t e) const override {
@@ -194,8 +232,16 @@ class BatchGroup final : public ElementGroup {
   Layer layer(std::size_t e, int k, const State& now) const override {
     return kernel_.layer(reader(e), k, places(e, now));
   }
+  bool set_layer(std::size_t e, int k, const Layer& l, const State& now) override {
+    const auto put = [this, e](int i, double value) { field(e, i) = value; };
+    if constexpr (requires { kernel_.set_layer(put, k, l, places(e, now)); }) {
+      kernel_.set_layer(put, k, l, places(e, now));
+      return true;
+    }
+    return false;
+  }
   double plastic_strain(std::size_t e, int k) const override {
-    if constexpr (is_weld) return field(e, kernel_.plastic_strain_field(k));
+    if constexpr (is_weld) return kernel_.plastic_strain(reader(e), k);
     return 0.0;
   }
   double thickness(std::size_t e) const override { return kernel_.thickness(reader(e)); }
@@ -255,6 +301,8 @@ class BatchGroup final : public ElementGroup {
   Element kernel_;
   std::vector<int> nodes_;  ///< block by block, node by node, lane by lane
   AlignedReals state_, energy_, step_;
+  AlignedReals unstressed_;          ///< as `state_`; empty where it was not kept
+  std::optional<Element> inviscid_;  ///< the kernel without viscous forces; kept with it
   std::vector<double> mass_, inertia_;
 };
 

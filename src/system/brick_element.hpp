@@ -38,7 +38,10 @@ struct BrickElement {
     return kernel::hexahedron_cycle(brick, law, motion, dt, state);
   }
 
-  int plastic_strain_field(int) const { return Layout::first_history; }
+  template <class Field>
+  double plastic_strain(const Field& field, int) const {
+    return field(Layout::first_history);
+  }
   void hold_yield(double* state, int lane) const requires std::is_same_v<Law, kernel::Spotweld> {
     kernel::hold_yield(law, state, native_width, lane);
   }
@@ -50,6 +53,21 @@ struct BrickElement {
     for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] = left * field(Layout::stress + i);
     if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = field(Layout::first_history);
     return l;
+  }
+  template <class Put>
+  void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
+    for (int i = 0; i < 6; ++i) put(Layout::stress + i, l.stress[static_cast<std::size_t>(i)]);
+    if (kernel::Prepared<Law>::has_plastic_strain) put(Layout::first_history, l.plastic_strain);
+  }
+  /// The same element without viscous forces.
+  BrickElement inviscid() const {
+    BrickElement e = *this;
+    e.make_inviscid();
+    return e;
+  }
+  void make_inviscid() {
+    brick.bulk_quadratic = brick.bulk_linear = 0.0;
+    if (brick.hourglass <= 3) brick.hourglass_coefficient = 0.0;
   }
   template <class Field>
   double thickness(const Field&) const {
@@ -79,15 +97,36 @@ struct FullBrickElement : BrickElement<Law> {
   kernel::SolidForces<R> cycle(const Motion<R>& motion, double dt, double* state) const {
     return kernel::full_hexahedron_cycle(this->brick, this->law, motion, dt, state);
   }
+  void hold_yield(double* state, int lane) const requires std::is_same_v<Law, kernel::Spotweld> {
+    kernel::hold_yield(layout(), this->law, state, native_width, lane);
+  }
+  template <class Field>
+  double plastic_strain(const Field& field, int) const {
+    double mean = 0.0;
+    for (int p = 0; p < Layout::points; ++p) mean += field(layout().history_of(p)) / Layout::points;
+    return mean;
+  }
+  FullBrickElement inviscid() const {
+    FullBrickElement e = *this;
+    e.make_inviscid();
+    return e;
+  }
+  /// All points get the same stress.
+  template <class Put>
+  void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
+    for (int p = 0; p < Layout::points; ++p) {
+      for (int i = 0; i < 6; ++i) put(layout().point(p) + i, l.stress[static_cast<std::size_t>(i)]);
+      if (kernel::Prepared<Law>::has_plastic_strain) put(layout().history_of(p), l.plastic_strain);
+    }
+  }
   /// The mean of the points.
   template <class Field>
   ElementGroup::Layer layer(const Field& field, int, const Places&) const {
-    constexpr double share = 1.0 / Layout::points;
+    const double share = field(Layout::integrity) / Layout::points;
     ElementGroup::Layer l;
-    for (int p = 0; p < Layout::points; ++p) {
+    for (int p = 0; p < Layout::points; ++p)
       for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] += share * field(layout().point(p) + i);
-      if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain += share * field(layout().history_of(p));
-    }
+    if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = plastic_strain(field, 0);
     return l;
   }
 };

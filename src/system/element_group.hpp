@@ -3,7 +3,9 @@
 
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -65,6 +67,22 @@ class ElementGroup {
   virtual double mass_scale(std::size_t e) const = 0;         ///< factor on the density by mass scaling
   virtual void scale_mass(std::size_t e, double factor) = 0;  ///< sets that factor
 
+  /// Stiffness-proportional damping: a share of critical at the highest frequency of each element, or beta [time].
+  double damping_share = 0.0, damping_time = 0.0;
+  bool damped() const { return damping_share > 0.0 || damping_time > 0.0; }
+  /// Stable step of an element that is so damped, with the velocities of half a step before (Belytschko): s (sqrt(1 +
+  /// x^2) - x), x = beta / s.
+  double damped_step(double s) const {
+    if (!damped() || !(s < std::numeric_limits<double>::infinity())) return s;
+    const double beta = damping_time > 0.0 ? damping_time : damping_share * s;
+    return std::sqrt(s * s + beta * beta) - beta;
+  }
+  /// Keeps the state as it is, free of stress, for `elastic_rate`.
+  virtual void keep_unstressed() = 0;
+  /// Rates of the nodal forces and moments of a block's elements if they were free of stress where they are and
+  /// elastic: K v, without what a kernel resists by viscosity. Element by element, node by node.
+  virtual void elastic_rate(std::size_t block, const State& now, std::span<Row> f, std::span<Row> m) const = 0;
+
   // Damage of a weld as a whole, from outside its elements. Elements of other kinds are always sound.
   virtual double integrity(std::size_t) const { return 1.0; }  ///< share of the sound element's force that is left
   virtual void set_integrity(std::size_t, double) {}           ///< from the next cycle on
@@ -78,6 +96,9 @@ class ElementGroup {
   };
   virtual int layers() const { return 0; }
   virtual Layer layer(std::size_t, int, const State&) const { return {}; }
+  /// Gives a layer stress and plastic strain from outside (preloads, states of an earlier run), as `layer` tells them.
+  /// False where this kind of element cannot take it.
+  virtual bool set_layer(std::size_t, int, const Layer&, const State&) { return false; }
   /// Of a point of a weld; 0 of other elements.
   virtual double plastic_strain(std::size_t, int) const { return 0.0; }
   /// Current thickness of a shell, length of a beam.

@@ -9,12 +9,16 @@
 #include "base/index.hpp"
 #include "kernel/law/composition.hpp"
 #include "kernel/law/prepared_compound.hpp"
+#include "model/lumped_mass.hpp"
 #include "system/batch_group.hpp"
+#include "system/beam_elements.hpp"
 #include "system/brick_element.hpp"
 #include "system/discrete_beam_element.hpp"
 #include "system/order.hpp"
 #include "system/shell_elements.hpp"
+#include "system/spring_group.hpp"
 #include "system/system.hpp"
+#include "system/tetrahedron_element.hpp"
 #include "system/weld_beam_element.hpp"
 #include "weld/connection.hpp"
 #include "weld/welds.hpp"
@@ -53,6 +57,15 @@ std::array<double, 6> global_stress(const Frame3d& f, double xx, double yy, doub
   };
   return {component(&Vec3d::x, &Vec3d::x), component(&Vec3d::y, &Vec3d::y), component(&Vec3d::z, &Vec3d::z),
           component(&Vec3d::x, &Vec3d::y), component(&Vec3d::y, &Vec3d::z), component(&Vec3d::z, &Vec3d::x)};
+}
+
+std::array<double, 5> local_stress(const Frame3d& f, const std::array<double, 6>& s) {
+  const auto times = [&](const Vec3d& a) {
+    return Vec3d{s[0] * a.x + s[3] * a.y + s[5] * a.z, s[3] * a.x + s[1] * a.y + s[4] * a.z,
+                 s[5] * a.x + s[4] * a.y + s[2] * a.z};
+  };
+  return {dot(f.e1, times(f.e1)), dot(f.e2, times(f.e2)), dot(f.e1, times(f.e2)), dot(f.e1, times(f.e3)),
+          dot(f.e2, times(f.e3))};
 }
 
 namespace {
@@ -111,6 +124,26 @@ kernel::ShellProperties shell_properties(const model::Part& part, const model::S
     shell.bulk_linear = hourglass.bulk_linear;
   }
   return shell;
+}
+
+kernel::WeldBeamProperties integrated_beam(const model::SectionBeam& section, double density) {
+  kernel::WeldBeamProperties beam;
+  beam.density = density;
+  beam.shear_factor = section.shear_factor;
+  beam.mass_per_length = section.extra_mass;
+  const double first = 0.5 * (section.outer[0] + section.outer[1]),
+               second = 0.5 * (section.inner[0] + section.inner[1]);
+  if (section.cross_section == 1) {
+    beam.fibres = kernel::disc_fibres(first, second, section.quadrature);
+    return beam;
+  }
+  beam.fibres = kernel::rectangle_fibres(first, second, section.quadrature);
+  beam.torsion_share = kernel::rectangle_torsion_share(first, second);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(beam.fibres.count); ++k) {
+    beam.fibres.s[k] -= 0.5 * section.location[0] * first;
+    beam.fibres.t[k] -= 0.5 * section.location[1] * second;
+  }
+  return beam;
 }
 
 /// A weld beam whose end is tied to deformable shells has nothing there to twist against, unless they have drilling
@@ -172,9 +205,11 @@ void System::make_groups(Findings& findings) {
   make_shells();
   make_bricks();
   make_weld_beams(findings);
+  make_springs();
   for (const auto& group : groups) {
     if (group->weld && group->step_share == 1.0) continue;
     group->step_share = model.control.step_scale;
+    if (group->kind == model::ElementKind::discrete) continue;  // they have no mass to scale
     if (group->mass_step == 0.0) group->mass_step = std::abs(model.control.mass_step);
   }
 }
@@ -251,21 +286,48 @@ void System::make_bricks() {
       add_weld_bricks(p, sorted[p], brick, *law);
       continue;
     }
-    const Members m = members(model.solids, sorted[p]);
     const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
       const BrickElement<Law> element{brick, kernel::Prepared<Law>(law)};
-      if (model.solid_sections[at(part.section)].elform == 2)
-        return add_group(FullBrickElement<Law>{element}, model::ElementKind::solid, p, m, solid_seat);
-      add_group(element, model::ElementKind::solid, p, m, solid_seat);
+      const auto [tetrahedra, full, others] = by_formulation(sorted[p], model.solid_sections[at(part.section)].elform);
+      if (!tetrahedra.empty())
+        add_group(TetrahedronElement<Law>{brick, element.law}, model::ElementKind::solid, p, corners(tetrahedra),
+                  solid_seat);
+      if (!full.empty())
+        add_group(FullBrickElement<Law>{element}, model::ElementKind::solid, p, members(model.solids, full),
+                  solid_seat);
+      if (!others.empty()) add_group(element, model::ElementKind::solid, p, members(model.solids, others), solid_seat);
     });
     if (computed) continue;
-    for (const std::array<int, 8>& node : m.node) {
-      std::array<Vec3d, 8> x;
-      for (std::size_t a = 0; a < 8; ++a) x[a] = start_[at(node[a])];
-      lumps_.push_back(
-          {static_cast<model::Index>(p), 8, node, 8.0 * kernel::hexahedron_nodal_mass(x, material.density), 0.0});
+    const Members m = corners(sorted[p]);
+    for (std::size_t i = 0; i < sorted[p].size(); ++i) {
+      const double whole = material.density * model::solid_volume(model, at(sorted[p][i]));
+      const int count = static_cast<int>(model.solids.corners(at(sorted[p][i])).size());
+      lumps_.push_back({static_cast<model::Index>(p), count, m.node[i], whole, 0.0});
     }
   }
+}
+
+System::Members System::corners(const std::vector<model::Index>& solids) const {
+  Members m;
+  m.element = solids;
+  for (const model::Index e : solids) {
+    std::array<int, 8> node{};
+    const std::vector<model::Index> different = model.solids.corners(at(e));
+    for (std::size_t a = 0; a < different.size(); ++a) node[a] = node_of[at(different[a])];
+    m.node.push_back(node);
+  }
+  return m;
+}
+
+System::Formulations System::by_formulation(const std::vector<model::Index>& solids, int elform) const {
+  const bool sorts = model.control.sort_solids;
+  Formulations f;
+  for (const model::Index e : solids) {
+    const std::size_t corners = model.solids.corners(at(e)).size();
+    const bool tetrahedron = corners == 4 && (sorts || elform == 10), wedge = corners == 6 && sorts;
+    (tetrahedron ? f.tetrahedra : wedge || elform == 2 || elform == 15 ? f.full : f.others).push_back(e);
+  }
+  return f;
 }
 
 void System::add_weld_bricks(std::size_t p, const std::vector<model::Index>& chosen,
@@ -290,8 +352,11 @@ void System::add_weld_bricks(std::size_t p, const std::vector<model::Index>& cho
       const auto laid = laid_along(*weld_of[at(bricks[i])], model.solids.node[at(bricks[i])], ties.x);
       for (std::size_t a = 0; a < 8; ++a) m.node[i][a] = node_of[at(laid[a])];
     }
-    add_group(BrickElement<kernel::Spotweld>{brick, kernel::Prepared<kernel::Spotweld>(own)}, model::ElementKind::solid,
-              p, m, solid_seat);
+    const BrickElement<kernel::Spotweld> element{brick, kernel::Prepared<kernel::Spotweld>(own)};
+    if (model.solid_sections[at(model.parts[p].section)].elform == 2)
+      add_group(FullBrickElement<kernel::Spotweld>{element}, model::ElementKind::solid, p, m, solid_seat);
+    else
+      add_group(element, model::ElementKind::solid, p, m, solid_seat);
     scale_like_a_weld(*groups.back(), own);
   }
 }
@@ -313,6 +378,10 @@ void System::make_weld_beams(Findings& findings) {
       add_discrete_beams(p, kept, findings);
       continue;
     }
+    if (!std::holds_alternative<kernel::Spotweld>(model.materials[at(model.parts[p].material)].law)) {
+      add_beams(p, sorted[p]);
+      continue;
+    }
     const bool wants_torsion = model.beam_sections[at(model.parts[p].section)].torsion;
     std::vector<model::Index> with, without;
     for (model::Index e : sorted[p]) {
@@ -329,6 +398,40 @@ void System::make_weld_beams(Findings& findings) {
         fmt::format("no torsion in {} weld beam{}: the shells have no stiffness about their normal to hold it",
                     untwisted, untwisted == 1 ? "" : "s"),
         "*CONTACT_SPOTWELD_WITH_TORSION turns it into in-plane forces");
+}
+
+void System::add_beams(std::size_t p, const std::vector<model::Index>& chosen) {
+  const model::Part& part = model.parts[p];
+  const model::SectionBeam& section = model.beam_sections[at(part.section)];
+  const model::Material& material = model.materials[at(part.material)];
+  const Members m = members(model.beams, chosen);
+  const auto kind = model::ElementKind::beam;
+  if (section.elform == 2) {
+    if (const auto* law = std::get_if<kernel::Elastic>(&material.law))
+      return add_group(ResultantBeamElement{{material.density, section.area, section.moment_s, section.moment_t,
+                                             section.torsion_constant, section.shear_area, section.extra_mass},
+                                            {law->E, law->nu},
+                                            model.beams,
+                                            ties.x},
+                       kind, p, m, beam_seat);
+  }
+  const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
+    if constexpr (!std::is_same_v<Law, kernel::Compound>) {  // refused by the model
+      if (section.elform == 3)
+        add_group(TrussElement<Law>{section.area, material.density, section.extra_mass, kernel::Prepared<Law>(law)},
+                  kind, p, m, beam_seat);
+      else if (section.elform == 1)
+        add_group(IntegratedBeamElement<Law>{integrated_beam(section, material.density), kernel::Prepared<Law>(law),
+                                             law.nu, model.beams, ties.x},
+                  kind, p, m, beam_seat);
+    }
+  });
+  if (computed) return;
+  for (const std::array<int, 8>& node : m.node) {
+    const double length = norm(start_[at(node[1])] - start_[at(node[0])]);
+    const double whole = (material.density * model::beam_area(section) + section.extra_mass) * length;
+    lumps_.push_back({static_cast<model::Index>(p), 2, node, whole, whole * length * length / 24.0});
+  }
 }
 
 void System::add_discrete_beams(std::size_t p, const std::vector<model::Index>& chosen, Findings& findings) {
@@ -351,6 +454,18 @@ void System::add_discrete_beams(std::size_t p, const std::vector<model::Index>& 
   if (section.system != model::none) axes = model.systems[at(section.system)].axes;
   add_group(DiscreteBeamElement{beam, *law, axes, model.beams, ties.x}, model::ElementKind::beam, p,
             members(model.beams, chosen), beam_seat);
+}
+
+void System::make_springs() {
+  discrete_seat.assign(model.discretes.size(), {});
+  std::map<std::pair<model::Index, bool>, std::vector<model::Index>> sorted;
+  for (std::size_t e = 0; e < model.discretes.size(); ++e)
+    sorted[{model.discretes[e].part, model.discretes[e].grounded()}].push_back(static_cast<model::Index>(e));
+  for (const auto& [key, chosen] : sorted) {
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      discrete_seat[at(chosen[i])] = {static_cast<int>(groups.size()), static_cast<int>(i)};
+    groups.push_back(std::make_unique<SpringGroup>(model, key.first, chosen, node_of, start_));
+  }
 }
 
 void System::add_weld_beams(std::size_t p, const std::vector<model::Index>& chosen, bool torsion) {

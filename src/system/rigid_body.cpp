@@ -17,10 +17,10 @@ Frame3d turned_axes(const Frame3d& axes, const Vec3d& phi) {
   return {turned(axes.e1, phi), turned(axes.e2, phi), turned(axes.e3, phi)};
 }
 
-void hold(Vec3d& a, unsigned fixed) {
-  if (fixed & 1u) a.x = 0.0;
-  if (fixed & 2u) a.y = 0.0;
-  if (fixed & 4u) a.z = 0.0;
+void hold(Vec3d& a, unsigned fixed, const Frame3d& axes) {
+  if (fixed & 1u) a -= dot(a, axes.e1) * axes.e1;
+  if (fixed & 2u) a -= dot(a, axes.e2) * axes.e2;
+  if (fixed & 4u) a -= dot(a, axes.e3) * axes.e3;
 }
 
 }  // namespace
@@ -50,24 +50,26 @@ Vec3d RigidBody::momentum(const Vec3d& spin, const Frame3d& at) const {
   return at.global(times(inertia, at.local(spin)));
 }
 
-void RigidBody::advance(double kick, double dt, State& state) {
-  if (!(mass > 0.0)) return;  // all its nodes were released
+double RigidBody::advance(double kick, double dt, State& state) {
+  if (!(mass > 0.0)) return 0.0;  // all its nodes were released
   const auto k = static_cast<std::size_t>(node);
-  Vec3d velocity = vec(state.v[k]) + (kick / mass) * vec(state.f[k]);
-  hold(velocity, fixed);
+  const Vec3d force = vec(state.f[k]), moment = vec(state.m[k]), v_before = vec(state.v[k]), w_before = vec(state.w[k]);
+  Vec3d velocity = v_before + (kick / mass) * force;
+  hold(velocity, fixed & 7u, fixed_axes);
   set(state.v[k], velocity);
 
-  angular_momentum += kick * vec(state.m[k]);
-  Vec3d w = vec(state.w[k]);
+  angular_momentum += kick * moment;
+  Vec3d w = w_before;
   for (int i = 0; i < 50; ++i) {
     Vec3d next = spin(angular_momentum, turned_axes(axes, (0.5 * dt) * w));
-    hold(next, fixed >> 3);
+    hold(next, fixed >> 3, fixed_axes);
     const Vec3d change = next - w;
     w = next;
     if (dot(change, change) <= 1e-30 * dot(w, w)) break;
   }
   if (fixed >> 3) angular_momentum = momentum(w, turned_axes(axes, (0.5 * dt) * w));
   set(state.w[k], w);
+  return dot(force, velocity - v_before) + dot(moment, w - w_before);
 }
 
 void RigidBody::turn(double dt, const State& state) {

@@ -19,8 +19,9 @@ struct RigidBody {
   model::Index source = model::none;  ///< in Model::rigid_bodies
   int id = 0;
   std::string title;
-  int node = 0;        ///< virtual node in State
-  unsigned fixed = 0;  ///< bits 0..2 translations, 3..5 rotations
+  int node = 0;                                         ///< virtual node in State
+  unsigned fixed = 0;                                   ///< bits 0..2 translations, 3..5 rotations that cannot move
+  Frame3d fixed_axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< whose x y z those are; they stay where they are
   double mass = 0.0;
   Inertia inertia{};       ///< about the centre, in body axes (global axes of time 0)
   Frame3d axes;            ///< rows: body axes in global components, at t(n)
@@ -33,8 +34,8 @@ struct RigidBody {
 
   /// From t(n-1/2) to t(n+1/2): momentum by force and torque over `kick`, then the spin that turns the body over `dt`.
   /// The spin satisfies the midpoint rule w = I(t+dt/2)^-1 L with I at the half-turned axes (fixed-point iteration to
-  /// round-off).
-  void advance(double kick, double dt, State& state);
+  /// round-off). Returns force times change of velocity plus torque times change of spin.
+  double advance(double kick, double dt, State& state);
   /// Turns the axes over the step with the spin in `state`.
   void turn(double dt, const State& state);
   /// Makes the spin component along unit vector `axis` equal to `value`; momentum follows.

@@ -15,6 +15,9 @@ namespace nugget::system {
 /// Global stress of a shell layer, from its components in the element's frame.
 std::array<double, 6> global_stress(const Frame3d& frame, double xx, double yy, double xy, double xz, double yz);
 
+/// Components xx yy xy xz yz in the element's frame of a global stress; what else it has there is lost.
+std::array<double, 5> local_stress(const Frame3d& frame, const std::array<double, 6>& stress);
+
 /// ELFORM 2, 4 and 16.
 enum class ShellKind { one_point, triangle, full };
 
@@ -72,17 +75,36 @@ struct ShellElement {
     for (int column = 0; column < columns; ++column) sum += field(layout().layer(k, column) + c);
     return sum / columns;
   }
+  static Frame3d frame_of(const Places& x) {
+    if constexpr (corners == 4)
+      return kernel::shell_frame(x);
+    else
+      return kernel::triangle_frame(x);
+  }
   template <class Field>
   ElementGroup::Layer layer(const Field& field, int k, const Places& x) const {
-    Frame3d frame;
-    if constexpr (corners == 4)
-      frame = kernel::shell_frame(x);
-    else
-      frame = kernel::triangle_frame(x);
+    const Frame3d frame = frame_of(x);
     std::array<double, 5> s;
     for (int c = 0; c < 5; ++c) s[static_cast<std::size_t>(c)] = component(field, k, c);
     return {global_stress(frame, s[0], s[1], s[2], s[3], s[4]),
             kernel::Prepared<Law>::has_plastic_strain ? component(field, k, 5) : 0.0};
+  }
+  /// The other way round: all columns get the same stress.
+  template <class Put>
+  void set_layer(const Put& put, int k, const ElementGroup::Layer& l, const Places& x) const {
+    const std::array<double, 5> s = local_stress(frame_of(x), l.stress);
+    for (int column = 0; column < columns; ++column) {
+      for (int c = 0; c < 5; ++c) put(layout().layer(k, column) + c, s[static_cast<std::size_t>(c)]);
+      if (kernel::Prepared<Law>::has_plastic_strain) put(layout().layer(k, column) + 5, l.plastic_strain);
+    }
+  }
+  /// The same element without viscous forces.
+  ShellElement inviscid() const {
+    ShellElement e = *this;
+    e.shell.bulk_quadratic = e.shell.bulk_linear = 0.0;
+    if (e.shell.hourglass <= 3)
+      e.shell.membrane_hourglass = e.shell.bending_hourglass = e.shell.warping_hourglass = 0.0;
+    return e;
   }
   template <class Field>
   double thickness(const Field& field) const {

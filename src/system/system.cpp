@@ -10,6 +10,7 @@
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "system/order.hpp"
+#include "system/spring_group.hpp"
 #include "weld/tie_findings.hpp"
 
 namespace nugget::system {
@@ -37,6 +38,7 @@ System::System(const model::Model& m, const weld::Ties& t, Findings& findings) :
   assemble_mass();
   hand_over_mass();
   make_bodies();
+  check_springs(*this, findings);
 }
 
 void System::order_nodes() {
@@ -73,6 +75,7 @@ void System::make_constraints(Findings& findings) {
     body.title = source.title;
     body.node = static_cast<int>(nodes + bodies.size());
     body.fixed = source.fixed;
+    body.fixed_axes = source.fixed_axes;
     body.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     body_of[b] = static_cast<int>(bodies.size());
     for (model::Index n : source.nodes) {
@@ -216,6 +219,14 @@ void System::make_bodies() {
     t.arm -= body.center0;
     add_point(body.inertia, t.weight * carried_mass_[d], t.weight * carried_inertia_[d], t.arm);
   });
+  // Nodes carry the mean of a point's moments of inertia; a body takes the whole tensor.
+  for (const model::PointInertia& p : model.inertias) {
+    const int node = node_of[at(p.node)];
+    if (!map.dependent(node) || at(map.terms(node).front().node) < nodes) continue;
+    Inertia& tensor = body_at(map.terms(node).front().node).inertia;
+    const double mean = (p.inertia[0] + p.inertia[3] + p.inertia[5]) / 3.0;
+    for (std::size_t i = 0; i < 6; ++i) tensor[i] += p.inertia[i] - (i == 0 || i == 3 || i == 5 ? mean : 0.0);
+  }
   for (RigidBody& body : bodies) {
     const model::RigidBody& source = model.rigid_bodies[at(body.source)];
     if (source.given) body.inertia = source.inertia.inertia;
@@ -358,6 +369,11 @@ Vec3d System::nodal_force(Seat seat, int a) const {
   return vec(slots_[groups[at(seat.group)]->slot_row(at(seat.element), a)]);
 }
 
+Vec3d System::nodal_moment(Seat seat, int a) const {
+  const ElementGroup& group = *groups[at(seat.group)];
+  return group.rotational ? vec(slots_[group.slot_row(at(seat.element), a) + 1]) : Vec3d{};
+}
+
 void System::internal_force(State& state) {
   parallel_for(blocks_.size(), 16, [&](std::size_t begin, std::size_t end) {
     while (begin < end) {
@@ -390,7 +406,7 @@ System::Controlling System::controlling() const {
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const std::vector<double>& steps = groups[g]->block_step;
     for (std::size_t b = 0; b < steps.size(); ++b) {
-      const double step = groups[g]->step_share * steps[b];
+      const double step = groups[g]->step_share * groups[g]->damped_step(steps[b]);
       if (!(step >= c.step)) {  // a NaN comes through, and stays
         c.step = step;
         c.group = static_cast<int>(g);
@@ -414,13 +430,30 @@ std::string System::Controlling::describe(const System& s) const {
   if (group < 0) return "nothing";
   const ElementGroup& g = *s.groups[at(group)];
   const model::Index e = element >= 0 ? g.element[at(element)] : model::none;
-  const char* kind = g.kind == model::ElementKind::shell   ? "shell"
-                     : g.kind == model::ElementKind::solid ? "solid"
-                                                           : "beam";
-  const std::vector<int>& ids = g.kind == model::ElementKind::shell   ? s.model.shells.id
-                                : g.kind == model::ElementKind::solid ? s.model.solids.id
-                                                                      : s.model.beams.id;
-  return fmt::format("{} {} of part {}", kind, e == model::none ? 0 : ids[at(e)], s.model.parts[at(g.part)].id);
+  return fmt::format("{} {} of part {}", s.kind_name(g), e == model::none ? 0 : s.element_id(g, e),
+                     s.model.parts[at(g.part)].id);
+}
+
+std::string_view System::kind_name(const ElementGroup& group) const {
+  switch (group.kind) {
+    case model::ElementKind::shell: return "shell";
+    case model::ElementKind::solid: return "solid";
+    case model::ElementKind::beam: return "beam";
+    case model::ElementKind::discrete: return "spring";
+    case model::ElementKind::nothing: break;
+  }
+  return "element";
+}
+
+int System::element_id(const ElementGroup& group, model::Index e) const {
+  switch (group.kind) {
+    case model::ElementKind::shell: return model.shells.id[at(e)];
+    case model::ElementKind::solid: return model.solids.id[at(e)];
+    case model::ElementKind::beam: return model.beams.id[at(e)];
+    case model::ElementKind::discrete: return model.discretes[at(e)].id;
+    case model::ElementKind::nothing: break;
+  }
+  return 0;
 }
 
 void System::set_mass_scale(ElementGroup& group, std::size_t e, double factor) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/finding.hpp"
@@ -70,13 +71,15 @@ class System {
     int group = -1;
     int element = -1;
   };
-  std::vector<Seat> shell_seat, solid_seat, beam_seat;
+  std::vector<Seat> shell_seat, solid_seat, beam_seat, discrete_seat;
   /// Of an element of a weld.
   Seat seat_of(const weld::Weld& weld, model::Index element) const {
     return (weld.of_bricks() ? solid_seat : beam_seat)[static_cast<std::size_t>(element)];
   }
   /// Internal force of an element at its node `a` after the last cycle; on the node itself acts the opposite [force].
   Vec3d nodal_force(Seat seat, int a) const;
+  /// The moment that belongs to it; zero for elements without rotations [force length].
+  Vec3d nodal_moment(Seat seat, int a) const;
 
   /// Elements that have mass but no kernel (rigid parts, MAT_NULL).
   struct Lump {
@@ -103,6 +106,9 @@ class System {
     std::string describe(const System&) const;  ///< `shell 17 of part 5`
   };
   Controlling controlling() const;
+  /// `shell`, `solid`, `beam`, `spring`; and the user's id of a model element of the group's kind.
+  std::string_view kind_name(const ElementGroup& group) const;
+  int element_id(const ElementGroup& group, model::Index element) const;
 
   /// Mass scaling to the deck's DT2MS and the welds' DT: raises the density of elements whose stable step is too small.
   /// True if any mass was added; nodal masses are then assembled anew.
@@ -143,6 +149,13 @@ class System {
   template <ShellKind Kind>
   void add_shells(std::size_t part, const std::vector<model::Index>& chosen);
   void make_bricks();
+  /// The different nodes of solids only; see model::Solids::corners.
+  Members corners(const std::vector<model::Index>& solids) const;
+  /// Solids of a part by the kernel that runs them; wedges of formulation 15 are collapsed bricks, fully integrated.
+  struct Formulations {
+    std::vector<model::Index> tetrahedra, full, others;
+  };
+  Formulations by_formulation(const std::vector<model::Index>& solids, int elform) const;
   void add_weld_bricks(std::size_t part, const std::vector<model::Index>& chosen,
                        const kernel::HexahedronProperties& brick, const kernel::Spotweld& law);
   /// By model element of a kind: whether SPOTSTP = 2 took its weld out; it then has no mass and no group.
@@ -150,6 +163,8 @@ class System {
   /// DT of the weld material, and what stands in for it.
   void scale_like_a_weld(ElementGroup& group, const kernel::Spotweld& law) const;
   void make_weld_beams(Findings& findings);
+  void make_springs();
+  void add_beams(std::size_t part, const std::vector<model::Index>& chosen);
   void add_discrete_beams(std::size_t part, const std::vector<model::Index>& chosen, Findings& findings);
   void add_weld_beams(std::size_t part, const std::vector<model::Index>& chosen, bool torsion);
 

@@ -46,7 +46,10 @@ struct WeldBeamElement {
     return kernel::weld_beam_cycle(beam, law, motion, dt, state);
   }
 
-  int plastic_strain_field(int k) const { return layout().history_of(k); }
+  template <class Field>
+  double plastic_strain(const Field& field, int k) const {
+    return field(layout().history_of(k));
+  }
   void hold_yield(double* state, int lane) const { kernel::hold_yield(layout(), law, state, native_width, lane); }
 
   /// Stress of a section point: rr in the first place, rs and rt in the fourth and the sixth.
@@ -56,6 +59,16 @@ struct WeldBeamElement {
     const double left = field(Layout::integrity);
     return {{left * field(at), 0.0, 0.0, left * field(at + 1), 0.0, left * field(at + 2)},
             field(layout().history_of(k))};
+  }
+  /// The other way round; the stress of the sound point, which damage keeps, is the same.
+  template <class Put>
+  void set_layer(const Put& put, int k, const ElementGroup::Layer& l, const Places&) const {
+    const double stress[3] = {l.stress[0], l.stress[3], l.stress[5]};
+    for (int i = 0; i < 3; ++i) {
+      put(layout().fibre(k) + i, stress[i]);
+      put(layout().history_of(k) + kernel::Prepared<kernel::Spotweld>::sound + i, stress[i]);
+    }
+    put(layout().history_of(k), l.plastic_strain);
   }
   template <class Field>
   double thickness(const Field& field) const {

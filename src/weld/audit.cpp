@@ -248,7 +248,7 @@ void report_remarks(const Ties& ties, const std::vector<Report>& reports, Findin
                        std::string(check.remedy));
     }
     if (found.remarks > found.worst.size())
-      findings.warning({}, keyword_of(ties.welds[found.worst.front()]),
+      findings.warning({ties.welds[found.worst.front()].place.file, 0, 0}, keyword_of(ties.welds[found.worst.front()]),
                        fmt::format("{} more welds with a remark on '{}'; the worst are named",
                                    found.remarks - found.worst.size(), check.name),
                        "welds.csv has a row for every weld");

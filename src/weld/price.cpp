@@ -58,6 +58,12 @@ Price connector_price(const model::Model& model, const Weld& weld) {
   return price;
 }
 
+/// Whether the deck says what the weld is made of; always, unless it has errors.
+bool is_priced(const model::Model& model, const Weld& weld) {
+  const model::Part& part = model.parts[weld.part];
+  return part.material != none && (part.section != none || weld.of_bricks());
+}
+
 /// Mass times the factor that lifts a time step to `wanted`, less the mass; the step goes with sqrt(density).
 double mass_to_reach(double wanted, double step, double mass) {
   return step > 0.0 && step < wanted ? mass * ((wanted / step) * (wanted / step) - 1.0) : 0.0;
@@ -66,7 +72,7 @@ double mass_to_reach(double wanted, double step, double mass) {
 }  // namespace
 
 Price price(const model::Model& model, const std::vector<Vec3d>& x, const Weld& weld) {
-  if (weld.kind == Weld::Kind::rigid) return {};
+  if (weld.kind == Weld::Kind::rigid || !is_priced(model, weld)) return {};
   const double target = std::abs(model.control.mass_step * model.control.step_scale);
   if (weld.kind == Weld::Kind::connector) {
     Price price = connector_price(model, weld);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "weld/presumed.hpp"
 #include "weld/welds.hpp"
 
 namespace nugget::weld {
@@ -41,6 +42,10 @@ Surroundings::Surroundings(const model::Model& model)
   for (std::size_t e = 0; e < model.solids.size(); ++e)
     if (of_weld_material(model, model.solids.part[e]))
       for (Index n : model.solids.node[e]) of_weld[n] = 1;
+  for (Index e : presumed_beams(model))
+    for (Index n : model.beams.node[e]) of_weld[n] = 1;
+  for (Index e : presumed_bricks(model))
+    for (Index n : model.solids.node[e]) of_weld[n] = 1;
   for (std::size_t b = 0; b < model.rigid_bodies.size(); ++b)
     for (Index n : model.rigid_bodies[b].nodes)
       if (rigid_body[n] == none) rigid_body[n] = static_cast<Index>(b);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "weld/welds.hpp"
@@ -59,7 +60,6 @@ void note_rigid_sheets(const model::Model& model, const Surroundings& around, st
 
 void warn_of_constrained_segments(const model::Model& model, const Surroundings& around, const std::vector<Tie>& ties,
                                   const std::vector<Index>& tie_of, Findings& findings) {
-  Tally tally(findings);
   for (const Tie& tie : ties) {
     if (tie.rigid_body != none || tie.spring) continue;
     const model::Contact& contact = model.contacts[tie.contact];
@@ -68,20 +68,19 @@ void warn_of_constrained_segments(const model::Model& model, const Surroundings&
       if (!carries(tie.weight, corner)) continue;
       if (tie_of[n] != none) {
         const Tie& other = ties[tie_of[n]];
-        tally.warning(
-            "segments with tied nodes", contact.place, name_contact(contact),
+        findings.warning(
+            contact.place, name_contact(contact),
             fmt::format("{}: its segment's node {} is itself tied by {} to {}", shares(model, tie), model.nodes.id[n],
                         name_contact(model.contacts[other.contact]), name_segment(model, other.shell, other.part)),
             "the load goes on through both ties; to avoid the chain, keep tied edges and welds apart");
       } else if (around.rigid_body[n] != none) {
-        tally.warning("segments with nodes of rigid bodies", contact.place, name_contact(contact),
-                      fmt::format("{}: its segment's node {} belongs to {}", shares(model, tie), model.nodes.id[n],
-                                  name_body(model.rigid_bodies[around.rigid_body[n]])),
-                      "the load goes on into the body; to avoid it, weld one element further away");
+        findings.warning(contact.place, name_contact(contact),
+                         fmt::format("{}: its segment's node {} belongs to {}", shares(model, tie), model.nodes.id[n],
+                                     name_body(model.rigid_bodies[around.rigid_body[n]])),
+                         "the load goes on into the body; to avoid it, weld one element further away");
       }
     }
   }
-  tally.close();
 }
 
 /// IPBACK: springs take the place of constraints to segments that are constrained themselves.
@@ -133,14 +132,13 @@ void refuse_circles(const model::Model& model, const std::vector<Tie>& ties, con
       "let no part stand on both sides of the contact, and no two contacts tie two parts to each other");
 }
 
-void report_end(const model::Model& model, const Weld& weld, const Projection& p, Findings& findings, Tally& tally) {
+void report_end(const model::Model& model, const Weld& weld, const Projection& p, Findings& findings) {
   const std::string text = fmt::format("{}: {}: {}", name_weld(weld), name_node(model, p.node), p.reason);
   const std::string keyword = keyword_of(weld);
   switch (p.kase) {
     case 4:
-      tally.warning("welds over sheets that penetrate each other (case 4)", weld.place, keyword,
-                    fmt::format("{}, moved {:.4g}", text, p.tie.moved),
-                    "move the sheets apart to half the sum of their thicknesses");
+      findings.warning(weld.place, keyword, fmt::format("{}, moved {:.4g}", text, p.tie.moved),
+                       "move the sheets apart to half the sum of their thicknesses");
       return;
     case 5:
       findings.warning(weld.place, keyword, text + ", not tied",
@@ -148,9 +146,8 @@ void report_end(const model::Model& model, const Weld& weld, const Projection& p
                                           : move_or_widen(p.distance));
       return;
     case 6:
-      tally.warning("welds beside their sheets (case 6)", weld.place, keyword,
-                    fmt::format("{}, moved {:.4g}", text, p.tie.moved),
-                    "see whether that is the sheet meant; if not, move the weld");
+      findings.warning(weld.place, keyword, fmt::format("{}, moved {:.4g}", text, p.tie.moved),
+                       "see whether that is the sheet meant; if not, move the weld");
       return;
     case 7:
     case 8:
@@ -220,6 +217,43 @@ void report_untied_welds(const model::Model& model, const std::vector<const Weld
     add(Severity::warning,
         first + (untied.size() == 1 ? "; it is kept, with free ends" : "; they are kept, with free ends"),
         "the warnings on the welds say why; free ends carry no load and may fly off: SPOTSTP = 2 deletes such welds");
+}
+
+bool untracked(const Projection& p) {
+  return p.kase == 0 && !p.tied;
+}
+
+/// Weld nodes that no contact tracks: a few are named, many are one finding a part.
+void report_untracked_welds(const model::Model& model, const Ties& ties, Findings& findings) {
+  constexpr std::size_t few = 3;
+  std::size_t count = 0;
+  std::map<Index, std::vector<const Weld*>> by_part;
+  for (const Weld& weld : ties.welds) {
+    if (std::none_of(weld.ends.begin(), weld.ends.end(), untracked)) continue;
+    by_part[weld.part].push_back(&weld);
+    ++count;
+  }
+  const auto is_tie = [](const model::Contact& contact) { return contact.tie(); };
+  const bool any_tie = std::any_of(model.contacts.begin(), model.contacts.end(), is_tie);
+  const std::string remedy =
+      any_tie ? "put the weld's part on the tracked side (SURFA) of a *CONTACT_SPOTWELD"
+              : "add a *CONTACT_SPOTWELD: SURFA the parts of the welds, SURFB the parts of the sheets";
+  for (const auto& [part, welds] : by_part) {
+    const Weld& first = *welds.front();
+    if (count > few) {
+      findings.warning(first.place, keyword_of(first),
+                       fmt::format("{} {} of part {}, first {}, with no hold: {}", welds.size(),
+                                   welds.size() == 1 ? "weld" : "welds", model.parts[part].id, name_weld(first),
+                                   any_tie ? "no contact tracks their nodes" : "the deck has no tie contact"),
+                       remedy);
+      continue;
+    }
+    for (const Weld* weld : welds)
+      for (const Projection& p : weld->ends)
+        if (untracked(p))
+          findings.warning(weld->place, keyword_of(*weld),
+                           fmt::format("{}: {}: {}", name_weld(*weld), name_node(model, p.node), p.reason), remedy);
+  }
 }
 
 std::string count_of(int nodes) {
@@ -314,12 +348,12 @@ void report_rigid_tracked_nodes(const model::Model& model, const model::Contact&
       "take them off the tracked side (SURFA)");
 }
 
-void report_second_tie(const model::Model& model, Index node, Index first, Index second, Tally& tally) {
+void report_second_tie(const model::Model& model, Index node, Index first, Index second, Findings& findings) {
   const model::Contact& contact = model.contacts[second];
-  tally.warning("nodes tracked by two contacts", contact.place, name_contact(contact),
-                fmt::format("{} is in reach, but {} has tied it already: the first tie holds", name_node(model, node),
-                            name_contact(model.contacts[first])),
-                "let one contact track the node and name both sheets in it");
+  findings.warning(contact.place, name_contact(contact),
+                   fmt::format("{} is in reach, but {} has tied it already: the first tie holds",
+                               name_node(model, node), name_contact(model.contacts[first])),
+                   "let one contact track the node and name both sheets in it");
 }
 
 void report_untied_nodes(const model::Model& model, const model::Contact& contact, const std::vector<Index>& nodes,
@@ -344,20 +378,13 @@ void check_segments(const model::Model& model, const Surroundings& around, std::
 }
 
 void report_welds(const model::Model& model, const Ties& ties, Findings& findings) {
-  Tally tally(findings);
   std::vector<const Weld*> untied;
   for (const Weld& weld : ties.welds) {
-    for (const Projection& p : weld.ends) {
-      report_end(model, weld, p, findings, tally);
-      if (p.kase == 0 && !p.tied)
-        tally.warning("weld nodes without a contact", weld.place, keyword_of(weld),
-                      fmt::format("{}: {}: {}", name_weld(weld), name_node(model, p.node), p.reason),
-                      "put the weld's part on the tracked side (SURFA) of a *CONTACT_SPOTWELD");
-    }
+    for (const Projection& p : weld.ends) report_end(model, weld, p, findings);
     const auto tracked = [](const Projection& p) { return p.kase != 0; };
     if (!weld.tied && std::any_of(weld.ends.begin(), weld.ends.end(), tracked)) untied.push_back(&weld);
   }
-  tally.close();
+  report_untracked_welds(model, ties, findings);
   report_untied_welds(model, untied, findings);
   note_distances(model, ties, findings);
 }

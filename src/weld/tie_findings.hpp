@@ -6,7 +6,6 @@
 
 #include "weld/reference.hpp"
 #include "weld/surroundings.hpp"
-#include "weld/tally.hpp"
 
 // What the user is told about ties. Every message names weld, node and place, the distance to the closest segment, and
 // a remedy.
@@ -28,7 +27,7 @@ void report_empty_side(const model::Contact& contact, bool reference_side, Findi
 /// Tracked nodes that stay with their rigid bodies.
 void report_rigid_tracked_nodes(const model::Model& model, const model::Contact& contact, const Surroundings& around,
                                 const std::vector<Index>& nodes, Findings& findings);
-void report_second_tie(const model::Model& model, Index node, Index first, Index second, Tally& tally);
+void report_second_tie(const model::Model& model, Index node, Index first, Index second, Findings& findings);
 /// Tracked nodes without a weld that found no segment.
 void report_untied_nodes(const model::Model& model, const model::Contact& contact, const std::vector<Index>& nodes,
                          double distance, double tolerance, Findings& findings);

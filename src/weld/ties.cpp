@@ -11,7 +11,6 @@
 #include "weld/assembly.hpp"
 #include "weld/reference.hpp"
 #include "weld/surroundings.hpp"
-#include "weld/tally.hpp"
 #include "weld/tie_findings.hpp"
 #include "weld/welds.hpp"
 
@@ -88,7 +87,6 @@ class Tying {
   Tying(const model::Model& model, Findings& findings)
       : model_(model),
         findings_(findings),
-        tally_(findings),
         around_(model),
         record_of_(model.nodes.size(), none),
         only_part_(model.nodes.size(), none) {
@@ -107,7 +105,6 @@ class Tying {
     release_nodes_of_lost_welds();
     make_ties();
     for (std::size_t w = 0; w < result_.welds.size(); ++w) describe_weld(w);
-    tally_.close();
     return std::move(result_);
   }
 
@@ -152,7 +149,6 @@ class Tying {
 
   const model::Model& model_;
   Findings& findings_;
-  Tally tally_;
   Surroundings around_;
   std::vector<Index> record_of_;  // of each node, in records_
   std::vector<Record> records_;
@@ -230,7 +226,7 @@ void Tying::take_offers(Index contact, const std::vector<Tracked>& tracked, std:
     Record& r = *record(node);
     Offer& offer = offers[i];
     if (r.tied) {
-      if (!offer.in_reach.empty()) report_second_tie(model_, node, r.closest.contact, contact, tally_);
+      if (!offer.in_reach.empty()) report_second_tie(model_, node, r.closest.contact, contact, findings_);
       continue;
     }
     r.only_sheet_taken = false;

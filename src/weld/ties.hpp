@@ -64,12 +64,14 @@ using Facet = std::array<Index, 4>;
 /// A spot weld: a beam, a brick or an assembly of bricks of spot-weld material, or a rigid weld.
 struct Weld {
   enum class Kind { beam, solid, assembly, rigid, connector };  ///< connector: a discrete beam between sheets
+  /// What a rigid weld is written as.
+  enum class Rigid : unsigned char { spotweld, generalized, nodal_body, rivet };
   Kind kind = Kind::beam;
   int id = 0;                               ///< element id; of an assembly or a rigid weld its own
   Index part = none;                        ///< none for a rigid weld
   Index element = none;                     ///< in beams or solids by kind; of a rigid weld in Model::rigid_bodies
   std::vector<Index> elements;              ///< all of them, `element` the first; more than one in assemblies only
-  bool generalized = false;                 ///< a rigid weld of *CONSTRAINED_GENERALIZED_WELD_SPOT
+  Rigid rigid = Rigid::spotweld;            ///< of a rigid weld only
   std::array<Index, 2> sheets{none, none};  ///< parts that its two ends are attached to
   /// The nodes of its two end faces, each once; of a beam or rigid weld one node each.
   std::array<std::vector<Index>, 2> face;

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "weld/connectors.hpp"
+#include "weld/presumed.hpp"
 
 namespace nugget::weld {
 namespace {
@@ -68,6 +69,7 @@ Weld defined_assembly(const model::Model& model, const model::HexAssembly& assem
 
 /// Assemblies as the deck defines them and single bricks, in the order of their first bricks.
 void find_brick_welds(const model::Model& model, std::vector<Weld>& welds) {
+  const std::vector<Index> presumed = presumed_bricks(model);
   std::vector<Index> first(model.solids.size(), none), taken(model.solids.size(), none);
   for (Index a = 0; a < static_cast<Index>(model.hex_assemblies.size()); ++a) {
     const std::vector<Index>& solids = model.hex_assemblies[a].solids;
@@ -77,15 +79,36 @@ void find_brick_welds(const model::Model& model, std::vector<Weld>& welds) {
   for (Index e = 0; e < static_cast<Index>(model.solids.size()); ++e) {
     if (first[e] != none)
       welds.push_back(defined_assembly(model, model.hex_assemblies[first[e]]));
-    else if (taken[e] == none && of_weld_material(model, model.solids.part[e]))
+    else if (taken[e] == none &&
+             (of_weld_material(model, model.solids.part[e]) || std::binary_search(presumed.begin(), presumed.end(), e)))
       welds.push_back(brick_weld(model, {e}));
   }
+}
+
+Weld::Rigid written_as(model::RigidWeld::Kind kind) {
+  switch (kind) {
+    case model::RigidWeld::Kind::spotweld: return Weld::Rigid::spotweld;
+    case model::RigidWeld::Kind::generalized: return Weld::Rigid::generalized;
+    case model::RigidWeld::Kind::nodal_body: return Weld::Rigid::nodal_body;
+    case model::RigidWeld::Kind::rivet: return Weld::Rigid::rivet;
+  }
+  return Weld::Rigid::spotweld;
+}
+
+std::string keyword_of_rigid(Weld::Rigid rigid) {
+  switch (rigid) {
+    case Weld::Rigid::spotweld: return "*CONSTRAINED_SPOTWELD";
+    case Weld::Rigid::generalized: return "*CONSTRAINED_GENERALIZED_WELD_SPOT";
+    case Weld::Rigid::nodal_body: return "*CONSTRAINED_NODAL_RIGID_BODY";
+    case Weld::Rigid::rivet: return "*CONSTRAINED_RIVET";
+  }
+  return {};
 }
 
 Weld rigid_weld(const model::RigidWeld& rigid) {
   Weld weld;
   weld.kind = Weld::Kind::rigid;
-  weld.generalized = rigid.kind == model::RigidWeld::Kind::generalized;
+  weld.rigid = written_as(rigid.kind);
   weld.id = rigid.id;
   weld.element = rigid.body;
   weld.elements = {rigid.body};
@@ -125,6 +148,7 @@ const model::WeldLaw& law_of(const model::Model& model, const Weld& weld) {
 }
 
 std::string name_weld(const Weld& weld) {
+  if (weld.kind == Weld::Kind::rigid && weld.rigid == Weld::Rigid::rivet) return fmt::format("rivet {}", weld.id);
   return fmt::format("{} weld {}", to_string(weld.kind), weld.id);
 }
 
@@ -132,7 +156,7 @@ std::string keyword_of(const Weld& weld) {
   switch (weld.kind) {
     case Weld::Kind::beam:
     case Weld::Kind::connector: return "*ELEMENT_BEAM";
-    case Weld::Kind::rigid: return weld.generalized ? "*CONSTRAINED_GENERALIZED_WELD_SPOT" : "*CONSTRAINED_SPOTWELD";
+    case Weld::Kind::rigid: return keyword_of_rigid(weld.rigid);
     case Weld::Kind::solid: return "*ELEMENT_SOLID";
     case Weld::Kind::assembly: return "*DEFINE_HEX_SPOTWELD_ASSEMBLY";
   }
@@ -143,6 +167,7 @@ std::vector<Weld> find_welds(const model::Model& model) {
   std::vector<Weld> welds;
   for (Index e = 0; e < static_cast<Index>(model.beams.size()); ++e)
     if (of_weld_material(model, model.beams.part[e])) welds.push_back(beam_weld(model, e));
+  for (const Index e : presumed_beams(model)) welds.push_back(beam_weld(model, e));
   for (const Index e : find_connectors(model)) {
     welds.push_back(beam_weld(model, e));
     welds.back().kind = Weld::Kind::connector;

@@ -81,7 +81,7 @@ class ExitCodes(CommandTest):
         self.write(deck())
         for arguments, word in ((["run"], "model"), ([], "subcommand"), (["fly"], "fly"), (["model.k"], "nugget run MODEL.k"),
                                 (["run", "model.k", "--frobnicate"], "--frobnicate"), (["run", "model.k", "two.k"], "two.k"),
-                                (["run", "model.k", "jobid=a"], "jobid=a"), (["report", "."], "report"),
+                                (["run", "model.k", "jobid=a"], "jobid=a"), (["report"], "directory"),
                                 (["run", "model.k", "-j", "0"], "'0', expected a whole number of 1 or more"),
                                 (["run", "i=model.k", "ncpu=some"], "'some', expected a whole number of 1 or more"),
                                 (["run", "model.k", "--until", "soon"], "'soon', expected a time above 0"),

@@ -31,12 +31,16 @@ class RealDecks(CommandTest):
             with self.subTest(deck):
                 self.assertFalse(self.refused(self.findings(deck, 0)))
 
-    def test_bumper_beam_is_refused_for_what_is_not_built_and_nothing_else(self):
-        found = self.findings("bumper_beam/Bumper_Beam_AP_meshed.k", 1)
+    def test_bumper_beam_is_accepted(self):
+        found = self.findings("bumper_beam/Bumper_Beam_AP_meshed.k", 0)
         errors = self.refused(found)
-        for keyword in ("*LOAD_BODY_GENERALIZED_SET_NODE", "*SET_PART_TREE"):
-            self.assertEqual(errors[(keyword, "")], 1, keyword)
-        about_welds = [f for f in found if "DISCRETE_BEAM" in f["keyword"] or f["keyword"] in ("*SECTION_BEAM", "*ELEMENT_BEAM")]
+        self.assertEqual(errors, {})
+        told = {(f["keyword"], f["field"]): f["text"] for f in found}
+        self.assertIn("born after the end of the run", told[("*RIGIDWALL_GEOMETRIC_CYLINDER_ID", "birth")])
+        self.assertIn("held as a whole by the SPCs", told[("*BOUNDARY_SPC", "")])
+        self.assertTrue(any("cannot turn, so it does not matter" in f["text"] for f in found))
+        about_welds = [f for f in found if f["severity"] == "error" and
+                       ("DISCRETE_BEAM" in f["keyword"] or f["keyword"] in ("*SECTION_BEAM", "*ELEMENT_BEAM"))]
         self.assertEqual(about_welds, [], "its 78 welds are discrete beams of MAT_196")
         self.assertEqual([f["text"] for f in found if "is not defined" in f["text"]], [], "what is refused is not undefined")
 
@@ -46,19 +50,6 @@ class RealDecks(CommandTest):
         self.assertEqual(missing, ["Camry_V1_NoSusAndPowerTrain_impl7.k", "Camry_V1_NoSusAndPowerTrain_impl7_nodes.k"])
         beams = next(f for f in found if f["keyword"] == "*ELEMENT_BEAM")
         self.assertIn("part 7 is not defined; 2235 of its elements", beams["text"])
-
-    def test_weld_fragment_has_parts_without_section_and_material(self):
-        found = self.findings("hex_weld_fragment/rkrwelds.key", 1)
-        bare = [f for f in found if f["keyword"] == "*PART"]
-        self.assertEqual(len(bare), 21)
-        self.assertIn("has elements, but no section and no material", bare[0]["text"])
-        self.assertRegex(bare[-1]["text"], r"^and \d+ more of this kind$")
-
-    def test_every_brick_weld_part_of_the_fragment_is_told(self):
-        """The fragment has 99 weld parts; neither more nor fewer are told to be bare."""
-        bare = [f["text"] for f in self.findings("hex_weld_fragment/rkrwelds.key", 1) if f["keyword"] == "*PART"]
-        more = int(re.fullmatch(r"and (\d+) more of this kind", bare[-1])[1])
-        self.assertEqual(len(bare) - 1 + more, 99)
 
     def test_the_welds_of_the_camry_are_told_to_hang_on_missing_parts(self):
         found = self.findings("camry_roof_crush_includes/Camry_RC_main.k", 1)
@@ -76,9 +67,9 @@ class RealDecks(CommandTest):
                     lines = pathlib.Path(f["file"]).read_text(encoding="latin-1").splitlines()
                     above = next(line for line in reversed(lines[:f["line"]]) if line.startswith("*"))
                     self.assertTrue(above.upper().startswith(f["keyword"].split()[0]), (f["keyword"], above))
-                log = self.read("audit/check.log")
-                self.assertEqual(len(re.findall(r"(?m)^ .*: error: ", log)),
-                                 sum(f["severity"] == "error" for f in self.json("audit/findings.json")))
+                # Where many are alike the log counts them: `..., and 96 more of this kind, ...` stands for 96.
+                told = [int(m[1] or 1) for m in re.finditer(r"(?m)^ .*: error: (?:\S+: and (\d+) more of this kind)?", self.read("audit/check.log"))]
+                self.assertEqual(sum(told), sum(f["severity"] == "error" for f in self.json("audit/findings.json")))
 
     def test_frf_column_resonates_where_the_plot_of_ls_dyna_peaks(self):
         """The base moves along x; the plot beside the deck peaks at the modes that take part in that motion."""
@@ -140,6 +131,18 @@ class RealDecks(CommandTest):
         s = self.json("summary.json")
         self.assertAlmostEqual(s["energy"]["ratio"], 1.0, delta=1e-3)
         self.assertGreater(s["energy"]["internal"], 100.0 * s["energy"]["kinetic"])
+
+    def test_box_bounces_at_ten_times_its_speed(self):
+        """At its own speed the box arrives after 8.5 ms, too long for a test; at 5 m/s it must not get through the plate either."""
+        text = self.shared("decks/box_drop/main.k").read_text(encoding="latin-1")
+        text = re.sub(r"(?m)^(\*CONTROL_TERMINATION\s*\n) *\S+", r"\g<1>    0.0015", text)
+        text = re.sub(r"(?m)^        0\.        0\.     -500\.", "        0.        0.    -5000.", text)
+        self.write(text.replace("*END", "*DATABASE_GLSTAT\n  2.5E-04\n*END"), "box.k")
+        self.nugget("run", "box.k", "--quiet")
+        states = self.glstat()
+        self.assertAlmostEqual(states[-1]["total energy / initial energy"], 1.0, delta=1e-3)
+        self.assertLess(states[0]["global z velocity"], -4000.0)
+        self.assertGreater(states[-1]["global z velocity"], 0.5 * -states[0]["global z velocity"])
 
     def test_ball_hits_the_plate(self):
         self.nugget("run", self.shared("decks/ball_plate/ball_plate.k"), "--max-cycles", 500, "--quiet")

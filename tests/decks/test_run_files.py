@@ -9,7 +9,7 @@ import unittest
 from lap_joint import deck
 from nugget_command import CommandTest
 
-RESULTS = ["d3plot", "d3plot01", "findings.json", "glstat", "matsum", "nodout", "run.log", "summary.json", "swforc", "welds.csv"]
+RESULTS = ["d3plot", "d3plot01", "findings.json", "glstat", "matsum", "nodout", "report.html", "run.log", "summary.json", "swforc", "welds.csv"]
 
 NUMBER, COUNT, TEXT, FLAG = float, int, str, bool
 PROJECTION = {"node": COUNT, "segment": [COUNT], "xi": NUMBER, "eta": NUMBER, "moved": NUMBER, "case": COUNT, "reason": TEXT}
@@ -47,6 +47,16 @@ class RunFiles(CommandTest):
         self.write(deck())
         self.nugget("run", "model.k", "--quiet")
         self.assertEqual(self.files(), sorted([*RESULTS, "model.k"]))
+
+    def test_energy_when_the_weld_that_holds_the_step_fails(self):
+        """The step grows fivefold; without the account of it the ratio falls to 0.94."""
+        self.write(deck(("  2.00e-05\n*CONTROL_TIMESTEP", "  6.00e-05\n*CONTROL_TIMESTEP"),
+                        ("6000.0    6000.0    9000.0", "2000.0    2000.0    9000.0")))
+        self.nugget("run", "model.k", "--quiet")
+        summary = self.json("summary.json")
+        self.assertTrue(summary["weld"][0]["failed"])
+        self.assertAlmostEqual(summary["energy"]["ratio"], 1.0, delta=1e-6)
+        self.assertGreater(summary["energy"]["step_change"], 0.03 * summary["energy"]["external"])
 
     def test_summary_has_the_keys_and_types_of_the_contract(self):
         self.assertEqual(misfits({"id": 1.5}, {"id": COUNT, "tied": FLAG}),

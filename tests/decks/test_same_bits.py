@@ -35,6 +35,13 @@ class SameBits(CommandTest):
         self.assertLessEqual({"d3plot", "d3plot01", "swforc", "glstat", "matsum", "nodout", "rwforc", "rbdout"}, set(files))
         self.assertGreater(len(files["swforc"]), 10000)
 
+    def test_folds_with_edges_against_edges(self):
+        subprocess.run([sys.executable, str(SOURCE / "examples" / "hat_crush" / "make.py"), str(self.folder)], check=True)
+        text = (self.folder / "hat_poor.k").read_text(encoding="ascii")
+        general = text.replace("CONTACT_AUTOMATIC_SINGLE_SURFACE_ID", "CONTACT_AUTOMATIC_GENERAL_INTERIOR_ID")
+        self.assertNotEqual(general, text)
+        self.compare(self.write(general), "--until", "3.0e-4")
+
     def test_lap_joint_whose_weld_fails(self):
         self.compare(self.write(deck(("    8000.0    6000.0    6000.0", "    8000.0    1000.0    1000.0"))))
 

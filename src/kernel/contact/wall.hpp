@@ -92,6 +92,51 @@ inline WallPush push(const SphereWall& wall, const Vec3d& from, const Vec3d& to,
   return push_round(wall.radius, from, to, hold);
 }
 
+/// Block behind a face through the reference point: from there along `l` and `m`, and against `normal` to its depth.
+/// Each length may be without end (0), then on both sides; a depth of 0 behind the face only.
+struct PrismWall {
+  Vec3d normal, l, m;
+  double length_l = 0.0, length_m = 0.0, depth = 0.0;
+};
+
+inline WallPush push(const PrismWall& wall, const Vec3d& from, const Vec3d& to, Hold hold) {
+  // Its faces: outward normal and distance from the reference point.
+  struct Face {
+    Vec3d normal;
+    double at;
+    bool there;
+  };
+  const Face faces[6] = {{wall.normal, 0.0, true},
+                         {-wall.normal, wall.depth, wall.depth > 0.0},
+                         {-wall.l, 0.0, wall.length_l > 0.0},
+                         {wall.l, wall.length_l, wall.length_l > 0.0},
+                         {-wall.m, 0.0, wall.length_m > 0.0},
+                         {wall.m, wall.length_m, wall.length_m > 0.0}};
+  const double slack = 1e-9 * (wall.length_l + wall.length_m + wall.depth);
+  // The way of the node enters through the last face that it passes inwards, if it has not left by another before. A
+  // node that is inside already is held where it is least deep.
+  const Face *through = nullptr, *shallow = nullptr;
+  double entry = -1.0, exit = 2.0, least = 0.0;
+  for (const Face& f : faces) {
+    if (!f.there) continue;
+    const double start = dot(from, f.normal) - f.at, end = dot(to, f.normal) - f.at;
+    if (start >= -slack) {
+      if (end >= std::min(start, 0.0) && hold != Hold::welded) return {};
+      const double when = std::max(0.0, start) / std::max(start - end, 1e-300);
+      if (when > entry) entry = when, through = &f;
+    } else {
+      if (end > 0.0) exit = std::min(exit, start / (start - end));
+      if (shallow == nullptr || start > least) least = start, shallow = &f;
+    }
+  }
+  if (through == nullptr) through = shallow;
+  if (hold != Hold::welded && entry > exit) return {};
+  const double start = dot(from, through->normal) - through->at, end = dot(to, through->normal) - through->at;
+  const double level = hold == Hold::welded ? start : std::min(start, 0.0);
+  if (hold != Hold::welded && end >= level) return {};
+  return {true, through->normal, level - end};
+}
+
 /// Change of the sliding velocity `slip` that friction makes in a step in which the wall changes the normal velocity by
 /// `normal_change` >= 0: against the slip, at most `coefficient` times that (Coulomb), never more than the slip itself.
 inline Vec3d friction_change(const Vec3d& slip, double coefficient, double normal_change) {

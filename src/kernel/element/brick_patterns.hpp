@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+
 #include "kernel/element/hexahedron.hpp"
 
 // Geometry of an eight-node brick, common to its formulations. Included by their .cpp files only.
@@ -96,6 +98,61 @@ struct BulkViscosity {
     step = length / (slow + sqrt(slow * slow + c2));
   }
 };
+
+/// A step of a brick in patterns: velocities, and the geometry in its middle and at its end. A deleted brick stands
+/// still.
+template <class R>
+struct BrickStep {
+  Patterns<R> v, mid, end;
+
+  [[gnu::always_inline]] BrickStep(const SolidMotion<R>& nodes, double dt, const MaskOf<R>& alive)
+      : v(patterns_of(nodes.v)), end(patterns_of(nodes.x)) {
+    if (any(!alive))
+      for (Vec3<R>* a : {&v.a, &v.b, &v.c, &v.h[0], &v.h[1], &v.h[2], &v.h[3]}) *a = select(alive, *a, Vec3<R>{});
+    const R half = R(0.5 * dt);
+    mid = {end.a - half * v.a,
+           end.b - half * v.b,
+           end.c - half * v.c,
+           {end.h[0] - half * v.h[0], end.h[1] - half * v.h[1], end.h[2] - half * v.h[2], end.h[3] - half * v.h[3]}};
+  }
+};
+
+/// Axes of a weld: r along the mean of the normals of the faces 1-2-3-4 and 5-6-7-8, so that shear does not tilt it, s
+/// along xi (spotweld-theory 3.1).
+template <class R>
+Frame<R> weld_axes(const Patterns<R>& x) {
+  const Vec3<R> r = unit(cross(x.a, x.b) + cross(x.h[1], x.h[0])), s = unit(x.a - dot(x.a, r) * r);
+  return {r, s, cross(r, s)};
+}
+
+/// Stress of a weld of uniaxial stress state, in global axes: rr, rs and rt only.
+template <class R>
+SolidTensor<R> section_stress(const Prepared<Spotweld>& law, const Matrix<R>& l, const Patterns<R>& mid,
+                              const Patterns<R>& end, double dt, double* history) {
+  const Frame<R> m = weld_axes(mid);
+  const Vec3<R> along = l * m.e1;
+  const FibreTensor<R> rate{dot(m.e1, along), dot(m.e2, along) + dot(m.e1, l * m.e2),
+                            dot(m.e3, along) + dot(m.e1, l * m.e3)};
+  const FibreTensor<R> f = law.section(rate, dt, history);
+  const Frame<R> e = weld_axes(end);
+  const Vec3<R>& r = e.e1;
+  const Vec3<R> t = R(0.5) * f.rr * r + f.rs * e.e2 + f.rt * e.e3;  // sigma = r t + t r
+  return {2.0 * (r.x * t.x),     2.0 * (r.y * t.y),     2.0 * (r.z * t.z),
+          r.x * t.y + t.x * r.y, r.y * t.z + t.y * r.z, r.z * t.x + t.z * r.x};
+}
+
+/// sqrt(2/3 e:e) of the deviator; the shears of `d` are engineering shears.
+template <class R>
+R effective_rate(const SolidTensor<R>& d) {
+  const R mean = (1.0 / 3.0) * (d.xx + d.yy + d.zz), x = d.xx - mean, y = d.yy - mean, z = d.zz - mean;
+  return sqrt((2.0 / 3.0) * (x * x + y * y + z * z) + (1.0 / 3.0) * (d.xy * d.xy + d.yz * d.yz + d.zx * d.zx));
+}
+
+/// Von Mises' stress.
+inline double effective_stress(const SolidTensor<double>& s) {
+  const double xy = s.xx - s.yy, yz = s.yy - s.zz, zx = s.zz - s.xx;
+  return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * (s.xy * s.xy + s.yz * s.yz + s.zx * s.zx));
+}
 
 inline Patterns<double> patterns_of(const std::array<Vec3d, 8>& x) {
   const Vec3d nodes[8] = {x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernel/element/full_hexahedron.hpp"
 
+#include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "kernel/element/brick_patterns.hpp"
 #include "kernel/law/prepared_compound.hpp"
@@ -80,16 +82,8 @@ SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Pr
   auto alive = load_field<R>(state, L::alive) > 0.5;
   const R none = R(0.0), third = R(1.0 / 3.0);
 
-  Patterns<R> v = patterns_of(nodes.v);
-  if (any(!alive))
-    for (Vec3<R>* a : {&v.a, &v.b, &v.c, &v.h[0], &v.h[1], &v.h[2], &v.h[3]}) *a = select(alive, *a, Vec3<R>{});
-  const Patterns<R> end = patterns_of(nodes.x);
-  const R half = R(0.5 * dt);
-  const Patterns<R> mid{
-      end.a - half * v.a,
-      end.b - half * v.b,
-      end.c - half * v.c,
-      {end.h[0] - half * v.h[0], end.h[1] - half * v.h[1], end.h[2] - half * v.h[2], end.h[3] - half * v.h[3]}};
+  const BrickStep<R> motion(nodes, dt, alive);
+  const Patterns<R>&v = motion.v, &mid = motion.mid, &end = motion.end;
 
   Matrix<R> l[points];
   R volume = none, growth = none;
@@ -101,6 +95,11 @@ SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Pr
   }
   const R trace = growth / volume;
 
+  constexpr bool weld = std::is_same_v<Law, Spotweld>;
+  bool uniaxial = false;
+  if constexpr (weld) uniaxial = law.uniaxial();
+  const R share = R(1.0 / points), whole = load_field<R>(state, L::integrity);
+  R rate = none, left = none;  // means over the points: effective strain rate, what damage has left
   SolidTensor<R> stress[points];
   R failed = none, wave = none;  // points that have failed; greatest wave modulus
   for (int p = 0; p < points; ++p) {
@@ -112,12 +111,23 @@ SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Pr
     law.rotate(turn, history);
     const SolidTensor<R> d{l[p].x.x + extra,    l[p].y.y + extra,    l[p].z.z + extra,
                            l[p].x.y + l[p].y.x, l[p].y.z + l[p].z.y, l[p].z.x + l[p].x.z};
-    law.solid(s, d, dt, history);
+    if constexpr (weld) {
+      rate += share * effective_rate(d);
+      if (uniaxial)
+        s = section_stress(law, l[p], mid, end, dt, history);
+      else
+        law.solid(s, d, dt, history);
+      left += share * law.template integrity<R>(history);
+    } else {
+      law.solid(s, d, dt, history);
+    }
     store_solid(at, s);
-    stress[p] = s;
+    stress[p] = weld ? whole * s : s;
     wave = max(wave, law.template wave_modulus<R>(history));
     if (law.can_fail()) failed += select(law.template failed<R>(history), R(1.0), none);
   }
+
+  if constexpr (weld) store_field(state, L::strain_rate, rate);
 
   // Mean pressure at the end; the points keep their deviators.
   R end_volume = none, mean = none;
@@ -130,7 +140,8 @@ SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Pr
 
   const R density = brick.density * load_field<R>(state, L::density_scale);
   const BulkViscosity<R> bulk(brick, wave, density, end_volume / sqrt(largest_face2(end)), trace);
-  mean -= bulk.pressure;
+  const R pressure = weld ? whole * left * bulk.pressure : bulk.pressure;
+  mean -= pressure;
 
   if (law.can_fail()) alive = alive && failed < R(points_to_delete(law));
   if (law.deletion_step() > 0.0) alive = alive && bulk.step >= law.deletion_step();
@@ -140,7 +151,8 @@ SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Pr
   for (int p = 0; p < points; ++p) {
     const Cofactors<R> c(Slopes<R>(end, place_of(p)));
     SolidTensor<R> s = stress[p];
-    const R change = mean - third * (s.xx + s.yy + s.zz);
+    // A uniaxial stress state has no pressure of its own that could be shared.
+    const R change = uniaxial ? -pressure : mean - third * (s.xx + s.yy + s.zz);
     s.xx += change;
     s.yy += change;
     s.zz += change;
@@ -165,6 +177,15 @@ void start_full_hexahedron(const FullHexahedronLayout& layout, double* state, in
   for (int i = 0; i < layout.size(); ++i) state[i * width + lane] = 0.0;
   state[L::alive * width + lane] = 1.0;
   state[L::density_scale * width + lane] = 1.0;
+  state[L::integrity * width + lane] = 1.0;
+}
+
+void hold_yield(const FullHexahedronLayout& layout, const Prepared<Spotweld>& law, double* state, int width, int lane) {
+  for (int p = 0; p < points; ++p) {
+    const auto at = [&](int i) { return state[(layout.point(p) + i) * width + lane]; };
+    state[(layout.history_of(p) + Prepared<Spotweld>::held) * width + lane] =
+        law.stress_to_hold(effective_stress({at(0), at(1), at(2), at(3), at(4), at(5)}));
+  }
 }
 
 template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
@@ -173,11 +194,15 @@ template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, 
                                                    const SolidMotion<double>&, double, double*);
 template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
                                                    const SolidMotion<double>&, double, double*);
+template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Spotweld>&,
+                                                   const SolidMotion<double>&, double, double*);
 template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
                                                         const SolidMotion<NativeBatch>&, double, double*);
 template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<PlasticKinematic>&,
                                                         const SolidMotion<NativeBatch>&, double, double*);
 template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
+                                                        const SolidMotion<NativeBatch>&, double, double*);
+template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Spotweld>&,
                                                         const SolidMotion<NativeBatch>&, double, double*);
 template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Compound>&,
                                                         const SolidMotion<NativeBatch>&, double, double*);

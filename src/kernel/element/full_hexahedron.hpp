@@ -10,7 +10,9 @@ struct FullHexahedronLayout {
   static constexpr int alive = 0;              ///< 1, or 0 once the element is deleted
   static constexpr int density_scale = 1;      ///< factor on the density by mass scaling [1]
   static constexpr int hourglass_energy = -1;  ///< there is none
-  static constexpr int first_point = 2;
+  static constexpr int integrity = 2;    ///< share of the forces that the damage of a weld as a whole has left [1]
+  static constexpr int strain_rate = 3;  ///< of a weld: effective, mean of the points [1/time]
+  static constexpr int first_point = 4;
   static constexpr int points = 8;
 
   int history = 0;
@@ -36,13 +38,18 @@ void start_full_hexahedron(const FullHexahedronLayout& layout, double* state, in
 /// which is B-bar (Hughes, IJNME 15 (1980)). Each point's stress turns with its own spin, as in hexahedron_cycle; so do
 /// bulk viscosity (of the mean dilatation) and the stable step. It has no hourglass modes, and like every such brick it
 /// locks in bending, the more the longer it is for its thickness. An element is deleted when all its points have
-/// failed, or its stable step falls below the law's deletion step. Sources: LS-DYNA Theory Manual, solid elements;
+/// failed, or its stable step falls below the law's deletion step. A weld of uniaxial stress state has at each point
+/// the stresses on its cross-section only, as in hexahedron_cycle; their pressure is not averaged. Sources: LS-DYNA
+/// Theory Manual, solid elements;
 /// ../shared/reference/element-theory.md section 5.5. Hourglass data of `brick` are not used.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with Compound;
-/// Dual<24> with Elastic.
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld; NativeBatch with
+/// Compound; Dual<24> with Elastic.
 template <class R, class Law>
 SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Prepared<Law>& law,
                                      const SolidMotion<R>& nodes, double dt, double* state);
+
+/// Holds each point's yield stress at its present effective stress; see hold_yield of weld_beam.hpp.
+void hold_yield(const FullHexahedronLayout& layout, const Prepared<Spotweld>& law, double* state, int width, int lane);
 
 }  // namespace nugget::kernel

@@ -134,30 +134,6 @@ template <class R>
   return now;
 }
 
-/// Axes of a weld: r along the mean of the normals of the faces 1-2-3-4 and 5-6-7-8, so that shear does not tilt it, s
-/// along xi (spotweld-theory 3.1).
-template <class R>
-Frame<R> weld_axes(const Patterns<R>& x) {
-  const Vec3<R> r = unit(cross(x.a, x.b) + cross(x.h[1], x.h[0])), s = unit(x.a - dot(x.a, r) * r);
-  return {r, s, cross(r, s)};
-}
-
-/// Stress of a weld of uniaxial stress state, in global axes: rr, rs and rt only.
-template <class R>
-SolidTensor<R> section_stress(const Prepared<Spotweld>& law, const Matrix<R>& l, const Patterns<R>& mid,
-                              const Patterns<R>& end, double dt, double* history) {
-  const Frame<R> m = weld_axes(mid);
-  const Vec3<R> along = l * m.e1;
-  const FibreTensor<R> rate{dot(m.e1, along), dot(m.e2, along) + dot(m.e1, l * m.e2),
-                            dot(m.e3, along) + dot(m.e1, l * m.e3)};
-  const FibreTensor<R> f = law.section(rate, dt, history);
-  const Frame<R> e = weld_axes(end);
-  const Vec3<R>& r = e.e1;
-  const Vec3<R> t = R(0.5) * f.rr * r + f.rs * e.e2 + f.rt * e.e3;  // sigma = r t + t r
-  return {2.0 * (r.x * t.x),     2.0 * (r.y * t.y),     2.0 * (r.z * t.z),
-          r.x * t.y + t.x * r.y, r.y * t.z + t.y * r.z, r.z * t.x + t.z * r.x};
-}
-
 /// Forces that do the work of stress and hourglass forces: V sigma_ij b_jI + sum_k Q_ik gamma_kI, gamma_k = h_k / 8 -
 /// (x_k . b).
 template <class R>
@@ -177,13 +153,6 @@ template <class R>
   nodes_of(p, f);
 }
 
-/// sqrt(2/3 e:e) of the deviator; the shears of `d` are engineering shears.
-template <class R>
-R effective_rate(const SolidTensor<R>& d) {
-  const R mean = (1.0 / 3.0) * (d.xx + d.yy + d.zz), x = d.xx - mean, y = d.yy - mean, z = d.zz - mean;
-  return sqrt((2.0 / 3.0) * (x * x + y * y + z * z) + (1.0 / 3.0) * (d.xy * d.xy + d.yz * d.yz + d.zx * d.zx));
-}
-
 }  // namespace
 
 template <class R, class Law>
@@ -193,16 +162,8 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepare
   const ElasticConstants& e = law.elastic();
   auto alive = load_field<R>(state, L::alive) > 0.5;
 
-  Patterns<R> v = patterns_of(nodes.v);
-  if (any(!alive))
-    for (Vec3<R>* a : {&v.a, &v.b, &v.c, &v.h[0], &v.h[1], &v.h[2], &v.h[3]}) *a = select(alive, *a, Vec3<R>{});
-  const Patterns<R> end = patterns_of(nodes.x);
-  const R half = R(0.5 * dt);
-  const Patterns<R> mid{
-      end.a - half * v.a,
-      end.b - half * v.b,
-      end.c - half * v.c,
-      {end.h[0] - half * v.h[0], end.h[1] - half * v.h[1], end.h[2] - half * v.h[2], end.h[3] - half * v.h[3]}};
+  const BrickStep<R> motion(nodes, dt, alive);
+  const Patterns<R>&v = motion.v, &mid = motion.mid, &end = motion.end;
   const Gradient<R> g(mid), g_end(end);
   const Matrix<R> l = velocity_gradient(g, v);
   const Frame<R> turn = rotation_of(l, dt);
@@ -271,10 +232,8 @@ void start_hexahedron(const HexahedronLayout& layout, const std::array<Vec3d, 8>
 void hold_yield(const Prepared<Spotweld>& law, double* state, int width, int lane) {
   using L = HexahedronLayout;
   const auto at = [&](int i) { return state[(L::stress + i) * width + lane]; };
-  const double xy = at(0) - at(1), yz = at(1) - at(2), zx = at(2) - at(0);
-  const double shear2 = at(3) * at(3) + at(4) * at(4) + at(5) * at(5);
   state[(L::first_history + Prepared<Spotweld>::held) * width + lane] =
-      law.stress_to_hold(std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * shear2));
+      law.stress_to_hold(effective_stress({at(0), at(1), at(2), at(3), at(4), at(5)}));
 }
 
 double hexahedron_volume(const std::array<Vec3d, 8>& x) {

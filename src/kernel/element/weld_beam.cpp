@@ -52,6 +52,41 @@ FibreRule disc_fibres(double outer_diameter, double inner_diameter, int quadratu
   return rule;
 }
 
+FibreRule rectangle_fibres(double side_s, double side_t, int quadrature) {
+  std::array<double, 4> place{}, weight{};
+  std::size_t count = 1;
+  const auto set = [&](std::initializer_list<double> places, std::initializer_list<double> weights) {
+    count = places.size();
+    std::copy(places.begin(), places.end(), place.begin());
+    std::copy(weights.begin(), weights.end(), weight.begin());
+  };
+  const double outer = std::sqrt((3.0 + 2.0 * std::sqrt(1.2)) / 7.0),
+               inner = std::sqrt((3.0 - 2.0 * std::sqrt(1.2)) / 7.0);
+  const double light = (18.0 - std::sqrt(30.0)) / 36.0, heavy = (18.0 + std::sqrt(30.0)) / 36.0;
+  switch (quadrature) {
+    case 1: set({0.0}, {2.0}); break;
+    case 3: set({-std::sqrt(0.6), 0.0, std::sqrt(0.6)}, {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0}); break;
+    case 4: set({-1.0, 0.0, 1.0}, {1.0 / 3.0, 4.0 / 3.0, 1.0 / 3.0}); break;
+    case 5: set({-outer, -inner, inner, outer}, {light, heavy, heavy, light}); break;
+    default: set({-std::sqrt(1.0 / 3.0), std::sqrt(1.0 / 3.0)}, {1.0, 1.0});
+  }
+  FibreRule rule;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < count; ++j) {
+      const auto k = static_cast<std::size_t>(rule.count++);
+      rule.s[k] = 0.5 * side_s * place[i];
+      rule.t[k] = 0.5 * side_t * place[j];
+      rule.area[k] = 0.25 * side_s * side_t * weight[i] * weight[j];
+    }
+  return rule;
+}
+
+double rectangle_torsion_share(double side_s, double side_t) {
+  const double a = std::max(side_s, side_t), b = std::min(side_s, side_t), q = b / a;
+  const double torsion = a * b * b * b * (1.0 / 3.0 - 0.21 * q * (1.0 - q * q * q * q / 12.0));
+  return torsion / (a * b * (a * a + b * b) / 12.0);
+}
+
 void start_weld_beam(const WeldBeamLayout& layout, const Vec3d& x1, const Vec3d& x2, const Vec3d& towards,
                      double* state, int width, int lane) {
   using L = WeldBeamLayout;
@@ -99,7 +134,8 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared
   const Frame<R> mid{mid_r, mid_s, cross(mid_r, mid_s)};
   const Vec3<R> dv = over_mid * mid.local(stretch), dw = over_mid * mid.local(nodes.w[1] - nodes.w[0]);
   const Vec3<R> mean = mid.local(R(0.5) * (nodes.w[0] + nodes.w[1]));
-  const double torsion = beam.no_torsion ? 0.0 : 1.0;
+  // Both in the strain and in the moment, so that they belong together.
+  const double torsion = beam.no_torsion ? 0.0 : std::sqrt(beam.torsion_share);
   const R rs = beam.shear_factor * (dv.y - mean.z), rt = beam.shear_factor * (dv.z + mean.y), twist = torsion * dw.x;
 
   R n[6]{}, strain_rate = 0.0;
@@ -122,11 +158,10 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared
     n[0] += area * a.rr;
     n[1] += area * a.rs;
     n[2] += area * a.rt;
-    n[3] += area * (ps * a.rt - pt * a.rs);
+    n[3] += (torsion * area) * (ps * a.rt - pt * a.rs);
     n[4] += (area * pt) * a.rr;
     n[5] -= (area * ps) * a.rr;
   }
-  if (beam.no_torsion) n[3] = none;  // the points' shear may still make one once they have yielded unevenly
   if (law.can_fail()) {
     alive = alive && sound;
     store_field(state, L::alive, select(alive, R(1.0), none));
@@ -167,7 +202,8 @@ double weld_beam_stable_step(double length, double E, double density) {
 
 NodalMass weld_beam_nodal_mass(const WeldBeamProperties& beam, double length, double density, double nu) {
   const Moments section = moments(beam.fibres);
-  const double mass = 0.5 * density * section.area * length, bend = std::max(section.ss, section.tt);
+  const double mass = 0.5 * (density * section.area + beam.mass_per_length) * length,
+               bend = std::max(section.ss, section.tt);
   const double shear_over_E = 0.5 / (1.0 + nu), k = beam.shear_factor * shear_over_E;
   const double cube = density * section.area * length * length * length;
   const double bending = 0.5 * density * bend * length + cube / 24.0;
@@ -183,6 +219,14 @@ template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const
 template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<Elastic>&,
                                                      const NodalMotion<NativeBatch, 2>&, double, double*);
 template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<Spotweld>&,
+                                                     const NodalMotion<NativeBatch, 2>&, double, double*);
+template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<PlasticKinematic>&,
+                                                const NodalMotion<double, 2>&, double, double*);
+template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<PiecewiseLinear>&,
+                                                const NodalMotion<double, 2>&, double, double*);
+template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<PlasticKinematic>&,
+                                                     const NodalMotion<NativeBatch, 2>&, double, double*);
+template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<PiecewiseLinear>&,
                                                      const NodalMotion<NativeBatch, 2>&, double, double*);
 template NodalForces<Dual<12>, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<Elastic>&,
                                                   const NodalMotion<Dual<12>, 2>&, double, double*);

@@ -19,13 +19,21 @@ struct FibreRule {
 /// Rule for a disc or ring of the diameters given, by QR/IRID: up to 2: 4 points; 3: 2 radii x 8 angles; from 4 on: 3
 /// x 16. All have the exact area and second moments; their fully plastic moments are those of spotweld-theory 2.3.
 FibreRule disc_fibres(double outer_diameter, double inner_diameter, int quadrature);
+/// Rule for a rectangle with the sides given along s and t, by QR/IRID: 1: one point; 2: 2 x 2 Gauss; 3: 3 x 3 Gauss;
+/// 4: 3 x 3 Lobatto; 5: 4 x 4 Gauss. From 2 on they have the exact second moments.
+FibreRule rectangle_fibres(double side_s, double side_t, int quadrature);
+/// Saint-Venant's torsion constant of a rectangle (Roark) over its polar moment: the share of the torsional stiffness
+/// that the points' shear would have without warping.
+double rectangle_torsion_share(double side_s, double side_t);
 
-/// Section and control data of a block of spot-weld beams.
+/// Section and control data of a block of spot-weld beams or integrated beams.
 struct WeldBeamProperties {
   double density = 0.0;  ///< [mass/volume], before mass scaling
   FibreRule fibres;
-  double shear_factor = 1.0;  ///< SHRF, on the transverse shear, not on the torsion [1]
-  bool no_torsion = false;    ///< ITOFF 1, or tied to shells without drilling stiffness: M_rr = 0
+  double shear_factor = 1.0;     ///< SHRF, on the transverse shear, not on the torsion [1]
+  bool no_torsion = false;       ///< ITOFF 1, or tied to shells without drilling stiffness: M_rr = 0
+  double torsion_share = 1.0;    ///< torsion constant over polar moment [1]
+  double mass_per_length = 0.0;  ///< non-structural [mass/length]
 };
 
 /// Fields of the state of a weld beam. Field i of lane l stands at state[i * lanes + l].
@@ -58,8 +66,9 @@ WeldBeamLayout weld_beam_layout(const WeldBeamProperties& beam, const Prepared<L
 void start_weld_beam(const WeldBeamLayout& layout, const Vec3d& x1, const Vec3d& x2, const Vec3d& towards,
                      double* state, int width, int lane);
 
-/// One cycle of the spot-weld beam (ELFORM 9): Hughes-Liu kinematics with one station at mid-length and points over the
-/// section; Poisson's effect is ignored, the section does not change, axial strain is logarithmic.
+/// One cycle of the spot-weld beam (ELFORM 9) and of the integrated beam (ELFORM 1): Hughes-Liu kinematics with one
+/// station at mid-length and points over the section; Poisson's effect is ignored, the section does not change, axial
+/// strain is logarithmic.
 ///
 /// Rates are formed on the mid-step geometry, forces on that of the end. s turns with the mean spin of the nodes and
 /// stays normal to the beam. Points whose plastic strain reaches the failure strain carry no stress; a beam of which
@@ -67,7 +76,8 @@ void start_weld_beam(const WeldBeamLayout& layout, const Vec3d& x1, const Vec3d&
 /// are, are left in the state for the weld's failure function. The stable step is L / sqrt(E / rho). Source:
 /// ../shared/reference/spotweld-theory.md section 2.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic and Spotweld; Dual<12> with Elastic.
+/// Instantiated for R = double, NativeBatch with Elastic, Spotweld, PlasticKinematic and PiecewiseLinear; Dual<12> with
+/// Elastic.
 template <class R, class Law>
 NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared<Law>& law,
                                   const NodalMotion<R, 2>& nodes, double dt, double* state);

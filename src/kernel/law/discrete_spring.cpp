@@ -23,6 +23,11 @@ double ForceCurve::operator()(double d) const {
   return mirrored_ && d < 0.0 ? -piece(-d) : piece(d);
 }
 
+double ForceCurve::factor(double d) const {
+  const double at = mirrored_ ? std::abs(d) : d;
+  return piece(std::clamp(at, x_.front(), x_.back()));
+}
+
 double ForceCurve::slope(double d) const {
   if (empty()) return 0.0;
   if (mirrored_ && d < 0.0) return slope(-d);
@@ -52,6 +57,12 @@ double ForceCurve::steepest_fall() const {
 
 double ForceCurve::lowest() const {
   return y_.empty() ? 0.0 : *std::min_element(y_.begin(), y_.end());
+}
+
+double ForceCurve::largest() const {
+  double s = 0.0;
+  for (const double y : y_) s = std::max(s, std::abs(y));
+  return s;
 }
 
 ForceCurve ForceCurve::tension_side() const {
@@ -119,8 +130,9 @@ double DiscreteSpring::advance(State& s, double increment, double velocity) cons
   }
   const double log_term = log_rate == 0.0 ? 0.0 : log_rate * std::log(std::max(1.0, std::abs(velocity) / rate));
   const double factor = 1.0 + linear_rate * velocity + (velocity < 0.0 ? -log_term : log_term);
-  const double scale = damper_scale.empty() ? 1.0 : damper_scale(d);
-  return preload + factor * s.force + damping * velocity + scale * damper(velocity);
+  const double scale = damper_scale.empty() ? 1.0 : damper_scale.factor(d);
+  const double by_rate = rate_scale.empty() ? 1.0 : rate_scale.factor(velocity);
+  return preload + factor * by_rate * s.force + damping * velocity + scale * damper(velocity);
 }
 
 double DiscreteSpring::initial_stiffness() const {
@@ -148,10 +160,9 @@ double DiscreteSpring::greatest_stiffness() const {
 }
 
 double DiscreteSpring::greatest_viscosity(double f) const {
-  double scale = 1.0;
-  if (!damper_scale.empty()) scale = std::max(1.0, damper_scale.steepest());
+  const double scale = damper_scale.empty() ? 1.0 : damper_scale.largest();
   const double rates = std::abs(f) * (std::abs(linear_rate) + std::abs(log_rate) / rate);
-  return damping + scale * damper.steepest() + rates;
+  return damping + scale * damper.steepest() + rates + std::abs(f) * rate_scale.steepest();
 }
 
 }  // namespace nugget::kernel

@@ -18,11 +18,14 @@ class ForceCurve {
 
   bool empty() const { return x_.empty(); }
   double operator()(double d) const;
+  /// As a factor: an even function where the curve starts at 0 or to the right of it, its end values beyond its ends.
+  double factor(double d) const;
   double slope(double d) const;  ///< of the piece that holds d; at a point the mean of both its pieces [force/length]
   double steepest() const;       ///< largest slope in size [force/length]
   double steepest_rise() const;  ///< largest rising slope; 0: it never rises
   double steepest_fall() const;  ///< largest falling slope, as a positive number; 0: it never falls
   double lowest() const;         ///< smallest ordinate
+  double largest() const;        ///< largest ordinate in size
 
   /// As a yield force over plastic displacement: what holds for tension and, turned over, for compression. Both are the
   /// whole curve where it starts at 0 or to the right of it.
@@ -42,7 +45,7 @@ class ForceCurve {
 };
 
 /// One degree of freedom of a discrete beam, or a spring. Its force is
-///     F = F0 + f [1 + C1 v + C2 sgn(v) ln max(1, |v|/DLE)] + D v + g(d) h(v)
+///     F = F0 + f r(v) [1 + C1 v + C2 sgn(v) ln max(1, |v|/DLE)] + D v + g(d) h(v)
 /// where f follows the displacement d as `kind` says and v is the rate of d. Sources: keywords.md section 5 (MAT_066,
 /// 067, 074, 119, S01-S08); Altair Radioss, LS-DYNA input interface, MAT_068, 119, 121, 196.
 struct DiscreteSpring {
@@ -62,6 +65,7 @@ struct DiscreteSpring {
   double linear_rate = 0.0, log_rate = 0.0, rate = 1.0;  ///< C1 [time/length], C2 [1], DLE [length/time]
   ForceCurve load, unload;                               ///< elastoplastic: yield force in tension, in compression
   ForceCurve damper, damper_scale;                       ///< h over v; g over d, 1 where it is empty
+  ForceCurve rate_scale;                                 ///< r over v, 1 where it is empty
 
   struct State {
     double displacement = 0.0;

@@ -91,7 +91,7 @@ class J2 {
  public:
   static constexpr int layer_history() { return 1 + (back_stress ? LayerTensor<double>::size : 0); }
   static constexpr int solid_history() { return 1 + (back_stress ? SolidTensor<double>::size : 0); }
-  static constexpr int fibre_history() { return 1; }
+  static constexpr int fibre_history() { return 1 + (back_stress ? FibreTensor<double>::size : 0); }
   static constexpr bool has_plastic_strain = true;  // the first number of the history
 
   J2(double E, double nu, Hardening hardening, double failure_strain)
@@ -148,10 +148,10 @@ class J2 {
   template <class R>
   [[gnu::always_inline]] inline void fibre(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt,
                                            double* history) const {
-    static_assert(!back_stress, "no kinematic hardening in beam fibres");
     elastic_.add(s, R(dt) * rate);
     if (can_fail()) s = select(failed<R>(history), FibreTensor<R>{}, s);
-    if (any(s.rr * s.rr + 3.0 * (s.rs * s.rs + s.rt * s.rt) > lowest2_)) flow(s, rate, dt, history);
+    const Parts<FibreTensor<R>, R> trial = parts(s, history);
+    if (any(trial.A + trial.B > lowest2_)) flow(s, rate, dt, history);
   }
 
  private:
@@ -188,6 +188,21 @@ class J2 {
     }
     const SolidTensor<R>& d = p.relative;
     p.B = 1.5 * (d.xx * d.xx + d.yy * d.yy + d.zz * d.zz) + 3.0 * (d.xy * d.xy + d.yz * d.yz + d.zx * d.zx);
+    return p;
+  }
+
+  /// A fibre's back stress is its effective part: that of the axial stress alone is 3/2 of its deviator's.
+  template <class R>
+  [[gnu::always_inline]] inline Parts<FibreTensor<R>, R> parts(const FibreTensor<R>& s, const double* history) const {
+    Parts<FibreTensor<R>, R> p;
+    p.relative = s;
+    if constexpr (back_stress) {
+      p.back = load_fibre<R>(history + lanes<R>);
+      p.relative = {s.rr - p.back.rr, s.rs - p.back.rs, s.rt - p.back.rt};
+    }
+    const FibreTensor<R>& d = p.relative;
+    p.A = d.rr * d.rr;
+    p.B = 3.0 * (d.rs * d.rs + d.rt * d.rt);
     return p;
   }
 
@@ -255,17 +270,29 @@ class J2 {
 
   template <class R>
   [[gnu::noinline]] void flow(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt, double* history) const {
-    const R A = s.rr * s.rr, B = 3.0 * (s.rs * s.rs + s.rt * s.rt), trial2 = A + B;
+    const Parts<FibreTensor<R>, R> trial = parts(s, history);
+    const R A = trial.A, B = trial.B, trial2 = A + B;
     const R plastic_strain = load_field<R>(history, 0);
     typename Hardening::template At<R> yield(hardening_, history, rate_of(rate), dt);
     const YieldStress<R> start = yield(R(0.0));
     const auto plastic = trial2 > start.value * start.value;
     if (!any(plastic)) return;
 
-    const PlasticReturn<R> r =
-        plastic_return<true>(A, B, trial2, elastic_.E, 3.0 * elastic_.shear, yield, start, plastic);
-    const R keep_a = r.yield * r.over_a, keep_b = r.yield * r.over_b;
-    s = select(plastic, FibreTensor<R>{keep_a * s.rr, keep_b * s.rs, keep_b * s.rt}, s);
+    double shift = 0.0;
+    if constexpr (back_stress) shift = hardening_.kinematic();
+    const double ka = elastic_.E + shift, kb = 3.0 * elastic_.shear + shift;
+    const PlasticReturn<R> r = plastic_return<true>(A, B, trial2, ka, kb, yield, start, plastic);
+    const FibreTensor<R>& d = trial.relative;
+    const auto shrunk = [&](const R& a, const R& b) { return FibreTensor<R>{a * d.rr, b * d.rs, b * d.rt}; };
+    FibreTensor<R> returned = shrunk(r.yield * r.over_a, r.yield * r.over_b);
+    if constexpr (back_stress) {
+      const R grow = shift * r.increment;
+      const FibreTensor<R> more = shrunk(grow * r.over_a, grow * r.over_b);
+      const FibreTensor<R> back{trial.back.rr + more.rr, trial.back.rs + more.rs, trial.back.rt + more.rt};
+      store_fibre(history + lanes<R>, select(plastic, back, trial.back));
+      returned = {returned.rr + back.rr, returned.rs + back.rs, returned.rt + back.rt};
+    }
+    s = select(plastic, returned, s);
     store_field(history, 0, plastic_strain + select(plastic, r.increment, R(0.0)));
     if (can_fail()) s = select(failed<R>(history), FibreTensor<R>{}, s);
   }

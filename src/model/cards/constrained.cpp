@@ -117,6 +117,11 @@ const Card spotweld_filter_card{{
     integer("nf", 0, at_least(0), "force vectors that are averaged for failure; up to 1: none"),
     real("tw", dimension::time, 0, at_least(0), "time window of that average; 0: all NF vectors"),
 }};
+const Card rivet_card{{
+    id("n1", IdSpace::node, required, "node 1"),
+    id("n2", IdSpace::node, required, "node 2, at another place"),
+    real("tf", dimension::time, forever, at_least(0), "time of failure; 0: none"),
+}};
 
 const Card interpolation_card1{{
     id("icid", IdSpace::other, 0, "number of the interpolation"),
@@ -274,6 +279,32 @@ void read_spotweld(Builder& builder, const Block& block, const Options& options)
   }
 }
 
+void make_rivet(Builder& b, const Row& row, int id) {
+  RigidWeld rivet;
+  rivet.kind = RigidWeld::Kind::rivet;
+  rivet.nodes = {b.node(row, "n1"), b.node(row, "n2")};
+  rivet.failure_time = failure_value(row, "tf");
+  rivet.place = row.place();
+  const auto is_rivet = [](const RigidWeld& w) { return w.kind == RigidWeld::Kind::rivet; };
+  const auto& welds = b.model.rigid_welds;
+  rivet.id = id != 0 ? id : static_cast<int>(std::count_if(welds.begin(), welds.end(), is_rivet)) + 1;
+  if (rivet.nodes[0] == none || rivet.nodes[1] == none) return;
+  const auto place = [&](std::size_t end) { return b.model.nodes.x[static_cast<std::size_t>(rivet.nodes[end])]; };
+  if (norm(place(1) - place(0)) == 0.0)
+    return refuse(b, row, "n2", "both nodes are at one place, so the rivet has no direction",
+                  "move one of them, or use *CONSTRAINED_GENERALIZED_WELD_SPOT for such nodes");
+  b.model.rigid_welds.push_back(std::move(rivet));
+}
+
+void read_rivet(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    const int id = options.contains("ID") ? cursor.read(weld_id_card).integer("wid") : 0;
+    const Row row = cursor.read(rivet_card);
+    builder.later(Phase::conditions, [row, id](Builder& later) { make_rivet(later, row, id); });
+  }
+}
+
 // ---- interpolation
 // -------------------------------------------------------------------------------------------------------------
 
@@ -386,15 +417,19 @@ std::vector<Keyword> constrained_keywords() {
        {},
        {{"with _ID", &weld_id_card}, {{}, &spotweld_card}, {"with _FILTERED_FORCE", &spotweld_filter_card}},
        read_spotweld},
+      {"CONSTRAINED_RIVET",
+       {},
+       {"ID"},
+       Verdict::used,
+       {},
+       {{"with _ID", &weld_id_card}, {{}, &rivet_card}},
+       read_rivet},
 
-      refused("CONSTRAINED_RIVET", "rivets are not built; use *MAT_SPOTWELD elements with *CONTACT_SPOTWELD"),
       refused("CONSTRAINED_GENERALIZED_WELD_*",
               "fillet, butt, cross and combined welds are not built: their cards are not documented to this project; "
               "spots (*CONSTRAINED_GENERALIZED_WELD_SPOT) are"),
       refused("CONSTRAINED_INTERPOLATION_LOCAL",
               "weights in local axes are not built; give weights that are the same in all directions"),
-      refused("CONSTRAINED_JOINT_*",
-              "joints between rigid bodies are not built; *CONSTRAINED_RIGID_BODIES joins them rigidly"),
       refused("CONSTRAINED_TIE_BREAK", "tied nodes that break are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
       refused("CONSTRAINED_TIED_NODES_FAILURE",
               "tied nodes that break are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),

@@ -4,6 +4,7 @@
 
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
+#include "model/contact_form.hpp"
 
 namespace nugget::model {
 namespace {
@@ -35,9 +36,10 @@ Card sides_card(IdSpace a, IdSpace b) {
   return {{
       id("surfa", a, 0, "tracked side (SSID); 0 in a single surface contact: all parts"),
       id("surfb", b, 0, "reference side (MSID)"),
-      integer("surfatyp", 0, between(0, 6),
-              "0 segment set, 1 shell set, 2 part set, 3 part, 4 node set, 5 all, 6 all but a part set"),
-      integer("surfbtyp", 0, between(0, 6), "the same, without 4"),
+      integer("surfatyp", 0, between(0, 7),
+              "0 segment set, 1 shell set, 2 part set, 3 part, 4 node set, 5 all, 6 all but a part set, 7 branch of "
+              "parts (*SET_PART_TREE)"),
+      integer("surfbtyp", 0, between(0, 7), "the same, without 4"),
       id("saboxid", IdSpace::define, 0, "box of the tracked side: not built"),
       id("sbboxid", IdSpace::define, 0, "box of the reference side: not built"),
       integer("sapr", 0, any_value, "forces of the tracked side in ncforc and intfor"),
@@ -132,6 +134,12 @@ const Card card_f{{
     real("tetfac", dimension::number, 0, any_value, "stiffness of tetrahedra"),
 }};
 
+const Card eroding_card{{
+    integer("isym", 0, any_value, "planes of symmetry: nothing to do here"),
+    integer("erosop", 0, any_value, "faces that come to light take part in any case"),
+    integer("iadj", 0, any_value, "faces between materials take part where the parts are all in the contact"),
+}};
+
 // ---- sides
 // -----------------------------------------------------------------------------------------------------------------
 
@@ -175,6 +183,9 @@ Surface surface_of(Builder& builder, const Row& row, std::string_view field, std
     case 5: surface.everything = true; break;
     case 6:
       if (const auto* set = builder.part_set(row, field)) take_all_but(builder, set->members, surface);
+      break;
+    case 7:
+      if (const auto* branch = builder.branch(row, field)) surface.parts = branch->members;
       break;
     default: break;
   }
@@ -229,6 +240,9 @@ void take_friction(Builder& builder, const Row& row, Contact& contact) {
       if (row.real(field) < 0.0)
         refuse(builder, row, field, "friction by part, table or function is not built; expected 0 or more",
                "give the coefficients here");
+  if (contact.slides() && row.real("fs") == 2.0)
+    row.complain(builder.findings, Severity::warning, "fs",
+                 "is taken as a coefficient; LS-DYNA reads 2 as friction from a table", "give 1.99 or 2.01");
   contact.friction = {row.real("fs"), row.real("fd"), row.real("dc"), row.real("vc")};
   contact.damping = row.real("vdc");
   contact.birth = row.real("bt");
@@ -237,7 +251,12 @@ void take_friction(Builder& builder, const Row& row, Contact& contact) {
     expect(builder, row, Severity::warning, {{"vdc", 0, "the springs of a tie have no damping here"}});
 }
 
-void take_scales(const Row& row, Contact& contact) {
+void take_scales(Builder& builder, const Row& row, Contact& contact) {
+  if (contact.slides())
+    for (const std::string_view field : {"sast", "sbst"})
+      if (row.real(field) < 0.0)
+        refuse(builder, row, field, "a negative thickness has a meaning for ties alone; expected 0 or more",
+               "leave it 0 for the thickness of the shells");
   contact.stiffness_scale_a = row.real("sfsa");
   contact.stiffness_scale_b = row.real("sfsb");
   contact.thickness_a = row.real("sast");
@@ -357,6 +376,14 @@ void take_form(Builder& builder, const Block& block, const Options& options, Con
                            "keep one of _OFFSET, _BEAM_OFFSET, _CONSTRAINED_OFFSET, _PENALTY");
 }
 
+void judge_mortar(Builder& builder, const Block& block, const Options& options) {
+  if (options.contains("MORTAR"))
+    builder.findings.warning(block.place, '*' + block.keyword,
+                             "segments are not integrated against segments as mortar contact does: this one presses "
+                             "nodes against segments",
+                             "expect forces that are less smooth over coarse meshes");
+}
+
 template <Kind kind>
 void read_contact(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
@@ -365,6 +392,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   contact.keyword = block.keyword;
   contact.place = block.place;
   take_form(builder, block, options, contact);
+  judge_mortar(builder, block, options);
   const Heading heading = read_heading(cursor, options.contains("ID") || options.contains("TITLE"));
   contact.id = heading.id;
   contact.title = heading.text;
@@ -373,7 +401,8 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   expect(builder, sides, Severity::error,
          {{"saboxid", 0, "a box around a side is not built"}, {"sbboxid", 0, "a box around a side is not built"}});
   take_friction(builder, cursor.read(friction_card), contact);
-  take_scales(cursor.read(scale_card), contact);
+  take_scales(builder, cursor.read(scale_card), contact);
+  if (erodes(contact) && cursor.more()) cursor.read(eroding_card);
   take_optional_cards(builder, cursor, contact);
   builder.later(Phase::conditions, [sides, contact = std::move(contact)](Builder& b) mutable {
     if (kind == Kind::single_surface)
@@ -384,6 +413,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
       take_transducer(b, sides, contact);
     else
       take_tie(b, sides, contact);
+    if (contact.ignore == 0) contact.ignore = b.model.control.ignore_penetration;
     if (contact.id == 0) contact.id = static_cast<int>(b.model.contacts.size()) + 1;
     b.model.contacts.push_back(std::move(contact));
   });
@@ -392,24 +422,20 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
 template <Kind kind>
 Keyword contact_keyword(std::string_view name, std::vector<std::string_view> forms = {}) {
   forms.insert(forms.end(), {"ID", "TITLE", "MPP"});
-  return {name,
-          {},
-          std::move(forms),
-          Verdict::used,
-          {},
-          {{"with _ID or _TITLE", &heading_card},
-           {"with _MPP; read past", &mpp_card1},
-           {"with _MPP, if it begins with &; read past", &mpp_card2},
-           {{}, &sides_of_sets},
-           {{}, &friction_card},
-           {{}, &scale_card},
-           {"optional card A", &card_a},
-           {"optional card B", &card_b},
-           {"optional card C", &card_c},
-           {"optional card D", &card_d},
-           {"optional card E", &card_e},
-           {"optional card F", &card_f}},
-          read_contact<kind>};
+  std::vector<LayoutCard> layout{{"with _ID or _TITLE", &heading_card},
+                                 {"with _MPP; read past", &mpp_card1},
+                                 {"with _MPP, if it begins with &; read past", &mpp_card2},
+                                 {{}, &sides_of_sets},
+                                 {{}, &friction_card},
+                                 {{}, &scale_card}};
+  if (name.starts_with("CONTACT_ERODING")) layout.push_back({{}, &eroding_card});
+  layout.insert(layout.end(), {{"optional card A", &card_a},
+                               {"optional card B", &card_b},
+                               {"optional card C", &card_c},
+                               {"optional card D", &card_d},
+                               {"optional card E", &card_e},
+                               {"optional card F", &card_f}});
+  return {name, {}, std::move(forms), Verdict::used, {}, std::move(layout), read_contact<kind>};
 }
 
 Keyword refused(std::string_view name, std::string_view why) {
@@ -420,10 +446,14 @@ Keyword refused(std::string_view name, std::string_view why) {
 
 std::vector<Keyword> contact_keywords() {
   return {
-      contact_keyword<Kind::single_surface>("CONTACT_AUTOMATIC_SINGLE_SURFACE"),
-      contact_keyword<Kind::two_surfaces>("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE"),
+      contact_keyword<Kind::single_surface>("CONTACT_AUTOMATIC_SINGLE_SURFACE", {"MORTAR"}),
+      contact_keyword<Kind::two_surfaces>("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", {"MORTAR"}),
       contact_keyword<Kind::one_way>("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE"),
       contact_keyword<Kind::one_way>("CONTACT_AUTOMATIC_NODES_TO_SURFACE"),
+      contact_keyword<Kind::single_surface>("CONTACT_AUTOMATIC_GENERAL", {"INTERIOR"}),
+      contact_keyword<Kind::single_surface>("CONTACT_ERODING_SINGLE_SURFACE"),
+      contact_keyword<Kind::two_surfaces>("CONTACT_ERODING_SURFACE_TO_SURFACE"),
+      contact_keyword<Kind::one_way>("CONTACT_ERODING_NODES_TO_SURFACE"),
       contact_keyword<Kind::transducer>("CONTACT_FORCE_TRANSDUCER"),
       contact_keyword<Kind::transducer>("CONTACT_FORCE_TRANSDUCER_PENALTY"),
       contact_keyword<Kind::spotweld>("CONTACT_SPOTWELD", {"WITH_TORSION", "WITH_TORSION_PENALTY", "PENALTY", "OFFSET",
@@ -445,14 +475,16 @@ std::vector<Keyword> contact_keywords() {
               "this tie is not built; *CONTACT_SPOTWELD, *CONTACT_TIED_NODES_TO_SURFACE, "
               "*CONTACT_TIED_SURFACE_TO_SURFACE, *CONTACT_TIED_SHELL_EDGE_TO_SURFACE and ..._TO_SOLID are"),
       refused("CONTACT_AUTOMATIC_SINGLE_SURFACE_*", "this form is not built; use *CONTACT_AUTOMATIC_SINGLE_SURFACE"),
-      refused("CONTACT_AUTOMATIC_GENERAL*",
-              "contact of beams and edges is not built; use *CONTACT_AUTOMATIC_SINGLE_SURFACE for the sheets"),
+      refused("CONTACT_AUTOMATIC_GENERAL_*",
+              "this form is not built; *CONTACT_AUTOMATIC_GENERAL and *CONTACT_AUTOMATIC_GENERAL_INTERIOR are"),
       refused("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK*", "contact that glues and breaks is not built"),
       refused("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK*", "contact that glues and breaks is not built"),
       refused("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_*", "this form is not built; use it without the last word"),
       refused("CONTACT_FORCE_TRANSDUCER_*", "this transducer is not built; *CONTACT_FORCE_TRANSDUCER_PENALTY is"),
       refused("CONTACT_INTERIOR*", "contact inside soft solids is not built"),
-      refused("CONTACT_ERODING*", "eroding contact is not built"),
+      refused("CONTACT_ERODING_*",
+              "this form is not built; *CONTACT_ERODING_SINGLE_SURFACE, _SURFACE_TO_SURFACE and _NODES_TO_SURFACE "
+              "are"),
       refused("CONTACT_RIGID*", "contact of rigid bodies by force curves is not built"),
       refused("CONTACT_2D*", "contact in two dimensions is not built"),
       refused("CONTACT_*",

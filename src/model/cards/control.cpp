@@ -42,7 +42,9 @@ const Card step_card{{
     real("dt2ms", dimension::time, 0, any_value,
          "mass scaling: time step that is to be held; below 0: where needed only"),
     id("lctm", IdSpace::function, 0, "curve: largest time step over time"),
-    integer("erode", 0, at_least(0), "1: delete bricks below dtmin, 10: shells, 100: beams"),
+    integer(
+        "erode", 0, at_least(0),
+        "1: bricks below dtmin or of negative volume are deleted, 10: shells below dtmin, 100: beams; or their sum"),
     integer("ms1st", 0, between(0, 1), "1: masses are scaled at the start only"),
 }};
 
@@ -173,8 +175,9 @@ const Card shell_card_3{{
 }};
 
 const Card shell_card_4{{
-    integer("nfail1", 0, any_value, "1: distorted shells are deleted"),
-    integer("nfail4", 0, any_value, "1: distorted fully integrated shells are deleted"),
+    integer("nfail1", 0, at_least(0),
+            "1, 3: shells of one in-plane point whose sides cross are deleted; 2: they stop the run"),
+    integer("nfail4", 0, at_least(0), "the same for fully integrated shells"),
     flag("psnfail", "parts of NFAIL, no effect"),
     flag("keepcs", "contact of nodes of deleted shells of NFAIL, no effect"),
     integer("delfr", 0, any_value, "1: free shells are deleted"),
@@ -224,11 +227,11 @@ const Card accuracy_card{{
 }};
 
 const Card solid_card_1{{
-    integer("esort", 0, any_value, "1: wedges and tetrahedra get formulations of their own"),
+    integer("esort", 0, between(0, 3), "1, 2, 3: tetrahedra become formulation 10, wedges 15"),
     flag("fmatrx", "deformation gradient of other laws, no effect"),
     integer("niptets", 4, any_value, "for tetrahedra of ten nodes, no effect"),
     integer("swlocl", 1, any_value, "axes of the stresses of brick welds, no effect"),
-    integer("psfail", 0, any_value, "parts whose bricks of negative volume are deleted"),
+    id("psfail", IdSpace::set, 0, "part set whose bricks of negative volume are deleted; others stop the run"),
     factor("t10jtol", 0, "for tetrahedra of ten nodes, no effect"),
     flag("icoh", "for cohesive elements, no effect"),
     flag("tet13k", "for formulation 13, no effect"),
@@ -273,8 +276,6 @@ void read_time_step(Builder& b, const Block& block, const Options&) {
   cursor.read(step_card_2);
   const Row third = cursor.read(step_card_3);
   expect_end(b, cursor);
-  expect(b, row, Severity::warning,
-         {{"erode", 0, "not obeyed: elements are not deleted for their time step, as with 0"}});
   if (row.real("tssfac") < 0.0)
     refuse(b, row, "tssfac", "a factor over time (curve) is not supported", "give a number");
   if (row.real("tssfac") > 1.0)
@@ -358,13 +359,11 @@ void read_shell(Builder& b, const Block& block, const Options&) {
   const Row one = cursor.read(shell_card_1), two = cursor.read(shell_card_2), three = cursor.read(shell_card_3),
             four = cursor.read(shell_card_4), five = cursor.read(shell_card_5);
   expect_end(b, cursor);
-  expect(b, one, Severity::warning, {{"proj", 0, "not obeyed: drill projection is used, as with 0"}});
+  if (one.integer("bwc") == 1)  // what it projects is the warping stiffness
+    expect(b, one, Severity::warning, {{"proj", 0, "not obeyed: drill projection is used, as with 0"}});
   expect(b, three, Severity::warning,
          {{"cntco", 0, "not obeyed: contact surfaces lie about the mid-surface, as with 0"}});
-  expect(b, four, Severity::warning,
-         {{"nfail1", 0, "not obeyed: a shell that turns inside out stops the run"},
-          {"nfail4", 0, "not obeyed: a shell that turns inside out stops the run"},
-          {"delfr", 0, "not obeyed: shells that have come loose stay"}});
+  expect(b, four, Severity::warning, {{"delfr", 0, "not obeyed: shells that have come loose stay"}});
   if (four.integer("drcpsid") != 0) b.later(Phase::checks, [four](Builder& later) { resist_drilling(later, four); });
   expect(b, five, Severity::warning, {{"nlocdt", 0, "not obeyed: the time step is that of the mid-surface"}});
   Control& c = b.model.control;
@@ -380,6 +379,8 @@ void read_shell(Builder& b, const Block& block, const Options&) {
         "compare with BWC = 2 where warped shells matter");
   c.rotary_mass_scale = two.real("rotascl");
   c.lobatto = two.integer("intgrd") == 1;
+  c.distorted_shells = four.integer("nfail1");
+  c.distorted_full_shells = four.integer("nfail4");
 }
 
 void read_hourglass(Builder& b, const Block& block, const Options&) {
@@ -413,17 +414,13 @@ void read_accuracy(Builder& b, const Block& block, const Options&) {
 }
 
 void read_solid(Builder& b, const Block& block, const Options&) {
-  // Its further cards are about tetrahedra, cohesive elements and brick welds only.
+  // Its further cards are about tetrahedra of ten nodes, cohesive elements and brick welds only.
   Cursor cursor(b.deck, block, b.findings);
   const Row row = cursor.read(solid_card_1);
-  expect(b, row, Severity::warning, {{"psfail", 0, "not obeyed: a brick of negative volume stops the run"}});
-  if (row.integer("esort") == 0) return;
-  b.later(Phase::checks, [row](Builder& later) {
-    for (const auto& n : later.model.solids.node)
-      if (n[6] == n[7])
-        return refuse(later, row, "esort", "the model has wedges or tetrahedra, whose own formulations are not built",
-                      "write 0: they are then computed as collapsed bricks");
+  b.later(Phase::conditions, [row](Builder& later) {
+    if (const auto* parts = later.part_set(row, "psfail")) later.model.control.eroding_parts = parts->members;
   });
+  b.model.control.sort_solids = row.integer("esort") > 0;
 }
 
 void read_output(Builder& b, const Block& block, const Options&) {

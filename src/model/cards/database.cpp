@@ -98,6 +98,13 @@ Card headed(IdSpace space, std::string_view meaning) {
 const Card node_ids = eight(IdSpace::node, "node with a time history; 8 a line, any number of lines");
 const Card element_ids = eight(IdSpace::element, "element with a time history; 8 a line, any number of lines");
 const Card set_ids = eight(IdSpace::set, "set whose members have time histories; 8 a line, any number of lines");
+const Card local_node_card{{
+    id("id", IdSpace::node, 0, "node with a time history in local axes"),
+    id("cid", IdSpace::define, 0, "coordinate system; 0: global axes"),
+    integer("ref", 0, between(0, 1), "0: its axes at time 0; 1: as they turn with their nodes; 2, relative: not built"),
+    integer("hfo", 0, only(0), "high frequency output: not built"),
+}};
+const Card local_heading_card{{text("heading", 80, "its name")}};
 const Card node_id_heading = headed(IdSpace::node, "node with a time history; one a line");
 const Card element_id_heading = headed(IdSpace::element, "element with a time history; one a line");
 const Card set_id_heading = headed(IdSpace::set, "set whose members have time histories; one a line");
@@ -210,7 +217,8 @@ constexpr History solid_history{"solid", &Builder::solids, &Builder::solid_sets,
 constexpr History beam_history{"beam", &Builder::beams, &Builder::beam_sets, &Sets::beams, &Requests::history_beams};
 
 void add_history(std::vector<NamedEntity>& list, Index index, const std::string& heading) {
-  const bool known = std::any_of(list.begin(), list.end(), [&](const NamedEntity& e) { return e.index == index; });
+  const auto same = [&](const NamedEntity& e) { return e.index == index && e.system == none; };
+  const bool known = std::any_of(list.begin(), list.end(), same);
   if (!known) list.push_back({index, heading});
 }
 
@@ -248,6 +256,35 @@ void read_history(Builder& builder, const Block& block, const Options& options) 
   }
 }
 
+/// *DATABASE_HISTORY_NODE_LOCAL.
+void read_local_history(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (cursor.more()) {
+    const Row row = cursor.read(local_node_card);
+    const std::string heading =
+        options.contains("ID") ? cursor.read(local_heading_card).text("heading") : std::string{};
+    builder.later(Phase::conditions, [row, heading](Builder& b) {
+      auto& list = b.model.requests.history_nodes;
+      const Index node = b.nodes.find(row.integer("id"));
+      if (node == none)
+        return row.complain(b.findings, Severity::warning, "id", "node is not in the model; it has no time history");
+      if (row.integer("cid") == 0) return add_history(list, node, heading);
+      const bool turning = row.integer("ref") == 1;
+      const Index system = b.turning_or_fixed_system(row, "cid");
+      if (system == none) return;
+      // With REF 1 the axes turn whatever FLAG says.
+      const CoordinateSystem& axes = b.model.systems[static_cast<std::size_t>(system)];
+      if (turning && !axes.nodes)
+        return refuse(b, row, "ref", "axes that turn (REF 1) need the nodes that they turn with",
+                      "define the system by *DEFINE_COORDINATE_NODES, or write 0");
+      if (!turning && axes.turning)
+        return refuse(b, row, "ref", "fixed axes (REF 0) need a system of fixed axes",
+                      "write 1, or FLAG 0 in the system");
+      list.push_back({node, heading, system, turning});
+    });
+  }
+}
+
 // ---- the list ------------------------------------------------------------------------------------------------------
 
 template <Request Requests::*file>
@@ -278,6 +315,9 @@ Keyword without_effect(std::string_view name, std::string_view why) {
 std::vector<Keyword> database_keywords() {
   return {
       file_keyword<&Requests::glstat>("DATABASE_GLSTAT"),
+      file_keyword<&Requests::elout>("DATABASE_ELOUT"),
+      file_keyword<&Requests::secforc>("DATABASE_SECFORC"),
+      file_keyword<&Requests::nodfor>("DATABASE_NODFOR"),
       file_keyword<&Requests::matsum>("DATABASE_MATSUM"),
       file_keyword<&Requests::nodout>("DATABASE_NODOUT"),
       file_keyword<&Requests::swforc>("DATABASE_SWFORC"),
@@ -287,6 +327,8 @@ std::vector<Keyword> database_keywords() {
       file_keyword<&Requests::bndout>("DATABASE_BNDOUT"),
       file_keyword<&Requests::rbdout>("DATABASE_RBDOUT"),
       file_keyword<&Requests::rcforc>("DATABASE_RCFORC"),
+      file_keyword<&Requests::deforc>("DATABASE_DEFORC"),
+      file_keyword<&Requests::jntforc>("DATABASE_JNTFORC"),
       {"DATABASE_BINARY_D3PLOT",
        {},
        {},
@@ -304,6 +346,13 @@ std::vector<Keyword> database_keywords() {
        read_extent_binary},
       history_keyword<node_history, false>("DATABASE_HISTORY_NODE", node_ids, node_id_heading),
       history_keyword<node_history, true>("DATABASE_HISTORY_NODE_SET", set_ids, set_id_heading),
+      {"DATABASE_HISTORY_NODE_LOCAL",
+       {},
+       {"ID"},
+       Verdict::used,
+       {},
+       {{"repeated", &local_node_card}, {"with _ID, after each", &local_heading_card}},
+       read_local_history},
       history_keyword<shell_history, false>("DATABASE_HISTORY_SHELL", element_ids, element_id_heading),
       history_keyword<shell_history, true>("DATABASE_HISTORY_SHELL_SET", set_ids, set_id_heading),
       history_keyword<solid_history, false>("DATABASE_HISTORY_SOLID", element_ids, element_id_heading),
@@ -311,21 +360,11 @@ std::vector<Keyword> database_keywords() {
       history_keyword<beam_history, false>("DATABASE_HISTORY_BEAM", element_ids, element_id_heading),
       history_keyword<beam_history, true>("DATABASE_HISTORY_BEAM_SET", set_ids, set_id_heading),
 
-      not_written("DATABASE_ELOUT", "element histories (elout) are not written yet; d3plot holds the stresses"),
-      not_written("DATABASE_SECFORC", "forces of cross sections (secforc) are not written yet"),
-      not_written("DATABASE_CROSS_SECTION_SET", "forces of cross sections (secforc) are not written yet"),
-      not_written("DATABASE_CROSS_SECTION_PLANE", "forces of cross sections (secforc) are not written yet"),
-      not_written("DATABASE_DEFORC", "forces of discrete elements (deforc) are not written yet; there are none"),
       not_written("DATABASE_SLEOUT", "energies of each contact (sleout) are not written yet; glstat holds their sum"),
       not_written("DATABASE_NCFORC", "contact forces by node (ncforc) are not written yet; rcforc holds their sums"),
-      not_written("DATABASE_NODFOR", "forces of groups of nodes (nodfor) are not written yet"),
-      not_written("DATABASE_NODAL_FORCE_GROUP", "forces of groups of nodes (nodfor) are not written yet"),
-      not_written("DATABASE_JNTFORC", "forces of joints (jntforc) are not written; there are no joints"),
       not_written("DATABASE_DISBOUT", "discrete beams (disbout) are not written; there are none"),
       not_written("DATABASE_ABSTAT", "airbags (abstat) are not written; there are none"),
       not_written("DATABASE_SBTOUT", "seat belts (sbtout) are not written; there are none"),
-      not_written("DATABASE_HISTORY_NODE_LOCAL",
-                  "histories in local axes are not written yet; ask for *DATABASE_HISTORY_NODE"),
 
       without_effect("DATABASE_BINARY_RUNRSF", "restart files are asked for on the command line (--checkpoint)"),
       without_effect("DATABASE_BINARY_D3DUMP", "restart files are asked for on the command line (--checkpoint)"),

@@ -46,7 +46,7 @@ const Card nodes_card{{
     id("n1", IdSpace::node, required, "node at the origin"),
     id("n2", IdSpace::node, required, "node on the axis DIR"),
     id("n3", IdSpace::node, required, "node in the plane of DIR and the next axis"),
-    integer("flag", 0, only(0), "1: turning with the nodes"),
+    integer("flag", 0, between(0, 1), "1: the axes turn with the nodes; 0: fixed as they stand at time 0"),
     text("dir", 10, "axis through n2: X (default), Y or Z"),
     integer("type", 0, any_value, "no effect"),
 }};
@@ -72,15 +72,19 @@ const Card box_card{{
     real("zmx", dimension::length, 0, any_value, "largest z"),
 }};
 
+void add_system(Builder& b, const Row& row, const CoordinateSystem& system) {
+  b.systems.add(system.id, static_cast<Index>(b.model.systems.size()), row.place(), row.keyword(), "coordinate system",
+                b.findings);
+  b.model.systems.push_back(system);
+}
+
 void add_system(Builder& b, const Row& row, const Vec3d& origin, const Vec3d& x, const Vec3d& in_plane,
                 std::string_view field) {
   CoordinateSystem s{row.integer("cid"), origin, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   if (!frame_from(x, in_plane, s.axes))
     refuse(b, row, field, "the axis and the vector in the plane must differ in direction and from zero",
            "choose three points that do not lie on a line");
-  b.systems.add(s.id, static_cast<Index>(b.model.systems.size()), row.place(), row.keyword(), "coordinate system",
-                b.findings);
-  b.model.systems.push_back(s);
+  add_system(b, row, s);
 }
 
 void read_points(Builder& b, const Block& block, const Options& options) {
@@ -106,19 +110,22 @@ void read_vectors(Builder& b, const Block& block, const Options& options) {
 
 /// The axes of *DEFINE_COORDINATE_NODES: N2 lies on the axis DIR, N3 in its plane with the next axis (x y z x).
 void add_system_of_nodes(Builder& b, const Row& row) {
-  const Index n1 = b.node(row, "n1"), n2 = b.node(row, "n2"), n3 = b.node(row, "n3");
-  if (n1 == none || n2 == none || n3 == none) return;
-  const auto at = [&](Index n) { return b.model.nodes.x[static_cast<std::size_t>(n)]; };
-  add_system(b, row, at(n1), at(n2) - at(n1), at(n3) - at(n1), "n1");
+  CoordinateSystem::Nodes nodes{b.node(row, "n1"), b.node(row, "n2"), b.node(row, "n3")};
+  if (nodes.origin == none || nodes.on_axis == none || nodes.in_plane == none) return;
   const std::string& dir = row.text("dir");
-  Frame3d& axes = b.model.systems.back().axes;
-  const Frame3d f = axes;
   if (dir == "Y" || dir == "y")
-    axes = {f.e3, f.e1, f.e2};
+    nodes.axis = 1;
   else if (dir == "Z" || dir == "z")
-    axes = {f.e2, f.e3, f.e1};
+    nodes.axis = 2;
   else if (!dir.empty() && dir != "X" && dir != "x")
     refuse(b, row, "dir", "expected X, Y or Z");
+  const auto at = [&](Index n) { return b.model.nodes.x[static_cast<std::size_t>(n)]; };
+  CoordinateSystem s{row.integer("cid"), at(nodes.origin), {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  if (!frame_of_points(s.origin, at(nodes.on_axis), at(nodes.in_plane), nodes.axis, s.axes))
+    refuse(b, row, "n1", "the three nodes lie on a line, so they do not tell the axes", "choose three that do not");
+  s.nodes = nodes;
+  s.turning = row.integer("flag") == 1;
+  add_system(b, row, s);
 }
 
 void read_nodes(Builder& b, const Block& block, const Options& options) {

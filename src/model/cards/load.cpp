@@ -90,7 +90,8 @@ void read_force(Builder& builder, const Block& block, const Options&) {
 // -------------------------------------------------------------------------------------------------
 
 const Card body_load_card{{
-    id("lcid", IdSpace::function, required, "curve of the base acceleration over time; positive in z pulls down"),
+    id("lcid", IdSpace::function, required,
+       "curve over time of the base acceleration (positive in z pulls down), or of the angular velocity (RX, RY, RZ)"),
     real("sf", dimension::number, 1, any_value, "scale of the curve"),
     id("lciddr", IdSpace::function, 0, "curve of dynamic relaxation; there is no such phase"),
     real("xc", dimension::length, 0, any_value, "centre of rotation, for the rotational forms"),
@@ -104,6 +105,59 @@ const Card body_vector_card{{
     real("v3", dimension::number, 0, any_value, "z component"),
 }};
 const Card body_parts_card{{id("psid", IdSpace::set, required, "part set that all *LOAD_BODY_... are restricted to")}};
+
+// ---- centrifugal force ---------------------------------------------------------------------------------------------
+
+template <int axis>
+void read_body_rotation(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  const Row row = cursor.read(body_load_card);
+  expect_end(builder, cursor);
+  const Vec3d center = position(block, row, "xc", "yc", "zc");
+  builder.later(Phase::conditions, [row, center](Builder& b) {
+    BodyLoad load;
+    load.direction = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+    load.scale = row.real("sf");
+    load.curve = b.curve(row, "lcid");
+    load.centrifugal = true;
+    load.center = center;
+    if (const Index system = b.system(row, "cid"); system != none)
+      load.direction = b.model.systems[static_cast<std::size_t>(system)].axes.global(load.direction);
+    b.model.body_loads.push_back(std::move(load));
+  });
+}
+
+// ---- gravity of single parts
+// -----------------------------------------------------------------------------------------
+
+const Card gravity_part_card{{
+    id("pid", IdSpace::part, required, "part"),
+    integer("dof", required, between(1, 3), "1, 2, 3: along x, y, z"),
+    id("lc", IdSpace::function, 0, "curve of a factor over time; 0: 1"),
+    real("accel", dimension::acceleration, 0, any_value, "base acceleration; positive in z pulls down"),
+    id("lcdr", IdSpace::function, 0, "curve of dynamic relaxation; there is no such phase"),
+    integer("stga", 0, only(0), "construction stage at which the part is added"),
+    integer("stgr", 0, only(0), "construction stage at which it is removed"),
+}};
+
+void read_gravity_part(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(gravity_part_card);
+    builder.later(Phase::conditions, [row](Builder& b) {
+      const Index part = b.part(row, "pid");
+      if (part == none) return;
+      BodyLoad load;
+      const int axis = row.integer("dof");
+      load.direction = {axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0, axis == 3 ? 1.0 : 0.0};
+      load.scale = row.real("accel");
+      load.curve = b.curve(row, "lc");
+      load.parts = {part};
+      load.own_parts = true;
+      b.model.body_loads.push_back(std::move(load));
+    });
+  }
+}
 
 void leave_body_load(Builder& builder, const Row& row, const Vec3d& local) {
   builder.later(Phase::conditions, [row, local](Builder& b) {
@@ -145,7 +199,8 @@ void read_body_parts(Builder& builder, const Block& block, const Options&) {
   // In the phase of the checks, when every body load is there: the restriction holds for all of them.
   builder.later(Phase::checks, [row](Builder& b) {
     if (const auto* parts = b.part_set(row, "psid"))
-      for (BodyLoad& load : b.model.body_loads) load.parts = parts->members;
+      for (BodyLoad& load : b.model.body_loads)
+        if (!load.own_parts) load.parts = parts->members;
   });
 }
 
@@ -258,6 +313,10 @@ std::vector<Keyword> load_keywords() {
       simple("LOAD_BODY_X", body_load_card, read_body_load<0>),
       simple("LOAD_BODY_Y", body_load_card, read_body_load<1>),
       simple("LOAD_BODY_Z", body_load_card, read_body_load<2>),
+      simple("LOAD_BODY_RX", body_load_card, read_body_rotation<0>),
+      simple("LOAD_BODY_RY", body_load_card, read_body_rotation<1>),
+      simple("LOAD_BODY_RZ", body_load_card, read_body_rotation<2>),
+      simple("LOAD_GRAVITY_PART", gravity_part_card, read_gravity_part),
       {"LOAD_BODY_VECTOR",
        {},
        {},

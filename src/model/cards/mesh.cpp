@@ -108,6 +108,17 @@ const Card inertia_card{{
     real("mass", dimension::mass, 0, at_least(0), "mass"),
 }};
 
+const Card accelerometer_card{{
+    id("sbacid", IdSpace::element, 0, "number"),
+    id("nid1", IdSpace::node, required, "node of a rigid body whose motion nodout gives in local axes"),
+    id("nid2", IdSpace::node, required, "node 2: local x from node 1 to node 2"),
+    id("nid3", IdSpace::node, required, "node 3: local z normal to x and to the direction to node 3"),
+    integer("igrav", 0, at_least(-6),
+            "accelerations of body loads are 0 contained, 1 left out, -1 x, -2 y, -3 z, -4 xy, -5 yz, -6 zx left out"),
+    integer("intopt", 0, between(0, 1), "0: velocities turned into the local axes; 1: local accelerations summed up"),
+    real("mass", dimension::mass, 0, at_least(0), "mass added to node 1"),
+}};
+
 void read_node(Builder& b, const Block& block, const Options&) {
   deck::read_nodes(b.deck, block, b.node_table, b.findings);
 }
@@ -193,6 +204,30 @@ void read_inertia(Builder& b, const Block& block, const Options&) {
   }
 }
 
+void add_accelerometer(Builder& b, const Row& row) {
+  Accelerometer a;
+  a.id = row.integer("sbacid");
+  a.node = {b.node(row, "nid1"), b.node(row, "nid2"), b.node(row, "nid3")};
+  if (a.node[0] == none || a.node[1] == none || a.node[2] == none) return;
+  const int gravity = row.integer("igrav");
+  if (gravity > 1)
+    return refuse(b, row, "igrav", "a curve of this flag over time is not built", "write 0, 1 or -1 to -6");
+  a.without_gravity = gravity == 1 ? 7u : bits_of_code(-gravity);
+  if (row.integer("intopt") != 0)
+    return refuse(b, row, "intopt", "velocities summed up in the turning axes are not built", "write 0");
+  const auto at = [&](std::size_t i) { return b.model.nodes.x[static_cast<std::size_t>(a.node[i])]; };
+  Frame3d axes;
+  if (!frame_from(at(1) - at(0), at(2) - at(0), axes))
+    return refuse(b, row, "nid2", "the three nodes lie on a line, so they span no axes", "take nodes apart");
+  if (row.real("mass") > 0.0) b.model.masses.push_back({a.id, a.node[0], row.real("mass")});
+  b.model.accelerometers.push_back(a);
+}
+
+void read_accelerometer(Builder& b, const Block& block, const Options&) {
+  for (const Row& row : read_rows(b, block, accelerometer_card))
+    b.later(Phase::mesh, [row](Builder& later) { add_accelerometer(later, row); });
+}
+
 }  // namespace
 
 std::vector<Keyword> mesh_keywords() {
@@ -215,6 +250,7 @@ std::vector<Keyword> mesh_keywords() {
       {.name = "ELEMENT_MASS", .layout = {{"", &mass_card}}, .read = read_mass},
       {.name = "ELEMENT_MASS_NODE_SET", .layout = {{"", &set_mass_card}}, .read = read_set_mass},
       {.name = "ELEMENT_MASS_PART", .layout = {{"", &part_mass_card}}, .read = read_part_mass},
+      {.name = "ELEMENT_SEATBELT_ACCELEROMETER", .layout = {{"", &accelerometer_card}}, .read = read_accelerometer},
       {.name = "ELEMENT_INERTIA", .layout = {{"", &inertia_head_card}, {"", &inertia_card}}, .read = read_inertia},
   };
 }

@@ -3,6 +3,7 @@
 
 #include "model/axes.hpp"
 #include "model/cards/families.hpp"
+#include "model/cards/reading.hpp"
 
 // *PART and its forms.
 namespace nugget::model {
@@ -13,7 +14,7 @@ using deck::Block;
 using deck::Cursor;
 using deck::Row;
 
-const Card title_card{{text("heading", 70, "name of the part")}};
+const Card heading_line{{text("heading", 70, "name of the part")}};
 
 const Card part_card{{
     id("pid", IdSpace::part, required, "part id"),
@@ -95,19 +96,30 @@ void read_inertia(Builder& b, Cursor& cursor, Index part) {
   const Row velocity = cursor.read(velocity_card);
   const bool is_local = centre.integer("ircs") == 1;
   const Row axes = is_local ? cursor.read(axes_card) : centre;
+  const Block& block = cursor.block();
+  Frame3d own{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // the include's axes, where it is turned
+  if (block.transform)
+    own = {unit(block.transform->direction(own.e1)), unit(block.transform->direction(own.e2)),
+           unit(block.transform->direction(own.e3))};
+  const Vec3d place = position(block, centre, "xc", "yc", "zc"),
+              translation = direction(block, velocity, "vtx", "vty", "vtz"),
+              rotation = direction(block, velocity, "vrx", "vry", "vrz");
   // A coordinate system may need nodes, so not before them; rigid bodies are made after.
   b.later(Phase::sets, [=](Builder& later) {
     RigidBody::Inertia given;
     given.mass = centre.real("tm");
-    given.center = {centre.real("xc"), centre.real("yc"), centre.real("zc")};
+    given.center = place;
     if (const Index n = later.node(centre, "nodeid"); n != none)
       given.center = later.model.nodes.x[static_cast<std::size_t>(n)];
     given.inertia = {tensor.real("ixx"), tensor.real("ixy"), tensor.real("ixz"),
                      tensor.real("iyy"), tensor.real("iyz"), tensor.real("izz")};
     Frame3d frame;
-    if (is_local && inertia_axes(later, axes, frame)) given.inertia = to_global(given.inertia, frame);
-    given.velocity = {velocity.real("vtx"), velocity.real("vty"), velocity.real("vtz")};
-    given.spin = {velocity.real("vrx"), velocity.real("vry"), velocity.real("vrz")};
+    if (!is_local)
+      given.inertia = to_global(given.inertia, own);
+    else if (inertia_axes(later, axes, frame))
+      given.inertia = to_global(given.inertia, frame);
+    given.velocity = translation;
+    given.spin = rotation;
     later.part_inertia[part] = given;
     const Index material = later.model.parts[static_cast<std::size_t>(part)].material;
     if (material != none &&
@@ -154,7 +166,7 @@ std::vector<Keyword> part_keywords() {
   return {
       {.name = "PART",
        .options = {"INERTIA", "REPOSITION", "CONTACT", "PRINT", "ATTACHMENT_NODES"},
-       .layout = {{"", &title_card},
+       .layout = {{"", &heading_line},
                   {"", &part_card},
                   {"with _INERTIA", &centre_card},
                   {"with _INERTIA", &tensor_card},

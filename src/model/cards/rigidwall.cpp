@@ -100,6 +100,14 @@ const Card flat_card{{
     real("lenl", dimension::length, 0, at_least(0), "length of that edge; 0 infinite"),
     real("lenm", dimension::length, 0, at_least(0), "length of the other edge; 0 infinite"),
 }};
+const Card prism_card{{
+    real("xhev", dimension::length, 0, any_value, "head of the first edge of its front face from the tail: x"),
+    real("yhev", dimension::length, 0, any_value, "y"),
+    real("zhev", dimension::length, 0, any_value, "z"),
+    real("lenl", dimension::length, 0, at_least(0), "length of that edge; 0 infinite"),
+    real("lenm", dimension::length, 0, at_least(0), "length of the other edge; 0 infinite"),
+    real("lenp", dimension::length, 0, at_least(0), "depth behind the face; 0 infinite"),
+}};
 const Card motion_card{{
     id("lcid", IdSpace::function, required, "curve of the wall's motion over time"),
     integer("opt", 0, between(0, 1), "0 the curve is a velocity, 1 a displacement"),
@@ -192,6 +200,10 @@ void take_nodes(Builder& builder, const Row& row, double reach, RigidWall& wall)
 void leave_wall(Builder& builder, const Row& row, double reach, RigidWall wall, const std::optional<Row>& motion = {}) {
   builder.later(Phase::conditions, [row, reach, wall = std::move(wall), motion](Builder& b) mutable {
     take_nodes(b, row, reach, wall);
+    if (const double end = b.model.control.end_time; end > 0.0 && wall.birth >= end)
+      row.complain(b.findings, Severity::warning, "birth",
+                   fmt::format("the wall is born after the end of the run ({:g}): it stops nothing", end),
+                   "give 0 if it is to act from the start");
     if (motion) wall.motion_curve = b.curve(*motion, "lcid");
     if (wall.id == 0) wall.id = static_cast<int>(b.model.walls.size()) + 1;
     b.model.walls.push_back(std::move(wall));
@@ -253,7 +265,7 @@ void read_planar(Builder& builder, const Block& block, const Options& options) {
 // ---- *RIGIDWALL_GEOMETRIC_...
 // ------------------------------------------------------------------------------------------------
 
-enum class Form { flat, cylinder, sphere };
+enum class Form { flat, cylinder, sphere, prism };
 
 template <Form form>
 bool take_form(Builder& builder, const Block& block, Cursor& cursor, RigidWall& wall) {
@@ -266,6 +278,10 @@ bool take_form(Builder& builder, const Block& block, Cursor& cursor, RigidWall& 
                    "forces by section are not written yet; rwforc holds the wall's sum");
   } else if constexpr (form == Form::sphere) {
     wall.radius = cursor.read(sphere_card).real("radsph");
+  } else if constexpr (form == Form::prism) {
+    const Row row = cursor.read(prism_card);
+    wall.depth = row.real("lenp");
+    return take_edges(builder, block, row, wall);
   } else {
     const Row row = cursor.read(flat_card);
     if (row.real("lenl") > 0.0 || row.real("lenm") > 0.0) return take_edges(builder, block, row, wall);
@@ -287,7 +303,10 @@ bool take_motion(Builder& builder, const Block& block, const Row& row, RigidWall
 
 template <Form form>
 void read_geometric(Builder& builder, const Block& block, const Options& options) {
-  constexpr Shape shape = form == Form::flat ? Shape::plane : form == Form::cylinder ? Shape::cylinder : Shape::sphere;
+  constexpr Shape shape = form == Form::flat       ? Shape::plane
+                          : form == Form::cylinder ? Shape::cylinder
+                          : form == Form::prism    ? Shape::prism
+                                                   : Shape::sphere;
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     RigidWall wall = begin_wall(cursor, options, shape);
@@ -344,11 +363,11 @@ std::vector<Keyword> rigidwall_keywords() {
         {"with _DISPLAY; may be missing", &display_card}},
        read_planar},
       geometric("RIGIDWALL_GEOMETRIC_FLAT", flat_card, read_geometric<Form::flat>),
+      geometric("RIGIDWALL_GEOMETRIC_PRISM", prism_card, read_geometric<Form::prism>),
       geometric("RIGIDWALL_GEOMETRIC_CYLINDER", cylinder_card, read_geometric<Form::cylinder>),
       geometric("RIGIDWALL_GEOMETRIC_SPHERE", sphere_card, read_geometric<Form::sphere>),
       refused("RIGIDWALL_PLANAR_ORTHO",
               "orthotropic friction is not built; use *RIGIDWALL_PLANAR with one coefficient"),
-      refused("RIGIDWALL_GEOMETRIC_PRISM", "prisms are not built; use flat walls or a cylinder"),
       refused("RIGIDWALL_FORCE_TRANSDUCER", "forces of a part of the nodes are not built; rwforc holds the wall's sum"),
   };
 }

@@ -42,9 +42,18 @@ const Card shell_thickness_card{{
     integer("edgset", 0, any_value, "for two-dimensional seatbelts only"),
 }};
 
+/// A written 0 is a formulation of its own, not a blank field.
+constexpr Field solid_formulation() {
+  Field f = integer("elform", 1, any_value,
+                    "formulation: 1 constant stress, 2 fully integrated, 10 tetrahedron, 15 wedge (as a collapsed 2); "
+                    "0 is computed as 1");
+  f.zero_is_default = false;
+  return f;
+}
+
 const Card solid_card{{
     id("secid", IdSpace::other, required, "section id"),
-    integer("elform", 1, any_value, "formulation: 1 constant stress, 2 fully integrated"),
+    solid_formulation(),
     integer("aet", 0, only(0), "ambient elements"),
     unused(),
     unused(),
@@ -55,10 +64,11 @@ const Card solid_card{{
 
 const Card beam_card{{
     id("secid", IdSpace::other, required, "section id"),
-    integer("elform", 1, any_value, "formulation: 9 spot weld, 6 discrete beam"),
+    integer("elform", 1, any_value,
+            "formulation: 1 Hughes-Liu, 2 Belytschko-Schwer, 3 truss, 6 discrete beam, 9 spot weld"),
     real("shrf", dimension::number, 1, above_zero(), "shear factor"),
-    integer("qr_irid", 2, any_value, "integration rule; a weld is a round beam in any case"),
-    integer("cst", 0, any_value, "cross section: 1 tubular"),
+    integer("qr_irid", 2, any_value, "points: 1 one, 2 2x2 Gauss, 3 3x3 Gauss, 4 3x3 Lobatto, 5 4x4 Gauss"),
+    integer("cst", 0, any_value, "cross section: 0 rectangle, 1 tube; a weld is round in any case"),
     real("scoor", dimension::number, 0, any_value,
          "discrete beam: triad turns with node 1 (< 0), 2 (> 0), both (0); 2, 3: finite length; 2: r along the nodes"),
     real("nsm", dimension::mass_per_length, 0, at_least(0), "non-structural mass per length"),
@@ -73,6 +83,31 @@ const Card weld_card{{
     integer("print", 0, between(0, 1), "1: not in swforc"),
     unused(),
     integer("itoff", 0, between(0, 1), "1: no torsional stiffness"),
+}};
+
+const Card integrated_card{{
+    real("ts1", dimension::length, required, above_zero(), "extent along s at node 1; tube: outer diameter"),
+    real("ts2", dimension::length, 0, at_least(0), "at node 2; 0: ts1"),
+    real("tt1", dimension::length, 0, at_least(0), "extent along t at node 1; tube: inner diameter"),
+    real("tt2", dimension::length, 0, at_least(0), "at node 2; 0: tt1"),
+    real("nsloc", dimension::number, 0, any_value,
+         "the nodes stand at s = 1 the upper, 0 the middle, -1 the lower side"),
+    real("ntloc", dimension::number, 0, any_value, "the same along t"),
+}};
+
+const Card resultant_card{{
+    real("a", dimension::area, required, above_zero(), "area of the cross-section"),
+    real("iss", dimension::second_moment, 0, at_least(0), "second moment about s"),
+    real("itt", dimension::second_moment, 0, at_least(0), "second moment about t; 0: iss"),
+    real("j", dimension::second_moment, 0, at_least(0), "torsion constant; 0: iss + itt"),
+    real("sa", dimension::area, 0, at_least(0), "shear area; 0: no shear deformation"),
+    real("ist", dimension::second_moment, 0, only(0), "product of inertia"),
+}};
+
+const Card truss_card{{
+    real("a", dimension::area, required, above_zero(), "area of the cross-section"),
+    real("rampt", dimension::time, 0, only(0), "time in which the stress of dynamic relaxation comes up"),
+    real("stress", dimension::stress, 0, only(0), "initial stress of dynamic relaxation"),
 }};
 
 const Card discrete_card{{
@@ -176,6 +211,34 @@ void read_discrete(Builder& b, const Row& row, const Row& discrete, SectionBeam&
   });
 }
 
+/// ELFORM 1: a rectangle or a tube with points of its own.
+void read_integrated(Builder& b, const Row& row, const Row& size, SectionBeam& s) {
+  const auto second = [&](std::string_view field, double first) {
+    return size.real(field) > 0.0 ? size.real(field) : first;
+  };
+  s.outer = {size.real("ts1"), second("ts2", size.real("ts1"))};
+  s.inner = {size.real("tt1"), second("tt2", size.real("tt1"))};
+  s.location = {size.real("nsloc"), size.real("ntloc")};
+  if (s.quadrature < 1 || s.quadrature > 5)
+    refuse(b, row, "qr_irid", "integration rules of the user are not built", "write 1 to 5");
+  if (s.cross_section != 0 && s.cross_section != 1)
+    refuse(b, row, "cst", "cross-sections of the user (*INTEGRATION_BEAM) are not built", "write 0 or 1");
+  if (s.cross_section == 0 && !(s.inner[0] > 0.0))
+    refuse(b, size, "tt1", "a rectangle needs its extent along t", "give TT1");
+  if (s.cross_section == 1 && (s.inner[0] >= s.outer[0] || s.inner[1] >= s.outer[1]))
+    refuse(b, size, "tt1", "the inner diameter must be smaller than the outer one", "leave it 0 for a full section");
+  if (s.cross_section == 1 && (s.location[0] != 0.0 || s.location[1] != 0.0))
+    refuse(b, size, "nsloc", "nodes off the axis of a tube are not built", "leave it 0");
+}
+
+void read_resultant(const Row& size, SectionBeam& s) {
+  s.area = size.real("a");
+  s.moment_s = size.real("iss");
+  s.moment_t = size.real("itt") > 0.0 ? size.real("itt") : s.moment_s;
+  s.torsion_constant = size.real("j") > 0.0 ? size.real("j") : s.moment_s + s.moment_t;
+  s.shear_area = size.real("sa");
+}
+
 void read_beam(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     read_title(cursor, options);
@@ -189,6 +252,12 @@ void read_beam(Builder& b, const Block& block, const Options& options) {
       read_diameters(b, row, cursor.read(weld_card), s);
     else if (row.integer("elform") == 6)
       read_discrete(b, row, cursor.read(discrete_card), s);
+    else if (row.integer("elform") == 1)
+      read_integrated(b, row, cursor.read(integrated_card), s);
+    else if (row.integer("elform") == 2)
+      read_resultant(cursor.read(resultant_card), s);
+    else if (row.integer("elform") == 3)
+      s.area = cursor.read(truss_card).real("a");
     else
       cursor.skip();  // another formulation is refused where a part uses it; its second card is not ours to read
     add_section(b, row, s, b.beam_sections, b.model.beam_sections, b.beam_section_rows, "beam section");
@@ -225,7 +294,12 @@ std::vector<Keyword> section_keywords() {
       {.name = "SECTION_SOLID", .options = {"TITLE"}, .layout = {{"", &solid_card}}, .read = read_solid},
       {.name = "SECTION_BEAM",
        .options = {"TITLE"},
-       .layout = {{"", &beam_card}, {"if ELFORM = 9", &weld_card}, {"if ELFORM = 6", &discrete_card}},
+       .layout = {{"", &beam_card},
+                  {"if ELFORM = 9", &weld_card},
+                  {"if ELFORM = 6", &discrete_card},
+                  {"if ELFORM = 1", &integrated_card},
+                  {"if ELFORM = 2", &resultant_card},
+                  {"if ELFORM = 3", &truss_card}},
        .read = read_beam},
       {.name = "HOURGLASS", .options = {"TITLE"}, .layout = {{"", &hourglass_card}}, .read = read_hourglass},
   };

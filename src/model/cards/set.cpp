@@ -69,7 +69,7 @@ const Card segment_card{{
 
 // What the numbers are depends on the option, so their offsets are applied by `general_step`.
 const Card general_card{{
-    text("option", 10, "ALL, NODE, ELEM, PART, SEG, BOX, SET_... to add; with a D in front to take away"),
+    text("option", 10, "ALL, NODE, ELEM, PART, SEG, BOX, BRANCH, SET_... to add; with a D in front to take away"),
     integer("id1", 0, any_value, "id"),
     integer("id2", 0, any_value, "id"),
     integer("id3", 0, any_value, "id"),
@@ -78,6 +78,28 @@ const Card general_card{{
     real("id6", dimension::number, 0, any_value, "id"),
     real("id7", dimension::number, 0, any_value, "id"),
 }};
+
+const Card advanced_card{{
+    id("sid1", IdSpace::set, 0, "set whose nodes are taken; up to four a line, any number of lines"),
+    integer("type1", 1, between(1, 7), "1 node, 2 shell, 3 beam, 4 solid, 5 segment set; 6, 7: not built"),
+    id("sid2", IdSpace::set, 0, "the same"),
+    integer("type2", 1, between(1, 7), "the same"),
+    id("sid3", IdSpace::set, 0, "the same"),
+    integer("type3", 1, between(1, 7), "the same"),
+    id("sid4", IdSpace::set, 0, "the same"),
+    integer("type4", 1, between(1, 7), "the same"),
+}};
+
+const Card branch_card{{id("brid", IdSpace::set, required, "number of the branch")}};
+const Card branch_heading{{text("heading", 80, "its name")}};
+// Parts and branches have offsets of their own, so these are applied by `read_branch`.
+Card branch_members() {
+  Card card;
+  for (const auto* name : {"id1", "id2", "id3", "id4", "id5", "id6", "id7", "id8"})
+    card.fields.push_back(integer(name, 0, any_value, "more than 0: a branch; less: a part, by its number"));
+  return card;
+}
+const Card branch_ids = branch_members();
 
 /// What differs between the kinds of sets.
 struct KindCards {
@@ -114,6 +136,7 @@ std::optional<GeneralOption> segment_option(std::string_view name) {
   o.step.kind = SetKind::segment;
   if (name == "SEG") return o.space = IdSpace::node, o;
   if (name == "SHELL") return o.step.kind = SetKind::shell, o.space = IdSpace::element, o;
+  if (name == "BRANCH") return o.step.source = Source::sets, o.step.kind = SetKind::branch, o.space = IdSpace::set, o;
   if (name == "BOX" || name == "BOX_SHELL" || name == "BOX_SOLID") {
     o.step.source = Source::boxes;
     o.step.of_shells = name != "BOX_SOLID";
@@ -176,7 +199,8 @@ std::optional<SetStep> general_step(Builder& b, const Block& block, const KindCa
   if (takes_away) step.action = Action::remove;
   step.place = row.place();
   const bool has_attributes =
-      cards.kind == SetKind::segment && (step.source == Source::boxes || step.kind == SetKind::part);
+      cards.kind == SetKind::segment &&
+      (step.source == Source::boxes || step.kind == SetKind::part || step.kind == SetKind::branch);
   const long offset = block.transform ? block.transform->id_offset[static_cast<std::size_t>(option->space)] : 0;
   for (int i = 1; i <= (has_attributes ? 3 : 7); ++i)
     if (const auto id = static_cast<long>(row.real(fmt::format("id{}", i))); id != 0)
@@ -255,6 +279,59 @@ void read_set(Builder& b, const Block& block, const Options& options, const Kind
   b.set_recipes.push_back(std::move(recipe));
 }
 
+/// *SET_NODE_ADD_ADVANCED: the nodes of sets of several kinds.
+void read_advanced(Builder& b, const Block& block, const Options& options) {
+  static constexpr SetKind kinds[] = {SetKind::node, SetKind::shell, SetKind::beam, SetKind::solid, SetKind::segment};
+  Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
+  const Row head = cursor.read(head_card);
+  SetRecipe recipe{SetKind::node, head.integer("sid"), options.contains("COLLECT"), block.starred(), head.place(), {}};
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(advanced_card);
+    for (const auto& [set, type_field] : {std::pair{"sid1", "type1"}, std::pair{"sid2", "type2"},
+                                          std::pair{"sid3", "type3"}, std::pair{"sid4", "type4"}}) {
+      if (row.integer(set) == 0) continue;
+      const int type = row.integer(type_field);
+      if (type > 5) {
+        refuse(b, row, type_field, "sets of discrete elements and of thick shells are not built",
+               "list their nodes in a *SET_NODE");
+        continue;
+      }
+      SetStep step;
+      step.source = Source::sets;
+      step.kind = kinds[type - 1];
+      step.ids = {row.integer(set)};
+      step.place = row.place();
+      recipe.steps.push_back(std::move(step));
+    }
+  }
+  b.set_recipes.push_back(std::move(recipe));
+}
+
+/// *SET_PART_TREE: a branch of the tree of parts, of other branches and of parts.
+void read_branch(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
+  const Row head = cursor.read(branch_card);
+  cursor.read(branch_heading);
+  SetRecipe recipe{SetKind::branch, head.integer("brid"), false, block.starred(), head.place(), {}};
+  const auto offset = [&](IdSpace space) {
+    return block.transform ? static_cast<int>(block.transform->id_offset[static_cast<std::size_t>(space)]) : 0;
+  };
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(branch_ids);
+    for (const int id : ids_of(row, 8)) {
+      SetStep step;
+      step.source = id > 0 ? Source::sets : Source::members;
+      step.kind = id > 0 ? SetKind::branch : SetKind::part;
+      step.ids = {id > 0 ? id + offset(IdSpace::set) : -id + offset(IdSpace::part)};
+      step.place = row.place();
+      recipe.steps.push_back(std::move(step));
+    }
+  }
+  b.set_recipes.push_back(std::move(recipe));
+}
+
 template <const KindCards& cards>
 void read(Builder& b, const Block& block, const Options& options) {
   read_set(b, block, options, cards);
@@ -281,8 +358,20 @@ Keyword keyword(std::string_view name) {
 
 std::vector<Keyword> set_keywords() {
   return {
-      keyword<node_kind>("SET_NODE"),   keyword<part_kind>("SET_PART"),   keyword<segment_kind>("SET_SEGMENT"),
-      keyword<shell_kind>("SET_SHELL"), keyword<solid_kind>("SET_SOLID"), keyword<beam_kind>("SET_BEAM"),
+      keyword<node_kind>("SET_NODE"),
+      keyword<part_kind>("SET_PART"),
+      keyword<segment_kind>("SET_SEGMENT"),
+      keyword<shell_kind>("SET_SHELL"),
+      keyword<solid_kind>("SET_SOLID"),
+      keyword<beam_kind>("SET_BEAM"),
+      {.name = "SET_NODE_ADD_ADVANCED",
+       .options = {"TITLE", "COLLECT"},
+       .layout = {{"", &head_card}, {"repeated", &advanced_card}},
+       .read = read_advanced},
+      {.name = "SET_PART_TREE",
+       .options = {"TITLE"},
+       .layout = {{"", &branch_card}, {"", &branch_heading}, {"repeated", &branch_ids}},
+       .read = read_branch},
   };
 }
 

@@ -272,6 +272,24 @@ void set_strengths(Builder& b, WeldLaw& law, const Row& row, long offset) {
   }
 }
 
+/// A law that asks for failure but names nothing that fails the weld is hardly meant.
+void warn_of_no_failure(Builder& b, const WeldLaw& law, const kernel::Spotweld& points, const Row& second) {
+  const auto given = [](const RateValue& strength) { return strength.given(); };
+  const bool ends_otherwise =
+      law.failure_time > 0.0 || points.failure_strain > 0.0 || law.damage.failure_strain > 0.0 || law.option < 0;
+  std::string_view what;
+  if (law.option == 0 && std::none_of(law.strength.begin(), law.strength.end(), given))
+    what = "none of NRR to MTT is";
+  else if (law.option == 1 && !law.normal_stress.given() && !law.shear_stress.given())
+    what = "neither SIGAX nor SIGTAU is";
+  else if (law.option == 11 && law.tension.curve.empty() && law.compression.curve.empty())
+    what = "neither LCT nor LCC is";
+  if (what.empty() || ends_otherwise) return;
+  b.findings.warning(second.place(), second.keyword(),
+                     fmt::format("{} given, and no EFAIL or TFAIL: nothing fails this weld (OPT {})", what, law.option),
+                     "give the strengths, or use *MAT_SPOTWELD if the weld is not to fail");
+}
+
 /// The only one of some tables, or the one with the id in FVAL.
 template <class Tables>
 Index table_of(Builder& b, const Row& row, const Ids& ids, const Tables& tables, std::string_view keyword) {
@@ -444,7 +462,9 @@ void read_weld(Builder& b, const Block& block, const Options& options, bool with
     WeldLaw& built = later.model.weld_laws[static_cast<std::size_t>(index)];
     set_yield_curve(later, row, offset, std::get<kernel::Spotweld>(later.model.materials[material].law));
     set_strengths(later, built, second, offset);
-    if (failure) set_limit(later, built, *failure);
+    if (!failure) return;
+    set_limit(later, built, *failure);
+    warn_of_no_failure(later, built, std::get<kernel::Spotweld>(later.model.materials[material].law), second);
   });
 }
 

@@ -50,13 +50,31 @@ std::unique_ptr<Function> by_sheet(const model::Model& model, const Geometry& we
   return sheet_stress(sheets, weld);
 }
 
-std::unique_ptr<Function> by_pair(const model::PairStrengths& table, const Geometry& weld) {
+/// `part 7`, or `no part` of an end on no sheet.
+std::string sheet_name(const model::Model& model, Index part) {
+  return part == none ? "no part" : fmt::format("part {}", model.parts[static_cast<std::size_t>(part)].id);
+}
+
+/// A criterion without a strength fails nothing: that is hardly meant.
+void warn_of_no_strength(const model::Model& model, const Geometry& weld, const Place& place, std::string_view rule,
+                         std::string_view remedy, Findings& findings) {
+  findings.warning(place, keyword,
+                   fmt::format("{} has no strength for a weld of {} to {}", rule, sheet_name(model, weld.sheet[0]),
+                               sheet_name(model, weld.sheet[1])),
+                   fmt::format("{}; until then stresses do not fail this weld", remedy));
+}
+
+std::unique_ptr<Function> by_pair(const model::Model& model, const model::PairStrengths& table, const Geometry& weld,
+                                  const Place& place, Findings& findings) {
   const auto same = [&](const model::PairStrengths::Pair& p) {
     const auto& [i, j] = p.parts;
     return (i == weld.sheet[0] && j == weld.sheet[1]) || (i == weld.sheet[1] && j == weld.sheet[0]);
   };
   const auto pair = std::find_if(table.pairs.begin(), table.pairs.end(), same);
   const model::PairStrengths::Pair& found = pair == table.pairs.end() ? table.standard : *pair;
+  if (!found.normal.given() && !found.shear.given())
+    warn_of_no_strength(model, weld, place, "OPT 7: *DEFINE_SPOTWELD_FAILURE_RESULTANTS",
+                        "list the pair, or give DSN and DSS", findings);
   return beam_stress(found.normal, found.shear, weld);
 }
 
@@ -93,6 +111,9 @@ std::unique_ptr<Function> by_load_rate(const model::Model& model, const model::L
     lower(normal, entry == table.entries.end() ? table.normal : entry->normal);
     lower(shear, entry == table.entries.end() ? table.shear : entry->shear);
   }
+  if (normal == 0.0 && shear == 0.0)
+    warn_of_no_strength(model, weld, place, "OPT 10: *DEFINE_SPOTWELD_FAILURE",
+                        "give SN and SS of the sheets' materials, or D_SN and D_SS", findings);
   return load_rate_stress(table, normal, shear, weld.diameter, thickness);
 }
 
@@ -122,7 +143,11 @@ std::unique_ptr<Function> by_connection(const model::Model& model, const model::
   if (properties.area_rule != 0 && !(weld.thinner() > 0.0))
     findings.warning(place, keyword, "AREAEQ needs the thickness of the sheets, but the weld is tied to no shell",
                      "tie the weld to its sheets; until then its area is that of its bricks");
-  return connection_stress(properties, connection_record(model, properties, weld.sheet), law.rate_filter, weld);
+  const ConnectionRecord& record = connection_record(model, properties, weld.sheet);
+  if (!record.normal.given() && !record.bending.given() && !record.shear.given())
+    warn_of_no_strength(model, weld, place, "*DEFINE_CONNECTION_PROPERTIES",
+                        "give SN, SB and SS of the sheets' materials, or D_SN, D_SB and D_SS", findings);
+  return connection_stress(properties, record, law.rate_filter, weld);
 }
 
 }  // namespace
@@ -194,7 +219,7 @@ std::unique_ptr<Function> plain_function(const model::Model& model, const model:
       return structural_stress(own_or(law.diameter, weld.diameter), t, law.limit);
     }
     case 6: return by_sheet(model, weld, place, findings);
-    case 7: return by_pair(model.pair_strengths[static_cast<std::size_t>(law.table)], weld);
+    case 7: return by_pair(model, model.pair_strengths[static_cast<std::size_t>(law.table)], weld, place, findings);
     case 10:
       return by_load_rate(model, model.load_rate_strengths[static_cast<std::size_t>(law.table)], weld, place, findings);
     case 11: return direction(law);

@@ -48,8 +48,10 @@ struct Masses {
   }
   void step(RigidWall& wall) {
     const std::vector<Row> before = v;
+    std::vector<Row> force(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) nugget::add(force[i], mass[i] * acceleration[i]);
     for (std::size_t i = 0; i < x.size(); ++i) nugget::add(v[i], dt * acceleration[i]);
-    wall.constrain(time, dt, dt, x, v, mass, skip);
+    wall.constrain(time, dt, dt, x, v, force, mass, skip);
     for (std::size_t i = 0; i < x.size(); ++i) {
       force_work += 0.5 * mass[i] * dt * dot(acceleration[i], vec(before[i]) + vec(v[i]));
       nugget::add(x[i], dt * vec(v[i]));
@@ -349,6 +351,48 @@ TEST(RigidWall, EndsOfAFiniteCylinder) {
   EXPECT_NEAR(m.x[1].z, 0.0, 1e-12);
   EXPECT_NEAR(m.x[2].x, 10.01 - 0.05, 1e-9);
   EXPECT_NEAR(m.x[3].x, 10.0, 1e-12);
+}
+
+model::RigidWall block() {
+  model::RigidWall wall = floor_wall();
+  wall.shape = model::RigidWall::Shape::prism;
+  wall.edge_l = {1.0, 0.0, 0.0};
+  wall.edge_m = {0.0, 1.0, 0.0};
+  wall.length_l = 4.0;
+  wall.length_m = 2.0;
+  wall.depth = 1.0;
+  return wall;
+}
+
+// Sabotage: the face that is nearest where the node would stand instead of the one that it came through.
+TEST(RigidWall, PrismStopsOnAllItsFaces) {
+  const std::pair<Vec3d, Vec3d> arrivals[] = {
+      {{1.0, 1.0, 0.1}, {0.0, 0.0, -1.0}},  {{1.0, 1.0, -1.1}, {0.0, 0.0, 1.0}},  {{-0.1, 1.0, -0.5}, {1.0, 0.0, 0.0}},
+      {{4.1, 1.0, -0.5}, {-1.0, 0.0, 0.0}}, {{1.0, -0.1, -0.5}, {0.0, 1.0, 0.0}}, {{1.0, 2.1, -0.5}, {0.0, -1.0, 0.0}}};
+  for (const auto& [from, towards] : arrivals) {
+    Masses m;
+    m.dt = 1e-2;
+    m.add(from, 1000.0 * towards);  // more than the block in a step
+    RigidWall wall(block(), m.nodes());
+    m.step(wall);
+    EXPECT_NEAR(norm(vec(m.x[0]) - from - 0.1 * towards), 0.0, 1e-12);
+    m.step(wall);
+    EXPECT_NEAR(norm(vec(m.v[0])), 0.0, 1e-9);
+  }
+}
+
+TEST(RigidWall, NodePassesAPrismAndSlidesOffIt) {
+  Masses m;
+  m.dt = 1e-2;
+  m.add({-1.0, 1.0, 0.5}, {10.0, 0.0, 0.0});                         // above it
+  m.add({1.0, 1.0, 0.001}, {10.0, 0.0, 0.0}, 1.0, {0, 0, -1000.0});  // along its top, then down beside it
+  RigidWall wall(block(), m.nodes());
+  for (int i = 0; i < 29; ++i) m.step(wall);
+  EXPECT_DOUBLE_EQ(m.v[0].x, 10.0);
+  EXPECT_NEAR(m.x[1].z, 0.0, 1e-9);
+  for (int i = 0; i < 11; ++i) m.step(wall);
+  EXPECT_LT(m.x[1].z, -1.0);
+  EXPECT_DOUBLE_EQ(m.v[1].x, 10.0);
 }
 
 TEST(RigidWall, SphereStopsAndLetsSlide) {

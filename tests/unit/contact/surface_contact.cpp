@@ -44,7 +44,7 @@ struct Scene {
         s.node = {a, a + 1, a + n + 2, a + n + 1};
         s.thickness = thickness;
         s.bulk_modulus = bulk;
-        s.shell = static_cast<int>(setup.segments.size());
+        s.element = static_cast<int>(setup.segments.size());
         setup.segments.push_back(s);
       }
     return first;
@@ -115,6 +115,50 @@ TEST(SurfaceContact, PlateStopsANodeOnBothSides) {
     EXPECT_LT(closest, 1.0);
     EXPECT_NEAR(s.v[s.node].z, side * 2000.0, 20.0);  // elastic bounce: energy within 1 % and better
   }
+}
+
+// The face between two bricks stops a node once the brick before it has died. Sabotage: faces that are always bare, or
+// surface_changed() left out.
+TEST(SurfaceContact, AFaceComesToLightWhenTheBrickBeforeItDies) {
+  PlateAndNode s({3.0, 2.0, 0.4}, {0.0, 0.0, -1000.0});
+  for (Segment& segment : s.setup.segments) {
+    segment.volume = 125.0;
+    segment.thickness = 0.0;
+    segment.element = 0;
+    segment.covered_by = 1;
+  }
+  SurfaceContact contact = s.contact();
+  s.alive = {1, 1};
+  s.evaluate(contact, 0.0);
+  for (int i = 0; i < 100; ++i) s.step(contact);
+  EXPECT_EQ(contact.touching(), 0);
+  EXPECT_GT(s.x[s.node].z, 0.2);
+  s.alive = {1, 0};
+  contact.surface_changed();
+  double deepest = 10.0;
+  for (int i = 0; i < 20000; ++i) {
+    s.step(contact);
+    deepest = std::min(deepest, s.x[s.node].z);
+  }
+  EXPECT_LT(deepest, 0.5);
+  EXPECT_GT(deepest, -0.5);
+  EXPECT_NEAR(s.v[s.node].z, 1000.0, 10.0);
+  s.alive = {0, 0};  // and when its own brick dies it is gone
+  contact.surface_changed();
+  s.evaluate(contact, 1e-7);
+  EXPECT_EQ(contact.listed(), 0u);
+}
+
+// Sheets that just touch, to the last bit. Sabotage: looking at a pair whose foot was not looked for.
+TEST(SurfaceContact, SheetsThatJustTouchDoNotPenetrate) {
+  Scene s;
+  s.add_patch(4, 4, 1.0, flat(4.0, 0.0));
+  s.add_patch(4, 4, 1.0, flat(4.0, 1.0, {2.0, 2.0, 0.0}));
+  s.setup.nodes = nodes_of(s.setup.segments);
+  EXPECT_TRUE(find_penetrations(s.setup, s.x).empty());
+  SurfaceContact contact = s.contact();
+  s.evaluate(contact, 0.0);
+  EXPECT_EQ(contact.touching(), 0);
 }
 
 TEST(SurfaceContact, ContactStartsAtHalfTheSumOfTheThicknesses) {

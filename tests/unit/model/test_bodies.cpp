@@ -38,7 +38,7 @@ TEST(RigidBodies, PartsWithRigidMaterial) {
   EXPECT_EQ(bodies[0].fixed, 0b111011u) << "CON1 4 holds x and y";
   EXPECT_EQ(built.model.parts[0].rigid_body, none);
   EXPECT_EQ(built.model.parts[2].rigid_body, 1);
-  EXPECT_TRUE(Built(small_deck("", "      -1.0         5    110111")).error("local axes", "cmo"));
+  EXPECT_TRUE(Built(small_deck("", "      -1.0         5    110111")).error("is not defined", "con1"));
 }
 
 TEST(RigidBodies, MergersAndExtraNodes) {
@@ -82,13 +82,52 @@ bracket
   EXPECT_NEAR(body.inertia.inertia[5], 3.0, 1e-12);
 }
 
-TEST(RigidBodies, TensorOfNoBodyIsTold) {
-  const auto body = [](const std::string& tensor) {
-    return Built(small_deck("*CONSTRAINED_NODAL_RIGID_BODY_INERTIA\n        40         0         1\n" +
-                            std::string("       0.0       0.0       0.0       5.0\n") + tensor + "\n\n"));
+/// A nodal rigid body of nodes 1 2 3 with mass 5 at `center` and this tensor of inertia.
+std::string body_with_inertia(const std::string& tensor, const std::string& center = "       0.0       0.0       0.0") {
+  return "*CONSTRAINED_NODAL_RIGID_BODY_INERTIA\n        40         0         1        21\n" + center + "       5.0\n" +
+         tensor + "\n\n*NODE\n      21             7.0             0.0             0.0\n";
+}
+const std::string singular = "      50.0      50.0      50.0      50.0      50.0      50.0";
+const std::string round_body = "      50.0       0.0       0.0      50.0       0.0      50.0";
+
+TEST(RigidBodies, TensorOfNoBodyIsRefusedWhereItCanTurn) {
+  EXPECT_TRUE(Built(small_deck(body_with_inertia(singular))).error("not positive definite"));
+  EXPECT_FALSE(Built(small_deck(body_with_inertia(round_body))).error("not positive definite"));
+  const Built held(
+      small_deck(body_with_inertia(singular) +
+                 "*BOUNDARY_SPC_NODE\n        21         0         0         0         1         1         1  "
+                 "       1\n"));
+  EXPECT_EQ(held.findings.errors(), 0) << held.all_findings();
+  EXPECT_TRUE(held.find(Severity::note, "cannot turn, so it does not matter"));
+}
+
+TEST(RigidBodies, ReferenceNodeStandsAtTheCentre) {
+  const Built built(small_deck(body_with_inertia(round_body, "       0.5       0.5       2.0")));
+  ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
+  const Model& m = built.model;
+  EXPECT_THAT(user_ids(m, m.rigid_bodies.back().nodes), ElementsAre(1, 2, 3, 21));
+  expect_vector(m.nodes.x[static_cast<std::size_t>(m.node_index(21))], 0.5, 0.5, 2.0);
+  EXPECT_TRUE(built.find(Severity::note, "is moved by 6.8", "pnode"));
+}
+
+TEST(RigidBodies, PointConstraintsHoldTheBody) {
+  const auto spc = [](int node, const char* codes) {
+    return "*BOUNDARY_SPC_NODE\n" + std::to_string(node) + ",0," + codes + "\n";
   };
-  EXPECT_TRUE(body("      50.0      50.0      50.0      50.0      50.0      50.0").warning("not positive definite"));
-  EXPECT_FALSE(body("      50.0       0.0       0.0      50.0       0.0      50.0").warning("not positive definite"));
+  const auto built = [&](const std::string& spcs) { return Built(small_deck(body_with_inertia(round_body) + spcs)); };
+  const auto fixed = [](const Built& b) { return b.model.rigid_bodies.back().fixed; };
+
+  const Built at_center = built(spc(21, "0,0,1,1,0,0"));
+  EXPECT_EQ(fixed(at_center), 0b001100u);
+  EXPECT_TRUE(at_center.model.spcs.empty());
+  // Elsewhere a translation is no constraint of the centre, unless the body cannot turn; a rotation always is.
+  const Built off_center = built(spc(2, "0,0,1,1,0,0"));
+  EXPECT_EQ(fixed(off_center), 0b001000u);
+  ASSERT_EQ(off_center.model.spcs.size(), 1u);
+  EXPECT_EQ(off_center.model.spcs[0].fixed, 0b000100u);
+  const Built without_rotation = built(spc(2, "1,0,1,0,0,0") + spc(3, "0,0,0,1,1,1"));
+  EXPECT_EQ(fixed(without_rotation), 0b111101u);
+  EXPECT_TRUE(without_rotation.model.spcs.empty());
 }
 
 TEST(RigidBodies, Faults) {

@@ -105,7 +105,7 @@ TEST(Checks, DiscreteBeams) {
   EXPECT_TRUE(part("14,6\n0.0,0.2\n", linear).error("no mass", "elform"));
   EXPECT_TRUE(part("14,6\n0.1\n", linear).error("rotary inertia", "elform"));
   EXPECT_TRUE(part("14,6,1,2,0,12\n0.1,0.2\n", linear).error("triad", "scoor"));
-  EXPECT_TRUE(part("14,9\n5.0,5.0\n", linear).error("*MAT_SPOTWELD only", "mid"));
+  EXPECT_TRUE(part("14,9\n5.0,5.0\n", linear).error("need *MAT_SPOTWELD", "mid"));
 }
 
 TEST(Checks, LawsOfDiscreteBeams) {
@@ -147,13 +147,28 @@ TEST(Checks, LawsOfDiscreteBeams) {
   EXPECT_EQ(spring(pull, 0).preload, 5.0);
 }
 
-TEST(Checks, WeldsOfBricksHaveFormulationOne) {
+TEST(Checks, FormulationsOfWeldsOfBricks) {
   const auto deck = [](const char* elform) {
     return sheet_deck("*MAT_SPOTWELD\n2,7.85e-9,210000.0,0.3,400.0\n*PART\nb\n2,12,2\n*SECTION_SOLID\n12," +
                       std::string(elform) + "\n*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n");
   };
-  EXPECT_TRUE(Built(deck("2")).error("welds of bricks are built with solid formulation 1, not with 2", "elform"));
-  EXPECT_EQ(Built(deck("1")).find(Severity::error, "formulation", "elform"), nullptr);
+  for (const char* built : {"1", "2"})
+    EXPECT_EQ(Built(deck(built)).find(Severity::error, "formulation", "elform"), nullptr);
+  const Built zero(deck("0")), blank(deck(""));
+  EXPECT_TRUE(zero.warning("honeycombs", "elform"));
+  EXPECT_EQ(zero.model.solid_sections.at(0).elform, 1);
+  EXPECT_FALSE(blank.warning("honeycombs", "elform"));
+  for (const char* scaled : {"-1", "-2"}) EXPECT_TRUE(Built(deck(scaled)).error("patent application", "elform"));
+}
+
+TEST(Checks, OptionsOfOtherKindsOfWelds) {
+  const auto with_option = [](const char* option, const char* part) {
+    return Built(sheet_deck("*MAT_SPOTWELD_DAMAGE-FAILURE\n2,7.85e-9,210000.0,0.3,400.0\n0,7,7\n0," +
+                            std::string(option) + "\n*DEFINE_CURVE\n7\n0,1\n90,2\n" + part));
+  };
+  const char* bricks = "*PART\nb\n2,12,2\n*SECTION_SOLID\n12,1\n*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n";
+  EXPECT_NE(with_option("11", bricks).find(Severity::warning, "documented for beams"), nullptr);
+  EXPECT_EQ(with_option("0", bricks).find(Severity::warning, "documented for"), nullptr);
 }
 
 TEST(Checks, RigidPartsMayHaveAnyFormulation) {
@@ -209,7 +224,7 @@ TEST(Checks, LawsAndElementsMustGoTogether) {
                  "*PART\nnull sheet\n6,1,3\n*ELEMENT_SHELL\n6,6,1,2,6,5\n"));
   EXPECT_TRUE(b.error("*MAT_SPOTWELD is a law of weld beams", "mid")) << b.all_findings();
   EXPECT_TRUE(b.error("*MAT_NULL in solids needs an equation of state", "mid"));
-  EXPECT_TRUE(b.error("beams are built with *MAT_SPOTWELD only, not with *MAT_ELASTIC", "mid"));
+  EXPECT_TRUE(b.error("spot-weld beams (ELFORM 9) need *MAT_SPOTWELD, not *MAT_ELASTIC", "mid"));
   EXPECT_EQ(b.findings.errors(), 3) << b.all_findings();
 }
 

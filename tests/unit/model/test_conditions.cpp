@@ -45,6 +45,22 @@ TEST(Database, IntervalsAndFormats) {
   EXPECT_EQ(requests.beam_points, 4);
 }
 
+TEST(Database, HistoriesInLocalAxes) {
+  const auto axes = [](int flag) { return "*DEFINE_COORDINATE_NODES\n3,1,2,4," + std::to_string(flag) + "\n"; };
+  const Built built(small_deck("*DATABASE_HISTORY_NODE_LOCAL_ID\n4,3,1\nsensor\n4,0,1\nglobal\n" + axes(0)));
+  ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
+  const auto& nodes = built.model.requests.history_nodes;
+  ASSERT_EQ(nodes.size(), 2u);
+  EXPECT_EQ(nodes[0].heading, "sensor");
+  EXPECT_EQ(nodes[0].system, 0);
+  EXPECT_TRUE(nodes[0].turning) << "REF 1 turns them whatever FLAG says";
+  EXPECT_EQ(nodes[1].system, none);
+  EXPECT_TRUE(Built(small_deck("*DATABASE_HISTORY_NODE_LOCAL\n4,3,0\n" + axes(1))).error("need a system", "ref"));
+  EXPECT_TRUE(Built(small_deck("*DATABASE_HISTORY_NODE_LOCAL\n4,3,2\n" + axes(1))).error("", "ref"));
+  EXPECT_TRUE(Built(small_deck("*DATABASE_HISTORY_NODE_LOCAL\n4,3,1\n*DEFINE_COORDINATE_VECTOR\n3,0.0,2.0,0.0,1.0\n"))
+                  .error("the nodes that they turn with", "ref"));
+}
+
 TEST(Database, HistoriesOfNodesSetsAndHeadings) {
   const Built built(small_deck(R"(*DATABASE_HISTORY_NODE
          4         1         0        99
@@ -65,7 +81,7 @@ TEST(Database, HistoriesOfNodesSetsAndHeadings) {
 }
 
 TEST(Database, WhatIsNotWrittenIsSaid) {
-  const Built built(small_deck(R"(*DATABASE_ELOUT
+  const Built built(small_deck(R"(*DATABASE_ABSTAT
     1.0E-3
 *DATABASE_BINARY_RUNRSF
     1000.0
@@ -77,7 +93,7 @@ TEST(Database, WhatIsNotWrittenIsSaid) {
          4         0        -3
 )"));
   EXPECT_EQ(built.findings.errors(), 0) << built.all_findings();
-  EXPECT_TRUE(built.warning("elout"));
+  EXPECT_TRUE(built.warning("abstat"));
   EXPECT_TRUE(built.warning("not written", "neiph"));
   EXPECT_TRUE(built.warning("not written", "option1"));
   EXPECT_TRUE(built.warning("one in-plane point", "maxint"));
@@ -353,7 +369,50 @@ TEST(Load, BaseAccelerationOfSomeParts) {
   EXPECT_EQ(built.model.body_loads[0].scale, 9810.0);
   expect_vector(built.model.body_loads[1].direction, 0, 0.6, 0.8);
   for (const BodyLoad& load : built.model.body_loads) EXPECT_THAT(load.parts, ElementsAre(0));
-  EXPECT_TRUE(Built(small_deck("*LOAD_BODY_RZ\n         7\n")).error("centrifugal"));
+  const Built others(small_deck(R"(*LOAD_BODY_RZ
+         7       2.0         0       1.0       2.0       3.0
+*LOAD_GRAVITY_PART
+         1         3         0    9810.0
+*LOAD_BODY_PARTS
+         1
+)"));
+  ASSERT_EQ(others.findings.errors(), 0) << others.all_findings();
+  ASSERT_EQ(others.model.body_loads.size(), 2u);
+  const BodyLoad &spin = others.model.body_loads[0], &gravity = others.model.body_loads[1];
+  EXPECT_TRUE(spin.centrifugal);
+  expect_vector(spin.center, 1, 2, 3);
+  expect_vector(gravity.direction, 0, 0, 1);
+  EXPECT_EQ(gravity.curve, none);
+  EXPECT_THAT(gravity.parts, ElementsAre(0));
+  EXPECT_TRUE(gravity.own_parts);
+}
+
+TEST(Load, BaseAccelerationOfARegion) {
+  const Built built(small_deck(R"(*LOAD_BODY_GENERALIZED_SET_NODE
+         1         0         7
+       0.0       3.0       4.0
+*LOAD_BODY_GENERALIZED
+         2         8         7
+       1.0       0.0       0.0
+*LOAD_BODY_GENERALIZED_SET_PART
+         1         0         7
+       0.0       0.0       2.0
+*SET_PART_LIST
+         9
+         2
+*LOAD_BODY_PARTS
+         9
+)"));
+  ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
+  const auto& loads = built.model.body_loads;
+  ASSERT_EQ(loads.size(), 3u);
+  EXPECT_THAT(loads[0].nodes, ElementsAre(0, 1, 2));
+  expect_vector(loads[0].direction, 0, 0.6, 0.8);
+  EXPECT_EQ(loads[0].scale, 5.0);
+  EXPECT_THAT(loads[1].nodes, ElementsAre(1, 2, 3, 4, 5, 6, 7));
+  EXPECT_THAT(loads[2].parts, ElementsAre(0)) << "*LOAD_BODY_PARTS is no business of these";
+  EXPECT_TRUE(Built(small_deck("*LOAD_BODY_GENERALIZED\n1,2,7\n,,,1.0\n")).error("", "omx"));
+  EXPECT_TRUE(Built(small_deck("*LOAD_BODY_GENERALIZED\n1,2,7\n,,,\n")).error("no direction", "ax"));
 }
 
 TEST(Load, Pressures) {

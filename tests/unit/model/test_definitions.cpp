@@ -85,10 +85,22 @@ TEST(Frames, SecondNodeOnAnotherAxis) {
   expect_axes(b.model.systems[1], {-1, 0, 0}, {0, 0, 1});  // z along N1 N2, x towards N3
 }
 
+TEST(Frames, TurningWithItsNodes) {
+  const auto b = built(std::string(three_nodes) + "*DEFINE_COORDINATE_NODES\n5,1,2,3,1,Y\n");
+  ASSERT_EQ(b.model.systems.size(), 1u) << b.all_findings();
+  const CoordinateSystem& s = b.model.systems[0];
+  EXPECT_TRUE(s.turning);
+  ASSERT_TRUE(s.nodes);
+  EXPECT_EQ(s.nodes->axis, 1);
+  EXPECT_EQ(s.nodes->in_plane, 2);
+  EXPECT_TRUE(built(std::string(three_nodes) + "*DEFINE_COORDINATE_NODES\n5,1,2,3,1\n*BOUNDARY_SPC_NODE\n1,5,1\n")
+                  .error("turns with its nodes", "cid"));
+}
+
 TEST(Frames, Faults) {
   EXPECT_TRUE(built("*DEFINE_COORDINATE_VECTOR\n2,0.0,2.0,0.0,0.0,1.0,0.0\n").error("must differ in direction"));
-  EXPECT_TRUE(
-      built(std::string(three_nodes) + "*DEFINE_COORDINATE_NODES\n1,1,2,3,1\n").error("only 0 is supported", "flag"));
+  EXPECT_TRUE(built(std::string(three_nodes) + "*DEFINE_COORDINATE_NODES\n1,1,2,3,2\n").error("", "flag"));
+  EXPECT_TRUE(built(std::string(three_nodes) + "*DEFINE_COORDINATE_NODES\n1,1,2,2\n").error("lie on a line", "n1"));
   EXPECT_TRUE(built("*DEFINE_COORDINATE_NODES\n1,1,2,3\n").error("node 1 is not defined", "n1"));
   EXPECT_TRUE(built("*DEFINE_VECTOR\n1\n").error("head and tail of a vector must differ"));
   EXPECT_TRUE(built("*DEFINE_BOX\n1,2.0,1.0\n").error("smallest value is larger", "xmn"));
@@ -204,6 +216,30 @@ TEST(Sets, SegmentsOfShellsAndOfTheSkinOfSolids) {
   EXPECT_EQ(s[2].members.size(), 1u);
   EXPECT_THAT(s[3].members, IsEmpty());
   EXPECT_THAT(s[4].members[0], ElementsAre(0, 2, 3, 3));
+}
+
+TEST(Sets, NodesOfSetsOfSeveralKinds) {
+  const auto b = strip(
+      "*SET_NODE_ADD_ADVANCED_TITLE\nmixed\n1\n2,1,3,2,4,5,5,4\n*SET_NODE\n2\n6\n*SET_SHELL\n3\n1\n*SET_SEGMENT_"
+      "GENERAL\n4\nSHELL,3\n*SET_SOLID\n5\n9\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_THAT(ids(b, b.model.sets.nodes.at(0).members), ElementsAre(6, 1, 3, 4, 2, 5, 7, 8, 11, 12, 13, 14));
+  EXPECT_TRUE(strip("*SET_NODE_ADD_ADVANCED\n1\n2,7\n").error("thick shells are not built", "type1"));
+}
+
+TEST(Sets, TreesOfParts) {
+  const auto b = strip(
+      "*SET_PART_TREE\n7\nall\n8,-3\n*SET_PART_TREE\n8\nsheets\n-1,-2\n*SET_PART\n8\n3\n"
+      "*SET_SEGMENT_GENERAL\n1\nBRANCH,8\nDBRANCH,9\n*SET_PART_TREE\n9\none sheet\n-2\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const auto& sets = b.model.sets;
+  ASSERT_EQ(sets.branches.size(), 3u);
+  EXPECT_THAT(sets.branches[0].members, ElementsAre(0, 1, 2));
+  EXPECT_THAT(sets.parts.at(0).members, ElementsAre(2)) << "branches have ids of their own";
+  EXPECT_EQ(sets.segments.at(0).members.size(), 2u);
+  EXPECT_TRUE(strip("*SET_PART_TREE\n7\n\n8\n").error("branch of parts 8 is not defined"));
+  EXPECT_TRUE(strip("*SET_PART_TREE\n7\n\n7\n").error("contains itself"));
+  EXPECT_TRUE(strip("*SET_PART_TREE\n7\n\n-5\n").error("part 5 is not defined"));
 }
 
 TEST(Sets, CollectJoinsTheSameId) {

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/finding_list.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <unordered_map>
+
+namespace nugget::app {
+namespace {
+
+constexpr std::size_t shown_of_many = 3, places_of_many = 8;
+
+/// Text with each number in it replaced by one sign.
+std::string without_numbers(const std::string& text) {
+  std::string out;
+  const auto digit = [&](std::size_t i) {
+    return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool sign = (text[i] == '-' || text[i] == '+' || text[i] == '.') && digit(i + 1);
+    if (!sign && !digit(i)) {
+      out += text[i];
+      continue;
+    }
+    while (digit(i + 1) || ((text[i + 1] == '.' || text[i + 1] == 'e' || text[i + 1] == '-') && digit(i + 2))) ++i;
+    out += '#';
+  }
+  return out;
+}
+
+std::string kind_of(const Finding& f) {
+  return fmt::format("{}|{}|{}|{}", to_string(f.severity), f.keyword, f.field, without_numbers(f.text));
+}
+
+/// Where the findings from `begin` on stand: line numbers, the file's name where it changes.
+std::string places(const std::vector<const Finding*>& alike, std::size_t begin) {
+  std::string text, file = alike[begin]->place.file;
+  std::size_t named = 0;
+  for (std::size_t i = begin; i < alike.size() && named < places_of_many; ++i) {
+    const Place& place = alike[i]->place;
+    if (place.line == 0) continue;
+    const bool elsewhere = place.file != file;
+    text += fmt::format("{}{}{}", named++ == 0 ? "" : ", ", elsewhere ? place.file + ':' : "", place.line);
+    file = place.file;
+  }
+  if (named == 0) return {};
+  return fmt::format(", at line{} {}{}", named == 1 ? "" : "s", text, alike.size() - begin > named ? ", ..." : "");
+}
+
+std::string rest(const std::vector<const Finding*>& alike) {
+  Finding line = *alike[shown_of_many];
+  line.value.clear();
+  line.keyword += line.field.empty() ? "" : ' ' + line.field;
+  line.field.clear();
+  line.text = fmt::format("and {} more of this kind{}", alike.size() - shown_of_many, places(alike, shown_of_many));
+  line.remedy = "findings.json has each";
+  return to_string(line);
+}
+
+}  // namespace
+
+std::vector<std::string> list_findings(const std::vector<Finding>& findings) {
+  std::unordered_map<std::string, std::vector<const Finding*>> kinds;
+  for (const Finding& f : findings) kinds[kind_of(f)].push_back(&f);
+  std::vector<std::string> lines;
+  for (const Finding& f : findings) {
+    const std::vector<const Finding*>& alike = kinds.at(kind_of(f));
+    if (alike.size() <= most_alike) {
+      lines.push_back(to_string(f));
+      continue;
+    }
+    for (std::size_t i = 0; i <= shown_of_many; ++i)
+      if (alike[i] == &f) lines.push_back(i < shown_of_many ? to_string(f) : rest(alike));
+  }
+  return lines;
+}
+
+}  // namespace nugget::app

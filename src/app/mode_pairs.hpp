@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "nvh/mode_comparison.hpp"
+
+namespace nugget::app {
+
+/// `nugget modes --compare`: a line for each mode with its partner in the other run, for the terminal and run.log.
+std::string pair_table(const nvh::Modes& modes, const nvh::ModeComparison& comparison, const std::string& other);
+
+}  // namespace nugget::app

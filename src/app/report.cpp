@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "app/commands.hpp"
+#include "output/result_file.hpp"
+#include "report/page.hpp"
+
+namespace nugget::app {
+
+ExitCode report(const std::string& directory) {
+  try {
+    report::write_report(directory);
+    return ExitCode::normal;
+  } catch (const output::WriteError& error) {
+    fmt::print(stderr, "nugget: {}\n", error.what());
+    return ExitCode::cannot_write;
+  } catch (const std::runtime_error& error) {
+    fmt::print(stderr, "nugget: {}\n", error.what());
+    return ExitCode::wrong_command;
+  }
+}
+
+}  // namespace nugget::app

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/edge_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "base/parallel.hpp"
+
+namespace nugget::contact {
+namespace {
+
+constexpr int block_size = 64;
+constexpr double parallel = 1e-5;  // sine below which edges have no common normal of their own
+
+bool finite(const Row& r) {
+  return std::isfinite(r.x + r.y + r.z);
+}
+
+bool share_a_node(const Edge& a, const Edge& b) {
+  return a.has(b.node[0]) || a.has(b.node[1]);
+}
+
+std::vector<int> all_nodes(const std::vector<Edge>& edges) {
+  std::vector<int> nodes;
+  for (const Edge& e : edges) nodes.insert(nodes.end(), e.node.begin(), e.node.end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+Vec3d along(const Edge& e, std::span<const Row> x) {
+  return vec(x[e.node[1]]) - vec(x[e.node[0]]);
+}
+
+Vec3d at(const Edge& e, double place, std::span<const Row> rows) {
+  return (1.0 - place) * vec(rows[e.node[0]]) + place * vec(rows[e.node[1]]);
+}
+
+/// Whether a place along an edge is one of its ends, but for round-off.
+bool at_an_end(double place) {
+  return place <= 1e-9 || place >= 1.0 - 1e-9;
+}
+
+}  // namespace
+
+std::vector<Edge> edges_of(const std::vector<Segment>& segments, std::span<const Row> x) {
+  std::map<std::pair<int, int>, Edge> found;
+  for (const Segment& s : segments) {
+    if (s.volume > 0.0) continue;
+    for (int c = 0; c < s.corners(); ++c) {
+      const int from = s.node[c], to = s.node[(c + 1) % s.corners()];
+      Edge& edge = found[std::minmax(from, to)];
+      edge.node = {std::min(from, to), std::max(from, to)};
+      edge.thickness += s.thickness;
+      edge.stiffness += penalty_stiffness(s, x);
+      edge.elements.push_back(s.element);
+    }
+  }
+  std::vector<Edge> edges;
+  for (auto& [nodes, edge] : found) {
+    const auto shells = static_cast<double>(edge.elements.size());
+    edge.thickness /= shells;
+    edge.stiffness /= shells;
+    edges.push_back(std::move(edge));
+  }
+  return edges;
+}
+
+EdgeContact::EdgeContact(EdgeContactSetup setup, std::span<const Row> x)
+    : setup_(std::move(setup)), forces_(all_nodes(setup_.edges)) {
+  const std::vector<Edge>& edges = setup_.edges;
+  first_at_.assign(forces_.nodes().empty() ? 1 : forces_.nodes().back() + 2, 0);
+  double length = 0.0;
+  for (const Edge& e : edges) {
+    for (int n : e.node) ++first_at_[n + 1];
+    length += norm(along(e, x));
+  }
+  for (std::size_t n = 1; n < first_at_.size(); ++n) first_at_[n] += first_at_[n - 1];
+  edge_at_.resize(first_at_.back());
+  std::vector<int> next(first_at_.begin(), first_at_.end() - 1);
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    for (int n : edges[e].node) edge_at_[next[n]++] = static_cast<int>(e);
+
+  margin_ = edges.empty() ? 0.0 : 0.25 * length / static_cast<double>(edges.size());
+  const int count = static_cast<int>(edges.size());
+  for (int begin = 0; begin < count; begin += block_size)
+    blocks_.push_back({begin, std::min(count, begin + block_size), {}, {}});
+}
+
+void EdgeContact::apply(double time, double dt, std::span<const Row> x, std::span<const Row> v,
+                        std::span<const double> mass, std::span<const unsigned char> alive, std::span<Row> force) {
+  forces_.next_cycle();
+  std::swap(touches_, touched_before_);
+  touches_.clear();
+  deepest_ = 0.0;
+  if (time >= setup_.birth && time < setup_.death) {
+    approach_.follow(x);
+    if (!searched_ || approach_.since_start() > margin_) search(x, alive);
+    parallel_for(blocks_.size(), 4, [this, &x](std::size_t begin, std::size_t end) {
+      for (std::size_t b = begin; b < end; ++b) find_close(blocks_[b], x);
+    });
+    close_.clear();
+    for (const Block& block : blocks_)
+      for (const Candidate& candidate : block.close) close_.push_back(&candidate);
+    const Step step{dt, x, v, mass};
+    for (const Candidate* candidate : close_)
+      if (presses(*candidate)) press(*candidate, step);
+    forces_.add_to(force);
+  }
+  energy_ -= forces_.work(dt, v)[0];
+}
+
+// ----------------------------------------------------------------------------------------------------------------
+// search
+
+bool EdgeContact::takes_part(int edge, std::span<const unsigned char> alive) const {
+  const Edge& e = setup_.edges[edge];
+  const auto living = std::count_if(e.elements.begin(), e.elements.end(), [&alive](int element) {
+    return element < 0 || alive.empty() || alive[element] != 0;
+  });
+  return living == 1 || (setup_.interior && living > 1);
+}
+
+/// Edges that meet, or belong to one element.
+bool EdgeContact::belong_together(int a, int b) const {
+  const Edge &e = setup_.edges[a], &f = setup_.edges[b];
+  return share_a_node(e, f) || std::find_first_of(e.elements.begin(), e.elements.end(), f.elements.begin(),
+                                                  f.elements.end()) != e.elements.end();
+}
+
+kernel::EdgeFeet EdgeContact::feet_of(int a, int b, std::span<const Row> x) const {
+  const Edge &e = setup_.edges[a], &f = setup_.edges[b];
+  return kernel::closest_points(vec(x[e.node[0]]), vec(x[e.node[1]]), vec(x[f.node[0]]), vec(x[f.node[1]]));
+}
+
+void EdgeContact::search(std::span<const Row> x, std::span<const unsigned char> alive) {
+  active_.assign(setup_.edges.size(), 0);
+  std::vector<int> listed, nodes;
+  std::vector<Box> boxes;
+  for (std::size_t e = 0; e < setup_.edges.size(); ++e) {
+    const Edge& edge = setup_.edges[e];
+    if (!finite(x[edge.node[0]]) || !finite(x[edge.node[1]]) || !takes_part(static_cast<int>(e), alive)) continue;
+    active_[e] = 1;
+    Box box;
+    for (int n : edge.node) box.add(vec(x[n]));
+    listed.push_back(static_cast<int>(e));
+    boxes.push_back(box.grown(0.5 * edge.thickness));
+    nodes.insert(nodes.end(), edge.node.begin(), edge.node.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  approach_.start(std::move(nodes), x);
+  const BoxTree tree(boxes);
+  parallel_for(blocks_.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) list_neighbours(blocks_[b], listed, tree, x);
+  });
+  searched_ = true;
+  ++searches_;
+}
+
+void EdgeContact::list_neighbours(Block& block, const std::vector<int>& listed, const BoxTree& tree,
+                                  std::span<const Row> x) const {
+  const auto by_edges = [](const Pair& p, const Pair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; };
+  const std::vector<Pair> old = std::move(block.pairs);
+  block.pairs.clear();
+  for (int a = block.begin; a < block.end; ++a) {
+    if (!active_[a]) continue;
+    const Edge& edge = setup_.edges[a];
+    Box box;
+    for (int n : edge.node) box.add(vec(x[n]));
+    const std::size_t start = block.pairs.size();
+    tree.overlapping(box.grown(0.5 * edge.thickness + margin_), [&](int item) {
+      const int b = listed[item];
+      if (b <= a || belong_together(a, b)) return;
+      Pair pair;
+      pair.a = a;
+      pair.b = b;
+      pair.feet = feet_of(a, b, x);
+      if (pair.feet.distance > reach(a, b) + margin_) return;
+      // What the pair remembers goes on.
+      const auto known = std::lower_bound(old.begin(), old.end(), pair, by_edges);
+      block.pairs.push_back(known != old.end() && known->a == a && known->b == b ? *known : pair);
+    });
+    std::sort(block.pairs.begin() + static_cast<std::ptrdiff_t>(start), block.pairs.end(), by_edges);
+  }
+  block.close.reserve(block.pairs.size());
+}
+
+// ----------------------------------------------------------------------------------------------------------- every
+// cycle
+
+void EdgeContact::find_close(Block& block, std::span<const Row> x) const {
+  block.close.clear();
+  for (Pair& pair : block.pairs) {
+    if (pair.wake > approach_.travelled()) continue;
+    const Pair before = pair;
+    pair.touching = false;
+    pair.feet = feet_of(pair.a, pair.b, x);
+    const double gap = pair.feet.distance - reach(pair.a, pair.b);
+    pair.wake = approach_.travelled() + gap;
+    if (gap < 0.0) block.close.push_back({&pair, before});
+  }
+}
+
+/// The edges that go on where `place` is an end of the edge (the edge itself is one of them).
+std::span<const int> EdgeContact::neighbours(int edge, double place) const {
+  if (!at_an_end(place)) return {};
+  const int node = setup_.edges[edge].node[place < 0.5 ? 0 : 1];
+  return std::span(edge_at_).subspan(first_at_[node], first_at_[node + 1] - first_at_[node]);
+}
+
+/// Whether the pair of edges `a` and `b` is closer than `than`; of pairs that are equally close, the first.
+bool EdgeContact::closer(int a, int b, const Candidate& than) const {
+  if (a > b) std::swap(a, b);
+  const auto place = std::lower_bound(close_.begin(), close_.end(), std::pair{a, b},
+                                      [](const Candidate* candidate, const std::pair<int, int>& key) {
+                                        return std::pair{candidate->pair->a, candidate->pair->b} < key;
+                                      });
+  if (place == close_.end() || (*place)->pair->a != a || (*place)->pair->b != b) return false;
+  const double other = (*place)->pair->feet.distance, own = than.pair->feet.distance;
+  return other < own || (other == own && std::pair{a, b} < std::pair{than.pair->a, than.pair->b});
+}
+
+/// Whether the distance of the pair is a local minimum along the lines that the edges are part of.
+bool EdgeContact::presses(const Candidate& candidate) const {
+  const Pair& pair = *candidate.pair;
+  const std::span<const int> beside_a = neighbours(pair.a, pair.feet.s), beside_b = neighbours(pair.b, pair.feet.t);
+  const auto better = [&](int a, int b) { return a == b || belong_together(a, b) || closer(a, b, candidate); };
+  for (int a : beside_a) {
+    if (a == pair.a || !active_[a]) continue;
+    if (better(a, pair.b)) return false;
+    for (int b : beside_b)
+      if (b != pair.b && active_[b] && better(a, b)) return false;
+  }
+  return std::none_of(beside_b.begin(), beside_b.end(),
+                      [&](int b) { return b != pair.b && active_[b] && better(pair.a, b); });
+}
+
+/// The pair that touched in the cycle before, this one or the one from which it slid here, with its edges in the order
+/// of this one; not touching if there was none.
+EdgeContact::Pair EdgeContact::predecessor(const Candidate& candidate) const {
+  if (candidate.before.touching) return candidate.before;
+  const auto goes_on = [this](int a, int b) { return a == b || share_a_node(setup_.edges[a], setup_.edges[b]); };
+  const int a = candidate.pair->a, b = candidate.pair->b;
+  for (const Pair& other : touched_before_) {
+    if (goes_on(a, other.a) && goes_on(b, other.b)) return other;
+    if (!goes_on(a, other.b) || !goes_on(b, other.a)) continue;
+    Pair turned = other;
+    std::swap(turned.a, turned.b);
+    std::swap(turned.feet.a, turned.feet.b);
+    std::swap(turned.feet.s, turned.feet.t);
+    turned.direction = -other.direction;
+    turned.friction = -other.friction;
+    return turned;
+  }
+  return {};
+}
+
+/// In which the first edge is pressed away from the second; zero if the two meet in a point and have no normal.
+Vec3d EdgeContact::direction(const Pair& pair, const Pair& before, const Vec3d& was_at, std::span<const Row> x) const {
+  const Vec3d e = along(setup_.edges[pair.a], x), f = along(setup_.edges[pair.b], x);
+  Vec3d normal = cross(e, f);
+  if (at_an_end(pair.feet.s) || at_an_end(pair.feet.t) || norm(normal) <= parallel * norm(e) * norm(f))
+    normal = pair.feet.a - pair.feet.b;
+  const double length = norm(normal);
+  if (!(length > 0.0)) return before.direction;
+  const double side = dot(before.touching ? before.direction : was_at, normal) < 0.0 ? -1.0 : 1.0;
+  return (side / length) * normal;
+}
+
+/// Friction on the first edge; see SurfaceContact. The slip is the way of the closest point over the second edge less
+/// that over the first.
+Vec3d EdgeContact::friction(const Pair& pair, const Pair& before, double stiffness, double normal_force,
+                            const Step& step) const {
+  if (!before.touching) return {};
+  const Vec3d over_a = pair.feet.a - at(setup_.edges[before.a], before.feet.s, step.x);
+  const Vec3d over_b = pair.feet.b - at(setup_.edges[before.b], before.feet.t, step.x);
+  const auto tangential = [&pair](const Vec3d& a) { return a - dot(a, pair.direction) * pair.direction; };
+  const Vec3d slip = tangential(over_b - over_a);
+  const Vec3d trial = tangential(before.friction) - stiffness * slip;
+  const double speed = step.dt > 0.0 ? norm(slip) / step.dt : 0.0;
+  // Two crossing bars touch in a patch as wide as both.
+  const double area = setup_.edges[pair.a].thickness * setup_.edges[pair.b].thickness;
+  const double bound = setup_.law.friction.bound(normal_force, speed, area), size = norm(trial);
+  return size > bound ? (bound / size) * trial : trial;
+}
+
+void EdgeContact::press(const Candidate& candidate, const Step& step) {
+  Pair& pair = *candidate.pair;
+  const Edge &e = setup_.edges[pair.a], &f = setup_.edges[pair.b];
+  const double s = pair.feet.s, t = pair.feet.t;
+  const Vec3d r = pair.feet.a - pair.feet.b;
+  const Vec3d velocity = at(e, s, step.v) - at(f, t, step.v);
+  const Pair before = predecessor(candidate);
+  pair.direction = direction(pair, before, r - step.dt * velocity, step.x);
+  const double overlap = reach(pair.a, pair.b) - dot(r, pair.direction);
+  // What the motion of this step cannot have made was there before, or comes from an edge laid bare.
+  const double explained = before.depth + step.dt * norm(velocity);
+  const double offset = candidate.before.touching ? before.offset : std::max(0.0, overlap - explained);
+  pair.touching = true;
+  pair.offset = std::min(offset, overlap);
+  pair.depth = overlap - pair.offset;
+  pair.friction = {};
+
+  const std::array<double, 4> weight{1.0 - s, s, 1.0 - t, t};
+  const std::array<double, 4> node_mass{step.mass[e.node[0]], step.mass[e.node[1]], step.mass[f.node[0]],
+                                        step.mass[f.node[1]]};
+  const double inverse_mass = kernel::inverse_pair_mass(0.0, weight, node_mass);
+  const double penalty = setup_.stiffness_scale * std::min(e.stiffness, f.stiffness);
+  const double stiffness = kernel::pair_stiffness(setup_.law, penalty, inverse_mass, step.dt);
+  const double size =
+      kernel::pair_force(setup_.law, stiffness, inverse_mass, pair.depth, -dot(velocity, pair.direction));
+  if (size > 0.0) {
+    if (setup_.law.friction.any()) pair.friction = friction(pair, before, stiffness, size, step);
+    const Vec3d force = size * pair.direction + pair.friction;
+    for (int end = 0; end < 2; ++end) {
+      forces_.add(e.node[end], weight[end] * force);
+      forces_.add(f.node[end], -weight[2 + end] * force);
+    }
+    deepest_ = std::max(deepest_, pair.depth);
+  }
+  touches_.push_back(pair);
+}
+
+}  // namespace nugget::contact

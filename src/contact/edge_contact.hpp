@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "base/bvh.hpp"
+#include "base/row.hpp"
+#include "contact/approach.hpp"
+#include "contact/nodal_forces.hpp"
+#include "contact/surface.hpp"
+#include "kernel/contact/closest_edges.hpp"
+#include "kernel/contact/penalty.hpp"
+
+namespace nugget::contact {
+
+/// A straight line between two nodes that must not pass through another: the edge of a shell, or a beam.
+struct Edge {
+  std::array<int, 2> node{};
+  double thickness = 0.0;     ///< of the round bar around it: the shell's, or the diameter of the beam [length]
+  double stiffness = 0.0;     ///< penalty stiffness before scaling [force/length]
+  std::vector<int> elements;  ///< the shells that have it, or the beam, as indices in `alive`
+
+  bool has(int n) const { return node[0] == n || node[1] == n; }
+};
+
+/// The edges of the shells among the segments, each once, as thick and as stiff as its shells in the mean. Initial
+/// geometry `x`.
+std::vector<Edge> edges_of(const std::vector<Segment>& segments, std::span<const Row> x);
+
+struct EdgeContactSetup {
+  std::vector<Edge> edges;       ///< all edges, interior ones too: they become exterior as shells die
+  bool interior = false;         ///< edges that more than one living shell has take part as well
+  double stiffness_scale = 0.1;  ///< SLSFAC
+  kernel::PenaltyLaw law;
+  double birth = 0.0, death = 1e20;
+};
+
+/// Penalty contact of edges with each other.
+///
+/// Geometry. An edge is a round bar. Two of them overlap by depth = (t_a + t_b)/2 - distance of their closest points.
+/// A pair counts where this distance has a local minimum along the lines that the edges form: where a closest point is
+/// the end of an edge, the pairs of the neighbours there count instead if they are closer, and edges that meet, or
+/// belong to one element, never press each other.
+///
+/// Sides. The direction in which the first edge is pressed away from the second is that in which it stood when they
+/// met, and turns with them. So an edge that came beyond the other is pressed back.
+///
+/// Forces are those of SurfaceContact: k depth, shared out to the ends of each edge by the lever rule, so that momentum
+/// is kept; k of the softer edge, bounded by what the step bears; initial overlap gives no force; friction by a spring
+/// that is drawn out as the closest points wander along both edges.
+///
+/// Results are the same bits for any number of threads. No memory is taken between searches but for the few pairs that
+/// touch.
+class EdgeContact {
+ public:
+  /// `x`: initial coordinates, for the margin of the search.
+  EdgeContact(EdgeContactSetup setup, std::span<const Row> x);
+
+  /// As SurfaceContact::apply. `alive`: by element, see Edge::elements; empty: all live.
+  void apply(double time, double dt, std::span<const Row> x, std::span<const Row> v, std::span<const double> mass,
+             std::span<const unsigned char> alive, std::span<Row> force);
+  /// Elements have died: the lists are made anew before the next forces.
+  void surface_changed() { searched_ = false; }
+
+  double energy() const { return energy_; }  ///< as SurfaceContact::energy()
+  Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
+  int touching() const { return static_cast<int>(touches_.size()); }  ///< pairs that touch
+  double deepest() const { return deepest_; }                         ///< [length]
+  long searches() const { return searches_; }
+
+ private:
+  struct Pair {
+    int a = 0, b = 0;       // a < b
+    bool touching = false;  // did so in the cycle before
+    kernel::EdgeFeet feet;
+    Vec3d direction;  // in which a is pressed away from b
+    double offset = 0.0, depth = 0.0;
+    Vec3d friction;     // on a
+    double wake = 0.0;  // before the approach gets here the two cannot touch
+  };
+  /// A pair that is close enough to touch, with what it was in the cycle before.
+  struct Candidate {
+    Pair* pair = nullptr;
+    Pair before;
+  };
+  struct Block {
+    int begin = 0, end = 0;  // edges
+    std::vector<Pair> pairs;
+    std::vector<Candidate> close;
+  };
+  struct Step {
+    double dt;
+    std::span<const Row> x, v;
+    std::span<const double> mass;
+  };
+
+  bool takes_part(int edge, std::span<const unsigned char> alive) const;
+  bool belong_together(int a, int b) const;
+  double reach(int a, int b) const { return 0.5 * (setup_.edges[a].thickness + setup_.edges[b].thickness); }
+  kernel::EdgeFeet feet_of(int a, int b, std::span<const Row> x) const;
+  void search(std::span<const Row> x, std::span<const unsigned char> alive);
+  void list_neighbours(Block& block, const std::vector<int>& listed, const BoxTree& tree, std::span<const Row> x) const;
+  void find_close(Block& block, std::span<const Row> x) const;
+  std::span<const int> neighbours(int edge, double place) const;
+  bool presses(const Candidate& candidate) const;
+  bool closer(int a, int b, const Candidate& than) const;
+  Pair predecessor(const Candidate& candidate) const;
+  Vec3d direction(const Pair& pair, const Pair& before, const Vec3d& was_at, std::span<const Row> x) const;
+  Vec3d friction(const Pair& pair, const Pair& before, double stiffness, double normal_force, const Step& step) const;
+  void press(const Candidate& candidate, const Step& step);
+
+  EdgeContactSetup setup_;
+  std::vector<int> first_at_, edge_at_;  // edges at each node
+  double margin_ = 0.0;
+  Approach approach_;
+  bool searched_ = false;
+  long searches_ = 0;
+  std::vector<char> active_;  // by edge, at the last search
+  std::vector<Block> blocks_;
+  std::vector<const Candidate*> close_;         // of all blocks, by a, then b
+  std::vector<Pair> touches_, touched_before_;  // pairs that touch, in this order
+  NodalForces forces_;
+  double energy_ = 0.0;
+  double deepest_ = 0.0;
+};
+
+}  // namespace nugget::contact

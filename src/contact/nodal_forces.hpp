@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "base/row.hpp"
+
+namespace nugget::contact {
+
+/// The forces of a contact on its nodes, in this cycle and in the one before, and the work that they do. Only nodes
+/// that are touched cost anything.
+class NodalForces {
+ public:
+  NodalForces() = default;
+  /// `nodes`: all that may be touched, ascending, each once.
+  explicit NodalForces(std::vector<int> nodes);
+  /// From now on the work at `node` is booked on side `side` (0, where all begin, or 1).
+  void set_side(int node, unsigned char side) { side_[index_[node]] = side; }
+
+  const std::vector<int>& nodes() const { return nodes_; }
+
+  /// What was now becomes what was before; now there are no forces.
+  void next_cycle();
+  void add(int node, const Vec3d& force);
+  void add_to(std::span<Row> force) const;
+  /// Sum over the nodes that are marked (by node; those beyond its end are not) [force].
+  Vec3d sum(std::span<const unsigned char> marked) const;
+  /// Work on the nodes of each side in the step `dt`: sum of 1/2 (before + now) . v dt, with the velocity `v` in the
+  /// middle of the step [energy].
+  std::array<double, 2> work(double dt, std::span<const Row> v) const;
+
+ private:
+  std::vector<int> nodes_;
+  std::vector<int> index_;  // by node: its place in nodes_
+  std::vector<unsigned char> side_;
+  // By place, now and a cycle before, and which of them are not zero.
+  std::vector<Row> now_, before_;
+  std::vector<int> touched_now_, touched_before_;
+  std::vector<long> stamp_;  // cycle in which a place was last touched
+  long cycle_ = 0;
+};
+
+}  // namespace nugget::contact

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "contact/edge_contact.hpp"
+#include "contact/surface_contact.hpp"
+
+namespace nugget::contact {
+
+/// What a penalty *CONTACT does: nodes against segments, and where it asks for that, edges against edges.
+class PenaltyContact {
+ public:
+  /// `x`: initial coordinates.
+  PenaltyContact(SurfaceContactSetup surface, std::optional<EdgeContactSetup> edges, std::span<const Row> x);
+
+  /// See SurfaceContact::apply.
+  void apply(double time, double dt, std::span<const Row> x, std::span<const Row> v, std::span<const double> mass,
+             std::span<const unsigned char> element_alive, std::span<Row> force);
+  /// Elements of the surface have died.
+  void surface_changed();
+
+  double energy() const;  ///< see SurfaceContact::energy
+  std::array<double, 2> energy_of_sides() const;
+  const Vec3d& resultant() const { return surface_.resultant(); }  ///< see SurfaceContact::resultant
+  Vec3d force_on(std::span<const unsigned char> marked) const;
+  const SurfaceContact& surface() const { return surface_; }
+
+ private:
+  SurfaceContact surface_;
+  std::optional<EdgeContact> edges_;
+  bool may_grow_ = false;  // faces or edges are laid bare by elements that die
+};
+
+}  // namespace nugget::contact

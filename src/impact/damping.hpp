@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "system/system.hpp"
+
+namespace nugget::impact {
+
+/// A chain of first-order filters that, fed with a velocity, gives a force of 2 share |w| times its part in phase, at
+/// all frequencies of a range.
+struct DampingFilters {
+  std::vector<double> corner;  ///< circular frequencies of the filters [1/time]
+  std::vector<double> weight;  ///< of the output of each: force per mass = -sum weight corner (v - low-passed v)
+  /// `low`, `high`: the range [cycles/time].
+  DampingFilters(double share, double low, double high);
+  /// Share of critical damping, and share by which the mass seems to grow, at a circular frequency.
+  double share_at(double omega) const;
+  double added_mass_at(double omega) const;
+};
+
+/// *DAMPING_...: forces against the velocities of half a step before. What they take out is the damping energy.
+class Damping {
+ public:
+  explicit Damping(system::System& system);
+
+  /// Adds the forces at state.time to state.f and state.m and books their work over the step that ends there
+  /// (velocities of that step in `state`, length `dt`; 0 at the start).
+  void apply(system::State& state, double dt);
+  double energy() const { return energy_; }
+
+ private:
+  /// Mass of a node, or of a body at its virtual node, that a card acts upon.
+  struct Member {
+    std::size_t node;
+    double mass, inertia;
+    int body;  ///< or -1
+  };
+  struct ByMass {
+    const model::MassDamping* card;
+    std::vector<Member> members;  ///< of a part; empty where the card is for everything
+  };
+  struct ByRange {
+    const model::FrequencyRangeDamping* card;
+    DampingFilters filters;
+    std::vector<Member> members;
+    std::vector<Vec3d> v, w;  ///< low-passed velocities and spins, filter by filter of each member
+    bool started = false;
+  };
+  struct Relative {
+    const model::RelativeDamping* card;
+    std::vector<Member> members;
+  };
+
+  std::vector<Member> everything() const;
+  std::vector<Member> of_parts(const std::vector<model::Index>& parts) const;
+  /// Velocity of the body's own motion at a place; zero for none.
+  Vec3d carried(model::Index body, const Vec3d& x, const system::State& state) const;
+  /// A force against the motion relative to a body, and the opposite on that body.
+  void push(std::size_t node, model::Index body, const Vec3d& force, const system::State& state);
+  void add(const ByMass& damping, const system::State& state);
+  void add(ByRange& damping, const system::State& state, double dt);
+  void add(const Relative& damping, const system::State& state);
+  void add_stiffness(const system::State& state);
+
+  const system::System& system_;
+  std::vector<ByMass> mass_;
+  std::vector<ByRange> range_;
+  std::vector<Relative> relative_;
+  std::vector<int> stiff_groups_;
+  std::vector<Row> force_, moment_, last_force_, last_moment_;  ///< by node, bodies included; empty without damping
+  std::vector<Row> rate_force_, rate_moment_;                   ///< of one group
+  double energy_ = 0.0;
+};
+
+}  // namespace nugget::impact

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/edge_setup.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/index.hpp"
+#include "impact/contact_setup.hpp"
+#include "impact/element_alive.hpp"
+#include "model/contact_form.hpp"
+#include "weld/welds.hpp"
+
+namespace nugget::impact {
+namespace {
+
+/// Diameter of the round bar that stands for a beam: its own, or that of a circle of the same area [length].
+double bar_diameter(const model::SectionBeam& section) {
+  if (section.cross_section == 1) return 0.5 * (section.outer[0] + section.outer[1]);
+  return std::sqrt(4.0 / std::numbers::pi * section.outer[0] * section.inner[0]);
+}
+
+bool is_a_bar(const model::Model& model, std::size_t beam) {
+  const model::Part& part = model.parts[at(model.beams.part[beam])];
+  if (weld::of_weld_material(model, model.beams.part[beam])) return false;
+  const int elform = model.beam_sections[at(part.section)].elform;
+  return elform != 6 && elform != 9;
+}
+
+}  // namespace
+
+std::vector<contact::Edge> bars(const system::System& system, const model::Contact& card) {
+  const model::Model& model = system.model;
+  std::vector<char> in(model.parts.size(), card.a.everything ? 1 : 0);
+  for (model::Index p : card.a.parts) in[at(p)] = 1;
+  std::vector<contact::Edge> edges;
+  for (std::size_t b = 0; b < model.beams.size(); ++b) {
+    const model::Part& part = model.parts[at(model.beams.part[b])];
+    if (!in[at(model.beams.part[b])] || !is_a_bar(model, b)) continue;
+    contact::Edge edge;
+    for (std::size_t end = 0; end < 2; ++end) edge.node[end] = system.node_of[at(model.beams.node[b][end])];
+    const double own = bar_diameter(model.beam_sections[at(part.section)]);
+    const double given = card.thickness_a > 0.0 ? card.thickness_a : part.contact_thickness;
+    edge.thickness = (given > 0.0 ? given : own) * card.thickness_scale_a * part.contact_scale;
+    const double length = norm(system.ties.x[at(model.beams.node[b][1])] - system.ties.x[at(model.beams.node[b][0])]);
+    // As a shell as wide as the bar is thick.
+    edge.stiffness = card.stiffness_scale_a *
+                     kernel::shell_penalty(bulk_modulus(model, part), own * length, std::hypot(own, length));
+    edge.elements = {ElementAlive::place(model, model::ElementKind::beam, static_cast<model::Index>(b))};
+    edges.push_back(std::move(edge));
+  }
+  return edges;
+}
+
+std::optional<contact::EdgeContactSetup> edge_setup(const system::System& system, const model::Contact& card,
+                                                    const contact::SurfaceContactSetup& surface,
+                                                    std::span<const Row> x) {
+  if (!checks_edges(card)) return std::nullopt;
+  contact::EdgeContactSetup setup;
+  setup.edges = contact::edges_of(surface.segments, x);
+  for (contact::Edge& bar : bars(system, card)) setup.edges.push_back(std::move(bar));
+  setup.interior = checks_all_edges(card);
+  setup.stiffness_scale = surface.stiffness_scale;
+  setup.law = surface.law;
+  setup.birth = surface.birth;
+  setup.death = surface.death;
+  return setup;
+}
+
+}  // namespace nugget::impact

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact/edge_contact.hpp"
+#include "contact/surface_contact.hpp"
+#include "system/system.hpp"
+
+namespace nugget::impact {
+
+/// The beams of the parts of a contact as round bars; weld beams and discrete beams are none.
+std::vector<contact::Edge> bars(const system::System& system, const model::Contact& contact);
+
+/// The lines of a contact that checks them: the edges of the shells in `surface`, and the beams. Coordinates `x`.
+std::optional<contact::EdgeContactSetup> edge_setup(const system::System& system, const model::Contact& contact,
+                                                    const contact::SurfaceContactSetup& surface,
+                                                    std::span<const Row> x);
+
+}  // namespace nugget::impact

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "output/nodfor.hpp"
+#include "system/system.hpp"
+
+namespace nugget::impact {
+
+/// Forces that the elements ask of the nodes of *DATABASE_NODAL_FORCE_GROUP: m a + (this force) = outer forces. On a
+/// node that is held or driven it is the reaction, but for its own inertia. Its work is added up in every cycle.
+class NodalForceGroups {
+ public:
+  explicit NodalForceGroups(const system::System& system);
+
+  /// After the internal forces at the end of a step of length state.dt.
+  void update(const system::State& state);
+  output::NodforState state(const system::State& now) const;
+
+ private:
+  struct Corner {
+    system::System::Seat seat;
+    int corner;
+  };
+  struct Node {
+    model::Index node;  ///< of the model
+    std::vector<Corner> corners;
+    Vec3d force;
+    double work = 0.0;
+  };
+  struct Group {
+    const model::NodalForceGroup* card;
+    std::vector<Node> nodes;
+  };
+  const system::System& system_;
+  std::vector<Group> groups_;
+};
+
+}  // namespace nugget::impact

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "system/system.hpp"
+
+namespace nugget::impact {
+
+/// Strains for results (STRFLG): rates of deformation on the geometry of mid-step, added up in axes that turn with the
+/// element. In a stretch along fixed axes they are the logarithmic strains. Components xx yy zz xy yz zx in global
+/// axes; xy is half the angle. The laws do not need them, so they cost something only where they are asked for.
+class Strains {
+ public:
+  using Tensor = std::array<double, 6>;
+  /// At the lowest and the uppermost integration point of a shell.
+  struct Faces {
+    Tensor lower{}, upper{};
+  };
+
+  Strains(const system::System& system, bool wanted);
+
+  /// The strains of *INITIAL_STRAIN_SHELL, at time 0.
+  void start(const system::State& state);
+  /// Adds a step of length state.dt that ends at state.x, with its velocities.
+  void update(const system::State& state);
+
+  /// By model element; zero for elements without a kernel. Through the thickness a shell's strain follows from its
+  /// stress: what changes the volume is elastic, zz = -(xx + yy) + (1 - 2 nu)/E (s_xx + s_yy).
+  Faces shell(std::size_t e, const system::State& now) const;
+  Tensor solid(std::size_t e) const;
+
+ private:
+  using InPlane = std::array<double, 5>;  ///< xx yy xy yz zx in the shell's frame
+  struct ShellStrain {
+    InPlane lower{}, upper{};
+  };
+  void advance_shell(std::size_t e, const system::State& state);
+  void advance_solid(std::size_t e, const system::State& state);
+  Tensor global(const InPlane& strain, std::size_t e, int layer, const system::State& now) const;
+
+  const system::System& system_;
+  std::vector<ShellStrain> shells_;
+  std::vector<std::array<double, 2>> zeta_;  ///< by model shell: of its outermost layers
+  std::vector<Tensor> solids_;
+};
+
+}  // namespace nugget::impact

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/cross_section.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "base/index.hpp"
+#include "model/model.hpp"
+
+namespace nugget::model {
+namespace {
+
+using Corner = CrossSection::Corner;
+using Facet = CrossSection::Facet;
+
+Vec3d place(const Model& model, const Corner& c) {
+  const Vec3d &a = model.nodes.x[at(c.from)], &b = model.nodes.x[at(c.to)];
+  return a + c.share * (b - a);
+}
+
+/// Brings the corners of a plane polygon into their order around it.
+void go_around(const Model& model, std::vector<Corner>& corners) {
+  Vec3d centre{};
+  for (const Corner& c : corners) centre += (1.0 / static_cast<double>(corners.size())) * place(model, c);
+  const Vec3d first = place(model, corners[0]) - centre;
+  Vec3d normal{};
+  for (const Corner& c : corners) {
+    const Vec3d n = cross(first, place(model, c) - centre);
+    if (norm(n) > norm(normal)) normal = n;
+  }
+  const Vec3d across = cross(normal, first);
+  // Both components are scaled alike up to the length of `normal`, which the angle must not depend on.
+  const double scale = norm(normal) > 0.0 ? norm(normal) : 1.0;
+  const auto angle = [&](const Corner& c) {
+    const Vec3d x = place(model, c) - centre;
+    return std::atan2(dot(x, across) / scale, dot(x, first));
+  };
+  std::stable_sort(corners.begin(), corners.end(),
+                   [&](const Corner& a, const Corner& b) { return angle(a) < angle(b); });
+}
+
+/// The two corners of a shell's section that lie farthest apart.
+void keep_ends(const Model& model, std::vector<Corner>& corners) {
+  double longest = -1.0;
+  std::pair<Corner, Corner> ends;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t j = i + 1; j < corners.size(); ++j) {
+      const double length = norm(place(model, corners[j]) - place(model, corners[i]));
+      if (length > longest) longest = length, ends = {corners[i], corners[j]};
+    }
+  corners = {ends.first, ends.second};
+}
+
+Facet facet(const Model& model, ElementKind kind, Index element, std::vector<Corner> corners) {
+  const std::size_t fewest = kind == ElementKind::solid ? 3 : kind == ElementKind::shell ? 2 : 1;
+  if (corners.size() < fewest) return {kind, element, {}};
+  if (kind == ElementKind::solid) go_around(model, corners);
+  if (kind == ElementKind::shell && corners.size() > 2) keep_ends(model, corners);
+  if (kind == ElementKind::beam) corners.resize(1);
+  return {kind, element, std::move(corners)};
+}
+
+/// Nodes of an element, each once, in their order.
+std::vector<Index> nodes_of(const Model& model, ElementKind kind, Index element) {
+  const auto e = at(element);
+  std::span<const Index> all;
+  if (kind == ElementKind::shell)
+    all = model.shells.node[e];
+  else if (kind == ElementKind::solid)
+    all = model.solids.node[e];
+  else
+    all = model.beams.node[e];
+  std::vector<Index> nodes;
+  for (const Index n : all)
+    if (std::find(nodes.begin(), nodes.end(), n) == nodes.end()) nodes.push_back(n);
+  return nodes;
+}
+
+/// Edges of an element as places in its list of nodes.
+std::span<const std::array<int, 2>> edges_of(ElementKind kind) {
+  static constexpr std::array<int, 2> beam[] = {{0, 1}}, shell[] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}},
+                                      solid[] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
+                                                 {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+  if (kind == ElementKind::shell) return shell;
+  if (kind == ElementKind::solid) return solid;
+  return beam;
+}
+
+/// Where the plane cuts the edges of an element, each edge once; `height` is by node, over the plane.
+template <class Nodes, class Height>
+std::vector<Corner> cut_edges(ElementKind kind, const Nodes& nodes, const Height& height) {
+  std::vector<Corner> corners;
+  for (const auto& [i, j] : edges_of(kind)) {
+    Index a = nodes[at(i)], b = nodes[at(j)];
+    if (a > b) std::swap(a, b);
+    const double ha = height(a), hb = height(b);
+    if ((ha >= 0.0) == (hb >= 0.0)) continue;
+    const bool known =
+        std::any_of(corners.begin(), corners.end(), [a, b](const Corner& c) { return c.from == a && c.to == b; });
+    if (!known) corners.push_back({a, b, ha / (ha - hb)});
+  }
+  return corners;
+}
+
+bool inside(const CuttingPlane& plane, const Vec3d& x) {
+  const Vec3d d = x - plane.origin;
+  const double l = dot(d, plane.edge_l), m = dot(d, plane.edge_m);
+  const auto within = [](double value, double length) {
+    return length == 0.0 || (value >= -1e-9 * length && value <= (1.0 + 1e-9) * length);
+  };
+  return within(l, plane.length_l) && within(m, plane.length_m) &&
+         (plane.radius == 0.0 || norm(d) <= (1.0 + 1e-9) * plane.radius);
+}
+
+}  // namespace
+
+std::vector<CrossSection::Facet> facets_between(const Model& model, ElementKind kind,
+                                                const std::vector<Index>& elements, const std::vector<char>& marked) {
+  std::vector<Facet> facets;
+  for (const Index element : elements) {
+    std::vector<Corner> corners;
+    for (const Index n : nodes_of(model, kind, element))
+      if (marked[at(n)]) corners.push_back({n, n, 0.0});
+    facets.push_back(facet(model, kind, element, std::move(corners)));
+  }
+  return facets;
+}
+
+void cut(const Model& model, const CuttingPlane& plane, const std::vector<char>& parts, CrossSection& section) {
+  section.normal = plane.normal;
+  const auto height = [&](Index n) { return dot(model.nodes.x[at(n)] - plane.origin, plane.normal); };
+  const auto go_through = [&](ElementKind kind, const auto& elements) {
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      if (!parts[at(elements.part[e])]) continue;
+      std::vector<Corner> corners = cut_edges(kind, elements.node[e], height);
+      if (corners.empty() ||
+          !std::all_of(corners.begin(), corners.end(), [&](const Corner& c) { return inside(plane, place(model, c)); }))
+        continue;
+      for (const Index n : elements.node[e])
+        if (height(n) >= 0.0) section.nodes.push_back(n);
+      section.facets.push_back(facet(model, kind, static_cast<Index>(e), std::move(corners)));
+    }
+  };
+  go_through(ElementKind::shell, model.shells);
+  go_through(ElementKind::solid, model.solids);
+  go_through(ElementKind::beam, model.beams);
+  std::sort(section.nodes.begin(), section.nodes.end());
+  section.nodes.erase(std::unique(section.nodes.begin(), section.nodes.end()), section.nodes.end());
+}
+
+}  // namespace nugget::model

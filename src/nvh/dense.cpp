@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nvh/dense.hpp"
+
+#include <cblas.h>
+#include <lapacke.h>
+
+namespace nugget::nvh {
+
+Columns inner(const Columns& a, std::size_t a_count, const Columns& b) {
+  Columns c(a_count, b.count);
+  if (a_count > 0 && b.count > 0)
+    cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, static_cast<int>(a_count), static_cast<int>(b.count),
+                static_cast<int>(a.rows), 1.0, a.value.data(), static_cast<int>(a.rows), b.value.data(),
+                static_cast<int>(b.rows), 0.0, c.value.data(), static_cast<int>(a_count));
+  return c;
+}
+
+void add_product(double alpha, const Columns& a, std::size_t a_count, const Columns& b, double beta, Columns& c) {
+  if (a_count > 0 && b.count > 0)
+    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, static_cast<int>(a.rows), static_cast<int>(b.count),
+                static_cast<int>(a_count), alpha, a.value.data(), static_cast<int>(a.rows), b.value.data(),
+                static_cast<int>(b.rows), beta, c.value.data(), static_cast<int>(c.rows));
+}
+
+std::vector<double> diagonalize(Columns& a) {
+  std::vector<double> value(a.count);
+  LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'L', static_cast<int>(a.count), a.value.data(), static_cast<int>(a.rows),
+                 value.data());
+  return value;
+}
+
+}  // namespace nugget::nvh

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "nvh/sparse.hpp"
+
+// Small dense products and eigenvalues, by BLAS and LAPACK.
+namespace nugget::nvh {
+
+/// A^t B with the first `a_count` columns of A.
+Columns inner(const Columns& a, std::size_t a_count, const Columns& b);
+
+/// C := beta C + alpha A B with the first `a_count` columns of A.
+void add_product(double alpha, const Columns& a, std::size_t a_count, const Columns& b, double beta, Columns& c);
+
+/// Eigenvalues, ascending, of a symmetric matrix, of which the lower triangle is read; vectors take its place.
+std::vector<double> diagonalize(Columns& a);
+
+}  // namespace nugget::nvh

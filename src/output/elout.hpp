@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "output/ascii.hpp"
+
+namespace nugget::output {
+
+/// Six components xx yy zz xy yz zx.
+using Tensor = std::array<double, 6>;
+
+/// One integration point: stress in global axes [force/length^2].
+struct EloutPoint {
+  Tensor stress{};
+  double plastic_strain = 0.0;
+};
+
+/// A brick: its centre, or the mean of its points.
+struct EloutSolid {
+  int id = 0, part = 0;  ///< user ids
+  EloutPoint point;
+  Tensor strain{};  ///< logarithmic, written where EloutState::strains is set
+};
+/// Von Mises' stress.
+double effective(const Tensor& stress);
+
+/// Resultants of a beam in its own axes, and the points over its section (axial stress and the two shear stresses).
+struct EloutBeam {
+  int id = 0, part = 0;
+  int material_type = 0;                                 ///< number of the law, e.g. 100
+  double axial = 0.0, shear_s = 0.0, shear_t = 0.0;      ///< [force]
+  double moment_s = 0.0, moment_t = 0.0, torsion = 0.0;  ///< [force length]
+  struct Point {
+    double axial = 0.0, rs = 0.0, tr = 0.0, plastic_strain = 0.0;
+  };
+  std::vector<Point> points;
+};
+
+/// All layers of a shell, from the bottom to the top.
+struct EloutShell {
+  int id = 0, part = 0;
+  std::vector<EloutPoint> layers;
+  Tensor lower_strain{}, upper_strain{};  ///< at the outermost layers; as EloutSolid::strain
+};
+
+struct EloutState {
+  long cycle = 0;
+  double time = 0.0;
+  bool strains = false;  ///< STRFLG
+  std::vector<EloutSolid> solids;
+  std::vector<EloutBeam> beams;
+  std::vector<EloutShell> shells;
+};
+
+/// The ASCII file `elout`; the legend holds the headings of *DATABASE_HISTORY_..._ID. The state of a point is `plastic`
+/// once it has a plastic strain.
+class Elout {
+ public:
+  Elout(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
+  void write(const EloutState& state);
+
+ private:
+  void write_solids(const EloutState& state);
+  void write_beams(const EloutState& state);
+  void write_shells(const EloutState& state);
+
+  AsciiFile file_;
+};
+
+}  // namespace nugget::output

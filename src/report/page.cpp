@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+
+#include "output/result_file.hpp"
+#include "report/plot.hpp"
+
+namespace nugget::report {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view style = R"(
+:root { color-scheme: light dark; --line: #8884; --bad: #c62828; --near: #b26a00; --good: #2e7d32; }
+body { font: 15px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
+h1 { font-size: 1.5rem; margin: 0; } h2 { font-size: 1.1rem; margin: 2rem 0 .5rem; }
+.sub { opacity: .7; margin: 0 0 1rem; overflow-wrap: anywhere; }
+.end { display: inline-block; padding: .1rem .6rem; border-radius: 1rem; color: #fff; }
+.normal { background: var(--good); } .error { background: var(--bad); } .interrupted { background: var(--near); }
+dl { display: grid; grid-template-columns: repeat(auto-fill, minmax(11rem, 1fr)); gap: .4rem 1.5rem; margin: 0; }
+dl div { border-top: 1px solid var(--line); padding-top: .2rem; } dt { font-size: .8rem; opacity: .7; } dd { margin: 0; }
+table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; font-size: .87rem; }
+th, td { text-align: right; padding: .15rem .5rem; border-bottom: 1px solid var(--line); }
+th { font-weight: 600; white-space: nowrap; } .text { text-align: left; }
+.failed, .untied, .f-error { color: var(--bad); font-weight: 600; } .near, .f-warning { color: var(--near); }
+.holds { color: var(--good); } .bar { display: inline-block; height: .5rem; border-radius: .25rem; background: currentColor; }
+figure { margin: 0; } svg { width: 100%; height: auto; } svg text { fill: currentColor; font: 11px system-ui, sans-serif; }
+.grid { stroke: currentColor; stroke-opacity: .15; } .legend span { margin-right: 1rem; white-space: nowrap; }
+.legend i { display: inline-block; width: .9rem; height: .2rem; margin-right: .3rem; vertical-align: middle; }
+ul { padding-left: 1.2rem; } li { overflow-wrap: anywhere; }
+)";
+
+std::string number(double value) {
+  return fmt::format("{:.6g}", value);
+}
+
+/// A value of summary.json as text: numbers in six digits.
+std::string text_of(const Json& value) {
+  if (value.is_number_float()) return number(value.get<double>());
+  return value.is_string() ? escaped(value.get<std::string>()) : value.dump();
+}
+
+/// A list of named values; `prefix` makes ids that programs find: `energy-kinetic`.
+std::string values(const Json& object, std::string_view prefix) {
+  std::string s = "<dl>\n";
+  for (const auto& [key, value] : object.items()) {
+    std::string name = key;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    s += fmt::format("<div><dt>{}</dt><dd id=\"{}-{}\">{}</dd></div>\n", escaped(name), prefix, escaped(key),
+                     text_of(value));
+  }
+  return s + "</dl>\n";
+}
+
+std::string head(const Json& s) {
+  const std::string title = s.value("deck", ""), end = s.value("termination", ""), message = s.value("message", "");
+  std::string out = fmt::format(
+      "<h1>{}</h1>\n<p class=\"sub\">nugget {}</p>\n<p><span class=\"end {}\" id=\"termination\">{} termination</span> "
+      "{}</p>\n",
+      escaped(title), escaped(s.value("version", "")), escaped(end), escaped(end), escaped(message));
+  Json facts;
+  for (const char* key : {"time", "cycles", "nodes", "parts", "welds", "threads", "ns_per_element_cycle"})
+    if (s.contains(key)) facts[key] = s[key];
+  out += values(facts, "run");
+  for (const auto& [key, heading] : {std::pair{"elements", "Elements"}, std::pair{"mass", "Mass"},
+                                     std::pair{"time_step", "Time step"}, std::pair{"energy", "Energy at the end"}})
+    if (s.contains(key)) out += fmt::format("<h2>{}</h2>\n{}", heading, values(s[key], key));
+  return out;
+}
+
+std::string energy_curves(const RunData& run) {
+  const std::string plot = to_svg({"time", "energy", run.times, run.energies});
+  if (plot.empty()) return "<p>No glstat as text here: ask for it with *DATABASE_GLSTAT, BINARY 1 or 3.</p>\n";
+  return plot;
+}
+
+// ---- welds
+// ------------------------------------------------------------------------------------------------------------------
+
+double real(const WeldRow& weld, std::string_view column) {
+  const auto cell = weld.find(column);
+  return cell == weld.end() ? 0.0 : std::strtod(cell->second.c_str(), nullptr);
+}
+
+std::string cell(const WeldRow& weld, std::string_view column) {
+  const auto found = weld.find(column);
+  return found == weld.end() ? std::string() : found->second;
+}
+
+/// What became of a weld: its class on the page and the word for it.
+struct Verdict {
+  std::string_view kind, word;
+  int rank = 0;  ///< the worse ones first
+};
+
+Verdict verdict(const WeldRow& weld) {
+  constexpr double near = 0.8;
+  if (cell(weld, "failed") == "yes") return {"failed", "failed", 0};
+  if (cell(weld, "tied") != "yes") return {"untied", "not tied", 1};
+  const double value = real(weld, "peak_failure");
+  if (value >= near) return {"near", "near failure", 2};
+  return value > 0.0 ? Verdict{"holds", "holds", 3} : Verdict{"plain", "no failure value", 4};
+}
+
+std::string weld_line(const WeldRow& weld) {
+  const Verdict v = verdict(weld);
+  const double value = real(weld, "peak_failure");
+  std::string what(v.word);
+  if (v.kind == "failed")
+    what += fmt::format(" at {} by {}", number(real(weld, "failure_time")), cell(weld, "failure_mode"));
+  const std::string bar = value > 0.0 ? fmt::format("<span class=\"bar\" style=\"width:{:.1f}rem\"></span> {}",
+                                                    3.0 * std::min(value, 1.0), fmt::format("{:.3g}", value))
+                                      : "";
+  std::string sheets = cell(weld, "sheet1");
+  if (const std::string other = cell(weld, "sheet2"); !other.empty()) sheets += '+' + other;
+  std::string s = fmt::format("<tr class=\"weld\"><td>{}</td><td class=\"text\">{}</td><td>{}</td><td>{}</td>",
+                              escaped(cell(weld, "id")), escaped(cell(weld, "kind")), escaped(sheets),
+                              number(real(weld, "diameter")));
+  s += fmt::format("<td class=\"text {}\">{}</td><td class=\"text {}\">{}</td>", v.kind, escaped(what), v.kind, bar);
+  for (const char* column : {"peak_axial", "peak_shear", "peak_bending", "peak_torsion", "energy"})
+    s += fmt::format("<td>{}</td>", number(real(weld, column)));
+  return s + "</tr>\n";
+}
+
+std::string weld_table(const RunData& run) {
+  constexpr std::size_t most = 2000;
+  if (run.welds.empty()) return "<p>The model has no welds.</p>\n";
+  std::vector<const WeldRow*> order;
+  for (const WeldRow& weld : run.welds) order.push_back(&weld);
+  std::stable_sort(order.begin(), order.end(), [](const WeldRow* a, const WeldRow* b) {
+    const Verdict va = verdict(*a), vb = verdict(*b);
+    if (va.rank != vb.rank) return va.rank < vb.rank;
+    if (va.rank == 0) return real(*a, "failure_time") < real(*b, "failure_time");
+    return real(*a, "peak_failure") > real(*b, "peak_failure");
+  });
+  std::map<int, std::pair<std::string_view, std::size_t>> counts;
+  for (const WeldRow* weld : order) {
+    const Verdict v = verdict(*weld);
+    counts[v.rank].first = v.word;
+    ++counts[v.rank].second;
+  }
+  std::string tally;
+  for (const auto& [rank, count] : counts)
+    tally += fmt::format("{}{} {}", tally.empty() ? "" : ", ", count.second, count.first);
+  std::string s = fmt::format(
+      "<p id=\"weld-tally\">{} welds: {}</p>\n<table id=\"welds\"><tr><th>weld</th><th class=\"text\">kind</th>"
+      "<th>sheets</th><th>diameter</th><th class=\"text\">verdict</th><th class=\"text\">largest failure value</th>"
+      "<th>axial</th><th>shear</th><th>bending</th><th>torsion</th><th>energy</th></tr>\n",
+      run.welds.size(), tally);
+  for (std::size_t i = 0; i < order.size() && i < most; ++i) s += weld_line(*order[i]);
+  s += "</table>\n";
+  if (order.size() > most) s += fmt::format("<p>and {} more; welds.csv has all.</p>\n", order.size() - most);
+  return s;
+}
+
+// ---- findings
+// ---------------------------------------------------------------------------------------------------------------
+
+std::string finding_list(const Json& findings) {
+  constexpr std::size_t most = 200;
+  std::size_t shown = 0;
+  std::string s = "<ul id=\"findings\">\n";
+  for (const char* severity : {"error", "warning", "note"})
+    for (const Json& f : findings) {
+      if (f.value("severity", "") != severity || ++shown > most) continue;
+      const std::string remedy = f.value("remedy", "");
+      s += fmt::format("<li><span class=\"f-{0}\">{0}</span> {1}{2} {3}{4} <small>{5}:{6}</small></li>\n", severity,
+                       escaped(f.value("keyword", "")),
+                       f.value("field", "").empty() ? "" : ' ' + escaped(f.value("field", "")),
+                       escaped(f.value("text", "")), remedy.empty() ? "" : " <em>" + escaped(remedy) + "</em>",
+                       escaped(f.value("file", "")), f.value("line", 0));
+    }
+  s += "</ul>\n";
+  if (shown == 0) return "<p>None.</p>\n";
+  if (shown > most) s += fmt::format("<p>and {} more; findings.json has all.</p>\n", shown - most);
+  return s;
+}
+
+}  // namespace
+
+std::string page(const RunData& run) {
+  std::string s = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<style>{}</style>"
+      "</head>\n<body>\n",
+      escaped(run.summary.value("deck", "nugget")), style);
+  s += head(run.summary);
+  s += "<h2>Energies over time</h2>\n" + energy_curves(run);
+  s += "<h2>Welds</h2>\n" + weld_table(run);
+  s += "<h2>Findings</h2>\n" + finding_list(run.findings);
+  return s + "</body>\n</html>\n";
+}
+
+void write_report(const std::filesystem::path& directory) {
+  output::write_whole_file(directory / "report.html", page(read_run(directory)));
+}
+
+}  // namespace nugget::report

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "report/run_data.hpp"
+
+namespace nugget::report {
+
+/// One HTML page about a run: what it was and how it ended, energies over time, the welds with a verdict each (failed
+/// first, then by their largest failure value), findings. Everything is in the page: it opens without a network.
+std::string page(const RunData& run);
+
+/// Reads the results in a folder and writes report.html beside them. Throws std::runtime_error where there are none,
+/// and output::WriteError where it cannot be written.
+void write_report(const std::filesystem::path& directory);
+
+}  // namespace nugget::report

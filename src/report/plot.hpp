@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace nugget::report {
+
+/// Curves over one abscissa.
+struct Plot {
+  std::string abscissa, ordinate;  ///< names of the axes
+  std::vector<double> x;
+  std::vector<std::pair<std::string, std::vector<double>>> curves;  ///< name, a value for each x
+};
+
+/// The plot as an <svg> element that needs nothing else: axes with round numbers, a legend, at most some hundred points
+/// a curve. Empty without points. Colours follow the page's (currentColor for lines and text).
+std::string to_svg(const Plot& plot);
+
+/// Text with what HTML and SVG take for markup replaced.
+std::string escaped(const std::string& text);
+
+}  // namespace nugget::report

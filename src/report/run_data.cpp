@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/run_data.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace nugget::report {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+/// Null where the file is missing or is no JSON.
+Json read_json(const fs::path& path) {
+  std::ifstream file(path);
+  return file ? Json::parse(file, nullptr, false) : Json(Json::value_t::discarded);
+}
+
+/// The cells of a comma-separated line; quoted ones may hold commas and doubled quotes (RFC 4180).
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> out(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
+      out.back() += line[i++];
+    else if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      out.emplace_back();
+    else if (c != '\r')
+      out.back() += c;
+  }
+  return out;
+}
+
+std::vector<WeldRow> read_welds(const fs::path& path) {
+  std::ifstream file(path);
+  std::string line;
+  if (!std::getline(file, line)) return {};
+  const std::vector<std::string> names = cells(line);
+  std::vector<WeldRow> rows;
+  while (std::getline(file, line)) {
+    const std::vector<std::string> values = cells(line);
+    WeldRow& row = rows.emplace_back();
+    for (std::size_t i = 0; i < names.size() && i < values.size(); ++i) row[names[i]] = values[i];
+  }
+  return rows;
+}
+
+/// ` kinetic energy.................   1.00000E+00`: its name and value; an empty name for other lines.
+std::pair<std::string, double> quantity(const std::string& line) {
+  const std::size_t dots = line.find("..");
+  if (line.empty() || line[0] != ' ' || dots == std::string::npos) return {};
+  const std::size_t value = line.find_first_not_of(". ", dots);
+  if (value == std::string::npos) return {};
+  std::string name = line.substr(1, dots - 1);
+  while (!name.empty() && name.back() == ' ') name.pop_back();
+  return {name, std::strtod(line.c_str() + value, nullptr)};
+}
+
+/// The energies worth a curve: those that are not zero all the time.
+void read_energies(const fs::path& path, RunData& data) {
+  std::ifstream file(path);
+  std::map<std::string, std::vector<double>> columns;
+  std::string line;
+  while (std::getline(file, line)) {
+    const auto [name, value] = quantity(line);
+    if (name == "time") data.times.push_back(value);
+    if (name.empty() || data.times.empty()) continue;
+    std::vector<double>& column = columns[name];
+    if (column.size() + 1 == data.times.size()) column.push_back(value);  // of several walls the first one counts
+  }
+  for (const char* name : {"kinetic energy", "internal energy", "hourglass energy", "sliding interface energy",
+                           "stonewall energy", "eroded internal energy", "external work", "total energy"}) {
+    const auto found = columns.find(name);
+    if (found == columns.end() || found->second.size() != data.times.size()) continue;
+    for (const double value : found->second)
+      if (value != 0.0) {
+        data.energies.emplace_back(name, found->second);
+        break;
+      }
+  }
+}
+
+}  // namespace
+
+RunData read_run(const fs::path& directory) {
+  RunData data;
+  data.summary = read_json(directory / "summary.json");
+  if (!data.summary.is_object())
+    throw std::runtime_error(
+        fmt::format("{} holds no results of a run: there is no summary.json that can be read", directory.string()));
+  data.findings = read_json(directory / "findings.json");
+  if (!data.findings.is_array()) data.findings = Json::array();
+  data.welds = read_welds(directory / "welds.csv");
+  read_energies(directory / "glstat", data);
+  return data;
+}
+
+}  // namespace nugget::report

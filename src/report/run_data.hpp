@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace nugget::report {
+
+/// Rows of welds.csv by column name.
+using WeldRow = std::map<std::string, std::string, std::less<>>;
+
+/// What the files of a folder say of the run that left them there.
+struct RunData {
+  nlohmann::json summary;      ///< summary.json
+  nlohmann::json findings;     ///< findings.json; an empty list where it is missing
+  std::vector<WeldRow> welds;  ///< welds.csv
+  std::vector<std::pair<std::string, std::vector<double>>> energies;  ///< of glstat: name, value at each time
+  std::vector<double> times;                                          ///< of glstat; empty where there is none as text
+};
+
+/// Reads them. Throws std::runtime_error with the reason where there is no summary.json, or one that cannot be read.
+RunData read_run(const std::filesystem::path& directory);
+
+}  // namespace nugget::report

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "system/spring_group.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "base/index.hpp"
+#include "system/mobility.hpp"
+
+namespace nugget::system {
+
+SpringGroup::SpringGroup(const model::Model& model, model::Index p, std::vector<model::Index> chosen,
+                         const std::vector<int>& node_of, const std::vector<Vec3d>& x)
+    : section_(model.discrete_sections[at(model.parts[at(p)].section)]),
+      law_(std::get<kernel::Spring>(model.materials[at(model.parts[at(p)].material)].law)),
+      model_(model) {
+  kind = model::ElementKind::discrete;
+  part = p;
+  element = std::move(chosen);
+  rotational = section_.torsional;
+  nodes_per_element = model.discretes[at(element.front())].grounded() ? 1 : 2;
+  State start;
+  start.x.resize(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) set(start.x[k], x[k]);
+  for (const model::Index e : element) {
+    Entry s;
+    s.source = &model.discretes[at(e)];
+    s.node[0] = node_of[at(s.source->node[0])];
+    if (!s.source->grounded()) s.node[1] = node_of[at(s.source->node[1])];
+    s.ground = x[at(s.node[0])];
+    if (s.source->orientation != model::none)
+      for (const std::size_t i : {0u, 1u})
+        if (const model::Index n = model.spring_orientations[at(s.source->orientation)].node[i]; n != model::none)
+          s.direction[i] = node_of[at(n)];
+    s.state = law_.start();
+    s.line = line_of(s, start, s.length);
+    s.step = std::numeric_limits<double>::infinity();
+    springs_.push_back(std::move(s));
+  }
+}
+
+Vec3d SpringGroup::span(const Entry& s, const State& state) const {
+  return (s.node[1] < 0 ? s.ground : vec(state.x[at(s.node[1])])) - vec(state.x[at(s.node[0])]);
+}
+
+Vec3d SpringGroup::line_of(const Entry& s, const State& state, double& length) const {
+  const Vec3d span = this->span(s, state);
+  const auto along = [&](const Vec3d& v) {
+    length = norm(v);
+    return length > 0.0 ? (1.0 / length) * v : s.line;
+  };
+  if (s.source->orientation == model::none) return along(span);
+  const model::SpringOrientation& o = model_.spring_orientations[at(s.source->orientation)];
+  Vec3d direction = o.direction;
+  if (s.direction[0] >= 0) direction = unit(vec(state.x[at(s.direction[1])]) - vec(state.x[at(s.direction[0])]));
+  if (o.in_plane) return along(span - dot(span, direction) * direction);
+  length = dot(span, direction);
+  return direction;
+}
+
+void SpringGroup::cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots) {
+  for (std::size_t b = begin; b < end; ++b) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t e = b * width; e < std::min(size(), (b + 1) * width); ++e) {
+      Entry& s = springs_[e];
+      const bool lived = s.alive;
+      if (s.alive) advance(s, state, dt);
+      if (lived && !s.alive) ++deaths;
+      // The slot's force is the internal one: on the node itself acts the opposite.
+      const Vec3d pull = s.alive ? -s.force * s.line : Vec3d{};
+      double work = 0.0;
+      for (int a = 0; a < nodes_per_element; ++a) {
+        Row& row = slots[slot_row(e, a) + (rotational ? 1 : 0)];
+        const Vec3d now = a == 0 ? pull : -pull;
+        work += dot(vec(row) + now, vec((rotational ? state.w : state.v)[at(s.node[at(a)])]));
+        set(row, now);
+      }
+      s.energy += 0.5 * dt * work;
+      if (s.alive) smallest = std::min(smallest, s.step);
+    }
+    block_step[b] = smallest;
+  }
+}
+
+void SpringGroup::advance(Entry& s, const State& state, double dt) {
+  double length = 0.0;
+  s.line = line_of(s, state, length);
+  const auto rate = [&](const std::vector<Row>& of) {
+    const Vec3d second = s.node[1] < 0 ? Vec3d{} : vec(of[at(s.node[1])]);
+    return dot(second - vec(of[at(s.node[0])]), s.line);
+  };
+  double velocity = rate(section_.torsional ? state.w : state.v);
+  if (section_.torsional)
+    s.elongation += dt * velocity;
+  else
+    s.elongation = length - s.length + s.source->offset;
+  if (!s.started && section_.torsional) s.elongation = s.source->offset;
+
+  double pressed = s.elongation;
+  if (section_.clearance > 0.0) {
+    pressed = std::min(0.0, s.elongation + section_.clearance);
+    if (pressed == 0.0) velocity = 0.0;
+  }
+  const double increment = pressed - s.pressed;
+  s.pressed = pressed;
+  const double magnified = 1.0 + section_.magnification * std::abs(velocity);
+  s.force = s.source->scale * magnified * law_.advance(s.state, increment, velocity, dt);
+  if (section_.clearance > 0.0 && pressed == 0.0) s.force = 0.0;
+  // What the offset at time 0 has stored; later work comes from the nodes.
+  if (!s.started) s.energy += 0.5 * s.force * increment;
+  s.started = true;
+  const double limit = section_.failure;
+  if ((limit > 0.0 && s.elongation > limit) || (limit < 0.0 && s.elongation < limit)) {
+    s.alive = false;
+    s.force = 0.0;
+  }
+  s.step = stable_step_of(s);
+}
+
+double SpringGroup::greatest_stiffness(std::size_t e) const {
+  return std::abs(springs_[e].source->scale) * law_.greatest_stiffness();
+}
+
+double SpringGroup::greatest_viscosity(std::size_t e, double force) const {
+  return std::abs(springs_[e].source->scale) * law_.greatest_viscosity(force) +
+         section_.magnification * std::abs(force);
+}
+
+double SpringGroup::stable_step_of(const Entry& s) const {
+  const auto e = static_cast<std::size_t>(&s - springs_.data());
+  const double a = 0.5 * (s.inverse_mass * greatest_viscosity(e, s.force) + s.viscosity_rate);
+  const double fastest = a + std::sqrt(a * a + s.stiffness_rate);
+  return fastest > 0.0 ? 2.0 / fastest : std::numeric_limits<double>::infinity();
+}
+
+void SpringGroup::set_bound(std::size_t e, double inverse_mass, double stiffness_rate, double viscosity_rate) {
+  Entry& s = springs_[e];
+  s.inverse_mass = inverse_mass;
+  s.stiffness_rate = stiffness_rate;
+  s.viscosity_rate = viscosity_rate;
+  s.step = stable_step_of(s);
+  if (block_step.empty()) return;
+  double& smallest = block_step[e / width];
+  if (s.alive) smallest = std::min(smallest, s.step);
+}
+
+void SpringGroup::stiffness(std::size_t e, const State&, std::span<double> k) const {
+  std::fill(k.begin(), k.end(), 0.0);
+  const Entry& s = springs_[e];
+  const double stiffness = s.source->scale * law_.initial_stiffness();
+  const std::array<double, 3> n{s.line.x, s.line.y, s.line.z};
+  const std::size_t per_node = at(freedoms()), first = rotational ? 3 : 0, size = at_each_node() * per_node;
+  for (std::size_t a = 0; a < at_each_node(); ++a)
+    for (std::size_t b = 0; b < at_each_node(); ++b)
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+          k[(a * per_node + first + i) * size + b * per_node + first + j] =
+              (a == b ? stiffness : -stiffness) * n[i] * n[j];
+}
+
+void SpringGroup::elastic_rate(std::size_t b, const State& now, std::span<Row> f, std::span<Row> m) const {
+  const std::span<Row> rates = rotational ? m : f;
+  const std::vector<Row>& of = rotational ? now.w : now.v;
+  for (std::size_t i = 0; i < width; ++i) {
+    const std::size_t e = b * width + i;
+    for (std::size_t a = 0; a < at_each_node(); ++a) f[i * at_each_node() + a] = m[i * at_each_node() + a] = Row{};
+    if (e >= size()) continue;
+    const Entry& s = springs_[e];
+    const Vec3d second = s.node[1] < 0 ? Vec3d{} : vec(of[at(s.node[1])]);
+    const double k = s.source->scale * law_.initial_stiffness();
+    const Vec3d rate = (k * dot(second - vec(of[at(s.node[0])]), s.line)) * s.line;
+    set(rates[i * at_each_node()], -rate);
+    if (s.node[1] >= 0) set(rates[i * at_each_node() + 1], rate);
+  }
+}
+
+std::array<int, 8> SpringGroup::nodes(std::size_t e) const {
+  std::array<int, 8> n{};
+  for (std::size_t a = 0; a < at_each_node(); ++a) n[a] = springs_[e].node[a];
+  return n;
+}
+
+void SpringGroup::stop(State& state, std::span<const double> mass) {
+  for (Entry& s : springs_) {
+    if (!s.alive) continue;
+    const bool pushed = section_.most_compression > 0.0 && s.elongation <= -section_.most_compression;
+    const bool drawn = section_.most_elongation > 0.0 && s.elongation >= section_.most_elongation;
+    if (!pushed && !drawn) continue;
+    const std::size_t a = at(s.node[0]);
+    const Vec3d va = vec(state.v[a]), vb = s.node[1] < 0 ? Vec3d{} : vec(state.v[at(s.node[1])]);
+    const double opening = dot(vb - va, s.line);
+    if (pushed ? opening >= 0.0 : opening <= 0.0) continue;
+    const double over_a = 1.0 / mass[a], over_b = s.node[1] < 0 ? 0.0 : 1.0 / mass[at(s.node[1])];
+    const double impulse = opening / (over_a + over_b);
+    add(state.v[a], impulse * over_a * s.line);
+    if (s.node[1] >= 0) add(state.v[at(s.node[1])], -impulse * over_b * s.line);
+    s.energy += 0.5 * impulse * opening;
+  }
+}
+
+namespace {
+
+struct SpringEnd {
+  SpringGroup* group;
+  std::size_t spring;
+};
+
+/// Springs by node and kind, from the first node's end to the second's.
+std::map<std::pair<int, bool>, std::vector<SpringEnd>> springs_at_nodes(const System& system) {
+  std::map<std::pair<int, bool>, std::vector<SpringEnd>> at_node;
+  for (const auto& group : system.groups) {
+    auto* springs = dynamic_cast<SpringGroup*>(group.get());
+    if (springs == nullptr) continue;
+    for (std::size_t e = 0; e < springs->size(); ++e)
+      for (int a = 0; a < springs->nodes_per_element; ++a)
+        at_node[{springs->nodes(e)[at(a)], springs->torsional()}].push_back({springs, e});
+  }
+  return at_node;
+}
+
+/// Whether supports or prescribed motion hold a direction of a node for ever.
+bool held(const System& system, int node, const Vec3d& n, bool rotation) {
+  const model::Index k = system.model_node[at(node)];
+  Vec3d rest = n;
+  for (const model::SinglePointConstraint& spc : system.model.spcs) {
+    if (spc.node != k || spc.birth > 0.0 || spc.death < model::forever) continue;
+    const unsigned bits = rotation ? spc.fixed >> 3 : spc.fixed & 7u;
+    const Frame3d axes = spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}
+                                                   : system.model.systems[at(spc.system)].axes;
+    const Vec3d* direction[3] = {&axes.e1, &axes.e2, &axes.e3};
+    for (unsigned i = 0; i < 3; ++i)
+      if (bits >> i & 1u) rest -= dot(rest, *direction[i]) * *direction[i];
+  }
+  for (const model::PrescribedMotion& motion : system.model.motions)
+    if (motion.rotation == rotation && std::find(motion.nodes.begin(), motion.nodes.end(), k) != motion.nodes.end())
+      rest -= dot(rest, motion.direction) * motion.direction;
+  return norm(rest) < 1e-9;
+}
+
+}  // namespace
+
+void bound_springs(System& system) {
+  struct Sum {
+    double inverse_mass = 0.0, stiffness_rate = 0.0, viscosity_rate = 0.0;
+  };
+  std::map<std::pair<SpringGroup*, std::size_t>, Sum> sums;
+  for (const auto& [key, ends] : springs_at_nodes(system)) {
+    const Mobility m = mobility(system, key.first);
+    const Mobility::Matrix& matrix = key.second ? m.rotation : m.translation;
+    for (const SpringEnd& own : ends) {
+      const Vec3d n = own.group->line(own.spring);
+      // A line that turns may come to lie in any direction.
+      const double inverse_mass = norm(n) > 0.0 ? Mobility::along(matrix, n) : Mobility::largest(matrix);
+      Sum& sum = sums[{own.group, own.spring}];
+      sum.inverse_mass += inverse_mass;
+      for (const SpringEnd& other : ends) {
+        const bool same = other.group == own.group && other.spring == own.spring;
+        const double share = same ? 1.0 : std::abs(dot(n, other.group->line(other.spring)));
+        sum.stiffness_rate += inverse_mass * share * other.group->greatest_stiffness(other.spring);
+        if (!same) sum.viscosity_rate += inverse_mass * share * other.group->greatest_viscosity(other.spring, 0.0);
+      }
+    }
+  }
+  for (const auto& [key, sum] : sums)
+    key.first->set_bound(key.second, sum.inverse_mass, sum.stiffness_rate, sum.viscosity_rate);
+}
+
+void check_springs(const System& system, Findings& findings) {
+  for (const auto& [key, ends] : springs_at_nodes(system)) {
+    const auto& [node, rotation] = key;
+    const Mobility m = mobility(system, node);
+    for (const SpringEnd& end : ends) {
+      const model::Discrete& d = system.model.discretes[at(end.group->element[end.spring])];
+      const Vec3d n = end.group->line(end.spring);
+      const int id = system.model.nodes.id[at(system.model_node[at(node)])];
+      if (!(Mobility::along(rotation ? m.rotation : m.translation, n) > 0.0) && !held(system, node, n, rotation))
+        findings.error(d.place, "*ELEMENT_DISCRETE",
+                       fmt::format("node {} of spring {} has no {}, so there is no time step for it", id, d.id,
+                                   rotation ? "rotary inertia" : "mass"),
+                       rotation ? "give it an *ELEMENT_INERTIA, or hold its rotations"
+                                : "give it an *ELEMENT_MASS, or hold it by *BOUNDARY_SPC");
+      if (end.group->has_stops() && (system.map.dependent(node) || !(system.mass[at(node)] > 0.0)))
+        findings.error(
+            d.place, "*SECTION_DISCRETE",
+            fmt::format("node {} of spring {}, which has a stop (CDL, TDL), follows other nodes or has no mass", id,
+                        d.id),
+            "use a law whose force rises steeply there");
+    }
+  }
+}
+
+}  // namespace nugget::system

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Springs, joints and beams by the command: what the summary counts, deforc, jntforc, glstat, binout's branches."""
+import unittest
+
+from nugget_command import CommandTest
+
+# A rod (rigid, 2 kg, 2 m) hangs on a hinge at the origin; a spring to the ground pulls at its end (2, 0, 0) along z, and a
+# truss holds nothing of note beside it.
+DECK = """*KEYWORD
+*TITLE
+springs and joints
+*CONTROL_TERMINATION
+       0.2
+*CONTROL_TIMESTEP
+       0.0       0.9         0       0.0       0.0         9
+*DEFINE_CURVE
+         9
+                 0.0               0.001
+                10.0               0.001
+*MAT_RIGID
+         1      1e-9  210000.0       0.3
+       1.0         7         7
+
+*MAT_RIGID
+         2      1e-9  210000.0       0.3
+
+
+*PART_INERTIA
+ground
+         1         0         1
+       0.0       0.0       0.0       1.0
+       1.0       0.0       0.0       1.0       0.0       1.0
+
+*PART_INERTIA
+rod
+         2         0         2
+       1.0       0.0       0.0       2.0
+      0.01       0.0       0.0    0.6667       0.0    0.6667
+
+*CONSTRAINED_EXTRA_NODES_SET
+         1         1
+         2         2
+*SET_NODE_LIST
+         1
+         1         3
+*SET_NODE_LIST
+         2
+         2         4         5
+*NODE
+       1             0.0             0.0             0.0
+       2             0.0             0.0             0.0
+       3             0.0             1.0             0.0
+       4             0.0             1.0             0.0
+       5             2.0             0.0             0.0
+       6             5.0             0.0             0.0
+       7             6.0             0.0             0.0
+*CONSTRAINED_JOINT_REVOLUTE_ID
+        77the hinge
+         1         2         3         4
+*PART
+spring
+         5         5         5
+*SECTION_DISCRETE
+         5         0
+
+*MAT_SPRING_ELASTIC
+         5      50.0
+*DEFINE_SD_ORIENTATION
+         3         0       0.0       0.0       1.0
+*ELEMENT_DISCRETE
+      11       5       5       0       3             2.0       0             0.0
+      12       5       5       0       3             1.0       1             0.0
+*PART
+truss
+         6         6         6
+*SECTION_BEAM
+         6         3
+       1.0
+*MAT_ELASTIC
+         6       1.0     100.0       0.3
+*ELEMENT_BEAM
+      21       6       6       7
+*DEFINE_CURVE
+         1
+                 0.0                 1.0
+                10.0                 1.0
+*LOAD_BODY_Z
+         1      9.81
+{requests}*END
+"""
+
+
+def requests(binary):
+    return "".join(f"*DATABASE_{name}\n       0.1{binary:>10}\n" for name in ("DEFORC", "JNTFORC", "GLSTAT"))
+
+
+def states(text):
+    """[[(label, value)]]: the states of a deforc or jntforc."""
+    found = []
+    for line in text.splitlines():
+        if "...." not in line:
+            continue
+        label, value = line.strip().split("..", 1)[0], float(line[30:])
+        if label == "time":
+            found.append([])
+        found[-1].append((label, value))
+    return found
+
+
+class Bodies(CommandTest):
+    def test_files_of_springs_and_joints(self):
+        self.write(DECK.format(requests=requests(1)))
+        self.nugget("run", "model.k", "-o", "out", "--quiet")
+        summary = self.json("out/summary.json")
+        self.assertEqual(summary["elements"], {"shell": 0, "solid": 0, "beam": 1, "discrete": 2})
+        self.assertAlmostEqual(summary["energy"]["ratio"], 1.0, delta=1e-3)
+
+        deforc = states(self.read("out/deforc"))
+        self.assertEqual(len(deforc), 3)
+        last = dict(deforc[-1])
+        self.assertEqual(last["spring/damper number"], 11)  # PF = 1 leaves the other one out
+        self.assertEqual(len(deforc[-1]), 7)
+        # It stretches as the end of the rod goes down (its node goes towards -z, the ground stays): tension, S K d.
+        self.assertGreater(last["change in length"], 0.01)
+        self.assertAlmostEqual(last["resultant force"], 100.0 * last["change in length"], delta=1e-3)
+        self.assertAlmostEqual(last["z-force"], last["resultant force"], delta=1e-4)
+
+        joint = dict(states(self.read("out/jntforc"))[-1])
+        self.assertEqual(joint["joint ID"], 77)
+        self.assertIn("the hinge", self.read("out/jntforc"))
+        self.assertAlmostEqual(joint["y-moment"], 0.0, delta=1e-6)
+        self.assertGreater(joint["z-force"], 0.0)
+        glstat = self.glstat("out/glstat")[-1]
+        self.assertGreater(glstat["spring and damper energy"], 0.0)
+        self.assertIn("joint internal energy", glstat)
+        self.assertRegex(self.read("out/run.log"), r"joint +77 +\d\.\d+e-")
+
+    def test_the_same_in_binout(self):
+        self.write(DECK.format(requests=requests(2)))
+        self.nugget("run", "model.k", "-o", "out", "--quiet")
+        data = (self.folder / "out/binout0000").read_bytes()
+        for name in (b"/deforc/d000002", b"/jntforc/joints/d000002", b"resultant_moment", b"joint_internal_energy"):
+            self.assertIn(name, data)
+
+    def test_modes_with_springs_and_the_refusal_of_joints(self):
+        linear = "*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n*CONTROL_IMPLICIT_EIGENVALUE\n         1\n"
+        self.write(DECK.format(requests=linear))
+        run = self.nugget("modes", "model.k", "-o", "out", expect=1)
+        self.assertIn("joints are not in the linear analyses yet", run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`nugget modes --drop-weld` and `--compare` on two strips with three welds."""
+import csv
+import struct
+import unittest
+
+from nugget_command import CommandTest
+
+CARDS = """\
+*KEYWORD
+*CONTROL_TERMINATION
+       1.0
+*PART
+lower
+         1         1         1
+*PART
+upper
+         2         1         1
+*PART
+weld
+         3         3         3
+*SECTION_SHELL
+         1        16  0.833333         3
+       1.5       1.5       1.5       1.5
+*MAT_ELASTIC
+         1  7.85e-09  210000.0       0.3
+*SECTION_BEAM
+         3         9       1.0         2       1.0
+       6.0       6.0
+*MAT_SPOTWELD
+         3  7.85e-09  210000.0       0.3     400.0    1000.0
+
+*CONTACT_SPOTWELD
+         3         1         3         2
+
+
+*SET_PART_LIST
+         1
+         1         2
+"""
+
+
+def strips(places=(30.0, 90.0, 150.0)):
+    """Two strips 180 x 20 of 27 x 3 shells with welds at the places along them."""
+    nodes, shells, beams = [], [], []
+    for part in (1, 2):
+        first = 1000 * part
+        for j in range(4):
+            for i in range(28):
+                nodes.append(f"{first + 28 * j + i:8d}{180 / 27 * i:16.6f}{20 / 3 * j:16.6f}{1.5 * (part - 1):16.6f}")
+        for j in range(3):
+            for i in range(27):
+                a = first + 28 * j + i
+                shells.append(f"{first + 27 * j + i:8d}{part:8d}{a:8d}{a + 1:8d}{a + 29:8d}{a + 28:8d}")
+    for x in places:
+        weld = 5000 + int(x)
+        nodes += [f"{weld:8d}{x:16.6f}{10.0:16.6f}{0.0:16.6f}", f"{weld + 500:8d}{x:16.6f}{10.0:16.6f}{1.5:16.6f}"]
+        beams.append(f"{weld:8d}{3:8d}{weld:8d}{weld + 500:8d}")
+    nodes.sort()
+    return "\n".join([CARDS + "*NODE", *nodes, "*ELEMENT_SHELL", *shells, "*ELEMENT_BEAM", *beams, "*END"]) + "\n"
+
+
+def in_double_precision(folder, words):
+    """A d3eigv family rewritten with words of 8 bytes, as LS-DYNA leaves it in double precision."""
+    data = (folder / "d3eigv").read_bytes()
+    control = struct.unpack("<64i", data[:256])
+    nodes, solids, beams, shells, numbering = control[16], control[23], control[28], control[31], control[39]
+    whole = control[10:14] + struct.unpack("<i", struct.pack("<i", 0)) + control[15:]
+    out = b" " * 80 + struct.pack(f"<{len(whole)}q", *whole)
+    out += struct.pack(f"<{3 * nodes}d", *struct.unpack(f"<{3 * nodes}f", data[256:256 + 12 * nodes]))
+    rest = 9 * solids + 6 * beams + 5 * shells + numbering
+    begin = 256 + 12 * nodes
+    out += struct.pack(f"<{rest}q", *struct.unpack(f"<{rest}i", data[begin:begin + 4 * rest]))
+    words.mkdir()
+    (words / "d3eigv").write_bytes(out)
+    for path in folder.glob("d3eigv[0-9]*"):
+        data = path.read_bytes()
+        (words / path.name).write_bytes(struct.pack(f"<{len(data) // 4}d", *struct.unpack(f"<{len(data) // 4}f", data)))
+
+
+class ModeStudies(CommandTest):
+    def frequencies(self, folder):
+        return [mode["frequency_hz"] for mode in self.json(f"{folder}/summary.json")["modes"]]
+
+    def test_every_weld_on_its_own(self):
+        self.write(strips())
+        run = self.nugget("modes", "model.k", "-n", 12, "-o", "all", "--drop-weld", "all", "--quiet")
+        self.assertIn("Welds by the mode that falls most", run.stdout)
+        drops = self.json("all/summary.json")["drop_weld"]
+        self.assertEqual(sorted(drop["welds"][0] for drop in drops), [5030, 5090, 5150])
+        falls = [drop["without_hz"] / drop["frequency_hz"] for drop in drops]
+        self.assertEqual(falls, sorted(falls))
+        for drop in drops:  # all three were solved anew, being the worst three
+            self.assertAlmostEqual(drop["without_hz"] / drop["solved_hz"], 1.0, delta=2e-3)
+        with open(self.folder / "all" / "weld_drop.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 3 * 6)  # six of the twelve are rigid motions
+
+    def test_welds_together_are_as_the_deck_without_them(self):
+        self.write(strips())
+        self.write(strips((90.0,)), "fewer.k")
+        self.nugget("modes", "model.k", "-n", 12, "-o", "drop", "--drop-weld", "5030,5150", "--quiet")
+        self.nugget("modes", "fewer.k", "-n", 12, "-o", "fewer", "--quiet")
+        solved = {}
+        with open(self.folder / "drop" / "weld_drop.csv", newline="", encoding="utf-8") as file:
+            for row in csv.DictReader(file):
+                self.assertEqual(row["weld"], "5030+5150")
+                if row["solved"]:
+                    solved[row["mode"]] = float(row["solved"])
+        fewer = self.frequencies("fewer")
+        self.assertTrue(solved)
+        for frequency in solved.values():
+            self.assertLess(min(abs(frequency / f - 1.0) for f in fewer if f > 1.0), 1e-6)
+
+    def test_comparison_with_another_run(self):
+        self.write(strips())
+        self.write(strips((90.0,)), "fewer.k")
+        self.nugget("modes", "model.k", "-n", 12, "-o", "whole", "--quiet")
+        run = self.nugget("modes", "fewer.k", "-n", 12, "-o", "fewer", "--compare", "whole", "--quiet")
+        self.assertIn("Compared with whole over 226 nodes", run.stdout)
+        in_double_precision(self.folder / "whole", self.folder / "double")
+        self.nugget("modes", "model.k", "-n", 12, "-o", "same", "--compare", "double", "--quiet")
+        with open(self.folder / "same" / "mac.csv", newline="", encoding="utf-8") as file:
+            table = list(csv.reader(file))
+        self.assertEqual(len(table), 2 + 12)
+        for i in range(6, 12):
+            self.assertAlmostEqual(float(table[2 + i][2 + i]), 1.0, delta=1e-4)
+            self.assertAlmostEqual(float(table[1][2 + i]) / float(table[2 + i][1]), 1.0, delta=1e-6)
+
+    def test_what_cannot_be_done_is_said(self):
+        self.write(strips())
+        for words, complaint in (
+                (["--drop-weld", "17"], "there is no weld 17"),
+                (["--drop-weld", "5030,x"], "'x' is no weld"),
+                (["--drop-weld", "all", "--fmin", "10"], "it needs the lowest modes"),
+                (["--compare", "nowhere"], "nowhere/d3eigv is not there")):
+            run = self.nugget("modes", "model.k", "-n", 8, "-o", "out", *words, "--quiet", expect=2)
+            self.assertIn(complaint, run.stderr)
+        (self.folder / "bad").mkdir()
+        (self.folder / "bad" / "d3eigv").write_bytes(b"no d3eigv" * 100)
+        run = self.nugget("modes", "model.k", "-n", 8, "-o", "out", "--compare", "bad", "--quiet", expect=2)
+        self.assertIn("is not a d3eigv", run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

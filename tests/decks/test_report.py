@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: Apache-2.0
+"""report.html: one file that needs no other, with the numbers of summary.json."""
+import html.parser
+import re
+import unittest
+
+from lap_joint import deck
+from nugget_command import CommandTest
+
+VOID = {"meta", "br", "img", "link", "input", "hr"}
+
+
+class Page(html.parser.HTMLParser):
+    """The text of each element that has an id, table rows, and what the page would load."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.by_id, self.rows, self.loads, self.classes = [], {}, [], [], []
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        self.loads += [v for k, v in attributes.items() if k in ("src", "href", "data", "action")]
+        if tag not in VOID:
+            self.open.append((tag, attributes.get("id")))
+        if tag == "tr":
+            self.rows.append([])
+            self.classes.append(attributes.get("class", ""))
+        if tag in ("td", "th"):
+            self.rows[-1].append("")
+
+    def handle_startendtag(self, tag, attributes):
+        pass
+
+    def handle_endtag(self, tag):
+        assert self.open and self.open[-1][0] == tag, (tag, self.open)
+        self.open.pop()
+
+    def handle_data(self, data):
+        for _, name in self.open:
+            if name:
+                self.by_id[name] = self.by_id.get(name, "") + data
+        if any(tag in ("td", "th") for tag, _ in self.open):
+            self.rows[-1][-1] += data
+
+
+class Report(CommandTest):
+    def page(self, folder="."):
+        text = self.read(f"{folder}/report.html")
+        page = Page(text)
+        self.assertEqual(page.open, [], "every element is closed")
+        self.assertEqual(page.loads, [], "nothing is loaded")
+        self.assertNotRegex(text.replace("http://www.w3.org/2000/svg", ""), r"https?://|@import|url\(")
+        return page, text
+
+    def test_a_run_leaves_a_report_with_the_numbers_of_its_summary(self):
+        self.write(deck())
+        self.nugget("run", "model.k", "--quiet")
+        page, text = self.page()
+        summary = self.json("summary.json")
+        self.assertEqual(page.by_id["termination"], "normal termination")
+        for group in ("energy", "mass", "time_step", "elements"):
+            for key, value in summary[group].items():
+                shown = page.by_id[f"{group}-{key}"]
+                if isinstance(value, str):
+                    self.assertEqual(shown, value)
+                else:
+                    self.assertAlmostEqual(float(shown), value, delta=6e-6 * abs(value), msg=f"{group} {key}")
+        self.assertEqual(int(page.by_id["run-cycles"]), summary["cycles"])
+        self.assertAlmostEqual(float(page.by_id["run-time"]) / summary["time"], 1.0, 5)
+        weld = [row for row, kind in zip(page.rows, page.classes) if kind == "weld"]
+        self.assertEqual([row[0] for row in weld], [str(w["id"]) for w in summary["weld"]])
+        self.assertEqual(weld[0][2], "1+2")
+        self.assertAlmostEqual(float(weld[0][7]) / summary["weld"][0]["peak"]["shear"], 1.0, 5)
+        self.assertIn("1 welds: 1 holds", page.by_id["weld-tally"])
+        # A curve has as many points as glstat has states.
+        curves = re.findall(r'<polyline [^>]*points="([^"]*)"', text)
+        self.assertGreaterEqual(len(curves), 3)
+        for points in curves:
+            self.assertEqual(len(points.split()), len(self.glstat()))
+        self.assertIn("no torsion in 1 weld beam", page.by_id["findings"])
+
+    def test_welds_that_failed_come_first(self):
+        """A second weld, so weak that it fails, stands behind the first one in the deck."""
+        weak = "*PART\nweak\n         4         3         4\n*MAT_SPOTWELD\n         4  7.85e-09  210000.0       0.3     500.0    1000.0\n       0.0       1.0       1.0       1.0\n"
+        text = deck(("*SECTION_BEAM\n", weak + "*SECTION_BEAM\n"))
+        text = text.replace("         3         1         3         2\n", "         3         1         2         2\n")
+        text = text.replace("*DEFINE_CURVE\n", "*SET_PART_LIST\n         3\n         3         4\n*DEFINE_CURVE\n")
+        text = text.replace("*ELEMENT_SHELL\n", f"{303:8d}{3.0:16.4f}{3.0:16.4f}{0.0:16.4f}\n{304:8d}{3.0:16.4f}{3.0:16.4f}{1.2:16.4f}\n*ELEMENT_SHELL\n")
+        text = text.replace("*END", f"{32:8d}{4:8d}{303:8d}{304:8d}{0:8d}\n*END")
+        self.write(text)
+        self.nugget("run", "model.k", "--quiet")
+        page, _ = self.page()
+        weld = [row for row, kind in zip(page.rows, page.classes) if kind == "weld"]
+        self.assertEqual([row[0] for row in weld], ["32", "31"])
+        failed = next(w for w in self.json("summary.json")["weld"] if w["id"] == 32)
+        self.assertTrue(failed["failed"])
+        self.assertEqual(weld[0][4], f"failed at {failed['failure_time']:.6g} by {failed['failure_mode']}")
+        self.assertIn("2 welds: 1 failed, 1 holds", page.by_id["weld-tally"])
+
+    def test_the_command_makes_it_again(self):
+        self.write(deck())
+        self.nugget("run", "model.k", "-o", "out", "--quiet")
+        first = self.read("out/report.html")
+        (self.folder / "out" / "report.html").unlink()
+        self.nugget("report", "out")
+        self.assertEqual(self.read("out/report.html"), first)
+
+    def test_a_folder_without_results_is_told(self):
+        run = self.nugget("report", ".", expect=2)
+        self.assertIn("holds no results of a run: there is no summary.json", run.stderr)
+        self.assertEqual(self.files(), [])
+
+    def test_markup_in_a_deck_is_text_in_the_page(self):
+        self.write(deck(("*PART\nlower sheet", "*DATABASE_<SCRIPT>\n1\n*PART\nlower sheet")), "a<b>&.k")
+        self.nugget("run", "a<b>&.k", "--quiet")
+        page, text = self.page()
+        self.assertIn("a&lt;b&gt;&amp;.k", text)
+        self.assertNotIn("<SCRIPT>", text)
+
+
+if __name__ == "__main__":
+    unittest.main()

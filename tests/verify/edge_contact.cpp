@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contact that node against segment cannot see: edge on edge; and faces that come to light as bricks fail.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "specimen.hpp"
+
+namespace nugget::verify {
+namespace {
+
+/// Two plates of 60 x 30 x 1 that stand on each other crosswise, edge on edge, the upper one coming down. No node of
+/// either is nearer than 1.5 thicknesses to the other plate.
+struct CrossedPlates {
+  Grid lower, upper;
+  std::string deck;
+
+  CrossedPlates(const std::string& contact, double speed, double end) {
+    Specimen s;
+    s.card("MAT_ELASTIC", {1, 7.85e-9, 210000.0, 0.3});
+    s.text("*SECTION_SHELL\n" + fields({1, 2, 1, 2}) + fields({1, 1, 1, 1})).part(1, 1, 1).part(2, 1, 1);
+    lower = standing(s, 1, {-32.5, 0.0, -30.0}, {1.0, 0.0, 0.0});
+    upper = standing(s, 2, {0.0, -32.5, 1.05}, {0.0, 1.0, 0.0});
+    s.text("*" + contact + "\n" + fields({0, 0, 5}) + fields({}) + fields({}));
+    s.card("CONTROL_ENERGY", {2, 2, 2, 2});
+    s.card("INITIAL_VELOCITY_GENERATION", {2, 2, 0, 0, 0, -speed}).text(fields({}));
+    s.card("CONTROL_TERMINATION", {end});
+    deck = s.deck();
+  }
+
+  /// 13 x 6 shells of 5 mm from `corner` on, along `along` and upward.
+  static Grid standing(Specimen& s, int part, const Vec3d& corner, const Vec3d& along) {
+    Grid grid;
+    grid.cells = {13, 6, 0};
+    for (int j = 0; j <= 6; ++j)
+      for (int i = 0; i <= 13; ++i) {
+        const int id = s.node(corner + 5.0 * i * along + Vec3d{0.0, 0.0, 5.0 * j});
+        if (i == 0 && j == 0) grid.first = id;
+      }
+    for (int j = 0; j < 6; ++j)
+      for (int i = 0; i < 13; ++i) s.shell(part, {grid(i, j), grid(i + 1, j), grid(i + 1, j + 1), grid(i, j + 1)});
+    return grid;
+  }
+};
+
+struct Meeting {
+  double nearest = 1e300;  ///< height of the upper plate's middle above the lower one's at the worst [mm]
+  double apart = 0.0;      ///< speed at which they part at the end [mm/s]
+  double momentum = 0.0;   ///< sum at the end over that at the start
+  double energy = 1.0;     ///< energy ratio farthest from 1
+  double contact = 0.0;    ///< energy left in the contact, over the first kinetic one
+};
+
+Meeting meet(const std::string& contact, double speed, double end) {
+  const CrossedPlates plates(contact, speed, end);
+  Experiment experiment(plates.deck);
+  Meeting m;
+  double first = 0.0, kinetic = 0.0;
+  run_to_end(experiment, [&](const impact::Snapshot& now) {
+    Vec3d sum[2];
+    double height[2] = {0.0, 0.0}, mass = 0.0;
+    for (int p = 0; p < 2; ++p)
+      for (int id : (p == 0 ? plates.lower : plates.upper).all()) {
+        const std::size_t k = experiment.node(id);
+        sum[p] += now.system.mass[k] * vec(now.state.v[k]);
+        height[p] += now.system.mass[k] * now.state.x[k].z;
+        if (p == 0) mass += now.system.mass[k];
+      }
+    if (now.state.cycle == 0) {
+      first = (sum[0] + sum[1]).z;
+      kinetic = now.energy.kinetic;
+    }
+    m.nearest = std::min(m.nearest, (height[1] - height[0]) / mass);
+    m.apart = (sum[1] - sum[0]).z / mass;
+    m.momentum = norm(sum[0] + sum[1] - Vec3d{0.0, 0.0, first}) / std::abs(first);
+    m.contact = now.energy.contact / kinetic;
+    if (std::abs(now.energy.ratio() - 1.0) > std::abs(m.energy - 1.0)) m.energy = now.energy.ratio();
+  });
+  return m;
+}
+
+// Sabotage: *CONTACT_AUTOMATIC_GENERAL read as *CONTACT_AUTOMATIC_SINGLE_SURFACE; reactions on the second edge left
+// out.
+TEST(EdgeContact, APlateDroppedOnAnEdgeDoesNotTunnel) {
+  for (const double speed : {15000.0, 30000.0}) {
+    const Meeting m = meet("CONTACT_AUTOMATIC_GENERAL", speed, 2e-4);
+    EXPECT_GT(m.apart, 0.0) << speed;
+    EXPECT_GT(m.nearest, 25.0) << speed;
+    const std::string which = std::to_string(static_cast<int>(speed / 1000.0)) + " m/s";
+    expect_reference("edges", "crossed plates, " + which + ", sum of momenta less the first, of the first", m.momentum,
+                     0.0, 1e-12, 1.0);
+    expect_reference("edges", "crossed plates, " + which + ", worst energy ratio", m.energy, 1.0, 0.01);
+    expect_reference("edges", "crossed plates, " + which + ", energy left in the contact, of the first", m.contact, 0.0,
+                     0.01, 1.0);
+  }
+}
+
+// Nodes against segments alone let the plates cut into each other: the case is one for edges.
+TEST(EdgeContact, NodesAgainstSegmentsDoNotSeeIt) {
+  EXPECT_LT(meet("CONTACT_AUTOMATIC_SINGLE_SURFACE", 15000.0, 2e-4).nearest, 29.0);
+}
+
+}  // namespace
+}  // namespace nugget::verify

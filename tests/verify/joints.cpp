@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: Apache-2.0
+// Joints between rigid bodies: pendulums, a universal joint, free sliding and turning, momentum, against closed forms.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "specimen.hpp"
+
+namespace nugget::verify {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+struct Body {
+  Vec3d center;
+  double mass = 1.0;
+  Vec3d inertia{1.0, 1.0, 1.0};
+  Vec3d velocity, spin;
+  bool fixed = false;
+};
+
+/// A rigid part without elements: mass and tensor as given, and nodes.
+void body(Specimen& s, int id, const Body& b, const std::vector<int>& nodes) {
+  const double held = b.fixed ? 7 : 0;
+  s.card("MAT_RIGID", {double(id), 1e-9, 210000.0, 0.3}).text(fields({b.fixed ? 1.0 : 0.0, held, held}) + fields({}));
+  s.text(fmt::format("*PART_INERTIA\nbody {}\n", id) + fields({double(id), 0, double(id)}) +
+         fields({b.center.x, b.center.y, b.center.z, b.mass}) +
+         fields({b.inertia.x, 0, 0, b.inertia.y, 0, b.inertia.z}) +
+         fields({b.velocity.x, b.velocity.y, b.velocity.z, b.spin.x, b.spin.y, b.spin.z}));
+  s.node_set(id, nodes).card("CONSTRAINED_EXTRA_NODES_SET", {double(id), double(id)});
+}
+
+/// Pairs of coincident nodes at the places: the first of each pair for A, the second for B.
+struct Pairs {
+  std::vector<int> a, b;
+  Pairs(Specimen& s, std::initializer_list<Vec3d> places) {
+    for (const Vec3d& x : places) {
+      a.push_back(s.node(x));
+      b.push_back(s.node(x));
+    }
+  }
+};
+
+void joint(Specimen& s, const std::string& kind, const Pairs& p, double damp = 1.0) {
+  std::vector<double> n(6, 0.0);
+  for (std::size_t i = 0; i < p.a.size(); ++i) n[2 * i] = p.a[i], n[2 * i + 1] = p.b[i];
+  s.card("CONSTRAINED_JOINT_" + kind, {n[0], n[1], n[2], n[3], n[4], n[5], 1.0, damp});
+}
+
+Specimen& timing(Specimen& s, double end, double step) {
+  return s.text(constant_curve(90, step))
+      .card("CONTROL_TIMESTEP", {0, 0.9, 0, 0, 0, 90})
+      .card("CONTROL_TERMINATION", {end});
+}
+
+const system::RigidBody& body_of(const impact::Snapshot& now, int id) {
+  for (const system::RigidBody& b : now.system.bodies)
+    if (b.id == id) return b;
+  throw std::runtime_error("no such body");
+}
+Vec3d velocity(const impact::Snapshot& now, int id) {
+  return now.velocity(static_cast<std::size_t>(body_of(now, id).node));
+}
+Vec3d spin(const impact::Snapshot& now, int id) {
+  return now.spin(static_cast<std::size_t>(body_of(now, id).node));
+}
+Vec3d place(const impact::Snapshot& now, int id) {
+  return vec(now.state.x[static_cast<std::size_t>(body_of(now, id).node)]);
+}
+
+// A-37 on a hinge: a uniform rod released from the horizontal. The hinge's reaction at the bottom is m g (1 + 3/2), and
+// it has no moment about its axis. Sabotage: the hinge's damper about its own axis.
+TEST(Joints, PhysicalPendulumOnAHinge) {
+  const double length = 400.0, g = 9810.0, m = 2e-3, across = m * length * length / 12.0;
+  Specimen s;
+  const Pairs p(s, {{0, 0, 0}, {0, 100, 0}});
+  body(s, 1, {.center = {0, 0, 0}, .fixed = true}, p.a);
+  body(s, 2, {.center = {0.5 * length, 0, 0}, .mass = m, .inertia = {0.01 * across, across, across}}, p.b);
+  joint(s, "REVOLUTE", p);
+  s.text(constant_curve(1)).card("LOAD_BODY_Z", {1, g});
+  timing(s, 1.3, 2e-5);
+  Experiment experiment(s.deck());
+  double fastest = 0.0, twist = 0.0, drift = 0.0, reaction = 0.0, last = 0.0, before = 1.0, period = 0.0;
+  run_to_end(experiment, [&](const impact::Snapshot& now) {
+    const double rate = spin(now, 2).y;
+    if (now.state.time > 0.1 && before < 0.0 && rate >= 0.0)
+      period = last + (now.state.time - last) * before / (before - rate);
+    if (std::abs(rate) > fastest) {
+      fastest = std::abs(rate);
+      reaction = now.joints.force(0).z;
+    }
+    before = rate;
+    last = now.state.time;
+    twist = std::max(twist, std::abs(now.joints.moment(0).y));
+    drift = std::max(drift, std::abs(now.energy.total() - now.energy.external));
+  });
+  expect_reference("A-37", "rod on a hinge: period [s]", period, 1.222748, 5e-3);
+  expect_reference("A-37", "rod on a hinge: spin at the bottom [rad/s]", fastest, 8.57759, 5e-3);
+  expect_reference("joints", "rod on a hinge: reaction at the bottom [N]", reaction, 2.5 * m * g, 5e-3);
+  expect_reference("joints", "rod on a hinge: moment about its axis, of m g L", twist, 0.0, 1e-9, m * g * length);
+  EXPECT_NEAR(drift, 0.0, 1e-4 * m * g * length);
+}
+
+// Two rods on ball joints without damping, falling from the horizontal, out of plane: energy, and the joints stay
+// closed.
+TEST(Joints, DoublePendulumKeepsItsEnergy) {
+  const double g = 9.81;
+  Specimen s;
+  const Pairs top(s, {{0, 0, 0}}), middle(s, {{1, 0, 0}});
+  body(s, 1, {.center = {0, 0, 0}, .fixed = true}, top.a);
+  std::vector<int> first = top.b;
+  first.push_back(middle.a[0]);
+  body(s, 2,
+       {.center = {0.5, 0, 0}, .mass = 2.0, .inertia = {0.02, 0.2, 0.2}, .velocity = {0, 0.5, 0}, .spin = {0, 0, 1}},
+       first);
+  body(s, 3, {.center = {1, 0.4, 0}, .mass = 1.0, .inertia = {0.1, 0.01, 0.1}, .velocity = {0, 1, 0}}, middle.b);
+  joint(s, "SPHERICAL", top, 0.01);
+  joint(s, "SPHERICAL", middle, 0.01);
+  s.text(constant_curve(1)).card("LOAD_BODY_Z", {1, g});
+  timing(s, 3.0, 2e-4);
+  Experiment experiment(s.deck());
+  double drift = 0.0, open = 0.0, kinetic = 0.0;
+  run_to_end(experiment, [&](const impact::Snapshot& now) {
+    drift = std::max(drift, std::abs(now.energy.total() - now.energy.external - now.energy.initial));
+    kinetic = std::max(kinetic, now.energy.kinetic);
+    for (std::size_t j = 0; j < 2; ++j) open = std::max(open, now.joints.largest_opening(j));
+  });
+  expect_reference("joints", "double pendulum: drift of the total energy, of the largest kinetic one", drift, 0.0, 1e-3,
+                   kinetic);
+  expect_reference("joints", "double pendulum: joints stay closed, of 1 m", open, 0.0, 1e-4, 1.0);
+}
+
+// Two free bodies on a hinge, tumbling: momentum and angular momentum to round-off. Sabotage: the force on A at its own
+// point while it has slid.
+TEST(Joints, FreeBodiesKeepTheirMomenta) {
+  for (const std::string kind :
+       {"SPHERICAL", "REVOLUTE", "CYLINDRICAL", "PLANAR", "UNIVERSAL", "TRANSLATIONAL", "LOCKING"}) {
+    Specimen s;
+    Pairs p(s, {{1, 0, 0}});
+    if (kind == "UNIVERSAL") {
+      p.a.push_back(s.node({1, 1, 0}));
+      p.b.push_back(s.node({1, 0, 1}));
+    } else if (kind != "SPHERICAL") {
+      const Pairs more(s, {{1, 1, 0}, {1, 0, 1}});
+      const std::size_t count = kind == "TRANSLATIONAL" || kind == "LOCKING" ? 2 : 1;
+      p.a.insert(p.a.end(), more.a.begin(), more.a.begin() + static_cast<std::ptrdiff_t>(count));
+      p.b.insert(p.b.end(), more.b.begin(), more.b.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+    body(s, 1,
+         {.center = {0, 0, 0}, .mass = 2.0, .inertia = {0.3, 0.5, 0.7}, .velocity = {0, 0.2, 0}, .spin = {1, 0.5, 0.3}},
+         p.a);
+    body(s, 2,
+         {.center = {2, 0.3, 0}, .mass = 1.0, .inertia = {0.2, 0.3, 0.1}, .velocity = {0.3, 0, 1}, .spin = {0, 0.2, 1}},
+         p.b);
+    joint(s, kind, p);
+    timing(s, 2.0, 1e-3);
+    Experiment experiment(s.deck());
+    Vec3d linear0, angular0;
+    double linear = 0.0, angular = 0.0, ratio = 0.0;
+    bool first = true;
+    run_to_end(experiment, [&](const impact::Snapshot& now) {
+      Vec3d l, a;
+      for (const int id : {1, 2}) {
+        const system::RigidBody& b = body_of(now, id);
+        // Velocities and momenta at t(n+1/2): places half a step on.
+        const Vec3d v = vec(now.state.v[static_cast<std::size_t>(b.node)]);
+        l += b.mass * v;
+        a += b.angular_momentum + cross(place(now, id) + (0.5 * now.state.dt) * v, b.mass * v);
+      }
+      if (first) linear0 = l, angular0 = a;
+      first = false;
+      linear = std::max(linear, norm(l - linear0));
+      angular = std::max(angular, norm(a - angular0));
+      ratio = std::max(ratio, std::abs(now.energy.ratio() - 1.0));
+    });
+    EXPECT_NEAR(linear, 0.0, 1e-12) << kind;
+    EXPECT_NEAR(angular, 0.0, 1e-11) << kind;
+    EXPECT_NEAR(ratio, 0.0, 2e-3) << kind;
+  }
+}
+
+// A universal joint between two shafts at an angle: the driven one turns at omega cos b / (1 - sin^2 b sin^2 theta).
+TEST(Joints, UniversalJointTurnsUnevenly) {
+  const double angle = 0.5, omega = 2.0 * pi;
+  const Vec3d out{std::cos(angle), std::sin(angle), 0.0}, across{-std::sin(angle), std::cos(angle), 0.0};
+  Specimen s;
+  const Pairs input(s, {{-1, 0, 0}, {-2, 0, 0}}), output(s, {out, 2.0 * out});
+  Pairs cross_joint(s, {{0, 0, 0}});
+  // The driving fork lies along z, the driven one across both shafts.
+  cross_joint.a.push_back(s.node({0, 0, 1}));
+  cross_joint.b.push_back(s.node(across));
+  const auto joined = [](std::vector<int> a, const std::vector<int>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  };
+  body(s, 1, {.center = {0, 0, 0}, .fixed = true}, joined(input.a, output.a));
+  body(s, 2, {.center = {-0.5, 0, 0}, .mass = 1.0, .inertia = {0.1, 0.2, 0.2}, .spin = {omega, 0, 0}},
+       joined(input.b, cross_joint.a));
+  const double start = omega * std::cos(angle);  // the driving fork out of the plane of the shafts
+  body(s, 3, {.center = 0.5 * out, .mass = 1e-3, .inertia = {1e-4, 1e-4, 1e-4}, .spin = start * out},
+       joined(output.b, cross_joint.b));
+  joint(s, "REVOLUTE", input);
+  joint(s, "REVOLUTE", output);
+  joint(s, "UNIVERSAL", cross_joint);
+  s.text(curve(9, {{0, omega}, {10, omega}})).card("BOUNDARY_PRESCRIBED_MOTION_RIGID", {2, 5, 0, 9, 1});
+  timing(s, 1.0, 1e-4);
+  Experiment experiment(s.deck());
+  double worst = 0.0, slowest = 1e9, fastest = 0.0;
+  run_to_end(experiment, [&](const impact::Snapshot& now) {
+    if (now.state.time < 0.1) return;
+    const double theta = omega * now.state.time, rate = dot(spin(now, 3), out);
+    // theta from the fork out of the shafts' plane: the ratio there is cos b, a quarter turn later 1 / cos b.
+    const double sine = std::sin(angle) * std::sin(theta);
+    const double expected = omega * std::cos(angle) / (1.0 - sine * sine);
+    worst = std::max(worst, std::abs(rate - expected) / omega);
+    slowest = std::min(slowest, rate);
+    fastest = std::max(fastest, rate);
+  });
+  expect_reference("joints", "universal joint at 0.5 rad: least speed ratio", slowest / omega, std::cos(angle), 2e-3);
+  expect_reference("joints", "universal joint: greatest speed ratio", fastest / omega, 1.0 / std::cos(angle), 2e-3);
+  EXPECT_NEAR(worst, 0.0, 1e-2);
+}
+
+// What each joint leaves free goes on unchanged, what it holds is shared. Body A is fixed but for the locking joint.
+TEST(Joints, FreedomsThatAreLeft) {
+  struct Case {
+    std::string kind;
+    Vec3d velocity, spin;  ///< of B about the joint at its centre; the axis is z
+    bool free;
+  };
+  const Case cases[] = {
+      {"SPHERICAL", {}, {1, 2, 3}, true},      {"REVOLUTE", {}, {0, 0, 3}, true},
+      {"REVOLUTE", {0, 0, 1}, {}, false},      {"CYLINDRICAL", {0, 0, 1}, {0, 0, 3}, true},
+      {"CYLINDRICAL", {}, {1, 0, 0}, false},   {"PLANAR", {1, -1, 0}, {0, 0, 3}, true},
+      {"PLANAR", {0, 0, 1}, {}, false},        {"PLANAR", {}, {0, 1, 0}, false},
+      {"TRANSLATIONAL", {0, 0, 1}, {}, true},  {"TRANSLATIONAL", {}, {0, 0, 1}, false},
+      {"TRANSLATIONAL", {1, 0, 0}, {}, false}, {"LOCKING", {0, 0, 1}, {}, false},
+      {"LOCKING", {}, {0, 0, 1}, false},       {"UNIVERSAL", {}, {1, 2, 0}, true},
+      {"UNIVERSAL", {}, {0, 0, 1}, false},
+  };
+  for (const Case& c : cases) {
+    Specimen s;
+    Pairs p(s, {{0, 0, 0}});
+    if (c.kind == "UNIVERSAL") {
+      p.a.push_back(s.node({1, 0, 0}));
+      p.b.push_back(s.node({0, 1, 0}));
+    } else if (c.kind != "SPHERICAL") {
+      for (const Vec3d& x : {Vec3d{0, 0, 1}, Vec3d{1, 0, 0}}) {
+        if (p.a.size() == 2 && c.kind != "TRANSLATIONAL" && c.kind != "LOCKING") break;
+        p.a.push_back(s.node(x));
+        p.b.push_back(s.node(x));
+      }
+    }
+    body(s, 1, {.center = {0, 0, 0}, .fixed = true}, p.a);
+    body(s, 2, {.center = {0, 0, 0}, .velocity = c.velocity, .spin = c.spin}, p.b);
+    joint(s, c.kind, p);
+    timing(s, 0.8, 1e-3);
+    Experiment experiment(s.deck());
+    Vec3d v, w;
+    run_to_end(experiment, [&](const impact::Snapshot& now) { v = velocity(now, 2), w = spin(now, 2); });
+    const std::string what = fmt::format("{} {} {} {} / {} {} {}", c.kind, c.velocity.x, c.velocity.y, c.velocity.z,
+                                         c.spin.x, c.spin.y, c.spin.z);
+    const double kept = c.free ? 1.0 : 0.0;
+    EXPECT_NEAR(norm(v - kept * c.velocity), 0.0, 0.02) << what;
+    // A universal joint's axes turn with the bodies: two rotations at once are no longer free.
+    if (c.kind != "UNIVERSAL" || !c.free) EXPECT_NEAR(norm(w - kept * c.spin), 0.0, 0.05) << what;
+  }
+}
+
+// Two bodies locked together far from their centres turn as one: spin by the parallel-axis theorem.
+TEST(Joints, LockedBodiesTurnAsOne) {
+  Specimen s;
+  const Pairs p(s, {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}});
+  body(s, 1, {.center = {0, 0, 0}, .mass = 2.0, .inertia = {0.5, 0.5, 0.5}, .spin = {0, 0, 1}}, p.a);
+  body(s, 2, {.center = {2, 0, 0}, .mass = 2.0, .inertia = {0.5, 0.5, 0.5}}, p.b);
+  joint(s, "LOCKING", p, 3.0);
+  timing(s, 0.5, 1e-3);
+  Experiment experiment(s.deck());
+  Vec3d a, b;
+  run_to_end(experiment, [&](const impact::Snapshot& now) { a = spin(now, 1), b = spin(now, 2); });
+  // Angular momentum about the common centre: 0.5 1 of the first body alone; both together 2 (0.5 + 2).
+  expect_reference("joints", "locking joint: common spin of two bodies", a.z, 0.5 / 5.0, 1e-3);
+  EXPECT_NEAR(b.z, a.z, 1e-4);
+}
+
+/// All findings of a deck that is refused.
+std::string refusal(const Specimen& s) {
+  try {
+    Experiment experiment(s.deck());
+  } catch (const std::runtime_error& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+TEST(Joints, FaultsAreNamed) {
+  const auto deck = [](auto change) {
+    Specimen s;
+    Pairs p(s, {{0, 0, 0}, {0, 0, 1}});
+    const int loose = s.node({0, 0, 0}), away = s.node({0, 0.5, 1});
+    std::vector<int> b = p.b;
+    b.push_back(away);
+    body(s, 1, {.fixed = true}, p.a);
+    body(s, 2, {}, b);
+    change(s, p, loose, away);
+    timing(s, 0.1, 1e-3);
+    return refusal(s);
+  };
+  EXPECT_EQ(deck([](Specimen& s, Pairs& p, int, int) { joint(s, "REVOLUTE", p); }), "accepted");
+  EXPECT_NE(deck([](Specimen& s, Pairs& p, int loose, int) {
+              p.b[0] = loose;
+              joint(s, "REVOLUTE", p);
+            }).find("this node is on none"),
+            std::string::npos);
+  EXPECT_NE(deck([](Specimen& s, Pairs& p, int, int away) {
+              p.b[1] = away;
+              joint(s, "REVOLUTE", p);
+            }).find("0.5 apart"),
+            std::string::npos);
+  EXPECT_NE(deck([](Specimen& s, Pairs& p, int, int) {
+              joint(s, "REVOLUTE", p);
+              s.card("CONTROL_RIGID", {1});
+            }).find("Lagrange"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace nugget::verify
