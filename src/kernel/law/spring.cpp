@@ -52,12 +52,11 @@ double ReversingSpring::advance(State& s, double increment) const {
   };
   if (!s.yielded) {
     s.force = on(load, d);
-    if (s.force <= tension_yield && s.force >= compression_yield) return s.force;
-    s.yielded = true;
     s.tension = reach(load, 0.0, tension_yield, true);
     s.compression = reach(load, 0.0, compression_yield, false);
-    s.shift = s.force > tension_yield ? s.tension - unloading_at(tension_yield)
-                                      : s.compression - unloading_at(compression_yield);
+    if (d <= s.tension && d >= s.compression) return s.force;
+    s.yielded = true;
+    s.shift = d > s.tension ? s.tension - unloading_at(tension_yield) : s.compression - unloading_at(compression_yield);
   }
   const double trial = on(unload, d - s.shift), upper = on(load, s.tension), lower = on(load, s.compression);
   s.force = trial;

@@ -200,7 +200,6 @@ Rows other_definitions() {
       refused("DEFINE_FUNCTION*", "functions as text are not built; give a curve"),
       refused("DEFINE_CURVE_*", "this form of curve is not built; give its points with *DEFINE_CURVE"),
       refused("DEFINE_TABLE_*", "this form of table is not built; use *DEFINE_TABLE or *DEFINE_TABLE_2D"),
-      refused("DEFINE_SD_ORIENTATION", "springs and dampers are not built yet"),
       refused("DEFINE_FRICTION*", "friction is not built yet"),
       refused("DEFINE_DEATH_TIMES_*", "motions that end by position are not built; give a death time"),
       refused("DEFINE_CONSTRUCTION_STAGES", "construction in stages is not built"),
