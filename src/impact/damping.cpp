@@ -14,7 +14,7 @@ namespace nugget::impact {
 DampingFilters::DampingFilters(double share, double low, double high) {
   // Between corners that stand in equal ratios the sum of w^2 wi / (w^2 + wi^2) is pi/2 w over the logarithm of the
   // ratio, but for the ends: the row goes on beyond the range on both sides, and its last filters count for those that
-  // are missing. So chosen, the share is within 2 % of its mean over ranges of 1:3 to 1:100.
+  // are missing. So chosen, the force goes with w within 2 % over ranges of 1:3 to 1:100.
   constexpr double ratio = 3.5, beyond = 2.0, end_weight = 1.5;
   const double first = 2.0 * std::numbers::pi * low / beyond, last = 2.0 * std::numbers::pi * high * beyond;
   const double steps = std::max(1.0, std::ceil(std::log(last / first) / std::log(ratio)));
@@ -22,19 +22,22 @@ DampingFilters::DampingFilters(double share, double low, double high) {
   for (int i = 0; i <= static_cast<int>(steps); ++i) corner.push_back(first * std::exp(step * i));
   weight.assign(corner.size(), 1.0);
   weight.front() = weight.back() = end_weight;
-  // The mean over the range, at equal ratios, is made what is wanted.
+  // The mean of the share over the range, at equal ratios, is made what is wanted. The added mass takes a little of it,
+  // so this is repeated.
   constexpr int samples = 33;
-  double mean = 0.0;
-  for (int i = 0; i < samples; ++i)
-    mean += share_at(2.0 * std::numbers::pi * low * std::pow(high / low, i / (samples - 1.0))) / samples;
-  for (double& w : weight) w *= share / mean;
+  for (int round = 0; round < 20; ++round) {
+    double mean = 0.0;
+    for (int i = 0; i < samples; ++i)
+      mean += share_at(2.0 * std::numbers::pi * low * std::pow(high / low, i / (samples - 1.0))) / samples;
+    for (double& w : weight) w *= share / mean;
+  }
 }
 
 double DampingFilters::share_at(double omega) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < corner.size(); ++i)
     sum += weight[i] * corner[i] * omega * omega / (omega * omega + corner[i] * corner[i]);
-  return 0.5 * sum / omega;
+  return 0.5 * sum / (omega * (1.0 + added_mass_at(omega)));
 }
 
 double DampingFilters::added_mass_at(double omega) const {

@@ -14,7 +14,7 @@ struct DampingFilters {
   std::vector<double> weight;  ///< of the output of each: force per mass = -sum weight corner (v - low-passed v)
   /// `low`, `high`: the range [cycles/time].
   DampingFilters(double share, double low, double high);
-  /// Share of critical damping, and share by which the mass seems to grow, at a circular frequency.
+  /// Share of critical damping of a vibration, and share by which the mass seems to grow, at a circular frequency.
   double share_at(double omega) const;
   double added_mass_at(double omega) const;
 };

@@ -69,7 +69,7 @@ double beam_area(const model::Model& model, model::Index beam) {
 Preloads::Preloads(system::System& system, Findings& findings) : system_(system) {
   const model::Model& model = system.model;
   for (const model::AxialForce& card : model.initial_state.axial_forces) {
-    Prescribed p{{}, {}, &model.curves[at(card.curve)], true, {}, true};
+    Prescribed p{{}, {}, &model.curves[at(card.curve)], true, {}, true, false};
     for (const model::Index beam : card.beams) {
       const system::System::Seat seat = system.beam_seat[at(beam)];
       const double area = beam_area(model, beam);
@@ -86,7 +86,7 @@ Preloads::Preloads(system::System& system, Findings& findings) : system_(system)
     prescribed_.push_back(std::move(p));
   }
   for (const model::SectionStress& card : model.initial_state.section_stresses) {
-    Prescribed p{{}, {}, &model.curves[at(card.curve)], false, card.normal, card.keep_shear};
+    Prescribed p{{}, {}, &model.curves[at(card.curve)], false, card.normal, card.keep_shear, false};
     for (const model::Index solid : card.solids) {
       const system::System::Seat seat = system.solid_seat[at(solid)];
       if (seat.group < 0) continue;
@@ -116,9 +116,20 @@ void Preloads::start(const model::InitialStress& stress, const system::System::S
     group.set_layer(at(seat.element), static_cast<int>(k), between(given, places[k]), state);
 }
 
+void Preloads::set_active(Prescribed& p, bool active) {
+  if (p.active == active) return;
+  p.active = active;
+  std::vector<int> groups;
+  for (const system::System::Seat& seat : p.seats) groups.push_back(seat.group);
+  std::sort(groups.begin(), groups.end());
+  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+  for (const int g : groups) system_.groups[at(g)]->step_share *= active ? 0.5 : 2.0;
+}
+
 void Preloads::apply(const system::State& state) {
-  for (const Prescribed& p : prescribed_) {
-    if (state.time > p.curve->x.back()) continue;
+  for (Prescribed& p : prescribed_) {
+    set_active(p, state.time <= p.curve->x.back());
+    if (!p.active) continue;
     const double value = p.curve->clamped(state.time);
     for (std::size_t i = 0; i < p.seats.size(); ++i) {
       system::ElementGroup& group = *system_.groups[at(p.seats[i].group)];

@@ -334,8 +334,7 @@ void check_compound(Builder& b, const Part& part, const deck::Row& row) {
   const auto* law = std::get_if<kernel::Compound>(&material.law);
   if (law == nullptr) return;
   if (part.kind == ElementKind::solid && !law->made_of->for_bricks)
-    refuse(b, row, "mid",
-           fmt::format("*{} in solids needs an equation of state, which is not built", material.keyword),
+    refuse(b, row, "mid", fmt::format("*{} in solids needs an equation of state, which is not built", material.keyword),
            "use *MAT_SIMPLIFIED_JOHNSON_COOK, which needs none");
   if (part.kind == ElementKind::shell && !law->made_of->for_shells)
     refuse(b, row, "mid", fmt::format("*{} is a law of solids, but the part has shells", material.keyword),

@@ -62,7 +62,8 @@ PointFailure::PointFailure(const Composition& law)
       strain_(add(erosion_.has_value() || limits_.major > 0.0, SolidTensor<double>::size)),
       impulse_(add(erosion_ && erosion_->impulse, 1)),
       age_(add(erosion_ && erosion_->time, 1)),
-      active_(failure_strain_ > 0.0 || !failure_strain_over_rate_.empty() || damage_ || size_ > 1) {}
+      active_(failure_strain_ > 0.0 || !failure_strain_over_rate_.empty() || damage_ || size_ > 1),
+      by_plastic_strain_only_(failure_strain_ > 0.0 && failure_strain_over_rate_.empty() && !damage_ && size_ == 1) {}
 
 double PointFailure::damage(double plastic_strain) const {
   const double beyond = plastic_strain - damage_->onset;
@@ -83,7 +84,8 @@ bool PointFailure::eroded(const Now& now) const {
   const Erosion& e = *erosion_;
   const double pressure = -(now.stress.xx + now.stress.yy + now.stress.zz) / 3.0;
   const double volume = now.strain.xx + now.strain.yy + now.strain.zz;
-  const std::array<double, 3> strain = principal_values(now.strain);
+  const bool by_principal_strain = e.least_strain || e.most_strain || e.shear_strain;
+  const std::array<double, 3> strain = by_principal_strain ? principal_values(now.strain) : std::array<double, 3>{};
   int met = 0;
   const auto reaches = [&met](const std::optional<double>& limit, double value) { met += limit && value >= *limit; };
   const auto falls_to = [&met](const std::optional<double>& limit, double value) { met += limit && value <= *limit; };
@@ -112,6 +114,10 @@ bool PointFailure::beyond_strain_limits(const Now& now, double thinning) const {
 
 template <class R>
 void PointFailure::advance(const PointStep<R>& step, double* history) const {
+  if (by_plastic_strain_only_) {
+    const auto gone = load_field<R>(history, 0) >= R(1.0) || step.plastic_strain >= R(failure_strain_);
+    return store_field(history, 0, select(gone, R(1.0), R(0.0)));
+  }
   const auto at = [&](int field, int l) -> double& { return history[field * lanes<R> + l]; };
   for (int l = 0; l < lanes<R>; ++l) {
     double& lost = at(0, l);

@@ -70,7 +70,7 @@ class PointFailure {
   StrainLimits limits_;
   int size_ = 1;
   int fractured_, thinned_, strain_, impulse_, age_;  ///< places in the history; 0: not kept
-  bool active_;
+  bool active_, by_plastic_strain_only_;
 };
 
 }  // namespace nugget::kernel

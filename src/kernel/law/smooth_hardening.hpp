@@ -14,13 +14,15 @@ namespace nugget::kernel {
 struct YieldPoint {
   double strain = 0.0;     ///< plastic strain at the start of the step
   double increment = 0.0;  ///< of it in the step
+  double power = 0.0;      ///< the formula's power() of `strain`
   double rate = 0.0;       ///< total strain rate, where the formula needs it
   double heating = 0.0;    ///< temperature rise at the start of the step, where the formula keeps one
   double dt = 0.0;
 };
 
-/// Hardening by a formula. `Formula` has lowest(), needs_rate(), yield(YieldPoint), and heats(): whether the second
-/// number of the history is a temperature rise.
+/// Hardening by a formula. `Formula` has lowest(), needs_rate(), yield(YieldPoint); power(): what of it is dear and
+/// depends on the plastic strain at the start only; heats(): whether the second number of the history is a temperature
+/// rise.
 template <class Formula>
 class SmoothHardening : public Formula {
  public:
@@ -34,12 +36,13 @@ class SmoothHardening : public Formula {
     At(const SmoothHardening& hardening, const double* history, const R& strain_rate, double dt)
         : hardening_(hardening), plastic_strain_(load_field<R>(history, 0)), rate_(strain_rate), dt_(dt) {
       if (hardening.heats()) heating_ = load_field<R>(history, 1);
+      power_ = map([&](double strain) { return hardening.power(strain); }, plastic_strain_);
     }
     YieldStress<R> operator()(const R& increment) const {
       YieldStress<R> y;
       for (int l = 0; l < lanes<R>; ++l) {
-        const YieldStress<double> one =
-            hardening_.yield({lane(plastic_strain_, l), lane(increment, l), lane(rate_, l), lane(heating_, l), dt_});
+        const YieldStress<double> one = hardening_.yield(
+            {lane(plastic_strain_, l), lane(increment, l), lane(power_, l), lane(rate_, l), lane(heating_, l), dt_});
         set_lane(y.value, l, one.value);
         set_lane(y.slope, l, one.slope);
       }
@@ -48,25 +51,42 @@ class SmoothHardening : public Formula {
 
    private:
     const SmoothHardening& hardening_;
-    R plastic_strain_, rate_, heating_{};
+    R plastic_strain_, rate_, heating_{}, power_{};
     double dt_;
   };
 };
 
-/// B e^N and its slope. Below a plastic strain of 1e-9, where the slope would be without bound, a straight line.
+/// B e^N and its slope. Below a strain of 1e-9, where the slope would be without bound, a straight line.
 class PowerOfStrain {
  public:
   PowerOfStrain(double factor, double exponent)
-      : factor_(factor), exponent_(exponent), start_(factor * std::pow(tiny, exponent)) {}
-  YieldStress<double> at(double strain) const {
-    if (strain < tiny) return {start_ * (strain / tiny), start_ / tiny};
-    const double value = factor_ * std::pow(strain, exponent_);
-    return {value, exponent_ * value / strain};
+      : factor_(factor), exponent_(exponent), start_(factor * std::pow(tiny, exponent)) {
+    for (int k = 0; k < terms; ++k) ratio_[k] = (exponent - k) / (k + 1);
+  }
+  double operator()(double strain) const {
+    return strain < tiny ? start_ * (strain / tiny) : factor_ * std::pow(strain, exponent_);
+  }
+  /// After a further increment, with the value at `strain` known: small increments need no further power but the
+  /// binomial series, exact to 1e-15.
+  YieldStress<double> after(double strain, double value, double increment) const {
+    const double end = strain + increment;
+    if (end < tiny) return {(*this)(end), start_ / tiny};
+    if (strain >= tiny && increment < 0.02 * strain) {
+      const double x = increment / strain;
+      double series = 1.0;
+      for (int k = terms - 1; k >= 0; --k) series = 1.0 + series * (x * ratio_[k]);
+      value *= series;
+    } else {
+      value = (*this)(end);
+    }
+    return {value, exponent_ * value / end};
   }
 
  private:
   static constexpr double tiny = 1e-9;
+  static constexpr int terms = 8;
   double factor_, exponent_, start_;
+  double ratio_[terms];
 };
 
 /// Johnson and Cook's yield stress.
@@ -76,9 +96,10 @@ class JohnsonCookFormula {
 
   double lowest() const { return heats() ? 0.0 : std::min({law_.yield, law_.most_hardened, law_.saturation}); }
   bool heats() const { return law_.heating > 0.0; }
+  double power(double strain) const { return power_(strain); }
   bool needs_rate() const { return law_.rate_factor != 0.0 && !law_.viscoplastic; }
   YieldStress<double> yield(const YieldPoint& p) const {
-    YieldStress<double> y = power_.at(p.strain + p.increment);
+    YieldStress<double> y = power_.after(p.strain, p.power, p.increment);
     y.value += law_.yield;
     if (y.value > law_.most_hardened) y = {law_.most_hardened, 0.0};
     const double over = (law_.viscoplastic ? p.increment / p.dt : p.rate) / law_.rest_rate;
@@ -102,15 +123,15 @@ class JohnsonCookFormula {
 /// Power law of the elastic and plastic strain.
 class PowerLawFormula {
  public:
-  explicit PowerLawFormula(const PowerLaw& law) : law_(law), rate_{law.rate_c, law.rate_p} {}
+  explicit PowerLawFormula(const PowerLaw& law)
+      : law_(law), power_(law.strength, law.exponent), rate_{law.rate_c, law.rate_p} {}
 
-  double lowest() const { return law_.strength * std::pow(law_.yield_strain, law_.exponent); }
+  double lowest() const { return power(0.0); }
+  double power(double strain) const { return power_(law_.yield_strain + strain); }
   static constexpr bool heats() { return false; }
   bool needs_rate() const { return rate_.active() && !law_.viscoplastic; }
   YieldStress<double> yield(const YieldPoint& p) const {
-    const double strain = law_.yield_strain + p.strain + p.increment;
-    YieldStress<double> y{law_.strength * std::pow(strain, law_.exponent), 0.0};
-    y.slope = law_.exponent * y.value / strain;
+    const YieldStress<double> y = power_.after(law_.yield_strain + p.strain, p.power, p.increment);
     if (!rate_.active()) return y;
     const double factor = rate_.factor(law_.viscoplastic ? p.increment / p.dt : p.rate);
     const double steeper = law_.viscoplastic && p.increment > 0.0 ? (factor - 1.0) / (law_.rate_p * p.increment) : 0.0;
@@ -119,6 +140,7 @@ class PowerLawFormula {
 
  private:
   PowerLaw law_;
+  PowerOfStrain power_;
   CowperSymonds rate_;
 };
 
@@ -128,6 +150,7 @@ class RateDependentFormula {
   explicit RateDependentFormula(const RateDependentYield& law) : law_(law) {}
 
   double lowest() const { return *std::min_element(law_.yield.y.begin(), law_.yield.y.end()); }
+  static constexpr double power(double) { return 0.0; }
   static constexpr bool heats() { return false; }
   bool needs_rate() const { return !law_.viscoplastic; }
   YieldStress<double> yield(const YieldPoint& p) const {

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Forms and fields of sliding contacts, each by what it does to two small plates."""
+import sys
+import unittest
+
+from nugget_command import SOURCE, CommandTest
+
+sys.path.insert(0, str(SOURCE / "examples"))
+from writer import Deck  # noqa: E402
+
+SIDE = 20.0  # of the plates; 4 x 4 shells of 5 mm, 1 mm thick
+LOWER, UPPER = 1, 2
+
+
+def plate(deck, part, z, first):
+    nodes = {first + 5 * j + i: (5.0 * i, 5.0 * j, z) for j in range(5) for i in range(5)}
+    shells = {}
+    for j in range(4):
+        for i in range(4):
+            a = first + 5 * j + i
+            shells[first + 4 * j + i] = (part, (a, a + 1, a + 6, a + 5))
+    return nodes, shells
+
+
+def plates(contact, motion, end, gap=1.0, parts="PART", options=(), extra=None):
+    """A fixed elastic plate, and a rigid one above it that moves: `motion` {degree of freedom: velocity}."""
+    d = Deck()
+    d.keyword("KEYWORD")
+    d.keyword("CONTROL_TERMINATION")
+    d.card(endtim=end)
+    d.keyword("CONTROL_ENERGY")
+    d.card(hgen=2, rwen=2, slnten=2, rylen=2)
+    for name in ("GLSTAT", "RCFORC"):
+        d.keyword("DATABASE_" + name)
+        d.card(dt=end / 100)
+    for pid in (LOWER, UPPER):
+        d.keyword(parts)
+        d.text("plate")
+        d.card(pid=pid, secid=1, mid=pid)
+        for card in options:
+            d.card(**card)
+    d.keyword("SECTION_SHELL")
+    d.card(secid=1, elform=2, shrf=0.8333, nip=2)
+    d.card(t1=1.0, t2=1.0, t3=1.0, t4=1.0)
+    d.keyword("MAT_ELASTIC")
+    d.card(mid=LOWER, ro=7.85e-9, e=210000.0, pr=0.3)
+    d.keyword("MAT_RIGID")
+    d.card(mid=UPPER, ro=7.85e-9, e=210000.0, pr=0.3)
+    d.card(cmo=1.0, con1=0, con2=7)
+    d.card(lco=None)
+    lower, low_shells = plate(d, LOWER, 0.0, 1)
+    upper, high_shells = plate(d, UPPER, gap, 101)
+    d.node_set(1, lower)
+    d.keyword("BOUNDARY_SPC_SET")
+    d.card(nsid=1, cid=0, dofx=1, dofy=1, dofz=1, dofrx=1, dofry=1, dofrz=1)
+    for dof, speed in motion.items():
+        d.keyword("BOUNDARY_PRESCRIBED_MOTION_RIGID")
+        d.card(pid=UPPER, dof=dof, vad=0, lcid=dof, sf=speed)
+        d.curve(dof, [(0.0, 1.0), (1.0, 1.0)])
+    contact(d)
+    if extra:
+        extra(d)
+    d.nodes({**lower, **upper})
+    d.shells({**low_shells, **high_shells})
+    return "\n".join(d.lines + ["*END"]) + "\n"
+
+
+def sliding(name="AUTOMATIC_SURFACE_TO_SURFACE", fs=0.0, boxes=(0, 0), penmax=None, **card4):
+    def write(d):
+        d.keyword("CONTACT_" + name)
+        d.card(surfa=UPPER, surfb=LOWER, surfatyp=3, surfbtyp=3, saboxid=boxes[0], sbboxid=boxes[1])
+        d.card(fs=fs, fd=fs)
+        d.card(sfsa=1.0)
+        if card4:
+            d.card(**card4)
+        if penmax is not None:
+            d.card(soft=0)
+            d.card(penmax=penmax)
+    return write
+
+
+class ContactForms(CommandTest):
+    def rows(self, name="rcforc", side="slave"):
+        """[(time, x, y, z)] of the force on a side."""
+        found = []
+        for line in self.read(name).splitlines():
+            words = line.split()
+            if words and words[0] == side:
+                found.append(tuple(float(words[i]) for i in (3, 5, 7, 9)))
+        return found
+
+    def run_deck(self, text):
+        self.write(text)
+        return self.nugget("run", "model.k", "--quiet", "-j", 1)
+
+    def test_initial_penetrations_are_reported(self):
+        """IGNORE of *CONTROL_CONTACT holds. Sabotage: its field not used; a node or shell of another number."""
+        for ignore, says in ((0, "they were moved out (IGNORE = 0)"), (1, "gives no force (IGNORE = 1)"),
+                             (2, "move node ")):
+            def control(d):
+                d.keyword("CONTROL_CONTACT")
+                d.card(slsfac=0.1)
+                d.card(usrstr=0)
+                d.card(sfric=0.0)
+                d.card(ignore=ignore)
+            run = self.run_deck(plates(sliding(), {3: 0.0}, 1.0e-6, gap=0.9, extra=control))
+            self.assertIn("nodes stand in the thickness of a sheet or in a brick at the start; the deepest is node ",
+                          run.stderr)
+            self.assertIn(", 0.1 deep in shell ", run.stderr)
+            self.assertIn(says, run.stderr)
+            self.assertIn(says, self.read("run.log"))
+
+    def test_mortar_runs_with_a_warning(self):
+        run = self.run_deck(plates(sliding("AUTOMATIC_SURFACE_TO_SURFACE_MORTAR"), {3: -1000.0}, 2.0e-5))
+        self.assertIn("segments are not integrated against segments", run.stderr)
+        self.assertGreater(self.rows()[-1][3], 0.0)
+
+    def test_a_brick_that_dies_lays_its_neighbour_bare(self):
+        """A rigid plate is driven through bricks that fail at once when strained. Sabotage: faces between bricks left out."""
+        def solids(d):
+            d.keyword("PART")
+            d.text("block")
+            d.card(pid=3, secid=3, mid=3)
+            d.keyword("SECTION_SOLID")
+            d.card(secid=3, elform=1)
+            d.keyword("MAT_PLASTIC_KINEMATIC")
+            d.card(mid=3, ro=7.85e-9, e=2000.0, pr=0.3, sigy=5.0, etan=0.0, beta=1.0)
+            d.card(src=0.0, srp=0.0, fs=0.2)
+            first, wide = 1001, 6  # bricks along either side: more than the plate is wide, so that only faces within are hit
+            number = lambda i, j, k: first + (k * (wide + 1) + j) * (wide + 1) + i  # noqa: E731
+            every = range(wide + 1)
+            d.nodes({number(i, j, k): (5.0 * i - 5.0, 5.0 * j - 5.0, 1.51 + 2.0 * k) for k in range(5) for j in every
+                     for i in every})
+            d.keyword("ELEMENT_SOLID")
+            e = 1001
+            for k in range(4):
+                for j in range(wide):
+                    for i in range(wide):
+                        ids = [number(i, j, k), number(i + 1, j, k), number(i + 1, j + 1, k), number(i, j + 1, k)]
+                        ids += [n + (wide + 1) ** 2 for n in ids]
+                        d.text(f"{e:8d}{3:8d}" + "".join(f"{n:8d}" for n in ids))
+                        e += 1
+            d.node_set(2, [number(i, j, 4) for j in every for i in every])
+            d.keyword("BOUNDARY_SPC_SET")
+            d.card(nsid=2, cid=0, dofx=1, dofy=1, dofz=1)
+
+        def contact(name):
+            def write(d):
+                d.keyword("CONTACT_" + name)
+                d.card(surfa=3, surfb=3, surfatyp=4, surfbtyp=3)
+                d.card(fs=0.0)
+                d.card(sfsa=1.0)
+                if name.startswith("ERODING"):
+                    d.card(isym=0)
+                d.card(soft=1)
+                d.node_set(3, [101 + 5 * j + i for j in (1, 2, 3) for i in (1, 2, 3)])
+            return write
+
+        late = {}
+        for name in ("AUTOMATIC_NODES_TO_SURFACE", "ERODING_NODES_TO_SURFACE"):
+            self.run_deck(plates(contact(name), {3: 2000.0}, 3.0e-3, extra=solids))
+            force = [abs(row[3]) for row in self.rows()]
+            self.assertGreater(max(force), 0.0)
+            late[name] = max(force[len(force) // 2:])
+        self.assertGreater(late["ERODING_NODES_TO_SURFACE"], 100.0)
+        self.assertLess(late["AUTOMATIC_NODES_TO_SURFACE"], 0.05 * late["ERODING_NODES_TO_SURFACE"])
+
+
+if __name__ == "__main__":
+    unittest.main()
