@@ -14,12 +14,35 @@ bool cannot_turn(const RigidBody& body) {
   return (body.fixed & rotations) == rotations;
 }
 
-bool at_center(const Model& model, const RigidBody& body, Index node) {
-  const Vec3d center = center_of_mass(model, body);
-  const auto away = [&](Index n) { return norm(model.nodes.x[static_cast<std::size_t>(n)] - center); };
-  double size = 0.0;
-  for (const Index n : body.nodes) size = std::max(size, away(n));
-  return away(node) <= 1e-6 * size;
+/// Where a body's centre is, and how far a node may be off it; kept for the body that was asked for last.
+class Center {
+ public:
+  explicit Center(const Model& model) : model_(model) {}
+  bool is_at(const RigidBody& body, Index node) {
+    if (&body != body_) find(body);
+    return norm(place(node) - center_) <= 1e-6 * size_;
+  }
+
+ private:
+  void find(const RigidBody& body) {
+    body_ = &body;
+    center_ = center_of_mass(model_, body);
+    size_ = 0.0;
+    for (const Index n : body.nodes) size_ = std::max(size_, norm(place(n) - center_));
+  }
+  const Vec3d& place(Index node) const { return model_.nodes.x[static_cast<std::size_t>(node)]; }
+
+  const Model& model_;
+  const RigidBody* body_ = nullptr;
+  Vec3d center_;
+  double size_ = 0.0;
+};
+
+/// Whether an SPC in global axes may be added to what holds the body: not to codes in local ones (CMO = -1), and not to
+/// a rigid weld, which may come apart.
+bool takes_global_codes(const RigidBody& body) {
+  const Frame3d& a = body.fixed_axes;
+  return body.origin != RigidBody::Origin::weld && a.e1.x == 1.0 && a.e2.y == 1.0 && a.e3.z == 1.0;
 }
 
 RigidBody& body_of(Builder& b, Index node) {
@@ -41,9 +64,10 @@ void tell(Builder& b, const deck::Row& row, std::string_view field, Severity sev
 void hold_translations(Builder& b, const deck::Row& row, std::string_view field, unsigned fixed,
                        const std::vector<Index>& nodes) {
   std::vector<Index> held, left;
+  Center center(b.model);
   for (const Index node : nodes) {
     RigidBody& body = body_of(b, node);
-    const bool exact = (fixed & translations) == 0 || cannot_turn(body) || at_center(b.model, body, node);
+    const bool exact = (fixed & translations) == 0 || cannot_turn(body) || center.is_at(body, node);
     if (exact) body.fixed |= fixed & translations;
     (exact ? held : left).push_back(node);
   }
@@ -69,8 +93,7 @@ void hold_bodies(Builder& builder, const deck::Row& row, std::string_view field,
   const bool plain = spc.system == none && spc.birth <= 0.0 && spc.death >= forever;
   std::vector<Index> taken, left;
   for (const Index node : nodes)
-    if (in_body(node))
-      (plain && body_of(builder, node).origin != RigidBody::Origin::weld ? taken : left).push_back(node);
+    if (in_body(node)) (plain && takes_global_codes(body_of(builder, node)) ? taken : left).push_back(node);
   std::erase_if(nodes, in_body);
   tell(builder, row, field, Severity::warning, left, "nothing is prescribed to it",
        "hold the body by CMO of *MAT_RIGID, or _SPC of the nodal rigid body");
