@@ -19,6 +19,16 @@ double deviator2(const SolidTensor<double>& a) {
   return x * x + y * y + z * z + 2.0 * (a.xy * a.xy + a.yz * a.yz + a.zx * a.zx);
 }
 
+/// Bounds of the principal values, cheaper than they.
+struct Range {
+  double low, high;
+  explicit Range(const SolidTensor<double>& a) {
+    const double mean = (a.xx + a.yy + a.zz) / 3.0, radius = std::sqrt(2.0 / 3.0 * deviator2(a)) * (1.0 + 1e-12);
+    low = mean - radius;
+    high = mean + radius;
+  }
+};
+
 /// Larger principal value in the plane.
 double major_in_plane(const SolidTensor<double>& a) {
   return 0.5 * (a.xx + a.yy) + std::hypot(0.5 * (a.xx - a.yy), a.xy);
@@ -84,22 +94,25 @@ bool PointFailure::eroded(const Now& now) const {
   const Erosion& e = *erosion_;
   const double pressure = -(now.stress.xx + now.stress.yy + now.stress.zz) / 3.0;
   const double volume = now.strain.xx + now.strain.yy + now.strain.zz;
-  const bool by_principal_strain = e.least_strain || e.most_strain || e.shear_strain;
-  const std::array<double, 3> strain = by_principal_strain ? principal_values(now.strain) : std::array<double, 3>{};
+  const Range strain(now.strain);
   int met = 0;
   const auto reaches = [&met](const std::optional<double>& limit, double value) { met += limit && value >= *limit; };
   const auto falls_to = [&met](const std::optional<double>& limit, double value) { met += limit && value <= *limit; };
   reaches(e.most_pressure, pressure);
   falls_to(e.least_pressure, pressure);
-  falls_to(e.least_strain, strain[0]);
-  reaches(e.most_strain, strain[2]);
+  if (e.least_strain && strain.low <= *e.least_strain) falls_to(e.least_strain, principal_values(now.strain)[0]);
+  if (e.most_strain && strain.high >= *e.most_strain) reaches(e.most_strain, principal_values(now.strain)[2]);
   reaches(e.effective_strain, std::sqrt(2.0 / 3.0 * deviator2(now.strain)));
   if (e.volume_strain) (*e.volume_strain > 0.0 ? reaches(e.volume_strain, volume) : falls_to(e.volume_strain, volume));
-  if (e.most_stress) reaches(e.most_stress, principal_values(now.stress)[2]);
+  if (e.most_stress && Range(now.stress).high >= *e.most_stress)
+    reaches(e.most_stress, principal_values(now.stress)[2]);
   const double effective = std::sqrt(1.5 * deviator2(now.stress));
   reaches(e.effective_stress, effective);
   if (!e.effective_stress_over_rate.empty()) reaches(e.effective_stress_over_rate.clamped(now.rate), effective);
-  reaches(e.shear_strain, 0.5 * (strain[2] - strain[0]));
+  if (e.shear_strain && 0.5 * (strain.high - strain.low) >= *e.shear_strain) {
+    const std::array<double, 3> principal = principal_values(now.strain);
+    reaches(e.shear_strain, 0.5 * (principal[2] - principal[0]));
+  }
   reaches(e.impulse, now.impulse);
   reaches(e.time, now.age);
   if (now.layer) reaches(e.thinning, -now.strain.zz);
