@@ -60,6 +60,9 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
   if (!model_.motions.empty()) add<output::Bndout>(ask.bndout, "bndout", bndout_state);
   if (!system.bodies.empty()) add<output::Rbdout>(ask.rbdout, "rbdout", rbdout_state);
   add<output::Rcforc>(ask.rcforc, "rcforc", rcforc_state, contacts);
+  const bool slides =
+      std::any_of(model_.contacts.begin(), model_.contacts.end(), [](const auto& c) { return c.slides(); });
+  if (slides) add<output::Sleout>(ask.sleout, "sleout", sleout_state, contacts);
   if (ask.d3plot.asked()) {
     auto file = std::make_shared<output::D3plot>(directory, output::d3plot_geometry(system));
     channels_.push_back({&ask.d3plot, [file](const Snapshot& now) { file->write(d3plot_state(now)); }});

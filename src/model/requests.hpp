@@ -26,6 +26,7 @@ struct NamedEntity {
 /// The *DATABASE_... cards.
 struct Requests {
   Request glstat, matsum, nodout, swforc, dcfail, rwforc, spcforc, bndout, rbdout, rcforc, secforc, elout, deforc;
+  Request sleout;
   Request d3plot;  ///< interval; `binary` unused
   std::vector<NamedEntity> history_nodes, history_shells, history_solids, history_beams;
 

@@ -13,6 +13,7 @@
 #include "output/rbdout.hpp"
 #include "output/rcforc.hpp"
 #include "output/rwforc.hpp"
+#include "output/sleout.hpp"
 #include "output/spcforc.hpp"
 #include "output/swforc.hpp"
 
@@ -28,7 +29,7 @@ class Binout {
   /// Creates `directory/binout0000`. Throws WriteError.
   Binout(const std::filesystem::path& directory, Header header);
 
-  /// Headings for a branch (`matsum`, `nodout`, `rwforc`, `rcforc`); to be given before its first state.
+  /// Headings for a branch (`matsum`, `nodout`, `rwforc`, `rcforc`, `sleout`); to be given before its first state.
   void set_legend(const std::string& branch, std::vector<LegendEntry> legend);
 
   void write(const GlstatState& state);
@@ -40,6 +41,7 @@ class Binout {
   void write(const BndoutState& state);
   void write(const RbdoutState& state);
   void write(const RcforcState& state);
+  void write(const SleoutState& state);
   void write(const DcfailState& state);
 
  private:

@@ -11,7 +11,7 @@
 namespace nugget::output {
 namespace {
 
-constexpr std::array<std::string_view, 28> names = {"run.log",
+constexpr std::array<std::string_view, 29> names = {"run.log",
                                                     "check.log",
                                                     "summary.json",
                                                     "findings.json",
@@ -28,6 +28,7 @@ constexpr std::array<std::string_view, 28> names = {"run.log",
                                                     "nodout",
                                                     "elout",
                                                     "rcforc",
+                                                    "sleout",
                                                     "secforc",
                                                     "rwforc",
                                                     "spcforc",

@@ -147,6 +147,18 @@ TEST(Binout, HoldsPartsNodesWallsAndContacts) {
   EXPECT_THAT(lsda.reals("/rcforc/d000001/z_force"), ElementsAre(3.0));
 }
 
+TEST(Binout, HoldsTheEnergiesOfContacts) {
+  Scratch scratch;
+  Binout file(scratch.path, header);
+  file.write(SleoutState{0.5, 7, {{3, 2.0, 0.0, true}, {4, 5.0, -1.0, false}}});
+  const Lsda lsda(content(scratch / "binout0000"));
+  EXPECT_THAT(lsda.integers("/sleout/metadata/ids"), ElementsAre(3, 4));
+  EXPECT_THAT(lsda.integers("/sleout/metadata/single_sided"), ElementsAre(1, 0));
+  EXPECT_THAT(lsda.reals("/sleout/d000001/slave"), ElementsAre(2.0, 5.0));
+  EXPECT_THAT(lsda.reals("/sleout/d000001/master"), ElementsAre(0.0, -1.0));
+  EXPECT_THAT(lsda.reals("/sleout/d000001/total_energy"), ElementsAre(6.0));
+}
+
 TEST(Binout, HoldsSupportsAndRigidBodies) {
   Scratch scratch;
   Binout file(scratch.path(), header);
