@@ -35,7 +35,7 @@ def begin(title, note, crush, step=None):
     d.keyword("CONTROL_HOURGLASS")
     d.card(ihq=4, qh=0.03)
     for name, interval in (("GLSTAT", end / 240), ("MATSUM", end / 240), ("RWFORC", end / 2400),
-                           ("RCFORC", end / 240), ("BINARY_D3PLOT", end / 30)):
+                           ("RCFORC", end / 240), ("SLEOUT", end / 240), ("BINARY_D3PLOT", end / 30)):
         d.keyword("DATABASE_" + name)
         d.card(dt=interval)
     return d

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 
 #include "contact/edge_contact.hpp"
+#include "contact/glue.hpp"
 #include "contact/surface_contact.hpp"
 
 namespace nugget::contact {
 
-/// What a penalty *CONTACT does: nodes against segments, and where it asks for that, edges against edges.
+/// What a penalty *CONTACT does: nodes against segments, and where it asks for that, edges against edges, or glue that
+/// holds nodes until it fails.
 class PenaltyContact {
  public:
   /// `x`: initial coordinates.
-  PenaltyContact(SurfaceContactSetup surface, std::optional<EdgeContactSetup> edges, std::span<const Row> x);
+  PenaltyContact(SurfaceContactSetup surface, std::optional<EdgeContactSetup> edges, std::optional<GlueStrength> glue,
+                 std::span<const Row> x);
 
   /// See SurfaceContact::apply.
   void apply(double time, double dt, std::span<const Row> x, std::span<const Row> v, std::span<const double> mass,
@@ -23,13 +27,15 @@ class PenaltyContact {
 
   double energy() const;  ///< see SurfaceContact::energy
   std::array<double, 2> energy_of_sides() const;
-  const Vec3d& resultant() const { return surface_.resultant(); }  ///< see SurfaceContact::resultant
+  Vec3d resultant() const;  ///< see SurfaceContact::resultant
   Vec3d force_on(std::span<const unsigned char> marked) const;
   const SurfaceContact& surface() const { return surface_; }
+  const Glue* glue() const { return glue_.get(); }
 
  private:
   SurfaceContact surface_;
   std::optional<EdgeContact> edges_;
+  std::unique_ptr<Glue> glue_;
   bool may_grow_ = false;  // faces or edges are laid bare by elements that die
 };
 

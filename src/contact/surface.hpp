@@ -7,6 +7,7 @@
 
 #include "base/row.hpp"
 #include "kernel/contact/closest_point.hpp"
+#include "kernel/contact/penalty.hpp"
 
 namespace nugget::contact {
 
@@ -18,6 +19,7 @@ struct Segment {
   double volume = 0.0;        ///< of the brick behind the face; 0: a shell [length^3]
   int element = -1;           ///< whose death ends the segment, as an index in `element_alive`; -1: it never dies
   int covered_by = -1;        ///< the brick on the other side of the face: only its death lays the segment bare
+  kernel::Friction friction;  ///< of its part; counts where SurfaceContactSetup::friction_by_part
   unsigned side = 1;          ///< of the contact: bit 0 the tracked side (SURFA), bit 1 the reference side (SURFB)
 
   bool triangle() const { return node[3] == node[2]; }

@@ -70,6 +70,12 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
     // A node without segments of its own (of a beam, say) is as stiff as what it meets.
     node_stiffness_.push_back(around.empty() ? Box::infinity : sum / static_cast<double>(around.size()));
     pressing_ |= t.against;
+    kernel::Friction friction;
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      const kernel::Friction& own = setup_.segments[around[i]].friction;
+      friction = i == 0 ? own : kernel::mean(friction, own);
+    }
+    node_friction_.push_back(friction);
     if (t.stays) stays_[t.node] = 1;
   }
   book_sides();
@@ -244,6 +250,7 @@ void SurfaceContact::work(Block& block, const Step& step) const {
 }
 
 void SurfaceContact::look_at(Block& block, int tracked, const Step& step) const {
+  if (held_ != nullptr && (*held_)[tracked]) return;
   gather_candidates(block, tracked, step);
   const int node = setup_.nodes[tracked].node;
   if (step.dt > 0.0) leave_out_strays(block, node, step);
@@ -406,6 +413,7 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
     direction = static_cast<double>(side) * candidate.foot.normal;
   }
   const double overlap = candidate.reach - dot(r, direction);
+  if (too_deep(overlap, pair.segment)) return;
 
   // What the motion of this step cannot have made was there before, or comes from a change of the surface.
   const double explained = (from != nullptr ? from->before.depth : 0.0) + step.dt * norm(velocity);
@@ -424,17 +432,31 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   const double size = kernel::pair_force(setup_.law, stiffness, inverse_mass, pair.depth, -dot(velocity, direction));
   if (!(size > 0.0)) return;
   Vec3d force = size * direction;
-  if (setup_.law.friction.any()) {
+  const kernel::Friction rough = friction_law(candidate, tracked);
+  if (rough.any()) {
     const Pair* before = candidate.before.touching ? &candidate.before : from != nullptr ? &from->before : nullptr;
-    pair.friction = friction(candidate, before, direction, stiffness, size, step);
+    pair.friction = friction(rough, candidate, before, direction, stiffness, size, step);
     force += pair.friction;
   }
   block.hits.push_back({node, pair.segment, candidate.foot.weight, force, pair.depth});
 }
 
+/// Beyond PENMAX thicknesses of the shell, or depths of the brick.
+bool SurfaceContact::too_deep(double overlap, int segment) const {
+  const Segment& s = setup_.segments[segment];
+  return setup_.deepest > 0.0 &&
+         overlap > setup_.deepest * (s.volume > 0.0 ? inner_[segment] / pressing_depth : s.thickness);
+}
+
+/// The law of the pair: the contact's, or the mean of the parts' on either side.
+kernel::Friction SurfaceContact::friction_law(const Candidate& candidate, int tracked) const {
+  if (!setup_.friction_by_part) return setup_.law.friction;
+  return kernel::mean(setup_.segments[candidate.pair->segment].friction, node_friction_[tracked]);
+}
+
 /// Friction on the node; `before`: the pair that it touched a cycle ago, this one or the one from which it came.
-Vec3d SurfaceContact::friction(const Candidate& candidate, const Pair* before, const Vec3d& direction, double stiffness,
-                               double normal_force, const Step& step) const {
+Vec3d SurfaceContact::friction(const kernel::Friction& law, const Candidate& candidate, const Pair* before,
+                               const Vec3d& direction, double stiffness, double normal_force, const Step& step) const {
   if (before == nullptr) return {};
   const Segment& from = setup_.segments[before->segment];
   const Vec3d was = interpolate(from, kernel::shape_functions(from.triangle(), before->xi, before->eta), step.x);
@@ -442,8 +464,7 @@ Vec3d SurfaceContact::friction(const Candidate& candidate, const Pair* before, c
   const Vec3d slip = along(candidate.foot.point - was);
   const Vec3d trial = along(before->friction) - stiffness * slip;
   const double speed = step.dt > 0.0 ? norm(slip) / step.dt : 0.0;
-  const double bound =
-      setup_.law.friction.bound(normal_force, speed, area(setup_.segments[candidate.pair->segment], step.x));
+  const double bound = law.bound(normal_force, speed, area(setup_.segments[candidate.pair->segment], step.x));
   const double size = norm(trial);
   return size > bound ? (bound / size) * trial : trial;
 }

@@ -19,6 +19,8 @@ struct SurfaceContactSetup {
   std::vector<TrackedNode> nodes;  ///< see nodes_of(); nodes left out do not push
   double stiffness_scale = 0.1;    ///< SLSFAC
   kernel::PenaltyLaw law;          ///< SOFT, SOFSCL, VDC, friction
+  bool friction_by_part = false;   ///< FS = -1: not law.friction, but the mean of those of node and segment
+  double deepest = 0.0;            ///< PENMAX: a node deeper than so many thicknesses is let go; 0: none
   double birth = 0.0, death = 1e20;
 };
 
@@ -85,6 +87,9 @@ class SurfaceContact {
   void apply(double time, double dt, std::span<const Row> x, std::span<const Row> v, std::span<const double> mass,
              std::span<const unsigned char> element_alive, std::span<Row> force);
 
+  /// Tracked nodes (in the order of the setup) that something else holds are not looked at while their entry is not 0;
+  /// the vector must outlive the contact.
+  void leave_out(const std::vector<unsigned char>& held) { held_ = &held; }
   /// Elements have died and laid faces bare: the lists are made anew before the next forces.
   void surface_changed() { searched_ = false; }
 
@@ -174,8 +179,10 @@ class SurfaceContact {
   bool hidden_by(const Candidate& other, const Candidate& candidate) const;
   const Candidate* predecessor(const Block& block, const Candidate& candidate) const;
   int side_of(const Candidate& candidate, const Candidate* from, const Vec3d& was_at) const;
-  Vec3d friction(const Candidate& candidate, const Pair* before, const Vec3d& direction, double stiffness,
-                 double normal_force, const Step& step) const;
+  Vec3d friction(const kernel::Friction& law, const Candidate& candidate, const Pair* before, const Vec3d& direction,
+                 double stiffness, double normal_force, const Step& step) const;
+  bool too_deep(double overlap, int segment) const;
+  kernel::Friction friction_law(const Candidate& candidate, int tracked) const;
   void press(Block& block, Candidate& candidate, int tracked, const Step& step) const;
   void add_forces(std::span<Row> force);
   void account(double dt, std::span<const Row> v);
@@ -183,10 +190,12 @@ class SurfaceContact {
 
   SurfaceContactSetup setup_;
   NodeSegments around_;
-  std::vector<double> segment_stiffness_;  // scaled
-  std::vector<double> inner_;              // how deep inside its brick a segment still presses; 0: a shell
-  std::vector<double> node_stiffness_;     // scaled, by tracked node
-  std::vector<char> stays_;                // by node: TrackedNode::stays
+  std::vector<double> segment_stiffness_;        // scaled
+  std::vector<double> inner_;                    // how deep inside its brick a segment still presses; 0: a shell
+  std::vector<double> node_stiffness_;           // scaled, by tracked node
+  std::vector<kernel::Friction> node_friction_;  // by tracked node, if by part
+  const std::vector<unsigned char>* held_ = nullptr;
+  std::vector<char> stays_;  // by node: TrackedNode::stays
   double thickest_segment_ = 0.0;
   unsigned pressing_ = 0;  // sides whose segments press any node
   double margin_ = 0.0;

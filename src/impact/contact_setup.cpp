@@ -30,6 +30,13 @@ double volume(const std::array<model::Index, 8>& n, const std::vector<Vec3d>& x)
   return std::abs(v);
 }
 
+/// Friction of a part, or where it gives none, of *CONTROL_CONTACT; times the factors of the contact.
+kernel::Friction friction(const model::Model& model, const model::Part& part, const kernel::Friction& factor) {
+  const kernel::Friction& own = part.friction.any() ? part.friction : model.control.part_friction;
+  return {factor.at_rest * own.at_rest, factor.sliding * own.sliding, own.decay,
+          factor.shear_strength * own.shear_strength};
+}
+
 /// A segment by its nodes, in whatever order they stand.
 using Key = std::array<model::Index, 4>;
 Key key_of(Key nodes) {
@@ -74,6 +81,7 @@ class Surfaces {
       : system_(system), model_(system.model), card_(card), thinned_(shells_near_welds(system)) {}
 
   void add(const model::Surface& surface, unsigned side) {
+    surface_ = &surface;
     std::vector<bool> in(model_.parts.size(), surface.everything);
     for (model::Index p : surface.parts) in[at(p)] = true;
     for (std::size_t p = 0; p < in.size(); ++p)
@@ -82,7 +90,7 @@ class Surfaces {
     for (const model::Segment& s : surface.segments) wanted.emplace(key_of(s), false);
     for (std::size_t e = 0; e < model_.shells.size(); ++e) {
       const auto found = wanted.find(key_of(model_.shells.node[e]));
-      if (in[at(model_.shells.part[e])] || found != wanted.end()) add_shell(e, side);
+      if ((in[at(model_.shells.part[e])] || found != wanted.end()) && in_box(model_.shells.node[e])) add_shell(e, side);
       if (found != wanted.end()) found->second = true;
     }
     add_faces(in, wanted, side);
@@ -91,6 +99,11 @@ class Surfaces {
   std::vector<contact::Segment> take() { return std::move(segments_); }
 
  private:
+  bool in_box(const Key& nodes) const {
+    return std::all_of(nodes.begin(), nodes.end(),
+                       [this](model::Index n) { return surface_->holds(system_.ties.x[at(n)]); });
+  }
+
   double stiffness_scale(unsigned side) const {
     return side == tracked ? card_.stiffness_scale_a : card_.stiffness_scale_b;
   }
@@ -115,6 +128,7 @@ class Surfaces {
     s.thickness = thickness(part, model_.shells.thickness[e], side);
     if (thinned_[e]) s.thickness *= model_.control.weld_thinning;
     s.bulk_modulus = stiffness_scale(side) * bulk_modulus(model_, part);
+    s.friction = friction(model_, part, card_.friction);
     s.element = static_cast<int>(e);
     add_segment(key_of(model_.shells.node[e]), s, side);
   }
@@ -136,6 +150,7 @@ class Surfaces {
         if (key[2] == model::none) continue;  // a collapsed face of a wedge or a tetrahedron
         const auto set = wanted.find(key);
         const bool listed = set != wanted.end() && !set->second;
+        if (!in_box(node)) continue;
         if (in[at(model_.solids.part[e])] || listed) found[key].push_back({node, e, listed});
       }
     }
@@ -157,6 +172,7 @@ class Surfaces {
     for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[at(corner[a])];
     const model::Part& part = model_.parts[at(model_.solids.part[solid])];
     s.bulk_modulus = stiffness_scale(side) * bulk_modulus(model_, part);
+    s.friction = friction(model_, part, card_.friction);
     s.volume = volume(model_.solids.node[solid], system_.ties.x);
     s.element = place_of(solid);
     return s;
@@ -180,7 +196,8 @@ class Surfaces {
   const system::System& system_;
   const model::Model& model_;
   const model::Contact& card_;
-  std::vector<char> thinned_;  // shells near welds
+  const model::Surface* surface_ = nullptr;  // being added
+  std::vector<char> thinned_;                // shells near welds
   std::vector<contact::Segment> segments_;
   std::map<Key, std::size_t> place_;
 };
@@ -197,6 +214,7 @@ std::vector<contact::TrackedNode> listed_nodes(const system::System& system, con
     }
   std::vector<contact::TrackedNode> nodes;
   for (model::Index n : card.a.nodes) {
+    if (!card.a.holds(system.ties.x[at(n)])) continue;
     const double own = count[at(n)] > 0 ? sum[at(n)] / count[at(n)] : 0.0;
     const double thickness = (card.thickness_a > 0.0 ? card.thickness_a : own) * card.thickness_scale_a;
     nodes.push_back({system.node_of[at(n)], thickness, reference});
@@ -211,6 +229,16 @@ std::vector<contact::TrackedNode> ends_of_bars(const system::System& system, con
   for (const contact::Edge& bar : bars(system, card))
     for (int n : bar.node) nodes.push_back({n, bar.thickness, tracked});
   return nodes;
+}
+
+/// ENMASS: which nodes an eroding contact keeps when all their elements have died.
+void let_stay(const system::System& system, std::vector<contact::TrackedNode>& nodes) {
+  const model::Model& model = system.model;
+  std::vector<char> of_shell(system.all_nodes(), 0);
+  for (const auto& shell : model.shells.node)
+    for (model::Index n : shell) of_shell[at(system.node_of[at(n)])] = 1;
+  const int keep = model.control.nodes_of_dead;
+  for (contact::TrackedNode& n : nodes) n.stays = keep == 2 || (keep == 1 && !of_shell[at(n.node)]);
 }
 
 /// Both sides' nodes in one list, by node; one on both sides is against both.
@@ -240,7 +268,7 @@ static kernel::PenaltyLaw law_of(const model::Contact& card) {
   law.soft = card.soft != 0;
   law.soft_scale = card.soft_scale;
   law.damping = card.damping;
-  law.friction = card.friction;
+  if (!card.friction_by_part) law.friction = card.friction;
   return law;
 }
 
@@ -267,7 +295,10 @@ contact::SurfaceContactSetup contact_setup(const system::System& system, const m
     }
     setup.nodes = merged(std::move(setup.nodes));
   }
+  if (erodes(card)) let_stay(system, setup.nodes);
   setup.stiffness_scale = system.model.control.penalty_scale;
+  setup.friction_by_part = card.friction_by_part;
+  setup.deepest = card.deepest;
   setup.law = law_of(card);
   setup.birth = card.birth;
   setup.death = card.death;

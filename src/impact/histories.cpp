@@ -395,4 +395,17 @@ output::RcforcState rcforc_state(const Snapshot& now) {
   return s;
 }
 
+output::SleoutState sleout_state(const Snapshot& now) {
+  output::SleoutState s;
+  s.time = now.state.time;
+  s.cycle = now.state.cycle;
+  std::size_t c = 0;
+  for (const model::Contact& card : now.system.model.contacts) {
+    if (!card.slides()) continue;
+    const std::array<double, 2> energy = now.contacts[c++].energy_of_sides();
+    s.rows.push_back({card.id, energy[0], energy[1], card.kind == model::Contact::Kind::single_surface});
+  }
+  return s;
+}
+
 }  // namespace nugget::impact

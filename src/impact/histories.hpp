@@ -12,6 +12,7 @@
 #include "output/rbdout.hpp"
 #include "output/rcforc.hpp"
 #include "output/rwforc.hpp"
+#include "output/sleout.hpp"
 #include "output/spcforc.hpp"
 #include "output/swforc.hpp"
 
@@ -30,5 +31,6 @@ output::SpcforcState spcforc_state(const Snapshot& now);
 output::BndoutState bndout_state(const Snapshot& now);
 output::RbdoutState rbdout_state(const Snapshot& now);
 output::RcforcState rcforc_state(const Snapshot& now);
+output::SleoutState sleout_state(const Snapshot& now);
 
 }  // namespace nugget::impact

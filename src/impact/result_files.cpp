@@ -83,6 +83,9 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
   if (!ask.nodal_force_groups.empty())
     add<output::Nodfor>(ask.nodfor, "nodfor", [](const Snapshot& now) { return now.nodal_forces.state(now.state); });
   if (!ask.history_shells.empty() || !ask.history_solids.empty() || !ask.history_beams.empty()) add_elout();
+  const bool slides =
+      std::any_of(model_.contacts.begin(), model_.contacts.end(), [](const auto& c) { return c.slides(); });
+  if (slides) add<output::Sleout>(ask.sleout, "sleout", sleout_state, contacts);
   if (ask.d3plot.asked()) {
     output::D3plotGeometry geometry = output::d3plot_geometry(system);
     geometry.strains = ask.strains;

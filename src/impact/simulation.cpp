@@ -68,7 +68,9 @@ Simulation::Simulation(system::System& system, Findings& findings)
     }
     treat_initial_penetrations(system, card, setup, state_.x, findings);
     auto edges = edge_setup(system, card, setup, state_.x);
-    contacts_.emplace_back(std::move(setup), std::move(edges), state_.x);
+    std::optional<contact::GlueStrength> glue;
+    if (card.glue.on) glue = {card.glue.normal, card.glue.shear};
+    contacts_.emplace_back(std::move(setup), std::move(edges), glue, state_.x);
   }
   for (const auto& group : system.groups)
     if (auto* springs = dynamic_cast<system::SpringGroup*>(group.get()); springs && springs->has_stops())

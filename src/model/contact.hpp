@@ -15,6 +15,13 @@ struct Surface {
   std::vector<Index> parts;
   std::vector<Index> nodes;       ///< type 4
   std::vector<Segment> segments;  ///< type 0, and shell sets (type 1)
+  /// Of all these only what lies in the box, corners included: nodes, segments with all their nodes.
+  bool boxed = false;
+  Vec3d box_low, box_high;
+  bool holds(const Vec3d& x) const {
+    return !boxed || (x.x >= box_low.x && x.x <= box_high.x && x.y >= box_low.y && x.y <= box_high.y &&
+                      x.z >= box_low.z && x.z <= box_high.z);
+  }
   bool empty() const { return !everything && parts.empty() && nodes.empty() && segments.empty(); }
 };
 
@@ -41,19 +48,27 @@ struct Contact {
   std::string title;
   std::string keyword;
   Kind kind = Kind::single_surface;
+  /// _TIEBREAK: nodes that touch at the start are glued until (normal stress/NFLS)^2 + (shear stress/SFLS)^2 >= 1.
+  struct Glue {
+    bool on = false;
+    double normal = 0.0, shear = 0.0;  ///< NFLS, SFLS; 0: does not count [stress]
+  };
+  Glue glue;
   Offset offset = Offset::projected;  ///< ties
   bool torsion = false;               ///< _WITH_TORSION: twist of a weld becomes in-plane forces
   bool penalty_fallback = false;      ///< IPBACK: springs where a constraint meets another one
   Surface a;                          ///< tracked (SURFA, slave)
   Surface b;                          ///< reference (SURFB, master)
   kernel::Friction friction;
-  double damping = 0.0;  ///< VDC, percent of critical
+  bool friction_by_part = false;  ///< FS = -1: of *PART_CONTACT; `friction` holds the factors on it
+  double damping = 0.0;           ///< VDC, percent of critical
   double birth = 0.0, death = forever;
   double stiffness_scale_a = 1.0, stiffness_scale_b = 1.0;  ///< SFSA, SFSB
   double thickness_a = 0.0, thickness_b = 0.0;              ///< SAST, SBST; negative: tie tolerance
   double thickness_scale_a = 1.0, thickness_scale_b = 1.0;  ///< SFSAT, SFSBT
   int soft = 0;
   double soft_scale = 0.1;
+  double deepest = 0.0;     ///< PENMAX: a node deeper than so many thicknesses is let go; 0: none
   int search_interval = 0;  ///< BSORT; 0: chosen by the program
   int ignore = 0;           ///< IGNORE of optional card D, or the control card's
   Place place;

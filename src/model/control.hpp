@@ -58,6 +58,8 @@ struct Control {
   // *CONTROL_CONTACT
   double penalty_scale = 0.1;         ///< SLSFAC
   int ignore_penetration = 0;         ///< IGNORE
+  int nodes_of_dead = 0;              ///< ENMASS: 1 nodes of dead bricks stay in the contact, 2 of shells too
+  kernel::Friction part_friction;     ///< SFRIC, DFRIC, EDC, VFC: of parts that give none
   bool list_ties = false;             ///< OUTSEG
   int untied_weld = 0;                ///< SPOTSTP
   Place untied_weld_place;            ///< where it stands; no line: nowhere

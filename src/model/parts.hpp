@@ -9,6 +9,7 @@
 
 #include "base/finding.hpp"
 #include "base/vec3.hpp"
+#include "kernel/contact/penalty.hpp"
 #include "kernel/law/compound.hpp"
 #include "kernel/law/discrete_beam.hpp"
 #include "kernel/law/elastic.hpp"
@@ -107,6 +108,7 @@ struct Part {
   double contact_thickness = 0.0;  ///< OPTT of *PART_CONTACT (0: none given) [length]
   double contact_scale = 1.0;      ///< SFT
   double stiffness_scale = 1.0;    ///< SSF
+  kernel::Friction friction;       ///< FS, FD, DC, VC: of contacts with FS = -1
   double drilling = 0.0;           ///< factor on the usual stiffness of its shells against drilling: DRCPRM; 0: none
   Place place;
 };

@@ -29,7 +29,7 @@ struct NamedEntity {
 /// The *DATABASE_... cards.
 struct Requests {
   Request glstat, matsum, nodout, swforc, dcfail, rwforc, spcforc, bndout, rbdout, rcforc, secforc, elout, deforc,
-      jntforc, nodfor;
+      jntforc, nodfor, sleout;
   Request d3plot;  ///< interval; `binary` unused
   std::vector<NamedEntity> history_nodes, history_shells, history_solids, history_beams;
   std::vector<CrossSection> cross_sections;         ///< of secforc

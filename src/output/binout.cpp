@@ -321,6 +321,20 @@ void Binout::write(const RcforcState& s) {
   end_state();
 }
 
+void Binout::write(const SleoutState& s) {
+  if (begin_state("sleout", collect(s.rows, [](const SleoutRow& r) { return r.contact; })))
+    integers("single_sided", collect(s.rows, [](const SleoutRow& r) { return r.single_surface ? 1 : 0; }));
+  begin_data("sleout");
+  real("time", s.time);
+  integer("cycle", s.cycle);
+  reals("slave", collect(s.rows, [](const SleoutRow& r) { return r.tracked; }));
+  reals("master", collect(s.rows, [](const SleoutRow& r) { return r.reference; }));
+  real("total_slave", s.total_tracked());
+  real("total_master", s.total_reference());
+  real("total_energy", s.total_tracked() + s.total_reference());
+  end_state();
+}
+
 bool Binout::begin_state(const std::string& path, std::vector<int> ids) {
   Branch& branch = branches_[path];
   if (++branch.states > 1) {

@@ -18,6 +18,7 @@
 #include "output/rcforc.hpp"
 #include "output/rwforc.hpp"
 #include "output/secforc.hpp"
+#include "output/sleout.hpp"
 #include "output/spcforc.hpp"
 #include "output/swforc.hpp"
 
@@ -33,7 +34,7 @@ class Binout {
   /// Creates `directory/binout0000`. Throws WriteError.
   Binout(const std::filesystem::path& directory, Header header);
 
-  /// Headings for a branch (`matsum`, `nodout`, `elout/shell`); to be given before its first state.
+  /// Headings for a branch (`matsum`, `nodout`, `sleout`, `elout/shell`); to be given before its first state.
   void set_legend(const std::string& branch, std::vector<LegendEntry> legend);
 
   void write(const GlstatState& state);
@@ -45,6 +46,7 @@ class Binout {
   void write(const BndoutState& state);
   void write(const RbdoutState& state);
   void write(const RcforcState& state);
+  void write(const SleoutState& state);
   void write(const DcfailState& state);
   void write(const DeforcState& state);
   void write(const JntforcState& state);

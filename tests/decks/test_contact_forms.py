@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Forms and fields of sliding contacts, each by what it does to two small plates."""
+"""Forms and fields of sliding contacts, each by what it does to two small plates: glue, friction by part, boxes, PENMAX,
+eroding bricks, edges; sleout; and what is refused."""
 import sys
 import unittest
 
@@ -30,7 +31,7 @@ def plates(contact, motion, end, gap=1.0, parts="PART", options=(), extra=None):
     d.card(endtim=end)
     d.keyword("CONTROL_ENERGY")
     d.card(hgen=2, rwen=2, slnten=2, rylen=2)
-    for name in ("GLSTAT", "RCFORC"):
+    for name in ("GLSTAT", "RCFORC", "SLEOUT"):
         d.keyword("DATABASE_" + name)
         d.card(dt=end / 100)
     for pid in (LOWER, UPPER):
@@ -92,6 +93,63 @@ class ContactForms(CommandTest):
     def run_deck(self, text):
         self.write(text)
         return self.nugget("run", "model.k", "--quiet", "-j", 1)
+
+    def test_glue_holds_to_its_strength_in_tension_and_shear(self):
+        """Sabotage: the area of the segment instead of the node's; glue on both sides."""
+        for dof, strength, component in ((3, "nfls", 3), (1, "sfls", 1)):
+            glue = {"option": 2, "nfls": 0.0, "sfls": 0.0, strength: 10.0}
+            text = plates(sliding("AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", **glue), {dof: 10.0}, 2.0e-4)
+            self.run_deck(text)
+            force = [abs(row[component]) for row in self.rows()]
+            self.assertAlmostEqual(max(force) / (10.0 * SIDE * SIDE), 1.0, delta=0.05)
+            self.assertEqual(force[-1], 0.0)
+
+    def test_glue_of_another_kind_is_refused(self):
+        self.write(plates(sliding("AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", option=9, nfls=1.0, sfls=1.0), {3: 10.0}, 1e-4))
+        self.assertIn("option = 9", self.nugget("check", "model.k", expect=1).stderr)
+
+    def test_friction_of_the_parts(self):
+        """FS = -1: the mean of both parts'. The plate is pressed down, then drawn along. Sabotage: of one part alone."""
+        cards = ({"fs": 0.1, "fd": 0.1, "dc": 0.0, "vc": 0.0, "optt": 0.0, "sft": 1.0, "ssf": 1.0},)
+        text = plates(sliding(fs=-1.0), {3: -20.0, 1: 200.0}, 1.0e-4, parts="PART_CONTACT", options=cards)
+        first, second = text.index("       0.1"), text.rindex("       0.1       0.1")
+        self.assertNotEqual(first, second)
+        text = text[:second] + "       0.3       0.3" + text[second + 20:]
+        self.run_deck(text)
+        _, x, _, z = self.rows()[-1]
+        self.assertGreater(z, 0.0)
+        self.assertAlmostEqual(-x / z, 0.2, 3)
+
+    def test_only_what_lies_in_the_box(self):
+        """A box around a quarter of the upper plate: a quarter of the force, about. Sabotage: the box not looked at."""
+        force = {}
+        for box in (0, 5):
+            def boxed(d):
+                d.keyword("DEFINE_BOX")
+                d.card(boxid=5, xmn=-1.0, xmx=10.1, ymn=-1.0, ymx=10.1, zmn=-1.0, zmx=2.0)
+            self.run_deck(plates(sliding("AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", boxes=(box, 0)), {3: -20.0}, 1.0e-4,
+                                 extra=boxed))
+            force[box] = self.rows()[-1][3]
+        self.assertGreater(force[0], 0.0)
+        self.assertTrue(0.15 < force[5] / force[0] < 0.45, force)
+
+    def test_a_node_too_deep_is_let_go(self):
+        """PENMAX = 0.05 thicknesses. Sabotage: the field not obeyed."""
+        for penmax, pressed in ((None, True), (0.05, False)):
+            self.run_deck(plates(sliding(penmax=penmax), {3: -1000.0}, 1.0e-4))
+            force = [row[3] for row in self.rows()]
+            self.assertGreater(max(force), 0.0)
+            self.assertEqual(force[-1] > 0.0, pressed, penmax)
+
+    def test_sleout_adds_up_to_glstat(self):
+        self.run_deck(plates(sliding(), {3: -1000.0}, 5.0e-5))
+        lines = self.read("sleout").splitlines()
+        total = [float(line.split("=")[1]) for line in lines if "total energy" in line]
+        glstat = [float(line.split()[-1]) for line in self.read("glstat").splitlines() if "sliding interface" in line]
+        self.assertEqual(len(total), len(glstat))
+        self.assertGreater(glstat[-1], 0.0)
+        for ours, theirs in zip(total, glstat):
+            self.assertAlmostEqual(ours, theirs, delta=1e-5 * max(glstat))
 
     def test_initial_penetrations_are_reported(self):
         """IGNORE of *CONTROL_CONTACT holds. Sabotage: its field not used; a node or shell of another number."""

@@ -36,6 +36,12 @@ struct Friction {
   }
 };
 
+/// Friction of two surfaces that differ. Ours: half of each; the keyword manual names no rule.
+inline Friction mean(const Friction& a, const Friction& b) {
+  return {0.5 * (a.at_rest + b.at_rest), 0.5 * (a.sliding + b.sliding), 0.5 * (a.decay + b.decay),
+          0.5 * (a.shear_strength + b.shear_strength)};
+}
+
 /// What the pair law needs to know of a contact.
 struct PenaltyLaw {
   bool soft = false;  ///< SOFT = 1: the stiffness that the step allows counts too, for soft material against stiff

@@ -52,8 +52,8 @@ struct TetrahedronForces {
 /// for a tetrahedron alone. The length of the bulk viscosity is the wave speed times this step.
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with Compound.
-/// Hourglass data of `solid` are not used. Source: Zienkiewicz, Taylor, The Finite Element Method, vol. 1, constant-strain tetrahedron; the bound
-/// follows from |sum u_I b_I^T|^2 <= g |u|^2.
+/// Hourglass data of `solid` are not used. Source: Zienkiewicz, Taylor, The Finite Element Method, vol. 1,
+/// constant-strain tetrahedron; the bound follows from |sum u_I b_I^T|^2 <= g |u|^2.
 template <class R, class Law>
 TetrahedronForces<R> tetrahedron_cycle(const HexahedronProperties& solid, const Prepared<Law>& law,
                                        const TetrahedronMotion<R>& nodes, double dt, double* state);

@@ -40,8 +40,8 @@ Card sides_card(IdSpace a, IdSpace b) {
               "0 segment set, 1 shell set, 2 part set, 3 part, 4 node set, 5 all, 6 all but a part set, 7 branch of "
               "parts (*SET_PART_TREE)"),
       integer("surfbtyp", 0, between(0, 7), "the same, without 4"),
-      id("saboxid", IdSpace::define, 0, "box of the tracked side: not built"),
-      id("sbboxid", IdSpace::define, 0, "box of the reference side: not built"),
+      id("saboxid", IdSpace::define, 0, "only what lies in this box, of the tracked side"),
+      id("sbboxid", IdSpace::define, 0, "only what lies in this box, of the reference side"),
       integer("sapr", 0, any_value, "forces of the tracked side in ncforc and intfor"),
       integer("sbpr", 0, any_value, "forces of the reference side in ncforc and intfor"),
   }};
@@ -52,7 +52,7 @@ const Card sides_set_part = sides_card(IdSpace::set, IdSpace::part);
 const Card sides_of_parts = sides_card(IdSpace::part, IdSpace::part);
 
 const Card friction_card{{
-    real("fs", dimension::number, 0, any_value, "static friction; ties have none"),
+    real("fs", dimension::number, 0, any_value, "static friction; -1: of *PART_CONTACT; ties have none"),
     real("fd", dimension::number, 0, any_value, "dynamic friction"),
     real("dc", dimension::number, 0, any_value, "decay from the static to the dynamic coefficient"),
     real("vc", dimension::stress, 0, any_value, "viscous friction"),
@@ -83,7 +83,7 @@ const Card card_a{{
     integer("frcfrq", 1, any_value, "cycles between forces; here each cycle"),
 }};
 const Card card_b{{
-    real("penmax", dimension::number, 0, any_value, "largest penetration"),
+    real("penmax", dimension::number, 0, at_least(0), "a node deeper than so many thicknesses is let go; 0: never"),
     integer("thkopt", 0, any_value, "thickness option of contacts that are not automatic"),
     integer("shlthk", 0, any_value, "the same"),
     integer("snlog", 0, any_value, "nodes that penetrate far within a cycle"),
@@ -140,6 +140,17 @@ const Card eroding_card{{
     integer("iadj", 0, any_value, "faces between materials take part where the parts are all in the contact"),
 }};
 
+const Card tiebreak_card{{
+    integer("option", 0, only(2), "2: what touches at the start is glued until it fails"),
+    real("nfls", dimension::stress, 0, at_least(0), "normal stress at which it fails; 0: does not count"),
+    real("sfls", dimension::stress, 0, at_least(0), "shear stress at which it fails; 0: does not count"),
+    real("param", dimension::number, 0, any_value, "of other options"),
+    real("eraten", dimension::number, 0, any_value, "of other options"),
+    real("erates", dimension::number, 0, any_value, "of other options"),
+    real("ct2cn", dimension::number, 1, any_value, "of other options"),
+    real("cn", dimension::number, 0, any_value, "of other options"),
+}};
+
 // ---- sides
 // -----------------------------------------------------------------------------------------------------------------
 
@@ -192,6 +203,23 @@ Surface surface_of(Builder& builder, const Row& row, std::string_view field, std
   return surface;
 }
 
+void take_box(Builder& builder, const Row& row, std::string_view field, Surface& surface) {
+  const Box* box = builder.box(row, field);
+  if (box == nullptr) return;
+  surface.boxed = true;
+  surface.box_low = box->low;
+  surface.box_high = box->high;
+}
+
+void take_boxes(Builder& builder, const Row& row, Contact& contact) {
+  for (const std::string_view field : {"saboxid", "sbboxid"})
+    if (row.integer(field) < 0)
+      refuse(builder, row, field, "a box that moves on is not built; expected the id of a *DEFINE_BOX",
+             "give the id without its sign: what lies in the box at the start takes part");
+  take_box(builder, row, "saboxid", contact.a);
+  take_box(builder, row, "sbboxid", contact.b);
+}
+
 void take_single_surface(Builder& builder, const Row& row, Contact& contact) {
   if (row.integer("surfatyp") == 4)
     return refuse(builder, row, "surfatyp", "a single surface has no node set for a side",
@@ -235,15 +263,21 @@ void take_tie(Builder& builder, const Row& row, Contact& contact) {
 // --------------------------------------------------------------------------------------------
 
 void take_friction(Builder& builder, const Row& row, Contact& contact) {
-  if (contact.slides())
+  contact.friction_by_part = contact.slides() && row.real("fs") == -1.0;
+  if (contact.slides() && !contact.friction_by_part)
     for (const std::string_view field : {"fs", "fd", "dc", "vc"})
       if (row.real(field) < 0.0)
-        refuse(builder, row, field, "friction by part, table or function is not built; expected 0 or more",
-               "give the coefficients here");
+        refuse(builder, row, field, "friction by table or function is not built; expected 0 or more, or FS = -1",
+               "give the coefficients here, or in *PART_CONTACT with FS = -1");
   if (contact.slides() && row.real("fs") == 2.0)
     row.complain(builder.findings, Severity::warning, "fs",
                  "is taken as a coefficient; LS-DYNA reads 2 as friction from a table", "give 1.99 or 2.01");
   contact.friction = {row.real("fs"), row.real("fd"), row.real("dc"), row.real("vc")};
+  if (contact.friction_by_part) contact.friction = {1.0, 1.0, 0.0, 1.0};
+  if (contact.friction_by_part && checks_edges(contact))
+    row.complain(builder.findings, Severity::warning, "fs",
+                 "friction of the parts acts on nodes against segments; edges slide on each other without",
+                 "give FS and FD here if edges are to rub");
   contact.damping = row.real("vdc");
   contact.birth = row.real("bt");
   contact.death = death_time(row.real("dt"));
@@ -268,6 +302,12 @@ void take_scales(Builder& builder, const Row& row, Contact& contact) {
   contact.friction.shear_strength *= row.real("vsf");
 }
 
+void take_glue(const Row& row, Contact& contact) {
+  contact.glue.on = true;
+  contact.glue.normal = row.real("nfls");
+  contact.glue.shear = row.real("sfls");
+}
+
 // ---- optional cards A to F
 // ---------------------------------------------------------------------------------------------------
 
@@ -288,13 +328,13 @@ void take_a(Builder& builder, const Row& row, Contact& contact) {
   expect(builder, row, Severity::error, {{"lcidab", 0, "airbag contact is not built"}});
 }
 
-void take_b(Builder& builder, const Row& row, const Contact& contact) {
+void take_b(Builder& builder, const Row& row, Contact& contact) {
   if (contact.tie()) return;
   expect(builder, row, Severity::error,
          {{"sldthk", 0, "a contact thickness on solids is not built"},
           {"sldstf", 0, "a contact stiffness on solids is not built"}});
-  expect(builder, row, Severity::warning,
-         {{"penmax", 0, left}, {"snlog", 0, left}, {"isym", 0, left}, {"i2d3d", 0, left}});
+  expect(builder, row, Severity::warning, {{"snlog", 0, left}, {"isym", 0, left}, {"i2d3d", 0, left}});
+  contact.deepest = row.real("penmax");
 }
 
 void take_c(Builder& builder, const Row& row, Contact& contact) {
@@ -398,11 +438,14 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   contact.title = heading.text;
   skip_mpp(cursor, options);
   const Row sides = cursor.read(card_of_sides(cursor));
-  expect(builder, sides, Severity::error,
-         {{"saboxid", 0, "a box around a side is not built"}, {"sbboxid", 0, "a box around a side is not built"}});
+  if (!contact.slides())
+    expect(builder, sides, Severity::error,
+           {{"saboxid", 0, "a box around a side of a tie or a transducer is not built"},
+            {"sbboxid", 0, "a box around a side of a tie or a transducer is not built"}});
   take_friction(builder, cursor.read(friction_card), contact);
   take_scales(builder, cursor.read(scale_card), contact);
   if (erodes(contact) && cursor.more()) cursor.read(eroding_card);
+  if (options.contains("TIEBREAK")) take_glue(cursor.read(tiebreak_card), contact);
   take_optional_cards(builder, cursor, contact);
   builder.later(Phase::conditions, [sides, contact = std::move(contact)](Builder& b) mutable {
     if (kind == Kind::single_surface)
@@ -413,6 +456,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
       take_transducer(b, sides, contact);
     else
       take_tie(b, sides, contact);
+    if (contact.slides()) take_boxes(b, sides, contact);
     if (contact.ignore == 0) contact.ignore = b.model.control.ignore_penetration;
     if (contact.id == 0) contact.id = static_cast<int>(b.model.contacts.size()) + 1;
     b.model.contacts.push_back(std::move(contact));
@@ -422,6 +466,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
 template <Kind kind>
 Keyword contact_keyword(std::string_view name, std::vector<std::string_view> forms = {}) {
   forms.insert(forms.end(), {"ID", "TITLE", "MPP"});
+  const bool glued = std::find(forms.begin(), forms.end(), "TIEBREAK") != forms.end();
   std::vector<LayoutCard> layout{{"with _ID or _TITLE", &heading_card},
                                  {"with _MPP; read past", &mpp_card1},
                                  {"with _MPP, if it begins with &; read past", &mpp_card2},
@@ -429,6 +474,7 @@ Keyword contact_keyword(std::string_view name, std::vector<std::string_view> for
                                  {{}, &friction_card},
                                  {{}, &scale_card}};
   if (name.starts_with("CONTACT_ERODING")) layout.push_back({{}, &eroding_card});
+  if (glued) layout.push_back({"with _TIEBREAK", &tiebreak_card});
   layout.insert(layout.end(), {{"optional card A", &card_a},
                                {"optional card B", &card_b},
                                {"optional card C", &card_c},
@@ -447,8 +493,8 @@ Keyword refused(std::string_view name, std::string_view why) {
 std::vector<Keyword> contact_keywords() {
   return {
       contact_keyword<Kind::single_surface>("CONTACT_AUTOMATIC_SINGLE_SURFACE", {"MORTAR"}),
-      contact_keyword<Kind::two_surfaces>("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", {"MORTAR"}),
-      contact_keyword<Kind::one_way>("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE"),
+      contact_keyword<Kind::two_surfaces>("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", {"TIEBREAK", "MORTAR"}),
+      contact_keyword<Kind::one_way>("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", {"TIEBREAK"}),
       contact_keyword<Kind::one_way>("CONTACT_AUTOMATIC_NODES_TO_SURFACE"),
       contact_keyword<Kind::single_surface>("CONTACT_AUTOMATIC_GENERAL", {"INTERIOR"}),
       contact_keyword<Kind::single_surface>("CONTACT_ERODING_SINGLE_SURFACE"),
@@ -477,8 +523,8 @@ std::vector<Keyword> contact_keywords() {
       refused("CONTACT_AUTOMATIC_SINGLE_SURFACE_*", "this form is not built; use *CONTACT_AUTOMATIC_SINGLE_SURFACE"),
       refused("CONTACT_AUTOMATIC_GENERAL_*",
               "this form is not built; *CONTACT_AUTOMATIC_GENERAL and *CONTACT_AUTOMATIC_GENERAL_INTERIOR are"),
-      refused("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK*", "contact that glues and breaks is not built"),
-      refused("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK*", "contact that glues and breaks is not built"),
+      refused("CONTACT_AUTOMATIC_SINGLE_SURFACE_TIEBREAK*",
+              "glue is built between two surfaces; use *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
       refused("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_*", "this form is not built; use it without the last word"),
       refused("CONTACT_FORCE_TRANSDUCER_*", "this transducer is not built; *CONTACT_FORCE_TRANSDUCER_PENALTY is"),
       refused("CONTACT_INTERIOR*", "contact inside soft solids is not built"),

@@ -74,7 +74,8 @@ const Card contact_card_1{{
     integer("penopt", 1, any_value, "choice of the penalty stiffness: 1"),
     flag("thkchg", "1: thinning of shells in contact"),
     flag("orien", "turning of segments, no effect on automatic contacts"),
-    integer("enmass", 0, any_value, "contact of nodes of deleted elements: 0"),
+    integer("enmass", 0, between(0, 2),
+            "nodes without elements in eroding contact: 0 leave it, 1 of bricks stay, 2 all stay"),
 }};
 
 const Card contact_card_2{{
@@ -89,10 +90,11 @@ const Card contact_card_2{{
 }};
 
 const Card contact_card_3{{
-    factor("sfric", 0, "for contacts with FS = -1, no effect on others"),
-    factor("dfric", 0, "for contacts with FS = -1, no effect on others"),
-    factor("edc", 0, "for contacts with FS = -1, no effect on others"),
-    factor("vfc", 0, "for contacts with FS = -1, no effect on others"),
+    real("sfric", dimension::number, 0, at_least(0),
+         "static friction of parts that give none, for contacts with FS = -1"),
+    real("dfric", dimension::number, 0, at_least(0), "dynamic friction of these"),
+    real("edc", {0, -1, 1}, 0, at_least(0), "decay of their friction"),
+    real("vfc", dimension::stress, 0, at_least(0), "viscous friction of these"),
     real("th", dimension::length, 0, only(0), "contact thickness of all parts"),
     real("th_sf", dimension::number, 0, only(0), "scale of all contact thicknesses"),
     real("pen_sf", dimension::number, 0, only(0), "scale of all contact stiffnesses"),
@@ -302,7 +304,7 @@ void check_wall_penalty(Builder& b, const Row& row) {
 void read_contact(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   const Row one = cursor.read(contact_card_1), two = cursor.read(contact_card_2);
-  cursor.read(contact_card_3);
+  const Row three = cursor.read(contact_card_3);
   const Row four = cursor.read(contact_card_4);
   const Row five = cursor.read(contact_card_5);
   const Row six = cursor.read(contact_card_6);
@@ -310,8 +312,7 @@ void read_contact(Builder& b, const Block& block, const Options&) {
   expect_end(b, cursor);
   expect(b, one, Severity::warning,
          {{"penopt", 1, "not obeyed: the smaller stiffness of node and segment is used, as with 1"},
-          {"thkchg", 0, "not obeyed: contact sees the initial thickness, as with 0"},
-          {"enmass", 0, "not obeyed: nodes without elements leave the contact, as with 0"}});
+          {"thkchg", 0, "not obeyed: contact sees the initial thickness, as with 0"}});
   expect(b, six, Severity::warning,
          {{"shledg", 0, "not obeyed: shell edges are round, as with 0"},
           {"shltrw", 0, "not obeyed: rigid walls stop the mid-surface of shells, as with 0"},
@@ -320,6 +321,8 @@ void read_contact(Builder& b, const Block& block, const Options&) {
   Control& c = b.model.control;
   c.penalty_scale = one.real("slsfac");
   c.keep_tied_gap = two.integer("tiedprj") == 1;
+  c.nodes_of_dead = one.integer("enmass");
+  c.part_friction = {three.real("sfric"), three.real("dfric"), three.real("edc"), three.real("vfc")};
   c.ignore_penetration = four.integer("ignore");
   c.list_ties = four.integer("outseg") == 1;
   c.untied_weld = four.integer("spotstp");

@@ -329,6 +329,7 @@ std::vector<Keyword> database_keywords() {
       file_keyword<&Requests::rcforc>("DATABASE_RCFORC"),
       file_keyword<&Requests::deforc>("DATABASE_DEFORC"),
       file_keyword<&Requests::jntforc>("DATABASE_JNTFORC"),
+      file_keyword<&Requests::sleout>("DATABASE_SLEOUT"),
       {"DATABASE_BINARY_D3PLOT",
        {},
        {},
@@ -360,7 +361,6 @@ std::vector<Keyword> database_keywords() {
       history_keyword<beam_history, false>("DATABASE_HISTORY_BEAM", element_ids, element_id_heading),
       history_keyword<beam_history, true>("DATABASE_HISTORY_BEAM_SET", set_ids, set_id_heading),
 
-      not_written("DATABASE_SLEOUT", "energies of each contact (sleout) are not written yet; glstat holds their sum"),
       not_written("DATABASE_NCFORC", "contact forces by node (ncforc) are not written yet; rcforc holds their sums"),
       not_written("DATABASE_DISBOUT", "discrete beams (disbout) are not written; there are none"),
       not_written("DATABASE_ABSTAT", "airbags (abstat) are not written; there are none"),

@@ -133,6 +133,7 @@ void read_contact(Cursor& cursor, Part& part) {
   part.contact_thickness = row.real("optt");
   part.contact_scale = row.real("sft");
   part.stiffness_scale = row.real("ssf");
+  part.friction = {row.real("fs"), row.real("fd"), row.real("dc"), row.real("vc")};
 }
 
 void read_part(Builder& b, const Block& block, const Options& options) {

@@ -101,7 +101,7 @@ TEST(Binout, GlstatLeavesOutWhatIsAbsent) {
   s.velocity = {1.0, 2.0, 3.0};
   file.write(s);
   const Lsda lsda(content(scratch / "binout0000"));
-  EXPECT_EQ(lsda.text("/glstat/metadata/element_types"), "solid,beam,shell,thick shell");
+  EXPECT_EQ(lsda.text("/glstat/metadata/element_types"), "solid,beam,shell,thick shell,discrete");
   EXPECT_THAT(lsda.integers("/glstat/d000001/cycle"), ElementsAre(42));
   EXPECT_THAT(lsda.integers("/glstat/d000001/ts_eltype"), ElementsAre(3));
   EXPECT_THAT(lsda.integers("/glstat/d000001/ts_element"), ElementsAre(17));
@@ -145,6 +145,18 @@ TEST(Binout, HoldsPartsNodesWallsAndContacts) {
   EXPECT_THAT(lsda.reals("/rwforc/forces/d000001/y_force"), ElementsAre(4.0));
   EXPECT_THAT(lsda.integers("/rcforc/metadata/side"), ElementsAre(1));
   EXPECT_THAT(lsda.reals("/rcforc/d000001/z_force"), ElementsAre(3.0));
+}
+
+TEST(Binout, HoldsTheEnergiesOfContacts) {
+  Scratch scratch;
+  Binout file(scratch.path, header);
+  file.write(SleoutState{0.5, 7, {{3, 2.0, 0.0, true}, {4, 5.0, -1.0, false}}});
+  const Lsda lsda(content(scratch / "binout0000"));
+  EXPECT_THAT(lsda.integers("/sleout/metadata/ids"), ElementsAre(3, 4));
+  EXPECT_THAT(lsda.integers("/sleout/metadata/single_sided"), ElementsAre(1, 0));
+  EXPECT_THAT(lsda.reals("/sleout/d000001/slave"), ElementsAre(2.0, 5.0));
+  EXPECT_THAT(lsda.reals("/sleout/d000001/master"), ElementsAre(0.0, -1.0));
+  EXPECT_THAT(lsda.reals("/sleout/d000001/total_energy"), ElementsAre(6.0));
 }
 
 TEST(Binout, HoldsSupportsAndRigidBodies) {

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/glue.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace nugget::contact {
+namespace {
+
+/// A heavy plate of one segment, 10 x 10 x 1, and one above it of the same size, whose four nodes are glued to it.
+struct TwoPlates {
+  SurfaceContactSetup setup;
+  std::vector<Row> x, v, force;
+  std::vector<double> mass;
+  std::vector<unsigned char> alive{1, 1};
+
+  TwoPlates() {
+    for (int p = 0; p < 2; ++p) {
+      const double low = p == 0 ? -20.0 : -5.0, high = -low, z = p;
+      for (const Vec3d& c : {Vec3d{low, low, z}, Vec3d{high, low, z}, Vec3d{high, high, z}, Vec3d{low, high, z}}) {
+        x.push_back({c.x, c.y, c.z, 0.0});
+        mass.push_back(p == 0 ? 1e10 : 1e-5);
+      }
+      Segment s;
+      s.node = {4 * p, 4 * p + 1, 4 * p + 2, 4 * p + 3};
+      s.thickness = 1.0;
+      s.bulk_modulus = 1e5;
+      s.element = p;
+      s.side = p == 0 ? 2 : 1;
+      setup.segments.push_back(s);
+    }
+    v.resize(8);
+    setup.nodes = nodes_of(setup.segments, 1, 2);
+  }
+  void pull(Glue& glue, const Vec3d& displacement) {
+    for (std::size_t n = 4; n < 8; ++n) nugget::add(x[n], displacement);
+    force.assign(8, {});
+    glue.apply(0.0, 0.0, x, v, mass, alive, force);
+  }
+};
+
+constexpr double area = 25.0;  // of a node
+// That of the lower segment, by area.
+const double stiffness = 0.1 * 1e5 * 1600.0 / (40.0 * std::sqrt(2.0)) * area / 1600.0;
+
+// The force is that of the spring; at (25 area) x strength the node is let go. Sabotage: the area of the whole segment.
+TEST(Glue, FailsAtItsStrengthInTension) {
+  TwoPlates s;
+  Glue glue(s.setup, {10.0, 0.0}, s.x);
+  EXPECT_EQ(glue.size(), 4u);
+  const double at_failure = 10.0 * area / stiffness;
+  s.pull(glue, {0, 0, 0.99 * at_failure});
+  EXPECT_EQ(glue.failed(), 0);
+  EXPECT_NEAR(s.force[4].z, -0.99 * 10.0 * area, 1e-9);
+  Vec3d sum;
+  for (const Row& f : s.force) sum += vec(f);
+  EXPECT_NEAR(norm(sum), 0.0, 1e-12 * 10.0 * area);
+  s.pull(glue, {0, 0, 0.02 * at_failure});
+  EXPECT_EQ(glue.failed(), 4);
+  EXPECT_EQ(s.force[4].z, 0.0);
+  EXPECT_EQ(glue.glued(), (std::vector<unsigned char>{0, 0, 0, 0}));
+}
+
+TEST(Glue, TensionAndShearAddUpByTheirSquares) {
+  for (const double share : {0.99, 1.01}) {
+    TwoPlates s;
+    Glue glue(s.setup, {10.0, 20.0}, s.x);
+    const double c = share * area / stiffness;
+    s.pull(glue, {20.0 * std::sqrt(0.5) * c, 0.0, 10.0 * std::sqrt(0.5) * c});
+    EXPECT_EQ(glue.failed(), share > 1.0 ? 4 : 0);
+  }
+}
+
+TEST(Glue, CompressionDoesNotFailIt) {
+  TwoPlates s;
+  Glue glue(s.setup, {10.0, 20.0}, s.x);
+  s.pull(glue, {0, 0, -100.0 * area / stiffness});
+  EXPECT_EQ(glue.failed(), 0);
+  EXPECT_NEAR(s.force[4].z, 100.0 * area, 1e-9);
+}
+
+TEST(Glue, GoesWithItsShell) {
+  TwoPlates s;
+  Glue glue(s.setup, {10.0, 20.0}, s.x);
+  s.alive = {0, 1};
+  s.pull(glue, {});
+  EXPECT_EQ(glue.failed(), 4);
+}
+
+TEST(Glue, HoldsOnlyWhatTouches) {
+  TwoPlates s;
+  for (std::size_t n = 4; n < 6; ++n) s.x[n].z += 0.06;
+  EXPECT_EQ(Glue(s.setup, {10.0, 20.0}, s.x).size(), 2u);
+}
+
+}  // namespace
+}  // namespace nugget::contact
