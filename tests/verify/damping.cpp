@@ -169,8 +169,9 @@ Decay chain(int mode, double coefficient) {
     time.push_back(now.state.time);
     value.push_back(experiment.displacement(now, grid(n, 0)).x);
   });
+  // The step goes with the bricks' lengths, which the account of the kinetic energy follows to this order only.
   expect_reference("damping", fmt::format("chain, mode {}: energy balance, of the kinetic energy", mode),
-                   energy.worst(), 0.0, 1e-6, 1.0);
+                   energy.worst(), 0.0, 1e-5, 1.0);
   return {time, value};
 }
 
