@@ -101,13 +101,12 @@ void Rivets::hold(system::State& state, double kick, const std::vector<double>& 
 /// The line from node 1 to node 2 when the step is over.
 static Vec3d line_after(const std::array<std::size_t, 2>& node, const std::array<Matrix, 2>& mobility,
                         const system::State& state, double kick, const std::vector<double>& inverse_mass) {
-  std::array<Vec3d, 2> x;
-  for (std::size_t end = 0; end < 2; ++end) {
+  const auto step = [&](std::size_t end) {
     const std::size_t k = node[end];
-    const Vec3d v = vec(state.v[k]) + kick * inverse_mass[k] * vec(state.f[k]);
-    x[end] = vec(state.x[k]) + state.dt * times(mobility[end], v);
-  }
-  return x[1] - x[0];
+    return state.dt * times(mobility[end], vec(state.v[k]) + kick * inverse_mass[k] * vec(state.f[k]));
+  };
+  // Differences first: far from the origin a sum of coordinates would be too coarse for the accuracy asked for.
+  return (vec(state.x[node[1]]) - vec(state.x[node[0]])) + (step(1) - step(0));
 }
 
 double Rivets::miss(const Rivet& rivet, const system::State& state, double kick,
