@@ -69,7 +69,8 @@ class Swforc(CommandTest):
             elif row[4] > 1.501e-5:
                 self.assertEqual(row[2], 0.0)
         self.assertEqual((weld["kind"], weld["failed"], weld["failure_mode"]), ("rigid", "yes", "failure time"))
-        self.assertAlmostEqual(float(weld["failure_time"]) / 1.5e-5, 1.0, delta=0.02)
+        late = float(weld["failure_time"]) - 1.5e-5
+        self.assertTrue(0.0 <= late <= self.json("summary.json")["time_step"]["first"], late)
         self.assertIn("rivet failed  id=     901", self.read("run.log"))
 
     def test_a_leaning_rivet_is_a_finding(self):
