@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/index.hpp"
+#include "nvh/stresses.hpp"
 #include "output/binout.hpp"
 #include "output/model_geometry.hpp"
 
@@ -22,7 +23,8 @@ Vec3d rotation(const Six& s) {
 /// The states of all files; `share` 0: at rest, 1: solved.
 class States {
  public:
-  States(const Matrices& matrices, const Statics& statics) : m_(matrices), s_(statics), model_(m_.system.model) {}
+  States(const Matrices& matrices, const Statics& statics)
+      : m_(matrices), s_(statics), model_(m_.system.model), stresses_(m_.system, s_.motion) {}
 
   double time(double share) const { return share * model_.control.end_time; }
 
@@ -36,16 +38,11 @@ class States {
       state.parts[p].mass = m_.system.part_mass(static_cast<model::Index>(p));
     }
     state.wall_forces.resize(at(geometry.rigid_walls));
-    state.x = model_.nodes.x;
+    state.x = m_.system.ties.x;
     state.v.resize(state.x.size());
     state.a.resize(state.x.size());
     for (std::size_t n = 0; n < state.x.size(); ++n) state.x[n] += share * displacement(n);
-    state.solids.resize(model_.solids.size());
-    state.beams.resize(model_.beams.size());
-    state.beam_points.resize(model_.beams.size() * at(geometry.beam_points));
-    state.shells.resize(model_.shells.size());
-    state.shell_layers.resize(model_.shells.size() * at(geometry.layers));
-    for (std::size_t e = 0; e < model_.shells.size(); ++e) state.shells[e].thickness = model_.shells.thickness[e];
+    stresses_.fill(share, state);
     return state;
   }
 
@@ -164,6 +161,7 @@ class States {
   const Matrices& m_;
   const Statics& s_;
   const model::Model& model_;
+  ElasticStresses stresses_;
 };
 
 }  // namespace

@@ -239,9 +239,7 @@ void check_statics(const model::Model& model, Findings& findings) {
                                  model.walls.size()));
   if (!model.initial_velocity.empty() || !model.initial_spin.empty())
     findings.warning(deck, keyword, "initial velocities take no part in linear statics");
-  findings.note(deck, keyword,
-                "linear statics: materials are elastic, welds do not fail, geometry is that of time 0; stresses of "
-                "elements are not computed, d3plot has displacements and zeros for stresses");
+  findings.note(deck, keyword, "linear statics: materials are elastic, welds do not fail, geometry is that of time 0");
 }
 
 Statics solve_statics(const Matrices& m, Findings& findings) {

@@ -40,18 +40,19 @@ weld
 """
 
 
-def strips(places=(30.0, 90.0, 150.0)):
-    """Two strips 180 x 20 of 27 x 3 shells with welds at the places along them."""
+def strips(places=(30.0, 90.0, 150.0), along=27, across=3):
+    """Two strips 180 x 20 of that many shells with welds at the places along them."""
     nodes, shells, beams = [], [], []
     for part in (1, 2):
         first = 1000 * part
-        for j in range(4):
-            for i in range(28):
-                nodes.append(f"{first + 28 * j + i:8d}{180 / 27 * i:16.6f}{20 / 3 * j:16.6f}{1.5 * (part - 1):16.6f}")
-        for j in range(3):
-            for i in range(27):
-                a = first + 28 * j + i
-                shells.append(f"{first + 27 * j + i:8d}{part:8d}{a:8d}{a + 1:8d}{a + 29:8d}{a + 28:8d}")
+        row = along + 1
+        for j in range(across + 1):
+            for i in range(row):
+                nodes.append(f"{first + row * j + i:8d}{180 / along * i:16.6f}{20 / across * j:16.6f}{1.5 * (part - 1):16.6f}")
+        for j in range(across):
+            for i in range(along):
+                a = first + row * j + i
+                shells.append(f"{first + along * j + i:8d}{part:8d}{a:8d}{a + 1:8d}{a + row + 1:8d}{a + row:8d}")
     for x in places:
         weld = 5000 + int(x)
         nodes += [f"{weld:8d}{x:16.6f}{10.0:16.6f}{0.0:16.6f}", f"{weld + 500:8d}{x:16.6f}{10.0:16.6f}{1.5:16.6f}"]

@@ -7,6 +7,7 @@
 
 #include "linear.hpp"
 #include "nvh/statics.hpp"
+#include "nvh/stresses.hpp"
 #include "specimen.hpp"
 #include "weld_decks.hpp"
 
@@ -62,6 +63,59 @@ TEST(LinearStatics, CantileverStripUnderTipForce) {
         solved.support_force[k] * (supports[k].rotation ? supports[k].taken.y : supports[k].taken.z);
   EXPECT_NEAR(force, -1.0, 1e-7);
   EXPECT_NEAR(moment, 200.0, 1e-5);
+}
+
+/// MacNeal and Harder's patch of five shells; its four outer nodes move by `motion` of their place.
+template <class Motion>
+std::string patch(const Motion& motion) {
+  Specimen s;
+  s.text(linear).text(ramp);
+  s.card("MAT_ELASTIC", {1, 1e-9, 1e6, 0.25});
+  s.card("SECTION_SHELL", {1, 16, 0.833333, 2}).text("     0.001     0.001     0.001     0.001\n").part(1, 1, 1);
+  const Vec3d place[] = {{0, 0, 0},     {.24, 0, 0},   {.24, .12, 0}, {0, .12, 0},
+                         {.04, .02, 0}, {.18, .03, 0}, {.16, .08, 0}, {.08, .08, 0}};
+  std::array<int, 8> n{};
+  for (std::size_t k = 0; k < 8; ++k) n[k] = s.node(place[k]);
+  for (const std::array<std::size_t, 4>& e : std::initializer_list<std::array<std::size_t, 4>>{
+           {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6, 7}})
+    s.shell(1, {n[e[0]], n[e[1]], n[e[2]], n[e[3]]});
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::array<double, 6> u = motion(place[k]);
+    for (std::size_t i = 0; i < 6; ++i)
+      s.card("BOUNDARY_PRESCRIBED_MOTION_NODE", {1.0 * n[k], i < 3 ? i + 1.0 : i + 2.0, 2, 9, u[i]});
+  }
+  return s.deck();
+}
+
+/// Largest departure of a stress component in point k of all shells.
+double worst(const nvh::ElasticStresses& stresses, int k, std::size_t component, double expected) {
+  double value = expected;
+  for (const auto& seat : stresses.system().shell_seat)
+    if (const double s = stresses.stress(seat, k)[component]; std::abs(s - expected) > std::abs(value - expected))
+      value = s;
+  return value;
+}
+
+// Sabotage: the spins of the solution left out (bending), a step that is no power of two.
+TEST(LinearStatics, PatchesHaveTheirStresses) {
+  const LinearExperiment membrane(patch([](const Vec3d& x) {
+    return std::array<double, 6>{1e-3 * (x.x + 0.5 * x.y), 1e-3 * (x.y + 0.5 * x.x), 0, 0, 0, 0};
+  }));
+  const nvh::ElasticStresses flat(membrane.system(), solve(membrane).motion);
+  expect_reference("A-22", "membrane patch by statics, xx stress, worst point", worst(flat, 0, 0, 4000.0 / 3.0),
+                   4000.0 / 3.0, 1e-6);
+  expect_reference("A-22", "membrane patch by statics, xy stress, worst point", worst(flat, 1, 3, 400.0), 400.0, 1e-6);
+
+  const LinearExperiment bending(patch([](const Vec3d& x) {
+    return std::array<double, 6>{
+        0, 0, 0.5e-3 * (x.x * x.x + x.x * x.y + x.y * x.y), 1e-3 * (x.y + 0.5 * x.x), -1e-3 * (x.x + 0.5 * x.y), 0};
+  }));
+  const nvh::ElasticStresses bent(bending.system(), solve(bending).motion);
+  const double at_point = 1.0 / std::sqrt(3.0);  // of the surface's stress, at the two points of Gauss
+  expect_reference("A-23", "bending patch by statics, xx stress at the upper point, worst shell",
+                   worst(bent, 1, 0, -at_point * 2.0 / 3.0), -at_point * 2.0 / 3.0, 1e-4);
+  expect_reference("A-23", "bending patch by statics, xy stress at the upper point, worst shell",
+                   worst(bent, 1, 3, -at_point * 0.2), -at_point * 0.2, 1e-4);
 }
 
 /// One of the coupons of the suite. Its sheets are swept over points in order.
