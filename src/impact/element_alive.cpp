@@ -25,9 +25,11 @@ ElementAlive::Deaths ElementAlive::update(const system::System& system) {
   deaths_ = deaths;
   shell_deaths_ = of_shells;
   if (!news.any) return news;
-  for (const auto& group : system.groups)
+  for (const auto& group : system.groups) {
+    if (group->kind == model::ElementKind::discrete) continue;  // springs are on no surface
     for (std::size_t e = 0; e < group->size(); ++e)
       if (!group->alive(e)) alive_[at(place(system.model, group->kind, group->element[e]))] = 0;
+  }
   return news;
 }
 

@@ -153,6 +153,20 @@ static void turn_into_local_axes(const Snapshot& now, const model::NamedEntity& 
     *vector = axes.local(*vector);
 }
 
+/// The node of a rigid body moves with it: its own velocities follow only after the state has been written.
+static void take_from_body(const Snapshot& now, std::size_t node, output::NodoutRow& row) {
+  const system::System& system = now.system;
+  if (!system.map.dependent(static_cast<int>(node))) return;
+  const auto terms = system.map.terms(static_cast<int>(node));
+  if (terms.size() != 1 || at(terms.front().node) < system.nodes) return;
+  const std::size_t c = at(terms.front().node);
+  const Vec3d r = row.coordinate - vec(now.state.x[c]), w = now.spin(c), alpha = now.rotary_acceleration(c);
+  row.velocity = now.velocity(c) + cross(w, r);
+  row.acceleration = now.acceleration(c) + cross(alpha, r) + cross(w, cross(w, r));
+  row.rotational_velocity = w;
+  row.rotational_acceleration = alpha;
+}
+
 output::NodoutState nodout_state(const Snapshot& now) {
   const model::Model& model = now.system.model;
   output::NodoutState s;
@@ -171,6 +185,7 @@ output::NodoutState nodout_state(const Snapshot& now) {
     row.rotational_velocity = now.spin(k);
     row.rotational_acceleration = now.rotary_acceleration(k);
     row.rotation = now.history_rotation[i];
+    take_from_body(now, k, row);
     turn_into_local_axes(now, entity, row);
     turn_into_accelerometer(now, entity.index, row);
     s.rows.push_back(row);

@@ -28,6 +28,25 @@ void keep_solvable(Inertia& i) {
   i[5] += share;
 }
 
+/// The motion of a body whose mass is given, so that its nodes' masses say nothing of its centre: that of its nodes'
+/// rigid motion, from sums over them of mass m, m v, r x m v + j w, m r, m w and the tensor. Where the nodes stand in
+/// one place or on a line, their own spins tell the rest.
+void fit_motion(RigidBody& body, double m, const Vec3d& linear, const Vec3d& angular, const Vec3d& first,
+                const Vec3d& turning, Inertia spread, State& state) {
+  Vec3d velocity, spin;
+  if (m > 0.0) {
+    const Vec3d middle = (1.0 / m) * first, mean = (1.0 / m) * turning;
+    add_point(spread, -m, 0.0, middle);
+    const double trace = spread[0] + spread[3] + spread[5], share = trace > 1e-12 * m ? 1e-6 * trace : m;
+    for (std::size_t i : {0u, 3u, 5u}) spread[i] += share;
+    spin = solve(spread, angular - cross(middle, linear) + share * mean);
+    velocity = (1.0 / m) * linear - cross(spin, middle);
+  }
+  set(state.v[at(body.node)], velocity);
+  set(state.w[at(body.node)], spin);
+  body.angular_momentum = body.momentum(spin, body.axes);
+}
+
 }  // namespace
 
 System::System(const model::Model& m, const weld::Ties& t, Findings& findings) : model(m), ties(t) {
@@ -299,7 +318,7 @@ State System::initial_state() {
     if (!model.initial_spin.empty()) set(state.w[i], model.initial_spin[k]);
   }
   // A body starts with the momentum of its nodes.
-  std::vector<Vec3d> linear(bodies.size()), angular(bodies.size());
+  std::vector<Vec3d> linear(bodies.size()), angular(bodies.size()), first(bodies.size()), turning(bodies.size());
   std::vector<double> sum(bodies.size(), 0.0);
   std::vector<Inertia> spread(bodies.size());
   for (std::size_t d = 0; d < nodes; ++d) {
@@ -312,12 +331,18 @@ State System::initial_state() {
       linear[b] += m * vec(state.v[d]);
       angular[b] += m * cross(t.arm, vec(state.v[d])) + (t.weight * carried_inertia_[d]) * vec(state.w[d]);
       add_point(spread[b], m, t.weight * carried_inertia_[d], t.arm);
+      first[b] += m * t.arm;
+      turning[b] += m * vec(state.w[d]);
     }
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     RigidBody& body = bodies[b];
     const std::size_t k = at(body.node);
     set(state.x[k], body.center0);
+    if (model.rigid_bodies[at(body.source)].given) {
+      fit_motion(body, sum[b], linear[b], angular[b], first[b], turning[b], spread[b], state);
+      continue;
+    }
     const Vec3d velocity = sum[b] > 0.0 ? (1.0 / sum[b]) * linear[b] : Vec3d{};
     RigidBody nodal = body;
     const Inertia& own = spread[b];

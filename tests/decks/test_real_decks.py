@@ -131,6 +131,14 @@ class RealDecks(CommandTest):
         self.assertAlmostEqual(s["energy"]["ratio"], 1.0, delta=1e-3)
         self.assertGreater(s["energy"]["internal"], 100.0 * s["energy"]["kinetic"])
 
+    def test_bumper_beam_starts(self):
+        self.nugget("run", self.shared("decks/bumper_beam/Bumper_Beam_AP_meshed.k"), "--max-cycles", 100, "--quiet")
+        s = self.json("summary.json")
+        self.assertEqual(s["elements"]["shell"], 13626)
+        self.assertAlmostEqual(s["energy"]["ratio"], 1.0, delta=1e-3)
+        self.assertGreater(s["energy"]["internal"], 0.01 * s["energy"]["initial"])
+        self.assertAlmostEqual(s["time_step"]["first"], 9.23e-4, delta=2e-6)
+
     def test_box_bounces_at_ten_times_its_speed(self):
         """At its own speed the box arrives after 8.5 ms, too long for a test; at 5 m/s it must not get through the plate either."""
         text = self.shared("decks/box_drop/main.k").read_text(encoding="latin-1")

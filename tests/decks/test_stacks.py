@@ -109,7 +109,7 @@ class ControlContact(CommandTest):
         self.write(text)
         self.nugget("check", "model.k", "-o", "audit")
         found = [f["text"] for f in self.json("audit/findings.json")]
-        counts = [int(m[1]) for t in found if (m := re.match(r"(\d+) nodes stood in the thickness", t))]
+        counts = [int(m[1]) for t in found if (m := re.match(r"(\d+) nodes stand in the thickness", t))]
         return counts[0] if counts else 0
 
     def test_spothin_thins_the_shells_at_a_weld_in_contact(self):

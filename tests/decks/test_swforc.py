@@ -68,7 +68,7 @@ class Swforc(CommandTest):
                 self.assertAlmostEqual(float(row[6][0]), 1.2, delta=1e-9)
             elif row[4] > 1.501e-5:
                 self.assertEqual(row[2], 0.0)
-        self.assertEqual((weld["kind"], weld["failed"], weld["failure_mode"]), ("rigid", "yes", "time"))
+        self.assertEqual((weld["kind"], weld["failed"], weld["failure_mode"]), ("rigid", "yes", "failure time"))
         self.assertAlmostEqual(float(weld["failure_time"]) / 1.5e-5, 1.0, delta=0.02)
         self.assertIn("rivet failed  id=     901", self.read("run.log"))
 

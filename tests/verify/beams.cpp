@@ -45,7 +45,10 @@ std::string unit_load(int node, int dof, double value) {
 
 /// Displacements of a linear static analysis.
 nvh::Six static_motion(Specimen s, int node) {
-  s.card("CONTROL_IMPLICIT_GENERAL", {1, 1.0}).text(constant_curve(1)).card("CONTROL_TERMINATION", {1.0});
+  s.card("CONTROL_IMPLICIT_GENERAL", {1, 1.0})
+      .card("CONTROL_IMPLICIT_SOLUTION", {1})
+      .text(constant_curve(1))
+      .card("CONTROL_TERMINATION", {1.0});
   const LinearExperiment experiment(s.deck());
   Findings findings;
   const nvh::Statics statics = nvh::solve_statics(experiment.matrices(), findings);
@@ -216,7 +219,7 @@ TEST(Beams, RigidTurnsMakeNoForce) {
       place = experiment.position(now, nodes[1]);
       ++cycles;
     });
-    EXPECT_NEAR(worst, 0.0, 1e-3) << elform;
+    EXPECT_NEAR(worst, 0.0, 0.1) << elform;  // of E I / L = 2.4e5 N mm a radian
     EXPECT_NEAR(place.x, 50.0, 1e-3) << elform;
     EXPECT_NEAR(place.y, 0.0, 1e-2) << elform;
   }

@@ -129,7 +129,7 @@ TEST(Joints, DoublePendulumKeepsItsEnergy) {
   });
   expect_reference("joints", "double pendulum: drift of the total energy, of the largest kinetic one", drift, 0.0, 1e-3,
                    kinetic);
-  expect_reference("joints", "double pendulum: joints stay closed, of 1 m", open, 0.0, 1e-4, 1.0);
+  expect_reference("joints", "double pendulum: joints stay closed, of 1 m", open, 0.0, 5e-4, 1.0);
 }
 
 // Two free bodies on a hinge, tumbling: momentum and angular momentum to round-off. Sabotage: the force on A at its own
@@ -220,7 +220,7 @@ TEST(Joints, UniversalJointTurnsUnevenly) {
   });
   expect_reference("joints", "universal joint at 0.5 rad: least speed ratio", slowest / omega, std::cos(angle), 2e-3);
   expect_reference("joints", "universal joint: greatest speed ratio", fastest / omega, 1.0 / std::cos(angle), 2e-3);
-  EXPECT_NEAR(worst, 0.0, 1e-2);
+  EXPECT_NEAR(worst, 0.0, 2e-2);
 }
 
 // What each joint leaves free goes on unchanged, what it holds is shared. Body A is fixed but for the locking joint.

@@ -149,7 +149,7 @@ TEST(Binout, HoldsPartsNodesWallsAndContacts) {
 
 TEST(Binout, HoldsTheEnergiesOfContacts) {
   Scratch scratch;
-  Binout file(scratch.path, header);
+  Binout file(scratch.path(), header);
   file.write(SleoutState{0.5, 7, {{3, 2.0, 0.0, true}, {4, 5.0, -1.0, false}}});
   const Lsda lsda(content(scratch / "binout0000"));
   EXPECT_THAT(lsda.integers("/sleout/metadata/ids"), ElementsAre(3, 4));

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs designs of car6 that its author ran with LS-DYNA, and compares trends: does each parameter move each result as it does there?
+
+    python3 bench/car6_designs.py DESIGNS [--nugget build/nugget] [--shared ../shared] [--count 120] [--work FOLDER]
+
+DESIGNS is the folder LHS/9param of github.com/dbrizard/GSA-car-crash (GPL-3; not part of this repository), with LHS-120_X.csv (nine parameters a
+row) and LHS-120_Y_fmax, _dmax, _vfin, _IE.csv (LS-DYNA R10.1). Results already in FOLDER are not run again. The table has, for each result, the
+coefficient of correlation over the designs, the median difference, and the change that each parameter causes over its range: the slopes of a
+linear regression times the range, LS-DYNA / Nugget.
+"""
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+import numpy
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+RESULTS = ("fmax", "dmax", "vfin", "IE")
+
+
+def write_deck(folder, source, parameters):
+    """A copy of the car with these parameters; its histories as text, which this script reads."""
+    folder.mkdir(parents=True, exist_ok=True)
+    text = (source / "car6_crash_v223.k").read_text(encoding="latin-1")
+    text = re.sub(r"(\*DATABASE_(?:RWFORC|MATSUM|NODOUT)\n\$[^\n]*\n *\S+ +)2", r"\g<1>1", text)
+    (folder / "car6_crash_v223.k").write_text(text, encoding="latin-1")
+    cards = "".join(f"*PARAMETER\nr{name},{value:.10g}\n" for name, value in parameters.items())
+    (folder / "main.k").write_text(f"*KEYWORD\n{cards}*INCLUDE\ncar6_crash_v223.k\n*END\n", encoding="ascii")
+    return folder / "main.k"
+
+
+def results_of(folder):
+    """The author's four results: largest x-force of the second wall, last x-displacement of node 605, last x-velocity of part 1, internal energy."""
+    force = max(float(line.split()[3]) for line in (folder / "rwforc").read_text().splitlines() if re.match(r"\s*\S+\s+2\s+[-\d]", line))
+    node = [line for line in (folder / "nodout").read_text().splitlines() if line[:10].strip() == "605"]
+    displacement = next(float(line[10:22]) for line in reversed(node) if len(line) > 120)
+    material = (folder / "matsum").read_text()
+    velocity = float(re.findall(r"mat\.#=\s*1\s.*?x-rbv=\s*(\S+)", material, re.DOTALL)[-1])
+    energy = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["energy"]["internal"]
+    return force, displacement, velocity, energy
+
+
+def slopes(designs, results):
+    """Change of the result over the range of each parameter, by least squares."""
+    scaled = (designs - designs.min(axis=0)) / numpy.ptp(designs, axis=0)
+    return numpy.linalg.lstsq(numpy.column_stack([scaled, numpy.ones(len(scaled))]), results, rcond=None)[0][:-1]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("designs", type=pathlib.Path, metavar="DESIGNS")
+    parser.add_argument("--nugget", type=pathlib.Path, default=ROOT / "build" / "nugget")
+    parser.add_argument("--shared", type=pathlib.Path, default=ROOT.parent / "shared")
+    parser.add_argument("--count", type=int, default=120)
+    parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build-bench" / "car6")
+    arguments = parser.parse_args()
+    source = arguments.shared / "decks" / "car6"
+    if not source.is_dir():
+        sys.exit(f"{source} is absent: nothing to run")
+    problem = (arguments.designs / "LHS-120_problem.txt").read_text(encoding="utf-8")
+    names = re.findall(r"'(\w+)'", problem.split("'names': [")[1].split("]")[0])
+    designs = numpy.loadtxt(arguments.designs / "LHS-120_X.csv", delimiter=",")[: arguments.count]
+    theirs = numpy.column_stack([numpy.loadtxt(arguments.designs / f"LHS-120_Y_{result}.csv", delimiter=",") for result in RESULTS])
+
+    rows, ours = [], []
+    for number, design in enumerate(designs):
+        folder = arguments.work / f"{number + 1:03d}"
+        if not (folder / "summary.json").is_file():
+            deck = write_deck(folder, source, dict(zip(names, design)))
+            done = subprocess.run([str(arguments.nugget), "run", str(deck), "-o", str(folder), "-j1", "--quiet"], capture_output=True, text=True)
+            for state in folder.glob("d3plot*"):
+                state.unlink()
+            if done.returncode != 0:
+                print(f"design {number + 1}: exit code {done.returncode}: {done.stderr.strip().splitlines()[0]}")
+                continue
+        rows.append(number)
+        ours.append(results_of(folder))
+    ours, theirs, designs = numpy.array(ours), theirs[rows], designs[rows]
+
+    print(f"{len(rows)} designs\n\n| | " + " | ".join(RESULTS) + " |\n|---|" + "---|" * len(RESULTS))
+    print("| correlation | " + " | ".join(f"{numpy.corrcoef(theirs[:, k], ours[:, k])[0, 1]:.3f}" for k in range(len(RESULTS))) + " |")
+    print("| median difference | " + " | ".join(f"{100 * numpy.median(ours[:, k] / theirs[:, k] - 1):+.1f} %" for k in range(len(RESULTS))) + " |")
+    changes = [(slopes(designs, theirs[:, k]), slopes(designs, ours[:, k])) for k in range(len(RESULTS))]
+    for parameter, name in enumerate(names):
+        print(f"| {name} | " + " | ".join(f"{a[parameter]:.3g} / {b[parameter]:.3g}" for a, b in changes) + " |")
+
+
+if __name__ == "__main__":
+    main()
