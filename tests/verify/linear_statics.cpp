@@ -81,8 +81,13 @@ std::string patch(const Motion& motion) {
     s.shell(1, {n[e[0]], n[e[1]], n[e[2]], n[e[3]]});
   for (std::size_t k = 0; k < 4; ++k) {
     const std::array<double, 6> u = motion(place[k]);
-    for (std::size_t i = 0; i < 6; ++i)
-      s.card("BOUNDARY_PRESCRIBED_MOTION_NODE", {1.0 * n[k], static_cast<double>(i < 3 ? i + 1 : i + 2), 2, 9, u[i]});
+    std::array<double, 6> held{};
+    for (std::size_t i = 0; i < 6; ++i) {
+      constexpr double freedom[] = {1, 2, 3, 5, 6, 7};
+      held[i] = u[i] == 0.0;  // a scale of 0 would mean its default
+      if (u[i] != 0.0) s.card("BOUNDARY_PRESCRIBED_MOTION_NODE", {1.0 * n[k], freedom[i], 2, 9, u[i]});
+    }
+    s.card("BOUNDARY_SPC_NODE", {1.0 * n[k], 0, held[0], held[1], held[2], held[3], held[4], held[5]});
   }
   return s.deck();
 }
