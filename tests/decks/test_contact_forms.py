@@ -98,7 +98,7 @@ class ContactForms(CommandTest):
         """Sabotage: the area of the segment instead of the node's; glue on both sides."""
         for dof, strength, component in ((3, "nfls", 3), (1, "sfls", 1)):
             glue = {"option": 2, "nfls": 0.0, "sfls": 0.0, strength: 10.0}
-            text = plates(sliding("AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", **glue), {dof: 10.0}, 2.0e-4)
+            text = plates(sliding("AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", **glue), {dof: 30.0}, 2.0e-4)
             self.run_deck(text)
             force = [abs(row[component]) for row in self.rows()]
             self.assertAlmostEqual(max(force) / (10.0 * SIDE * SIDE), 1.0, delta=0.05)
@@ -109,16 +109,17 @@ class ContactForms(CommandTest):
         self.assertIn("option = 9", self.nugget("check", "model.k", expect=1).stderr)
 
     def test_friction_of_the_parts(self):
-        """FS = -1: the mean of both parts'. The plate is pressed down, then drawn along. Sabotage: of one part alone."""
+        """FS = -1: the mean of both parts', 0.1 and 0.3, so what FS = 0.2 gives. Sabotage: of one part alone."""
         cards = ({"fs": 0.1, "fd": 0.1, "dc": 0.0, "vc": 0.0, "optt": 0.0, "sft": 1.0, "ssf": 1.0},)
-        text = plates(sliding(fs=-1.0), {3: -20.0, 1: 200.0}, 1.0e-4, parts="PART_CONTACT", options=cards)
-        first, second = text.index("       0.1"), text.rindex("       0.1       0.1")
+        motion = {3: -20.0, 1: 200.0}
+        text = plates(sliding(fs=-1.0), motion, 1.0e-4, parts="PART_CONTACT", options=cards)
+        first, second = text.index("       0.1       0.1"), text.rindex("       0.1       0.1")
         self.assertNotEqual(first, second)
-        text = text[:second] + "       0.3       0.3" + text[second + 20:]
-        self.run_deck(text)
-        _, x, _, z = self.rows()[-1]
-        self.assertGreater(z, 0.0)
-        self.assertAlmostEqual(-x / z, 0.2, 3)
+        self.run_deck(text[:second] + "       0.3       0.3" + text[second + 20:])
+        of_parts = self.rows()
+        self.assertGreater(-of_parts[-1][1], 0.1 * of_parts[-1][3])
+        self.run_deck(plates(sliding(fs=0.2), motion, 1.0e-4))
+        self.assertEqual(of_parts, self.rows())
 
     def test_only_what_lies_in_the_box(self):
         """A box around a quarter of the upper plate: a quarter of the force, about. Sabotage: the box not looked at."""

@@ -39,7 +39,7 @@ class Statics(CommandTest):
     def test_the_plot_has_stresses(self):
         self.run_statics(statics())
         seen = self.d3plot("out")
-        self.assertEqual(len(seen["times"]), 2)
+        self.assertEqual(len(seen["states"]), 2)
 
     def test_a_free_structure_is_told(self):
         text = statics(("         1         0         1         1         1         1         1         1\n",

@@ -405,7 +405,7 @@ TEST(Contacts, WhatCannotBeObeyedIsRefused) {
   };
   EXPECT_TRUE(single("         0         0         0         0\n\n\n         2\n").warning("as with soft = 1", "soft"));
   EXPECT_TRUE(single("         0         0         0         0\n\n\n         3\n").error("0, 1 or 2", "soft"));
-  EXPECT_TRUE(single("         0         0         0         0\n      -1.0\n").error("by part", "fs"));
+  EXPECT_TRUE(single("         0         0         0         0\n      -3.0\n").error("", "fs"));
   EXPECT_TRUE(single("         1         0         4         0\n").error("node set", "surfatyp"));
   EXPECT_TRUE(single("         0         0         0         0         5\n").error("box", "saboxid"));
   EXPECT_TRUE(single("        77         0         2         0\n").error("part set 77 is not defined", "surfa"));
@@ -414,9 +414,8 @@ TEST(Contacts, WhatCannotBeObeyedIsRefused) {
                   .error("must be given", "surfb"));
   EXPECT_TRUE(
       Built(small_deck("*CONTACT_SPOTWELD\n         1         1         4         4\n")).error("segments", "surfbtyp"));
-  for (const char* name :
-       {"CONTACT_SPOTWELD_THERMAL", "CONTACT_TIED_NODES_TO_SURFACE_BEAM_OFFSET",
-        "CONTACT_TIED_SURFACE_TO_SURFACE_FAILURE", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", "CONTACT_ENTITY"})
+  for (const char* name : {"CONTACT_SPOTWELD_THERMAL", "CONTACT_TIED_NODES_TO_SURFACE_BEAM_OFFSET",
+                           "CONTACT_TIED_SURFACE_TO_SURFACE_FAILURE", "CONTACT_ENTITY"})
     EXPECT_TRUE(Built(small_deck('*' + std::string(name) + "\n         1\n")).error("not built")) << name;
 }
 
