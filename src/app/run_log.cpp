@@ -72,9 +72,10 @@ std::string log_shell_factors(const model::Model& model, const weld::Ties& ties)
   if (!model.control.weld_beams.list) return {};
   std::string s = "\nFactors on the failure of weld beams (LCT, LCS), by the size of the shell at each end:\n";
   for (const weld::Weld& w : ties.welds) {
-    if (w.kind != weld::Weld::Kind::beam) continue;
+    const auto ends = weld::failure::shell_factors(model, w);
+    if (ends[0].size == 0.0 && ends[1].size == 0.0) continue;
     s += fmt::format(" weld {:>8}", w.id);
-    for (const auto& end : weld::failure::shell_factors(model, w))
+    for (const auto& end : ends)
       s += fmt::format("   size {:9.4g}  tension {:9.4g}  shear {:9.4g}", end.size, end.tension, end.shear);
     s += '\n';
   }

@@ -152,7 +152,8 @@ weld::Resultants Welds::resultants(std::size_t i, const system::State& state) {
     bricks->gather(system_, state);
     const weld::BrickSection::Shape shape = bricks->section.shape(bricks->x);
     bricks->load = bricks->section.load(shape, bricks->x, bricks->force);
-    bricks->area = shape.area;
+    // A sheared weld is longer along the line of its centres than along r, and has the same volume.
+    bricks->area = shape.area * shape.length / norm(shape.centre[1] - shape.centre[0]);
     return bricks->load.middle;
   }
   const weld::Weld& w = system_.ties.welds[i];

@@ -172,7 +172,7 @@ Geometry geometry_of(const model::Model& model, const Weld& weld) {
     if (d > 0.0) g.section_modulus = pi / 32.0 * (d * d * d * d - inner * inner * inner * inner) / d;
   }
   g.sheet = weld.sheets;
-  if (weld.kind == Weld::Kind::beam) g.shell = shell_factors(model, weld);
+  g.shell = shell_factors(model, weld);
   if (weld.of_bricks()) {
     // TRUE_T is documented for single bricks.
     const double true_thickness = law_of(model, weld).damage.true_thickness;
@@ -247,7 +247,7 @@ bool is_scaled(const Geometry& weld) {
 std::unique_ptr<Function> make_function(const model::Model& model, const model::WeldLaw& law, const Geometry& weld,
                                         const Place& place, Findings& findings) {
   auto function = plain_function(model, law, weld, place, findings);
-  if (weld.height > 0.0 && has_moments(law)) return worse_end(std::move(function), weld.height, law.connection);
+  if (weld.height > 0.0 && has_moments(law)) function = worse_end(std::move(function), weld.height, law.connection);
   if (!is_scaled(weld)) return function;
   if (is_sum(law)) return by_shell_size(std::move(function), weld.shell);
   findings.warning(

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include "weld/failure/function.hpp"
@@ -37,17 +38,30 @@ class ShellSize final : public Function {
   std::array<Geometry::ShellFactor, 2> ends_;
 };
 
+double shell_size(const model::Model& model, model::Index shell) {
+  const auto& n = model.shells.node[static_cast<std::size_t>(shell)];
+  const auto x = [&](std::size_t i) { return model.nodes.x[static_cast<std::size_t>(n[i])]; };
+  return std::sqrt(0.5 * norm(cross(x(2) - x(0), x(3) - x(1))));
+}
+
 }  // namespace
 
 std::array<Geometry::ShellFactor, 2> shell_factors(const model::Model& model, const Weld& weld) {
   const model::WeldBeamControl& control = model.control.weld_beams;
   std::array<Geometry::ShellFactor, 2> ends;
-  for (std::size_t k = 0; k < 2 && k < weld.ends.size(); ++k) {
-    const model::Index shell = weld.ends[k].tied ? weld.ends[k].tie.shell : model::none;
-    if (shell == model::none) continue;
-    const auto& n = model.shells.node[static_cast<std::size_t>(shell)];
-    const auto x = [&](std::size_t i) { return model.nodes.x[static_cast<std::size_t>(n[i])]; };
-    ends[k].size = std::sqrt(0.5 * norm(cross(x(2) - x(0), x(3) - x(1))));
+  // Bricks that stand for a beam (RPBHX) have the s axis of that beam; bricks of the deck have none.
+  if (weld.kind != Weld::Kind::beam && norm(weld.orientation) == 0.0) return ends;
+  for (std::size_t k = 0; k < 2; ++k) {
+    double sum = 0.0;
+    int shells = 0;
+    for (const Projection& end : weld.ends) {
+      const bool here = std::find(weld.face[k].begin(), weld.face[k].end(), end.node) != weld.face[k].end();
+      if (!here || !end.tied || end.tie.shell == model::none) continue;
+      sum += shell_size(model, end.tie.shell);
+      ++shells;
+    }
+    if (shells == 0) continue;
+    ends[k].size = sum / shells;
     const auto factor = [&](model::Index curve) {
       return curve == model::none ? 1.0 : model.curves[static_cast<std::size_t>(curve)].clamped(ends[k].size);
     };
