@@ -182,11 +182,19 @@ impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directo
 /// A run may reach its end time with results that nobody should use.
 std::string doubt_of(const output::Summary& summary) {
   constexpr double most = 0.05;
-  if (summary.termination == "error" || std::abs(summary.energy.ratio - 1.0) <= most) return {};
+  const output::Summary::Energies& e = summary.energy;
+  if (summary.termination == "error") return {};
+  if (std::abs(e.ratio - 1.0) > most)
+    return fmt::format(
+        "warning: the energy ratio ended at {:.4g}, expected 1: results are doubtful from the time on when it left 1 "
+        "(see glstat)",
+        e.ratio);
+  const double input = e.initial + e.external;
+  if (std::abs(e.step_change) <= most * std::abs(input)) return {};
   return fmt::format(
-      "warning: the energy ratio ended at {:.4g}, expected 1: results are doubtful from the time on when it left 1 "
-      "(see glstat)",
-      summary.energy.ratio);
+      "warning: the change of the time step took {:.2g} % of the energy: much of it is in vibrations that the step "
+      "hardly resolves [a smaller TSSFAC shows whether they matter]",
+      100.0 * e.step_change / input);
 }
 
 ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
