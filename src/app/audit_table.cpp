@@ -137,8 +137,13 @@ std::string weld_table(const model::Model& model, const weld::Ties& ties, const 
     order.resize(shown_of_many);
     std::erase_if(order, [&](std::size_t w) { return worst_excess(reports[w]) == 0.0; });
   }
-  if (order.empty())
-    return fmt::format("{} welds without a warning; welds.csv has a row for each\n", ties.welds.size());
+  if (order.empty()) {
+    const auto alone = std::count_if(ties.welds.begin(), ties.welds.end(), [](const weld::Weld& w) {
+      return std::all_of(w.sheets.begin(), w.sheets.end(), [](model::Index sheet) { return sheet == model::none; });
+    });
+    return fmt::format("{} welds without a warning{}; welds.csv has a row for each\n", ties.welds.size(),
+                       alone == 0 ? "" : fmt::format(", but {} have no sheet: most checks could not be made", alone));
+  }
   std::string s = fmt::format("{:>10} {:>9} {:>8} {:>9} {:>9} {:>5}  {:<9} {}\n", "weld", "kind", "part", "diameter",
                               "length", "tied", "sheets", "remarks");
   for (const std::size_t i : order) {
