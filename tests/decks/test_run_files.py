@@ -49,14 +49,14 @@ class RunFiles(CommandTest):
         self.assertEqual(self.files(), sorted([*RESULTS, "model.k"]))
 
     def test_energy_when_the_weld_that_holds_the_step_fails(self):
-        """The step grows fivefold; without the account of it the energies would not add up."""
+        """The step grows fivefold; without the account of it the ratio is off by 4 %."""
         self.write(deck(("  2.00e-05\n*CONTROL_TIMESTEP", "  6.00e-05\n*CONTROL_TIMESTEP"),
-                        ("6000.0    6000.0    9000.0", "2000.0    2000.0    9000.0")))
+                        ("6000.0    6000.0    9000.0", "2200.0    2200.0    9000.0")))
         self.nugget("run", "model.k", "--quiet")
         summary = self.json("summary.json")
         self.assertTrue(summary["weld"][0]["failed"])
         self.assertAlmostEqual(summary["energy"]["ratio"], 1.0, delta=1e-6)
-        self.assertGreater(abs(summary["energy"]["step_change"]), 0.005 * summary["energy"]["external"])
+        self.assertGreater(abs(summary["energy"]["step_change"]), 0.03 * summary["energy"]["external"])
 
     def test_summary_has_the_keys_and_types_of_the_contract(self):
         self.assertEqual(misfits({"id": 1.5}, {"id": COUNT, "tied": FLAG}),
