@@ -137,6 +137,10 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   s.cycles = run.state().cycle;
   s.time = run.state().time;
   s.time_step = {run.first_step(), run.smallest_step(), run.smallest_by()};
+  if (system.model.control.relaxation.on()) {
+    const impact::Relaxation& r = run.relaxation();
+    s.relaxation = {r.cycles(), r.time(), r.unrest(), r.at_rest()};
+  }
   const system::System::Masses m = system.masses();
   s.mass = {m.physical, m.added, m.added_to_welds};
   const impact::Energy& e = run.energy();

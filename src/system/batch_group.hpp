@@ -198,9 +198,11 @@ class BatchGroup final : public ElementGroup {
   bool alive(std::size_t e) const override { return field(e, Element::Layout::alive) != 0.0; }
   void remove(std::size_t e) override {
     field(e, Element::Layout::alive) = 0.0;
+    ++deaths;
+  }
+  void release_step(std::size_t e) override {
     step_[e] = std::numeric_limits<double>::infinity();
     find_block_step(e / width);
-    ++deaths;
   }
   double stable_step(std::size_t e) const override { return step_[e]; }
   double internal_energy(std::size_t e) const override { return energy_[e] - hourglass_energy(e); }
