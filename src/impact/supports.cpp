@@ -36,7 +36,8 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
                        "node " + std::to_string(model.nodes.id[static_cast<std::size_t>(spc.node)]) +
                            " is held by an SPC, but it moves with " + system.holder(node) +
                            "; the SPC does nothing there",
-                       "constrain the rigid body (MAT_RIGID CMO, *CONSTRAINED_NODAL_RIGID_BODY_SPC) instead");
+                       "constrain what it moves with: the nodes of the segment it is tied to, or the rigid body "
+                       "(MAT_RIGID CMO, *CONSTRAINED_NODAL_RIGID_BODY_SPC)");
       continue;
     }
     for (int i = 0; i < 6; ++i) {

@@ -40,7 +40,9 @@ using AlignedReals = std::vector<double, Aligned<double>>;
 ///   layers(), layer(...), thickness(...), resultants(...)   for output
 ///   set_layer(put, k, layer, places), inviscid()   may be absent; see ElementGroup::set_layer, elastic_rate
 ///   stiffness(state, places, k)       where the kernel's own derivative is not exact; may be absent
-///   Layout::integrity, hold_yield(state, lane), plastic_strain(state, k)     of welds only
+///   Layout::integrity, integrity(state), hold_yield(state, lane), plastic_strain(state, k)     of welds only; the
+///   first
+///                                     is that of the weld as a whole, the second that of its points
 template <class Element>
 class BatchGroup final : public ElementGroup {
  public:
@@ -220,7 +222,7 @@ class BatchGroup final : public ElementGroup {
   }
 
   double integrity(std::size_t e) const override {
-    if constexpr (is_weld) return field(e, Element::Layout::integrity);
+    if constexpr (is_weld) return field(e, Element::Layout::integrity) * kernel_.integrity(reader(e));
     return 1.0;
   }
   void set_integrity(std::size_t e, double share) override {

@@ -114,19 +114,20 @@ Rows other_elements() {
 }
 
 Rows other_laws() {
+  constexpr std::string_view weld_forms =
+      "this form of *MAT_SPOTWELD is not built; the plain one, _DAMAGE-FAILURE and _DAIMLERCHRYSLER are, each with "
+      "_UNIAXIAL";
+  constexpr std::string_view discrete_beam_laws =
+      "this law of discrete beams is not built; *MAT_066, 067, 068, 074, 119, 121 and 196 are";
   return {
-      refused("MAT_SPOTWELD_*",
-              "the damage and failure forms of *MAT_SPOTWELD are not built yet; the plain one with its resultant "
-              "surface is"),
-      refused("MAT_100_*",
-              "the damage and failure forms of *MAT_SPOTWELD are not built yet; the plain one with its resultant "
-              "surface is"),
+      refused("MAT_SPOTWELD_*", weld_forms),
+      refused("MAT_100_*", weld_forms),
       refused("MAT_SPRING_*", "this law of springs is not built; *MAT_S01 to *MAT_S08 are"),
       refused("MAT_S1*", "this law of springs is not built; *MAT_S01 to *MAT_S08 are"),
-      refused("MAT_GENERAL_NONLINEAR_*", "discrete beams are not built yet"),
-      refused("MAT_GENERAL_SPRING_*", "discrete beams are not built yet"),
-      refused("MAT_GENERAL_JOINT_*", "discrete beams are not built yet"),
-      refused("MAT_NONLINEAR_PLASTIC_DISCRETE_BEAM*", "discrete beams are not built yet"),
+      refused("MAT_GENERAL_NONLINEAR_*", discrete_beam_laws),
+      refused("MAT_GENERAL_SPRING_*", discrete_beam_laws),
+      refused("MAT_GENERAL_JOINT_*", discrete_beam_laws),
+      refused("MAT_NONLINEAR_PLASTIC_DISCRETE_BEAM*", discrete_beam_laws),
       refused("MAT_CABLE_DISCRETE_BEAM*", "cables are not built"),
       refused("MAT_SEATBELT*", "seat belts are not built"),
       refused("MAT_B01*", "seat belts are not built"),
