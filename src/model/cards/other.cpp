@@ -135,8 +135,12 @@ Rows other_laws() {
       refused("MAT_T0*", "heat conduction is not built"),
       refused("MAT_ALE_*", "fluids are not built"),
       refused("MAT_ELASTIC_FLUID*", "fluids are not built"),
-      refused("MAT_COHESIVE_*", "cohesive laws are not built yet"),
-      refused("MAT_ARUP_ADHESIVE*", "cohesive laws are not built yet"),
+      refused(
+          "MAT_COHESIVE_*",
+          "cohesive laws are not built; glue between two surfaces is *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
+      refused(
+          "MAT_ARUP_ADHESIVE*",
+          "cohesive laws are not built; glue between two surfaces is *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
       refused("MAT_ADD_*", "damage or other behaviour added to a law is not built"),
       refused("MAT_*", "this material is not built; `nugget keywords` lists those that are"),
   };
@@ -181,7 +185,8 @@ Rows other_definitions() {
       refused("DEFINE_FUNCTION*", "functions as text are not built; give a curve"),
       refused("DEFINE_CURVE_*", "this form of curve is not built; give its points with *DEFINE_CURVE"),
       refused("DEFINE_TABLE_*", "this form of table is not built; use *DEFINE_TABLE or *DEFINE_TABLE_2D"),
-      refused("DEFINE_FRICTION*", "friction is not built yet"),
+      refused("DEFINE_FRICTION*",
+              "friction by pairs of parts is not built; give FS and FD of the contact, or *PART_CONTACT with FS = -1"),
       refused("DEFINE_DEATH_TIMES_*", "motions that end by position are not built; give a death time"),
       refused("DEFINE_CONSTRUCTION_STAGES", "construction in stages is not built"),
       refused("DEFINE_ELEMENT_DEATH*", "deletion of elements by a card is not built"),
