@@ -65,10 +65,14 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
   stays_.assign(forces_.nodes().empty() ? 0 : forces_.nodes().back() + 1, 0);
   for (const TrackedNode& t : setup_.nodes) {
     const std::span<const int> around = around_.at(t.node);
-    double sum = 0.0;
-    for (int s : around) sum += segment_stiffness_[s];
+    double sum = 0.0, mass = 0.0;
+    for (int s : around) {
+      sum += segment_stiffness_[s];
+      mass += setup_.segments[s].mass;
+    }
     // A node without segments of its own (of a beam, say) is as stiff as what it meets.
     node_stiffness_.push_back(around.empty() ? Box::infinity : sum / static_cast<double>(around.size()));
+    node_mass_.push_back(around.empty() ? 0.0 : mass / static_cast<double>(around.size()));
     pressing_ |= t.against;
     kernel::Friction friction;
     for (std::size_t i = 0; i < around.size(); ++i) {
@@ -104,20 +108,17 @@ void SurfaceContact::book_sides() {
   }
 }
 
-void SurfaceContact::apply(double time, double dt, std::span<const Row> x, std::span<const Row> v,
-                           std::span<const double> mass, std::span<const unsigned char> element_alive,
-                           std::span<Row> force) {
+void SurfaceContact::apply(const Step& step, std::span<Row> force) {
   next_cycle();
-  const bool active = time >= setup_.birth && time < setup_.death;
+  const bool active = step.time >= setup_.birth && step.time < setup_.death;
   if (active) {
-    if (!searched_ || moved_too_far(x)) search(x, element_alive);
-    const Step step{dt, x, v, mass, element_alive};
+    if (!searched_ || moved_too_far(step.x)) search(step.x, step.element_alive);
     parallel_for(busy_.size(), 4, [this, &step](std::size_t begin, std::size_t end) {
       for (std::size_t b = begin; b < end; ++b) work(blocks_[busy_[b]], step);
     });
     add_forces(force);
   }
-  account(dt, v);
+  account(step.dt, step.v);
 }
 
 std::size_t SurfaceContact::listed() const {
@@ -427,8 +428,8 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   std::array<double, 4> corner_mass{};
   for (int c = 0; c < segment.corners(); ++c) corner_mass[c] = step.mass[segment.node[c]];
   const double inverse_mass = kernel::inverse_pair_mass(step.mass[node], candidate.foot.weight, corner_mass);
-  const double penalty = std::min(segment_stiffness_[pair.segment], node_stiffness_[tracked]);
-  const double stiffness = kernel::pair_stiffness(setup_.law, penalty, inverse_mass, step.dt);
+  const double stiffness =
+      kernel::pair_stiffness(setup_.law, penalty(pair.segment, tracked, step), inverse_mass, step.bearable);
   const double size = kernel::pair_force(setup_.law, stiffness, inverse_mass, pair.depth, -dot(velocity, direction));
   if (!(size > 0.0)) return;
   Vec3d force = size * direction;
@@ -439,6 +440,15 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
     force += pair.friction;
   }
   block.hits.push_back({node, pair.segment, candidate.foot.weight, force, pair.depth});
+}
+
+/// Stiffness of the pair before the step bounds it. A node without segments meets its like.
+double SurfaceContact::penalty(int segment, int tracked, const Step& step) const {
+  if (setup_.law.stiffness != kernel::PenaltyStiffness::segment_masses)
+    return std::min(segment_stiffness_[segment], node_stiffness_[tracked]);
+  const Segment& s = setup_.segments[segment];
+  const double own = node_mass_[tracked] > 0.0 ? node_mass_[tracked] : s.mass;
+  return setup_.stiffness_scale * s.scale * kernel::segment_penalty(own, s.mass, setup_.law.step(step.longest));
 }
 
 /// Beyond PENMAX thicknesses of the shell, or depths of the brick.
@@ -504,7 +514,8 @@ std::vector<Penetration> find_penetrations(const SurfaceContactSetup& setup, std
   SurfaceContact contact(setup, x);
   contact.search(x, {});
   std::vector<Penetration> found;
-  const SurfaceContact::Step step{0.0, x, {}, {}, {}};
+  Step step;
+  step.x = x;
   for (int b : contact.busy_) {
     SurfaceContact::Block& block = contact.blocks_[b];
     for (int t = block.begin; t < block.end; ++t) {

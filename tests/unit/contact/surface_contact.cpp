@@ -57,7 +57,7 @@ struct Scene {
   }
   void evaluate(SurfaceContact& contact, double step) {
     force.assign(x.size(), {});
-    contact.apply(time, step, x, v, mass, alive, force);
+    contact.apply({time, step, step, step, x, v, mass, alive}, force);
   }
   void step(SurfaceContact& contact) {
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -195,7 +195,7 @@ TEST(SurfaceContact, StiffnessIsBoundedByTheStepAndRaisedBySoftOne) {
 
   PlateAndNode soft({3.0, 2.0, 1.0 - 1e-6}, {0.0, 0.0, -10.0}, 1e-3);
   soft.setup.stiffness_scale = 1e-6;
-  soft.setup.law.soft = true;
+  soft.setup.law.stiffness = kernel::PenaltyStiffness::node_masses;
   SurfaceContact b = soft.contact();
   soft.evaluate(b, dt);
   EXPECT_NEAR(soft.force[soft.node].z, 0.1 * 0.5 * 1e-3 / (dt * dt) * 1e-6, 1e-6);
