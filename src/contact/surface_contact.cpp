@@ -112,7 +112,7 @@ void SurfaceContact::apply(const Step& step, std::span<Row> force) {
   next_cycle();
   const bool active = step.time >= setup_.birth && step.time < setup_.death;
   if (active) {
-    if (!searched_ || moved_too_far(step.x)) search(step.x, step.element_alive);
+    if (moved_too_far(step.x) || !searched_) search(step.x, step.element_alive);
     parallel_for(busy_.size(), 4, [this, &step](std::size_t begin, std::size_t end) {
       for (std::size_t b = begin; b < end; ++b) work(blocks_[busy_[b]], step);
     });
@@ -136,28 +136,33 @@ bool SurfaceContact::node_alive(int node, std::span<const unsigned char> element
 // ----------------------------------------------------------------------------------------------------------------
 // search
 
-bool SurfaceContact::moved_too_far(std::span<const Row> x) {
-  parallel_for(moved_.size(), 1, [this, &x](std::size_t begin, std::size_t end) {
+/// By how much two of the living points can have approached each other if the i-th was displaced by `displacement(i)`:
+/// no more than the diagonal of the box of all displacements, whatever the surface does as a whole.
+template <class Displacement>
+double SurfaceContact::approach(const Displacement& displacement) {
+  parallel_for(moved_.size(), 1, [this, &displacement](std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
-      Motion motion;
-      for (std::size_t i = g * group_size; i < std::min(live_.size(), (g + 1) * group_size); ++i) {
-        const Row& at = x[live_[i]];
-        motion.since_search.add(vec(at) - vec(searched_at_[i]));
-        motion.step.add(vec(at) - vec(seen_at_[i]));
-        seen_at_[i] = at;
-      }
-      moved_[g] = motion;
+      Box box;
+      for (std::size_t i = g * group_size; i < std::min(live_.size(), (g + 1) * group_size); ++i)
+        box.add(displacement(i));
+      moved_[g] = box;
     }
   });
-  if (moved_.empty()) return false;
-  Motion all;
-  for (const Motion& motion : moved_) {
-    all.since_search.add(motion.since_search);
-    all.step.add(motion.step);
-  }
-  // No two points can have approached each other by more than the diagonal, whatever the surface does as a whole.
-  travelled_ += norm(all.step.high - all.step.low);
-  return norm(all.since_search.high - all.since_search.low) > margin_;
+  if (moved_.empty()) return 0.0;
+  Box all;
+  for (const Box& box : moved_) all.add(box);
+  return norm(all.high - all.low);
+}
+
+bool SurfaceContact::moved_too_far(std::span<const Row> x) {
+  travelled_ += approach([this, &x](std::size_t i) {
+    const Vec3d step = vec(x[live_[i]]) - vec(seen_at_[i]);
+    seen_at_[i] = x[live_[i]];
+    return step;
+  });
+  // Steps added up are never less than the whole way: while they are short that need not be measured.
+  if (travelled_ - searched_when_ <= margin_) return false;
+  return approach([this, &x](std::size_t i) { return vec(x[live_[i]]) - vec(searched_at_[i]); }) > margin_;
 }
 
 void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned char> element_alive) {
@@ -192,6 +197,7 @@ void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned cha
   for (std::size_t b = 0; b < blocks_.size(); ++b)
     if (!blocks_[b].pairs.empty()) busy_.push_back(static_cast<int>(b));
   searched_ = true;
+  searched_when_ = travelled_;
   ++searches_;
 }
 
@@ -275,27 +281,32 @@ void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& st
       first_wake = std::min(first_wake, pair.wake);
       continue;
     }
-    const Pair before = pair;
-    pair.touching = false;
-    pair.side = 0;
-    pair.offset = pair.depth = 0.0;
-    pair.friction = {};
     const Segment& segment = setup_.segments[pair.segment];
-    if (!alive(pair.segment, step.element_alive)) continue;
+    if (!alive(pair.segment, step.element_alive)) {
+      pair.let_go();
+      continue;
+    }
     const kernel::Corners corners = corners_of(segment, step.x);
     const double far = widest(tracked) + inner_[pair.segment];
     const double clear = kernel::least_distance(corners, p);
-    Candidate c;
-    if (clear < far) {
-      c.foot = kernel::closest_point(corners, segment.triangle(), p, pair.xi, pair.eta);
-      pair.xi = c.foot.xi;
-      pair.eta = c.foot.eta;
+    if (clear >= far) {
+      pair.let_go();
+      pair.wake = travelled_ + (clear - far);
+      first_wake = std::min(first_wake, pair.wake);
+      continue;
     }
-    pair.wake = travelled_ + ((clear < far ? c.foot.distance : clear) - far);
+    const kernel::Foot foot = kernel::closest_point(corners, segment.triangle(), p, pair.xi, pair.eta);
+    const Pair before = pair;
+    pair.let_go();
+    pair.xi = foot.xi;
+    pair.eta = foot.eta;
+    pair.wake = travelled_ + (foot.distance - far);
     first_wake = std::min(first_wake, pair.wake);
-    if (clear >= far || pair.wake > travelled_) continue;
+    if (pair.wake > travelled_) continue;
+    Candidate& c = block.candidates.emplace_back();
     c.pair = &pair;
     c.before = before;
+    c.foot = foot;
     c.reach = reach(tracked, pair.segment);
     c.gap = c.foot.distance;
     if (c.foot.boundary == 0 && before.touching && before.side != 0)
@@ -306,7 +317,6 @@ void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& st
       c.gap = -c.foot.distance;
       c.away = c.foot.boundary == 0 || c.foot.distance == 0.0 ? c.foot.normal : -c.away;
     }
-    block.candidates.push_back(c);
   }
 }
 

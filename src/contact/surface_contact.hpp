@@ -118,6 +118,13 @@ class SurfaceContact {
     double depth = 0.0;   ///< overlap that does [length]
     Vec3d friction;       ///< force on the node along the surface [force]
     double wake = 0.0;    ///< before `travelled_` gets here the two cannot touch [length]
+
+    void let_go() {
+      touching = false;
+      side = 0;
+      offset = depth = 0.0;
+      friction = {};
+    }
   };
   /// A pair close enough to be looked at in this cycle.
   struct Candidate {
@@ -159,6 +166,8 @@ class SurfaceContact {
 
   void book_sides();
   bool moved_too_far(std::span<const Row> x);
+  template <class Displacement>
+  double approach(const Displacement& displacement);
   double widest(int tracked) const { return 0.5 * (setup_.nodes[tracked].thickness + thickest_segment_); }
   void search(std::span<const Row> x, std::span<const unsigned char> element_alive);
   void list_neighbours(Block& block, std::span<const Row> x, std::span<const unsigned char> element_alive);
@@ -199,14 +208,12 @@ class SurfaceContact {
   std::vector<Row> searched_at_;  // coordinates of live_ then
   bool searched_ = false;
   long searches_ = 0;
-  std::vector<Row> seen_at_;  // coordinates of live_ in the cycle before
-  double travelled_ = 0.0;    // by how much two points can have approached each other since the start, at most
-  struct Motion {
-    Box since_search, step;
-  };
-  std::vector<Motion> moved_;  // displacements of live_, by group of nodes
-  std::vector<int> living_;    // living segments at the last search
-  std::vector<Box> boxes_;     // of these, with their skin
+  std::vector<Row> seen_at_;    // coordinates of live_ in the cycle before
+  double travelled_ = 0.0;      // by how much two points can have approached each other since the start, at most
+  double searched_when_ = 0.0;  // travelled_ at the last search
+  std::vector<Box> moved_;      // displacements of live_, by group of nodes
+  std::vector<int> living_;     // living segments at the last search
+  std::vector<Box> boxes_;      // of these, with their skin
   BoxTree tree_;
   std::vector<Block> blocks_;
   std::vector<int> busy_;  // blocks that have pairs

@@ -440,7 +440,10 @@ void take_optional_cards(Builder& builder, Cursor& cursor, Contact& contact) {
   if (cursor.more()) take_d(builder, cursor.read(card_d), contact);
   if (cursor.more()) take_e(builder, cursor.read(card_e), contact);
   if (cursor.more()) take_f(builder, cursor.read(card_f), contact);
-  expect_end(builder, cursor);
+  if (cursor.more())
+    builder.findings.error(cursor.place(), '*' + contact.keyword,
+                           "has more data lines than its optional cards A to F; a card G is not built",
+                           "leave it out: none of its fields is read");
 }
 
 // ---- reader
@@ -543,6 +546,10 @@ Keyword refused(std::string_view name, std::string_view why) {
   return {name, {}, {"ID", "TITLE", "MPP"}, Verdict::refused, why, {}, nullptr};
 }
 
+Keyword ignored(std::string_view name, std::string_view why) {
+  return {name, {}, {"ID", "TITLE"}, Verdict::ignored, why, {}, nullptr};
+}
+
 }  // namespace
 
 std::vector<Keyword> contact_keywords() {
@@ -582,7 +589,9 @@ std::vector<Keyword> contact_keywords() {
               "glue is built between two surfaces; use *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
       refused("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_*", "this form is not built; use it without the last word"),
       refused("CONTACT_FORCE_TRANSDUCER_*", "this transducer is not built; *CONTACT_FORCE_TRANSDUCER_PENALTY is"),
-      refused("CONTACT_INTERIOR*", "contact inside soft solids is not built"),
+      ignored("CONTACT_INTERIOR",
+              "soft solids that are squeezed to a tenth of their thickness get no forces that press them apart (LS-DYNA "
+              "documents no law for them); their material alone holds them, and one that turns inside out is named"),
       refused("CONTACT_ERODING_*",
               "this form is not built; *CONTACT_ERODING_SINGLE_SURFACE, _SURFACE_TO_SURFACE and _NODES_TO_SURFACE "
               "are"),
