@@ -134,7 +134,8 @@ class ContactForms(CommandTest):
             d.keyword("CONTACT_INTERIOR")
             d.card(psid=0)
         self.write(plates(sliding(), {3: -20.0}, 1.0e-5, extra=interior))
-        self.assertRegex(self.nugget("check", "model.k").stdout, r"CONTACT_INTERIOR")
+        self.nugget("run", "model.k", "--quiet", "-j", 1)
+        self.assertRegex(self.read("run.log"), r"\*CONTACT_INTERIOR +1 ignored")
 
         def card_g(d):
             sliding()(d)
