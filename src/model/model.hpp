@@ -134,6 +134,7 @@ struct Model {
   Control control;
   Implicit implicit;
   std::optional<FrequencyResponse> frequency_response;
+  std::optional<SteadyState> steady_state;
   Requests requests;
   std::vector<LedgerEntry> ledger;
 
