@@ -135,6 +135,7 @@ struct Model {
   Implicit implicit;
   std::optional<FrequencyResponse> frequency_response;
   std::optional<SteadyState> steady_state;
+  StructuralDamping structural_damping;
   Requests requests;
   std::vector<LedgerEntry> ledger;
 
