@@ -61,6 +61,7 @@ struct FrequencyResponse {
   } damping;
 
   std::vector<double> frequency;  ///< at which the response is wanted, ascending [cycles/time]
+  bool direct = false;            ///< no modes, one solution for each frequency
   bool by_parts = false;          ///< OUTPUT 1: LS-DYNA's files hold real and imaginary part
 };
 
