@@ -19,6 +19,9 @@ std::string responses_of(const std::filesystem::path& directory, const output::H
                          const nvh::Matrices& matrices, const nvh::Modes& modes, const model::Model& model,
                          output::Summary& summary, const nvh::Tell& tell);
 
+/// Findings for what the equations cannot answer.
+void check_responses(const nvh::Matrices& matrices, const model::Model& model, Findings& findings);
+
 /// Whether all responses that a deck asks for are solved directly, without modes.
 bool all_direct(const model::Model& model);
 
