@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/index.hpp"
 #include "nvh/factorization.hpp"
@@ -38,12 +39,18 @@ void add_load(const Matrices& m, const Nodal& f, double factor, std::span<double
 void solve_statically(const Matrices& m, Columns& q) {
   const Factorization factor(m, small_shift(m));
   const Columns load = q;
+  const auto largest = [](const std::vector<double>& v) {
+    double most = 0.0;
+    for (const double x : v) most = std::max(most, std::abs(x));
+    return most;
+  };
   q.value.assign(q.value.size(), 0.0);
   std::vector<double> internal(m.size());
-  for (int pass = 0; pass < 4; ++pass) {
+  for (int pass = 0; pass < 100; ++pass) {
     Columns rest = load;
     m.stiffness.multiply(q[0], internal);
     for (std::size_t i = 0; i < m.size(); ++i) rest.value[i] -= internal[i];
+    if (largest(rest.value) <= 1e-12 * largest(load.value)) return;
     factor.solve(rest);
     for (std::size_t i = 0; i < m.size(); ++i) q.value[i] += rest.value[i];
   }
