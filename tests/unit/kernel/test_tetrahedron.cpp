@@ -46,7 +46,7 @@ struct Driven {
   }
   const TetrahedronForces<double>& step(double dt) {
     for (int i = 0; i < 4; ++i) nodes.x[i] += dt * nodes.v[i];
-    return force = tetrahedron_cycle<double>(solid, law, nodes, dt, state.data());
+    return force = tetrahedron_cycle<double>(solid, law, layout, nodes, dt, state.data());
   }
   double at(int field) const { return state[static_cast<std::size_t>(field)]; }
 };
@@ -91,7 +91,8 @@ TEST(Tetrahedron, BatchGivesTheBitsOfDouble) {
         put(nodes.v[i], one.nodes.v[i]);
       }
     }
-    const auto force = tetrahedron_cycle<NativeBatch>(viscous, single[0].law, nodes, 1e-7, together.data());
+    const auto force =
+        tetrahedron_cycle<NativeBatch>(viscous, single[0].law, single[0].layout, nodes, 1e-7, together.data());
     for (int l = 0; l < W; ++l) {
       const Driven<PiecewiseLinear>& one = single[static_cast<std::size_t>(l)];
       for (int i = 0; i < 4; ++i) {
