@@ -217,6 +217,15 @@ Matrices::Matrices(const system::System& s, Findings& findings)
     findings.error(joint.place, "*CONSTRAINED_JOINT",
                    fmt::format("joint {}: joints are not in the linear analyses yet", joint.id),
                    "leave the joint out, or join the bodies by springs (*ELEMENT_DISCRETE, ELFORM 6)");
+  for (const model::Part& part : s.model.parts)
+    if (part.kind == model::ElementKind::solid && part.section != model::none &&
+        s.model.solid_sections[at(part.section)].elform == 13)
+      findings.error(
+          part.place, "*PART",
+          fmt::format("part {}: tetrahedra whose nodes share a pressure (ELFORM 13) have no stiffness of their "
+                      "own, so they are not in the linear analyses",
+                      part.id),
+          "write 10 there");
   stiffness = assemble_stiffness(s, rest, equations);
   const std::vector<char> loose = unresisted(stiffness);
   held = static_cast<int>(std::count(loose.begin(), loose.end(), 1));
