@@ -9,6 +9,7 @@
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "nvh/assembly.hpp"
+#include "nvh/joint_stiffness.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -88,6 +89,8 @@ Symmetric assemble_stiffness(const system::System& system, const system::State& 
       const std::array<int, 8> node = group->nodes(e);
       lists.push_back(Reach(equations, element_nodes(*group, node), group->freedoms()).equations());
     }
+  const std::vector<JointRows> joints = joint_rows(system);
+  for (const JointRows& joint : joints) lists.push_back(Reach(equations, joint.node, 6).equations());
   Symmetric k(pattern(at(equations.size()), lists));
   // Kernels in parallel, a stretch at a time; added up in the order of the elements.
   constexpr std::size_t stretch = 2048;
@@ -108,6 +111,7 @@ Symmetric assemble_stiffness(const system::System& system, const system::State& 
       }
     }
   }
+  add_joints(joints, equations, k);
   return k;
 }
 
@@ -180,10 +184,6 @@ std::array<double, 36> mass_matrix(const NodalMass& n) {
 
 Matrices::Matrices(const system::System& s, Findings& findings)
     : system(s), rest(at_rest(s)), equations(s, findings), nodal_mass(nodal_masses(s, rest)) {
-  for (const model::Joint& joint : s.model.joints)
-    findings.error(joint.place, "*CONSTRAINED_JOINT",
-                   fmt::format("joint {}: joints are not in the linear analyses yet", joint.id),
-                   "leave the joint out, or join the bodies by springs (*ELEMENT_DISCRETE, ELFORM 6)");
   stiffness = assemble_stiffness(s, rest, equations);
   const std::vector<char> loose = unresisted(stiffness);
   held = static_cast<int>(std::count(loose.begin(), loose.end(), 1));

@@ -117,8 +117,9 @@ Eigenpairs search_modes(const Matrices& m, const ModeRequest& r, const Tell& tel
   const std::size_t all = m.size();
   double low = r.low > 0.0 ? squared(r.low) : -std::numeric_limits<double>::infinity();
   double high = std::isfinite(r.high) ? squared(r.high) : std::numeric_limits<double>::infinity();
+  const int up_to = std::isfinite(high) ? shifts.below(high) : static_cast<int>(all);
   const int before = r.low > 0.0 ? shifts.below(low) : 0;
-  const int inside = (std::isfinite(high) ? shifts.below(high) : static_cast<int>(all)) - before;
+  const int inside = up_to - before;
   modes.proof = {std::max(r.low, 0.0), r.high, inside, 0};
   if (inside <= 0) return {};
   const std::size_t wanted = r.count > 0 ? std::min(at(r.count), at(inside)) : at(inside);
@@ -128,7 +129,7 @@ Eigenpairs search_modes(const Matrices& m, const ModeRequest& r, const Tell& tel
                  : whole && r.low > 0.0 && std::isfinite(high) ? 0.5 * (low + high)
                  : r.low > 0.0                                 ? low
                                                                : -small_shift(m);
-  const int left = shifts.below(place) - before;  // between the lower end and the place
+  const int left = place == low ? 0 : shifts.below(place) - before;  // between the lower end and the place
   if (place < 0.0) refuse_negative(left);
   // One more than wanted shows the gap; where there are pairs on both sides, as many again.
   std::size_t take = wanted;
