@@ -53,6 +53,8 @@ JointRows rows_of(const system::System& system, const model::Joint& joint) {
     const system::RigidBody& body = system.bodies[at(system.body_of[at(joint.body[side])])];
     rows.node[side] = body.node;
     arm[side] = place(0) - body.center0;
+    const double gyration = body.mass > 0.0 ? (body.inertia[0] + body.inertia[3] + body.inertia[5]) / body.mass : 0.0;
+    rows.reach = std::max(rows.reach, std::sqrt(dot(arm[side], arm[side]) + gyration));
   }
   const auto hold = [&](const Vec3d& d) { rows.displacements.push_back(displacement(d, arm[0], arm[1])); };
   if (joint.kind == Kind::spherical) {
@@ -92,28 +94,28 @@ std::vector<JointRows> joint_rows(const system::System& system) {
 }
 
 void add_joints(const std::vector<JointRows>& joints, const Equations& equations, Symmetric& stiffness) {
-  std::vector<std::array<double, 2>> levels;  // of all joints before the first is added
-  double largest[2] = {0.0, 0.0};
-  for (std::size_t i = 0; i < stiffness.size(); ++i) largest[0] = std::max(largest[0], std::abs(stiffness.diagonal(i)));
+  double largest = 0.0;
+  for (std::size_t i = 0; i < stiffness.size(); ++i) largest = std::max(largest, std::abs(stiffness.diagonal(i)));
+  std::vector<std::array<double, 2>> springs;  // against displacements and rotations; by what is there before any joint
   for (const JointRows& joint : joints) {
-    std::array<double, 2> level{};
-    for (const int node : joint.node)
-      for (const std::size_t kind : {0u, 1u})
-        level[kind] = std::max(level[kind], stiffest(equations, stiffness, node, 3 * static_cast<int>(kind)));
-    levels.push_back(level);
-    largest[1] = std::max(largest[1], level[1]);
+    double across = 0.0, turning = 0.0;
+    for (const int node : joint.node) {
+      across = std::max(across, stiffest(equations, stiffness, node, 0));
+      turning = std::max(turning, stiffest(equations, stiffness, node, 3));
+    }
+    if (across == 0.0) across = largest > 0.0 ? largest : 1.0;
+    turning = std::max(turning, across * joint.reach * joint.reach);
+    springs.push_back({joint_share * joint.scale * across, joint_share * joint.scale * turning});
   }
-  for (double& l : largest) l = l > 0.0 ? l : 1.0;
   for (std::size_t j = 0; j < joints.size(); ++j) {
     std::vector<double> k(144, 0.0);
-    const auto add = [&](const std::vector<JointRows::Row>& rows, std::size_t kind) {
-      const double spring = joint_share * joints[j].scale * (levels[j][kind] > 0.0 ? levels[j][kind] : largest[kind]);
+    const auto add = [&](const std::vector<JointRows::Row>& rows, double spring) {
       for (const JointRows::Row& row : rows)
         for (std::size_t a = 0; a < 12; ++a)
           for (std::size_t b = 0; b < 12; ++b) k[12 * a + b] += spring * row[a] * row[b];
     };
-    add(joints[j].displacements, 0);
-    add(joints[j].rotations, 1);
+    add(joints[j].displacements, springs[j][0]);
+    add(joints[j].rotations, springs[j][1]);
     scatter(Reach(equations, joints[j].node, 6), k, stiffness);
   }
 }

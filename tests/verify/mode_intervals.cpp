@@ -64,7 +64,7 @@ nvh::ModeRequest request(int count) {
   return r;
 }
 
-// 500 x 400: 50.40 109.4 142.6 201.6 207.7 260.8 293.7 ... Sabotage: the sign of the shift in Sylvester's count; modes
+// 500 x 400: 50.40 109.4 142.6 201.6 207.7 296.3 ... Sabotage: the sign of the shift in Sylvester's count; modes
 // outside of the interval kept; the distance from the centre measured from zero.
 TEST(ModeIntervals, SimplySupportedPlate) {
   const LinearExperiment experiment = plate(500.0, 400.0, 30, 24);
@@ -77,12 +77,12 @@ TEST(ModeIntervals, SimplySupportedPlate) {
   nvh::ModeRequest r = request(50);
   r.low = 100.0, r.high = 270.0;
   const std::vector<double> inside = found(experiment, r);
-  expect_modes(inside, full, {2, 3, 4, 5, 6});
+  expect_modes(inside, full, {2, 3, 4, 5});
   for (std::size_t i = 0; i < inside.size(); ++i)
     expect_reference("A-59", fmt::format("modes between 100 and 270: number {} [Hz]", i + 1), inside[i], exact[i + 1],
                      1e-2);
   r.count = 0;
-  expect_modes(found(experiment, r), full, {2, 3, 4, 5, 6});
+  expect_modes(found(experiment, r), full, {2, 3, 4, 5});
   r.count = 2;  // NEIG limits
   expect_modes(found(experiment, r), full, {2, 3});
   r.low = 60.0, r.high = 100.0;
