@@ -8,7 +8,8 @@
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
-#include "nvh/reach.hpp"
+#include "nvh/assembly.hpp"
+#include "nvh/joint_stiffness.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -72,39 +73,6 @@ std::vector<NodalMass> nodal_masses(const system::System& system, const system::
   return at_node;
 }
 
-std::span<const int> element_nodes(const system::ElementGroup& group, const std::array<int, 8>& nodes) {
-  return {nodes.data(), at(group.nodes_per_element)};
-}
-
-/// Adds an element's or a node's matrix, given in its freedoms.
-void scatter(const Reach& reach, std::span<const double> k, Symmetric& into) {
-  const std::vector<double> q = reach.reduced(k);
-  const std::vector<int>& eq = reach.equations();
-  for (std::size_t i = 0; i < eq.size(); ++i)
-    for (std::size_t j = 0; j <= i; ++j)  // mean of both triangles: kernels are symmetric to round-off only
-      into.add(eq[i], eq[j], 0.5 * (q[i * eq.size() + j] + q[j * eq.size() + i]));
-}
-
-/// Rows of the lower triangle for elements with these lists of unknowns.
-std::vector<std::vector<int>> pattern(std::size_t size, const std::vector<std::vector<int>>& lists) {
-  std::vector<std::vector<int>> rows(size);
-  for (std::size_t j = 0; j < size; ++j) rows[j].push_back(static_cast<int>(j));
-  const auto tidy = [](std::vector<int>& r) {
-    std::sort(r.begin(), r.end());
-    r.erase(std::unique(r.begin(), r.end()), r.end());
-  };
-  for (const std::vector<int>& list : lists)
-    for (std::size_t j = 0; j < list.size(); ++j) {
-      std::vector<int>& r = rows[at(list[j])];
-      r.insert(r.end(), list.begin() + static_cast<std::ptrdiff_t>(j), list.end());
-      if (r.size() > 1000) tidy(r);
-    }
-  parallel_for(size, 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t j = begin; j < end; ++j) tidy(rows[j]);
-  });
-  return rows;
-}
-
 /// Positions at rest, which is all that stiffnesses need.
 system::State at_rest(const system::System& system) {
   system::State state;
@@ -121,6 +89,8 @@ Symmetric assemble_stiffness(const system::System& system, const system::State& 
       const std::array<int, 8> node = group->nodes(e);
       lists.push_back(Reach(equations, element_nodes(*group, node), group->freedoms()).equations());
     }
+  const std::vector<JointRows> joints = joint_rows(system);
+  for (const JointRows& joint : joints) lists.push_back(Reach(equations, joint.node, 6).equations());
   Symmetric k(pattern(at(equations.size()), lists));
   // Kernels in parallel, a stretch at a time; added up in the order of the elements.
   constexpr std::size_t stretch = 2048;
@@ -141,6 +111,7 @@ Symmetric assemble_stiffness(const system::System& system, const system::State& 
       }
     }
   }
+  add_joints(joints, equations, k);
   return k;
 }
 
@@ -213,10 +184,6 @@ std::array<double, 36> mass_matrix(const NodalMass& n) {
 
 Matrices::Matrices(const system::System& s, Findings& findings)
     : system(s), rest(at_rest(s)), equations(s, findings), nodal_mass(nodal_masses(s, rest)) {
-  for (const model::Joint& joint : s.model.joints)
-    findings.error(joint.place, "*CONSTRAINED_JOINT",
-                   fmt::format("joint {}: joints are not in the linear analyses yet", joint.id),
-                   "leave the joint out, or join the bodies by springs (*ELEMENT_DISCRETE, ELFORM 6)");
   for (const model::Part& part : s.model.parts)
     if (part.kind == model::ElementKind::solid && part.section != model::none &&
         s.model.solid_sections[at(part.section)].elform == 13)
@@ -236,23 +203,27 @@ Matrices::Matrices(const system::System& s, Findings& findings)
                   fmt::format("{} directions of nodes are held, since nothing resists motion in them (AUTOSPC)", held));
   }
   mass = assemble_mass(equations, nodal_mass);
+  // What cancels between elements or belongs to another direction is left as round-off of a few 1e-16.
+  stiffness.drop_small(1e-14);
+  mass.drop_small(1e-14);
 }
 
 std::vector<double> Matrices::element_energies(const system::ElementGroup& group, std::size_t e,
                                                const Columns& q) const {
-  const std::size_t per_node = at(group.freedoms()), n = at(group.nodes_per_element) * per_node;
-  std::vector<double> k(n * n), u(n), energy;
+  const std::size_t per_node = at(group.freedoms()), n = at(group.nodes_per_element) * per_node, count = q.count;
+  std::vector<double> k(n * n), u(n * count), force(count), energy(count, 0.0);
   group.stiffness(e, rest, k);
   const std::array<int, 8> node = group.nodes(e);
-  for (std::size_t mode = 0; mode < q.count; ++mode) {
-    for (std::size_t a = 0; a < at(group.nodes_per_element); ++a) {
+  for (std::size_t a = 0; a < at(group.nodes_per_element); ++a)
+    for (std::size_t mode = 0; mode < count; ++mode) {
       const Six motion = equations.motion(node[a], q[mode]);
-      for (std::size_t i = 0; i < per_node; ++i) u[a * per_node + i] = motion[i];
+      for (std::size_t i = 0; i < per_node; ++i) u[(a * per_node + i) * count + mode] = motion[i];
     }
-    double twice = 0.0;
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j) twice += u[i] * k[i * n + j] * u[j];
-    energy.push_back(0.5 * twice);
+  for (std::size_t i = 0; i < n; ++i) {  // all modes side by side
+    std::fill(force.begin(), force.end(), 0.0);
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t mode = 0; mode < count; ++mode) force[mode] += k[i * n + j] * u[j * count + mode];
+    for (std::size_t mode = 0; mode < count; ++mode) energy[mode] += 0.5 * u[i * count + mode] * force[mode];
   }
   return energy;
 }
