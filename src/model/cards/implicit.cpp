@@ -106,7 +106,8 @@ void read_general(Builder& b, const Block& block, const Options&) {
     const bool has_solution =
         std::any_of(later.model.ledger.begin(), later.model.ledger.end(),
                     [](const LedgerEntry& entry) { return entry.keyword == "CONTROL_IMPLICIT_SOLUTION"; });
-    if (later.model.implicit.modes > 0 || has_solution) return;
+    const bool direct = later.model.steady_state && later.model.steady_state->direct;
+    if (later.model.implicit.modes > 0 || has_solution || direct) return;
     refuse(later, row, "imflag", "without further cards this is a nonlinear implicit run, which is not built",
            "give NSOLVR 1 in *CONTROL_IMPLICIT_SOLUTION for linear statics, NEIG in *CONTROL_IMPLICIT_EIGENVALUE for "
            "natural modes, or run explicitly with IMFLAG 0");
