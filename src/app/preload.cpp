@@ -37,7 +37,8 @@ std::string stiffen_by_preload(nvh::Matrices& m) {
                         model.control.end_time, largest, statics.residual);
   }
   nvh::stiffen(m, prestress);
-  return text + fmt::format(" geometric stiffness of {} elements\n\n", prestress.elements());
+  return text + fmt::format(" geometric stiffness of {} elements; {} directions without any stiffness are held\n\n",
+                            prestress.elements(), m.held);
 }
 
 }  // namespace nugget::app

@@ -2,6 +2,7 @@
 #include "nvh/assembly.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
@@ -33,6 +34,17 @@ std::vector<std::vector<int>> pattern(std::size_t size, const std::vector<std::v
     for (std::size_t j = begin; j < end; ++j) tidy(rows[j]);
   });
   return rows;
+}
+
+Symmetric sum(const Symmetric& a, const Symmetric& b) {
+  std::vector<std::vector<int>> rows(a.size());
+  for (std::size_t j = 0; j < a.size(); ++j) std::ranges::set_union(a.rows(j), b.rows(j), std::back_inserter(rows[j]));
+  Symmetric both(rows);
+  for (const Symmetric* part : {&a, &b})
+    for (std::size_t j = 0; j < a.size(); ++j)
+      for (std::size_t i = 0; i < part->rows(j).size(); ++i)
+        both.add(part->rows(j)[i], static_cast<int>(j), part->values(j)[i]);
+  return both;
 }
 
 }  // namespace nugget::nvh

@@ -21,4 +21,7 @@ std::vector<std::vector<int>> pattern(std::size_t size, const std::vector<std::v
 /// Adds an element's or a node's matrix, given in its freedoms.
 void scatter(const Reach& reach, std::span<const double> k, Symmetric& into);
 
+/// Of two matrices of the same size, which may have different patterns.
+Symmetric sum(const Symmetric& a, const Symmetric& b);
+
 }  // namespace nugget::nvh

@@ -6,11 +6,13 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <utility>
+#include <vector>
 
-#include "base/index.hpp"
 #include "nvh/elimination_order.hpp"
 
 namespace nugget::nvh {
+
 /// An instance of MUMPS with the order and the tree of eliminations of one pattern.
 struct Factorization::Mumps {
   explicit Mumps(const Matrices& m);
@@ -26,7 +28,7 @@ struct Factorization::Mumps {
   MUMPS_INT& option(int i) { return data.icntl[i - 1]; }  // numbers as in the user's guide
 
   const Matrices& matrices;
-  mutable DMUMPS_STRUC_C data{};
+  DMUMPS_STRUC_C data{};
 
  private:
   struct Pattern {

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "nvh/assembly.hpp"
 #include "nvh/joint_stiffness.hpp"
+#include "nvh/prestress.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -136,6 +138,25 @@ Symmetric assemble_mass(const Equations& equations, const std::vector<NodalMass>
   return m;
 }
 
+/// K with what a prestress adds, and M, in the unknowns that have any stiffness.
+void assemble(Matrices& m, const Prestress* prestress) {
+  const auto stiffness = [&] {
+    Symmetric k = assemble_stiffness(m.system, m.rest, m.equations);
+    return prestress != nullptr ? sum(k, prestress->stiffness()) : std::move(k);
+  };
+  m.stiffness = stiffness();
+  const std::vector<char> loose = unresisted(m.stiffness);
+  m.held = static_cast<int>(std::count(loose.begin(), loose.end(), 1));
+  if (m.held > 0) {
+    m.equations.hold(loose);
+    m.stiffness = stiffness();
+  }
+  m.mass = assemble_mass(m.equations, m.nodal_mass);
+  // What cancels between elements or belongs to another direction is left as round-off of a few 1e-16.
+  m.stiffness.drop_small(1e-14);
+  m.mass.drop_small(1e-14);
+}
+
 }  // namespace
 
 void NodalMass::add(const NodalMass& more) {
@@ -193,19 +214,16 @@ Matrices::Matrices(const system::System& s, Findings& findings)
                       "own, so they are not in the linear analyses",
                       part.id),
           "write 10 there");
-  stiffness = assemble_stiffness(s, rest, equations);
-  const std::vector<char> loose = unresisted(stiffness);
-  held = static_cast<int>(std::count(loose.begin(), loose.end(), 1));
-  if (held > 0) {
-    equations.hold(loose);
-    stiffness = assemble_stiffness(s, rest, equations);
+  assemble(*this, nullptr);
+  if (held > 0)
     findings.note({s.model.deck, 0, 0}, "*CONTROL_IMPLICIT_SOLVER",
                   fmt::format("{} directions of nodes are held, since nothing resists motion in them (AUTOSPC)", held));
-  }
-  mass = assemble_mass(equations, nodal_mass);
-  // What cancels between elements or belongs to another direction is left as round-off of a few 1e-16.
-  stiffness.drop_small(1e-14);
-  mass.drop_small(1e-14);
+}
+
+void stiffen(Matrices& m, const Prestress& prestress) {
+  Findings told;  // when the matrices were made
+  m.equations = Equations(m.system, told);
+  assemble(m, &prestress);
 }
 
 std::vector<double> Matrices::element_energies(const system::ElementGroup& group, std::size_t e,

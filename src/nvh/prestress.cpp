@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
-#include <utility>
 
 #include "base/index.hpp"
 #include "kernel/element/shell.hpp"
@@ -242,20 +240,6 @@ Symmetric Prestress::stiffness() const {
   Symmetric k(pattern(m_.size(), lists));
   for (const Piece& p : pieces) scatter(p.reach, p.k, k);
   return k;
-}
-
-void stiffen(Matrices& m, const Prestress& prestress) {
-  const Symmetric stress = prestress.stiffness();
-  std::vector<std::vector<int>> rows(m.size());
-  for (std::size_t j = 0; j < m.size(); ++j)
-    std::ranges::set_union(m.stiffness.rows(j), stress.rows(j), std::back_inserter(rows[j]));
-  Symmetric sum(rows);
-  for (const Symmetric* part : {&std::as_const(m.stiffness), &stress})
-    for (std::size_t j = 0; j < m.size(); ++j)
-      for (std::size_t i = 0; i < part->rows(j).size(); ++i)
-        sum.add(part->rows(j)[i], static_cast<int>(j), part->values(j)[i]);
-  m.stiffness = std::move(sum);
-  m.stiffness.drop_small(1e-14);
 }
 
 }  // namespace nugget::nvh

@@ -36,7 +36,8 @@ class Prestress {
   std::vector<std::vector<Tensor>> tensor_;  ///< by group and element
 };
 
-/// K := K + K_s.
+/// K := K + K_s, of the matrices that the prestress was made for. Unknowns that had no stiffness but for K_s, such as
+/// the motion of a string across its line, come back: the unknowns are counted anew.
 void stiffen(Matrices& matrices, const Prestress& prestress);
 
 }  // namespace nugget::nvh
