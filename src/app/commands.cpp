@@ -40,14 +40,25 @@ void add_term(std::string& terms, weld::FailureMode mode, double value) {
   if (value > 0.0) terms += fmt::format("{}{} {:.3g}", terms.empty() ? "" : ", ", weld::to_string(mode), value);
 }
 
-output::WeldLoad last_load(const weld::History& history) {
+/// `length`: of the weld, over which the shear force makes moments at its ends.
+output::WeldLoad last_load(const weld::History& history, double length) {
   const weld::Resultants& r = history.last_load().resultants;
   std::string terms;
   for (int i = 0; i < history.last_value().terms; ++i) {
     const auto& [mode, value] = history.last_value().term[at(i)];
     add_term(terms, mode, value);
   }
-  return {r.axial, r.shear(), r.moment(), r.torsion, history.last_load().rate, history.failure_value(), terms};
+  const auto at_end = [&](double half) {
+    return std::hypot(r.moment_s + half * r.shear_t, r.moment_t - half * r.shear_s);
+  };
+  return {r.axial,
+          r.shear(),
+          r.moment(),
+          r.torsion,
+          history.last_load().rate,
+          history.failure_value(),
+          terms,
+          {at_end(-0.5 * length), at_end(0.5 * length)}};
 }
 
 void tell_history(const weld::RigidWeldHistory& history, output::WeldReport& report) {
@@ -59,7 +70,8 @@ void tell_history(const weld::RigidWeldHistory& history, output::WeldReport& rep
   report.peak_failure = history.peak_failure_value();
   report.peak_failure_time = history.peak_failure_time();
   const weld::RigidWeldHistory::Last& last = history.last();
-  report.last = {last.axial, last.shear, last.moment, last.torsion, untold, last.normal_term + last.shear_term, {}};
+  report.last = {last.axial, last.shear,      last.moment, last.torsion, untold, last.normal_term + last.shear_term,
+                 {},         {untold, untold}};
   add_term(report.last.terms, weld::FailureMode::axial, last.normal_term);
   add_term(report.last.terms, weld::FailureMode::shear, last.shear_term);
   report.energy = untold;
@@ -97,7 +109,7 @@ void tell_rivet(const impact::Rivets& rivets, std::size_t i, output::WeldReport&
     report.failure_mode = weld::to_string(weld::FailureMode::time);
   }
   report.peak.axial = rivets.peak(i);
-  report.last = {rivets.axial(i), untold, untold, untold, untold, untold, {}};
+  report.last = {rivets.axial(i), untold, untold, untold, untold, untold, {}, {untold, untold}};
   report.peak_failure = report.peak_failure_time = report.energy = untold;
 }
 
@@ -115,7 +127,7 @@ void tell_histories(const impact::Simulation& run, std::vector<output::WeldRepor
       if (record->failed) welds[i].failure_time = record->failure_time;
       if (record->failed) welds[i].failure_mode = "limit of its law";
       welds[i].peak = {record->peaks[0], record->peaks[1], record->peaks[2], record->peaks[3]};
-      welds[i].last = {untold, untold, untold, untold, untold, untold, {}};
+      welds[i].last = {untold, untold, untold, untold, untold, untold, {}, {untold, untold}};
       welds[i].peak_failure = welds[i].peak_failure_time = untold;
       const system::System::Seat seat = system.beam_seat[at(system.ties.welds[i].element)];
       welds[i].energy = system.groups[at(seat.group)]->internal_energy(at(seat.element));
@@ -136,7 +148,7 @@ void tell_histories(const impact::Simulation& run, std::vector<output::WeldRepor
     welds[i].peak = {peak[0], peak[1], peak[2], peak[3]};
     welds[i].peak_failure = history->peak_failure_value();
     welds[i].peak_failure_time = history->peak_failure_time();
-    welds[i].last = last_load(*history);
+    welds[i].last = last_load(*history, system.ties.welds[i].length);
     welds[i].damage = damage_of(run, i);
   }
 }

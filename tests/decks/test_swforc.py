@@ -193,6 +193,17 @@ class Swforc(CommandTest):
             self.assertEqual((weld["last_strain_rate"], weld["energy"]), ("", ""))
         self.assertEqual((rivet["last_shear"], rivet["peak_failure"], rivet["energy"]), ("", "", ""))
 
+    def test_moments_at_both_sheets(self):
+        """Pulled along x the weld is sheared in a plane: the moments at its ends are that at mid-length and half its length times the shear
+        force, added and taken off."""
+        self.write(deck())
+        self.nugget("run", "model.k", "--quiet")
+        (weld,) = csv.DictReader(io.StringIO(self.read("welds.csv")))
+        middle, lever = float(weld["last_bending"]), 0.5 * 1.2 * float(weld["last_shear"])
+        ends = sorted((float(weld["last_bending_1"]), float(weld["last_bending_2"])))
+        self.assertAlmostEqual(ends[0] / abs(middle - lever), 1.0, delta=1e-3)
+        self.assertAlmostEqual(ends[1] / (middle + lever), 1.0, delta=1e-3)
+
     def test_a_refused_failure_function_is_told_once(self):
         card = ("*MAT_SPOTWELD\n         3  7.85e-09  210000.0       0.3     500.0    1000.0\n"
                 "       0.0    8000.0    6000.0    6000.0    9000.0    7000.0    7000.0\n")
