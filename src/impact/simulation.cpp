@@ -224,6 +224,7 @@ void Simulation::choose_step(double end_time) {
   if (state_.cycle == 0 && control.first_step > 0.0) dt = std::min(dt, control.first_step);
   if (control.step_curve != model::none)
     dt = std::min(dt, system_.model.curves[at(control.step_curve)].clamped(state_.time));
+  dt = std::min(dt, control.step_scale * joints_.stable_step());
   if (!std::isfinite(dt) && !std::isnan(dt)) dt = end_time > 0.0 ? 1e-3 * end_time : 1.0;  // rigid bodies only
   if (dt < smallest_step_) {
     smallest_step_ = dt;
