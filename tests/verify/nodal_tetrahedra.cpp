@@ -90,26 +90,20 @@ TEST(NodalTetrahedra, PatchIsExact) {
   expect_reference("patch", "bar of 72 tetrahedra, ELFORM 13: other stresses, of the axial one", other, 0.0, 1e-4, 1.0);
 }
 
-/// Cook's membrane as a slab in plane strain: work of the load... see below.
-struct Cantilever {
-  double tip = 0.0, ratio = 0.0;
-};
-
-// A cantilever of nearly incompressible rubber in plane strain, bent by a shear on its end, to rest. Beam theory in
+// A cantilever of nearly incompressible rubber in plane strain, bent to rest by a shear on its end, over beam theory in
 // plane strain: P L^3 / (3 E' I) + P L / (k G A), E' = E / (1 - nu^2).
 double tip_deflection(int elform, double nu) {
-  const double E = 3.0, L = 60.0, h = 10.0, t = 2.5;
+  const double E = 3.0, L = 40.0, h = 10.0, t = 2.5, P = 0.002;
   Specimen s = material(elform, "*MAT_ELASTIC\n" + fields({1, 1e-9, E, nu}));
-  const Block block(s, {L, h, t}, {24, 4, 1});
-  std::vector<int> all = block.plane(2), top = block.plane(2, true);
-  all.insert(all.end(), top.begin(), top.end());
-  hold(s, 1, all, false, false, true);
+  const Block block(s, {L, h, t}, {16, 4, 1});
+  std::vector<int> sides = block.plane(2), other = block.plane(2, true);
+  sides.insert(sides.end(), other.begin(), other.end());
+  hold(s, 1, sides, false, false, true);
   hold(s, 2, block.plane(0), true, true, false);
   const std::vector<int> end = block.plane(0, true);
-  s.node_set(3, end).text(curve(9, {{0, 0}, {0.1, 1}, {10, 1}}));
-  const double P = 0.002;
+  s.node_set(3, end).text(curve(9, {{0, 0}, {0.02, 1}, {10, 1}}));
   s.card("LOAD_NODE_SET", {3, 2, 9, P / double(end.size())});
-  s.text("*CONTROL_TERMINATION\n0.35\n*DAMPING_GLOBAL\n0,60.0\n");
+  s.text("*CONTROL_TERMINATION\n0.05\n*DAMPING_GLOBAL\n0,500.0\n");
   Experiment experiment(s.deck());
   double tip = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) { tip = experiment.displacement(now, end.front()).y; });
@@ -117,11 +111,11 @@ double tip_deflection(int elform, double nu) {
   return tip / (P * L * L * L * (1.0 - nu * nu) / (3.0 * E * I) + P * L / (5.0 / 6.0 * G * h * t));
 }
 
+// Four cubes of six tetrahedra over the depth. Sabotage: each element's own pressure.
 TEST(NodalTetrahedra, DoNotLockAtConstantVolume) {
   const double shared = tip_deflection(13, 0.49), own = tip_deflection(10, 0.49);
-  std::printf("tip 13 %g 10 %g\n", shared, own);
-  EXPECT_LT(own, 0.5);
-  EXPECT_GT(shared, 0.8);
+  expect_reference("locking", "rubber cantilever, nu 0.49, ELFORM 13: deflection over beam theory", shared, 1.0, 0.2);
+  EXPECT_LT(own, 0.5) << "ELFORM 10 locks";
 }
 
 }  // namespace
