@@ -217,9 +217,9 @@ Matrices::Matrices(const system::System& s, Findings& findings)
     findings.error(joint.place, "*CONSTRAINED_JOINT",
                    fmt::format("joint {}: joints are not in the linear analyses yet", joint.id),
                    "leave the joint out, or join the bodies by springs (*ELEMENT_DISCRETE, ELFORM 6)");
-  for (const model::JointStiffness& stiffness : s.model.joint_stiffnesses)
-    findings.error(stiffness.place, "*CONSTRAINED_JOINT_STIFFNESS",
-                   fmt::format("joint stiffness {}: joints are not in the linear analyses yet", stiffness.id),
+  for (const model::JointStiffness& springs : s.model.joint_stiffnesses)
+    findings.error(springs.place, "*CONSTRAINED_JOINT_STIFFNESS",
+                   fmt::format("joint stiffness {}: joints are not in the linear analyses yet", springs.id),
                    "leave it out, or join the bodies by springs (*ELEMENT_DISCRETE, ELFORM 6)");
   for (const model::Part& part : s.model.parts)
     if (part.kind == model::ElementKind::solid && part.section != model::none &&
