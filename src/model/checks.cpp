@@ -521,6 +521,24 @@ void check_parts(Builder& b) {
                      "give ENDTIM, the time up to which is to be computed");
 }
 
+void check_relaxation(Builder& b) {
+  const Model& m = b.model;
+  if (!m.control.relaxation.on()) return;
+  for (const RigidWall& wall : m.walls)
+    if (wall.motion_curve != none || wall.mass > 0.0)
+      b.findings.error(wall.place, "*RIGIDWALL", "a wall that moves beside dynamic relaxation is not supported",
+                       "hold the wall, or give it as a rigid part with *BOUNDARY_PRESCRIBED_MOTION_RIGID");
+  for (const PrescribedMotion& motion : m.motions) {
+    if (motion.curve == none || motion.quantity != PrescribedMotion::Quantity::displacement) continue;
+    const Curve& curve = m.curves[static_cast<std::size_t>(motion.curve)];
+    if (curve.in_run && curve.in_relaxation)
+      b.findings.error(
+          motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
+          fmt::format("displacement by curve {} in dynamic relaxation and again in the run (SIDR = 2)", curve.id),
+          "give two motions: one with a curve of SIDR 1 up to the end value, one of SIDR 0 that holds it");
+  }
+}
+
 void check_units(Builder& b) {
   const auto& materials = b.model.materials;
   const auto fitting = [&](const UnitSystem& u) {

@@ -14,7 +14,9 @@ namespace {
 std::vector<Keyword> all_families() {
   std::vector<Keyword> all;
   for (const auto family : {
+           text_keywords,
            mesh_keywords,
+           move_keywords,
            part_keywords,
            section_keywords,
            material_keywords,

@@ -52,7 +52,10 @@ class Loads {
   const Nodal& nodal() const { return load_; }
 
  private:
-  double level(model::Index curve, double time) const { return m_.system.model.curves[at(curve)].zero_outside(time); }
+  double level(model::Index curve, double time) const {
+    const Curve& c = m_.system.model.curves[at(curve)];
+    return c.in_run ? c.zero_outside(time) : 0.0;
+  }
   int node(model::Index n) const { return m_.system.node_of[at(n)]; }
   Vec3d place(model::Index n) const { return m_.system.ties.x[at(n)]; }
 

@@ -80,6 +80,11 @@ Json to_json(const Summary& s) {
   json["time"] = s.time;
   json["time_step"] = {
       {"first", s.time_step.first}, {"smallest", s.time_step.smallest}, {"controlling", s.time_step.controlling}};
+  if (s.relaxation)
+    json["relaxation"] = {{"cycles", s.relaxation->cycles},
+                          {"time", s.relaxation->time},
+                          {"unrest", s.relaxation->unrest},
+                          {"at_rest", s.relaxation->at_rest}};
   json["mass"] = {{"physical", s.mass.physical}, {"added", s.mass.added}, {"added_to_welds", s.mass.added_to_welds}};
   json["energy"] = to_json(s.energy);
   json["seconds"] = to_json(s.seconds);

@@ -93,6 +93,12 @@ struct Summary {
     double first = 0.0, smallest = 0.0;
     std::string controlling;  ///< e.g. `beam 17 of part 5`
   } time_step;
+  struct Relaxation {
+    long cycles = 0;
+    double time = 0.0, unrest = 0.0;  ///< kinetic energy over the largest, at the last check
+    bool at_rest = false;
+  };
+  std::optional<Relaxation> relaxation;  ///< the dynamic relaxation before the run
   struct Mass {
     double physical = 0.0, added = 0.0, added_to_welds = 0.0;
   } mass;

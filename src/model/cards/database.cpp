@@ -371,7 +371,8 @@ std::vector<Keyword> database_keywords() {
       without_effect("DATABASE_BINARY_INTFOR",
                      "the contact database (intfor) is not written; rcforc holds the forces of each contact"),
       without_effect("DATABASE_BINARY_D3THDT", "d3thdt repeats the histories that nodout, elout and matsum hold"),
-      without_effect("DATABASE_BINARY_D3DRLF", "states of dynamic relaxation; there is no such phase"),
+      without_effect("DATABASE_BINARY_D3DRLF",
+                     "states of dynamic relaxation are not written; the run begins with its last one"),
   };
 }
 

@@ -9,7 +9,9 @@
 // A new keyword is a row in its family's list; a new family is one line here and one in keywords.cpp.
 namespace nugget::model {
 
+std::vector<Keyword> text_keywords();              ///< what the reader of the text takes: includes, parameters
 std::vector<Keyword> mesh_keywords();              ///< nodes, elements, point masses
+std::vector<Keyword> move_keywords();              ///< nodes moved before anything is computed
 std::vector<Keyword> part_keywords();              ///< *PART
 std::vector<Keyword> section_keywords();           ///< *SECTION_..., *HOURGLASS
 std::vector<Keyword> material_keywords();          ///< *MAT_...
