@@ -205,6 +205,10 @@ std::array<double, 36> mass_matrix(const NodalMass& n) {
 
 Matrices::Matrices(const system::System& s, Findings& findings)
     : system(s), rest(at_rest(s)), equations(s, findings), nodal_mass(nodal_masses(s, rest)) {
+  for (const model::JointStiffness& springs : s.model.joint_stiffnesses)
+    findings.error(springs.place, "*CONSTRAINED_JOINT_STIFFNESS",
+                   fmt::format("joint stiffness {} is not in the linear analyses", springs.id),
+                   "leave it out, or join the bodies by springs (*ELEMENT_DISCRETE, ELFORM 6)");
   for (const model::Part& part : s.model.parts)
     if (part.kind == model::ElementKind::solid && part.section != model::none &&
         s.model.solid_sections[at(part.section)].elform == 13)

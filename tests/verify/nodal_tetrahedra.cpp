@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "linear.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {
@@ -116,6 +117,21 @@ TEST(NodalTetrahedra, DoNotLockAtConstantVolume) {
   const double shared = tip_deflection(13, 0.49), own = tip_deflection(10, 0.49);
   expect_reference("locking", "rubber cantilever, nu 0.49, ELFORM 13: deflection over beam theory", shared, 1.0, 0.2);
   EXPECT_LT(own, 0.5) << "ELFORM 10 locks";
+}
+
+// A node's pressure is not an element's stiffness; the linear analyses say so.
+TEST(NodalTetrahedra, AreRefusedInLinearAnalyses) {
+  Specimen s = material(13, "*MAT_ELASTIC\n" + fields({1, 1e-9, 3.0, 0.3}));
+  s.card("CONTROL_IMPLICIT_GENERAL", {1, 1}).card("CONTROL_IMPLICIT_EIGENVALUE", {5}).card("CONTROL_TERMINATION", {1});
+  const Block block(s, {10, 10, 10}, {1, 1, 1});
+  std::string said = "accepted";
+  try {
+    const LinearExperiment experiment(s.deck());
+    if (experiment.findings().errors() > 0) said = "ELFORM 13";
+  } catch (const std::runtime_error& e) {
+    said = e.what();
+  }
+  EXPECT_NE(said.find("ELFORM 13"), std::string::npos) << said;
 }
 
 }  // namespace
