@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The coupons of examples/coupons against three-dimensional models of solids: cases A-66 and A-67 of the validation suite.
+"""The coupons of examples/coupons against three-dimensional models of solids: cases A-66 and A-67 of the validation suite. On elements as
+large as the weld: tests/verify/coupons.cpp.
 
 Sabotage that this catches: a weld that hands over no moment (peel goes soft), bricks of another cross-section than the beam they replace,
 a failure function that sees the grip's force instead of the weld's.
@@ -42,12 +43,6 @@ class Coupons(unittest.TestCase):
         for name, curve in self.run_all("peel_beam", "cross_beam").items():
             reference, work, _ = study.SOLIDS[name.split("_")[0]]
             self.assertAlmostEqual(curve.work(reference[-1][0]) / work, 1.0, delta=0.20, msg=name)
-
-    def test_work_on_elements_as_large_as_the_weld(self):
-        gates = {"lap_seven": 0.08, "peel_seven": 0.20, "cross_seven": 0.20}
-        for name, curve in self.run_all(*gates).items():
-            reference, work, _ = study.SOLIDS[name.split("_")[0]]
-            self.assertAlmostEqual(curve.work(reference[-1][0]) / work, 1.0, delta=gates[name], msg=name)
 
     def test_weld_fails_by_the_force_in_the_grip(self):
         curves = self.run_all("lap_fails", "peel_fails")
