@@ -589,9 +589,10 @@ std::vector<Keyword> contact_keywords() {
               "glue is built between two surfaces; use *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
       refused("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_*", "this form is not built; use it without the last word"),
       refused("CONTACT_FORCE_TRANSDUCER_*", "this transducer is not built; *CONTACT_FORCE_TRANSDUCER_PENALTY is"),
-      ignored("CONTACT_INTERIOR",
-              "soft solids that are squeezed to a tenth of their thickness get no forces that press them apart (LS-DYNA "
-              "documents no law for them); their material alone holds them, and one that turns inside out is named"),
+      ignored(
+          "CONTACT_INTERIOR",
+          "soft solids that are squeezed to a tenth of their thickness get no forces that press them apart (LS-DYNA "
+          "documents no law for them); their material alone holds them, and one that turns inside out is named"),
       refused("CONTACT_ERODING_*",
               "this form is not built; *CONTACT_ERODING_SINGLE_SURFACE, _SURFACE_TO_SURFACE and _NODES_TO_SURFACE "
               "are"),
