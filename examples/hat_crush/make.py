@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes the axial crush of a spot-welded top-hat column with welds of several strengths: hat_sound.k, hat_half.k, ...
 
-    python3 examples/hat_crush/make.py FOLDER [CRUSH]
+    python3 examples/hat_crush/make.py FOLDER [CRUSH [DENT_AT]]
 
-CRUSH: by how many mm, 120 if not given. Units: mm, t, s, N, MPa. No dependencies; the same bytes at every call.
+CRUSH: by how many mm, 120 if not given. DENT_AT: how far from the front the dent stands, 20 mm if not given. Units: mm, t, s, N, MPa. No dependencies; the same bytes at every call.
 """
 import math
 import pathlib
@@ -34,7 +34,7 @@ def line(points, counts):
     return found
 
 
-def sheets():
+def sheets(dent_at):
     """Nodes, shells and rear edge of hat and plate. The dent goes in on the top and out on webs and plate."""
     n = lambda width: round(width / SIZE)  # noqa: E731
     a, b = TOP / 2.0, TOP / 2.0 + FLANGE
@@ -48,7 +48,7 @@ def sheets():
         number = lambda j, k: first + j * len(section) + k + 1  # noqa: E731,B023
         for j in range(rows + 1):
             z = LENGTH * j / rows
-            d = crushing.dent(z, DENT_AT, DENT_REACH, DENT_DEPTH)
+            d = crushing.dent(z, dent_at, DENT_REACH, DENT_DEPTH)
             for k, (x, y, wall) in enumerate(section):
                 if part == HAT and wall == 2:
                     y -= d
@@ -75,8 +75,8 @@ def welds(nodes):
     return beams
 
 
-def make(strength, crush=120.0):
-    nodes, shells, rear = sheets()
+def make(strength, crush=120.0, dent_at=DENT_AT):
+    nodes, shells, rear = sheets(dent_at)
     beams = welds(nodes)
     perimeter = 2.0 * (TOP + WEB + 2.0 * FLANGE)
     mean = 8.22 * YIELD * THICKNESS ** (5 / 3) * perimeter ** (1 / 3) / 1000.0
@@ -115,9 +115,9 @@ Mean force of the closed form (White and Jones), welds that hold: 8.22 sigma0 t^
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (2, 3):
+    if len(sys.argv) not in (2, 3, 4):
         sys.exit(__doc__)
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     for name, strength in STRENGTH.items():
-        make(strength, float(sys.argv[2]) if len(sys.argv) == 3 else 120.0).write(folder / f"hat_{name}.k")
+        make(strength, *(float(a) for a in sys.argv[2:])).write(folder / f"hat_{name}.k")
