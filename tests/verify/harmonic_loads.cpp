@@ -169,7 +169,7 @@ TEST(FrequencyResponse, StructuralDampingOfTwoMasses) {
   }
 }
 
-// Rayleigh damping has a matrix: both routes agree. Sabotage: alpha on the stiffness.
+// Rayleigh damping has a matrix: both routes agree. Sabotage: alpha on the stiffness; no residual vector.
 TEST(FrequencyResponse, DirectSolutionAgreesWithModes) {
   Grid grid;
   Specimen s = strip(20, 2, 0.3, grid);
