@@ -96,24 +96,11 @@ class Canvas {
                          0.5 * (top + height - bottom), escaped(plot.ordinate));
   }
 
-  /// Of many points those stay that stand out: the lowest and the highest of each bundle, and both ends.
   void curve(const std::vector<double>& x, const std::vector<double>& y, const char* colour) {
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < x.size(); ++i)
       if (x_.shows(x[i]) && y_.shows(y[i])) kept.push_back(i);
-    const std::size_t bundle = 2 * kept.size() / most_points;
-    if (bundle > 2) {
-      std::vector<std::size_t> all = std::move(kept);
-      kept = {all.front()};
-      for (std::size_t i = 0; i < all.size(); i += bundle) {
-        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(i);
-        const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(i + bundle, all.size()));
-        const auto [low, high] =
-            std::minmax_element(begin, end, [&](std::size_t a, std::size_t b) { return y[a] < y[b]; });
-        kept.insert(kept.end(), {std::min(*low, *high), std::max(*low, *high)});
-      }
-      kept.push_back(all.back());
-    }
+    if (kept.size() > most_points) kept = outstanding(kept, x, y);
     std::string points;
     for (const std::size_t i : kept)
       points += fmt::format("{}{:.1f},{:.1f}", points.empty() ? "" : " ", px(x[i]), py(y[i]));
@@ -124,6 +111,24 @@ class Canvas {
   std::string take() { return std::move(text_); }
 
  private:
+  /// Of many points both ends, and the lowest and the highest of those that fall on the same few pixels.
+  std::vector<std::size_t> outstanding(const std::vector<std::size_t>& points, const std::vector<double>& x,
+                                       const std::vector<double>& y) const {
+    const double column = 2.0 * (width - left - right) / static_cast<double>(most_points);
+    std::vector<std::size_t> kept{points.front()};
+    for (auto begin = points.begin(); begin != points.end();) {
+      const double place = std::floor(px(x[*begin]) / column);
+      const auto end =
+          std::find_if(begin, points.end(), [&](std::size_t i) { return std::floor(px(x[i]) / column) != place; });
+      const auto [low, high] =
+          std::minmax_element(begin, end, [&](std::size_t i, std::size_t j) { return y[i] < y[j]; });
+      kept.insert(kept.end(), {std::min(*low, *high), std::max(*low, *high)});
+      begin = end;
+    }
+    kept.push_back(points.back());
+    return kept;
+  }
+
   Axis x_, y_;
   std::string text_;
 };

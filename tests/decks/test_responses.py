@@ -5,6 +5,7 @@ import math
 import unittest
 
 from nugget_command import CommandTest
+from test_mode_studies import strips
 from test_report import Page
 
 HALF_DECIBEL = 1.0 - 10.0 ** (-1.0 / 40.0)
@@ -162,6 +163,27 @@ class Responses(CommandTest):
         still = next(r for r in self.rows("ssd.csv") if (r["direction"], r["response"]) == ("z", "displacement"))
         self.assertAlmostEqual(float(still["amplitude"]) / 0.952381, 1.0, delta=0.02)
         self.assertAlmostEqual(float(still["phase"]), -math.degrees(math.atan(0.04)), delta=1e-6)
+
+    def test_page_of_welded_modes(self):
+        """Modes with what holds their energy, welds ranked by it and by what the frequencies lose without them."""
+        self.write(strips())
+        self.nugget("modes", "model.k", "-n", 12, "--drop-weld", "all", "--quiet")
+        page = Page(self.read("report.html"))
+        self.assertEqual((page.open, page.loads), ([], []))
+        modes = [row for row, kind in zip(page.rows, page.classes) if kind == "mode"]
+        self.assertEqual([int(row[0]) for row in modes], list(range(1, 13)))
+        shares = {(row["kind"], row["id"]): row for row in self.rows("mode_energy.csv")}
+        largest = {name[1]: max(float(row[f"mode {i}"]) for i in range(1, 13)) for name, row in shares.items() if name[0] == "weld"}
+        ranked = [row for row, kind in zip(page.rows, page.classes) if kind == "weld"]
+        self.assertEqual([row[0] for row in ranked], sorted(largest, key=lambda weld: -largest[weld]))
+        for weld, share, mode, _ in ranked:
+            self.assertAlmostEqual(float(share.split()[0]) / 100.0, largest[weld], delta=1e-5)
+            self.assertAlmostEqual(float(shares["weld", weld][f"mode {mode}"]), largest[weld], delta=1e-9)
+        worst = self.json("summary.json")["drop_weld"][0]
+        drops = page.rows[next(i for i, row in enumerate(page.rows) if row and row[0] == "without") + 1]
+        self.assertEqual(drops[0], " ".join(map(str, worst["welds"])))
+        self.assertAlmostEqual(float(drops[4]) / worst["without_hz"], 1.0, delta=1e-5)
+        self.assertNotIn("Energies over time", self.read("report.html"))
 
 
 if __name__ == "__main__":
