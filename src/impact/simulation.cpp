@@ -277,14 +277,16 @@ void Simulation::choose_step(double end_time) {
   if (state_.relaxing && control.relaxation.step_scale > 0.0) dt *= control.relaxation.step_scale / control.step_scale;
   if (control.step_curve != model::none)
     dt = std::min(dt, system_.model.curves[at(control.step_curve)].clamped(state_.time));
-  dt = std::min(dt, control.step_scale * joints_.stable_step());
+  const double of_joints = control.step_scale * joints_.stable_step();
+  const bool by_joints = of_joints < dt;
+  if (by_joints) dt = of_joints;
   if (!std::isfinite(dt) && !std::isnan(dt))  // rigid bodies only
     dt = end_time > 0.0 && std::isfinite(end_time) ? 1e-3 * end_time : 1.0;
   bearable_step_ = dt;
   if (state_.cycle == 0 && control.first_step > 0.0) dt = std::min(dt, control.first_step);
   if (dt < smallest_step_) {
     smallest_step_ = dt;
-    smallest_by_ = controlling_.describe(system_);
+    smallest_by_ = by_joints ? "the stiffness of a joint" : controlling_.describe(system_);
   }
   // A rest of less than a millionth of a step, which round-off leaves, belongs to this step: over a step of nothing no
   // acceleration and no reaction has a meaning.
