@@ -73,6 +73,7 @@ Prepared prepare(const RunArguments& arguments, Findings& findings) {
   Clock clock;
   const deck::Deck deck = deck::read(arguments.deck, findings);
   p.has_text = deck.bytes > 0;
+  p.deck_checksum = deck.checksum();
   if (findings.errors() > 0 && deck.blocks.empty()) return p;  // nothing was read; no more is to be said about it
   p.model = model::build(deck, findings, arguments.skip_unsupported);
   p.read_seconds = clock.seconds();

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/bvh.hpp"
 #include "base/row.hpp"
 #include "contact/nodal_forces.hpp"
@@ -109,6 +110,8 @@ class SurfaceContact {
   long searches() const { return searches_; }  ///< how often the lists were made
   std::size_t listed() const;                  ///< pairs in the lists
 
+  void archive(Archive& a);
+
  private:
   /// A node and a segment that are near each other.
   struct Pair {
@@ -147,6 +150,7 @@ class SurfaceContact {
     std::vector<Pair> old_pairs;
     std::vector<Candidate> candidates;
     std::vector<Hit> hits;
+    void archive(Archive& a);
   };
   struct Step {
     double dt;

@@ -93,8 +93,12 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   double next_report = 0.0;
 
   start();
+  if (options.restore) options.restore();
+  kept_cycle_ = state_.cycle;
+  kept_time_ = state_.time;
   watch.charge(seconds_[elements]);
   for (bool last = false; !last;) {
+    keep(options, elapsed());
     choose_step(end_time);
     const Outcome stop = reason_to_stop(options, end_time);
     last = stop.termination != Termination::normal || !stop.message.empty() || state_.time >= end_time;
@@ -160,6 +164,23 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()),
               failed_welds(), elapsed()});
   return outcome;
+}
+
+void Simulation::keep(const Options& options, double seconds) {
+  // Asked once a cycle: the run ends in the cycle that begins with the restart file.
+  stop_asked_ = interrupted != 0;
+  if (!options.keep || diverged_) return;
+  const Checkpoints& every = options.checkpoints;
+  const auto passed = [](double before, double now, double interval) {
+    return interval > 0.0 && std::floor(now / interval) > std::floor(before / interval);
+  };
+  const bool due = (every.cycles > 0 && state_.cycle > kept_cycle_ && state_.cycle % every.cycles == 0) ||
+                   passed(kept_time_, state_.time, every.time) || passed(kept_seconds_, seconds, 60.0 * every.minutes);
+  if (!due && !stop_asked_) return;
+  options.keep();
+  kept_cycle_ = state_.cycle;
+  kept_time_ = state_.time;
+  kept_seconds_ = seconds;
 }
 
 void Simulation::start() {
@@ -238,13 +259,10 @@ void Simulation::choose_step(double end_time) {
 Outcome Simulation::reason_to_stop(const Options& options, double end_time) const {
   const model::Control& control = system_.model.control;
   const auto error = [](std::string why) { return Outcome{Termination::error, std::move(why)}; };
-  if (interrupted)
-    return {
-        Termination::interrupted,
-        fmt::format(
-            "interrupted by the user at time {:.6g}, cycle {}; results up to there are kept, but no restart file is "
-            "written: this version has none",
-            state_.time, state_.cycle)};
+  if (stop_asked_)
+    return {Termination::interrupted,
+            fmt::format("interrupted by the user at time {:.6g}, cycle {}; results up to there are kept", state_.time,
+                        state_.cycle)};
   for (const auto& group : system_.groups) {
     if (group->inverted < 0) continue;
     const model::Index e = group->element[at(group->inverted)];

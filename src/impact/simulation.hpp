@@ -55,6 +55,8 @@ class Simulation {
   /// Asks a running simulation to stop after the current cycle (from a signal handler).
   static void interrupt();
 
+  void archive(Archive& a);
+
  private:
   void start();
   void choose_step(double end_time);
@@ -74,6 +76,8 @@ class Simulation {
   void masses_changed();
   /// Energies of the moment; they stay those of before where the solution has become no number.
   void account();
+  /// Between two cycles: writes a restart file if one is due, or the run was interrupted.
+  void keep(const Options& options, double seconds);
   Outcome reason_to_stop(const Options& options, double end_time) const;
 
   system::System& system_;
@@ -102,6 +106,9 @@ class Simulation {
   Erosion erosion_;
   Strains strains_;
   NodalForceGroups nodal_forces_;
+  bool stop_asked_ = false;  ///< the run was interrupted before this cycle
+  long kept_cycle_ = 0;      ///< of the last restart file; its time, and the clock then
+  double kept_time_ = 0.0, kept_seconds_ = 0.0;
   bool diverged_ = false;
   double step_change_ = 0.0;         ///< Energy::step_change so far
   double power_on_change_ = 0.0;     ///< forces at t(n) times the change of velocity from t(n-1/2) to t(n+1/2)
