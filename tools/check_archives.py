@@ -118,6 +118,28 @@ def classes_of(path, place):
     return text, found
 
 
+def pointers(declaration, room, place, scope, classes, seen=()):
+    """Members that are no plain values in the classes that a declaration names, as `file:line: Class::member`."""
+    found = []
+    for part in re.findall(r"\b[A-Z]\w+", declaration):
+        plain, around = None, scope.split("::")
+        while plain is None and around:
+            plain = classes.get((room, place, "::".join(around + [part])))
+            around.pop()
+        if plain is None:
+            named = [c for (r, _, n), c in classes.items() if n == part and r in (room, "kernel", "base")]
+            plain = classes.get((room, place, part)) or (named[0] if len(named) == 1 else None)
+        if plain is None or plain.archive is not None or plain in seen:
+            continue
+        for member, how in plain.members:
+            if re.search(r"[*&]|\bspan<|unique_ptr|shared_ptr|std::function", how.split("=")[0]):
+                found.append(f"{plain.place}:{plain.line}: {part}::{member}")
+            else:
+                inside = "::".join(plain.scope + [part])
+                found += pointers(how.split("=")[0], room, plain.place, inside, classes, (*seen, plain))
+    return found
+
+
 def breaches(root):
     texts, classes = [], {}
     for path in sorted((root / "src").rglob("*")):
@@ -154,19 +176,11 @@ def breaches(root):
             if not re.search(rf"\b{member}\b", body):
                 found.append(f"{where}::{member} is not in archive(): hand it over if it changes while the model moves, "
                              f"else name it in built()")
-        # What is kept byte by byte.
         kept = re.sub(r"\.built\([^;]*;", "", body)
         for member, declaration in c.members:
-            if not re.search(rf"\b{member}\b", kept):
-                continue
-            for part in re.findall(r"\b[A-Z]\w+", declaration):
-                plain = classes.get((room, place, f"{name}::{part}")) or classes.get((room, place, part))
-                if plain is None or plain.archive is not None:
-                    continue
-                for field, how in plain.members:
-                    if re.search(r"[*&]|\bspan<|unique_ptr|shared_ptr|std::function", how.split("=")[0]):
-                        found.append(f"{place}:{plain.line}: {plain.name}::{field} is kept with {name}::{member}, but is no plain "
-                                     f"value: give {part} an archive(Archive&)")
+            if re.search(rf"\b{member}\b", kept):
+                found += [f"{at} is kept with {name}::{member}, but is no plain value: give its class an archive(Archive&)"
+                          for at in pointers(declaration, room, place, name, classes)]
     return found
 
 

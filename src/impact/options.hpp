@@ -17,9 +17,9 @@ struct Checkpoints {
 struct Options {
   double until = 0.0;   ///< end time; 0: the deck's
   long max_cycles = 0;  ///< 0: the deck's
-  Checkpoints checkpoints;
-  std::function<void()> keep;     ///< writes a restart file, between two cycles; empty: there are none
-  std::function<void()> restore;  ///< takes the state from one, in place of the start's; empty: a run from its start
+  Checkpoints checkpoints{};
+  std::function<void()> keep{};     ///< writes a restart file, between two cycles; empty: there are none
+  std::function<void()> restore{};  ///< takes the state from one, in place of the start's; empty: a run from its start
 };
 
 enum class Termination { normal, error, interrupted };
