@@ -162,7 +162,6 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
 impact::Options options_of(const RunArguments& arguments, const output::RestartHead& head, const fs::path& directory,
                            impact::Simulation& simulation, impact::Recorder& recorder, output::RestartReader* from) {
   impact::Options options{.until = arguments.until, .max_cycles = arguments.max_cycles};
-  options.checkpoints.cycles = simulation.system().model.requests.restart_cycles;
   if (!arguments.checkpoint.empty()) options.checkpoints = *read_checkpoints(arguments.checkpoint);
   const auto archive = [&simulation, &recorder](Archive& a) { a(simulation, recorder); };
   options.keep = [=, &simulation] {

@@ -195,7 +195,7 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
 }
 
 std::string log_resumption(const output::RestartHead& head, const std::string& date) {
-  return fmt::format("\n Gone on with from a restart file, {}: time {:.6g}, cycle {}, {} threads\n\n", date, head.time,
+  return fmt::format("\n Resumed from a restart file, {}: time {:.6g}, cycle {}, {} threads\n\n", date, head.time,
                      head.cycle, threads());
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -65,9 +64,6 @@ class Deck {
       blocks;  ///< in reading order; KEYWORD, END, INCLUDE..., PARAMETER..., DEFINE_TRANSFORMATION are consumed
   std::vector<std::pair<std::string, Place>> consumed;  ///< those, for the ledger (keyword as in Block)
   std::size_t bytes = 0;                                ///< of all files
-
-  /// Of the texts of all files.
-  std::uint64_t checksum() const;
 
   /// *DEFINE_TRANSFORMATION by its id (id_offset and unit factors of the result say nothing); null where there is none.
   const Transform* transformation(int id) const;

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstring>
 
-#include "base/checksum.hpp"
 #include "deck/text.hpp"
 
 namespace nugget::deck {
@@ -257,12 +256,6 @@ Deck::Deck() : impl(std::make_unique<Impl>()) {}
 Deck::~Deck() = default;
 Deck::Deck(Deck&&) noexcept = default;
 Deck& Deck::operator=(Deck&&) noexcept = default;
-
-std::uint64_t Deck::checksum() const {
-  std::uint64_t sum = checksum_of_nothing;
-  for (const FileText& file : impl->texts) sum = nugget::checksum(file.view(), sum);
-  return sum;
-}
 
 const Transform* Deck::transformation(int id) const {
   const auto entry = impl->transformations.find(id);

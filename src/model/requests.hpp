@@ -40,9 +40,6 @@ struct Requests {
   bool strains = false;           ///< STRFLG
   bool one_state_a_file = false;  ///< IEVERP
   int beam_points = 0;            ///< BEAMIP
-
-  /// *DATABASE_BINARY_D3DUMP and _RUNRSF, the shorter one: cycles between two restart files; 0: none.
-  long restart_cycles = 0;
 };
 
 }  // namespace nugget::model

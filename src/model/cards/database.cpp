@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // *DATABASE_...: which results are written, how often, and of what.
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 
 #include "model/cards/families.hpp"
@@ -40,14 +39,6 @@ const Card d3plot_card2{{
     real("window", dimension::number, 0, any_value, "width of the filter window"),
     integer("type", 0, any_value, "what is filtered"),
     integer("pset", 0, any_value, "part set of what is filtered"),
-}};
-
-const Card restart_card{{
-    real("cycl", dimension::number, 0, at_least(0), "cycles between two restart files; 0: none"),
-    integer("nr", 0, any_value, "number of files that are kept; here always the last two"),
-    integer("beam", 0, any_value, "no effect"),
-    integer("npltc", 0, any_value, "no effect"),
-    integer("psetid", 0, any_value, "no effect"),
 }};
 
 const Card format_card{{
@@ -159,14 +150,6 @@ void read_d3plot(Builder& builder, const Block& block, const Options&) {
   if (const int states = row.integer("npltc"); states > 0)
     builder.later(Phase::conditions,
                   [states](Builder& b) { b.model.requests.d3plot.interval = b.model.control.end_time / states; });
-}
-
-void read_restart(Builder& builder, const Block& block, const Options& options) {
-  Cursor cursor(builder.deck, block, builder.findings);
-  if (options.contains("FILE")) cursor.skip();  // the files' name
-  const long cycles = std::lround(std::min(cursor.read(restart_card).real("cycl"), 1e15));
-  long& shortest = builder.model.requests.restart_cycles;
-  if (cycles > 0) shortest = shortest > 0 ? std::min(shortest, cycles) : cycles;
 }
 
 void read_format(Builder& builder, const Block& block, const Options&) {
@@ -383,8 +366,8 @@ std::vector<Keyword> database_keywords() {
       not_written("DATABASE_ABSTAT", "airbags (abstat) are not written; there are none"),
       not_written("DATABASE_SBTOUT", "seat belts (sbtout) are not written; there are none"),
 
-      {"DATABASE_BINARY_RUNRSF", {}, {"FILE"}, Verdict::used, {}, {{{}, &restart_card}}, read_restart},
-      {"DATABASE_BINARY_D3DUMP", {}, {"FILE"}, Verdict::used, {}, {{{}, &restart_card}}, read_restart},
+      without_effect("DATABASE_BINARY_RUNRSF", "restart files are asked for on the command line (--checkpoint)"),
+      without_effect("DATABASE_BINARY_D3DUMP", "restart files are asked for on the command line (--checkpoint)"),
       without_effect("DATABASE_BINARY_INTFOR",
                      "the contact database (intfor) is not written; rcforc holds the forces of each contact"),
       without_effect("DATABASE_BINARY_D3THDT", "d3thdt repeats the histories that nodout, elout and matsum hold"),
