@@ -99,7 +99,8 @@ void Experiment::expect_same_end(const std::string& kept, double until) const {
   Experiment again(text_);
   impact::Simulation &resumed = *again.simulation_, &whole = *simulation_;
   Nobody looks_on;
-  resumed.run({.until = until, .restore = [&] { FromMemory(kept)(resumed); }}, looks_on, {});
+  FromMemory from(kept);
+  resumed.run({.until = until, .restore = [&] { from(resumed); }}, looks_on, {});
   const system::State &a = whole.state(), &b = resumed.state();
   EXPECT_EQ(a.cycle, b.cycle);
   EXPECT_EQ(a.time, b.time);
