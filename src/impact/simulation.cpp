@@ -55,10 +55,8 @@ Simulation::Simulation(system::System& system, Findings& findings)
       continue;
     }
     treat_initial_penetrations(system, card, setup, state_.x, findings);
-    auto edges = edge_setup(system, card, setup, state_.x);
-    std::optional<contact::GlueStrength> glue;
-    if (card.glue.on) glue = {card.glue.normal, card.glue.shear};
-    contacts_.emplace_back(std::move(setup), std::move(edges), glue, state_.x);
+    auto edges = edge_setup(system, card, setup, state_.x, findings);
+    contacts_.emplace_back(std::move(setup), std::move(edges), card.glue, state_.x);
   }
   for (const auto& group : system.groups)
     if (auto* springs = dynamic_cast<system::SpringGroup*>(group.get()); springs && springs->has_stops())
@@ -277,11 +275,12 @@ void Simulation::choose_step(double end_time) {
     if (controlling_.step > dt && control.mass_step < 0.0) dt = controlling_.step;
   }
   if (state_.relaxing && control.relaxation.step_scale > 0.0) dt *= control.relaxation.step_scale / control.step_scale;
-  if (state_.cycle == 0 && control.first_step > 0.0) dt = std::min(dt, control.first_step);
   if (control.step_curve != model::none)
     dt = std::min(dt, system_.model.curves[at(control.step_curve)].clamped(state_.time));
   if (!std::isfinite(dt) && !std::isnan(dt))  // rigid bodies only
     dt = end_time > 0.0 && std::isfinite(end_time) ? 1e-3 * end_time : 1.0;
+  bearable_step_ = dt;
+  if (state_.cycle == 0 && control.first_step > 0.0) dt = std::min(dt, control.first_step);
   if (dt < smallest_step_) {
     smallest_step_ = dt;
     smallest_by_ = controlling_.describe(system_);
@@ -391,8 +390,10 @@ void Simulation::move() {
 }
 
 void Simulation::forces() {
-  for (contact::PenaltyContact& c : contacts_)
-    c.apply(state_.time, state_.dt, state_.x, state_.v, contact_mass_, element_alive_.all(), state_.f);
+  longest_step_ = std::max(longest_step_, bearable_step_);
+  const contact::Step step{state_.time, state_.dt, bearable_step_, longest_step_,
+                           state_.x,    state_.v,  contact_mass_,  element_alive_.all()};
+  for (contact::PenaltyContact& c : contacts_) c.apply(step, state_.f);
   tie_forces_.apply(state_);
   joints_.apply(state_);
   loads_.apply(state_, state_.dt);

@@ -129,6 +129,8 @@ class Simulation {
   system::System::Controlling controlling_;
   system::System::Masses masses_;
   double first_step_ = 0.0, smallest_step_ = 0.0;
+  double bearable_step_ = 0.0;  ///< of this step, before DTINIT or the end of the run cut it; 0 at the start
+  double longest_step_ = 0.0;   ///< of those
   std::string smallest_by_;
   std::array<double, phases> seconds_{};
   std::chrono::steady_clock::time_point begin_, charged_;
