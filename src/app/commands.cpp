@@ -13,6 +13,7 @@
 #include "app/audit_table.hpp"
 #include "app/clock.hpp"
 #include "app/command.hpp"
+#include "app/frf.hpp"
 #include "app/modes.hpp"
 #include "app/outcome.hpp"
 #include "app/progress.hpp"
@@ -203,7 +204,10 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
   Prepared p = prepare(arguments, findings);
   if (!p.has_text) return refuse_missing(findings);
   output::remove_old_results(directory);
-  if (p.model.implicit.active && p.model.implicit.modes == 0 && !p.model.frequency_response)
+  const bool response = p.model.frequency_response || p.model.steady_state;
+  if (p.model.implicit.active && p.model.implicit.modes == 0 && all_direct(p.model))
+    return direct_responses(directory, arguments, std::move(p), findings);
+  if (p.model.implicit.active && p.model.implicit.modes == 0 && !response)
     return statics_of(directory, arguments, std::move(p), findings);
   if (p.model.implicit.active) {
     ModesArguments modes;

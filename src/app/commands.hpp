@@ -54,7 +54,8 @@ struct WeldArguments {
 
 ExitCode run(const RunArguments& arguments);
 ExitCode modes(const ModesArguments& arguments);
-ExitCode frf(const RunArguments& arguments);
+/// `direct`: no modes, one solution for each frequency.
+ExitCode frf(const RunArguments& arguments, bool direct);
 ExitCode check(const CheckArguments& arguments);
 ExitCode weld(const WeldArguments& arguments);
 /// (Re)makes report.html of the results in a folder.

@@ -34,6 +34,7 @@ std::vector<Keyword> all_families() {
            control_keywords,
            implicit_keywords,
            frequency_keywords,
+           steady_state_keywords,
            database_keywords,
            cross_section_keywords,
            boundary_keywords,

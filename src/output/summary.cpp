@@ -47,6 +47,14 @@ Json to_json(const ModeReport& m) {
           {"effective_mass", m.effective_mass}};
 }
 
+Json to_json(const ResponseReport& r) {
+  return {{"kind", r.kind},
+          {"node", r.node},
+          {"direction", r.direction},
+          {"response", r.response},
+          {"peak", {{"frequency", r.frequency}, {"amplitude", r.amplitude}, {"phase", r.phase}}}};
+}
+
 Json to_json(const WeldDropReport& d) {
   Json json{{"welds", d.welds},
             {"mode", d.mode},
@@ -95,6 +103,7 @@ Json to_json(const Summary& s) {
   for (const WeldReport& weld : s.welds) json["weld"].push_back(to_json(weld));
   json["modes"] = Json::array();
   for (const ModeReport& mode : s.modes) json["modes"].push_back(to_json(mode));
+  for (const ResponseReport& r : s.responses) json["responses"].push_back(to_json(r));
   for (const WeldDropReport& drop : s.weld_drops) json["drop_weld"].push_back(to_json(drop));
   return json;
 }

@@ -172,7 +172,8 @@ Rows other_conditions() {
       refused("LOAD_BLAST*", "blast loads are not built; use *LOAD_SEGMENT_SET with a pressure curve"),
       refused("LOAD_*", "this load is not built; nodal, body and pressure loads are"),
       refused("DAMPING_*",
-              "this damping is not built; _GLOBAL, _PART_MASS, _PART_STIFFNESS, _FREQUENCY_RANGE and _RELATIVE are"),
+              "this damping is not built; _GLOBAL, _PART_MASS, _PART_STIFFNESS, _FREQUENCY_RANGE, _RELATIVE and "
+              "_STRUCTURAL are"),
       refused("RIGIDWALL_*", "this wall is not built; planes, cylinders and spheres are"),
       refused("CONTROL_*", "this control card is not known here, so what it asks for cannot be obeyed"),
   };
