@@ -333,7 +333,10 @@ void check_compound(Builder& b, const Part& part, const deck::Row& row) {
   const Material& material = b.model.materials[static_cast<std::size_t>(part.material)];
   const auto* law = std::get_if<kernel::Compound>(&material.law);
   if (law == nullptr) return;
-  if (part.kind == ElementKind::solid && !law->made_of->for_bricks)
+  if (part.kind == ElementKind::solid && law->made_of->directional_damage)
+    refuse(b, row, "mid", fmt::format("*{} damages the layers of shells, but the part has solids", material.keyword),
+           "use *MAT_PLASTICITY_WITH_DAMAGE, or *MAT_SIMPLIFIED_JOHNSON_COOK with PSFAIL");
+  else if (part.kind == ElementKind::solid && !law->made_of->for_bricks)
     refuse(b, row, "mid", fmt::format("*{} in solids needs an equation of state, which is not built", material.keyword),
            "use *MAT_SIMPLIFIED_JOHNSON_COOK, which needs none");
   if (part.kind == ElementKind::shell && !law->made_of->for_shells)

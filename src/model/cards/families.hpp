@@ -15,9 +15,11 @@ std::vector<Keyword> move_keywords();              ///< nodes moved before anyth
 std::vector<Keyword> part_keywords();              ///< *PART
 std::vector<Keyword> section_keywords();           ///< *SECTION_..., *HOURGLASS
 std::vector<Keyword> material_keywords();          ///< *MAT_...
-std::vector<Keyword> soft_material_keywords();     ///< *MAT_... of rubber and foam
+std::vector<Keyword> rubber_material_keywords();   ///< *MAT_... of rubber
+std::vector<Keyword> foam_material_keywords();     ///< *MAT_... of foam
 std::vector<Keyword> erosion_keywords();           ///< *MAT_ADD_EROSION
 std::vector<Keyword> plastic_material_keywords();  ///< *MAT_... of metals beside 003 and 024
+std::vector<Keyword> johnson_cook_keywords();      ///< *MAT_... of Johnson and Cook
 std::vector<Keyword> weld_material_keywords();     ///< *MAT_SPOTWELD
 std::vector<Keyword> weld_table_keywords();        ///< the *DEFINE_ cards that belong to it
 std::vector<Keyword> weld_brick_keywords();        ///< welds of bricks, weld beams replaced by bricks
