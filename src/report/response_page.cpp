@@ -101,7 +101,7 @@ std::string drop_ranking(const Json& summary) {
       "<th>frequency</th><th>first order</th><th>estimate</th><th>solved anew</th></tr>\n";
   for (const Json& drop : summary["drop_weld"]) {
     std::string welds;
-    for (const Json& weld : drop["welds"]) welds += (welds.empty() ? "" : " ") + weld.dump();
+    for (const Json& weld : drop["welds"]) welds += fmt::format("{}{}", welds.empty() ? "" : " ", weld.dump());
     s += fmt::format("<tr><td class=\"text\">{}</td><td>{}</td>", escaped(welds), drop.value("mode", 0));
     for (const char* key : {"frequency_hz", "first_order_hz", "without_hz", "solved_hz"})
       s += fmt::format("<td>{}</td>", drop[key].is_number() ? number(real(drop[key])) : "");
