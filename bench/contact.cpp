@@ -55,7 +55,7 @@ void run(benchmark::State& state, double gap) {
   contact::SurfaceContact contact(sheets.setup, sheets.x);
   for (auto _ : state) {
     sheets.slide();
-    contact.apply(0.0, dt, sheets.x, sheets.v, sheets.mass, {}, sheets.force);
+    contact.apply({0.0, dt, dt, dt, sheets.x, sheets.v, sheets.mass, {}}, sheets.force);
   }
   set_threads(1);
   state.counters["node_cycles"] =

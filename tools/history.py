@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """Draws histories over time as an SVG: columns of an ASCII file (rwforc, rcforc ...), or variables of a binout.
 
-    tools/history.py FILE PICTURE.svg COLUMN[:NAME]... [--x TITLE] [--y TITLE]
+    tools/history.py FILE PICTURE.svg COLUMN[:NAME]... [--x TITLE] [--y TITLE] [--cfc CLASS [--second N]]
     tools/history.py FILE PICTURE.svg BRANCH/VARIABLE/NUMBER[:NAME]... [--x TITLE] [--y TITLE]
 
 Columns count from 1; rows are the lines of numbers only, the first number being the time. NUMBER is the place among the
-entities of a binout's branch, from 0. tools/binout.py lists branches and variables.
+entities of a binout's branch, from 0. tools/binout.py lists branches and variables. --cfc 60, 180, 600 or 1000 filters as
+SAE J211 says (tools/sae.py); --second is one second in the unit of the times (1000 for ms).
 """
 import argparse
 import pathlib
 
 import binout
+import sae
 
 COLOURS = ("#1f5f99", "#c8501e", "#3c8c3c", "#7a4fa0")
 WIDTH, HEIGHT, LEFT, BOTTOM = 720, 300, 70, 45
@@ -76,6 +78,8 @@ def main():
     parser.add_argument("column", nargs="+")
     parser.add_argument("--x", default="time")
     parser.add_argument("--y", default="")
+    parser.add_argument("--cfc", type=int, choices=sae.CLASSES)
+    parser.add_argument("--second", type=float, default=1.0)
     a = parser.parse_args()
     asked = [c.partition(":")[::2] for c in a.column]
     if "/" in asked[0][0]:
@@ -84,6 +88,10 @@ def main():
     else:
         columns = [(int(c), name) for c, name in asked]
         table = [row for row in rows(a.file) if len(row) >= max(c for c, _ in columns)]
+    if a.cfc:
+        times = [row[0] for row in table]
+        filtered = [sae.filtered(times, list(values), a.cfc, a.second) for values in list(zip(*table))[1:]]
+        table = list(zip(filtered[0][0], *(values for _, values in filtered)))
     table = table[::max(1, len(table) // 1000)]  # more points than pixels tell nothing
     a.picture.write_text(draw(table, columns, a.x, a.y), encoding="utf-8")
 

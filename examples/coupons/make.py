@@ -3,18 +3,19 @@
 
     python3 examples/coupons/make.py FOLDER
 
-For each coupon: the weld as a beam, as 1, 4 and 8 bricks, on nine elements across the sheets (lap_beam.k, lap_1.k, ...); an elastic one on
-seven, whose elements are as large as the weld (lap_elastic.k); one whose weld fails (lap_fails.k, peel_fails.k); and the beam over the centre
-of an element, on an edge and on a node of meshes of 3, 5 and 8 mm (lap_3mm_edge.k, ...). study.py runs them and draws the curves. Units: mm, t, s, N, MPa.
+For each coupon: the weld as a beam, as 1, 4 and 8 bricks, on nine elements across the sheets (lap_beam.k, lap_1.k, ...); the beam on seven,
+whose elements are as large as the weld (lap_seven.k, and elastic: lap_elastic.k); one whose weld fails (lap_fails.k, peel_fails.k); and the
+beam over the centre of an element, on an edge and on a node of meshes of 3, 5 and 8 mm (lap_3mm_edge.k, ...). study.py runs them and draws
+the curves. Units: mm, t, s, N, MPa.
 """
 import math
 import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from coupon import THICKNESS, controls, grips, sheets, weld as weld_part  # noqa: E402
 from writer import Deck  # noqa: E402
 
-THICKNESS, DIAMETER = 1.5, 6.0
 LOWER, UPPER, WELD = 1, 2, 3  # parts
 PATCH = {"lap": 40.0, "peel": 40.0, "cross": 48.0}  # side of the square that both sheets share, the weld in its middle
 STROKE = {"lap": 2.0, "peel": 12.0, "cross": 8.0}   # of the moving grip
@@ -76,8 +77,8 @@ def mesh(kind, size, over):
     return nodes, shells, held(grip), pulled(grip)
 
 
-def make(kind, weld="beam", size=None, over="centre", elastic=False, nrr=0.0, nrs=0.0, stroke=None):
-    """A coupon. `weld`: beam, or the number of bricks; `size`: of the elements on the patch, by default a ninth of it."""
+def make(kind, weld="beam", size=None, over="centre", elastic=False, nrr=0.0, nrs=0.0, stroke=None, hourglass=0.05):
+    """A coupon. `weld`: beam, or the number of bricks; `size`: of the elements on the patch, by default a ninth of it; `hourglass`: QH."""
     nodes, shells, held, pulled = mesh(kind, size or PATCH[kind] / 9.0, over)
     stroke = stroke or STROKE[kind]
     duration = DURATION[kind]
@@ -87,19 +88,10 @@ def make(kind, weld="beam", size=None, over="centre", elastic=False, nrr=0.0, nr
     d.keyword("KEYWORD")
     d.keyword("TITLE")
     d.text(f"{kind} coupon, weld as {weld if weld == 'beam' else weld + ' bricks'}, over the {over} of an element")
-    d.keyword("CONTROL_TERMINATION")
-    d.card(endtim=duration)
-    d.keyword("CONTROL_TIMESTEP")
-    d.card(dtinit=0.0, tssfac=0.9)
-    d.keyword("CONTROL_ENERGY")
-    d.card(hgen=2, rwen=2, slnten=2, rylen=2)
-    d.keyword("CONTROL_HOURGLASS")
-    d.card(ihq=4, qh=0.05)
-    d.keyword("CONTROL_CONTACT")
-    d.card(slsfac=0.1)
-    d.card(usrstr=0)
-    d.card(sfric=0.0)
-    d.card(ignore=0, frceng=0, skiprwg=0, outseg=1, spotstp=1)
+    controls(d, duration, hourglass)
+    d.comment("istupd = 1: the sheets thin as they stretch.")
+    d.keyword("CONTROL_SHELL")
+    d.card(wrpang=20.0, esort=0, irnxx=-1, istupd=1)
     if WELDS[weld]:
         d.comment(f"Each weld beam becomes {weld} bricks of the same total cross-section.")
         d.keyword("CONTROL_SPOTWELD_BEAM")
@@ -112,50 +104,13 @@ def make(kind, weld="beam", size=None, over="centre", elastic=False, nrr=0.0, nr
     d.keyword("DATABASE_HISTORY_NODE")
     d.ids([pulled[0]])
 
-    d.part("lower sheet", pid=LOWER, secid=1, mid=1)
-    d.part("upper sheet", pid=UPPER, secid=1, mid=1)
-    d.keyword("SECTION_SHELL")
-    d.card(secid=1, elform=2, shrf=0.8333, nip=5)
-    d.card(t1=THICKNESS, t2=THICKNESS, t3=THICKNESS, t4=THICKNESS)
-    if elastic:
-        d.keyword("MAT_ELASTIC")
-        d.card(mid=1, ro=7.85e-9, e=210000.0, pr=0.3)
-    else:
-        d.comment("etan is the slope of stress over total strain; the plastic slope is 1500.")
-        d.keyword("MAT_PIECEWISE_LINEAR_PLASTICITY")
-        d.card(mid=1, ro=7.85e-9, e=210000.0, pr=0.3, sigy=300.0, etan=1489.36)
-        d.card(c=0.0)
-        d.card(eps1=None)
-        d.card(es1=None)
-    d.part("spot weld", pid=WELD, secid=WELD, mid=WELD)
-    d.keyword("SECTION_BEAM")
-    d.card(secid=WELD, elform=9, shrf=1.0, qr=2, cst=1.0)
-    d.card(ts1=DIAMETER, ts2=DIAMETER, tt1=0.0, tt2=0.0)
-    d.comment("The nugget does not yield; dt is the step to which its density is scaled.")
-    d.keyword("MAT_SPOTWELD")
-    d.card(mid=WELD, ro=7.85e-9, e=210000.0, pr=0.3, sigy=20000.0, eh=1000.0, dt=5.0e-7)
-    d.card(efail=0.0, nrr=nrr, nrs=nrs, nrt=nrs)
-    d.keyword("CONTACT_SPOTWELD_ID")
-    d.text(f"{1:10d}weld to sheets")
-    d.card(surfa=WELD, surfb=1, surfatyp=3, surfbtyp=2)
-    d.card(fs=None)
-    d.card(sfsa=None)
-    d.keyword("SET_PART_LIST")
-    d.card(sid=1)
-    d.ids([LOWER, UPPER])
-
-    d.comment("The grips: nothing turns in them, and only one moves, along the pull.")
-    d.node_set(1, held)
-    d.node_set(2, pulled)
-    free = [0 if dof == PULL[kind] else 1 for dof in (1, 2, 3)]
-    d.keyword("BOUNDARY_SPC_SET")
-    d.card(nsid=1, cid=0, dofx=1, dofy=1, dofz=1, dofrx=1, dofry=1, dofrz=1)
-    d.card(nsid=2, cid=0, dofx=free[0], dofy=free[1], dofz=free[2], dofrx=1, dofry=1, dofrz=1)
-    d.comment("vad = 0: curve 1 is the velocity; it rises smoothly over the first fifth of the time.")
-    d.keyword("BOUNDARY_PRESCRIBED_MOTION_SET")
-    d.card(nsid=2, dof=PULL[kind], vad=0, lcid=1, sf=stroke / (0.9 * duration))
+    sheets(d, {LOWER: "lower sheet", UPPER: "upper sheet"}, elastic)
+    weld_part(d, WELD, [LOWER, UPPER], "The nugget does not yield; dt is the step to which its density is scaled.", sigy=20000.0,
+              nrr=nrr, nrs=nrs, dt=5.0e-7)
     rise = [i / 20.0 for i in range(21)]
-    d.curve(1, [(0.2 * duration * s, 0.5 - 0.5 * math.cos(math.pi * s)) for s in rise] + [(2.0 * duration, 1.0)])
+    curve = [(0.2 * duration * s, 0.5 - 0.5 * math.cos(math.pi * s)) for s in rise] + [(2.0 * duration, 1.0)]
+    d.comment("The velocity rises smoothly over the first fifth of the time.")
+    grips(d, held, pulled, PULL[kind], curve, stroke / (0.9 * duration))
 
     d.nodes(nodes)
     d.shells(shells)
@@ -169,6 +124,7 @@ def decks():
     for kind in PATCH:
         for weld in WELDS:
             study[f"{kind}_{weld}"] = make(kind, weld)
+        study[f"{kind}_seven"] = make(kind, size=PATCH[kind] / 7.0, hourglass=0.01)
         study[f"{kind}_elastic"] = make(kind, size=PATCH[kind] / 7.0, elastic=True, stroke=0.02 * STROKE[kind])
         for size in (3, 5, 8):
             for over in OVERS:

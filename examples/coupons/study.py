@@ -96,7 +96,7 @@ def table(head, rows):
 
 def report(curves):
     for kind, (reference, work, stiffness) in SOLIDS.items():
-        welds = [w for w in make.WELDS if f"{kind}_{w}" in curves]
+        welds = [w for w in ("seven", *make.WELDS) if f"{kind}_{w}" in curves]
         rows = [[f"{u:g}", f] + [f"{curves[f'{kind}_{w}'].force(u):.0f}" for w in welds] for u, f in reference]
         rows.append(["work", work] + [f"{curves[f'{kind}_{w}'].work(reference[-1][0]):.0f}" for w in welds])
         if welds:

@@ -13,6 +13,7 @@
 #include "app/audit_table.hpp"
 #include "app/clock.hpp"
 #include "app/command.hpp"
+#include "app/frf.hpp"
 #include "app/modes.hpp"
 #include "app/outcome.hpp"
 #include "app/progress.hpp"
@@ -50,8 +51,8 @@ void tell_history(const weld::RigidWeldHistory& history, output::WeldReport& rep
   report.peak = {peak[0], peak[1], peak[2], peak[3]};
 }
 
-/// How far the damage of a weld has gone at the end; not a number where its law has none, or one over time point by
-/// point (DMGOPT 2), whose points do not say when they began.
+/// How far the damage of a weld has gone at the end, of points that are damaged one by one the mean; not a number where
+/// its law has none.
 double damage_of(const impact::Simulation& run, std::size_t i) {
   const system::System& system = run.system();
   const weld::Weld& w = system.ties.welds[i];
@@ -59,20 +60,16 @@ double damage_of(const impact::Simulation& run, std::size_t i) {
   if (history.failed()) return 1.0;
   if (history.damage().law().growth != weld::DamageLaw::Growth::at_once) return history.damage().damage();
   const auto& law = std::get<kernel::Spotweld>(system.model.materials[at(system.model.parts[at(w.part)].material)].law);
-  if (law.damage.growth != kernel::PointDamage::Growth::strain) return std::numeric_limits<double>::quiet_NaN();
+  if (law.damage.growth == kernel::PointDamage::Growth::none) return std::numeric_limits<double>::quiet_NaN();
   double sum = 0.0;
-  int points = 0;
   for (const model::Index element : w.elements) {
     const system::System::Seat seat = system.seat_of(w, element);
     const system::ElementGroup& group = *system.groups[at(seat.group)];
-    points += group.layers();
-    for (int k = 0; k < group.layers(); ++k) {
-      const double beyond = group.plastic_strain(at(seat.element), k) - law.failure_strain;
-      sum += group.alive(at(seat.element)) ? std::clamp(beyond / (law.damage.rupture - law.failure_strain), 0.0, 1.0)
-                                           : 1.0;
-    }
+    const double left = group.alive(at(seat.element)) ? group.integrity(at(seat.element)) : 0.0;
+    const double beta = law.damage.beta;
+    sum += left <= 0.0 ? 1.0 : beta == 0.0 ? 1.0 - left : std::min(-std::log(left) / beta, 1.0);
   }
-  return points > 0 ? sum / points : 0.0;
+  return w.elements.empty() ? 0.0 : sum / static_cast<double>(w.elements.size());
 }
 
 bool is_rivet(const weld::Weld& weld) {
@@ -138,6 +135,10 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   s.cycles = run.state().cycle;
   s.time = run.state().time;
   s.time_step = {run.first_step(), run.smallest_step(), run.smallest_by()};
+  if (system.model.control.relaxation.on()) {
+    const impact::Relaxation& r = run.relaxation();
+    s.relaxation = {r.cycles(), r.time(), r.unrest(), r.at_rest()};
+  }
   const system::System::Masses m = system.masses();
   s.mass = {m.physical, m.added, m.added_to_welds};
   const impact::Energy& e = run.energy();
@@ -206,7 +207,8 @@ impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directo
     impact::Outcome outcome = simulation.run(options_of(arguments, head, directory, simulation, files, from), files,
                                              arguments.quiet ? impact::ProgressCallback{} : std::ref(display));
     display.finish();
-    if (outcome.termination == impact::Termination::interrupted)
+    // In a dynamic relaxation there is none.
+    if (outcome.termination == impact::Termination::interrupted && fs::exists(directory / "restart"))
       outcome.message += fmt::format("; to go on: nugget run --resume {}", directory.string());
     return outcome;
   } catch (const output::WriteError& error) {
@@ -248,7 +250,10 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
     expect_same_deck(arguments.deck, p.deck_checksum, from->head());
   else
     output::remove_old_results(directory);
-  if (p.model.implicit.active && p.model.implicit.modes == 0 && !p.model.frequency_response)
+  const bool response = p.model.frequency_response || p.model.steady_state;
+  if (p.model.implicit.active && p.model.implicit.modes == 0 && all_direct(p.model))
+    return direct_responses(directory, arguments, std::move(p), findings);
+  if (p.model.implicit.active && p.model.implicit.modes == 0 && !response)
     return statics_of(directory, arguments, std::move(p), findings);
   if (p.model.implicit.active) {
     ModesArguments modes;

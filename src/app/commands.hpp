@@ -58,7 +58,8 @@ ExitCode run(const RunArguments& arguments);
 /// True where the text says when restart files are written.
 bool says_checkpoints(const std::string& text);
 ExitCode modes(const ModesArguments& arguments);
-ExitCode frf(const RunArguments& arguments);
+/// `direct`: no modes, one solution for each frequency.
+ExitCode frf(const RunArguments& arguments, bool direct);
 ExitCode check(const CheckArguments& arguments);
 ExitCode weld(const WeldArguments& arguments);
 /// (Re)makes report.html of the results in a folder.

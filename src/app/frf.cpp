@@ -5,69 +5,205 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "app/clock.hpp"
 #include "app/command.hpp"
 #include "app/modes.hpp"
-#include "nvh/frequency_response.hpp"
+#include "app/outcome.hpp"
+#include "app/run_log.hpp"
+#include "app/status.hpp"
+#include "base/parallel.hpp"
+#include "nvh/linear_model.hpp"
+#include "nvh/steady_state.hpp"
 #include "output/results.hpp"
+#include "report/page.hpp"
 
 namespace nugget::app {
 namespace {
 
-std::string modes_used(const nvh::Modes& modes, const nvh::FrfResult& result, double highest_asked) {
-  if (result.last == result.first) return " no mode takes part, only the static response\n";
-  const double highest = modes.frequency(result.last - 1);
-  std::string s = fmt::format(" modes {} to {}, up to {:.6g}", result.first + 1, result.last, highest);
-  if (result.residual > 0.0) s += fmt::format(", and a residual vector at {:.6g} for all above", result.residual);
+namespace fs = std::filesystem;
+using Complex = std::complex<double>;
+
+/// A curve as the tables want it.
+struct Response {
+  const char* kind;  ///< frf, ssd
+  int node;
+  std::string direction, quantity;
+  const std::vector<Complex>& value;
+};
+
+std::string route_text(const nvh::Modes& modes, const nvh::Route& route, double highest_asked) {
+  if (route.direct) return " direct solution at each frequency\n";
+  std::string s = " no mode takes part, only the static response";
+  double highest = 0.0;
+  if (route.last > route.first) {
+    highest = modes.frequency(route.last - 1);
+    s = fmt::format(" modes {} to {}, up to {:.6g}", route.first + 1, route.last, highest);
+  }
+  if (!route.residual.empty())
+    s += fmt::format(", and {} residual vector{} from {:.6g} on for all above", route.residual.size(),
+                     route.residual.size() == 1 ? "" : "s", route.residual.front());
   s += '\n';
-  if (highest < highest_asked)
+  if (route.last > route.first && highest < highest_asked)
     s += fmt::format(
         " warning: the response is asked for up to {:.6g}, above the last mode: it is doubtful there; raise NEIG of "
-        "*CONTROL_IMPLICIT_EIGENVALUE, FNMAX or MDMAX\n",
+        "*CONTROL_IMPLICIT_EIGENVALUE, FNMAX or MDMAX, or solve directly (nugget frf --direct)\n",
         highest_asked);
   return s;
 }
 
-/// Of each response its largest amplitude.
-std::string peaks(const nvh::FrfResult& result, const model::FrequencyResponse& request) {
+/// Where a response is largest; infinite ones (of free bodies at frequency 0) do not count.
+std::size_t largest(const std::vector<Complex>& value) {
+  std::size_t best = 0;
+  double most = -1.0;
+  for (std::size_t k = 0; k < value.size(); ++k)
+    if (const double v = std::abs(value[k]); std::isfinite(v) && v > most) {
+      most = v;
+      best = k;
+    }
+  return best;
+}
+
+/// Of each response its largest amplitude, for run.log and for the summary.
+std::string peaks(const std::vector<Response>& responses, const std::vector<double>& frequency, const char* file,
+                  output::Summary& summary) {
   constexpr std::size_t most = 40;
-  std::string s = fmt::format("\n {:>10} {:>10} {:>14} {:>14} {:>10}   {}\n", "node", "direction", "frequency",
-                              "amplitude", "phase", "at the largest amplitude");
-  for (std::size_t c = 0; c < std::min(most, result.curve.size()); ++c) {
-    const nvh::FrfCurve& curve = result.curve[c];
-    const auto k = static_cast<std::size_t>(
-        std::max_element(curve.value.begin(), curve.value.end(),
-                         [](const auto& a, const auto& b) { return std::abs(a) < std::abs(b); }) -
-        curve.value.begin());
-    s += fmt::format(" {:>10} {:>10} {:>14.6g} {:>14.6g} {:>10.2f}\n", curve.node, nvh::direction_name(curve.direction),
-                     request.frequency[k], std::abs(curve.value[k]), nvh::degrees(curve.value[k]));
+  std::string s = fmt::format("\n {:>10} {:>10} {:<20} {:>14} {:>14} {:>10}   {}\n", "node", "direction", "response",
+                              "frequency", "amplitude", "phase", "at the largest amplitude");
+  for (std::size_t c = 0; c < responses.size(); ++c) {
+    const Response& r = responses[c];
+    const std::size_t k = largest(r.value);
+    const double amplitude = std::abs(r.value[k]), phase = nvh::degrees(r.value[k]);
+    summary.responses.push_back({r.kind, r.node, r.direction, r.quantity, frequency[k], amplitude, phase});
+    if (c < most)
+      s += fmt::format(" {:>10} {:>10} {:<20} {:>14.6g} {:>14.6g} {:>10.2f}\n", r.node, r.direction, r.quantity,
+                       frequency[k], amplitude, phase);
   }
-  if (result.curve.size() > most) s += fmt::format(" ... and {} more in frf.csv\n", result.curve.size() - most);
+  if (responses.size() > most) s += fmt::format(" ... and {} more in {}\n", responses.size() - most, file);
   return s + '\n';
+}
+
+std::string title(const char* what, std::size_t count, const std::vector<double>& frequency) {
+  return fmt::format("{}: {} responses, {} frequencies from {:.6g} to {:.6g}\n\n", what, count, frequency.size(),
+                     frequency.front(), frequency.back());
+}
+
+std::string frf_of(const fs::path& directory, const output::Header& header, const nvh::Matrices& matrices,
+                   const nvh::Modes& modes, const model::FrequencyResponse& request, output::Summary& summary,
+                   const nvh::Tell& tell) {
+  const nvh::FrfResult result = nvh::frequency_response(matrices, modes, request, tell);
+  nvh::write_frf(directory, header, request, result);
+  std::vector<Response> responses;
+  for (const nvh::FrfCurve& c : result.curve)
+    responses.push_back({"frf", c.node, nvh::direction_name(c.direction),
+                         nvh::to_string(request.response.quantity, c.rotation), c.value});
+  return title("Frequency response", responses.size(), request.frequency) +
+         route_text(modes, result.route, request.frequency.back()) +
+         peaks(responses, request.frequency, "frf.csv", summary);
+}
+
+std::string ssd_of(const fs::path& directory, const output::Header& header, const nvh::Matrices& matrices,
+                   const nvh::Modes& modes, const model::SteadyState& request, output::Summary& summary,
+                   const nvh::Tell& tell) {
+  const nvh::SteadyResult result = nvh::steady_state(matrices, modes, request, tell);
+  nvh::write_steady_state(directory, header, request, result);
+  std::vector<Response> responses;
+  for (const nvh::SteadyCurve& c : result.curve)
+    for (std::size_t q = 0; q < nvh::steady_quantities.size(); ++q)
+      responses.push_back(
+          {"ssd", c.node, nvh::direction_name(c.direction), nvh::to_string(nvh::steady_quantities[q]), c.value[q]});
+  return title("Steady state", responses.size(), request.frequency) +
+         route_text(modes, result.route, request.frequency.back()) +
+         peaks(responses, request.frequency, "ssd.csv", summary);
 }
 
 }  // namespace
 
-std::string frf_of(const std::filesystem::path& directory, const nvh::Matrices& matrices, const nvh::Modes& modes,
-                   const model::FrequencyResponse& request) {
-  const nvh::FrfResult result = nvh::frequency_response(matrices, modes, request);
-  nvh::write_frf(directory, request, result);
-  return fmt::format("Frequency response: {} of {} nodes, {} frequencies from {:.6g} to {:.6g}\n\n",
-                     nvh::to_string(request.response.quantity), request.response.nodes.size(), request.frequency.size(),
-                     request.frequency.front(), request.frequency.back()) +
-         modes_used(modes, result, request.frequency.back()) + peaks(result, request);
+std::string responses_of(const fs::path& directory, const output::Header& header, const nvh::Matrices& matrices,
+                         const nvh::Modes& modes, const model::Model& model, output::Summary& summary,
+                         const nvh::Tell& tell) {
+  std::string text;
+  if (model.frequency_response)
+    text += frf_of(directory, header, matrices, modes, *model.frequency_response, summary, tell);
+  if (model.steady_state) text += ssd_of(directory, header, matrices, modes, *model.steady_state, summary, tell);
+  return text;
 }
 
-ExitCode frf(const RunArguments& arguments) {
-  return guarded(arguments.directory, [&](const std::filesystem::path& directory) {
+void check_responses(const nvh::Matrices& matrices, const model::Model& model, Findings& findings) {
+  if (model.frequency_response) nvh::check_frequency_response(matrices, *model.frequency_response, findings);
+  if (model.steady_state) nvh::check_steady_state(matrices, *model.steady_state, findings);
+}
+
+bool all_direct(const model::Model& model) {
+  return (model.frequency_response || model.steady_state) &&
+         (!model.frequency_response || model.frequency_response->direct) &&
+         (!model.steady_state || model.steady_state->direct);
+}
+
+ExitCode direct_responses(const fs::path& directory, const RunArguments& arguments, Prepared p, Findings& findings) {
+  Log log(directory / "run.log");
+  Clock clock;
+  std::optional<model::Model> linear;
+  std::optional<system::System> system;
+  std::optional<nvh::Matrices> matrices;
+  const weld::Ties ties = nvh::linear_ties(p.ties, findings);
+  if (findings.errors() == 0) linear.emplace(nvh::linear_model(p.model, findings));
+  if (findings.errors() == 0) system.emplace(*linear, ties, findings);
+  if (findings.errors() == 0) matrices.emplace(*system, findings);
+  if (matrices) check_responses(*matrices, p.model, findings);
+  start_log(log, arguments, p, findings);
+  if (findings.errors() > 0) return refuse(directory, log, findings);
+  print_findings(findings);
+  output::write_findings(directory, findings.all());
+  log.add(log_model(p.model));
+  log.add(log_ties(p.model, p.ties, all_of_them) + log_tied_nodes(p.model, p.ties));
+  try {
+    Status status(arguments.quiet);
+    output::Summary summary;
+    summary.version = NUGGET_VERSION;
+    summary.deck = arguments.deck;
+    summary.count = counts(p.model, p.ties);
+    summary.seconds.read = p.read_seconds;
+    summary.seconds.setup = p.tie_seconds + clock.seconds();
+    summary.threads = threads();
+    summary.welds = p.welds;
+    const std::string text = responses_of(directory, {p.model.title, fmt::format("nugget {}", NUGGET_VERSION), today()},
+                                          *matrices, {}, p.model, summary, std::ref(status));
+    summary.seconds.solve = clock.seconds();
+    output::write_welds(directory, p.welds);
+    output::write_summary(directory, summary);
+    report::write_report(directory);
+    status.clear();
+    const std::string end = log_termination({impact::Termination::normal, {}});
+    log.add(text + end);
+    fmt::print("{}", text);
+    if (!arguments.quiet)
+      fmt::print(stderr, "{} equations in {:.2f} s; results in {}\n", matrices->size(), summary.seconds.solve,
+                 directory.string());
+    fmt::print("{}", end);
+    return ExitCode::normal;
+  } catch (const nvh::Factorization::SolverError& error) {
+    log.add(log_termination({impact::Termination::error, error.text}));
+    fmt::print(stderr, "{}\n", error.text);
+    fmt::print("{}", log_termination({impact::Termination::error, {}}));
+    return ExitCode::error_termination;
+  }
+}
+
+ExitCode frf(const RunArguments& arguments, bool direct) {
+  return guarded(arguments.directory, [&](const fs::path& directory) {
     use_threads(arguments.threads);
     Findings findings;
     Prepared p = prepare(arguments, findings);
     if (!p.has_text) return refuse_missing(findings);
-    if (findings.errors() == 0 && !p.model.frequency_response)
+    if (findings.errors() == 0 && !p.model.frequency_response && !p.model.steady_state)
       findings.error({p.model.deck, 0, 0}, "*FREQUENCY_DOMAIN_FRF", "the deck asks for no frequency response",
-                     "give this keyword, or use `nugget modes`");
+                     "give this keyword or *FREQUENCY_DOMAIN_SSD, or use `nugget modes`");
+    if (direct && p.model.frequency_response) p.model.frequency_response->direct = true;
+    if (direct && p.model.steady_state) p.model.steady_state->direct = true;
     output::remove_old_results(directory);
+    if (all_direct(p.model)) return direct_responses(directory, arguments, std::move(p), findings);
     ModesArguments modes;
     modes.run = arguments;
     modes.response = true;

@@ -4,13 +4,29 @@
 #include <filesystem>
 #include <string>
 
+#include "app/commands.hpp"
+#include "app/prepared.hpp"
 #include "nvh/modes.hpp"
+#include "output/ascii.hpp"
+#include "output/summary.hpp"
 
 namespace nugget::app {
 
-/// Computes the frequency response that the deck asks for, writes frf.csv, and returns what run.log says of it.
-/// Throws nvh::Factorization::SolverError, output::WriteError.
-std::string frf_of(const std::filesystem::path& directory, const nvh::Matrices& matrices, const nvh::Modes& modes,
-                   const model::FrequencyResponse& request);
+/// Computes the responses over frequency that the deck asks for (*FREQUENCY_DOMAIN_FRF, _SSD), writes their files, adds
+/// them to the summary and returns what run.log says of them. Throws nvh::Factorization::SolverError,
+/// output::WriteError.
+std::string responses_of(const std::filesystem::path& directory, const output::Header& header,
+                         const nvh::Matrices& matrices, const nvh::Modes& modes, const model::Model& model,
+                         output::Summary& summary, const nvh::Tell& tell);
+
+/// Findings for what the equations cannot answer.
+void check_responses(const nvh::Matrices& matrices, const model::Model& model, Findings& findings);
+
+/// Whether all responses that a deck asks for are solved directly, without modes.
+bool all_direct(const model::Model& model);
+
+/// Responses over frequency by direct solution, into a folder whose old results are gone.
+ExitCode direct_responses(const std::filesystem::path& directory, const RunArguments& arguments, Prepared prepared,
+                          Findings& findings);
 
 }  // namespace nugget::app

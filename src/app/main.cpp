@@ -130,9 +130,11 @@ int main(int argc, char** argv) {
   modes_command->add_flag("--quiet", modes.run.quiet, "no progress on the terminal");
 
   nugget::app::RunArguments frf;
-  CLI::App* frf_command = cli.add_subcommand("frf", "frequency response of a deck with *FREQUENCY_DOMAIN_FRF");
+  CLI::App* frf_command = cli.add_subcommand("frf", "frequency response of a deck with *FREQUENCY_DOMAIN_FRF or _SSD");
+  bool direct = false;
   frf_command->add_option("model", frf.deck, "the deck; also i=MODEL.k")->required();
   frf_command->add_option("-o,--output", frf.directory, "folder for the results (default: the current one)");
+  frf_command->add_flag("--direct", direct, "no modes: solve the equations of motion at each frequency");
   frf_command->add_option("-j,--threads", frf.threads, "threads (default: all cores); also ncpu=N")->check(count);
   frf_command->add_flag("--skip-unsupported", frf.skip_unsupported,
                         "leave out what is not supported, with a warning each");
@@ -192,7 +194,7 @@ int main(int argc, char** argv) {
   }
   if (run_command->parsed()) return static_cast<int>(nugget::app::run(run));
   if (modes_command->parsed()) return static_cast<int>(nugget::app::modes(modes));
-  if (frf_command->parsed()) return static_cast<int>(nugget::app::frf(frf));
+  if (frf_command->parsed()) return static_cast<int>(nugget::app::frf(frf, direct));
   if (check_command->parsed()) return static_cast<int>(nugget::app::check(check));
   if (weld_command->parsed()) {
     weld.form = forms.at(form);

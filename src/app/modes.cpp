@@ -2,7 +2,6 @@
 #include "app/modes.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +12,14 @@
 #include "app/mode_pairs.hpp"
 #include "app/outcome.hpp"
 #include "app/run_log.hpp"
+#include "app/status.hpp"
 #include "app/weld_study.hpp"
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "nvh/linear_model.hpp"
 #include "nvh/mode_files.hpp"
 #include "output/results.hpp"
+#include "report/page.hpp"
 
 namespace nugget::app {
 namespace {
@@ -28,9 +29,14 @@ namespace fs = std::filesystem;
 nvh::ModeRequest request_of(const ModesArguments& arguments, const model::Model& model) {
   const model::Implicit& deck = model.implicit;
   nvh::ModeRequest r;
-  if (arguments.response && model.frequency_response && deck.modes == 0) {
-    const model::FrequencyResponse& response = *model.frequency_response;
-    r.high = response.modes.highest > 0.0 ? response.modes.highest : 1.5 * response.frequency.back();
+  if (arguments.response && deck.modes == 0) {
+    const auto reach = [&](const model::FrequencyResponse::Selection& selection, const std::vector<double>& frequency) {
+      return selection.highest > 0.0 ? selection.highest : 1.5 * frequency.back();
+    };
+    r.high = 0.0;
+    if (const auto& frf = model.frequency_response; frf && !frf->direct) r.high = reach(frf->modes, frf->frequency);
+    if (const auto& ssd = model.steady_state; ssd && !ssd->direct)
+      r.high = std::max(r.high, reach(ssd->modes, ssd->frequency));
     return r;
   }
   const bool interval = arguments.low > 0.0 || arguments.high > 0.0;
@@ -98,24 +104,6 @@ std::string cost_table(const nvh::Matrices& m, const nvh::Modes& modes, const ou
       summary.seconds.setup, summary.seconds.output);
 }
 
-/// One line on the terminal that says what is going on.
-class Status {
- public:
-  explicit Status(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO)) {}
-  ~Status() { clear(); }
-  Status(const Status&) = delete;
-  Status& operator=(const Status&) = delete;
-  void operator()(const std::string& text) {
-    if (shown_) fmt::print(stderr, "\r\033[K{}", text);
-  }
-  void clear() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
-  }
-
- private:
-  bool shown_;
-};
-
 output::Summary summarise(const ModesArguments& arguments, const Prepared& p, const nvh::Modes& modes) {
   output::Summary s;
   s.version = NUGGET_VERSION;
@@ -150,6 +138,7 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
   if (findings.errors() == 0) system.emplace(*linear, ties, findings);
   if (findings.errors() == 0) matrices.emplace(*system, findings);
   if (matrices) nvh::tell_held_motions(matrices->equations, p.model, findings);
+  if (matrices && arguments.response) check_responses(*matrices, p.model, findings);
   start_log(log, arguments.run, p, findings);
   if (findings.errors() > 0) return refuse(directory, log, findings);
   print_findings(findings);
@@ -181,12 +170,12 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
     output::Summary summary = summarise(arguments, p, modes);
     summary.seconds.setup = setup;
     summary.seconds.solve = solve;
-    nvh::write_modes(directory, {p.model.title, fmt::format("nugget {}", NUGGET_VERSION), today()}, *matrices, modes,
-                     shares);
+    const output::Header header{p.model.title, fmt::format("nugget {}", NUGGET_VERSION), today()};
+    nvh::write_modes(directory, header, *matrices, modes, shares);
     std::string response;  // and what else is told after the modes
-    if (arguments.response && p.model.frequency_response) {
+    if (arguments.response) {
       status("frequency response");
-      response = frf_of(directory, *matrices, modes, *p.model.frequency_response);
+      response = responses_of(directory, header, *matrices, modes, p.model, summary, std::ref(status));
     }
     if (drop) response += weld_study(directory, *matrices, modes, *drop, summary, std::ref(status));
     if (other) {
@@ -201,6 +190,7 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
       summary.message = fmt::format("{} modes were counted but {} found", modes.proof.counted, modes.proof.found);
     }
     output::write_summary(directory, summary);
+    report::write_report(directory);
     const std::string table = mode_table(modes);
     log.add(table + energy_table(p.model, p.ties, modes, shares) + response + cost_table(*matrices, modes, summary));
     status.clear();

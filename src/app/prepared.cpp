@@ -46,6 +46,7 @@ output::WeldReport weld_report(const model::Model& model, const weld::Weld& w, c
   r.audit.emplace_back("mass", audit.price.mass);
   r.audit.emplace_back("mass_by_dt", audit.price.mass_by_dt);
   r.audit.emplace_back("mass_by_dt2ms", audit.price.mass_by_dt2ms);
+  if (w.deleted) r.remarks.emplace_back("deleted, as it is not tied (SPOTSTP = 2)");
   if (weld::presumed(model, w)) r.remarks.emplace_back("its part has no material: taken for a weld");
   if (w.kind == weld::Weld::Kind::connector)
     r.remarks.push_back(

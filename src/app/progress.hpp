@@ -15,6 +15,8 @@ class ProgressDisplay {
   void finish();
 
  private:
+  void tell_relaxation(const impact::Progress& p);
+
   bool terminal_;
   bool drawn_ = false;
   double next_line_ = 0.0;

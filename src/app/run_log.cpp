@@ -167,6 +167,10 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
       "Run\n\n first step     {:.6e}\n smallest step  {:.6e}, controlled by {}\n cycles         {}\n time           "
       "{:.6e}\n\n",
       summary.time_step.first, summary.time_step.smallest, summary.time_step.controlling, summary.cycles, summary.time);
+  if (const auto& r = summary.relaxation)
+    s += fmt::format(
+        "Dynamic relaxation before the run: {} cycles, time {:.6e}, kinetic energy over the largest {:.3e}: {}\n\n",
+        r->cycles, r->time, r->unrest, r->at_rest ? "at rest" : "NOT at rest when it ended");
   const output::Summary::Energies& e = summary.energy;
   s += fmt::format(
       "Energy at the end\n\n kinetic {:.5e}  internal {:.5e}  hourglass {:.5e}  contact {:.5e}\n external {:.5e}  "

@@ -12,6 +12,7 @@ namespace nugget {
 struct Curve {
   int id = 0;
   std::vector<double> x, y;
+  bool in_run = true, in_relaxation = false;  ///< SIDR: the phases in which loads and motions follow the curve
 
   bool empty() const { return x.empty(); }
 

@@ -24,9 +24,9 @@ void SurfaceContact::Block::archive(Archive& a) {
 
 void SurfaceContact::archive(Archive& a) {
   a.section("contact of surfaces");
-  a(forces_, live_, searched_at_, searched_, searches_, seen_at_, travelled_, moved_, living_, blocks_, busy_, energy_,
-    resultant_, touching_, deepest_);
-  a.built(setup_, around_, segment_stiffness_, inner_, node_stiffness_, node_friction_, held_, stays_,
+  a(forces_, live_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, moved_, living_, blocks_,
+    busy_, energy_, resultant_, touching_, deepest_);
+  a.built(setup_, around_, segment_stiffness_, inner_, node_stiffness_, node_mass_, node_friction_, held_, stays_,
           thickest_segment_, pressing_, margin_, boxes_, tree_);
 }
 
@@ -37,14 +37,15 @@ void EdgeContact::Block::archive(Archive& a) {
 
 void EdgeContact::archive(Archive& a) {
   a.section("contact of edges");
-  a(approach_, searched_, searches_, active_, blocks_, touches_, touched_before_, forces_, energy_, deepest_);
+  a(approach_, searched_, searches_, active_, blocks_, touches_, touched_before_, forces_, energy_, resultant_,
+    deepest_);
   a.built(setup_, first_at_, edge_at_, margin_, close_);
 }
 
 void Glue::archive(Archive& a) {
   a.section("glue");
   a(bonds_, glued_, forces_, energy_, resultant_, failed_);
-  a.built(setup_, strength_);
+  a.built(setup_, law_);
 }
 
 void PenaltyContact::archive(Archive& a) {

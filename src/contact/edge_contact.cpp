@@ -55,6 +55,9 @@ std::vector<Edge> edges_of(const std::vector<Segment>& segments, std::span<const
       edge.node = {std::min(from, to), std::max(from, to)};
       edge.thickness += s.thickness;
       edge.stiffness += penalty_stiffness(s, x);
+      edge.mass += s.mass;
+      edge.scale = edge.elements.empty() ? s.scale : edge.scale + s.scale;
+      edge.side = edge.elements.empty() ? s.side : edge.side | s.side;
       edge.elements.push_back(s.element);
     }
   }
@@ -63,6 +66,8 @@ std::vector<Edge> edges_of(const std::vector<Segment>& segments, std::span<const
     const auto shells = static_cast<double>(edge.elements.size());
     edge.thickness /= shells;
     edge.stiffness /= shells;
+    edge.mass /= shells;
+    edge.scale /= shells;
     edges.push_back(std::move(edge));
   }
   return edges;
@@ -74,7 +79,10 @@ EdgeContact::EdgeContact(EdgeContactSetup setup, std::span<const Row> x)
   first_at_.assign(forces_.nodes().empty() ? 1 : forces_.nodes().back() + 2, 0);
   double length = 0.0;
   for (const Edge& e : edges) {
-    for (int n : e.node) ++first_at_[n + 1];
+    for (int n : e.node) {
+      ++first_at_[n + 1];
+      if (e.side == 2) forces_.set_side(n, 1);
+    }
     length += norm(along(e, x));
   }
   for (std::size_t n = 1; n < first_at_.size(); ++n) first_at_[n] += first_at_[n - 1];
@@ -89,27 +97,27 @@ EdgeContact::EdgeContact(EdgeContactSetup setup, std::span<const Row> x)
     blocks_.push_back({begin, std::min(count, begin + block_size), {}, {}});
 }
 
-void EdgeContact::apply(double time, double dt, std::span<const Row> x, std::span<const Row> v,
-                        std::span<const double> mass, std::span<const unsigned char> alive, std::span<Row> force) {
+void EdgeContact::apply(const Step& step, std::span<Row> force) {
   forces_.next_cycle();
   std::swap(touches_, touched_before_);
   touches_.clear();
+  resultant_ = {};
   deepest_ = 0.0;
-  if (time >= setup_.birth && time < setup_.death) {
-    approach_.follow(x);
-    if (!searched_ || approach_.since_start() > margin_) search(x, alive);
-    parallel_for(blocks_.size(), 4, [this, &x](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b) find_close(blocks_[b], x);
+  if (step.time >= setup_.birth && step.time < setup_.death) {
+    approach_.follow(step.x);
+    if (!searched_ || approach_.since_start() > margin_) search(step.x, step.element_alive);
+    parallel_for(blocks_.size(), 4, [this, &step](std::size_t begin, std::size_t end) {
+      for (std::size_t b = begin; b < end; ++b) find_close(blocks_[b], step.x);
     });
     close_.clear();
     for (const Block& block : blocks_)
       for (const Candidate& candidate : block.close) close_.push_back(&candidate);
-    const Step step{dt, x, v, mass};
     for (const Candidate* candidate : close_)
       if (presses(*candidate)) press(*candidate, step);
     forces_.add_to(force);
   }
-  energy_ -= forces_.work(dt, v)[0];
+  const std::array<double, 2> work = forces_.work(step.dt, step.v);
+  for (int side = 0; side < 2; ++side) energy_[side] -= work[side];
 }
 
 // ----------------------------------------------------------------------------------------------------------------
@@ -121,6 +129,11 @@ bool EdgeContact::takes_part(int edge, std::span<const unsigned char> alive) con
     return element < 0 || alive.empty() || alive[element] != 0;
   });
   return living == 1 || (setup_.interior && living > 1);
+}
+
+bool EdgeContact::face_each_other(int a, int b) const {
+  const unsigned e = setup_.edges[a].side, f = setup_.edges[b].side;
+  return !setup_.two_sides || ((e & 1u) && (f & 2u)) || ((e & 2u) && (f & 1u));
 }
 
 /// Edges that meet, or belong to one element.
@@ -173,7 +186,7 @@ void EdgeContact::list_neighbours(Block& block, const std::vector<int>& listed, 
     const std::size_t start = block.pairs.size();
     tree.overlapping(box.grown(0.5 * edge.thickness + margin_), [&](int item) {
       const int b = listed[item];
-      if (b <= a || belong_together(a, b)) return;
+      if (b <= a || !face_each_other(a, b) || belong_together(a, b)) return;
       Pair pair;
       pair.a = a;
       pair.b = b;
@@ -287,6 +300,13 @@ Vec3d EdgeContact::friction(const Pair& pair, const Pair& before, double stiffne
   return size > bound ? (bound / size) * trial : trial;
 }
 
+double EdgeContact::penalty(const Edge& e, const Edge& f, const Step& step) const {
+  if (setup_.law.stiffness != kernel::PenaltyStiffness::segment_masses)
+    return setup_.stiffness_scale * std::min(e.stiffness, f.stiffness);
+  return setup_.stiffness_scale * std::min(e.scale, f.scale) *
+         kernel::segment_penalty(e.mass, f.mass, setup_.law.step(step.longest));
+}
+
 void EdgeContact::press(const Candidate& candidate, const Step& step) {
   Pair& pair = *candidate.pair;
   const Edge &e = setup_.edges[pair.a], &f = setup_.edges[pair.b];
@@ -308,8 +328,7 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   const std::array<double, 4> node_mass{step.mass[e.node[0]], step.mass[e.node[1]], step.mass[f.node[0]],
                                         step.mass[f.node[1]]};
   const double inverse_mass = kernel::inverse_pair_mass(0.0, weight, node_mass);
-  const double penalty = setup_.stiffness_scale * std::min(e.stiffness, f.stiffness);
-  const double stiffness = kernel::pair_stiffness(setup_.law, penalty, inverse_mass, step.dt);
+  const double stiffness = kernel::pair_stiffness(setup_.law, penalty(e, f, step), inverse_mass, step.bearable);
   const double size =
       kernel::pair_force(setup_.law, stiffness, inverse_mass, pair.depth, -dot(velocity, pair.direction));
   if (size > 0.0) {
@@ -319,6 +338,7 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
       forces_.add(e.node[end], weight[end] * force);
       forces_.add(f.node[end], -weight[2 + end] * force);
     }
+    if (setup_.two_sides) resultant_ += (e.side & 1u) ? force : -force;
     deepest_ = std::max(deepest_, pair.depth);
   }
   touches_.push_back(pair);

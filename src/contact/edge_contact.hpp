@@ -10,6 +10,7 @@
 #include "base/row.hpp"
 #include "contact/approach.hpp"
 #include "contact/nodal_forces.hpp"
+#include "contact/step.hpp"
 #include "contact/surface.hpp"
 #include "kernel/contact/closest_edges.hpp"
 #include "kernel/contact/penalty.hpp"
@@ -21,18 +22,22 @@ struct Edge {
   std::array<int, 2> node{};
   double thickness = 0.0;     ///< of the round bar around it: the shell's, or the diameter of the beam [length]
   double stiffness = 0.0;     ///< penalty stiffness before scaling [force/length]
+  double mass = 0.0;          ///< of the segments that it bounds, or of the beam; counts with SOFT = 2
+  double scale = 1.0;         ///< of the stiffness by masses
+  unsigned side = 1;          ///< as of Segment
   std::vector<int> elements;  ///< the shells that have it, or the beam, as indices in `alive`
 
   bool has(int n) const { return node[0] == n || node[1] == n; }
 };
 
-/// The edges of the shells among the segments, each once, as thick and as stiff as its shells in the mean. Initial
+/// The edges of the shells among the segments, each once, as thick, stiff and heavy as its shells in the mean. Initial
 /// geometry `x`.
 std::vector<Edge> edges_of(const std::vector<Segment>& segments, std::span<const Row> x);
 
 struct EdgeContactSetup {
   std::vector<Edge> edges;       ///< all edges, interior ones too: they become exterior as shells die
   bool interior = false;         ///< edges that more than one living shell has take part as well
+  bool two_sides = false;        ///< edges of either side meet those of the other alone
   double stiffness_scale = 0.1;  ///< SLSFAC
   kernel::PenaltyLaw law;
   double birth = 0.0, death = 1e20;
@@ -49,8 +54,8 @@ struct EdgeContactSetup {
 /// met, and turns with them. So an edge that came beyond the other is pressed back.
 ///
 /// Forces are those of SurfaceContact: k depth, shared out to the ends of each edge by the lever rule, so that momentum
-/// is kept; k of the softer edge, bounded by what the step bears; initial overlap gives no force; friction by a spring
-/// that is drawn out as the closest points wander along both edges.
+/// is kept; k of the softer edge, or by masses, bounded by what the step bears; initial overlap gives no force;
+/// friction by a spring that is drawn out as the closest points wander along both edges.
 ///
 /// Results are the same bits for any number of threads. No memory is taken between searches but for the few pairs that
 /// touch.
@@ -59,13 +64,15 @@ class EdgeContact {
   /// `x`: initial coordinates, for the margin of the search.
   EdgeContact(EdgeContactSetup setup, std::span<const Row> x);
 
-  /// As SurfaceContact::apply. `alive`: by element, see Edge::elements; empty: all live.
-  void apply(double time, double dt, std::span<const Row> x, std::span<const Row> v, std::span<const double> mass,
-             std::span<const unsigned char> alive, std::span<Row> force);
+  /// As SurfaceContact::apply; for the elements see Edge::elements.
+  void apply(const Step& step, std::span<Row> force);
   /// Elements have died: the lists are made anew before the next forces.
   void surface_changed() { searched_ = false; }
 
-  double energy() const { return energy_; }  ///< as SurfaceContact::energy()
+  double energy() const { return energy_[0] + energy_[1]; }  ///< as SurfaceContact::energy()
+  const std::array<double, 2>& energy_of_sides() const { return energy_; }
+  /// Force on the tracked side as a whole; zero where there are not two sides [force].
+  const Vec3d& resultant() const { return resultant_; }
   Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
   int touching() const { return static_cast<int>(touches_.size()); }  ///< pairs that touch
   double deepest() const { return deepest_; }                         ///< [length]
@@ -94,14 +101,11 @@ class EdgeContact {
     std::vector<Candidate> close;
     void archive(Archive& a);
   };
-  struct Step {
-    double dt;
-    std::span<const Row> x, v;
-    std::span<const double> mass;
-  };
 
   bool takes_part(int edge, std::span<const unsigned char> alive) const;
+  bool face_each_other(int a, int b) const;
   bool belong_together(int a, int b) const;
+  double penalty(const Edge& e, const Edge& f, const Step& step) const;
   double reach(int a, int b) const { return 0.5 * (setup_.edges[a].thickness + setup_.edges[b].thickness); }
   kernel::EdgeFeet feet_of(int a, int b, std::span<const Row> x) const;
   void search(std::span<const Row> x, std::span<const unsigned char> alive);
@@ -126,7 +130,8 @@ class EdgeContact {
   std::vector<const Candidate*> close_;         // of all blocks, by a, then b
   std::vector<Pair> touches_, touched_before_;  // pairs that touch, in this order
   NodalForces forces_;
-  double energy_ = 0.0;
+  std::array<double, 2> energy_{};
+  Vec3d resultant_;
   double deepest_ = 0.0;
 };
 

@@ -46,15 +46,8 @@ std::vector<int> nodes_of_surface(const SurfaceContactSetup& setup) {
 
 }  // namespace
 
-double GlueStrength::failure(double tension, double shear_stress) const {
-  double sum = 0.0;
-  if (normal > 0.0 && tension > 0.0) sum += (tension / normal) * (tension / normal);
-  if (shear > 0.0) sum += (shear_stress / shear) * (shear_stress / shear);
-  return sum;
-}
-
-Glue::Glue(const SurfaceContactSetup& setup, GlueStrength strength, std::span<const Row> x)
-    : setup_(setup), strength_(strength), glued_(setup.nodes.size(), 0), forces_(nodes_of_surface(setup)) {
+Glue::Glue(const SurfaceContactSetup& setup, kernel::Cohesion law, std::span<const Row> x)
+    : setup_(setup), law_(law), glued_(setup.nodes.size(), 0), forces_(nodes_of_surface(setup)) {
   const NodeSegments around(setup_.segments);
   std::vector<Box> boxes;
   for (const Segment& s : setup_.segments) {
@@ -95,40 +88,47 @@ Glue::Glue(const SurfaceContactSetup& setup, GlueStrength strength, std::span<co
     if (!(bond.area > 0.0)) bond.area = whole;
     // As stiff per area everywhere, so that surfaces that part evenly are stressed evenly.
     if (whole > 0.0) bond.stiffness *= bond.area / whole;
+    if (law_.normal_stiffness > 0.0) bond.stiffness = law_.normal_stiffness * bond.area;
     glued_[t] = 1;
     bonds_.push_back(bond);
   }
 }
 
-void Glue::apply(double time, double dt, std::span<const Row> x, std::span<const Row> v, std::span<const double> mass,
-                 std::span<const unsigned char> element_alive, std::span<Row> force) {
+void Glue::apply(const Step& step, std::span<Row> force) {
   forces_.next_cycle();
   resultant_ = {};
   for (Bond& bond : bonds_) {
     if (!bond.holds) continue;
     const Segment& s = bond.segment;
     std::array<double, 4> corner_mass{};
-    for (int c = 0; c < s.corners(); ++c) corner_mass[c] = mass[s.node[c]];
-    const double inverse_mass = kernel::inverse_pair_mass(mass[bond.node], bond.weight, corner_mass);
-    const double stiffness = kernel::pair_stiffness(setup_.law, bond.stiffness, inverse_mass, dt);
-    const Axes axes = axes_of(s, x);
-    const Vec3d stretch = axes.local(vec(x[bond.node]) - point_of(s, bond.weight, x)) - bond.place;
-    const Vec3d pull = stiffness * stretch;  // of the node on the segment
-    const double outward = bond.place.z < 0.0 ? -pull.z : pull.z;
-    const double tension = outward / bond.area, shear = std::hypot(pull.x, pull.y) / bond.area;
-    if (time >= setup_.death || !bare(s, element_alive) || strength_.failure(tension, shear) >= 1.0) {
+    for (int c = 0; c < s.corners(); ++c) corner_mass[c] = step.mass[s.node[c]];
+    const double inverse_mass = kernel::inverse_pair_mass(step.mass[bond.node], bond.weight, corner_mass);
+    // The stiffer of both directions is bounded, the other goes with it.
+    const double stiffer = std::max(1.0, law_.shear_ratio);
+    const double normal =
+        kernel::pair_stiffness(setup_.law, stiffer * bond.stiffness, inverse_mass, step.bearable) / stiffer;
+    const double shear = law_.shear_ratio * normal;
+    const Axes axes = axes_of(s, step.x);
+    const Vec3d stretch = axes.local(vec(step.x[bond.node]) - point_of(s, bond.weight, step.x)) - bond.place;
+    const double outward = bond.place.z < 0.0 ? -stretch.z : stretch.z;
+    const kernel::Opening opening{std::max(0.0, outward), std::hypot(stretch.x, stretch.y)};
+    bond.damage = kernel::cohesive_damage(law_, normal / bond.area, shear / bond.area, opening, bond.damage);
+    if (step.time >= setup_.death || !bare(s, step.element_alive) || bond.damage >= 1.0) {
       bond.holds = false;
       glued_[bond.tracked] = 0;
       ++failed_;
       continue;
     }
+    const double left = 1.0 - bond.damage;
+    const Vec3d pull{left * shear * stretch.x, left * shear * stretch.y,
+                     (outward > 0.0 ? left : 1.0) * normal * stretch.z};  // of the node on the segment
     const Vec3d f = axes.global(pull);
     forces_.add(bond.node, -f);
     for (int c = 0; c < s.corners(); ++c) forces_.add(s.node[c], bond.weight[c] * f);
     resultant_ += s.side == 1 ? f : -f;
   }
   forces_.add_to(force);
-  const std::array<double, 2> work = forces_.work(dt, v);
+  const std::array<double, 2> work = forces_.work(step.dt, step.v);
   for (int side = 0; side < 2; ++side) energy_[side] -= work[side];
 }
 

@@ -7,7 +7,7 @@
 namespace nugget::contact {
 
 PenaltyContact::PenaltyContact(SurfaceContactSetup surface, std::optional<EdgeContactSetup> edges,
-                               std::optional<GlueStrength> glue, std::span<const Row> x)
+                               std::optional<kernel::Cohesion> glue, std::span<const Row> x)
     : surface_(surface, x) {
   may_grow_ =
       std::any_of(surface.segments.begin(), surface.segments.end(), [](const Segment& s) { return s.covered_by >= 0; });
@@ -17,12 +17,10 @@ PenaltyContact::PenaltyContact(SurfaceContactSetup surface, std::optional<EdgeCo
   surface_.leave_out(glue_->glued());
 }
 
-void PenaltyContact::apply(double time, double dt, std::span<const Row> x, std::span<const Row> v,
-                           std::span<const double> mass, std::span<const unsigned char> element_alive,
-                           std::span<Row> force) {
-  if (glue_) glue_->apply(time, dt, x, v, mass, element_alive, force);
-  surface_.apply(time, dt, x, v, mass, element_alive, force);
-  if (edges_) edges_->apply(time, dt, x, v, mass, element_alive, force);
+void PenaltyContact::apply(const Step& step, std::span<Row> force) {
+  if (glue_) glue_->apply(step, force);
+  surface_.apply(step, force);
+  if (edges_) edges_->apply(step, force);
 }
 
 void PenaltyContact::surface_changed() {
@@ -37,14 +35,18 @@ double PenaltyContact::energy() const {
 
 std::array<double, 2> PenaltyContact::energy_of_sides() const {
   std::array<double, 2> energy = surface_.energy_of_sides();
-  if (edges_) energy[0] += edges_->energy();
-  if (glue_)
-    for (std::size_t side = 0; side < 2; ++side) energy[side] += glue_->energy_of_sides()[side];
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (edges_) energy[side] += edges_->energy_of_sides()[side];
+    if (glue_) energy[side] += glue_->energy_of_sides()[side];
+  }
   return energy;
 }
 
 Vec3d PenaltyContact::resultant() const {
-  return surface_.resultant() + (glue_ ? glue_->resultant() : Vec3d{});
+  Vec3d sum = surface_.resultant();
+  if (edges_) sum += edges_->resultant();
+  if (glue_) sum += glue_->resultant();
+  return sum;
 }
 
 Vec3d PenaltyContact::force_on(std::span<const unsigned char> marked) const {

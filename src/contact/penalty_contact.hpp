@@ -17,12 +17,11 @@ namespace nugget::contact {
 class PenaltyContact {
  public:
   /// `x`: initial coordinates.
-  PenaltyContact(SurfaceContactSetup surface, std::optional<EdgeContactSetup> edges, std::optional<GlueStrength> glue,
-                 std::span<const Row> x);
+  PenaltyContact(SurfaceContactSetup surface, std::optional<EdgeContactSetup> edges,
+                 std::optional<kernel::Cohesion> glue, std::span<const Row> x);
 
   /// See SurfaceContact::apply.
-  void apply(double time, double dt, std::span<const Row> x, std::span<const Row> v, std::span<const double> mass,
-             std::span<const unsigned char> element_alive, std::span<Row> force);
+  void apply(const Step& step, std::span<Row> force);
   /// Elements of the surface have died.
   void surface_changed();
 

@@ -59,17 +59,11 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
   Step step{dt, x, v, f, mass, skip, prescribed_velocity(time, dt)};
   const bool active = time >= birth_ && time < death_;
   if (mass_ > 0.0) {
-    if (active) collide(step);
+    if (active) std::visit([&](const auto& shape) { collide(shape, step); }, shape_);
     step.wall_velocity = velocity_ * normal_;
   }
   if (active) {
-    parallel_for(sums_.size(), 1, [this, &step](std::size_t begin, std::size_t end) {
-      for (std::size_t g = begin; g < end; ++g) {
-        sums_[g] = {};
-        for (std::size_t i = g * group_size; i < std::min(tracked_.size(), (g + 1) * group_size); ++i)
-          stop(tracked_[i], step, sums_[g]);
-      }
-    });
+    std::visit([&](const auto& shape) { stop(shape, step); }, shape_);
     Sum all;
     for (const Sum& sum : sums_) {
       all.impulse += sum.impulse;
@@ -97,7 +91,8 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
 /// The velocity of a wall with mass after a plastic collision with all nodes that it catches up with:
 /// M (V_old - V) = sum m_i (V - w_i), w_i the node's normal velocity plus what closes its gap in this step. Nodes that
 /// the slowed wall no longer reaches drop out, until none does.
-void RigidWall::collide(Step& step) {
+template <class Shape>
+void RigidWall::collide(const Shape& shape, Step& step) {
   const double before = velocity_;
   std::size_t caught_before = tracked_.size() + 1;
   for (bool settled = false; !settled;) {
@@ -107,7 +102,7 @@ void RigidWall::collide(Step& step) {
     for (const Tracked& t : tracked_) {
       if (!step.skip.empty() && step.skip[t.node]) continue;
       const Vec3d from = vec(step.x[t.node]) - origin_, v = vec(step.v[t.node]);
-      const kernel::WallPush p = push(from, from + step.dt * (v - step.wall_velocity), t.hold);
+      const kernel::WallPush p = push(shape, from, from + step.dt * (v - step.wall_velocity), t.hold);
       if (!p.touching) continue;
       const double gap = t.hold == kernel::Hold::welded ? 0.0 : std::max(0.0, dot(from, normal_));
       momentum += step.mass[t.node] * (dot(v, normal_) + gap / step.dt);
@@ -127,7 +122,19 @@ Vec3d RigidWall::friction(const Vec3d& slip, double normal_change) const {
   return kernel::friction_change(slip, friction_, normal_change);
 }
 
-void RigidWall::stop(Tracked& tracked, const Step& step, Sum& sum) const {
+template <class Shape>
+void RigidWall::stop(const Shape& shape, const Step& step) {
+  parallel_for(sums_.size(), 1, [this, &shape, &step](std::size_t begin, std::size_t end) {
+    for (std::size_t g = begin; g < end; ++g) {
+      sums_[g] = {};
+      for (std::size_t i = g * group_size; i < std::min(tracked_.size(), (g + 1) * group_size); ++i)
+        stop(shape, tracked_[i], step, sums_[g]);
+    }
+  });
+}
+
+template <class Shape>
+void RigidWall::stop(const Shape& shape, Tracked& tracked, const Step& step, Sum& sum) const {
   if (!step.skip.empty() && step.skip[tracked.node]) {
     tracked.hold = kernel::Hold::none;
     return;
@@ -135,7 +142,7 @@ void RigidWall::stop(Tracked& tracked, const Step& step, Sum& sum) const {
   const Vec3d from = vec(step.x[tracked.node]) - origin_;
   const Vec3d free = vec(step.v[tracked.node]);
   Vec3d relative = free - step.wall_velocity;
-  kernel::WallPush p = push(from, from + step.dt * relative, tracked.hold);
+  kernel::WallPush p = push(shape, from, from + step.dt * relative, tracked.hold);
   const Vec3d before = started_ ? tracked.last : free;
   tracked.last = free;
   if (!p.touching) {
@@ -151,7 +158,7 @@ void RigidWall::stop(Tracked& tracked, const Step& step, Sum& sum) const {
   if (friction_ > 0.0) {
     relative += friction(relative - speed * p.normal, std::abs(p.distance) / step.dt);
     // On a round wall less sliding needs another push.
-    const kernel::WallPush again = push(from, from + step.dt * relative, tracked.hold);
+    const kernel::WallPush again = push(shape, from, from + step.dt * relative, tracked.hold);
     if (again.touching) p = again;
   }
   relative += (p.distance / step.dt) * p.normal;

@@ -96,12 +96,13 @@ class RigidWall {
     Vec3d wall_velocity;
   };
 
-  kernel::WallPush push(const Vec3d& from, const Vec3d& to, kernel::Hold hold) const {
-    return std::visit([&](const auto& shape) { return kernel::push(shape, from, to, hold); }, shape_);
-  }
   Vec3d prescribed_velocity(double time, double dt) const;
-  void collide(Step& step);
-  void stop(Tracked& tracked, const Step& step, Sum& sum) const;
+  template <class Shape>
+  void collide(const Shape& shape, Step& step);
+  template <class Shape>
+  void stop(const Shape& shape, const Step& step);
+  template <class Shape>
+  void stop(const Shape& shape, Tracked& tracked, const Step& step, Sum& sum) const;
   Vec3d friction(const Vec3d& slip, double normal_change) const;
 
   std::variant<kernel::PlaneWall, kernel::CylinderWall, kernel::SphereWall, kernel::PrismWall> shape_;

@@ -17,6 +17,8 @@ struct Segment {
   double thickness = 0.0;     ///< contact thickness, scale factors applied; 0 for the face of a brick [length]
   double bulk_modulus = 0.0;  ///< K = E/(3(1-2 nu)), times SSF of *PART_CONTACT and SFSA or SFSB [stress]
   double volume = 0.0;        ///< of the brick behind the face; 0: a shell [length^3]
+  double mass = 0.0;          ///< of the shell, or half that of the brick; counts with SOFT = 2
+  double scale = 1.0;         ///< what bulk_modulus is scaled by, for the stiffness that does not come from it
   int element = -1;           ///< whose death ends the segment, as an index in `element_alive`; -1: it never dies
   int covered_by = -1;        ///< the brick on the other side of the face: only its death lays the segment bare
   kernel::Friction friction;  ///< of its part; counts where SurfaceContactSetup::friction_by_part

@@ -65,10 +65,14 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
   stays_.assign(forces_.nodes().empty() ? 0 : forces_.nodes().back() + 1, 0);
   for (const TrackedNode& t : setup_.nodes) {
     const std::span<const int> around = around_.at(t.node);
-    double sum = 0.0;
-    for (int s : around) sum += segment_stiffness_[s];
+    double sum = 0.0, mass = 0.0;
+    for (int s : around) {
+      sum += segment_stiffness_[s];
+      mass += setup_.segments[s].mass;
+    }
     // A node without segments of its own (of a beam, say) is as stiff as what it meets.
     node_stiffness_.push_back(around.empty() ? Box::infinity : sum / static_cast<double>(around.size()));
+    node_mass_.push_back(around.empty() ? 0.0 : mass / static_cast<double>(around.size()));
     pressing_ |= t.against;
     kernel::Friction friction;
     for (std::size_t i = 0; i < around.size(); ++i) {
@@ -104,20 +108,17 @@ void SurfaceContact::book_sides() {
   }
 }
 
-void SurfaceContact::apply(double time, double dt, std::span<const Row> x, std::span<const Row> v,
-                           std::span<const double> mass, std::span<const unsigned char> element_alive,
-                           std::span<Row> force) {
+void SurfaceContact::apply(const Step& step, std::span<Row> force) {
   next_cycle();
-  const bool active = time >= setup_.birth && time < setup_.death;
+  const bool active = step.time >= setup_.birth && step.time < setup_.death;
   if (active) {
-    if (!searched_ || moved_too_far(x)) search(x, element_alive);
-    const Step step{dt, x, v, mass, element_alive};
+    if (moved_too_far(step.x) || !searched_) search(step.x, step.element_alive);
     parallel_for(busy_.size(), 4, [this, &step](std::size_t begin, std::size_t end) {
       for (std::size_t b = begin; b < end; ++b) work(blocks_[busy_[b]], step);
     });
     add_forces(force);
   }
-  account(dt, v);
+  account(step.dt, step.v);
 }
 
 std::size_t SurfaceContact::listed() const {
@@ -135,28 +136,33 @@ bool SurfaceContact::node_alive(int node, std::span<const unsigned char> element
 // ----------------------------------------------------------------------------------------------------------------
 // search
 
-bool SurfaceContact::moved_too_far(std::span<const Row> x) {
-  parallel_for(moved_.size(), 1, [this, &x](std::size_t begin, std::size_t end) {
+/// By how much two of the living points can have approached each other if the i-th was displaced by `displacement(i)`:
+/// no more than the diagonal of the box of all displacements, whatever the surface does as a whole.
+template <class Displacement>
+double SurfaceContact::approach(const Displacement& displacement) {
+  parallel_for(moved_.size(), 1, [this, &displacement](std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
-      Motion motion;
-      for (std::size_t i = g * group_size; i < std::min(live_.size(), (g + 1) * group_size); ++i) {
-        const Row& at = x[live_[i]];
-        motion.since_search.add(vec(at) - vec(searched_at_[i]));
-        motion.step.add(vec(at) - vec(seen_at_[i]));
-        seen_at_[i] = at;
-      }
-      moved_[g] = motion;
+      Box box;
+      for (std::size_t i = g * group_size; i < std::min(live_.size(), (g + 1) * group_size); ++i)
+        box.add(displacement(i));
+      moved_[g] = box;
     }
   });
-  if (moved_.empty()) return false;
-  Motion all;
-  for (const Motion& motion : moved_) {
-    all.since_search.add(motion.since_search);
-    all.step.add(motion.step);
-  }
-  // No two points can have approached each other by more than the diagonal, whatever the surface does as a whole.
-  travelled_ += norm(all.step.high - all.step.low);
-  return norm(all.since_search.high - all.since_search.low) > margin_;
+  if (moved_.empty()) return 0.0;
+  Box all;
+  for (const Box& box : moved_) all.add(box);
+  return norm(all.high - all.low);
+}
+
+bool SurfaceContact::moved_too_far(std::span<const Row> x) {
+  travelled_ += approach([this, &x](std::size_t i) {
+    const Vec3d step = vec(x[live_[i]]) - vec(seen_at_[i]);
+    seen_at_[i] = x[live_[i]];
+    return step;
+  });
+  // Steps added up are never less than the whole way: while they are short that need not be measured.
+  if (travelled_ - searched_when_ <= margin_) return false;
+  return approach([this, &x](std::size_t i) { return vec(x[live_[i]]) - vec(searched_at_[i]); }) > margin_;
 }
 
 void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned char> element_alive) {
@@ -191,6 +197,7 @@ void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned cha
   for (std::size_t b = 0; b < blocks_.size(); ++b)
     if (!blocks_[b].pairs.empty()) busy_.push_back(static_cast<int>(b));
   searched_ = true;
+  searched_when_ = travelled_;
   ++searches_;
 }
 
@@ -274,27 +281,32 @@ void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& st
       first_wake = std::min(first_wake, pair.wake);
       continue;
     }
-    const Pair before = pair;
-    pair.touching = false;
-    pair.side = 0;
-    pair.offset = pair.depth = 0.0;
-    pair.friction = {};
     const Segment& segment = setup_.segments[pair.segment];
-    if (!alive(pair.segment, step.element_alive)) continue;
+    if (!alive(pair.segment, step.element_alive)) {
+      pair.let_go();
+      continue;
+    }
     const kernel::Corners corners = corners_of(segment, step.x);
     const double far = widest(tracked) + inner_[pair.segment];
     const double clear = kernel::least_distance(corners, p);
-    Candidate c;
-    if (clear < far) {
-      c.foot = kernel::closest_point(corners, segment.triangle(), p, pair.xi, pair.eta);
-      pair.xi = c.foot.xi;
-      pair.eta = c.foot.eta;
+    if (clear >= far) {
+      pair.let_go();
+      pair.wake = travelled_ + (clear - far);
+      first_wake = std::min(first_wake, pair.wake);
+      continue;
     }
-    pair.wake = travelled_ + ((clear < far ? c.foot.distance : clear) - far);
+    const kernel::Foot foot = kernel::closest_point(corners, segment.triangle(), p, pair.xi, pair.eta);
+    const Pair before = pair;
+    pair.let_go();
+    pair.xi = foot.xi;
+    pair.eta = foot.eta;
+    pair.wake = travelled_ + (foot.distance - far);
     first_wake = std::min(first_wake, pair.wake);
-    if (clear >= far || pair.wake > travelled_) continue;
+    if (pair.wake > travelled_) continue;
+    Candidate& c = block.candidates.emplace_back();
     c.pair = &pair;
     c.before = before;
+    c.foot = foot;
     c.reach = reach(tracked, pair.segment);
     c.gap = c.foot.distance;
     if (c.foot.boundary == 0 && before.touching && before.side != 0)
@@ -305,7 +317,6 @@ void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& st
       c.gap = -c.foot.distance;
       c.away = c.foot.boundary == 0 || c.foot.distance == 0.0 ? c.foot.normal : -c.away;
     }
-    block.candidates.push_back(c);
   }
 }
 
@@ -427,8 +438,8 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   std::array<double, 4> corner_mass{};
   for (int c = 0; c < segment.corners(); ++c) corner_mass[c] = step.mass[segment.node[c]];
   const double inverse_mass = kernel::inverse_pair_mass(step.mass[node], candidate.foot.weight, corner_mass);
-  const double penalty = std::min(segment_stiffness_[pair.segment], node_stiffness_[tracked]);
-  const double stiffness = kernel::pair_stiffness(setup_.law, penalty, inverse_mass, step.dt);
+  const double stiffness =
+      kernel::pair_stiffness(setup_.law, penalty(pair.segment, tracked, step), inverse_mass, step.bearable);
   const double size = kernel::pair_force(setup_.law, stiffness, inverse_mass, pair.depth, -dot(velocity, direction));
   if (!(size > 0.0)) return;
   Vec3d force = size * direction;
@@ -439,6 +450,15 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
     force += pair.friction;
   }
   block.hits.push_back({node, pair.segment, candidate.foot.weight, force, pair.depth});
+}
+
+/// Stiffness of the pair before the step bounds it. A node without segments meets its like.
+double SurfaceContact::penalty(int segment, int tracked, const Step& step) const {
+  if (setup_.law.stiffness != kernel::PenaltyStiffness::segment_masses)
+    return std::min(segment_stiffness_[segment], node_stiffness_[tracked]);
+  const Segment& s = setup_.segments[segment];
+  const double own = node_mass_[tracked] > 0.0 ? node_mass_[tracked] : s.mass;
+  return setup_.stiffness_scale * s.scale * kernel::segment_penalty(own, s.mass, setup_.law.step(step.longest));
 }
 
 /// Beyond PENMAX thicknesses of the shell, or depths of the brick.
@@ -504,7 +524,8 @@ std::vector<Penetration> find_penetrations(const SurfaceContactSetup& setup, std
   SurfaceContact contact(setup, x);
   contact.search(x, {});
   std::vector<Penetration> found;
-  const SurfaceContact::Step step{0.0, x, {}, {}, {}};
+  Step step;
+  step.x = x;
   for (int b : contact.busy_) {
     SurfaceContact::Block& block = contact.blocks_[b];
     for (int t = block.begin; t < block.end; ++t) {

@@ -8,6 +8,7 @@
 #include "base/bvh.hpp"
 #include "base/row.hpp"
 #include "contact/nodal_forces.hpp"
+#include "contact/step.hpp"
 #include "contact/surface.hpp"
 #include "kernel/contact/penalty.hpp"
 
@@ -61,9 +62,9 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 /// Initial overlaps (IGNORE = 1, 2, birth time, elements dying) are kept as an offset that is given up as the pair
 /// comes apart: a contact never starts with a force that no motion has worked against.
 ///
-/// Force. k depth along the normal, k the smaller of the segment's and the node's stiffness (PENOPT = 1), bounded by
-/// what the step bears; see kernel/contact/penalty.hpp. The node's stiffness is the mean of its segments'. Initial
-/// geometry.
+/// Force. k depth along the normal, k the smaller of the segment's and the node's stiffness (PENOPT = 1), with SOFT = 2
+/// that of the two segments' masses, bounded by what the step bears; see kernel/contact/penalty.hpp. What the node has
+/// is the mean of its segments'. Initial geometry.
 ///
 /// Friction. A spring along the surface with the same k is drawn out as the foot moves over the segment, and slips at
 /// the bound of kernel::Friction: f = f - k de, then |f| <= bound (theory manual, "Friction"). de is the way of the
@@ -81,12 +82,9 @@ class SurfaceContact {
   /// `x`: initial coordinates, for stiffness and search margin.
   SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x);
 
-  /// Adds the contact forces at the end of a step to `force`. Sign: forces that act on the nodes (an external force;
-  /// the solver's a = (force - internal)/m). All spans are by node, except `element_alive` (see Segment::element;
-  /// empty: all live). `x` at `time`, `v` the velocity in the middle of the step `dt` that led to it. dt = 0 at the
-  /// start: no force is bounded by the step then, and all overlaps found are initial ones.
-  void apply(double time, double dt, std::span<const Row> x, std::span<const Row> v, std::span<const double> mass,
-             std::span<const unsigned char> element_alive, std::span<Row> force);
+  /// Adds the contact forces at the end of a step to `force`, by node. Sign: forces that act on the nodes (an external
+  /// force; the solver's a = (force - internal)/m).
+  void apply(const Step& step, std::span<Row> force);
 
   /// Tracked nodes (in the order of the setup) that something else holds are not looked at while their entry is not 0;
   /// the vector must outlive the contact.
@@ -123,6 +121,13 @@ class SurfaceContact {
     double depth = 0.0;   ///< overlap that does [length]
     Vec3d friction;       ///< force on the node along the surface [force]
     double wake = 0.0;    ///< before `travelled_` gets here the two cannot touch [length]
+
+    void let_go() {
+      touching = false;
+      side = 0;
+      offset = depth = 0.0;
+      friction = {};
+    }
   };
   /// A pair close enough to be looked at in this cycle.
   struct Candidate {
@@ -152,24 +157,21 @@ class SurfaceContact {
     std::vector<Hit> hits;
     void archive(Archive& a);
   };
-  struct Step {
-    double dt;
-    std::span<const Row> x, v;
-    std::span<const double> mass;
-    std::span<const unsigned char> element_alive;
-  };
   friend std::vector<Penetration> find_penetrations(const SurfaceContactSetup&, std::span<const Row>);
 
   bool alive(int segment, std::span<const unsigned char> element_alive) const {
     return bare(setup_.segments[segment], element_alive);
   }
   bool node_alive(int node, std::span<const unsigned char> element_alive) const;
+  double penalty(int segment, int tracked, const Step& step) const;
   double reach(int tracked, int segment) const {
     return 0.5 * (setup_.nodes[tracked].thickness + setup_.segments[segment].thickness);
   }
 
   void book_sides();
   bool moved_too_far(std::span<const Row> x);
+  template <class Displacement>
+  double approach(const Displacement& displacement);
   double widest(int tracked) const { return 0.5 * (setup_.nodes[tracked].thickness + thickest_segment_); }
   void search(std::span<const Row> x, std::span<const unsigned char> element_alive);
   void list_neighbours(Block& block, std::span<const Row> x, std::span<const unsigned char> element_alive);
@@ -197,6 +199,7 @@ class SurfaceContact {
   std::vector<double> segment_stiffness_;        // scaled
   std::vector<double> inner_;                    // how deep inside its brick a segment still presses; 0: a shell
   std::vector<double> node_stiffness_;           // scaled, by tracked node
+  std::vector<double> node_mass_;                // mean of its segments', by tracked node
   std::vector<kernel::Friction> node_friction_;  // by tracked node, if by part
   const std::vector<unsigned char>* held_ = nullptr;
   std::vector<char> stays_;  // by node: TrackedNode::stays
@@ -209,14 +212,12 @@ class SurfaceContact {
   std::vector<Row> searched_at_;  // coordinates of live_ then
   bool searched_ = false;
   long searches_ = 0;
-  std::vector<Row> seen_at_;  // coordinates of live_ in the cycle before
-  double travelled_ = 0.0;    // by how much two points can have approached each other since the start, at most
-  struct Motion {
-    Box since_search, step;
-  };
-  std::vector<Motion> moved_;  // displacements of live_, by group of nodes
-  std::vector<int> living_;    // living segments at the last search
-  std::vector<Box> boxes_;     // of these, with their skin
+  std::vector<Row> seen_at_;    // coordinates of live_ in the cycle before
+  double travelled_ = 0.0;      // by how much two points can have approached each other since the start, at most
+  double searched_when_ = 0.0;  // travelled_ at the last search
+  std::vector<Box> moved_;      // displacements of live_, by group of nodes
+  std::vector<int> living_;     // living segments at the last search
+  std::vector<Box> boxes_;      // of these, with their skin
   BoxTree tree_;
   std::vector<Block> blocks_;
   std::vector<int> busy_;  // blocks that have pairs

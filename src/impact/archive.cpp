@@ -100,6 +100,11 @@ void Preloads::archive(Archive& a) {
   a.built(system_);
 }
 
+void Relaxation::archive(Archive& a) {
+  a(recent_, largest_, unrest_, time_, cycles_, at_rest_);
+  a.built(control_);
+}
+
 void RigidWelds::Weld::archive(Archive& a) {
   a(nodes, loads, around, axis);
   // A weld of many nodes that has lost some has one joint in place of two.
@@ -164,9 +169,10 @@ void Simulation::archive(Archive& a) {
   a(strains_, nodal_forces_, energy_, parts_, controlling_);
   a(masses_.physical, masses_.added, masses_.added_to_welds, masses_.added_by_part);
   a(inverse_mass_, inverse_inertia_, contact_mass_, dependent_);
-  a(diverged_, step_change_, power_on_change_, first_step_, smallest_step_, smallest_by_, seconds_, solve_seconds_);
+  a(diverged_, relaxation_, relaxation_work_, step_change_, power_on_change_, first_step_, smallest_step_,
+    bearable_step_, longest_step_, smallest_by_, seconds_, solve_seconds_);
   a.built(stopped_springs_, v_before_, w_before_, momentum_before_, block_power_, stop_asked_, kept_cycle_, kept_time_,
-          kept_seconds_);
+          kept_seconds_, begin_, charged_);
 }
 
 }  // namespace nugget::impact

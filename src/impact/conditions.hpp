@@ -12,6 +12,11 @@
 // . (v(n-1/2) dt(n-1) + v(n+1/2) dt(n)).
 namespace nugget::impact {
 
+/// Whether loads and motions follow this curve in the phase of the moment (SIDR).
+inline bool in_force(const Curve& curve, const system::State& state) {
+  return state.relaxing ? curve.in_relaxation : curve.in_run;
+}
+
 /// Nodes and bodies whose motion is prescribed, by *BOUNDARY_SPC (to zero) and *BOUNDARY_PRESCRIBED_MOTION.
 class Supports {
  public:
@@ -106,6 +111,7 @@ class Loads {
   void apply(Nodal& nodal, system::State& state, double dt);
   void apply(Pressure& pressure, system::State& state, double dt);
   void apply(Body& body, system::State& state, double dt);
+  double curve_value(const model::BodyLoad& load, const system::State& state) const;
   void take_nodes(Body& body) const;
   void apply_centrifugal(Body& body, system::State& state, double dt, double omega);
 

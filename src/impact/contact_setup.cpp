@@ -104,6 +104,13 @@ class Surfaces {
                        [this](model::Index n) { return surface_->holds(system_.ties.x[at(n)]); });
   }
 
+  double density(const model::Part& part) const { return model_.materials[at(part.material)].density; }
+
+  double area(const Key& nodes) const {
+    const auto& x = system_.ties.x;
+    return 0.5 * norm(cross(x[at(nodes[2])] - x[at(nodes[0])], x[at(nodes[3])] - x[at(nodes[1])]));
+  }
+
   double stiffness_scale(unsigned side) const {
     return side == tracked ? card_.stiffness_scale_a : card_.stiffness_scale_b;
   }
@@ -127,7 +134,9 @@ class Surfaces {
     for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[at(model_.shells.node[e][a])];
     s.thickness = thickness(part, model_.shells.thickness[e], side);
     if (thinned_[e]) s.thickness *= model_.control.weld_thinning;
+    s.scale = stiffness_scale(side) * part.stiffness_scale;
     s.bulk_modulus = stiffness_scale(side) * bulk_modulus(model_, part);
+    s.mass = density(part) * area(model_.shells.node[e]) * model_.shells.thickness[e];
     s.friction = friction(model_, part, card_.friction);
     s.element = static_cast<int>(e);
     add_segment(key_of(model_.shells.node[e]), s, side);
@@ -171,9 +180,11 @@ class Surfaces {
     contact::Segment s;
     for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[at(corner[a])];
     const model::Part& part = model_.parts[at(model_.solids.part[solid])];
+    s.scale = stiffness_scale(side) * part.stiffness_scale;
     s.bulk_modulus = stiffness_scale(side) * bulk_modulus(model_, part);
     s.friction = friction(model_, part, card_.friction);
     s.volume = volume(model_.solids.node[solid], system_.ties.x);
+    s.mass = 0.5 * density(part) * s.volume;
     s.element = place_of(solid);
     return s;
   }
@@ -225,7 +236,7 @@ std::vector<contact::TrackedNode> listed_nodes(const system::System& system, con
 /// The nodes of the beams of a contact that looks at beams.
 std::vector<contact::TrackedNode> ends_of_bars(const system::System& system, const model::Contact& card) {
   std::vector<contact::TrackedNode> nodes;
-  if (!checks_edges(card)) return nodes;
+  if (!checks_beams(card)) return nodes;
   for (const contact::Edge& bar : bars(system, card))
     for (int n : bar.node) nodes.push_back({n, bar.thickness, tracked});
   return nodes;
@@ -265,8 +276,10 @@ double bulk_modulus(const model::Model& model, const model::Part& part) {
 /// The penalty law that the card asks for.
 static kernel::PenaltyLaw law_of(const model::Contact& card) {
   kernel::PenaltyLaw law;
-  law.soft = card.soft != 0;
+  if (card.soft == 1) law.stiffness = kernel::PenaltyStiffness::node_masses;
+  if (card.soft == 2) law.stiffness = kernel::PenaltyStiffness::segment_masses;
   law.soft_scale = card.soft_scale;
+  law.soft_step = card.soft_step;
   law.damping = card.damping;
   if (!card.friction_by_part) law.friction = card.friction;
   return law;

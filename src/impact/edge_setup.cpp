@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "impact/edge_setup.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -45,6 +46,8 @@ std::vector<contact::Edge> bars(const system::System& system, const model::Conta
     // As a shell as wide as the bar is thick.
     edge.stiffness = card.stiffness_scale_a *
                      kernel::shell_penalty(bulk_modulus(model, part), own * length, std::hypot(own, length));
+    edge.mass = model.materials[at(part.material)].density * 0.25 * std::numbers::pi * own * own * length;
+    edge.scale = card.stiffness_scale_a * part.stiffness_scale;
     edge.elements = {ElementAlive::place(model, model::ElementKind::beam, static_cast<model::Index>(b))};
     edges.push_back(std::move(edge));
   }
@@ -52,13 +55,20 @@ std::vector<contact::Edge> bars(const system::System& system, const model::Conta
 }
 
 std::optional<contact::EdgeContactSetup> edge_setup(const system::System& system, const model::Contact& card,
-                                                    const contact::SurfaceContactSetup& surface,
-                                                    std::span<const Row> x) {
+                                                    const contact::SurfaceContactSetup& surface, std::span<const Row> x,
+                                                    Findings& findings) {
   if (!checks_edges(card)) return std::nullopt;
+  if (card.soft == 2 && std::any_of(surface.segments.begin(), surface.segments.end(),
+                                    [](const contact::Segment& s) { return s.volume > 0.0; }))
+    findings.warning(card.place, '*' + card.keyword,
+                     "DEPTH asks for edges against edges; those of bricks are not checked, those of shells are",
+                     "expect bricks that meet edge on edge to pass through each other between their nodes");
   contact::EdgeContactSetup setup;
   setup.edges = contact::edges_of(surface.segments, x);
-  for (contact::Edge& bar : bars(system, card)) setup.edges.push_back(std::move(bar));
+  if (checks_beams(card))
+    for (contact::Edge& bar : bars(system, card)) setup.edges.push_back(std::move(bar));
   setup.interior = checks_all_edges(card);
+  setup.two_sides = card.kind == model::Contact::Kind::two_surfaces;
   setup.stiffness_scale = surface.stiffness_scale;
   setup.law = surface.law;
   setup.birth = surface.birth;

@@ -26,7 +26,7 @@ Erosion::Erosion(system::System& system) : system_(system) {}
 
 bool Erosion::wants_small_steps(ElementKind kind) const {
   const model::Control& control = system_.model.control;
-  if (control.smallest_step <= 0.0) return false;
+  if (control.smallest_step <= 0.0 || kind == ElementKind::discrete) return false;
   const int place = kind == ElementKind::solid ? 1 : kind == ElementKind::shell ? 10 : 100;
   return control.erode_small_steps / place % 10 == 1;
 }
@@ -73,6 +73,7 @@ void Erosion::delete_negative_volumes(system::ElementGroup& group, double time) 
     // The step of a brick goes with its volume, and is no number where that is 0.
     if (!group.alive(e) || group.stable_step(e) > 0.0) continue;
     remove(group, e, time, "its volume is negative");
+    group.release_step(e);
     ++deleted_.negative_volume;
   }
   group.inverted = -1;
@@ -86,6 +87,7 @@ void Erosion::delete_small_steps(system::ElementGroup& group, double limit, doub
     for (std::size_t e = b * group.block_width(); e < end; ++e) {
       if (!group.alive(e) || !(share * group.stable_step(e) < limit)) continue;
       remove(group, e, time, "its step fell below DTMIN");
+      group.release_step(e);
       ++deleted_.small_step;
     }
   }

@@ -116,9 +116,11 @@ output::MatsumState matsum_state(const Snapshot& now) {
 static Vec3d gravity(const Snapshot& now) {
   const model::Model& model = now.system.model;
   Vec3d sum;
-  for (const model::BodyLoad& load : model.body_loads)
-    if (load.parts.empty())
-      sum -= load.scale * model.curves[at(load.curve)].zero_outside(now.state.time) * load.direction;
+  for (const model::BodyLoad& load : model.body_loads) {
+    if (!load.parts.empty() || !load.nodes.empty() || load.centrifugal) continue;
+    const Curve& curve = model.curves[at(load.curve)];
+    if (curve.in_run) sum -= load.scale * curve.zero_outside(now.state.time) * load.direction;
+  }
   return sum;
 }
 

@@ -12,6 +12,11 @@ const Curve& curve(const system::System& s, model::Index c) {
   return s.model.curves[static_cast<std::size_t>(c)];
 }
 
+/// The curve's value at `time`, zero in a phase that it is not for.
+double value(const Curve& c, double time, const system::State& state) {
+  return in_force(c, state) ? c.zero_outside(time) : 0.0;
+}
+
 /// Area vector of a segment, along its right-hand normal.
 Vec3d area(const std::array<Vec3d, 4>& x, bool triangle) {
   return triangle ? 0.5 * cross(x[1] - x[0], x[2] - x[0]) : 0.5 * cross(x[2] - x[0], x[3] - x[1]);
@@ -104,7 +109,7 @@ void Loads::apply(Nodal& nodal, system::State& state, double dt) {
       x[i] = vec(state.x[static_cast<std::size_t>(system_.node_of[static_cast<std::size_t>(load.follow[i])])]);
     direction = unit(cross(x[1] - x[0], x[2] - x[0]));
   }
-  const Vec3d force = load.scale * curve(system_, load.curve).zero_outside(state.time) * direction;
+  const Vec3d force = load.scale * value(curve(system_, load.curve), state.time, state) * direction;
   for (int node : nodal.nodes) {
     const auto k = static_cast<std::size_t>(node);
     const Vec3d velocity = vec(load.moment ? state.w[k] : state.v[k]);
@@ -117,7 +122,7 @@ void Loads::apply(Nodal& nodal, system::State& state, double dt) {
 void Loads::apply(Pressure& pressure, system::State& state, double dt) {
   const model::PressureLoad& load = *pressure.load;
   const double time = state.time - load.arrival;
-  const double p = time >= 0.0 ? load.scale * curve(system_, load.curve).zero_outside(time) : 0.0;
+  const double p = time >= 0.0 ? load.scale * value(curve(system_, load.curve), time, state) : 0.0;
   for (std::size_t s = 0; s < load.segments.size(); ++s) {
     const model::Segment& segment = load.segments[s];
     const bool triangle = segment[3] == segment[2];
@@ -138,13 +143,18 @@ void Loads::apply(Pressure& pressure, system::State& state, double dt) {
   }
 }
 
+double Loads::curve_value(const model::BodyLoad& load, const system::State& state) const {
+  if (state.relaxing && load.relaxation_curve != model::none)
+    return curve(system_, load.relaxation_curve).zero_outside(state.time);
+  return load.curve == model::none ? 1.0 : value(curve(system_, load.curve), state.time, state);
+}
+
 void Loads::apply(Body& body, system::State& state, double dt) {
   const model::BodyLoad& load = *body.load;
-  const double value =
-      load.scale * (load.curve == model::none ? 1.0 : curve(system_, load.curve).zero_outside(state.time));
-  if (load.centrifugal) return apply_centrifugal(body, state, dt, value);
+  const double motion = load.scale * curve_value(load, state);
+  if (load.centrifugal) return apply_centrifugal(body, state, dt, motion);
   // Base acceleration: the structure feels -m a.
-  const double a = -value;
+  const double a = -motion;
   double momentum = 0.0;
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     const auto k = static_cast<std::size_t>(body.nodes[i]);

@@ -28,6 +28,7 @@ enum class Termination { normal, error, interrupted };
 struct Outcome {
   Termination termination = Termination::normal;
   std::string message;  ///< the reason, where it is not the end time
+  bool stops() const { return termination != Termination::normal || !message.empty(); }
 };
 
 /// What a progress display is told every so often.
@@ -37,6 +38,7 @@ struct Progress {
   double energy_ratio = 1.0;
   int welds = 0, welds_failed = 0;
   double seconds = 0.0;  ///< since the start of the run
+  double unrest = 0.0;   ///< in dynamic relaxation: kinetic energy over the largest so far; 0 in the run
 };
 using ProgressCallback = std::function<void(const Progress&)>;
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/index.hpp"
+#include "impact/conditions.hpp"
 #include "kernel/element/shell.hpp"
 
 namespace nugget::impact {
@@ -128,7 +129,7 @@ void Preloads::set_active(Prescribed& p, bool active) {
 
 void Preloads::apply(const system::State& state) {
   for (Prescribed& p : prescribed_) {
-    set_active(p, state.time <= p.curve->x.back());
+    set_active(p, in_force(*p.curve, state) && state.time <= p.curve->x.back());
     if (!p.active) continue;
     const double value = p.curve->clamped(state.time);
     for (std::size_t i = 0; i < p.seats.size(); ++i) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <csignal>
 #include <limits>
+#include <utility>
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
@@ -18,19 +19,6 @@ namespace nugget::impact {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
-
-/// Adds the time since the last call to a phase.
-class Stopwatch {
- public:
-  void charge(double& phase) {
-    const auto now = std::chrono::steady_clock::now();
-    phase += std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 }  // namespace
 
@@ -67,10 +55,8 @@ Simulation::Simulation(system::System& system, Findings& findings)
       continue;
     }
     treat_initial_penetrations(system, card, setup, state_.x, findings);
-    auto edges = edge_setup(system, card, setup, state_.x);
-    std::optional<contact::GlueStrength> glue;
-    if (card.glue.on) glue = {card.glue.normal, card.glue.shear};
-    contacts_.emplace_back(std::move(setup), std::move(edges), glue, state_.x);
+    auto edges = edge_setup(system, card, setup, state_.x, findings);
+    contacts_.emplace_back(std::move(setup), std::move(edges), card.glue, state_.x);
   }
   for (const auto& group : system.groups)
     if (auto* springs = dynamic_cast<system::SpringGroup*>(group.get()); springs && springs->has_stops())
@@ -83,25 +69,39 @@ Simulation::Simulation(system::System& system, Findings& findings)
   }
 }
 
+double Simulation::elapsed() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+void Simulation::charge(Phase phase) {
+  const auto now = std::chrono::steady_clock::now();
+  seconds_[phase] += std::chrono::duration<double>(now - charged_).count();
+  charged_ = now;
+}
+
 Outcome Simulation::run(const Options& options, Recorder& recorder, const ProgressCallback& progress) {
   interrupted = 0;
-  const auto begin = std::chrono::steady_clock::now();
-  const auto elapsed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  begin_ = charged_ = std::chrono::steady_clock::now();
   const double end_time = options.until > 0.0 ? options.until : system_.model.control.end_time;
-  Stopwatch watch;
   Outcome outcome;
   double next_report = 0.0;
 
   start();
-  if (options.restore) options.restore();
+  if (options.restore) {
+    options.restore();
+    begin_ -=
+        std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(solve_seconds_));
+  }
   kept_cycle_ = state_.cycle;
   kept_time_ = state_.time;
-  watch.charge(seconds_[elements]);
+  kept_seconds_ = solve_seconds_;
+  charge(elements);
+  const Outcome relaxed = options.restore ? Outcome{} : relax(options, progress);
   for (bool last = false; !last;) {
-    keep(options, elapsed());
+    if (!relaxed.stops()) keep(options);
     choose_step(end_time);
-    const Outcome stop = reason_to_stop(options, end_time);
-    last = stop.termination != Termination::normal || !stop.message.empty() || state_.time >= end_time;
+    const Outcome stop = relaxed.stops() ? relaxed : reason_to_stop(options, end_time);
+    last = stop.stops() || state_.time >= end_time;
     if (last) outcome = stop;
     const bool record = last || recorder.due(state_);
     const bool known = record || state_.cycle % 100 == 0;
@@ -110,15 +110,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
       w_before_ = state_.w;
       for (std::size_t b = 0; b < system_.bodies.size(); ++b) momentum_before_[b] = system_.bodies[b].angular_momentum;
     }
-
-    rivets_.hold(state_, 0.5 * (state_.dt + state_.dt_previous), inverse_mass_);
-    accelerate();
-    supports_.prescribe(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
-    power_on_change_ += supports_.power_on_change();
-    for (system::SpringGroup* springs : stopped_springs_) springs->stop(state_, system_.mass);
-    constrain_by_walls();
-    watch.charge(seconds_[motion]);
-
+    kick();
     if (known) account();
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_) {
@@ -133,31 +125,8 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
                 failed_welds(), elapsed()});
       next_report = elapsed() + 0.2;
     }
-    watch.charge(seconds_[output]);
-    if (last) break;
-
-    // The forces' work is booked with each velocity over its own step, 1/2 F . (v dt before + v dt after), while the
-    // kinetic energy changes by F . (v before + v after) (dt before + dt after) / 4 (docs/decisions/0021).
-    step_change_ += 0.25 * (state_.dt - state_.dt_previous) * power_on_change_;
-    supports_.open_step(state_.dt);
-    system_.map.follow(state_.dt, state_.v, state_.w);
-    watch.charge(seconds_[constraints]);
-    move();
-    watch.charge(seconds_[motion]);
-    preloads_.apply(state_);
-    system_.internal_force(state_);
-    erosion_.update(state_, first_step_);
-    strains_.update(state_);
-    nodal_forces_.update(state_);
-    welds_.update(state_);
-    connectors_.update(state_);
-    bury();
-    watch.charge(seconds_[elements]);
-    forces();
-    watch.charge(seconds_[contact_search]);
-    collect();
-    if (system_.scale_mass(false)) update_inverse_mass();
-    watch.charge(seconds_[constraints]);
+    charge(output);
+    if (!last) step();
   }
   solve_seconds_ = elapsed();
   if (progress)
@@ -166,21 +135,58 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   return outcome;
 }
 
-void Simulation::keep(const Options& options, double seconds) {
+void Simulation::keep(const Options& options) {
   // Asked once a cycle: the run ends in the cycle that begins with the restart file.
   stop_asked_ = interrupted != 0;
   if (!options.keep || diverged_) return;
+  solve_seconds_ = elapsed();
   const Checkpoints& every = options.checkpoints;
   const auto passed = [](double before, double now, double interval) {
     return interval > 0.0 && std::floor(now / interval) > std::floor(before / interval);
   };
   const bool due = (every.cycles > 0 && state_.cycle > kept_cycle_ && state_.cycle % every.cycles == 0) ||
-                   passed(kept_time_, state_.time, every.time) || passed(kept_seconds_, seconds, 60.0 * every.minutes);
+                   passed(kept_time_, state_.time, every.time) ||
+                   passed(kept_seconds_, solve_seconds_, 60.0 * every.minutes);
   if (!due && !stop_asked_) return;
   options.keep();
   kept_cycle_ = state_.cycle;
   kept_time_ = state_.time;
-  kept_seconds_ = seconds;
+  kept_seconds_ = solve_seconds_;
+}
+
+void Simulation::kick() {
+  rivets_.hold(state_, 0.5 * (state_.dt + state_.dt_previous), inverse_mass_);
+  accelerate();
+  supports_.prescribe(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
+  power_on_change_ += supports_.power_on_change();
+  for (system::SpringGroup* springs : stopped_springs_) springs->stop(state_, system_.mass);
+  constrain_by_walls();
+  charge(motion);
+}
+
+void Simulation::step() {
+  // The forces' work is booked with each velocity over its own step, 1/2 F . (v dt before + v dt after), while the
+  // kinetic energy changes by F . (v before + v after) (dt before + dt after) / 4 (docs/decisions/0021).
+  step_change_ += 0.25 * (state_.dt - state_.dt_previous) * power_on_change_;
+  supports_.open_step(state_.dt);
+  system_.map.follow(state_.dt, state_.v, state_.w);
+  charge(constraints);
+  move();
+  charge(motion);
+  preloads_.apply(state_);
+  system_.internal_force(state_);
+  erosion_.update(state_, first_step_);
+  strains_.update(state_);
+  nodal_forces_.update(state_);
+  welds_.update(state_);
+  connectors_.update(state_);
+  bury();
+  charge(elements);
+  forces();
+  charge(contact_search);
+  collect();
+  if (system_.scale_mass(false)) update_inverse_mass();
+  charge(constraints);
 }
 
 void Simulation::start() {
@@ -192,16 +198,9 @@ void Simulation::start() {
 
   // Stable steps of the undeformed mesh: one pass without a step, then mass scaling, then a second pass with the new
   // masses.
-  state_.dt = 0.0;
-  std::vector<Row> v(state_.v.size()), w(state_.w.size());
-  v.swap(state_.v);
-  w.swap(state_.w);
   preloads_.start(state_);
   strains_.start(state_);
-  preloads_.apply(state_);
-  system_.internal_force(state_);
-  v.swap(state_.v);
-  w.swap(state_.w);
+  internal_force_at_rest();
   system_.scale_mass(true);
   masses_changed();
   forces();
@@ -211,6 +210,68 @@ void Simulation::start() {
   controlling_ = system_.controlling();
   first_step_ = controlling_.step;
   smallest_step_ = std::numeric_limits<double>::infinity();
+}
+
+void Simulation::internal_force_at_rest() {
+  state_.dt = 0.0;
+  std::vector<Row> v(state_.v.size()), w(state_.w.size());
+  v.swap(state_.v);
+  w.swap(state_.w);
+  preloads_.apply(state_);
+  system_.internal_force(state_);
+  v.swap(state_.v);
+  w.swap(state_.w);
+}
+
+Outcome Simulation::relax(const Options& options, const ProgressCallback& progress) {
+  const model::Relaxation& control = system_.model.control.relaxation;
+  if (!control.on()) return {};
+  const std::vector<Row> v(state_.v), w(state_.w);
+  std::vector<Vec3d> momentum;
+  for (system::RigidBody& body : system_.bodies) momentum.push_back(std::exchange(body.angular_momentum, {}));
+  std::fill(state_.v.begin(), state_.v.end(), Row{});
+  std::fill(state_.w.begin(), state_.w.end(), Row{});
+  const auto begin_anew = [&](bool relaxing) {
+    state_.relaxing = relaxing;
+    state_.time = 0.0;
+    state_.cycle = 0;
+    internal_force_at_rest();
+    forces();
+    collect();
+  };
+
+  begin_anew(true);
+  Outcome stop;
+  relaxation_ = Relaxation(control);
+  const double end_time = control.end_time > 0.0 ? control.end_time : std::numeric_limits<double>::infinity();
+  for (double next_report = 0.0; !relaxation_.at_rest() && state_.time < end_time;) {
+    choose_step(end_time);
+    stop_asked_ = interrupted != 0;
+    if (stop = reason_to_stop(options, end_time); stop.stops()) break;
+    relaxation_.damp(system_, state_);
+    kick();
+    step();
+    relaxation_.watch(system_, state_);
+    if (progress && elapsed() >= next_report) {
+      Progress p{state_.time, 0.0, state_.dt, state_.cycle, 1.0, 0, 0, elapsed()};
+      p.unrest = relaxation_.unrest();
+      progress(p);
+      next_report = elapsed() + 0.2;
+    }
+  }
+  if (stop.stops()) {
+    stop.message = "in the dynamic relaxation: " + stop.message;
+    return stop;
+  }
+
+  state_.v = v;
+  state_.w = w;
+  for (std::size_t b = 0; b < momentum.size(); ++b) system_.bodies[b].angular_momentum = momentum[b];
+  begin_anew(false);
+  relaxation_work_ = supports_.work() + loads_.work();
+  step_change_ = 0.0;
+  smallest_step_ = std::numeric_limits<double>::infinity();
+  return {};
 }
 
 void Simulation::masses_changed() {
@@ -242,10 +303,13 @@ void Simulation::choose_step(double end_time) {
     dt = std::min(dt, std::max(std::abs(control.mass_step) * control.step_scale, 0.0));
     if (controlling_.step > dt && control.mass_step < 0.0) dt = controlling_.step;
   }
-  if (state_.cycle == 0 && control.first_step > 0.0) dt = std::min(dt, control.first_step);
+  if (state_.relaxing && control.relaxation.step_scale > 0.0) dt *= control.relaxation.step_scale / control.step_scale;
   if (control.step_curve != model::none)
     dt = std::min(dt, system_.model.curves[at(control.step_curve)].clamped(state_.time));
-  if (!std::isfinite(dt) && !std::isnan(dt)) dt = end_time > 0.0 ? 1e-3 * end_time : 1.0;  // rigid bodies only
+  if (!std::isfinite(dt) && !std::isnan(dt))  // rigid bodies only
+    dt = end_time > 0.0 && std::isfinite(end_time) ? 1e-3 * end_time : 1.0;
+  bearable_step_ = dt;
+  if (state_.cycle == 0 && control.first_step > 0.0) dt = std::min(dt, control.first_step);
   if (dt < smallest_step_) {
     smallest_step_ = dt;
     smallest_by_ = controlling_.describe(system_);
@@ -352,8 +416,10 @@ void Simulation::move() {
 }
 
 void Simulation::forces() {
-  for (contact::PenaltyContact& c : contacts_)
-    c.apply(state_.time, state_.dt, state_.x, state_.v, contact_mass_, element_alive_.all(), state_.f);
+  longest_step_ = std::max(longest_step_, bearable_step_);
+  const contact::Step step{state_.time, state_.dt, bearable_step_, longest_step_,
+                           state_.x,    state_.v,  contact_mass_,  element_alive_.all()};
+  for (contact::PenaltyContact& c : contacts_) c.apply(step, state_.f);
   tie_forces_.apply(state_);
   joints_.apply(state_);
   loads_.apply(state_, state_.dt);
@@ -384,7 +450,7 @@ void Simulation::account() {
   for (const contact::PenaltyContact& c : contacts_) energy_.contact += c.energy();
   energy_.wall = 0.0;
   for (const contact::RigidWall& w : walls_) energy_.wall += w.energy_until_now();
-  energy_.external = supports_.work() + loads_.work();
+  energy_.external = supports_.work() + loads_.work() - relaxation_work_;
   energy_.damping = damping_.energy();
   energy_.step_change = step_change_;
   if (state_.cycle == 0) energy_.initial = energy_.total();

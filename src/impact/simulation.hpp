@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "impact/joints.hpp"
 #include "impact/options.hpp"
 #include "impact/preloads.hpp"
+#include "impact/relaxation.hpp"
 #include "impact/rigid_welds.hpp"
 #include "impact/rivets.hpp"
 #include "impact/snapshot.hpp"
@@ -42,6 +44,7 @@ class Simulation {
   const Joints& joints() const { return joints_; }
   const Connectors& connectors() const { return connectors_; }
   const Erosion& erosion() const { return erosion_; }
+  const Relaxation& relaxation() const { return relaxation_; }
   double first_step() const { return first_step_; }
   double smallest_step() const { return smallest_step_; }
   const std::string& smallest_by() const { return smallest_by_; }
@@ -59,6 +62,15 @@ class Simulation {
 
  private:
   void start();
+  /// Internal forces of what is there, without a step.
+  void internal_force_at_rest();
+  /// Dynamic relaxation, where the deck asks for it. Afterwards the run begins at time 0 with the stresses and places
+  /// that are reached and the initial velocities. Gives a reason to stop the run, if there is one.
+  Outcome relax(const Options& options, const ProgressCallback& progress);
+  /// Velocities from t(n-1/2) to t(n+1/2), with supports and walls.
+  void kick();
+  /// The step from t(n) to t(n+1), up to the forces there.
+  void step();
   void choose_step(double end_time);
   /// Gives the free nodes and bodies their velocities at t(n+1/2); `power_on_change_` begins anew.
   void accelerate();
@@ -77,8 +89,11 @@ class Simulation {
   /// Energies of the moment; they stay those of before where the solution has become no number.
   void account();
   /// Between two cycles: writes a restart file if one is due, or the run was interrupted.
-  void keep(const Options& options, double seconds);
+  void keep(const Options& options);
   Outcome reason_to_stop(const Options& options, double end_time) const;
+  /// Charges the time since the last call to a phase.
+  void charge(Phase phase);
+  double elapsed() const;  ///< seconds since the run began, without those between a restart file and going on with it
 
   system::System& system_;
   system::State state_;
@@ -110,6 +125,8 @@ class Simulation {
   long kept_cycle_ = 0;      ///< of the last restart file; its time, and the clock then
   double kept_time_ = 0.0, kept_seconds_ = 0.0;
   bool diverged_ = false;
+  Relaxation relaxation_;
+  double relaxation_work_ = 0.0;     ///< of loads and supports in the relaxation; no part of the run's energy balance
   double step_change_ = 0.0;         ///< Energy::step_change so far
   double power_on_change_ = 0.0;     ///< forces at t(n) times the change of velocity from t(n-1/2) to t(n+1/2)
   std::vector<double> block_power_;  ///< the nodes' part of it, by block
@@ -119,8 +136,11 @@ class Simulation {
   system::System::Controlling controlling_;
   system::System::Masses masses_;
   double first_step_ = 0.0, smallest_step_ = 0.0;
+  double bearable_step_ = 0.0;  ///< of this step, before DTINIT or the end of the run cut it; 0 at the start
+  double longest_step_ = 0.0;   ///< of those
   std::string smallest_by_;
   std::array<double, phases> seconds_{};
+  std::chrono::steady_clock::time_point begin_, charged_;
   double solve_seconds_ = 0.0;
 };
 

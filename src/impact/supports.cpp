@@ -36,7 +36,8 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
                        "node " + std::to_string(model.nodes.id[static_cast<std::size_t>(spc.node)]) +
                            " is held by an SPC, but it moves with " + system.holder(node) +
                            "; the SPC does nothing there",
-                       "constrain the rigid body (MAT_RIGID CMO, *CONSTRAINED_NODAL_RIGID_BODY_SPC) instead");
+                       "constrain what it moves with: the nodes of the segment it is tied to, or the rigid body "
+                       "(MAT_RIGID CMO, *CONSTRAINED_NODAL_RIGID_BODY_SPC)");
       continue;
     }
     for (int i = 0; i < 6; ++i) {
@@ -136,7 +137,7 @@ void Supports::set_component(Held& held, double target, int body, system::State&
 }
 
 void Supports::prescribe(system::State& state, double kick, std::span<system::RigidBody> bodies) {
-  const auto in_force = [&](const Held& h) { return state.time >= h.birth && state.time < h.death; };
+  const auto alive = [&](const Held& h) { return state.time >= h.birth && state.time < h.death; };
   dt_previous_ = state.dt_previous;
   power_on_change_ = 0.0;
   const auto component = [&](const Held& h) {
@@ -149,7 +150,7 @@ void Supports::prescribe(system::State& state, double kick, std::span<system::Ri
   for (std::vector<Reaction>* reactions : {&spc_, &motion_})
     for (Reaction& r : *reactions) r.force = r.moment = {};
   for (Held& h : held_) {
-    if (!in_force(h)) {
+    if (!alive(h)) {
       release(h);
       continue;
     }
@@ -159,7 +160,7 @@ void Supports::prescribe(system::State& state, double kick, std::span<system::Ri
     set_component(h, 0.0, -1, state, kick, bodies, spc_);
   }
   for (Driven& d : driven_) {
-    if (!in_force(d)) {
+    if (!alive(d) || !in_force(system_.model.curves[at(d.motion->curve)], state)) {
       release(d);
       continue;
     }

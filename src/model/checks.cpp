@@ -333,7 +333,10 @@ void check_compound(Builder& b, const Part& part, const deck::Row& row) {
   const Material& material = b.model.materials[static_cast<std::size_t>(part.material)];
   const auto* law = std::get_if<kernel::Compound>(&material.law);
   if (law == nullptr) return;
-  if (part.kind == ElementKind::solid && !law->made_of->for_bricks)
+  if (part.kind == ElementKind::solid && law->made_of->directional_damage)
+    refuse(b, row, "mid", fmt::format("*{} damages the layers of shells, but the part has solids", material.keyword),
+           "use *MAT_PLASTICITY_WITH_DAMAGE, or *MAT_SIMPLIFIED_JOHNSON_COOK with PSFAIL");
+  else if (part.kind == ElementKind::solid && !law->made_of->for_bricks)
     refuse(b, row, "mid", fmt::format("*{} in solids needs an equation of state, which is not built", material.keyword),
            "use *MAT_SIMPLIFIED_JOHNSON_COOK, which needs none");
   if (part.kind == ElementKind::shell && !law->made_of->for_shells)
@@ -508,6 +511,24 @@ void check_parts(Builder& b) {
   if ((!b.model.implicit.active || b.model.implicit.modes == 0) && !(b.model.control.end_time > 0.0))
     b.findings.error({b.model.deck, 0, 0}, "*CONTROL_TERMINATION", "no end time is given",
                      "give ENDTIM, the time up to which is to be computed");
+}
+
+void check_relaxation(Builder& b) {
+  const Model& m = b.model;
+  if (!m.control.relaxation.on()) return;
+  for (const RigidWall& wall : m.walls)
+    if (wall.motion_curve != none || wall.mass > 0.0)
+      b.findings.error(wall.place, "*RIGIDWALL", "a wall that moves beside dynamic relaxation is not supported",
+                       "hold the wall, or give it as a rigid part with *BOUNDARY_PRESCRIBED_MOTION_RIGID");
+  for (const PrescribedMotion& motion : m.motions) {
+    if (motion.curve == none || motion.quantity != PrescribedMotion::Quantity::displacement) continue;
+    const Curve& curve = m.curves[static_cast<std::size_t>(motion.curve)];
+    if (curve.in_run && curve.in_relaxation)
+      b.findings.error(
+          motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
+          fmt::format("displacement by curve {} in dynamic relaxation and again in the run (SIDR = 2)", curve.id),
+          "give two motions: one with a curve of SIDR 1 up to the end value, one of SIDR 0 that holds it");
+  }
 }
 
 void check_units(Builder& b) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "kernel/contact/penalty.hpp"
+#include "kernel/contact/cohesive.hpp"
+#include "kernel/contact/friction.hpp"
 #include "model/loads.hpp"
 
 namespace nugget::model {
@@ -48,17 +50,12 @@ struct Contact {
   std::string title;
   std::string keyword;
   Kind kind = Kind::single_surface;
-  /// _TIEBREAK: nodes that touch at the start are glued until (normal stress/NFLS)^2 + (shear stress/SFLS)^2 >= 1.
-  struct Glue {
-    bool on = false;
-    double normal = 0.0, shear = 0.0;  ///< NFLS, SFLS; 0: does not count [stress]
-  };
-  Glue glue;
-  Offset offset = Offset::projected;  ///< ties
-  bool torsion = false;               ///< _WITH_TORSION: twist of a weld becomes in-plane forces
-  bool penalty_fallback = false;      ///< IPBACK: springs where a constraint meets another one
-  Surface a;                          ///< tracked (SURFA, slave)
-  Surface b;                          ///< reference (SURFB, master)
+  std::optional<kernel::Cohesion> glue;  ///< _TIEBREAK: nodes that touch at the start are glued
+  Offset offset = Offset::projected;     ///< ties
+  bool torsion = false;                  ///< _WITH_TORSION: twist of a weld becomes in-plane forces
+  bool penalty_fallback = false;         ///< IPBACK: springs where a constraint meets another one
+  Surface a;                             ///< tracked (SURFA, slave)
+  Surface b;                             ///< reference (SURFB, master)
   kernel::Friction friction;
   bool friction_by_part = false;  ///< FS = -1: of *PART_CONTACT; `friction` holds the factors on it
   double damping = 0.0;           ///< VDC, percent of critical
@@ -68,6 +65,8 @@ struct Contact {
   double thickness_scale_a = 1.0, thickness_scale_b = 1.0;  ///< SFSAT, SFSBT
   int soft = 0;
   double soft_scale = 0.1;
+  double soft_step = 0.0;   ///< DTSTIF: the step that a stiffness by masses is for; 0: that of the run [time]
+  int depth = 2;            ///< DEPTH: what SOFT = 2 checks
   double deepest = 0.0;     ///< PENMAX: a node deeper than so many thicknesses is let go; 0: none
   int search_interval = 0;  ///< BSORT; 0: chosen by the program
   int ignore = 0;           ///< IGNORE of optional card D, or the control card's

@@ -6,13 +6,19 @@
 // What the keyword of a sliding contact says besides its kind.
 namespace nugget::model {
 
-/// *CONTACT_AUTOMATIC_GENERAL: beams, and the edges that one shell alone has, are checked against each other.
-inline bool checks_edges(const Contact& contact) {
+/// *CONTACT_AUTOMATIC_GENERAL: beams take part, against each other and against shells.
+inline bool checks_beams(const Contact& contact) {
   return contact.keyword.starts_with("CONTACT_AUTOMATIC_GENERAL");
 }
-/// ..._GENERAL_INTERIOR: all edges of shells are.
+/// ..._GENERAL_INTERIOR, and segment-based contact with DEPTH = 3 or more: all edges of shells are checked against each
+/// other.
 inline bool checks_all_edges(const Contact& contact) {
-  return checks_edges(contact) && contact.keyword.find("_INTERIOR") != std::string::npos;
+  const bool by_segments = contact.soft == 2 && contact.depth >= 3 && contact.kind != Contact::Kind::one_way;
+  return by_segments || (checks_beams(contact) && contact.keyword.find("_INTERIOR") != std::string::npos);
+}
+/// Edges are checked: all, or in ..._GENERAL those that one shell alone has.
+inline bool checks_edges(const Contact& contact) {
+  return checks_beams(contact) || checks_all_edges(contact);
 }
 /// *CONTACT_ERODING_...: faces of bricks come to light as the bricks before them die.
 inline bool erodes(const Contact& contact) {

@@ -18,6 +18,19 @@ struct WeldBeamControl {
   Place place;
 };
 
+/// *CONTROL_DYNAMIC_RELAXATION: before the run the model is brought to rest under the loads whose curves have SIDR 1 or
+/// 2, by a factor on all velocities in every cycle.
+struct Relaxation {
+  bool asked = false;        ///< IDRFLG = 1, or a curve with SIDR 1 or 2
+  bool forbidden = false;    ///< IDRFLG = -999
+  int check_cycles = 250;    ///< NRCYCK
+  double tolerance = 0.001;  ///< DRTOL, on the kinetic energy over the largest so far
+  double factor = 0.995;     ///< DRFCTR
+  double end_time = 0.0;     ///< DRTERM; 0: none
+  double step_scale = 0.0;   ///< TSSFDR in place of TSSFAC; 0: TSSFAC
+  bool on() const { return asked && !forbidden; }
+};
+
 /// The *CONTROL_... cards that this program obeys, in words; defaults are LS-DYNA's.
 struct Control {
   // *CONTROL_TERMINATION
@@ -70,6 +83,7 @@ struct Control {
   double wall_thickness_share = 0.0;  ///< SHLTRW
 
   WeldBeamControl weld_beams;
+  Relaxation relaxation;
 
   // *CONTROL_OUTPUT, *CONTROL_SOLID
   bool average_accelerations = false;  ///< IACCOP = 1

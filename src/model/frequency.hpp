@@ -7,28 +7,48 @@
 
 namespace nugget::model {
 
+/// *DAMPING_STRUCTURAL: stiffness K (1 + i g).
+struct StructuralDamping {
+  double factor = 0.0;   ///< g, the loss factor, where there is no curve
+  Index curve = none;    ///< g over the frequency of the excitation [cycles/time] or number of the mode
+  bool by_mode = false;  ///< the curve is over the number of the mode
+  bool given() const { return factor > 0.0 || curve != none; }
+};
+
 /// *FREQUENCY_DOMAIN_FRF: steady response to one harmonic excitation of unit amplitude, over frequency.
 struct FrequencyResponse {
-  enum class Quantity { velocity, acceleration, displacement };
+  enum class Quantity { velocity, acceleration, displacement, force };
 
   struct Excitation {
-    bool base = false;                       ///< all supports move together; else a force on each of `nodes`
-    Quantity quantity = Quantity::velocity;  ///< of the base, which has amplitude 1
-    std::vector<Index> nodes;                ///< each carries a force of amplitude 1
-    Vec3d direction;                         ///< unit vector
+    enum class Kind {
+      force,     ///< on each of `nodes`
+      torque,    ///< on each of `nodes`, about `direction`
+      pressure,  ///< on `pressed`
+      base,      ///< all supports move together
+      enforced   ///< `nodes` move, the supports stand still
+    } kind = Kind::force;
+    Quantity quantity = Quantity::velocity;  ///< of the base or of the enforced nodes, which has amplitude 1
+    std::vector<Index> nodes;
+    Vec3d direction;               ///< unit vector
+    std::vector<Segment> pressed;  ///< each carries a pressure of amplitude 1, against its normal
+    Place place;                   ///< of the card
+    bool moves() const { return kind == Kind::base || kind == Kind::enforced; }
   } excitation;
 
   struct Response {
     std::vector<Index> nodes;
     std::vector<Vec3d> directions;  ///< unit vectors
+    bool rotation = false;          ///< rotations about them (moments, where the quantity is a force)
     Quantity quantity = Quantity::displacement;
     bool relative = false;  ///< to the base
+    Place place;            ///< of the card
   } response;
 
   /// Which of the modes take part, from the lowest on.
   struct Selection {
     double highest = 0.0;     ///< FNMAX: none above this natural frequency [cycles/time]; 0: no such end
     int first = 1, last = 0;  ///< MDMIN, MDMAX; last 0: no such end
+    double lowest = 0.0;      ///< FNMIN: none below this natural frequency
   } modes;
 
   /// Mode r has 2 zeta omega_r + mass + stiffness omega_r^2 in place of c / m.
@@ -41,6 +61,24 @@ struct FrequencyResponse {
   } damping;
 
   std::vector<double> frequency;  ///< at which the response is wanted, ascending [cycles/time]
+  bool direct = false;            ///< no modes, one solution for each frequency
+  bool by_parts = false;          ///< OUTPUT 1: LS-DYNA's files hold real and imaginary part
+};
+
+/// *FREQUENCY_DOMAIN_SSD: steady response to harmonic loads together, each with its amplitude and phase over frequency.
+struct SteadyState {
+  struct Load {
+    FrequencyResponse::Excitation excitation;
+    double scale = 1.0;
+    Index first = none, second = none;  ///< curves over frequency: amplitude and phase [degree], or real and imaginary
+  };
+  std::vector<Load> loads;
+  bool by_parts = false;  ///< the curves are real and imaginary part
+  bool direct = false;    ///< _DIRECT: no modes, one solution for each frequency
+  bool relative = false;  ///< responses to the base's motion are relative to it
+  FrequencyResponse::Selection modes;
+  FrequencyResponse::Damping damping;
+  std::vector<double> frequency;  ///< of *DATABASE_FREQUENCY_ASCII_NODOUT_SSD, ascending [cycles/time]
 };
 
 }  // namespace nugget::model

@@ -14,13 +14,17 @@ namespace {
 std::vector<Keyword> all_families() {
   std::vector<Keyword> all;
   for (const auto family : {
+           text_keywords,
            mesh_keywords,
+           move_keywords,
            part_keywords,
            section_keywords,
            material_keywords,
            plastic_material_keywords,
+           johnson_cook_keywords,
            erosion_keywords,
-           soft_material_keywords,
+           rubber_material_keywords,
+           foam_material_keywords,
            weld_material_keywords,
            weld_table_keywords,
            weld_brick_keywords,
@@ -32,6 +36,7 @@ std::vector<Keyword> all_families() {
            control_keywords,
            implicit_keywords,
            frequency_keywords,
+           steady_state_keywords,
            database_keywords,
            cross_section_keywords,
            boundary_keywords,

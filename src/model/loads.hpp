@@ -59,6 +59,7 @@ struct BodyLoad {
   Vec3d center;
   bool own_parts = false;  ///< *LOAD_GRAVITY_PART, *LOAD_BODY_GENERALIZED: *LOAD_BODY_PARTS does not change `parts`
   Index curve = none;
+  Index relaxation_curve = none;  ///< in dynamic relaxation, whatever its SIDR; none: `curve` as its SIDR says
   double scale = 1.0;
   std::vector<Index> parts;  ///< empty: all
   std::vector<Index> nodes;  ///< only these (*LOAD_BODY_GENERALIZED); empty: all of `parts`

@@ -134,6 +134,8 @@ struct Model {
   Control control;
   Implicit implicit;
   std::optional<FrequencyResponse> frequency_response;
+  std::optional<SteadyState> steady_state;
+  StructuralDamping structural_damping;
   Requests requests;
   std::vector<LedgerEntry> ledger;
 

@@ -9,7 +9,7 @@
 
 #include "base/finding.hpp"
 #include "base/vec3.hpp"
-#include "kernel/contact/penalty.hpp"
+#include "kernel/contact/friction.hpp"
 #include "kernel/law/compound.hpp"
 #include "kernel/law/discrete_beam.hpp"
 #include "kernel/law/elastic.hpp"

@@ -19,6 +19,7 @@ void resolve_sets(Builder& builder);
 // Phase::checks.
 void check_mesh(Builder& builder);   ///< shapes of elements, free nodes
 void check_parts(Builder& builder);  ///< parts without elements; sections, laws and hourglass that do not go together
-void check_units(Builder& builder);  ///< do modulus and density fit a usual system of units?
+void check_relaxation(Builder& builder);  ///< what dynamic relaxation cannot hold still
+void check_units(Builder& builder);       ///< do modulus and density fit a usual system of units?
 
 }  // namespace nugget::model

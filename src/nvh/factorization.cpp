@@ -12,10 +12,6 @@
 #include "base/index.hpp"
 
 namespace nugget::nvh {
-namespace {
-
-/// Order of elimination: nested dissection of the graph of nodes, whose unknowns follow each other. Position by
-/// equation, counted from 1 as MUMPS wants it.
 std::vector<int> elimination_order(const Matrices& m) {
   const Equations& equations = m.equations;
   const int size = equations.size();
@@ -63,8 +59,6 @@ std::vector<int> elimination_order(const Matrices& m) {
     for (int i = first[at(b)]; i < first[at(b) + 1]; ++i) position[at(i)] = next++;
   return position;
 }
-
-}  // namespace
 
 struct Factorization::Mumps {
   DMUMPS_STRUC_C data{};

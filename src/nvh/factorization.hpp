@@ -38,6 +38,10 @@ class Factorization {
   Cost cost_;
 };
 
+/// Order of elimination: nested dissection of the graph of nodes, whose unknowns follow each other. Position by
+/// equation, counted from 1 as MUMPS wants it.
+std::vector<int> elimination_order(const Matrices& matrices);
+
 struct Factorization::SolverError {
   std::string text;
 };

@@ -58,6 +58,21 @@ void integrate_shells_fully(model::Model& m, Findings& findings) {
                               changed.size() == 1 ? "" : "s", fmt::join(changed, " ")));
 }
 
+/// Nodes that a response over frequency drives are held in its modes, like those of prescribed motions.
+void hold_driven_nodes(model::Model& m) {
+  const auto hold = [&](const model::FrequencyResponse::Excitation& e) {
+    if (e.kind != model::FrequencyResponse::Excitation::Kind::enforced) return;
+    model::PrescribedMotion motion;
+    motion.nodes = e.nodes;
+    motion.direction = e.direction;
+    motion.place = e.place;
+    m.motions.push_back(std::move(motion));
+  };
+  if (m.frequency_response) hold(m.frequency_response->excitation);
+  if (m.steady_state)
+    for (const model::SteadyState::Load& load : m.steady_state->loads) hold(load.excitation);
+}
+
 }  // namespace
 
 model::Model linear_model(const model::Model& model, Findings& findings) {
@@ -68,6 +83,7 @@ model::Model linear_model(const model::Model& model, Findings& findings) {
     if (weld.kind == model::RigidWeld::Kind::rivet)
       findings.error(weld.place, "*CONSTRAINED_RIVET", "rivets are not built in linear analyses",
                      "weld the two nodes with *CONSTRAINED_SPOTWELD");
+  hold_driven_nodes(m);
   stabilize_bricks(m, findings);
   integrate_shells_fully(m, findings);
   return m;

@@ -7,25 +7,13 @@
 #include <cmath>
 
 #include "base/index.hpp"
+#include "nvh/nodal.hpp"
 #include "weld/brick_section.hpp"
 #include "weld/failure.hpp"
 #include "weld/welds.hpp"
 
 namespace nugget::nvh {
 namespace {
-
-using Nodal = std::vector<Six>;  ///< by system node
-
-Vec3d part_of(const Six& six, bool rotation) {
-  return rotation ? Vec3d{six[3], six[4], six[5]} : Vec3d{six[0], six[1], six[2]};
-}
-
-void add_to(Six& six, bool rotation, const Vec3d& v) {
-  const std::size_t first = rotation ? 3 : 0;
-  six[first] += v.x;
-  six[first + 1] += v.y;
-  six[first + 2] += v.z;
-}
 
 double product(const Nodal& a, const Nodal& b) {
   double sum = 0.0;
@@ -52,7 +40,10 @@ class Loads {
   const Nodal& nodal() const { return load_; }
 
  private:
-  double level(model::Index curve, double time) const { return m_.system.model.curves[at(curve)].zero_outside(time); }
+  double level(model::Index curve, double time) const {
+    const Curve& c = m_.system.model.curves[at(curve)];
+    return c.in_run ? c.zero_outside(time) : 0.0;
+  }
   int node(model::Index n) const { return m_.system.node_of[at(n)]; }
   Vec3d place(model::Index n) const { return m_.system.ties.x[at(n)]; }
 
@@ -70,12 +61,9 @@ class Loads {
     const double time = time_ - load.arrival;
     const double p = time >= 0.0 ? load.scale * level(load.curve, time) : 0.0;
     for (const model::Segment& s : load.segments) {
-      const bool triangle = s[3] == s[2];
-      const Vec3d area = triangle ? 0.5 * cross(place(s[1]) - place(s[0]), place(s[2]) - place(s[0]))
-                                  : 0.5 * cross(place(s[2]) - place(s[0]), place(s[3]) - place(s[1]));
-      const std::size_t corners = triangle ? 3 : 4;
-      for (std::size_t a = 0; a < corners; ++a)
-        add_to(load_[at(node(s[a]))], false, (-p / static_cast<double>(corners)) * area);
+      const Vec3d force = p * force_of_pressure(m_, s);
+      const std::size_t corners = s[3] == s[2] ? 3 : 4;
+      for (std::size_t a = 0; a < corners; ++a) add_to(load_[at(node(s[a]))], false, force);
     }
   }
   void add(const model::BodyLoad& load) {
@@ -108,61 +96,19 @@ Nodal prescribed(const Matrices& m, double time, Findings& findings) {
                      "it drives a node in a direction that an SPC or another motion prescribes otherwise",
                      "take one of them out");
   }
-  for (std::size_t d = 0; d < m.system.nodes; ++d) {
-    if (!m.system.map.dependent(static_cast<int>(d))) continue;
-    for (const system::ConstraintMap::Block& b : m.system.map.blocks(static_cast<int>(d)))
-      for (std::size_t i = 0; i < 6; ++i)
-        for (std::size_t j = 0; j < 6; ++j) u[d][i] += b.of[i][j] * u[at(b.node)][j];
-  }
+  follow(m.system, u);
   return u;
 }
 
 /// Internal forces K_e u_e of one element, in its freedoms.
-std::vector<double> element_force(const Matrices& m, const system::ElementGroup& group, std::size_t e, const Nodal& u,
-                                  double* energy = nullptr) {
-  const std::size_t per_node = at(group.freedoms()), n = at(group.nodes_per_element) * per_node;
-  std::vector<double> k(n * n), f(n, 0.0);
-  group.stiffness(e, m.rest, k);
+std::vector<double> element_force(const Matrices& m, const system::ElementGroup& group, std::size_t e, const Nodal& u) {
+  const std::vector<double> k = element_stiffness(m, group, e);
   const std::array<int, 8> node = group.nodes(e);
-  double twice = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j)  // both triangles, as the matrix that is solved has it
-      f[i] += 0.5 * (k[i * n + j] + k[j * n + i]) * u[at(node[j / per_node])][j % per_node];
-    twice += f[i] * u[at(node[i / per_node])][i % per_node];
-  }
-  if (energy != nullptr) *energy = 0.5 * twice;
+  const std::size_t per_node = at(group.freedoms()), n = at(group.nodes_per_element) * per_node;
+  std::vector<double> f(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) f[i] += k[i * n + j] * u[at(node[j / per_node])][j % per_node];
   return f;
-}
-
-struct Internal {
-  Nodal force;
-  std::vector<double> part_energy;
-};
-
-Internal internal_forces(const Matrices& m, const Nodal& u) {
-  Internal all{Nodal(u.size()), std::vector<double>(m.system.model.parts.size())};
-  for (const auto& group : m.system.groups)
-    for (std::size_t e = 0; e < group->size(); ++e) {
-      double energy = 0.0;
-      const std::vector<double> f = element_force(m, *group, e, u, &energy);
-      const std::array<int, 8> node = group->nodes(e);
-      const std::size_t per_node = at(group->freedoms());
-      for (std::size_t i = 0; i < f.size(); ++i) all.force[at(node[i / per_node])][i % per_node] += f[i];
-      all.part_energy[at(group->part)] += energy;
-    }
-  return all;
-}
-
-/// Forces on dependent nodes go to those that they follow.
-void collect(const Matrices& m, Nodal& f) {
-  for (std::size_t d = 0; d < m.system.nodes; ++d) {
-    if (!m.system.map.dependent(static_cast<int>(d))) continue;
-    for (const system::ConstraintMap::Block& b : m.system.map.blocks(static_cast<int>(d)))
-      for (std::size_t i = 0; i < 6; ++i)
-        for (std::size_t j = 0; j < 6; ++j) f[at(b.node)][j] += b.of[i][j] * f[d][i];
-    const bool turns = m.system.map.rotations(static_cast<int>(d));
-    for (std::size_t i = 0; i < (turns ? 6u : 3u); ++i) f[d][i] = 0.0;
-  }
 }
 
 /// Of a weld beam, by equilibrium from the forces at its second end: moments about its middle.
@@ -289,7 +235,7 @@ Statics solve_statics(const Matrices& m, Findings& findings) {
   s.reaction = std::move(internal.force);
   for (std::size_t k = 0; k < load.size(); ++k)
     for (std::size_t i = 0; i < 6; ++i) s.reaction[k][i] -= load[k][i];
-  collect(m, s.reaction);
+  collect(m.system, s.reaction);
   s.external = 0.5 * product(load, s.motion);
   for (const Equations::Support& support : m.equations.supports()) {
     const double force = dot(support.taken, part_of(s.reaction[at(support.node)], support.rotation));

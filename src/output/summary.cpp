@@ -47,6 +47,14 @@ Json to_json(const ModeReport& m) {
           {"effective_mass", m.effective_mass}};
 }
 
+Json to_json(const ResponseReport& r) {
+  return {{"kind", r.kind},
+          {"node", r.node},
+          {"direction", r.direction},
+          {"response", r.response},
+          {"peak", {{"frequency", r.frequency}, {"amplitude", r.amplitude}, {"phase", r.phase}}}};
+}
+
 Json to_json(const WeldDropReport& d) {
   Json json{{"welds", d.welds},
             {"mode", d.mode},
@@ -80,6 +88,11 @@ Json to_json(const Summary& s) {
   json["time"] = s.time;
   json["time_step"] = {
       {"first", s.time_step.first}, {"smallest", s.time_step.smallest}, {"controlling", s.time_step.controlling}};
+  if (s.relaxation)
+    json["relaxation"] = {{"cycles", s.relaxation->cycles},
+                          {"time", s.relaxation->time},
+                          {"unrest", s.relaxation->unrest},
+                          {"at_rest", s.relaxation->at_rest}};
   json["mass"] = {{"physical", s.mass.physical}, {"added", s.mass.added}, {"added_to_welds", s.mass.added_to_welds}};
   json["energy"] = to_json(s.energy);
   json["seconds"] = to_json(s.seconds);
@@ -90,6 +103,7 @@ Json to_json(const Summary& s) {
   for (const WeldReport& weld : s.welds) json["weld"].push_back(to_json(weld));
   json["modes"] = Json::array();
   for (const ModeReport& mode : s.modes) json["modes"].push_back(to_json(mode));
+  for (const ResponseReport& r : s.responses) json["responses"].push_back(to_json(r));
   for (const WeldDropReport& drop : s.weld_drops) json["drop_weld"].push_back(to_json(drop));
   return json;
 }

@@ -70,6 +70,14 @@ struct ModeReport {
   std::array<double, 6> participation{}, effective_mass{};
 };
 
+/// One response over frequency: where it is largest.
+struct ResponseReport {
+  std::string kind;  ///< frf, ssd
+  int node = 0;
+  std::string direction, response;                       ///< e.g. `x`, `acceleration`
+  double frequency = 0.0, amplitude = 0.0, phase = 0.0;  ///< phase in degrees
+};
+
 /// What becomes of the mode that suffers most when welds are taken out (`nugget modes --drop-weld`).
 struct WeldDropReport {
   std::vector<int> welds;  ///< user ids
@@ -93,6 +101,12 @@ struct Summary {
     double first = 0.0, smallest = 0.0;
     std::string controlling;  ///< e.g. `beam 17 of part 5`
   } time_step;
+  struct Relaxation {
+    long cycles = 0;
+    double time = 0.0, unrest = 0.0;  ///< kinetic energy over the largest, at the last check
+    bool at_rest = false;
+  };
+  std::optional<Relaxation> relaxation;  ///< the dynamic relaxation before the run
   struct Mass {
     double physical = 0.0, added = 0.0, added_to_welds = 0.0;
   } mass;
@@ -108,6 +122,7 @@ struct Summary {
   int threads = 0, ranks = 1;
   std::vector<WeldReport> welds;
   std::vector<ModeReport> modes;
+  std::vector<ResponseReport> responses;
   std::vector<WeldDropReport> weld_drops;  ///< those that matter most first
 };
 

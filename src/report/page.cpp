@@ -9,6 +9,7 @@
 
 #include "output/result_file.hpp"
 #include "report/plot.hpp"
+#include "report/response_page.hpp"
 
 namespace nugget::report {
 namespace {
@@ -57,6 +58,13 @@ std::string values(const Json& object, std::string_view prefix) {
   return s + "</dl>\n";
 }
 
+/// Whether a key of the summary says something of this run: time, steps and energies are those of an impact.
+bool told(const Json& summary, std::string_view key) {
+  constexpr std::string_view of_impact[] = {"time", "cycles", "ns_per_element_cycle", "time_step", "energy"};
+  return summary.contains(key) && !(of_linear_analysis(summary) &&
+                                    std::find(std::begin(of_impact), std::end(of_impact), key) != std::end(of_impact));
+}
+
 std::string head(const Json& s) {
   const std::string title = s.value("deck", ""), end = s.value("termination", ""), message = s.value("message", "");
   std::string out = fmt::format(
@@ -65,11 +73,11 @@ std::string head(const Json& s) {
       escaped(title), escaped(s.value("version", "")), escaped(end), escaped(end), escaped(message));
   Json facts;
   for (const char* key : {"time", "cycles", "nodes", "parts", "welds", "threads", "ns_per_element_cycle"})
-    if (s.contains(key)) facts[key] = s[key];
+    if (told(s, key)) facts[key] = s[key];
   out += values(facts, "run");
   for (const auto& [key, heading] : {std::pair{"elements", "Elements"}, std::pair{"mass", "Mass"},
                                      std::pair{"time_step", "Time step"}, std::pair{"energy", "Energy at the end"}})
-    if (s.contains(key)) out += fmt::format("<h2>{}</h2>\n{}", heading, values(s[key], key));
+    if (told(s, key)) out += fmt::format("<h2>{}</h2>\n{}", heading, values(s[key], key));
   return out;
 }
 
@@ -190,8 +198,10 @@ std::string page(const RunData& run) {
       "</head>\n<body>\n",
       escaped(run.summary.value("deck", "nugget")), style);
   s += head(run.summary);
-  s += "<h2>Energies over time</h2>\n" + energy_curves(run);
-  s += "<h2>Welds</h2>\n" + weld_table(run);
+  if (of_linear_analysis(run.summary))
+    s += modes_part(run) + responses_part(run);
+  else
+    s += "<h2>Energies over time</h2>\n" + energy_curves(run) + "<h2>Welds</h2>\n" + weld_table(run);
   s += "<h2>Findings</h2>\n" + finding_list(run.findings);
   return s + "</body>\n</html>\n";
 }

@@ -16,25 +16,56 @@ constexpr std::size_t most_points = 400;
 constexpr std::array<const char*, 8> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                              "#e69f00", "#56b4e9", "#8c564b", "#7f7f7f"};
 
-/// A range of numbers and the round steps that divide it.
+/// A range of numbers, and the round ones on it.
 struct Axis {
-  double low = 0.0, high = 1.0, step = 0.2;
+  double low = 0.0, high = 1.0;
+  bool logarithmic = false;
+  std::vector<double> marks;
 
-  Axis(double from, double to) {
+  Axis(double from, double to, bool log) : logarithmic(log) { log ? by_decades(from, to) : by_steps(from, to); }
+  double share(double value) const {
+    return logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+  }
+  bool shows(double value) const { return std::isfinite(value) && (!logarithmic || value >= low * (1.0 - 1e-9)); }
+
+ private:
+  void by_steps(double from, double to) {
     if (!(to > from)) to = from + (from == 0.0 ? 1.0 : std::abs(from));
     const double raw = (to - from) / 5.0, power = std::pow(10.0, std::floor(std::log10(raw)));
-    step = power;
+    double step = power;
     for (const double factor : {2.0, 5.0, 10.0})
       if (step < raw) step = factor * power;
     low = step * std::floor(from / step + 1e-9);
     high = step * std::ceil(to / step - 1e-9);
+    const int steps = static_cast<int>(std::lround((high - low) / step));
+    for (int i = 0; i <= steps; ++i) {
+      const double value = low + i * step;
+      marks.push_back(std::abs(value) < 1e-9 * step ? 0.0 : value);  // without the dust of its sum
+    }
   }
-  double share(double value) const { return (value - low) / (high - low); }
-  int steps() const { return static_cast<int>(std::lround((high - low) / step)); }
-  /// Number on the axis, without the dust of its sum.
-  double at(int i) const {
-    const double value = low + i * step;
-    return std::abs(value) < 1e-9 * step ? 0.0 : value;
+  /// Ends at 1, 2 or 5 times a power of ten; marks there, at powers of ten only where there are many.
+  void by_decades(double from, double to) {
+    to = std::max(to, 1.1 * from);
+    std::vector<double> round;
+    for (int e = static_cast<int>(std::floor(std::log10(from))); std::pow(10.0, e) < 10.0 * to; ++e)
+      for (const double factor : {1.0, 2.0, 5.0}) round.push_back(factor * std::pow(10.0, e));
+    const auto first = std::upper_bound(round.begin(), round.end(), from * (1.0 + 1e-9)) - 1;
+    const auto last = std::lower_bound(round.begin(), round.end(), to * (1.0 - 1e-9));
+    low = *first;
+    high = *last;
+    const bool many = last - first > 9;
+    for (auto mark = first; mark <= last; ++mark)
+      if (!many || (mark - round.begin()) % 3 == 0) marks.push_back(*mark);
+  }
+};
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  bool empty() const { return !(low <= high); }
+  void add(double value, bool logarithmic) {
+    if (!std::isfinite(value) || (logarithmic && !(value > 0.0))) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
   }
 };
 
@@ -49,28 +80,43 @@ class Canvas {
   double py(double value) const { return height - bottom - (height - top - bottom) * y_.share(value); }
 
   void grid(const Plot& plot) {
-    for (int i = 0; i <= x_.steps(); ++i)
+    for (const double x : x_.marks)
       text_ += fmt::format(
           "<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.1f}\" y2=\"{2:.1f}\"/>"
           "<text x=\"{0:.1f}\" y=\"{3:.1f}\" text-anchor=\"middle\">{4}</text>\n",
-          px(x_.at(i)), top, height - bottom, height - bottom + 16.0, number(x_.at(i)));
-    for (int i = 0; i <= y_.steps(); ++i)
+          px(x), top, height - bottom, height - bottom + 16.0, number(x));
+    for (const double y : y_.marks)
       text_ += fmt::format(
           "<line class=\"grid\" y1=\"{0:.1f}\" y2=\"{0:.1f}\" x1=\"{1:.1f}\" x2=\"{2:.1f}\"/>"
           "<text x=\"{3:.1f}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>\n",
-          py(y_.at(i)), left, width - right, left - 6.0, py(y_.at(i)) + 4.0, number(y_.at(i)));
+          py(y), left, width - right, left - 6.0, py(y) + 4.0, number(y));
     text_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n",
                          0.5 * (left + width - right), height - 8.0, escaped(plot.abscissa));
     text_ += fmt::format("<text transform=\"translate(14 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
                          0.5 * (top + height - bottom), escaped(plot.ordinate));
   }
 
+  /// Of many points those stay that stand out: the lowest and the highest of each bundle, and both ends.
   void curve(const std::vector<double>& x, const std::vector<double>& y, const char* colour) {
-    const std::size_t stride = std::max<std::size_t>(1, x.size() / most_points);
-    std::string points;
+    std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < x.size(); ++i)
-      if ((i % stride == 0 || i + 1 == x.size()) && std::isfinite(y[i]))
-        points += fmt::format("{}{:.1f},{:.1f}", points.empty() ? "" : " ", px(x[i]), py(y[i]));
+      if (x_.shows(x[i]) && y_.shows(y[i])) kept.push_back(i);
+    const std::size_t bundle = 2 * kept.size() / most_points;
+    if (bundle > 2) {
+      std::vector<std::size_t> all = std::move(kept);
+      kept = {all.front()};
+      for (std::size_t i = 0; i < all.size(); i += bundle) {
+        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(i + bundle, all.size()));
+        const auto [low, high] =
+            std::minmax_element(begin, end, [&](std::size_t a, std::size_t b) { return y[a] < y[b]; });
+        kept.insert(kept.end(), {std::min(*low, *high), std::max(*low, *high)});
+      }
+      kept.push_back(all.back());
+    }
+    std::string points;
+    for (const std::size_t i : kept)
+      points += fmt::format("{}{:.1f},{:.1f}", points.empty() ? "" : " ", px(x[i]), py(y[i]));
     text_ +=
         fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" points=\"{}\"/>\n", colour, points);
   }
@@ -97,16 +143,17 @@ std::string escaped(const std::string& text) {
 }
 
 std::string to_svg(const Plot& plot) {
-  if (plot.x.empty() || plot.curves.empty()) return {};
-  double low = 0.0, high = 0.0;  // zero is always in sight
+  constexpr double decades = 1e8;  // below the highest value nothing is of interest on a logarithmic axis
+  Range x, y;
+  for (const double value : plot.x) x.add(value, plot.log_x);
   for (const auto& [name, values] : plot.curves)
-    for (const double value : values)
-      if (std::isfinite(value)) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-      }
-  const auto [first, last] = std::minmax_element(plot.x.begin(), plot.x.end());
-  Canvas canvas(Axis(*first, *last), Axis(low, high));
+    for (const double value : values) y.add(value, plot.log_y);
+  if (plot.curves.empty() || x.empty() || y.empty()) return {};
+  if (plot.log_y)
+    y.low = std::max(y.low, y.high / decades);
+  else
+    y.add(0.0, false);  // always in sight
+  Canvas canvas(Axis(x.low, x.high, plot.log_x), Axis(y.low, y.high, plot.log_y));
   canvas.grid(plot);
   std::string legend;
   for (std::size_t c = 0; c < plot.curves.size(); ++c) {

@@ -12,10 +12,11 @@ struct Plot {
   std::string abscissa, ordinate;  ///< names of the axes
   std::vector<double> x;
   std::vector<std::pair<std::string, std::vector<double>>> curves;  ///< name, a value for each x
+  bool log_x = false, log_y = false;  ///< logarithmic axes; what is not above 0 is not shown there
 };
 
 /// The plot as an <svg> element that needs nothing else: axes with round numbers, a legend, at most some hundred points
-/// a curve. Empty without points. Colours follow the page's (currentColor for lines and text).
+/// a curve, peaks among them. Empty without points. Colours follow the page's (currentColor for lines and text).
 std::string to_svg(const Plot& plot);
 
 /// Text with what HTML and SVG take for markup replaced.

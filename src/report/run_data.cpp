@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -38,7 +39,7 @@ std::vector<std::string> cells(const std::string& line) {
   return out;
 }
 
-std::vector<WeldRow> read_welds(const fs::path& path) {
+std::vector<WeldRow> read_table(const fs::path& path) {
   std::ifstream file(path);
   std::string line;
   if (!std::getline(file, line)) return {};
@@ -50,6 +51,28 @@ std::vector<WeldRow> read_welds(const fs::path& path) {
     for (std::size_t i = 0; i < names.size() && i < values.size(); ++i) row[names[i]] = values[i];
   }
   return rows;
+}
+
+/// Lines of a response stand together, in ascending order of frequency.
+std::vector<ResponseCurve> read_responses(const fs::path& path) {
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);  // node, direction, response, frequency, amplitude, phase, real, imaginary
+  const auto number = [](const std::string& cell) {
+    return cell.empty() ? std::numeric_limits<double>::quiet_NaN() : std::strtod(cell.c_str(), nullptr);
+  };
+  std::vector<ResponseCurve> curves;
+  while (std::getline(file, line)) {
+    const std::vector<std::string> cell = cells(line);
+    if (cell.size() < 6) continue;
+    const std::string name = fmt::format("node {} {}", cell[0], cell[1]);
+    if (curves.empty() || curves.back().name != name || curves.back().quantity != cell[2])
+      curves.push_back({name, cell[2], {}, {}, {}});
+    curves.back().frequency.push_back(number(cell[3]));
+    curves.back().amplitude.push_back(number(cell[4]));
+    curves.back().phase.push_back(number(cell[5]));
+  }
+  return curves;
 }
 
 /// ` kinetic energy.................   1.00000E+00`: its name and value; an empty name for other lines.
@@ -97,8 +120,11 @@ RunData read_run(const fs::path& directory) {
         fmt::format("{} holds no results of a run: there is no summary.json that can be read", directory.string()));
   data.findings = read_json(directory / "findings.json");
   if (!data.findings.is_array()) data.findings = Json::array();
-  data.welds = read_welds(directory / "welds.csv");
+  data.welds = read_table(directory / "welds.csv");
   read_energies(directory / "glstat", data);
+  data.shares = read_table(directory / "mode_energy.csv");
+  data.frf = read_responses(directory / "frf.csv");
+  data.ssd = read_responses(directory / "ssd.csv");
   return data;
 }
 

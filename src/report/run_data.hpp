@@ -11,8 +11,15 @@
 
 namespace nugget::report {
 
-/// Rows of welds.csv by column name.
+/// A row of a table (welds.csv, mode_energy.csv) by column name.
 using WeldRow = std::map<std::string, std::string, std::less<>>;
+
+/// One response over frequency, of frf.csv or ssd.csv.
+struct ResponseCurve {
+  std::string name;                                 ///< e.g. `node 17 z`
+  std::string quantity;                             ///< e.g. `acceleration`
+  std::vector<double> frequency, amplitude, phase;  ///< phase in degrees; not a number where it is infinite
+};
 
 /// What the files of a folder say of the run that left them there.
 struct RunData {
@@ -21,6 +28,8 @@ struct RunData {
   std::vector<WeldRow> welds;  ///< welds.csv
   std::vector<std::pair<std::string, std::vector<double>>> energies;  ///< of glstat: name, value at each time
   std::vector<double> times;                                          ///< of glstat; empty where there is none as text
+  std::vector<WeldRow> shares;          ///< mode_energy.csv: strain energy of parts and welds by mode
+  std::vector<ResponseCurve> frf, ssd;  ///< frf.csv, ssd.csv
 };
 
 /// Reads them. Throws std::runtime_error with the reason where there is no summary.json, or one that cannot be read.

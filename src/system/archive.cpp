@@ -8,7 +8,7 @@
 namespace nugget::system {
 
 void State::archive(Archive& a) {
-  a(time, dt, dt_previous, cycle, x, v, w, f, m);
+  a(time, dt, dt_previous, cycle, relaxing, x, v, w, f, m);
 }
 
 void RigidBody::archive(Archive& a) {

@@ -40,7 +40,9 @@ using AlignedReals = std::vector<double, Aligned<double>>;
 ///   layers(), layer(...), thickness(...), resultants(...)   for output
 ///   set_layer(put, k, layer, places), inviscid()   may be absent; see ElementGroup::set_layer, elastic_rate
 ///   stiffness(state, places, k)       where the kernel's own derivative is not exact; may be absent
-///   Layout::integrity, hold_yield(state, lane), plastic_strain(state, k)     of welds only
+///   Layout::integrity, integrity(state), hold_yield(state, lane), plastic_strain(state, k)     of welds only; the
+///   first
+///                                     is that of the weld as a whole, the second that of its points
 template <class Element>
 class BatchGroup final : public ElementGroup {
  public:
@@ -204,9 +206,11 @@ class BatchGroup final : public ElementGroup {
   bool alive(std::size_t e) const override { return field(e, Element::Layout::alive) != 0.0; }
   void remove(std::size_t e) override {
     field(e, Element::Layout::alive) = 0.0;
+    ++deaths;
+  }
+  void release_step(std::size_t e) override {
     step_[e] = std::numeric_limits<double>::infinity();
     find_block_step(e / width);
-    ++deaths;
   }
   double stable_step(std::size_t e) const override { return step_[e]; }
   double internal_energy(std::size_t e) const override { return energy_[e] - hourglass_energy(e); }
@@ -224,7 +228,7 @@ class BatchGroup final : public ElementGroup {
   }
 
   double integrity(std::size_t e) const override {
-    if constexpr (is_weld) return field(e, Element::Layout::integrity);
+    if constexpr (is_weld) return field(e, Element::Layout::integrity) * kernel_.integrity(reader(e));
     return 1.0;
   }
   void set_integrity(std::size_t e, double share) override {

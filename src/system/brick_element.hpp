@@ -7,6 +7,7 @@
 #include "kernel/element/full_hexahedron.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
+#include "system/point_integrity.hpp"
 
 namespace nugget::system {
 
@@ -41,6 +42,10 @@ struct BrickElement {
   template <class Field>
   double plastic_strain(const Field& field, int) const {
     return field(Layout::first_history);
+  }
+  template <class Field>
+  double integrity(const Field& field) const requires std::is_same_v<Law, kernel::Spotweld> {
+    return point_integrity(law, field, 1, [](int) { return Layout::first_history; });
   }
   void hold_yield(double* state, int lane) const requires std::is_same_v<Law, kernel::Spotweld> {
     kernel::hold_yield(law, state, native_width, lane);
@@ -105,6 +110,10 @@ struct FullBrickElement : BrickElement<Law> {
     double mean = 0.0;
     for (int p = 0; p < Layout::points; ++p) mean += field(layout().history_of(p)) / Layout::points;
     return mean;
+  }
+  template <class Field>
+  double integrity(const Field& field) const requires std::is_same_v<Law, kernel::Spotweld> {
+    return point_integrity(this->law, field, Layout::points, [this](int p) { return layout().history_of(p); });
   }
   FullBrickElement inviscid() const {
     FullBrickElement e = *this;

@@ -61,7 +61,10 @@ class ElementGroup {
   // What is known of element e of the group.
   virtual std::array<int, 8> nodes(std::size_t e) const = 0;  ///< system nodes
   virtual bool alive(std::size_t e) const = 0;
+  /// Deletes element e. Its last force still acts over the step to come, so its own step stays in the choice for that.
   virtual void remove(std::size_t e) = 0;
+  /// Takes the step of a deleted element out of the choice at once: the step is why it was deleted.
+  virtual void release_step(std::size_t e) = 0;
   virtual double stable_step(std::size_t e) const = 0;      ///< before TSSFAC, mass scaling included; of the last cycle
   virtual double internal_energy(std::size_t e) const = 0;  ///< hourglass work not included
   virtual double hourglass_energy(std::size_t e) const = 0;

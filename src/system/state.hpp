@@ -15,6 +15,7 @@ struct State {
   double dt = 0.0;           ///< step from t(n) to t(n+1)
   double dt_previous = 0.0;  ///< step from t(n-1) to t(n)
   long cycle = 0;            ///< n
+  bool relaxing = false;     ///< dynamic relaxation, before the run
   std::vector<Row> x;        ///< positions at t(n) [length]
   std::vector<Row> v, w;     ///< velocities and spins at t(n-1/2), after `accelerate` at t(n+1/2)
   std::vector<Row> f, m;     ///< forces and moments on the nodes at t(n): external minus internal

@@ -445,7 +445,7 @@ System::Controlling System::controlling() const {
   const ElementGroup& group = *groups[at(c.group)];
   const std::size_t width = group.block_width();
   for (std::size_t e = block * width; e < std::min(group.size(), (block + 1) * width); ++e) {
-    if (group.alive(e) && !(group.stable_step(e) > group.block_step[block])) c.element = static_cast<int>(e);
+    if (!(group.stable_step(e) > group.block_step[block])) c.element = static_cast<int>(e);
     if (c.element >= 0) break;
   }
   return c;

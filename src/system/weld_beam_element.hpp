@@ -6,6 +6,7 @@
 #include "kernel/element/weld_beam.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
+#include "system/point_integrity.hpp"
 
 namespace nugget::system {
 
@@ -49,6 +50,10 @@ struct WeldBeamElement {
   template <class Field>
   double plastic_strain(const Field& field, int k) const {
     return field(layout().history_of(k));
+  }
+  template <class Field>
+  double integrity(const Field& field) const {
+    return point_integrity(law, field, layers(), [this](int k) { return layout().history_of(k); });
   }
   void hold_yield(double* state, int lane) const { kernel::hold_yield(layout(), law, state, native_width, lane); }
 

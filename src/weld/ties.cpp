@@ -405,8 +405,9 @@ void Tying::make_ties() {
     tie.eta = c.foot.eta;
     tie.weight = c.foot.weight;
     tie.point = c.foot.point;
-    tie.gap = c.foot.gap;
-    tie.moved = projects(c.contact) ? c.foot.gap : 0.0;
+    constexpr double round_off = 1e-10;  // of the tolerance
+    tie.gap = c.foot.gap > round_off * c.tolerance ? c.foot.gap : 0.0;
+    tie.moved = projects(c.contact) ? tie.gap : 0.0;
     if (projects(c.contact)) result_.x[node] = tie.point;
     choose_hold(tie, contact);
     r->tie = static_cast<Index>(result_.ties.size());

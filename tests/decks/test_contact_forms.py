@@ -66,12 +66,12 @@ def plates(contact, motion, end, gap=1.0, parts="PART", options=(), extra=None):
     return "\n".join(d.lines + ["*END"]) + "\n"
 
 
-def sliding(name="AUTOMATIC_SURFACE_TO_SURFACE", fs=0.0, boxes=(0, 0), penmax=None, **card4):
+def sliding(name="AUTOMATIC_SURFACE_TO_SURFACE", fs=0.0, boxes=(0, 0), penmax=None, sfs=1.0, **card4):
     def write(d):
         d.keyword("CONTACT_" + name)
         d.card(surfa=UPPER, surfb=LOWER, surfatyp=3, surfbtyp=3, saboxid=boxes[0], sbboxid=boxes[1])
         d.card(fs=fs, fd=fs)
-        d.card(sfsa=1.0)
+        d.card(sfsa=sfs, sfsb=sfs)
         if card4:
             d.card(**card4)
         if penmax is not None:
@@ -105,8 +105,43 @@ class ContactForms(CommandTest):
             self.assertEqual(force[-1], 0.0)
 
     def test_glue_of_another_kind_is_refused(self):
-        self.write(plates(sliding("AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", option=9, nfls=1.0, sfls=1.0), {3: 10.0}, 1e-4))
-        self.assertIn("option = 9", self.nugget("check", "model.k", expect=1).stderr)
+        glued = "AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"
+        for option in (1, 3, 4, 5, 7, 10, 13, -9):
+            self.write(plates(sliding(glued, option=option, nfls=1.0, sfls=1.0), {3: 10.0}, 1e-4))
+            self.assertIn(f"option = {option}: this glue is not built", self.nugget("check", "model.k", expect=1).stderr)
+        self.write(plates(sliding(glued, option=9, nfls=1.0, sfls=1.0, param=1.0, eraten=1.0), {3: 10.0}, 1e-4))
+        self.assertIn("erates = (blank): must be given with OPTION 9", self.nugget("check", "model.k", expect=1).stderr)
+        self.write(plates(sliding(glued, option=6, nfls=1.0, sfls=1.0, param=-1.0), {3: 10.0}, 1e-4))
+        self.assertIn("param = -1", self.nugget("check", "model.k", expect=1).stderr)
+
+    def test_stiffness_for_a_given_step(self):
+        """SOFT = 1 with DTSTIF: twice the step, a quarter of the stiffness. Sabotage: DTSTIF not looked at."""
+        def pressed(step):
+            def cards(d):
+                sliding(sfs=1e-4)(d)
+                d.card(soft=1, sofscl=0.5)
+                d.card(penmax=0.0)
+                d.card(igap=1, ignore=0, dprfac=0.0, dtstif=step)
+            self.run_deck(plates(cards, {3: -20.0}, 1.0e-5))
+            return self.rows()[-1][3]
+        self.assertAlmostEqual(pressed(1e-6) / pressed(2e-6), 4.0, delta=0.05)
+        self.write(self.read("model.k").replace("     2e-06", "    -2e-06"))
+        self.assertIn("dtstif", self.nugget("check", "model.k", expect=1).stderr)
+
+    def test_what_stands_beside_contacts(self):
+        """*CONTACT_INTERIOR is told as ignored; a card G is refused. Sabotage: dropped in silence."""
+        def interior(d):
+            d.keyword("CONTACT_INTERIOR")
+            d.card(psid=0)
+        self.write(plates(sliding(), {3: -20.0}, 1.0e-5, extra=interior))
+        self.assertRegex(self.nugget("check", "model.k").stdout, r"CONTACT_INTERIOR")
+
+        def card_g(d):
+            sliding()(d)
+            for _ in range(7):
+                d.card(soft=0)
+        self.write(plates(card_g, {3: -20.0}, 1.0e-5))
+        self.assertIn("card G is not built", self.nugget("check", "model.k", expect=1).stderr)
 
     def test_friction_of_the_parts(self):
         """FS = -1: the mean of both parts', 0.1 and 0.3, so what FS = 0.2 gives. Sabotage: of one part alone."""

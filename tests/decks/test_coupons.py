@@ -43,6 +43,12 @@ class Coupons(unittest.TestCase):
             reference, work, _ = study.SOLIDS[name.split("_")[0]]
             self.assertAlmostEqual(curve.work(reference[-1][0]) / work, 1.0, delta=0.20, msg=name)
 
+    def test_work_on_elements_as_large_as_the_weld(self):
+        gates = {"lap_seven": 0.08, "peel_seven": 0.20, "cross_seven": 0.20}
+        for name, curve in self.run_all(*gates).items():
+            reference, work, _ = study.SOLIDS[name.split("_")[0]]
+            self.assertAlmostEqual(curve.work(reference[-1][0]) / work, 1.0, delta=gates[name], msg=name)
+
     def test_weld_fails_by_the_force_in_the_grip(self):
         curves = self.run_all("lap_fails", "peel_fails")
         self.assertAlmostEqual(curves["lap_fails"].force_at_failure() / 9000.0, 1.0, delta=0.05)

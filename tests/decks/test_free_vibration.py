@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Explicit free vibration has the frequencies of `nugget modes`: the same deck, started with the velocities of a mode."""
+import cmath
+import math
 import struct
 import unittest
 
@@ -91,6 +93,43 @@ class FreeVibration(CommandTest):
     def test_cantilever(self):
         """A-62: the bending modes of A-54; gate .3 %."""
         self.agree(cantilever(), [1, 2], 123, 83, 3e-3)
+
+    def test_impulse_on_a_cantilever(self):
+        """A-62: the third bending mode in the spectrum of a damped explicit response, gate .3 %, and its decay, 2 %."""
+        alpha, tip = 100.0, 123
+        self.write(cantilever())
+        self.nugget("modes", "model.k", "-n", 6, "-o", "modes", "--quiet", "-j", "1")
+        expected = min((mode["frequency_hz"] for mode in self.json("modes/summary.json")["modes"]),
+                       key=lambda f: abs(f - 732.09))
+        start = "".join(f"{1 + 41 * j + 40:10d}{0.0:10.3e}{0.0:10.3e}{10.0:10.3e}\n" for j in range(5))
+        cards = (f"*CONTROL_TERMINATION\n{0.03:10.4e}\n*DAMPING_GLOBAL\n{0:10d}{alpha:10.4g}\n"
+                 f"*DATABASE_NODOUT\n{1e-5:10.4e}\n*DATABASE_HISTORY_NODE\n{tip:10d}\n*INITIAL_VELOCITY_NODE\n{start}")
+        self.write(cantilever().replace("*CONTROL_TERMINATION\n       1.0\n", cards), "explicit.k")
+        self.nugget("run", "explicit.k", "-o", "explicit", "--quiet", "-j", "1")
+        signal, time = [], None
+        for line in self.read("explicit/nodout").splitlines():
+            if "at time" in line:
+                time = float(line.split("at time")[1].strip(" )")) if "n o d a l" in line else None
+            elif time is not None and line.split()[:1] == [str(tip)]:
+                signal.append((time, float(line.split()[6])))  # velocity along z
+                time = None
+
+        def spectrum(frequency, begin, length):
+            """Of the part of the signal under a Hann window."""
+            part = [(t - begin, v) for t, v in signal if begin <= t <= begin + length]
+            return abs(sum(v * (1.0 - math.cos(2.0 * math.pi * t / length)) * cmath.exp(-2j * math.pi * frequency * t)
+                           for t, v in part))
+
+        low, high = 0.9 * expected, 1.1 * expected
+        while high - low > 1e-5 * expected:  # one peak in between
+            a, b = low + 0.382 * (high - low), low + 0.618 * (high - low)
+            low, high = (low, b) if spectrum(a, 0.0, 0.02) > spectrum(b, 0.0, 0.02) else (a, high)
+        found = 0.5 * (low + high)
+        self.assertAlmostEqual(found / expected, 1.0, delta=3e-3)
+        rate = math.log(spectrum(found, 0.0, 0.02) / spectrum(found, 0.01, 0.02)) / 0.01
+        print(f"mode 3: modes {expected:.4f}, explicit {found:.4f}, {100 * (found / expected - 1):+.3f} %; "
+              f"share of critical {rate / (2 * math.pi * found):.6f}, alpha / 2 omega {alpha / (4 * math.pi * found):.6f}")
+        self.assertAlmostEqual(rate / (0.5 * alpha), 1.0, delta=0.02)
 
 
 if __name__ == "__main__":

@@ -25,6 +25,19 @@ class RealDecks(CommandTest):
         """{(keyword, field): how often} of the errors."""
         return collections.Counter((f["keyword"], f["field"]) for f in found if f["severity"] == "error")
 
+    def test_keywords_of_public_models(self):
+        """The keywords that 95 % of 37 public models need (decks/README.md): nearly all used, the rest refused by name or ignored with why."""
+        listed = re.search(r"Which keywords matter:.*?\n\n", self.shared("decks/README.md").read_text(), re.DOTALL).group(0)
+        names = set(re.findall(r"\b(?!TO\b)[A-Z][A-Z_]{3,}\b", re.sub(r"\(.*?\)|/_\w+", "", listed))) - {"SPOT", "NVH"}
+        verdicts = {}
+        for name in names:
+            table = self.nugget("keywords", name).stdout.splitlines()
+            verdicts[name] = next((v for v in ("used", "ignored", "refused") if any(v in line.split() for line in table[:3])), "")
+        self.assertGreater(len(names), 90)
+        rest = {name: verdict for name, verdict in verdicts.items() if verdict != "used"}
+        self.assertNotIn("", rest.values())
+        self.assertLessEqual(set(rest), {"CONTROL_IMPLICIT_NONLINEAR", "CONTROL_IMPLICIT_AUTO", "CONTACT_INTERIOR", "FREQUENCY_DOMAIN_SSD"})
+
     def test_decks_that_are_accepted(self):
         for deck in ("car6/main_v223.k", "car6/main_v223_param.k", "single_hex/single_hex_tension.k",
                      "tensile_test/zug_test3_RS.k", "ball_plate/ball_plate.k", "box_drop/main.k"):

@@ -4,6 +4,7 @@ import csv
 import io
 import unittest
 
+import lsda
 from lap_joint import CARDS, deck, edited, mesh
 from nugget_command import CommandTest
 
@@ -20,6 +21,42 @@ def joined_by(cards):
     begin = text.index("*SECTION_BEAM")
     text = text[:begin] + text[text.index("*SET_PART_LIST"):]
     return "\n".join(line for line in text.splitlines() if line[:8].strip() not in ("301", "302")) + "\n"
+
+
+def six_kinds():
+    """The lap joint with a beam, a brick, an assembly of two, a spotweld, a generalized spot and a rivet, and swforc in both forms. The
+    rivet and the spotweld end at 1e-5, the beam's weld is of OPT -2."""
+    nodes, bricks, number = [], [], {}
+    for z in (0.0, 1.2):
+        for y in (1.8, 4.2):
+            for x in (1.8, 4.2):
+                number["one", x, y, z] = 401 + len(nodes)
+                nodes.append((401 + len(nodes), x, y, z))
+    for z in (0.0, 1.2):
+        for y in (13.8, 16.2):
+            for x in (12.8, 15.0, 17.2):
+                number["two", x, y, z] = 601 + len(nodes)
+                nodes.append((601 + len(nodes), x, y, z))
+    for e, part, kind, (a, b), (c, d) in ((501, 4, "one", (1.8, 4.2), (1.8, 4.2)), (511, 5, "two", (12.8, 15.0), (13.8, 16.2)),
+                                          (512, 5, "two", (15.0, 17.2), (13.8, 16.2))):
+        corners = [number[kind, x, y, z] for z in (0.0, 1.2) for x, y in ((a, c), (b, c), (b, d), (a, d))]
+        bricks.append(f"{e:8d}{part:8d}" + "".join(f"{n:8d}" for n in corners))
+    ids = lambda *values: "".join(f"{v:>10}" for v in values) + "\n"  # noqa: E731
+    cards = "*NODE\n" + "".join(f"{n:8d}{x:16.4f}{y:16.4f}{z:16.4f}\n" for n, x, y, z in nodes)
+    cards += "*ELEMENT_SOLID\n" + "\n".join(bricks) + "\n"
+    cards += "*PART\none brick\n" + ids(4, 4, 4, 0, 4) + "*PART\ntwo bricks\n" + ids(5, 4, 4, 0, 4) + "*SECTION_SOLID\n" + ids(4, 1)
+    cards += "*HOURGLASS\n" + ids(4, 6, 1.0) + "*DEFINE_HEX_SPOTWELD_ASSEMBLY\n" + ids(777) + ids(511, 512)
+    cards += "*MAT_SPOTWELD\n" + ids(4, 7.85e-9, 210000.0, 0.3, 500.0, 1000.0) + ids(0.0, 8000.0, 6000.0, 6000.0)
+    cards += "*SET_PART_LIST\n" + ids(9) + ids(3, 4, 5)
+    cards += "*CONSTRAINED_SPOTWELD_ID\n" + ids(900) + ids(114, 214, 8000.0, 6000.0, 2.0, 2.0, 1e-5)
+    cards += "*CONSTRAINED_GENERALIZED_WELD_SPOT_ID\n" + ids(901) + ids(90) + ids(1e20, 0.0, 1e3, 1e3, 2.0, 2.0)
+    cards += "*SET_NODE_LIST\n" + ids(90) + ids(103, 203) + "*CONSTRAINED_RIVET_ID\n" + ids(902) + ids(102, 202, 1e-5)
+    watched = ("*MAT_SPOTWELD\n         3  7.85e-09  210000.0       0.3     500.0    1000.0\n"
+               "       0.0    8000.0    6000.0    6000.0    9000.0    7000.0    7000.0\n")
+    return deck(("*DEFINE_CURVE\n", cards + "*DEFINE_CURVE\n"), ("*SPOTWELD\n         3         1         3".replace("*", "*CONTACT_"),
+                                                                  "*CONTACT_SPOTWELD\n         9         1         2"),
+                ("*DATABASE_SWFORC\n  1.00e-06\n", "*DATABASE_SWFORC\n  2.00e-06         3\n"),
+                (watched, watched.replace("SPOTWELD", "SPOTWELD_DAMAGE-FAILURE") + "       0.0      -2.0\n"))
 
 
 class Swforc(CommandTest):
@@ -103,6 +140,54 @@ class Swforc(CommandTest):
         self.nugget("run", "model.k", "--quiet")
         (weld,) = csv.DictReader(io.StringIO(self.read("welds.csv")))
         self.assertEqual(weld["damage"], "")
+
+    def test_damage_over_time(self):
+        """DMGOPT 2 with RS of five times the run's length: the mean of the points is less than a fifth at its end."""
+        card = ("*MAT_SPOTWELD\n         3  7.85e-09  210000.0       0.3     500.0    1000.0\n"
+                "       0.0    8000.0    6000.0    6000.0    9000.0    7000.0    7000.0\n")
+        soft = ("*MAT_SPOTWELD_DAMAGE-FAILURE\n         3  7.85e-09  210000.0       0.3      10.0    1000.0\n"
+                "    1.0e-5\n   1.0e-04       0.0       0.0       0.0         0       0.0       0.0       2.0\n")
+        self.write(deck((card, soft)))
+        self.nugget("run", "model.k", "--quiet")
+        (weld,) = csv.DictReader(io.StringIO(self.read("welds.csv")))
+        self.assertTrue(0.0 < float(weld["damage"]) < 0.2, weld["damage"])
+
+    def test_every_kind_in_both_files(self):
+        self.write(six_kinds())
+        self.nugget("run", "model.k", "--quiet")
+        rows = self.rows()
+        self.assertEqual([r[:2] for r in rows[:6]],
+                         [("spotweld beam", 31), ("spotweld solid", 501), ("spotweld assmy", 777), ("constraint/weld", 900),
+                          ("generalized weld", 901), ("constraint/weld", 902)])
+        self.assertEqual(len(rows) % 6, 0)
+        self.assertEqual(rows[-3][5], "failure")
+        self.assertRegex(self.read("swforc"), r"spotweld beam  ID +31 .* fcmx=\S{7} t=\S{8}\n")
+
+        binary = lsda.read(self.folder / "binout0000")
+        self.assertEqual(binary["swforc/metadata/typenames"], "constraint,weld,beam,solid,non nodal, ,solid assembly")
+        self.assertEqual(binary["swforc/metadata/ids"], [31, 501, 777, 900, 901, 902])
+        self.assertEqual(binary["swforc/metadata/types"], [2, 3, 6, 0, 1, 0])
+        states = lsda.states(binary, "swforc")
+        self.assertEqual(len(states), len(rows) // 6)
+        for i, state in enumerate(states):
+            for k, (_, _, axial, shear, time, failure, rest) in enumerate(rows[6 * i:6 * i + 6]):
+                self.assertAlmostEqual(state["time"][0], time, delta=1e-5 * time)
+                self.assertAlmostEqual(state["axial"][k], axial, delta=1e-5 * abs(axial) + 1e-12)
+                self.assertAlmostEqual(state["shear"][k], shear, delta=1e-5 * abs(shear) + 1e-12)
+                self.assertEqual(failure == "failure", state["failure_time"][k] > 0.0)
+                if k < 3:  # length, moment, torsion
+                    for name, text in zip(("length", "resultant_moment", "torsion"), rest):
+                        self.assertAlmostEqual(state[name][k], float(text), delta=1e-5 * abs(float(text)) + 1e-12, msg=name)
+        self.assertGreater(states[-1]["max_failure"][0], 0.0)
+        self.assertEqual(len(list(csv.DictReader(io.StringIO(self.read("welds.csv"))))), 6)
+
+    def test_a_refused_failure_function_is_told_once(self):
+        card = ("*MAT_SPOTWELD\n         3  7.85e-09  210000.0       0.3     500.0    1000.0\n"
+                "       0.0    8000.0    6000.0    6000.0    9000.0    7000.0    7000.0\n")
+        self.write(deck((card, card.replace("SPOTWELD", "SPOTWELD_DAMAGE-FAILURE") + "       0.0       9.0\n")))
+        self.nugget("check", "model.k", "-o", "audit", expect=1)
+        (error,) = [f for f in self.json("audit/findings.json") if f["severity"] == "error"]
+        self.assertIn("OPT 9 (*DEFINE_SPOTWELD_RUPTURE_PARAMETER)", error["text"])
 
 
 if __name__ == "__main__":

@@ -15,13 +15,14 @@ struct CrossedPlates {
   Grid lower, upper;
   std::string deck;
 
+  /// `contact`: its keyword and cards.
   CrossedPlates(const std::string& contact, double speed, double end) {
     Specimen s;
     s.card("MAT_ELASTIC", {1, 7.85e-9, 210000.0, 0.3});
     s.text("*SECTION_SHELL\n" + fields({1, 2, 1, 2}) + fields({1, 1, 1, 1})).part(1, 1, 1).part(2, 1, 1);
     lower = standing(s, 1, {-32.5, 0.0, -30.0}, {1.0, 0.0, 0.0});
     upper = standing(s, 2, {0.0, -32.5, 1.05}, {0.0, 1.0, 0.0});
-    s.text("*" + contact + "\n" + fields({0, 0, 5}) + fields({}) + fields({}));
+    s.text(contact);
     s.card("CONTROL_ENERGY", {2, 2, 2, 2});
     s.card("INITIAL_VELOCITY_GENERATION", {2, 2, 0, 0, 0, -speed}).text(fields({}));
     s.card("CONTROL_TERMINATION", {end});
@@ -79,25 +80,42 @@ Meeting meet(const std::string& contact, double speed, double end) {
   return m;
 }
 
+std::string all_by_all(const std::string& keyword) {
+  return "*" + keyword + "\n" + fields({0, 0, 5}) + fields({}) + fields({});
+}
+
+/// Both plates have turned back, with momentum and energy kept.
+void expect_rebound(const std::string& what, const Meeting& m) {
+  EXPECT_GT(m.apart, 0.0) << what;
+  EXPECT_GT(m.nearest, 25.0) << what;
+  expect_reference("edges", what + ", sum of momenta less the first, of the first", m.momentum, 0.0, 1e-12, 1.0);
+  expect_reference("edges", what + ", worst energy ratio", m.energy, 1.0, 0.01);
+  expect_reference("edges", what + ", energy left in the contact, of the first", m.contact, 0.0, 0.01, 1.0);
+}
+
 // Sabotage: *CONTACT_AUTOMATIC_GENERAL read as *CONTACT_AUTOMATIC_SINGLE_SURFACE; reactions on the second edge left
 // out.
 TEST(EdgeContact, APlateDroppedOnAnEdgeDoesNotTunnel) {
   for (const double speed : {15000.0, 30000.0}) {
-    const Meeting m = meet("CONTACT_AUTOMATIC_GENERAL", speed, 2e-4);
-    EXPECT_GT(m.apart, 0.0) << speed;
-    EXPECT_GT(m.nearest, 25.0) << speed;
     const std::string which = std::to_string(static_cast<int>(speed / 1000.0)) + " m/s";
-    expect_reference("edges", "crossed plates, " + which + ", sum of momenta less the first, of the first", m.momentum,
-                     0.0, 1e-12, 1.0);
-    expect_reference("edges", "crossed plates, " + which + ", worst energy ratio", m.energy, 1.0, 0.01);
-    expect_reference("edges", "crossed plates, " + which + ", energy left in the contact, of the first", m.contact, 0.0,
-                     0.01, 1.0);
+    expect_rebound("crossed plates, " + which, meet(all_by_all("CONTACT_AUTOMATIC_GENERAL"), speed, 2e-4));
   }
+}
+
+// SOFT = 2 with DEPTH = 5, of a surface with itself and of two surfaces. Sabotage: edges left out; edges of one side
+// against their like.
+TEST(EdgeContact, SegmentBasedContactSeesEdges) {
+  const std::string card_a = fields({2, 0.1, 0, 0, 2, 5});
+  const std::string two_sides =
+      "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n" + fields({1, 2, 3, 3}) + fields({}) + fields({});
+  expect_rebound("crossed plates, 15 m/s, SOFT 2",
+                 meet(all_by_all("CONTACT_AUTOMATIC_SINGLE_SURFACE") + card_a, 15000.0, 2e-4));
+  expect_rebound("crossed plates, 15 m/s, SOFT 2 of two surfaces", meet(two_sides + card_a, 15000.0, 2e-4));
 }
 
 // Nodes against segments alone let the plates cut into each other: the case is one for edges.
 TEST(EdgeContact, NodesAgainstSegmentsDoNotSeeIt) {
-  EXPECT_LT(meet("CONTACT_AUTOMATIC_SINGLE_SURFACE", 15000.0, 2e-4).nearest, 29.0);
+  EXPECT_LT(meet(all_by_all("CONTACT_AUTOMATIC_SINGLE_SURFACE"), 15000.0, 2e-4).nearest, 29.0);
 }
 
 }  // namespace

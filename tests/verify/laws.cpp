@@ -217,13 +217,39 @@ TEST(Laws, RubberAndFoam) {
   expect_stress("MAT_077_O MU 1 ALPHA 2 PR 0.495",
                 Pulled(mat("077_O", {{1, 1.2e-9, 0.495}, {1.0}, {2.0}}), 0.5, 20.0, Of::bricks), 0.5, l * l - 1 / l,
                 0.02, "laws");
+  // Mooney's two constants at nearly no change of volume: sigma = 2 (l^2 - 1/l) (C10 + C01 / l).
+  expect_stress("MAT_077_H C10 0.3 C01 0.2 PR 0.495",
+                Pulled(mat("077_H", {{1, 1.2e-9, 0.495}, {0.3, 0.2}}), 0.5, 20.0, Of::bricks), 0.5,
+                2.0 * (l * l - 1 / l) * (0.3 + 0.2 / l), 0.02, "laws");
   const std::string foam_curve = curve(7, {{0.0, 0.0}, {0.05, 0.1}, {0.5, 0.15}, {0.9, 0.95}});
   expect_stress("MAT_057",
                 Pulled(mat("057", {{1, 5e-11, 2.0, 7}, {1.0, 0, 1.0}}) + foam_curve, std::log(0.4), -20.0, Of::bricks),
                 std::log(0.4), -0.35, 0.01, "laws");
+  // Half way between the rates 0 and 40 over the length at first.
+  const std::string table = curve(8, {{0.0, 0.0}, {0.05, 0.3}, {0.5, 0.35}, {0.9, 1.55}}) + "*DEFINE_TABLE_2D\n" +
+                            fields({9}) + fmt::format("{:20g}{:20d}\n{:20g}{:20d}\n", 0.0, 7, 40.0, 8);
+  Pulled by_rate(mat("083", {{1, 5e-11, 2.0, 0, 0, 0, 0, 9}, {0, 1.0}, {}, {}, {}}) + foam_curve + table, std::log(0.4),
+                 -50.0, Of::bricks);  // 50 of the last length are 20 of the first
+  expect_stress("MAT_083 SFLAG 1, 20/s between 0 and 40", by_rate, std::log(0.4), -0.5 * (0.35 + 0.65), 0.01, "laws");
   expect_stress("MAT_063",
                 Pulled(mat("063", {{1, 5e-11, 2.0, 0, 7, 0.05}}) + foam_curve, std::log(0.4), -20.0, Of::bricks),
                 std::log(0.4), -0.35, 0.01, "laws");
+}
+
+// In a plain pull damage by direction is that of the plastic strain. Sabotage: the square of what is left.
+TEST(Laws, DamageByDirection) {
+  const double onset = 0.03, rupture = 0.13, strain = 0.08;
+  const auto yield = [](double ep) { return 300.0 + 500.0 * std::pow(ep, 0.3); };
+  const double sound = flow_stress(yield, strain), w = (strain - sound / E - onset) / (rupture - onset);
+  expect_stress("MAT_099 PSFAIL 0.03, EPPFR 0.13",
+                Pulled(mat("099", {{1, 7.85e-9, E, 0.3, 0.0, rupture}, {300.0, 500.0, 0.3, 0.0, onset}}), strain, 100.0,
+                       Of::shells),
+                strain, (1.0 - w) * sound, 0.01, "laws");
+  const double flat = (strain - 250.0 / E - onset) / (rupture - onset);
+  expect_stress("MAT_082 EPPF 0.03, EPPFR 0.13",
+                Pulled(mat("082", {{1, 7.85e-9, E, 0.3, 250.0, 0.0, onset}, {0, 0, 0, 0, rupture}, {}, {}}), strain,
+                       100.0, Of::shells),
+                strain, (1.0 - flat) * 250.0, 0.01, "laws");
 }
 
 }  // namespace

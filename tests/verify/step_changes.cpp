@@ -102,5 +102,30 @@ TEST(StepChange, LedgerWithSupportsWallsAndBodies) {
                    0.0, 1e-9, 1.0);
 }
 
+// The weld that holds the step fails: its last force acts over the step that follows, so that step is still its own;
+// the one after is not.
+TEST(StepChange, FailedWeldHoldsTheStepOnceMore) {
+  WeldData weld;
+  weld.failure_time = 1e-6;
+  const SheetMesh lower{1, 1, {0, 0, 0}, 2, 2, {10, 0, 0}, {0, 10, 0}},
+      upper{101, 1, {0, 0, 1.5}, 2, 2, {10, 0, 0}, {0, 10, 0}};
+  Experiment run("*KEYWORD\n" + termination(3e-6) + sheet_part(1, 1.5) + weld_part(2, weld) + lower.text() +
+                 upper.text() + beam_between(9001, 2, 9001, {5, 5, 0}, 9002, {5, 5, 1.5}) + weld_contact(2, 1) +
+                 "*END\n");
+  std::vector<double> steps;  // from the cycle on in which the weld has failed
+  double before = 0.0;
+  ASSERT_EQ(run.run([&](const impact::Snapshot& now) {
+                 if (run.history(now, 9001).failed())
+                   steps.push_back(now.state.dt);
+                 else
+                   before = now.state.dt;
+               })
+                .termination,
+            impact::Termination::normal);
+  ASSERT_GE(steps.size(), 2u);
+  EXPECT_EQ(steps[0], before);
+  EXPECT_GT(steps[1], 1.5 * before);
+}
+
 }  // namespace
 }  // namespace nugget::verify

@@ -139,6 +139,13 @@ TEST(Tie, A16Tolerance) {
       HasSubstr(
           "node 5 at (5, 4, 1.33): no segment in reach: the closest, shell 1 of part 1, is 1.33 away, tolerance 1.32"));
 
+  double tied = 1.0, open = 2.0;
+  while (open - tied > 1e-4) {
+    const double gap = 0.5 * (tied + open);
+    (gap_deck(gap).ties().ties.empty() ? open : tied) = gap;
+  }
+  expect_reference("A-16", "largest gap that is tied, t_s = 1.0, t_m = 1.2 [mm]", tied, 1.32, 1e-3);
+
   EXPECT_EQ(gap_deck(1.43, -1.2, -1.2).ties().ties.size(), 1u);  // 0.6 (1.2 + 1.2) = 1.44
   EXPECT_TRUE(gap_deck(1.45, -1.2, -1.2).ties().ties.empty());
   EXPECT_TRUE(gap_deck(1.21, -1.0, -1.0).ties().ties.empty());  // downward too

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "kernel/contact/friction.hpp"
+
 // The penalty law of one contact pair.
 namespace nugget::kernel {
 
@@ -19,36 +21,26 @@ inline double solid_penalty(double bulk_modulus, double area, double volume) {
   return bulk_modulus * area * area / volume;
 }
 
-/// Friction after Coulomb, with a coefficient that falls from the static to the dynamic one and a bound on the shear
-/// stress: mu = FD + (FS - FD) exp(-DC |v|), force <= mu |normal force|, force <= VC area (LS-DYNA keyword manual,
-/// *CONTACT, card 2).
-struct Friction {
-  double at_rest = 0.0, sliding = 0.0;  ///< FS, FD [1]
-  double decay = 0.0;                   ///< DC [time/length]
-  double shear_strength = 0.0;          ///< VC; 0: no bound [stress]
-
-  bool any() const { return at_rest > 0.0 || sliding > 0.0; }
-  /// Largest friction force of a pair [force].
-  double bound(double normal_force, double slip_speed, double area) const {
-    const double coefficient = sliding + (at_rest - sliding) * std::exp(-decay * slip_speed);
-    const double coulomb = coefficient * normal_force;
-    return shear_strength > 0.0 ? std::min(coulomb, shear_strength * area) : coulomb;
-  }
-};
-
-/// Friction of two surfaces that differ. Ours: half of each; the keyword manual names no rule.
-inline Friction mean(const Friction& a, const Friction& b) {
-  return {0.5 * (a.at_rest + b.at_rest), 0.5 * (a.sliding + b.sliding), 0.5 * (a.decay + b.decay),
-          0.5 * (a.shear_strength + b.shear_strength)};
-}
+/// What the stiffness of a pair is found from: SOFT = 0, 1, 2.
+enum class PenaltyStiffness { material, node_masses, segment_masses };
 
 /// What the pair law needs to know of a contact.
 struct PenaltyLaw {
-  bool soft = false;  ///< SOFT = 1: the stiffness that the step allows counts too, for soft material against stiff
-  double soft_scale = 0.1;  ///< SOFSCL
+  PenaltyStiffness stiffness = PenaltyStiffness::material;
+  double soft_scale = 0.1;  ///< SOFSCL, for SOFT = 1
+  double soft_step = 0.0;   ///< DTSTIF: the step that a stiffness by masses is for; 0: that of the run [time]
   double damping = 0.0;     ///< VDC, percent of critical
   Friction friction;
+
+  /// The step that a stiffness by masses is for, in a run whose steps are `dt` [time].
+  double step(double dt) const { return soft_step > 0.0 ? soft_step : dt; }
 };
+
+/// Penalty stiffness of two segments, before scaling: m1 m2 / (m1 + m2) / (2 dt^2) [force/length]. LS-DYNA theory
+/// manual, segment-based contact; the masses are those of a shell, half that of a brick.
+inline double segment_penalty(double mass_a, double mass_b, double dt) {
+  return dt > 0.0 && mass_a + mass_b > 0.0 ? 0.5 * mass_a * mass_b / ((mass_a + mass_b) * dt * dt) : 0.0;
+}
 
 /// Inverse of the mass that a pair moves, 1/m_s + sum N_i^2/m_i [1/mass]. A node without mass of its own counts as
 /// held.
@@ -60,13 +52,16 @@ inline double inverse_pair_mass(double node_mass, const std::array<double, 4>& w
   return inverse;
 }
 
-/// Stiffness of a pair [force/length]: the penalty one; with SOFT = 1 at least SOFSCL/2 m*/dt^2; never more than m*/(2
-/// dt^2), an eighth of what central differences bear for the pair alone (the rest is left to the structure and to other
-/// pairs).
+/// Stiffness of a pair [force/length]: the penalty one; with SOFT = 1 at least SOFSCL/2 m*/DTSTIF^2; never more than
+/// m*/(2 dt^2), an eighth of what central differences bear for the pair alone (the rest is left to the structure and to
+/// other pairs).
 inline double pair_stiffness(const PenaltyLaw& law, double penalty, double inverse_mass, double dt) {
   if (!(dt > 0.0) || !(inverse_mass > 0.0)) return penalty;
   const double bearable = 0.5 / (inverse_mass * dt * dt);
-  if (law.soft) penalty = std::max(penalty, law.soft_scale * bearable);
+  if (law.stiffness == PenaltyStiffness::node_masses) {
+    const double step = law.step(dt);
+    penalty = std::max(penalty, law.soft_scale * (0.5 / (inverse_mass * step * step)));
+  }
   return std::min(penalty, bearable);
 }
 

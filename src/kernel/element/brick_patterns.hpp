@@ -53,15 +53,34 @@ struct Matrix {
   Vec3<R> operator*(const Vec3<R>& u) const { return {dot(x, u), dot(y, u), dot(z, u)}; }
 };
 
-/// Hughes and Winget's rotation (I - W dt/2)^-1 (I + W dt/2), by rows.
+/// Half the angle of a step [rad], about its axis, as Hughes and Winget take it: tan of it to second order.
 template <class R>
-[[gnu::always_inline]] inline Frame<R> rotation_of(const Matrix<R>& l, double dt) {
+[[gnu::always_inline]] inline Vec3<R> half_turn(const Matrix<R>& l, double dt) {
   const double q = 0.25 * dt;
-  const Vec3<R> a{q * (l.z.y - l.y.z), q * (l.x.z - l.z.x), q * (l.y.x - l.x.y)};
+  return {q * (l.z.y - l.y.z), q * (l.x.z - l.z.x), q * (l.y.x - l.x.y)};
+}
+
+/// Hughes and Winget's rotation (I - W dt/2)^-1 (I + W dt/2), by rows; `a` is its half turn.
+template <class R>
+[[gnu::always_inline]] inline Frame<R> rotation_of(const Vec3<R>& a) {
   const R a2 = dot(a, a), s = 2.0 / (1.0 + a2), d = 1.0 - s * a2;
   return {{d + s * (a.x * a.x), s * (a.x * a.y - a.z), s * (a.x * a.z + a.y)},
           {s * (a.x * a.y + a.z), d + s * (a.y * a.y), s * (a.y * a.z - a.x)},
           {s * (a.x * a.z - a.y), s * (a.y * a.z + a.x), d + s * (a.z * a.z)}};
+}
+
+/// The rate of deformation (engineering shears) of the velocity gradient `l` in the middle of the step, in the axes of
+/// the step's end: D + A D - D A, A v = a x v with the half turn `a`, exact to third order in it. Increments of stress
+/// that lag behind by half a turn would make vibrations grow (docs/decisions/0028).
+template <class R>
+[[gnu::always_inline]] inline SolidTensor<R> rate_at_end(const Matrix<R>& l, const Vec3<R>& a) {
+  const R xx = l.x.x, yy = l.y.y, zz = l.z.z, xy = l.x.y + l.y.x, yz = l.y.z + l.z.y, zx = l.x.z + l.z.x;
+  return {xx + a.y * zx - a.z * xy,
+          yy + a.z * xy - a.x * yz,
+          zz + a.x * yz - a.y * zx,
+          xy + 2.0 * a.z * (xx - yy) + a.y * yz - a.x * zx,
+          yz + 2.0 * a.x * (yy - zz) + a.z * zx - a.y * xy,
+          zx + 2.0 * a.y * (zz - xx) + a.x * xy - a.z * yz};
 }
 
 /// Square of the largest face's area.

@@ -105,12 +105,15 @@ SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Pr
   for (int p = 0; p < points; ++p) {
     double* at = state + layout.point(p) * lanes<R>;
     double* history = state + layout.history_of(p) * lanes<R>;
-    const Frame<R> turn = rotation_of(l[p], dt);
+    const Vec3<R> half = half_turn(l[p], dt);
+    const Frame<R> turn = rotation_of(half);
     const R extra = third * (trace - (l[p].x.x + l[p].y.y + l[p].z.z));
     SolidTensor<R> s = rotated(turn, load_solid<R>(at));
     law.rotate(turn, history);
-    const SolidTensor<R> d{l[p].x.x + extra,    l[p].y.y + extra,    l[p].z.z + extra,
-                           l[p].x.y + l[p].y.x, l[p].y.z + l[p].z.y, l[p].z.x + l[p].x.z};
+    SolidTensor<R> d = rate_at_end(l[p], half);
+    d.xx += extra;
+    d.yy += extra;
+    d.zz += extra;
     if constexpr (weld) {
       rate += share * effective_rate(d);
       if (uniaxial)

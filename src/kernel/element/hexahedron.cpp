@@ -94,8 +94,8 @@ template <class R>
                                                             const ElasticConstants& e, const Gradient<R>& g,
                                                             const Patterns<R>& mid, const Patterns<R>& end,
                                                             const Hourglass<R>& rate, const Frame<R>& turn,
-                                                            const R& side, const R& integrity, double dt,
-                                                            double* state) {
+                                                            const Vec3<R>& half, const R& side, const R& integrity,
+                                                            double dt, double* state) {
   using L = HexahedronLayout;
   Hourglass<R> old = load_hourglass<R>(state), now = old, q = rate;
   if (brick.hourglass == 6) {
@@ -108,6 +108,7 @@ template <class R>
     const R stiffness = (8.0 * brick.hourglass_coefficient * e.shear * dt) * g.squared() * g.over_volume;
     for (int i = 0; i < 4; ++i) {
       old.q[i] = turn.local(old.q[i]);
+      q.q[i] += cross(half, q.q[i]);
       now.q[i] = old.q[i] + stiffness * q.q[i];
     }
   } else {
@@ -166,7 +167,8 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepare
   const Patterns<R>&v = motion.v, &mid = motion.mid, &end = motion.end;
   const Gradient<R> g(mid), g_end(end);
   const Matrix<R> l = velocity_gradient(g, v);
-  const Frame<R> turn = rotation_of(l, dt);
+  const Vec3<R> half = half_turn(l, dt);
+  const Frame<R> turn = rotation_of(half);
 
   // V^(1/3) follows V by Halley's rule, cubic in the change of a step.
   const R old_side = load_field<R>(state, L::side), cube = old_side * old_side * old_side;
@@ -174,7 +176,7 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepare
   store_field(state, L::side, select(alive && g_end.volume > 0.0, side, old_side));
 
   double* history = state + L::first_history * lanes<R>;
-  const SolidTensor<R> d{l.x.x, l.y.y, l.z.z, l.x.y + l.y.x, l.y.z + l.z.y, l.z.x + l.x.z};
+  const SolidTensor<R> d = rate_at_end(l, half);
   SolidTensor<R> s = rotated(turn, load_solid<R>(state + L::stress * lanes<R>));
   law.rotate(turn, history);
   R integrity(1.0), whole(1.0);  // of hourglass forces and bulk viscosity; of the weld as a whole
@@ -194,11 +196,11 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepare
   const bool orthogonal = brick.hourglass != 1;
   Hourglass<R> rate;
   for (int i = 0; i < 4; ++i) rate.q[i] = orthogonal ? v.h[i] - l * mid.h[i] : v.h[i];
-  const Hourglass<R> q = resist_hourglass(brick, e, g, mid, end, rate, turn, side, integrity, dt, state);
+  const Hourglass<R> q = resist_hourglass(brick, e, g, mid, end, rate, turn, half, side, integrity, dt, state);
 
   const R density = brick.density * load_field<R>(state, L::density_scale), none = R(0.0);
   const R length = g_end.volume / sqrt(largest_face2(end));
-  const BulkViscosity<R> bulk(brick, law.template wave_modulus<R>(history), density, length, d.xx + d.yy + d.zz);
+  const BulkViscosity<R> bulk(brick, law.template wave_modulus<R>(history), density, length, l.x.x + l.y.y + l.z.z);
   const R pressure = integrity * bulk.pressure;
   if constexpr (std::is_same_v<Law, Spotweld>) s = whole * s;
   s.xx -= pressure;

@@ -80,11 +80,11 @@ TetrahedronForces<R> tetrahedron_cycle(const HexahedronProperties& solid, const 
   const R trace = l.x.x + l.y.y + l.z.z;
 
   double* history = state + L::first_history * lanes<R>;
-  const Frame<R> turn = rotation_of(l, dt);
+  const Vec3<R> half = half_turn(l, dt);
+  const Frame<R> turn = rotation_of(half);
   SolidTensor<R> s = rotated(turn, load_solid<R>(state + L::stress * lanes<R>));
   law.rotate(turn, history);
-  const SolidTensor<R> rate{l.x.x, l.y.y, l.z.z, l.x.y + l.y.x, l.y.z + l.z.y, l.z.x + l.x.z};
-  law.solid(s, rate, dt, history);
+  law.solid(s, rate_at_end(l, half), dt, history);
   store_solid(state + L::stress * lanes<R>, s);
 
   const Gradients<R> end(nodes.x);

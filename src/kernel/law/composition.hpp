@@ -21,14 +21,15 @@ namespace nugget::kernel {
 
 /// How a point flows.
 using Flow = std::variant<Elastic, PlasticKinematic, PiecewiseLinear, JohnsonCook, PowerLaw, RateDependentYield,
-                          MooneyRivlin, Ogden, LowDensityFoam, CrushableFoam, Viscoelastic>;
+                          MooneyRivlin, Ogden, PolynomialRubber, LowDensityFoam, CrushableFoam, RateFoam, Viscoelastic>;
 
 /// What a compound law is made of: how a point flows, and when it and its element fail.
 struct Composition {
-  Flow flow;                         ///< its own failure strain and deletion step are not used
-  double failure_strain = 0.0;       ///< effective plastic strain at which a point fails [1]; 0: none
-  Curve failure_strain_over_rate{};  ///< the same over the total strain rate; empty: none
-  std::optional<PlasticDamage> damage{};
+  Flow flow;                              ///< its own failure strain and deletion step are not used
+  double failure_strain = 0.0;            ///< effective plastic strain at which a point fails [1]; 0: none
+  Curve failure_strain_over_rate{};       ///< the same over the total strain rate; empty: none
+  std::optional<PlasticDamage> damage{};  ///< takes (1 - w) of all stresses, over the effective plastic strain
+  std::optional<PlasticDamage> directional_damage{};  ///< of layers, see Cracks
   std::optional<JohnsonCookFracture> fracture{};
   StrainLimits limits{};
   std::optional<Erosion> erosion{};

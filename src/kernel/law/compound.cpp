@@ -3,9 +3,11 @@
 #include <utility>
 
 #include "kernel/law/composition.hpp"
+#include "kernel/law/foam_points.hpp"
 #include "kernel/law/point_failure.hpp"
 #include "kernel/law/prepared_compound.hpp"
-#include "kernel/law/single_points.hpp"
+#include "kernel/law/relaxation.hpp"
+#include "kernel/law/rubber_points.hpp"
 #include "kernel/law/smooth_hardening.hpp"
 
 namespace nugget::kernel {
@@ -79,6 +81,12 @@ class Prepared<Ogden> : public SolidPointLaw<OgdenPoint> {
 };
 
 template <>
+class Prepared<PolynomialRubber> : public SolidPointLaw<PolynomialPoint> {
+ public:
+  using SolidPointLaw::SolidPointLaw;
+};
+
+template <>
 class Prepared<LowDensityFoam> : public SolidPointLaw<LowDensityFoamPoint> {
  public:
   using SolidPointLaw::SolidPointLaw;
@@ -86,6 +94,12 @@ class Prepared<LowDensityFoam> : public SolidPointLaw<LowDensityFoamPoint> {
 
 template <>
 class Prepared<CrushableFoam> : public SolidPointLaw<CrushableFoamPoint> {
+ public:
+  using SolidPointLaw::SolidPointLaw;
+};
+
+template <>
+class Prepared<RateFoam> : public SolidPointLaw<RateFoamPoint> {
  public:
   using SolidPointLaw::SolidPointLaw;
 };
@@ -111,12 +125,6 @@ SolidTensor<R> as_solid(const LayerTensor<R>& a, const R& zz) {
   return {a.xx, a.yy, zz, a.xy, a.yz, a.xz};
 }
 
-/// Divides by the share that is left; the stress of a point that has nothing left is 0 already.
-template <class R, class Tensor>
-Tensor made_whole(const Tensor& s, const double* failure) {
-  return (1.0 / max(PointFailure::left<R>(failure), R(1e-30))) * s;
-}
-
 }  // namespace
 
 struct Prepared<Compound>::Parts {
@@ -125,13 +133,11 @@ struct Prepared<Compound>::Parts {
   explicit Parts(const Composition& c)
       : flow(std::visit([]<class Law>(const Law& law) -> Flows { return Prepared<Law>(law); }, c.flow)),
         failure(c),
-        softens(c.damage.has_value()),
         heats(std::holds_alternative<Prepared<JohnsonCook>>(flow) && std::get<Prepared<JohnsonCook>>(flow).heats()) {}
 
   Flows flow;
   PointFailure failure;
-  bool softens;  ///< points lose their stress little by little
-  bool heats;    ///< the second number of the history is a temperature rise
+  bool heats;  ///< the second number of the history is a temperature rise
 };
 
 Prepared<Compound>::Prepared(const Compound& law)
@@ -151,7 +157,7 @@ ThicknessStrain<R> Prepared<Compound>::layer(LayerTensor<R>& s, const LayerTenso
   };
   if (!can_fail_) return flow();
   double* failure = history + lost_ * lanes<R>;
-  if (parts_->softens) s = made_whole<R>(s, failure);
+  if (parts_->failure.softens()) parts_->failure.make_whole(s, failure);
   const R before = load_field<R>(history, 0);
   const ThicknessStrain<R> thickness = flow();
   const R strain = load_field<R>(history, 0);
@@ -160,7 +166,7 @@ ThicknessStrain<R> Prepared<Compound>::layer(LayerTensor<R>& s, const LayerTenso
       PointStep<R>{as_solid(s, R(0.0)), as_solid(rate, over_dt * thickness.total), strain, strain - before,
                    -thickness.plastic, parts_->heats ? load_field<R>(history, 1) : R(0.0), dt, true},
       failure);
-  s = PointFailure::left<R>(failure) * s;
+  parts_->failure.weaken(s, failure);
   return thickness;
 }
 
@@ -169,14 +175,14 @@ void Prepared<Compound>::solid(SolidTensor<R>& s, const SolidTensor<R>& rate, do
   const auto flow = [&] { std::visit([&](const auto& law) { law.solid(s, rate, dt, history); }, parts_->flow); };
   if (!can_fail_) return flow();
   double* failure = history + lost_ * lanes<R>;
-  if (parts_->softens) s = made_whole<R>(s, failure);
+  if (parts_->failure.softens()) parts_->failure.make_whole(s, failure);
   const R before = load_field<R>(history, 0);
   flow();
   const R strain = load_field<R>(history, 0);
   parts_->failure.advance(PointStep<R>{s, rate, strain, strain - before, R(0.0),
                                        parts_->heats ? load_field<R>(history, 1) : R(0.0), dt, false},
                           failure);
-  s = PointFailure::left<R>(failure) * s;
+  parts_->failure.weaken(s, failure);
 }
 
 template <class R>

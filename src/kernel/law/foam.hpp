@@ -2,14 +2,18 @@
 #pragma once
 
 #include <limits>
+#include <vector>
 
 #include "base/curve.hpp"
 
+// Foams, laws of solids without lateral contraction: each principal direction has a stress of its own. Damping is a
+// viscous stress DAMP M dt d, M modulus of the stable step, d strain rate: of the fastest vibration that the step bears
+// it is the share DAMP of critical damping.
 namespace nugget::kernel {
 
-/// Highly compressible foam (MAT_057), a law of solids without lateral contraction: each principal direction has the
-/// nominal stress of its own stretch, in compression by a curve, in tension linear up to a cutoff. Unloading keeps
-/// HU + (1 - HU) (W / Wmax)^SHAPE of the stress, W energy of the curve.
+/// Highly compressible foam (MAT_057): each principal direction has the nominal stress of its own stretch, in
+/// compression by a curve, in tension linear up to a cutoff. Unloading keeps HU + (1 - HU) (W / Wmax)^SHAPE of the
+/// stress, W energy of the curve; Wmax - W decays with the rate BETA.
 struct LowDensityFoam {
   double E = 0.0;     ///< Young's modulus in tension [stress]
   double nu = 0.0;    ///< 0
@@ -18,15 +22,40 @@ struct LowDensityFoam {
   bool tears = false;      ///< FAIL 1: no tensile stress once the cutoff was reached, else it stays at the cutoff
   double unloading = 1.0;  ///< HU [1]; 1: no hysteresis
   double shape = 1.0;      ///< SHAPE [1]
+  double recovery = 0.0;   ///< BETA [1/time]
+  double damping = 0.0;    ///< DAMP, share of critical damping [1]
+  double relaxing = 0.0;   ///< ED, modulus of a stress that relaxes, a spring and a damper in series [stress]
+  double decay = 0.0;      ///< BETA1, rate at which it does [1/time]
 };
 
-/// Crushable foam (MAT_063, MODEL 0), a law of solids without lateral contraction: elastic, each principal stress at
-/// most the yield stress of the volume reached in compression, the cutoff in tension. It does not recover.
+/// Crushable foam (MAT_063, MODEL 0): elastic, each principal stress at most the yield stress of the volume reached in
+/// compression, the cutoff in tension. It does not recover.
 struct CrushableFoam {
-  double E = 0.0;       ///< Young's modulus of loading and unloading: the last slope of the curve [stress]
-  double nu = 0.0;      ///< 0
-  Curve yield;          ///< yield stress over volumetric strain 1 - V / V0
-  double cutoff = 0.0;  ///< TSC, greatest tensile stress [stress]
+  double E = 0.0;        ///< Young's modulus of loading and unloading: the last slope of the curve [stress]
+  double nu = 0.0;       ///< 0
+  Curve yield;           ///< yield stress over volumetric strain 1 - V / V0
+  double cutoff = 0.0;   ///< TSC, greatest tensile stress [stress]
+  double damping = 0.0;  ///< DAMP, share of critical damping [1]
+};
+
+/// Foam by a table of nominal stress over nominal strain for rates of loading (MAT_083). What does not load follows the
+/// curve of the lowest rate, of which unloading keeps 1 - (1 - HU) [1 - (W / Wmax)^SHAPE]^EXPON, W its energy.
+struct RateFoam {
+  /// Whose rate looks a stress up.
+  enum class RateOf { most_strained, each_direction, volume };
+
+  double E = 0.0;                          ///< Young's modulus in tension [stress]
+  double nu = 0.0;                         ///< 0
+  std::vector<Curve> curves;               ///< positive in compression
+  std::vector<double> rates;               ///< of the curves, ascending [1/time]
+  RateOf rate_of = RateOf::most_strained;  ///< RFLAG
+  bool engineering_rate = false;           ///< SFLAG 1: change of length over the length at first, else over that now
+  bool tension_by_curves = false;          ///< TFLAG 1: negative strains of the curves are tension
+  double cutoff = std::numeric_limits<double>::infinity();  ///< TC, greatest nominal tensile stress [stress]
+  bool tears = false;                                       ///< FAIL 1: no tensile stress once the cutoff was reached
+  double unloading = 0.0;                                   ///< HU [1]; 0: along the curve of the lowest rate
+  double shape = 1.0, exponent = 1.0;                       ///< SHAPE, EXPON [1]
+  double damping = 0.0;                                     ///< DAMP, share of critical damping [1]
 };
 
 }  // namespace nugget::kernel

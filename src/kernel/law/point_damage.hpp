@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "base/curve.hpp"
@@ -8,12 +9,18 @@
 // What makes a point of a compound law lose its stress, beside a limit of its plastic strain.
 namespace nugget::kernel {
 
-/// Damage w that grows with the plastic strain (MAT_081): stress and stiffness are (1 - w) times those of the sound
-/// point; at 1 the point has failed.
+/// Damage w that grows with a plastic strain; at 1 the point has failed.
 struct PlasticDamage {
   double onset = 0.0;    ///< EPPF, plastic strain at which it begins [1]
   double rupture = 0.0;  ///< EPPFR, plastic strain at which it is 1, linear in between [1]
   Curve growth{};        ///< LCDM: damage over plastic strain beyond the onset; empty: linear
+
+  double at(double plastic_strain) const {
+    const double beyond = plastic_strain - onset;
+    if (!(beyond > 0.0)) return 0.0;
+    if (!growth.empty()) return std::clamp(growth.clamped(beyond), 0.0, 1.0);
+    return std::min(beyond / (rupture - onset), 1.0);
+  }
 };
 
 /// Johnson and Cook's strain at fracture (Eng. Fract. Mech. 21, 1985):

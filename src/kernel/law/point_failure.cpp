@@ -13,6 +13,19 @@ SolidTensor<double> lane_of(const SolidTensor<R>& a, int l) {
   return {lane(a.xx, l), lane(a.yy, l), lane(a.zz, l), lane(a.xy, l), lane(a.yz, l), lane(a.zx, l)};
 }
 
+template <class R>
+LayerTensor<double> layer_lane(const LayerTensor<R>& s, int l) {
+  return {lane(s.xx, l), lane(s.yy, l), lane(s.xy, l), lane(s.xz, l), lane(s.yz, l)};
+}
+template <class R>
+void set_layer_lane(LayerTensor<R>& s, int l, const LayerTensor<double>& one) {
+  set_lane(s.xx, l, one.xx);
+  set_lane(s.yy, l, one.yy);
+  set_lane(s.xy, l, one.xy);
+  set_lane(s.xz, l, one.xz);
+  set_lane(s.yz, l, one.yz);
+}
+
 /// a:a of the deviator.
 double deviator2(const SolidTensor<double>& a) {
   const double m = (a.xx + a.yy + a.zz) / 3.0, x = a.xx - m, y = a.yy - m, z = a.zz - m;
@@ -64,9 +77,11 @@ PointFailure::PointFailure(const Composition& law)
     : failure_strain_(law.failure_strain),
       failure_strain_over_rate_(law.failure_strain_over_rate),
       damage_(law.damage),
+      cracks_(law.directional_damage),
       fracture_(law.fracture),
       erosion_(law.erosion),
       limits_(law.limits),
+      cracked_(add(cracks_.has_value(), Cracks::history)),
       fractured_(add(fracture_.has_value(), 1)),
       thinned_(add(limits_.plastic_thinning > 0.0, 1)),
       strain_(add(erosion_.has_value() || limits_.major > 0.0, SolidTensor<double>::size)),
@@ -74,13 +89,6 @@ PointFailure::PointFailure(const Composition& law)
       age_(add(erosion_ && erosion_->time, 1)),
       active_(failure_strain_ > 0.0 || !failure_strain_over_rate_.empty() || damage_ || size_ > 1),
       by_plastic_strain_only_(failure_strain_ > 0.0 && failure_strain_over_rate_.empty() && !damage_ && size_ == 1) {}
-
-double PointFailure::damage(double plastic_strain) const {
-  const double beyond = plastic_strain - damage_->onset;
-  if (!(beyond > 0.0)) return 0.0;
-  if (!damage_->growth.empty()) return std::clamp(damage_->growth.clamped(beyond), 0.0, 1.0);
-  return std::min(beyond / (damage_->rupture - damage_->onset), 1.0);
-}
 
 double PointFailure::fracture_strain(double triaxiality, double rate, double heating) const {
   const JohnsonCookFracture& f = *fracture_;
@@ -136,9 +144,18 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
     double& lost = at(0, l);
     if (lost >= 1.0) continue;
     const double strain = lane(step.plastic_strain, l), increment = lane(step.plastic_increment, l);
-    if (damage_) lost = std::max(lost, damage(strain));
+    if (damage_) lost = std::max(lost, damage_->at(strain));
     const SolidTensor<double> rate = lane_of(step.rate, l);
-    Now now{(1.0 - lost) * lane_of(step.stress, l), {}, effective_rate(rate), 0.0, 0.0, step.layer};
+    const SolidTensor<double> sound = lane_of(step.stress, l);
+    Now now{(1.0 - lost) * sound, {}, effective_rate(rate), 0.0, 0.0, step.layer};
+    bool ruptured = false;
+    if (cracks_) {
+      double* cracks = &at(cracked_, l);
+      ruptured = cracks_->advance(sound, increment, cracks, lanes<R>);
+      const LayerTensor<double> left =
+          Cracks::weakened({sound.xx, sound.yy, sound.xy, sound.zx, sound.yz}, cracks, lanes<R>);
+      now.stress = {left.xx, left.yy, 0.0, left.xy, left.yz, left.xz};
+    }
     if (strain_ > 0) {
       const double change[] = {rate.xx, rate.yy, rate.zz, 0.5 * rate.xy, 0.5 * rate.yz, 0.5 * rate.zx};
       for (int i = 0; i < SolidTensor<double>::size; ++i) at(strain_ + i, l) += step.dt * change[i];
@@ -159,7 +176,7 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
                                                        lane(step.heating, l));
     }
     const bool gone =
-        (failure_strain_ > 0.0 && strain >= failure_strain_) ||
+        ruptured || (failure_strain_ > 0.0 && strain >= failure_strain_) ||
         (!failure_strain_over_rate_.empty() && strain > 0.0 && strain >= failure_strain_over_rate_.clamped(now.rate)) ||
         (fracture_ && at(fractured_, l) >= 1.0) || beyond_strain_limits(now, thinned_ > 0 ? at(thinned_, l) : 0.0) ||
         (erosion_ && eroded(now));
@@ -167,7 +184,27 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
   }
 }
 
+template <class R>
+void PointFailure::make_whole(LayerTensor<R>& s, const double* history) const {
+  s = (1.0 / max(left<R>(history), R(1e-30))) * s;
+  if (!cracks_) return;
+  for (int l = 0; l < lanes<R>; ++l)
+    set_layer_lane(s, l, Cracks::made_whole(layer_lane(s, l), history + cracked_ * lanes<R> + l, lanes<R>));
+}
+
+template <class R>
+void PointFailure::weaken(LayerTensor<R>& s, const double* history) const {
+  s = left<R>(history) * s;
+  if (!cracks_) return;
+  for (int l = 0; l < lanes<R>; ++l)
+    set_layer_lane(s, l, Cracks::weakened(layer_lane(s, l), history + cracked_ * lanes<R> + l, lanes<R>));
+}
+
 template void PointFailure::advance(const PointStep<double>&, double*) const;
 template void PointFailure::advance(const PointStep<NativeBatch>&, double*) const;
+template void PointFailure::make_whole(LayerTensor<double>&, const double*) const;
+template void PointFailure::make_whole(LayerTensor<NativeBatch>&, const double*) const;
+template void PointFailure::weaken(LayerTensor<double>&, const double*) const;
+template void PointFailure::weaken(LayerTensor<NativeBatch>&, const double*) const;
 
 }  // namespace nugget::kernel

@@ -5,6 +5,7 @@
 
 #include "base/batch.hpp"
 #include "kernel/law/composition.hpp"
+#include "kernel/law/cracks.hpp"
 #include "kernel/law/stress_space.hpp"
 
 namespace nugget::kernel {
@@ -41,6 +42,22 @@ class PointFailure {
   }
   template <class R>
   void advance(const PointStep<R>& step, double* history) const;
+
+  bool softens() const { return damage_ || cracks_; }
+  /// The sound point's stress from that handed out, and what is left of it. A point that has nothing left has stress 0.
+  template <class R>
+  void make_whole(LayerTensor<R>& s, const double* history) const;
+  template <class R>
+  void make_whole(SolidTensor<R>& s, const double* history) const {
+    s = (1.0 / max(left<R>(history), R(1e-30))) * s;
+  }
+  template <class R>
+  void weaken(LayerTensor<R>& s, const double* history) const;
+  template <class R>
+  void weaken(SolidTensor<R>& s, const double* history) const {
+    s = left<R>(history) * s;
+  }
+
   /// Turns what stands in a solid's axes with the material.
   template <class R>
   void rotate(const Frame<R>& q, double* history) const {
@@ -56,7 +73,6 @@ class PointFailure {
     double rate, impulse, age;
     bool layer;
   };
-  double damage(double plastic_strain) const;
   double fracture_strain(double triaxiality, double rate, double heating) const;
   bool eroded(const Now& now) const;
   bool beyond_strain_limits(const Now& now, double thinning) const;
@@ -65,11 +81,12 @@ class PointFailure {
   double failure_strain_;
   Curve failure_strain_over_rate_;
   std::optional<PlasticDamage> damage_;
+  std::optional<Cracks> cracks_;
   std::optional<JohnsonCookFracture> fracture_;
   std::optional<Erosion> erosion_;
   StrainLimits limits_;
   int size_ = 1;
-  int fractured_, thinned_, strain_, impulse_, age_;  ///< places in the history; 0: not kept
+  int cracked_, fractured_, thinned_, strain_, impulse_, age_;  ///< places in the history; 0: not kept
   bool active_, by_plastic_strain_only_;
 };
 

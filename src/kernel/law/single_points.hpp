@@ -6,10 +6,8 @@
 #include <span>
 
 #include "base/batch.hpp"
-#include "kernel/law/foam.hpp"
-#include "kernel/law/prepared.hpp"
-#include "kernel/law/rubber.hpp"
-#include "kernel/law/viscoelastic.hpp"
+#include "kernel/law/elastic_constants.hpp"
+#include "kernel/law/stress_space.hpp"
 
 // Laws of solids that are computed point by point, lane after lane: rubbers, foams, viscoelasticity. Their principal
 // values and powers have no form for batches.
@@ -29,80 +27,31 @@ SolidTensor<double> with_values(const Principal& axes, const std::array<double, 
 /// Cayley's c = (1 - d dt/2)^-1 (1 + d dt/2), exact for a straight pull with mid-step rates. Rotation is the caller's.
 void stretch(SolidTensor<double>& b_less_one, const SolidTensor<double>& d, double dt);
 
-/// One law, one point. `history`: numbers beside plastic strain and wave modulus; the first six are a tensor that turns
-/// with the material if `has_tensor`. update() gives the stress after a step from the one before, and the wave modulus.
+/// What a step makes of a point.
 struct PointUpdate {
   SolidTensor<double> stress;
   double wave_modulus = 0.0;
 };
 
-class MooneyRivlinPoint {
- public:
-  static constexpr int history = 6;
-  static constexpr bool has_tensor = true;
-  explicit MooneyRivlinPoint(const MooneyRivlin& law);
-  PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
-
- private:
-  double E_, nu_, a_, b_, c_, d_;
-};
-
-class OgdenPoint {
- public:
-  static constexpr int history = 6;
-  static constexpr bool has_tensor = true;
-  explicit OgdenPoint(const Ogden& law);
-  PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
-
- private:
-  double E_, nu_;
-  std::vector<Ogden::Term> terms_;
-  double bulk_;
-};
-
-class LowDensityFoamPoint {
- public:
-  static constexpr int history = 8;  // b - 1, greatest energy, torn
-  static constexpr bool has_tensor = true;
-  explicit LowDensityFoamPoint(const LowDensityFoam& law) : law_(law) {}
-  PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
-
- private:
-  LowDensityFoam law_;
-};
-
-class CrushableFoamPoint {
- public:
-  static constexpr int history = 1;  // logarithm of the relative volume
-  static constexpr bool has_tensor = false;
-  explicit CrushableFoamPoint(const CrushableFoam& law) : law_(law) {}
-  PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
-
- private:
-  CrushableFoam law_;
-};
-
-class ViscoelasticPoint {
- public:
-  static constexpr int history = 6;  // the part of the stress that decays
-  static constexpr bool has_tensor = true;
-  explicit ViscoelasticPoint(const Viscoelastic& law) : law_(law) {}
-  PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
-
- private:
-  Viscoelastic law_;
-};
-
-/// Such a law as the element kernels want it. History: plastic strain (0), wave modulus, then the point's own. In
-/// layers it has no stress; the model refuses it there.
+/// A law of single points as the element kernels want it. `Point` has
+///   history()   numbers it needs beside plastic strain and wave modulus, at most `most_history`
+///   tensors()   how many tensors these begin with: they turn with the material
+///   update()    stress after a step from the one before, its history, and the wave modulus for the stable step.
+/// History: plastic strain (0), wave modulus, then the point's own. In layers the law has no stress; the model refuses
+/// it there.
 template <class Point>
 class SolidPointLaw {
  public:
+  static constexpr std::size_t most_history = 96;
+
   template <class Law>
-  explicit SolidPointLaw(const Law& law) : point_(law), at_rest_(ElasticConstants(law.E, law.nu).bulk_wave()) {}
+  explicit SolidPointLaw(const Law& law) : point_(law) {
+    std::array<double, most_history> nothing{};
+    at_rest_ = std::max(ElasticConstants(law.E, law.nu).bulk_wave(), point_.update({}, {}, 0.0, nothing).wave_modulus);
+  }
 
   int layer_history() const { return solid_history(); }
-  int solid_history() const { return own + Point::history; }
+  int solid_history() const { return own + point_.history(); }
   template <class R>
   R wave_modulus(const double* history) const {
     return max(R(at_rest_), load_field<R>(history, 1));
@@ -117,12 +66,12 @@ class SolidPointLaw {
       return SolidTensor<double>{lane(a.xx, l), lane(a.yy, l), lane(a.zz, l),
                                  lane(a.xy, l), lane(a.yz, l), lane(a.zx, l)};
     };
+    std::array<double, most_history> h;
     for (int l = 0; l < lanes<R>; ++l) {
-      std::array<double, Point::history> h;
       const auto at = [&](int i) -> double& { return history[(own + i) * lanes<R> + l]; };
-      for (int i = 0; i < Point::history; ++i) h[static_cast<std::size_t>(i)] = at(i);
+      for (int i = 0; i < point_.history(); ++i) h[static_cast<std::size_t>(i)] = at(i);
       const PointUpdate now = point_.update(lane_of(s, l), lane_of(rate, l), dt, h);
-      for (int i = 0; i < Point::history; ++i) at(i) = h[static_cast<std::size_t>(i)];
+      for (int i = 0; i < point_.history(); ++i) at(i) = h[static_cast<std::size_t>(i)];
       history[lanes<R> + l] = now.wave_modulus;
       set_lane(s.xx, l, now.stress.xx);
       set_lane(s.yy, l, now.stress.yy);
@@ -134,14 +83,16 @@ class SolidPointLaw {
   }
   template <class R>
   void rotate(const Frame<R>& q, double* history) const {
-    if constexpr (Point::has_tensor)
-      store_solid(history + own * lanes<R>, rotated(q, load_solid<R>(history + own * lanes<R>)));
+    for (int t = 0; t < point_.tensors(); ++t) {
+      double* tensor = history + (own + t * SolidTensor<double>::size) * lanes<R>;
+      store_solid(tensor, rotated(q, load_solid<R>(tensor)));
+    }
   }
 
  private:
   static constexpr int own = 2;
   Point point_;
-  double at_rest_;
+  double at_rest_ = 0.0;
 };
 
 }  // namespace nugget::kernel

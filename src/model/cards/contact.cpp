@@ -73,12 +73,12 @@ const Card scale_card{{
     real("vsf", dimension::number, 1, any_value, "scale of viscous friction"),
 }};
 const Card card_a{{
-    integer("soft", 0, any_value, "0 penalty by material, 1 by mass and time step"),
+    integer("soft", 0, any_value, "0 penalty by material, 1 by nodal masses and step, 2 by segment masses and step"),
     real("sofscl", dimension::number, 0.1, at_least(0), "scale of the stiffness with soft 1"),
     integer("lcidab", 0, any_value, "curve of airbag contact"),
     real("maxpar", dimension::number, 1.025, any_value, "extension of segments"),
-    real("sbopt", dimension::number, 2, any_value, "options of soft 2"),
-    integer("depth", 2, any_value, "search depth; the search here finds all pairs"),
+    real("sbopt", dimension::number, 2, any_value, "soft 2: segments may be warped and hand contacts on in any case"),
+    integer("depth", 2, any_value, "soft 2: from 3 on edges of shells too; else all pairs are found in any case"),
     integer("bsort", 0, any_value, "cycles between searches; 0: chosen by the program"),
     integer("frcfrq", 1, any_value, "cycles between forces; here each cycle"),
 }};
@@ -97,7 +97,8 @@ const Card card_c{{
     integer("ignore", 0, between(0, 2),
             "initial penetrations: 0 by the control card, 1 tracked, 2 tracked and reported"),
     real("dprfac", dimension::number, 0, any_value, "depth of reports"),
-    real("dtstif", dimension::time, 0, any_value, "time step of the stiffness"),
+    real("dtstif", dimension::time, 0, any_value,
+         "step for which soft 1 and 2 find their stiffness; 0: that of the run"),
     real("edgek", dimension::number, 0, any_value, "stiffness of edges"),
     unused(),
     real("flangl", dimension::number, 0, any_value, "angle of feature lines"),
@@ -140,16 +141,24 @@ const Card eroding_card{{
     integer("iadj", 0, any_value, "faces between materials take part where the parts are all in the contact"),
 }};
 
-const Card tiebreak_card{{
-    integer("option", 0, only(2), "2: what touches at the start is glued until it fails"),
-    real("nfls", dimension::stress, 0, at_least(0), "normal stress at which it fails; 0: does not count"),
-    real("sfls", dimension::stress, 0, at_least(0), "shear stress at which it fails; 0: does not count"),
-    real("param", dimension::number, 0, any_value, "of other options"),
-    real("eraten", dimension::number, 0, any_value, "of other options"),
-    real("erates", dimension::number, 0, any_value, "of other options"),
-    real("ct2cn", dimension::number, 1, any_value, "of other options"),
-    real("cn", dimension::number, 0, any_value, "of other options"),
-}};
+/// What PARAM is measured in depends on the option.
+Card tiebreak_card_of(Dimension parameter) {
+  return {{
+      integer("option", 0, any_value,
+              "2: what touches at the start is glued until it fails; 6, 8: from there on the stress falls to 0 at a "
+              "distance; 9, 11: by an energy"),
+      real("nfls", dimension::stress, 0, at_least(0), "normal stress at which it fails; 0: does not count"),
+      real("sfls", dimension::stress, 0, at_least(0), "shear stress at which it fails; 0: does not count"),
+      real("param", parameter, 0, any_value,
+           "6, 8: the distance (CCRIT); 9, 11: exponent of mixed modes, negative: after Benzeggagh and Kenane"),
+      real("eraten", Dimension{1, 0, -2}, 0, at_least(0), "9, 11: energy per area in tension"),
+      real("erates", Dimension{1, 0, -2}, 0, at_least(0), "9, 11: energy per area in shear"),
+      real("ct2cn", dimension::number, 1, above_zero(), "9, 11: stiffness in shear over that in tension"),
+      real("cn", Dimension{1, -2, -2}, 0, at_least(0), "9, 11: stiffness in tension per area; 0: the penalty's"),
+  }};
+}
+const Card tiebreak_card = tiebreak_card_of(dimension::number);
+const Card tiebreak_by_distance = tiebreak_card_of(dimension::length);
 
 // ---- sides
 // -----------------------------------------------------------------------------------------------------------------
@@ -302,10 +311,52 @@ void take_scales(Builder& builder, const Row& row, Contact& contact) {
   contact.friction.shear_strength *= row.real("vsf");
 }
 
-void take_glue(const Row& row, Contact& contact) {
-  contact.glue.on = true;
-  contact.glue.normal = row.real("nfls");
-  contact.glue.shear = row.real("sfls");
+const Card& card_of_glue(const Cursor& cursor) {
+  const auto option = cursor.peek_number(0);
+  return option == 6.0 || option == 8.0 ? tiebreak_by_distance : tiebreak_card;
+}
+
+/// Fields without which an option of the glue has no meaning.
+void demand(Builder& builder, const Row& row, std::initializer_list<std::string_view> fields) {
+  for (const std::string_view field : fields)
+    if (row.real(field) == 0.0)
+      refuse(builder, row, field, fmt::format("must be given with OPTION {}", row.integer("option")),
+             "give it, or use OPTION 2, which needs NFLS and SFLS alone");
+}
+
+void take_glue(Builder& builder, const Row& row, Contact& contact) {
+  using Softening = kernel::Cohesion::Softening;
+  kernel::Cohesion& glue = contact.glue.emplace();
+  glue.normal_strength = row.real("nfls");
+  glue.shear_strength = row.real("sfls");
+  switch (row.integer("option")) {
+    case 2:
+      expect(builder, row, Severity::error,
+             {{"param", 0, "glue that leaves the thickness of shells out is not built"}});
+      break;
+    case 6:
+    case 8:
+      demand(builder, row, {"param"});
+      glue.softening = Softening::to_distance;
+      glue.distance = row.real("param");
+      if (glue.distance < 0.0) refuse(builder, row, "param", "expected a distance", "give CCRIT, 0 or more");
+      break;
+    case 9:
+    case 11:
+      demand(builder, row, {"nfls", "sfls", "param", "eraten", "erates"});
+      glue.softening = Softening::by_energy;
+      glue.exponent = row.real("param");
+      glue.normal_energy = row.real("eraten");
+      glue.shear_energy = row.real("erates");
+      glue.normal_stiffness = row.real("cn");
+      glue.shear_ratio = row.real("ct2cn");
+      break;
+    default:
+      refuse(builder, row, "option",
+             "this glue is not built (1 and 3 stick whatever touches later, 4 slides, 5 follows a curve, 7 and 10 are "
+             "the Dycoss law, 13 and 14 plastic); expected 2, 6, 8, 9 or 11",
+             "2 fails at once, 6 and 8 give way up to a distance, 9 and 11 up to an energy");
+  }
 }
 
 // ---- optional cards A to F
@@ -318,13 +369,16 @@ void take_a(Builder& builder, const Row& row, Contact& contact) {
   contact.soft_scale = row.real("sofscl");
   contact.search_interval = std::max(0, row.integer("bsort"));
   if (contact.tie()) return;  // of these fields none acts on a constraint
-  if (contact.soft == 2)
+  contact.depth = row.integer("depth");
+  if (contact.soft == 2 && contact.keyword.find("NODES_TO_SURFACE") != std::string::npos) {
     row.complain(builder.findings, Severity::warning, "soft",
-                 "segments are not checked against segments; this contact runs as with soft = 1",
-                 "expect edges that cross between their nodes to pass through each other");
-  else if (contact.soft != 0 && contact.soft != 1)
+                 "a contact of nodes has no segments on one side; it runs as with soft = 1",
+                 "use a contact of surfaces for segment-based contact");
+    contact.soft = 1;
+  }
+  if (contact.soft < 0 || contact.soft > 2)
     refuse(builder, row, "soft", "this form of the penalty is not built; expected 0, 1 or 2",
-           "use 1, which is near to segment-based contact in stiffness");
+           "use 2 for segment-based contact");
   expect(builder, row, Severity::error, {{"lcidab", 0, "airbag contact is not built"}});
 }
 
@@ -340,11 +394,12 @@ void take_b(Builder& builder, const Row& row, Contact& contact) {
 void take_c(Builder& builder, const Row& row, Contact& contact) {
   contact.ignore = row.integer("ignore");
   if (contact.tie()) return;
+  contact.soft_step = row.real("dtstif");
+  if (contact.soft_step < 0.0)
+    refuse(builder, row, "dtstif", "a step by a curve or by a running mean is not built; expected 0 or a step",
+           "leave it 0 for the step of the run, or give the step");
   expect(builder, row, Severity::warning,
-         {{"dtstif", 0, left},
-          {"edgek", 0, left},
-          {"flangl", 0, left},
-          {"cid_rcf", 0, "forces are written in global axes"}});
+         {{"edgek", 0, left}, {"flangl", 0, left}, {"cid_rcf", 0, "forces are written in global axes"}});
 }
 
 void take_d(Builder& builder, const Row& row, const Contact& contact) {
@@ -385,7 +440,10 @@ void take_optional_cards(Builder& builder, Cursor& cursor, Contact& contact) {
   if (cursor.more()) take_d(builder, cursor.read(card_d), contact);
   if (cursor.more()) take_e(builder, cursor.read(card_e), contact);
   if (cursor.more()) take_f(builder, cursor.read(card_f), contact);
-  expect_end(builder, cursor);
+  if (cursor.more())
+    builder.findings.error(cursor.place(), '*' + contact.keyword,
+                           "has more data lines than its optional cards A to F; a card G is not built",
+                           "leave it out: none of its fields is read");
 }
 
 // ---- reader
@@ -445,7 +503,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   take_friction(builder, cursor.read(friction_card), contact);
   take_scales(builder, cursor.read(scale_card), contact);
   if (erodes(contact) && cursor.more()) cursor.read(eroding_card);
-  if (options.contains("TIEBREAK")) take_glue(cursor.read(tiebreak_card), contact);
+  if (options.contains("TIEBREAK")) take_glue(builder, cursor.read(card_of_glue(cursor)), contact);
   take_optional_cards(builder, cursor, contact);
   builder.later(Phase::conditions, [sides, contact = std::move(contact)](Builder& b) mutable {
     if (kind == Kind::single_surface)
@@ -488,6 +546,10 @@ Keyword refused(std::string_view name, std::string_view why) {
   return {name, {}, {"ID", "TITLE", "MPP"}, Verdict::refused, why, {}, nullptr};
 }
 
+Keyword ignored(std::string_view name, std::string_view why) {
+  return {name, {}, {"ID", "TITLE"}, Verdict::ignored, why, {}, nullptr};
+}
+
 }  // namespace
 
 std::vector<Keyword> contact_keywords() {
@@ -527,7 +589,9 @@ std::vector<Keyword> contact_keywords() {
               "glue is built between two surfaces; use *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
       refused("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_*", "this form is not built; use it without the last word"),
       refused("CONTACT_FORCE_TRANSDUCER_*", "this transducer is not built; *CONTACT_FORCE_TRANSDUCER_PENALTY is"),
-      refused("CONTACT_INTERIOR*", "contact inside soft solids is not built"),
+      ignored("CONTACT_INTERIOR",
+              "soft solids that are squeezed to a tenth of their thickness get no forces that press them apart (LS-DYNA "
+              "documents no law for them); their material alone holds them, and one that turns inside out is named"),
       refused("CONTACT_ERODING_*",
               "this form is not built; *CONTACT_ERODING_SINGLE_SURFACE, _SURFACE_TO_SURFACE and _NODES_TO_SURFACE "
               "are"),

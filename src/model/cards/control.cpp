@@ -66,6 +66,17 @@ const Card step_card_3{{
     flag("dtdynv", "no effect"),
 }};
 
+const Card relaxation_card{{
+    integer("nrcyck", 250, at_least(1), "cycles between the checks"),
+    real("drtol", dimension::number, 0.001, above_zero(), "at rest: kinetic energy over the largest so far"),
+    real("drfctr", dimension::number, 0.995, between(0, 1), "factor on all velocities in every cycle"),
+    real("drterm", dimension::time, 0, at_least(0), "end of the relaxation, at rest or not; 0: none"),
+    real("tssfdr", dimension::number, 0, between(0, 1), "in place of TSSFAC; 0: TSSFAC"),
+    integer("irelal", 0, only(0), "automatic choice of the factor (Papadrakakis): not built"),
+    real("edttl", dimension::number, 0.04, any_value, "of that choice, no effect"),
+    integer("idrflg", 0, any_value, "1: relaxation; 0: if a curve with SIDR 1 or 2 asks for it; -999: never"),
+}};
+
 const Card contact_card_1{{
     real("slsfac", dimension::number, 0.1, above_zero(), "penalty factor"),
     factor("rwpnal", 0, "rigid walls against rigid bodies by penalty"),
@@ -426,6 +437,22 @@ void read_solid(Builder& b, const Block& block, const Options&) {
   b.model.control.sort_solids = row.integer("esort") > 0;
 }
 
+void read_relaxation(Builder& b, const Block& block, const Options&) {
+  const Row row = first_row(b, block, relaxation_card);
+  Relaxation& r = b.model.control.relaxation;
+  const int flag = row.integer("idrflg");
+  if (flag != 0 && flag != 1 && flag != -999)
+    refuse(b, row, "idrflg", "this form of initialization (geometry of a file, implicit, by parts) is not built",
+           "give 1, the explicit relaxation of the whole model, or -999 for none");
+  r.asked |= flag == 1;
+  r.forbidden = flag == -999;
+  r.check_cycles = row.integer("nrcyck");
+  r.tolerance = row.real("drtol");
+  r.factor = row.real("drfctr");
+  r.end_time = row.real("drterm");
+  r.step_scale = row.real("tssfdr");
+}
+
 void read_output(Builder& b, const Block& block, const Options&) {
   // Its further cards are about LS-DYNA's listings.
   Cursor cursor(b.deck, block, b.findings);
@@ -465,6 +492,7 @@ std::vector<Keyword> control_keywords() {
       {.name = "CONTROL_ENERGY", .layout = {{"", &energy_card}}, .read = read_energy},
       {.name = "CONTROL_ACCURACY", .layout = {{"", &accuracy_card}}, .read = read_accuracy},
       {.name = "CONTROL_SOLID", .layout = {{"", &solid_card_1}}, .read = read_solid},
+      {.name = "CONTROL_DYNAMIC_RELAXATION", .layout = {{"", &relaxation_card}}, .read = read_relaxation},
       {.name = "CONTROL_OUTPUT", .layout = {{"", &output_card_1}}, .read = read_output},
       {.name = "CONTROL_UNITS",
        .verdict = Verdict::ignored,

@@ -17,7 +17,7 @@ using deck::Row;
 
 const Card curve_card{{
     id("lcid", IdSpace::function, required, "curve id"),
-    integer("sidr", 0, between(0, 2), "0 for the run, 2 for dynamic relaxation too"),
+    integer("sidr", 0, between(0, 2), "loads follow the curve 0 in the run, 1 in dynamic relaxation, 2 in both"),
     real("sfa", dimension::number, 1, any_value, "factor on the abscissae"),
     real("sfo", dimension::number, 1, any_value, "factor on the ordinates"),
     real("offa", dimension::number, 0, any_value, "offset of the abscissae, before the factor"),
@@ -106,9 +106,10 @@ void read_curve(Builder& b, const Block& block, const Options& options) {
   read_title(cursor, options);
   const Row row = cursor.read(curve_card);
   refuse_unit_factors(b, block);
-  if (row.integer("sidr") == 1)
-    refuse(b, row, "sidr", "a curve for dynamic relaxation only; dynamic relaxation is not built", "write 0");
   Curve curve = read_points(b, cursor, row.integer("lcid"));
+  curve.in_run = row.integer("sidr") != 1;
+  curve.in_relaxation = row.integer("sidr") != 0;
+  if (curve.in_relaxation) b.model.control.relaxation.asked = true;
   rescale(curve, row);
   add_curve(b, row, std::move(curve));
 }

@@ -362,7 +362,8 @@ std::vector<Keyword> database_keywords() {
       history_keyword<beam_history, true>("DATABASE_HISTORY_BEAM_SET", set_ids, set_id_heading),
 
       not_written("DATABASE_NCFORC", "contact forces by node (ncforc) are not written yet; rcforc holds their sums"),
-      not_written("DATABASE_DISBOUT", "discrete beams (disbout) are not written; there are none"),
+      not_written("DATABASE_DISBOUT",
+                  "discrete beams (disbout) are not written; swforc has the forces of those that join sheets"),
       not_written("DATABASE_ABSTAT", "airbags (abstat) are not written; there are none"),
       not_written("DATABASE_SBTOUT", "seat belts (sbtout) are not written; there are none"),
 
@@ -371,7 +372,8 @@ std::vector<Keyword> database_keywords() {
       without_effect("DATABASE_BINARY_INTFOR",
                      "the contact database (intfor) is not written; rcforc holds the forces of each contact"),
       without_effect("DATABASE_BINARY_D3THDT", "d3thdt repeats the histories that nodout, elout and matsum hold"),
-      without_effect("DATABASE_BINARY_D3DRLF", "states of dynamic relaxation; there is no such phase"),
+      without_effect("DATABASE_BINARY_D3DRLF",
+                     "states of dynamic relaxation are not written; the run begins with its last one"),
   };
 }
 

@@ -4,30 +4,31 @@
 #include <iterator>
 
 #include "model/cards/families.hpp"
-#include "model/cards/reading.hpp"
+#include "model/cards/frequency_cards.hpp"
 
-// *FREQUENCY_DOMAIN_...: response to harmonic excitation.
+// *FREQUENCY_DOMAIN_FRF, and what it shares with *FREQUENCY_DOMAIN_SSD.
 namespace nugget::model {
-namespace {
 
 using deck::Block;
 using deck::Cursor;
 using deck::Row;
 
-/// A number whose 0 has a meaning of its own beside the default.
-constexpr Field zero_counts(Field f) {
-  f.zero_is_default = false;
-  return f;
-}
+namespace {
+
+using Excitation = FrequencyResponse::Excitation;
+using Quantity = FrequencyResponse::Quantity;
 
 /// The name space of N1 depends on its type, which stands behind it; so with N2.
 Card excitation_card(IdSpace n1) {
   return {{
-      id("n1", n1, 0, "node or node set that is loaded; base motion moves all supports instead"),
-      integer("n1typ", 0, between(0, 2), "0: n1 is a node, 1: a node set, each of whose nodes carries the unit force"),
-      integer("dof1", 0, between(0, 3), "1, 2, 3: along x, y, z; 0: along vid1"),
+      id("n1", n1, 0, "node, node set or segment set that is loaded; base motion moves all supports instead"),
+      integer("n1typ", 0, between(0, 2),
+              "0: n1 is a node, 1: a node set, each of whose nodes is driven, 2: a segment set under pressure"),
+      integer("dof1", 0, between(0, 3), "1, 2, 3: along (torque: about) x, y, z; 0: along vid1; pressure: no effect"),
       zero_counts(integer("vad1", 3, between(0, 12),
-                          "0, 1, 2: base velocity, acceleration, displacement; 3: nodal force; others are refused")),
+                          "what has amplitude 1. 0, 1, 2: base velocity, acceleration, displacement; 3: nodal force; "
+                          "4: pressure; 5, 6, 7: enforced velocity, acceleration, displacement of the nodes; 8: "
+                          "torque; others are refused")),
       id("vid1", IdSpace::define, 0, "vector of the direction, where dof1 is 0"),
       real("fnmax", dimension::rate, 0, at_least(0), "no modes above this natural frequency [cycles/time]; 0: all"),
       integer("mdmin", 0, at_least(0), "first mode that is used; 0: the first"),
@@ -48,8 +49,11 @@ Card response_card(IdSpace n2) {
   return {{
       id("n2", n2, 0, "node or node set whose response is written, node by node"),
       integer("n2typ", 0, between(0, 2), "0: n2 is a node, 1: a node set"),
-      integer("dof2", 0, between(0, 8), "1, 2, 3: along x, y, z; 7: all three; 0: along vid2; rotations are refused"),
-      zero_counts(integer("vad2", 2, between(0, 3), "0: velocity, 1: acceleration, 2: displacement")),
+      integer("dof2", 0, between(0, 8),
+              "1, 2, 3: along x, y, z; 7: all three; 4, 5, 6: about x, y, z; 8: all three; 0: along vid2"),
+      zero_counts(integer("vad2", 2, between(0, 3),
+                          "0: velocity, 1: acceleration, 2: displacement, 3: force (moment) of the support that holds "
+                          "the node")),
       id("vid2", IdSpace::define, 0, "vector of the direction, where dof2 is 0"),
       integer("relatv", 0, between(0, 1), "1: relative to the base"),
   }};
@@ -63,10 +67,112 @@ const Card frequency_card{{
     integer("fspace", 0, between(0, 3), "spacing 0: linear, 1: logarithmic; others are refused"),
     id("lcfreq", IdSpace::function, 0, "curve of frequencies; refused"),
     integer("restrt", 0, any_value, "reuse of files of an earlier run; modes are always computed"),
-    integer("output", 0, between(0, 1), "no effect: frf.csv has amplitude and phase, real and imaginary part"),
+    integer("output", 0, between(0, 1), "0: files frf_amplitude and frf_angle, 1: frf_real and frf_imag"),
 }};
 
-/// Nodes of a node or node set; other entities are refused.
+const Card structural_card{{
+    real("g", dimension::number, 0, at_least(0), "loss factor: the stiffness is K (1 + i g)"),
+    id("lcid", IdSpace::function, 0, "curve of the loss factor, instead of g; end values hold outside"),
+    integer("lctyp", 0, between(0, 1), "lcid is over 0: frequency of the excitation, 1: number of the mode"),
+}};
+
+const Card control_card{{
+    integer("refgeo", 0, any_value, "of acoustics, no effect"),
+    real("mpn", dimension::mass, 0, any_value,
+         "large mass at driven nodes; no effect: their motion is enforced exactly"),
+}};
+
+constexpr Vec3d axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+/// Findings for responses that are not built; true where there was none.
+bool built(Builder& b, const Row& response, const Row& frequencies, const Excitation& excitation) {
+  const int before = b.findings.errors();
+  if (response.integer("n2typ") == 2)
+    refuse(b, response, "n2typ", "responses of segment sets are not built", "write 1 and give a node set");
+  if (response.integer("relatv") == 1) {
+    const char* const remedy = "write 0";
+    if (excitation.kind != Excitation::Kind::base)
+      refuse(b, response, "relatv", "relative to the base means nothing where no base moves (VAD1 0, 1, 2)", remedy);
+    else if (response.integer("vad2") == 3)
+      refuse(b, response, "relatv", "a force is not relative to the base", remedy);
+  }
+  expect(b, frequencies, Severity::warning, {{"restrt", 0, "not obeyed: the modes are computed anew, as with 0"}});
+  return b.findings.errors() == before;
+}
+
+constexpr Driven of_frf[] = {{Excitation::Kind::base, Quantity::velocity},
+                             {Excitation::Kind::base, Quantity::acceleration},
+                             {Excitation::Kind::base, Quantity::displacement},
+                             {Excitation::Kind::force},
+                             {Excitation::Kind::pressure},
+                             {Excitation::Kind::enforced, Quantity::velocity},
+                             {Excitation::Kind::enforced, Quantity::acceleration},
+                             {Excitation::Kind::enforced, Quantity::displacement},
+                             {Excitation::Kind::torque}};
+
+void read_frf(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  const Row excitation = cursor.read(cursor.peek_number(1) == 0.0 ? excitation_of_node : excitation_of_set);
+  if (excitation.integer("vad1") == 12)
+    return refuse(b, excitation, "vad1", "torsion by a pair of nodes is not built", "write 8 for a torque on a node");
+  const Row damping = cursor.read(damping_card);
+  const Row response = cursor.read(cursor.peek_number(1) == 0.0 ? response_of_node : response_of_set);
+  const Row frequencies = cursor.read(frequency_card);
+  expect_end(b, cursor);
+  b.later(Phase::conditions, [=](Builder& later) {
+    if (later.model.frequency_response)
+      return refuse(later, excitation, "n1", "a deck has one *FREQUENCY_DOMAIN_FRF", "make a deck for each excitation");
+    FrequencyResponse r;
+    const auto vad = static_cast<std::size_t>(excitation.integer("vad1"));
+    r.excitation = excitation_of(later, excitation, {"n1", "n1typ", "dof1", "vad1", "vid1"},
+                                 vad < std::size(of_frf) ? std::optional(of_frf[vad]) : std::nullopt);
+    if (!built(later, response, frequencies, r.excitation)) return;
+    r.modes = selection_of(later, excitation);
+    r.damping = damping_of(later, damping);
+    r.response.nodes = nodes_of(later, response, "n2", "n2typ");
+    const int dof = response.integer("dof2");
+    r.response.rotation = dof == 8 || (dof >= 4 && dof <= 6);
+    if (dof > 6)
+      r.response.directions.assign(std::begin(axes), std::end(axes));
+    else
+      r.response.directions = {dof > 3 ? axes[dof - 4] : direction_of(later, response, "dof2", "vid2")};
+    r.response.quantity = static_cast<Quantity>(response.integer("vad2"));
+    r.response.relative = response.integer("relatv") == 1;
+    r.response.place = response.place();
+    r.frequency = frequencies_of(later, frequencies);
+    r.by_parts = frequencies.integer("output") == 1;
+    later.model.frequency_response = std::move(r);
+  });
+  b.later(Phase::checks, [excitation](Builder& later) {
+    check_analysis(later, excitation, "mdmin", true);
+    if (const auto& r = later.model.frequency_response) check_excitation(later, excitation, "vad1", r->excitation);
+  });
+}
+
+void read_structural(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  const Row row = cursor.read(structural_card);
+  expect_end(b, cursor);
+  b.later(Phase::conditions, [row](Builder& later) {
+    if (later.model.structural_damping.given())
+      return refuse(later, row, "g", "a deck has one *DAMPING_STRUCTURAL", "take one of them out");
+    later.model.structural_damping = {row.real("g"), later.curve(row, "lcid"), row.integer("lctyp") == 1};
+  });
+  b.later(Phase::checks, [row](Builder& later) {
+    if (!later.model.frequency_response && !later.model.steady_state)
+      row.complain(later.findings, Severity::warning, "g", "no effect: it damps responses over frequency only",
+                   "damp an impact with another *DAMPING_ keyword");
+  });
+}
+
+void read_control(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  cursor.read(control_card);
+  expect_end(b, cursor);
+}
+
+}  // namespace
+
 std::vector<Index> nodes_of(Builder& b, const Row& row, std::string_view entity, std::string_view type) {
   if (row.integer(entity) == 0) {
     refuse(b, row, entity, "no node is given", "give a node or a node set");
@@ -80,39 +186,46 @@ std::vector<Index> nodes_of(Builder& b, const Row& row, std::string_view entity,
   return node != none ? std::vector<Index>{node} : std::vector<Index>{};
 }
 
-constexpr Vec3d axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-
-Vec3d direction_of(Builder& b, const Row& row, std::string_view dof, std::string_view vector) {
-  if (const int i = row.integer(dof); i >= 1 && i <= 3) return axes[i - 1];
+Vec3d direction_of(Builder& b, const Row& row, std::string_view axis, std::string_view vector) {
+  if (const int i = row.integer(axis); i >= 1 && i <= 3) return axes[i - 1];
   if (row.integer(vector) == 0)
-    refuse(b, row, dof, "0 means the direction of a vector, and none is given", "write 1, 2 or 3, or give the vector");
+    refuse(b, row, axis, "it means the direction of a vector, and none is given",
+           "write 1, 2 or 3, or give the vector");
   const Vec3d* v = b.vector(row, vector);
   return v != nullptr && dot(*v, *v) > 0.0 ? unit(*v) : Vec3d{};
 }
 
-/// Findings for what is on the cards but not built; true where there was none.
-bool built(Builder& b, const Row& excitation, const Row& response, const Row& frequencies) {
-  const int before = b.findings.errors();
-  if (const int vad = excitation.integer("vad1"); vad > 3)
-    refuse(b, excitation, "vad1",
-           vad == 4 ? "pressure is not built" : "enforced motions by large masses, torques and rotations are not built",
-           "write 3 for a nodal force, or 0, 1, 2 for base motion along an axis");
-  else if (vad == 3 && excitation.integer("n1typ") == 2)
-    refuse(b, excitation, "n1typ", "forces on segment sets are not built", "write 1 and give a node set");
-  if (response.integer("n2typ") == 2)
-    refuse(b, response, "n2typ", "responses of segment sets are not built", "write 1 and give a node set");
-  if (const int dof = response.integer("dof2"); dof > 3 && dof != 7)
-    refuse(b, response, "dof2", "rotations as responses are not built", "write 1, 2, 3 or 7");
-  if (response.integer("vad2") == 3)
-    refuse(b, response, "vad2", "nodal forces as responses are not built", "write 0, 1 or 2");
-  if (frequencies.integer("fspace") > 1)
-    refuse(b, frequencies, "fspace", "frequencies that gather at the natural ones are not built", "write 0 or 1");
-  refuse_nonzero(b, frequencies, "lcfreq", "frequencies by curve are not built", "give FMIN, FMAX, NFREQ and FSPACE");
-  expect(b, frequencies, Severity::warning, {{"restrt", 0, "not obeyed: the modes are computed anew, as with 0"}});
-  return b.findings.errors() == before;
+Excitation excitation_of(Builder& b, const Row& row, const ExcitationFields& fields, std::optional<Driven> driven) {
+  Excitation e;
+  e.place = row.place();
+  if (!driven) {
+    refuse(b, row, fields.kind, "rotations of the base are not built",
+           "drive the base along an axis, or nodes of it by enforced motion");
+    return e;
+  }
+  e.kind = driven->kind;
+  e.quantity = driven->quantity;
+  const bool segments = row.integer(fields.type) == 2;
+  if (e.kind == Excitation::Kind::pressure) {
+    if (!segments)
+      refuse(b, row, fields.type, "pressure acts on segments", "write 2 and give a segment set");
+    else if (const Set<Segment>* set = b.segment_set(row, fields.entity))
+      e.pressed = set->members;
+    return e;
+  }
+  e.direction = direction_of(b, row, fields.direction, fields.vector);
+  if (e.kind == Excitation::Kind::base) return e;
+  if (segments)
+    refuse(b, row, fields.type, "only pressure acts on segment sets", "write 1 and give a node set");
+  else
+    e.nodes = nodes_of(b, row, fields.entity, fields.type);
+  return e;
 }
 
 std::vector<double> frequencies_of(Builder& b, const Row& row) {
+  if (row.integer("fspace") > 1)
+    refuse(b, row, "fspace", "frequencies that gather at the natural ones are not built", "write 0 or 1");
+  refuse_nonzero(b, row, "lcfreq", "frequencies by curve are not built", "give FMIN, FMAX, NFREQ and FSPACE");
   const double low = row.real("fmin"), high = row.real("fmax");
   const bool logarithmic = row.integer("fspace") == 1;
   if (low >= high) refuse(b, row, "fmax", "the range of frequencies is empty", "give an FMAX above FMIN");
@@ -127,62 +240,36 @@ std::vector<double> frequencies_of(Builder& b, const Row& row) {
   return f;
 }
 
-void check_analysis(Builder& b, const Row& excitation) {
+FrequencyResponse::Selection selection_of(Builder& b, const Row& row) {
+  const FrequencyResponse::Selection s{row.real("fnmax"), std::max(1, row.integer("mdmin")), row.integer("mdmax")};
+  if (s.last > 0 && s.last < s.first) refuse(b, row, "mdmax", "no mode is left", "give an MDMAX of at least MDMIN");
+  return s;
+}
+
+FrequencyResponse::Damping damping_of(Builder& b, const Row& row) {
+  return {row.real("dampf"), b.curve(row, "lcdam"), row.integer("lctyp") == 1, row.real("dmpmas"), row.real("dmpstf")};
+}
+
+void check_analysis(Builder& b, const Row& row, std::string_view field, bool modal) {
   const Implicit& implicit = b.model.implicit;
-  if (implicit.low || implicit.centre > 0.0)
-    refuse(b, excitation, "mdmin", "modes of an interval (LFLAG, CENTER) leave lower ones out of the response",
+  if (modal && (implicit.low || implicit.centre > 0.0))
+    refuse(b, row, field, "modes of an interval (LFLAG, CENTER) leave lower ones out of the response",
            "drop LFLAG and CENTER in *CONTROL_IMPLICIT_EIGENVALUE; MDMIN chooses the first mode");
   if (!implicit.active)
-    excitation.complain(
-        b.findings, Severity::warning, "n1",
-        "no frequency response: the run is explicit, since IMFLAG of *CONTROL_IMPLICIT_GENERAL is not 1",
-        "write IMFLAG 1, or use `nugget frf`");
-  if (excitation.integer("vad1") < 3 && b.model.spcs.empty())
-    refuse(b, excitation, "vad1", "base motion moves the supports, and the model has none",
-           "hold nodes with *BOUNDARY_SPC, or write 3 for a nodal force");
+    row.complain(b.findings, Severity::warning, field,
+                 "no frequency response: the run is explicit, since IMFLAG of *CONTROL_IMPLICIT_GENERAL is not 1",
+                 "write IMFLAG 1, or use `nugget frf`");
 }
 
-void read_frf(Builder& b, const Block& block, const Options&) {
-  using Quantity = FrequencyResponse::Quantity;
-  Cursor cursor(b.deck, block, b.findings);
-  const Row excitation = cursor.read(cursor.peek_number(1) == 0.0 ? excitation_of_node : excitation_of_set);
-  if (excitation.integer("vad1") == 12)
-    return refuse(b, excitation, "vad1", "torsion by a pair of nodes is not built", "write 3 for a nodal force");
-  const Row damping = cursor.read(damping_card);
-  const Row response = cursor.read(cursor.peek_number(1) == 0.0 ? response_of_node : response_of_set);
-  const Row frequencies = cursor.read(frequency_card);
-  expect_end(b, cursor);
-  b.later(Phase::conditions, [=](Builder& later) {
-    if (later.model.frequency_response)
-      return refuse(later, excitation, "n1", "a deck has one *FREQUENCY_DOMAIN_FRF", "make a deck for each excitation");
-    if (!built(later, excitation, response, frequencies)) return;
-    FrequencyResponse r;
-    const int vad = excitation.integer("vad1");
-    r.excitation.base = vad < 3;
-    r.excitation.direction = direction_of(later, excitation, "dof1", "vid1");
-    if (r.excitation.base)
-      r.excitation.quantity = static_cast<Quantity>(vad);
-    else
-      r.excitation.nodes = nodes_of(later, excitation, "n1", "n1typ");
-    r.modes = {excitation.real("fnmax"), std::max(1, excitation.integer("mdmin")), excitation.integer("mdmax")};
-    if (r.modes.last > 0 && r.modes.last < r.modes.first)
-      refuse(later, excitation, "mdmax", "no mode is left", "give an MDMAX of at least MDMIN");
-    r.damping = {damping.real("dampf"), later.curve(damping, "lcdam"), damping.integer("lctyp") == 1,
-                 damping.real("dmpmas"), damping.real("dmpstf")};
-    r.response.nodes = nodes_of(later, response, "n2", "n2typ");
-    if (response.integer("dof2") == 7)
-      r.response.directions.assign(std::begin(axes), std::end(axes));
-    else
-      r.response.directions = {direction_of(later, response, "dof2", "vid2")};
-    r.response.quantity = static_cast<Quantity>(response.integer("vad2"));
-    r.response.relative = response.integer("relatv") == 1;
-    r.frequency = frequencies_of(later, frequencies);
-    later.model.frequency_response = std::move(r);
-  });
-  b.later(Phase::checks, [excitation](Builder& later) { check_analysis(later, excitation); });
+void check_excitation(Builder& b, const Row& row, std::string_view field, const Excitation& excitation) {
+  if (excitation.kind == Excitation::Kind::base && b.model.spcs.empty())
+    refuse(b, row, field, "base motion moves the supports, and the model has none",
+           "hold nodes with *BOUNDARY_SPC, or give a nodal force");
+  const auto enforced = [](const Excitation& e) { return e.kind == Excitation::Kind::enforced; };
+  if (enforced(excitation) && b.model.frequency_response && b.model.steady_state)
+    refuse(b, row, field, "enforced nodes are held in the modes, which two responses cannot share",
+           "make a deck for each of *FREQUENCY_DOMAIN_FRF and _SSD");
 }
-
-}  // namespace
 
 std::vector<Keyword> frequency_keywords() {
   return {
@@ -192,9 +279,11 @@ std::vector<Keyword> frequency_keywords() {
       {.name = "FREQUENCY_DOMAIN_FRF_*",
        .verdict = Verdict::refused,
        .why = "options of *FREQUENCY_DOMAIN_FRF (_SUBCASE) are not built; make a deck for each excitation"},
+      {.name = "DAMPING_STRUCTURAL", .layout = {{"", &structural_card}}, .read = read_structural},
+      {.name = "CONTROL_FREQUENCY_DOMAIN", .layout = {{"", &control_card}}, .read = read_control},
       {.name = "FREQUENCY_DOMAIN_*",
        .verdict = Verdict::refused,
-       .why = "of the responses over frequency only *FREQUENCY_DOMAIN_FRF is built"},
+       .why = "of the responses over frequency *FREQUENCY_DOMAIN_FRF, _SSD and _SSD_DIRECT are built"},
   };
 }
 

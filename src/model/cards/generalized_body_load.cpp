@@ -17,7 +17,7 @@ Card region_card(Field first, Field second) {
       first,
       second,
       id("lcid", IdSpace::function, required, "curve of the base acceleration over time"),
-      id("drlcid", IdSpace::function, 0, "curve of dynamic relaxation; there is no such phase"),
+      id("drlcid", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2"),
       real("xc", dimension::length, 0, any_value, "centre of rotation, for angular motion"),
       real("yc", dimension::length, 0, any_value, "the same"),
       real("zc", dimension::length, 0, any_value, "the same"),
@@ -67,6 +67,7 @@ void make_load(Builder& b, Region region, const Row& row, const Row& motion, con
   load.direction = unit(scales);
   load.scale = norm(scales);
   load.curve = b.curve(row, "lcid");
+  load.relaxation_curve = b.curve(row, "drlcid");
   if (const Index system = b.system(motion, "cid"); system != none)
     load.direction = b.model.systems[static_cast<std::size_t>(system)].axes.global(load.direction);
   switch (region) {

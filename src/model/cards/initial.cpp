@@ -73,7 +73,7 @@ const Card generation_card2{{
     real("nx", dimension::number, 0, any_value, "direction of the axis, x; -999: ny and nz are two nodes on the axis"),
     real("ny", dimension::number, 0, any_value, "y"),
     real("nz", dimension::number, 0, any_value, "z"),
-    integer("phase", 0, only(0), "0: at the start; there is no dynamic relaxation"),
+    integer("phase", 0, between(0, 1), "0, 1: at the start of the run, after dynamic relaxation where there is one"),
     integer("irigid", 0, between(0, 1), "1: bodies with given inertia get this velocity too"),
 }};
 

@@ -93,7 +93,7 @@ const Card body_load_card{{
     id("lcid", IdSpace::function, required,
        "curve over time of the base acceleration (positive in z pulls down), or of the angular velocity (RX, RY, RZ)"),
     real("sf", dimension::number, 1, any_value, "scale of the curve"),
-    id("lciddr", IdSpace::function, 0, "curve of dynamic relaxation; there is no such phase"),
+    id("lciddr", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2"),
     real("xc", dimension::length, 0, any_value, "centre of rotation, for the rotational forms"),
     real("yc", dimension::length, 0, any_value, "the same"),
     real("zc", dimension::length, 0, any_value, "the same"),
@@ -119,6 +119,7 @@ void read_body_rotation(Builder& builder, const Block& block, const Options&) {
     load.direction = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
     load.scale = row.real("sf");
     load.curve = b.curve(row, "lcid");
+    load.relaxation_curve = b.curve(row, "lciddr");
     load.centrifugal = true;
     load.center = center;
     if (const Index system = b.system(row, "cid"); system != none)
@@ -135,7 +136,7 @@ const Card gravity_part_card{{
     integer("dof", required, between(1, 3), "1, 2, 3: along x, y, z"),
     id("lc", IdSpace::function, 0, "curve of a factor over time; 0: 1"),
     real("accel", dimension::acceleration, 0, any_value, "base acceleration; positive in z pulls down"),
-    id("lcdr", IdSpace::function, 0, "curve of dynamic relaxation; there is no such phase"),
+    id("lcdr", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2"),
     integer("stga", 0, only(0), "construction stage at which the part is added"),
     integer("stgr", 0, only(0), "construction stage at which it is removed"),
 }};
@@ -152,6 +153,7 @@ void read_gravity_part(Builder& builder, const Block& block, const Options&) {
       load.direction = {axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0, axis == 3 ? 1.0 : 0.0};
       load.scale = row.real("accel");
       load.curve = b.curve(row, "lc");
+      load.relaxation_curve = b.curve(row, "lcdr");
       load.parts = {part};
       load.own_parts = true;
       b.model.body_loads.push_back(std::move(load));
@@ -165,6 +167,7 @@ void leave_body_load(Builder& builder, const Row& row, const Vec3d& local) {
     load.direction = local;
     load.scale = row.real("sf");
     load.curve = b.curve(row, "lcid");
+    load.relaxation_curve = b.curve(row, "lciddr");
     if (const Index system = b.system(row, "cid"); system != none)
       load.direction = b.model.systems[static_cast<std::size_t>(system)].axes.global(local);
     b.model.body_loads.push_back(load);

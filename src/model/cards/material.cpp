@@ -235,6 +235,29 @@ double failure_value(double written) {
   return written >= 1e20 ? 0.0 : written;
 }
 
+double plastic_strain_at_failure(double written) {
+  return written >= 1e12 ? 0.0 : written;
+}
+
+std::optional<kernel::PlasticDamage> plastic_damage(Builder& b, const Row& onset_row, std::string_view onset_field,
+                                                    const Row& row) {
+  const double onset = plastic_strain_at_failure(onset_row.real(onset_field));
+  const double rupture = plastic_strain_at_failure(row.real("eppfr"));
+  if (const Index curve = b.curve(row, "lcdm"); curve != none) {
+    if (rupture > 0.0)
+      refuse(b, row, "lcdm", "a damage curve together with EPPFR is not supported", "give the onset and LCDM only");
+    return kernel::PlasticDamage{onset, 0.0, b.model.curves[static_cast<std::size_t>(curve)]};
+  }
+  if (rupture > 0.0) {
+    if (rupture <= onset) refuse(b, row, "eppfr", "rupture must come after the onset of damage");
+    return kernel::PlasticDamage{onset > 0.0 ? onset : rupture, rupture};
+  }
+  if (onset > 0.0)
+    onset_row.complain(b.findings, Severity::warning, onset_field, "without EPPFR or LCDM nothing is damaged",
+                       "give EPPFR, the plastic strain at rupture");
+  return std::nullopt;
+}
+
 Index add_material(Builder& b, const Row& row, std::string title, std::string_view name, Law law) {
   const auto index = static_cast<Index>(b.model.materials.size());
   Material m{row.integer("mid"), std::move(title), std::string(name), row.real("ro"), std::move(law), row.place()};

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
+#include "kernel/law/point_damage.hpp"
 #include "model/builder.hpp"
 
 // What the cards of all materials begin with.
@@ -11,8 +14,23 @@ inline constexpr Field density = real("ro", dimension::density, required, above_
 inline constexpr Field young = real("e", dimension::stress, required, above_zero(), "Young's modulus");
 inline constexpr Field poisson = real("pr", dimension::number, 0, between(0, 0.5), "Poisson's ratio");
 
+// Of metals.
+inline constexpr Field vp =
+    real("vp", dimension::number, 0, between(0, 1), "rate of 0: the total strain, 1: the plastic strain");
+inline constexpr Field numint = real("numint", dimension::number, 0, any_value,
+                                     "failed points that delete a shell; 0: all; below 0: percentage of its layers");
+
 /// LS-DYNA's "no failure" values are 0 and numbers of 1e20 and more; ours is 0.
 double failure_value(double written);
+
+/// The same for plastic strains, of which 1e12 and more are none.
+double plastic_strain_at_failure(double written);
+
+/// Damage that begins at a plastic strain `onset` and is 1 at `rupture`, or grows by the curve in `lcdm` of the row:
+/// none where the strains are as large as LS-DYNA's for none. A curve together with a rupture is refused: the manual
+/// leaves open which counts. Without an onset all is lost at the rupture at once.
+std::optional<kernel::PlasticDamage> plastic_damage(Builder& builder, const deck::Row& onset_row,
+                                                    std::string_view onset_field, const deck::Row& row);
 
 /// Adds a material with the id and density of its first card; gives its index.
 Index add_material(Builder& builder, const deck::Row& row, std::string title, std::string_view name, Law law);

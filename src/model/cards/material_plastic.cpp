@@ -9,7 +9,8 @@
 #include "model/cards/reading.hpp"
 #include "model/cards/yield_curves.hpp"
 
-// *MAT_... of metals that are put together at run time (kernel::Compound), and MAT_012.
+// *MAT_... of metals that are put together at run time (kernel::Compound), and MAT_012. Those of Johnson and Cook are
+// in material_johnson_cook.cpp.
 namespace nugget::model {
 
 namespace {
@@ -18,142 +19,8 @@ using deck::Block;
 using deck::Cursor;
 using deck::Row;
 
-constexpr Field vp =
-    real("vp", dimension::number, 0, between(0, 1), "rate of 0: the total strain, 1: the plastic strain");
-constexpr Field numint = real("numint", dimension::number, 0, any_value,
-                              "failed points that delete a shell; 0: all; below 0: percentage of its layers");
 constexpr Field tdel =
     real("tdel", dimension::time, 0, at_least(0), "smallest time step of an element before it is deleted; 0: none");
-
-// ---- 098, 015
-
-const Card simplified_johnson_cook_card{{material_id, density, young, poisson, vp}};
-
-const Card simplified_johnson_cook_yield_card{{
-    real("a", dimension::stress, required, above_zero(), "yield stress at rest"),
-    real("b", dimension::stress, 0, at_least(0), "hardening: factor of the power of the plastic strain"),
-    real("n", dimension::number, 0, at_least(0), "hardening: exponent of the plastic strain"),
-    real("c", dimension::number, 0, at_least(0), "factor of the logarithm of the rate; 0: no rate effect"),
-    real("psfail", dimension::number, 1e17, at_least(0), "plastic strain at failure; 0: none"),
-    real("sigmax", dimension::stress, 1e28, at_least(0), "greatest yield stress before rate effects; 0: none"),
-    real("sigsat", dimension::stress, 1e28, at_least(0), "greatest yield stress with rate effects; 0: none"),
-    real("epso", dimension::rate, 1, above_zero(), "rate up to which there is no rate effect"),
-}};
-
-const Card johnson_cook_card{{
-    material_id,
-    density,
-    real("g", dimension::stress, 0, any_value, "shear modulus, for solids only"),
-    young,
-    poisson,
-    real("dtf", dimension::time, 0, at_least(0), "smallest time step of a shell before it is deleted; 0: none"),
-    vp,
-    real("rateop", dimension::number, 0, only(0), "form of the rate effect: 0, the logarithm"),
-}};
-
-const Card johnson_cook_yield_card{{
-    real("a", dimension::stress, required, above_zero(), "yield stress at rest and cold"),
-    real("b", dimension::stress, 0, at_least(0), "hardening: factor of the power of the plastic strain"),
-    real("n", dimension::number, 0, at_least(0), "hardening: exponent of the plastic strain"),
-    real("c", dimension::number, 0, at_least(0), "factor of the logarithm of the rate; 0: no rate effect"),
-    real("m", dimension::number, 0, at_least(0), "softening: exponent of the relative temperature"),
-    real("tm", dimension::number, 0, any_value, "temperature of melting"),
-    real("tr", dimension::number, 0, any_value, "temperature at the start"),
-    real("epso", dimension::rate, 1, above_zero(), "rate up to which there is no rate effect"),
-}};
-
-const Card johnson_cook_heat_card{{
-    real("cp", {0, 2, -2}, 0, at_least(0), "heat capacity a mass and degree; 0: plastic work does not heat"),
-    real("pc", dimension::stress, 0, any_value, "pressure cutoff, for solids only"),
-    real("spall", dimension::number, 2, any_value, "form of spalling, for solids only"),
-    real("it", dimension::number, 0, any_value, "iteration of plastic strain, for solids only"),
-    real("d1", dimension::number, 0, any_value, "strain at fracture; D1 to D5 0: none"),
-    real("d2", dimension::number, 0, any_value, "strain at fracture: factor of exp(D3 mean over effective stress)"),
-    real("d3", dimension::number, 0, any_value, "strain at fracture; below 0: less under tension"),
-    real("d4", dimension::number, 0, any_value, "strain at fracture: factor of the logarithm of the rate"),
-}};
-
-const Card johnson_cook_fracture_card{{
-    real("d5", dimension::number, 0, any_value, "strain at fracture: factor of the relative temperature"),
-    real("c2", dimension::number, 0, any_value, "for RATEOP other than 0 only"),
-    real("erod", dimension::number, 0, only(0), "0: an element that fails is deleted"),
-    real("efmin", dimension::number, 1e-6, at_least(0), "least strain at fracture"),
-    numint,
-    real("k", dimension::number, 0, any_value, "for RATEOP 5 only"),
-    real("eps1", dimension::rate, 0, any_value, "for RATEOP 5 only"),
-    real("dmodel", dimension::number, 0, only(0), "damage model: 0, of Johnson and Cook"),
-}};
-
-/// A failure strain so large is none.
-double plastic_strain_at_failure(double written) {
-  return written >= 1e12 ? 0.0 : written;
-}
-
-kernel::JohnsonCook johnson_cook(const Row& main, const Row& yield) {
-  kernel::JohnsonCook flow;
-  flow.E = main.real("e");
-  flow.nu = main.real("pr");
-  flow.yield = yield.real("a");
-  flow.hardening = yield.real("b");
-  flow.exponent = yield.real("n");
-  flow.rate_factor = yield.real("c");
-  flow.rest_rate = yield.real("epso");
-  flow.viscoplastic = main.real("vp") == 1.0;
-  return flow;
-}
-
-void read_simplified_johnson_cook(Builder& b, const Block& block, const Options& options) {
-  Cursor cursor(b.deck, block, b.findings);
-  std::string title = read_title(cursor, options);
-  const Row row = cursor.read(simplified_johnson_cook_card);
-  const Row yield = cursor.read(simplified_johnson_cook_yield_card);
-  expect_end(b, cursor);
-  kernel::JohnsonCook flow = johnson_cook(row, yield);
-  flow.most_hardened = yield.real("sigmax");
-  flow.saturation = yield.real("sigsat");
-  kernel::Composition law{flow};
-  law.failure_strain = plastic_strain_at_failure(yield.real("psfail"));
-  add_material(b, row, std::move(title), "MAT_SIMPLIFIED_JOHNSON_COOK", compound(std::move(law)));
-}
-
-/// Heating by plastic work, where CP is given.
-void heat(Builder& b, const Row& main, const Row& yield, const Row& heat, kernel::JohnsonCook& flow) {
-  if (!(heat.real("cp") > 0.0)) return;
-  if (!(yield.real("tm") > yield.real("tr")))
-    return refuse(b, yield, "tm", "with CP the temperature of melting must lie above TR", "give TM and TR, or CP 0");
-  if (!(yield.real("m") > 0.0))
-    return refuse(b, yield, "m", "with CP the exponent M must be above 0", "give M, or CP 0");
-  flow.heating = 1.0 / (main.real("ro") * heat.real("cp"));
-  flow.melting_rise = yield.real("tm") - yield.real("tr");
-  flow.softening = yield.real("m");
-}
-
-void read_johnson_cook(Builder& b, const Block& block, const Options& options) {
-  Cursor cursor(b.deck, block, b.findings);
-  std::string title = read_title(cursor, options);
-  const Row row = cursor.read(johnson_cook_card);
-  const Row yield = cursor.read(johnson_cook_yield_card);
-  const Row third = cursor.read(johnson_cook_heat_card);
-  const Row fourth = cursor.read(johnson_cook_fracture_card);
-  expect_end(b, cursor);
-  kernel::JohnsonCook flow = johnson_cook(row, yield);
-  heat(b, row, yield, third, flow);
-  kernel::Composition law{flow};
-  const kernel::JohnsonCookFracture fracture{
-      third.real("d1"),  third.real("d2"),     third.real("d3"), third.real("d4"),
-      fourth.real("d5"), fourth.real("efmin"), flow.rest_rate,   flow.heating > 0.0 ? flow.melting_rise : 0.0,
-      flow.viscoplastic};
-  if (fracture.d1 != 0.0 || fracture.d2 != 0.0 || fracture.d3 != 0.0 || fracture.d4 != 0.0 || fracture.d5 != 0.0)
-    law.fracture = fracture;
-  if (fracture.d2 > 0.0 && fracture.d3 > 0.0)
-    third.complain(b.findings, Severity::warning, "d3",
-                   "tension is positive here: with D3 above 0 the strain at fracture grows with tension",
-                   "published constants have a D3 below 0");
-  law.points_to_delete = fourth.real("numint");
-  law.deletion_step = row.real("dtf");
-  law.for_bricks = false;
-  add_material(b, row, std::move(title), "MAT_JOHNSON_COOK", compound(std::move(law)));
-}
 
 // ---- 012
 
@@ -364,24 +231,12 @@ void read_with_curves(Builder& b, const Block& block, const Options& options, st
 }
 
 void add_damage(Builder& b, const YieldCards& cards, kernel::Composition& law) {
-  const double onset = cards.main.real("eppf"), rupture = cards.rate.real("eppfr");
-  if (const Index curve = b.curve(cards.rate, "lcdm"); curve != none) {
-    if (rupture < 1e12)
-      return refuse(b, cards.rate, "lcdm", "a damage curve together with EPPFR is not supported",
-                    "give EPPF and LCDM only");
-    law.damage =
-        kernel::PlasticDamage{onset < 1e12 ? onset : 0.0, 0.0, b.model.curves[static_cast<std::size_t>(curve)]};
-  } else if (rupture < 1e12) {
-    if (onset < 1e12 && rupture <= onset)
-      return refuse(b, cards.rate, "eppfr", "rupture must come after the onset of damage EPPF");
-    if (onset < 1e12)
-      law.damage = kernel::PlasticDamage{onset, rupture};
-    else
-      law.failure_strain = rupture;
-  } else if (onset < 1e12) {
-    cards.main.complain(b.findings, Severity::warning, "eppf", "without EPPFR or LCDM nothing is damaged",
-                        "give EPPFR, the plastic strain at rupture");
-  }
+  law.damage = plastic_damage(b, cards.main, "eppf", cards.rate);
+}
+
+void add_directional_damage(Builder& b, const YieldCards& cards, kernel::Composition& law) {
+  law.directional_damage = plastic_damage(b, cards.main, "eppf", cards.rate);
+  law.for_bricks = false;
 }
 
 void add_strain_limits(Builder&, const YieldCards& cards, kernel::Composition& law) {
@@ -391,6 +246,11 @@ void add_strain_limits(Builder&, const YieldCards& cards, kernel::Composition& l
 
 void read_damage(Builder& b, const Block& block, const Options& options) {
   read_with_curves(b, block, options, "MAT_PLASTICITY_WITH_DAMAGE", damage_card, damage_rate_card, add_damage);
+}
+
+void read_directional_damage(Builder& b, const Block& block, const Options& options) {
+  read_with_curves(b, block, options, "MAT_PLASTICITY_WITH_DAMAGE_ORTHO", damage_card, damage_rate_card,
+                   add_directional_damage);
 }
 
 void read_modified(Builder& b, const Block& block, const Options& options) {
@@ -407,14 +267,6 @@ std::vector<Keyword> plastic_material_keywords() {
        .options = {"TITLE"},
        .layout = {{"", &isotropic_card}},
        .read = read_isotropic},
-      {.name = "MAT_JOHNSON_COOK",
-       .aliases = {"MAT_015"},
-       .options = {"TITLE"},
-       .layout = {{"", &johnson_cook_card},
-                  {"", &johnson_cook_yield_card},
-                  {"", &johnson_cook_heat_card},
-                  {"", &johnson_cook_fracture_card}},
-       .read = read_johnson_cook},
       {.name = "MAT_POWER_LAW_PLASTICITY",
        .aliases = {"MAT_018"},
        .options = {"TITLE"},
@@ -430,27 +282,26 @@ std::vector<Keyword> plastic_material_keywords() {
        .options = {"TITLE"},
        .layout = {{"", &damage_card}, {"", &damage_rate_card}, {"", &yield_strain_card}, {"", &yield_stress_card}},
        .read = read_damage},
-      {.name = "MAT_SIMPLIFIED_JOHNSON_COOK",
-       .aliases = {"MAT_098"},
+      {.name = "MAT_PLASTICITY_WITH_DAMAGE_ORTHO",
+       .aliases = {"MAT_082"},
        .options = {"TITLE"},
-       .layout = {{"", &simplified_johnson_cook_card}, {"", &simplified_johnson_cook_yield_card}},
-       .read = read_simplified_johnson_cook},
+       .layout = {{"", &damage_card}, {"", &damage_rate_card}, {"", &yield_strain_card}, {"", &yield_stress_card}},
+       .read = read_directional_damage},
+      {.name = "MAT_PLASTICITY_WITH_DAMAGE_ORTHO_RCDC",
+       .aliases = {"MAT_082_RCDC"},
+       .options = {"TITLE"},
+       .verdict = Verdict::refused,
+       .why = "the damage of Wilkins (Rc-Dc) is not built; the keyword without _RCDC is"},
+      {.name = "MAT_PLASTICITY_WITH_DAMAGE_ORTHO_RCDC1980",
+       .aliases = {"MAT_082_RCDC1980"},
+       .options = {"TITLE"},
+       .verdict = Verdict::refused,
+       .why = "the damage of Wilkins (Rc-Dc) is not built; the keyword without _RCDC1980 is"},
       {.name = "MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY",
        .aliases = {"MAT_123"},
        .options = {"TITLE", "LOG_INTERPOLATION"},
        .layout = {{"", &modified_card}, {"", &modified_rate_card}, {"", &yield_strain_card}, {"", &yield_stress_card}},
        .read = read_modified},
-      {.name = "MAT_PLASTICITY_WITH_DAMAGE_ORTHO",
-       .aliases = {"MAT_082"},
-       .options = {"TITLE"},
-       .verdict = Verdict::refused,
-       .why =
-           "damage across the crack only is not built; *MAT_PLASTICITY_WITH_DAMAGE (081) damages all directions alike"},
-      {.name = "MAT_SIMPLIFIED_JOHNSON_COOK_ORTHOTROPIC_DAMAGE",
-       .aliases = {"MAT_099"},
-       .options = {"TITLE"},
-       .verdict = Verdict::refused,
-       .why = "damage by direction is not built; *MAT_SIMPLIFIED_JOHNSON_COOK (098) with PSFAIL comes nearest"},
   };
 }
 

@@ -233,9 +233,6 @@ void read_accelerometer(Builder& b, const Block& block, const Options&) {
 std::vector<Keyword> mesh_keywords() {
   return {
       {.name = "NODE", .layout = {{"", &node_card}}, .read = read_node},
-      {.name = "NODE_TRANSFORM",
-       .verdict = Verdict::refused,
-       .why = "moving a node set is not supported; put the nodes into an include and move them by *INCLUDE_TRANSFORM"},
       {.name = "ELEMENT_SHELL",
        .options = {"THICKNESS", "BETA", "MCID", "OFFSET", "DOF"},
        .layout = {{"", &shell_card},

@@ -7,23 +7,6 @@
 namespace nugget::model {
 namespace {
 
-const Card relaxation_card{{
-    integer("nrcyck", 250, any_value, "cycles between convergence checks"),
-    real("drtol", dimension::number, 0.001, any_value, "tolerance"),
-    real("drfctr", dimension::number, 0.995, any_value, "relaxation factor"),
-    real("drterm", dimension::time, 0, any_value, "end of the relaxation"),
-    real("tssfdr", dimension::number, 0, any_value, "scale of its time step"),
-    integer("irelal", 0, any_value, "automatic control"),
-    real("edttl", dimension::number, 0.04, any_value, "tolerance of that control"),
-    integer("idrflg", 0, any_value, "0: no dynamic relaxation"),
-}};
-
-void read_relaxation(Builder& builder, const deck::Block& block, const Options&) {
-  deck::Cursor cursor(builder.deck, block, builder.findings);
-  refuse_nonzero(builder, cursor.read(relaxation_card), "idrflg", "dynamic relaxation is not built",
-                 "use 0, and load slowly with damping of the model's own");
-}
-
 Keyword ignored(std::string_view name, std::string_view why) {
   return {name, {}, {}, Verdict::ignored, why, {}, nullptr};
 }
@@ -124,8 +107,6 @@ Rows other_elements() {
       refused("SECTION_*", "this section is not built; *SECTION_SHELL, _SOLID, _BEAM and _DISCRETE are"),
       refused("INTEGRATION_*", "integration rules of the user are not built; use NIP and QR of the section"),
       refused("PART_COMPOSITE*", "layered composites are not built"),
-      refused("PART_MOVE",
-              "moving parts by this card is not built; use *DEFINE_TRANSFORMATION with *INCLUDE_TRANSFORM"),
       refused("PART_*", "this form of *PART is not built; INERTIA and CONTACT are"),
       refused("NODE_*", "this form of *NODE is not built"),
       refused("COMPONENT_*", "dummies are not built"),
@@ -133,19 +114,20 @@ Rows other_elements() {
 }
 
 Rows other_laws() {
+  constexpr std::string_view weld_forms =
+      "this form of *MAT_SPOTWELD is not built; the plain one, _DAMAGE-FAILURE and _DAIMLERCHRYSLER are, each with "
+      "_UNIAXIAL";
+  constexpr std::string_view discrete_beam_laws =
+      "this law of discrete beams is not built; *MAT_066, 067, 068, 074, 119, 121 and 196 are";
   return {
-      refused("MAT_SPOTWELD_*",
-              "the damage and failure forms of *MAT_SPOTWELD are not built yet; the plain one with its resultant "
-              "surface is"),
-      refused("MAT_100_*",
-              "the damage and failure forms of *MAT_SPOTWELD are not built yet; the plain one with its resultant "
-              "surface is"),
+      refused("MAT_SPOTWELD_*", weld_forms),
+      refused("MAT_100_*", weld_forms),
       refused("MAT_SPRING_*", "this law of springs is not built; *MAT_S01 to *MAT_S08 are"),
       refused("MAT_S1*", "this law of springs is not built; *MAT_S01 to *MAT_S08 are"),
-      refused("MAT_GENERAL_NONLINEAR_*", "discrete beams are not built yet"),
-      refused("MAT_GENERAL_SPRING_*", "discrete beams are not built yet"),
-      refused("MAT_GENERAL_JOINT_*", "discrete beams are not built yet"),
-      refused("MAT_NONLINEAR_PLASTIC_DISCRETE_BEAM*", "discrete beams are not built yet"),
+      refused("MAT_GENERAL_NONLINEAR_*", discrete_beam_laws),
+      refused("MAT_GENERAL_SPRING_*", discrete_beam_laws),
+      refused("MAT_GENERAL_JOINT_*", discrete_beam_laws),
+      refused("MAT_NONLINEAR_PLASTIC_DISCRETE_BEAM*", discrete_beam_laws),
       refused("MAT_CABLE_DISCRETE_BEAM*", "cables are not built"),
       refused("MAT_SEATBELT*", "seat belts are not built"),
       refused("MAT_B01*", "seat belts are not built"),
@@ -153,8 +135,12 @@ Rows other_laws() {
       refused("MAT_T0*", "heat conduction is not built"),
       refused("MAT_ALE_*", "fluids are not built"),
       refused("MAT_ELASTIC_FLUID*", "fluids are not built"),
-      refused("MAT_COHESIVE_*", "cohesive laws are not built yet"),
-      refused("MAT_ARUP_ADHESIVE*", "cohesive laws are not built yet"),
+      refused(
+          "MAT_COHESIVE_*",
+          "cohesive laws are not built; glue between two surfaces is *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
+      refused(
+          "MAT_ARUP_ADHESIVE*",
+          "cohesive laws are not built; glue between two surfaces is *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
       refused("MAT_ADD_*", "damage or other behaviour added to a law is not built"),
       refused("MAT_*", "this material is not built; `nugget keywords` lists those that are"),
   };
@@ -186,9 +172,9 @@ Rows other_conditions() {
       refused("LOAD_BLAST*", "blast loads are not built; use *LOAD_SEGMENT_SET with a pressure curve"),
       refused("LOAD_*", "this load is not built; nodal, body and pressure loads are"),
       refused("DAMPING_*",
-              "this damping is not built; _GLOBAL, _PART_MASS, _PART_STIFFNESS, _FREQUENCY_RANGE and _RELATIVE are"),
+              "this damping is not built; _GLOBAL, _PART_MASS, _PART_STIFFNESS, _FREQUENCY_RANGE, _RELATIVE and "
+              "_STRUCTURAL are"),
       refused("RIGIDWALL_*", "this wall is not built; planes, cylinders and spheres are"),
-      {"CONTROL_DYNAMIC_RELAXATION", {}, {}, Verdict::used, {}, {{{}, &relaxation_card}}, read_relaxation},
       refused("CONTROL_*", "this control card is not known here, so what it asks for cannot be obeyed"),
   };
 }
@@ -200,7 +186,8 @@ Rows other_definitions() {
       refused("DEFINE_FUNCTION*", "functions as text are not built; give a curve"),
       refused("DEFINE_CURVE_*", "this form of curve is not built; give its points with *DEFINE_CURVE"),
       refused("DEFINE_TABLE_*", "this form of table is not built; use *DEFINE_TABLE or *DEFINE_TABLE_2D"),
-      refused("DEFINE_FRICTION*", "friction is not built yet"),
+      refused("DEFINE_FRICTION*",
+              "friction by pairs of parts is not built; give FS and FD of the contact, or *PART_CONTACT with FS = -1"),
       refused("DEFINE_DEATH_TIMES_*", "motions that end by position are not built; give a death time"),
       refused("DEFINE_CONSTRUCTION_STAGES", "construction in stages is not built"),
       refused("DEFINE_ELEMENT_DEATH*", "deletion of elements by a card is not built"),
@@ -208,7 +195,25 @@ Rows other_definitions() {
   };
 }
 
+/// The reader of the text has taken these before a model is built; they are here to be listed.
+Keyword of_the_text(std::string_view name, std::vector<std::string_view> options = {}) {
+  return {name, {}, std::move(options), Verdict::used, {}, {}, [](Builder&, const deck::Block&, const Options&) {}};
+}
+
 }  // namespace
+
+std::vector<Keyword> text_keywords() {
+  return {
+      of_the_text("KEYWORD"),
+      of_the_text("END"),
+      of_the_text("PARAMETER", {"EXPRESSION", "LOCAL", "GLOBAL", "MUTABLE", "NOECHO", "DUPLICATION"}),
+      of_the_text("INCLUDE"),
+      of_the_text("INCLUDE_PATH"),
+      of_the_text("INCLUDE_PATH_RELATIVE"),
+      of_the_text("INCLUDE_TRANSFORM"),
+      of_the_text("DEFINE_TRANSFORMATION", {"TITLE"}),
+  };
+}
 
 std::vector<Keyword> other_keywords() {
   Rows all;

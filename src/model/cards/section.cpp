@@ -197,6 +197,11 @@ void read_diameters(Builder& b, const Row& row, const Row& weld, SectionBeam& s)
              "leave it 0 for a full section");
   if (row.integer("cst") != 1)
     row.complain(b.findings, Severity::warning, "cst", "a weld is round: TS and TT are taken as diameters", "write 1");
+  if (s.quadrature < 1 || s.quadrature > 5)
+    refuse(b, row, "qr_irid", "integration rules of the user are not built", "write 1 to 5");
+  else if (s.quadrature == 1)
+    row.complain(b.findings, Severity::warning, "qr_irid", "one point has no bending stiffness: a weld gets four",
+                 "write 2");
 }
 
 void read_discrete(Builder& b, const Row& row, const Row& discrete, SectionBeam& s) {

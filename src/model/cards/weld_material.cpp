@@ -431,7 +431,10 @@ void read_weld(Builder& b, const Block& block, const Options& options, bool with
   if (with_failure) {
     const Row failure = look_ahead(b, block, options);
     option = static_cast<int>(failure.real("opt"));
-    if (!strength_card(option)) return refuse_option(b, failure, option);
+    if (!strength_card(option)) {
+      b.leave_out(block);
+      return refuse_option(b, failure, option);
+    }
   }
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);

@@ -48,7 +48,7 @@ struct Bars {
   }
   void evaluate(EdgeContact& contact, double step) {
     force.assign(x.size(), {});
-    contact.apply(time, step, x, v, mass, alive, force);
+    contact.apply({time, step, step, step, x, v, mass, alive}, force);
   }
   void step(EdgeContact& contact) {
     for (std::size_t i = 0; i < x.size(); ++i) {

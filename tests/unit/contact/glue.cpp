@@ -36,7 +36,7 @@ struct TwoPlates {
   void pull(Glue& glue, const Vec3d& displacement) {
     for (std::size_t n = 4; n < 8; ++n) nugget::add(x[n], displacement);
     force.assign(8, {});
-    glue.apply(0.0, 0.0, x, v, mass, alive, force);
+    glue.apply({0.0, 0.0, 0.0, 0.0, x, v, mass, alive}, force);
   }
 };
 

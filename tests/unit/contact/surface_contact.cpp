@@ -57,7 +57,7 @@ struct Scene {
   }
   void evaluate(SurfaceContact& contact, double step) {
     force.assign(x.size(), {});
-    contact.apply(time, step, x, v, mass, alive, force);
+    contact.apply({time, step, step, step, x, v, mass, alive}, force);
   }
   void step(SurfaceContact& contact) {
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -195,10 +195,32 @@ TEST(SurfaceContact, StiffnessIsBoundedByTheStepAndRaisedBySoftOne) {
 
   PlateAndNode soft({3.0, 2.0, 1.0 - 1e-6}, {0.0, 0.0, -10.0}, 1e-3);
   soft.setup.stiffness_scale = 1e-6;
-  soft.setup.law.soft = true;
+  soft.setup.law.stiffness = kernel::PenaltyStiffness::node_masses;
   SurfaceContact b = soft.contact();
   soft.evaluate(b, dt);
   EXPECT_NEAR(soft.force[soft.node].z, 0.1 * 0.5 * 1e-3 / (dt * dt) * 1e-6, 1e-6);
+}
+
+// SOFT = 2: m1 m2/(m1 + m2)/(2 dt^2) of the segments' masses, dt the longest step so far. Sabotage: the masses of
+// nodes; the step of the moment.
+TEST(SurfaceContact, SegmentMassesGiveTheStiffnessOfSoftTwo) {
+  constexpr double dt = 1e-6, depth = 1e-3, light = 2e-6, heavy = 6e-6;
+  Scene s;
+  s.add_patch(1, 1, 1.0, flat(20.0, 0.0), {}, 1.0);
+  const int upper = s.add_patch(1, 1, 1.0, flat(5.0, 1.0 - depth, {5.0, 5.0, 0.0}), {0.0, 0.0, -1e9}, 1.0);
+  s.setup.segments[0].mass = heavy;
+  s.setup.segments[1].mass = light;
+  s.setup.segments[0].scale = 3.0;
+  s.setup.segments[1].side = 1;
+  s.setup.segments[0].side = 2;
+  s.setup.nodes = nodes_of(s.setup.segments, 1, 2);
+  s.setup.law.stiffness = kernel::PenaltyStiffness::segment_masses;
+  SurfaceContact contact = s.contact();
+  s.force.assign(s.x.size(), {});
+  contact.apply({0.0, dt, dt, 2.0 * dt, s.x, s.v, s.mass, s.alive}, s.force);
+  const double stiffness = 0.1 * 3.0 * 0.5 * light * heavy / (light + heavy) / (4.0 * dt * dt);
+  EXPECT_NEAR(s.force[upper].z, stiffness * depth, 1e-9 * stiffness * depth);
+  EXPECT_EQ(contact.touching(), 4);
 }
 
 TEST(SurfaceContact, FrictionlessBounceKeepsEnergyAndTheLedgerIsExact) {

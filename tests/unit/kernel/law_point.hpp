@@ -12,7 +12,7 @@ namespace nugget::kernel {
 template <class Law>
 struct LayerPoint {
   Prepared<Law> law;
-  std::vector<double> history = std::vector<double>(24);
+  std::vector<double> history = std::vector<double>(128);
   LayerTensor<double> s{};
   ThicknessStrain<double> thickness{};
   double dt = 1.0;
@@ -47,7 +47,7 @@ struct LayerPoint {
 template <class Law>
 struct SolidPoint {
   Prepared<Law> law;
-  std::vector<double> history = std::vector<double>(24);
+  std::vector<double> history = std::vector<double>(128);
   SolidTensor<double> s{};
   double dt = 1.0;
 

@@ -87,13 +87,36 @@ TEST(SinglePoints, OgdenIsTheDerivativeOfItsEnergy) {
       w += t.mu / t.alpha * (std::pow(s * x, t.alpha) + std::pow(s * y, t.alpha) + std::pow(s * z, t.alpha) - 3);
     return w;
   };
-  expect_energy({Ogden{2 * G * (1 + nu), nu, terms}}, W, 1e-6);
+  expect_energy({Ogden{2 * G * (1 + nu), nu, terms, {}}}, W, 1e-6);
+}
+
+PolynomialRubber polynomial(double nu) {
+  PolynomialRubber law;
+  law.c10 = 0.3, law.c01 = 0.1, law.c11 = 0.02, law.c20 = -0.03, law.c02 = 0.01, law.c30 = 0.05;
+  law.nu = nu;
+  law.E = 2.0 * 2.0 * (law.c10 + law.c01) * (1.0 + nu);
+  return law;
+}
+
+// Sabotage: J1 to the power 2/3 of J instead of -2/3; W11 without C30.
+TEST(SinglePoints, ThePolynomialRubberIsTheDerivativeOfItsEnergy) {
+  const PolynomialRubber r = polynomial(0.49);
+  const double K = r.E / (3 * (1 - 2 * r.nu));
+  const auto W = [=](double x, double y, double z) {
+    const double J = x * y * z, c = std::pow(J, -2.0 / 3.0);
+    const double a = c * (x * x + y * y + z * z) - 3, b = c * c * (x * x * y * y + y * y * z * z + z * z * x * x) - 3;
+    return r.c10 * a + r.c01 * b + r.c11 * a * b + r.c20 * a * a + r.c02 * b * b + r.c30 * a * a * a +
+           K * (J - 1 - std::log(J));
+  };
+  expect_energy({r}, W, 1e-6);
 }
 
 TEST(SinglePoints, RubberIsElasticAtSmallStrains) {
   const double nu = 0.45;
-  const Ogden ogden{2 * 0.5 * (1 + nu), nu, {{0.5, 2.0}}};
-  for (const Composition& law : {Composition{mooney(0.2, 0.05, nu)}, Composition{ogden}})
+  const Ogden ogden{2 * 0.5 * (1 + nu), nu, {{0.5, 2.0}}, {}};
+  PolynomialRubber quarter;
+  quarter.c10 = 0.2, quarter.c01 = 0.05, quarter.c20 = 3.0, quarter.nu = nu, quarter.E = 1.0 * (1 + nu);
+  for (const Composition& law : {Composition{mooney(0.2, 0.05, nu)}, Composition{ogden}, Composition{quarter}})
     for (const double size : {1e-12, 1e-5}) {
       Point p(compound(law));
       SolidPoint<Elastic> e(Elastic{1.0 * (1 + nu), nu});
@@ -125,14 +148,71 @@ TEST(SinglePoints, RubberInSimpleShear) {
 
 TEST(SinglePoints, TheStableStepKnowsTheStiffnessReached) {
   // Wave modulus at least the tangent of a laterally held pull.
-  const MooneyRivlin law = mooney(0.8, 0.2, 0.49);
-  for (const double to : {0.7, 1.0, 1.4}) {
-    Point p(compound({law}));
-    std::array<double, 3> l{1, 1, 1};
-    pull(p, l, {to, 1.0, 1.0}, 50);
-    const double wave = p.law.wave_modulus<double>(p.history.data()), before = p.s.xx;
-    p.strain({1e-6, 0, 0, 0, 0, 0});
-    EXPECT_GE(wave, (p.s.xx - before) / 1e-6 * 0.999) << to;
+  for (const Composition& law : {Composition{mooney(0.8, 0.2, 0.49)}, Composition{polynomial(0.3)}})
+    for (const double to : {0.4, 0.7, 1.0, 1.4, 2.5}) {
+      Point p(compound(law));
+      std::array<double, 3> l{1, 1, 1};
+      pull(p, l, {to, 1.0, 1.0}, 50);
+      const double wave = p.law.wave_modulus<double>(p.history.data()), before = p.s.xx;
+      p.strain({1e-6, 0, 0, 0, 0, 0});
+      EXPECT_GE(wave, (p.s.xx - before) / 1e-6 * 0.999) << to;
+    }
+}
+
+// Sabotage: G instead of 2 G; the decay of the first term for both.
+TEST(SinglePoints, RubberRelaxes) {
+  // Both energies with two viscous terms, sheared at a constant rate and held: what is more than without the terms is
+  // sum GI g' (1 - exp(-beta t)) / beta, then decays.
+  const Overstress viscous{{{3.0, 100.0}, {5.0, 700.0}}, 0.0, 0.0};
+  PolynomialRubber polynomial_with = polynomial(0.49);
+  polynomial_with.overstress = viscous;
+  const Ogden ogden{3.0, 0.49, {{1.0, 2.0}}, {}}, ogden_with{3.0, 0.49, {{1.0, 2.0}}, viscous};
+  const std::pair<Composition, Composition> pairs[] = {{{polynomial(0.49)}, {polynomial_with}},
+                                                       {{ogden}, {ogden_with}}};
+  for (const auto& [without, with] : pairs) {
+    Point a(compound(without)), b(compound(with));
+    EXPECT_NEAR(b.law.wave_modulus<double>(b.history.data()) - a.law.wave_modulus<double>(a.history.data()),
+                4.0 / 3.0 * 8.0, 1e-9);
+    a.dt = b.dt = 1e-4;
+    const double rate = 2.0, t = 0.01;
+    const auto step = [&](double g) {
+      a.strain({0, 0, 0, g * a.dt, 0, 0});
+      b.strain({0, 0, 0, g * b.dt, 0, 0});
+    };
+    for (int i = 0; i < 100; ++i) step(rate);
+    double more = 0.0, left = 0.0;
+    for (const auto& [G, beta] : viscous.relaxing) {
+      const double grown = G * rate * (1.0 - std::exp(-beta * t)) / beta;
+      more += grown;
+      left += grown * std::exp(-beta * t);
+    }
+    EXPECT_NEAR(b.s.xy - a.s.xy, more, 1e-10);
+    EXPECT_NEAR(b.s.xx - a.s.xx, 0.0, 1e-10);
+    for (int i = 0; i < 100; ++i) step(0.0);
+    EXPECT_NEAR(b.s.xy - a.s.xy, left, 1e-10);
+  }
+}
+
+// Sabotage: the limit on the shear stress instead of the effective one.
+TEST(SinglePoints, FrictionInRubberIsALoopOfTheSameSizeAtAnyRate) {
+  PolynomialRubber with = polynomial(0.49);
+  with.overstress.sliding_shear = 40.0;
+  with.overstress.sliding_limit = 0.09;
+  for (const double dt : {1.0, 1e-3}) {
+    Point a(compound({polynomial(0.49)})), b(compound({with}));
+    a.dt = b.dt = dt;
+    const auto shear = [&](double by, int steps) {
+      for (int i = 0; i < steps; ++i) {
+        a.strain({0, 0, 0, by / steps, 0, 0});
+        b.strain({0, 0, 0, by / steps, 0, 0});
+      }
+      return b.s.xy - a.s.xy;
+    };
+    const double most = 0.09 / std::sqrt(3.0);
+    EXPECT_NEAR(shear(0.001, 10), 40.0 * 0.001, 1e-10);  // spring
+    EXPECT_NEAR(shear(0.099, 200), most, 1e-10);         // slides
+    EXPECT_NEAR(shear(-0.002, 20), most - 40.0 * 0.002, 1e-10);
+    EXPECT_NEAR(shear(-0.1, 200), -most, 1e-10);
   }
 }
 

@@ -38,7 +38,6 @@ TEST(Curves, AbscissaeMustAscend) {
 
 TEST(Curves, Faults) {
   EXPECT_TRUE(built("*DEFINE_CURVE\n5\n").error("curve 5 has no points"));
-  EXPECT_TRUE(built("*DEFINE_CURVE\n5,1\n0.0,1.0\n").error("dynamic relaxation", "sidr"));
   EXPECT_TRUE(built("*DEFINE_CURVE_FUNCTION\n5\nsin(x)\n").error("curves by formula are not supported"));
   EXPECT_TRUE(built("*DEFINE_CURVE\n5\n0.0,1.0\n*DEFINE_CURVE\n5\n0.0,1.0\n").error("curve 5 is defined twice"));
   EXPECT_TRUE(built("*DEFINE_CURVE\n5\n0.0,1.0\n*DEFINE_TABLE_2D\n5\n0.0,5\n").error("5 is already the id of a curve"));

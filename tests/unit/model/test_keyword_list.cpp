@@ -92,11 +92,19 @@ TEST(KeywordList, IgnoredKeywordsMakeNoFindingButStandInTheLedger) {
   EXPECT_THAT(table, testing::ContainsRegex("\\*ELEMENT_SHELL +1 used"));
 }
 
-TEST(KeywordList, DynamicRelaxationOnlyWhereItIsOff) {
-  EXPECT_EQ(Built(small_deck("*CONTROL_DYNAMIC_RELAXATION\n       250\n")).findings.errors(), 0);
-  EXPECT_TRUE(Built(small_deck("*CONTROL_DYNAMIC_RELAXATION\n       250     0.001     0.995       0.0       0.0        "
-                               " 0      0.04         1\n"))
-                  .error("not built", "idrflg"));
+TEST(KeywordList, DynamicRelaxation) {
+  const auto card = [](int flag) {
+    return Built(small_deck("*CONTROL_DYNAMIC_RELAXATION\n100,0.01,0.98,0.0,0.0,0,0.0," + std::to_string(flag) + "\n"));
+  };
+  const Built asked = card(1);
+  EXPECT_EQ(asked.findings.errors(), 0) << asked.all_findings();
+  EXPECT_TRUE(asked.model.control.relaxation.on());
+  EXPECT_EQ(asked.model.control.relaxation.factor, 0.98);
+  EXPECT_FALSE(card(0).model.control.relaxation.on());
+  EXPECT_TRUE(card(5).error("not built", "idrflg"));
+  const std::string curve = "*DEFINE_CURVE\n90,2\n0.0,1.0\n1.0,1.0\n";
+  EXPECT_TRUE(Built(small_deck(curve)).model.control.relaxation.on()) << "SIDR asks for it";
+  EXPECT_FALSE(Built(small_deck(curve + "*CONTROL_DYNAMIC_RELAXATION\n,,,,,,,-999\n")).model.control.relaxation.on());
 }
 
 TEST(KeywordList, MisspeltNamesAreGuessed) {

@@ -151,6 +151,8 @@ TEST(Sections, WeldBeam) {
   EXPECT_TRUE(built("*SECTION_BEAM\n3,9,,,1\n\n").error("a spot weld needs its diameter", "ts1"));
   EXPECT_TRUE(built("*SECTION_BEAM\n3,9,,,1\n6.0,6.0,7.0\n").error("the inner diameter must be smaller", "tt1"));
   EXPECT_TRUE(built("*SECTION_BEAM\n3,9\n6.0\n").warning("TS and TT are taken as diameters", "cst"));
+  EXPECT_TRUE(built("*SECTION_BEAM\n3,9,,-7,1\n6.0\n").error("integration rules of the user", "qr_irid"));
+  EXPECT_TRUE(built("*SECTION_BEAM\n3,9,,1,1\n6.0\n").warning("a weld gets four", "qr_irid"));
 }
 
 TEST(Sections, Hourglass) {

@@ -52,6 +52,11 @@ TEST(PlasticMaterials, SimplifiedJohnsonCookZerosAreDefaults) {
 
 constexpr const char* johnson_cook_yield = "792.0,510.0,0.26,0.014,1.03,1793.0,293.0,1.0\n";
 
+/// Bricks of material 4.
+const std::string brick =
+    "*SECTION_SOLID\n1,1\n*PART\np\n1,1,4\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0,0,1\n6,1,0,1\n7,1,1,1\n"
+    "8,0,1,1\n*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n";
+
 TEST(PlasticMaterials, JohnsonCook) {
   const auto b = built(std::string("*MAT_015\n4,7.85e-9,80000.0,210000.0,0.3,1e-7\n") + johnson_cook_yield +
                        "4.77e8,-1e9,2.0,0.0,0.05,3.44,-2.12,0.002\n0.61,,,1e-4,2\n");
@@ -79,9 +84,6 @@ TEST(PlasticMaterials, JohnsonCookFaults) {
   EXPECT_TRUE(built(main + johnson_cook_yield + "\n,,1.0\n").error("only 0 is supported", "erod"));
   EXPECT_TRUE(built(main + johnson_cook_yield + ",,,,0.05,3.44,2.12\n").warning("grows with tension", "d3"));
   EXPECT_TRUE(built("*MAT_015\n4,7.85e-9,80000.0,210000.0,0.3,,,1.0\n792.0\n").error("only 0 is supported", "rateop"));
-  const std::string brick =
-      "*SECTION_SOLID\n1,1\n*PART\np\n1,1,4\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0,0,1\n6,1,0,1\n7,1,1,1\n"
-      "8,0,1,1\n*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n";
   EXPECT_TRUE(built(main + johnson_cook_yield + brick).error("needs an equation of state", "mid"));
 }
 
@@ -142,7 +144,24 @@ TEST(PlasticMaterials, Damage) {
   EXPECT_TRUE(built(main + ",,,,0.3,,5\n\n\n*DEFINE_CURVE\n5\n0.0,0.0\n0.1,1.0\n").error("together with EPPFR"));
   EXPECT_TRUE(built(main + ",,,,0.05\n\n\n").error("after the onset", "eppfr"));
   EXPECT_TRUE(built(main + "\n\n\n").warning("nothing is damaged", "eppf"));
-  EXPECT_TRUE(built("*MAT_082\n4\n").error("damage across the crack"));
+}
+
+TEST(PlasticMaterials, DamageByDirection) {
+  const std::string main = "*MAT_082\n4,7.85e-9,210000.0,0.3,300.0,1000.0,0.1\n,,,,0.3,,,2\n\n\n";
+  const auto b = built(main);
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_FALSE(composition(b).damage);
+  EXPECT_DOUBLE_EQ(composition(b).directional_damage->onset, 0.1);
+  EXPECT_DOUBLE_EQ(composition(b).directional_damage->rupture, 0.3);
+  EXPECT_TRUE(built(main + brick).error("layers of shells", "mid"));
+  const auto c = built("*MAT_099\n4,7.85e-9,210000.0,0.3,1.0,0.4,,3\n300.0,500.0,0.3,0.01,0.1,,,2.0\n");
+  EXPECT_EQ(c.findings.errors(), 0) << c.all_findings();
+  EXPECT_DOUBLE_EQ(flow<kernel::JohnsonCook>(c).rest_rate, 2.0);
+  EXPECT_DOUBLE_EQ(composition(c).failure_strain, 0.0);
+  EXPECT_DOUBLE_EQ(composition(c).directional_damage->onset, 0.1);
+  EXPECT_DOUBLE_EQ(composition(c).directional_damage->rupture, 0.4);
+  EXPECT_DOUBLE_EQ(composition(c).points_to_delete, 3.0);
+  EXPECT_TRUE(built("*MAT_PLASTICITY_WITH_DAMAGE_ORTHO_RCDC\n4\n").error("Wilkins"));
 }
 
 TEST(PlasticMaterials, StrainLimits) {
@@ -216,7 +235,20 @@ TEST(SoftMaterials, Rubbers) {
   EXPECT_EQ(flow<kernel::Ogden>(ogden).terms.size(), 3u);
   EXPECT_NEAR(ogden.model.materials.at(0).young(), (0.63 * 1.3 + 0.0012 * 5.0 + 0.02) * 1.49, 1e-12);
   EXPECT_TRUE(built("*MAT_077_O\n4,1.2e-9,0.49\n-1.0\n2.0\n").error("shear modulus", "mu1"));
-  EXPECT_TRUE(built("*MAT_077_H\n4\n").error("this rubber is not built"));
+  const auto polynomial =
+      built("*MAT_077_H\n4,1.2e-9,0.49,,,40.0,0.1\n0.3,0.1,0.02,-0.03,0.01,0.05\n3.0,100.0\n5.0,700.0\n");
+  EXPECT_EQ(polynomial.findings.errors(), 0) << polynomial.all_findings();
+  const auto& rubber = flow<kernel::PolynomialRubber>(polynomial);
+  EXPECT_DOUBLE_EQ(rubber.c30, 0.05);
+  EXPECT_DOUBLE_EQ(rubber.overstress.sliding_limit, 0.1);
+  ASSERT_EQ(rubber.overstress.relaxing.size(), 2u);
+  EXPECT_DOUBLE_EQ(rubber.overstress.relaxing[1].decay, 700.0);
+  EXPECT_NEAR(polynomial.model.materials.at(0).young(), 2.0 * 0.8 * 1.49, 1e-12);
+  const std::string tail = "\n0.3,0.1\n";
+  EXPECT_TRUE(built("*MAT_077_H\n4,1.2e-9,0.49,2" + tail).error("only 0 is supported", "n"));
+  EXPECT_TRUE(built("*MAT_077_H\n4,1.2e-9,-0.49" + tail).error("expected 0 to", "pr"));
+  EXPECT_TRUE(built("*MAT_077_H\n4,1.2e-9,0.49,,,40.0" + tail).warning("both G and SIGF", "sigf"));
+  EXPECT_TRUE(built("*MAT_077_H\n4,1.2e-9,0.49\n-0.3,0.1\n").error("shear modulus", "c10"));
   const std::string shell =
       "*SECTION_SHELL\n1,2\n1.0\n*PART\np\n1,1,4\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n"
       "*ELEMENT_SHELL\n1,1,1,2,3,4\n";
@@ -235,7 +267,12 @@ TEST(SoftMaterials, Foams) {
   EXPECT_TRUE(foam.tears);
   EXPECT_TRUE(composition(low).bulk_viscosity);
   EXPECT_FALSE(composition(built("*MAT_057\n4,5e-11,2.0,5\n" + curve)).bulk_viscosity);
-  EXPECT_TRUE(built("*MAT_057\n4,5e-11,2.0,5,,,,0.1\n" + curve).error("only 0 is supported", "damp"));
+  const auto slow = built("*MAT_057\n4,5e-11,2.0,5,,,20.0,0.1\n,,,3.0,50.0\n" + curve);
+  EXPECT_EQ(slow.findings.errors(), 0) << slow.all_findings();
+  EXPECT_DOUBLE_EQ(flow<kernel::LowDensityFoam>(slow).recovery, 20.0);
+  EXPECT_DOUBLE_EQ(flow<kernel::LowDensityFoam>(slow).damping, 0.1);
+  EXPECT_DOUBLE_EQ(flow<kernel::LowDensityFoam>(slow).decay, 50.0);
+  EXPECT_TRUE(built("*MAT_057\n4,5e-11,2.0,5,,,,1.1\n" + curve).error("expected 0 to 1", "damp"));
   EXPECT_TRUE(built("*MAT_057\n4,5e-11,2.0,5\n\n*DEFINE_CURVE\n5\n-0.5,-0.2\n0.0,0.0\n").error("begin at", "lcid"));
   const auto crushable = built("*MAT_063\n4,5e-11,2.0,0.1,5,0.05\n" + curve);
   EXPECT_EQ(crushable.findings.errors(), 0) << crushable.all_findings();
@@ -243,7 +280,39 @@ TEST(SoftMaterials, Foams) {
   EXPECT_DOUBLE_EQ(flow<kernel::CrushableFoam>(crushable).cutoff, 0.05);
   EXPECT_TRUE(
       built("*MAT_063\n4,5e-11,2.0,0.1,5,0.05\n*DEFINE_CURVE\n5\n0.0,0.2\n1.0,0.2\n").error("last slope", "lcid"));
-  EXPECT_TRUE(built("*MAT_083\n4\n").error("curves over the strain rate"));
+}
+
+TEST(SoftMaterials, FoamByATableOverTheRate) {
+  const std::string curves =
+      "*DEFINE_CURVE\n5\n0.0,0.0\n0.5,0.2\n0.8,1.4\n*DEFINE_CURVE\n6\n0.0,0.0\n0.5,0.4\n0.8,2.4\n";
+  const std::string table = curves + "*DEFINE_TABLE_2D\n7\n0.001,5\n100.0,6\n";
+  const auto b = built("*MAT_083\n4,5e-11,2.0,,0.3,1.0,0.2,7\n1.0,1.0,2.0,,,,,0.1\n\n,,,,,,,2.0\n3.0,1.0\n" + table);
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const auto& foam = flow<kernel::RateFoam>(b);
+  EXPECT_DOUBLE_EQ(foam.rates.at(1), 100.0);
+  EXPECT_DOUBLE_EQ(foam.curves.at(1).y[1], 0.4);
+  EXPECT_DOUBLE_EQ(foam.cutoff, 0.3);
+  EXPECT_TRUE(foam.tears);
+  EXPECT_DOUBLE_EQ(foam.damping, 0.2);
+  EXPECT_TRUE(foam.engineering_rate);
+  EXPECT_EQ(foam.rate_of, kernel::RateFoam::RateOf::volume);
+  EXPECT_DOUBLE_EQ(foam.unloading, 0.1);
+  EXPECT_DOUBLE_EQ(foam.shape, 2.0);
+  EXPECT_DOUBLE_EQ(foam.exponent, 3.0);
+  EXPECT_TRUE(composition(b).bulk_viscosity);
+  const auto plain = built("*MAT_FU_CHANG_FOAM\n4,5e-11,2.0,,0.3,2.0,,7\n\n\n\n" + table);
+  EXPECT_EQ(plain.findings.errors(), 0) << plain.all_findings();
+  EXPECT_DOUBLE_EQ(flow<kernel::RateFoam>(plain).damping, 0.05);
+  EXPECT_DOUBLE_EQ(*composition(plain).erosion->most_stress, 0.3);
+  EXPECT_DOUBLE_EQ(composition(plain).points_to_delete, 1.0);
+  EXPECT_FALSE(composition(plain).bulk_viscosity);
+  const std::string main = "*MAT_083\n4,5e-11,2.0,,,,,7\n";
+  EXPECT_TRUE(built("*MAT_083\n4,5e-11,2.0\n").error("", "tbid"));
+  EXPECT_TRUE(built(main).error("table 7 is not defined", "tbid"));
+  EXPECT_TRUE(built(main + ",,,,3\n" + table).error("only 0 is supported", "pvid"));
+  EXPECT_TRUE(built(main + ",,,,,1.0\n" + table).error("only 0 is supported", "sraf"));
+  EXPECT_TRUE(built(main + "\n" + curves + "*DEFINE_TABLE_2D\n7\n-6.9,5\n4.6,6\n").error("not their log", "tbid"));
+  EXPECT_TRUE(built("*MAT_FU_CHANG_FOAM_LOG_LOG_INTERPOLATION\n4\n").error("between the logarithms"));
 }
 
 TEST(SoftMaterials, Viscoelastic) {

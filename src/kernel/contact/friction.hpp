@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace nugget::kernel {
+
+/// Friction after Coulomb, with a coefficient that falls from the static to the dynamic one and a bound on the shear
+/// stress: mu = FD + (FS - FD) exp(-DC |v|), force <= mu |normal force|, force <= VC area (LS-DYNA keyword manual,
+/// *CONTACT, card 2).
+struct Friction {
+  double at_rest = 0.0, sliding = 0.0;  ///< FS, FD [1]
+  double decay = 0.0;                   ///< DC [time/length]
+  double shear_strength = 0.0;          ///< VC; 0: no bound [stress]
+
+  bool any() const { return at_rest > 0.0 || sliding > 0.0; }
+  /// Largest friction force of a pair [force].
+  double bound(double normal_force, double slip_speed, double area) const {
+    const double coefficient = sliding + (at_rest - sliding) * std::exp(-decay * slip_speed);
+    const double coulomb = coefficient * normal_force;
+    return shear_strength > 0.0 ? std::min(coulomb, shear_strength * area) : coulomb;
+  }
+};
+
+/// Friction of two surfaces that differ. Ours: half of each; the keyword manual names no rule.
+inline Friction mean(const Friction& a, const Friction& b) {
+  return {0.5 * (a.at_rest + b.at_rest), 0.5 * (a.sliding + b.sliding), 0.5 * (a.decay + b.decay),
+          0.5 * (a.shear_strength + b.shear_strength)};
+}
+
+}  // namespace nugget::kernel

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernel/law/foam_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/law/relaxation.hpp"
+#include "kernel/law/tensor_algebra.hpp"
+
+namespace nugget::kernel {
+using namespace tensor;
+
+namespace {
+
+/// Area under a curve from 0 to x; beyond its ends with its last slopes.
+double area(const Curve& curve, double x) {
+  double sum = 0.0, from = 0.0;
+  for (const double end : curve.x) {
+    if (end <= 0.0) continue;
+    if (end >= x) break;
+    sum += 0.5 * (end - from) * (curve.extrapolated(from) + curve.extrapolated(end));
+    from = end;
+  }
+  return sum + 0.5 * (x - from) * (curve.extrapolated(from) + curve.extrapolated(x));
+}
+
+/// Modulus of a step that bears the damping too: 1 / (sqrt(1 + D^2) - D)^2 of the elastic one.
+double with_damping(double modulus, double damping) {
+  const double longer = std::sqrt(1.0 + damping * damping) + damping;
+  return modulus * longer * longer;
+}
+
+/// The viscous stress.
+Tensor viscous(double modulus, double damping, const Tensor& d, double dt) {
+  return (damping * modulus * dt) * tensorial(d);
+}
+
+/// Principal nominal stresses of a foam as true ones, and by how much a slope grows at most.
+double make_true(std::array<double, 3>& stress, const Principal& b_less_one, double J) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double l = std::sqrt(1.0 + b_less_one.value[i]);
+    most = std::max(most, l * l / J);
+    stress[i] *= l / J;
+  }
+  return most;
+}
+
+/// l - 1 of b - 1.
+double nominal_strain(double b_less_one) {
+  return b_less_one / (1.0 + std::sqrt(1.0 + b_less_one));
+}
+
+/// Nominal stress of a foam that pulls, up to the cutoff; `torn` remembers that it was reached.
+double tension(double pull, double cutoff, bool tears, double& torn) {
+  if (tears && pull >= cutoff) torn = 1.0;
+  return torn > 0.0 ? 0.0 : std::min(pull, cutoff);
+}
+
+}  // namespace
+
+PointUpdate LowDensityFoamPoint::update(const Tensor&, const Tensor& d, double dt, std::span<double> h) const {
+  Tensor e = load(h);
+  stretch(e, d, dt);
+  store(h, e);
+  const std::span<double> own = h.subspan(static_cast<std::size_t>(tensors() * Tensor::size));
+  double& most_energy = own[0];
+  double& torn = own[1];
+  const Principal axes = principal_axes(e);
+  const double J = std::sqrt(determinant(plus(e, 1.0)));
+  std::array<double, 3> stress{};
+  double energy = 0.0, slope = std::max(law_.E, law_.compression.slope(0.0));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double strain = nominal_strain(axes.value[i]);
+    if (strain < 0.0) {
+      stress[i] = -law_.compression.extrapolated(-strain);
+      energy += area(law_.compression, -strain);
+      slope = std::max(slope, law_.compression.slope(-strain));
+    } else {
+      stress[i] = tension(law_.E * strain, law_.cutoff, law_.tears, torn);
+    }
+  }
+  most_energy = std::max(energy, energy + (most_energy - energy) * std::exp(-law_.recovery * dt));
+  const double left =
+      most_energy > 0.0 ? law_.unloading + (1.0 - law_.unloading) * std::pow(energy / most_energy, law_.shape) : 1.0;
+  for (double& s : stress)
+    if (s < 0.0) s *= left;
+  const double modulus = slope * make_true(stress, axes, J);
+  Tensor sum = with_values(axes, stress) + viscous(modulus, law_.damping, d, dt);
+  if (law_.relaxing > 0.0) {
+    const std::span<double> relaxing = h.subspan(Tensor::size, Tensor::size);
+    store(relaxing, relaxed(load(relaxing), law_.relaxing, law_.decay, tensorial(d), dt));
+    sum = sum + load(relaxing);
+  }
+  return {sum, with_damping(modulus, law_.damping) + law_.relaxing};
+}
+
+PointUpdate CrushableFoamPoint::update(const Tensor& s, const Tensor& d, double dt, std::span<double> h) const {
+  double& log_volume = h[static_cast<std::size_t>(tensors() * Tensor::size)];
+  const double half = 0.5 * dt * trace(d);
+  log_volume += std::log((1.0 + half) / (1.0 - half));
+  const double crushed = 1.0 - std::exp(log_volume), yield = law_.yield.extrapolated(std::max(crushed, 0.0));
+  Tensor stress = s + (law_.E * dt) * tensorial(d);
+  if (law_.damping > 0.0) stress = stress + (-1.0) * load(h);
+  const Principal axes = principal_axes(stress);
+  if (axes.value[0] < -yield || axes.value[2] > law_.cutoff) {
+    std::array<double, 3> value = axes.value;
+    for (double& v : value) v = std::clamp(v, -yield, law_.cutoff);
+    stress = with_values(axes, value);
+  }
+  if (law_.damping > 0.0) {
+    const Tensor damping = viscous(law_.E, law_.damping, d, dt);
+    store(h, damping);
+    stress = stress + damping;
+  }
+  return {stress, with_damping(law_.E, law_.damping)};
+}
+
+RateFoamPoint::Looked RateFoamPoint::look_up(double strain, double rate) const {
+  const std::vector<double>& rates = law_.rates;
+  const auto above = std::upper_bound(rates.begin(), rates.end(), rate);
+  const auto high = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+      above - rates.begin(), 1, std::max<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(rates.size()) - 1, 1)));
+  const Curve& below = law_.curves[high - 1];
+  const double y = below.extrapolated(strain);
+  if (rates.size() == 1) return {y, below.slope(strain), 0.0};
+  const double span = rates[high] - rates[high - 1], w = std::clamp((rate - rates[high - 1]) / span, 0.0, 1.0);
+  const double more = law_.curves[high].extrapolated(strain) - y;
+  return {y + w * more, std::max(below.slope(strain), law_.curves[high].slope(strain)), more / span};
+}
+
+std::array<double, 3> RateFoamPoint::loading_rates(const Principal& axes, const Tensor& d, double J, double dt) const {
+  if (law_.rate_of == RateFoam::RateOf::volume) {
+    const double rate = (J < 1.0 ? -1.0 : 1.0) * (law_.engineering_rate ? J : 1.0) * trace(d);
+    return {rate, rate, rate};
+  }
+  const Tensor rate = tensorial(d);
+  std::array<double, 3> of_each;
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double true_rate = along(axes.direction[i], rate);
+    const double stretch_then = std::sqrt(1.0 + axes.value[i]) / (1.0 + 0.5 * dt * true_rate);  // in mid-step
+    of_each[i] = (axes.value[i] < 0.0 ? -1.0 : 1.0) * (law_.engineering_rate ? stretch_then : 1.0) * true_rate;
+    if (std::abs(std::log1p(axes.value[i])) > std::abs(std::log1p(axes.value[most]))) most = i;
+  }
+  if (law_.rate_of == RateFoam::RateOf::each_direction) return of_each;
+  return {of_each[most], of_each[most], of_each[most]};
+}
+
+PointUpdate RateFoamPoint::update(const Tensor&, const Tensor& d, double dt, std::span<double> h) const {
+  Tensor e = load(h);
+  stretch(e, d, dt);
+  store(h, e);
+  double& most_energy = h[6];
+  double& torn = h[7];
+  const Principal axes = principal_axes(e);
+  const double J = std::sqrt(determinant(plus(e, 1.0)));
+  // Rates count as their mean over some steps, or the stress would follow each vibration: one step by 2/13, which
+  // reaches as far back as a mean over twelve.
+  constexpr double weight = 2.0 / 13.0;
+  const std::array<double, 3> now = loading_rates(axes, d, J, dt);
+  std::array<double, 3> stress{};
+  double energy = 0.0, slope = law_.E, over_rate = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double& rate = h[8 + i];
+    if (dt > 0.0) rate += weight * (now[i] - rate);
+    const double strain = nominal_strain(axes.value[i]);
+    if (strain >= 0.0 && !law_.tension_by_curves) {
+      stress[i] = tension(law_.E * strain, law_.cutoff, law_.tears, torn);
+      continue;
+    }
+    const Looked looked = look_up(-strain, rate);
+    slope = std::max(slope, looked.slope);
+    over_rate = std::max(over_rate, std::abs(looked.over_rate));
+    if (strain >= 0.0) {
+      stress[i] = tension(-looked.stress, law_.cutoff, law_.tears, torn);
+    } else {
+      stress[i] = -looked.stress;
+      energy += area(law_.curves.front(), -strain);
+    }
+  }
+  most_energy = std::max(most_energy, energy);
+  if (law_.unloading > 0.0 && most_energy > 0.0) {
+    const double lost = std::pow(1.0 - std::pow(energy / most_energy, law_.shape), law_.exponent);
+    for (double& s : stress)
+      if (s < 0.0) s *= 1.0 - (1.0 - law_.unloading) * lost;
+  }
+  // A stress over a rate that counts by `weight` bears steps of mass / damping up to (4 - 2 weight) / weight.
+  const double delayed = dt > 0.0 ? over_rate * 4.0 * weight / ((4.0 - 2.0 * weight) * dt) : 0.0;
+  const double modulus = (slope + delayed) * make_true(stress, axes, J);
+  return {with_values(axes, stress) + viscous(modulus, law_.damping, d, dt), with_damping(modulus, law_.damping)};
+}
+
+}  // namespace nugget::kernel

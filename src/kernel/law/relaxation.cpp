@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernel/law/relaxation.hpp"
+
+#include "kernel/law/tensor_algebra.hpp"
+
+namespace nugget::kernel {
+using namespace tensor;
+
+Tensor OverstressBranches::advance(const Tensor& d, double dt, std::span<double> h) const {
+  Tensor sum{};
+  if (tensors() == 0) return sum;
+  const Tensor rate = deviator(tensorial(d));
+  for (const Overstress::Relaxing& branch : law_.relaxing) {
+    const Tensor stress = relaxed(load(h), 2.0 * branch.shear, branch.decay, rate, dt);
+    store(h, stress);
+    sum = sum + stress;
+    h = h.subspan(Tensor::size);
+  }
+  if (!slides()) return sum;
+  Tensor stress = load(h) + (2.0 * law_.sliding_shear * dt) * rate;
+  const double effective = std::sqrt(1.5 * square(stress));
+  if (effective > law_.sliding_limit) stress = (law_.sliding_limit / effective) * stress;
+  store(h, stress);
+  return sum + stress;
+}
+
+double OverstressBranches::wave_modulus() const {
+  double shear = law_.sliding_shear;
+  for (const Overstress::Relaxing& branch : law_.relaxing) shear += branch.shear;
+  return 4.0 / 3.0 * shear;
+}
+
+PointUpdate ViscoelasticPoint::update(const Tensor& s, const Tensor& d, double dt, std::span<double> h) const {
+  const double volume = trace(d);
+  const Tensor rate = deviator(tensorial(d)), old = load(h);
+  const Tensor decaying = relaxed(old, 2.0 * (law_.at_once - law_.in_the_end), law_.decay, rate, dt);
+  store(h, decaying);
+  const Tensor lasting = s + (-1.0) * old + (2.0 * law_.in_the_end * dt) * rate;
+  return {plus(lasting + decaying, law_.bulk * dt * volume), law_.bulk + 4.0 / 3.0 * law_.at_once};
+}
+
+}  // namespace nugget::kernel

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <complex>
+#include <span>
+#include <vector>
+
+#include "nvh/harmonic_load.hpp"
+#include "nvh/modes.hpp"
+#include "nvh/probe.hpp"
+
+namespace nugget::nvh {
+
+/// Steady motions q exp(+i omega t) under each of some loads of amplitude 1, of which only linear forms are kept.
+struct Answers {
+  std::size_t forms = 0, frequencies = 0;
+  std::vector<std::complex<double>> value;
+
+  Answers(std::size_t loads, std::size_t form_count, std::size_t frequency_count)
+      : forms(form_count), frequencies(frequency_count), value(loads * form_count * frequency_count) {}
+  std::complex<double>& operator()(std::size_t load, std::size_t form, std::size_t k) {
+    return value[(load * forms + form) * frequencies + k];
+  }
+  const std::complex<double>& operator()(std::size_t load, std::size_t form, std::size_t k) const {
+    return value[(load * forms + form) * frequencies + k];
+  }
+};
+
+/// How the equations of motion were solved: modes and residual vectors, or directly.
+struct Route {
+  bool direct = false;
+  std::size_t first = 0, last = 0;  ///< modes that took part: first, ..., last - 1, counted from 0
+  std::vector<double> residual;     ///< frequencies of the residual vectors [cycles/time]
+};
+
+using Row = std::vector<Equations::Term>;  ///< a form over the unknowns
+
+/// Modes, and one residual vector for each load: the static answer to what the modes leave out, which moves as one more
+/// mode with the frequency of its Rayleigh quotient (modal truncation augmentation: Dickens, Nakagawa, Wittbrodt,
+/// Computers & Structures 62 (1997) 985). Those of several loads are made orthogonal in K and M by Ritz's method.
+class Superposition {
+ public:
+  /// `modes` must be the lowest ones, and outlive this. Throws Factorization::SolverError.
+  Superposition(const Matrices& matrices, const Modes& modes, const model::FrequencyResponse::Selection& selection,
+                std::span<const HarmonicLoad> loads);
+
+  Answers answers(const model::FrequencyResponse::Damping& damping, std::span<const Row> forms,
+                  std::span<const double> frequency) const;
+
+  const Route& route() const { return route_; }
+
+ private:
+  struct Oscillator {
+    std::span<const double> shape;
+    double eigenvalue = 0.0;
+    int number = 0;            ///< as a mode, counted from 1
+    std::vector<double> load;  ///< shape^t f of each load
+  };
+  const Matrices& m_;
+  std::size_t loads_ = 0;
+  Route route_;
+  Columns rest_;
+  std::vector<Oscillator> oscillators_;
+};
+
+/// One solution of (K (1 + i g + i omega beta) + i omega alpha M - omega^2 M) q = f for each frequency, whatever the
+/// modes are. Damping by modes has no matrix and must not be there. Throws Factorization::SolverError.
+Answers direct_answers(const Matrices& matrices, std::span<const HarmonicLoad> loads,
+                       const model::FrequencyResponse::Damping& damping, std::span<const Row> forms,
+                       std::span<const double> frequency, const Tell& tell = {});
+
+/// Errors for damping that belongs to modes.
+void check_direct(const model::Model& model, const model::FrequencyResponse::Damping& damping, const Place& place,
+                  const char* keyword, Findings& findings);
+
+/// The loss factor of *DAMPING_STRUCTURAL at a frequency of the excitation, for a mode counted from 1.
+double loss_factor(const model::Model& model, double frequency, int mode);
+
+}  // namespace nugget::nvh

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <complex>
+#include <memory>
+#include <vector>
+
+#include "nvh/matrices.hpp"
+
+namespace nugget::nvh {
+
+/// A = a K + b M with complex factors, symmetric but not Hermitian, as L D L^t by MUMPS; the order of elimination and
+/// the analysis serve all factors. Deterministic like Factorization.
+class ComplexFactorization {
+ public:
+  explicit ComplexFactorization(const Matrices& matrices);
+  ~ComplexFactorization();
+  ComplexFactorization(const ComplexFactorization&) = delete;
+  ComplexFactorization& operator=(const ComplexFactorization&) = delete;
+
+  /// Throws Factorization::SolverError if A is singular or memory runs out.
+  void factor(std::complex<double> of_stiffness, std::complex<double> of_mass);
+  /// x := A^-1 x for columns one after the other.
+  void solve(std::vector<std::complex<double>>& x, std::size_t columns);
+
+ private:
+  struct Mumps;
+  const Matrices& matrices_;
+  std::unique_ptr<Mumps> mumps_;
+};
+
+}  // namespace nugget::nvh

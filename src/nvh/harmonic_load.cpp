@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nvh/harmonic_load.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/index.hpp"
+#include "nvh/factorization.hpp"
+#include "nvh/modes.hpp"
+
+namespace nugget::nvh {
+namespace {
+
+using Excitation = model::FrequencyResponse::Excitation;
+using Kind = Excitation::Kind;
+
+Nodal applied_forces(const Matrices& m, const Excitation& e) {
+  Nodal f(m.system.all_nodes());
+  const auto node = [&](model::Index n) { return at(m.system.node_of[at(n)]); };
+  for (const model::Index n : e.nodes) add_to(f[node(n)], e.kind == Kind::torque, e.direction);
+  for (const model::Segment& s : e.pressed) {
+    const Vec3d force = force_of_pressure(m, s);
+    const std::size_t corners = s[3] == s[2] ? 3 : 4;
+    for (std::size_t a = 0; a < corners; ++a) add_to(f[node(s[a])], false, force);
+  }
+  return f;
+}
+
+void add_load(const Matrices& m, const Nodal& f, double factor, std::span<double> q) {
+  for (std::size_t k = 0; k < f.size(); ++k) {
+    Six scaled = f[k];
+    for (double& component : scaled) component *= factor;
+    m.equations.add_load(static_cast<int>(k), scaled, q);
+  }
+}
+
+void solve_statically(const Matrices& m, Columns& q) {
+  const Factorization factor(m, small_shift(m));
+  const Columns load = q;
+  q.value.assign(q.value.size(), 0.0);
+  std::vector<double> internal(m.size());
+  for (int pass = 0; pass < 4; ++pass) {
+    Columns rest = load;
+    m.stiffness.multiply(q[0], internal);
+    for (std::size_t i = 0; i < m.size(); ++i) rest.value[i] -= internal[i];
+    factor.solve(rest);
+    for (std::size_t i = 0; i < m.size(); ++i) q.value[i] += rest.value[i];
+  }
+}
+
+/// The structure at rest under a unit displacement of the nodes, the other supports standing still. A small shift lets
+/// what is not held otherwise stay where it is; its error is worked off by refinement.
+Nodal static_shape(const Matrices& m, const Excitation& e) {
+  Nodal u(m.system.all_nodes());
+  for (const model::Index n : e.nodes) add_to(u[at(m.system.node_of[at(n)])], false, e.direction);
+  follow(m.system, u);
+  Columns q(m.size(), 1);
+  add_load(m, internal_forces(m, u).force, -1.0, q[0]);
+  if (m.size() > 0) solve_statically(m, q);
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    const Six more = m.equations.motion(static_cast<int>(k), q[0]);
+    for (std::size_t i = 0; i < 6; ++i) u[k][i] += more[i];
+  }
+  return u;
+}
+
+}  // namespace
+
+HarmonicLoad harmonic_load(const Matrices& m, const Excitation& e) {
+  HarmonicLoad load{std::vector<double>(m.size(), 0.0), {}, {}};
+  if (!e.moves()) {
+    load.applied = applied_forces(m, e);
+    add_load(m, load.applied, 1.0, load.force);
+    collect(m.system, load.applied);
+    return load;
+  }
+  if (e.kind == Kind::base)
+    load.carried.assign(m.system.all_nodes(), {e.direction.x, e.direction.y, e.direction.z, 0, 0, 0});
+  else
+    load.carried = static_shape(m, e);
+  for (std::size_t k = 0; k < m.nodal_mass.size(); ++k) {
+    if (m.nodal_mass[k].none()) continue;
+    Six inertia = m.nodal_mass[k].momentum(load.carried[k]);
+    for (double& component : inertia) component = -component;
+    m.equations.add_load(static_cast<int>(k), inertia, load.force);
+  }
+  return load;
+}
+
+bool turns(const Equations& equations, int node) {
+  for (int i = 3; i < 6; ++i)
+    if (!equations.terms(node, i).empty()) return true;
+  return std::any_of(equations.supports().begin(), equations.supports().end(),
+                     [&](const Equations::Support& s) { return s.node == node && s.rotation; });
+}
+
+void check_excitation(const Matrices& m, const Excitation& e, const char* keyword, Findings& findings) {
+  if (e.kind != Kind::torque) return;
+  for (const model::Index n : e.nodes)
+    if (!turns(m.equations, m.system.node_of[at(n)]))
+      findings.error(
+          e.place, keyword,
+          fmt::format("node {} carries a torque, but nothing there can turn", m.system.model.nodes.id[at(n)]),
+          "put it on a node of shells, beams or a rigid body, or write a pair of forces");
+}
+
+}  // namespace nugget::nvh

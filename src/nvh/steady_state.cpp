@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nvh/steady_state.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/index.hpp"
+#include "nvh/transfer.hpp"
+#include "output/nodout_ssd.hpp"
+
+namespace nugget::nvh {
+namespace {
+
+using Complex = std::complex<double>;
+using Response = model::FrequencyResponse::Response;
+
+/// Amplitude of a load at a frequency.
+Complex amplitude(const model::Model& model, const model::SteadyState& request, const model::SteadyState::Load& load,
+                  double frequency) {
+  const auto value = [&](model::Index curve) {
+    return curve == model::none ? 0.0 : model.curves[at(curve)].zero_outside(frequency);
+  };
+  const double first = load.scale * value(load.first), second = value(load.second);
+  if (request.by_parts) return {first, load.scale * second};
+  return std::polar(1.0, second * std::numbers::pi / 180.0) * first;
+}
+
+std::vector<Probe> probes_of(const Matrices& m) {
+  const model::Model& model = m.system.model;
+  std::vector<Probe> probes;
+  for (const model::NamedEntity& entity : model.requests.history_nodes) {
+    Response response;
+    response.nodes = {entity.index};
+    response.directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    if (entity.system != model::none) {
+      const Frame3d& own = model.systems[at(entity.system)].axes;
+      response.directions = {own.e1, own.e2, own.e3};
+    }
+    for (Probe& p : nvh::probes_of(m, response)) probes.push_back(std::move(p));
+  }
+  return probes;
+}
+
+}  // namespace
+
+void check_steady_state(const Matrices& m, const model::SteadyState& request, Findings& findings) {
+  constexpr const char* keyword = "*FREQUENCY_DOMAIN_SSD";
+  for (const model::SteadyState::Load& load : request.loads) check_excitation(m, load.excitation, keyword, findings);
+  if (request.direct)
+    check_direct(m.system.model, request.damping, request.loads.front().excitation.place, keyword, findings);
+}
+
+SteadyResult steady_state(const Matrices& m, const Modes& modes, const model::SteadyState& request, const Tell& tell) {
+  std::vector<Transfer::Excitation> excitations;
+  for (const model::SteadyState::Load& load : request.loads) excitations.push_back(load.excitation);
+  Transfer transfer(m, probes_of(m), excitations);
+  SteadyResult result;
+  result.route = request.direct ? transfer.solve_directly(request.damping, request.frequency, tell)
+                                : transfer.solve(modes, request.modes, request.damping, request.frequency);
+  for (std::size_t p = 0; p < transfer.probes().size(); ++p) {
+    SteadyCurve curve{transfer.probes()[p].id, transfer.probes()[p].direction, {}};
+    for (std::size_t q = 0; q < steady_quantities.size(); ++q)
+      for (std::size_t k = 0; k < request.frequency.size(); ++k) {
+        Complex sum = 0.0;
+        for (std::size_t l = 0; l < request.loads.size(); ++l) {
+          const Complex a = amplitude(m.system.model, request, request.loads[l], request.frequency[k]);
+          const bool base = request.loads[l].excitation.kind == Transfer::Excitation::Kind::base;
+          if (a != 0.0) sum += a * transfer.motion(l, p, k, steady_quantities[q], base && request.relative);
+        }
+        curve.value[q].push_back(sum);
+      }
+    result.curve.push_back(std::move(curve));
+  }
+  return result;
+}
+
+void write_steady_state(const std::filesystem::path& directory, const output::Header& header,
+                        const model::SteadyState& request, const SteadyResult& result) {
+  std::string text = "node,direction,response,frequency,amplitude,phase,real,imaginary\n";
+  for (const SteadyCurve& curve : result.curve)
+    for (std::size_t q = 0; q < steady_quantities.size(); ++q)
+      for (std::size_t k = 0; k < request.frequency.size(); ++k) {
+        const Complex v = curve.value[q][k];
+        text += fmt::format("{},{},{},{:.9g},{},{},{},{}\n", curve.node, direction_name(curve.direction),
+                            to_string(steady_quantities[q]), request.frequency[k], cell(std::abs(v)), cell(degrees(v)),
+                            cell(v.real()), cell(v.imag()));
+      }
+  output::write_whole_file(directory / "ssd.csv", text);
+
+  output::NodoutSsd file(directory / "nodout_ssd", header);
+  std::vector<output::NodoutSsdRow> rows(result.curve.size() / 3);
+  for (std::size_t k = 0; k < request.frequency.size(); ++k) {
+    for (std::size_t c = 0; c < result.curve.size(); ++c) {
+      output::NodoutSsdRow& row = rows[c / 3];
+      row.node = result.curve[c].node;
+      for (std::size_t q = 0; q < steady_quantities.size(); ++q)
+        row.amplitude[3 * q + c % 3] = result.curve[c].value[q][k];
+    }
+    file.write(request.frequency[k], rows);
+  }
+}
+
+}  // namespace nugget::nvh

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "nvh/frequency_response.hpp"
+
+namespace nugget::nvh {
+
+/// Steady motion of one node in one direction under all loads of a deck together: displacement, velocity and
+/// acceleration, as amplitudes of exp(+i omega t).
+struct SteadyCurve {
+  int node = 0;                                            ///< user id
+  Vec3d direction;                                         ///< unit vector
+  std::array<std::vector<std::complex<double>>, 3> value;  ///< by frequency; in the order of `steady_quantities`
+};
+inline constexpr std::array steady_quantities{model::FrequencyResponse::Quantity::displacement,
+                                              model::FrequencyResponse::Quantity::velocity,
+                                              model::FrequencyResponse::Quantity::acceleration};
+
+struct SteadyResult {
+  std::vector<SteadyCurve> curve;  ///< three directions a node
+  Route route;
+};
+
+/// Findings for what the equations cannot answer.
+void check_steady_state(const Matrices& matrices, const model::SteadyState& request, Findings& findings);
+
+/// Steady motion of the nodes of *DATABASE_HISTORY_NODE, along the axes of the model or of their own system. `modes`:
+/// the lowest ones; not used where the request is direct. Throws Factorization::SolverError.
+SteadyResult steady_state(const Matrices& matrices, const Modes& modes, const model::SteadyState& request,
+                          const Tell& tell = {});
+
+/// ssd.csv: a line for each frequency of each response; and nodout_ssd. Throws output::WriteError.
+void write_steady_state(const std::filesystem::path& directory, const output::Header& header,
+                        const model::SteadyState& request, const SteadyResult& result);
+
+}  // namespace nugget::nvh

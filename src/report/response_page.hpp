@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "report/run_data.hpp"
+
+// What the page says of runs over frequency: natural modes, responses.
+namespace nugget::report {
+
+/// Whether a summary is of modes or of a response over frequency.
+bool of_linear_analysis(const nlohmann::json& summary);
+
+/// Modes with their shares of the mass and of the strain energy, the welds ranked by the strain energy they hold and,
+/// where that was asked for, by what the frequencies lose without them. Empty where there are no modes.
+std::string modes_part(const RunData& run);
+
+/// Amplitude and phase over frequency, with the peaks. Empty where there are no responses.
+std::string responses_part(const RunData& run);
+
+}  // namespace nugget::report

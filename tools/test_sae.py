@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The filter against the corridor of SAE J211-1: -3 dB at 5/3 of the class, flat below, falling by 24 dB an octave."""
+import math
+import unittest
+
+import sae
+
+
+def gain(cfc, hertz, second=1.0):
+    """Amplitude in the middle of a long sine of 1."""
+    step = 1.0 / (40.0 * max(hertz, cfc))
+    times = [second * i * step for i in range(8001)]
+    _, y = sae.filtered(times, [math.sin(2.0 * math.pi * hertz * t / second) for t in times], cfc, second)
+    return max(abs(v) for v in y[3000:5000])
+
+
+class Sae(unittest.TestCase):
+    def test_corridor_of_each_class(self):
+        for cfc, corner in ((60, 100.0), (180, 300.0), (600, 1000.0), (1000, 1650.0)):
+            self.assertAlmostEqual(20.0 * math.log10(gain(cfc, corner)), -3.0, delta=0.5, msg=cfc)
+            self.assertAlmostEqual(gain(cfc, 0.1 * corner), 1.0, delta=0.01, msg=cfc)
+            octave = 20.0 * math.log10(gain(cfc, 8.0 * corner) / gain(cfc, 4.0 * corner))
+            self.assertAlmostEqual(octave, -24.0, delta=1.5, msg=cfc)
+
+    def test_times_in_milliseconds(self):
+        self.assertAlmostEqual(gain(180, 300.0, 1000.0), gain(180, 300.0), delta=1e-9)
+
+    def test_no_phase_and_uneven_samples(self):
+        times = [i * 1e-4 + (5e-5 if i % 3 == 1 else 0.0) for i in range(2001)]
+        even, y = sae.filtered(times, [math.sin(2.0 * math.pi * 20.0 * t) for t in times], 180)
+        self.assertLess(max(abs(v - math.sin(2.0 * math.pi * 20.0 * t)) for t, v in list(zip(even, y))[200:-200]), 0.01)
+
+    def test_samples_too_far_apart_are_refused(self):
+        with self.assertRaises(ValueError):
+            sae.filtered([0.0, 0.01, 0.02], [0.0, 1.0, 0.0], 60)
+
+
+if __name__ == "__main__":
+    unittest.main()
