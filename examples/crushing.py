@@ -41,16 +41,16 @@ def begin(title, note, crush, step=None):
     return d
 
 
-def sheets(d, thickness, yield_stress, parts, elform=2):
-    """Section and elastic, perfectly plastic material of the sheets."""
+def sheets(d, thickness, yield_stress, parts, elform=2, points=5, tangent=0.0):
+    """Section and material of the sheets: elastic, perfectly plastic but for a tangent modulus."""
     for pid, title in parts:
         d.part(title, pid=pid, secid=SHEET, mid=SHEET)
     d.keyword("SECTION_SHELL")
-    d.card(secid=SHEET, elform=elform, shrf=0.8333, nip=5)
+    d.card(secid=SHEET, elform=elform, shrf=0.8333, nip=points)
     d.card(t1=thickness, t2=thickness, t3=thickness, t4=thickness)
     d.comment("Elastic, perfectly plastic, no rate: what the closed form assumes.")
     d.keyword("MAT_PIECEWISE_LINEAR_PLASTICITY")
-    d.card(mid=SHEET, ro=7.85e-9, e=210000.0, pr=0.3, sigy=yield_stress, etan=0.0)
+    d.card(mid=SHEET, ro=7.85e-9, e=210000.0, pr=0.3, sigy=yield_stress, etan=tangent)
     d.card(c=0.0)
     d.card(eps1=None)
     d.card(es1=None)
@@ -80,8 +80,9 @@ def cap(d, nodes, shells, rear, z, width):
     d.curve(9, [(0.0, 1.0), (1.0, 1.0)])
 
 
-def wall_and_contact(d, rear_z, parts, sheets=None, friction=0.2):
-    """Everything moves at the speed of the pushing end; the front meets the wall, the folds meet each other."""
+def wall_and_contact(d, rear_z, parts, sheets=None, friction=0.2, stiffness=1.0, thickness=1.0):
+    """Everything moves at the speed of the pushing end; the front meets the wall, the folds meet each other, with these
+    factors on their stiffness and thickness."""
     d.keyword("SET_PART_LIST")
     d.card(sid=2)
     d.ids(sheets or parts)
@@ -90,7 +91,7 @@ def wall_and_contact(d, rear_z, parts, sheets=None, friction=0.2):
     d.text(f"{2:10d}folds")
     d.card(surfa=2, surfb=0, surfatyp=2, surfbtyp=0)
     d.card(fs=friction, fd=friction)
-    d.card(sfsa=1.0, sfsb=1.0)
+    d.card(sfsa=stiffness, sfsb=stiffness, **({} if thickness == 1.0 else {"sast": 0.0, "sbst": 0.0, "sfsat": thickness, "sfsbt": thickness}))
     d.comment("fric = 1: what has arrived at the wall does not slide.")
     d.keyword("RIGIDWALL_PLANAR_ID")
     d.text(f"{1:10d}wall")

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
@@ -22,6 +23,7 @@
 #include "app/statics.hpp"
 #include "base/index.hpp"
 #include "base/parallel.hpp"
+#include "impact/free_bricks.hpp"
 #include "impact/result_files.hpp"
 #include "impact/simulation.hpp"
 #include "model/describe.hpp"
@@ -33,14 +35,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-output::WeldLoad last_load(const weld::History& history) {
+constexpr double untold = std::numeric_limits<double>::quiet_NaN();  ///< an empty cell
+
+void add_term(std::string& terms, weld::FailureMode mode, double value) {
+  if (value > 0.0) terms += fmt::format("{}{} {:.3g}", terms.empty() ? "" : ", ", weld::to_string(mode), value);
+}
+
+/// `length`: of the weld, over which the shear force makes moments at its ends.
+output::WeldLoad last_load(const weld::History& history, double length) {
   const weld::Resultants& r = history.last_load().resultants;
   std::string terms;
   for (int i = 0; i < history.last_value().terms; ++i) {
     const auto& [mode, value] = history.last_value().term[at(i)];
-    if (value > 0.0) terms += fmt::format("{}{} {:.3g}", terms.empty() ? "" : ", ", weld::to_string(mode), value);
+    add_term(terms, mode, value);
   }
-  return {r.axial, r.shear(), r.moment(), r.torsion, history.last_load().rate, history.failure_value(), terms};
+  const auto at_end = [&](double half) {
+    return std::hypot(r.moment_s + half * r.shear_t, r.moment_t - half * r.shear_s);
+  };
+  return {r.axial,
+          r.shear(),
+          r.moment(),
+          r.torsion,
+          history.last_load().rate,
+          history.failure_value(),
+          terms,
+          {at_end(-0.5 * length), at_end(0.5 * length)}};
 }
 
 void tell_history(const weld::RigidWeldHistory& history, output::WeldReport& report) {
@@ -49,6 +68,14 @@ void tell_history(const weld::RigidWeldHistory& history, output::WeldReport& rep
   report.failure_mode = weld::to_string(history.mode());
   const auto& peak = history.peaks();
   report.peak = {peak[0], peak[1], peak[2], peak[3]};
+  report.peak_failure = history.peak_failure_value();
+  report.peak_failure_time = history.peak_failure_time();
+  const weld::RigidWeldHistory::Last& last = history.last();
+  report.last = {last.axial, last.shear,      last.moment, last.torsion, untold, last.normal_term + last.shear_term,
+                 {},         {untold, untold}};
+  add_term(report.last.terms, weld::FailureMode::axial, last.normal_term);
+  add_term(report.last.terms, weld::FailureMode::shear, last.shear_term);
+  report.energy = untold;
 }
 
 /// How far the damage of a weld has gone at the end, of points that are damaged one by one the mean; not a number where
@@ -83,6 +110,8 @@ void tell_rivet(const impact::Rivets& rivets, std::size_t i, output::WeldReport&
     report.failure_mode = weld::to_string(weld::FailureMode::time);
   }
   report.peak.axial = rivets.peak(i);
+  report.last = {rivets.axial(i), untold, untold, untold, untold, untold, {}, {untold, untold}};
+  report.peak_failure = report.peak_failure_time = report.energy = untold;
 }
 
 /// Adds to the welds' reports what happened to them.
@@ -99,6 +128,10 @@ void tell_histories(const impact::Simulation& run, std::vector<output::WeldRepor
       if (record->failed) welds[i].failure_time = record->failure_time;
       if (record->failed) welds[i].failure_mode = "limit of its law";
       welds[i].peak = {record->peaks[0], record->peaks[1], record->peaks[2], record->peaks[3]};
+      welds[i].last = {untold, untold, untold, untold, untold, untold, {}, {untold, untold}};
+      welds[i].peak_failure = welds[i].peak_failure_time = untold;
+      const system::System::Seat seat = system.beam_seat[at(system.ties.welds[i].element)];
+      welds[i].energy = system.groups[at(seat.group)]->internal_energy(at(seat.element));
     }
     const weld::History* history = run.welds().history(i);
     if (history == nullptr) continue;
@@ -116,7 +149,7 @@ void tell_histories(const impact::Simulation& run, std::vector<output::WeldRepor
     welds[i].peak = {peak[0], peak[1], peak[2], peak[3]};
     welds[i].peak_failure = history->peak_failure_value();
     welds[i].peak_failure_time = history->peak_failure_time();
-    welds[i].last = last_load(*history);
+    welds[i].last = last_load(*history, system.ties.welds[i].length);
     welds[i].damage = damage_of(run, i);
   }
 }
@@ -218,22 +251,37 @@ impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directo
   }
 }
 
+constexpr double doubtful = 0.05;  // of the energy: off the ratio of 1, or taken by the change of step
+
 /// A run may reach its end time with results that nobody should use.
 std::string doubt_of(const output::Summary& summary) {
-  constexpr double most = 0.05;
   const output::Summary::Energies& e = summary.energy;
   if (summary.termination == "error") return {};
-  if (std::abs(e.ratio - 1.0) > most)
+  if (std::abs(e.ratio - 1.0) > doubtful)
     return fmt::format(
         "warning: the energy ratio ended at {:.4g}, expected 1: results are doubtful from the time on when it left 1 "
         "(see glstat)",
         e.ratio);
   const double input = e.initial + e.external;
-  if (std::abs(e.step_change) <= most * std::abs(input)) return {};
+  if (std::abs(e.step_change) <= doubtful * std::abs(input)) return {};
   return fmt::format(
       "warning: the change of the time step took {:.2g} % of the energy: much of it is in vibrations that the step "
       "hardly resolves [a smaller TSSFAC shows whether they matter]",
       100.0 * e.step_change / input);
+}
+
+/// Why a run that went wrong may have been unstable, as far as that can be known.
+std::string cause_of(const impact::Simulation& run, const output::Summary& summary) {
+  const double ratio = summary.energy.ratio;
+  if (summary.termination != "error" && std::abs(ratio - 1.0) <= doubtful) return {};
+  const auto free = impact::free_brick_step(run.system());
+  if (!free || run.first_step() <= free->step) return {};
+  const model::Model& model = run.system().model;
+  return fmt::format(
+      "warning: brick {} of part {} stands alone or in a row with free sides, and breathes faster than the formula of "
+      "its step knows: stable is {:.4g}, the run began with {:.4g} [write TSSFAC {:.2g} or less]",
+      model.solids.id[at(free->element)], model.parts[at(free->part)].id, free->step, run.first_step(),
+      std::floor(100.0 * model.control.step_scale * free->step / run.first_step()) / 100.0);
 }
 
 /// `from`: the restart file of a run that is gone on with; null: a new one.
@@ -293,10 +341,10 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
   report::write_report(directory);
   log.add(log_mass(*system));
   log.add(log_run(*simulation, summary));
-  const std::string doubt = doubt_of(summary);
-  log.add(doubt.empty() ? "" : ' ' + doubt + "\n\n");
+  const std::array<std::string, 2> doubts{doubt_of(summary), cause_of(*simulation, summary)};
+  for (const std::string& line : doubts) log.add(line.empty() ? "" : ' ' + line + "\n\n");
   log.add(log_termination(outcome));
-  for (const std::string& line : {outcome.message, doubt})
+  for (const std::string& line : {outcome.message, doubts[0], doubts[1]})
     if (!line.empty()) fmt::print(stderr, "{}\n", line);
   if (!arguments.quiet)
     fmt::print(stderr, "{} cycles in {:.2f} s, energy ratio {:.5f}; results in {}\n", summary.cycles,

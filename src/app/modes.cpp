@@ -11,6 +11,7 @@
 #include "app/frf.hpp"
 #include "app/mode_pairs.hpp"
 #include "app/outcome.hpp"
+#include "app/preload.hpp"
 #include "app/run_log.hpp"
 #include "app/status.hpp"
 #include "app/weld_study.hpp"
@@ -50,7 +51,7 @@ nvh::ModeRequest request_of(const ModesArguments& arguments, const model::Model&
   }
   constexpr int usual = 20;
   const bool all = interval && std::isfinite(r.high);
-  r.count = arguments.count > 0 ? arguments.count : all ? 0 : deck.modes > 0 ? deck.modes : usual;
+  r.count = arguments.count > 0 ? arguments.count : all ? 0 : deck.modes != 0 ? std::abs(deck.modes) : usual;
   return r;
 }
 
@@ -139,6 +140,7 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
   if (findings.errors() == 0) matrices.emplace(*system, findings);
   if (matrices) nvh::tell_held_motions(matrices->equations, p.model, findings);
   if (matrices && arguments.response) check_responses(*matrices, p.model, findings);
+  check_preload(p.model, findings);
   start_log(log, arguments.run, p, findings);
   if (findings.errors() > 0) return refuse(directory, log, findings);
   print_findings(findings);
@@ -150,7 +152,9 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
   std::optional<DropRequest> drop;
   if (!arguments.drop.empty()) {
     std::string complaint;
-    if (request.low > 0.0 || request.centre > 0.0)
+    if (p.model.implicit.geometric)
+      complaint = "it is not built for preloaded structures: write IGS 2 in *CONTROL_IMPLICIT_GENERAL";
+    else if (request.low > 0.0 || request.centre > 0.0)
       complaint = "it needs the lowest modes: leave out --fmin (LFLAG, CENTER in the deck)";
     else
       drop = drop_request(arguments.drop, *system, complaint);
@@ -163,6 +167,7 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
 
   try {
     Status status(arguments.run.quiet);
+    const std::string preload = stiffen_by_preload(*matrices);
     const nvh::Modes modes = nvh::find_modes(*matrices, request, std::ref(status));
     const double solve = clock.seconds();
     status("strain energies and files");
@@ -192,7 +197,8 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
     output::write_summary(directory, summary);
     report::write_report(directory);
     const std::string table = mode_table(modes);
-    log.add(table + energy_table(p.model, p.ties, modes, shares) + response + cost_table(*matrices, modes, summary));
+    log.add(preload + table + energy_table(p.model, p.ties, modes, shares) + response +
+            cost_table(*matrices, modes, summary));
     status.clear();
     fmt::print("{}{}", table, response);
     const impact::Termination end = modes.proof.complete() ? impact::Termination::normal : impact::Termination::error;

@@ -29,7 +29,8 @@ NodeSegments::NodeSegments(const std::vector<Segment>& segments) : first_(highes
 std::vector<TrackedNode> nodes_of(const std::vector<Segment>& segments, unsigned side, unsigned against) {
   const NodeSegments around(segments);
   std::vector<TrackedNode> tracked;
-  for (int n = 0; n <= highest_node(segments); ++n) {
+  const int last = highest_node(segments);
+  for (int n = 0; n <= last; ++n) {
     double sum = 0.0;
     int count = 0;
     for (int s : around.at(n)) {

@@ -14,6 +14,7 @@ constexpr int block_size = 64;
 constexpr std::size_t group_size = 4096;
 constexpr double pressing_depth = 0.3;  // of a brick's depth
 constexpr double extension = 0.025;     // of a brick's face beyond its border, in sides
+constexpr double on_the_face = 1e-6;    // of the depth down to which a brick presses: what round-off makes of 0
 
 bool finite(const Row& r) {
   return std::isfinite(r.x + r.y + r.z);
@@ -328,7 +329,7 @@ void SurfaceContact::leave_out_strays(Block& block, int node, const Step& step) 
     const Segment& segment = setup_.segments[candidate.pair->segment];
     const Vec3d velocity = vec(step.v[node]) - interpolate(segment, candidate.foot.weight, step.v);
     const Vec3d was_at = vec(step.x[node]) - candidate.foot.point - step.dt * velocity;
-    if (dot(was_at, candidate.foot.normal) >= 0.0) continue;
+    if (dot(was_at, candidate.foot.normal) >= -on_the_face * inner_[candidate.pair->segment]) continue;
     const Candidate* from = predecessor(block, candidate);
     if (from == nullptr || dot(from->away, candidate.away) <= 0.5) candidate.gap = Box::infinity;
   }

@@ -65,13 +65,29 @@ void Erosion::archive(Archive& a) {
   a.built(system_);
 }
 
+void JointSprings::Freedom::archive(Archive& a) {
+  a(place, friction);
+  a.built(load, damper, stiffness, friction_limit, low, high);
+}
+
+void JointSprings::Spring::archive(Archive& a) {
+  for (Freedom& f : freedom) a(f);
+  a(force, moment, energy);
+  a.built(rotational, body, arm, axes);
+}
+
+void JointSprings::archive(Archive& a) {
+  a(springs_);
+  a.built(stable_step_);
+}
+
 void Joints::Joint::archive(Archive& a) {
   a(force, moment, load, energy, opening, largest_opening);
   a.built(source, body, arm, axis, held, directions, bound, rotary_bound, damping, rotary_damping);
 }
 
 void Joints::archive(Archive& a) {
-  a(joints_, longest_step_);
+  a(joints_, springs_, longest_step_);
   a.built(system_);
 }
 

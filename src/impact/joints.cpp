@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/index.hpp"
-#include "system/mobility.hpp"
+#include "impact/body_points.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -14,27 +14,9 @@ constexpr double stiffness_share = 0.25, largest_share = 0.5, damping_ratio = 0.
 
 using Kind = model::Joint::Kind;
 
-/// Inverse mass of a point of a body with the lever `arm`: 1/m - r^ I^-1 r^.
-system::Mobility::Matrix at_point(const system::RigidBody& body, const system::Mobility::Matrix& inverse,
-                                  const Vec3d& arm) {
-  system::Mobility::Matrix g{};
-  system::ConstraintMap::Block block{body.node, {}};
-  for (std::size_t i = 0; i < 3; ++i) block.of[i][i] = 1.0;
-  // omega x r as a matrix on omega.
-  block.of[0][4] = arm.z, block.of[0][5] = -arm.y;
-  block.of[1][3] = -arm.z, block.of[1][5] = arm.x;
-  block.of[2][3] = arm.y, block.of[2][4] = -arm.x;
-  system::add_inverse_mass(g, block, 0, body.mass > 0.0 ? 1.0 / body.mass : 0.0, inverse);
-  return g;
-}
-
-double trace(const system::Mobility::Matrix& m) {
-  return m[0][0] + m[1][1] + m[2][2];
-}
-
 }  // namespace
 
-Joints::Joints(const system::System& system) : system_(system) {
+Joints::Joints(const system::System& system) : system_(system), springs_(system) {
   const std::vector<Vec3d>& x = system.ties.x;
   for (const model::Joint& source : system.model.joints) {
     Joint j;
@@ -72,7 +54,7 @@ void Joints::find_bounds() {
     for (const std::size_t side : {0u, 1u}) {
       const system::RigidBody& body = *j.body[side];
       const system::Mobility::Matrix inverse = system::inverse_inertia(body);
-      const double point = trace(at_point(body, inverse, j.arm[side])), turning = trace(inverse);
+      const double point = trace(inverse_mass_at(body, inverse, j.arm[side])), turning = trace(inverse);
       own += point;
       rotary_own += turning;
       shared += count(&body) * point;
@@ -91,6 +73,7 @@ void Joints::find_bounds() {
 
 void Joints::apply(system::State& state) {
   longest_step_ = std::max(longest_step_, state.dt);
+  springs_.apply(state);
   if (!(longest_step_ > 0.0)) return;
   for (Joint& j : joints_) apply(j, state, longest_step_);
 }
@@ -142,7 +125,7 @@ void Joints::apply(Joint& j, system::State& state, double longest_step) {
 }
 
 double Joints::energy() const {
-  double sum = 0.0;
+  double sum = springs_.energy();
   for (const Joint& j : joints_) sum += j.energy;
   return sum;
 }

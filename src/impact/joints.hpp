@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "impact/joint_springs.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -17,7 +18,7 @@ namespace nugget::impact {
 ///                perpendicular: M = -k (a . b) a x b
 ///     lock       the same as `axis`, for a second direction off the first (translational, locking)
 /// Forces act on both bodies at the place of B's point and moments are opposite, so momentum and angular momentum are
-/// kept to round-off.
+/// kept to round-off. What resists in a joint's free directions are JointSprings.
 ///
 /// Stiffness: with G the inverse mass that a piece's relative motion meets, when each body shares its mass evenly among
 /// the pieces at it, k = RPS beta / (dt^2 tr(G)), beta = 1/4: all pieces together have omega dt <= 1/2, well
@@ -27,11 +28,13 @@ class Joints {
  public:
   explicit Joints(const system::System& system);
 
-  bool empty() const { return joints_.empty(); }
+  bool empty() const { return joints_.empty() && springs_.empty(); }
   /// Adds the forces at state.time to the bodies, and books their work over the step that ends there.
   void apply(system::State& state);
   /// Stored in joints and lost in them: minus the work of their forces [energy].
   double energy() const;
+  /// The longest step that stiffnesses of joints bear; the joints themselves follow the step [time].
+  double stable_step() const { return springs_.stable_step(); }
 
   std::size_t size() const { return joints_.size(); }
   /// On body B at the joint, global axes.
@@ -73,6 +76,7 @@ class Joints {
 
   const system::System& system_;
   std::vector<Joint> joints_;
+  JointSprings springs_;
   double longest_step_ = 0.0;
 };
 

@@ -306,6 +306,7 @@ void Simulation::choose_step(double end_time) {
   if (state_.relaxing && control.relaxation.step_scale > 0.0) dt *= control.relaxation.step_scale / control.step_scale;
   if (control.step_curve != model::none)
     dt = std::min(dt, system_.model.curves[at(control.step_curve)].clamped(state_.time));
+  dt = std::min(dt, control.step_scale * joints_.stable_step());
   if (!std::isfinite(dt) && !std::isnan(dt))  // rigid bodies only
     dt = end_time > 0.0 && std::isfinite(end_time) ? 1e-3 * end_time : 1.0;
   bearable_step_ = dt;

@@ -79,7 +79,7 @@ void read_block(Builder& b, const deck::Block& block, Ledger& ledger) {
     if (is_first) report_refusal(b.findings, block, ruling, b.skip_unsupported);
     b.leave_out(block);
   }
-  if (ruling.verdict == Verdict::used) ruling.row->read(b, block, ruling.options);
+  if (ruling.verdict != Verdict::refused && ruling.row->read) ruling.row->read(b, block, ruling.options);
 }
 
 }  // namespace

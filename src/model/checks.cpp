@@ -113,13 +113,14 @@ void check_solids(Builder& b) {
           "mend the mesh there; it may fail early");
     const Index section = m.parts[static_cast<std::size_t>(m.solids.part[e])].section;
     const int elform = section == none ? 1 : m.solid_sections[static_cast<std::size_t>(section)].elform;
-    const std::size_t corners = elform == 10 || elform == 15 ? m.solids.corners(e).size() : 0;
-    if ((elform == 10 && corners != 4) || (elform == 15 && corners != 6))
+    const bool tetrahedron = elform == 10 || elform == 13;
+    const std::size_t corners = tetrahedron || elform == 15 ? m.solids.corners(e).size() : 0;
+    if ((tetrahedron && corners != 4) || (elform == 15 && corners != 6))
       misshapen.add(
           m.solids.place[e],
           [&] {
             return fmt::format("solid {} has {} different nodes, expected {} of formulation {}", id, corners,
-                               elform == 10 ? "the four of a tetrahedron" : "the six of a wedge", elform);
+                               tetrahedron ? "the four of a tetrahedron" : "the six of a wedge", elform);
           },
           "write ELFORM 1 and sort by ESORT = 1 of *CONTROL_SOLID, or part the mesh by shape");
   }
@@ -235,9 +236,16 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
   int& elform = b.model.solid_sections[s].elform;
   // In linear analyses the one-point brick with its physical stabilisation stands for 18 (nvh::linear_model).
   const bool linear = elform == 18 && b.model.implicit.active;
-  const bool is_weld = is<kernel::Spotweld>(b.model, part), is_corner_shape = elform == 10 || elform == 15;
+  const bool is_weld = is<kernel::Spotweld>(b.model, part),
+             is_corner_shape = elform == 10 || elform == 13 || elform == 15;
   const bool is_built = elform == 1 || elform == 2 || linear || (is_corner_shape && !is_weld);
   const bool is_wedge = elform == 15 && is_built;
+  if (elform == 13 && is_built && is<kernel::Compound>(b.model, part) && !told[s]) {
+    told[s] = 1;
+    return b.solid_section_rows[s].complain(
+        b.findings, Severity::warning, "elform",
+        "the nodes' pressure is built for *MAT_001, 003, 012 and 024; with this law the tetrahedra are computed as 10");
+  }
   if (is<kernel::Rigid>(b.model, part) || (is_built && !is_wedge) || std::exchange(told[s], char{1})) return;
   if (is_wedge)
     return b.solid_section_rows[s].complain(b.findings, Severity::warning, "elform",
@@ -255,14 +263,14 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
   refuse(
       b, b.solid_section_rows[s], "elform",
       fmt::format("solid formulation {} is not built{}; built are 1 (constant stress), 2 (fully integrated) and, not "
-                  "for welds, 10 (tetrahedron) and 15 (wedge)",
+                  "for welds, 10 and 13 (tetrahedra) and 15 (wedge)",
                   elform,
                   is_scaled ? " (its changed Jacobian is not public in detail, and a patent application, US "
                               "2011/0191072, covers it)"
                             : ""),
       is_brick_that_bends ? "write 1, with an hourglass control of type 6 and QM 1, which bends without locking"
-      : elform == 4 || elform == 13 ? "write 10; it locks in bending and in plastic flow, so mesh finely"
-                                    : "write 1, with an hourglass control of type 2 or 3");
+      : elform == 4       ? "write 13, or 10, which locks in bending and in plastic flow"
+                          : "write 1, with an hourglass control of type 2 or 3");
 }
 
 /// A spring needs a mass to have a time step.

@@ -9,7 +9,7 @@ namespace nugget::model {
 struct Implicit {
   bool active = false;          ///< IMFLAG = 1
   bool geometric = false;       ///< IGS = 1
-  int modes = 0;                ///< NEIG
+  int modes = 0;                ///< NEIG; below 0: so many, of the structure under its static loads at ENDTIM
   double centre = 0.0;          ///< CENTER [cycles/time]
   std::optional<double> low;    ///< LFTEND where LFLAG = 1 [cycles/time]
   std::optional<double> high;   ///< RHTEND where RFLAG = 1 [cycles/time]

@@ -22,6 +22,25 @@ struct Joint {
   Place place;
 };
 
+/// *CONSTRAINED_JOINT_STIFFNESS_GENERALIZED, _TRANSLATIONAL: what resists the relative rotations, or displacements, of
+/// two rigid bodies about the axes of a coordinate system that goes with each of them.
+struct JointStiffness {
+  struct Freedom {
+    Index load = none, damper = none;  ///< curves: moment (force) over rotation (displacement), over its rate
+    double stiffness = 0.0;            ///< of friction and stops [moment, or force/length]
+    double friction = 0.0;             ///< greatest moment (force) of friction; 0: none
+    double low_stop = 0.0,
+           high_stop = 0.0;  ///< sizes of rotation [rad] or displacement at which a stop begins; 0: none
+  };
+  int id = 0;
+  bool rotational = false;
+  std::array<Index, 2> body{none, none};  ///< A and B, in Model::rigid_bodies
+  std::array<Vec3d, 2> origin;            ///< of their systems, at time 0
+  std::array<Frame3d, 2> axes;
+  std::array<Freedom, 3> freedom;
+  Place place;
+};
+
 /// *ELEMENT_SEATBELT_ACCELEROMETER: a node of a rigid body whose motion nodout gives in axes that turn with the body:
 /// x from node 1 to node 2, z normal to x and to node 3, y = z x x.
 struct Accelerometer {

@@ -47,6 +47,7 @@ std::vector<Keyword> all_families() {
            generalized_body_load_keywords,
            rigidwall_keywords,
            constrained_keywords,
+           joint_stiffness_keywords,
            joint_keywords,
            contact_keywords,
            other_keywords,

@@ -184,6 +184,7 @@ struct Model {
   InitialState initial_state;
   std::vector<RigidWall> walls;
   std::vector<Contact> contacts;  ///< penalty contacts and ties, in deck order
+  std::vector<JointStiffness> joint_stiffnesses;
 
   /// Index of a user id, or none.
   Index node_index(int id) const;

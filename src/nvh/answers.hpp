@@ -69,7 +69,7 @@ Answers direct_answers(const Matrices& matrices, std::span<const HarmonicLoad> l
                        const model::FrequencyResponse::Damping& damping, std::span<const Row> forms,
                        std::span<const double> frequency, const Tell& tell = {});
 
-/// Errors for damping that belongs to modes.
+/// Errors for damping that belongs to modes, and for a preload.
 void check_direct(const model::Model& model, const model::FrequencyResponse::Damping& damping, const Place& place,
                   const char* keyword, Findings& findings);
 

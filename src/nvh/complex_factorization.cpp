@@ -6,6 +6,7 @@
 #include <zmumps_c.h>
 
 #include "base/index.hpp"
+#include "nvh/elimination_order.hpp"
 #include "nvh/factorization.hpp"
 
 namespace nugget::nvh {

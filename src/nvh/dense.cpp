@@ -6,19 +6,20 @@
 
 namespace nugget::nvh {
 
-Columns inner(const Columns& a, std::size_t a_count, const Columns& b) {
+Columns inner(const Columns& a, std::size_t a_count, const Columns& b, std::size_t a_first) {
   Columns c(a_count, b.count);
   if (a_count > 0 && b.count > 0)
     cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, static_cast<int>(a_count), static_cast<int>(b.count),
-                static_cast<int>(a.rows), 1.0, a.value.data(), static_cast<int>(a.rows), b.value.data(),
+                static_cast<int>(a.rows), 1.0, a[a_first].data(), static_cast<int>(a.rows), b.value.data(),
                 static_cast<int>(b.rows), 0.0, c.value.data(), static_cast<int>(a_count));
   return c;
 }
 
-void add_product(double alpha, const Columns& a, std::size_t a_count, const Columns& b, double beta, Columns& c) {
+void add_product(double alpha, const Columns& a, std::size_t a_count, const Columns& b, double beta, Columns& c,
+                 std::size_t a_first) {
   if (a_count > 0 && b.count > 0)
     cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, static_cast<int>(a.rows), static_cast<int>(b.count),
-                static_cast<int>(a_count), alpha, a.value.data(), static_cast<int>(a.rows), b.value.data(),
+                static_cast<int>(a_count), alpha, a[a_first].data(), static_cast<int>(a.rows), b.value.data(),
                 static_cast<int>(b.rows), beta, c.value.data(), static_cast<int>(c.rows));
 }
 

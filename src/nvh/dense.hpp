@@ -8,11 +8,12 @@
 // Small dense products and eigenvalues, by BLAS and LAPACK.
 namespace nugget::nvh {
 
-/// A^t B with the first `a_count` columns of A.
-Columns inner(const Columns& a, std::size_t a_count, const Columns& b);
+/// A^t B with `a_count` columns of A from `a_first` on.
+Columns inner(const Columns& a, std::size_t a_count, const Columns& b, std::size_t a_first = 0);
 
-/// C := beta C + alpha A B with the first `a_count` columns of A.
-void add_product(double alpha, const Columns& a, std::size_t a_count, const Columns& b, double beta, Columns& c);
+/// C := beta C + alpha A B with `a_count` columns of A from `a_first` on.
+void add_product(double alpha, const Columns& a, std::size_t a_count, const Columns& b, double beta, Columns& c,
+                 std::size_t a_first = 0);
 
 /// Eigenvalues, ascending, of a symmetric matrix, of which the lower triangle is read; vectors take its place.
 std::vector<double> diagonalize(Columns& a);

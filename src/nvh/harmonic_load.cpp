@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/index.hpp"
 #include "nvh/factorization.hpp"
@@ -38,12 +39,18 @@ void add_load(const Matrices& m, const Nodal& f, double factor, std::span<double
 void solve_statically(const Matrices& m, Columns& q) {
   const Factorization factor(m, small_shift(m));
   const Columns load = q;
+  const auto largest = [](const std::vector<double>& v) {
+    double most = 0.0;
+    for (const double x : v) most = std::max(most, std::abs(x));
+    return most;
+  };
   q.value.assign(q.value.size(), 0.0);
   std::vector<double> internal(m.size());
-  for (int pass = 0; pass < 4; ++pass) {
+  for (int pass = 0; pass < 100; ++pass) {
     Columns rest = load;
     m.stiffness.multiply(q[0], internal);
     for (std::size_t i = 0; i < m.size(); ++i) rest.value[i] -= internal[i];
+    if (largest(rest.value) <= 1e-12 * largest(load.value)) return;
     factor.solve(rest);
     for (std::size_t i = 0; i < m.size(); ++i) q.value[i] += rest.value[i];
   }
@@ -95,14 +102,22 @@ bool turns(const Equations& equations, int node) {
                      [&](const Equations::Support& s) { return s.node == node && s.rotation; });
 }
 
+std::string other_stiffness(const model::Model& model) {
+  if (model.implicit.geometric) return "the geometric stiffness of a preload (IGS 1)";
+  return model.joints.empty() ? "" : "the stiffness of joints";
+}
+
 void check_excitation(const Matrices& m, const Excitation& e, const char* keyword, Findings& findings) {
+  const model::Model& model = m.system.model;
+  if (const std::string other = other_stiffness(model); e.kind == Kind::enforced && !other.empty())
+    findings.error(e.place, keyword, "enforced motion of nodes does not know " + other,
+                   "drive the base, or apply forces");
   if (e.kind != Kind::torque) return;
   for (const model::Index n : e.nodes)
     if (!turns(m.equations, m.system.node_of[at(n)]))
-      findings.error(
-          e.place, keyword,
-          fmt::format("node {} carries a torque, but nothing there can turn", m.system.model.nodes.id[at(n)]),
-          "put it on a node of shells, beams or a rigid body, or write a pair of forces");
+      findings.error(e.place, keyword,
+                     fmt::format("node {} carries a torque, but nothing there can turn", model.nodes.id[at(n)]),
+                     "put it on a node of shells, beams or a rigid body, or write a pair of forces");
 }
 
 }  // namespace nugget::nvh

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "base/index.hpp"
 #include "nvh/dense.hpp"
@@ -11,53 +12,41 @@
 namespace nugget::nvh {
 namespace {
 
-constexpr double tolerance = 1e-9;
+constexpr double tolerance = 1e-7;
 
 /// The growing basis V, orthonormal in M, and the projection T = V^t M A^-1 M V.
 class Basis {
  public:
-  Basis(const Matrices& m, std::size_t most) : m_(m), v_(m.size(), most), t_(most, most) {}
+  Basis(const Matrices& m, std::size_t most) : m_(m), v_(m.size(), 0), t_(most, most) {
+    v_.value.reserve(m.size() * most);  // memory is not touched before it is used
+  }
 
   std::size_t size() const { return size_; }
-  /// Makes w orthonormal to the basis and in itself, in the inner product of M, and drops directions that are
-  /// dependent. Returns R and H with w_before = V H + w R, and M w.
+  /// Makes w, A^-1 M times the last block, orthonormal to the basis and in itself, in the inner product of M, and drops
+  /// directions that are dependent. Returns R and H with w_before = V H + w R, and M w.
   struct Orthonormal {
     Columns h, r, mass;
   };
   Orthonormal orthonormalize(Columns& w) const {
     Orthonormal o{Columns(size_, w.count), Columns(w.count, w.count), Columns(w.rows, w.count)};
     for (std::size_t i = 0; i < w.count; ++i) o.r[i][i] = 1.0;
-    for (int pass = 0; pass < 3; ++pass) {
+    // First what the recurrence knows of, then the whole basis against round-off.
+    for (const std::size_t first : {coupled_, std::size_t{0}}) {
       multiply(m_.mass, w, o.mass);
-      const Columns h = inner(v_, size_, o.mass);
-      add_product(-1.0, v_, size_, h, 1.0, w);
-      add_product(1.0, h, h.count, o.r, 1.0, o.h);
-      multiply(m_.mass, w, o.mass);
-      Columns g = inner(w, w.count, o.mass);
-      const std::vector<double> d = diagonalize(g);
-      // w := w G D^-1/2, so w_before = w_after (D^1/2 G^t); the largest first.
-      const double least = 1e-28 * std::max(d.back(), 1e-300);
-      std::vector<std::size_t> kept;
-      for (std::size_t i = d.size(); i-- > 0;)
-        if (d[i] > least) kept.push_back(i);
-      Columns turn(w.count, kept.size()), back(kept.size(), w.count);
-      for (std::size_t k = 0; k < kept.size(); ++k)
-        for (std::size_t i = 0; i < w.count; ++i) {
-          turn[k][i] = g[kept[k]][i] / std::sqrt(d[kept[k]]);
-          back[i][k] = g[kept[k]][i] * std::sqrt(d[kept[k]]);
-        }
-      Columns next(w.rows, kept.size()), r(kept.size(), o.r.count);
-      add_product(1.0, w, w.count, turn, 0.0, next);
-      add_product(1.0, back, back.count, o.r, 0.0, r);
-      w = std::move(next);
-      o.r = std::move(r);
-      o.mass = Columns(w.rows, w.count);
+      const Columns h = inner(v_, size_ - first, o.mass, first);
+      add_product(-1.0, v_, size_ - first, h, 1.0, w, first);
+      for (std::size_t j = 0; j < o.r.count; ++j)
+        for (std::size_t k = 0; k < h.count; ++k)
+          for (std::size_t i = 0; i < h.rows; ++i) o.h[j][first + i] += h[k][i] * o.r[j][k];
+      scale(w, o);
     }
     multiply(m_.mass, w, o.mass);
     return o;
   }
   void append(const Columns& w) {
-    std::copy(w.value.begin(), w.value.end(), v_[size_].begin());
+    v_.value.insert(v_.value.end(), w.value.begin(), w.value.end());
+    v_.count += w.count;
+    coupled_ = std::exchange(last_, size_);
     size_ += w.count;
   }
   /// Column block of T from `first` on, and by symmetry its rows.
@@ -79,17 +68,44 @@ class Basis {
   }
   /// Keeps the Ritz vectors y with their values.
   void restart(const Columns& y, const std::vector<double>& theta) {
-    const Columns x = vectors(y);
-    std::copy(x.value.begin(), x.value.end(), v_.value.begin());
+    Columns x = vectors(y);
+    v_.value.assign(x.value.begin(), x.value.end());
+    v_.count = size_ = y.count;
+    last_ = 0;
     std::fill(t_.value.begin(), t_.value.end(), 0.0);
-    size_ = y.count;
     for (std::size_t i = 0; i < size_; ++i) t_[i][i] = theta[i];
   }
 
  private:
+  /// Orthonormal in itself: w := w G D^-1/2 with w^t M w = G D G^t, so w_before = w_after (D^1/2 G^t); the largest
+  /// first.
+  void scale(Columns& w, Orthonormal& o) const {
+    if (w.count == 0) return;
+    multiply(m_.mass, w, o.mass);
+    Columns g = inner(w, w.count, o.mass);
+    const std::vector<double> d = diagonalize(g);
+    const double least = 1e-28 * std::max(d.back(), 1e-300);
+    std::vector<std::size_t> kept;
+    for (std::size_t i = d.size(); i-- > 0;)
+      if (d[i] > least) kept.push_back(i);
+    Columns turn(w.count, kept.size()), back(kept.size(), w.count);
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      for (std::size_t i = 0; i < w.count; ++i) {
+        turn[k][i] = g[kept[k]][i] / std::sqrt(d[kept[k]]);
+        back[i][k] = g[kept[k]][i] * std::sqrt(d[kept[k]]);
+      }
+    Columns next(w.rows, kept.size()), r(kept.size(), o.r.count);
+    add_product(1.0, w, w.count, turn, 0.0, next);
+    add_product(1.0, back, back.count, o.r, 0.0, r);
+    w = std::move(next);
+    o.r = std::move(r);
+    o.mass = Columns(w.rows, w.count);
+  }
+
   const Matrices& m_;
   Columns v_, t_;
   std::size_t size_ = 0;
+  std::size_t last_ = 0, coupled_ = 0;  ///< where the last block begins, and that before: A^-1 M of the last needs both
 };
 
 /// The same numbers on every machine.
@@ -184,18 +200,11 @@ Eigenpairs nearest(const Matrices& m, const Factorization& a, int wanted, const 
       basis.restart(chosen(p.y, p.order, keep), theta);
     }
   }
-  const std::size_t count = std::min(want, p.order.size());
-  const Columns x = basis.vectors(chosen(p.y, p.order, count));
-  std::vector<std::size_t> by_value(count);
-  std::iota(by_value.begin(), by_value.end(), std::size_t{0});
-  std::vector<double> lambda;
-  for (std::size_t j = 0; j < count; ++j) lambda.push_back(1.0 / p.theta[p.order[j]] - a.shift());
-  std::sort(by_value.begin(), by_value.end(), [&](std::size_t i, std::size_t j) { return lambda[i] < lambda[j]; });
-  found.vector = Columns(n, count);
-  for (std::size_t j = 0; j < count; ++j) {
-    found.value.push_back(lambda[by_value[j]]);
-    std::copy(x[by_value[j]].begin(), x[by_value[j]].end(), found.vector[j].begin());
-  }
+  p.order.resize(std::min(want, p.order.size()));
+  const auto lambda = [&](std::size_t i) { return 1.0 / p.theta[i] - a.shift(); };
+  std::sort(p.order.begin(), p.order.end(), [&](std::size_t i, std::size_t j) { return lambda(i) < lambda(j); });
+  found.vector = basis.vectors(chosen(p.y, p.order, p.order.size()));
+  for (const std::size_t i : p.order) found.value.push_back(lambda(i));
   return found;
 }
 

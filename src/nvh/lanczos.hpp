@@ -17,7 +17,7 @@ struct Eigenpairs {
 
 /// The `wanted` eigenpairs nearest to -shift of the factorization, by block Lanczos on A^-1 M in the inner product of M
 /// (shift and invert; Grimes, Lewis, Simon, SIAM J. Matrix Anal. Appl. 15 (1994) 228), with full reorthogonalization
-/// and thick restarts. Each residual |A^-1 M x - theta x|_M is below 1e-9 theta, which makes the eigenvalue, of second
+/// and thick restarts. Each residual |A^-1 M x - theta x|_M is below 1e-7 theta, which makes the eigenvalue, of second
 /// order in it, good to round-off. `M` may be singular (unknowns without mass).
 Eigenpairs nearest(const Matrices& matrices, const Factorization& factorization, int wanted,
                    const std::function<void(int converged)>& progress = {});

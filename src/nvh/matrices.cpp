@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
-#include "nvh/reach.hpp"
+#include "nvh/assembly.hpp"
+#include "nvh/joint_stiffness.hpp"
+#include "nvh/prestress.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -72,39 +75,6 @@ std::vector<NodalMass> nodal_masses(const system::System& system, const system::
   return at_node;
 }
 
-std::span<const int> element_nodes(const system::ElementGroup& group, const std::array<int, 8>& nodes) {
-  return {nodes.data(), at(group.nodes_per_element)};
-}
-
-/// Adds an element's or a node's matrix, given in its freedoms.
-void scatter(const Reach& reach, std::span<const double> k, Symmetric& into) {
-  const std::vector<double> q = reach.reduced(k);
-  const std::vector<int>& eq = reach.equations();
-  for (std::size_t i = 0; i < eq.size(); ++i)
-    for (std::size_t j = 0; j <= i; ++j)  // mean of both triangles: kernels are symmetric to round-off only
-      into.add(eq[i], eq[j], 0.5 * (q[i * eq.size() + j] + q[j * eq.size() + i]));
-}
-
-/// Rows of the lower triangle for elements with these lists of unknowns.
-std::vector<std::vector<int>> pattern(std::size_t size, const std::vector<std::vector<int>>& lists) {
-  std::vector<std::vector<int>> rows(size);
-  for (std::size_t j = 0; j < size; ++j) rows[j].push_back(static_cast<int>(j));
-  const auto tidy = [](std::vector<int>& r) {
-    std::sort(r.begin(), r.end());
-    r.erase(std::unique(r.begin(), r.end()), r.end());
-  };
-  for (const std::vector<int>& list : lists)
-    for (std::size_t j = 0; j < list.size(); ++j) {
-      std::vector<int>& r = rows[at(list[j])];
-      r.insert(r.end(), list.begin() + static_cast<std::ptrdiff_t>(j), list.end());
-      if (r.size() > 1000) tidy(r);
-    }
-  parallel_for(size, 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t j = begin; j < end; ++j) tidy(rows[j]);
-  });
-  return rows;
-}
-
 /// Positions at rest, which is all that stiffnesses need.
 system::State at_rest(const system::System& system) {
   system::State state;
@@ -121,6 +91,8 @@ Symmetric assemble_stiffness(const system::System& system, const system::State& 
       const std::array<int, 8> node = group->nodes(e);
       lists.push_back(Reach(equations, element_nodes(*group, node), group->freedoms()).equations());
     }
+  const std::vector<JointRows> joints = joint_rows(system);
+  for (const JointRows& joint : joints) lists.push_back(Reach(equations, joint.node, 6).equations());
   Symmetric k(pattern(at(equations.size()), lists));
   // Kernels in parallel, a stretch at a time; added up in the order of the elements.
   constexpr std::size_t stretch = 2048;
@@ -141,6 +113,7 @@ Symmetric assemble_stiffness(const system::System& system, const system::State& 
       }
     }
   }
+  add_joints(joints, equations, k);
   return k;
 }
 
@@ -163,6 +136,25 @@ Symmetric assemble_mass(const Equations& equations, const std::vector<NodalMass>
   Symmetric m(pattern(at(equations.size()), lists));
   for (std::size_t k = 0; k < nodal.size(); ++k) scatter(reach(k), mass_matrix(nodal[k]), m);
   return m;
+}
+
+/// K with what a prestress adds, and M, in the unknowns that have any stiffness.
+void assemble(Matrices& m, const Prestress* prestress) {
+  const auto stiffness = [&] {
+    Symmetric k = assemble_stiffness(m.system, m.rest, m.equations);
+    return prestress != nullptr ? sum(k, prestress->stiffness()) : std::move(k);
+  };
+  m.stiffness = stiffness();
+  const std::vector<char> loose = unresisted(m.stiffness);
+  m.held = static_cast<int>(std::count(loose.begin(), loose.end(), 1));
+  if (m.held > 0) {
+    m.equations.hold(loose);
+    m.stiffness = stiffness();
+  }
+  m.mass = assemble_mass(m.equations, m.nodal_mass);
+  // What cancels between elements or belongs to another direction is left as round-off of a few 1e-16.
+  m.stiffness.drop_small(1e-14);
+  m.mass.drop_small(1e-14);
 }
 
 }  // namespace
@@ -213,37 +205,47 @@ std::array<double, 36> mass_matrix(const NodalMass& n) {
 
 Matrices::Matrices(const system::System& s, Findings& findings)
     : system(s), rest(at_rest(s)), equations(s, findings), nodal_mass(nodal_masses(s, rest)) {
-  for (const model::Joint& joint : s.model.joints)
-    findings.error(joint.place, "*CONSTRAINED_JOINT",
-                   fmt::format("joint {}: joints are not in the linear analyses yet", joint.id),
-                   "leave the joint out, or join the bodies by springs (*ELEMENT_DISCRETE, ELFORM 6)");
-  stiffness = assemble_stiffness(s, rest, equations);
-  const std::vector<char> loose = unresisted(stiffness);
-  held = static_cast<int>(std::count(loose.begin(), loose.end(), 1));
-  if (held > 0) {
-    equations.hold(loose);
-    stiffness = assemble_stiffness(s, rest, equations);
+  for (const model::JointStiffness& springs : s.model.joint_stiffnesses)
+    findings.error(springs.place, "*CONSTRAINED_JOINT_STIFFNESS",
+                   fmt::format("joint stiffness {} is not in the linear analyses", springs.id),
+                   "leave it out, or join the bodies by springs (*ELEMENT_DISCRETE, ELFORM 6)");
+  for (const model::Part& part : s.model.parts)
+    if (part.kind == model::ElementKind::solid && part.section != model::none &&
+        s.model.solid_sections[at(part.section)].elform == 13)
+      findings.error(
+          part.place, "*PART",
+          fmt::format("part {}: tetrahedra whose nodes share a pressure (ELFORM 13) have no stiffness of their "
+                      "own, so they are not in the linear analyses",
+                      part.id),
+          "write 10 there");
+  assemble(*this, nullptr);
+  if (held > 0)
     findings.note({s.model.deck, 0, 0}, "*CONTROL_IMPLICIT_SOLVER",
                   fmt::format("{} directions of nodes are held, since nothing resists motion in them (AUTOSPC)", held));
-  }
-  mass = assemble_mass(equations, nodal_mass);
+}
+
+void stiffen(Matrices& m, const Prestress& prestress) {
+  Findings told;  // when the matrices were made
+  m.equations = Equations(m.system, told);
+  assemble(m, &prestress);
 }
 
 std::vector<double> Matrices::element_energies(const system::ElementGroup& group, std::size_t e,
                                                const Columns& q) const {
-  const std::size_t per_node = at(group.freedoms()), n = at(group.nodes_per_element) * per_node;
-  std::vector<double> k(n * n), u(n), energy;
+  const std::size_t per_node = at(group.freedoms()), n = at(group.nodes_per_element) * per_node, count = q.count;
+  std::vector<double> k(n * n), u(n * count), force(count), energy(count, 0.0);
   group.stiffness(e, rest, k);
   const std::array<int, 8> node = group.nodes(e);
-  for (std::size_t mode = 0; mode < q.count; ++mode) {
-    for (std::size_t a = 0; a < at(group.nodes_per_element); ++a) {
+  for (std::size_t a = 0; a < at(group.nodes_per_element); ++a)
+    for (std::size_t mode = 0; mode < count; ++mode) {
       const Six motion = equations.motion(node[a], q[mode]);
-      for (std::size_t i = 0; i < per_node; ++i) u[a * per_node + i] = motion[i];
+      for (std::size_t i = 0; i < per_node; ++i) u[(a * per_node + i) * count + mode] = motion[i];
     }
-    double twice = 0.0;
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j) twice += u[i] * k[i * n + j] * u[j];
-    energy.push_back(0.5 * twice);
+  for (std::size_t i = 0; i < n; ++i) {  // all modes side by side
+    std::fill(force.begin(), force.end(), 0.0);
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t mode = 0; mode < count; ++mode) force[mode] += k[i * n + j] * u[j * count + mode];
+    for (std::size_t mode = 0; mode < count; ++mode) energy[mode] += 0.5 * u[i * count + mode] * force[mode];
   }
   return energy;
 }

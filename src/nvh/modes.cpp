@@ -4,151 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
+#include "nvh/mode_search.hpp"
 
 namespace nugget::nvh {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-
-double squared(double frequency) {
-  return two_pi * frequency * two_pi * frequency;
-}
-
-class Search {
- public:
-  Search(const Matrices& m, const Tell& tell, Modes& modes) : m_(m), tell_(tell), modes_(modes) {}
-
-  /// K - lambda M.
-  Factorization factor(double lambda) {
-    tell(fmt::format("factorization {} of {} equations", modes_.cost.factorizations + 1, m_.size()));
-    for (double nudge = 1e-7;; nudge *= 10.0) {
-      try {
-        Factorization f(m_, -lambda);
-        ++modes_.cost.factorizations;
-        modes_.cost.factor_seconds += f.cost().seconds;
-        modes_.cost.factor_entries = f.cost().entries;
-        return f;
-      } catch (const Factorization::SolverError&) {
-        if (lambda <= 0.0 || nudge > 1e-4) throw;
-        lambda *= 1.0 + nudge;  // an eigenvalue was hit
-      }
-    }
-  }
-  Eigenpairs nearest(const Factorization& f, int count) {
-    const auto begin = std::chrono::steady_clock::now();
-    Eigenpairs p = nvh::nearest(m_, f, count, [&](int done) { tell(fmt::format("{} of {} modes", done, count)); });
-    modes_.cost.lanczos_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    modes_.cost.solves += p.solves;
-    return p;
-  }
-  int below(double lambda) { return factor(lambda).negative(); }
-  void tell(const std::string& text) const {
-    if (tell_) tell_(text);
-  }
-
- private:
-  const Matrices& m_;
-  const Tell& tell_;
-  Modes& modes_;
-};
-
-/// Drops the last pairs of a cluster that the count would cut in two, and those beyond `keep`.
-void cut(Eigenpairs& p, std::size_t keep) {
-  keep = std::min(keep, p.value.size());
-  p.value.resize(keep);
-  p.vector.count = keep;
-  p.vector.value.resize(keep * p.vector.rows);
-}
-
-/// A place between the last mode kept and the first one left out where counting is safe.
-double between(const std::vector<double>& value, std::size_t keep, double scale) {
-  const double last = keep > 0 ? value[keep - 1] : 0.0;
-  const double next = keep < value.size() ? value[keep] : last + 1e-3 * std::abs(last) + scale;
-  return 0.5 * (last + next);
-}
-
-/// Pairs that are wanted plus one, so that the place to count at lies in a gap; where the next one belongs to the
-/// cluster of the last (double modes of square plates) the cluster is completed.
-Eigenpairs lowest(Search& search, const Factorization& f, std::size_t want, std::size_t n) {
-  for (std::size_t more = 1;; more += 3) {
-    Eigenpairs p = search.nearest(f, static_cast<int>(std::min(want + more, n)));
-    const std::size_t have = p.value.size();
-    if (have <= want || have == n) return p;
-    const double gap = 1e-6 * (std::abs(p.value.back()) + f.shift());
-    if (more > 12 || p.value.back() - p.value[want - 1] > gap) return p;
-  }
-}
-
-void find_lowest(Search& search, const Matrices& m, const ModeRequest& r, Modes& modes, Eigenpairs& p) {
-  const double shift = small_shift(m);
-  std::optional<Factorization> f = search.factor(-shift);
-  std::size_t want = r.count > 0 ? at(r.count) : m.size();
-  if (std::isfinite(r.high)) want = std::min(want, at(search.below(squared(r.high))));
-  want = std::min(want, m.size());
-  if (want == 0) return;
-  p = lowest(search, *f, want, m.size());
-  const int below_zero = f->negative();
-  f.reset();  // counting needs a factor of its own; both at once would be the peak of memory
-  // The mode after the wanted ones may be their twin: count behind the last that lies apart.
-  std::size_t end = std::min(want, p.value.size());
-  const double gap = 1e-6;
-  while (end < p.value.size() && p.value[end] - p.value[end - 1] < gap * (std::abs(p.value[end]) + shift)) ++end;
-  const double place = between(p.value, end, shift);
-  modes.proof = {0.0, std::sqrt(std::max(0.0, place)) / two_pi, search.below(place) + below_zero,
-                 static_cast<int>(end)};
-  cut(p, want);
-}
-
-void find_inside(Search& search, const Matrices& m, const ModeRequest& r, Modes& modes, Eigenpairs& p) {
-  const double low = squared(r.low), high = squared(r.high);
-  const int first = search.below(low), last = search.below(high);
-  modes.proof = {r.low, r.high, last - first, 0};
-  if (last == first) return;
-  // The nearest ones to the middle are exactly those inside.
-  p = search.nearest(search.factor(0.5 * (low + high)), last - first);
-  modes.proof.found =
-      static_cast<int>(std::count_if(p.value.begin(), p.value.end(), [&](double v) { return v >= low && v <= high; }));
-  if (r.count > 0) cut(p, at(r.count));
-  static_cast<void>(m);
-}
-
-void find_above(Search& search, const Matrices& m, const ModeRequest& r, Modes& modes, Eigenpairs& p) {
-  const double low = squared(r.low);
-  const Factorization f = search.factor(low);
-  const int before = f.negative();
-  for (int take = r.count + 4;; take *= 2) {
-    p = search.nearest(f, std::min(take, static_cast<int>(m.size())));
-    const auto first = std::lower_bound(p.value.begin(), p.value.end(), -f.shift());
-    const auto left_out = static_cast<std::size_t>(first - p.value.begin());
-    if (p.value.size() - left_out <= at(r.count) && at(take) < m.size()) continue;
-    p.vector.value.erase(p.vector.value.begin(),
-                         p.vector.value.begin() + static_cast<std::ptrdiff_t>(left_out * p.vector.rows));
-    p.value.erase(p.value.begin(), first);
-    p.vector.count = p.value.size();
-    break;
-  }
-  const std::size_t keep = std::min(at(r.count), p.value.size());
-  const double place = between(p.value, keep, 1e-3 * low);
-  cut(p, keep);
-  modes.proof = {r.low, std::sqrt(place) / two_pi, search.below(place) - before, static_cast<int>(keep)};
-}
-
-void find_around(Search& search, const Matrices& m, const ModeRequest& r, Modes& modes, Eigenpairs& p) {
-  const Factorization f = search.factor(squared(r.centre));
-  p = search.nearest(f, std::min(r.count, static_cast<int>(m.size())));
-  if (p.value.empty()) return;
-  const double reach = std::max(std::abs(p.value.front() + f.shift()), std::abs(p.value.back() + f.shift()));
-  const double low = -f.shift() - reach * (1.0 + 1e-6), high = -f.shift() + reach * (1.0 + 1e-6);
-  modes.proof = {std::sqrt(std::max(0.0, low)) / two_pi, std::sqrt(high) / two_pi,
-                 search.below(high) - search.below(low), static_cast<int>(p.value.size())};
-}
 
 void find_participation(const Matrices& m, Modes& modes) {
   double mass = 0.0;
@@ -243,17 +109,7 @@ void tell_held_motions(const Equations& equations, const model::Model& model, Fi
 Modes find_modes(const Matrices& m, const ModeRequest& r, const Tell& tell) {
   Modes modes;
   Eigenpairs p;
-  Search search(m, tell, modes);
-  if (m.size() > 0) {
-    if (r.centre > 0.0)
-      find_around(search, m, r, modes, p);
-    else if (r.low > 0.0 && std::isfinite(r.high))
-      find_inside(search, m, r, modes, p);
-    else if (r.low > 0.0)
-      find_above(search, m, r, modes, p);
-    else
-      find_lowest(search, m, r, modes, p);
-  }
+  if (m.size() > 0) p = search_modes(m, r, tell, modes);
   modes.eigenvalue = std::move(p.value);
   modes.shape = std::move(p.vector);
   fix_signs(modes.shape);
@@ -265,6 +121,7 @@ EnergyShares energy_shares(const Matrices& m, const Modes& modes) {
   const system::System& system = m.system;
   const std::size_t count = modes.eigenvalue.size();
   EnergyShares shares{Columns(system.model.parts.size(), count), Columns(system.ties.welds.size(), count)};
+  std::vector<double> whole(count, 0.0);  // omega^2 / 2, but for the work of preloads
   std::vector<std::size_t> weld_of(system.model.beams.size(), system.ties.welds.size());
   for (std::size_t w = 0; w < system.ties.welds.size(); ++w)
     if (system.ties.welds[w].kind == weld::Weld::Kind::beam) weld_of[at(system.ties.welds[w].element)] = w;
@@ -278,15 +135,17 @@ EnergyShares energy_shares(const Matrices& m, const Modes& modes) {
       if (!group->alive(e)) continue;
       for (std::size_t mode = 0; mode < count; ++mode) {
         if (!modes.elastic(mode)) continue;
-        // The strain energy of a mode is omega^2 / 2.
-        const double share = energies[e][mode] / (0.5 * modes.eigenvalue[mode]);
-        shares.part[mode][at(group->part)] += share;
+        whole[mode] += energies[e][mode];
+        shares.part[mode][at(group->part)] += energies[e][mode];
         if (group->kind != model::ElementKind::beam) continue;
         const std::size_t w = weld_of[at(group->element[e])];
-        if (w < system.ties.welds.size()) shares.weld[mode][w] += share;
+        if (w < system.ties.welds.size()) shares.weld[mode][w] += energies[e][mode];
       }
     }
   }
+  for (Columns* share : {&shares.part, &shares.weld})
+    for (std::size_t mode = 0; mode < count; ++mode)
+      for (double& v : (*share)[mode]) v *= whole[mode] > 0.0 ? 1.0 / whole[mode] : 0.0;
   return shares;
 }
 

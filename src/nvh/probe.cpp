@@ -112,6 +112,8 @@ std::vector<Probe> probes_of(const Matrices& m, const Response& response) {
 
 void check_response(const Matrices& m, const Response& response, const char* keyword, Findings& findings) {
   const bool force = response.quantity == model::FrequencyResponse::Quantity::force;
+  if (const std::string other = other_stiffness(m.system.model); force && !other.empty())
+    findings.error(response.place, keyword, "forces of supports do not know " + other, "ask for motions");
   for (const model::Index n : response.nodes) {
     const int node = m.system.node_of[at(n)], id = m.system.model.nodes.id[at(n)];
     if (response.rotation && !turns(m.equations, node))

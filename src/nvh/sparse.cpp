@@ -2,6 +2,8 @@
 #include "nvh/sparse.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
@@ -22,6 +24,23 @@ void Symmetric::add(int i, int j, double value) {
   const auto first = row_.begin() + static_cast<std::ptrdiff_t>(start_[at(j)]);
   const auto last = row_.begin() + static_cast<std::ptrdiff_t>(start_[at(j) + 1]);
   value_[static_cast<std::size_t>(std::lower_bound(first, last, i) - row_.begin())] += value;
+}
+
+void Symmetric::drop_small(double share) {
+  std::vector<double> size(this->size());
+  for (std::size_t j = 0; j < size.size(); ++j) size[j] = std::sqrt(std::abs(diagonal(j)));
+  std::size_t kept = 0;
+  for (std::size_t j = 0; j < size.size(); ++j) {
+    const std::size_t first = std::exchange(start_[j], kept);
+    for (std::size_t k = first; k < start_[j + 1]; ++k) {
+      if (k > first && std::abs(value_[k]) <= share * size[j] * size[at(row_[k])]) continue;
+      row_[kept] = row_[k];
+      value_[kept++] = value_[k];
+    }
+  }
+  start_.back() = kept;
+  row_ = std::vector<int>(row_.begin(), row_.begin() + static_cast<std::ptrdiff_t>(kept));
+  value_ = std::vector<double>(value_.begin(), value_.begin() + static_cast<std::ptrdiff_t>(kept));
 }
 
 void Symmetric::multiply(std::span<const double> x, std::span<double> y) const {

@@ -38,6 +38,8 @@ class Symmetric {
   /// Adds to entry (i, j) or (j, i), which must be in the pattern.
   void add(int i, int j, double value);
   double diagonal(std::size_t i) const { return value_[start_[i]]; }
+  /// Forgets entries that are next to nothing beside the diagonal, |a_ij| <= share sqrt(|a_ii a_jj|).
+  void drop_small(double share);
 
   /// y := this x, for one column.
   void multiply(std::span<const double> x, std::span<double> y) const;

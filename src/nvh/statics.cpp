@@ -173,6 +173,10 @@ void check_statics(const model::Model& model, Findings& findings) {
                      "a motion that is not there from time 0 to ENDTIM is not built in linear statics",
                      "leave BIRTH and DEATH empty");
   }
+  for (const model::Joint& joint : model.joints)
+    findings.error(joint.place, "*CONSTRAINED_JOINT",
+                   fmt::format("joint {}: joints are built in modes, not in linear statics", joint.id),
+                   "leave the joint out, or join the bodies by springs (*ELEMENT_DISCRETE, ELFORM 6)");
   for (const model::BodyLoad& load : model.body_loads)
     if (!load.parts.empty() || !load.nodes.empty())
       findings.error(deck, "*LOAD_BODY", "body loads on some parts or nodes only are not built in linear statics",

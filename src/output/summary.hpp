@@ -37,6 +37,8 @@ struct WeldLoad {
   double strain_rate = 0.0;             ///< effective [1/time]
   double failure = 0.0;                 ///< value of the failure function; 1 is failure
   std::string terms;                    ///< what it is made of, e.g. `axial force 0.81, shear force 0.19`
+  /// Bending moment at the first and the second sheet; `bending` is that at mid-length [force length].
+  std::array<double, 2> bending_at{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 };
 
 /// One weld: the audit before the run, the history after it. A line of welds.csv, an entry of `weld` in summary.json.

@@ -56,10 +56,11 @@ void head(std::string& out, std::size_t projections, const std::vector<WeldRepor
       line.cell(fmt::format("{}{}", name, i));
   if (!welds.empty())
     for (const auto& [name, value] : welds.front().audit) line.cell(name);
-  for (const char* name : {"added_mass",   "failed",       "failure_time", "failure_mode", "peak_axial",
-                           "peak_shear",   "peak_bending", "peak_torsion", "peak_failure", "peak_failure_time",
-                           "last_axial",   "last_shear",   "last_bending", "last_torsion", "last_strain_rate",
-                           "last_failure", "last_terms",   "damage",       "energy",       "remarks"})
+  for (const char* name : {"added_mass",   "failed",       "failure_time",   "failure_mode",   "peak_axial",
+                           "peak_shear",   "peak_bending", "peak_torsion",   "peak_failure",   "peak_failure_time",
+                           "last_axial",   "last_shear",   "last_bending",   "last_torsion",   "last_strain_rate",
+                           "last_failure", "last_terms",   "last_bending_1", "last_bending_2", "damage",
+                           "energy",       "remarks"})
     line.cell(name);
 }
 
@@ -110,6 +111,7 @@ void row(std::string& out, const WeldReport& weld, std::size_t projections) {
                              weld.last.strain_rate, weld.last.failure})
     line.cell(value);
   line.cell(weld.last.terms);
+  for (const double value : weld.last.bending_at) line.cell(value);
   line.cell(weld.damage);
   line.cell(weld.energy);
   line.cell(fmt::format("{}", fmt::join(weld.remarks, "; ")));

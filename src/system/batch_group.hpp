@@ -11,6 +11,7 @@
 #include "base/batch.hpp"
 #include "base/index.hpp"
 #include "base/row.hpp"
+#include "system/before_cycle.hpp"
 #include "system/element_group.hpp"
 
 namespace nugget::system {
@@ -38,13 +39,14 @@ using AlignedReals = std::vector<double, Aligned<double>>;
 ///   cycle<R>(motion, dt, state)       the kernel; returns f, m (where rotational) and stable_step
 ///   mass, nodal_inertia (element)     of the undeformed element
 ///   layers(), layer(...), thickness(...), resultants(...)   for output
+///   before_cycle(state, alive, put)   may be absent; see BeforeCycle
 ///   set_layer(put, k, layer, places), inviscid()   may be absent; see ElementGroup::set_layer, elastic_rate
 ///   stiffness(state, places, k)       where the kernel's own derivative is not exact; may be absent
 ///   Layout::integrity, integrity(state), hold_yield(state, lane), plastic_strain(state, k)     of welds only; the
 ///   first
 ///                                     is that of the weld as a whole, the second that of its points
 template <class Element>
-class BatchGroup final : public ElementGroup {
+class BatchGroup final : public ElementGroup, public BeforeCycle {
  public:
   using R = NativeBatch;
   static constexpr int width = native_width;
@@ -90,6 +92,15 @@ class BatchGroup final : public ElementGroup {
   std::size_t blocks() const override { return (size() + width - 1) / width; }
   std::size_t block_width() const override { return width; }
   std::size_t slot_rows() const override { return blocks() * width * corners * rows; }
+
+  void before_cycle(const State& now) override {
+    if constexpr (requires(bool (*alive)(std::size_t), void (*put)(std::size_t, int, double)) {
+                    kernel_.before_cycle(now, alive, put);
+                  })
+      kernel_.before_cycle(
+          now, [this](std::size_t e) { return alive(e); },
+          [this](std::size_t e, int i, double value) { field(e, i) = value; });
+  }
 
   void cycle(std::size_t begin, std::size_t end, const State& now, double dt, std::span<Row> slots) override {
     for (std::size_t b = begin; b < end; ++b) {

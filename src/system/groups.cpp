@@ -97,6 +97,16 @@ bool with_law(const model::Law& law, const With& with) {
       law);
 }
 
+double bulk_modulus(const kernel::ElasticConstants& e) {
+  return e.E / (3.0 * (1.0 - 2.0 * e.nu));
+}
+
+std::vector<std::array<int, 4>> first_four(const std::vector<std::array<int, 8>>& nodes) {
+  std::vector<std::array<int, 4>> four;
+  for (const auto& n : nodes) four.push_back({n[0], n[1], n[2], n[3]});
+  return four;
+}
+
 bool fully_integrated(const model::SectionShell& section) {
   return section.elform == 16;
 }
@@ -289,9 +299,13 @@ void System::make_bricks() {
     const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
       const BrickElement<Law> element{brick, kernel::Prepared<Law>(law)};
       const auto [tetrahedra, full, others] = by_formulation(sorted[p], model.solid_sections[at(part.section)].elform);
-      if (!tetrahedra.empty())
-        add_group(TetrahedronElement<Law>{brick, element.law}, model::ElementKind::solid, p, corners(tetrahedra),
-                  solid_seat);
+      if (!tetrahedra.empty()) {
+        const Members m = corners(tetrahedra);
+        std::shared_ptr<NodalPressure> shared;
+        if (!std::is_same_v<Law, kernel::Compound> && model.solid_sections[at(part.section)].elform == 13)
+          shared = std::make_shared<NodalPressure>(first_four(m.node), start_, bulk_modulus(element.law.elastic()));
+        add_group(TetrahedronElement<Law>{brick, element.law, shared}, model::ElementKind::solid, p, m, solid_seat);
+      }
       if (!full.empty())
         add_group(FullBrickElement<Law>{element}, model::ElementKind::solid, p, members(model.solids, full),
                   solid_seat);
@@ -324,7 +338,7 @@ System::Formulations System::by_formulation(const std::vector<model::Index>& sol
   Formulations f;
   for (const model::Index e : solids) {
     const std::size_t corners = model.solids.corners(at(e)).size();
-    const bool tetrahedron = corners == 4 && (sorts || elform == 10), wedge = corners == 6 && sorts;
+    const bool tetrahedron = corners == 4 && (sorts || elform == 10 || elform == 13), wedge = corners == 6 && sorts;
     (tetrahedron ? f.tetrahedra : wedge || elform == 2 || elform == 15 ? f.full : f.others).push_back(e);
   }
   return f;

@@ -9,6 +9,7 @@
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
+#include "system/before_cycle.hpp"
 #include "system/order.hpp"
 #include "system/spring_group.hpp"
 #include "weld/tie_findings.hpp"
@@ -400,6 +401,8 @@ Vec3d System::nodal_moment(Seat seat, int a) const {
 }
 
 void System::internal_force(State& state) {
+  for (const auto& group : groups)
+    if (auto* looks = dynamic_cast<BeforeCycle*>(group.get())) looks->before_cycle(state);
   parallel_for(blocks_.size(), 16, [&](std::size_t begin, std::size_t end) {
     while (begin < end) {
       const int g = blocks_[begin].first;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "kernel/element/tetrahedron.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
+#include "system/nodal_pressure.hpp"
 
 namespace nugget::system {
 
@@ -21,8 +23,9 @@ struct TetrahedronElement {
 
   kernel::HexahedronProperties solid;
   kernel::Prepared<Law> law;
+  std::shared_ptr<NodalPressure> nodal_pressure;  ///< of ELFORM 13; null: each element has its own pressure
 
-  Layout layout() const { return kernel::tetrahedron_layout(law); }
+  Layout layout() const { return kernel::tetrahedron_layout(law, nodal_pressure != nullptr); }
   int state_size() const { return layout().size(); }
   int layers() const { return 1; }
 
@@ -34,7 +37,15 @@ struct TetrahedronElement {
 
   template <class R>
   kernel::TetrahedronForces<R> cycle(const Motion<R>& motion, double dt, double* state) const {
-    return kernel::tetrahedron_cycle(solid, law, motion, dt, state);
+    return kernel::tetrahedron_cycle(solid, law, layout(), motion, dt, state);
+  }
+
+  /// `put(e, field, value)` sets a field of element e.
+  template <class Alive, class Put>
+  void before_cycle(const State& now, const Alive& alive, const Put& put) const {
+    if (!nodal_pressure) return;
+    const std::vector<double>& mean = nodal_pressure->update(now, alive);
+    for (std::size_t e = 0; e < mean.size(); ++e) put(e, layout().mean_stress(), mean[e]);
   }
 
   template <class Field>

@@ -29,7 +29,7 @@ void ForceFilter::archive(Archive& a) {
 }
 
 void RigidWeldHistory::archive(Archive& a) {
-  a(filter_, axial_, shear_, moment_, torsion_, value_, failure_time_, mode_, peaks_);
+  a(filter_, axial_, shear_, moment_, torsion_, value_, failure_time_, mode_, peaks_, last_, peak_value_, peak_time_);
   a.built(law_);
 }
 

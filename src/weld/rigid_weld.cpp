@@ -31,6 +31,11 @@ bool RigidWeldHistory::update(double time, const RigidWeldLoad& load, double pla
   const double normal = term(axial_, law_->normal_strength, law_->normal_exponent);
   const double across = term(shear_, law_->shear_strength, law_->shear_exponent);
   value_ = normal + across;
+  last_ = {axial_, shear_, moment_, torsion_, normal, across};
+  if (value_ > peak_value_) {
+    peak_value_ = value_;
+    peak_time_ = time;
+  }
   if (value_ >= 1.0)
     fail(time, normal >= across ? FailureMode::axial : FailureMode::shear);
   else if (law_->failure_time > 0.0 && time >= law_->failure_time)
@@ -41,9 +46,11 @@ bool RigidWeldHistory::update(double time, const RigidWeldLoad& load, double pla
 }
 
 void RigidWeldHistory::move_inward() {
-  const std::array<double, 4> peaks = peaks_;
+  const RigidWeldHistory outer = *this;
   *this = RigidWeldHistory(*law_);
-  peaks_ = peaks;
+  peaks_ = outer.peaks_;
+  peak_value_ = outer.peak_value_;
+  peak_time_ = outer.peak_time_;
 }
 
 void RigidWeldHistory::fail(double time, FailureMode mode) {

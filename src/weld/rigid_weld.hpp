@@ -64,6 +64,16 @@ class RigidWeldHistory {
   /// Largest |axial|, shear, bending moment and |torsion| so far.
   const std::array<double, 4>& peaks() const { return peaks_; }
 
+  struct Last {
+    double axial = 0.0, shear = 0.0;             ///< [force]
+    double moment = 0.0, torsion = 0.0;          ///< [force length]
+    double normal_term = 0.0, shear_term = 0.0;  ///< of the failure value
+  };
+  /// The load in the cycle of failure; while the weld holds, the latest.
+  const Last& last() const { return last_; }
+  double peak_failure_value() const { return peak_value_; }
+  double peak_failure_time() const { return peak_time_; }
+
   void archive(Archive& a);
 
  private:
@@ -75,6 +85,8 @@ class RigidWeldHistory {
   double value_ = 0.0, failure_time_ = 0.0;
   FailureMode mode_ = FailureMode::intact;
   std::array<double, 4> peaks_{};
+  Last last_;
+  double peak_value_ = 0.0, peak_time_ = 0.0;
 };
 
 }  // namespace nugget::weld

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Springs, joints and beams by the command: what the summary counts, deforc, jntforc, glstat, binout's branches."""
+import json
+import math
 import unittest
 
 from nugget_command import CommandTest
@@ -142,11 +144,21 @@ class Bodies(CommandTest):
         for name in (b"/deforc/d000002", b"/jntforc/joints/d000002", b"resultant_moment", b"joint_internal_energy"):
             self.assertIn(name, data)
 
-    def test_modes_with_springs_and_the_refusal_of_joints(self):
-        linear = "*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n*CONTROL_IMPLICIT_EIGENVALUE\n         1\n"
+    def test_modes_with_springs_and_joints(self):
+        linear = "*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n*CONTROL_IMPLICIT_EIGENVALUE\n         7\n"
         self.write(DECK.format(requests=linear))
-        run = self.nugget("modes", "model.k", "-o", "out", expect=1)
-        self.assertIn("joints are not in the linear analyses yet", run.stderr)
+        self.nugget("run", "model.k", "-o", "out", "--quiet")
+        modes = json.loads(self.read("out/summary.json"))["modes"]
+        # The truss moves freely, in five ways; the rod swings on springs of 150 at 2 about its hinge; the truss stretches.
+        expected = *[0.0] * 5, math.sqrt(150 * 4 / (0.6667 + 2)), 20.0
+        for mode, omega in zip(modes, expected):
+            self.assertAlmostEqual(2 * math.pi * mode["frequency_hz"], omega, delta=1e-3 * omega + 1e-2)
+
+    def test_linear_statics_refuses_joints(self):
+        linear = "*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n*CONTROL_IMPLICIT_SOLUTION\n         1\n"
+        self.write(DECK.format(requests=linear))
+        run = self.nugget("run", "model.k", "-o", "out", expect=1)
+        self.assertIn("joints are built in modes, not in linear statics", run.stderr)
 
 
 if __name__ == "__main__":

@@ -129,12 +129,13 @@ class ContactForms(CommandTest):
         self.assertIn("dtstif", self.nugget("check", "model.k", expect=1).stderr)
 
     def test_what_stands_beside_contacts(self):
-        """*CONTACT_INTERIOR is told as ignored; a card G is refused. Sabotage: dropped in silence."""
+        """*CONTACT_INTERIOR is told as ignored, with a warning; a card G is refused. Sabotage: dropped in silence."""
         def interior(d):
             d.keyword("CONTACT_INTERIOR")
             d.card(psid=0)
         self.write(plates(sliding(), {3: -20.0}, 1.0e-5, extra=interior))
-        self.assertRegex(self.nugget("check", "model.k").stdout, r"CONTACT_INTERIOR")
+        self.assertRegex(self.nugget("run", "model.k", "--quiet", "-j", 1).stderr, "warning: \\*CONTACT_INTERIOR: not obeyed")
+        self.assertRegex(self.read("run.log"), r"\*CONTACT_INTERIOR +1 ignored")
 
         def card_g(d):
             sliding()(d)

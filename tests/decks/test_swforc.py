@@ -179,7 +179,30 @@ class Swforc(CommandTest):
                     for name, text in zip(("length", "resultant_moment", "torsion"), rest):
                         self.assertAlmostEqual(state[name][k], float(text), delta=1e-5 * abs(float(text)) + 1e-12, msg=name)
         self.assertGreater(states[-1]["max_failure"][0], 0.0)
-        self.assertEqual(len(list(csv.DictReader(io.StringIO(self.read("welds.csv"))))), 6)
+        welds = {w["id"]: w for w in csv.DictReader(io.StringIO(self.read("welds.csv")))}
+        self.assertEqual(list(welds), ["31", "501", "777", "900", "901", "902"])
+        spot, held, rivet = (welds[i] for i in ("900", "901", "902"))
+        self.assertEqual((spot["failed"], spot["failure_mode"], held["failed"]), ("yes", "failure time", "no"))
+        for weld in (spot, held):  # both terms have the exponent 2
+            normal, shear = (8000.0, 6000.0) if weld is spot else (1000.0, 1000.0)
+            value = (max(float(weld["last_axial"]), 0.0) / normal) ** 2 + (float(weld["last_shear"]) / shear) ** 2
+            self.assertGreater(value, 0.0)
+            self.assertAlmostEqual(float(weld["last_failure"]) / value, 1.0, 9)
+            self.assertGreaterEqual(float(weld["peak_failure"]), value)
+            self.assertIn("shear force", weld["last_terms"])
+            self.assertEqual((weld["last_strain_rate"], weld["energy"]), ("", ""))
+        self.assertEqual((rivet["last_shear"], rivet["peak_failure"], rivet["energy"]), ("", "", ""))
+
+    def test_moments_at_both_sheets(self):
+        """Pulled along x the weld is sheared in a plane: the moments at its ends are that at mid-length and half its length times the shear
+        force, added and taken off."""
+        self.write(deck())
+        self.nugget("run", "model.k", "--quiet")
+        (weld,) = csv.DictReader(io.StringIO(self.read("welds.csv")))
+        middle, lever = float(weld["last_bending"]), 0.5 * 1.2 * float(weld["last_shear"])
+        ends = sorted((float(weld["last_bending_1"]), float(weld["last_bending_2"])))
+        self.assertAlmostEqual(ends[0] / abs(middle - lever), 1.0, delta=1e-3)
+        self.assertAlmostEqual(ends[1] / (middle + lever), 1.0, delta=1e-3)
 
     def test_a_refused_failure_function_is_told_once(self):
         card = ("*MAT_SPOTWELD\n         3  7.85e-09  210000.0       0.3     500.0    1000.0\n"

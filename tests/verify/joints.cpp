@@ -6,69 +6,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "specimen.hpp"
+#include "joint_decks.hpp"
 
 namespace nugget::verify {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-struct Body {
-  Vec3d center{};
-  double mass = 1.0;
-  Vec3d inertia{1.0, 1.0, 1.0};
-  Vec3d velocity{}, spin{};
-  bool fixed = false;
-};
-
-/// A rigid part without elements: mass and tensor as given, and nodes.
-void body(Specimen& s, int id, const Body& b, const std::vector<int>& nodes) {
-  const double held = b.fixed ? 7 : 0;
-  s.card("MAT_RIGID", {double(id), 1e-9, 210000.0, 0.3}).text(fields({b.fixed ? 1.0 : 0.0, held, held}) + fields({}));
-  s.text(fmt::format("*PART_INERTIA\nbody {}\n", id) + fields({double(id), 0, double(id)}) +
-         fields({b.center.x, b.center.y, b.center.z, b.mass}) +
-         fields({b.inertia.x, 0, 0, b.inertia.y, 0, b.inertia.z}) +
-         fields({b.velocity.x, b.velocity.y, b.velocity.z, b.spin.x, b.spin.y, b.spin.z}));
-  s.node_set(id, nodes).card("CONSTRAINED_EXTRA_NODES_SET", {double(id), double(id)});
-}
-
-/// Pairs of coincident nodes at the places: the first of each pair for A, the second for B.
-struct Pairs {
-  std::vector<int> a, b;
-  Pairs(Specimen& s, std::initializer_list<Vec3d> places) {
-    for (const Vec3d& x : places) {
-      a.push_back(s.node(x));
-      b.push_back(s.node(x));
-    }
-  }
-};
-
-void joint(Specimen& s, const std::string& kind, const Pairs& p, double damp = 1.0) {
-  std::vector<double> n(6, 0.0);
-  for (std::size_t i = 0; i < p.a.size(); ++i) n[2 * i] = p.a[i], n[2 * i + 1] = p.b[i];
-  s.card("CONSTRAINED_JOINT_" + kind, {n[0], n[1], n[2], n[3], n[4], n[5], 1.0, damp});
-}
-
-Specimen& timing(Specimen& s, double end, double step) {
-  return s.text(constant_curve(90, step))
-      .card("CONTROL_TIMESTEP", {0, 0.9, 0, 0, 0, 90})
-      .card("CONTROL_TERMINATION", {end});
-}
-
-const system::RigidBody& body_of(const impact::Snapshot& now, int id) {
-  for (const system::RigidBody& b : now.system.bodies)
-    if (b.id == id) return b;
-  throw std::runtime_error("no such body");
-}
-Vec3d velocity(const impact::Snapshot& now, int id) {
-  return now.velocity(static_cast<std::size_t>(body_of(now, id).node));
-}
-Vec3d spin(const impact::Snapshot& now, int id) {
-  return now.spin(static_cast<std::size_t>(body_of(now, id).node));
-}
-Vec3d place(const impact::Snapshot& now, int id) {
-  return vec(now.state.x[static_cast<std::size_t>(body_of(now, id).node)]);
-}
 
 // A-37 on a hinge: a uniform rod released from the horizontal. The hinge's reaction at the bottom is m g (1 + 3/2), and
 // it has no moment about its axis. Sabotage: the hinge's damper about its own axis.

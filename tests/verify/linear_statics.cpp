@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Linear statics (*CONTROL_IMPLICIT_SOLUTION, NSOLVR 1) against closed forms and three-dimensional models.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +8,6 @@
 #include "nvh/statics.hpp"
 #include "nvh/stresses.hpp"
 #include "specimen.hpp"
-#include "weld_decks.hpp"
 
 namespace nugget::verify {
 namespace {
@@ -29,16 +27,6 @@ nvh::Statics solve(const LinearExperiment& experiment) {
   EXPECT_LT(s.residual, 1e-8);
   EXPECT_NEAR(s.energy, s.external, 1e-6 * s.energy);
   return s;
-}
-
-/// Force of prescribed motions in global direction i.
-double driving_force(const LinearExperiment& experiment, const nvh::Statics& s, int i) {
-  const auto& supports = experiment.matrices().equations.supports();
-  Vec3d sum{};
-  for (std::size_t k = 0; k < supports.size(); ++k)
-    if (supports[k].source == nvh::Equations::Support::Source::motion && !supports[k].rotation)
-      sum += s.support_force[k] * supports[k].taken;
-  return i == 0 ? sum.x : i == 1 ? sum.y : sum.z;
 }
 
 // Cantilever 200 x 20 x 2: P L^3 / (3 E I) = .952381 mm for 1 N (Poisson 0: a beam). Sabotage: the load at time 0.
@@ -121,120 +109,6 @@ TEST(LinearStatics, PatchesHaveTheirStresses) {
                    worst(bent, 1, 0, -at_point * 2.0 / 3.0), -at_point * 2.0 / 3.0, 1e-4);
   expect_reference("A-23", "bending patch by statics, xy stress at the upper point, worst shell",
                    worst(bent, 1, 3, -at_point * 0.2), -at_point * 0.2, 1e-4);
-}
-
-/// One of the coupons of the suite. Its sheets are swept over points in order.
-struct Coupon {
-  static constexpr double t = 1.5;
-  std::string nodes = "*NODE\n", shells = "*ELEMENT_SHELL\n";
-  std::string held, pulled;  ///< SPCs of the grips
-  std::vector<int> driven;
-  int element = 0;
-
-  static void spread(std::vector<double>& to, double a, double b, double size) {
-    const int count = std::max(1, static_cast<int>(std::lround(std::abs(b - a) / size)));
-    for (int i = 0; i < count; ++i) to.push_back(a + i * (b - a) / count);
-  }
-  template <class Grip>
-  void sheet(int part, const std::vector<Vec3d>& path, const std::vector<Vec3d>& across, const Grip& grip, int pull) {
-    const auto id = [&](std::size_t i, std::size_t j) {
-      return 10000 * part + 1 + static_cast<int>(i * across.size() + j);
-    };
-    for (std::size_t i = 0; i < path.size(); ++i)
-      for (std::size_t j = 0; j < across.size(); ++j) {
-        const Vec3d x = path[i] + across[j];
-        nodes += node_line(id(i, j), x.x, x.y, x.z);
-        if (i + 1 < path.size() && j + 1 < across.size())
-          shells += element_line(++element, part, {id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)});
-        if (!grip(path[i])) continue;
-        const bool moves = part == 2;
-        (moves ? pulled : held) += fmt::format("{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}\n", id(i, j), 0,
-                                               moves && pull == 1 ? 0 : 1, 1, moves && pull == 3 ? 0 : 1, 1, 1, 1);
-        if (moves) driven.push_back(id(i, j));
-      }
-  }
-  std::string deck(int pull) const {
-    WeldData weld;
-    std::string text = "*KEYWORD\n" + std::string(linear) + ramp + sheet_part(1, t) + sheet_part(2, t) +
-                       weld_part(3, weld) + weld_contact_to_set(3, {1, 2}) + nodes + shells;
-    text += beam_between(90001, 3, 90001, {0, 0, -t / 2}, 90002, {0, 0, t / 2});
-    text += "*BOUNDARY_SPC_NODE\n" + held + pulled + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n";
-    for (const int n : driven) text += fmt::format("{:10d}{:10d}{:10d}{:10d}{:10.3g}\n", n, pull, 2, 9, 0.01);
-    return text + "*END\n";
-  }
-};
-
-std::vector<double> patch(double side, int cells) {
-  std::vector<double> x;
-  for (int i = 0; i <= cells; ++i) x.push_back(-0.5 * side + i * side / cells);
-  return x;
-}
-
-std::vector<Vec3d> along_y(const std::vector<double>& y, double sign) {
-  std::vector<Vec3d> v;
-  for (const double value : y) v.push_back({0.0, sign * value, 0.0});
-  return v;
-}
-
-void expect_stiffness(const Coupon& coupon, int pull, const std::string& what, double expected, double gate,
-                      bool axial) {
-  const LinearExperiment experiment(coupon.deck(pull));
-  const nvh::Statics s = solve(experiment);
-  const double force = driving_force(experiment, s, pull - 1);
-  expect_reference("A-66", what, force / 0.01, expected, gate);
-  // All of it goes through the one weld.
-  ASSERT_TRUE(s.weld[0].has_value());
-  const weld::Resultants& r = s.weld[0]->resultants;
-  EXPECT_NEAR(axial ? r.axial : r.shear(), force, 1e-6 * force);
-}
-
-// Sabotage: the weld nodes tied without rotations.
-TEST(LinearStatics, LapShearCoupon) {
-  Coupon c;
-  std::vector<double> x;
-  const std::vector<double> middle = patch(40.0, 7);
-  Coupon::spread(x, -80.0, -50.0, 40.0 / 7);
-  Coupon::spread(x, -50.0, -20.0, 40.0 / 7);
-  x.insert(x.end(), middle.begin(), middle.end());
-  std::vector<Vec3d> lower, upper;
-  for (const double v : x) lower.push_back({v, 0, -Coupon::t / 2}), upper.push_back({-v, 0, Coupon::t / 2});
-  const auto grip = [](const Vec3d& p) { return std::abs(p.x) > 50.0 - 1e-6; };
-  c.sheet(1, lower, along_y(middle, 1.0), grip, 1);
-  c.sheet(2, upper, along_y(middle, -1.0), grip, 1);
-  expect_stiffness(c, 1, "lap shear coupon, linear statics, 7 shells across [N/mm]", 62500.0, 0.05, false);
-}
-
-TEST(LinearStatics, CoachPeelCoupon) {
-  Coupon c;
-  std::vector<double> arm;
-  const std::vector<double> middle = patch(40.0, 7);
-  Coupon::spread(arm, -60.0, 0.0, 40.0 / 7);
-  std::vector<Vec3d> lower, upper;
-  for (const double h : arm)
-    lower.push_back({-20.0, 0, h - Coupon::t / 2}), upper.push_back({-20.0, 0, Coupon::t / 2 - h});
-  for (const double v : middle) lower.push_back({v, 0, -Coupon::t / 2}), upper.push_back({v, 0, Coupon::t / 2});
-  const auto grip = [](const Vec3d& p) { return std::abs(p.z) > 60.0; };
-  c.sheet(1, lower, along_y(middle, 1.0), grip, 3);
-  c.sheet(2, upper, along_y(middle, -1.0), grip, 3);
-  expect_stiffness(c, 3, "coach peel coupon, linear statics, 7 shells across [N/mm]", 472.0, 0.2, true);
-}
-
-TEST(LinearStatics, CrossTensionCoupon) {
-  Coupon c;
-  std::vector<double> s;
-  const std::vector<double> middle = patch(48.0, 7);
-  Coupon::spread(s, -60.0, -40.0, 48.0 / 7);
-  Coupon::spread(s, -40.0, -24.0, 48.0 / 7);
-  const std::vector<double> wing = s;
-  s.insert(s.end(), middle.begin(), middle.end());
-  for (std::size_t i = wing.size(); i-- > 0;) s.push_back(-wing[i]);
-  std::vector<Vec3d> lower, upper, across;
-  for (const double v : s) lower.push_back({v, 0, -Coupon::t / 2}), upper.push_back({0, v, Coupon::t / 2});
-  for (const double v : middle) across.push_back({-v, 0, 0});
-  const auto grip = [](const Vec3d& p) { return std::max(std::abs(p.x), std::abs(p.y)) > 40.0 - 1e-6; };
-  c.sheet(1, lower, along_y(middle, 1.0), grip, 3);
-  c.sheet(2, upper, across, grip, 3);
-  expect_stiffness(c, 3, "cross tension coupon, linear statics, 7 shells across [N/mm]", 490.0, 0.2, true);
 }
 
 }  // namespace

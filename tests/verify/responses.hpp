@@ -44,16 +44,18 @@ struct Row {
   }
 };
 
-/// Value of a curve of a deck's *FREQUENCY_DOMAIN_FRF at one frequency, by modes or directly.
-inline std::vector<Complex> response_at(const LinearExperiment& e, int modes, double frequency) {
+/// Values of the curves of a deck's *FREQUENCY_DOMAIN_FRF at one frequency; without modes: directly.
+inline std::vector<Complex> response_at(const LinearExperiment& e, const nvh::Modes& modes, double frequency) {
   model::FrequencyResponse request = *e.system().model.frequency_response;
   request.frequency = {frequency};
-  request.direct = modes == 0;
-  const nvh::FrfResult result =
-      nvh::frequency_response(e.matrices(), modes > 0 ? e.modes(modes) : nvh::Modes{}, request);
+  request.direct = modes.eigenvalue.empty();
   std::vector<Complex> values;
-  for (const nvh::FrfCurve& curve : result.curve) values.push_back(curve.value[0]);
+  for (const nvh::FrfCurve& curve : nvh::frequency_response(e.matrices(), modes, request).curve)
+    values.push_back(curve.value[0]);
   return values;
+}
+inline std::vector<Complex> response_at(const LinearExperiment& e, int modes, double frequency) {
+  return response_at(e, modes > 0 ? e.modes(modes) : nvh::Modes{}, frequency);
 }
 
 inline Complex sum(const std::vector<Complex>& values) {

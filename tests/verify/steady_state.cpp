@@ -87,7 +87,7 @@ TEST(SteadyState, MotionOfTheBase) {
                                          fields({0, 0, 1, 1.0 * vad, 11}), frequency, level(11, 5.0)));
       const Complex base = 5.0 / derivative(vad - 2, omega);
       EXPECT_LT(distance(found[0], base * (relatv == 1 ? relative : 1.0 + relative)), 1e-6) << vad << ' ' << relatv;
-      EXPECT_LT(distance(found[2], -omega * omega * found[0]), 1e-12);
+      EXPECT_LT(distance(found[2], -omega * omega * found[0]), 1e-8);  // FMIN has ten columns
     }
 }
 

@@ -116,11 +116,20 @@ TEST(Tie, A15MassSplit) {
 // --------------------------------------------------------------------------------------------------------------------
 
 /// t_s = 1.0 (a beam of that diameter), t_m = 1.2, segment 10 x 8: tolerance 1.32.
-Experiment gap_deck(double gap, double sast = 0.0, double sbst = 0.0) {
-  return Experiment("*KEYWORD\n" + termination(1e-6) + sheet_part(1, 1.2) + weld_part(2, {.diameter = 1.0}) +
+Experiment gap_deck(double gap, double sast = 0.0, double sbst = 0.0, double sheet = 1.2, double diameter = 1.0) {
+  return Experiment("*KEYWORD\n" + termination(1e-6) + sheet_part(1, sheet) + weld_part(2, {.diameter = diameter}) +
                     SheetMesh{.corner = {}, .along = {10, 0, 0}, .across = {0, 8, 0}}.text() +
                     beam_between(11, 2, 5, {5, 4, gap}, 6, {5, 4, 20}) + weld_contact(2, 1, sast, sbst) +
                     "*CONTROL_CONTACT\n" + fields({0.1}) + fields({0}) + fields({0}) + fields({0, 0, 0, 1}) + "*END\n");
+}
+
+double largest_gap(double sheet, double diameter, double sast = 0.0, double sbst = 0.0) {
+  double tied = 0.0, free = 3.0;
+  while (free - tied > 1e-7) {
+    const double gap = 0.5 * (tied + free);
+    (gap_deck(gap, sast, sbst, sheet, diameter).ties().ties.empty() ? free : tied) = gap;
+  }
+  return tied;
 }
 
 // Sabotage to be caught: 0.5 in place of 0.6; the sum in place of the larger tolerance; SAST taken with its sign.
@@ -139,13 +148,11 @@ TEST(Tie, A16Tolerance) {
       HasSubstr(
           "node 5 at (5, 4, 1.33): no segment in reach: the closest, shell 1 of part 1, is 1.33 away, tolerance 1.32"));
 
-  double tied = 1.0, open = 2.0;
-  while (open - tied > 1e-4) {
-    const double gap = 0.5 * (tied + open);
-    (gap_deck(gap).ties().ties.empty() ? open : tied) = gap;
-  }
-  expect_reference("A-16", "largest gap that is tied, t_s = 1.0, t_m = 1.2 [mm]", tied, 1.32, 1e-3);
-
+  expect_reference("A-16", "largest gap that is tied, 0.6 (t_s + t_m) [mm]", largest_gap(1.2, 1.0), 1.32, 1e-6);
+  expect_reference("A-16", "largest gap that is tied, 0.05 of the shorter diagonal [mm]", largest_gap(0.1, 0.1),
+                   0.05 * std::hypot(10.0, 8.0), 1e-6);
+  expect_reference("A-16", "largest gap that is tied, SAST = SBST = -1.2 [mm]", largest_gap(1.2, 1.0, -1.2, -1.2), 1.44,
+                   1e-6);
   EXPECT_EQ(gap_deck(1.43, -1.2, -1.2).ties().ties.size(), 1u);  // 0.6 (1.2 + 1.2) = 1.44
   EXPECT_TRUE(gap_deck(1.45, -1.2, -1.2).ties().ties.empty());
   EXPECT_TRUE(gap_deck(1.21, -1.0, -1.0).ties().ties.empty());  // downward too

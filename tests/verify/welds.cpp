@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -212,6 +214,40 @@ TEST(WeldBeam, A07BendingPlasticity) {
   w.quadrature = 4;
   expect_reference("A-07", "limit moment, 48 points (QR 4) [N mm]", Driven(w, bend, 2000, 2000).end().moment_t, 14400.0,
                    8e-2);
+}
+
+// EFAIL in bending, 2 radii x 8 angles (theory 2.3): the points fail from the outside in, four at a time, and the weld
+// goes with the last. Sabotage to be caught: the weld deleted with its first point; failed points that still pull.
+TEST(WeldBeam, PointsFailOneByOneInBending) {
+  const WeldData w{.hardening = 0.0, .failure_strain = 0.01, .quadrature = 3};
+  std::array<double, 4> lever{};  // of four points each, from the outside in
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double square = 0.5 * (1.0 + (i < 2 ? 1.0 : -1.0) / std::sqrt(3.0));
+    lever[i] = 0.5 * w.diameter * std::sqrt(square) * std::cos((i % 2 == 0 ? 1 : 3) * std::numbers::pi / 8.0);
+  }
+  std::sort(lever.rbegin(), lever.rend());
+  const auto angle_of_failure = [&](std::size_t i) { return w.length * (w.failure_strain + w.yield / w.E) / lever[i]; };
+  const double end = 1.1 * angle_of_failure(3);
+  Driven run(
+      w,
+      [&](double s) {
+        const double half = 0.5 * s * end;
+        return Six{w.length * (std::cos(half) - 1.0), w.length * std::sin(half), 0, 0, 0, 2.0 * half};
+      },
+      2000, 2000);
+  for (std::size_t i = 0; i < 4; ++i) {  // midway between the failures of two groups
+    const double angle = 0.5 * (angle_of_failure(i) + (i == 0 ? 0.5 * angle_of_failure(0) : angle_of_failure(i - 1)));
+    double moment = 0.0;
+    for (std::size_t k = i; k < 4; ++k)
+      moment += 0.25 * w.area() * lever[k] * std::min(w.yield, w.E * lever[k] * angle / w.length);
+    expect_reference("theory 4.2", fmt::format("EFAIL in bending, {} of 16 points left: M [N mm]", 16 - 4 * i),
+                     run.at([&](const Driven::Sample& x) { return end * x.s; }, angle,
+                            [](const Driven::Sample& x) { return x.r.moment_t; }),
+                     moment, 5e-3);
+  }
+  EXPECT_EQ(run.mode(), weld::FailureMode::plastic_strain);
+  expect_reference("theory 4.2", "EFAIL in bending, angle at which the last points fail [rad]", end * run.failure(),
+                   angle_of_failure(3), 5e-3);
 }
 
 const Six capacities{8000, 6000, 6000, 9000, 7000, 7000};

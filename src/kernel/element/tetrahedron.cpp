@@ -65,7 +65,8 @@ template <class R>
 
 template <class R, class Law>
 TetrahedronForces<R> tetrahedron_cycle(const HexahedronProperties& solid, const Prepared<Law>& law,
-                                       const TetrahedronMotion<R>& nodes, double dt, double* state) {
+                                       const TetrahedronLayout& layout, const TetrahedronMotion<R>& nodes, double dt,
+                                       double* state) {
   using L = TetrahedronLayout;
   const ElasticConstants& e = law.elastic();
   auto alive = load_field<R>(state, L::alive) > 0.5;
@@ -85,6 +86,13 @@ TetrahedronForces<R> tetrahedron_cycle(const HexahedronProperties& solid, const 
   SolidTensor<R> s = rotated(turn, load_solid<R>(state + L::stress * lanes<R>));
   law.rotate(turn, history);
   law.solid(s, rate_at_end(l, half), dt, history);
+  if (layout.nodal_pressure) {
+    R change = load_field<R>(state, layout.mean_stress()) - (1.0 / 3.0) * (s.xx + s.yy + s.zz);
+    if (law.can_fail()) change = select(law.template failed<R>(history), none, change);
+    s.xx += change;
+    s.yy += change;
+    s.zz += change;
+  }
   store_solid(state + L::stress * lanes<R>, s);
 
   const Gradients<R> end(nodes.x);
@@ -124,19 +132,25 @@ double tetrahedron_volume(const std::array<Vec3d, 4>& x) {
 }
 
 template TetrahedronForces<double> tetrahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
-                                                     const TetrahedronMotion<double>&, double, double*);
+                                                     const TetrahedronLayout&, const TetrahedronMotion<double>&, double,
+                                                     double*);
 template TetrahedronForces<double> tetrahedron_cycle(const HexahedronProperties&, const Prepared<PlasticKinematic>&,
-                                                     const TetrahedronMotion<double>&, double, double*);
+                                                     const TetrahedronLayout&, const TetrahedronMotion<double>&, double,
+                                                     double*);
 template TetrahedronForces<double> tetrahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
-                                                     const TetrahedronMotion<double>&, double, double*);
+                                                     const TetrahedronLayout&, const TetrahedronMotion<double>&, double,
+                                                     double*);
 template TetrahedronForces<NativeBatch> tetrahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
+                                                          const TetrahedronLayout&,
                                                           const TetrahedronMotion<NativeBatch>&, double, double*);
 template TetrahedronForces<NativeBatch> tetrahedron_cycle(const HexahedronProperties&,
-                                                          const Prepared<PlasticKinematic>&,
+                                                          const Prepared<PlasticKinematic>&, const TetrahedronLayout&,
                                                           const TetrahedronMotion<NativeBatch>&, double, double*);
 template TetrahedronForces<NativeBatch> tetrahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
+                                                          const TetrahedronLayout&,
                                                           const TetrahedronMotion<NativeBatch>&, double, double*);
 template TetrahedronForces<NativeBatch> tetrahedron_cycle(const HexahedronProperties&, const Prepared<Compound>&,
+                                                          const TetrahedronLayout&,
                                                           const TetrahedronMotion<NativeBatch>&, double, double*);
 
 }  // namespace nugget::kernel

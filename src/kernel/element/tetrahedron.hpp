@@ -14,13 +14,16 @@ struct TetrahedronLayout {
   static constexpr int first_history = 8;
 
   int history = 0;
+  bool nodal_pressure = false;  ///< the mean stress comes from outside
 
-  int size() const { return first_history + history; }
+  /// Where it stands, if it does [stress].
+  int mean_stress() const { return first_history + history; }
+  int size() const { return first_history + history + (nodal_pressure ? 1 : 0); }
 };
 
 template <class Law>
-TetrahedronLayout tetrahedron_layout(const Prepared<Law>& law) {
-  return {law.solid_history()};
+TetrahedronLayout tetrahedron_layout(const Prepared<Law>& law, bool nodal_pressure = false) {
+  return {law.solid_history(), nodal_pressure};
 }
 
 /// State of an undeformed, stress-free tetrahedron in lane `lane` of `width`.
@@ -51,12 +54,16 @@ struct TetrahedronForces {
 /// The least altitude over the wave speed, which LS-DYNA's theory manual gives, is up to 1.6 times longer and not safe
 /// for a tetrahedron alone. The length of the bulk viscosity is the wave speed times this step.
 ///
+/// With nodal_pressure (ELFORM 13) the mean stress is that of the state, which the nodes agree on (NodalPressure): the
+/// law gives the deviator only, so it must be one whose mean stress is elastic.
+///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with Compound.
 /// Hourglass data of `solid` are not used. Source: Zienkiewicz, Taylor, The Finite Element Method, vol. 1,
 /// constant-strain tetrahedron; the bound follows from |sum u_I b_I^T|^2 <= g |u|^2.
 template <class R, class Law>
 TetrahedronForces<R> tetrahedron_cycle(const HexahedronProperties& solid, const Prepared<Law>& law,
-                                       const TetrahedronMotion<R>& nodes, double dt, double* state);
+                                       const TetrahedronLayout& layout, const TetrahedronMotion<R>& nodes, double dt,
+                                       double* state);
 
 /// Volume; negative for inverted node order [length^3].
 double tetrahedron_volume(const std::array<Vec3d, 4>& x);

@@ -116,17 +116,18 @@ PointUpdate CrushableFoamPoint::update(const Tensor& s, const Tensor& d, double 
   return {stress, with_damping(law_.E, law_.damping)};
 }
 
-RateFoamPoint::Looked RateFoamPoint::look_up(double strain, double rate) const {
+RateFoamPoint::RateFoamPoint(const RateFoam& law) : law_(law), growth_(law.E) {
+  for (const Curve& curve : law.curves) growth_ = std::max(growth_, curve.slope(0.0));
+}
+
+double RateFoamPoint::look_up(double strain, double rate) const {
   const std::vector<double>& rates = law_.rates;
-  const auto above = std::upper_bound(rates.begin(), rates.end(), rate);
-  const auto high = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
-      above - rates.begin(), 1, std::max<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(rates.size()) - 1, 1)));
-  const Curve& below = law_.curves[high - 1];
-  const double y = below.extrapolated(strain);
-  if (rates.size() == 1) return {y, below.slope(strain), 0.0};
-  const double span = rates[high] - rates[high - 1], w = std::clamp((rate - rates[high - 1]) / span, 0.0, 1.0);
-  const double more = law_.curves[high].extrapolated(strain) - y;
-  return {y + w * more, std::max(below.slope(strain), law_.curves[high].slope(strain)), more / span};
+  if (!(rate > rates.front())) return law_.curves.front().extrapolated(strain);
+  if (rate >= rates.back()) return law_.curves.back().extrapolated(strain);
+  const auto high = static_cast<std::size_t>(std::upper_bound(rates.begin(), rates.end(), rate) - rates.begin());
+  const double low = law_.curves[high - 1].extrapolated(strain),
+               w = (rate - rates[high - 1]) / (rates[high] - rates[high - 1]);
+  return low + w * (law_.curves[high].extrapolated(strain) - low);
 }
 
 std::array<double, 3> RateFoamPoint::loading_rates(const Principal& axes, const Tensor& d, double J, double dt) const {
@@ -159,24 +160,27 @@ PointUpdate RateFoamPoint::update(const Tensor&, const Tensor& d, double dt, std
   // reaches as far back as a mean over twelve.
   constexpr double weight = 2.0 / 13.0;
   const std::array<double, 3> now = loading_rates(axes, d, J, dt);
+  const Curve& lowest = law_.curves.front();
   std::array<double, 3> stress{};
-  double energy = 0.0, slope = law_.E, over_rate = 0.0;
+  double energy = 0.0, slope = law_.E;
   for (std::size_t i = 0; i < 3; ++i) {
-    double& rate = h[8 + i];
+    double &rate = h[8 + i], &more = h[11 + i];
     if (dt > 0.0) rate += weight * (now[i] - rate);
     const double strain = nominal_strain(axes.value[i]);
     if (strain >= 0.0 && !law_.tension_by_curves) {
+      more = 0.0;
       stress[i] = tension(law_.E * strain, law_.cutoff, law_.tears, torn);
       continue;
     }
-    const Looked looked = look_up(-strain, rate);
-    slope = std::max(slope, looked.slope);
-    over_rate = std::max(over_rate, std::abs(looked.over_rate));
+    // What the rate adds grows as a spring would: a stress that leapt with the rate would have no stable step.
+    const double side = strain < 0.0 ? 1.0 : -1.0, at_rest = side * lowest.extrapolated(-strain);
+    more = std::min(side * look_up(-strain, rate) - at_rest, more + growth_ * dt * std::abs(now[i]));
+    slope = std::max(slope, lowest.slope(-strain));
     if (strain >= 0.0) {
-      stress[i] = tension(-looked.stress, law_.cutoff, law_.tears, torn);
+      stress[i] = tension(at_rest + more, law_.cutoff, law_.tears, torn);
     } else {
-      stress[i] = -looked.stress;
-      energy += area(law_.curves.front(), -strain);
+      stress[i] = -(at_rest + more);
+      energy += area(lowest, -strain);
     }
   }
   most_energy = std::max(most_energy, energy);
@@ -185,9 +189,8 @@ PointUpdate RateFoamPoint::update(const Tensor&, const Tensor& d, double dt, std
     for (double& s : stress)
       if (s < 0.0) s *= 1.0 - (1.0 - law_.unloading) * lost;
   }
-  // A stress over a rate that counts by `weight` bears steps of mass / damping up to (4 - 2 weight) / weight.
-  const double delayed = dt > 0.0 ? over_rate * 4.0 * weight / ((4.0 - 2.0 * weight) * dt) : 0.0;
-  const double modulus = (slope + delayed) * make_true(stress, axes, J);
+  if (law_.rates.size() > 1) slope += growth_;
+  const double modulus = slope * make_true(stress, axes, J);
   return {with_values(axes, stress) + viscous(modulus, law_.damping, d, dt), with_damping(modulus, law_.damping)};
 }
 

@@ -33,20 +33,17 @@ class CrushableFoamPoint {
 
 class RateFoamPoint {
  public:
-  explicit RateFoamPoint(const RateFoam& law) : law_(law) {}
-  int history() const { return SolidTensor<double>::size + 5; }
+  explicit RateFoamPoint(const RateFoam& law);
+  int history() const { return SolidTensor<double>::size + 8; }
   int tensors() const { return 1; }  // b - 1
   PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
 
  private:
-  /// What the table gives for a strain and a rate.
-  struct Looked {
-    double stress, slope, over_rate;
-  };
-  Looked look_up(double strain, double rate) const;
+  double look_up(double strain, double rate) const;
   std::array<double, 3> loading_rates(const Principal& axes, const SolidTensor<double>& d, double J, double dt) const;
 
   RateFoam law_;
+  double growth_;  ///< slope by which what the rate adds to the stress grows at most [stress]
 };
 
 }  // namespace nugget::kernel

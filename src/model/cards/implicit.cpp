@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "base/index.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
 
@@ -25,16 +29,18 @@ const Card general_card{{
     real("dt0", dimension::time, 0, any_value, "time step; a linear solution has none, no effect"),
     choice("imform", 2, "springback formulation, no effect"),
     choice("nsbs", 1, "springback steps, no effect"),
-    integer("igs", 2, between(0, 2), "geometric stiffness of initial stress: 1 on, 2 off"),
+    integer("igs", 2, between(0, 2), "geometric stiffness of initial stress in modes: 1 on, 2 off"),
     choice("cnstn", 0, "consistent tangent of plasticity, no effect"),
     choice("form", 0, "formulation of fully integrated elements, no effect"),
     choice("zero_v", 0, "velocities at a switch to implicit, no effect"),
 }};
 
 const Card eigenvalue_card{{
-    integer("neig", 0, at_least(0), "number of modes"),
+    integer("neig", 0, any_value,
+            "at most so many modes; below 0: -neig is a curve, number of modes over time, and modes are those of the "
+            "structure under its static loads at ENDTIM"),
     real("center", dimension::rate, 0, at_least(0), "modes nearest to this frequency [cycles/time]; 0: the lowest"),
-    integer("lflag", 0, between(0, 1), "1: no modes below lftend"),
+    integer("lflag", 0, between(0, 1), "1: no modes below lftend; without rflag and center the first above it"),
     real("lftend", dimension::rate, -1e29, any_value, "lower end of the interval [cycles/time]"),
     integer("rflag", 0, between(0, 1), "1: no modes above rhtend"),
     real("rhtend", dimension::rate, 1e29, any_value, "upper end of the interval [cycles/time]"),
@@ -93,16 +99,42 @@ void read_general(Builder& b, const Block& block, const Options&) {
   b.model.implicit.active = row.integer("imflag") == 1;
   b.model.implicit.geometric = row.integer("igs") == 1;
   if (!b.model.implicit.active) return;
-  expect(b, row, Severity::error, {{"igs", 2, "geometric stiffness of preloaded structures is not built; write 2"}});
   b.later(Phase::checks, [row](Builder& later) {
+    if (later.model.implicit.geometric && later.model.implicit.modes == 0)
+      refuse(later, row, "igs", "geometric stiffness is built in modes, not in statics or direct responses",
+             "write IGS 2, or ask for modes by NEIG in *CONTROL_IMPLICIT_EIGENVALUE");
     const bool has_solution =
         std::any_of(later.model.ledger.begin(), later.model.ledger.end(),
                     [](const LedgerEntry& entry) { return entry.keyword == "CONTROL_IMPLICIT_SOLUTION"; });
-    if (later.model.implicit.modes > 0 || has_solution) return;
+    const bool direct = later.model.steady_state && later.model.steady_state->direct;
+    if (later.model.implicit.modes > 0 || has_solution || direct) return;
     refuse(later, row, "imflag", "without further cards this is a nonlinear implicit run, which is not built",
            "give NSOLVR 1 in *CONTROL_IMPLICIT_SOLUTION for linear statics, NEIG in *CONTROL_IMPLICIT_EIGENVALUE for "
            "natural modes, or run explicitly with IMFLAG 0");
   });
+}
+
+/// Modes at one time of a static run: that of its linear solution.
+void read_modes_under_load(Builder& b, const Row& row) {
+  const Index id = b.curves.find(-row.integer("neig"));
+  const auto remedy = "give a curve with one point of modes, at ENDTIM, e.g. (0, 0) (ENDTIM, 20)";
+  b.model.implicit.modes = -1;
+  if (id == none) return refuse(b, row, "neig", fmt::format("there is no curve {}", -row.integer("neig")), remedy);
+  const Curve& curve = b.model.curves[at(id)];
+  int extractions = 0;
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    if (curve.y[i] == 0.0) continue;
+    ++extractions;
+    b.model.implicit.modes = -static_cast<int>(std::lround(curve.y[i]));
+    const double end = b.model.control.end_time;
+    if (!(end > 0.0) || std::abs(curve.x[i] - end) > 1e-6 * end || !(curve.y[i] >= 1.0))
+      refuse(b, row, "neig",
+             fmt::format("{:g} modes at time {:g}: the linear solution is that of ENDTIM", curve.y[i], curve.x[i]),
+             remedy);
+  }
+  if (extractions != 1)
+    refuse(b, row, "neig",
+           fmt::format("the curve asks {} times for modes: a linear solution has one time", extractions), remedy);
 }
 
 void read_eigenvalue(Builder& b, const Block& block, const Options&) {
@@ -121,6 +153,9 @@ void read_eigenvalue(Builder& b, const Block& block, const Options&) {
           {"evdump", 0, "not obeyed: no Eigen_Vectors; d3eigv holds the shapes"}});
   if (i.low && i.high && *i.low >= *i.high)
     refuse(b, row, "rhtend", "the interval is empty", "give an RHTEND above LFTEND");
+  if (i.high && !(*i.high > 0.0))
+    refuse(b, row, "rhtend", "there are no modes below frequency 0", "give an RHTEND above 0");
+  if (i.modes < 0) b.later(Phase::conditions, [row](Builder& later) { read_modes_under_load(later, row); });
   b.later(Phase::checks, [row](Builder& later) {
     if (later.model.implicit.active || later.model.implicit.modes == 0) return;
     row.complain(later.findings, Severity::warning, "neig",
@@ -140,7 +175,7 @@ void read_solution(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   const Row row = cursor.read(solution_card);  // its further cards tune nonlinear solvers
   b.later(Phase::checks, [row](Builder& later) {
-    if (later.model.implicit.active && later.model.implicit.modes == 0 && row.integer("nsolvr") != 1)
+    if (later.model.implicit.active && later.model.implicit.modes <= 0 && row.integer("nsolvr") != 1)
       refuse(later, row, "nsolvr", "nonlinear implicit solutions are not built",
              "write 1 (linear statics), or run explicitly with IMFLAG 0");
   });

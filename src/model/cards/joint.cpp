@@ -169,10 +169,6 @@ std::vector<Keyword> joint_keywords() {
       joint<Kind::universal>("CONSTRAINED_JOINT_UNIVERSAL"),
       joint<Kind::translational>("CONSTRAINED_JOINT_TRANSLATIONAL"),
       joint<Kind::locking>("CONSTRAINED_JOINT_LOCKING"),
-      refused(
-          "CONSTRAINED_JOINT_STIFFNESS_*",
-          "stiffness, friction and stops of joints are not built; torsional springs (*ELEMENT_DISCRETE with DRO = 1) "
-          "hold relative rotation"),
       refused("CONSTRAINED_JOINT_*",
               "this joint is not built; SPHERICAL, REVOLUTE, CYLINDRICAL, PLANAR, UNIVERSAL, TRANSLATIONAL and LOCKING "
               "are, without further options"),

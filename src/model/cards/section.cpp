@@ -44,9 +44,10 @@ const Card shell_thickness_card{{
 
 /// A written 0 is a formulation of its own, not a blank field.
 constexpr Field solid_formulation() {
-  Field f = integer("elform", 1, any_value,
-                    "formulation: 1 constant stress, 2 fully integrated, 10 tetrahedron, 15 wedge (as a collapsed 2); "
-                    "0 is computed as 1");
+  Field f =
+      integer("elform", 1, any_value,
+              "formulation: 1 constant stress, 2 fully integrated, 10 tetrahedron, 13 the same with pressure by nodes, "
+              "15 wedge (as a collapsed 2); 0 is computed as 1");
   f.zero_is_default = false;
   return f;
 }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <cstring>
-
+#include "driven_solid.hpp"
 #include "kernel/element/hexahedron.hpp"
-#include "motion.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -21,39 +19,34 @@ Corners distorted(Random& random) {
   return x;
 }
 
-template <class Law>
-struct Driven {
-  HexahedronProperties brick;
-  Prepared<Law> law;
-  HexahedronLayout layout;
-  std::vector<double> state;
-  SolidMotion<double> nodes;
-  SolidForces<double> force{};
-
-  Driven(const HexahedronProperties& properties, const Law& parameters, const Corners& x)
-      : brick(properties),
-        law(parameters),
-        layout(hexahedron_layout(law)),
-        state(static_cast<std::size_t>(layout.size())) {
-    for (std::size_t i = 0; i < 8; ++i) nodes.x[i] = x[i];
-    start_hexahedron(layout, x, state.data(), 1, 0);
+/// See driven_solid.hpp.
+struct Brick {
+  static constexpr std::size_t corners = 8;
+  using Layout = L;
+  template <class R>
+  using Motion = SolidMotion<R>;
+  template <class R>
+  using Forces = SolidForces<R>;
+  template <class Law>
+  static L layout(const Prepared<Law>& law) {
+    return hexahedron_layout(law);
   }
-  const SolidForces<double>& step(double dt) {
-    for (int i = 0; i < 8; ++i) nodes.x[i] += dt * nodes.v[i];
-    return force = hexahedron_cycle<double>(brick, law, nodes, dt, state.data());
+  static void start(const L& layout, const Corners& x, double* state) { start_hexahedron(layout, x, state, 1, 0); }
+  template <class R, class Law>
+  static Forces<R> cycle(const HexahedronProperties& brick, const Prepared<Law>& law, const L&, const Motion<R>& nodes,
+                         double dt, double* state) {
+    return hexahedron_cycle<R>(brick, law, nodes, dt, state);
   }
-  double at(int field) const { return state[static_cast<std::size_t>(field)]; }
-  double work(const SolidForces<double>& f) const {
-    double sum = 0.0;
-    for (int i = 0; i < 8; ++i) sum += dot(f.f[i], nodes.v[i]);
-    return sum;
-  }
+  static int plastic_strain(const L&) { return L::first_history; }
 };
+template <class Law>
+using Driven = DrivenSolid<Brick, Law>;
 
-double largest(const SolidForces<double>& f) {
-  double most = 0.0;
-  for (const Vec3d& a : f.f) most = std::max(most, norm(a));
-  return most;
+template <class Law>
+double power(const Driven<Law>& d, const SolidForces<double>& f) {
+  double sum = 0.0;
+  for (int i = 0; i < 8; ++i) sum += dot(f.f[i], d.nodes.v[i]);
+  return sum;
 }
 
 HexahedronProperties brick(int hourglass, double coefficient = 0.1) {
@@ -88,49 +81,8 @@ Spotweld uniaxial_weld(Spotweld law) {
 
 template <class Law>
 void batch_gives_the_bits_of_double(const HexahedronProperties& properties, const Law& parameters) {
-  constexpr int W = native_width;
-  const double dt = 1e-7;
-  Random random;
-  std::vector<Driven<Law>> single;
-  for (int l = 0; l < W; ++l) single.emplace_back(properties, parameters, distorted(random));
-  const std::size_t size = single[0].state.size();
-  std::vector<double> together(size * W);
-  for (int l = 0; l < W; ++l) {
-    Driven<Law>& one = single[static_cast<std::size_t>(l)];
-    if (l == 2) one.state[L::alive] = 0.0;
-    for (std::size_t i = 0; i < size; ++i) together[i * W + static_cast<std::size_t>(l)] = one.state[i];
-  }
-  for (int cycle = 0; cycle < 60; ++cycle) {
-    SolidMotion<NativeBatch> nodes;
-    for (int l = 0; l < W; ++l) {
-      Driven<Law>& one = single[static_cast<std::size_t>(l)];
-      const Vec3d spin = random.vector(1e4);
-      for (int i = 0; i < 8; ++i) one.nodes.v[i] = cross(spin, one.nodes.x[i]) + random.vector(20000.0 * (l + 1));
-      one.step(dt);
-      for (int i = 0; i < 8; ++i) {
-        set_lane(nodes.x[i].x, l, one.nodes.x[i].x);
-        set_lane(nodes.x[i].y, l, one.nodes.x[i].y);
-        set_lane(nodes.x[i].z, l, one.nodes.x[i].z);
-        set_lane(nodes.v[i].x, l, one.nodes.v[i].x);
-        set_lane(nodes.v[i].y, l, one.nodes.v[i].y);
-        set_lane(nodes.v[i].z, l, one.nodes.v[i].z);
-      }
-    }
-    const auto force = hexahedron_cycle<NativeBatch>(properties, single[0].law, nodes, dt, together.data());
-    for (int l = 0; l < W; ++l) {
-      const Driven<Law>& one = single[static_cast<std::size_t>(l)];
-      for (int i = 0; i < 8; ++i) {
-        const Vec3d f = get(force.f[i], l);
-        ASSERT_EQ(0, std::memcmp(&f, &one.force.f[i], sizeof f)) << cycle;
-      }
-      ASSERT_EQ(lane(force.stable_step, l), one.force.stable_step);
-      for (std::size_t i = 0; i < size; ++i)
-        ASSERT_EQ(together[i * W + static_cast<std::size_t>(l)], one.state[i]) << i;
-    }
-  }
-  if constexpr (Prepared<Law>::has_plastic_strain) {
-    EXPECT_GT(single[0].at(L::first_history), 0.0);
-  }
+  batch_gives_the_bits_of_double<Brick>(
+      properties, parameters, [](Random& r) { return distorted(r); }, 2);
 }
 
 TEST(Hexahedron, BatchGivesTheBitsOfDouble) {
@@ -203,7 +155,7 @@ TEST(Hexahedron, RigidRotationStrainsNothing) {
       for (int i = 0; i < 8; ++i)
         d.nodes.v[i] = (1.0 / dt) * (turned(axis, 2 * M_PI / steps, d.nodes.x[i]) - d.nodes.x[i]);
       d.step(dt);
-      work += 0.5 * dt * (d.work(last) + d.work(d.force));
+      work += 0.5 * dt * (power(d, last) + power(d, d.force));
     }
     for (std::size_t i = 0; i < before.size(); ++i)
       EXPECT_NEAR(d.state[i], before[i], 1e-7 * (1 + std::abs(before[i]))) << i;
@@ -241,7 +193,7 @@ TEST(Hexahedron, ForcesDoTheWorkOfTheStresses) {
                             s[4] * (l[1][2] + l[2][1]) + s[5] * (l[2][0] + l[0][2]);
     const double hourglass_power = (d.at(L::hourglass_energy) - before) / dt;
     EXPECT_GT(std::abs(hourglass_power), 1e-5 * std::abs(expected));
-    EXPECT_NEAR(d.work(d.force), expected + hourglass_power, 1e-6 * std::abs(expected)) << hourglass;
+    EXPECT_NEAR(power(d, d.force), expected + hourglass_power, 1e-6 * std::abs(expected)) << hourglass;
     Vec3d force{}, moment{};
     for (int i = 0; i < 8; ++i) {
       force += d.force.f[i];
@@ -322,7 +274,7 @@ TEST(Hexahedron, FailedBrickIsDeleted) {
 
 /// A weld brick of height 2 on a 5 x 5 section, its upper face driven, the lower one held.
 struct WeldBrick : Driven<Spotweld> {
-  explicit WeldBrick(const Spotweld& material) : Driven(kernel::brick(6, 1.0), material, box(5, 5, 2)) {}
+  explicit WeldBrick(const Spotweld& material) : DrivenSolid(kernel::brick(6, 1.0), material, box(5, 5, 2)) {}
   void move(const Vec3d& by, double dt = 1.0) {
     for (int i = 4; i < 8; ++i) nodes.v[i] = (1.0 / dt) * by;
     step(dt);

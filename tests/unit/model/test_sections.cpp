@@ -107,7 +107,7 @@ TEST(Damping, WhatIsNotBuiltIsRefused) {
       Built(small_deck("*DAMPING_FREQUENCY_RANGE_DEFORM\n      0.01      10.0     300.0\n")).error("not built"));
   EXPECT_TRUE(Built(small_deck("*DAMPING_FREQUENCY_RANGE\n      0.01     300.0      10.0\n")).error("swap", "fhigh"));
   EXPECT_TRUE(Built(small_deck("*DAMPING_PART_STIFFNESS\n         1       3.0\n")).error("critical", "coef"));
-  EXPECT_TRUE(Built(small_deck("*DAMPING_STRUCTURAL\n")).error("not built"));
+  EXPECT_TRUE(Built(small_deck("*DAMPING_MODAL\n")).error("not built"));
 }
 
 TEST(InitialStress, OfShellsInBothFormats) {

@@ -109,10 +109,10 @@ TEST(WeldsCsv, HasARowForEachWeld) {
       "id,kind,part,sheet1,sheet2,diameter,length,tied,node1,case1,moved1,xi1,eta1,segment1,reason1,node2,case2,moved2,"
       "xi2,eta2,segment2,reason2,added_mass,failed,failure_time,failure_mode,peak_axial,peak_shear,peak_bending,"
       "peak_torsion,peak_failure,peak_failure_time,last_axial,last_shear,last_bending,last_torsion,last_strain_rate,"
-      "last_failure,last_terms,damage,energy,remarks\n"
+      "last_failure,last_terms,last_bending_1,last_bending_2,damage,energy,remarks\n"
       "17,beam,5,1,2,6,1.5,yes,101,1,0.1,0.25,-0.5,1 2 3 4,,102,8,0,0,0,,\"no \"\"sheet\"\", none in reach\",1e-09,yes,"
       "0.1,resultant,8000,0.3333333333333333,0,,1.02,0.1,8000,500,60,7,2.5,1.02,"
-      "\"axial force 1, shear force 0.02\",,42.5,edge; pitch\n");
+      "\"axial force 1, shear force 0.02\",,,,42.5,edge; pitch\n");
 }
 
 TEST(WeldsCsv, LosesNoNodeOfABrickWeld) {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "base/finding.hpp"
+#include "nvh/matrices.hpp"
+
+namespace nugget::app {
+
+/// What the deck asks of a preload, and does not get; called before the findings are told.
+void check_preload(const model::Model& model, Findings& findings);
+
+/// Adds geometric stiffness to K where the deck asks for it (IGS 1): of the stresses that it begins with, and where
+/// NEIG is below 0 of its linear static solution. Returns a table for run.log. Throws Factorization::SolverError.
+std::string stiffen_by_preload(nvh::Matrices& matrices);
+
+}  // namespace nugget::app

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: Apache-2.0
+"""*CONTROL_IMPLICIT_EIGENVALUE and IGS as a deck asks for them: intervals, centre, preload by stress and by load."""
+import json
+import math
+import os
+import unittest
+
+from nugget_command import CommandTest
+
+LENGTH, WIDTH, HEIGHT, YOUNG, DENSITY = 200.0, 20.0, 2.0, 210000.0, 7.85e-9
+INERTIA = WIDTH * HEIGHT ** 3 / 12
+EULER = math.pi ** 2 * YOUNG * INERTIA / LENGTH ** 2
+ALONG, ACROSS = 24, 2
+
+
+def frequency(n, force=0.0):
+    """Bending frequency of a beam on two supports under an axial force."""
+    wave = n * math.pi / LENGTH
+    return wave * math.sqrt((YOUNG * INERTIA * wave ** 2 + force) / (DENSITY * WIDTH * HEIGHT)) / (2 * math.pi)
+
+
+def card(*values):
+    return "".join(f"{v:>10}" for v in values) + "\n"
+
+
+def beam(eigenvalue, igs=2, extra="", load=0.0):
+    """A strip of shells in plane bending, its right support sliding; `load` pulls there at ENDTIM."""
+    row = ALONG + 1
+    node = lambda i, j: 1 + j * row + i
+    text = "*KEYWORD\n*CONTROL_TERMINATION\n" + card(2.0)
+    text += "*CONTROL_IMPLICIT_GENERAL\n" + card(1, 2.0, 2, 1, igs) + "*CONTROL_IMPLICIT_EIGENVALUE\n" + eigenvalue
+    text += "*PART\nstrip\n" + card(1, 1, 1) + "*SECTION_SHELL\n" + card(1, 16, 0.833333, 2) + card(*[HEIGHT] * 4)
+    text += "*MAT_ELASTIC\n" + card(1, DENSITY, YOUNG, 0.0) + "*NODE\n"
+    for j in range(ACROSS + 1):
+        for i in range(row):
+            text += f"{node(i, j):8d}{LENGTH * i / ALONG:16.8f}{WIDTH * j / ACROSS:16.8f}{0:16.8f}\n"
+    text += "*ELEMENT_SHELL\n"
+    for j in range(ACROSS):
+        for i in range(ALONG):
+            corners = node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)
+            text += "".join(f"{v:8d}" for v in (1 + j * ALONG + i, 1, *corners)) + "\n"
+    text += "*BOUNDARY_SPC_NODE\n"
+    for j in range(ACROSS + 1):
+        for i in range(row):
+            text += card(node(i, j), 0, int(i == 0), 1, int(i in (0, ALONG)), 1, 0, 1)
+    if load:
+        text += "*LOAD_NODE_POINT\n"
+        for j in range(ACROSS + 1):
+            share = 0.5 / ACROSS if j in (0, ACROSS) else 1 / ACROSS
+            text += card(node(ALONG, j), 1, 7, f"{0.5 * load * share:.6g}")
+        text += "*DEFINE_CURVE\n" + card(7) + "                 0.0                 0.0\n                 2.0                 2.0\n"
+    return text + extra + "*END\n"
+
+
+class ModeRequests(CommandTest):
+    def frequencies(self, deck, *arguments, command="run"):
+        self.nugget(command, self.write(deck), "-o", "out", "--quiet", *arguments)
+        self.assertIn("no mode was missed", self.read("out/run.log"))
+        return [m["frequency_hz"] for m in json.loads(self.read("out/summary.json"))["modes"]]
+
+    def near(self, found, expected, share=1e-2):
+        self.assertEqual(len(found), len(expected), found)
+        for f, e in zip(found, expected):
+            self.assertAlmostEqual(f / e, 1.0, delta=share)
+
+    # f = 117.3, 469, 1055, 1876, 2931: sabotage by reading LFLAG as RFLAG.
+    def test_intervals(self):
+        f = [frequency(n) for n in range(1, 7)]
+        self.near(self.frequencies(beam(card(3))), f[:3])
+        self.near(self.frequencies(beam(card(9, 0.0, 1, 300.0, 1, 2000.0))), f[1:4])
+        self.near(self.frequencies(beam(card(2, 0.0, 1, 300.0, 1, 2000.0))), f[1:3])
+        self.near(self.frequencies(beam(card(2, 0.0, 1, 300.0))), f[1:3])
+        self.near(self.frequencies(beam(card(9, 0.0, 0, 0.0, 1, 1500.0))), f[:3])
+        self.near(self.frequencies(beam(card(2, 1000.0))), [f[1], f[2]])
+        self.near(self.frequencies(beam(card(2, 1000.0, 1, 600.0))), f[2:4])
+        self.near(self.frequencies(beam(card(3)), "-fmin", 300, "-fmax", 2000, command="modes"), f[1:4])
+
+    def test_intervals_that_hold_nothing(self):
+        run = self.nugget("run", self.write(beam(card(9, 0.0, 0, 0.0, 1, -5.0))), "-o", "out", expect=1)
+        self.assertIn("there are no modes below frequency 0", run.stderr)
+
+    def test_preload_by_stress(self):
+        stress = "*INITIAL_STRESS_SHELL\n"
+        for e in range(1, ALONG * ACROSS + 1):
+            stress += card(e, 1, 1) + card(0, f"{-0.8 * EULER / (WIDTH * HEIGHT):.5f}", 0, 0, 0, 0, 0, 0)
+        self.near(self.frequencies(beam(card(2), 1, stress)), [frequency(n, -0.8 * EULER) for n in (1, 2)])
+        self.assertIn(f"geometric stiffness of {ALONG * ACROSS} elements", self.read("out/run.log"))
+        self.near(self.frequencies(beam(card(2), 2, stress)), [frequency(1), frequency(2)])
+        self.assertIn("IGS is 2", self.read("out/findings.json"))
+
+    def test_preload_by_load(self):
+        solution = "*CONTROL_IMPLICIT_SOLUTION\n" + card(1)
+        curve = "*DEFINE_CURVE\n" + card(8) + "                 0.0                 0.0\n                 2.0                 2.0\n"
+        deck = beam(card(-8), 1, solution + curve, 3 * EULER)
+        self.near(self.frequencies(deck), [frequency(n, 3 * EULER) for n in (1, 2)])
+        self.assertIn("linear statics at time 2", self.read("out/run.log"))
+        buckled = self.nugget("run", self.write(beam(card(-8), 1, solution + curve, -1.05 * EULER)), "-o", "out", expect=3)
+        self.assertIn("1 eigenvalues are negative", buckled.stderr)
+
+    def test_what_is_refused(self):
+        solution = "*CONTROL_IMPLICIT_SOLUTION\n" + card(1)
+        late = "*DEFINE_CURVE\n" + card(8) + "                 0.0                 5.0\n                 1.0                 2.0\n"
+        run = self.nugget("run", self.write(beam(card(-8), 1, solution + late)), "-o", "out", expect=1)
+        self.assertIn("the linear solution is that of ENDTIM", run.stderr)
+        self.assertIn("asks 2 times for modes", run.stderr)
+        run = self.nugget("run", self.write(beam(card(0), 1, solution)), "-o", "out", expect=1)
+        self.assertIn("geometric stiffness is built in modes", run.stderr)
+        run = self.nugget("run", self.write(beam(card(-9), 1, solution)), "-o", "out", expect=1)
+        self.assertIn("there is no curve 9", run.stderr)
+
+    def test_several_ranks(self):
+        for name in ("OMPI_COMM_WORLD_SIZE", "PMI_SIZE"):
+            run = self.nugget("modes", self.write(beam(card(2))), expect=2, env=dict(os.environ, **{name: "2"}))
+            self.assertIn("this version runs in one process", run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <functional>
+#include <vector>
+
+#include "kernel/element/hexahedron.hpp"
+#include "motion.hpp"
+
+// One solid element, driven by the velocities of its nodes, and what all of them must keep. `Element` has
+//   corners, Layout, Motion<R>, Forces<R>
+//   plastic_strain(layout)   where that of the first point stands
+//   layout(law), start(layout, places, state), cycle<R>(properties, law, layout, nodes, dt, state)
+namespace nugget::kernel {
+
+template <class Element>
+using PlacesOf = std::array<Vec3d, Element::corners>;
+
+template <class Element, class Law>
+struct DrivenSolid {
+  using Forces = typename Element::template Forces<double>;
+  HexahedronProperties properties;
+  Prepared<Law> law;
+  typename Element::Layout layout;
+  std::vector<double> state;
+  typename Element::template Motion<double> nodes;
+  Forces force{};
+
+  DrivenSolid(const HexahedronProperties& of, const Law& parameters, const PlacesOf<Element>& x)
+      : properties(of), law(parameters), layout(Element::layout(law)), state(static_cast<std::size_t>(layout.size())) {
+    for (std::size_t i = 0; i < Element::corners; ++i) nodes.x[i] = x[i];
+    Element::start(layout, x, state.data());
+  }
+  const Forces& step(double dt) {
+    for (std::size_t i = 0; i < Element::corners; ++i) nodes.x[i] += dt * nodes.v[i];
+    return force = Element::template cycle<double>(properties, law, layout, nodes, dt, state.data());
+  }
+  double at(int field) const { return state[static_cast<std::size_t>(field)]; }
+};
+
+template <class Forces>
+double largest(const Forces& f) {
+  double most = 0.0;
+  for (const Vec3d& a : f.f) most = std::max(most, norm(a));
+  return most;
+}
+
+/// Elements of different shape and motion, one of them dead, alone and as lanes of a batch. The first one
+/// must have flowed where its law can.
+template <class Element, class Law>
+void batch_gives_the_bits_of_double(const HexahedronProperties& properties, const Law& parameters,
+                                    const std::function<PlacesOf<Element>(Random&)>& places, int dead) {
+  constexpr int W = native_width;
+  using Layout = typename Element::Layout;
+  const double dt = 1e-7;
+  Random random;
+  std::vector<DrivenSolid<Element, Law>> single;
+  for (int l = 0; l < W; ++l) single.emplace_back(properties, parameters, places(random));
+  const std::size_t size = single[0].state.size();
+  std::vector<double> together(size * W);
+  for (int l = 0; l < W; ++l) {
+    DrivenSolid<Element, Law>& one = single[static_cast<std::size_t>(l)];
+    if (l == dead) one.state[Layout::alive] = 0.0;
+    for (std::size_t i = 0; i < size; ++i) together[i * W + static_cast<std::size_t>(l)] = one.state[i];
+  }
+  for (int cycle = 0; cycle < 60; ++cycle) {
+    typename Element::template Motion<NativeBatch> nodes;
+    const auto put = [](Vec3<NativeBatch>& to, int l, const Vec3d& from) {
+      set_lane(to.x, l, from.x);
+      set_lane(to.y, l, from.y);
+      set_lane(to.z, l, from.z);
+    };
+    for (int l = 0; l < W; ++l) {
+      DrivenSolid<Element, Law>& one = single[static_cast<std::size_t>(l)];
+      const Vec3d spin = random.vector(1e4);
+      for (std::size_t i = 0; i < Element::corners; ++i)
+        one.nodes.v[i] = cross(spin, one.nodes.x[i]) + random.vector(20000.0 * (l + 1));
+      one.step(dt);
+      for (std::size_t i = 0; i < Element::corners; ++i) {
+        put(nodes.x[i], l, one.nodes.x[i]);
+        put(nodes.v[i], l, one.nodes.v[i]);
+      }
+    }
+    const auto force =
+        Element::template cycle<NativeBatch>(properties, single[0].law, single[0].layout, nodes, dt, together.data());
+    for (int l = 0; l < W; ++l) {
+      const DrivenSolid<Element, Law>& one = single[static_cast<std::size_t>(l)];
+      for (std::size_t i = 0; i < Element::corners; ++i) {
+        const Vec3d f = get(force.f[i], l);
+        ASSERT_EQ(0, std::memcmp(&f, &one.force.f[i], sizeof f)) << cycle;
+      }
+      ASSERT_EQ(lane(force.stable_step, l), one.force.stable_step);
+      for (std::size_t i = 0; i < size; ++i)
+        ASSERT_EQ(together[i * W + static_cast<std::size_t>(l)], one.state[i]) << i;
+    }
+  }
+  if constexpr (Prepared<Law>::has_plastic_strain) {
+    EXPECT_GT(single[0].at(Element::plastic_strain(single[0].layout)), 0.0);
+  }
+}
+
+}  // namespace nugget::kernel
