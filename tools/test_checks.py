@@ -104,6 +104,85 @@ class Sources(CheckCase):
         self.assertIn("701 lines", output)
 
 
+class Archives(CheckCase):
+    """A class that forgets a member, a derived one that forgets all, a pointer that would be kept as bytes."""
+
+    CLASS = """\
+class Contact : public Base {
+ public:
+  explicit Contact(std::vector<int> nodes = {}) : nodes_(std::move(nodes)) {}
+  double energy() const { return energy_; }
+  void archive(Archive& a);
+
+ private:
+  struct Pair {
+    int segment = 0;
+    Vec3d force;
+  };
+  struct Block {
+    int begin = 0, end = 0;  // of the nodes
+    std::vector<Pair> pairs;
+    void archive(Archive& a) {
+      a(pairs);
+      a.built(begin, end);
+    }
+  };
+  static constexpr double margin = 0.25;
+  std::vector<int> nodes_;
+  const Model& model_;
+  std::vector<Block> blocks_;
+  std::array<double, 2> energy_{}, work_{};
+  unsigned sides_ = 0;
+};
+"""
+    FUNCTION = """\
+void Contact::archive(Archive& a) {
+  a(blocks_, energy_, work_);
+  a.built(nodes_, model_, sides_);
+}
+"""
+
+    def archives(self, *changes, function=FUNCTION):
+        text = self.CLASS
+        for old, new in changes:
+            self.assertEqual(text.count(old), 1)
+            text = text.replace(old, new)
+        self.write("src/contact/contact.hpp", text)
+        self.write("src/contact/archive.cpp", function)
+        return self.run_check("check_archives.py")
+
+    def test_all_members_named(self):
+        self.assertEqual(self.archives(), (0, ""))
+
+    def test_a_member_that_is_forgotten(self):
+        model = "  const Model& model_;\n"
+        for old, new, name in (("  unsigned sides_ = 0;\n", "  unsigned sides_ = 0, count_ = 0;\n", "Contact::count_"),
+                               ("    std::vector<Pair> pairs;\n", "    std::vector<Pair> pairs, old;\n", "Contact::Block::old"),
+                               (model, model + "  std::map<int, Pair> more_;\n", "Contact::more_"),
+                               (model, model + "  double depth_[2] = {0.0, 1.0};\n", "Contact::depth_")):
+            with self.subTest(name):
+                code, output = self.archives((old, new))
+                self.assertEqual(code, 1)
+                self.assertIn(f"{name} is not in archive()", output)
+
+    def test_a_function_that_is_only_declared(self):
+        code, output = self.archives(function="")
+        self.assertEqual(code, 1)
+        self.assertIn("Contact::archive is not defined", output)
+
+    def test_a_derived_class_without_one(self):
+        code, output = self.archives(("class Contact :", "class Glue : public Contact {\n  double limit_;\n};\nclass Contact :"))
+        self.assertEqual(code, 1)
+        self.assertIn("Glue has members, and no archive(Archive&) besides that of Contact", output)
+
+    def test_a_pointer_kept_as_bytes(self):
+        for pointer in ("const Segment* on = nullptr;", "std::span<const Row> x;", "Model& model;"):
+            with self.subTest(pointer):
+                code, output = self.archives(("    Vec3d force;\n", f"    Vec3d force;\n    {pointer}\n"))
+                self.assertEqual(code, 1)
+                self.assertIn("is kept with Contact::Block::pairs, but is no plain value", output)
+
+
 class VerificationTable(CheckCase):
     ROW = "A-39\trod | wall: force [N]\t32481.4\t32494.1\t0.000392\t0.01\n"
 

@@ -2,6 +2,8 @@
 #include "app/command.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <thread>
 
 #include "app/finding_list.hpp"
@@ -10,6 +12,11 @@
 #include "model/describe.hpp"
 
 namespace nugget::app {
+
+void Log::read() {
+  std::ifstream file(path_);
+  text_.assign(std::istreambuf_iterator<char>(file), {});
+}
 
 void start_log(Log& log, const RunArguments& arguments, const Prepared& p, const Findings& findings) {
   log.add(log_head(NUGGET_VERSION, arguments.deck, std::to_string(threads())));

@@ -19,6 +19,8 @@ namespace nugget::app {
 class Log {
  public:
   explicit Log(std::filesystem::path path) : path_(std::move(path)) {}
+  /// Goes on with the log that is there.
+  void read();
   void add(const std::string& text) {
     text_ += text;
     output::write_whole_file(path_, text_);
@@ -59,6 +61,9 @@ ExitCode guarded(const std::string& directory, Work work) {
   } catch (const output::WriteError& e) {
     fmt::print(stderr, "nugget: {}\n", e.what());
     return ExitCode::cannot_write;
+  } catch (const ArchiveError& e) {
+    fmt::print(stderr, "nugget: cannot go on: {}\n", e.what());
+    return ExitCode::refused;
   }
 }
 

@@ -18,6 +18,7 @@
 #include "app/modes.hpp"
 #include "app/outcome.hpp"
 #include "app/progress.hpp"
+#include "app/restart.hpp"
 #include "app/run_log.hpp"
 #include "app/statics.hpp"
 #include "base/index.hpp"
@@ -191,20 +192,57 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   return s;
 }
 
+/// Options of the run, and how its state goes into restart files and, if `from` is not null, comes out of one.
+impact::Options options_of(const RunArguments& arguments, const output::RestartHead& head, const fs::path& directory,
+                           impact::Simulation& simulation, impact::Recorder& recorder, output::RestartReader* from) {
+  impact::Options options{.until = arguments.until, .max_cycles = arguments.max_cycles};
+  if (!arguments.checkpoint.empty()) options.checkpoints = *read_checkpoints(arguments.checkpoint);
+  const auto archive = [&simulation, &recorder](Archive& a) { a(simulation, recorder); };
+  options.keep = [=, &simulation] {
+    output::RestartHead now = head;
+    now.time = simulation.state().time;
+    now.cycle = simulation.state().cycle;
+    output::RestartWriter file(directory, now);
+    archive(file);
+    file.finish();
+  };
+  if (from != nullptr) options.restore = [=] { archive(*from); };
+  return options;
+}
+
+/// What restart files say of this run.
+output::RestartHead head_of(const RunArguments& arguments, std::uint64_t deck_checksum) {
+  return {.version = NUGGET_VERSION,
+          .program = output::checksum_of_program(),
+          .deck = arguments.deck,
+          .folder = fs::current_path().string(),
+          .deck_checksum = deck_checksum,
+          .date = today(),
+          .skip_unsupported = arguments.skip_unsupported,
+          .until = arguments.until,
+          .max_cycles = arguments.max_cycles,
+          .checkpoint = arguments.checkpoint};
+}
+
 /// Runs with results, progress and the keyboard's interrupt. A result that cannot be written is told in run.log, as far
 /// as that can still be done.
 impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directory, const RunArguments& arguments,
-                         Log& log) {
+                         output::RestartHead head, output::RestartReader* from, Log& log) {
   std::signal(SIGINT, [](int) { impact::Simulation::interrupt(); });
   std::signal(SIGTERM, [](int) { impact::Simulation::interrupt(); });
   ProgressDisplay display;
   try {
     const system::System& system = simulation.system();
+    if (from != nullptr) head.date = from->head().date;
     impact::ResultFiles files(system, directory,
-                              {system.model.title, fmt::format("nugget {}", NUGGET_VERSION), today()});
-    const impact::Outcome outcome = simulation.run({arguments.until, arguments.max_cycles}, files,
-                                                   arguments.quiet ? impact::ProgressCallback{} : std::ref(display));
+                              {system.model.title, fmt::format("nugget {}", NUGGET_VERSION), head.date,
+                               from == nullptr ? output::Opening::anew : output::Opening::go_on});
+    impact::Outcome outcome = simulation.run(options_of(arguments, head, directory, simulation, files, from), files,
+                                             arguments.quiet ? impact::ProgressCallback{} : std::ref(display));
     display.finish();
+    // In a dynamic relaxation there is none.
+    if (outcome.termination == impact::Termination::interrupted && fs::exists(directory / "restart"))
+      outcome.message += fmt::format("; to go on: nugget run --resume {}", directory.string());
     return outcome;
   } catch (const output::WriteError& error) {
     display.finish();
@@ -246,12 +284,20 @@ std::string cause_of(const impact::Simulation& run, const output::Summary& summa
       std::floor(100.0 * model.control.step_scale * free->step / run.first_step()) / 100.0);
 }
 
-ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
+/// `from`: the restart file of a run that is gone on with; null: a new one.
+ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output::RestartReader* from) {
   use_threads(arguments.threads);
   Findings findings;
   Prepared p = prepare(arguments, findings);
   if (!p.has_text) return refuse_missing(findings);
-  output::remove_old_results(directory);
+  if (p.model.implicit.active && !arguments.checkpoint.empty()) {
+    fmt::print(stderr, "nugget: --checkpoint: this deck asks for an implicit solution, which has no restart files\n");
+    return ExitCode::wrong_command;
+  }
+  if (from != nullptr)
+    expect_same_deck(arguments.deck, p.deck_checksum, from->head());
+  else
+    output::remove_old_results(directory);
   const bool response = p.model.frequency_response || p.model.steady_state;
   if (p.model.implicit.active && p.model.implicit.modes == 0 && all_direct(p.model))
     return direct_responses(directory, arguments, std::move(p), findings);
@@ -269,16 +315,24 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
   std::optional<impact::Simulation> simulation;
   if (findings.errors() == 0) system.emplace(p.model, p.ties, findings);
   if (findings.errors() == 0) simulation.emplace(*system, findings);
-  start_log(log, arguments, p, findings);
+  if (from != nullptr) {
+    log.read();
+    log.add(log_resumption(from->head(), today()));
+  } else {
+    start_log(log, arguments, p, findings);
+  }
   if (findings.errors() > 0) return refuse(directory, log, findings);
-  print_findings(findings);
-  output::write_findings(directory, findings.all());
-  log.add(log_model(p.model));
-  log.add(log_ties(p.model, p.ties, all_of_them) + log_tied_nodes(p.model, p.ties));
-  log.add(audit_table(p.model, p.ties, p.audit));
+  if (from == nullptr) {
+    print_findings(findings);
+    output::write_findings(directory, findings.all());
+    log.add(log_model(p.model));
+    log.add(log_ties(p.model, p.ties, all_of_them) + log_tied_nodes(p.model, p.ties));
+    log.add(audit_table(p.model, p.ties, p.audit));
+  }
   const double setup_seconds = p.tie_seconds + p.audit_seconds + clock.seconds();
 
-  const impact::Outcome outcome = simulate(*simulation, directory, arguments, log);
+  const impact::Outcome outcome =
+      simulate(*simulation, directory, arguments, head_of(arguments, p.deck_checksum), from, log);
 
   tell_histories(*simulation, p.welds);
   const output::Summary summary = summarise(arguments, *simulation, outcome, p, setup_seconds);
@@ -307,7 +361,17 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments) {
 }  // namespace
 
 ExitCode run(const RunArguments& arguments) {
-  return guarded(arguments.directory, [&](const fs::path& directory) { return run_in(directory, arguments); });
+  if (arguments.resume.empty())
+    return guarded(arguments.directory,
+                   [&](const fs::path& directory) { return run_in(directory, arguments, nullptr); });
+  return guarded(".", [&](const fs::path&) {
+    std::string warning;
+    const auto from = output::open_restart(fs::absolute(arguments.resume), warning);
+    if (!warning.empty())
+      fmt::print(stderr, "warning: {}; the one before it is taken, {}\n", warning, from->path().string());
+    const RunArguments run = gone_on_with(arguments, from->head());
+    return run_in(run.directory, run, from.get());
+  });
 }
 
 ExitCode keywords(const std::string& name) {

@@ -25,6 +25,8 @@ struct RunArguments {
   int threads = 0;  ///< 0: all cores
   double until = 0.0;
   long max_cycles = 0;
+  std::string checkpoint;  ///< when restart files are written, see read_checkpoints(); empty: as the deck says
+  std::string resume;      ///< folder of a run that is gone on with; empty: a new run
   bool skip_unsupported = false;
   bool quiet = false;
 };
@@ -53,6 +55,8 @@ struct WeldArguments {
 };
 
 ExitCode run(const RunArguments& arguments);
+/// True where the text says when restart files are written.
+bool says_checkpoints(const std::string& text);
 ExitCode modes(const ModesArguments& arguments);
 /// `direct`: no modes, one solution for each frequency.
 ExitCode frf(const RunArguments& arguments, bool direct);

@@ -55,6 +55,16 @@ CLI::Validator above_zero(const char* expected, bool whole) {
       "");
 }
 
+CLI::Validator checkpoints() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        return nugget::app::says_checkpoints(text)
+                   ? std::string()
+                   : fmt::format("'{}', expected e.g. 500cycles, 10min or a model time above 0", text);
+      },
+      "");
+}
+
 /// The first word is no command: people try the deck's name there.
 bool is_unknown_command(const CLI::App& cli, const std::vector<std::string>& words) {
   if (words.empty() || words.front().starts_with('-')) return false;
@@ -90,18 +100,27 @@ int main(int argc, char** argv) {
   const CLI::Validator count = above_zero("a whole number of 1 or more", true),
                        time = above_zero("a time above 0", false);
   nugget::app::RunArguments run;
-  std::string checkpoint, resume;
   CLI::App* run_command = cli.add_subcommand("run", "read, check, tie and run a deck");
-  run_command->add_option("model", run.deck, "the deck; also i=MODEL.k")->required();
-  run_command->add_option("-o,--output", run.directory, "folder for the results (default: the current one)");
+  run_command->add_option("model", run.deck, "the deck; also i=MODEL.k");
+  CLI::Option* run_output =
+      run_command->add_option("-o,--output", run.directory, "folder for the results (default: the current one)");
   run_command->add_option("-j,--threads", run.threads, "threads (default: all cores); also ncpu=N")->check(count);
   run_command->add_option("--until", run.until, "end time instead of the deck's")->check(time);
   run_command->add_option("--max-cycles", run.max_cycles, "stop after so many cycles")->check(count);
-  run_command->add_flag("--skip-unsupported", run.skip_unsupported,
-                        "leave out what is not supported, with a warning each");
+  CLI::Option* run_skip = run_command->add_flag("--skip-unsupported", run.skip_unsupported,
+                                                "leave out what is not supported, with a warning each");
   run_command->add_flag("--quiet", run.quiet, "no progress on the terminal");
-  run_command->add_option("--checkpoint", checkpoint, "restart files: not built yet");
-  run_command->add_option("--resume", resume, "go on from a restart file: not built yet");
+  run_command
+      ->add_option("--checkpoint", run.checkpoint,
+                   "a restart file every so often: 500cycles, 10min (of the clock), or a model time such as 1e-3; one "
+                   "is written anyway when the run is interrupted")
+      ->check(checkpoints());
+  run_command
+      ->add_option("--resume", run.resume,
+                   "go on in this folder from its newest restart file; the deck must be as it was, and is named only "
+                   "if it stands elsewhere now")
+      ->excludes(run_output)
+      ->excludes(run_skip);
 
   const CLI::Validator frequency = above_zero("a frequency above 0", false);
   nugget::app::ModesArguments modes;
@@ -183,13 +202,9 @@ int main(int argc, char** argv) {
   std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
   try {
     cli.parse(words);
+    if (run_command->parsed() && run.deck.empty() && run.resume.empty()) throw CLI::RequiredError("model");
   } catch (const CLI::ParseError& error) {
     return cli.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::wrong_command);
-  }
-  if (!checkpoint.empty() || !resume.empty()) {
-    fmt::print(stderr, "nugget: {} is not built yet: this version writes no restart files\n",
-               checkpoint.empty() ? "--resume" : "--checkpoint");
-    return static_cast<int>(ExitCode::wrong_command);
   }
   if (run_command->parsed()) return static_cast<int>(nugget::app::run(run));
   if (modes_command->parsed()) return static_cast<int>(nugget::app::modes(modes));

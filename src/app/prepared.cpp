@@ -9,7 +9,7 @@
 #include "app/clock.hpp"
 #include "app/weld_account.hpp"
 #include "base/index.hpp"
-#include "deck/deck.hpp"
+#include "deck/checksum.hpp"
 #include "model/builder.hpp"
 #include "weld/failure/missing_data.hpp"
 #include "weld/presumed.hpp"
@@ -74,6 +74,7 @@ Prepared prepare(const RunArguments& arguments, Findings& findings) {
   Clock clock;
   const deck::Deck deck = deck::read(arguments.deck, findings);
   p.has_text = deck.bytes > 0;
+  p.deck_checksum = deck::checksum(deck);
   if (findings.errors() > 0 && deck.blocks.empty()) return p;  // nothing was read; no more is to be said about it
   p.model = model::build(deck, findings, arguments.skip_unsupported);
   p.read_seconds = clock.seconds();

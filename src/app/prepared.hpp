@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "app/commands.hpp"
@@ -14,6 +15,7 @@ namespace nugget::app {
 /// What comes out of reading, checking, tying and auditing a deck.
 struct Prepared {
   bool has_text = false;  ///< the deck could be opened and is not empty
+  std::uint64_t deck_checksum = 0;
   model::Model model;
   weld::Ties ties;
   bool is_tied = false;                   ///< ties, audit and welds are there

@@ -198,6 +198,11 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
                          summary.threads);
 }
 
+std::string log_resumption(const output::RestartHead& head, const std::string& date) {
+  return fmt::format("\n Resumed from a restart file, {}: time {:.6g}, cycle {}, {} threads\n\n", date, head.time,
+                     head.cycle, threads());
+}
+
 std::string log_termination(const impact::Outcome& outcome) {
   const std::string reason = outcome.message.empty() ? "" : ' ' + outcome.message + "\n\n";
   switch (outcome.termination) {

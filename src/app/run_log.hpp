@@ -7,6 +7,7 @@
 
 #include "base/finding.hpp"
 #include "impact/simulation.hpp"
+#include "output/restart_file.hpp"
 #include "output/summary.hpp"
 #include "system/system.hpp"
 #include "weld/ties.hpp"
@@ -27,6 +28,8 @@ std::string log_ties(const model::Model& model, const weld::Ties& ties, std::siz
 std::string log_tied_nodes(const model::Model& model, const weld::Ties& ties);
 std::string log_mass(const system::System& system);
 std::string log_run(const impact::Simulation& simulation, const output::Summary& summary);
+/// Where a run begins again.
+std::string log_resumption(const output::RestartHead& head, const std::string& date);
 /// LS-DYNA's words, which tools look for: ` N o r m a l    t e r m i n a t i o n`.
 std::string log_termination(const impact::Outcome& outcome);
 

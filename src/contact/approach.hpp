@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/bvh.hpp"
 #include "base/row.hpp"
 
@@ -23,6 +24,8 @@ class Approach {
   /// The same since the beginning, step by step: never less than what any two have approached between two calls
   /// [length].
   double travelled() const { return travelled_; }
+
+  void archive(Archive& a);
 
  private:
   std::vector<int> nodes_;

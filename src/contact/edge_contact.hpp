@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/bvh.hpp"
 #include "base/row.hpp"
 #include "contact/approach.hpp"
@@ -77,6 +78,8 @@ class EdgeContact {
   double deepest() const { return deepest_; }                         ///< [length]
   long searches() const { return searches_; }
 
+  void archive(Archive& a);
+
  private:
   struct Pair {
     int a = 0, b = 0;       // a < b
@@ -96,6 +99,7 @@ class EdgeContact {
     int begin = 0, end = 0;  // edges
     std::vector<Pair> pairs;
     std::vector<Candidate> close;
+    void archive(Archive& a);
   };
 
   bool takes_part(int edge, std::span<const unsigned char> alive) const;

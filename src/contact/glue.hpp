@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "contact/nodal_forces.hpp"
 #include "contact/surface_contact.hpp"
 #include "kernel/contact/cohesive.hpp"
@@ -36,6 +37,8 @@ class Glue {
   const std::array<double, 2>& energy_of_sides() const { return energy_; }
   const Vec3d& resultant() const { return resultant_; }  ///< force on the tracked side [force]
   Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
+
+  void archive(Archive& a);
 
  private:
   struct Bond {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/row.hpp"
 
 namespace nugget::contact {
@@ -30,6 +31,8 @@ class NodalForces {
   /// Work on the nodes of each side in the step `dt`: sum of 1/2 (before + now) . v dt, with the velocity `v` in the
   /// middle of the step [energy].
   std::array<double, 2> work(double dt, std::span<const Row> v) const;
+
+  void archive(Archive& a);
 
  private:
   std::vector<int> nodes_;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "base/archive.hpp"
 #include "contact/edge_contact.hpp"
 #include "contact/glue.hpp"
 #include "contact/surface_contact.hpp"
@@ -30,6 +31,8 @@ class PenaltyContact {
   Vec3d force_on(std::span<const unsigned char> marked) const;
   const SurfaceContact& surface() const { return surface_; }
   const Glue* glue() const { return glue_.get(); }
+
+  void archive(Archive& a);
 
  private:
   SurfaceContact surface_;

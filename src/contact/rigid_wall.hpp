@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/curve.hpp"
 #include "base/row.hpp"
 #include "kernel/contact/wall.hpp"
@@ -69,6 +70,8 @@ class RigidWall {
   int touching() const { return touching_; }  ///< nodes stopped in the last step
   /// Sum over the nodes of the other forces times what the wall changed in their velocities in the last step [power].
   double power_on_change() const { return power_on_change_; }
+
+  void archive(Archive& a);
 
  private:
   struct Tracked {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/bvh.hpp"
 #include "base/row.hpp"
 #include "contact/nodal_forces.hpp"
@@ -107,6 +108,8 @@ class SurfaceContact {
   long searches() const { return searches_; }  ///< how often the lists were made
   std::size_t listed() const;                  ///< pairs in the lists
 
+  void archive(Archive& a);
+
  private:
   /// A node and a segment that are near each other.
   struct Pair {
@@ -152,6 +155,7 @@ class SurfaceContact {
     std::vector<Pair> old_pairs;
     std::vector<Candidate> candidates;
     std::vector<Hit> hits;
+    void archive(Archive& a);
   };
   friend std::vector<Penetration> find_penetrations(const SurfaceContactSetup&, std::span<const Row>);
 

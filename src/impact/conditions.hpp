@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "system/system.hpp"
 
 // What the deck imposes on nodes: held and driven degrees of freedom, and loads. The work of each is booked so that it
@@ -43,6 +44,8 @@ class Supports {
   const std::vector<Reaction>& spc_reactions() const { return spc_; }
   const std::vector<Reaction>& motion_reactions() const { return motion_; }
 
+  void archive(Archive& a);
+
  private:
   struct Held {
     std::size_t reaction;
@@ -52,11 +55,13 @@ class Supports {
     double birth, death;
     double force = 0.0, before = 0.0, velocity = 0.0;  // of the last prescribe: velocities before and after it
     bool active = false;
+    void archive(Archive& a);
   };
   struct Driven : Held {
     const model::PrescribedMotion* motion = nullptr;
     int body = -1;
     bool hold_others = false;
+    void archive(Archive& a);
   };
   double target(const Driven& driven, const system::State& state, double old_velocity, double kick) const;
   void set_component(Held& held, double target, int body, system::State& state, double kick,
@@ -81,15 +86,19 @@ class Loads {
   void apply(system::State& state, double dt);
   double work() const { return work_; }
 
+  void archive(Archive& a);
+
  private:
   struct Nodal {
     const model::NodalLoad* load;
     std::vector<int> nodes;
     Vec3d last;
+    void archive(Archive& a);
   };
   struct Pressure {
     const model::PressureLoad* load;
     std::vector<Vec3d> last;  // force on each node of each segment
+    void archive(Archive& a);
   };
   struct Body {
     const model::BodyLoad* load;
@@ -97,6 +106,7 @@ class Loads {
     std::vector<double> mass;
     double last = 0.0;
     std::vector<Vec3d> last_force;  ///< by node, of a centrifugal load
+    void archive(Archive& a);
   };
   void apply(Nodal& nodal, system::State& state, double dt);
   void apply(Pressure& pressure, system::State& state, double dt);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -29,6 +30,8 @@ class Connectors {
   const Record* record(std::size_t i) const { return records_[i].seat.group < 0 ? nullptr : &records_[i].record; }
   int failed() const { return failed_; }
   const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
+
+  void archive(Archive& a);
 
  private:
   struct Entry {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/archive.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -29,6 +30,8 @@ class Damping {
   void apply(system::State& state, double dt);
   double energy() const { return energy_; }
 
+  void archive(Archive& a);
+
  private:
   /// Mass of a node, or of a body at its virtual node, that a card acts upon.
   struct Member {
@@ -46,6 +49,7 @@ class Damping {
     std::vector<Member> members;
     std::vector<Vec3d> v, w;  ///< low-passed velocities and spins, filter by filter of each member
     bool started = false;
+    void archive(Archive& a);
   };
   struct Relative {
     const model::RelativeDamping* card;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -21,6 +22,8 @@ class ElementAlive {
   /// Takes over who has died, and says whether somebody has since the last call.
   Deaths update(const system::System& system);
   std::span<const unsigned char> all() const { return alive_; }
+
+  void archive(Archive& a);
 
  private:
   std::vector<unsigned char> alive_;

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -28,6 +29,8 @@ class Erosion {
   const std::vector<std::string>& events() const { return events_; }
   /// NFAIL1 or NFAIL4 = 2: why the run is to stop; else empty.
   const std::string& reason_to_stop() const { return stop_; }
+
+  void archive(Archive& a);
 
  private:
   bool wants_small_steps(model::ElementKind kind) const;

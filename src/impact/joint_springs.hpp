@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "kernel/law/discrete_spring.hpp"
 #include "system/system.hpp"
 
@@ -30,6 +31,8 @@ class JointSprings {
   /// The longest step that all of them bear; infinite where there are none [time].
   double stable_step() const { return stable_step_; }
 
+  void archive(Archive& a);
+
  private:
   struct Freedom {
     kernel::ForceCurve load, damper;
@@ -37,6 +40,7 @@ class JointSprings {
     double low = 0.0, high = 0.0;  ///< infinite where there is no stop
     double place = 0.0, friction = 0.0;
     double advance(double increment, double rate);
+    void archive(Archive& a);
   };
   struct Spring {
     bool rotational = false;
@@ -46,6 +50,7 @@ class JointSprings {
     std::array<Freedom, 3> freedom;
     std::array<Vec3d, 2> force, moment;  ///< on the bodies' centres
     double energy = 0.0;
+    void archive(Archive& a);
   };
   void find_stable_step();
   static void apply(Spring& spring, system::State& state);

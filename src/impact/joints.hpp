@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "impact/joint_springs.hpp"
 #include "system/system.hpp"
 
@@ -44,6 +45,8 @@ class Joints {
   double opening(std::size_t joint) const { return joints_[joint].opening; }
   double largest_opening(std::size_t joint) const { return joints_[joint].largest_opening; }
 
+  void archive(Archive& a);
+
  private:
   enum class Held { all, across, along };  ///< of the distance between the points
   /// A direction of each body, in its own axes at time 0.
@@ -66,6 +69,7 @@ class Joints {
     Vec3d force, moment;                         ///< on B, at its point
     std::array<Load, 2> load;                    ///< on the bodies' centres
     double energy = 0.0, opening = 0.0, largest_opening = 0.0;
+    void archive(Archive& a);
   };
   void find_bounds();
   void apply(Joint& joint, system::State& state, double longest_step);

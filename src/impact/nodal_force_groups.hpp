@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/archive.hpp"
 #include "output/nodfor.hpp"
 #include "system/system.hpp"
 
@@ -18,6 +19,8 @@ class NodalForceGroups {
   void update(const system::State& state);
   output::NodforState state(const system::State& now) const;
 
+  void archive(Archive& a);
+
  private:
   struct Corner {
     system::System::Seat seat;
@@ -28,10 +31,12 @@ class NodalForceGroups {
     std::vector<Corner> corners;
     Vec3d force;
     double work = 0.0;
+    void archive(Archive& a);
   };
   struct Group {
     const model::NodalForceGroup* card;
     std::vector<Node> nodes;
+    void archive(Archive& a);
   };
   const system::System& system_;
   std::vector<Group> groups_;

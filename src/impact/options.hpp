@@ -6,10 +6,20 @@
 
 namespace nugget::impact {
 
+/// When restart files are written, besides at an interruption: every so many cycles, minutes of the clock, or model
+/// time. 0: not so.
+struct Checkpoints {
+  long cycles = 0;
+  double minutes = 0.0, time = 0.0;
+};
+
 /// What the command line says about a run.
 struct Options {
   double until = 0.0;   ///< end time; 0: the deck's
   long max_cycles = 0;  ///< 0: the deck's
+  Checkpoints checkpoints{};
+  std::function<void()> keep{};     ///< writes a restart file, between two cycles; empty: there are none
+  std::function<void()> restore{};  ///< takes the state from one, in place of the start's; empty: a run from its start
 };
 
 enum class Termination { normal, error, interrupted };

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/archive.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -25,6 +26,8 @@ class Preloads {
   /// Before the internal forces at state.time: stresses that follow a curve, as long as it lasts.
   void apply(const system::State& state);
 
+  void archive(Archive& a);
+
  private:
   /// Elements with one prescribed stress component, in a direction or along the beam's axis.
   struct Prescribed {
@@ -35,6 +38,7 @@ class Preloads {
     Vec3d normal;
     bool keep_others = true;
     bool active = false;
+    void archive(Archive& a);
   };
   /// Elements whose stress is set before each step answer to it by E dt times their strain rate, as a dashpot. That is
   /// stable with steps of 1/sqrt(3) of the usual ones: their groups take half of it while the curve lasts.

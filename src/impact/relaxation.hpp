@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/archive.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -22,6 +23,8 @@ class Relaxation {
   double unrest() const { return unrest_; }
   long cycles() const { return cycles_; }
   double time() const { return time_; }
+
+  void archive(Archive& a);
 
  private:
   model::Relaxation control_;

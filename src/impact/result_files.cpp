@@ -30,10 +30,14 @@ void ResultFiles::add(const model::Request& request, const char* name, MakeState
     binout();
     binary = binout_;
   }
-  channels_.push_back({&request, [=](const Snapshot& now) {
+  channels_.push_back({&request,
+                       [=](const Snapshot& now) {
                          const auto state = make_state(now);
                          if (ascii) ascii->write(state);
                          if (binary) binary->write(state);
+                       },
+                       [=](Archive& a) {
+                         if (ascii) a(*ascii);
                        }});
 }
 
@@ -89,8 +93,9 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
   if (ask.d3plot.asked()) {
     output::D3plotGeometry geometry = output::d3plot_geometry(system);
     geometry.strains = ask.strains;
-    auto file = std::make_shared<output::D3plot>(directory, std::move(geometry));
-    channels_.push_back({&ask.d3plot, [file](const Snapshot& now) { file->write(d3plot_state(now)); }});
+    auto file = std::make_shared<output::D3plot>(directory, std::move(geometry), header.opening);
+    channels_.push_back({&ask.d3plot, [file](const Snapshot& now) { file->write(d3plot_state(now)); },
+                         [file](Archive& a) { a(*file); }});
   }
 }
 
@@ -126,6 +131,19 @@ bool ResultFiles::due(const system::State& state) {
   for (const Channel& c : channels_)
     if (due(c, state)) return true;
   return false;
+}
+
+void ResultFiles::Channel::archive(Archive& a) {
+  archive_file(a);
+  a(next);
+  a.built(request, write);
+}
+
+void ResultFiles::archive(Archive& a) {
+  a.section("result files");
+  a(channels_);
+  if (binout_) a(*binout_);
+  a.built(model_, directory_, header_);
 }
 
 void ResultFiles::write(const Snapshot& now, bool last) {

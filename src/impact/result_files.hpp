@@ -22,13 +22,17 @@ class ResultFiles : public Recorder {
 
   bool due(const system::State& state) override;
   void write(const Snapshot& now, bool last) override;
+  /// Sizes of the files and when they are next due. Reading, what was written later is cut off.
+  void archive(Archive& a) override;
 
  private:
   /// One file with its rhythm.
   struct Channel {
     const model::Request* request;
     std::function<void(const Snapshot&)> write;
+    std::function<void(Archive&)> archive_file;
     double next = 0.0;
+    void archive(Archive& a);
   };
   bool due(const Channel& channel, const system::State& state) const;
   /// A channel for an ASCII file, for binout, or for both, as the request says.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "system/system.hpp"
 #include "weld/rigid_weld.hpp"
 
@@ -37,6 +38,8 @@ class RigidWelds {
   int failed() const { return failed_; }
   const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
 
+  void archive(Archive& a);
+
  private:
   struct Load {
     Vec3d force, moment;
@@ -53,6 +56,7 @@ class RigidWelds {
     std::vector<std::vector<Neighbour>> around;  ///< elements at these nodes; only where plastic strain matters
     Vec3d axis;                                  ///< given one, in body axes; zero: the line of the outermost nodes
     std::vector<weld::RigidWeldHistory> joints;  ///< at the first node; with more than two nodes, at the last one too
+    void archive(Archive& a);
   };
 
   void find_neighbours();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -37,6 +38,8 @@ class Rivets {
   int failed() const { return failed_; }
   const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
 
+  void archive(Archive& a);
+
  private:
   struct Rivet {
     const model::RigidWeld* source;
@@ -46,6 +49,7 @@ class Rivets {
     double force = 0.0, peak = 0.0;
     bool failed = false;
     double failure_time = 0.0;
+    void archive(Archive& a);
   };
   void find_held_directions(Findings& findings);
   void end(Rivet& rivet, const system::State& state);

@@ -87,9 +87,18 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   double next_report = 0.0;
 
   start();
+  if (options.restore) {
+    options.restore();
+    begin_ -=
+        std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(solve_seconds_));
+  }
+  kept_cycle_ = state_.cycle;
+  kept_time_ = state_.time;
+  kept_seconds_ = solve_seconds_;
   charge(elements);
-  const Outcome relaxed = relax(options, progress);
+  const Outcome relaxed = options.restore ? Outcome{} : relax(options, progress);
   for (bool last = false; !last;) {
+    if (!relaxed.stops()) keep(options);
     choose_step(end_time);
     const Outcome stop = relaxed.stops() ? relaxed : reason_to_stop(options, end_time);
     last = stop.stops() || state_.time >= end_time;
@@ -124,6 +133,25 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()),
               failed_welds(), elapsed()});
   return outcome;
+}
+
+void Simulation::keep(const Options& options) {
+  // Asked once a cycle: the run ends in the cycle that begins with the restart file.
+  stop_asked_ = interrupted != 0;
+  if (!options.keep || diverged_) return;
+  solve_seconds_ = elapsed();
+  const Checkpoints& every = options.checkpoints;
+  const auto passed = [](double before, double now, double interval) {
+    return interval > 0.0 && std::floor(now / interval) > std::floor(before / interval);
+  };
+  const bool due = (every.cycles > 0 && state_.cycle > kept_cycle_ && state_.cycle % every.cycles == 0) ||
+                   passed(kept_time_, state_.time, every.time) ||
+                   passed(kept_seconds_, solve_seconds_, 60.0 * every.minutes);
+  if (!due && !stop_asked_) return;
+  options.keep();
+  kept_cycle_ = state_.cycle;
+  kept_time_ = state_.time;
+  kept_seconds_ = solve_seconds_;
 }
 
 void Simulation::kick() {
@@ -218,6 +246,7 @@ Outcome Simulation::relax(const Options& options, const ProgressCallback& progre
   const double end_time = control.end_time > 0.0 ? control.end_time : std::numeric_limits<double>::infinity();
   for (double next_report = 0.0; !relaxation_.at_rest() && state_.time < end_time;) {
     choose_step(end_time);
+    stop_asked_ = interrupted != 0;
     if (stop = reason_to_stop(options, end_time); stop.stops()) break;
     relaxation_.damp(system_, state_);
     kick();
@@ -297,13 +326,10 @@ void Simulation::choose_step(double end_time) {
 Outcome Simulation::reason_to_stop(const Options& options, double end_time) const {
   const model::Control& control = system_.model.control;
   const auto error = [](std::string why) { return Outcome{Termination::error, std::move(why)}; };
-  if (interrupted)
-    return {
-        Termination::interrupted,
-        fmt::format(
-            "interrupted by the user at time {:.6g}, cycle {}; results up to there are kept, but no restart file is "
-            "written: this version has none",
-            state_.time, state_.cycle)};
+  if (stop_asked_)
+    return {Termination::interrupted,
+            fmt::format("interrupted by the user at time {:.6g}, cycle {}; results up to there are kept", state_.time,
+                        state_.cycle)};
   for (const auto& group : system_.groups) {
     if (group->inverted < 0) continue;
     const model::Index e = group->element[at(group->inverted)];

@@ -58,6 +58,8 @@ class Simulation {
   /// Asks a running simulation to stop after the current cycle (from a signal handler).
   static void interrupt();
 
+  void archive(Archive& a);
+
  private:
   void start();
   /// Internal forces of what is there, without a step.
@@ -86,10 +88,12 @@ class Simulation {
   void masses_changed();
   /// Energies of the moment; they stay those of before where the solution has become no number.
   void account();
+  /// Between two cycles: writes a restart file if one is due, or the run was interrupted.
+  void keep(const Options& options);
   Outcome reason_to_stop(const Options& options, double end_time) const;
   /// Charges the time since the last call to a phase.
   void charge(Phase phase);
-  double elapsed() const;  ///< seconds since the run began
+  double elapsed() const;  ///< seconds since the run began, without those between a restart file and going on with it
 
   system::System& system_;
   system::State state_;
@@ -117,6 +121,9 @@ class Simulation {
   Erosion erosion_;
   Strains strains_;
   NodalForceGroups nodal_forces_;
+  bool stop_asked_ = false;  ///< the run was interrupted before this cycle
+  long kept_cycle_ = 0;      ///< of the last restart file; its time, and the clock then
+  double kept_time_ = 0.0, kept_seconds_ = 0.0;
   bool diverged_ = false;
   Relaxation relaxation_;
   double relaxation_work_ = 0.0;     ///< of loads and supports in the relaxation; no part of the run's energy balance

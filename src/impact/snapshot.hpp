@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "contact/penalty_contact.hpp"
 #include "contact/rigid_wall.hpp"
 #include "impact/conditions.hpp"
@@ -61,6 +62,7 @@ class Recorder {
   virtual bool due(const system::State& state) = 0;
   /// `last`: the run ends here, whatever is due.
   virtual void write(const Snapshot& now, bool last) = 0;
+  virtual void archive(Archive&) {}
 };
 
 }  // namespace nugget::impact

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -30,6 +31,8 @@ class Strains {
   /// stress: what changes the volume is elastic, zz = -(xx + yy) + (1 - 2 nu)/E (s_xx + s_yy).
   Faces shell(std::size_t e, const system::State& now) const;
   Tensor solid(std::size_t e) const;
+
+  void archive(Archive& a);
 
  private:
   using InPlane = std::array<double, 5>;  ///< xx yy xy yz zx in the shell's frame

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "impact/tie_forces.hpp"
 #include "impact/welds.hpp"
 
@@ -22,6 +23,8 @@ class TieEnds {
   /// if nodes were let go and masses handed over anew.
   bool update(const system::State& state, std::span<const unsigned char> shell_alive, bool shells_died);
   const std::vector<std::string>& events() const { return events_; }  ///< a line each, for run.log
+
+  void archive(Archive& a);
 
  private:
   bool end(std::size_t tie);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/archive.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -39,6 +40,8 @@ class TieForces {
   double energy() const { return energy_; }
   /// Sum of the forces on the tied nodes of a contact, an index of Model::contacts.
   Vec3d resultant(model::Index contact) const;
+
+  void archive(Archive& a);
 
  private:
   struct Spring {

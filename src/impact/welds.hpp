@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "system/system.hpp"
 #include "weld/brick_section.hpp"
 #include "weld/failure.hpp"
@@ -34,6 +35,8 @@ class Welds {
   int failed() const { return failed_; }
   const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
 
+  void archive(Archive& a);
+
  private:
   /// What a weld of bricks needs beside its history.
   struct Bricks {
@@ -54,6 +57,7 @@ class Welds {
     double area = 0.0;                            ///< of the cross-section now
     std::vector<std::array<double, 8>> jacobian;  ///< at the start, by brick and corner
     std::vector<system::System::Seat> seats;      ///< of its bricks
+    void archive(Archive& a);
   };
   weld::Resultants resultants(std::size_t i, const system::State& state);
   weld::failure::Load load(std::size_t i, const system::State& state);

@@ -18,6 +18,7 @@ struct Header {
   std::string title;    ///< of the deck; 72 characters are written
   std::string version;  ///< of this program, e.g. `nugget 0.1.0`
   std::string date;     ///< mm/dd/yyyy
+  Opening opening = Opening::anew;
 };
 
 /// A line of the legend: the heading of an entity in the history files.
@@ -41,11 +42,13 @@ inline double column(double value) {
 /// Text cut or filled with blanks to `width` characters.
 std::string fixed_width(const std::string& text, std::size_t width);
 
-/// An ASCII history file: the head, then states that reach the disk whole.
+/// An ASCII history file: title, what comes before the first state, then states that reach the disk whole.
 class AsciiFile {
  public:
-  AsciiFile(std::filesystem::path path, const std::string& head) : file_(std::move(path)) {
-    file_.buffer() = head;
+  AsciiFile(std::filesystem::path path, const Header& header, const std::string& rest_of_head = "")
+      : file_(std::move(path), header.opening) {
+    if (header.opening == Opening::go_on) return;
+    file_.buffer() = title_lines(header) + rest_of_head;
     file_.commit();
   }
 
@@ -54,6 +57,7 @@ class AsciiFile {
     fmt::format_to(std::back_inserter(file_.buffer()), format, std::forward<Args>(args)...);
   }
   void end_state() { file_.commit(); }
+  void archive(Archive& a) { a(file_); }
 
  private:
   ResultFile file_;

@@ -43,7 +43,8 @@ int type_number(ElementKind kind) {
 }  // namespace
 
 Binout::Binout(const std::filesystem::path& directory, Header header)
-    : file_(directory / "binout0000"), header_(std::move(header)) {
+    : file_(directory / "binout0000", header.opening), header_(std::move(header)) {
+  if (header_.opening == Opening::go_on) return;
   std::string& out = file_.buffer();
   out.append({8, 8, 8, 1, 1, 1, 0, 0});  // head; bytes of length, offset, command, type; little endian; IEEE; spare
   append_record_head(out, 8, table_offset);
@@ -379,6 +380,12 @@ void Binout::end_state() {
   file_.write_at(link_, link);  // only now does a reader see the state
   link_ = file_.size() - sizeof(std::uint64_t);
   variables_.clear();
+}
+
+void Binout::archive(Archive& a) {
+  a(file_, branches_, directory_, link_);
+  a.built(header_, legends_, variables_);
+  if (a.reading()) file_.write_at(link_, std::string(sizeof(std::uint64_t), '\0'));
 }
 
 void Binout::directory(const std::string& path) {

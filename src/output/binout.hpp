@@ -31,7 +31,7 @@ namespace nugget::output {
 /// branch.
 class Binout {
  public:
-  /// Creates `directory/binout0000`. Throws WriteError.
+  /// Creates `directory/binout0000`, or goes on where it is. Throws WriteError.
   Binout(const std::filesystem::path& directory, Header header);
 
   /// Headings for a branch (`matsum`, `nodout`, `sleout`, `elout/shell`); to be given before its first state.
@@ -53,6 +53,8 @@ class Binout {
   void write(const SecforcState& state);
   void write(const NodforState& state);
   void write(const EloutState& state);
+  /// Between two states. Reading, states of later are taken away.
+  void archive(Archive& a);
 
  private:
   /// Where a variable stands in the file, for the symbol table.
@@ -63,6 +65,7 @@ class Binout {
   struct Branch {
     int states = 0;
     std::vector<int> ids;
+    void archive(Archive& a) { a(states, ids); }
   };
 
   /// Opens the next state of a branch, before the first one its metadata; true: the caller may add metadata of its own.

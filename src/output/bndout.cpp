@@ -28,8 +28,7 @@ BndoutTotal total(std::span<const BndoutBody> bodies) {
   return sum(bodies);
 }
 
-Bndout::Bndout(std::filesystem::path path, const Header& header)
-    : file_(std::move(path), title_lines(header) + legend_lines({})) {}
+Bndout::Bndout(std::filesystem::path path, const Header& header) : file_(std::move(path), header, legend_lines({})) {}
 
 void Bndout::write(const BndoutState& state) {
   file_.print("\n\n\n\n\n n o d a l   f o r c e/e n e r g y    o u t p u t   t={:9.3E}\n", column(state.time));

@@ -42,6 +42,7 @@ class Bndout {
  public:
   Bndout(std::filesystem::path path, const Header& header);
   void write(const BndoutState& state);
+  void archive(Archive& a) { a(file_); }
 
  private:
   AsciiFile file_;

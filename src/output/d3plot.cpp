@@ -316,10 +316,11 @@ void shell_layers(std::span<const StressRecord> points, std::span<StressRecord> 
     if (lower != upper || i != lower) layers[next++] = points[i];
 }
 
-D3plot::D3plot(std::filesystem::path directory, D3plotGeometry geometry)
+D3plot::D3plot(std::filesystem::path directory, D3plotGeometry geometry, Opening opening)
     : directory_(std::move(directory)), geometry_(std::move(geometry)) {
   const D3plotGeometry& g = geometry_;
   check(g);
+  if (opening == Opening::go_on) return;
   Words out;
   control(out, g);
   out.vectors(g.x);
@@ -361,7 +362,8 @@ void D3plot::write(const D3plotState& s) {
 void D3plot::append_state(std::string_view words) {
   const bool full = end_mark_ + words.size() + word > family_member;
   if (!member_ || full || geometry_.one_state_a_file) {
-    member_.emplace(directory_ / fmt::format("{}{:02}", stem(), ++members_));
+    if (member_) member_->sync();  // a restart file counts on it, and looks after the last one only
+    member_.emplace(member_path(++members_));
     end_mark_ = 0;
   }
   std::string tail(words.substr(word));
@@ -377,6 +379,29 @@ void D3plot::append_state(std::string_view words) {
     member_->write_at(end_mark_, words.substr(0, word));
   }
   end_mark_ = used - word;
+}
+
+std::filesystem::path D3plot::member_path(int number) const {
+  return directory_ / fmt::format("{}{:02}", stem(), number);
+}
+
+void D3plot::archive(Archive& a) {
+  a(members_, end_mark_);
+  a.built(directory_, geometry_);
+  if (a.reading()) {
+    member_.reset();
+    if (members_ > 0) member_.emplace(member_path(members_), Opening::go_on);
+    for (int later = members_ + 1; std::filesystem::remove(member_path(later)); ++later) continue;
+  }
+  if (!member_) return;
+  member_->archive(a);
+  if (!a.reading()) return;
+  // A later state may have begun over the mark, and in the rest of its block.
+  Words mark;
+  mark.real(end_mark);
+  std::string tail(mark.bytes());
+  tail.resize(member_->size() - end_mark_, '\0');
+  member_->write_at(end_mark_, tail);
 }
 
 }  // namespace nugget::output

@@ -111,15 +111,18 @@ void shell_layers(std::span<const StressRecord> points, std::span<StressRecord> 
 /// behind it, so a killed run leaves readable files. Source: LS-DYNA Database Binary Output Files (LSTC, 2020).
 class D3plot {
  public:
-  /// Writes `directory/d3plot`. Throws WriteError, and std::logic_error where ids do not ascend or an index leads
-  /// nowhere.
-  D3plot(std::filesystem::path directory, D3plotGeometry geometry);
+  /// Writes `directory/d3plot`, or goes on where it is. Throws WriteError, and std::logic_error where ids do not ascend
+  /// or an index leads nowhere.
+  D3plot(std::filesystem::path directory, D3plotGeometry geometry, Opening opening = Opening::anew);
 
   /// Throws WriteError, and std::logic_error where an array does not fit the geometry.
   void write(const D3plotState& state);
+  /// Reading, states of later are taken away.
+  void archive(Archive& a);
 
  private:
   const char* stem() const { return geometry_.modes ? "d3eigv" : "d3plot"; }
+  std::filesystem::path member_path(int number) const;
   void append_state(std::string_view words);
 
   std::filesystem::path directory_;

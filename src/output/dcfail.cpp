@@ -3,7 +3,7 @@
 
 namespace nugget::output {
 
-Dcfail::Dcfail(std::filesystem::path path, const Header& header) : file_(std::move(path), title_lines(header)) {}
+Dcfail::Dcfail(std::filesystem::path path, const Header& header) : file_(std::move(path), header) {}
 
 void Dcfail::write(const DcfailState& state) {
   file_.print(

@@ -30,6 +30,7 @@ class Dcfail {
  public:
   Dcfail(std::filesystem::path path, const Header& header);
   void write(const DcfailState& state);
+  void archive(Archive& a) { a(file_); }
 
  private:
   AsciiFile file_;

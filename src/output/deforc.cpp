@@ -3,7 +3,7 @@
 
 namespace nugget::output {
 
-Deforc::Deforc(std::filesystem::path path, const Header& header) : file_(std::move(path), title_lines(header)) {}
+Deforc::Deforc(std::filesystem::path path, const Header& header) : file_(std::move(path), header) {}
 
 void Deforc::write(const DeforcState& state) {
   const auto quantity = [&](const char* name, double value) { file_.print(" {:.<29}{:14.5E}\n", name, column(value)); };

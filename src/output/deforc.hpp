@@ -28,6 +28,7 @@ class Deforc {
  public:
   Deforc(std::filesystem::path path, const Header& header);
   void write(const DeforcState& state);
+  void archive(Archive& a) { a(file_); }
 
  private:
   AsciiFile file_;

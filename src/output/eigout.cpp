@@ -24,7 +24,7 @@ void table(AsciiFile& file, const char* title, const std::vector<EigoutMode>& mo
 
 void write_eigout(const std::filesystem::path& path, const Header& header, const std::vector<EigoutMode>& modes,
                   const std::array<double, 6>& total) {
-  AsciiFile file(path, title_lines(header));
+  AsciiFile file(path, header);
   file.print("\n r e s u l t s   o f   e i g e n v a l u e   a n a l y s i s:\n\n problem time = {:13.5E}\n", 0.0);
   file.print("\n (all frequencies de-shifted)\n");
   file.print("\n                         |------ frequency -----|\n");

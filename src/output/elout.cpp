@@ -32,7 +32,7 @@ double effective(const Tensor& s) {
 }
 
 Elout::Elout(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend)
-    : file_(std::move(path), title_lines(header) + legend_lines(legend)) {}
+    : file_(std::move(path), header, legend_lines(legend)) {}
 
 void Elout::write(const EloutState& state) {
   if (!state.solids.empty()) write_solids(state);

@@ -60,6 +60,7 @@ class Elout {
  public:
   Elout(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
   void write(const EloutState& state);
+  void archive(Archive& a) { a(file_); }
 
  private:
   void write_solids(const EloutState& state);

@@ -30,7 +30,7 @@ void count(AsciiFile& file, const char* name, const std::optional<int>& value) {
 
 }  // namespace
 
-Glstat::Glstat(std::filesystem::path path, const Header& header) : file_(std::move(path), title_lines(header)) {}
+Glstat::Glstat(std::filesystem::path path, const Header& header) : file_(std::move(path), header) {}
 
 void Glstat::write(const GlstatState& s) {
   file_.print("\n\n dt of cycle{:8} is controlled by ", s.cycle);

@@ -42,6 +42,7 @@ class Glstat {
  public:
   Glstat(std::filesystem::path path, const Header& header);
   void write(const GlstatState& state);
+  void archive(Archive& a) { a(file_); }
 
  private:
   AsciiFile file_;

@@ -4,7 +4,7 @@
 namespace nugget::output {
 
 Jntforc::Jntforc(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend)
-    : file_(std::move(path), title_lines(header) + legend_lines(legend)) {}
+    : file_(std::move(path), header, legend_lines(legend)) {}
 
 void Jntforc::write(const JntforcState& state) {
   const auto quantity = [&](const char* name, double value) { file_.print(" {:.<29}{:14.5E}\n", name, column(value)); };

@@ -25,6 +25,7 @@ class Jntforc {
  public:
   Jntforc(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
   void write(const JntforcState& state);
+  void archive(Archive& a) { a(file_); }
 
  private:
   AsciiFile file_;

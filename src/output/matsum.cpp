@@ -4,7 +4,7 @@
 namespace nugget::output {
 
 Matsum::Matsum(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend)
-    : file_(std::move(path), title_lines(header) + legend_lines(legend)) {}
+    : file_(std::move(path), header, legend_lines(legend)) {}
 
 void Matsum::write(const MatsumState& state) {
   file_.print("\n\n time ={:13.4E}\n", column(state.time));

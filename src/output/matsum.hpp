@@ -28,6 +28,7 @@ class Matsum {
  public:
   Matsum(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
   void write(const MatsumState& state);
+  void archive(Archive& a) { a(file_); }
 
  private:
   AsciiFile file_;

@@ -12,8 +12,7 @@ NodforRow total(const NodforGroup& group) {
   return sum;
 }
 
-Nodfor::Nodfor(std::filesystem::path path, const Header& header)
-    : file_(std::move(path), title_lines(header) + legend_lines({})) {}
+Nodfor::Nodfor(std::filesystem::path path, const Header& header) : file_(std::move(path), header, legend_lines({})) {}
 
 void Nodfor::write(const NodforState& state) {
   file_.print("\n\n\n\n\n n o d a l   f o r c e   g r o u p    o u t p u t   t={:9.3E}\n", column(state.time));

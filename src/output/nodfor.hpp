@@ -34,6 +34,7 @@ class Nodfor {
  public:
   Nodfor(std::filesystem::path path, const Header& header);
   void write(const NodforState& state);
+  void archive(Archive& a) { a(file_); }
 
  private:
   AsciiFile file_;

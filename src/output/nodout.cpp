@@ -17,7 +17,7 @@ void node_and_vector(AsciiFile& file, int node, const Vec3d& v) {
 }  // namespace
 
 Nodout::Nodout(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend)
-    : file_(std::move(path), title_lines(header) + legend_lines(legend)) {}
+    : file_(std::move(path), header, legend_lines(legend)) {}
 
 void Nodout::table_head(const NodoutState& state) {
   file_.print(

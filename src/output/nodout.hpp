@@ -28,6 +28,7 @@ class Nodout {
  public:
   Nodout(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
   void write(const NodoutState& state);
+  void archive(Archive& a) { a(file_); }
 
  private:
   void table_head(const NodoutState& state);

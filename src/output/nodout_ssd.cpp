@@ -7,7 +7,7 @@
 namespace nugget::output {
 
 NodoutSsd::NodoutSsd(std::filesystem::path path, const Header& header)
-    : file_(std::move(path), title_lines(header) + "\n\n S t e a d y   S t a t e   D y n a m i c s\n") {}
+    : file_(std::move(path), header, "\n\n S t e a d y   S t a t e   D y n a m i c s\n") {}
 
 void NodoutSsd::write(double frequency, const std::vector<NodoutSsdRow>& rows) {
   const auto finite = [](double v) { return std::isfinite(v) ? column(v) : 0.0; };

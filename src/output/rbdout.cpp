@@ -44,7 +44,7 @@ void body(AsciiFile& file, const char* kind, const RbdoutRow& row) {
 
 }  // namespace
 
-Rbdout::Rbdout(std::filesystem::path path, const Header& header) : file_(std::move(path), title_lines(header)) {}
+Rbdout::Rbdout(std::filesystem::path path, const Header& header) : file_(std::move(path), header) {}
 
 void Rbdout::write(const RbdoutState& state) {
   file_.print("1\n\n  r i g i d   b o d y   m o t i o n   a t  cycle={:8}    time={:15.6E}\n", state.cycle,

@@ -30,6 +30,7 @@ class Rbdout {
  public:
   Rbdout(std::filesystem::path path, const Header& header);
   void write(const RbdoutState& state);
+  void archive(Archive& a) { a(file_); }
 
  private:
   AsciiFile file_;

@@ -4,7 +4,7 @@
 namespace nugget::output {
 
 Rcforc::Rcforc(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend)
-    : file_(std::move(path), title_lines(header) + legend_lines(legend)) {}
+    : file_(std::move(path), header, legend_lines(legend)) {}
 
 void Rcforc::write(const RcforcState& state) {
   for (const RcforcRow& row : state.rows)

@@ -28,6 +28,7 @@ class Rcforc {
  public:
   Rcforc(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
   void write(const RcforcState& state);
+  void archive(Archive& a) { a(file_); }
 
  private:
   AsciiFile file_;

@@ -2,6 +2,7 @@
 #include "output/result_file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -17,9 +18,13 @@ std::string last_error() {
 
 }  // namespace
 
-ResultFile::ResultFile(std::filesystem::path path) : path_(std::move(path)) {
-  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) throw WriteError(path_, last_error());
+ResultFile::ResultFile(std::filesystem::path path, Opening opening) : path_(std::move(path)) {
+  const int how = opening == Opening::anew ? O_CREAT | O_TRUNC : 0;
+  descriptor_ = ::open(path_.c_str(), O_WRONLY | how | O_CLOEXEC, 0666);
+  if (descriptor_ >= 0) return;
+  if (opening == Opening::go_on && errno == ENOENT)
+    throw ArchiveError(path_.string() + " is gone, which the interrupted run had begun");
+  throw WriteError(path_, last_error());
 }
 
 ResultFile::~ResultFile() {
@@ -67,6 +72,23 @@ void ResultFile::write_at(std::uint64_t offset, std::string_view bytes) {
     at += static_cast<std::uint64_t>(written);
   }
   if (at > size_) size_ = at;
+}
+
+void ResultFile::sync() {
+  if (::fdatasync(descriptor_) != 0) throw WriteError(path_, last_error());
+}
+
+void ResultFile::archive(Archive& a) {
+  if (!a.reading()) sync();
+  a(size_);
+  a.built(path_, buffer_, descriptor_);
+  if (!a.reading()) return;
+  struct stat now {};
+  if (::fstat(descriptor_, &now) != 0) throw WriteError(path_, last_error());
+  if (static_cast<std::uint64_t>(now.st_size) < size_)
+    throw ArchiveError(path_.string() + " has " + std::to_string(now.st_size) + " bytes, fewer than the " +
+                       std::to_string(size_) + " that it had when the restart file was written");
+  if (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) throw WriteError(path_, last_error());
 }
 
 void write_whole_file(const std::filesystem::path& path, std::string_view text) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/archive.hpp"
+
 namespace nugget::output {
 
 /// A result that cannot be written: disk full, no permission, no such folder. The program ends with exit code 4; what
@@ -18,13 +20,17 @@ struct WriteError : std::runtime_error {
   std::string reason;  ///< the operating system's words
 };
 
+/// Whether a result is begun, or one that an interrupted run has left is gone on with.
+enum class Opening { anew, go_on };
+
 /// A file that grows by whole states. What is put into `buffer()` reaches the disk at `commit()`, at once, so that a
 /// killed run leaves complete states; a commit that fails cuts the file back to the last good one and throws
 /// WriteError.
 class ResultFile {
  public:
-  /// Creates the file, or empties the one that is there. Throws WriteError.
-  explicit ResultFile(std::filesystem::path path);
+  /// Creates the file, or empties the one that is there; throws WriteError. To go on, takes it as it is, and `archive`
+  /// has to say how much of it counts; throws ArchiveError where there is none.
+  explicit ResultFile(std::filesystem::path path, Opening opening = Opening::anew);
   ~ResultFile();
   ResultFile(ResultFile&& other) noexcept;
   ResultFile& operator=(ResultFile&& other) noexcept;
@@ -37,6 +43,11 @@ class ResultFile {
 
   /// Writes bytes at a place of their own, at once; past the end of the file it grows. Throws WriteError.
   void write_at(std::uint64_t offset, std::string_view bytes);
+
+  /// Waits until the disk has it all, so that a restart file that counts on it survives a power failure.
+  void sync();
+  /// Keeps the size; reading, what was written later is cut off. Throws ArchiveError where the file is shorter.
+  void archive(Archive& a);
 
   /// Bytes on the disk.
   std::uint64_t size() const { return size_; }

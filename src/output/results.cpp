@@ -49,6 +49,9 @@ constexpr auto names = std::to_array<std::string_view>({"run.log",
                                                         "binout0000",
                                                         "summary.json.part",
                                                         "findings.json.part",
+                                                        "restart",
+                                                        "restart.previous",
+                                                        "restart.part",
                                                         "welds.csv.part"});
 
 /// `stem` and two digits or more: the members of a family of state files.

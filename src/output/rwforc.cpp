@@ -9,7 +9,7 @@ constexpr const char* columns = "\n\n    time       wall#   normal-force    x-fo
 }  // namespace
 
 Rwforc::Rwforc(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend)
-    : file_(std::move(path), title_lines(header) + legend_lines(legend) + columns) {}
+    : file_(std::move(path), header, legend_lines(legend) + columns) {}
 
 void Rwforc::write(const RwforcState& state) {
   for (const RwforcRow& row : state.rows)

@@ -25,6 +25,7 @@ class Rwforc {
  public:
   Rwforc(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
   void write(const RwforcState& state);
+  void archive(Archive& a) { a(file_); }
 
  private:
   AsciiFile file_;

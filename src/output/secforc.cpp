@@ -26,7 +26,7 @@ void four(AsciiFile& file, const Vec3d& v, double last) {
 }  // namespace
 
 Secforc::Secforc(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend)
-    : file_(std::move(path), title_lines(header) + legend_lines(legend) + column_heads) {}
+    : file_(std::move(path), header, legend_lines(legend) + column_heads) {}
 
 void Secforc::write(const SecforcState& state) {
   for (const SecforcRow& row : state.rows) {

@@ -32,6 +32,7 @@ class Secforc {
  public:
   Secforc(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
   void write(const SecforcState& state);
+  void archive(Archive& a) { a(file_); }
 
  private:
   AsciiFile file_;

@@ -16,7 +16,7 @@ double SleoutState::total_reference() const {
 }
 
 Sleout::Sleout(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend)
-    : file_(std::move(path), title_lines(header) + legend_lines(legend)) {}
+    : file_(std::move(path), header, legend_lines(legend)) {}
 
 void Sleout::write(const SleoutState& state) {
   file_.print("\n contact interface energy file, time={:14.7E}\n", column(state.time));

@@ -28,6 +28,7 @@ class Sleout {
  public:
   Sleout(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
   void write(const SleoutState& state);
+  void archive(Archive& a) { a(file_); }
 
  private:
   AsciiFile file_;

@@ -12,7 +12,7 @@ void row(AsciiFile& file, const char* kind, const SpcforcRow& r) {
 }  // namespace
 
 Spcforc::Spcforc(std::filesystem::path path, const Header& header)
-    : file_(std::move(path), title_lines(header) + legend_lines({}) + " single point constraint forces\n\n") {}
+    : file_(std::move(path), header, legend_lines({}) + " single point constraint forces\n\n") {}
 
 void Spcforc::write(const SpcforcState& state) {
   file_.print(" output at time ={:14.5E}\n", column(state.time));

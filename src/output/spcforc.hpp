@@ -27,6 +27,7 @@ class Spcforc {
  public:
   Spcforc(std::filesystem::path path, const Header& header);
   void write(const SpcforcState& state);
+  void archive(Archive& a) { a(file_); }
 
  private:
   AsciiFile file_;

@@ -60,7 +60,7 @@ std::string failure_column(double failure, bool has_failed) {
   return number_in_seven(failure);
 }
 
-Swforc::Swforc(std::filesystem::path path, const Header& header) : file_(std::move(path), title_lines(header)) {}
+Swforc::Swforc(std::filesystem::path path, const Header& header) : file_(std::move(path), header) {}
 
 void Swforc::write(const SwforcState& state) {
   file_.print(

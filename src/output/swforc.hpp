@@ -42,6 +42,7 @@ class Swforc {
  public:
   Swforc(std::filesystem::path path, const Header& header);
   void write(const SwforcState& state);
+  void archive(Archive& a) { a(file_); }
 
  private:
   AsciiFile file_;

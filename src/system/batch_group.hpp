@@ -203,6 +203,12 @@ class BatchGroup final : public ElementGroup, public BeforeCycle {
     }
   }
 
+  void archive(Archive& a) override {
+    ElementGroup::archive(a);
+    a(state_, energy_, step_, unstressed_);
+    a.built(kernel_, nodes_, inviscid_, mass_, inertia_);
+  }
+
   std::array<int, 8> nodes(std::size_t e) const override {
     std::array<int, 8> n{};
     for (int a = 0; a < corners; ++a) n[static_cast<std::size_t>(a)] = nodes_[node_index(e, a)];

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/row.hpp"
 #include "base/vec3.hpp"
 
@@ -80,6 +81,7 @@ class ConstraintMap {
     std::array<std::array<double, 6>, 6> of{};
   };
   std::vector<Block> blocks(int dependent) const;
+  void archive(Archive& a);
 
  private:
   struct RowHead {

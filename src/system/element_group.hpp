@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "model/model.hpp"
 #include "system/state.hpp"
 
@@ -38,6 +39,8 @@ class ElementGroup {
   /// Advances elements of blocks [begin, end) over dt with the velocities of `state` at mid-step and its positions at
   /// the end of the step; fills slots; adds the work done to the elements' internal energy.
   virtual void cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots) = 0;
+  /// What all groups have; a group's own adds to it.
+  virtual void archive(Archive& a);
 
   /// Row of the force slot of node `a` of element `e` (its moment stands in the next row).
   std::size_t slot_row(std::size_t e, int a) const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "base/archive.hpp"
 #include "base/vec3.hpp"
 #include "model/parts.hpp"
 #include "system/state.hpp"
@@ -40,6 +41,7 @@ struct RigidBody {
   void turn(double dt, const State& state);
   /// Makes the spin component along unit vector `axis` equal to `value`; momentum follows.
   void set_spin(const Vec3d& axis, double value, double dt, State& state);
+  void archive(Archive& a);
 };
 
 /// a^-1 b.

@@ -34,6 +34,8 @@ class SpringGroup final : public ElementGroup {
   void keep_unstressed() override {}
   void elastic_rate(std::size_t block, const State& now, std::span<Row> f, std::span<Row> m) const override;
 
+  void archive(Archive& a) override;
+
   std::array<int, 8> nodes(std::size_t e) const override;
   bool alive(std::size_t e) const override { return springs_[e].alive; }
   void remove(std::size_t e) override { springs_[e].alive = false; }
@@ -75,6 +77,7 @@ class SpringGroup final : public ElementGroup {
     Vec3d line;
     bool alive = true, started = false;
     double inverse_mass = 0.0, stiffness_rate = 0.0, viscosity_rate = 0.0;
+    void archive(Archive& a);
   };
   std::size_t at_each_node() const { return static_cast<std::size_t>(nodes_per_element); }
   Vec3d span(const Entry& s, const State& state) const;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/archive.hpp"
 #include "base/row.hpp"
 
 namespace nugget::system {
@@ -18,6 +19,8 @@ struct State {
   std::vector<Row> x;        ///< positions at t(n) [length]
   std::vector<Row> v, w;     ///< velocities and spins at t(n-1/2), after `accelerate` at t(n+1/2)
   std::vector<Row> f, m;     ///< forces and moments on the nodes at t(n): external minus internal
+
+  void archive(Archive& a);
 };
 
 }  // namespace nugget::system

@@ -130,6 +130,8 @@ class System {
   /// Physical mass of a part (its elements and point masses assigned to it).
   double part_mass(model::Index part) const;
 
+  void archive(Archive& a);
+
  private:
   void order_nodes();
 

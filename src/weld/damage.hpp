@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/archive.hpp"
 #include "model/model.hpp"
 #include "weld/ties.hpp"
 
@@ -58,6 +59,8 @@ class Damage {
   bool begun() const { return begun_; }
   const Seen& onset() const { return onset_; }
   const DamageLaw& law() const { return law_; }
+
+  void archive(Archive& a);
 
  private:
   bool begins(const Seen& now) const;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "weld/damage.hpp"
 #include "weld/failure/function.hpp"
 
@@ -15,6 +16,7 @@ class Filter {
  public:
   explicit Filter(int length = 0) : length_(length) {}
   failure::Load operator()(const failure::Load& load);
+  void archive(Archive& a);
 
  private:
   int length_;
@@ -51,6 +53,8 @@ class History {
   /// Load and failure value with its terms in the last cycle of a weld that has failed; of one that holds: now.
   const failure::Load& last_load() const { return last_; }
   const failure::Value& last_value() const { return value_; }
+
+  void archive(Archive& a);
 
  private:
   bool surface_reached();

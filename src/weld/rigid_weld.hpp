@@ -5,6 +5,7 @@
 #include <array>
 #include <deque>
 
+#include "base/archive.hpp"
 #include "model/rigid_weld.hpp"
 #include "weld/failure.hpp"
 
@@ -24,6 +25,7 @@ class ForceFilter {
  public:
   ForceFilter(int length, double window) : length_(static_cast<std::size_t>(std::max(length, 1))), window_(window) {}
   Vec3d operator()(double time, const Vec3d& force);
+  void archive(Archive& a);
 
  private:
   struct Kept {
@@ -71,6 +73,8 @@ class RigidWeldHistory {
   const Last& last() const { return last_; }
   double peak_failure_value() const { return peak_value_; }
   double peak_failure_time() const { return peak_time_; }
+
+  void archive(Archive& a);
 
  private:
   void fail(double time, FailureMode mode);

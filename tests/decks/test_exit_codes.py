@@ -86,8 +86,8 @@ class ExitCodes(CommandTest):
                                 (["run", "i=model.k", "ncpu=some"], "'some', expected a whole number of 1 or more"),
                                 (["run", "model.k", "--until", "soon"], "'soon', expected a time above 0"),
                                 (["run", "model.k", "--max-cycles", "1.5"], "'1.5', expected a whole number of 1 or more"),
-                                (["run", "model.k", "--checkpoint", "10min"], "--checkpoint is not built yet"),
-                                (["run", "--resume", ".", "model.k"], "--resume is not built yet")):
+                                (["run", "model.k", "--checkpoint", "soon"], "'soon', expected e.g. 500cycles"),
+                                (["run", "--resume", ".", "-o", "there"], "--output")):
             with self.subTest(arguments):
                 run = self.nugget(*arguments, expect=2)
                 self.assertIn(word, run.stderr)
@@ -187,8 +187,8 @@ class ExitCodes(CommandTest):
             run.kill()
         self.assertEqual(run.returncode, 130, error)
         self.assertEqual(out, " I n t e r r u p t e d\n")
-        self.assertRegex(error, r"interrupted by the user at time \S+, cycle \d+; results up to there are kept, but no restart "
-                                r"file is written: this version has none\n")
+        self.assertRegex(error, r"interrupted by the user at time \S+, cycle \d+; results up to there are kept; to go on: "
+                                r"nugget run --resume \.\n")
         summary = self.json("summary.json")
         self.assertEqual(summary["termination"], "interrupted")
         self.assertTrue(self.read("run.log").endswith(" I n t e r r u p t e d\n"))

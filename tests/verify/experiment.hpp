@@ -21,7 +21,8 @@ class Experiment {
   explicit Experiment(const std::string& deck);
 
   /// Runs to the deck's end time (or `until`), calling `watch` at each t(n) with everything known. Energies are up to
-  /// date.
+  /// date. With NUGGET_RESUME in the environment the run is done once more from a state that was kept on the way, as
+  /// from a restart file, and must end with the same bits: what a restart file lacks shows in one deck or another.
   impact::Outcome run(const Watch& watch, double until = 0.0);
 
   const model::Model& model() const { return *model_; }
@@ -40,6 +41,9 @@ class Experiment {
   const weld::History& history(const impact::Snapshot& now, int id) const;
 
  private:
+  void expect_same_end(const std::string& kept, double until) const;
+
+  std::string text_;
   Findings findings_;
   std::unique_ptr<model::Model> model_;
   std::unique_ptr<weld::Ties> ties_;

@@ -35,6 +35,8 @@ class BeamStress final : public Function {
     return squares(stresses(load.resultants, weld_), normal_.at(load.rate), shear_.at(load.rate));
   }
 
+  void archive(Archive& a) override { a.built(normal_, shear_, weld_); }
+
  private:
   model::RateValue normal_, shear_;
   Geometry weld_;
@@ -54,6 +56,8 @@ class SheetStress final : public Function {
     }
     return weaker;
   }
+
+  void archive(Archive& a) override { a.built(sheets_, weld_); }
 
  private:
   std::array<SheetStrength, 2> sheets_;

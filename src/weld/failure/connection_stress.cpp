@@ -42,6 +42,11 @@ class ConnectionStress final : public Function {
     return f;
   }
 
+  void archive(Archive& a) override {
+    a(rate_);
+    a.built(properties_, record_, rate_filter_, weld_);
+  }
+
  private:
   double term_of(double stress, const model::RateValue& strength, double exponent) const {
     return strength.given() && stress > 0.0 ? std::pow(stress / strength.at(rate_), exponent) : 0.0;

@@ -38,6 +38,8 @@ class Direction final : public Function {
     return f;
   }
 
+  void archive(Archive& a) override { a.built(tension_, compression_); }
+
  private:
   model::DirectionStrength tension_, compression_;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 
+#include "base/archive.hpp"
 #include "base/finding.hpp"
 #include "model/model.hpp"
 #include "weld/failure_mode.hpp"
@@ -74,6 +75,8 @@ class Function {
  public:
   virtual ~Function() = default;
   virtual Value operator()(const Load& load) = 0;
+  /// What it remembers.
+  virtual void archive(Archive& a) = 0;
 };
 
 /// The failure function that OPT of `law` asks for, or the connection of MAT_100_DA. What the weld lacks for it (a

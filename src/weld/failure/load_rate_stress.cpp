@@ -24,6 +24,8 @@ class ForceRate {
     return seen_ > 0 ? std::abs(sum) / static_cast<double>(seen_) : 0.0;
   }
 
+  void archive(Archive& a) { a(kept_, next_, seen_, last_); }
+
  private:
   std::vector<double> kept_;
   std::size_t next_ = 0, seen_ = 0;
@@ -50,6 +52,11 @@ class LoadRateStress final : public Function {
     f.add(FailureMode::normal_stress, term(n, normal_rate_(n, dt), normal_, table_->normal_exponent));
     f.add(FailureMode::shear_stress, term(v, shear_rate_(v, dt), shear_, table_->shear_exponent));
     return f;
+  }
+
+  void archive(Archive& a) override {
+    a(normal_rate_, shear_rate_, time_);
+    a.built(table_, normal_, shear_, area_);
   }
 
  private:

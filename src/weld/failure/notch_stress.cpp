@@ -51,6 +51,8 @@ class NotchStress final : public Function {
     return value;
   }
 
+  void archive(Archive& a) override { a.built(shear_, bending_, tension_, sliding_); }
+
  private:
   double shear_ = 0.0, bending_ = 0.0, tension_ = 0.0, sliding_ = 0.0;
 };

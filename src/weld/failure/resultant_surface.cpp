@@ -27,6 +27,8 @@ class ResultantSurface final : public Function {
     return f;
   }
 
+  void archive(Archive& a) override { a.built(strength_); }
+
  private:
   std::array<model::RateValue, 6> strength_;
 };

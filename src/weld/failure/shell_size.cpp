@@ -33,6 +33,11 @@ class ShellSize final : public Function {
     return worse;
   }
 
+  void archive(Archive& a) override {
+    a(inner_);
+    a.built(ends_);
+  }
+
  private:
   std::unique_ptr<Function> inner_;
   std::array<Geometry::ShellFactor, 2> ends_;

@@ -32,6 +32,8 @@ class StructuralStress final : public Function {
     return f;
   }
 
+  void archive(Archive& a) override { a.built(d_, thickness_, over_); }
+
  private:
   /// A mean and a wave over the angle: the largest value is the mean and the amplitude.
   double sheet_stress(const Resultants& r, double t) const {

@@ -21,6 +21,11 @@ class WorseEnd final : public Function {
     return g.value > f.value ? g : f;
   }
 
+  void archive(Archive& a) override {
+    a(inner_);
+    a.built(height_, once_);
+  }
+
  private:
   static Load at_end(Load load, double half) {
     const double s = load.resultants.shear_s, t = load.resultants.shear_t;

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/restart.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+
+namespace nugget::app {
+
+namespace fs = std::filesystem;
+
+std::optional<impact::Checkpoints> read_checkpoints(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end == text.c_str() || !(value > 0.0) || !std::isfinite(value)) return {};
+  const std::string unit(end);
+  impact::Checkpoints every;
+  if (unit.empty()) {
+    every.time = value;
+  } else if (unit == "min") {
+    every.minutes = value;
+  } else if ((unit == "cycles" || unit == "cycle") && value == std::trunc(value) && value < 1e15) {
+    every.cycles = static_cast<long>(value);
+  } else {
+    return {};
+  }
+  return every;
+}
+
+bool says_checkpoints(const std::string& text) {
+  return read_checkpoints(text).has_value();
+}
+
+RunArguments gone_on_with(const RunArguments& asked, const output::RestartHead& head) {
+  RunArguments run = asked;
+  run.directory = fs::absolute(asked.resume).string();
+  run.skip_unsupported = head.skip_unsupported;
+  if (run.until == 0.0) run.until = head.until;
+  if (run.max_cycles == 0) run.max_cycles = head.max_cycles;
+  if (run.checkpoint.empty()) run.checkpoint = head.checkpoint;
+  if (!run.deck.empty()) return run;
+  run.deck = head.deck;
+  std::error_code error;
+  fs::current_path(head.folder, error);
+  if (error)
+    throw ArchiveError("the folder " + head.folder + " from which the run was begun cannot be entered: " +
+                       error.message() + "; name the deck: nugget run MODEL.k --resume DIR");
+  return run;
+}
+
+void expect_same_deck(const std::string& deck, std::uint64_t checksum, const output::RestartHead& head) {
+  if (checksum != head.deck_checksum)
+    throw ArchiveError(deck +
+                       ", or a file that it includes, is not what it was when the restart file was written: bring it "
+                       "back, or run the deck from its start");
+}
+
+}  // namespace nugget::app

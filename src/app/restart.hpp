@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/commands.hpp"
+#include "impact/options.hpp"
+#include "output/restart_file.hpp"
+
+namespace nugget::app {
+
+/// When restart files are written, from `500cycles`, `10min` (of the clock) or a model time; nothing where the text is
+/// none of these.
+std::optional<impact::Checkpoints> read_checkpoints(const std::string& text);
+
+/// What is to be run to go on with a run, as it was begun but for what the command line says anew. Changes to the
+/// folder from which the run was begun, so that its files are found under their names.
+RunArguments gone_on_with(const RunArguments& asked, const output::RestartHead& head);
+
+/// Throws ArchiveError where the deck is not the one of the restart file.
+void expect_same_deck(const std::string& deck, std::uint64_t checksum, const output::RestartHead& head);
+
+}  // namespace nugget::app

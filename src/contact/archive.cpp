@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/archive.hpp"
+
+#include "contact/penalty_contact.hpp"
+#include "contact/rigid_wall.hpp"
+
+// What of contacts and walls goes into restart files: their search lists too, since a pair remembers on which side it
+// stands, and a search at another cycle would give other last digits.
+namespace nugget::contact {
+
+void Approach::archive(Archive& a) {
+  a(nodes_, start_, last_, since_start_, travelled_);
+}
+
+void NodalForces::archive(Archive& a) {
+  a(now_, before_, touched_now_, touched_before_, stamp_, cycle_);
+  a.built(nodes_, index_, side_);
+}
+
+void SurfaceContact::Block::archive(Archive& a) {
+  a(first, wake, pairs);
+  a.built(begin, end, old_first, old_pairs, candidates, hits);
+}
+
+void SurfaceContact::archive(Archive& a) {
+  a.section("contact of surfaces");
+  a(forces_, live_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, moved_, living_, blocks_,
+    busy_, energy_, resultant_, touching_, deepest_);
+  a.built(setup_, around_, segment_stiffness_, inner_, node_stiffness_, node_mass_, node_friction_, held_, stays_,
+          thickest_segment_, pressing_, margin_, boxes_, tree_);
+}
+
+void EdgeContact::Block::archive(Archive& a) {
+  a(pairs);
+  a.built(begin, end, close);
+}
+
+void EdgeContact::archive(Archive& a) {
+  a.section("contact of edges");
+  a(approach_, searched_, searches_, active_, blocks_, touches_, touched_before_, forces_, energy_, resultant_,
+    deepest_);
+  a.built(setup_, first_at_, edge_at_, margin_, close_);
+}
+
+void Glue::archive(Archive& a) {
+  a.section("glue");
+  a(bonds_, glued_, forces_, energy_, resultant_, failed_);
+  a.built(setup_, law_);
+}
+
+void PenaltyContact::archive(Archive& a) {
+  a(surface_);
+  if (edges_) a(*edges_);
+  a(glue_);
+  a.built(may_grow_);
+}
+
+void RigidWall::archive(Archive& a) {
+  a.section("wall");
+  a(origin_, velocity_, tracked_, started_, force_, impulse_, normal_force_, normal_impulse_, energy_, due_,
+    power_on_change_, touching_);
+  a.built(shape_, normal_, friction_, weld_velocity_, mass_, motion_, motion_is_displacement_, motion_direction_,
+          birth_, death_, sums_);
+}
+
+}  // namespace nugget::contact

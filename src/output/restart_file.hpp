@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/archive.hpp"
+#include "deck/file_text.hpp"
+#include "output/result_file.hpp"
+
+// The restart files of a run, `restart` and, of the time before, `restart.previous`:
+//     NUGGETRS, length of the head (8 bytes), head (JSON), state, length of all this, its checksum, NUGGETRE
+// A file is written under another name and takes its own when the disk has it all.
+namespace nugget::output {
+
+/// What a restart file says of the run beside its state.
+struct RestartHead {
+  std::string version;              ///< of the program
+  std::uint64_t program = 0;        ///< checksum of its executable file
+  std::string deck;                 ///< as it was named
+  std::string folder;               ///< from which it was named
+  std::uint64_t deck_checksum = 0;  ///< of all its files
+  std::string date;                 ///< output::Header::date
+  bool skip_unsupported = false;    ///< option of the run, as the following
+  double until = 0.0;
+  long max_cycles = 0;
+  std::string checkpoint;
+  double time = 0.0;  ///< of the model
+  long cycle = 0;
+};
+
+/// Checksum of the program that runs.
+std::uint64_t checksum_of_program();
+
+/// Writes a restart file into a folder. Throws WriteError; what was there before stays then.
+class RestartWriter final : public Archive {
+ public:
+  RestartWriter(std::filesystem::path folder, const RestartHead& head);
+  ~RestartWriter() override;
+  /// To be called when all is put in: makes the file `restart`, and the one that was, `restart.previous`.
+  void finish();
+
+ private:
+  void bytes(void* data, std::size_t size) override;
+  void put(std::string_view text);
+
+  std::filesystem::path folder_;
+  std::optional<ResultFile> file_;
+  std::uint64_t sum_, length_ = 0;
+};
+
+/// A restart file that is whole. Throws ArchiveError where it is not, or not of this program, with what to do.
+class RestartReader final : public Archive {
+ public:
+  explicit RestartReader(std::filesystem::path path);
+  const RestartHead& head() const { return head_; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  void bytes(void* data, std::size_t size) override;
+  std::uint64_t number(std::uint64_t place) const;
+  [[noreturn]] void refuse(const std::string& why) const;
+
+  std::filesystem::path path_;
+  deck::FileText text_;
+  RestartHead head_;
+  std::uint64_t next_ = 0, end_ = 0;
+};
+
+/// Of a folder the newest restart file that is whole. Throws ArchiveError where there is none; `warning` says what is
+/// wrong with a newer one.
+std::unique_ptr<RestartReader> open_restart(const std::filesystem::path& folder, std::string& warning);
+
+}  // namespace nugget::output
