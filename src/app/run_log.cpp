@@ -11,6 +11,7 @@
 
 #include "app/finding_list.hpp"
 #include "base/index.hpp"
+#include "base/parallel.hpp"
 #include "weld/failure/function.hpp"
 
 namespace nugget::app {
