@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/bvh.hpp"
+#include "contact/surface_nodes.hpp"
 
 namespace nugget::contact {
 namespace {
@@ -35,19 +36,10 @@ Vec3d point_of(const Segment& s, const std::array<double, 4>& weight, std::span<
   return sum;
 }
 
-std::vector<int> nodes_of_surface(const SurfaceContactSetup& setup) {
-  std::vector<int> nodes;
-  for (const Segment& s : setup.segments) nodes.insert(nodes.end(), s.node.begin(), s.node.end());
-  for (const TrackedNode& t : setup.nodes) nodes.push_back(t.node);
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
-}
-
 }  // namespace
 
 Glue::Glue(const SurfaceContactSetup& setup, kernel::Cohesion law, std::span<const Row> x)
-    : setup_(setup), law_(law), glued_(setup.nodes.size(), 0), forces_(nodes_of_surface(setup)) {
+    : setup_(setup), law_(law), glued_(setup.nodes.size(), 0), forces_(surface_nodes(setup)) {
   const NodeSegments around(setup_.segments);
   std::vector<Box> boxes;
   for (const Segment& s : setup_.segments) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "contact/surface_nodes.hpp"
 
 namespace nugget::contact {
 namespace {
@@ -43,20 +44,10 @@ double mean_edge(const std::vector<Segment>& segments, std::span<const Row> x) {
   return segments.empty() ? 0.0 : sum / static_cast<double>(segments.size());
 }
 
-/// All nodes of segments and all tracked nodes, ascending.
-std::vector<int> all_nodes(const SurfaceContactSetup& setup) {
-  std::vector<int> nodes;
-  for (const Segment& s : setup.segments) nodes.insert(nodes.end(), s.node.begin(), s.node.end());
-  for (const TrackedNode& t : setup.nodes) nodes.push_back(t.node);
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
-}
-
 }  // namespace
 
 SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x)
-    : setup_(std::move(setup)), around_(setup_.segments), forces_(all_nodes(setup_)) {
+    : setup_(std::move(setup)), around_(setup_.segments), forces_(surface_nodes(setup_)) {
   for (const Segment& s : setup_.segments) {
     segment_stiffness_.push_back(setup_.stiffness_scale * penalty_stiffness(s, x));
     const double a = area(s, x);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/surface_nodes.hpp"
+
+#include <algorithm>
+
+namespace nugget::contact {
+
+std::vector<int> surface_nodes(const SurfaceContactSetup& setup) {
+  std::vector<int> nodes;
+  for (const Segment& s : setup.segments) nodes.insert(nodes.end(), s.node.begin(), s.node.end());
+  for (const TrackedNode& t : setup.nodes) nodes.push_back(t.node);
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+}  // namespace nugget::contact
