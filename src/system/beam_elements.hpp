@@ -7,27 +7,18 @@
 #include "kernel/element/resultant_beam.hpp"
 #include "kernel/element/truss.hpp"
 #include "kernel/element/weld_beam.hpp"
-#include "model/model.hpp"
+#include "system/beam.hpp"
 #include "system/element_group.hpp"
 
 // Beams of the structure as BatchGroup wants them; see there. Spot-weld and discrete beams have files of their own.
 namespace nugget::system {
-
-/// Direction to the third node, or zero.
-inline Vec3d towards_third_node(const model::Beams& beams, const std::vector<Vec3d>& x, model::Index e,
-                                const Vec3d& from) {
-  const model::Index third = beams.orientation[static_cast<std::size_t>(e)];
-  return third == model::none ? Vec3d{} : x[static_cast<std::size_t>(third)] - from;
-}
 
 /// ELFORM 1.
 template <class Law>
 struct IntegratedBeamElement {
   static constexpr int corners = 2;
   static constexpr bool rotational = true;
-  struct Layout : kernel::WeldBeamLayout {
-    static constexpr int hourglass_energy = -1;  ///< it has none
-  };
+  using Layout = BeamLayout<kernel::WeldBeamLayout>;
   template <class R>
   using Motion = kernel::NodalMotion<R, 2>;
   using Places = std::array<Vec3d, 2>;
@@ -66,12 +57,9 @@ struct IntegratedBeamElement {
   double thickness(const Field& field) const {
     return field(Layout::length);
   }
-  /// N_rr N_rs N_rt M_rr M_ss M_tt.
   template <class Field>
   std::array<double, 8> resultants(const Field& field) const {
-    std::array<double, 8> r{};
-    for (int i = 0; i < 6; ++i) r[static_cast<std::size_t>(i)] = field(Layout::resultant + i);
-    return r;
+    return beam_resultants<Layout>(field);
   }
 };
 
@@ -79,9 +67,7 @@ struct IntegratedBeamElement {
 struct ResultantBeamElement {
   static constexpr int corners = 2;
   static constexpr bool rotational = true;
-  struct Layout : kernel::ResultantBeamLayout {
-    static constexpr int hourglass_energy = -1;  ///< it has none
-  };
+  using Layout = BeamLayout<kernel::ResultantBeamLayout>;
   template <class R>
   using Motion = kernel::NodalMotion<R, 2>;
   using Places = std::array<Vec3d, 2>;
@@ -141,12 +127,9 @@ struct ResultantBeamElement {
   double thickness(const Field& field) const {
     return field(Layout::length);
   }
-  /// N_rr N_rs N_rt M_rr M_ss M_tt.
   template <class Field>
   std::array<double, 8> resultants(const Field& field) const {
-    std::array<double, 8> r{};
-    for (int i = 0; i < 6; ++i) r[static_cast<std::size_t>(i)] = field(Layout::resultant + i);
-    return r;
+    return beam_resultants<Layout>(field);
   }
 };
 
@@ -155,9 +138,7 @@ template <class Law>
 struct TrussElement {
   static constexpr int corners = 2;
   static constexpr bool rotational = false;
-  struct Layout : kernel::TrussLayout {
-    static constexpr int hourglass_energy = -1;  ///< it has none
-  };
+  using Layout = BeamLayout<kernel::TrussLayout>;
   template <class R>
   using Motion = kernel::NodalMotion<R, 2>;
   using Places = std::array<Vec3d, 2>;

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "kernel/element/discrete_beam.hpp"
-#include "model/model.hpp"
+#include "system/beam.hpp"
 #include "system/element_group.hpp"
 
 namespace nugget::system {
@@ -14,9 +14,7 @@ namespace nugget::system {
 struct DiscreteBeamElement {
   static constexpr int corners = 2;
   static constexpr bool rotational = true;
-  struct Layout : kernel::DiscreteBeamLayout {
-    static constexpr int hourglass_energy = -1;  ///< it has none
-  };
+  using Layout = BeamLayout<kernel::DiscreteBeamLayout>;
   template <class R>
   using Motion = kernel::NodalMotion<R, 2>;
   using Places = std::array<Vec3d, 2>;
@@ -57,12 +55,9 @@ struct DiscreteBeamElement {
   double thickness(const Field& field) const {
     return field(Layout::length);
   }
-  /// N_r N_s N_t M_r M_s M_t.
   template <class Field>
   std::array<double, 8> resultants(const Field& field) const {
-    std::array<double, 8> r{};
-    for (int i = 0; i < 6; ++i) r[static_cast<std::size_t>(i)] = field(Layout::resultant + i);
-    return r;
+    return beam_resultants<Layout>(field);
   }
 
  private:
@@ -70,10 +65,9 @@ struct DiscreteBeamElement {
   Frame3d triad(model::Index element, const Places& place) const {
     const Frame3d global{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     if (axes) return *axes;
-    const model::Index third = beams.orientation[static_cast<std::size_t>(element)];
-    const Vec3d line = place[1] - place[0];
-    if (third == model::none || !(norm(line) > 0.0)) return global;
-    const Vec3d r = unit(line), towards = x[static_cast<std::size_t>(third)] - place[0];
+    const Vec3d line = place[1] - place[0], towards = towards_third_node(beams, x, element, place[0]);
+    if (!(norm(line) > 0.0)) return global;
+    const Vec3d r = unit(line);
     const Vec3d s = towards - dot(towards, r) * r;
     if (!(norm(s) > 1e-9 * norm(towards))) return global;
     return {r, unit(s), cross(r, unit(s))};

@@ -495,7 +495,7 @@ void System::add_weld_beams(std::size_t p, const std::vector<model::Index>& chos
                                     0.5 * (section.inner[0] + section.inner[1]), section.quadrature);
   beam.shear_factor = section.shear_factor;
   beam.no_torsion = !torsion;
-  add_group(WeldBeamElement{beam, kernel::Prepared<kernel::Spotweld>(*law), law->nu, model.beams, ties.x},
+  add_group(WeldBeamElement{{beam, kernel::Prepared<kernel::Spotweld>(*law), law->nu, model.beams, ties.x}},
             model::ElementKind::beam, p, members(model.beams, chosen), beam_seat);
   scale_like_a_weld(*groups.back(), *law);
 }
