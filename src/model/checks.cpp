@@ -206,7 +206,12 @@ bool is(const Model& m, const Part& part) {
 
 /// LS-DYNA's other fully integrated quadrilaterals, which 16 stands for.
 bool computed_as_full(int elform) {
-  return elform == -16 || elform == 18 || elform == 20 || elform == 21;
+  return elform == -16 || elform == 6 || elform == 7 || elform == 18 || elform == 20 || elform == 21;
+}
+
+/// LS-DYNA's other one-point quadrilaterals, in place of which linear analyses use 16 as they do for 2.
+bool one_point(int elform) {
+  return elform == 1 || elform == 8 || elform == 10 || elform == 11;
 }
 
 void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& told) {
@@ -224,11 +229,25 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
     section.elform = 16;
     return;
   }
-  refuse(b, b.shell_section_rows[s], "elform",
-         fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay), 4 (triangle) and 16 (fully "
-                     "integrated)",
-                     section.elform),
-         "write 16, or 2 with an hourglass control of type 4 for stiffness against hourglassing");
+  if (b.model.implicit.active && one_point(section.elform)) {
+    section.elform = 2;
+    return;
+  }
+  if (section.elform == 10) {
+    b.shell_section_rows[s].complain(b.findings, Severity::warning, "elform",
+                                     "shell formulation 10 (Belytschko-Wong-Chiang) is computed as 2 with its warping "
+                                     "coupling, as with BWC = 1; the transverse shear stays the one-point form",
+                                     "write 16 where warped shells matter");
+    section.elform = 2;
+    section.warping_stiffness = true;
+    return;
+  }
+  refuse(
+      b, b.shell_section_rows[s], "elform",
+      fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay), 4 (triangle), 10 (2 with warping "
+                  "coupling) and 16 (fully integrated)",
+                  section.elform),
+      "write 16, or 2 with an hourglass control of type 4 for stiffness against hourglassing");
 }
 
 void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& told) {

@@ -50,7 +50,8 @@ struct SectionShell {
   double thickness = 0.0;    ///< mean of T1..T4 [length]
   double nloc =
       0.0;  ///< reference surface: 1 top, 0 middle, -1 bottom; mid-surface = nodes - nloc*t/2 along the normal
-  double extra_mass = 0.0;  ///< MAREA [mass/length^2]
+  double extra_mass = 0.0;         ///< MAREA [mass/length^2]
+  bool warping_stiffness = false;  ///< ELFORM 10: 2 with BWC = 1
   Place place;
 };
 

@@ -124,7 +124,8 @@ kernel::ShellProperties shell_properties(const model::Part& part, const model::S
   shell.bending_hourglass = hourglass.bending;
   shell.warping_hourglass = hourglass.warping;
   shell.thickness_update = thickness_update(control.thickness_update);
-  shell.warping_stiffness = fully_integrated(section) ? hourglass.type == 8 : control.warping_stiffness;
+  shell.warping_stiffness =
+      fully_integrated(section) ? hourglass.type == 8 : control.warping_stiffness || section.warping_stiffness;
   shell.drilling = kernel::usual_drilling * part.drilling;
   shell.length = control.length_basis == 2   ? kernel::ShellLength::bar
                  : control.length_basis == 1 ? kernel::ShellLength::area_over_diagonal

@@ -19,10 +19,9 @@ using deck::Row;
 
 const Card shell_card{{
     id("secid", IdSpace::other, required, "section id"),
-    integer(
-        "elform", 0, any_value,
-        "formulation: 2 Belytschko-Tsay, 4 triangle, 16 fully integrated (also for -16, 18, 20, 21); blank: THEORY of "
-        "*CONTROL_SHELL"),
+    integer("elform", 0, any_value,
+            "formulation: 2 Belytschko-Tsay (10: with warping), 4 triangle, 16 fully integrated (-16, 6, 7, 18, 20, 21 "
+            "are computed as 16; linear analyses: 1, 8, 11 also); blank: THEORY of *CONTROL_SHELL"),
     real("shrf", dimension::number, 1, above_zero(), "shear correction factor"),
     integer("nip", 2, between(1, 10), "layers through the thickness"),
     integer("propt", 1, any_value, "printout option, no effect"),

@@ -80,7 +80,7 @@ TEST(Checks, FormulationsAreRefusedByName) {
                  "*PART\nb\n3,13,1\n*SECTION_SOLID\n13,-1\n*ELEMENT_SOLID\n1,3,1,2,3,4,5,6,7,8\n"
                  "*PART\nc\n4,14,2\n*SECTION_BEAM\n14,6\n1.0,1.0\n*MAT_SPOTWELD\n2,7.85e-9,210000.0,0.3,400.0\n"
                  "*ELEMENT_BEAM\n1,4,1,5\n"));
-  const Finding* shell = b.find(Severity::error, "shell formulation 6 is not built", "elform");
+  const Finding* shell = b.find(Severity::error, "shell formulation 11 is not built", "elform");
   ASSERT_NE(shell, nullptr) << b.all_findings();
   EXPECT_EQ(shell->value, "6");
   EXPECT_TRUE(b.error("solid formulation -1 is not built", "elform"));
@@ -180,8 +180,8 @@ TEST(Checks, RigidPartsMayHaveAnyFormulation) {
 
 TEST(Checks, TheoryStandsInForABlankFormulation) {
   const Built b(
-      sheet_deck("*CONTROL_SHELL\n,,,,6\n*PART\na\n2,12,1\n*SECTION_SHELL\n12\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"));
-  EXPECT_TRUE(b.error("shell formulation 6 is not built", "elform")) << b.all_findings();
+      sheet_deck("*CONTROL_SHELL\n,,,,11\n*PART\na\n2,12,1\n*SECTION_SHELL\n12\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"));
+  EXPECT_TRUE(b.error("shell formulation 11 is not built", "elform")) << b.all_findings();
 }
 
 TEST(Checks, FullyIntegratedShells) {
@@ -191,7 +191,7 @@ TEST(Checks, FullyIntegratedShells) {
   const Built plain(deck("16", ""));
   EXPECT_EQ(plain.findings.errors(), 0) << plain.all_findings();
   EXPECT_FALSE(plain.warning("is computed as 16"));
-  for (const char* linear : {"-16", "18", "20", "21"}) {
+  for (const char* linear : {"-16", "6", "7", "18", "20", "21"}) {
     const Built b(deck(linear, ""));
     EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
     EXPECT_TRUE(b.warning("is computed as 16, fully integrated")) << b.all_findings();
@@ -199,6 +199,23 @@ TEST(Checks, FullyIntegratedShells) {
   }
   // Type 8 is for formulation 16 only: part 1 has formulation 2.
   EXPECT_TRUE(Built(deck("16", "*CONTROL_HOURGLASS\n8\n")).error("part 1 has shells, for which types 1 to 5"));
+}
+
+TEST(Checks, OtherOnePointShells) {
+  const auto deck = [](const std::string& elform, const char* more) {
+    return sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12," + elform + "\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n" + more);
+  };
+  const Built chiang(deck("10", ""));
+  EXPECT_EQ(chiang.findings.errors(), 0) << chiang.all_findings();
+  EXPECT_TRUE(chiang.warning("computed as 2 with its warping coupling", "elform"));
+  EXPECT_EQ(chiang.model.shell_sections.back().elform, 2);
+  EXPECT_TRUE(chiang.model.shell_sections.back().warping_stiffness);
+  EXPECT_FALSE(chiang.model.shell_sections.front().warping_stiffness);
+  for (const char* other : {"1", "8", "11"}) {
+    EXPECT_TRUE(Built(deck(other, "")).error("is not built", "elform"));
+    const Built linear(deck(other, "*CONTROL_IMPLICIT_GENERAL\n1\n*CONTROL_IMPLICIT_EIGENVALUE\n10\n"));
+    EXPECT_EQ(linear.findings.errors(), 0) << linear.all_findings();
+  }
 }
 
 TEST(Checks, DrillingOfThePartsOfASet) {
