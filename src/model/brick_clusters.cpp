@@ -49,9 +49,8 @@ Frame3d beam_axes(const Model& m, std::size_t e) {
   const Vec3d &x1 = m.nodes.x[at(m.beams.node[e][0])], &x2 = m.nodes.x[at(m.beams.node[e][1])];
   const Vec3d r = unit(x2 - x1);
   const auto across = [&](const Vec3d& a) { return a - dot(a, r) * r; };
-  if (const Index third = m.beams.orientation[e]; third != none)
-    if (const Vec3d s = across(m.nodes.x[at(third)] - x1); norm(s) > 1e-9 * norm(x2 - x1))
-      return {r, unit(s), cross(r, unit(s))};
+  const Vec3d side = m.beams.side(e, m.nodes.x);
+  if (const Vec3d s = across(side); norm(s) > 1e-9 * norm(side)) return {r, unit(s), cross(r, unit(s))};
   const double x = std::abs(r.x), y = std::abs(r.y), z = std::abs(r.z);
   const Vec3d axis = x <= y && x <= z ? Vec3d{1, 0, 0} : y <= z ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
   const Vec3d s = unit(across(axis));
@@ -242,6 +241,7 @@ void Replacement::remove_beams() {
     kept.part.push_back(all.part[e]);
     kept.node.push_back(all.node[e]);
     kept.orientation.push_back(all.orientation[e]);
+    kept.direction.push_back(all.direction[e]);
     kept.tied_parts.push_back(all.tied_parts[e]);
   }
   m_.beams = std::move(kept);

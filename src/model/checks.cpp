@@ -132,13 +132,11 @@ bool directed(const SectionBeam& s) {
   return s.cross_section == 0 && (s.outer != s.inner || s.quadrature != 2);
 }
 
-/// Whether the third node tells a side.
+/// Whether the third node, or the vector in its place, tells a side.
 bool has_side(const Model& m, std::size_t e) {
-  if (m.beams.orientation[e] == none) return false;
   const auto& n = m.beams.node[e];
-  const Vec3d line = position(m, n[1]) - position(m, n[0]),
-              towards = position(m, m.beams.orientation[e]) - position(m, n[0]);
-  return norm(cross(line, towards)) > 1e-6 * norm(line) * norm(towards);
+  const Vec3d line = position(m, n[1]) - position(m, n[0]), side = m.beams.side(e, m.nodes.x);
+  return norm(cross(line, side)) > 1e-6 * norm(line) * norm(side);
 }
 
 void check_beams(Builder& b) {

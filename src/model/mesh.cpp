@@ -285,6 +285,8 @@ std::vector<std::size_t> make_beams(Builder& b) {
     beams.part.push_back(part);
     beams.node.push_back({n[0], n[1]});
     beams.orientation.push_back(n[2]);
+    const auto v = table.orientation.empty() ? std::array<double, 3>{} : table.orientation[r];
+    beams.direction.push_back(n[2] == none ? Vec3d{v[0], v[1], v[2]} : Vec3d{});
     beams.tied_parts.push_back(tied_parts(b, elements, r));
     beams.place.push_back(table.file[r], table.line[r]);
     made.push_back(r);

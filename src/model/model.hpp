@@ -91,10 +91,17 @@ struct Beams {
   std::vector<Index> part;
   std::vector<std::array<Index, 2>> node;
   std::vector<Index> orientation;  ///< third node, or none
+  std::vector<Vec3d> direction;    ///< of _ORIENTATION, instead of a third node; or zero
   std::vector<std::array<Index, 2>>
       tied_parts;  ///< *ELEMENT_BEAM_PID: parts that end 1 and end 2 are to be tied to, or none
   Places place;
   std::size_t size() const { return id.size(); }
+  /// Direction from the first node to where the section's s axis points; zero if the deck gives none. `x`: of all
+  /// nodes.
+  Vec3d side(std::size_t e, const std::vector<Vec3d>& x) const {
+    const Index third = orientation[e];
+    return third == none ? direction[e] : x[static_cast<std::size_t>(third)] - x[static_cast<std::size_t>(node[e][0])];
+  }
 };
 
 /// *DEFINE_HEX_SPOTWELD_ASSEMBLY: bricks that make up one weld.

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <array>
-#include <vector>
-
-#include "model/model.hpp"
+#include <cstddef>
 
 // What the beams of all kinds share.
 namespace nugget::system {
@@ -14,13 +12,6 @@ template <class KernelLayout>
 struct BeamLayout : KernelLayout {
   static constexpr int hourglass_energy = -1;  ///< it has none
 };
-
-/// Direction from the first node to the third, which orients the section; zero where there is none.
-inline Vec3d towards_third_node(const model::Beams& beams, const std::vector<Vec3d>& x, model::Index e,
-                                const Vec3d& from) {
-  const model::Index third = beams.orientation[static_cast<std::size_t>(e)];
-  return third == model::none ? Vec3d{} : x[static_cast<std::size_t>(third)] - from;
-}
 
 /// N_rr N_rs N_rt M_rr M_ss M_tt from a state that has them in a row.
 template <class Layout, class Field>

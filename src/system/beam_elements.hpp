@@ -7,6 +7,7 @@
 #include "kernel/element/resultant_beam.hpp"
 #include "kernel/element/truss.hpp"
 #include "kernel/element/weld_beam.hpp"
+#include "model/model.hpp"
 #include "system/beam.hpp"
 #include "system/element_group.hpp"
 
@@ -33,7 +34,7 @@ struct IntegratedBeamElement {
   int state_size() const { return layout().size(); }
   int layers() const { return beam.fibres.count; }
   void start(double* state, int lane, model::Index e, const Places& place) const {
-    kernel::start_weld_beam(layout(), place[0], place[1], towards_third_node(beams, x, e, place[0]), state,
+    kernel::start_weld_beam(layout(), place[0], place[1], beams.side(static_cast<std::size_t>(e), x), state,
                             native_width, lane);
   }
   kernel::NodalMass nodal_mass(const Places& place) const {
@@ -80,7 +81,7 @@ struct ResultantBeamElement {
   int state_size() const { return Layout::count; }
   int layers() const { return 0; }
   void start(double* state, int lane, model::Index e, const Places& place) const {
-    kernel::start_resultant_beam(place[0], place[1], towards_third_node(beams, x, e, place[0]), state, native_width,
+    kernel::start_resultant_beam(place[0], place[1], beams.side(static_cast<std::size_t>(e), x), state, native_width,
                                  lane);
   }
   kernel::NodalMass nodal_mass(const Places& place) const {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "kernel/element/discrete_beam.hpp"
+#include "model/model.hpp"
 #include "system/beam.hpp"
 #include "system/element_group.hpp"
 
@@ -65,7 +66,7 @@ struct DiscreteBeamElement {
   Frame3d triad(model::Index element, const Places& place) const {
     const Frame3d global{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     if (axes) return *axes;
-    const Vec3d line = place[1] - place[0], towards = towards_third_node(beams, x, element, place[0]);
+    const Vec3d line = place[1] - place[0], towards = beams.side(static_cast<std::size_t>(element), x);
     if (!(norm(line) > 0.0)) return global;
     const Vec3d r = unit(line);
     const Vec3d s = towards - dot(towards, r) * r;

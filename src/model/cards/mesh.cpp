@@ -70,6 +70,12 @@ const Card beam_pid_card{{
     wide(id("pid2", IdSpace::part, 0, "part that end 2 is to be tied to"), 8),
 }};
 
+const Card beam_orientation_card{{
+    real("vx", dimension::number, 0, any_value, "direction from node 1, instead of n3: x"),
+    real("vy", dimension::number, 0, any_value, "y"),
+    real("vz", dimension::number, 0, any_value, "z"),
+}};
+
 const Card mass_card{{
     wide(id("eid", IdSpace::element, 0, "element id"), 8),
     wide(id("nid", IdSpace::node, required, "node"), 8),
@@ -128,12 +134,7 @@ void read_shell(Builder& b, const Block& block, const Options&) {
 void read_solid(Builder& b, const Block& block, const Options&) {
   deck::read_solids(b.deck, block, b.solid_table, b.findings);
 }
-void read_beam(Builder& b, const Block& block, const Options& options) {
-  for (const auto* option : {"OFFSET", "ORIENTATION"})
-    if (options.contains(option))
-      b.findings.error(block.place, block.starred(), fmt::format("option {} of a beam is not supported", option),
-                       std::string_view(option) == "OFFSET" ? "put nodes where the ends of the beam are"
-                                                            : "give the beam a third node");
+void read_beam(Builder& b, const Block& block, const Options&) {
   deck::read_beams(b.deck, block, b.beam_table, b.findings);
 }
 
@@ -242,7 +243,7 @@ std::vector<Keyword> mesh_keywords() {
       {.name = "ELEMENT_SOLID", .options = {"ORTHO", "DOF"}, .layout = {{"", &solid_card}}, .read = read_solid},
       {.name = "ELEMENT_BEAM",
        .options = {"THICKNESS", "PID", "OFFSET", "ORIENTATION"},
-       .layout = {{"", &beam_card}, {"with _PID", &beam_pid_card}},
+       .layout = {{"", &beam_card}, {"with _PID", &beam_pid_card}, {"with _ORIENTATION", &beam_orientation_card}},
        .read = read_beam},
       {.name = "ELEMENT_MASS", .layout = {{"", &mass_card}}, .read = read_mass},
       {.name = "ELEMENT_MASS_NODE_SET", .layout = {{"", &set_mass_card}}, .read = read_set_mass},

@@ -135,11 +135,25 @@ TEST(Mesh, DanglingReferencesAllAtOnce) {
 
 TEST(Mesh, ElementsThatAreNotBuiltAreRefused) {
   const Built b(
-      cube_deck("*ELEMENT_BEAM_ORIENTATION\n1,3,5,9\n0.0,1.0,0.0\n*ELEMENT_BEAM_THICKNESS\n2,3,1,5\n7.0\n"
+      cube_deck("*ELEMENT_BEAM_OFFSET\n1,3,5,9\n0.0,1.0,0.0,0.0,1.0,0.0\n*ELEMENT_BEAM_THICKNESS\n2,3,1,5\n7.0\n"
                 "*ELEMENT_SHELL_COMPOSITE\n1,1,1,2,3,4\n"));
-  EXPECT_TRUE(b.error("option ORIENTATION of a beam")) << b.all_findings();
+  EXPECT_TRUE(b.error("only 0 is supported", "wy1")) << b.all_findings();
   EXPECT_TRUE(b.error("diameters of single beams are not supported"));
   EXPECT_TRUE(b.error("this form of *ELEMENT_SHELL is not supported") || b.error("not built")) << b.all_findings();
+}
+
+TEST(Mesh, SidesOfBeams) {
+  const Built b(cube_deck(
+      "*ELEMENT_BEAM\n1,3,5,9\n2,3,5,9,2\n*ELEMENT_BEAM_ORIENTATION\n3,3,5,9\n0.0,1.0,0.5\n4,3,5,9,2\n0.0,1.0,0.5\n"));
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const Beams& beams = b.model.beams;
+  const auto side = [&](std::size_t e) { return beams.side(e, b.model.nodes.x); };
+  const Vec3d third = b.model.nodes.x[static_cast<std::size_t>(b.model.node_index(2))] -
+                      b.model.nodes.x[static_cast<std::size_t>(b.model.node_index(5))];
+  EXPECT_EQ(norm(side(0)), 0.0);
+  EXPECT_EQ(norm(side(1) - third), 0.0);
+  EXPECT_EQ(norm(side(2) - Vec3d{0.0, 1.0, 0.5}), 0.0);
+  EXPECT_EQ(norm(side(3) - third), 0.0);  // a node comes before the vector
 }
 
 TEST(Mesh, TiedPartsOfWeldBeams) {

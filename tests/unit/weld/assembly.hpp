@@ -78,6 +78,7 @@ struct Assembly {
     model.beams.part.push_back(part);
     model.beams.node.push_back({n1, n2});
     model.beams.orientation.push_back(none);
+    model.beams.direction.emplace_back();
     model.beams.tied_parts.push_back({none, none});
     model.beams.place.push_back(0, 0);
     return static_cast<Index>(model.beams.size()) - 1;
