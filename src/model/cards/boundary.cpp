@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// *BOUNDARY_...: nodes held, and motions prescribed.
+// *BOUNDARY_... and *CONSTRAINED_GLOBAL: nodes held, and motions prescribed.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 
 #include "model/cards/families.hpp"
@@ -97,6 +98,65 @@ void read_spc(Builder& builder, const Block& block, const Options& options) {
       if constexpr (set) spc.set_id = row.integer("nsid");
       auto nodes = nodes_of<set>(b, row);
       hold_bodies(b, row, set ? "nsid" : "nid", spc, nodes);
+      for (const Index node : nodes) {
+        spc.node = node;
+        b.model.spcs.push_back(spc);
+      }
+    });
+  }
+}
+
+// ---- planes of nodes held
+// ----------------------------------------------------------------------------------------------
+
+const Card plane_card{{
+    integer("tc", 0, between(0, 7), "translations that are held: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz"),
+    integer("rc", 0, between(0, 7), "rotations that are held, by the same codes"),
+    integer("dir", 0, between(0, 3), "normal of the plane: 1 x, 2 y, 3 z; 0: the card does nothing"),
+    real("x", dimension::length, 0, any_value, "a point of the plane: x"),
+    real("y", dimension::length, 0, any_value, "y"),
+    real("z", dimension::length, 0, any_value, "z"),
+    real("tol", dimension::length, 0, at_least(0),
+         "nodes so near to the plane are held; 0: a millionth of the model's diagonal"),
+}};
+
+double component(const Vec3d& v, int direction) {
+  return direction == 1 ? v.x : direction == 2 ? v.y : v.z;
+}
+
+double diagonal(const std::vector<Vec3d>& x) {
+  Vec3d low = x.front(), high = low;
+  for (const Vec3d& p : x) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return norm(high - low);
+}
+
+/// *CONSTRAINED_GLOBAL: the nodes in a plane across a global axis, by their places at the start.
+void read_planes(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(plane_card);
+    const int normal = row.integer("dir");
+    if (normal == 0) {
+      row.complain(builder.findings, Severity::warning, "dir", "no plane is named, so nothing is held",
+                   "write 1, 2 or 3");
+      continue;
+    }
+    const double at = component(position(block, row, "x", "y", "z"), normal);
+    const SinglePointConstraint spc{.fixed = bits_of_code(row.integer("tc")) | bits_of_code(row.integer("rc")) << 3};
+    builder.later(Phase::conditions, [row, spc, normal, at](Builder& b) mutable {
+      const std::vector<Vec3d>& x = b.model.nodes.x;
+      if (x.empty()) return;
+      const double tolerance = row.real("tol") > 0.0 ? row.real("tol") : 1e-6 * diagonal(x);
+      std::vector<Index> nodes;
+      for (std::size_t n = 0; n < x.size(); ++n)
+        if (std::abs(component(x[n], normal) - at) <= tolerance) nodes.push_back(static_cast<Index>(n));
+      if (nodes.empty())
+        row.complain(b.findings, Severity::warning, "dir", "no node lies in this plane",
+                     "correct the point, or give TOL");
+      hold_bodies(b, row, "tc", spc, nodes);
       for (const Index node : nodes) {
         spc.node = node;
         b.model.spcs.push_back(spc);
@@ -240,6 +300,7 @@ std::vector<Keyword> boundary_keywords() {
        {},
        {{"with _ID", &heading_card}, {{}, &spc_set_card}, {"with _BIRTH_DEATH", &birth_death_card}},
        read_spc<true>},
+      {.name = "CONSTRAINED_GLOBAL", .layout = {{"", &plane_card}}, .read = read_planes},
       motion_keyword<Target::nodes, false>("BOUNDARY_PRESCRIBED_MOTION_NODE", motion_node_card),
       motion_keyword<Target::nodes, true>("BOUNDARY_PRESCRIBED_MOTION_SET", motion_set_card),
       motion_keyword<Target::rigid_body>("BOUNDARY_PRESCRIBED_MOTION_RIGID", motion_body_card),

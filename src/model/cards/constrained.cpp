@@ -441,7 +441,6 @@ std::vector<Keyword> constrained_keywords() {
               "nodes that share a motion are not built; *CONSTRAINED_NODAL_RIGID_BODY joins all their motions"),
       refused("CONSTRAINED_NODE_INTERPOLATION", "nodes that hang on others are not built"),
       refused("CONSTRAINED_LINEAR_*", "linear equations between nodal motions are not built"),
-      refused("CONSTRAINED_GLOBAL", "symmetry planes by coordinate are not built; use *BOUNDARY_SPC_SET"),
       refused("CONSTRAINED_SHELL_TO_SOLID",
               "fibres of solid nodes tied to a shell's edge are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
       refused("CONSTRAINED_BEAM_IN_SOLID", "beams inside solids are not built"),

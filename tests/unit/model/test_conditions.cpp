@@ -16,6 +16,28 @@ void expect_vector(const Vec3d& v, double x, double y, double z) {
   EXPECT_NEAR(v.z, z, 1e-12);
 }
 
+// ---- nodes held
+// -----------------------------------------------------------------------------------------------------------
+
+TEST(Constraints, NodesInAPlane) {
+  const std::string more = "*NODE\n801,5.0,7.0,0.0\n802,5.0,8.0,1.0\n803,5.001,8.0,1.0\n";
+  const auto held = [](const Built& b) {
+    std::vector<int> ids;
+    for (const SinglePointConstraint& s : b.model.spcs)
+      if (const int id = b.model.nodes.id[static_cast<std::size_t>(s.node)]; id > 800) ids.push_back(id);
+    return ids;
+  };
+  const Built exact(small_deck(more + "*CONSTRAINED_GLOBAL\n1,5,1,5.0,0.0,0.0\n"));
+  ASSERT_EQ(exact.findings.errors(), 0) << exact.all_findings();
+  EXPECT_THAT(held(exact), ElementsAre(801, 802));
+  EXPECT_EQ(exact.model.spcs.back().fixed, 0b110001U);  // x; about y and z
+  EXPECT_THAT(held(Built(small_deck(more + "*CONSTRAINED_GLOBAL\n1,5,1,5.0,0.0,0.0,0.01\n"))),
+              ElementsAre(801, 802, 803));
+  EXPECT_THAT(held(Built(small_deck(more + "*CONSTRAINED_GLOBAL\n1,5,2,0.0,7.0,0.0\n"))), ElementsAre(801));
+  EXPECT_TRUE(Built(small_deck("*CONSTRAINED_GLOBAL\n1,5,3,0.0,0.0,-777.0\n")).warning("no node lies in this plane"));
+  EXPECT_TRUE(Built(small_deck("*CONSTRAINED_GLOBAL\n1,5\n")).warning("nothing is held", "dir"));
+}
+
 // ---- *DATABASE
 // -----------------------------------------------------------------------------------------------------------
 
