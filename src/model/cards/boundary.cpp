@@ -145,7 +145,7 @@ void read_planes(Builder& builder, const Block& block, const Options&) {
       continue;
     }
     const double at = component(position(block, row, "x", "y", "z"), normal);
-    const SinglePointConstraint spc{.fixed = bits_of_code(row.integer("tc")) | bits_of_code(row.integer("rc")) << 3};
+    SinglePointConstraint spc{.fixed = bits_of_code(row.integer("tc")) | bits_of_code(row.integer("rc")) << 3};
     builder.later(Phase::conditions, [row, spc, normal, at](Builder& b) mutable {
       const std::vector<Vec3d>& x = b.model.nodes.x;
       if (x.empty()) return;
