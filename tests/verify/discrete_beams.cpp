@@ -17,13 +17,6 @@ void section(Specimen& s, double scoor, double volume = 1e-3, double inertia = 1
   s.part(1, 1, 1);
 }
 
-/// Node with mass `m` and rotary inertia `j` about each axis.
-int mass_point(Specimen& s, const Vec3d& x, double m, double j = 0.0) {
-  const int n = s.node(x);
-  s.text(fmt::format("*ELEMENT_INERTIA\n{:8}{:8}\n", n, n) + fields({j, 0, 0, j, 0, j, m}));
-  return n;
-}
-
 void beam(Specimen& s, int first, int second) {
   s.text("*ELEMENT_BEAM\n" + element_line(1, 1, {first, second}));
 }
@@ -42,22 +35,6 @@ std::array<double, 8> resultants(const impact::Snapshot& now) {
   return now.system.groups.at(0)->resultants(0);
 }
 
-/// Mean distance of the first and the last upward passage of zero.
-struct Period {
-  double last = 0.0, first = -1.0, value = 0.0, time = 0.0;
-  int count = -1;
-  void add(double t, double v) {
-    if (value < 0.0 && v >= 0.0) {
-      last = time + (t - time) * value / (value - v);
-      if (count < 0) first = last;
-      ++count;
-    }
-    value = v;
-    time = t;
-  }
-  double mean() const { return (last - first) / count; }
-};
-
 // MAT_066: a mass of 2 on springs along and about one axis each; all six degrees of freedom swing at their own
 // frequency. Sabotage: half of the stiffness; rotations and translations exchanged.
 TEST(DiscreteBeams, SixOscillators) {
@@ -66,7 +43,7 @@ TEST(DiscreteBeams, SixOscillators) {
   s.text("*MAT_LINEAR_ELASTIC_DISCRETE_BEAM\n" + fields({1, 1.0, k[0], k[1], k[2], k[3], k[4], k[5]}) + fields({}) +
          fields({}));
   section(s, 0);
-  const int a = s.node({0, 0, 0}), b = mass_point(s, {0, 0, 0}, 2.0, 0.1);
+  const int a = s.node({0, 0, 0}), b = s.mass_point({0, 0, 0}, 2.0, 0.1);
   beam(s, a, b);
   hold(s, a);
   s.card("INITIAL_VELOCITY_NODE", {double(b), 1e-4, 1e-4, 1e-4, 1e-4, 1e-4, 1e-4});
@@ -95,7 +72,7 @@ TEST(DiscreteBeams, LoadedBeamTurnsWithoutChange) {
     Specimen s;
     s.text("*MAT_066\n" + fields({1, 1.0, 1000.0, 700.0, 500.0, 50.0, 50.0, 50.0}) + fields({}) + fields({pull}));
     section(s, scoor);
-    const int a = mass_point(s, {-half, 0, 0}, 1.0, 0.2), b = mass_point(s, {half, 0, 0}, 1.0, 0.2);
+    const int a = s.mass_point({-half, 0, 0}, 1.0, 0.2), b = s.mass_point({half, 0, 0}, 1.0, 0.2);
     beam(s, a, b);
     for (const int n : {a, b})
       s.card("INITIAL_VELOCITY_NODE", {double(n), 0, (n == b ? 1 : -1) * omega * half, 0, 0, 0, omega});
@@ -127,7 +104,7 @@ TEST(DiscreteBeams, LongBeamKeepsTheBalanceOfMoments) {
   Specimen s;
   s.text("*MAT_066\n" + fields({1, 1.0, 1e4, 1e4, 1e4, 1e4, 1e4, 1e4}) + fields({}) + fields({}));
   section(s, 2);
-  const int a = mass_point(s, {0, 0, 0}, 1.0, 0.5), b = mass_point(s, {4, 0, 0}, 1.0, 0.5);
+  const int a = s.mass_point({0, 0, 0}, 1.0, 0.5), b = s.mass_point({4, 0, 0}, 1.0, 0.5);
   beam(s, a, b);
   s.text(curve(1, {{0.0, 1.0}, {10.0, 1.0}}));
   s.card("LOAD_NODE_POINT", {double(a), 7, 1, 3.0}).card("LOAD_NODE_POINT", {double(b), 7, 1, 3.0});
@@ -240,7 +217,7 @@ TEST(DiscreteBeams, TimeStep) {
   Specimen s;
   s.text("*MAT_066\n" + fields({1, 1.0, 1000.0}) + fields({}) + fields({}));
   section(s, 0, 0.004);
-  const int a = s.node({0, 0, 0}), b = mass_point(s, {1, 0, 0}, 5.0);
+  const int a = s.node({0, 0, 0}), b = s.mass_point({1, 0, 0}, 5.0);
   beam(s, a, b);
   hold(s, a);
   s.card("CONTROL_TERMINATION", {0.1});

@@ -60,22 +60,23 @@ bool same_bits(const std::vector<Row>& a, const std::vector<Row>& b) {
 
 }  // namespace
 
+void stop_on_errors(const Findings& findings) {
+  if (findings.errors() == 0) return;
+  std::string all = "the deck is refused:";
+  for (const Finding& f : findings.all()) all += '\n' + to_string(f);
+  throw std::runtime_error(all);
+}
+
 Experiment::Experiment(const std::string& text) : text_(text) {
-  const auto stop_on_errors = [&] {
-    if (findings_.errors() == 0) return;
-    std::string all = "the deck is refused:";
-    for (const Finding& f : findings_.all()) all += '\n' + to_string(f);
-    throw std::runtime_error(all);
-  };
   const deck::Deck deck = deck::read_text(text, findings_);
   model_ = std::make_unique<model::Model>(model::build(deck, findings_));
-  stop_on_errors();
+  stop_on_errors(findings_);
   ties_ = std::make_unique<weld::Ties>(weld::tie(*model_, findings_));
-  stop_on_errors();
+  stop_on_errors(findings_);
   system_ = std::make_unique<system::System>(*model_, *ties_, findings_);
-  stop_on_errors();
+  stop_on_errors(findings_);
   simulation_ = std::make_unique<impact::Simulation>(*system_, findings_);
-  stop_on_errors();
+  stop_on_errors(findings_);
 }
 
 impact::Outcome Experiment::run(const Watch& watch, double until) {

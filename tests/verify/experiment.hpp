@@ -15,6 +15,9 @@ namespace nugget::verify {
 
 using Watch = std::function<void(const impact::Snapshot&)>;
 
+/// Throws std::runtime_error with all findings if one is an error.
+void stop_on_errors(const Findings& findings);
+
 class Experiment {
  public:
   /// Reads, checks, ties. A refused deck throws std::runtime_error with all its findings.

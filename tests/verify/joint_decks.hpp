@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "specimen.hpp"
@@ -66,5 +69,29 @@ inline Vec3d spin(const impact::Snapshot& now, int id) {
 inline Vec3d place(const impact::Snapshot& now, int id) {
   return vec(now.state.x[static_cast<std::size_t>(body_of(now, id).node)]);
 }
+
+/// How far momentum, angular momentum and the energy ratio of bodies 1 and 2 have gone from where they were.
+class Drift {
+ public:
+  void add(const impact::Snapshot& now) {
+    Vec3d l, a;
+    for (const int id : {1, 2}) {
+      const system::RigidBody& b = body_of(now, id);
+      // Velocities and momenta at t(n+1/2): places half a step on.
+      const Vec3d v = vec(now.state.v[static_cast<std::size_t>(b.node)]);
+      l += b.mass * v;
+      a += b.angular_momentum + cross(place(now, id) + (0.5 * now.state.dt) * v, b.mass * v);
+    }
+    if (!linear_) linear_ = l, angular_ = a;
+    linear = std::max(linear, norm(l - *linear_));
+    angular = std::max(angular, norm(a - *angular_));
+    ratio = std::max(ratio, std::abs(now.energy.ratio() - 1.0));
+  }
+
+  double linear = 0.0, angular = 0.0, ratio = 0.0;  ///< the greatest so far
+
+ private:
+  std::optional<Vec3d> linear_, angular_;
+};
 
 }  // namespace nugget::verify

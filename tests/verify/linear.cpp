@@ -3,31 +3,24 @@
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
-
 #include "base/index.hpp"
 #include "deck/deck.hpp"
+#include "experiment.hpp"
 #include "model/builder.hpp"
 #include "nvh/linear_model.hpp"
 
 namespace nugget::verify {
 
 LinearExperiment::LinearExperiment(const std::string& text) {
-  const auto stop_on_errors = [&] {
-    if (findings_.errors() == 0) return;
-    std::string all = "the deck is refused:";
-    for (const Finding& f : findings_.all()) all += '\n' + to_string(f);
-    throw std::runtime_error(all);
-  };
   const deck::Deck deck = deck::read_text(text, findings_);
   model_ = std::make_unique<model::Model>(model::build(deck, findings_));
-  stop_on_errors();
+  stop_on_errors(findings_);
   ties_ = std::make_unique<weld::Ties>(weld::tie(*model_, findings_));
-  stop_on_errors();
+  stop_on_errors(findings_);
   linear_ = std::make_unique<model::Model>(nvh::linear_model(*model_, findings_));
   system_ = std::make_unique<system::System>(*linear_, *ties_, findings_);
   matrices_ = std::make_unique<nvh::Matrices>(*system_, findings_);
-  stop_on_errors();
+  stop_on_errors(findings_);
 }
 
 nvh::Modes LinearExperiment::modes(int count) const {

@@ -17,14 +17,6 @@ using testing::HasSubstr;
 
 constexpr double step = 1e-4;
 
-/// A node with a mass and, about each axis, a rotary inertia of a tenth of it.
-int mass_point(Specimen& s, const Vec3d& x, double mass) {
-  const int n = s.node(x);
-  s.text(fmt::format("*ELEMENT_INERTIA\n{:8}{:8}\n", n, n) +
-         fields({0.1 * mass, 0, 0, 0.1 * mass, 0, 0.1 * mass, mass}));
-  return n;
-}
-
 /// Runs to `end` in steps of `step`; curve 1 rises from 0 by 1 in a unit of time.
 Specimen& timing(Specimen& s, double end) {
   return s.text(curve(1, {{0.0, 0.0}, {1000.0, 1000.0}}) + constant_curve(2, step))
@@ -45,7 +37,7 @@ std::string generalized(int set, double cid, std::initializer_list<double> failu
 // Sabotage: the force of the weld without the applied load; the mass of the body instead of the node's.
 TEST(RigidWelds, TensionFailsAtItsStrengthAndMomentumStays) {
   Specimen s;
-  const int a = mass_point(s, {0, 0, 0}, 2.0), b = mass_point(s, {5, 0, 0}, 1.0);
+  const int a = s.mass_point({0, 0, 0}, 2.0, 0.2), b = s.mass_point({5, 0, 0}, 1.0, 0.1);
   load(s, a, 1, -30.0);
   s.card("CONSTRAINED_SPOTWELD", {double(a), double(b), 4.0, 0, 1.5, 0});
   timing(s, 1.0);
@@ -88,7 +80,7 @@ TEST(RigidWelds, TensionFailsAtItsStrengthAndMomentumStays) {
 
 TEST(RigidWelds, CompressionDoesNotFail) {
   Specimen s;
-  const int a = mass_point(s, {0, 0, 0}, 2.0), b = mass_point(s, {5, 0, 0}, 1.0);
+  const int a = s.mass_point({0, 0, 0}, 2.0, 0.2), b = s.mass_point({5, 0, 0}, 1.0, 0.1);
   load(s, a, 1, 30.0);
   s.card("CONSTRAINED_SPOTWELD", {double(a), double(b), 4.0, 0, 1.0, 0});
   timing(s, 1.0);
@@ -103,7 +95,7 @@ TEST(RigidWelds, CompressionDoesNotFail) {
 // (f cos 30 / SN)^N + (f sin 30 / SS)^M = 1. Sabotage: shear and normal exchanged.
 TEST(RigidWelds, CombinedLoadFailsOnItsCurve) {
   Specimen s;
-  const int a = mass_point(s, {0, 0, 0}, 1.0), b = mass_point(s, {0, 0, 0}, 1.0);
+  const int a = s.mass_point({0, 0, 0}, 1.0, 0.1), b = s.mass_point({0, 0, 0}, 1.0, 0.1);
   s.node_set(1, {a, b});
   s.text("*DEFINE_COORDINATE_SYSTEM\n" + fields({1, 0, 0, 0, 0, 1, 0}) + fields({0, 0, 1}));  // z = global x
   load(s, b, 1, 40.0 * std::cos(M_PI / 6.0));
@@ -122,7 +114,7 @@ TEST(RigidWelds, CombinedLoadFailsOnItsCurve) {
 TEST(RigidWelds, AFilterDelaysFailureByHalfItsLength) {
   const auto failure_time = [](double vectors, double window) {
     Specimen s;
-    const int a = mass_point(s, {0, 0, 0}, 2.0), b = mass_point(s, {5, 0, 0}, 1.0);
+    const int a = s.mass_point({0, 0, 0}, 2.0, 0.2), b = s.mass_point({5, 0, 0}, 1.0, 0.1);
     load(s, a, 1, -30.0);
     s.text("*CONSTRAINED_SPOTWELD_FILTERED_FORCE\n" + fields({double(a), double(b), 4.0, 0, 1.0, 0}) +
            fields({vectors, window}));
@@ -140,7 +132,7 @@ TEST(RigidWelds, AFilterDelaysFailureByHalfItsLength) {
 // 0. Sabotage: the centripetal term left out; the axis held in space.
 TEST(RigidWelds, SpinningPairCarriesItsCentrifugalForce) {
   Specimen s;
-  const int a = mass_point(s, {0, 0, 0}, 2.0), b = mass_point(s, {3, 0, 0}, 1.0);
+  const int a = s.mass_point({0, 0, 0}, 2.0, 0.2), b = s.mass_point({3, 0, 0}, 1.0, 0.1);
   const double omega = 4.0;
   s.card("INITIAL_VELOCITY_NODE", {double(a), 0, -omega * 1.0, 0, 0, 0, omega});
   s.card("INITIAL_VELOCITY_NODE", {double(b), 0, omega * 2.0, 0, 0, 0, omega});
@@ -165,7 +157,7 @@ TEST(RigidWelds, SpinningPairCarriesItsCentrifugalForce) {
 // the released nodes taken from the body's centre.
 TEST(RigidWelds, ReleaseOfASpinningPairKeepsItsMomenta) {
   Specimen s;
-  const int a = mass_point(s, {0, 0, 0}, 2.0), b = mass_point(s, {3, 0, 0}, 1.0);
+  const int a = s.mass_point({0, 0, 0}, 2.0, 0.2), b = s.mass_point({3, 0, 0}, 1.0, 0.1);
   const double omega = 4.0;
   s.card("INITIAL_VELOCITY_NODE", {double(a), 1, -omega * 1.0, 5, 0, 0, omega});
   s.card("INITIAL_VELOCITY_NODE", {double(b), 1, omega * 2.0, 5, 0, 0, omega});
@@ -198,7 +190,8 @@ TEST(RigidWelds, ReleaseOfASpinningPairKeepsItsMomenta) {
 // is left goes on as one. Sabotage: the whole weld released.
 TEST(RigidWelds, ThreeNodesFailFromTheOutside) {
   Specimen s;
-  const int a = mass_point(s, {0, 0, 0}, 1.0), b = mass_point(s, {2, 0, 0}, 1.0), c = mass_point(s, {4, 0, 0}, 1.0);
+  const int a = s.mass_point({0, 0, 0}, 1.0, 0.1), b = s.mass_point({2, 0, 0}, 1.0, 0.1),
+            c = s.mass_point({4, 0, 0}, 1.0, 0.1);
   s.node_set(1, {a, b, c});
   load(s, c, 1, 30.0);
   s.text(generalized(1, 0, {1e20, 0, 8.0, 0, 1.0, 0}));
@@ -231,7 +224,7 @@ TEST(RigidWelds, PlasticStrainOfTheSheetOpensTheWeld) {
     s.card("BOUNDARY_SPC_SET", {1, 0, 1, 1, 1, 1, 1, 1});
     s.text(curve(1, {{0.0, 0.0}, {1.0, 1.0}}));
     s.card("BOUNDARY_PRESCRIBED_MOTION_SET", {2, 1, 2, 1, 4000.0});
-    const int loose = mass_point(s, {20, 0, 3}, 1e-9);
+    const int loose = s.mass_point({20, 0, 3}, 1e-9, 1e-10);
     if (welded) s.card("CONSTRAINED_SPOTWELD", {double(g(2, 0)), double(loose), 0, 0, 0, 0, 1e20, 0.02});
     s.card("CONTROL_TERMINATION", {3e-4});
     return s.deck();

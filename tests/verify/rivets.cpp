@@ -16,13 +16,6 @@ using testing::HasSubstr;
 
 constexpr double step = 1e-4;
 
-int mass_point(Specimen& s, const Vec3d& x, double mass) {
-  const int n = s.node(x);
-  s.text(fmt::format("*ELEMENT_INERTIA\n{:8}{:8}\n", n, n) +
-         fields({0.1 * mass, 0, 0, 0.1 * mass, 0, 0.1 * mass, mass}));
-  return n;
-}
-
 Specimen& timing(Specimen& s, double end) {
   return s.text(constant_curve(1) + constant_curve(2, step))
       .card("CONTROL_TIMESTEP", {0, 0.9, 0, 0, 0, 2})
@@ -33,7 +26,7 @@ Specimen& timing(Specimen& s, double end) {
 // Sabotage: the truss as a spring; the constraint on velocities only, whose distance drifts.
 TEST(Rivets, ASpinningPairKeepsItsDistance) {
   Specimen s;
-  const int a = mass_point(s, {0, 0, 0}, 2.0), b = mass_point(s, {3, 0, 0}, 1.0);
+  const int a = s.mass_point({0, 0, 0}, 2.0, 0.2), b = s.mass_point({3, 0, 0}, 1.0, 0.1);
   const double omega = 4.0;
   s.card("INITIAL_VELOCITY_NODE", {double(a), 0, -omega * 1.0, 1});
   s.card("INITIAL_VELOCITY_NODE", {double(b), 0, omega * 2.0, 1});
@@ -61,7 +54,7 @@ TEST(Rivets, ASpinningPairKeepsItsDistance) {
 // taken for a free one; the reaction without the truss.
 TEST(Rivets, APendulumPullsThreeTimesItsWeightAtTheBottom) {
   Specimen s;
-  const int pivot = mass_point(s, {0, 0, 0}, 1.0), bob = mass_point(s, {2, 0, 0}, 1.5);
+  const int pivot = s.mass_point({0, 0, 0}, 1.0, 0.1), bob = s.mass_point({2, 0, 0}, 1.5, 0.15);
   const double weight = 1.5 * 10.0;
   s.card("BOUNDARY_SPC_NODE", {double(pivot), 0, 1, 1, 1, 1, 1, 1});
   s.card("LOAD_NODE_POINT", {double(bob), 3, 1, -weight});
@@ -89,7 +82,7 @@ TEST(Rivets, APendulumPullsThreeTimesItsWeightAtTheBottom) {
 TEST(Rivets, ChainsAreSolvedTogether) {
   Specimen s;
   std::array<int, 3> n{};
-  for (int i = 0; i < 3; ++i) n[at(i)] = mass_point(s, {2.0 * i, 0, 0}, 1.0);
+  for (int i = 0; i < 3; ++i) n[at(i)] = s.mass_point({2.0 * i, 0, 0}, 1.0, 0.1);
   s.card("CONSTRAINED_RIVET", {double(n[0]), double(n[1])});
   s.card("CONSTRAINED_RIVET", {double(n[1]), double(n[2])});
   s.card("LOAD_NODE_POINT", {double(n[2]), 1, 1, 6.0});
@@ -107,7 +100,7 @@ TEST(Rivets, ChainsAreSolvedTogether) {
 // At TF the pair flies on as it moves. Sabotage: the truss holds on.
 TEST(Rivets, FailAtTheirTime) {
   Specimen s;
-  const int a = mass_point(s, {0, 0, 0}, 1.0), b = mass_point(s, {2, 0, 0}, 1.0);
+  const int a = s.mass_point({0, 0, 0}, 1.0, 0.1), b = s.mass_point({2, 0, 0}, 1.0, 0.1);
   s.card("INITIAL_VELOCITY_NODE", {double(a), 0, -3.0, 0});
   s.card("INITIAL_VELOCITY_NODE", {double(b), 0, 3.0, 0});
   s.text("*CONSTRAINED_RIVET_ID\n" + fields({77}) + fields({double(a), double(b), 0.25}));
@@ -131,7 +124,8 @@ TEST(Rivets, FailAtTheirTime) {
 TEST(Rivets, NodesThatCannotBePulledAreRefusedByName) {
   const auto refusal = [](const std::string& more) {
     Specimen s;
-    const int a = mass_point(s, {0, 0, 0}, 1.0), b = mass_point(s, {2, 0, 0}, 1.0), c = mass_point(s, {3, 0, 0}, 1.0);
+    const int a = s.mass_point({0, 0, 0}, 1.0, 0.1), b = s.mass_point({2, 0, 0}, 1.0, 0.1),
+              c = s.mass_point({3, 0, 0}, 1.0, 0.1);
     s.card("CONSTRAINED_RIVET", {double(a), double(b)});
     s.node_set(1, {b, c});
     s.text(more);

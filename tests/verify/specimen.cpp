@@ -59,6 +59,12 @@ int Specimen::node(const Vec3d& x) {
   return last_node_;
 }
 
+int Specimen::mass_point(const Vec3d& x, double mass, double inertia) {
+  const int n = node(x);
+  text(fmt::format("*ELEMENT_INERTIA\n{:8}{:8}\n", n, n) + fields({inertia, 0, 0, inertia, 0, inertia, mass}));
+  return n;
+}
+
 void Specimen::brick(int part, std::initializer_list<int> nodes) {
   bricks_ += element_line(++last_brick_, part, nodes);
 }
@@ -128,6 +134,15 @@ void Passage::add(double time, double value) {
   started_ = true;
   time_ = time;
   value_ = value;
+}
+
+void Period::add(double time, double value) {
+  if (value_ < 0.0 && value >= 0.0) {
+    last_ = time_ + (time - time_) * value_ / (value_ - value);
+    if (++count_ == 0) first_ = last_;
+  }
+  value_ = value;
+  time_ = time;
 }
 
 void run_to_end(Experiment& experiment, const Watch& watch) {

@@ -35,6 +35,8 @@ class Specimen {
   Specimen& part(int id, int section, int material, int hourglass = 0);
   Specimen& node_set(int id, const std::vector<int>& nodes);
   int node(const Vec3d& x);
+  /// A node with a mass and the same rotary inertia about every axis.
+  int mass_point(const Vec3d& x, double mass, double inertia = 0.0);
 
   /// Bricks between `corner` and `corner + size`.
   Grid bricks(int part, const Vec3d& corner, const Vec3d& size, std::array<int, 3> cells);
@@ -79,6 +81,18 @@ class Passage {
  private:
   double level_, time_ = 0.0, value_ = 0.0, at_ = 0.0;
   bool started_ = false, seen_ = false;
+};
+
+/// Mean time between the first and the last upward passage of zero.
+class Period {
+ public:
+  void add(double time, double value);
+  double mean() const { return (last_ - first_) / count_; }
+  int count() const { return count_; }
+
+ private:
+  double first_ = 0.0, last_ = 0.0, value_ = 0.0, time_ = 0.0;
+  int count_ = -1;
 };
 
 /// Runs the deck to its end time; anything else than normal termination is a test failure.

@@ -33,12 +33,6 @@ void section(Specimen& s, int id, bool torsional, std::initializer_list<double> 
   s.text(line + "\n" + fields(limits));
 }
 
-int mass_point(Specimen& s, const Vec3d& x, double m, double j = 0.0) {
-  const int n = s.node(x);
-  s.text(fmt::format("*ELEMENT_INERTIA\n{:8}{:8}\n", n, n) + fields({j, 0, 0, j, 0, j, m}));
-  return n;
-}
-
 Specimen& timing(Specimen& s, double end, double step) {
   if (step > 0.0) s.text(constant_curve(90, step)).card("CONTROL_TIMESTEP", {0, 0.9, 0, 0, 0, 90});
   return s.card("CONTROL_TERMINATION", {end});
@@ -48,22 +42,6 @@ const system::SpringGroup& springs(const impact::Snapshot& now, std::size_t grou
   return dynamic_cast<const system::SpringGroup&>(*now.system.groups.at(group));
 }
 
-/// Mean distance of upward passages of zero.
-struct Period {
-  double first = -1.0, last = 0.0, value = 0.0, time = 0.0;
-  int count = -1;
-  void add(double t, double v) {
-    if (value < 0.0 && v >= 0.0) {
-      last = time + (t - time) * value / (value - v);
-      if (count < 0) first = last;
-      ++count;
-    }
-    value = v;
-    time = t;
-  }
-  double mean() const { return (last - first) / count; }
-};
-
 // Two free masses, or disks, on a spring at the step that it asks for itself. Sabotage: a mass halved in the step; the
 // signs of the two ends exchanged.
 TEST(Springs, TwoMassesAndTheirTimeStep) {
@@ -72,7 +50,7 @@ TEST(Springs, TwoMassesAndTheirTimeStep) {
     s.card("MAT_SPRING_ELASTIC", {1, 1000.0});
     section(s, 1, torsional);
     s.part(1, 1, 1);
-    const int a = mass_point(s, {0, 0, 0}, 2.0, 2.0), b = mass_point(s, {0, 3, 4}, 3.0, 3.0);
+    const int a = s.mass_point({0, 0, 0}, 2.0, 2.0), b = s.mass_point({0, 3, 4}, 3.0, 3.0);
     s.text(spring(1, 1, a, b));
     const double v = torsional ? 0.0 : 0.1, w = torsional ? 0.1 : 0.0;
     s.card("INITIAL_VELOCITY_NODE", {double(b), 0, 0.6 * v, 0.8 * v, 0, 0.6 * w, 0.8 * w});
@@ -101,7 +79,7 @@ TEST(Springs, AChainRunsAtItsOwnStep) {
   section(s, 1, false);
   s.part(1, 1, 1);
   std::vector<int> n;
-  for (int i = 0; i < 12; ++i) n.push_back(mass_point(s, {double(i), 0, 0}, 1.0));
+  for (int i = 0; i < 12; ++i) n.push_back(s.mass_point({double(i), 0, 0}, 1.0));
   for (int i = 0; i < 11; ++i) s.text(spring(i + 1, 1, n[std::size_t(i)], n[std::size_t(i) + 1]));
   s.card("INITIAL_VELOCITY_NODE", {double(n[0]), 0.1});
   timing(s, 20.0, 0.0);
@@ -120,7 +98,7 @@ TEST(Springs, DampedOscillator) {
   s.card("MAT_S01", {1, k}).card("MAT_DAMPER_VISCOUS", {2, c});
   section(s, 1, false);
   s.part(1, 1, 1).part(2, 1, 2).card("DEFINE_SD_ORIENTATION", {1, 0, 0, 2, 0});
-  const int a = mass_point(s, {1, 2, 3}, m);
+  const int a = s.mass_point({1, 2, 3}, m);
   s.text(spring(1, 1, a, 0, 1) + spring(2, 2, a, 0, 1));
   s.card("INITIAL_VELOCITY_NODE", {double(a), 5.0, 1.0, 5.0});
   const double a0 = 0.5 * c / m, omega = std::sqrt(k / m - a0 * a0);
@@ -146,7 +124,7 @@ TEST(Springs, BallOnSpring) {
   s.card("MAT_SPRING_ELASTIC", {1, k});
   section(s, 1, false, {0, 0, h});
   s.part(1, 1, 1).card("DEFINE_SD_ORIENTATION", {1, 0, 0, 0, -1});
-  const int ball = mass_point(s, {0, 0, h}, m);
+  const int ball = s.mass_point({0, 0, h}, m);
   s.text(spring(1, 1, ball, 0, 1));
   s.text(constant_curve(1)).card("LOAD_BODY_Z", {1, g});
   timing(s, 0.16, 2e-5);
@@ -234,7 +212,7 @@ TEST(Springs, TurningPairKeepsItsLength) {
   s.card("MAT_S01", {1, k});
   section(s, 1, false);
   s.part(1, 1, 1);
-  const int a = mass_point(s, {-half, 0, 0}, m), b = mass_point(s, {half, 0, 0}, m);
+  const int a = s.mass_point({-half, 0, 0}, m), b = s.mass_point({half, 0, 0}, m);
   s.text(spring(1, 1, a, b, 0, 1.0, m * omega * omega * half / k));
   for (const int n : {a, b}) s.card("INITIAL_VELOCITY_NODE", {double(n), 0, (n == b ? 1 : -1) * omega * half});
   timing(s, 2.0 * pi / omega, 1e-4);
@@ -288,7 +266,7 @@ TEST(Springs, StopIsAPlasticImpact) {
   s.card("MAT_S01", {1, 1e-6});
   section(s, 1, false, {}, {0.25, 0});
   s.part(1, 1, 1);
-  const int a = mass_point(s, {0, 0, 0}, 1.0), b = mass_point(s, {1, 0, 0}, 3.0);
+  const int a = s.mass_point({0, 0, 0}, 1.0), b = s.mass_point({1, 0, 0}, 3.0);
   s.text(spring(1, 1, a, b)).card("INITIAL_VELOCITY_NODE", {double(b), -2.0});
   timing(s, 0.5, 1e-4);
   Experiment experiment(s.deck());
@@ -315,7 +293,7 @@ TEST(Springs, NaturalFrequencies) {
   section(s, 1, false);
   section(s, 2, true);
   s.part(1, 1, 1).part(2, 2, 2).card("DEFINE_SD_ORIENTATION", {1, 0, 0, 0, 1});
-  const int wall = s.node({0, 0, 0}), a = mass_point(s, {1, 0, 0}, 2.0, 0.1), b = mass_point(s, {2, 0, 0}, 2.0, 0.1),
+  const int wall = s.node({0, 0, 0}), a = s.mass_point({1, 0, 0}, 2.0, 0.1), b = s.mass_point({2, 0, 0}, 2.0, 0.1),
             far = s.node({3, 0, 0});
   s.text(spring(1, 1, wall, a) + spring(2, 1, a, b) + spring(3, 1, b, far) + spring(4, 2, a, 0, 1));
   for (const int n : {wall, far}) s.card("BOUNDARY_SPC_NODE", {double(n), 0, 1, 1, 1, 1, 1, 1});
@@ -347,7 +325,7 @@ TEST(Springs, NodesWithoutMassAreRefused) {
   s.card("MAT_S01", {1, 1000.0});
   section(s, 1, false);
   s.part(1, 1, 1);
-  const int a = s.node({0, 0, 0}), b = mass_point(s, {1, 0, 0}, 1.0);
+  const int a = s.node({0, 0, 0}), b = s.mass_point({1, 0, 0}, 1.0);
   s.text(spring(1, 1, a, b));
   timing(s, 1.0, 1e-3);
   EXPECT_NE(refusal(s).find(fmt::format("node {} of spring 1 has no mass", a)), std::string::npos) << refusal(s);
