@@ -407,11 +407,11 @@ void check_hourglass(Builder& b) {
   const Model& m = b.model;
   std::map<std::pair<Index, ElementKind>, std::vector<int>> parts;
   for (const Part& part : m.parts) {
-    const bool is_computed = part.section != none && !is<kernel::Rigid>(m, part) && !is<kernel::Null>(m, part);
+    if (part.section == none || is<kernel::Rigid>(m, part) || is<kernel::Null>(m, part)) continue;
     // Formulation 16 has no hourglass modes: type 8 gives it warping stiffness, the others mean nothing to it.
     const bool has_modes =
         part.kind != ElementKind::shell || m.shell_sections[static_cast<std::size_t>(part.section)].elform != 16;
-    if (is_computed && has_modes) parts[{part.hourglass, part.kind}].push_back(part.id);
+    if (has_modes) parts[{part.hourglass, part.kind}].push_back(part.id);
   }
   for (const auto& [user, ids] : parts) {
     const auto [card, kind] = user;
