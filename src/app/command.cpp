@@ -10,6 +10,7 @@
 #include "app/run_log.hpp"
 #include "base/parallel.hpp"
 #include "model/describe.hpp"
+#include "nvh/ranks.hpp"
 
 namespace nugget::app {
 
@@ -19,7 +20,7 @@ void Log::read() {
 }
 
 void start_log(Log& log, const RunArguments& arguments, const Prepared& p, const Findings& findings) {
-  log.add(log_head(NUGGET_VERSION, arguments.deck, std::to_string(threads())));
+  log.add(log_head(NUGGET_VERSION, arguments.deck, threads(), nvh::ranks()));
   log.add(model::ledger_table(p.model));
   log.add(log_findings(findings));
 }

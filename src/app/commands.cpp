@@ -27,6 +27,7 @@
 #include "impact/result_files.hpp"
 #include "impact/simulation.hpp"
 #include "model/describe.hpp"
+#include "nvh/ranks.hpp"
 #include "output/results.hpp"
 #include "report/page.hpp"
 
@@ -292,6 +293,14 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
   if (!p.has_text) return refuse_missing(findings);
   if (p.model.implicit.active && !arguments.checkpoint.empty()) {
     fmt::print(stderr, "nugget: --checkpoint: this deck asks for an implicit solution, which has no restart files\n");
+    return ExitCode::wrong_command;
+  }
+  if (findings.errors() == 0 && !p.model.implicit.active && nvh::ranks() > 1) {
+    fmt::print(
+        stderr,
+        "nugget: {}: this is an explicit run, which is one process with -j N threads; several ranks are for modes, "
+        "responses and statics; nothing was run\n",
+        arguments.deck);
     return ExitCode::wrong_command;
   }
   if (from != nullptr)

@@ -7,6 +7,7 @@
 #include "app/run_log.hpp"
 #include "base/parallel.hpp"
 #include "nvh/linear_model.hpp"
+#include "nvh/ranks.hpp"
 
 namespace nugget::app {
 
@@ -56,6 +57,7 @@ output::Summary LinearJob::summary() const {
   s.seconds.read = deck_.read_seconds;
   s.seconds.setup = setup_seconds_;
   s.threads = threads();
+  s.ranks = nvh::ranks();
   s.welds = deck_.welds;
   return s;
 }

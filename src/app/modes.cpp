@@ -15,6 +15,7 @@
 #include "app/status.hpp"
 #include "app/weld_study.hpp"
 #include "nvh/mode_files.hpp"
+#include "nvh/ranks.hpp"
 #include "output/results.hpp"
 #include "report/page.hpp"
 
@@ -93,12 +94,16 @@ std::string energy_table(const model::Model& model, const weld::Ties& ties, cons
 }
 
 std::string cost_table(const nvh::Matrices& m, const nvh::Modes& modes, const output::Summary& summary) {
+  const std::string memory =
+      nvh::ranks() > 1 ? fmt::format(" memory of the solver: {:.0f} MB on one rank at most, {:.0f} MB on all {}\n",
+                                     modes.cost.most_memory, modes.cost.memory, nvh::ranks())
+                       : "";
   return fmt::format(
       "Cost\n\n {} equations, {:.4g} million entries in K, {:.4g} million in its factor\n {} factorizations {:.2f} s, "
-      "{} solutions in Lanczos {:.2f} s; setup {:.2f} s, output {:.2f} s\n\n",
+      "{} solutions in Lanczos {:.2f} s; setup {:.2f} s, output {:.2f} s\n{}\n",
       m.size(), 1e-6 * static_cast<double>(m.stiffness.entries()), 1e-6 * modes.cost.factor_entries,
       modes.cost.factorizations, modes.cost.factor_seconds, modes.cost.solves, modes.cost.lanczos_seconds,
-      summary.seconds.setup, summary.seconds.output);
+      summary.seconds.setup, summary.seconds.output, memory);
 }
 
 void tell_modes(const nvh::Modes& modes, output::Summary& s) {

@@ -85,9 +85,10 @@ std::string log_shell_factors(const model::Model& model, const weld::Ties& ties)
 
 }  // namespace
 
-std::string log_head(const std::string& version, const std::string& deck, const std::string& threads) {
-  return fmt::format("nugget {}\n\n deck     {}\n date     {:%Y-%m-%d %H:%M:%S}\n threads  {}\n\n", version, deck,
-                     fmt::localtime(std::time(nullptr)), threads);
+std::string log_head(const std::string& version, const std::string& deck, int threads, int ranks) {
+  return fmt::format("nugget {}\n\n deck     {}\n date     {:%Y-%m-%d %H:%M:%S}\n threads  {}\n{}\n", version, deck,
+                     fmt::localtime(std::time(nullptr)), threads,
+                     ranks > 1 ? fmt::format(" ranks    {}\n", ranks) : "");
 }
 
 std::string log_findings(const Findings& findings) {

@@ -18,7 +18,7 @@ namespace nugget::app {
 /// As many as there are.
 inline constexpr std::size_t all_of_them = std::numeric_limits<std::size_t>::max();
 
-std::string log_head(const std::string& version, const std::string& deck, const std::string& command_threads);
+std::string log_head(const std::string& version, const std::string& deck, int threads, int ranks);
 std::string log_findings(const Findings& findings);
 /// Parts with their sections, materials, element counts and masses.
 std::string log_model(const model::Model& model);

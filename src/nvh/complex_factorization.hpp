@@ -9,10 +9,14 @@
 
 namespace nugget::nvh {
 
+template <class Number>
+class Mumps;
+
 /// A = a K + b M with complex factors, symmetric but not Hermitian, as L D L^t by MUMPS; the order of elimination and
 /// the analysis serve all factors. Deterministic like Factorization.
 class ComplexFactorization {
  public:
+  /// The matrices must outlive it.
   explicit ComplexFactorization(const Matrices& matrices);
   ~ComplexFactorization();
   ComplexFactorization(const ComplexFactorization&) = delete;
@@ -24,9 +28,8 @@ class ComplexFactorization {
   void solve(std::vector<std::complex<double>>& x, std::size_t columns);
 
  private:
-  struct Mumps;
-  const Matrices& matrices_;
-  std::unique_ptr<Mumps> mumps_;
+  void check() const;
+  std::unique_ptr<Mumps<std::complex<double>>> mumps_;
 };
 
 }  // namespace nugget::nvh

@@ -8,8 +8,12 @@
 
 namespace nugget::nvh {
 
+template <class Number>
+class Mumps;
+
 /// A = K + shift M as L D L^t, by MUMPS (SYM = 2: A may be indefinite) in the order of `elimination_order`.
-/// Deterministic: one thread, whatever the machine has. Throws SolverError if A is singular or memory runs out.
+/// Deterministic with one rank: one thread, whatever the machine has. Throws SolverError if A is singular or memory
+/// runs out.
 class Factorization {
  public:
   struct SolverError;
@@ -27,16 +31,15 @@ class Factorization {
   void solve(Columns& x) const;
 
   struct Cost {
-    double seconds = 0.0;  ///< of the last shift; ordering and analysis count with the first
-    double entries = 0.0;  ///< of L
-    double gflop = 0.0;
+    double seconds = 0.0;                    ///< of the last shift; ordering and analysis count with the first
+    double entries = 0.0;                    ///< of L
+    double most_memory = 0.0, memory = 0.0;  ///< of the solver, on the rank with the most and on all of them [MB]
   };
   const Cost& cost() const { return cost_; }
 
  private:
   void check() const;
-  struct Mumps;
-  std::unique_ptr<Mumps> mumps_;
+  std::unique_ptr<Mumps<double>> mumps_;
   double shift_;
   Cost cost_;
 };

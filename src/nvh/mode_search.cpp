@@ -41,6 +41,8 @@ class Shifts {
         ++modes_.cost.factorizations;
         modes_.cost.factor_seconds += factor_->cost().seconds;
         modes_.cost.factor_entries = factor_->cost().entries;
+        modes_.cost.most_memory = factor_->cost().most_memory;
+        modes_.cost.memory = factor_->cost().memory;
         return factor_->negative();
       } catch (const Factorization::SolverError&) {
         if (lambda <= 0.0 || nudge > 1e-4) throw;

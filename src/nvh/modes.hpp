@@ -39,6 +39,7 @@ struct Modes {
     double factor_seconds = 0.0, lanczos_seconds = 0.0;
     int factorizations = 0, solves = 0;
     double factor_entries = 0.0;
+    double most_memory = 0.0, memory = 0.0;  ///< see Factorization::Cost
   } cost;
 };
 

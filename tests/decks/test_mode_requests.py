@@ -2,7 +2,6 @@
 """*CONTROL_IMPLICIT_EIGENVALUE and IGS as a deck asks for them: intervals, centre, preload by stress and by load."""
 import json
 import math
-import os
 import unittest
 
 from nugget_command import CommandTest
@@ -107,11 +106,6 @@ class ModeRequests(CommandTest):
         self.assertIn("geometric stiffness is built in modes", run.stderr)
         run = self.nugget("run", self.write(beam(card(-9), 1, solution)), "-o", "out", expect=1)
         self.assertIn("there is no curve 9", run.stderr)
-
-    def test_several_ranks(self):
-        for name in ("OMPI_COMM_WORLD_SIZE", "PMI_SIZE"):
-            run = self.nugget("modes", self.write(beam(card(2))), expect=2, env=dict(os.environ, **{name: "2"}))
-            self.assertIn("this version runs in one process", run.stderr)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/command_line.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -73,23 +75,9 @@ bool is_unknown_command(const CLI::App& cli, const std::vector<std::string>& wor
   return true;
 }
 
-/// Started by mpirun (Open MPI, MPICH and others by PMI) with more than one rank: copies that would write the same
-/// files.
-bool is_one_of_many() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
-    if (const char* ranks = std::getenv(name); ranks != nullptr && std::atoi(ranks) > 1) return true;
-  return false;
-}
-
 }  // namespace
 
-int main(int argc, char** argv) {
-  if (is_one_of_many()) {
-    fmt::print(stderr,
-               "nugget: started by mpirun with several ranks: this version runs in one process, with -j N "
-               "threads\n");
-    return static_cast<int>(ExitCode::wrong_command);
-  }
+int nugget::app::command_line(int argc, char** argv) {
   CLI::App cli{
       "Nugget: spot-welded structures from one LS-DYNA keyword deck, impact by explicit dynamics, natural modes and "
       "frequency response.",
