@@ -19,7 +19,7 @@ constexpr double no_weight = 1e-10;
 std::string move_or_widen(double distance, double tolerance) {
   if (!std::isfinite(distance)) return "put the sheet's part on the reference side (SURFB) of the contact";
   // So far off it is hardly this sheet that is meant, and such a reach would tie other welds to wrong ones.
-  if (distance > 3.0 * tolerance)
+  if (distance > 5.0 * tolerance)
     return "move the weld to its sheet, or put the sheet that is meant on the reference side (SURFB) of the contact";
   const double thickness = 1.05 * distance / 1.2;
   return fmt::format("move the weld to its sheet, or give SAST = SBST = {:.3g} in the contact (tolerance {:.3g})",
