@@ -4,8 +4,8 @@
     python3 examples/coupons/make.py FOLDER
 
 For each coupon: the weld as a beam, as 1, 4 and 8 bricks, on nine elements across the sheets (lap_beam.k, lap_1.k, ...); the beam on seven,
-whose elements are as large as the weld (lap_seven.k, and elastic: lap_elastic.k); one whose weld fails (lap_fails.k, peel_fails.k); and the
-beam over the centre of an element, on an edge and on a node of meshes of 3, 5 and 8 mm (lap_3mm_edge.k, ...). study.py runs them and draws
+whose elements are as large as the weld (lap_seven.k, and elastic: lap_elastic.k), of lap shear also on 5, 11, 13 and 15, and on 21 with a
+rigid square as large as one of seven (lap_patch.k); one whose weld fails (lap_fails.k, peel_fails.k); and the beam over the centre of an element, on an edge and on a node of meshes of 3, 5 and 8 mm (lap_3mm_edge.k, ...). study.py runs them and draws
 the curves. Units: mm, t, s, N, MPa.
 """
 import math
@@ -77,11 +77,12 @@ def mesh(kind, size, over):
     return nodes, shells, held(grip), pulled(grip)
 
 
-def make(kind, weld="beam", size=None, over="centre", elastic=False, nrr=0.0, nrs=0.0, stroke=None, hourglass=0.05):
-    """A coupon. `weld`: beam, or the number of bricks; `size`: of the elements on the patch, by default a ninth of it; `hourglass`: QH."""
+def make(kind, weld="beam", size=None, over="centre", elastic=False, nrr=0.0, nrs=0.0, stroke=None, hourglass=0.05, square=None):
+    """A coupon. `weld`: beam, or the number of bricks; `size`: of the elements on the patch, by default a ninth of it; `hourglass`: QH;
+    `square`: side of a rigid square in both sheets below the weld; such a coupon is pulled as fast, but only to `stroke`."""
     nodes, shells, held, pulled = mesh(kind, size or PATCH[kind] / 9.0, over)
     stroke = stroke or STROKE[kind]
-    duration = DURATION[kind]
+    duration = DURATION[kind] * (stroke / STROKE[kind] if square else 1.0)
     nodes[7001], nodes[7002] = (0.0, 0.0, -THICKNESS / 2.0), (0.0, 0.0, THICKNESS / 2.0)
 
     d = Deck()
@@ -112,6 +113,14 @@ def make(kind, weld="beam", size=None, over="centre", elastic=False, nrr=0.0, nr
     d.comment("The velocity rises smoothly over the first fifth of the time.")
     grips(d, held, pulled, PULL[kind], curve, stroke / (0.9 * duration))
 
+    if square:
+        d.comment("A rigid square around the weld in each sheet.")
+        for number, z in ((11, -THICKNESS / 2.0), (12, THICKNESS / 2.0)):
+            inside = lambda x: x[2] == z and max(abs(x[0]), abs(x[1])) < 0.5 * square + 1e-6  # noqa: B023, E731
+            d.node_set(number, [n for n, x in nodes.items() if inside(x) and n < 7001])
+            d.keyword("CONSTRAINED_NODAL_RIGID_BODY")
+            d.card(pid=number, cid=0, nsid=number)
+
     d.nodes(nodes)
     d.shells(shells)
     d.beams({7001: (WELD, (7001, 7002))})
@@ -129,6 +138,9 @@ def decks():
         for size in (3, 5, 8):
             for over in OVERS:
                 study[f"{kind}_{size}mm_{over}"] = make(kind, size=float(size), over=over)
+    for name, across in (("five", 5), ("nine", 9), ("eleven", 11), ("thirteen", 13), ("fifteen", 15)):
+        study[f"lap_{name}"] = make("lap", size=PATCH["lap"] / across, hourglass=0.01)
+    study["lap_patch"] = make("lap", size=PATCH["lap"] / 21.0, hourglass=0.01, square=PATCH["lap"] / 7.0, stroke=0.8)
     study["lap_fails"] = make("lap", nrs=9000.0)
     study["peel_fails"] = make("peel", nrr=800.0)
     return study

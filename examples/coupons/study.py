@@ -23,6 +23,9 @@ SOLIDS = {
     "peel": ([(.5, 233), (1, 385), (2, 563), (3, 692), (4, 812), (6, 972), (8, 1093), (10, 1213), (12, 1344)], 10810, 472),
     "cross": ([(.5, 251), (1, 524), (2, 1040), (3, 1420), (4, 1800), (6, 2611), (8, 3463)], 14365, 490),
 }
+# The same lap coupon with an elastic square of 40/7 mm merged instead of the circle: half of it, 1,040 bricks.
+SQUARE = [(.05, 3296), (.1, 5898), (.15, 7481), (.2, 8381), (.3, 9417), (.5, 10768), (.75, 12014)]
+ACROSS = ("five", "seven", "nine", "eleven", "thirteen", "fifteen")  # elements of the lap coupon
 MIDDLE = {"lap": 0.5, "peel": 4.0, "cross": 4.0}  # displacement at which meshes are compared
 
 
@@ -111,6 +114,13 @@ def report(curves):
             table([f"{kind}: force at {at:g} mm, of solids", *make.OVERS],
                   [[f"{size} mm"] + [f"{100.0 * values[size, over] / solids:.0f} %" for over in make.OVERS if (size, over) in values]
                    for size in (3, 5, 8)])
+    meshes = [n for n in ACROSS if f"lap_{n}" in curves]
+    if meshes:
+        table(["lap, mm", "solids"] + meshes,
+              [[f"{u:g}", f] + [f"{curves[f'lap_{n}'].force(u):.0f} ({100.0 * curves[f'lap_{n}'].force(u) / f - 100.0:+.1f} %)" for n in meshes]
+               for u, f in SOLIDS["lap"][0]])
+    if "lap_patch" in curves:
+        table(["lap, square, mm", "solids", "rigid square on 21"], [[f"{u:g}", f, f"{curves['lap_patch'].force(u):.0f}"] for u, f in SQUARE])
     for name in ("lap_fails", "peel_fails"):
         if name in curves:
             print(f"{name}: by {curves[name].weld['failure_mode']} at {curves[name].force_at_failure():.0f} N in the grip")

@@ -13,17 +13,20 @@
 #include "model/builder.hpp"
 #include "weld/failure/missing_data.hpp"
 #include "weld/presumed.hpp"
+#include "weld/welds.hpp"
 
 namespace nugget::app {
 namespace {
 
-output::WeldReport weld_report(const model::Model& model, const weld::Weld& w, const weld::Report& audit) {
+output::WeldReport weld_report(const model::Model& model, const std::vector<Vec3d>& x, const weld::Weld& w,
+                               const weld::Report& audit) {
   output::WeldReport r;
   r.id = w.id;
   r.kind = weld::to_string(w.kind);
   r.part = w.part == model::none ? 0 : model.parts[at(w.part)].id;
   for (model::Index sheet : w.sheets)
     if (sheet != model::none) r.sheets.push_back(model.parts[at(sheet)].id);
+  r.middle = 0.5 * (weld::face_centre(w, 0, x) + weld::face_centre(w, 1, x));
   r.diameter = w.diameter;
   r.length = w.length;
   r.tied = w.tied;
@@ -62,7 +65,7 @@ void tie_and_audit(Prepared& p, Findings& findings) {
   p.tie_seconds = clock.seconds();
   p.audit = weld::audit(p.model, p.ties, findings);
   for (std::size_t i = 0; i < p.ties.welds.size(); ++i)
-    p.welds.push_back(weld_report(p.model, p.ties.welds[i], p.audit[i]));
+    p.welds.push_back(weld_report(p.model, p.ties.x, p.ties.welds[i], p.audit[i]));
   p.audit_seconds = clock.seconds();
   p.is_tied = true;
 }

@@ -71,13 +71,16 @@ std::string log_bricks(const model::Model& model, const weld::Ties& ties) {
 /// PRTFLG of *CONTROL_SPOTWELD_BEAM.
 std::string log_shell_factors(const model::Model& model, const weld::Ties& ties) {
   if (!model.control.weld_beams.list) return {};
-  std::string s = "\nFactors on the failure of weld beams (LCT, LCS), by the size of the shell at each end:\n";
+  std::string s =
+      "\nFactors on the failure of weld beams, by the size of the shell at each end (LCT, LCS) and by place and "
+      "angle on it (T_ORT, T_ORS):\n";
   for (const weld::Weld& w : ties.welds) {
     const auto ends = weld::failure::shell_factors(model, w);
     if (ends[0].size == 0.0 && ends[1].size == 0.0) continue;
     s += fmt::format(" weld {:>8}", w.id);
     for (const auto& end : ends)
-      s += fmt::format("   size {:9.4g}  tension {:9.4g}  shear {:9.4g}", end.size, end.tension, end.shear);
+      s += fmt::format("   size {:9.4g}  place {:5.3f}  angle {:4.1f}  tension {:9.4g}  shear {:9.4g}", end.size,
+                       end.place, end.angle, end.tension, end.shear);
     s += '\n';
   }
   return s;

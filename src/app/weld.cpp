@@ -63,8 +63,9 @@ ExitCode place_welds(const WeldArguments& arguments, const std::map<std::string,
   if (own.errors() > 0 || placed.spots == 0) return refuse(own);
   output::write_whole_file(arguments.output, placed.text);
   print_findings(own);
-  fmt::print("{} of {} spots placed as {} {}; {}\n", placed.spots, points.size(), placed.elements,
-             arguments.form == weld::WeldForm::beam ? "beams" : "bricks", arguments.output);
+  fmt::print("{} of {} spots placed as {} {}{}; {}\n", placed.spots, points.size(), placed.elements,
+             arguments.form == weld::WeldForm::beam ? "beam" : "brick", placed.elements == 1 ? "" : "s",
+             arguments.output);
   return ExitCode::normal;
 }
 

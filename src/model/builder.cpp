@@ -103,6 +103,15 @@ void Builder::report_missing(const Ids& ids, std::string_view what, const deck::
                  "define it by a supported keyword, or remove what needs it");
 }
 
+CurveTable Builder::whole_table(Index table) const {
+  if (table == none) return {};
+  const Table& t = model.tables[static_cast<std::size_t>(table)];
+  if (t.curve.size() != t.value.size()) return {};
+  CurveTable whole{t.id, t.value, {}};
+  for (const Index c : t.curve) whole.curve.push_back(model.curves[static_cast<std::size_t>(c)]);
+  return whole;
+}
+
 void Builder::leave_out(const deck::Block& block) {
   struct Family {
     std::string_view beginning;

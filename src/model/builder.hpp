@@ -137,6 +137,8 @@ class Builder {
   /// That finding. Where the definition stands in the deck and was refused, the refusal has been told: nothing more is
   /// said, unless such cards are only left out; then what needs them cannot be.
   void report_missing(const Ids& ids, std::string_view what, const deck::Row& row, std::string_view field);
+  /// A table with its curves; nothing for none and for one that is not whole (told where it is defined).
+  CurveTable whole_table(Index table) const;
   /// Remembers what a refused block would have defined, so that its users are not told that it is "not defined".
   void leave_out(const deck::Block& block);
 

@@ -7,9 +7,22 @@
 
 namespace nugget::model {
 
+/// T_ORT, T_ORS: factor over where a weld stands on its shell. The place is 0 in the middle of the shell and 1 on its
+/// border, the angle 0 on the way to the middle of a side and 45 degrees on the way to a corner.
+struct PlaceFactor {
+  CurveTable table;
+  bool curves_over_angle = true;  ///< and the table's values are places; false: the other way round
+
+  double at(double place, double angle) const {
+    if (!table.given()) return 1.0;
+    return curves_over_angle ? table.at(place, angle) : table.at(angle, place);
+  }
+};
+
 /// *CONTROL_SPOTWELD_BEAM.
 struct WeldBeamControl {
   Index tension_curve = none, shear_curve = none;  ///< LCT, LCS: factor over the size of the shell tied to
+  PlaceFactor tension_place, shear_place;          ///< T_ORT, T_ORS
   bool list = false;                               ///< PRTFLG
   int bricks = 0;                                  ///< RPBHX: bricks in place of a weld beam; 0: beams stay
   bool only_some = false;                          ///< BMSID is given: only `beams` are replaced

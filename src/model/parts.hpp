@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "base/curve.hpp"
 #include "base/finding.hpp"
 #include "base/vec3.hpp"
 #include "kernel/contact/friction.hpp"
@@ -118,6 +120,23 @@ struct Table {
   int id = 0;
   std::vector<double> value;
   std::vector<Index> curve;
+};
+
+/// A table with its curves, linear between its values; all ends hold.
+struct CurveTable {
+  int id = 0;
+  std::vector<double> value;  ///< ascending, one per curve; of a single curve 0
+  std::vector<Curve> curve;   ///< empty: not given
+
+  bool given() const { return !curve.empty(); }
+  double at(double v, double x) const {
+    const auto upper = static_cast<std::size_t>(std::upper_bound(value.begin(), value.end(), v) - value.begin());
+    if (upper == 0) return curve.front().clamped(x);
+    const double below = curve[upper - 1].clamped(x);
+    if (upper == value.size()) return below;
+    const double share = (v - value[upper - 1]) / (value[upper] - value[upper - 1]);
+    return below + share * (curve[upper].clamped(x) - below);
+  }
 };
 
 /// *DEFINE_COORDINATE_...; the rows of the triad are the local axes.

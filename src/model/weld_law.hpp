@@ -28,12 +28,6 @@ struct RateValue {
   bool log_rate() const { return factor.x.front() < 0.0; }
 };
 
-/// Allowed force over the loading direction in degrees (OPT 11): one curve, or a table over the strain rate.
-struct DirectionStrength {
-  std::vector<double> rate;  ///< ascending, one per curve; a single curve has rate 0
-  std::vector<Curve> curve;  ///< force over angle; empty: no limit
-};
-
 /// Data of _DAMAGE-FAILURE and of the damage of _DA.
 struct WeldDamage {
   double rupture = 0.0;         ///< RS: plastic strain (DMGOPT 2, 12: time after onset) at rupture; 0: no damage
@@ -48,19 +42,19 @@ struct WeldDamage {
 
 /// MAT_100 but for the law of its points.
 struct WeldLaw {
-  int option = 0;                          ///< OPT: -2 -1 0 1 3 4 5 6 7 10 11; what computes the failure value
-  std::array<RateValue, 6> strength{};     ///< OPT -2 -1 0: NRR NRS NRT [force], MRR MSS MTT [moment]
-  RateValue normal_stress, shear_stress;   ///< OPT 1: SIGAX, SIGTAU [stress]
-  double diameter = 0.0;                   ///< OPT 3 4 5: ZD; 0: the weld's own [length]
-  std::array<double, 2> thickness{};       ///< OPT 3 4: ZT; OPT 5: ZT, ZT2; 0: the sheets' [length]
-  std::array<double, 3> alpha{1, 1, 1};    ///< OPT 3 4: ZALP1..3
-  double notch_radius = 0.0;               ///< OPT 3: ZRRAD [length]
-  DirectionStrength tension, compression;  ///< OPT 11: LCT, LCC
-  double limit = 0.0;                      ///< FVAL of OPT 3 4 5: the stress (4: stress intensity) at failure
-  int cycles = 0;             ///< FVAL of OPT 6: consecutive cycles at or beyond the surface before failure
-  Index table = none;         ///< OPT 7: in Model::pair_strengths; OPT 10: in Model::load_rate_strengths
-  int filter = 0;             ///< NF: resultant vectors averaged for the failure function
-  double failure_time = 0.0;  ///< TFAIL [time]; 0: none
+  int option = 0;                         ///< OPT: -2 -1 0 1 3 4 5 6 7 10 11; what computes the failure value
+  std::array<RateValue, 6> strength{};    ///< OPT -2 -1 0: NRR NRS NRT [force], MRR MSS MTT [moment]
+  RateValue normal_stress, shear_stress;  ///< OPT 1: SIGAX, SIGTAU [stress]
+  double diameter = 0.0;                  ///< OPT 3 4 5: ZD; 0: the weld's own [length]
+  std::array<double, 2> thickness{};      ///< OPT 3 4: ZT; OPT 5: ZT, ZT2; 0: the sheets' [length]
+  std::array<double, 3> alpha{1, 1, 1};   ///< OPT 3 4: ZALP1..3
+  double notch_radius = 0.0;              ///< OPT 3: ZRRAD [length]
+  CurveTable tension, compression;        ///< OPT 11: LCT, LCC: force allowed over strain rate and direction [degrees]
+  double limit = 0.0;                     ///< FVAL of OPT 3 4 5: the stress (4: stress intensity) at failure
+  int cycles = 0;                         ///< FVAL of OPT 6: consecutive cycles at or beyond the surface before failure
+  Index table = none;                     ///< OPT 7: in Model::pair_strengths; OPT 10: in Model::load_rate_strengths
+  int filter = 0;                         ///< NF: resultant vectors averaged for the failure function
+  double failure_time = 0.0;              ///< TFAIL [time]; 0: none
   WeldDamage damage;
   bool connection = false;       ///< _DA: strengths and damage come from `properties`
   Index properties = none;       ///< CON_ID: in Model::connections; none (_DA with CON_ID < 0): failure is off

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/finding.hpp"
+#include "base/vec3.hpp"
 
 namespace nugget::output {
 
@@ -47,6 +48,7 @@ struct WeldReport {
   std::string kind;         ///< beam, solid, assembly, rigid
   int part = 0;             ///< of the weld itself
   std::vector<int> sheets;  ///< parts that it joins
+  Vec3d middle;             ///< between its end faces, after the projection onto the sheets
   double diameter = 0.0, length = 0.0;
   bool tied = false;
   std::vector<WeldProjection> projections;

@@ -50,18 +50,45 @@ class CsvLine {
 
 void head(std::string& out, std::size_t projections, const std::vector<WeldReport>& welds) {
   CsvLine line(out);
-  for (const char* name : {"id", "kind", "part", "sheet1", "sheet2", "diameter", "length", "tied"}) line.cell(name);
+  for (const char* name : {"id",
+                           "kind",
+                           "part",
+                           "sheet1",
+                           "sheet2",
+                           "x",
+                           "y",
+                           "z",
+                           "diameter",
+                           "length",
+                           "tied",
+                           "failed",
+                           "failure_time",
+                           "failure_mode",
+                           "peak_axial",
+                           "peak_shear",
+                           "peak_bending",
+                           "peak_torsion",
+                           "peak_failure",
+                           "peak_failure_time",
+                           "last_axial",
+                           "last_shear",
+                           "last_bending",
+                           "last_torsion",
+                           "last_strain_rate",
+                           "last_failure",
+                           "last_terms",
+                           "last_bending_1",
+                           "last_bending_2",
+                           "damage",
+                           "energy",
+                           "added_mass"})
+    line.cell(name);
+  if (!welds.empty())
+    for (const auto& [name, value] : welds.front().audit) line.cell(name);
+  line.cell("remarks");
   for (std::size_t i = 1; i <= projections; ++i)
     for (const char* name : {"node", "case", "moved", "xi", "eta", "segment", "reason"})
       line.cell(fmt::format("{}{}", name, i));
-  if (!welds.empty())
-    for (const auto& [name, value] : welds.front().audit) line.cell(name);
-  for (const char* name : {"added_mass",   "failed",       "failure_time",   "failure_mode",   "peak_axial",
-                           "peak_shear",   "peak_bending", "peak_torsion",   "peak_failure",   "peak_failure_time",
-                           "last_axial",   "last_shear",   "last_bending",   "last_torsion",   "last_strain_rate",
-                           "last_failure", "last_terms",   "last_bending_1", "last_bending_2", "damage",
-                           "energy",       "remarks"})
-    line.cell(name);
 }
 
 void projection_cells(CsvLine& line, const WeldProjection& p) {
@@ -74,8 +101,7 @@ void projection_cells(CsvLine& line, const WeldProjection& p) {
   line.cell(p.reason);
 }
 
-void row(std::string& out, const WeldReport& weld, std::size_t projections) {
-  CsvLine line(out);
+void identity_cells(CsvLine& line, const WeldReport& weld) {
   const auto sheet = [&](std::size_t i) {
     return i < weld.sheets.size() ? fmt::format("{}", weld.sheets[i]) : std::string();
   };
@@ -86,9 +112,33 @@ void row(std::string& out, const WeldReport& weld, std::size_t projections) {
   // A weld through three sheets keeps the rest of them in the last cell.
   line.cell(weld.sheets.size() > 2 ? fmt::format("{}", fmt::join(weld.sheets.begin() + 1, weld.sheets.end(), " "))
                                    : sheet(1));
+  for (const double x : {weld.middle.x, weld.middle.y, weld.middle.z}) line.cell(x);
   line.cell(weld.diameter);
   line.cell(weld.length);
   line.flag(weld.tied);
+}
+
+void history_cells(CsvLine& line, const WeldReport& weld) {
+  line.flag(weld.failed);
+  line.cell(weld.failure_time ? fmt::format("{}", *weld.failure_time) : std::string());
+  line.cell(weld.failure_mode);
+  for (const double value : {weld.peak.axial, weld.peak.shear, weld.peak.bending, weld.peak.torsion, weld.peak_failure,
+                             weld.peak_failure_time, weld.last.axial, weld.last.shear, weld.last.bending,
+                             weld.last.torsion, weld.last.strain_rate, weld.last.failure})
+    line.cell(value);
+  line.cell(weld.last.terms);
+  for (const double value : weld.last.bending_at) line.cell(value);
+  line.cell(weld.damage);
+  line.cell(weld.energy);
+}
+
+void row(std::string& out, const WeldReport& weld, std::size_t projections) {
+  CsvLine line(out);
+  identity_cells(line, weld);
+  history_cells(line, weld);
+  line.cell(weld.added_mass);
+  for (const auto& [name, value] : weld.audit) line.cell(value);
+  line.cell(fmt::format("{}", fmt::join(weld.remarks, "; ")));
   for (std::size_t i = 0; i < projections; ++i) {
     if (i < weld.projections.size()) {
       projection_cells(line, weld.projections[i]);
@@ -96,25 +146,6 @@ void row(std::string& out, const WeldReport& weld, std::size_t projections) {
       for (int empty = 0; empty < 7; ++empty) line.cell("");
     }
   }
-  for (const auto& [name, value] : weld.audit) line.cell(value);
-  line.cell(weld.added_mass);
-  line.flag(weld.failed);
-  line.cell(weld.failure_time ? fmt::format("{}", *weld.failure_time) : std::string());
-  line.cell(weld.failure_mode);
-  line.cell(weld.peak.axial);
-  line.cell(weld.peak.shear);
-  line.cell(weld.peak.bending);
-  line.cell(weld.peak.torsion);
-  line.cell(weld.peak_failure);
-  line.cell(weld.peak_failure_time);
-  for (const double value : {weld.last.axial, weld.last.shear, weld.last.bending, weld.last.torsion,
-                             weld.last.strain_rate, weld.last.failure})
-    line.cell(value);
-  line.cell(weld.last.terms);
-  for (const double value : weld.last.bending_at) line.cell(value);
-  line.cell(weld.damage);
-  line.cell(weld.energy);
-  line.cell(fmt::format("{}", fmt::join(weld.remarks, "; ")));
 }
 
 }  // namespace

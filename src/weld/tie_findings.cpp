@@ -16,8 +16,11 @@ namespace {
 /// Weights below this are round-off of a node on an edge or a corner.
 constexpr double no_weight = 1e-10;
 
-std::string move_or_widen(double distance) {
+std::string move_or_widen(double distance, double tolerance) {
   if (!std::isfinite(distance)) return "put the sheet's part on the reference side (SURFB) of the contact";
+  // So far off it is hardly this sheet that is meant, and such a reach would tie other welds to wrong ones.
+  if (distance > 5.0 * tolerance)
+    return "move the weld to its sheet, or put the sheet that is meant on the reference side (SURFB) of the contact";
   const double thickness = 1.05 * distance / 1.2;
   return fmt::format("move the weld to its sheet, or give SAST = SBST = {:.3g} in the contact (tolerance {:.3g})",
                      -thickness, 1.2 * thickness);
@@ -143,7 +146,7 @@ void report_end(const model::Model& model, const Weld& weld, const Projection& p
     case 5:
       findings.warning(weld.place, keyword, text + ", not tied",
                        p.only_sheet_taken ? "put the other sheet's part on the reference side (SURFB) of the contact"
-                                          : move_or_widen(p.distance));
+                                          : move_or_widen(p.distance, p.tolerance));
       return;
     case 6:
       findings.warning(weld.place, keyword, fmt::format("{}, moved {:.4g}", text, p.tie.moved),
@@ -363,7 +366,7 @@ void report_untied_nodes(const model::Model& model, const model::Contact& contac
       fmt::format("{} tracked nodes without a weld found no segment in reach, first {}: the closest is {:.4g} away, "
                   "tolerance {:.4g}",
                   nodes.size(), name_node(model, nodes.front()), distance, tolerance),
-      move_or_widen(distance));
+      move_or_widen(distance, tolerance));
 }
 
 void check_segments(const model::Model& model, const Surroundings& around, std::vector<Tie>& ties, Findings& findings) {

@@ -3,7 +3,7 @@
 large as the weld: tests/verify/coupons.cpp.
 
 Sabotage that this catches: a weld that hands over no moment (peel goes soft), bricks of another cross-section than the beam they replace,
-a failure function that sees the grip's force instead of the weld's.
+a failure function that sees the grip's force instead of the weld's, shells that yield at another force than solids do.
 """
 import pathlib
 import sys
@@ -38,6 +38,11 @@ class Coupons(unittest.TestCase):
             if u > 0.2:
                 self.assertAlmostEqual(curve.force(u) / force, 1.0, delta=0.10, msg=u)
         self.assertAlmostEqual(curve.work(reference[-1][0]) / work, 1.0, delta=0.08)
+
+    def test_plastic_lap_shear_with_a_square_nugget(self):
+        curve = self.run_all("lap_patch")["lap_patch"]
+        for u, force in study.SQUARE:
+            self.assertAlmostEqual(curve.force(u) / force, 1.0, delta=0.03, msg=u)
 
     def test_work_of_peel_and_cross_tension(self):
         for name, curve in self.run_all("peel_beam", "cross_beam").items():

@@ -553,6 +553,10 @@ void warn_of_interior(Builder& b, const Block& block, const Options&) {
                      "give their law a curve that stiffens there; a brick that turns inside out ends the run by name");
 }
 
+constexpr const char* other_tie_of_translations =
+    "this form is not built; ties of translations only have _OFFSET and _CONSTRAINED_OFFSET (_BEAM_OFFSET is for shell "
+    "edges and spot welds; ties that fail are not built)";
+
 }  // namespace
 
 std::vector<Keyword> contact_keywords() {
@@ -576,12 +580,12 @@ std::vector<Keyword> contact_keywords() {
       contact_keyword<Kind::tied_shell_edge_to_solid>("CONTACT_TIED_SHELL_EDGE_TO_SOLID"),
 
       refused("CONTACT_SPOTWELD_*", "this form of the weld tie is not built; use *CONTACT_SPOTWELD"),
-      refused("CONTACT_TIED_NODES_TO_SURFACE_*",
-              "this form is not built; of the ties of translations only _OFFSET and _CONSTRAINED_OFFSET are"),
+      refused("CONTACT_TIED_NODES_TO_SURFACE_*", other_tie_of_translations),
+      refused("CONTACT_TIED_SURFACE_TO_SURFACE_*", other_tie_of_translations),
       refused(
-          "CONTACT_TIED_SURFACE_TO_SURFACE_*",
-          "this form is not built (ties of translations only: _OFFSET and _CONSTRAINED_OFFSET are; ties that fail are "
-          "not)"),
+          "CONTACT_TIED_SHELL_EDGE_TO_SURFACE_*",
+          "this form is not built; _OFFSET, _BEAM_OFFSET, _CONSTRAINED_OFFSET and the plain one are (ties that fail "
+          "are not)"),
       refused("CONTACT_TIED_*",
               "this tie is not built; *CONTACT_SPOTWELD, *CONTACT_TIED_NODES_TO_SURFACE, "
               "*CONTACT_TIED_SURFACE_TO_SURFACE, *CONTACT_TIED_SHELL_EDGE_TO_SURFACE and ..._TO_SOLID are"),

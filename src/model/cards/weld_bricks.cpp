@@ -30,7 +30,7 @@ const Card more_bricks_card{{brick("eid9"), brick("eid10"), brick("eid11"), bric
 const Card weld_beam_card{{
     id("lct", IdSpace::function, 0, "curve: factor on the response in tension over the size of the shell tied to"),
     id("lcs", IdSpace::function, 0, "curve: factor on the response in shear over the size of the shell tied to"),
-    id("t_ort", IdSpace::function, 0, "table: factor over the place on the shell"),
+    id("t_ort", IdSpace::function, 0, "table: factor over the place on the shell; in shear too where T_ORS is 0"),
     integer("prtflg", 0, between(0, 1), "1: list the welds and these factors in run.log"),
     id("t_ors", IdSpace::function, 0, "table: factor over the place on the shell, in shear"),
     integer("rpbhx", 0, any_value, "replace each weld beam by 1, 4 or 8 bricks; 0: do not"),
@@ -93,6 +93,39 @@ void read_assembly(Builder& b, const Block& block, const Options& options) {
   }
 }
 
+bool positive(Builder& b, const Row& row, std::string_view field, const Curve& factor) {
+  if (factor.empty() || *std::min_element(factor.y.begin(), factor.y.end()) > 0.0) return true;
+  refuse(b, row, field, fmt::format("curve {} has a factor that is not above 0", factor.id),
+         "give factors on the strength of the weld; 1 changes nothing");
+  return false;
+}
+
+Index size_factor(Builder& b, const Row& row, std::string_view field) {
+  const Index c = b.curve(row, field);
+  return c != none && positive(b, row, field, b.model.curves[static_cast<std::size_t>(c)]) ? c : none;
+}
+
+/// LS-DYNA's documents name the two axes of T_ORT but not which is the table's and which the curves': angles go on to
+/// 45 degrees, places to 1.
+PlaceFactor place_factor(Builder& b, const Row& row, std::string_view field) {
+  PlaceFactor factor{b.whole_table(b.find(b.tables, "table", row, field)), false};
+  if (!factor.table.given()) return {};
+  constexpr double farthest_place = 1.05;  // a weld may be tied a little beyond the border
+  for (const Curve& curve : factor.table.curve) {
+    if (curve.empty() || !positive(b, row, field, curve)) return {};
+    factor.curves_over_angle |= curve.x.back() > farthest_place;
+  }
+  const bool values_are_angles = factor.table.value.back() > farthest_place;
+  if (values_are_angles != factor.curves_over_angle) return factor;
+  refuse(b, row, field,
+         fmt::format("table {}: its values and the abscissae of its curves {} reach beyond 1, so that it is not known "
+                     "which are angles",
+                     factor.table.id, values_are_angles ? "both" : "do not"),
+         "give angles from 0 to 45 degrees on one of the axes, places from 0 (middle of the shell) to 1 (its border) "
+         "on the other");
+  return {};
+}
+
 void read_weld_beam(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   const Row row = cursor.read(weld_beam_card);
@@ -100,15 +133,16 @@ void read_weld_beam(Builder& b, const Block& block, const Options&) {
   const int bricks = row.integer("rpbhx");
   if (bricks != 0 && bricks != 1 && bricks != 4 && bricks != 8)
     return refuse(b, row, "rpbhx", "expected 0, 1, 4 or 8", "assemblies of 16 bricks have to stand in the deck");
-  for (const auto* field : {"t_ort", "t_ors"})
-    refuse_nonzero(b, row, field,
-                   "factors over the place of a weld on its shell are not built: how LS-DYNA measures "
-                   "that place is not public",
-                   "leave it 0; LCT and LCS, factors over the shell's size, are obeyed");
+  if (bricks > 0)
+    for (const auto* field : {"t_ort", "t_ors"})
+      refuse_nonzero(b, row, field, "the nodes of the bricks of RPBHX stand on more than one place of a shell",
+                     "leave it 0, or keep the beams (RPBHX 0)");
   b.later(Phase::conditions, [row, bricks](Builder& later) {
     WeldBeamControl& c = later.model.control.weld_beams;
-    c.tension_curve = later.curve(row, "lct");
-    c.shear_curve = later.curve(row, "lcs");
+    c.tension_curve = size_factor(later, row, "lct");
+    c.shear_curve = size_factor(later, row, "lcs");
+    c.tension_place = place_factor(later, row, "t_ort");
+    c.shear_place = row.integer("t_ors") == 0 ? c.tension_place : place_factor(later, row, "t_ors");
     c.list = row.integer("prtflg") == 1;
     c.bricks = bricks;
     c.part_offset = row.integer("id_off");

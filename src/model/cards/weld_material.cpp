@@ -217,19 +217,12 @@ RateValue strength(Builder& b, const Row& row, std::string_view field, long offs
 }
 
 /// A curve, or a table over the strain rate.
-DirectionStrength direction_strength(Builder& b, const Row& row, std::string_view field) {
+CurveTable direction_strength(Builder& b, const Row& row, std::string_view field) {
   const int id = row.integer(field);
   if (id == 0) return {};
-  DirectionStrength strength;
-  if (const Index t = b.tables.find(id); t != none) {
-    const Table& table = b.model.tables[static_cast<std::size_t>(t)];
-    strength.rate = table.value;
-    for (const Index c : table.curve) strength.curve.push_back(b.model.curves[static_cast<std::size_t>(c)]);
-  } else if (const Index c = b.find(b.curves, "curve or table", row, field); c != none) {
-    strength.rate = {0.0};
-    strength.curve = {b.model.curves[static_cast<std::size_t>(c)]};
-  }
-  return strength;
+  if (const Index t = b.tables.find(id); t != none) return b.whole_table(t);
+  const Index c = b.find(b.curves, "curve or table", row, field);
+  return c == none ? CurveTable{} : CurveTable{id, {0.0}, {b.model.curves[static_cast<std::size_t>(c)]}};
 }
 
 void expect_positive(Builder& b, const Row& row, std::string_view field, std::string_view what) {

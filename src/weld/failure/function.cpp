@@ -252,8 +252,9 @@ std::unique_ptr<Function> make_function(const model::Model& model, const model::
   if (is_sum(law)) return by_shell_size(std::move(function), weld.shell);
   findings.warning(
       place, "*CONTROL_SPOTWELD_BEAM",
-      fmt::format("LCT and LCS do not act on OPT {}, whose value is no sum of tension and shear", law.option),
-      "use OPT 0, 1, 6, 7 or 10, or leave LCT and LCS 0");
+      fmt::format("LCT, LCS, T_ORT and T_ORS do not act on OPT {}, whose value is no sum of tension and shear",
+                  law.option),
+      "use OPT 0, 1, 6, 7 or 10, or leave them 0");
   return function;
 }
 

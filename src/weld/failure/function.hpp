@@ -24,10 +24,13 @@ struct Geometry {
   std::array<model::Index, 2> sheet{model::none, model::none};  ///< their parts
 
   double height = 0.0;  ///< of bricks: over which the shear force makes moments at the ends; 0: none [length]
-  /// LCT and LCS of *CONTROL_SPOTWELD_BEAM at the shells that a beam's ends are tied to.
+  /// LCT, LCS, T_ORT and T_ORS of *CONTROL_SPOTWELD_BEAM at the shells that the ends of a beam, or of bricks for it,
+  /// are tied to.
   struct ShellFactor {
     double size = 0.0;  ///< of the shell, sqrt of its area; 0: none [length]
     double tension = 1.0, shear = 1.0;
+    double place = 0.0;  ///< of a beam: 0 in the middle of the shell, 1 on its border
+    double angle = 0.0;  ///< of a beam: 0 towards the middle of a side, 45 towards a corner [degrees]
   };
   std::array<ShellFactor, 2> shell{};
 
@@ -42,7 +45,7 @@ struct Load {
   Resultants resultants;
   double rate = 0.0;  ///< effective strain rate [1/time]
   double time = 0.0;
-  double area = 0.0;            ///< of the cross-section of a weld of bricks now, seen along r [length^2]
+  double area = 0.0;            ///< of a weld of bricks now, across the line of its faces' centres [length^2]
   double plastic_strain = 0.0;  ///< mean over the weld
   double energy = 0.0;          ///< work done on the weld's elements so far
 };
@@ -106,14 +109,14 @@ std::unique_ptr<Function> connection_stress(const model::ConnectionProperties& p
                                             const model::ConnectionProperties::Record& record, double rate_filter,
                                             const Geometry& weld);
 
-/// Of a beam tied to shells; all factors 1 without curves.
+/// Of a beam tied to shells, or bricks in its place (mean size); all factors 1 without curves.
 std::array<Geometry::ShellFactor, 2> shell_factors(const model::Model& model, const Weld& weld);
 
 // Around another function.
 /// The value at the end of a weld of bricks where it is larger, the shear force acting over `height` (TRUE_T). `once`:
 /// `inner` remembers, and is asked for the end with the larger bending moment only.
 std::unique_ptr<Function> worse_end(std::unique_ptr<Function> inner, double height, bool once);
-/// The value with its parts by tension and by shear over the factors of the shells' sizes, at the worse end.
+/// The value with its parts by tension and by shear over the factors of the shells, at the worse end.
 std::unique_ptr<Function> by_shell_size(std::unique_ptr<Function> inner,
                                         const std::array<Geometry::ShellFactor, 2>& ends);
 

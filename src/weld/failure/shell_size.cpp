@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "weld/failure/function.hpp"
 
@@ -11,9 +12,9 @@ bool is_tension(FailureMode mode) {
   return mode == FailureMode::axial || mode == FailureMode::bending || mode == FailureMode::normal_stress;
 }
 
-/// LCT and LCS of *CONTROL_SPOTWELD_BEAM: the parts of the failure value by tension and bending and by shear and
-/// torsion, each over its factor at the size of the shell; the end with the larger value counts. Reference:
-/// spotweld-theory.md 4.9 (the project's own form).
+/// LCT, LCS, T_ORT and T_ORS of *CONTROL_SPOTWELD_BEAM: the parts of the failure value by tension and bending and by
+/// shear and torsion, each over its factors at the size of the shell and the place on it; the end with the larger value
+/// counts. Reference: spotweld-theory.md 4.9 (the project's own form).
 class ShellSize final : public Function {
  public:
   ShellSize(std::unique_ptr<Function> inner, const std::array<Geometry::ShellFactor, 2>& ends)
@@ -49,6 +50,18 @@ double shell_size(const model::Model& model, model::Index shell) {
   return std::sqrt(0.5 * norm(cross(x(2) - x(0), x(3) - x(1))));
 }
 
+/// Where a weld stands on its shell, as T_ORT has it: the larger of the bilinear coordinates, and the angle between it
+/// and their resultant; of a triangle how far from its middle to its border, at angle 0.
+void set_place(const Tie& tie, Geometry::ShellFactor& end) {
+  if (tie.segment[2] == tie.segment[3]) {
+    end.place = 1.0 - 3.0 * std::min({tie.weight[0], tie.weight[1], tie.weight[2]});
+    return;
+  }
+  const double a = std::abs(tie.xi), b = std::abs(tie.eta);
+  end.place = std::max(a, b);
+  end.angle = std::atan2(std::min(a, b), end.place) * 180.0 / std::numbers::pi;
+}
+
 }  // namespace
 
 std::array<Geometry::ShellFactor, 2> shell_factors(const model::Model& model, const Weld& weld) {
@@ -64,14 +77,15 @@ std::array<Geometry::ShellFactor, 2> shell_factors(const model::Model& model, co
       if (!here || !end.tied || end.tie.shell == model::none) continue;
       sum += shell_size(model, end.tie.shell);
       ++shells;
+      if (weld.kind == Weld::Kind::beam) set_place(end.tie, ends[k]);
     }
     if (shells == 0) continue;
     ends[k].size = sum / shells;
     const auto factor = [&](model::Index curve) {
       return curve == model::none ? 1.0 : model.curves[static_cast<std::size_t>(curve)].clamped(ends[k].size);
     };
-    ends[k].tension = factor(control.tension_curve);
-    ends[k].shear = factor(control.shear_curve);
+    ends[k].tension = factor(control.tension_curve) * control.tension_place.at(ends[k].place, ends[k].angle);
+    ends[k].shear = factor(control.shear_curve) * control.shear_place.at(ends[k].place, ends[k].angle);
   }
   return ends;
 }

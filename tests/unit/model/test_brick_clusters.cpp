@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -108,8 +109,31 @@ TEST(BrickClusters, AnImpossibleReplacementIsAnError) {
   const std::string flat = "*NODE\n31,0.5,0.5,0.0\n32,0.5,0.5,0.0\n*ELEMENT_BEAM\n71,9,31,32\n";
   EXPECT_TRUE(Built(small_deck(weld_part + flat + contact + "*CONTROL_SPOTWELD_BEAM\n,,,,,4\n"))
                   .error("weld beam 71 has no length"));
-  EXPECT_TRUE(Built(small_deck(weld_part + two_beams + contact + "*CONTROL_SPOTWELD_BEAM\n,,7\n"))
-                  .error("factors over the place of a weld", "t_ort"));
+  EXPECT_TRUE(Built(small_deck(weld_part + two_beams + contact + "*CONTROL_SPOTWELD_BEAM\n,,7,,,4\n"))
+                  .error("stand on more than one place of a shell", "t_ort"));
+}
+
+/// T_ORT 7 with two curves, each from `first` to `last`, at the table's values 0 and `value`.
+std::string place_table(double value, double last) {
+  return weld_part + two_beams + contact + "*CONTROL_SPOTWELD_BEAM\n,,7\n*DEFINE_TABLE_2D\n7\n" +
+         fmt::format("0.0,11\n{},12\n", value) + "*DEFINE_CURVE\n11\n0.0,1.0\n" + fmt::format("{},1.0\n", last) +
+         "*DEFINE_CURVE\n12\n0.0,1.0\n" + fmt::format("{},3.0\n", last);
+}
+
+TEST(WeldPlace, TheAxisBeyondOneIsTheAngle) {
+  const Built angles_on_curves(small_deck(place_table(1.0, 45.0))), angles_in_table(small_deck(place_table(45.0, 1.0)));
+  for (const Built* b : {&angles_on_curves, &angles_in_table}) {
+    const WeldBeamControl& c = b->model.control.weld_beams;
+    EXPECT_NEAR(c.tension_place.at(0.5, 22.5), 1.5, 1e-12);  // half of half of the way from 1 to 3
+    EXPECT_NEAR(c.tension_place.at(1.0, 45.0), 3.0, 1e-12);
+    EXPECT_NEAR(c.shear_place.at(0.5, 22.5), 1.5, 1e-12);  // T_ORS 0
+  }
+  EXPECT_EQ(angles_on_curves.model.control.weld_beams.tension_place.at(0.0, 45.0), 1.0);
+}
+
+TEST(WeldPlace, AnAxisThatCannotBeToldIsRefused) {
+  EXPECT_TRUE(Built(small_deck(place_table(1.0, 1.0))).error("do not reach beyond 1", "t_ort"));
+  EXPECT_TRUE(Built(small_deck(place_table(45.0, 45.0))).error("both reach beyond 1", "t_ort"));
 }
 
 const std::string bricks =

@@ -120,6 +120,14 @@ TEST(ProjectionCase5, NoSegmentInReachIsNotTied) {
                         "SAST = SBST = -13.1 in the contact"));
 }
 
+TEST(ProjectionCase5, FarFromAnySheetNoToleranceIsAdvised) {
+  TwoSheets a(10.0);
+  a.beam(a.welds, {75, 15, 0}, {15, 15, 10});
+  a.tied();
+  EXPECT_THAT(text(a.findings), HasSubstr("is 45 away, tolerance 3.6, not tied [move the weld to its sheet, or put the "
+                                          "sheet that is meant on the reference side (SURFB) of the contact]"));
+}
+
 TEST(ProjectionCase6, BesideItsOwnSheetTheClosestOtherSegmentIsTaken) {
   // The node lies in the plane of `lower`, 3 mm (in reach of its border) or 6 mm (not) beyond it; a third sheet runs 1
   // mm below.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "assembly.hpp"
 #include "weld/failure/function.hpp"
@@ -67,6 +68,26 @@ TEST(ShellSize, FactorsComeFromTheCurvesAtTheShells) {
   EXPECT_NEAR(ends[0].tension, 1.0, 1e-12);
   EXPECT_NEAR(ends[1].tension, 2.0, 1e-12);
   EXPECT_EQ(ends[1].shear, 1.0);
+}
+
+// spotweld-theory.md 4.9. Sabotage to be caught: the angle in radians; the smaller of the coordinates for the place.
+TEST(ShellSize, FactorsComeFromTheTablesAtThePlaceOnTheShell) {
+  test::Assembly a;
+  const model::Index fine = a.sheet(1.0, {0, 0, 0}, 6, 6, 5.0), coarse = a.sheet(1.0, {0, 0, 1});
+  const model::Index welds = a.beam_part(5.0);
+  a.tie({welds}, {fine, coarse});
+  a.beam(welds, {14, 13, 0}, {14, 13, 1});  // 1.5 and 0.5 off the centre (12.5, 12.5) of a shell of 5; of one of 10
+  model::WeldBeamControl& c = a.model.control.weld_beams;
+  c.tension_place = {{7, {0.0, 1.0}, {{1, {0.0, 45.0}, {1.0, 1.0}}, {2, {0.0, 45.0}, {2.0, 3.0}}}}, true};
+  Findings findings;
+  const Ties ties = weld::tie(a.model, findings);
+  const auto ends = shell_factors(a.model, ties.welds.at(0));
+  EXPECT_NEAR(ends[0].place, 0.6, 1e-12);
+  EXPECT_NEAR(ends[0].angle, std::atan(1.0 / 3.0) * 180.0 / std::numbers::pi, 1e-12);
+  EXPECT_NEAR(ends[0].tension, 1.0 + 0.6 * (1.0 + ends[0].angle / 45.0), 1e-12);
+  EXPECT_EQ(ends[0].shear, 1.0);
+  EXPECT_NEAR(ends[1].place, 0.4, 1e-12);  // (14, 13) is 1 and 2 off (15, 15)
+  EXPECT_NEAR(ends[1].angle, std::atan(0.5) * 180.0 / std::numbers::pi, 1e-12);
 }
 
 }  // namespace
