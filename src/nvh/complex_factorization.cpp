@@ -43,14 +43,17 @@ struct ComplexFactorization::Mumps {
   MUMPS_INT& option(int i) { return data.icntl[i - 1]; }  // numbers as in the user's guide
 };
 
-ComplexFactorization::ComplexFactorization(const Matrices& m) : matrices_(m), mumps_(std::make_unique<Mumps>()) {
+ComplexFactorization::ComplexFactorization(const Matrices& m, const Symmetric* damping)
+    : matrices_(m), damping_(damping), mumps_(std::make_unique<Mumps>()) {
   openblas_set_num_threads(1);  // so that sums do not depend on how many there are
-  for (const Symmetric* matrix : {&m.stiffness, &m.mass})
+  for (const Symmetric* matrix : {&m.stiffness, &m.mass, damping}) {
+    if (matrix == nullptr) continue;
     for (std::size_t j = 0; j < matrix->size(); ++j)
       for (const int row : matrix->rows(j)) {
         mumps_->row.push_back(row + 1);
         mumps_->column.push_back(static_cast<MUMPS_INT>(j) + 1);
       }
+  }
   mumps_->value.resize(mumps_->row.size());
   mumps_->order = elimination_order(m);
 
@@ -72,7 +75,8 @@ ComplexFactorization::ComplexFactorization(const Matrices& m) : matrices_(m), mu
 
 ComplexFactorization::~ComplexFactorization() = default;
 
-void ComplexFactorization::factor(std::complex<double> of_stiffness, std::complex<double> of_mass) {
+void ComplexFactorization::factor(std::complex<double> of_stiffness, std::complex<double> of_mass,
+                                  std::complex<double> of_damping) {
   std::size_t k = 0;
   const auto put = [&](const Symmetric& matrix, std::complex<double> factor) {
     for (std::size_t j = 0; j < matrix.size(); ++j)
@@ -80,6 +84,7 @@ void ComplexFactorization::factor(std::complex<double> of_stiffness, std::comple
   };
   put(matrices_.stiffness, of_stiffness);
   put(matrices_.mass, of_mass);  // entries given twice are added up
+  if (damping_ != nullptr) put(*damping_, of_damping);
   for (int more = 0;; ++more) {  // delayed pivots may need more room than was asked for
     try {
       mumps_->call(2);
