@@ -5,16 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "app/clock.hpp"
 #include "app/command.hpp"
+#include "app/linear_job.hpp"
 #include "app/modes.hpp"
-#include "app/outcome.hpp"
-#include "app/run_log.hpp"
 #include "app/status.hpp"
-#include "base/parallel.hpp"
-#include "nvh/linear_model.hpp"
 #include "nvh/steady_state.hpp"
 #include "output/results.hpp"
 #include "report/page.hpp"
@@ -141,54 +136,26 @@ bool all_direct(const model::Model& model) {
          (!model.steady_state || model.steady_state->direct);
 }
 
-ExitCode direct_responses(const fs::path& directory, const RunArguments& arguments, Prepared p, Findings& findings) {
-  Log log(directory / "run.log");
-  Clock clock;
-  std::optional<model::Model> linear;
-  std::optional<system::System> system;
-  std::optional<nvh::Matrices> matrices;
-  const weld::Ties ties = nvh::linear_ties(p.ties, findings);
-  if (findings.errors() == 0) linear.emplace(nvh::linear_model(p.model, findings));
-  if (findings.errors() == 0) system.emplace(*linear, ties, findings);
-  if (findings.errors() == 0) matrices.emplace(*system, findings);
-  if (matrices) check_responses(*matrices, p.model, findings);
-  start_log(log, arguments, p, findings);
-  if (findings.errors() > 0) return refuse(directory, log, findings);
-  print_findings(findings);
-  output::write_findings(directory, findings.all());
-  log.add(log_model(p.model));
-  log.add(log_ties(p.model, p.ties, all_of_them) + log_tied_nodes(p.model, p.ties));
-  try {
+ExitCode direct_responses(const fs::path& directory, const RunArguments& arguments, Prepared prepared,
+                          Findings& findings) {
+  LinearJob job(directory, arguments, std::move(prepared), findings);
+  const model::Model& model = job.deck().model;
+  if (job.assembled()) check_responses(job.matrices(), model, findings);
+  if (!job.accepted()) return ExitCode::refused;
+  return job.attempt([&] {
     Status status(arguments.quiet);
-    output::Summary summary;
-    summary.version = NUGGET_VERSION;
-    summary.deck = arguments.deck;
-    summary.count = counts(p.model, p.ties);
-    summary.seconds.read = p.read_seconds;
-    summary.seconds.setup = p.tie_seconds + clock.seconds();
-    summary.threads = threads();
-    summary.welds = p.welds;
-    const std::string text = responses_of(directory, {p.model.title, fmt::format("nugget {}", NUGGET_VERSION), today()},
-                                          *matrices, {}, p.model, summary, std::ref(status));
-    summary.seconds.solve = clock.seconds();
-    output::write_welds(directory, p.welds);
-    output::write_summary(directory, summary);
+    output::Summary summary = job.summary();
+    const std::string text =
+        responses_of(directory, job.header(), job.matrices(), {}, model, summary, std::ref(status));
+    summary.seconds.solve = job.seconds();
+    job.write(summary);
     report::write_report(directory);
     status.clear();
-    const std::string end = log_termination({impact::Termination::normal, {}});
-    log.add(text + end);
+    job.add_to_log(text);
     fmt::print("{}", text);
-    if (!arguments.quiet)
-      fmt::print(stderr, "{} equations in {:.2f} s; results in {}\n", matrices->size(), summary.seconds.solve,
-                 directory.string());
-    fmt::print("{}", end);
-    return ExitCode::normal;
-  } catch (const nvh::Factorization::SolverError& error) {
-    log.add(log_termination({impact::Termination::error, error.text}));
-    fmt::print(stderr, "{}\n", error.text);
-    fmt::print("{}", log_termination({impact::Termination::error, {}}));
-    return ExitCode::error_termination;
-  }
+    return job.end({impact::Termination::normal, {}},
+                   fmt::format("{} equations in {:.2f} s", job.matrices().size(), summary.seconds.solve));
+  });
 }
 
 ExitCode frf(const RunArguments& arguments, bool direct) {

@@ -7,17 +7,13 @@
 #include <cmath>
 #include <optional>
 
-#include "app/clock.hpp"
 #include "app/frf.hpp"
+#include "app/linear_job.hpp"
 #include "app/mode_pairs.hpp"
-#include "app/outcome.hpp"
 #include "app/preload.hpp"
 #include "app/run_log.hpp"
 #include "app/status.hpp"
 #include "app/weld_study.hpp"
-#include "base/index.hpp"
-#include "base/parallel.hpp"
-#include "nvh/linear_model.hpp"
 #include "nvh/mode_files.hpp"
 #include "output/results.hpp"
 #include "report/page.hpp"
@@ -105,15 +101,8 @@ std::string cost_table(const nvh::Matrices& m, const nvh::Modes& modes, const ou
       summary.seconds.setup, summary.seconds.output);
 }
 
-output::Summary summarise(const ModesArguments& arguments, const Prepared& p, const nvh::Modes& modes) {
-  output::Summary s;
-  s.version = NUGGET_VERSION;
-  s.deck = arguments.run.deck;
-  s.count = counts(p.model, p.ties);
+void tell_modes(const nvh::Modes& modes, output::Summary& s) {
   s.mass.physical = modes.total[0];
-  s.seconds.read = p.read_seconds;
-  s.threads = threads();
-  s.welds = p.welds;
   for (std::size_t i = 0; i < modes.eigenvalue.size(); ++i) {
     output::ModeReport r;
     r.mode = static_cast<int>(i) + 1;
@@ -122,100 +111,79 @@ output::Summary summarise(const ModesArguments& arguments, const Prepared& p, co
     for (std::size_t k = 0; k < 6; ++k) r.effective_mass[k] = r.participation[k] * r.participation[k];
     s.modes.push_back(r);
   }
-  return s;
+}
+
+/// The welds that `--drop-weld` names, if any; where it cannot be obeyed, why.
+std::optional<DropRequest> drop_of(const std::string& word, const nvh::ModeRequest& request,
+                                   const system::System& system, std::string& complaint) {
+  if (word.empty()) return {};
+  if (!system.model.implicit.geometric && request.low <= 0.0 && request.centre <= 0.0)
+    return drop_request(word, system, complaint);
+  complaint = system.model.implicit.geometric
+                  ? "it is not built for preloaded structures: write IGS 2 in *CONTROL_IMPLICIT_GENERAL"
+                  : "it needs the lowest modes: leave out --fmin (LFLAG, CENTER in the deck)";
+  return {};
 }
 
 }  // namespace
 
-ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Prepared p, Findings& findings,
+ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Prepared prepared, Findings& findings,
                   const std::optional<nvh::ShapeFile>& other) {
-  Log log(directory / "run.log");
-  Clock clock;
-  std::optional<model::Model> linear;
-  const weld::Ties ties = nvh::linear_ties(p.ties, findings);
-  std::optional<system::System> system;
-  std::optional<nvh::Matrices> matrices;
-  if (findings.errors() == 0) linear.emplace(nvh::linear_model(p.model, findings));
-  if (findings.errors() == 0) system.emplace(*linear, ties, findings);
-  if (findings.errors() == 0) matrices.emplace(*system, findings);
-  if (matrices) nvh::tell_held_motions(matrices->equations, p.model, findings);
-  if (matrices && arguments.response) check_responses(*matrices, p.model, findings);
-  check_preload(p.model, findings);
-  start_log(log, arguments.run, p, findings);
-  if (findings.errors() > 0) return refuse(directory, log, findings);
-  print_findings(findings);
-  output::write_findings(directory, findings.all());
-  log.add(log_model(p.model));
-  log.add(log_ties(p.model, p.ties, all_of_them) + log_tied_nodes(p.model, p.ties));
-  const double setup = p.tie_seconds + clock.seconds();
-  const nvh::ModeRequest request = request_of(arguments, p.model);
-  std::optional<DropRequest> drop;
-  if (!arguments.drop.empty()) {
-    std::string complaint;
-    if (p.model.implicit.geometric)
-      complaint = "it is not built for preloaded structures: write IGS 2 in *CONTROL_IMPLICIT_GENERAL";
-    else if (request.low > 0.0 || request.centre > 0.0)
-      complaint = "it needs the lowest modes: leave out --fmin (LFLAG, CENTER in the deck)";
-    else
-      drop = drop_request(arguments.drop, *system, complaint);
-    if (!drop) {
-      fmt::print(stderr, "nugget: --drop-weld {}: {}\n", arguments.drop, complaint);
-      log.add(log_termination({impact::Termination::error, complaint}));
-      return ExitCode::wrong_command;
-    }
+  LinearJob job(directory, arguments.run, std::move(prepared), findings);
+  const model::Model& model = job.deck().model;
+  if (job.assembled()) nvh::tell_held_motions(job.matrices().equations, model, findings);
+  if (job.assembled() && arguments.response) check_responses(job.matrices(), model, findings);
+  check_preload(model, findings);
+  if (!job.accepted()) return ExitCode::refused;
+  nvh::Matrices& matrices = job.matrices();
+  const nvh::ModeRequest request = request_of(arguments, model);
+  std::string complaint;
+  const std::optional<DropRequest> drop = drop_of(arguments.drop, request, matrices.system, complaint);
+  if (!complaint.empty()) {
+    fmt::print(stderr, "nugget: --drop-weld {}: {}\n", arguments.drop, complaint);
+    job.add_to_log(log_termination({impact::Termination::error, complaint}));
+    return ExitCode::wrong_command;
   }
 
-  try {
+  return job.attempt([&] {
     Status status(arguments.run.quiet);
-    const std::string preload = stiffen_by_preload(*matrices);
-    const nvh::Modes modes = nvh::find_modes(*matrices, request, std::ref(status));
-    const double solve = clock.seconds();
+    const std::string preload = stiffen_by_preload(matrices);
+    const nvh::Modes modes = nvh::find_modes(matrices, request, std::ref(status));
+    output::Summary summary = job.summary();
+    tell_modes(modes, summary);
+    summary.seconds.solve = job.seconds();
     status("strain energies and files");
-    const nvh::EnergyShares shares = nvh::energy_shares(*matrices, modes);
-    output::Summary summary = summarise(arguments, p, modes);
-    summary.seconds.setup = setup;
-    summary.seconds.solve = solve;
-    const output::Header header{p.model.title, fmt::format("nugget {}", NUGGET_VERSION), today()};
-    nvh::write_modes(directory, header, *matrices, modes, shares);
-    std::string response;  // and what else is told after the modes
+    const nvh::EnergyShares shares = nvh::energy_shares(matrices, modes);
+    nvh::write_modes(directory, job.header(), matrices, modes, shares);
+    std::string more;  // that is told after the modes
     if (arguments.response) {
       status("frequency response");
-      response = responses_of(directory, header, *matrices, modes, p.model, summary, std::ref(status));
+      more = responses_of(directory, job.header(), matrices, modes, model, summary, std::ref(status));
     }
-    if (drop) response += weld_study(directory, *matrices, modes, *drop, summary, std::ref(status));
+    if (drop) more += weld_study(directory, matrices, modes, *drop, summary, std::ref(status));
     if (other) {
-      const nvh::ModeComparison comparison = nvh::compare(*matrices, modes, *other);
+      const nvh::ModeComparison comparison = nvh::compare(matrices, modes, *other);
       nvh::write_mac(directory, modes, comparison);
-      response += pair_table(modes, comparison, arguments.compare);
+      more += pair_table(modes, comparison, arguments.compare);
     }
-    output::write_welds(directory, p.welds);
-    summary.seconds.output = clock.seconds();
+    summary.seconds.output = job.seconds();
+    impact::Outcome outcome{impact::Termination::normal, {}};
     if (!modes.proof.complete()) {
+      outcome = {impact::Termination::error,
+                 fmt::format("{} modes were counted but {} found", modes.proof.counted, modes.proof.found)};
       summary.termination = "error";
-      summary.message = fmt::format("{} modes were counted but {} found", modes.proof.counted, modes.proof.found);
+      summary.message = outcome.message;
     }
-    output::write_summary(directory, summary);
+    job.write(summary);
     report::write_report(directory);
     const std::string table = mode_table(modes);
-    log.add(preload + table + energy_table(p.model, p.ties, modes, shares) + response +
-            cost_table(*matrices, modes, summary));
+    job.add_to_log(preload + table + energy_table(model, job.deck().ties, modes, shares) + more +
+                   cost_table(matrices, modes, summary));
     status.clear();
-    fmt::print("{}{}", table, response);
-    const impact::Termination end = modes.proof.complete() ? impact::Termination::normal : impact::Termination::error;
-    log.add(log_termination({end, summary.message}));
-    if (!summary.message.empty()) fmt::print(stderr, "{}\n", summary.message);
-    if (!arguments.run.quiet)
-      fmt::print(stderr, "{} modes of {} equations in {:.2f} s; results in {}\n", modes.eigenvalue.size(),
-                 matrices->size(), solve, directory.string());
-    fmt::print("{}", log_termination({end, {}}));
-    return end == impact::Termination::normal ? ExitCode::normal : ExitCode::error_termination;
-  } catch (const nvh::Factorization::SolverError& error) {
-    const impact::Outcome outcome{impact::Termination::error, error.text};
-    log.add(log_termination(outcome));
-    fmt::print(stderr, "{}\n", error.text);
-    fmt::print("{}", log_termination({outcome.termination, {}}));
-    return ExitCode::error_termination;
-  }
+    fmt::print("{}{}", table, more);
+    return job.end(outcome, fmt::format("{} modes of {} equations in {:.2f} s", modes.eigenvalue.size(),
+                                        matrices.size(), summary.seconds.solve));
+  });
 }
 
 ExitCode modes(const ModesArguments& arguments) {

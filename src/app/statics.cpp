@@ -5,14 +5,9 @@
 
 #include <optional>
 
-#include "app/clock.hpp"
-#include "app/outcome.hpp"
-#include "app/run_log.hpp"
+#include "app/linear_job.hpp"
 #include "base/index.hpp"
-#include "base/parallel.hpp"
-#include "nvh/linear_model.hpp"
 #include "nvh/static_files.hpp"
-#include "output/results.hpp"
 
 namespace nugget::app {
 namespace {
@@ -62,63 +57,29 @@ std::string result_table(const nvh::Matrices& m, const nvh::Statics& s) {
 
 }  // namespace
 
-ExitCode statics_of(const fs::path& directory, const RunArguments& arguments, Prepared p, Findings& findings) {
-  Log log(directory / "run.log");
-  Clock clock;
-  std::optional<model::Model> linear;
-  std::optional<system::System> system;
-  std::optional<nvh::Matrices> matrices;
-  nvh::check_statics(p.model, findings);
-  const weld::Ties ties = nvh::linear_ties(p.ties, findings);
-  if (findings.errors() == 0) linear.emplace(nvh::linear_model(p.model, findings));
-  if (findings.errors() == 0) system.emplace(*linear, ties, findings);
-  if (findings.errors() == 0) matrices.emplace(*system, findings);
-  const double setup = p.tie_seconds + clock.seconds();
-  try {
+ExitCode statics_of(const fs::path& directory, const RunArguments& arguments, Prepared prepared, Findings& findings) {
+  nvh::check_statics(prepared.model, findings);
+  LinearJob job(directory, arguments, std::move(prepared), findings);
+  return job.attempt([&] {
     std::optional<nvh::Statics> statics;
-    if (findings.errors() == 0) statics.emplace(nvh::solve_statics(*matrices, findings));
-    const double solve = clock.seconds();
-    start_log(log, arguments, p, findings);
-    if (findings.errors() > 0) return refuse(directory, log, findings);
-    print_findings(findings);
-    output::write_findings(directory, findings.all());
-    log.add(log_model(p.model));
-    log.add(log_ties(p.model, p.ties, all_of_them) + log_tied_nodes(p.model, p.ties));
+    if (job.assembled()) statics.emplace(nvh::solve_statics(job.matrices(), findings));
+    const double solve = job.seconds();
+    if (!job.accepted()) return ExitCode::refused;
 
-    nvh::write_statics(directory, {p.model.title, fmt::format("nugget {}", NUGGET_VERSION), today()}, *matrices,
-                       *statics);
-    tell_forces(*statics, p.welds);
-    output::write_welds(directory, p.welds);
-    output::Summary summary;
-    summary.version = NUGGET_VERSION;
-    summary.deck = arguments.deck;
-    summary.count = counts(p.model, p.ties);
-    summary.time = p.model.control.end_time;
+    nvh::write_statics(directory, job.header(), job.matrices(), *statics);
+    tell_forces(*statics, job.deck().welds);
+    output::Summary summary = job.summary();
+    summary.time = job.deck().model.control.end_time;
     summary.energy.internal = statics->energy;
     summary.energy.external = statics->external;
-    summary.seconds.read = p.read_seconds;
-    summary.seconds.setup = setup;
     summary.seconds.solve = solve;
-    summary.seconds.output = clock.seconds();
-    summary.threads = threads();
-    summary.welds = p.welds;
-    output::write_summary(directory, summary);
-    const std::string table = result_table(*matrices, *statics);
-    log.add(table);
+    summary.seconds.output = job.seconds();
+    job.write(summary);
+    const std::string table = result_table(job.matrices(), *statics);
+    job.add_to_log(table);
     fmt::print("{}", table);
-    const std::string end = log_termination({impact::Termination::normal, {}});
-    log.add(end);
-    fmt::print("{}", end);
-    return ExitCode::normal;
-  } catch (const nvh::Factorization::SolverError& error) {
-    start_log(log, arguments, p, findings);
-    print_findings(findings);
-    output::write_findings(directory, findings.all());
-    log.add(log_termination({impact::Termination::error, error.text}));
-    fmt::print(stderr, "{}\n", error.text);
-    fmt::print("{}", log_termination({impact::Termination::error, {}}));
-    return ExitCode::error_termination;
-  }
+    return job.end({impact::Termination::normal, {}});
+  });
 }
 
 }  // namespace nugget::app

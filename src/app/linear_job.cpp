@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/linear_job.hpp"
+
+#include <utility>
+
+#include "app/outcome.hpp"
+#include "app/run_log.hpp"
+#include "base/parallel.hpp"
+#include "nvh/linear_model.hpp"
+
+namespace nugget::app {
+
+LinearJob::LinearJob(const std::filesystem::path& directory, const RunArguments& arguments, Prepared prepared,
+                     Findings& findings)
+    : directory_(directory),
+      arguments_(arguments),
+      findings_(findings),
+      deck_(std::move(prepared)),
+      log_(directory / "run.log"),
+      ties_(nvh::linear_ties(deck_.ties, findings)) {
+  if (findings.errors() == 0) model_.emplace(nvh::linear_model(deck_.model, findings));
+  if (findings.errors() == 0) system_.emplace(*model_, ties_, findings);
+  if (findings.errors() == 0) matrices_.emplace(*system_, findings);
+  setup_seconds_ = deck_.tie_seconds + clock_.seconds();
+}
+
+void LinearJob::tell_findings() {
+  start_log(log_, arguments_, deck_, findings_);
+  print_findings(findings_);
+  output::write_findings(directory_, findings_.all());
+  told_ = true;
+}
+
+bool LinearJob::accepted() {
+  if (findings_.errors() > 0) {
+    start_log(log_, arguments_, deck_, findings_);
+    refuse(directory_, log_, findings_);
+    return false;
+  }
+  tell_findings();
+  log_.add(log_model(deck_.model));
+  log_.add(log_ties(deck_.model, deck_.ties, all_of_them) + log_tied_nodes(deck_.model, deck_.ties));
+  setup_seconds_ += clock_.seconds();
+  return true;
+}
+
+output::Header LinearJob::header() const {
+  return {deck_.model.title, fmt::format("nugget {}", NUGGET_VERSION), today()};
+}
+
+output::Summary LinearJob::summary() const {
+  output::Summary s;
+  s.version = NUGGET_VERSION;
+  s.deck = arguments_.deck;
+  s.count = counts(deck_.model, deck_.ties);
+  s.seconds.read = deck_.read_seconds;
+  s.seconds.setup = setup_seconds_;
+  s.threads = threads();
+  s.welds = deck_.welds;
+  return s;
+}
+
+void LinearJob::write(const output::Summary& summary) const {
+  output::write_welds(directory_, summary.welds);
+  output::write_summary(directory_, summary);
+}
+
+ExitCode LinearJob::end(const impact::Outcome& outcome, const std::string& done) {
+  log_.add(log_termination(outcome));
+  if (!outcome.message.empty()) fmt::print(stderr, "{}\n", outcome.message);
+  if (!done.empty() && !arguments_.quiet) fmt::print(stderr, "{}; results in {}\n", done, directory_.string());
+  fmt::print("{}", log_termination({outcome.termination, {}}));
+  return outcome.termination == impact::Termination::normal ? ExitCode::normal : ExitCode::error_termination;
+}
+
+}  // namespace nugget::app

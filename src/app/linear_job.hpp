@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/clock.hpp"
+#include "app/command.hpp"
+#include "impact/options.hpp"
+#include "nvh/factorization.hpp"
+#include "nvh/matrices.hpp"
+#include "output/ascii.hpp"
+#include "output/summary.hpp"
+
+namespace nugget::app {
+
+/// A linear analysis (modes, responses over frequency, statics) of a prepared deck, into a folder whose old results are
+/// gone: what comes before the first equation is solved, and what all of them leave behind.
+class LinearJob {
+ public:
+  /// Ties, elements and matrices as linear analyses have them; no matrices after errors.
+  LinearJob(const std::filesystem::path& directory, const RunArguments& arguments, Prepared prepared,
+            Findings& findings);
+  LinearJob(const LinearJob&) = delete;
+  LinearJob& operator=(const LinearJob&) = delete;
+
+  Prepared& deck() { return deck_; }
+  bool assembled() const { return matrices_.has_value(); }
+  nvh::Matrices& matrices() { return *matrices_; }
+
+  /// Tells the findings, parts and ties. False: there were errors, and the deck is refused.
+  bool accepted();
+  /// Runs `work`; where the solver gives up, that is told and ends the job.
+  template <class Work>
+  ExitCode attempt(Work work) {
+    try {
+      return work();
+    } catch (const nvh::Factorization::SolverError& error) {
+      if (!told_) tell_findings();
+      return end({impact::Termination::error, error.text});
+    }
+  }
+
+  /// Wall time since the last call, or since the matrices were there.
+  double seconds() { return clock_.seconds(); }
+  output::Header header() const;
+  /// The keys that all analyses have.
+  output::Summary summary() const;
+  void write(const output::Summary& summary) const;
+  void add_to_log(const std::string& text) { log_.add(text); }
+  /// `done`: what was done, in words, for the terminal.
+  ExitCode end(const impact::Outcome& outcome, const std::string& done = {});
+
+ private:
+  void tell_findings();
+
+  std::filesystem::path directory_;
+  RunArguments arguments_;
+  Findings& findings_;
+  Prepared deck_;
+  Log log_;
+  bool told_ = false;
+  Clock clock_;
+  weld::Ties ties_;
+  std::optional<model::Model> model_;
+  std::optional<system::System> system_;
+  std::optional<nvh::Matrices> matrices_;
+  double setup_seconds_ = 0.0;
+};
+
+}  // namespace nugget::app
