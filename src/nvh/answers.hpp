@@ -83,7 +83,7 @@ Answers direct_answers(const Matrices& matrices, std::span<const HarmonicLoad> l
                        const model::FrequencyResponse::Damping& damping, std::span<const Row> forms,
                        std::span<const double> frequency, const Tell& tell = {});
 
-/// Errors for damping and frequencies that belong to modes, and for a preload.
+/// Errors for damping and frequencies that belong to modes.
 void check_direct(const model::Model& model, const model::FrequencyResponse::Damping& damping, bool near_modes,
                   const Place& place, const char* keyword, Findings& findings);
 

@@ -19,9 +19,6 @@ void check_direct(const model::Model& model, const model::FrequencyResponse::Dam
   if (damping.ratio != 0.0 || damping.curve != model::none)
     findings.error(place, keyword, "damping by modes (DAMPF, LCDAM) has no matrix for the direct solution",
                    "give DMPMAS, DMPSTF or *DAMPING_STRUCTURAL, or solve by modes");
-  if (model.implicit.geometric)
-    findings.error(place, keyword, "the direct solution does not know the geometric stiffness of a preload (IGS 1)",
-                   "solve by modes, or write IGS 2");
   if (model.structural_damping.curve != model::none && model.structural_damping.by_mode)
     findings.error(place, "*DAMPING_STRUCTURAL",
                    "LCTYP 1, a loss factor by mode, has no matrix for the direct solution",

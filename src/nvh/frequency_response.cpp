@@ -50,7 +50,8 @@ void check_frequency_response(const Matrices& m, const model::FrequencyResponse&
     check_response(m, c.response, keyword, findings);
   }
   const Place& place = request.cases.front().excitation.place;
-  if (request.direct) check_direct(m.system.model, request.damping, request.near_modes.has_value(), place, keyword, findings);
+  if (request.direct)
+    check_direct(m.system.model, request.damping, request.near_modes.has_value(), place, keyword, findings);
   if (has_dashpots(m))
     findings.warning(place, keyword, "dashpots take no part in it: damping is that of its second card",
                      "use *FREQUENCY_DOMAIN_SSD with DMPFLG 1");

@@ -89,7 +89,7 @@ SteadyResult steady_state(const Matrices& m, const Modes& modes, const model::St
 }
 
 void write_steady_state(const std::filesystem::path& directory, const output::Header& header,
-                        const model::SteadyState& request, const SteadyResult& result) {
+                        const SteadyResult& result) {
   std::string text = "node,direction,response,frequency,amplitude,phase,real,imaginary\n";
   for (const SteadyCurve& curve : result.curve)
     for (std::size_t q = 0; q < steady_quantities.size(); ++q)

@@ -38,6 +38,6 @@ std::complex<double> amplitude(const model::Model& model, const model::SteadySta
 
 /// ssd.csv: a line for each frequency of each response; and nodout_ssd. Throws output::WriteError.
 void write_steady_state(const std::filesystem::path& directory, const output::Header& header,
-                        const model::SteadyState& request, const SteadyResult& result);
+                        const SteadyResult& result);
 
 }  // namespace nugget::nvh

@@ -179,7 +179,8 @@ void make_frf(Builder& builder, const std::vector<CaseRows>& cases, const Row& s
     if (b.model.frequency_response)
       return refuse(b, cases.front().excitation, "n1", "a deck has one *FREQUENCY_DOMAIN_FRF",
                     "put the excitations under one *FREQUENCY_DOMAIN_FRF_SUBCASE");
-    FrequencyResponse r{frequencies_of(b, frequencies)};
+    FrequencyResponse r;
+    static_cast<Frequencies&>(r) = frequencies_of(b, frequencies);
     for (const CaseRows& rows : cases) r.cases.push_back(case_of(b, rows));
     make_relative(b, relative, r);
     check_cases(b, cases.front(), r);

@@ -100,8 +100,9 @@ void read_general(Builder& b, const Block& block, const Options&) {
   b.model.implicit.geometric = row.integer("igs") == 1;
   if (!b.model.implicit.active) return;
   b.later(Phase::checks, [row](Builder& later) {
-    if (later.model.implicit.geometric && later.model.implicit.modes == 0)
-      refuse(later, row, "igs", "geometric stiffness is built in modes, not in statics or direct responses",
+    const bool response = later.model.frequency_response || later.model.steady_state;
+    if (later.model.implicit.geometric && later.model.implicit.modes == 0 && !response)
+      refuse(later, row, "igs", "geometric stiffness is built in modes and responses over frequency, not in statics",
              "write IGS 2, or ask for modes by NEIG in *CONTROL_IMPLICIT_EIGENVALUE");
     const bool has_solution =
         std::any_of(later.model.ledger.begin(), later.model.ledger.end(),

@@ -177,7 +177,8 @@ void read_d3ssd(Builder& b, const Block& block, const Options&) {
     return refuse(b, kind, "binary", "files of complex numbers are not built", "write 90 in one run and 91 in another");
   b.later(Phase::conditions, [binary, row](Builder& later) {
     using Part = SteadyState::States::Part;
-    SteadyState::States states{frequencies_of(later, row)};
+    SteadyState::States states;
+    static_cast<Frequencies&>(states) = frequencies_of(later, row);
     states.part = binary == 90 ? Part::real : binary == 91 ? Part::imaginary : Part::amplitude;
     steady_state(later).states = std::move(states);
   });
