@@ -211,7 +211,9 @@ Statics solve_statics(const Matrices& m, Findings& findings) {
     const Factorization factor(m, 0.0);
     if (factor.negative() > 0)
       throw Factorization::SolverError{fmt::format(
-          "the stiffness matrix has {} negative eigenvalues: the structure is not held", factor.negative())};
+          "the stiffness matrix has {} negative eigenvalues: the structure is not held; hold it so that it cannot move "
+          "as a rigid body (*BOUNDARY_SPC_..., *MAT_RIGID), or ask for its modes (NEIG)",
+          factor.negative())};
     factor.solve(q);
     s.cost = factor.cost();
   }
