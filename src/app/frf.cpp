@@ -9,8 +9,9 @@
 #include "app/command.hpp"
 #include "app/linear_job.hpp"
 #include "app/modes.hpp"
+#include "app/preload.hpp"
 #include "app/status.hpp"
-#include "nvh/steady_state.hpp"
+#include "nvh/response_states.hpp"
 #include "output/results.hpp"
 #include "report/page.hpp"
 
@@ -23,7 +24,7 @@ using Complex = std::complex<double>;
 /// A curve as the tables want it.
 struct Response {
   const char* kind;  ///< frf, ssd
-  int node;
+  int load_case, node;
   std::string direction, quantity;
   const std::vector<Complex>& value;
 };
@@ -64,16 +65,19 @@ std::size_t largest(const std::vector<Complex>& value) {
 std::string peaks(const std::vector<Response>& responses, const std::vector<double>& frequency, const char* file,
                   output::Summary& summary) {
   constexpr std::size_t most = 40;
-  std::string s = fmt::format("\n {:>10} {:>10} {:<20} {:>14} {:>14} {:>10}   {}\n", "node", "direction", "response",
-                              "frequency", "amplitude", "phase", "at the largest amplitude");
+  const bool cases = !responses.empty() && responses.back().load_case > 0;
+  std::string s =
+      fmt::format("\n{} {:>10} {:>10} {:<20} {:>14} {:>14} {:>10}   {}\n", cases ? fmt::format(" {:>5}", "case") : "",
+                  "node", "direction", "response", "frequency", "amplitude", "phase", "at the largest amplitude");
   for (std::size_t c = 0; c < responses.size(); ++c) {
     const Response& r = responses[c];
     const std::size_t k = largest(r.value);
     const double amplitude = std::abs(r.value[k]), phase = nvh::degrees(r.value[k]);
-    summary.responses.push_back({r.kind, r.node, r.direction, r.quantity, frequency[k], amplitude, phase});
+    summary.responses.push_back({r.kind, r.node, r.direction, r.quantity, frequency[k], amplitude, phase, r.load_case});
     if (c < most)
-      s += fmt::format(" {:>10} {:>10} {:<20} {:>14.6g} {:>14.6g} {:>10.2f}\n", r.node, r.direction, r.quantity,
-                       frequency[k], amplitude, phase);
+      s += fmt::format("{} {:>10} {:>10} {:<20} {:>14.6g} {:>14.6g} {:>10.2f}\n",
+                       cases ? fmt::format(" {:>5}", r.load_case) : "", r.node, r.direction, r.quantity, frequency[k],
+                       amplitude, phase);
   }
   if (responses.size() > most) s += fmt::format(" ... and {} more in {}\n", responses.size() - most, file);
   return s + '\n';
@@ -91,26 +95,30 @@ std::string frf_of(const fs::path& directory, const output::Header& header, cons
   nvh::write_frf(directory, header, request, result);
   std::vector<Response> responses;
   for (const nvh::FrfCurve& c : result.curve)
-    responses.push_back({"frf", c.node, nvh::direction_name(c.direction),
-                         nvh::to_string(request.response.quantity, c.rotation), c.value});
-  return title("Frequency response", responses.size(), request.frequency) +
-         route_text(modes, result.route, request.frequency.back()) +
-         peaks(responses, request.frequency, "frf.csv", summary);
+    responses.push_back({"frf", c.load_case, c.node, nvh::direction_name(c.direction),
+                         nvh::to_string(c.quantity, c.rotation), c.value});
+  std::string titles;
+  if (request.cases.size() > 1)
+    for (std::size_t i = 0; i < request.cases.size(); ++i)
+      titles += fmt::format(" case {}: {}\n", i + 1, request.cases[i].title);
+  return title("Frequency response", responses.size(), result.frequency) + titles +
+         route_text(modes, result.route, result.frequency.back()) +
+         peaks(responses, result.frequency, "frf.csv", summary);
 }
 
 std::string ssd_of(const fs::path& directory, const output::Header& header, const nvh::Matrices& matrices,
                    const nvh::Modes& modes, const model::SteadyState& request, output::Summary& summary,
                    const nvh::Tell& tell) {
   const nvh::SteadyResult result = nvh::steady_state(matrices, modes, request, tell);
-  nvh::write_steady_state(directory, header, request, result);
+  nvh::write_steady_state(directory, header, result);
   std::vector<Response> responses;
   for (const nvh::SteadyCurve& c : result.curve)
     for (std::size_t q = 0; q < nvh::steady_quantities.size(); ++q)
       responses.push_back(
-          {"ssd", c.node, nvh::direction_name(c.direction), nvh::to_string(nvh::steady_quantities[q]), c.value[q]});
-  return title("Steady state", responses.size(), request.frequency) +
-         route_text(modes, result.route, request.frequency.back()) +
-         peaks(responses, request.frequency, "ssd.csv", summary);
+          {"ssd", 0, c.node, nvh::direction_name(c.direction), nvh::to_string(nvh::steady_quantities[q]), c.value[q]});
+  return title("Steady state", responses.size(), result.frequency) +
+         route_text(modes, result.route, result.frequency.back()) +
+         peaks(responses, result.frequency, "ssd.csv", summary);
 }
 
 }  // namespace
@@ -121,7 +129,12 @@ std::string responses_of(const fs::path& directory, const output::Header& header
   std::string text;
   if (model.frequency_response)
     text += frf_of(directory, header, matrices, modes, *model.frequency_response, summary, tell);
-  if (model.steady_state) text += ssd_of(directory, header, matrices, modes, *model.steady_state, summary, tell);
+  if (!model.steady_state) return text;
+  if (!model.steady_state->frequency.empty())
+    text += ssd_of(directory, header, matrices, modes, *model.steady_state, summary, tell);
+  if (model.steady_state->states)
+    text += fmt::format("d3ssd: the motion of all nodes at {} frequencies\n\n",
+                        nvh::write_d3ssd(directory, matrices, modes, *model.steady_state, tell));
   return text;
 }
 
@@ -141,17 +154,19 @@ ExitCode direct_responses(const fs::path& directory, const RunArguments& argumen
   LinearJob job(directory, arguments, std::move(prepared), findings);
   const model::Model& model = job.deck().model;
   if (job.assembled()) check_responses(job.matrices(), model, findings);
+  check_preload(model, findings);
   if (!job.accepted()) return ExitCode::refused;
   return job.attempt([&] {
     Status status(arguments.quiet);
     output::Summary summary = job.summary();
+    const std::string preload = stiffen_by_preload(job.matrices());
     const std::string text =
         responses_of(directory, job.header(), job.matrices(), {}, model, summary, std::ref(status));
     summary.seconds.solve = job.seconds();
     job.write(summary);
     report::write_report(directory);
     status.clear();
-    job.add_to_log(text);
+    job.add_to_log(preload + text);
     fmt::print("{}", text);
     return job.end({impact::Termination::normal, {}},
                    fmt::format("{} equations in {:.2f} s", job.matrices().size(), summary.seconds.solve));

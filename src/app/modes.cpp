@@ -33,8 +33,10 @@ nvh::ModeRequest request_of(const ModesArguments& arguments, const model::Model&
     };
     r.high = 0.0;
     if (const auto& frf = model.frequency_response; frf && !frf->direct) r.high = reach(frf->modes, frf->frequency);
-    if (const auto& ssd = model.steady_state; ssd && !ssd->direct)
-      r.high = std::max(r.high, reach(ssd->modes, ssd->frequency));
+    if (const auto& ssd = model.steady_state; ssd && !ssd->direct) {
+      if (!ssd->frequency.empty()) r.high = std::max(r.high, reach(ssd->modes, ssd->frequency));
+      if (ssd->states) r.high = std::max(r.high, reach(ssd->modes, ssd->states->frequency));
+    }
     return r;
   }
   const bool interval = arguments.low > 0.0 || arguments.high > 0.0;
@@ -122,11 +124,8 @@ void tell_modes(const nvh::Modes& modes, output::Summary& s) {
 std::optional<DropRequest> drop_of(const std::string& word, const nvh::ModeRequest& request,
                                    const system::System& system, std::string& complaint) {
   if (word.empty()) return {};
-  if (!system.model.implicit.geometric && request.low <= 0.0 && request.centre <= 0.0)
-    return drop_request(word, system, complaint);
-  complaint = system.model.implicit.geometric
-                  ? "it is not built for preloaded structures: write IGS 2 in *CONTROL_IMPLICIT_GENERAL"
-                  : "it needs the lowest modes: leave out --fmin (LFLAG, CENTER in the deck)";
+  if (request.low <= 0.0 && request.centre <= 0.0) return drop_request(word, system, complaint);
+  complaint = "it needs the lowest modes: leave out --fmin (LFLAG, CENTER in the deck)";
   return {};
 }
 

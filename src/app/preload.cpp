@@ -24,13 +24,13 @@ void check_preload(const model::Model& model, Findings& findings) {
 std::string stiffen_by_preload(nvh::Matrices& m) {
   const model::Model& model = m.system.model;
   if (!model.implicit.geometric) return {};
-  nvh::Prestress prestress(m);
-  prestress.add_initial();
+  const auto prestress = std::make_shared<nvh::Prestress>(m);
+  prestress->add_initial();
   std::string text = "Preload\n\n";
   if (model.implicit.modes < 0) {
     Findings told;  // by check_preload
     const nvh::Statics statics = nvh::solve_statics(m, told);
-    prestress.add(statics);
+    prestress->add(statics);
     double largest = 0.0;
     for (const nvh::Six& u : statics.motion) largest = std::max(largest, norm(Vec3d{u[0], u[1], u[2]}));
     text += fmt::format(" linear statics at time {:.6g}: largest displacement {:.6g}, out of balance {:.2g}\n",
@@ -38,7 +38,7 @@ std::string stiffen_by_preload(nvh::Matrices& m) {
   }
   nvh::stiffen(m, prestress);
   return text + fmt::format(" geometric stiffness of {} elements; {} directions without any stiffness are held\n\n",
-                            prestress.elements(), m.held);
+                            prestress->elements(), m.held);
 }
 
 }  // namespace nugget::app

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "app/preload.hpp"
 #include "base/index.hpp"
 #include "nvh/mode_files.hpp"
 #include "output/result_file.hpp"
@@ -77,7 +78,12 @@ void solve_anew(const nvh::Matrices& m, const nvh::Modes& modes, const nvh::Weld
       if (seat.group >= 0) system.groups[at(seat.group)]->remove(at(seat.element));
     }
   }
-  const nvh::Matrices less(system, findings);
+  nvh::Matrices less(system, findings);
+  try {
+    stiffen_by_preload(less);
+  } catch (const nvh::Factorization::SolverError&) {
+    return;  // without the weld it does not bear its load
+  }
   nvh::ModeRequest request;
   request.count = static_cast<int>(modes.eigenvalue.size());
   const nvh::Modes now = nvh::find_modes(less, request, tell);

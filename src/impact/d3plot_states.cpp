@@ -3,13 +3,10 @@
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
+#include "output/element_stresses.hpp"
 
 namespace nugget::impact {
 namespace {
-
-output::StressRecord record(const system::ElementGroup::Layer& l) {
-  return {l.stress, l.plastic_strain};
-}
 
 /// The group that holds an element, or null where the element has no kernel.
 const system::ElementGroup* group_of(const Snapshot& now, const system::System::Seat& seat) {
@@ -18,31 +15,15 @@ const system::ElementGroup* group_of(const Snapshot& now, const system::System::
 
 void fill_shells(const Snapshot& now, output::D3plotState& s) {
   const model::Model& model = now.system.model;
-  const auto layers = at(model.requests.layers);
-  s.shells.resize(model.shells.size());
   s.shell_alive.assign(model.shells.size(), 1);
-  s.shell_layers.resize(model.shells.size() * layers);
   parallel_for(model.shells.size(), 256, [&](std::size_t begin, std::size_t end) {
-    std::vector<output::StressRecord> points;
     for (std::size_t e = begin; e < end; ++e) {
       const system::System::Seat seat = now.system.shell_seat[e];
       const system::ElementGroup* group = group_of(now, seat);
       s.shells[e].thickness = model.shells.thickness[e];
       if (group == nullptr) continue;
       const std::size_t i = at(seat.element);
-      points.clear();
-      for (int k = 0; k < group->layers(); ++k) points.push_back(record(group->layer(i, k, now.state)));
-      output::shell_layers(points, std::span(s.shell_layers).subspan(e * layers, layers));
-      const std::array<double, 8> r = group->resultants(i);
       output::ShellRecord& shell = s.shells[e];
-      shell.mx = r[0];
-      shell.my = r[1];
-      shell.mxy = r[2];
-      shell.qx = r[3];
-      shell.qy = r[4];
-      shell.nx = r[5];
-      shell.ny = r[6];
-      shell.nxy = r[7];
       shell.thickness = group->thickness(i);
       const double density = model.materials[at(model.parts[at(group->part)].material)].density;
       shell.internal_energy = group->mass(i) > 0.0 ? group->internal_energy(i) * density / group->mass(i) : 0.0;
@@ -57,13 +38,11 @@ void fill_shells(const Snapshot& now, output::D3plotState& s) {
 
 void fill_solids(const Snapshot& now, output::D3plotState& s) {
   const model::Model& model = now.system.model;
-  s.solids.resize(model.solids.size());
   s.solid_alive.assign(model.solids.size(), 1);
   for (std::size_t e = 0; e < model.solids.size(); ++e) {
     const system::System::Seat seat = now.system.solid_seat[e];
     const system::ElementGroup* group = group_of(now, seat);
     if (group == nullptr) continue;
-    static_cast<output::StressRecord&>(s.solids[e]) = record(group->layer(at(seat.element), 0, now.state));
     s.solids[e].strain = now.strains.solid(e);
     s.solid_alive[e] = group->alive(at(seat.element));
   }
@@ -71,10 +50,7 @@ void fill_solids(const Snapshot& now, output::D3plotState& s) {
 
 void fill_beams(const Snapshot& now, output::D3plotState& s) {
   const model::Model& model = now.system.model;
-  const auto points = at(model.requests.beam_points);
-  s.beams.resize(model.beams.size());
   s.beam_alive.assign(model.beams.size(), 1);
-  s.beam_points.resize(model.beams.size() * points);
   for (std::size_t e = 0; e < model.beams.size(); ++e) {
     const system::System::Seat seat = now.system.beam_seat[e];
     const system::ElementGroup* group = group_of(now, seat);
@@ -85,13 +61,7 @@ void fill_beams(const Snapshot& now, output::D3plotState& s) {
         s.beam_alive[e] = 0;
       continue;
     }
-    const std::array<double, 8> r = group->resultants(at(seat.element));
-    s.beams[e] = {r[0], r[1], r[2], r[4], r[5], r[3]};
     s.beam_alive[e] = group->alive(at(seat.element));
-    for (std::size_t k = 0; k < std::min(points, at(group->layers())); ++k) {
-      const system::ElementGroup::Layer l = group->layer(at(seat.element), static_cast<int>(k), now.state);
-      s.beam_points[e * points + k] = {l.stress[3], l.stress[5], l.stress[0], l.plastic_strain, 0.0};
-    }
   }
 }
 
@@ -124,6 +94,7 @@ output::D3plotState d3plot_state(const Snapshot& now) {
     s.v[n] = now.velocity(k);
     s.a[n] = now.acceleration(k);
   }
+  output::fill_stresses(now.system, now.state, s);
   fill_solids(now, s);
   fill_beams(now, s);
   fill_shells(now, s);

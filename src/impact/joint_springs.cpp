@@ -6,19 +6,13 @@
 #include <limits>
 
 #include "base/index.hpp"
+#include "base/rotation_between.hpp"
 #include "impact/body_points.hpp"
 
 namespace nugget::impact {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Axis times angle of the rotation that brings the axes a to b.
-Vec3d rotation_between(const Frame3d& a, const Frame3d& b) {
-  const Vec3d sine = 0.5 * (cross(a.e1, b.e1) + cross(a.e2, b.e2) + cross(a.e3, b.e3));
-  const double cosine = 0.5 * (dot(a.e1, b.e1) + dot(a.e2, b.e2) + dot(a.e3, b.e3) - 1.0), size = norm(sine);
-  return size > 0.0 ? (std::atan2(size, cosine) / size) * sine : Vec3d{};
-}
 
 std::array<Vec3d, 3> rows(const Frame3d& f) {
   return {f.e1, f.e2, f.e3};

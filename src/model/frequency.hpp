@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "model/parts.hpp"
@@ -15,8 +17,17 @@ struct StructuralDamping {
   bool given() const { return factor > 0.0 || curve != none; }
 };
 
-/// *FREQUENCY_DOMAIN_FRF: steady response to one harmonic excitation of unit amplitude, over frequency.
-struct FrequencyResponse {
+/// At which frequencies a response is wanted [cycles/time].
+struct Frequencies {
+  std::vector<double> frequency;  ///< ascending; where `near_modes` is given only the ends of the range
+  /// FSPACE 2, 3: known only when the modes are. So many in all, which gather at the natural ones within the range; 0:
+  /// these alone.
+  std::optional<int> near_modes;
+};
+
+/// *FREQUENCY_DOMAIN_FRF: steady response to one harmonic excitation of unit amplitude, over frequency; of _SUBCASE to
+/// several, one at a time.
+struct FrequencyResponse : Frequencies {
   enum class Quantity { velocity, acceleration, displacement, force };
 
   struct Excitation {
@@ -33,7 +44,7 @@ struct FrequencyResponse {
     std::vector<Segment> pressed;  ///< each carries a pressure of amplitude 1, against its normal
     Place place;                   ///< of the card
     bool moves() const { return kind == Kind::base || kind == Kind::enforced; }
-  } excitation;
+  };
 
   struct Response {
     std::vector<Index> nodes;
@@ -42,7 +53,14 @@ struct FrequencyResponse {
     Quantity quantity = Quantity::displacement;
     bool relative = false;  ///< to the base
     Place place;            ///< of the card
-  } response;
+  };
+
+  struct Case {
+    std::string title;
+    Excitation excitation;
+    Response response;
+  };
+  std::vector<Case> cases;  ///< one, but for _SUBCASE
 
   /// Which of the modes take part, from the lowest on.
   struct Selection {
@@ -58,15 +76,16 @@ struct FrequencyResponse {
     bool by_mode = false;    ///< the curve is over the number of the mode
     double mass = 0.0;       ///< alpha of Rayleigh's damping [1/time]
     double stiffness = 0.0;  ///< beta [time]
+    bool of_parts = false;   ///< DMPFLG 1: dashpots and *DAMPING_PART_... instead of all of the above
   } damping;
 
-  std::vector<double> frequency;  ///< at which the response is wanted, ascending [cycles/time]
-  bool direct = false;            ///< no modes, one solution for each frequency
-  bool by_parts = false;          ///< OUTPUT 1: LS-DYNA's files hold real and imaginary part
+  bool direct = false;    ///< no modes, one solution for each frequency
+  bool by_parts = false;  ///< OUTPUT 1: LS-DYNA's files hold real and imaginary part
 };
 
 /// *FREQUENCY_DOMAIN_SSD: steady response to harmonic loads together, each with its amplitude and phase over frequency.
-struct SteadyState {
+/// `frequency`: of *DATABASE_FREQUENCY_ASCII_NODOUT_SSD.
+struct SteadyState : Frequencies {
   struct Load {
     FrequencyResponse::Excitation excitation;
     double scale = 1.0;
@@ -78,7 +97,12 @@ struct SteadyState {
   bool relative = false;  ///< responses to the base's motion are relative to it
   FrequencyResponse::Selection modes;
   FrequencyResponse::Damping damping;
-  std::vector<double> frequency;  ///< of *DATABASE_FREQUENCY_ASCII_NODOUT_SSD, ascending [cycles/time]
+
+  /// *DATABASE_FREQUENCY_BINARY_D3SSD: the motion of all nodes.
+  struct States : Frequencies {
+    enum class Part { amplitude, real, imaginary } part = Part::amplitude;
+  };
+  std::optional<States> states;
 };
 
 }  // namespace nugget::model

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <complex>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -46,6 +47,10 @@ class Superposition {
 
   Answers answers(const model::FrequencyResponse::Damping& damping, std::span<const Row> forms,
                   std::span<const double> frequency) const;
+  /// How much of each oscillator, mode or residual vector, answers each load of amplitude 1; as forms of Answers.
+  Answers shares(const model::FrequencyResponse::Damping& damping, std::span<const double> frequency) const;
+  std::size_t oscillators() const { return oscillators_.size(); }
+  std::span<const double> shape(std::size_t i) const { return oscillators_[i].shape; }
 
   const Route& route() const { return route_; }
 
@@ -56,6 +61,7 @@ class Superposition {
     int number = 0;            ///< as a mode, counted from 1
     std::vector<double> load;  ///< shape^t f of each load
   };
+  void couple(std::span<const double> frequency, Answers& shares) const;
   const Matrices& m_;
   std::size_t loads_ = 0;
   Route route_;
@@ -63,15 +69,23 @@ class Superposition {
   std::vector<Oscillator> oscillators_;
 };
 
-/// One solution of (K (1 + i g + i omega beta) + i omega alpha M - omega^2 M) q = f for each frequency, whatever the
-/// modes are. Damping by modes has no matrix and must not be there. Throws Factorization::SolverError.
+/// Solutions of (K (1 + i g + i omega beta) + i omega (alpha M + C) - omega^2 M) q = f, whatever the modes are; C is
+/// part_damping, where the damping is of parts. Damping by modes has no matrix and must not be there. Of each frequency
+/// `load` gives the right-hand sides, one after the other, and `visit` gets the answers in their place. Throws
+/// Factorization::SolverError.
+using OneFrequency = std::function<void(std::size_t k, std::vector<std::complex<double>>& x)>;
+void solve_directly(const Matrices& matrices, const model::FrequencyResponse::Damping& damping,
+                    std::span<const double> frequency, std::size_t loads, const OneFrequency& load,
+                    const OneFrequency& visit, const Tell& tell);
+
+/// What is kept of them, for loads of amplitude 1.
 Answers direct_answers(const Matrices& matrices, std::span<const HarmonicLoad> loads,
                        const model::FrequencyResponse::Damping& damping, std::span<const Row> forms,
                        std::span<const double> frequency, const Tell& tell = {});
 
-/// Errors for damping that belongs to modes, and for a preload.
-void check_direct(const model::Model& model, const model::FrequencyResponse::Damping& damping, const Place& place,
-                  const char* keyword, Findings& findings);
+/// Errors for damping and frequencies that belong to modes.
+void check_direct(const model::Model& model, const model::FrequencyResponse::Damping& damping, bool near_modes,
+                  const Place& place, const char* keyword, Findings& findings);
 
 /// The loss factor of *DAMPING_STRUCTURAL at a frequency of the excitation, for a mode counted from 1.
 double loss_factor(const model::Model& model, double frequency, int mode);

@@ -7,9 +7,18 @@
 #include "nvh/mumps.hpp"
 
 namespace nugget::nvh {
+namespace {
 
-ComplexFactorization::ComplexFactorization(const Matrices& m)
-    : mumps_(std::make_unique<Mumps<std::complex<double>>>(m)) {
+std::vector<const Symmetric*> terms(const Matrices& m, const Symmetric* damping) {
+  std::vector<const Symmetric*> all{&m.stiffness, &m.mass};
+  if (damping != nullptr) all.push_back(damping);
+  return all;
+}
+
+}  // namespace
+
+ComplexFactorization::ComplexFactorization(const Matrices& m, const Symmetric* damping)
+    : damped_(damping != nullptr), mumps_(std::make_unique<Mumps<std::complex<double>>>(m, terms(m, damping))) {
   check();
 }
 
@@ -24,8 +33,11 @@ void ComplexFactorization::check() const {
                       : fmt::format("MUMPS gave up with INFOG(1) = {}", code)};
 }
 
-void ComplexFactorization::factor(std::complex<double> of_stiffness, std::complex<double> of_mass) {
-  mumps_->factor(of_stiffness, of_mass);
+void ComplexFactorization::factor(std::complex<double> of_stiffness, std::complex<double> of_mass,
+                                  std::complex<double> of_damping) {
+  std::vector<std::complex<double>> factors{of_stiffness, of_mass};
+  if (damped_) factors.push_back(of_damping);
+  mumps_->factor(factors);
   check();
 }
 

@@ -4,6 +4,9 @@
 #include <cblas.h>
 #include <lapacke.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace nugget::nvh {
 
 Columns inner(const Columns& a, std::size_t a_count, const Columns& b, std::size_t a_first) {
@@ -21,6 +24,17 @@ void add_product(double alpha, const Columns& a, std::size_t a_count, const Colu
     cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, static_cast<int>(a.rows), static_cast<int>(b.count),
                 static_cast<int>(a_count), alpha, a[a_first].data(), static_cast<int>(a.rows), b.value.data(),
                 static_cast<int>(b.rows), beta, c.value.data(), static_cast<int>(c.rows));
+}
+
+void solve(std::vector<std::complex<double>>& a, std::vector<std::complex<double>>& b, std::size_t n) {
+  if (n == 0) return;
+  const auto words = [](std::vector<std::complex<double>>& v) {  // both are two doubles (C++ [complex.numbers])
+    return reinterpret_cast<lapack_complex_double*>(v.data());
+  };
+  std::vector<lapack_int> pivot(n);
+  const auto size = static_cast<lapack_int>(n), columns = static_cast<lapack_int>(b.size() / n);
+  if (LAPACKE_zgesv(LAPACK_COL_MAJOR, size, columns, words(a), size, pivot.data(), words(b), size) != 0)
+    std::fill(b.begin(), b.end(), std::numeric_limits<double>::quiet_NaN());
 }
 
 std::vector<double> diagonalize(Columns& a) {

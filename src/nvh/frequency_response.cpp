@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "nvh/frequencies.hpp"
+#include "nvh/part_damping.hpp"
 #include "nvh/transfer.hpp"
 #include "output/result_file.hpp"
 
@@ -17,9 +19,8 @@ using Complex = std::complex<double>;
 using Quantity = model::FrequencyResponse::Quantity;
 
 /// One file of curves as LS-PrePost reads them.
-void write_curves(const std::filesystem::path& path, const output::Header& header,
-                  const model::FrequencyResponse& request, const FrfResult& result, const char* ordinate,
-                  double (*part)(const Complex&)) {
+void write_curves(const std::filesystem::path& path, const output::Header& header, const FrfResult& result,
+                  const char* ordinate, double (*part)(const Complex&)) {
   std::string text = fmt::format("Curveplot\n{}\nFrequency\n{}\n", header.title, ordinate);
   for (const FrfCurve& curve : result.curve) {
     std::size_t low = 0, high = 0;
@@ -30,11 +31,11 @@ void write_curves(const std::filesystem::path& path, const output::Header& heade
       if (y.back() > y[high]) high = y.size() - 1;
     }
     text += fmt::format(
-        "N-{}-{}{} #pts={:>5}\n* Minval= {:14.7E} at time= {:14.7E}\n* Maxval= {:14.7E} at time= {:14.7E}\n",
-        curve.node, curve.rotation ? "r" : "", direction_name(curve.direction), y.size(), y[low],
-        request.frequency[low], y[high], request.frequency[high]);
+        "{}N-{}-{}{} #pts={:>5}\n* Minval= {:14.7E} at time= {:14.7E}\n* Maxval= {:14.7E} at time= {:14.7E}\n",
+        curve.load_case > 0 ? fmt::format("C-{}-", curve.load_case) : "", curve.node, curve.rotation ? "r" : "",
+        direction_name(curve.direction), y.size(), y[low], result.frequency[low], y[high], result.frequency[high]);
     for (std::size_t k = 0; k < y.size(); ++k)
-      text += fmt::format(" {:14.7E} {:14.7E}\n", request.frequency[k], output::column(y[k]));
+      text += fmt::format(" {:14.7E} {:14.7E}\n", result.frequency[k], output::column(y[k]));
     text += "endcurve\n";
   }
   output::write_whole_file(path, text);
@@ -44,24 +45,42 @@ void write_curves(const std::filesystem::path& path, const output::Header& heade
 
 void check_frequency_response(const Matrices& m, const model::FrequencyResponse& request, Findings& findings) {
   constexpr const char* keyword = "*FREQUENCY_DOMAIN_FRF";
-  check_excitation(m, request.excitation, keyword, findings);
-  check_response(m, request.response, keyword, findings);
-  if (request.direct) check_direct(m.system.model, request.damping, request.excitation.place, keyword, findings);
+  for (const model::FrequencyResponse::Case& c : request.cases) {
+    check_excitation(m, c.excitation, keyword, findings);
+    check_response(m, c.response, keyword, findings);
+  }
+  const Place& place = request.cases.front().excitation.place;
+  if (request.direct)
+    check_direct(m.system.model, request.damping, request.near_modes.has_value(), place, keyword, findings);
+  if (has_dashpots(m))
+    findings.warning(place, keyword, "dashpots take no part in it: damping is that of its second card",
+                     "use *FREQUENCY_DOMAIN_SSD with DMPFLG 1");
 }
 
 FrfResult frequency_response(const Matrices& m, const Modes& modes, const model::FrequencyResponse& request,
                              const Tell& tell) {
-  Transfer transfer(m, probes_of(m, request.response), {request.excitation});
+  std::vector<Probe> probes;
+  std::vector<std::size_t> case_of;  // of each probe
+  std::vector<model::FrequencyResponse::Excitation> excitations;
+  for (std::size_t c = 0; c < request.cases.size(); ++c) {
+    excitations.push_back(request.cases[c].excitation);
+    for (Probe& p : probes_of(m, request.cases[c].response)) probes.push_back(std::move(p));
+    case_of.resize(probes.size(), c);
+  }
+  Transfer transfer(m, std::move(probes), excitations);
   FrfResult result;
-  result.route = request.direct ? transfer.solve_directly(request.damping, request.frequency, tell)
-                                : transfer.solve(modes, request.modes, request.damping, request.frequency);
+  result.frequency = frequencies(request, modes);
+  result.route = request.direct ? transfer.solve_directly(request.damping, result.frequency, tell)
+                                : transfer.solve(modes, request.modes, request.damping, result.frequency);
   for (std::size_t p = 0; p < transfer.probes().size(); ++p) {
     const Probe& probe = transfer.probes()[p];
-    FrfCurve curve{probe.id, probe.direction, probe.rotation, {}};
-    for (std::size_t k = 0; k < request.frequency.size(); ++k)
-      curve.value.push_back(probe.force
-                                ? transfer.force(0, p, k)
-                                : transfer.motion(0, p, k, request.response.quantity, request.response.relative));
+    const std::size_t c = case_of[p];
+    const model::FrequencyResponse::Response& response = request.cases[c].response;
+    const int number = request.cases.size() > 1 ? static_cast<int>(c) + 1 : 0;
+    FrfCurve curve{number, probe.id, probe.direction, probe.rotation, response.quantity, {}};
+    for (std::size_t k = 0; k < result.frequency.size(); ++k)
+      curve.value.push_back(probe.force ? transfer.force(c, p, k)
+                                        : transfer.motion(c, p, k, response.quantity, response.relative));
     result.curve.push_back(std::move(curve));
   }
   return result;
@@ -94,17 +113,20 @@ std::string cell(double value) {
 
 void write_frf(const std::filesystem::path& directory, const output::Header& header,
                const model::FrequencyResponse& request, const FrfResult& result) {
-  std::string text = "node,direction,response,frequency,amplitude,phase,real,imaginary\n";
+  const bool several = request.cases.size() > 1;
+  std::string text =
+      fmt::format("node,direction,response,frequency,amplitude,phase,real,imaginary{}\n", several ? ",case" : "");
   for (const FrfCurve& curve : result.curve)
     for (std::size_t k = 0; k < curve.value.size(); ++k) {
       const Complex v = curve.value[k];
-      text += fmt::format("{},{},{},{:.9g},{},{},{},{}\n", curve.node, direction_name(curve.direction),
-                          to_string(request.response.quantity, curve.rotation), request.frequency[k], cell(std::abs(v)),
-                          cell(degrees(v)), cell(v.real()), cell(v.imag()));
+      text += fmt::format("{},{},{},{:.9g},{},{},{},{}{}\n", curve.node, direction_name(curve.direction),
+                          to_string(curve.quantity, curve.rotation), result.frequency[k], cell(std::abs(v)),
+                          cell(degrees(v)), cell(v.real()), cell(v.imag()),
+                          several ? fmt::format(",{}", curve.load_case) : "");
     }
   output::write_whole_file(directory / "frf.csv", text);
   const auto write = [&](const char* name, const char* ordinate, double (*part)(const Complex&)) {
-    write_curves(directory / name, header, request, result, ordinate, part);
+    write_curves(directory / name, header, result, ordinate, part);
   };
   if (request.by_parts) {
     write("frf_real", "Real part", [](const Complex& v) { return v.real(); });

@@ -11,14 +11,17 @@ namespace nugget::nvh {
 
 /// Response of one node in one direction, as the amplitude of exp(+i omega t).
 struct FrfCurve {
-  int node = 0;                             ///< user id
-  Vec3d direction;                          ///< unit vector
-  bool rotation = false;                    ///< about it
+  int load_case = 0;      ///< counted from 1 where there are several, else 0
+  int node = 0;           ///< user id
+  Vec3d direction;        ///< unit vector
+  bool rotation = false;  ///< about it
+  model::FrequencyResponse::Quantity quantity = model::FrequencyResponse::Quantity::displacement;
   std::vector<std::complex<double>> value;  ///< by frequency
 };
 
-/// Responses to one excitation of amplitude 1.
+/// Responses to one excitation of amplitude 1, or to each of several.
 struct FrfResult {
+  std::vector<double> frequency;
   std::vector<FrfCurve> curve;
   Route route;
 };
@@ -32,8 +35,9 @@ void check_frequency_response(const Matrices& matrices, const model::FrequencyRe
 FrfResult frequency_response(const Matrices& matrices, const Modes& modes, const model::FrequencyResponse& request,
                              const Tell& tell = {});
 
-/// frf.csv: a line for each frequency of each response; and LS-DYNA's files, frf_amplitude and frf_angle or frf_real
-/// and frf_imag, one curve a response. Throws output::WriteError.
+/// frf.csv: a line for each frequency of each response, with its case in a last column where there are several; and
+/// LS-DYNA's files, frf_amplitude and frf_angle or frf_real and frf_imag, one curve a response. Throws
+/// output::WriteError.
 void write_frf(const std::filesystem::path& directory, const output::Header& header,
                const model::FrequencyResponse& request, const FrfResult& result);
 

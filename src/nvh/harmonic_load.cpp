@@ -102,16 +102,8 @@ bool turns(const Equations& equations, int node) {
                      [&](const Equations::Support& s) { return s.node == node && s.rotation; });
 }
 
-std::string other_stiffness(const model::Model& model) {
-  if (model.implicit.geometric) return "the geometric stiffness of a preload (IGS 1)";
-  return model.joints.empty() ? "" : "the stiffness of joints";
-}
-
 void check_excitation(const Matrices& m, const Excitation& e, const char* keyword, Findings& findings) {
   const model::Model& model = m.system.model;
-  if (const std::string other = other_stiffness(model); e.kind == Kind::enforced && !other.empty())
-    findings.error(e.place, keyword, "enforced motion of nodes does not know " + other,
-                   "drive the base, or apply forces");
   if (e.kind != Kind::torque) return;
   for (const model::Index n : e.nodes)
     if (!turns(m.equations, m.system.node_of[at(n)]))

@@ -22,13 +22,9 @@ struct HarmonicLoad {
 /// Throws Factorization::SolverError.
 HarmonicLoad harmonic_load(const Matrices& matrices, const model::FrequencyResponse::Excitation& excitation);
 
-/// Errors for a torque on a node that does not turn, and for enforced motion of structures whose stiffness is not that
-/// of their elements alone.
+/// Errors for a torque on a node that does not turn.
 void check_excitation(const Matrices& matrices, const model::FrequencyResponse::Excitation& excitation,
                       const char* keyword, Findings& findings);
-
-/// Stiffness beside that of the elements, in words: of joints, of a preload; empty where there is none.
-std::string other_stiffness(const model::Model& model);
 
 /// Whether a node turns, with an unknown of its own or with others, or is held against turning.
 bool turns(const Equations& equations, int node);

@@ -5,36 +5,38 @@
 #include <cmath>
 
 #include "base/index.hpp"
-#include "nvh/assembly.hpp"
+#include "base/rotation_between.hpp"
+#include "kernel/law/discrete_spring.hpp"
 
 namespace nugget::nvh {
 namespace {
 
 using Kind = model::Joint::Kind;
+using Row = HeldMotion::Row;
 constexpr Vec3d axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-void put(JointRows::Row& row, std::size_t first, const Vec3d& v) {
+void put(Row& row, std::size_t first, const Vec3d& v) {
   row[first] += v.x;
   row[first + 1] += v.y;
   row[first + 2] += v.z;
 }
 
 /// d . (B's displacement - A's), of points with these arms from the bodies' centres.
-JointRows::Row displacement(const Vec3d& d, const Vec3d& arm_a, const Vec3d& arm_b) {
-  JointRows::Row row{};
-  put(row, 0, -d);
-  put(row, 3, -cross(arm_a, d));  // d . (w x r) = w . (r x d)
-  put(row, 6, d);
-  put(row, 9, cross(arm_b, d));
-  return row;
+HeldMotion displacement(const Vec3d& d, const Vec3d& arm_a, const Vec3d& arm_b) {
+  HeldMotion held{{}, d, false, 0.0};
+  put(held.row, 0, -d);
+  put(held.row, 3, -cross(arm_a, d));  // d . (w x r) = w . (r x d)
+  put(held.row, 6, d);
+  put(held.row, 9, cross(arm_b, d));
+  return held;
 }
 
 /// d . (B's rotation - A's).
-JointRows::Row rotation(const Vec3d& d) {
-  JointRows::Row row{};
-  put(row, 3, -d);
-  put(row, 9, d);
-  return row;
+HeldMotion rotation(const Vec3d& d) {
+  HeldMotion held{{}, d, true, 0.0};
+  put(held.row, 3, -d);
+  put(held.row, 9, d);
+  return held;
 }
 
 /// Two unit vectors that make a triad with a.
@@ -44,22 +46,27 @@ std::array<Vec3d, 2> across(const Vec3d& a) {
   return {s, cross(a, s)};
 }
 
-JointRows rows_of(const system::System& system, const model::Joint& joint) {
+const system::RigidBody& body_of(const system::System& system, model::Index body) {
+  return system.bodies[at(system.body_of[at(body)])];
+}
+
+BodyLink link_of(const system::System& system, const model::Joint& joint) {
   const auto place = [&](std::size_t i) { return system.ties.x[at(joint.node[i])]; };
-  JointRows rows;
-  rows.scale = joint.stiffness_scale;
+  BodyLink link;
+  link.rigid = true;
+  link.scale = joint.stiffness_scale;
   std::array<Vec3d, 2> arm;
   for (std::size_t side = 0; side < 2; ++side) {
-    const system::RigidBody& body = system.bodies[at(system.body_of[at(joint.body[side])])];
-    rows.node[side] = body.node;
+    const system::RigidBody& body = body_of(system, joint.body[side]);
+    link.node[side] = body.node;
     arm[side] = place(0) - body.center0;
     const double gyration = body.mass > 0.0 ? (body.inertia[0] + body.inertia[3] + body.inertia[5]) / body.mass : 0.0;
-    rows.reach = std::max(rows.reach, std::sqrt(dot(arm[side], arm[side]) + gyration));
+    link.reach = std::max(link.reach, std::sqrt(dot(arm[side], arm[side]) + gyration));
   }
-  const auto hold = [&](const Vec3d& d) { rows.displacements.push_back(displacement(d, arm[0], arm[1])); };
+  const auto hold = [&](const Vec3d& d) { link.held.push_back(displacement(d, arm[0], arm[1])); };
   if (joint.kind == Kind::spherical) {
     for (const Vec3d& d : axes) hold(d);
-    return rows;
+    return link;
   }
   const Vec3d axis = unit(place(2) - place(0));
   const std::array<Vec3d, 2> sides = across(axis);
@@ -68,12 +75,38 @@ JointRows rows_of(const system::System& system, const model::Joint& joint) {
     for (const Vec3d& d : sides) hold(d);
 
   if (joint.kind == Kind::universal) {
-    rows.rotations.push_back(rotation(unit(cross(axis, place(3) - place(1)))));
-    return rows;
+    link.held.push_back(rotation(unit(cross(axis, place(3) - place(1)))));
+    return link;
   }
-  for (const Vec3d& d : sides) rows.rotations.push_back(rotation(d));
-  if (joint.kind == Kind::translational || joint.kind == Kind::locking) rows.rotations.push_back(rotation(axis));
-  return rows;
+  for (const Vec3d& d : sides) link.held.push_back(rotation(d));
+  if (joint.kind == Kind::translational || joint.kind == Kind::locking) link.held.push_back(rotation(axis));
+  return link;
+}
+
+/// Slope of a freedom at rest, `start` away from where its curve is 0.
+double slope_of(const system::System& system, const model::JointStiffness::Freedom& f, double start) {
+  double slope = f.friction > 0.0 ? f.stiffness : 0.0;
+  if (f.load != model::none) slope += kernel::ForceCurve(system.model.curves[at(f.load)]).slope(start);
+  const bool stopped = (f.high_stop > 0.0 && start > f.high_stop) || (f.low_stop > 0.0 && start < -f.low_stop);
+  return stopped ? slope + f.stiffness : slope;
+}
+
+BodyLink link_of(const system::System& system, const model::JointStiffness& s) {
+  BodyLink link;
+  std::array<Vec3d, 2> arm;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const system::RigidBody& body = body_of(system, s.body[side]);
+    link.node[side] = body.node;
+    arm[side] = s.origin[0] - body.center0;  // forces act at the origin of A
+  }
+  const Vec3d own[3] = {s.axes[1].e1, s.axes[1].e2, s.axes[1].e3};
+  const Vec3d start = s.rotational ? rotation_between(s.axes[0], s.axes[1]) : s.origin[1] - s.origin[0];
+  for (std::size_t i = 0; i < 3; ++i) {
+    HeldMotion held = s.rotational ? rotation(own[i]) : displacement(own[i], arm[0], arm[1]);
+    held.spring = slope_of(system, s.freedom[i], dot(own[i], start));
+    if (held.spring != 0.0) link.held.push_back(held);
+  }
+  return link;
 }
 
 /// The largest diagonal entry of the stiffness among a node's translations, or rotations.
@@ -87,36 +120,46 @@ double stiffest(const Equations& equations, const Symmetric& k, int node, int fi
 
 }  // namespace
 
-std::vector<JointRows> joint_rows(const system::System& system) {
-  std::vector<JointRows> all;
-  for (const model::Joint& joint : system.model.joints) all.push_back(rows_of(system, joint));
+std::vector<double> BodyLink::stiffness() const {
+  std::vector<double> k(144, 0.0);
+  for (const HeldMotion& h : held)
+    for (std::size_t a = 0; a < 12; ++a)
+      for (std::size_t b = 0; b < 12; ++b) k[12 * a + b] += h.spring * h.row[a] * h.row[b];
+  return k;
+}
+
+Six BodyLink::on_second(const HeldMotion::Row& motion) const {
+  Six load{};
+  for (const HeldMotion& h : held) {
+    double moved = 0.0;
+    for (std::size_t a = 0; a < 12; ++a) moved += h.row[a] * motion[a];
+    const Vec3d part = -h.spring * moved * h.direction;
+    const double component[3] = {part.x, part.y, part.z};
+    for (std::size_t i = 0; i < 3; ++i) load[i + (h.rotation ? 3 : 0)] += component[i];
+  }
+  return load;
+}
+
+std::vector<BodyLink> body_links(const system::System& system) {
+  std::vector<BodyLink> all;
+  for (const model::Joint& joint : system.model.joints) all.push_back(link_of(system, joint));
+  for (const model::JointStiffness& s : system.model.joint_stiffnesses) all.push_back(link_of(system, s));
   return all;
 }
 
-void add_joints(const std::vector<JointRows>& joints, const Equations& equations, Symmetric& stiffness) {
+void stiffen_joints(std::vector<BodyLink>& links, const Equations& equations, const Symmetric& stiffness) {
   double largest = 0.0;
   for (std::size_t i = 0; i < stiffness.size(); ++i) largest = std::max(largest, std::abs(stiffness.diagonal(i)));
-  std::vector<std::array<double, 2>> springs;  // against displacements and rotations; by what is there before any joint
-  for (const JointRows& joint : joints) {
+  for (BodyLink& link : links) {
+    if (!link.rigid) continue;
     double across = 0.0, turning = 0.0;
-    for (const int node : joint.node) {
+    for (const int node : link.node) {
       across = std::max(across, stiffest(equations, stiffness, node, 0));
       turning = std::max(turning, stiffest(equations, stiffness, node, 3));
     }
     if (across == 0.0) across = largest > 0.0 ? largest : 1.0;
-    turning = std::max(turning, across * joint.reach * joint.reach);
-    springs.push_back({joint_share * joint.scale * across, joint_share * joint.scale * turning});
-  }
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    std::vector<double> k(144, 0.0);
-    const auto add = [&](const std::vector<JointRows::Row>& rows, double spring) {
-      for (const JointRows::Row& row : rows)
-        for (std::size_t a = 0; a < 12; ++a)
-          for (std::size_t b = 0; b < 12; ++b) k[12 * a + b] += spring * row[a] * row[b];
-    };
-    add(joints[j].displacements, springs[j][0]);
-    add(joints[j].rotations, springs[j][1]);
-    scatter(Reach(equations, joints[j].node, 6), k, stiffness);
+    turning = std::max(turning, across * link.reach * link.reach);
+    for (HeldMotion& held : link.held) held.spring = joint_share * link.scale * (held.rotation ? turning : across);
   }
 }
 

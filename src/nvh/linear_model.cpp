@@ -68,7 +68,8 @@ void hold_driven_nodes(model::Model& m) {
     motion.place = e.place;
     m.motions.push_back(std::move(motion));
   };
-  if (m.frequency_response) hold(m.frequency_response->excitation);
+  if (m.frequency_response)
+    for (const model::FrequencyResponse::Case& c : m.frequency_response->cases) hold(c.excitation);
   if (m.steady_state)
     for (const model::SteadyState::Load& load : m.steady_state->loads) hold(load.excitation);
 }

@@ -10,7 +10,6 @@
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "nvh/assembly.hpp"
-#include "nvh/joint_stiffness.hpp"
 #include "nvh/prestress.hpp"
 
 namespace nugget::nvh {
@@ -83,7 +82,10 @@ system::State at_rest(const system::System& system) {
   return state;
 }
 
-Symmetric assemble_stiffness(const system::System& system, const system::State& rest, const Equations& equations) {
+Symmetric assemble_stiffness(Matrices& m) {
+  const system::System& system = m.system;
+  const system::State& rest = m.rest;
+  const Equations& equations = m.equations;
   std::vector<std::vector<int>> lists;
   for (const auto& group : system.groups)
     for (std::size_t e = 0; e < group->size(); ++e) {
@@ -91,8 +93,7 @@ Symmetric assemble_stiffness(const system::System& system, const system::State& 
       const std::array<int, 8> node = group->nodes(e);
       lists.push_back(Reach(equations, element_nodes(*group, node), group->freedoms()).equations());
     }
-  const std::vector<JointRows> joints = joint_rows(system);
-  for (const JointRows& joint : joints) lists.push_back(Reach(equations, joint.node, 6).equations());
+  for (const BodyLink& link : m.links) lists.push_back(Reach(equations, link.node, 6).equations());
   Symmetric k(pattern(at(equations.size()), lists));
   // Kernels in parallel, a stretch at a time; added up in the order of the elements.
   constexpr std::size_t stretch = 2048;
@@ -113,7 +114,8 @@ Symmetric assemble_stiffness(const system::System& system, const system::State& 
       }
     }
   }
-  add_joints(joints, equations, k);
+  stiffen_joints(m.links, equations, k);
+  for (const BodyLink& link : m.links) scatter(Reach(equations, link.node, 6), link.stiffness(), k);
   return k;
 }
 
@@ -139,10 +141,10 @@ Symmetric assemble_mass(const Equations& equations, const std::vector<NodalMass>
 }
 
 /// K with what a prestress adds, and M, in the unknowns that have any stiffness.
-void assemble(Matrices& m, const Prestress* prestress) {
+void assemble(Matrices& m) {
   const auto stiffness = [&] {
-    Symmetric k = assemble_stiffness(m.system, m.rest, m.equations);
-    return prestress != nullptr ? sum(k, prestress->stiffness()) : std::move(k);
+    Symmetric k = assemble_stiffness(m);
+    return m.prestress ? sum(k, m.prestress->stiffness(m.equations)) : std::move(k);
   };
   m.stiffness = stiffness();
   const std::vector<char> loose = unresisted(m.stiffness);
@@ -204,11 +206,7 @@ std::array<double, 36> mass_matrix(const NodalMass& n) {
 }
 
 Matrices::Matrices(const system::System& s, Findings& findings)
-    : system(s), rest(at_rest(s)), equations(s, findings), nodal_mass(nodal_masses(s, rest)) {
-  for (const model::JointStiffness& springs : s.model.joint_stiffnesses)
-    findings.error(springs.place, "*CONSTRAINED_JOINT_STIFFNESS",
-                   fmt::format("joint stiffness {} is not in the linear analyses", springs.id),
-                   "leave it out, or join the bodies by springs (*ELEMENT_DISCRETE, ELFORM 6)");
+    : system(s), rest(at_rest(s)), equations(s, findings), nodal_mass(nodal_masses(s, rest)), links(body_links(s)) {
   for (const model::Part& part : s.model.parts)
     if (part.kind == model::ElementKind::solid && part.section != model::none &&
         s.model.solid_sections[at(part.section)].elform == 13)
@@ -218,16 +216,17 @@ Matrices::Matrices(const system::System& s, Findings& findings)
                       "own, so they are not in the linear analyses",
                       part.id),
           "write 10 there");
-  assemble(*this, nullptr);
+  assemble(*this);
   if (held > 0)
     findings.note({s.model.deck, 0, 0}, "*CONTROL_IMPLICIT_SOLVER",
                   fmt::format("{} directions of nodes are held, since nothing resists motion in them (AUTOSPC)", held));
 }
 
-void stiffen(Matrices& m, const Prestress& prestress) {
+void stiffen(Matrices& m, std::shared_ptr<const Prestress> prestress) {
   Findings told;  // when the matrices were made
   m.equations = Equations(m.system, told);
-  assemble(m, &prestress);
+  m.prestress = std::move(prestress);
+  assemble(m);
 }
 
 std::vector<double> Matrices::element_energies(const system::ElementGroup& group, std::size_t e,

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "nvh/equations.hpp"
+#include "nvh/joint_stiffness.hpp"
 #include "nvh/sparse.hpp"
 
 namespace nugget::nvh {
+
+class Prestress;
 
 /// Mass of a node before any constraint: 1/2 m v^2 + v . S w + 1/2 w . J w is its kinetic energy.
 struct NodalMass {
@@ -43,7 +47,9 @@ struct Matrices {
   Equations equations;
   int held = 0;  ///< unknowns without any stiffness, which are held (AUTOSPC)
   Symmetric stiffness, mass;
-  std::vector<NodalMass> nodal_mass;  ///< by system node, virtual ones last
+  std::vector<NodalMass> nodal_mass;           ///< by system node, virtual ones last
+  std::vector<BodyLink> links;                 ///< joints; in K
+  std::shared_ptr<const Prestress> prestress;  ///< whose stiffness is in K (`stiffen`); null: none
 
   std::size_t size() const { return static_cast<std::size_t>(equations.size()); }
 

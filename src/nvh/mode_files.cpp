@@ -13,17 +13,9 @@ namespace {
 
 void write_shapes(const std::filesystem::path& directory, const Matrices& m, const Modes& modes) {
   output::D3plotGeometry geometry = output::d3plot_geometry(m.system);
-  geometry.modes = true;
+  geometry.family = output::D3plotGeometry::Family::d3eigv;
   geometry.rigid_walls = 0;
-  const model::Model& model = m.system.model;
-  output::D3plotState state;
-  state.parts.resize(model.parts.size());
-  state.solids.resize(model.solids.size());
-  state.beams.resize(model.beams.size());
-  state.beam_points.resize(model.beams.size() * at(geometry.beam_points));
-  state.shells.resize(model.shells.size());
-  state.shell_layers.resize(model.shells.size() * at(geometry.layers));
-  for (std::size_t e = 0; e < model.shells.size(); ++e) state.shells[e].thickness = model.shells.thickness[e];
+  output::D3plotState state = output::unstressed_state(m.system, geometry);
   const Columns shapes = nodal_shapes(m, modes);
   output::D3plot file(directory, std::move(geometry));
   for (std::size_t mode = 0; mode < shapes.count; ++mode) {

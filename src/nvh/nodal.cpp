@@ -2,6 +2,7 @@
 #include "nvh/nodal.hpp"
 
 #include "base/index.hpp"
+#include "nvh/prestress.hpp"
 
 namespace nugget::nvh {
 
@@ -45,11 +46,23 @@ std::vector<double> element_stiffness(const Matrices& m, const system::ElementGr
   return k;
 }
 
+std::vector<double> tangent_stiffness(const Matrices& m, const system::ElementGroup& group, std::size_t e) {
+  std::vector<double> k = element_stiffness(m, group, e);
+  if (m.prestress) m.prestress->add_element_stiffness(group, e, k);
+  return k;
+}
+
+HeldMotion::Row motion_of(const BodyLink& link, const Nodal& u) {
+  HeldMotion::Row motion;
+  for (std::size_t i = 0; i < 12; ++i) motion[i] = u[at(link.node[i / 6])][i % 6];
+  return motion;
+}
+
 Internal internal_forces(const Matrices& m, const Nodal& u) {
   Internal all{Nodal(u.size()), std::vector<double>(m.system.model.parts.size())};
   for (const auto& group : m.system.groups)
     for (std::size_t e = 0; e < group->size(); ++e) {
-      const std::vector<double> k = element_stiffness(m, *group, e);
+      const std::vector<double> k = tangent_stiffness(m, *group, e);
       const std::array<int, 8> node = group->nodes(e);
       const std::size_t per_node = at(group->freedoms()), n = at(group->nodes_per_element) * per_node;
       double twice = 0.0;
@@ -61,6 +74,15 @@ Internal internal_forces(const Matrices& m, const Nodal& u) {
       }
       all.part_energy[at(group->part)] += 0.5 * twice;
     }
+  for (const BodyLink& link : m.links) {
+    const HeldMotion::Row motion = motion_of(link, u);
+    for (const HeldMotion& held : link.held) {
+      double moved = 0.0;
+      for (std::size_t i = 0; i < 12; ++i) moved += held.row[i] * motion[i];
+      for (std::size_t i = 0; i < 12; ++i) all.force[at(link.node[i / 6])][i % 6] += held.spring * moved * held.row[i];
+      all.link_energy += 0.5 * held.spring * moved * moved;
+    }
+  }
   return all;
 }
 

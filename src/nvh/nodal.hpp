@@ -20,11 +20,17 @@ void collect(const system::System& system, Nodal& force);
 
 /// K_e of one element, the mean of both triangles, as the assembled matrix has it; row-major.
 std::vector<double> element_stiffness(const Matrices& matrices, const system::ElementGroup& group, std::size_t e);
+/// The same with the geometric stiffness of what it carries at rest.
+std::vector<double> tangent_stiffness(const Matrices& matrices, const system::ElementGroup& group, std::size_t e);
 
-/// Forces K_e u_e of all elements on the nodes, and what strain energy they hold.
+/// Motion of the twelve freedoms of the bodies that a link joins.
+HeldMotion::Row motion_of(const BodyLink& link, const Nodal& motion);
+
+/// Forces K_e u_e of all elements and joints on the nodes, and what strain energy they hold.
 struct Internal {
   Nodal force;
   std::vector<double> part_energy;  ///< by model part
+  double link_energy = 0.0;         ///< of joints
 };
 Internal internal_forces(const Matrices& matrices, const Nodal& motion);
 

@@ -138,13 +138,20 @@ std::vector<double> element_stiffness(const system::ElementGroup& group, const s
   return k;
 }
 
+std::vector<Vec3d> places_of(const system::ElementGroup& group, std::size_t e, const system::State& rest) {
+  const std::array<int, 8> nodes = group.nodes(e);
+  std::vector<Vec3d> x;
+  for (const int node : element_nodes(group, nodes)) x.push_back(vec(rest.x[at(node)]));
+  return x;
+}
+
 bool any(const Tensor& t) {
   return std::any_of(t.begin(), t.end(), [](double c) { return c != 0.0; });
 }
 
 }  // namespace
 
-Prestress::Prestress(const Matrices& m) : m_(m) {
+Prestress::Prestress(const Matrices& m) : system_(m.system), rest_(m.rest) {
   for (const auto& group : m.system.groups) tensor_.emplace_back(group->size(), Tensor{});
 }
 
@@ -153,7 +160,7 @@ Tensor& Prestress::of(const Seat& seat) {
 }
 
 void Prestress::add_initial() {
-  const system::System& system = m_.system;
+  const system::System& system = system_;
   const model::InitialState& initial = system.model.initial_state;
   for (const model::InitialStress& s : initial.shells) {
     const Seat seat = system.shell_seat[at(s.element)];
@@ -173,19 +180,19 @@ void Prestress::add_initial() {
       const Seat seat = system.beam_seat[at(beam)];
       if (seat.group < 0) continue;
       const std::array<int, 8> node = system.groups[at(seat.group)]->nodes(at(seat.element));
-      const Vec3d line = vec(m_.rest.x[at(node[1])]) - vec(m_.rest.x[at(node[0])]);
+      const Vec3d line = vec(rest_.x[at(node[1])]) - vec(rest_.x[at(node[0])]);
       if (norm(line) > 0.0)
         add_to(of(seat), f.scale * system.model.curves[at(f.curve)].clamped(0.0), along(unit(line)));
     }
 }
 
 void Prestress::add(const Statics& statics) {
-  const ElasticStresses elastic(m_.system, statics.motion);
+  const ElasticStresses elastic(system_, statics.motion);
   for (std::size_t g = 0; g < tensor_.size(); ++g) {
-    const system::ElementGroup& group = *m_.system.groups[g];
+    const system::ElementGroup& group = *system_.groups[g];
     const int layers = group.layers();
-    const kernel::LayerRule rule = m_.system.model.control.lobatto ? kernel::lobatto_layers(std::max(layers, 1))
-                                                                   : kernel::gauss_layers(std::max(layers, 1));
+    const kernel::LayerRule rule = system_.model.control.lobatto ? kernel::lobatto_layers(std::max(layers, 1))
+                                                                 : kernel::gauss_layers(std::max(layers, 1));
     for (std::size_t e = 0; e < group.size(); ++e) {
       if (!group.alive(e)) continue;
       const Seat seat{static_cast<int>(g), static_cast<int>(e)};
@@ -197,9 +204,9 @@ void Prestress::add(const Statics& statics) {
       // Along a line: the force at its second end.
       const std::size_t per_node = at(group.freedoms()), n = 2 * per_node;
       std::vector<double> k(n * n);
-      group.stiffness(e, m_.rest, k);
+      group.stiffness(e, rest_, k);
       const std::array<int, 8> node = group.nodes(e);
-      const Vec3d line = vec(m_.rest.x[at(node[1])]) - vec(m_.rest.x[at(node[0])]);
+      const Vec3d line = vec(rest_.x[at(node[1])]) - vec(rest_.x[at(node[0])]);
       if (!(norm(line) > 0.0)) continue;
       double force[3] = {0.0, 0.0, 0.0};
       for (std::size_t i = 0; i < 3; ++i)
@@ -217,7 +224,7 @@ std::size_t Prestress::elements() const {
   return count;
 }
 
-Symmetric Prestress::stiffness() const {
+Symmetric Prestress::stiffness(const Equations& equations) const {
   struct Piece {
     Reach reach;
     std::vector<double> k;
@@ -225,21 +232,29 @@ Symmetric Prestress::stiffness() const {
   std::vector<Piece> pieces;
   std::vector<std::vector<int>> lists;
   for (std::size_t g = 0; g < tensor_.size(); ++g) {
-    const system::ElementGroup& group = *m_.system.groups[g];
+    const system::ElementGroup& group = *system_.groups[g];
     const std::vector<Point> points = points_of(at(group.nodes_per_element), dimension_of(group));
     for (std::size_t e = 0; e < group.size(); ++e) {
       if (!group.alive(e) || !any(tensor_[g][e])) continue;
-      const std::array<int, 8> nodes = group.nodes(e);
-      std::vector<Vec3d> x;
-      for (const int node : element_nodes(group, nodes)) x.push_back(vec(m_.rest.x[at(node)]));
-      pieces.push_back({Reach(m_.equations, element_nodes(group, nodes), group.freedoms()),
-                        element_stiffness(group, x, points, tensor_[g][e])});
+      const std::array<int, 8> node = group.nodes(e);
+      pieces.push_back({Reach(equations, element_nodes(group, node), group.freedoms()),
+                        element_stiffness(group, places_of(group, e, rest_), points, tensor_[g][e])});
       lists.push_back(pieces.back().reach.equations());
     }
   }
-  Symmetric k(pattern(m_.size(), lists));
+  Symmetric k(pattern(at(equations.size()), lists));
   for (const Piece& p : pieces) scatter(p.reach, p.k, k);
   return k;
+}
+
+void Prestress::add_element_stiffness(const system::ElementGroup& group, std::size_t e, std::span<double> k) const {
+  const auto own =
+      std::find_if(system_.groups.begin(), system_.groups.end(), [&](const auto& g) { return g.get() == &group; });
+  const Tensor& tensor = tensor_[static_cast<std::size_t>(own - system_.groups.begin())][e];
+  if (!any(tensor)) return;
+  const std::vector<double> more = element_stiffness(
+      group, places_of(group, e, rest_), points_of(at(group.nodes_per_element), dimension_of(group)), tensor);
+  for (std::size_t i = 0; i < more.size(); ++i) k[i] += more[i];
 }
 
 }  // namespace nugget::nvh

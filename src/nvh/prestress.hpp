@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "nvh/statics.hpp"
@@ -25,19 +27,22 @@ class Prestress {
 
   /// Number of elements that have any.
   std::size_t elements() const;
-  /// K_s; its rows and columns are the unknowns of the matrices.
-  Symmetric stiffness() const;
+  /// K_s over the unknowns.
+  Symmetric stiffness(const Equations& equations) const;
+  /// Adds that of one element, in its freedoms, row-major.
+  void add_element_stiffness(const system::ElementGroup& group, std::size_t e, std::span<double> k) const;
 
  private:
   /// Stress, membrane force or axial force: xx yy zz xy yz zx, global axes.
   using Tensor = std::array<double, 6>;
   Tensor& of(const system::System::Seat& seat);
-  const Matrices& m_;
+  const system::System& system_;
+  const system::State& rest_;
   std::vector<std::vector<Tensor>> tensor_;  ///< by group and element
 };
 
-/// K := K + K_s, of the matrices that the prestress was made for. Unknowns that had no stiffness but for K_s, such as
-/// the motion of a string across its line, come back: the unknowns are counted anew.
-void stiffen(Matrices& matrices, const Prestress& prestress);
+/// K := K + K_s, of the matrices that the prestress was made for, which must outlive it. Unknowns that had no stiffness
+/// but for K_s, such as the motion of a string across its line, come back: the unknowns are counted anew.
+void stiffen(Matrices& matrices, std::shared_ptr<const Prestress> prestress);
 
 }  // namespace nugget::nvh

@@ -41,7 +41,7 @@ Form elastic_force(const Matrices& m, const std::map<int, Six>& weight) {
       if (std::none_of(node.begin(), node.begin() + static_cast<std::ptrdiff_t>(corners),
                        [&](int k) { return weight.contains(k); }))
         continue;
-      const std::vector<double> k = element_stiffness(m, *group, e);
+      const std::vector<double> k = tangent_stiffness(m, *group, e);
       for (std::size_t i = 0; i < n; ++i) {
         const auto found = weight.find(node[i / per_node]);
         if (found == weight.end() || found->second[i % per_node] == 0.0) continue;
@@ -49,6 +49,15 @@ Form elastic_force(const Matrices& m, const std::map<int, Six>& weight) {
           form.add(node[j / per_node], static_cast<int>(j % per_node), found->second[i % per_node] * k[i * n + j]);
       }
     }
+  for (const BodyLink& link : m.links) {
+    const std::vector<double> k = link.stiffness();
+    for (std::size_t i = 0; i < 12; ++i) {
+      const auto found = weight.find(link.node[i / 6]);
+      if (found == weight.end() || found->second[i % 6] == 0.0) continue;
+      for (std::size_t j = 0; j < 12; ++j)
+        form.add(link.node[j / 6], static_cast<int>(j % 6), found->second[i % 6] * k[12 * i + j]);
+    }
+  }
   return form;
 }
 
@@ -112,8 +121,6 @@ std::vector<Probe> probes_of(const Matrices& m, const Response& response) {
 
 void check_response(const Matrices& m, const Response& response, const char* keyword, Findings& findings) {
   const bool force = response.quantity == model::FrequencyResponse::Quantity::force;
-  if (const std::string other = other_stiffness(m.system.model); force && !other.empty())
-    findings.error(response.place, keyword, "forces of supports do not know " + other, "ask for motions");
   for (const model::Index n : response.nodes) {
     const int node = m.system.node_of[at(n)], id = m.system.model.nodes.id[at(n)];
     if (response.rotation && !turns(m.equations, node))

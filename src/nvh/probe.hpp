@@ -34,8 +34,7 @@ struct Probe {
 
 std::vector<Probe> probes_of(const Matrices& matrices, const model::FrequencyResponse::Response& response);
 
-/// Errors for rotations of a node that has none, for a force where no support holds, and for forces of structures whose
-/// stiffness is not that of their elements alone.
+/// Errors for rotations of a node that has none, and for a force where no support holds.
 void check_response(const Matrices& matrices, const model::FrequencyResponse::Response& response, const char* keyword,
                     Findings& findings);
 

@@ -115,6 +115,14 @@ class States {
     return state;
   }
 
+  output::JntforcState jntforc(double share) const {
+    output::JntforcState state;
+    state.time = time(share);
+    for (std::size_t i = 0; i < model_.joints.size(); ++i)
+      state.rows.push_back({model_.joints[i].id, share * translation(s_.joint[i]), share * rotation(s_.joint[i]), 0.0});
+    return state;
+  }
+
   output::SwforcState swforc(double share) const {
     output::SwforcState state;
     state.time = time(share);
@@ -197,6 +205,13 @@ void write_statics(const std::filesystem::path& directory, const output::Header&
       ask.bndout, !model.motions.empty(),
       [&] { return std::make_unique<output::Bndout>(directory / "bndout", header); },
       [&](double share) { return states.bndout(share); });
+  std::vector<output::LegendEntry> joints;
+  for (const model::Joint& j : model.joints)
+    if (!j.title.empty()) joints.push_back({j.id, j.title});
+  write(
+      ask.jntforc, !model.joints.empty(),
+      [&] { return std::make_unique<output::Jntforc>(directory / "jntforc", header, joints); },
+      [&](double share) { return states.jntforc(share); });
   write(
       ask.swforc, !statics.weld.empty(), [&] { return std::make_unique<output::Swforc>(directory / "swforc", header); },
       [&](double share) { return states.swforc(share); });

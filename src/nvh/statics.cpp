@@ -173,10 +173,6 @@ void check_statics(const model::Model& model, Findings& findings) {
                      "a motion that is not there from time 0 to ENDTIM is not built in linear statics",
                      "leave BIRTH and DEATH empty");
   }
-  for (const model::Joint& joint : model.joints)
-    findings.error(joint.place, "*CONSTRAINED_JOINT",
-                   fmt::format("joint {}: joints are built in modes, not in linear statics", joint.id),
-                   "leave the joint out, or join the bodies by springs (*ELEMENT_DISCRETE, ELFORM 6)");
   for (const model::BodyLoad& load : model.body_loads)
     if (!load.parts.empty() || !load.nodes.empty())
       findings.error(deck, "*LOAD_BODY", "body loads on some parts or nodes only are not built in linear statics",
@@ -215,7 +211,9 @@ Statics solve_statics(const Matrices& m, Findings& findings) {
     const Factorization factor(m, 0.0);
     if (factor.negative() > 0)
       throw Factorization::SolverError{fmt::format(
-          "the stiffness matrix has {} negative eigenvalues: the structure is not held", factor.negative())};
+          "the stiffness matrix has {} negative eigenvalues: the structure is not held; hold it so that it cannot move "
+          "as a rigid body (*BOUNDARY_SPC_..., *MAT_RIGID), or ask for its modes (NEIG)",
+          factor.negative())};
     factor.solve(q);
     s.cost = factor.cost();
   }
@@ -236,6 +234,8 @@ Statics solve_statics(const Matrices& m, Findings& findings) {
   Internal internal = internal_forces(m, s.motion);
   s.part_energy = std::move(internal.part_energy);
   for (const double e : s.part_energy) s.energy += e;
+  s.energy += internal.link_energy;
+  for (const BodyLink& link : m.links) s.joint.push_back(link.on_second(motion_of(link, s.motion)));
   s.reaction = std::move(internal.force);
   for (std::size_t k = 0; k < load.size(); ++k)
     for (std::size_t i = 0; i < 6; ++i) s.reaction[k][i] -= load[k][i];

@@ -24,10 +24,12 @@ struct Statics {
   std::vector<Six> reaction;
   std::vector<double> support_force;           ///< along Support::taken, by Equations::supports()
   std::vector<std::optional<WeldForce>> weld;  ///< by Ties::welds; none: rigid, a connector, or deleted
-  std::vector<double> part_energy;             ///< strain energy, by model part
-  double energy = 0.0;
-  double external = 0.0;  ///< half the work of loads and supports; equals `energy`
-  double residual = 0.0;  ///< largest |K q - f| over largest |f|
+  /// What joints do to their second body, at the joint: by Matrices::links, force and moment in global axes.
+  std::vector<Six> joint;
+  std::vector<double> part_energy;  ///< strain energy, by model part
+  double energy = 0.0;              ///< that of joints included
+  double external = 0.0;            ///< half the work of loads and supports; equals `energy`
+  double residual = 0.0;            ///< largest |K q - f| over largest |f|
   Factorization::Cost cost;
 };
 

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "base/index.hpp"
+#include "nvh/frequencies.hpp"
+#include "nvh/part_damping.hpp"
 #include "nvh/transfer.hpp"
 #include "output/nodout_ssd.hpp"
 
@@ -15,17 +17,6 @@ namespace {
 
 using Complex = std::complex<double>;
 using Response = model::FrequencyResponse::Response;
-
-/// Amplitude of a load at a frequency.
-Complex amplitude(const model::Model& model, const model::SteadyState& request, const model::SteadyState::Load& load,
-                  double frequency) {
-  const auto value = [&](model::Index curve) {
-    return curve == model::none ? 0.0 : model.curves[at(curve)].zero_outside(frequency);
-  };
-  const double first = load.scale * value(load.first), second = value(load.second);
-  if (request.by_parts) return {first, load.scale * second};
-  return std::polar(1.0, second * std::numbers::pi / 180.0) * first;
-}
 
 std::vector<Probe> probes_of(const Matrices& m) {
   const model::Model& model = m.system.model;
@@ -45,11 +36,31 @@ std::vector<Probe> probes_of(const Matrices& m) {
 
 }  // namespace
 
+Complex amplitude(const model::Model& model, const model::SteadyState& request, const model::SteadyState::Load& load,
+                  double frequency) {
+  const auto value = [&](model::Index curve) {
+    return curve == model::none ? 0.0 : model.curves[at(curve)].zero_outside(frequency);
+  };
+  const double first = load.scale * value(load.first), second = value(load.second);
+  if (request.by_parts) return {first, load.scale * second};
+  return std::polar(1.0, second * std::numbers::pi / 180.0) * first;
+}
+
 void check_steady_state(const Matrices& m, const model::SteadyState& request, Findings& findings) {
   constexpr const char* keyword = "*FREQUENCY_DOMAIN_SSD";
   for (const model::SteadyState::Load& load : request.loads) check_excitation(m, load.excitation, keyword, findings);
-  if (request.direct)
-    check_direct(m.system.model, request.damping, request.loads.front().excitation.place, keyword, findings);
+  const Place& place = request.loads.front().excitation.place;
+  const bool near_modes = request.near_modes || (request.states && request.states->near_modes);
+  if (request.direct) check_direct(m.system.model, request.damping, near_modes, place, keyword, findings);
+  if (request.damping.of_parts)
+    check_part_damping(m, place, keyword, findings);
+  else if (has_dashpots(m))
+    findings.warning(place, keyword, "dashpots take no part in it: DMPFLG is 0", "write DMPFLG 1");
+  for (const model::SteadyState::Load& load : request.loads)
+    if (request.damping.of_parts && load.excitation.kind == model::FrequencyResponse::Excitation::Kind::enforced)
+      findings.error(load.excitation.place, keyword,
+                     "enforced motion of nodes does not know the damping of parts (DMPFLG 1)",
+                     "drive the base, apply forces, or write DMPFLG 0");
 }
 
 SteadyResult steady_state(const Matrices& m, const Modes& modes, const model::SteadyState& request, const Tell& tell) {
@@ -57,15 +68,16 @@ SteadyResult steady_state(const Matrices& m, const Modes& modes, const model::St
   for (const model::SteadyState::Load& load : request.loads) excitations.push_back(load.excitation);
   Transfer transfer(m, probes_of(m), excitations);
   SteadyResult result;
-  result.route = request.direct ? transfer.solve_directly(request.damping, request.frequency, tell)
-                                : transfer.solve(modes, request.modes, request.damping, request.frequency);
+  result.frequency = frequencies(request, modes);
+  result.route = request.direct ? transfer.solve_directly(request.damping, result.frequency, tell)
+                                : transfer.solve(modes, request.modes, request.damping, result.frequency);
   for (std::size_t p = 0; p < transfer.probes().size(); ++p) {
     SteadyCurve curve{transfer.probes()[p].id, transfer.probes()[p].direction, {}};
     for (std::size_t q = 0; q < steady_quantities.size(); ++q)
-      for (std::size_t k = 0; k < request.frequency.size(); ++k) {
+      for (std::size_t k = 0; k < result.frequency.size(); ++k) {
         Complex sum = 0.0;
         for (std::size_t l = 0; l < request.loads.size(); ++l) {
-          const Complex a = amplitude(m.system.model, request, request.loads[l], request.frequency[k]);
+          const Complex a = amplitude(m.system.model, request, request.loads[l], result.frequency[k]);
           const bool base = request.loads[l].excitation.kind == Transfer::Excitation::Kind::base;
           if (a != 0.0) sum += a * transfer.motion(l, p, k, steady_quantities[q], base && request.relative);
         }
@@ -77,28 +89,28 @@ SteadyResult steady_state(const Matrices& m, const Modes& modes, const model::St
 }
 
 void write_steady_state(const std::filesystem::path& directory, const output::Header& header,
-                        const model::SteadyState& request, const SteadyResult& result) {
+                        const SteadyResult& result) {
   std::string text = "node,direction,response,frequency,amplitude,phase,real,imaginary\n";
   for (const SteadyCurve& curve : result.curve)
     for (std::size_t q = 0; q < steady_quantities.size(); ++q)
-      for (std::size_t k = 0; k < request.frequency.size(); ++k) {
+      for (std::size_t k = 0; k < result.frequency.size(); ++k) {
         const Complex v = curve.value[q][k];
         text += fmt::format("{},{},{},{:.9g},{},{},{},{}\n", curve.node, direction_name(curve.direction),
-                            to_string(steady_quantities[q]), request.frequency[k], cell(std::abs(v)), cell(degrees(v)),
+                            to_string(steady_quantities[q]), result.frequency[k], cell(std::abs(v)), cell(degrees(v)),
                             cell(v.real()), cell(v.imag()));
       }
   output::write_whole_file(directory / "ssd.csv", text);
 
   output::NodoutSsd file(directory / "nodout_ssd", header);
   std::vector<output::NodoutSsdRow> rows(result.curve.size() / 3);
-  for (std::size_t k = 0; k < request.frequency.size(); ++k) {
+  for (std::size_t k = 0; k < result.frequency.size(); ++k) {
     for (std::size_t c = 0; c < result.curve.size(); ++c) {
       output::NodoutSsdRow& row = rows[c / 3];
       row.node = result.curve[c].node;
       for (std::size_t q = 0; q < steady_quantities.size(); ++q)
         row.amplitude[3 * q + c % 3] = result.curve[c].value[q][k];
     }
-    file.write(request.frequency[k], rows);
+    file.write(result.frequency[k], rows);
   }
 }
 

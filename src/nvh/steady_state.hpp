@@ -19,6 +19,7 @@ inline constexpr std::array steady_quantities{model::FrequencyResponse::Quantity
                                               model::FrequencyResponse::Quantity::acceleration};
 
 struct SteadyResult {
+  std::vector<double> frequency;
   std::vector<SteadyCurve> curve;  ///< three directions a node
   Route route;
 };
@@ -31,8 +32,12 @@ void check_steady_state(const Matrices& matrices, const model::SteadyState& requ
 SteadyResult steady_state(const Matrices& matrices, const Modes& modes, const model::SteadyState& request,
                           const Tell& tell = {});
 
+/// Amplitude of a load at a frequency.
+std::complex<double> amplitude(const model::Model& model, const model::SteadyState& request,
+                               const model::SteadyState::Load& load, double frequency);
+
 /// ssd.csv: a line for each frequency of each response; and nodout_ssd. Throws output::WriteError.
 void write_steady_state(const std::filesystem::path& directory, const output::Header& header,
-                        const model::SteadyState& request, const SteadyResult& result);
+                        const SteadyResult& result);
 
 }  // namespace nugget::nvh

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nvh/stresses.hpp"
 
-#include <algorithm>
-
 #include "base/index.hpp"
+#include "output/element_stresses.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -37,50 +36,21 @@ std::array<double, 6> ElasticStresses::stress(const system::System::Seat& seat, 
 }
 
 void ElasticStresses::fill(double share, output::D3plotState& state) const {
-  const model::Model& model = system_->model;
-  const auto record = [&](const system::System::Seat& seat, int k) {
-    output::StressRecord r{stress(seat, k), 0.0};
-    for (double& component : r.stress) component *= share;
-    return r;
+  output::fill_stresses(*system_, state_, state);
+  const double factor = share / step;
+  const auto scale = [&](auto&... value) { ((value *= factor), ...); };
+  const auto scale_stress = [&](output::StressRecord& r) {
+    for (double& component : r.stress) scale(component);
   };
-  state.solids.resize(model.solids.size());
-  for (std::size_t e = 0; e < model.solids.size(); ++e)
-    static_cast<output::StressRecord&>(state.solids[e]) = record(system_->solid_seat[e], 0);
-
-  const auto points = at(model.requests.beam_points);
-  state.beams.resize(model.beams.size());
-  state.beam_points.resize(model.beams.size() * points);
-  for (std::size_t e = 0; e < model.beams.size(); ++e) {
-    const system::System::Seat seat = system_->beam_seat[e];
-    const system::ElementGroup* group = group_of(*system_, seat);
-    if (group == nullptr) continue;
-    std::array<double, 8> r = group->resultants(at(seat.element));
-    for (double& v : r) v *= share / step;
-    state.beams[e] = {r[0], r[1], r[2], r[4], r[5], r[3]};
-    for (std::size_t k = 0; k < std::min(points, at(group->layers())); ++k) {
-      const std::array<double, 6> s = record(seat, static_cast<int>(k)).stress;
-      state.beam_points[e * points + k] = {s[3], s[5], s[0], 0.0, 0.0};
-    }
-  }
-
-  const auto layers = at(model.requests.layers);
-  state.shells.resize(model.shells.size());
-  state.shell_layers.resize(model.shells.size() * layers);
-  std::vector<output::StressRecord> through;
-  for (std::size_t e = 0; e < model.shells.size(); ++e) {
-    const system::System::Seat seat = system_->shell_seat[e];
-    const system::ElementGroup* group = group_of(*system_, seat);
-    output::ShellRecord& shell = state.shells[e];
-    shell.thickness = model.shells.thickness[e];
-    if (group == nullptr) continue;
-    through.clear();
-    for (int k = 0; k < group->layers(); ++k) through.push_back(record(seat, k));
-    output::shell_layers(through, std::span(state.shell_layers).subspan(e * layers, layers));
-    std::array<double, 8> r = group->resultants(at(seat.element));
-    for (double& v : r) v *= share / step;
-    shell.mx = r[0], shell.my = r[1], shell.mxy = r[2];
-    shell.qx = r[3], shell.qy = r[4];
-    shell.nx = r[5], shell.ny = r[6], shell.nxy = r[7];
+  for (output::SolidRecord& r : state.solids) scale_stress(r);
+  for (output::StressRecord& r : state.shell_layers) scale_stress(r);
+  for (output::BeamRecord& b : state.beams) scale(b.axial, b.shear_s, b.shear_t, b.moment_s, b.moment_t, b.torsion);
+  for (output::BeamPointRecord& p : state.beam_points) scale(p.stress_rs, p.stress_tr, p.stress_axial);
+  const std::vector<double>& thickness = system_->model.shells.thickness;
+  for (std::size_t e = 0; e < state.shells.size(); ++e) {
+    output::ShellRecord& r = state.shells[e];
+    scale(r.mx, r.my, r.mxy, r.qx, r.qy, r.nx, r.ny, r.nxy);
+    r.thickness = thickness[e];
   }
 }
 

@@ -8,6 +8,7 @@
 #include "nvh/answers.hpp"
 #include "nvh/dense.hpp"
 #include "nvh/factorization.hpp"
+#include "nvh/part_damping.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -113,30 +114,61 @@ Superposition::Superposition(const Matrices& m, const Modes& modes, const model:
   }
 }
 
-Answers Superposition::answers(const model::FrequencyResponse::Damping& damping, std::span<const Row> forms,
-                               std::span<const double> frequency) const {
+Answers Superposition::shares(const model::FrequencyResponse::Damping& damping,
+                              std::span<const double> frequency) const {
   const model::Model& model = m_.system.model;
-  const std::size_t count = oscillators_.size();
-  Columns part(count, frequency.size()), imaginary = part;  // of each oscillator's answer to a load of 1
+  Answers a(loads_, oscillators_.size(), frequency.size());
+  if (damping.of_parts) {
+    couple(frequency, a);
+    return a;
+  }
   for (std::size_t k = 0; k < frequency.size(); ++k)
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < oscillators_.size(); ++i) {
       const Oscillator& o = oscillators_[i];
       const double omega = two_pi * frequency[k];
       const double loss = o.eigenvalue * loss_factor(model, frequency[k], o.number);
       const Complex answer =
           1.0 / Complex(o.eigenvalue - omega * omega, viscous(model, damping, o.eigenvalue, o.number) * omega + loss);
-      part[k][i] = answer.real();
-      imaginary[k][i] = answer.imag();
+      for (std::size_t l = 0; l < loads_; ++l) a(l, i, k) = o.load[l] * answer;
     }
+  return a;
+}
+
+/// Damping of parts couples the oscillators: (diag(omega_i^2 (1 + i g) - omega^2) + i omega phi^t C phi) a = phi^t f.
+void Superposition::couple(std::span<const double> frequency, Answers& a) const {
+  const std::size_t count = oscillators_.size();
+  Columns shapes(m_.size(), count), forces(m_.size(), count);
+  for (std::size_t i = 0; i < count; ++i) std::copy_n(oscillators_[i].shape.begin(), m_.size(), shapes[i].begin());
+  multiply(part_damping(m_), shapes, forces);
+  const Columns damping = inner(shapes, count, forces);
+  std::vector<Complex> dynamic(count * count), x(count * loads_);
+  for (std::size_t k = 0; k < frequency.size(); ++k) {
+    const double omega = two_pi * frequency[k];
+    for (std::size_t j = 0; j < count; ++j)
+      for (std::size_t i = 0; i < count; ++i) dynamic[j * count + i] = Complex(0.0, omega * damping[j][i]);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Oscillator& o = oscillators_[i];
+      const double loss = o.eigenvalue * loss_factor(m_.system.model, frequency[k], o.number);
+      dynamic[i * count + i] += Complex(o.eigenvalue - omega * omega, loss);
+      for (std::size_t l = 0; l < loads_; ++l) x[l * count + i] = o.load[l];
+    }
+    solve(dynamic, x, count);
+    for (std::size_t l = 0; l < loads_; ++l)
+      for (std::size_t i = 0; i < count; ++i) a(l, i, k) = x[l * count + i];
+  }
+}
+
+Answers Superposition::answers(const model::FrequencyResponse::Damping& damping, std::span<const Row> forms,
+                               std::span<const double> frequency) const {
+  const Answers share = shares(damping, frequency);
   Answers a(loads_, forms.size(), frequency.size());
   parallel_for(forms.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
-      for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t i = 0; i < oscillators_.size(); ++i) {
         double motion = 0.0;
         for (const Equations::Term& t : forms[f]) motion += t.factor * oscillators_[i].shape[at(t.equation)];
         for (std::size_t l = 0; l < loads_; ++l)
-          for (std::size_t k = 0; k < frequency.size(); ++k)
-            a(l, f, k) += motion * oscillators_[i].load[l] * Complex(part[k][i], imaginary[k][i]);
+          for (std::size_t k = 0; k < frequency.size(); ++k) a(l, f, k) += motion * share(l, i, k);
       }
   });
   return a;

@@ -4,25 +4,20 @@
 #include <numbers>
 
 namespace nugget::nvh {
-namespace {
 
 using Complex = std::complex<double>;
 using Quantity = Transfer::Quantity;
 
-/// Derivatives with respect to time that lead from a displacement to a quantity.
 int order(Quantity quantity) {
   return quantity == Quantity::acceleration ? 2 : quantity == Quantity::velocity ? 1 : 0;
 }
 
-/// (i omega)^n
 Complex derivative(double omega, int n) {
   Complex power = 1.0;
   for (int i = 0; i < n; ++i) power *= Complex(0.0, omega);
   for (int i = 0; i > n; --i) power /= Complex(0.0, omega);
   return power;
 }
-
-}  // namespace
 
 Transfer::Transfer(const Matrices& m, std::vector<Probe> probes, const std::vector<Excitation>& excitations)
     : m_(m), probes_(std::move(probes)), excitations_(excitations) {

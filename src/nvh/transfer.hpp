@@ -5,6 +5,11 @@
 
 namespace nugget::nvh {
 
+/// Derivatives with respect to time that lead from a displacement to a quantity.
+int order(model::FrequencyResponse::Quantity quantity);
+/// (i omega)^n
+std::complex<double> derivative(double omega, int n);
+
 /// Responses of probes to harmonic loads of amplitude 1, put together from the answers of the equations of motion: what
 /// moves with the base is added, motions are turned into velocities and accelerations, supports carry what elements,
 /// masses and damping hand them.

@@ -8,6 +8,7 @@
 
 #include "base/index.hpp"
 #include "nvh/dense.hpp"
+#include "nvh/nodal.hpp"
 #include "nvh/reach.hpp"
 
 namespace nugget::nvh {
@@ -30,8 +31,9 @@ class Taken {
     if (equation_.empty()) return;
     Columns vector = stiffness_;
     const std::vector<double> value = diagonalize(vector);
+    const double most = std::max(std::abs(value.front()), std::abs(value.back()));
     for (std::size_t i = 0; i < value.size(); ++i)
-      if (value[i] > 1e-10 * value.back()) {
+      if (std::abs(value[i]) > 1e-10 * most) {  // negative where a weld is pressed
         load_.value.insert(load_.value.end(), vector[i].begin(), vector[i].end());
         ++load_.count;
       }
@@ -66,10 +68,7 @@ class Taken {
   void add(const system::ElementGroup& elements, std::size_t e) {
     const std::array<int, 8> all = elements.nodes(e);
     const std::span<const int> nodes(all.data(), at(elements.nodes_per_element));
-    const std::size_t n = nodes.size() * at(elements.freedoms());
-    std::vector<double> k(n * n);
-    elements.stiffness(e, m_.rest, k);
-    add(Reach(m_.equations, nodes, elements.freedoms()), k, stiffness_);
+    add(Reach(m_.equations, nodes, elements.freedoms()), tangent_stiffness(m_, elements, e), stiffness_);
     for (std::size_t a = 0; a < nodes.size(); ++a)
       if (!m_.nodal_mass[at(nodes[a])].none())  // else a rigid body with a given mass has swallowed it
         add(Reach(m_.equations, {&nodes[a], 1}, 6), mass_matrix(nodal_share(elements, e, a, m_.rest)), mass_);

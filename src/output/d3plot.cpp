@@ -25,6 +25,16 @@ constexpr float end_mark = -999999.0F;
 constexpr float format_version = 960.0F;  // below 971: one word a rigid wall
 constexpr int layer_words = 7;
 
+using Family = D3plotGeometry::Family;
+
+int file_type(Family family) {
+  return family == Family::d3plot ? 1 : family == Family::d3eigv ? 11 : 21;
+}
+
+bool modes(const D3plotGeometry& g) {
+  return g.family == Family::d3eigv;
+}
+
 /// A stretch of 4-byte words.
 class Words {
  public:
@@ -100,17 +110,17 @@ void control(Words& out, const D3plotGeometry& g) {
   const int shell_parts = static_cast<int>(g.parts.size()) - solid_parts - beam_parts;
   out.text(g.title, 40);
   out.integer(g.seconds_since_1970);
-  out.integer(g.modes ? 11 : 1);  // file type
-  out.integer(0);                 // source version
+  out.integer(file_type(g.family));
+  out.integer(0);  // source version
   out.text("R11", word);
   out.real(format_version);
   out.integer(4);  // NDIM: three dimensions, connectivity unpacked
   out.integer(static_cast<std::int64_t>(g.node_ids.size()));
   out.integer(6);  // ICODE
   out.integer(global_words(g));
-  out.integer(0);                                                     // IT: no temperatures
-  out.integer(1);                                                     // IU: coordinates
-  for (int flag = 0; flag < 2; ++flag) out.integer(g.modes ? 0 : 1);  // IV, IA
+  out.integer(0);                                                      // IT: no temperatures
+  out.integer(1);                                                      // IU: coordinates
+  for (int flag = 0; flag < 2; ++flag) out.integer(modes(g) ? 0 : 1);  // IV, IA
   out.integer(static_cast<std::int64_t>(g.solids.size()));
   out.integer(solid_parts);
   out.integer(0), out.integer(0);  // NUMDS, NUMST
@@ -235,8 +245,8 @@ void check(const D3plotGeometry& g, const D3plotState& s) {
   check_size(s.parts.size(), g.parts.size() + static_cast<std::size_t>(g.nodal_rigid_bodies), "parts");
   check_size(s.wall_forces.size(), static_cast<std::size_t>(g.rigid_walls), "wall_forces");
   check_size(s.x.size(), nodes, "x");
-  check_size(s.v.size(), g.modes ? 0 : nodes, "v");
-  check_size(s.a.size(), g.modes ? 0 : nodes, "a");
+  check_size(s.v.size(), modes(g) ? 0 : nodes, "v");
+  check_size(s.a.size(), modes(g) ? 0 : nodes, "a");
   check_size(s.solids.size(), g.solids.size(), "solids");
   check_size(s.beams.size(), g.beams.size(), "beams");
   check_size(s.beam_points.size(), g.beams.size() * static_cast<std::size_t>(g.beam_points), "beam_points");
@@ -302,6 +312,10 @@ void deletion(Words& out, const Elements& elements, const std::vector<char>& ali
 
 }  // namespace
 
+const char* D3plotGeometry::stem() const {
+  return family == Family::d3plot ? "d3plot" : family == Family::d3eigv ? "d3eigv" : "d3ssd";
+}
+
 void shell_layers(std::span<const StressRecord> points, std::span<StressRecord> layers) {
   std::fill(layers.begin(), layers.end(), StressRecord{});
   if (points.empty() || layers.empty()) return;
@@ -330,7 +344,7 @@ D3plot::D3plot(std::filesystem::path directory, D3plotGeometry geometry, Opening
   numbering(out, g);
   titles(out, g);
   out.fill_block();
-  ResultFile root(directory_ / stem());
+  ResultFile root(directory_ / geometry_.stem());
   root.buffer() = std::move(out.bytes());
   root.commit();
 }
@@ -382,7 +396,7 @@ void D3plot::append_state(std::string_view words) {
 }
 
 std::filesystem::path D3plot::member_path(int number) const {
-  return directory_ / fmt::format("{}{:02}", stem(), number);
+  return directory_ / fmt::format("{}{:02}", geometry_.stem(), number);
 }
 
 void D3plot::archive(Archive& a) {

@@ -44,8 +44,10 @@ struct D3plotGeometry {
   int beam_points = 0;            ///< BEAMIP: integration points of beams
   bool strains = false;           ///< STRFLG
   bool one_state_a_file = false;  ///< IEVERP
-  /// d3eigv: files of that name, the time of a state is a frequency, coordinates only (no velocities, accelerations).
-  bool modes = false;
+  /// What the files hold, and are called. The time of a state of d3eigv and d3ssd is a frequency; modes have
+  /// coordinates only (no velocities, accelerations).
+  enum class Family { d3plot, d3eigv, d3ssd } family = Family::d3plot;
+  const char* stem() const;
 };
 
 /// Energies [force length], mass and velocity of one part.
@@ -121,7 +123,6 @@ class D3plot {
   void archive(Archive& a);
 
  private:
-  const char* stem() const { return geometry_.modes ? "d3eigv" : "d3plot"; }
   std::filesystem::path member_path(int number) const;
   void append_state(std::string_view words);
 

@@ -23,4 +23,18 @@ D3plotGeometry d3plot_geometry(const system::System& system) {
   return g;
 }
 
+D3plotState unstressed_state(const system::System& system, const D3plotGeometry& geometry) {
+  const model::Model& model = system.model;
+  D3plotState state;
+  state.x = system.ties.x;
+  state.parts.resize(model.parts.size());
+  state.solids.resize(model.solids.size());
+  state.beams.resize(model.beams.size());
+  state.beam_points.resize(model.beams.size() * static_cast<std::size_t>(geometry.beam_points));
+  state.shells.resize(model.shells.size());
+  state.shell_layers.resize(model.shells.size() * static_cast<std::size_t>(geometry.layers));
+  for (std::size_t e = 0; e < model.shells.size(); ++e) state.shells[e].thickness = model.shells.thickness[e];
+  return state;
+}
+
 }  // namespace nugget::output

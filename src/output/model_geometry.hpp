@@ -6,7 +6,9 @@
 
 namespace nugget::output {
 
-/// What of the model goes into the head of the d3plot and d3eigv families.
+/// What of the model goes into the head of the d3plot families.
 D3plotGeometry d3plot_geometry(const system::System& system);
+/// The model at rest, elements without stresses; velocities and accelerations are left empty.
+D3plotState unstressed_state(const system::System& system, const D3plotGeometry& geometry);
 
 }  // namespace nugget::output

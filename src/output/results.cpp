@@ -29,6 +29,7 @@ constexpr auto names = std::to_array<std::string_view>({"run.log",
                                                         "mac.csv",
                                                         "d3plot",
                                                         "d3eigv",
+                                                        "d3ssd",
                                                         "swforc",
                                                         "dcfail",
                                                         "glstat",
@@ -64,7 +65,7 @@ bool is_member(std::string_view name, std::string_view stem) {
 bool is_ours(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
   return std::find(names.begin(), names.end(), name) != names.end() || is_member(name, "d3plot") ||
-         is_member(name, "d3eigv");
+         is_member(name, "d3eigv") || is_member(name, "d3ssd");
 }
 
 }  // namespace

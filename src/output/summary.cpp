@@ -48,11 +48,13 @@ Json to_json(const ModeReport& m) {
 }
 
 Json to_json(const ResponseReport& r) {
-  return {{"kind", r.kind},
-          {"node", r.node},
-          {"direction", r.direction},
-          {"response", r.response},
-          {"peak", {{"frequency", r.frequency}, {"amplitude", r.amplitude}, {"phase", r.phase}}}};
+  Json json{{"kind", r.kind},
+            {"node", r.node},
+            {"direction", r.direction},
+            {"response", r.response},
+            {"peak", {{"frequency", r.frequency}, {"amplitude", r.amplitude}, {"phase", r.phase}}}};
+  if (r.load_case > 0) json["case"] = r.load_case;
+  return json;
 }
 
 Json to_json(const WeldDropReport& d) {

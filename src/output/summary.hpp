@@ -80,6 +80,7 @@ struct ResponseReport {
   int node = 0;
   std::string direction, response;                       ///< e.g. `x`, `acceleration`
   double frequency = 0.0, amplitude = 0.0, phase = 0.0;  ///< phase in degrees
+  int load_case = 0;                                     ///< of several, counted from 1; else 0
 };
 
 /// What becomes of the mode that suffers most when welds are taken out (`nugget modes --drop-weld`).

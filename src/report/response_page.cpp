@@ -152,10 +152,11 @@ std::string section(const RunData& run, const std::vector<ResponseCurve>& curves
     if (r.value("kind", "") != kind || ++shown > most) continue;
     const Json& peak = r["peak"];
     s += fmt::format(
-        "<tr class=\"{}\"><td>{}</td><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}</td><td>{}</td>"
+        "<tr class=\"{}\"><td>{}{}</td><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}</td><td>{}</td>"
         "<td>{:.2f}</td></tr>\n",
-        kind, r.value("node", 0), escaped(r.value("direction", "")), escaped(r.value("response", "")),
-        number(real(peak["amplitude"])), number(real(peak["frequency"])), real(peak["phase"]));
+        kind, r.contains("case") ? fmt::format("case {}, ", r.value("case", 0)) : "", r.value("node", 0),
+        escaped(r.value("direction", "")), escaped(r.value("response", "")), number(real(peak["amplitude"])),
+        number(real(peak["frequency"])), real(peak["phase"]));
   }
   s += "</table>\n";
   if (shown > most) s += fmt::format("<p>and {} more; {} has all.</p>\n", shown - most, file);

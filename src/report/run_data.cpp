@@ -57,7 +57,7 @@ std::vector<WeldRow> read_table(const fs::path& path) {
 std::vector<ResponseCurve> read_responses(const fs::path& path) {
   std::ifstream file(path);
   std::string line;
-  std::getline(file, line);  // node, direction, response, frequency, amplitude, phase, real, imaginary
+  std::getline(file, line);  // node, direction, response, frequency, amplitude, phase, real, imaginary; case
   const auto number = [](const std::string& cell) {
     return cell.empty() ? std::numeric_limits<double>::quiet_NaN() : std::strtod(cell.c_str(), nullptr);
   };
@@ -65,7 +65,8 @@ std::vector<ResponseCurve> read_responses(const fs::path& path) {
   while (std::getline(file, line)) {
     const std::vector<std::string> cell = cells(line);
     if (cell.size() < 6) continue;
-    const std::string name = fmt::format("node {} {}", cell[0], cell[1]);
+    std::string name = fmt::format("node {} {}", cell[0], cell[1]);
+    if (cell.size() > 8) name = fmt::format("case {}, {}", cell[8], name);
     if (curves.empty() || curves.back().name != name || curves.back().quantity != cell[2])
       curves.push_back({name, cell[2], {}, {}, {}});
     curves.back().frequency.push_back(number(cell[3]));

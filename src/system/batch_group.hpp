@@ -42,6 +42,7 @@ using AlignedReals = std::vector<double, Aligned<double>>;
 ///   before_cycle(state, alive, put)   may be absent; see BeforeCycle
 ///   set_layer(put, k, layer, places), inviscid()   may be absent; see ElementGroup::set_layer, elastic_rate
 ///   stiffness(state, places, k)       where the kernel's own derivative is not exact; may be absent
+///   viscosity(state, places, c)       of dashpots; may be absent
 ///   Layout::integrity, integrity(state), hold_yield(state, lane), plastic_strain(state, k)     of welds only; the
 ///   first
 ///                                     is that of the weld as a whole, the second that of its points
@@ -171,6 +172,13 @@ class BatchGroup final : public ElementGroup, public BeforeCycle {
           if constexpr (Element::rotational) put(out.m[a]);
         }
     }
+  }
+
+  bool viscosity(std::size_t e, const State& start, std::span<double> c) const override {
+    if constexpr (requires { kernel_.viscosity(reader(e), places(e, start), c); })
+      return kernel_.viscosity(reader(e), places(e, start), c);
+    else
+      return false;
   }
 
   void keep_unstressed() override {

@@ -43,9 +43,11 @@ struct DiscreteBeamElement {
   /// Curves and dampers have no exact derivative by a tiny step, so the stiffness is written down; see BatchGroup.
   template <class Field>
   void stiffness(const Field& field, const Places& place, std::span<double> k) const {
-    const Vec3d r{field(Layout::axis_r), field(Layout::axis_r + 1), field(Layout::axis_r + 2)};
-    const Vec3d s{field(Layout::axis_s), field(Layout::axis_s + 1), field(Layout::axis_s + 2)};
-    kernel::discrete_beam_stiffness(beam, law, {r, s, cross(r, s)}, place[1] - place[0], k);
+    kernel::discrete_beam_stiffness(beam, law, axes_now(field), place[1] - place[0], k);
+  }
+  template <class Field>
+  bool viscosity(const Field& field, const Places& place, std::span<double> c) const {
+    return kernel::discrete_beam_viscosity(beam, law, axes_now(field), place[1] - place[0], c);
   }
 
   template <class Field>
@@ -62,6 +64,12 @@ struct DiscreteBeamElement {
   }
 
  private:
+  template <class Field>
+  static Frame3d axes_now(const Field& field) {
+    const Vec3d r{field(Layout::axis_r), field(Layout::axis_r + 1), field(Layout::axis_r + 2)};
+    const Vec3d s{field(Layout::axis_s), field(Layout::axis_s + 1), field(Layout::axis_s + 2)};
+    return {r, s, cross(r, s)};
+  }
   /// Axes of CID; else r from node 1 to node 2 with s towards the third node; else the global ones.
   Frame3d triad(model::Index element, const Places& place) const {
     const Frame3d global{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

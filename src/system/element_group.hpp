@@ -57,6 +57,8 @@ class ElementGroup {
   /// cycle's own kernel, so that modes and impact cannot disagree; what a kernel resists by viscosity is not in it.
   /// `k` holds (nodes_per_element freedoms())^2 numbers.
   virtual void stiffness(std::size_t e, const State& start, std::span<double> k) const = 0;
+  /// Likewise d f_i / d v_j of the dashpots in element e; false, and `c` as it was, where there is none.
+  virtual bool viscosity(std::size_t, const State&, std::span<double>) const { return false; }
 
   // What is known of element e of the group.
   virtual std::array<int, 8> nodes(std::size_t e) const = 0;  ///< system nodes

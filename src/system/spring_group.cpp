@@ -149,9 +149,20 @@ void SpringGroup::set_bound(std::size_t e, double inverse_mass, double stiffness
 }
 
 void SpringGroup::stiffness(std::size_t e, const State&, std::span<double> k) const {
+  along_line(e, law_.initial_stiffness(), k);
+}
+
+bool SpringGroup::viscosity(std::size_t e, const State&, std::span<double> c) const {
+  const double viscosity = law_.initial_viscosity();
+  if (viscosity == 0.0) return false;
+  along_line(e, viscosity, c);
+  return true;
+}
+
+void SpringGroup::along_line(std::size_t e, double modulus, std::span<double> k) const {
   std::fill(k.begin(), k.end(), 0.0);
   const Entry& s = springs_[e];
-  const double stiffness = s.source->scale * law_.initial_stiffness();
+  const double scaled = s.source->scale * modulus;
   const std::array<double, 3> n{s.line.x, s.line.y, s.line.z};
   const std::size_t per_node = at(freedoms()), first = rotational ? 3 : 0, size = at_each_node() * per_node;
   for (std::size_t a = 0; a < at_each_node(); ++a)
@@ -159,7 +170,7 @@ void SpringGroup::stiffness(std::size_t e, const State&, std::span<double> k) co
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
           k[(a * per_node + first + i) * size + b * per_node + first + j] =
-              (a == b ? stiffness : -stiffness) * n[i] * n[j];
+              (a == b ? scaled : -scaled) * n[i] * n[j];
 }
 
 void SpringGroup::elastic_rate(std::size_t b, const State& now, std::span<Row> f, std::span<Row> m) const {

@@ -31,6 +31,7 @@ class SpringGroup final : public ElementGroup {
   std::size_t slot_rows() const override { return blocks() * width * at_each_node() * (rotational ? 2 : 1); }
   void cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots) override;
   void stiffness(std::size_t e, const State& start, std::span<double> k) const override;
+  bool viscosity(std::size_t e, const State& start, std::span<double> c) const override;
   void keep_unstressed() override {}
   void elastic_rate(std::size_t block, const State& now, std::span<Row> f, std::span<Row> m) const override;
 
@@ -79,6 +80,8 @@ class SpringGroup final : public ElementGroup {
     double inverse_mass = 0.0, stiffness_rate = 0.0, viscosity_rate = 0.0;
     void archive(Archive& a);
   };
+  /// A modulus along the spring's line, as a matrix of its freedoms.
+  void along_line(std::size_t e, double modulus, std::span<double> k) const;
   std::size_t at_each_node() const { return static_cast<std::size_t>(nodes_per_element); }
   Vec3d span(const Entry& s, const State& state) const;
   /// The line of a spring and, of one along it, the elongation's length on it.

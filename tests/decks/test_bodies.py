@@ -2,6 +2,7 @@
 """Springs, joints and beams by the command: what the summary counts, deforc, jntforc, glstat, binout's branches."""
 import json
 import math
+import re
 import unittest
 
 from nugget_command import CommandTest
@@ -154,11 +155,20 @@ class Bodies(CommandTest):
         for mode, omega in zip(modes, expected):
             self.assertAlmostEqual(2 * math.pi * mode["frequency_hz"], omega, delta=1e-3 * omega + 1e-2)
 
-    def test_linear_statics_refuses_joints(self):
-        linear = "*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n*CONTROL_IMPLICIT_SOLUTION\n         1\n"
+    def test_linear_statics_with_a_hinge(self):
+        """A load of 30 at the rod's middle: the springs of 150 at its end and the hinge carry half of it each."""
+        linear = ("*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n*CONTROL_IMPLICIT_SOLUTION\n         1\n"
+                  "*BOUNDARY_SPC_NODE\n" + "".join(f"{n:10d}         0         1         1         1\n" for n in (6, 7)) +
+                  "*LOAD_RIGID_BODY\n         2         3         8\n*DEFINE_CURVE\n         8\n"
+                  "                 0.0                30.0\n                 1.0                30.0\n"
+                  "*DATABASE_JNTFORC\n       0.1         1\n")
         self.write(DECK.format(requests=linear))
-        run = self.nugget("run", "model.k", "-o", "out", expect=1)
-        self.assertIn("joints are built in modes, not in linear statics", run.stderr)
+        self.nugget("run", "model.k", "-o", "out", "--quiet")
+        log = self.read("out/run.log")
+        largest = re.search(r"largest displacement +(\S+) at node +(\d+)", log)
+        self.assertAlmostEqual(float(largest[1]), 0.1, delta=1e-4)
+        self.assertEqual(largest[2], "5")
+        self.assertAlmostEqual(dict(states(self.read("out/jntforc"))[-1])["z-force"], -15.0, delta=1e-3)
 
 
 if __name__ == "__main__":

@@ -103,7 +103,7 @@ class ModeRequests(CommandTest):
         self.assertIn("the linear solution is that of ENDTIM", run.stderr)
         self.assertIn("asks 2 times for modes", run.stderr)
         run = self.nugget("run", self.write(beam(card(0), 1, solution)), "-o", "out", expect=1)
-        self.assertIn("geometric stiffness is built in modes", run.stderr)
+        self.assertIn("geometric stiffness is built in modes and responses", run.stderr)
         run = self.nugget("run", self.write(beam(card(-9), 1, solution)), "-o", "out", expect=1)
         self.assertIn("there is no curve 9", run.stderr)
 

@@ -97,6 +97,25 @@ class ModeStudies(CommandTest):
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), 3 * 6)  # six of the twelve are rigid motions
 
+    def test_welds_of_a_stretched_strip(self):
+        """Preload by stress (IGS 1): estimates without a weld against solving anew, which differ from those at rest."""
+        clamped = "*BOUNDARY_SPC_NODE\n" + "".join(
+            f"{1000 * part + 28 * j + i:10d}{0:10d}" + 6 * "         1" + "\n"
+            for part in (1, 2) for j in range(4) for i in (0, 27))
+        stress = "".join(f"{e:10d}{1:10d}{1:10d}\n{0.0:10.1f}{400.0:10.1f}\n" for e in range(1000, 1081))
+        preload = "*CONTROL_IMPLICIT_GENERAL\n         1       1.0         2         1         1\n*INITIAL_STRESS_SHELL\n" + stress
+        found = {}
+        for name, cards in (("rest", ""), ("stretched", preload)):
+            self.write(strips().replace("*SET_PART_LIST", clamped + cards + "*SET_PART_LIST", 1))
+            self.nugget("modes", "model.k", "-n", 12, "-o", name, "--drop-weld", "all", "--quiet")
+            found[name] = self.json(f"{name}/summary.json")
+        drops = found["stretched"]["drop_weld"]
+        self.assertEqual(len(drops), 3)
+        for drop in drops:
+            self.assertAlmostEqual(drop["without_hz"] / drop["solved_hz"], 1.0, delta=2e-3)
+        bending = [found[name]["modes"][0]["frequency_hz"] for name in ("rest", "stretched")]
+        self.assertGreater(bending[1], 1.05 * bending[0])
+
     def test_welds_together_are_as_the_deck_without_them(self):
         self.write(strips())
         self.write(strips((90.0,)), "fewer.k")

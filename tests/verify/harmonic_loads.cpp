@@ -211,10 +211,10 @@ TEST(FrequencyResponse, RefusesWhatTheModelCannotAnswer) {
     const LinearExperiment e(
         row.hold(row.first).frf(fields({1.0 * row.last, 1, 1, 3}), fields({0.02}), fields({1.0 * row.last, 1, 1, 2})));
     model::FrequencyResponse request = *e.system().model.frequency_response;
-    request.response.quantity = quantity;
-    request.response.rotation = rotation;
+    request.cases[0].response.quantity = quantity;
+    request.cases[0].response.rotation = rotation;
     request.direct = direct;
-    if (torque) request.excitation.kind = model::FrequencyResponse::Excitation::Kind::torque;
+    if (torque) request.cases[0].excitation.kind = model::FrequencyResponse::Excitation::Kind::torque;
     Findings findings;
     nvh::check_frequency_response(e.matrices(), request, findings);
     return findings.errors() > 0 ? findings.all().front().text : std::string();

@@ -36,10 +36,10 @@ std::string shell_stress(int count, double xx, double yy) {
 nvh::Modes modes_of(const std::string& deck, int count, bool loaded = false) {
   const LinearExperiment experiment(deck);
   nvh::Matrices m = experiment.matrices();
-  nvh::Prestress prestress(m);
-  prestress.add_initial();
+  const auto prestress = std::make_shared<nvh::Prestress>(m);
+  prestress->add_initial();
   Findings findings;
-  if (loaded) prestress.add(nvh::solve_statics(m, findings));
+  if (loaded) prestress->add(nvh::solve_statics(m, findings));
   nvh::stiffen(m, prestress);
   nvh::ModeRequest request;
   request.count = count;

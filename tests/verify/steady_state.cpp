@@ -125,7 +125,6 @@ TEST(SteadyState, RefusesWhatIsNotBuilt) {
       {refusal(plain, damping, fields({3, 1, 1, 9, 11})), "rotations of the base"},
       {refusal(plain, damping, fields({3, 1, 1, 1, 11})), "pressure acts on segments"},
       {refusal(plain, damping, fields({3, 2, 1, 0, 11})), "only pressure acts on segment sets"},
-      {refusal(plain, fields({0, 0, 0, 0, 0, 1}), load), "damping of parts"},
       {refusal(fields({1, 0, 0, 0, 0, 1}), damping, load), "results of an earlier run"},
       {refusal(plain, damping, fields({0, 0, 1, 3, 11}) + fields({3, 1, 1, 7, 11})), "do not go together"},
       {refusal(plain, damping, ""), "no load is given"}};

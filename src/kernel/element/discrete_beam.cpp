@@ -74,11 +74,13 @@ double discrete_beam_stable_step(const DiscreteBeamProperties& beam, const Discr
   return fastest > 0.0 ? 2.0 / fastest : std::numeric_limits<double>::infinity();
 }
 
-void discrete_beam_stiffness(const DiscreteBeamProperties& beam, const DiscreteBeam& law, const Frame3d& axes,
-                             const Vec3d& line, std::span<double> k) {
+namespace {
+
+/// Six moduli, along and about the axes, as a matrix of the freedoms of both nodes.
+void spread(const DiscreteBeamProperties& beam, const std::array<double, 6>& modulus, const Frame3d& axes,
+            const Vec3d& line, std::span<double> k) {
   std::fill(k.begin(), k.end(), 0.0);
   for (std::size_t i = 0; i < 6; ++i) {
-    const double stiffness = law.dof[i].initial_stiffness();
     const Vec3d axis = i % 3 == 0 ? axes.e1 : i % 3 == 1 ? axes.e2 : axes.e3;
     // The displacement of the spring for a unit motion of each freedom: e . (v2 - v1 - (w1 + w2)/2 x line).
     const Vec3d spin = i < 3 && beam.long_beam() ? -0.5 * cross(line, axis) : Vec3d{};
@@ -91,8 +93,26 @@ void discrete_beam_stiffness(const DiscreteBeamProperties& beam, const DiscreteB
       b[3 * p + 2] = part[p].z;
     }
     for (std::size_t row = 0; row < 12; ++row)
-      for (std::size_t column = 0; column < 12; ++column) k[12 * row + column] += stiffness * b[row] * b[column];
+      for (std::size_t column = 0; column < 12; ++column) k[12 * row + column] += modulus[i] * b[row] * b[column];
   }
+}
+
+}  // namespace
+
+void discrete_beam_stiffness(const DiscreteBeamProperties& beam, const DiscreteBeam& law, const Frame3d& axes,
+                             const Vec3d& line, std::span<double> k) {
+  std::array<double, 6> stiffness;
+  for (std::size_t i = 0; i < 6; ++i) stiffness[i] = law.dof[i].initial_stiffness();
+  spread(beam, stiffness, axes, line, k);
+}
+
+bool discrete_beam_viscosity(const DiscreteBeamProperties& beam, const DiscreteBeam& law, const Frame3d& axes,
+                             const Vec3d& line, std::span<double> c) {
+  std::array<double, 6> viscosity;
+  for (std::size_t i = 0; i < 6; ++i) viscosity[i] = law.dof[i].initial_viscosity();
+  if (std::all_of(viscosity.begin(), viscosity.end(), [](double d) { return d == 0.0; })) return false;
+  spread(beam, viscosity, axes, line, c);
+  return true;
 }
 
 template <class R>

@@ -53,6 +53,9 @@ double discrete_beam_stable_step(const DiscreteBeamProperties& beam, const Discr
 /// to 1 in size) have no couples here and no part of the spin, so that it is symmetric whatever their length.
 void discrete_beam_stiffness(const DiscreteBeamProperties& beam, const DiscreteBeam& law, const Frame3d& axes,
                              const Vec3d& line, std::span<double> k);
+/// The same of its dampers; false, and `c` as it was, where there is none.
+bool discrete_beam_viscosity(const DiscreteBeamProperties& beam, const DiscreteBeam& law, const Frame3d& axes,
+                             const Vec3d& line, std::span<double> c);
 
 /// One cycle: displacements of node 2 relative to node 1 in the turning triad,
 ///     u' = R (v2 - v1 - w x (x2 - x1)),   theta' = R (w2 - w1),

@@ -147,6 +147,11 @@ double DiscreteSpring::initial_stiffness() const {
   return 0.0;
 }
 
+double DiscreteSpring::initial_viscosity() const {
+  if (damper.empty()) return damping;
+  return damping + (damper_scale.empty() ? 1.0 : damper_scale.factor(start)) * damper.slope(0.0);
+}
+
 double DiscreteSpring::greatest_stiffness() const {
   switch (kind) {
     case Kind::none: return 0.0;

@@ -76,6 +76,8 @@ struct DiscreteSpring {
   double advance(State& state, double increment, double velocity) const;
   /// Slope of f at the start, for linear analyses [force/length].
   double initial_stiffness() const;
+  /// Slope of the damping forces at the start [force time/length].
+  double initial_viscosity() const;
   /// Bounds for the time step: largest stiffness, largest viscosity at a force `f`.
   double greatest_stiffness() const;
   double greatest_viscosity(double f) const;

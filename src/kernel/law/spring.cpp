@@ -117,6 +117,11 @@ double Spring::initial_stiffness() const {
   return std::get<InelasticSpring>(law).load.slope(0.0);
 }
 
+double Spring::initial_viscosity() const {
+  const auto* l = std::get_if<DiscreteSpring>(&law);
+  return l ? l->initial_viscosity() : 0.0;
+}
+
 double Spring::greatest_stiffness() const {
   if (const auto* l = std::get_if<DiscreteSpring>(&law)) return l->greatest_stiffness();
   if (const auto* l = std::get_if<ReversingSpring>(&law)) return std::max(steepest(l->load), steepest(l->unload));

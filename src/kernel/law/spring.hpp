@@ -71,6 +71,8 @@ struct Spring {
   double advance(State& state, double increment, double velocity, double dt) const;
   /// Slope at the start, for linear analyses [force/length].
   double initial_stiffness() const;
+  /// Likewise of the damping force [force time/length].
+  double initial_viscosity() const;
   /// Bounds for the time step: largest stiffness, largest viscosity at a force.
   double greatest_stiffness() const;
   double greatest_viscosity(double force) const;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
+#include "base/index.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/frequency_cards.hpp"
 
@@ -16,11 +19,17 @@ using deck::Row;
 namespace {
 
 using Excitation = FrequencyResponse::Excitation;
+using Response = FrequencyResponse::Response;
 using Quantity = FrequencyResponse::Quantity;
 
+Card with_rest(std::vector<Field> fields, std::initializer_list<Field> rest) {
+  fields.insert(fields.end(), rest);
+  return {std::move(fields)};
+}
+
 /// The name space of N1 depends on its type, which stands behind it; so with N2.
-Card excitation_card(IdSpace n1) {
-  return {{
+Card excitation_card(IdSpace n1, std::initializer_list<Field> rest = {}) {
+  const std::vector<Field> fields{
       id("n1", n1, 0, "node, node set or segment set that is loaded; base motion moves all supports instead"),
       integer("n1typ", 0, between(0, 2),
               "0: n1 is a node, 1: a node set, each of whose nodes is driven, 2: a segment set under pressure"),
@@ -30,12 +39,17 @@ Card excitation_card(IdSpace n1) {
                           "4: pressure; 5, 6, 7: enforced velocity, acceleration, displacement of the nodes; 8: "
                           "torque; others are refused")),
       id("vid1", IdSpace::define, 0, "vector of the direction, where dof1 is 0"),
-      real("fnmax", dimension::rate, 0, at_least(0), "no modes above this natural frequency [cycles/time]; 0: all"),
-      integer("mdmin", 0, at_least(0), "first mode that is used; 0: the first"),
-      integer("mdmax", 0, at_least(0), "last mode that is used; 0: all"),
-  }};
+  };
+  return with_rest(fields, rest);
 }
-const Card excitation_of_node = excitation_card(IdSpace::node), excitation_of_set = excitation_card(IdSpace::set);
+constexpr Field fnmax =
+    real("fnmax", dimension::rate, 0, at_least(0), "no modes above this natural frequency [cycles/time]; 0: all");
+constexpr Field mdmin = integer("mdmin", 0, at_least(0), "first mode that is used; 0: the first");
+constexpr Field mdmax = integer("mdmax", 0, at_least(0), "last mode that is used; 0: all");
+const Card excitation_of_node = excitation_card(IdSpace::node, {fnmax, mdmin, mdmax}),
+           excitation_of_set = excitation_card(IdSpace::set, {fnmax, mdmin, mdmax}),
+           case_excitation_of_node = excitation_card(IdSpace::node),
+           case_excitation_of_set = excitation_card(IdSpace::set);
 
 const Card damping_card{{
     real("dampf", dimension::number, 0, at_least(0), "modal damping ratio of all modes, share of the critical"),
@@ -45,8 +59,10 @@ const Card damping_card{{
     real("dmpstf", dimension::time, 0, at_least(0), "beta"),
 }};
 
-Card response_card(IdSpace n2) {
-  return {{
+constexpr Field relatv = integer("relatv", 0, between(0, 1), "1: relative to the base");
+
+Card response_card(IdSpace n2, std::initializer_list<Field> rest = {}) {
+  const std::vector<Field> fields{
       id("n2", n2, 0, "node or node set whose response is written, node by node"),
       integer("n2typ", 0, between(0, 2), "0: n2 is a node, 1: a node set"),
       integer("dof2", 0, between(0, 8),
@@ -55,20 +71,29 @@ Card response_card(IdSpace n2) {
                           "0: velocity, 1: acceleration, 2: displacement, 3: force (moment) of the support that holds "
                           "the node")),
       id("vid2", IdSpace::define, 0, "vector of the direction, where dof2 is 0"),
-      integer("relatv", 0, between(0, 1), "1: relative to the base"),
-  }};
+  };
+  return with_rest(fields, rest);
 }
-const Card response_of_node = response_card(IdSpace::node), response_of_set = response_card(IdSpace::set);
+const Card response_of_node = response_card(IdSpace::node, {relatv}),
+           response_of_set = response_card(IdSpace::set, {relatv}),
+           case_response_of_node = response_card(IdSpace::node), case_response_of_set = response_card(IdSpace::set);
 
-const Card frequency_card{{
-    real("fmin", dimension::rate, 0, at_least(0), "lowest frequency [cycles/time]"),
-    real("fmax", dimension::rate, required, above_zero(), "highest frequency [cycles/time]"),
-    integer("nfreq", 2, at_least(2), "number of frequencies, ends included"),
-    integer("fspace", 0, between(0, 3), "spacing 0: linear, 1: logarithmic; others are refused"),
-    id("lcfreq", IdSpace::function, 0, "curve of frequencies; refused"),
+const Card frf_frequencies = frequency_card({
     integer("restrt", 0, any_value, "reuse of files of an earlier run; modes are always computed"),
     integer("output", 0, between(0, 1), "0: files frf_amplitude and frf_angle, 1: frf_real and frf_imag"),
+});
+
+const Card cases_card{{
+    integer("ncases", required, at_least(1), "number of subcases, each a title, an excitation and a response"),
+    unused(),
+    unused(),
+    unused(),
+    relatv,
+    fnmax,
+    mdmin,
+    mdmax,
 }};
+const Card title_of_case{{text("title", 80, "of the subcase")}};
 
 const Card structural_card{{
     real("g", dimension::number, 0, at_least(0), "loss factor: the stiffness is K (1 + i g)"),
@@ -84,21 +109,11 @@ const Card control_card{{
 
 constexpr Vec3d axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-/// Findings for responses that are not built; true where there was none.
-bool built(Builder& b, const Row& response, const Row& frequencies, const Excitation& excitation) {
-  const int before = b.findings.errors();
-  if (response.integer("n2typ") == 2)
-    refuse(b, response, "n2typ", "responses of segment sets are not built", "write 1 and give a node set");
-  if (response.integer("relatv") == 1) {
-    const char* const remedy = "write 0";
-    if (excitation.kind != Excitation::Kind::base)
-      refuse(b, response, "relatv", "relative to the base means nothing where no base moves (VAD1 0, 1, 2)", remedy);
-    else if (response.integer("vad2") == 3)
-      refuse(b, response, "relatv", "a force is not relative to the base", remedy);
-  }
-  expect(b, frequencies, Severity::warning, {{"restrt", 0, "not obeyed: the modes are computed anew, as with 0"}});
-  return b.findings.errors() == before;
-}
+/// What stands on the cards of a case.
+struct CaseRows {
+  std::string title;
+  Row excitation, response;
+};
 
 constexpr Driven of_frf[] = {{Excitation::Kind::base, Quantity::velocity},
                              {Excitation::Kind::base, Quantity::acceleration},
@@ -110,43 +125,127 @@ constexpr Driven of_frf[] = {{Excitation::Kind::base, Quantity::velocity},
                              {Excitation::Kind::enforced, Quantity::displacement},
                              {Excitation::Kind::torque}};
 
-void read_frf(Builder& b, const Block& block, const Options&) {
-  Cursor cursor(b.deck, block, b.findings);
-  const Row excitation = cursor.read(cursor.peek_number(1) == 0.0 ? excitation_of_node : excitation_of_set);
-  if (excitation.integer("vad1") == 12)
-    return refuse(b, excitation, "vad1", "torsion by a pair of nodes is not built", "write 8 for a torque on a node");
-  const Row damping = cursor.read(damping_card);
-  const Row response = cursor.read(cursor.peek_number(1) == 0.0 ? response_of_node : response_of_set);
-  const Row frequencies = cursor.read(frequency_card);
-  expect_end(b, cursor);
-  b.later(Phase::conditions, [=](Builder& later) {
-    if (later.model.frequency_response)
-      return refuse(later, excitation, "n1", "a deck has one *FREQUENCY_DOMAIN_FRF", "make a deck for each excitation");
+Response response_of(Builder& b, const Row& row) {
+  Response r;
+  r.place = row.place();
+  if (row.integer("n2typ") == 2) {
+    refuse(b, row, "n2typ", "responses of segment sets are not built", "write 1 and give a node set");
+    return r;
+  }
+  r.nodes = nodes_of(b, row, "n2", "n2typ");
+  const int dof = row.integer("dof2");
+  r.rotation = dof == 8 || (dof >= 4 && dof <= 6);
+  if (dof > 6)
+    r.directions.assign(std::begin(axes), std::end(axes));
+  else
+    r.directions = {dof > 3 ? axes[dof - 4] : direction_of(b, row, "dof2", "vid2")};
+  r.quantity = static_cast<Quantity>(row.integer("vad2"));
+  return r;
+}
+
+FrequencyResponse::Case case_of(Builder& b, const CaseRows& rows) {
+  const auto vad = static_cast<std::size_t>(rows.excitation.integer("vad1"));
+  return {rows.title,
+          excitation_of(b, rows.excitation, {"n1", "n1typ", "dof1", "vad1", "vid1"},
+                        vad < std::size(of_frf) ? std::optional(of_frf[vad]) : std::nullopt),
+          response_of(b, rows.response)};
+}
+
+/// RELATV, on its card.
+void make_relative(Builder& b, const Row& row, FrequencyResponse& r) {
+  if (row.integer("relatv") == 0) return;
+  for (FrequencyResponse::Case& c : r.cases) {
+    c.response.relative = true;
+    if (c.excitation.kind != Excitation::Kind::base)
+      refuse(b, row, "relatv", "relative to the base means nothing where no base moves (VAD1 0, 1, 2)", "write 0");
+    else if (c.response.quantity == Quantity::force)
+      refuse(b, row, "relatv", "a force is not relative to the base", "write 0");
+  }
+}
+
+/// Subcases share their modes.
+void check_cases(Builder& b, const CaseRows& rows, const FrequencyResponse& r) {
+  for (const FrequencyResponse::Case& c : r.cases)
+    if (r.cases.size() > 1 && c.excitation.kind == Excitation::Kind::enforced)
+      return refuse(b, rows.excitation, "vad1",
+                    "subcases share their modes, and enforced nodes would be held in those of all",
+                    "make a deck for each enforced motion");
+}
+
+/// `selection`: the row with FNMAX, MDMIN, MDMAX; `relative`: that with RELATV.
+void make_frf(Builder& builder, const std::vector<CaseRows>& cases, const Row& selection, const Row& relative,
+              const Row& damping, const Row& frequencies) {
+  builder.later(Phase::conditions, [=](Builder& b) {
+    if (b.model.frequency_response)
+      return refuse(b, cases.front().excitation, "n1", "a deck has one *FREQUENCY_DOMAIN_FRF",
+                    "put the excitations under one *FREQUENCY_DOMAIN_FRF_SUBCASE");
     FrequencyResponse r;
-    const auto vad = static_cast<std::size_t>(excitation.integer("vad1"));
-    r.excitation = excitation_of(later, excitation, {"n1", "n1typ", "dof1", "vad1", "vid1"},
-                                 vad < std::size(of_frf) ? std::optional(of_frf[vad]) : std::nullopt);
-    if (!built(later, response, frequencies, r.excitation)) return;
-    r.modes = selection_of(later, excitation);
-    r.damping = damping_of(later, damping);
-    r.response.nodes = nodes_of(later, response, "n2", "n2typ");
-    const int dof = response.integer("dof2");
-    r.response.rotation = dof == 8 || (dof >= 4 && dof <= 6);
-    if (dof > 6)
-      r.response.directions.assign(std::begin(axes), std::end(axes));
-    else
-      r.response.directions = {dof > 3 ? axes[dof - 4] : direction_of(later, response, "dof2", "vid2")};
-    r.response.quantity = static_cast<Quantity>(response.integer("vad2"));
-    r.response.relative = response.integer("relatv") == 1;
-    r.response.place = response.place();
-    r.frequency = frequencies_of(later, frequencies);
+    static_cast<Frequencies&>(r) = frequencies_of(b, frequencies);
+    for (const CaseRows& rows : cases) r.cases.push_back(case_of(b, rows));
+    make_relative(b, relative, r);
+    check_cases(b, cases.front(), r);
+    expect(b, frequencies, Severity::warning, {{"restrt", 0, "not obeyed: the modes are computed anew, as with 0"}});
+    r.modes = selection_of(b, selection);
+    r.damping = damping_of(b, damping);
     r.by_parts = frequencies.integer("output") == 1;
-    later.model.frequency_response = std::move(r);
+    b.model.frequency_response = std::move(r);
   });
-  b.later(Phase::checks, [excitation](Builder& later) {
-    check_analysis(later, excitation, "mdmin", true);
-    if (const auto& r = later.model.frequency_response) check_excitation(later, excitation, "vad1", r->excitation);
+  builder.later(Phase::checks, [=](Builder& b) {
+    check_analysis(b, selection, "mdmin", true);
+    if (!b.model.frequency_response || b.model.frequency_response->cases.size() != cases.size()) return;
+    for (std::size_t i = 0; i < cases.size(); ++i)
+      check_excitation(b, cases[i].excitation, "vad1", b.model.frequency_response->cases[i].excitation);
   });
+}
+
+/// False, and an error, for torsion.
+bool no_torsion(Builder& b, const Row& excitation) {
+  if (excitation.integer("vad1") != 12) return true;
+  refuse(b, excitation, "vad1", "torsion by a pair of nodes is not built", "write 8 for a torque on a node");
+  return false;
+}
+
+void read_frf(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  const auto either = [&](const Card& of_node, const Card& of_set) -> Row {
+    return cursor.read(cursor.peek_number(1) == 0.0 ? of_node : of_set);
+  };
+  if (!options.contains("SUBCASE")) {
+    const Row excitation = either(excitation_of_node, excitation_of_set);
+    if (!no_torsion(b, excitation)) return;
+    const Row damping = cursor.read(damping_card), response = either(response_of_node, response_of_set),
+              frequencies = cursor.read(frf_frequencies);
+    expect_end(b, cursor);
+    return make_frf(b, {{"", excitation, response}}, excitation, response, damping, frequencies);
+  }
+  const Row shared = cursor.read(cases_card), damping = cursor.read(damping_card),
+            frequencies = cursor.read(frf_frequencies);
+  std::vector<CaseRows> cases;
+  for (int i = 0; i < shared.integer("ncases"); ++i) {
+    if (!cursor.more())
+      return refuse(b, shared, "ncases", fmt::format("only {} subcases are there", i),
+                    "give a title, an excitation and a response for each");
+    const std::string title = cursor.read_text();
+    const Row excitation = either(case_excitation_of_node, case_excitation_of_set);
+    if (!no_torsion(b, excitation)) return;
+    cases.push_back({title, excitation, either(case_response_of_node, case_response_of_set)});
+  }
+  expect_end(b, cursor);
+  if (!cases.empty()) make_frf(b, cases, shared, shared, damping, frequencies);
+}
+
+/// LCFREQ. The manual does not say which column holds the frequencies: a curve that leaves it open is refused.
+std::vector<double> listed_frequencies(Builder& b, const Row& row) {
+  const Index id = b.curve(row, "lcfreq");
+  if (id == none) return {};
+  const Curve& curve = b.model.curves[at(id)];
+  const bool same = curve.x == curve.y,
+             constant = std::all_of(curve.y.begin(), curve.y.end(), [&](double y) { return y == curve.y.front(); });
+  if (!same && !constant)
+    refuse(b, row, "lcfreq", "it is open whether the curve's abscissae or its ordinates are the frequencies",
+           "write each frequency in both columns, or a constant in the second");
+  if (curve.x.front() < 0.0) refuse(b, row, "lcfreq", "there are frequencies below 0", "leave them out");
+  return curve.x;
 }
 
 void read_structural(Builder& b, const Block& block, const Options&) {
@@ -222,22 +321,34 @@ Excitation excitation_of(Builder& b, const Row& row, const ExcitationFields& fie
   return e;
 }
 
-std::vector<double> frequencies_of(Builder& b, const Row& row) {
-  if (row.integer("fspace") > 1)
-    refuse(b, row, "fspace", "frequencies that gather at the natural ones are not built", "write 0 or 1");
-  refuse_nonzero(b, row, "lcfreq", "frequencies by curve are not built", "give FMIN, FMAX, NFREQ and FSPACE");
+Card frequency_card(std::initializer_list<Field> rest) {
+  return with_rest(
+      {
+          real("fmin", dimension::rate, 0, at_least(0), "lowest frequency [cycles/time]"),
+          real("fmax", dimension::rate, 0, at_least(0), "highest frequency [cycles/time]"),
+          integer("nfreq", 2, at_least(2), "number of frequencies, ends included"),
+          integer("fspace", 0, between(0, 3),
+                  "spacing 0: linear, 1: logarithmic, 2: gathered at the natural frequencies, 3: these alone"),
+          id("lcfreq", IdSpace::function, 0, "curve whose abscissae are the frequencies, instead of the fields before"),
+      },
+      rest);
+}
+
+Frequencies frequencies_of(Builder& b, const Row& row) {
+  if (row.integer("lcfreq") != 0) return {listed_frequencies(b, row), {}};
   const double low = row.real("fmin"), high = row.real("fmax");
-  const bool logarithmic = row.integer("fspace") == 1;
+  const int count = row.integer("nfreq"), spacing = row.integer("fspace");
+  const bool logarithmic = spacing == 1;
   if (low >= high) refuse(b, row, "fmax", "the range of frequencies is empty", "give an FMAX above FMIN");
   if (logarithmic && !(low > 0.0))
     refuse(b, row, "fmin", "logarithmic spacing cannot begin at 0", "give an FMIN above 0, or FSPACE 0");
-  const auto n = static_cast<std::size_t>(row.integer("nfreq"));
+  if (spacing > 1) return {{low, high}, spacing == 2 ? count : 0};
   std::vector<double> f;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double s = static_cast<double>(i) / static_cast<double>(n - 1);
+  for (int i = 0; i < count; ++i) {
+    const double s = static_cast<double>(i) / static_cast<double>(count - 1);
     f.push_back(logarithmic ? low * std::pow(high / low, s) : low + s * (high - low));
   }
-  return f;
+  return {f, {}};
 }
 
 FrequencyResponse::Selection selection_of(Builder& b, const Row& row) {
@@ -274,11 +385,19 @@ void check_excitation(Builder& b, const Row& row, std::string_view field, const 
 std::vector<Keyword> frequency_keywords() {
   return {
       {.name = "FREQUENCY_DOMAIN_FRF",
-       .layout = {{"", &excitation_of_node}, {"", &damping_card}, {"", &response_of_node}, {"", &frequency_card}},
+       .options = {"SUBCASE"},
+       .layout = {{"without _SUBCASE", &excitation_of_node},
+                  {"with _SUBCASE", &cases_card},
+                  {"", &damping_card},
+                  {"without _SUBCASE", &response_of_node},
+                  {"", &frf_frequencies},
+                  {"with _SUBCASE, for each", &title_of_case},
+                  {"with _SUBCASE, for each", &case_excitation_of_node},
+                  {"with _SUBCASE, for each", &case_response_of_node}},
        .read = read_frf},
       {.name = "FREQUENCY_DOMAIN_FRF_*",
        .verdict = Verdict::refused,
-       .why = "options of *FREQUENCY_DOMAIN_FRF (_SUBCASE) are not built; make a deck for each excitation"},
+       .why = "of the options of *FREQUENCY_DOMAIN_FRF _SUBCASE is built"},
       {.name = "DAMPING_STRUCTURAL", .layout = {{"", &structural_card}}, .read = read_structural},
       {.name = "CONTROL_FREQUENCY_DOMAIN", .layout = {{"", &control_card}}, .read = read_control},
       {.name = "FREQUENCY_DOMAIN_*",

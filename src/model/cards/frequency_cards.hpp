@@ -36,8 +36,10 @@ std::vector<Index> nodes_of(Builder& builder, const deck::Row& row, std::string_
 /// A unit vector: axis 1, 2, 3, or else that of *DEFINE_VECTOR.
 Vec3d direction_of(Builder& builder, const deck::Row& row, std::string_view axis, std::string_view vector);
 
-/// Frequencies by FMIN, FMAX, NFREQ and FSPACE.
-std::vector<double> frequencies_of(Builder& builder, const deck::Row& row);
+/// The fields FMIN to LCFREQ, which several cards have; `rest` follows them.
+Card frequency_card(std::initializer_list<Field> rest = {});
+/// What they ask for.
+Frequencies frequencies_of(Builder& builder, const deck::Row& row);
 FrequencyResponse::Selection selection_of(Builder& builder, const deck::Row& row);
 FrequencyResponse::Damping damping_of(Builder& builder, const deck::Row& row);
 

@@ -25,7 +25,7 @@ constexpr Field tuning(std::string_view name, double fallback) {
 }
 
 const Card general_card{{
-    integer("imflag", 0, between(0, 1), "0: explicit run, 1: implicit (modes or linear statics)"),
+    integer("imflag", 0, any_value, "0: explicit run, 1: implicit (modes or linear statics); others are refused"),
     real("dt0", dimension::time, 0, any_value, "time step; a linear solution has none, no effect"),
     choice("imform", 2, "springback formulation, no effect"),
     choice("nsbs", 1, "springback steps, no effect"),
@@ -92,16 +92,37 @@ const Card dynamics_card{{
     tuning("alpha", 0),
 }};
 
+/// False, and why, for runs that go from one kind of analysis to another.
+bool single_analysis(Builder& b, const Row& row) {
+  const int flag = row.integer("imflag");
+  if (flag == 0 || flag == 1) return true;
+  const char* const what =
+      flag < 0    ? "a switch between implicit and explicit over time (a curve) is not built"
+      : flag == 2 ? "springback after an explicit run is a nonlinear implicit step, which is not built"
+      : flag == 6 ? "modes in the course of an explicit run are not built: they are those at time 0, or "
+                    "under static loads"
+                  : "a run that switches between implicit and explicit is not built";
+  const char* const remedy =
+      flag == 6
+          ? "write 1 with NEIG (below 0: under the loads at ENDTIM; IGS 1 for their geometric stiffness), or 0 for "
+            "the explicit run"
+          : "write 0 for an explicit run, 1 for modes or linear statics";
+  refuse(b, row, "imflag", what, remedy);
+  return false;
+}
+
 void read_general(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   const Row row = cursor.read(general_card);
   expect_end(b, cursor);
+  if (!single_analysis(b, row)) return;
   b.model.implicit.active = row.integer("imflag") == 1;
   b.model.implicit.geometric = row.integer("igs") == 1;
   if (!b.model.implicit.active) return;
   b.later(Phase::checks, [row](Builder& later) {
-    if (later.model.implicit.geometric && later.model.implicit.modes == 0)
-      refuse(later, row, "igs", "geometric stiffness is built in modes, not in statics or direct responses",
+    const bool response = later.model.frequency_response || later.model.steady_state;
+    if (later.model.implicit.geometric && later.model.implicit.modes == 0 && !response)
+      refuse(later, row, "igs", "geometric stiffness is built in modes and responses over frequency, not in statics",
              "write IGS 2, or ask for modes by NEIG in *CONTROL_IMPLICIT_EIGENVALUE");
     const bool has_solution =
         std::any_of(later.model.ledger.begin(), later.model.ledger.end(),

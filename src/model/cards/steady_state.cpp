@@ -31,7 +31,8 @@ const Card damping_card{{
     integer("lctyp", 0, between(0, 1), "lcdam is over 0: natural frequency [cycles/time], 1: number of the mode"),
     real("dmpmas", dimension::rate, 0, at_least(0), "alpha of Rayleigh's damping alpha M + beta K; adds to the others"),
     real("dmpstf", dimension::time, 0, at_least(0), "beta"),
-    integer("dmpflg", 0, between(0, 1), "1: damping of *DAMPING_PART_...; refused"),
+    integer("dmpflg", 0, between(0, 1),
+            "1: dashpots and *DAMPING_PART_MASS, _STIFFNESS instead of the fields before this one"),
 }};
 
 const Card options_card{{
@@ -62,12 +63,12 @@ Card load_card(IdSpace nid) {
 }
 const Card load_of_node = load_card(IdSpace::node), load_of_set = load_card(IdSpace::set);
 
-const Card frequency_card{{
-    real("fmin", dimension::rate, 0, at_least(0), "lowest frequency [cycles/time]"),
-    real("fmax", dimension::rate, required, above_zero(), "highest frequency [cycles/time]"),
-    integer("nfreq", 2, at_least(2), "number of frequencies, ends included"),
-    integer("fspace", 0, between(0, 3), "spacing 0: linear, 1: logarithmic; others are refused"),
-    id("lcfreq", IdSpace::function, 0, "curve of frequencies; refused"),
+const Card ascii_card = frequency_card(), states_card = frequency_card();
+
+const Card binary_card{{
+    integer("binary", 0, between(0, 91),
+            "d3ssd holds 1: amplitudes, 90: real parts, 91: imaginary parts of the motion of all nodes; 0: no file; "
+            "others are refused"),
 }};
 
 /// By VAD; rotations of the base have none.
@@ -115,8 +116,6 @@ void read_ssd(Builder& b, const Block& block, const Options& options) {
     if (!s.loads.empty())
       return refuse(later, modes, "mdmin", "a deck has one *FREQUENCY_DOMAIN_SSD", "put all loads under one");
     refuse_nonzero(later, modes, "restdp", "results of an earlier run are not read", "leave it out");
-    refuse_nonzero(later, damping, "dmpflg", "damping of parts is not built in the response over frequency",
-                   "give DAMPF, LCDAM, DMPMAS or DMPSTF");
     refuse_nonzero(later, more, "nerp", "radiated power is not built", "leave it out");
     expect(later, modes, Severity::warning, {{"restmd", 0, "not obeyed: the modes are computed anew, as with 0"}});
     expect(later, more, Severity::warning, {{"istress", 0, "not obeyed: stresses over frequency are not written"}});
@@ -124,6 +123,13 @@ void read_ssd(Builder& b, const Block& block, const Options& options) {
     s.modes = selection_of(later, modes);
     s.modes.lowest = modes.real("fnmin");
     s.damping = damping_of(later, damping);
+    if (damping.integer("dmpflg") == 1) {
+      if (s.damping.ratio > 0.0 || s.damping.curve != none || s.damping.mass > 0.0 || s.damping.stiffness > 0.0)
+        damping.complain(later.findings, Severity::warning, "dmpflg",
+                         "it replaces DAMPF, LCDAM, DMPMAS and DMPSTF, which have no effect");
+      s.damping = {};
+      s.damping.of_parts = true;
+    }
     s.by_parts = modes.integer("lcflag") == 1;
     s.relative = modes.integer("relatv") == 1;
     for (const Row& load : loads)
@@ -136,24 +142,47 @@ void read_ssd(Builder& b, const Block& block, const Options& options) {
     if (s.loads.size() != loads.size()) return;
     for (std::size_t i = 0; i < loads.size(); ++i) check_excitation(later, loads[i], "vad", s.loads[i].excitation);
     check_together(later, loads.back(), s);
-    if (s.frequency.empty())
+    if (s.frequency.empty() && !s.states)
       refuse(later, modes, "mdmin", "no frequencies are given",
-             "add *DATABASE_FREQUENCY_ASCII_NODOUT_SSD with FMIN, FMAX and NFREQ");
-    if (later.model.requests.history_nodes.empty())
+             "add *DATABASE_FREQUENCY_ASCII_NODOUT_SSD or _BINARY_D3SSD with FMIN, FMAX and NFREQ");
+    if (!s.frequency.empty() && later.model.requests.history_nodes.empty())
       refuse(later, modes, "mdmin", "no nodes are given whose response is wanted", "add *DATABASE_HISTORY_NODE");
   });
 }
 
+/// A request of output is for nothing without loads.
+void expect_loads(Builder& b, const Row& row, std::string_view field) {
+  if (!b.model.steady_state || !b.model.steady_state->loads.empty()) return;
+  row.complain(b.findings, Severity::warning, field, "no response: there is no *FREQUENCY_DOMAIN_SSD");
+  b.model.steady_state.reset();
+}
+
 void read_nodout_ssd(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
-  const Row row = cursor.read(frequency_card);
+  const Row row = cursor.read(ascii_card);
   expect_end(b, cursor);
-  b.later(Phase::conditions, [row](Builder& later) { steady_state(later).frequency = frequencies_of(later, row); });
-  b.later(Phase::checks, [row](Builder& later) {
-    if (!later.model.steady_state || !later.model.steady_state->loads.empty()) return;
-    row.complain(later.findings, Severity::warning, "fmin", "no response: there is no *FREQUENCY_DOMAIN_SSD");
-    later.model.steady_state.reset();
+  b.later(Phase::conditions,
+          [row](Builder& later) { static_cast<Frequencies&>(steady_state(later)) = frequencies_of(later, row); });
+  b.later(Phase::checks, [row](Builder& later) { expect_loads(later, row, "fmin"); });
+}
+
+void read_d3ssd(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  const Row kind = cursor.read(binary_card), row = cursor.read(states_card);
+  expect_end(b, cursor);
+  const int binary = kind.integer("binary");
+  if (binary == 0)
+    return kind.complain(b.findings, Severity::warning, "binary", "no d3ssd is written", "write 1, 90 or 91");
+  if (binary != 1 && binary < 90)
+    return refuse(b, kind, "binary", "files of complex numbers are not built", "write 90 in one run and 91 in another");
+  b.later(Phase::conditions, [binary, row](Builder& later) {
+    using Part = SteadyState::States::Part;
+    SteadyState::States states;
+    static_cast<Frequencies&>(states) = frequencies_of(later, row);
+    states.part = binary == 90 ? Part::real : binary == 91 ? Part::imaginary : Part::amplitude;
+    steady_state(later).states = std::move(states);
   });
+  b.later(Phase::checks, [kind](Builder& later) { expect_loads(later, kind, "binary"); });
 }
 
 }  // namespace
@@ -164,14 +193,16 @@ std::vector<Keyword> steady_state_keywords() {
        .options = {"DIRECT"},
        .layout = {{"", &modes_card}, {"", &damping_card}, {"", &options_card}, {"for each load", &load_of_node}},
        .read = read_ssd},
-      {.name = "DATABASE_FREQUENCY_ASCII_NODOUT_SSD", .layout = {{"", &frequency_card}}, .read = read_nodout_ssd},
+      {.name = "DATABASE_FREQUENCY_ASCII_NODOUT_SSD", .layout = {{"", &ascii_card}}, .read = read_nodout_ssd},
+      {.name = "DATABASE_FREQUENCY_BINARY_D3SSD",
+       .layout = {{"", &binary_card}, {"", &states_card}},
+       .read = read_d3ssd},
       {.name = "DATABASE_FREQUENCY_ASCII_*",
        .verdict = Verdict::refused,
        .why = "of the histories over frequency _NODOUT_SSD is written"},
       {.name = "DATABASE_FREQUENCY_BINARY_*",
        .verdict = Verdict::refused,
-       .why = "d3ssd and the other state files over frequency are not written; use "
-              "*DATABASE_FREQUENCY_ASCII_NODOUT_SSD with *DATABASE_HISTORY_NODE"},
+       .why = "of the state files over frequency _D3SSD is written, without _SUBCASE"},
   };
 }
 
