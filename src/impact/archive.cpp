@@ -66,7 +66,7 @@ void Erosion::archive(Archive& a) {
 }
 
 void JointSprings::Freedom::archive(Archive& a) {
-  a(place, friction);
+  a(friction, now.place, now.rate, now.stiffness, now.damping);
   a.built(load, damper, stiffness, friction_limit, low, high);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "base/index.hpp"
 #include "model/axes.hpp"
@@ -301,6 +302,17 @@ output::JntforcState jntforc_state(const Snapshot& now) {
   s.time = now.state.time;
   for (std::size_t i = 0; i < now.joints.size(); ++i)
     s.rows.push_back({now.system.model.joints[i].id, now.joints.force(i), now.joints.moment(i), now.joints.energy(i)});
+  const JointSprings& springs = now.joints.springs();
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    const model::JointStiffness& source = now.system.model.joint_stiffnesses[i];
+    const double unit = source.rotational ? 180.0 / std::numbers::pi : 1.0;
+    output::JntforcStiffness row{source.id, {}, springs.energy(i)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const JointSprings::Reading& r = springs.reading(i, k);
+      row.axis[k] = {unit * r.place, unit * r.rate, r.stiffness, r.damping};
+    }
+    (source.rotational ? s.rotations : s.displacements).push_back(row);
+  }
   return s;
 }
 

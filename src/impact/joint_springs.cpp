@@ -21,10 +21,11 @@ std::array<Vec3d, 3> rows(const Frame3d& f) {
 }  // namespace
 
 double JointSprings::Freedom::advance(double increment, double rate) {
-  place += increment;
+  const double place = now.place + increment;
   friction = std::clamp(friction + stiffness * increment, -friction_limit, friction_limit);
   const double beyond = place > high ? place - high : place < low ? place - low : 0.0;
-  return load(place) + damper(rate) + friction + stiffness * beyond;
+  now = {place, rate, load(place) + friction + stiffness * beyond, damper(rate)};
+  return now.stiffness + now.damping;
 }
 
 JointSprings::JointSprings(const system::System& system) {
@@ -51,7 +52,7 @@ JointSprings::JointSprings(const system::System& system) {
       f.friction_limit = given.friction;
       f.low = given.low_stop > 0.0 ? -given.low_stop : -infinity;
       f.high = given.high_stop > 0.0 ? given.high_stop : infinity;
-      f.place = dot(e[i], start);
+      f.now.place = dot(e[i], start);
     }
     springs_.push_back(std::move(s));
   }
@@ -106,7 +107,7 @@ void JointSprings::apply(Spring& s, system::State& state) {
     const Vec3d e = s.body[1]->axes.global(own[i]);
     Freedom& f = s.freedom[i];
     const double speed = dot(e, rate);
-    load -= f.advance(s.rotational ? state.dt * speed : dot(e, gap) - f.place, speed) * e;
+    load -= f.advance(s.rotational ? state.dt * speed : dot(e, gap) - f.now.place, speed) * e;
   }
   const std::array<Vec3d, 2> force_before = s.force, moment_before = s.moment;
   if (s.rotational) {

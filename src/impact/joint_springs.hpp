@@ -31,6 +31,14 @@ class JointSprings {
   /// The longest step that all of them bear; infinite where there are none [time].
   double stable_step() const { return stable_step_; }
 
+  /// One axis of a joint stiffness: d [rad or length], d', and of F the part of the damper and the rest.
+  struct Reading {
+    double place = 0.0, rate = 0.0, stiffness = 0.0, damping = 0.0;
+  };
+  std::size_t size() const { return springs_.size(); }  ///< in the order of Model::joint_stiffnesses
+  const Reading& reading(std::size_t spring, std::size_t axis) const { return springs_[spring].freedom[axis].now; }
+  double energy(std::size_t spring) const { return springs_[spring].energy; }
+
   void archive(Archive& a);
 
  private:
@@ -38,7 +46,8 @@ class JointSprings {
     kernel::ForceCurve load, damper;
     double stiffness = 0.0, friction_limit = 0.0;
     double low = 0.0, high = 0.0;  ///< infinite where there is no stop
-    double place = 0.0, friction = 0.0;
+    double friction = 0.0;
+    Reading now;
     double advance(double increment, double rate);
     void archive(Archive& a);
   };

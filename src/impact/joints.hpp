@@ -41,6 +41,7 @@ class Joints {
   const Vec3d& force(std::size_t joint) const { return joints_[joint].force; }
   const Vec3d& moment(std::size_t joint) const { return joints_[joint].moment; }
   double energy(std::size_t joint) const { return joints_[joint].energy; }
+  const JointSprings& springs() const { return springs_; }
   /// Distance of B's point from A's, in the directions that the joint holds, and the largest so far.
   double opening(std::size_t joint) const { return joints_[joint].opening; }
   double largest_opening(std::size_t joint) const { return joints_[joint].largest_opening; }

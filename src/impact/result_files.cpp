@@ -68,7 +68,7 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
   const auto printed = [](const model::Discrete& d) { return d.in_deforc; };
   if (std::any_of(model_.discretes.begin(), model_.discretes.end(), printed))
     add<output::Deforc>(ask.deforc, "deforc", deforc_state);
-  if (!model_.joints.empty()) {
+  if (!model_.joints.empty() || !model_.joint_stiffnesses.empty()) {
     std::vector<output::LegendEntry> joints;
     for (const model::Joint& j : model_.joints)
       if (!j.title.empty()) joints.push_back({j.id, j.title});

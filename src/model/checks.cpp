@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "kernel/law/composition.hpp"
+#include "model/cards/equation_of_state.hpp"
 #include "model/lumped_mass.hpp"
 #include "model/passes.hpp"
 
@@ -227,6 +228,15 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
     section.elform = 16;
     return;
   }
+  if (section.elform == 17) {
+    b.shell_section_rows[s].complain(
+        b.findings, Severity::warning, "elform",
+        "the discrete Kirchhoff triangle 17 is computed as 4, a C0 triangle, which is stiffer in "
+        "bending: mesh finely",
+        "write 4");
+    section.elform = 4;
+    return;
+  }
   if (b.model.implicit.active && one_point(section.elform)) {
     section.elform = 2;
     return;
@@ -255,7 +265,8 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
   const bool linear = elform == 18 && b.model.implicit.active;
   const bool is_weld = is<kernel::Spotweld>(b.model, part),
              is_corner_shape = elform == 10 || elform == 13 || elform == 15;
-  const bool is_built = elform == 1 || elform == 2 || linear || (is_corner_shape && !is_weld);
+  const bool is_scaled = elform == -1 || elform == -2;
+  const bool is_built = elform == 1 || elform == 2 || linear || is_scaled || (is_corner_shape && !is_weld);
   const bool is_wedge = elform == 15 && is_built;
   if (elform == 13 && is_built && is<kernel::Compound>(b.model, part) && !told[s]) {
     told[s] = 1;
@@ -263,7 +274,15 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
         b.findings, Severity::warning, "elform",
         "the nodes' pressure is built for *MAT_001, 003, 012 and 024; with this law the tetrahedra are computed as 10");
   }
-  if (is<kernel::Rigid>(b.model, part) || (is_built && !is_wedge) || std::exchange(told[s], char{1})) return;
+  if (is<kernel::Rigid>(b.model, part) || (is_built && !is_wedge && !is_scaled) || std::exchange(told[s], char{1}))
+    return;
+  if (is_scaled)
+    return b.solid_section_rows[s].complain(
+        b.findings, Severity::warning, "elform",
+        fmt::format("solid formulation {} is computed as a brick of eight points with assumed strains, which does not "
+                    "lock in bending either; LS-DYNA's changed Jacobian is not public in detail, and a patent "
+                    "application, US 2011/0191072, covers it",
+                    elform));
   if (is_wedge)
     return b.solid_section_rows[s].complain(b.findings, Severity::warning, "elform",
                                             "wedges are computed as collapsed bricks of eight points (formulation 2)");
@@ -275,17 +294,13 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
     elform = 1;
     return;
   }
-  const bool is_scaled = elform == -1 || elform == -2;
-  const bool is_brick_that_bends = is_scaled || elform == 18 || is_weld;
+  const bool is_brick_that_bends = elform == 3 || elform == 18 || is_weld;
   refuse(
       b, b.solid_section_rows[s], "elform",
-      fmt::format("solid formulation {} is not built{}; built are 1 (constant stress), 2 (fully integrated) and, not "
-                  "for welds, 10 and 13 (tetrahedra) and 15 (wedge)",
-                  elform,
-                  is_scaled ? " (its changed Jacobian is not public in detail, and a patent application, US "
-                              "2011/0191072, covers it)"
-                            : ""),
-      is_brick_that_bends ? "write 1, with an hourglass control of type 6 and QM 1, which bends without locking"
+      fmt::format("solid formulation {} is not built{}; built are 1 (constant stress), 2 (fully integrated), -1 and -2 "
+                  "(for poor aspect ratios) and, not for welds, 10 and 13 (tetrahedra) and 15 (wedge)",
+                  elform, elform == 3 || elform == 4 ? " (how its nodal rotations enter is not public)" : ""),
+      is_brick_that_bends ? "write -1, a brick of eight points that bends without locking"
       : elform == 4       ? "write 13, or 10, which locks in bending and in plastic flow"
                           : "write 1, with an hourglass control of type 2 or 3");
 }
@@ -353,6 +368,27 @@ void check_beam_law(Builder& b, const Part& part, const deck::Row& row) {
   }
 }
 
+/// Solids of *MAT_JOHNSON_COOK have an equation of state, or an elastic bulk modulus; shells have the latter.
+void check_equation_of_state(Builder& b, const Part& part, const deck::Row& row, const kernel::Compound& law) {
+  const bool is_solid = part.kind == ElementKind::solid;
+  if (is_solid && law.made_of->state) return;
+  if (is_solid && row.integer("eosid") != 0)
+    refuse(b, row, "eosid",
+           fmt::format("equation of state {} is not defined, or of a kind that is not built", row.integer("eosid")),
+           "define it by *EOS_LINEAR_POLYNOMIAL or *EOS_GRUNEISEN");
+  else if (!(law.E > 0.0))
+    refuse(b, row, "mid", "*MAT_JOHNSON_COOK without an equation of state needs E and PR", "give them");
+  else if (!is_solid && law.made_of->spall)
+    row.complain(b.findings, Severity::warning, "mid",
+                 "PC and SPALL of *MAT_JOHNSON_COOK are not obeyed in shells: no element is deleted by tension",
+                 "use *MAT_ADD_EROSION with SIGP1, or leave PC 0");
+  else if (is_solid)
+    row.complain(b.findings, Severity::warning, "eosid",
+                 "*MAT_JOHNSON_COOK in solids without an equation of state, which LS-DYNA demands: pressure and shear "
+                 "are those of E and PR",
+                 "write *EOS_LINEAR_POLYNOMIAL with C1 = E/(3 (1 - 2 PR))");
+}
+
 /// Some laws are made for shells or bricks only.
 void check_compound(Builder& b, const Part& part, const deck::Row& row) {
   const Material& material = b.model.materials[static_cast<std::size_t>(part.material)];
@@ -362,8 +398,9 @@ void check_compound(Builder& b, const Part& part, const deck::Row& row) {
     refuse(b, row, "mid", fmt::format("*{} damages the layers of shells, but the part has solids", material.keyword),
            "use *MAT_PLASTICITY_WITH_DAMAGE, or *MAT_SIMPLIFIED_JOHNSON_COOK with PSFAIL");
   else if (part.kind == ElementKind::solid && !law->made_of->for_bricks)
-    refuse(b, row, "mid", fmt::format("*{} in solids needs an equation of state, which is not built", material.keyword),
-           "use *MAT_SIMPLIFIED_JOHNSON_COOK, which needs none");
+    refuse(b, row, "mid", fmt::format("*{} is a law of shells, but the part has solids", material.keyword),
+           "use a law of solids");
+  if (takes_equation_of_state(material)) check_equation_of_state(b, part, row, *law);
   if (part.kind == ElementKind::shell && !law->made_of->for_shells)
     refuse(b, row, "mid", fmt::format("*{} is a law of solids, but the part has shells", material.keyword),
            "give it the law of a sheet");
@@ -376,6 +413,9 @@ void check_law(Builder& b, const Part& part, const deck::Row& row) {
   const Material& material = m.materials[static_cast<std::size_t>(part.material)];
   const bool is_weld = is<kernel::Spotweld>(m, part);
   check_compound(b, part, row);
+  if (row.integer("eosid") != 0 && !(takes_equation_of_state(material) && part.kind == ElementKind::solid))
+    row.complain(b.findings, Severity::warning, "eosid",
+                 fmt::format("ignored: *{} in these elements has no equation of state", material.keyword));
   if (is_weld && part.kind == ElementKind::shell)
     refuse(b, row, "mid", "*MAT_SPOTWELD is a law of weld beams, but the part has shells", "give it a sheet's law");
   else if (is_weld && part.kind == ElementKind::beam && material.weld != none &&

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "model/builder.hpp"
+#include "model/cards/equation_of_state.hpp"
 #include "model/cards/families.hpp"
 
 namespace nugget::model {
@@ -22,6 +23,7 @@ std::vector<Keyword> all_families() {
            material_keywords,
            plastic_material_keywords,
            johnson_cook_keywords,
+           equation_of_state_keywords,
            erosion_keywords,
            rubber_material_keywords,
            foam_material_keywords,

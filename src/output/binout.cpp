@@ -207,7 +207,47 @@ void Binout::write(const DeforcState& s) {
   end_state();
 }
 
+// The sixteen numbers of a joint stiffness: the names are LS-DYNA's, which has rotations of
+// _GENERALIZED under those of _FLEXION-TORSION (LSTC's l2a.c tells what they mean).
+constexpr std::array<const char*, 16> of_displacements{"phi_degrees",          "d(phi)_dt",
+                                                       "theta_degrees",        "d(theta)_dt",
+                                                       "psi_degrees",          "d(psi)_dt",
+                                                       "phi_moment_stiffness", "phi_moment_damping",
+                                                       "phi_moment_total",     "theta_moment_stiffness",
+                                                       "theta_moment_damping", "theta_moment_total",
+                                                       "psi_moment_stiffness", "psi_moment_damping",
+                                                       "psi_moment_total",     "joint_energy"};
+constexpr std::array<const char*, 16> of_rotations{
+    "alpha_degrees",      "d(alpha)_dt",        "gamma_degrees",          "d(gamma)_dt",
+    "beta_degrees",       "d(beta)_dt",         "alpha_moment_stiffness", "alpha_moment_damping",
+    "alpha_moment_total", "gamma_scale_factor", "beta_moment_stiffness",  "beta_moment_damping",
+    "beta_moment_total",  "joint_energy",       "joint_extra1",           "joint_extra2"};
+
+void Binout::write_joint_stiffness(const char* branch, double time, const std::vector<JntforcStiffness>& rows,
+                                   const std::array<const char*, 16>& names) {
+  if (rows.empty()) return;
+  begin_state(branch, collect(rows, [](const JntforcStiffness& r) { return r.id; }));
+  begin_data(branch);
+  real("time", time);
+  const char* const* name = names.data();
+  for (std::size_t i = 0; i < 3; ++i) {
+    reals(*name++, collect(rows, [i](const JntforcStiffness& r) { return r.axis[i].place; }));
+    reals(*name++, collect(rows, [i](const JntforcStiffness& r) { return r.axis[i].rate; }));
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto value = [i](const JntforcStiffness& r) { return r.axis[i]; };
+    reals(*name++, collect(rows, [&](const JntforcStiffness& r) { return value(r).stiffness; }));
+    reals(*name++, collect(rows, [&](const JntforcStiffness& r) { return value(r).damping; }));
+    reals(*name++, collect(rows, [&](const JntforcStiffness& r) { return value(r).stiffness + value(r).damping; }));
+  }
+  reals(*name, collect(rows, [](const JntforcStiffness& r) { return r.energy; }));
+  end_state();
+}
+
 void Binout::write(const JntforcState& s) {
+  write_joint_stiffness("jntforc/type0", s.time, s.displacements, of_displacements);
+  write_joint_stiffness("jntforc/type1", s.time, s.rotations, of_rotations);
+  if (s.rows.empty()) return;
   const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
   if (begin_state("jntforc/joints", collect(s.rows, [](const JntforcRow& r) { return r.joint; })))
     integers("local", std::vector<int>(s.rows.size(), 0));

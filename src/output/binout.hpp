@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -73,6 +74,8 @@ class Binout {
   void metadata(const std::string& path, const std::string& branch, const std::vector<int>& ids);
   void begin_data(const std::string& path);
   void end_state();
+  void write_joint_stiffness(const char* branch, double time, const std::vector<JntforcStiffness>& rows,
+                             const std::array<const char*, 16>& names);
   void write_beams(const EloutState& state);
   void write_shells(const EloutState& state);
   void write_solids(const EloutState& state);

@@ -92,6 +92,8 @@ struct FullBrickElement : BrickElement<Law> {
   template <class R>
   using Motion = kernel::SolidMotion<R>;
 
+  kernel::BrickStrains strains = kernel::BrickStrains::shape_functions;
+
   Layout layout() const { return kernel::full_hexahedron_layout(this->law); }
   int state_size() const { return layout().size(); }
 
@@ -100,7 +102,7 @@ struct FullBrickElement : BrickElement<Law> {
   }
   template <class R>
   kernel::SolidForces<R> cycle(const Motion<R>& motion, double dt, double* state) const {
-    return kernel::full_hexahedron_cycle(this->brick, this->law, motion, dt, state);
+    return kernel::full_hexahedron_cycle(this->brick, strains, this->law, motion, dt, state);
   }
   void hold_yield(double* state, int lane) const requires std::is_same_v<Law, kernel::Spotweld> {
     kernel::hold_yield(layout(), this->law, state, native_width, lane);

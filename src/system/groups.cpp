@@ -111,6 +111,15 @@ bool fully_integrated(const model::SectionShell& section) {
   return section.elform == 16;
 }
 
+bool bends_without_locking(int elform) {
+  return elform == -1 || elform == -2;
+}
+template <class Law>
+FullBrickElement<Law> full_brick(const BrickElement<Law>& of, const model::SectionSolid& section) {
+  return {of, bends_without_locking(section.elform) ? kernel::BrickStrains::assumed
+                                                    : kernel::BrickStrains::shape_functions};
+}
+
 kernel::ShellProperties shell_properties(const model::Part& part, const model::SectionShell& section,
                                          const model::Material& material, const model::Hourglass& hourglass,
                                          const model::Control& control) {
@@ -308,8 +317,8 @@ void System::make_bricks() {
         add_group(TetrahedronElement<Law>{brick, element.law, shared}, model::ElementKind::solid, p, m, solid_seat);
       }
       if (!full.empty())
-        add_group(FullBrickElement<Law>{element}, model::ElementKind::solid, p, members(model.solids, full),
-                  solid_seat);
+        add_group(full_brick(element, model.solid_sections[at(part.section)]), model::ElementKind::solid, p,
+                  members(model.solids, full), solid_seat);
       if (!others.empty()) add_group(element, model::ElementKind::solid, p, members(model.solids, others), solid_seat);
     });
     if (computed) continue;
@@ -340,7 +349,8 @@ System::Formulations System::by_formulation(const std::vector<model::Index>& sol
   for (const model::Index e : solids) {
     const std::size_t corners = model.solids.corners(at(e)).size();
     const bool tetrahedron = corners == 4 && (sorts || elform == 10 || elform == 13), wedge = corners == 6 && sorts;
-    (tetrahedron ? f.tetrahedra : wedge || elform == 2 || elform == 15 ? f.full : f.others).push_back(e);
+    const bool full = wedge || elform == 2 || elform == 15 || bends_without_locking(elform);
+    (tetrahedron ? f.tetrahedra : full ? f.full : f.others).push_back(e);
   }
   return f;
 }
@@ -368,8 +378,9 @@ void System::add_weld_bricks(std::size_t p, const std::vector<model::Index>& cho
       for (std::size_t a = 0; a < 8; ++a) m.node[i][a] = node_of[at(laid[a])];
     }
     const BrickElement<kernel::Spotweld> element{brick, kernel::Prepared<kernel::Spotweld>(own)};
-    if (model.solid_sections[at(model.parts[p].section)].elform == 2)
-      add_group(FullBrickElement<kernel::Spotweld>{element}, model::ElementKind::solid, p, m, solid_seat);
+    const model::SectionSolid& section = model.solid_sections[at(model.parts[p].section)];
+    if (section.elform == 2 || bends_without_locking(section.elform))
+      add_group(full_brick(element, section), model::ElementKind::solid, p, m, solid_seat);
     else
       add_group(element, model::ElementKind::solid, p, m, solid_seat);
     scale_like_a_weld(*groups.back(), own);

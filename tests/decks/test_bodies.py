@@ -145,6 +145,30 @@ class Bodies(CommandTest):
         for name in (b"/deforc/d000002", b"/jntforc/joints/d000002", b"resultant_moment", b"joint_internal_energy"):
             self.assertIn(name, data)
 
+    def test_stiffness_of_a_joint_and_the_springs_asked_for(self):
+        stiffness = (
+            "*DEFINE_COORDINATE_SYSTEM\n1,0.0,0.0,0.0,1.0,0.0,0.0\n0.0,1.0,0.0\n"
+            "*DEFINE_CURVE\n20\n-10.0,-100.0\n10.0,100.0\n"
+            "*CONSTRAINED_JOINT_STIFFNESS_GENERALIZED\n7,1,2,1,1\n0,20,0\n\n\n*DATABASE_HISTORY_DISCRETE\n12\n"
+        )
+        for binary in (1, 2):
+            self.write(DECK.format(requests=requests(binary) + stiffness))
+            self.nugget("run", "model.k", "-o", f"out{binary}", "--quiet")
+        spring = dict(states(self.read("out1/deforc"))[-1])
+        self.assertEqual(spring["spring/damper number"], 12)
+        self.assertEqual(len(states(self.read("out1/deforc"))[-1]), 7)
+        row = dict(states(self.read("out1/jntforc"))[-1])
+        self.assertEqual(row["joint stiffness id number"], 7)
+        angle = math.radians(row["theta (degrees)"])
+        self.assertGreater(angle, 0.01)
+        self.assertAlmostEqual(2.0 * math.sin(angle), spring["change in length"], delta=1e-4)
+        self.assertAlmostEqual(row["theta-moment-total"], 10.0 * angle, delta=1e-4)
+        self.assertEqual(row["phi moment-total"], 0.0)
+        self.assertAlmostEqual(row["joint energy"], 5.0 * angle * angle, delta=1e-3 * angle)
+        data = (self.folder / "out2/binout0000").read_bytes()
+        for name in (b"/jntforc/type1/d000002", b"/jntforc/joints/d000002", b"joint_extra2"):
+            self.assertIn(name, data)
+
     def test_modes_with_springs_and_joints(self):
         linear = "*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n*CONTROL_IMPLICIT_EIGENVALUE\n         7\n"
         self.write(DECK.format(requests=linear))

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "kernel/element/hexahedron.hpp"
+#include "kernel/law/prepared_compound.hpp"
 
 // Geometry of an eight-node brick, common to its formulations. Included by their .cpp files only.
 namespace nugget::kernel {
@@ -117,6 +119,13 @@ struct BulkViscosity {
     step = length / (slow + sqrt(slow * slow + c2));
   }
 };
+
+/// Hands the work of bulk viscosity to a law that it heats.
+template <class R, class Law>
+[[gnu::always_inline]] inline void heat_by_viscosity(const Prepared<Law>& law, const R& pressure, const R& trace,
+                                                     double dt, double* history) {
+  if constexpr (std::is_same_v<Law, Compound>) law.add_viscous_work(R(-dt) * pressure * trace, history);
+}
 
 /// A step of a brick in patterns: velocities, and the geometry in its middle and at its end. A deleted brick stands
 /// still.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "kernel/element/assumed_strain.hpp"
 #include "kernel/element/brick_patterns.hpp"
 #include "kernel/law/prepared_compound.hpp"
 
@@ -12,21 +13,12 @@ namespace nugget::kernel {
 namespace {
 
 constexpr int points = FullHexahedronLayout::points;
-constexpr double gauss = 0.57735026918962576;
-
-/// Natural coordinates of a Gauss point.
-struct Place {
-  double xi, eta, zeta;
-};
-constexpr Place place_of(int p) {
-  return {p & 1 ? gauss : -gauss, p & 2 ? gauss : -gauss, p & 4 ? gauss : -gauss};
-}
 
 /// Derivatives of a nodal field by xi, eta and zeta at a point.
 template <class R>
 struct Slopes {
   Vec3<R> xi, eta, zeta;
-  [[gnu::always_inline]] Slopes(const Patterns<R>& f, const Place& at)
+  [[gnu::always_inline]] Slopes(const Patterns<R>& f, const GaussPoint& at)
       : xi(f.a + R(at.eta) * f.h[2] + R(at.zeta) * f.h[1] + R(at.eta * at.zeta) * f.h[3]),
         eta(f.b + R(at.xi) * f.h[2] + R(at.zeta) * f.h[0] + R(at.xi * at.zeta) * f.h[3]),
         zeta(f.c + R(at.xi) * f.h[1] + R(at.eta) * f.h[0] + R(at.xi * at.eta) * f.h[3]) {}
@@ -51,7 +43,7 @@ template <class R>
 
 /// Adds a point's share to the forces that do work on the patterns of velocity.
 template <class R>
-[[gnu::always_inline]] inline void collect(const SolidTensor<R>& s, const Cofactors<R>& c, const Place& at,
+[[gnu::always_inline]] inline void collect(const SolidTensor<R>& s, const Cofactors<R>& c, const GaussPoint& at,
                                            Patterns<R>& f) {
   const Matrix<R> stress{{s.xx, s.xy, s.zx}, {s.xy, s.yy, s.yz}, {s.zx, s.yz, s.zz}};
   const Vec3<R> xi = stress * c.xi, eta = stress * c.eta, zeta = stress * c.zeta;
@@ -64,6 +56,36 @@ template <class R>
   f.h[3] += R(at.eta * at.zeta) * xi + R(at.xi * at.zeta) * eta + R(at.xi * at.eta) * zeta;
 }
 
+/// The brick as its shape functions have it.
+template <class R>
+struct Isoparametric {
+  const Patterns<R>& x;
+
+  /// Velocity gradients of the points and the volumes that go with them.
+  [[gnu::always_inline]] void rates(const Patterns<R>& v, Matrix<R> (&l)[points], R (&volume)[points]) const {
+    for (int p = 0; p < points; ++p) {
+      const Cofactors<R> c(Slopes<R>(x, gauss_point(p)));
+      l[p] = velocity_gradient(Slopes<R>(v, gauss_point(p)), c);
+      volume[p] = c.jacobian;
+    }
+  }
+  [[gnu::always_inline]] void volumes(R (&volume)[points]) const {
+    for (int p = 0; p < points; ++p) volume[p] = Cofactors<R>(Slopes<R>(x, gauss_point(p))).jacobian;
+  }
+  /// Nodal forces that do the work of the stresses.
+  [[gnu::always_inline]] void forces(const SolidTensor<R> (&stress)[points], Vec3<R> (&f)[8]) const {
+    Patterns<R> sum;
+    for (int p = 0; p < points; ++p)
+      collect(stress[p], Cofactors<R>(Slopes<R>(x, gauss_point(p))), gauss_point(p), sum);
+    const R eighth = R(0.125);
+    nodes_of(Patterns<R>{eighth * sum.a,
+                         eighth * sum.b,
+                         eighth * sum.c,
+                         {eighth * sum.h[0], eighth * sum.h[1], eighth * sum.h[2], eighth * sum.h[3]}},
+             f);
+  }
+};
+
 /// Failed points that delete an element.
 template <class Law>
 double points_to_delete(const Prepared<Law>& law) {
@@ -72,11 +94,20 @@ double points_to_delete(const Prepared<Law>& law) {
   return limit > 0.0 && limit < points ? limit : points;
 }
 
-}  // namespace
+/// Whether the law has the stresses on a weld's cross-section only.
+template <class Law>
+bool is_uniaxial(const Prepared<Law>& law) {
+  if constexpr (std::is_same_v<Law, Spotweld>)
+    return law.uniaxial();
+  else
+    return false;
+}
 
-template <class R, class Law>
-SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Prepared<Law>& law,
-                                     const SolidMotion<R>& nodes, double dt, double* state) {
+/// The cycle with the strains of `field_on(geometry)`: an Isoparametric or an AssumedStrain.
+template <class R, class Law, class FieldOn>
+[[gnu::always_inline]] inline SolidForces<R> cycle_of(const HexahedronProperties& brick, const Prepared<Law>& law,
+                                                      const SolidMotion<R>& nodes, double dt, double* state,
+                                                      const FieldOn& field_on) {
   using L = FullHexahedronLayout;
   const L layout = full_hexahedron_layout(law);
   auto alive = load_field<R>(state, L::alive) > 0.5;
@@ -86,18 +117,17 @@ SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Pr
   const Patterns<R>&v = motion.v, &mid = motion.mid, &end = motion.end;
 
   Matrix<R> l[points];
+  R part[points];
+  field_on(mid).rates(v, l, part);
   R volume = none, growth = none;
   for (int p = 0; p < points; ++p) {
-    const Cofactors<R> c(Slopes<R>(mid, place_of(p)));
-    l[p] = velocity_gradient(Slopes<R>(v, place_of(p)), c);
-    volume += c.jacobian;
-    growth += c.jacobian * (l[p].x.x + l[p].y.y + l[p].z.z);
+    volume += part[p];
+    growth += part[p] * (l[p].x.x + l[p].y.y + l[p].z.z);
   }
   const R trace = growth / volume;
 
   constexpr bool weld = std::is_same_v<Law, Spotweld>;
-  bool uniaxial = false;
-  if constexpr (weld) uniaxial = law.uniaxial();
+  const bool uniaxial = is_uniaxial(law);
   const R share = R(1.0 / points), whole = load_field<R>(state, L::integrity);
   R rate = none, left = none;  // means over the points: effective strain rate, what damage has left
   SolidTensor<R> stress[points];
@@ -133,11 +163,12 @@ SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Pr
   if constexpr (weld) store_field(state, L::strain_rate, rate);
 
   // Mean pressure at the end; the points keep their deviators.
+  const auto field = field_on(end);
+  field.volumes(part);
   R end_volume = none, mean = none;
   for (int p = 0; p < points; ++p) {
-    const Cofactors<R> c(Slopes<R>(end, place_of(p)));
-    end_volume += c.jacobian;
-    mean += c.jacobian * (third * (stress[p].xx + stress[p].yy + stress[p].zz));
+    end_volume += part[p];
+    mean += part[p] * (third * (stress[p].xx + stress[p].yy + stress[p].zz));
   }
   mean = mean / end_volume;
 
@@ -145,34 +176,38 @@ SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Pr
   const BulkViscosity<R> bulk(brick, wave, density, end_volume / sqrt(largest_face2(end)), trace);
   const R pressure = weld ? whole * left * bulk.pressure : bulk.pressure;
   mean -= pressure;
+  for (int p = 0; p < points; ++p) heat_by_viscosity(law, pressure, trace, dt, state + layout.history_of(p) * lanes<R>);
 
   if (law.can_fail()) alive = alive && failed < R(points_to_delete(law));
   if (law.deletion_step() > 0.0) alive = alive && bulk.step >= law.deletion_step();
   if (law.can_fail() || law.deletion_step() > 0.0) store_field(state, L::alive, select(alive, R(1.0), none));
 
-  Patterns<R> f;
-  for (int p = 0; p < points; ++p) {
-    const Cofactors<R> c(Slopes<R>(end, place_of(p)));
-    SolidTensor<R> s = stress[p];
+  for (SolidTensor<R>& s : stress) {
     // A uniaxial stress state has no pressure of its own that could be shared.
     const R change = uniaxial ? -pressure : mean - third * (s.xx + s.yy + s.zz);
     s.xx += change;
     s.yy += change;
     s.zz += change;
-    collect(s, c, place_of(p), f);
   }
-  const R eighth = R(0.125);
   SolidForces<R> out;
-  nodes_of(Patterns<R>{eighth * f.a,
-                       eighth * f.b,
-                       eighth * f.c,
-                       {eighth * f.h[0], eighth * f.h[1], eighth * f.h[2], eighth * f.h[3]}},
-           out.f);
+  field.forces(stress, out.f);
   if (any(!alive))
     for (Vec3<R>& a : out.f) a = select(alive, a, Vec3<R>{});
   out.stable_step = select(alive, bulk.step, R(std::numeric_limits<double>::infinity()));
   out.volume = select(alive, end_volume, R(1.0));
   return out;
+}
+
+}  // namespace
+
+template <class R, class Law>
+SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, BrickStrains strains, const Prepared<Law>& law,
+                                     const SolidMotion<R>& nodes, double dt, double* state) {
+  if (strains == BrickStrains::shape_functions)
+    return cycle_of(brick, law, nodes, dt, state, [](const Patterns<R>& x) { return Isoparametric<R>{x}; });
+  const BendingStrains across = is_uniaxial(law) ? BendingStrains{} : BendingStrains(law.elastic().nu);
+  return cycle_of(brick, law, nodes, dt, state,
+                  [&across](const Patterns<R>& x) { return AssumedStrain<R>(across, x); });
 }
 
 void start_full_hexahedron(const FullHexahedronLayout& layout, double* state, int width, int lane) {
@@ -191,25 +226,33 @@ void hold_yield(const FullHexahedronLayout& layout, const Prepared<Spotweld>& la
   }
 }
 
-template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
+template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains, const Prepared<Elastic>&,
                                                    const SolidMotion<double>&, double, double*);
-template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<PlasticKinematic>&,
+template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
+                                                   const Prepared<PlasticKinematic>&, const SolidMotion<double>&,
+                                                   double, double*);
+template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
+                                                   const Prepared<PiecewiseLinear>&, const SolidMotion<double>&, double,
+                                                   double*);
+template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains, const Prepared<Spotweld>&,
                                                    const SolidMotion<double>&, double, double*);
-template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
-                                                   const SolidMotion<double>&, double, double*);
-template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Spotweld>&,
-                                                   const SolidMotion<double>&, double, double*);
-template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
+template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
+                                                        const Prepared<Elastic>&, const SolidMotion<NativeBatch>&,
+                                                        double, double*);
+template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
+                                                        const Prepared<PlasticKinematic>&,
                                                         const SolidMotion<NativeBatch>&, double, double*);
-template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<PlasticKinematic>&,
+template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
+                                                        const Prepared<PiecewiseLinear>&,
                                                         const SolidMotion<NativeBatch>&, double, double*);
-template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
-                                                        const SolidMotion<NativeBatch>&, double, double*);
-template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Spotweld>&,
-                                                        const SolidMotion<NativeBatch>&, double, double*);
-template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Compound>&,
-                                                        const SolidMotion<NativeBatch>&, double, double*);
-template SolidForces<Dual<24>> full_hexahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
-                                                     const SolidMotion<Dual<24>>&, double, double*);
+template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
+                                                        const Prepared<Spotweld>&, const SolidMotion<NativeBatch>&,
+                                                        double, double*);
+template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
+                                                        const Prepared<Compound>&, const SolidMotion<NativeBatch>&,
+                                                        double, double*);
+template SolidForces<Dual<24>> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
+                                                     const Prepared<Elastic>&, const SolidMotion<Dual<24>>&, double,
+                                                     double*);
 
 }  // namespace nugget::kernel

@@ -23,6 +23,9 @@ struct FullHexahedronLayout {
   int history_of(int p) const { return point(p) + SolidTensor<double>::size; }
 };
 
+/// Where the strains of a fully integrated brick come from.
+enum class BrickStrains { shape_functions, assumed };
+
 template <class Law>
 FullHexahedronLayout full_hexahedron_layout(const Prepared<Law>& law) {
   return {law.solid_history()};
@@ -43,10 +46,13 @@ void start_full_hexahedron(const FullHexahedronLayout& layout, double* state, in
 /// Theory Manual, solid elements;
 /// ../shared/reference/element-theory.md section 5.5. Hourglass data of `brick` are not used.
 ///
+/// With assumed strains (ELFORM -1, -2) the velocity gradients are those of AssumedStrain, which bend without locking
+/// whatever the sides; all points then turn with the brick's spin, and each stands for an eighth of its volume.
+///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld; NativeBatch with
 /// Compound; Dual<24> with Elastic.
 template <class R, class Law>
-SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, const Prepared<Law>& law,
+SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, BrickStrains strains, const Prepared<Law>& law,
                                      const SolidMotion<R>& nodes, double dt, double* state);
 
 /// Holds each point's yield stress at its present effective stress; see hold_yield of weld_beam.hpp.

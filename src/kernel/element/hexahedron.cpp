@@ -5,59 +5,11 @@
 #include <limits>
 #include <type_traits>
 
-#include "kernel/element/brick_patterns.hpp"
+#include "kernel/element/uniform_gradient.hpp"
 #include "kernel/law/prepared_compound.hpp"
 
 namespace nugget::kernel {
 namespace {
-
-/// dV/dx_I by patterns, V times the uniform gradient b: the trilinear integral of Flanagan and Belytschko, written in
-/// the patterns of the geometry. The coefficient of xi eta zeta is zero.
-template <class R>
-struct Gradient {
-  Vec3<R> a, b, c, h[3];
-  R volume, over_volume;
-
-  [[gnu::always_inline]] explicit Gradient(const Patterns<R>& x) {
-    const R third = R(1.0 / 3.0);
-    a = cross(x.b, x.c) - third * cross(x.h[1], x.h[2]);
-    b = cross(x.c, x.a) - third * cross(x.h[2], x.h[0]);
-    c = cross(x.a, x.b) - third * cross(x.h[0], x.h[1]);
-    h[0] = third * (cross(x.c, x.h[1]) - cross(x.b, x.h[2]));
-    h[1] = third * (cross(x.a, x.h[2]) - cross(x.c, x.h[0]));
-    h[2] = third * (cross(x.b, x.h[0]) - cross(x.a, x.h[1]));
-    volume = (8.0 / 3.0) *
-             (dot(x.a, a) + dot(x.b, b) + dot(x.c, c) + dot(x.h[0], h[0]) + dot(x.h[1], h[1]) + dot(x.h[2], h[2]));
-    over_volume = 1.0 / volume;
-  }
-  /// Sum over nodes and directions of (V b)^2.
-  R squared() const {
-    return 8.0 * (dot(a, a) + dot(b, b) + dot(c, c) + dot(h[0], h[0]) + dot(h[1], h[1]) + dot(h[2], h[2]));
-  }
-};
-
-/// Velocity gradient v_i,j.
-template <class R>
-[[gnu::always_inline]] inline Matrix<R> velocity_gradient(const Gradient<R>& g, const Patterns<R>& v) {
-  const R scale = 8.0 * g.over_volume;
-  const auto row = [&](R Vec3<R>::*i) {
-    return scale *
-           (v.a.*i * g.a + v.b.*i * g.b + v.c.*i * g.c + v.h[0].*i * g.h[0] + v.h[1].*i * g.h[1] + v.h[2].*i * g.h[2]);
-  };
-  return {row(&Vec3<R>::x), row(&Vec3<R>::y), row(&Vec3<R>::z)};
-}
-
-/// Frame of the element's axes: e1 along xi, e3 across xi and eta.
-template <class R>
-Frame<R> axes_of(const Patterns<R>& x) {
-  const Vec3<R> e1 = unit(x.a), e3 = unit(cross(x.a, x.b));
-  return {e1, cross(e3, e1), e3};
-}
-
-template <class R>
-struct Hourglass {
-  Vec3<R> q[4];
-};
 
 template <class R>
 Hourglass<R> load_hourglass(const double* state) {
@@ -135,25 +87,6 @@ template <class R>
   return now;
 }
 
-/// Forces that do the work of stress and hourglass forces: V sigma_ij b_jI + sum_k Q_ik gamma_kI, gamma_k = h_k / 8 -
-/// (x_k . b).
-template <class R>
-[[gnu::always_inline]] inline void forces_of(const Gradient<R>& g, const Patterns<R>& x, const SolidTensor<R>& s,
-                                             const Hourglass<R>& q, bool orthogonal, Vec3<R> (&f)[8]) {
-  Matrix<R> m{{s.xx, s.xy, s.zx}, {s.xy, s.yy, s.yz}, {s.zx, s.yz, s.zz}};
-  if (orthogonal)
-    for (int i = 0; i < 4; ++i) {
-      const Vec3<R> spread = g.over_volume * x.h[i];
-      m.x -= q.q[i].x * spread;
-      m.y -= q.q[i].y * spread;
-      m.z -= q.q[i].z * spread;
-    }
-  const R eighth = R(0.125);
-  Patterns<R> p{m * g.a, m * g.b, m * g.c, {m * g.h[0], m * g.h[1], m * g.h[2], {}}};
-  for (int i = 0; i < 4; ++i) p.h[i] += eighth * q.q[i];
-  nodes_of(p, f);
-}
-
 }  // namespace
 
 template <class R, class Law>
@@ -194,14 +127,14 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepare
   store_solid(state + L::stress * lanes<R>, s);
 
   const bool orthogonal = brick.hourglass != 1;
-  Hourglass<R> rate;
-  for (int i = 0; i < 4; ++i) rate.q[i] = orthogonal ? v.h[i] - l * mid.h[i] : v.h[i];
+  const Hourglass<R> rate = orthogonal ? hourglass_rates(v, l, mid) : Hourglass<R>{{v.h[0], v.h[1], v.h[2], v.h[3]}};
   const Hourglass<R> q = resist_hourglass(brick, e, g, mid, end, rate, turn, half, side, integrity, dt, state);
 
   const R density = brick.density * load_field<R>(state, L::density_scale), none = R(0.0);
   const R length = g_end.volume / sqrt(largest_face2(end));
   const BulkViscosity<R> bulk(brick, law.template wave_modulus<R>(history), density, length, l.x.x + l.y.y + l.z.z);
   const R pressure = integrity * bulk.pressure;
+  heat_by_viscosity(law, pressure, l.x.x + l.y.y + l.z.z, dt, history);
   if constexpr (std::is_same_v<Law, Spotweld>) s = whole * s;
   s.xx -= pressure;
   s.yy -= pressure;

@@ -100,6 +100,7 @@ TetrahedronForces<R> tetrahedron_cycle(const HexahedronProperties& solid, const 
   const double stiffest = std::max(e.E / (1.0 - 2.0 * e.nu), 2.0 * e.shear);  // 3 K, 2 G
   const R length = sqrt(R(e.bulk_wave() / stiffest) / end.largest());
   const BulkViscosity<R> bulk(solid, law.template wave_modulus<R>(history), density, length, trace);
+  heat_by_viscosity(law, bulk.pressure, trace, dt, history);
   s.xx -= bulk.pressure;
   s.yy -= bulk.pressure;
   s.zz -= bulk.pressure;

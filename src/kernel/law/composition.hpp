@@ -7,6 +7,7 @@
 
 #include "kernel/law/compound.hpp"
 #include "kernel/law/elastic.hpp"
+#include "kernel/law/equation_of_state.hpp"
 #include "kernel/law/foam.hpp"
 #include "kernel/law/johnson_cook.hpp"
 #include "kernel/law/piecewise_linear.hpp"
@@ -33,6 +34,9 @@ struct Composition {
   std::optional<JohnsonCookFracture> fracture{};
   StrainLimits limits{};
   std::optional<Erosion> erosion{};
+  std::optional<EquationOfState> state{};  ///< of bricks: gives the mean stress instead of the flow's bulk modulus
+  std::optional<Spall> spall{};            ///< with an equation of state
+  double solid_shear = 0.0;                ///< G that goes with an equation of state [stress]; 0: of E and nu
   double points_to_delete = 0.0;  ///< failed points of an element that delete it; 0: all; below 0: percentage of a
                                   ///< shell's layers, of which one failed point makes a layer a failed one
   double deletion_step = 0.0;     ///< an element whose stable time step falls below is deleted [time]; 0: never

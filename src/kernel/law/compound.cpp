@@ -125,6 +125,31 @@ SolidTensor<R> as_solid(const LayerTensor<R>& a, const R& zz) {
   return {a.xx, a.yy, zz, a.xy, a.yz, a.xz};
 }
 
+template <class R>
+R mean_of(const SolidTensor<R>& s) {
+  return (1.0 / 3.0) * (s.xx + s.yy + s.zz);
+}
+
+/// The stress with another mean.
+template <class R>
+SolidTensor<R> with_mean(SolidTensor<R> s, const R& mean) {
+  const R change = mean - mean_of(s);
+  s.xx += change;
+  s.yy += change;
+  s.zz += change;
+  return s;
+}
+
+template <class R>
+R largest_principal(const SolidTensor<R>& s) {
+  R most;
+  for (int l = 0; l < lanes<R>; ++l)
+    set_lane(most, l,
+             principal_axes({lane(s.xx, l), lane(s.yy, l), lane(s.zz, l), lane(s.xy, l), lane(s.yz, l), lane(s.zx, l)})
+                 .value[2]);
+  return most;
+}
+
 }  // namespace
 
 struct Prepared<Compound>::Parts {
@@ -133,10 +158,15 @@ struct Prepared<Compound>::Parts {
   explicit Parts(const Composition& c)
       : flow(std::visit([]<class Law>(const Law& law) -> Flows { return Prepared<Law>(law); }, c.flow)),
         failure(c),
-        heats(std::holds_alternative<Prepared<JohnsonCook>>(flow) && std::get<Prepared<JohnsonCook>>(flow).heats()) {}
+        spall(c.spall),
+        heats(std::holds_alternative<Prepared<JohnsonCook>>(flow) && std::get<Prepared<JohnsonCook>>(flow).heats()) {
+    if (c.state) pressure.emplace(*c.state);
+  }
 
   Flows flow;
   PointFailure failure;
+  std::optional<PreparedPressure> pressure;
+  std::optional<Spall> spall;
   bool heats;  ///< the second number of the history is a temperature rise
 };
 
@@ -144,7 +174,8 @@ Prepared<Compound>::Prepared(const Compound& law)
     : elastic_(law.E, law.nu),
       parts_(std::make_shared<const Parts>(*law.made_of)),
       lost_(std::visit([](const auto& flow) { return std::max(flow.solid_history(), 1); }, parts_->flow)),
-      history_(lost_ + parts_->failure.history()),
+      pressure_(lost_ + parts_->failure.history()),
+      history_(pressure_ + (parts_->pressure ? PreparedPressure::size + 1 : 0)),
       points_to_delete_(law.made_of->points_to_delete),
       deletion_step_(law.made_of->deletion_step),
       can_fail_(parts_->failure.active()) {}
@@ -172,7 +203,11 @@ ThicknessStrain<R> Prepared<Compound>::layer(LayerTensor<R>& s, const LayerTenso
 
 template <class R>
 void Prepared<Compound>::solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
-  const auto flow = [&] { std::visit([&](const auto& law) { law.solid(s, rate, dt, history); }, parts_->flow); };
+  const auto flow = [&] {
+    const SolidTensor<R> start = s;
+    std::visit([&](const auto& law) { law.solid(s, rate, dt, history); }, parts_->flow);
+    if (parts_->pressure) set_pressure(s, start, rate, dt, history);
+  };
   if (!can_fail_) return flow();
   double* failure = history + lost_ * lanes<R>;
   if (parts_->failure.softens()) parts_->failure.make_whole(s, failure);
@@ -186,6 +221,37 @@ void Prepared<Compound>::solid(SolidTensor<R>& s, const SolidTensor<R>& rate, do
 }
 
 template <class R>
+void Prepared<Compound>::set_pressure(SolidTensor<R>& s, const SolidTensor<R>& start, const SolidTensor<R>& rate,
+                                      double dt, double* history) const {
+  double* own = history + pressure_ * lanes<R>;
+  const R mean = mean_of(start);
+  const SolidTensor<R> sheared = R(0.5) * (with_mean(s, R(0.0)) + with_mean(start, R(0.0)));
+  const R work = dt * (sheared.xx * rate.xx + sheared.yy * rate.yy + sheared.zz * rate.zz + sheared.xy * rate.xy +
+                       sheared.yz * rate.yz + sheared.zx * rate.zx);
+  R pressure = parts_->pressure->template advance<R>(rate.xx + rate.yy + rate.zz, work, -mean, dt, own).pressure;
+  if (!parts_->spall) {
+    s = with_mean(s, -pressure);
+    return;
+  }
+  const Spall& spall = *parts_->spall;
+  if (spall.form == Spall::Form::limited_tension) {
+    s = with_mean(s, -max(pressure, R(-spall.limit)));
+    return;
+  }
+  s = with_mean(s, -pressure);
+  const R tension = spall.form == Spall::Form::mean_stress ? -pressure : largest_principal(s);
+  const R broken = select(tension > R(spall.limit), R(1.0), load_field<R>(own, PreparedPressure::size));
+  store_field(own, PreparedPressure::size, broken);
+  const R left = max(pressure, R(0.0)), none = R(0.0);
+  s = select(broken > 0.5, SolidTensor<R>{-left, -left, -left, none, none, none}, s);
+}
+
+template <class R>
+void Prepared<Compound>::add_viscous_work(const R& work, double* history) const {
+  if (parts_->pressure) parts_->pressure->add_work(work, history + pressure_ * lanes<R>);
+}
+
+template <class R>
 void Prepared<Compound>::rotate(const Frame<R>& q, double* history) const {
   std::visit([&](const auto& flow) { flow.rotate(q, history); }, parts_->flow);
   parts_->failure.rotate(q, history + lost_ * lanes<R>);
@@ -193,6 +259,10 @@ void Prepared<Compound>::rotate(const Frame<R>& q, double* history) const {
 
 template <class R>
 R Prepared<Compound>::wave_modulus(const double* history) const {
+  if (parts_->pressure) {
+    const R bulk = parts_->pressure->template now<R>(history + pressure_ * lanes<R>).modulus;
+    return max(bulk, R(0.0)) + (4.0 / 3.0) * elastic_.shear;
+  }
   return std::visit([&](const auto& flow) { return flow.template wave_modulus<R>(history); }, parts_->flow);
 }
 
@@ -205,6 +275,8 @@ template void Prepared<Compound>::solid(SolidTensor<NativeBatch>&, const SolidTe
                                         double*) const;
 template void Prepared<Compound>::rotate(const Frame<double>&, double*) const;
 template void Prepared<Compound>::rotate(const Frame<NativeBatch>&, double*) const;
+template void Prepared<Compound>::add_viscous_work(const double&, double*) const;
+template void Prepared<Compound>::add_viscous_work(const NativeBatch&, double*) const;
 template double Prepared<Compound>::wave_modulus(const double*) const;
 template NativeBatch Prepared<Compound>::wave_modulus(const double*) const;
 

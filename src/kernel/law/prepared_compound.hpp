@@ -39,13 +39,20 @@ class Prepared<Compound> {
   void rotate(const Frame<R>& q, double* history) const;
   template <class R>
   R wave_modulus(const double* history) const;
+  /// Heats points with an equation of state by the work of bulk viscosity [energy/present volume].
+  template <class R>
+  void add_viscous_work(const R& work, double* history) const;
 
  private:
   struct Parts;
+  /// One pressure instead of the flow's, and what it breaks. `start`: the stress before the step.
+  template <class R>
+  void set_pressure(SolidTensor<R>& s, const SolidTensor<R>& start, const SolidTensor<R>& rate, double dt,
+                    double* history) const;
 
   ElasticConstants elastic_;
   std::shared_ptr<const Parts> parts_;
-  int lost_, history_;  ///< where in the history stands what a point has lost; size of the history
+  int lost_, pressure_, history_;  ///< where in the history stand what a point has lost, and its pressure; its size
   double points_to_delete_, deletion_step_;
   bool can_fail_;
 };

@@ -256,6 +256,30 @@ void read_history(Builder& builder, const Block& block, const Options& options) 
   }
 }
 
+/// *DATABASE_HISTORY_DISCRETE: deforc has the springs and dampers that are listed, and no others.
+void read_discrete_history(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  const bool headings = options.contains("ID");
+  builder.later(Phase::bodies, [](Builder& b) {
+    for (Discrete& d : b.model.discretes) d.in_deforc = false;
+  });
+  while (cursor.more()) {
+    const Row row = cursor.read(headings ? element_id_heading : element_ids);
+    builder.later(Phase::conditions, [row, headings](Builder& b) {
+      for (const std::string_view field : {"id1", "id2", "id3", "id4", "id5", "id6", "id7", "id8"}) {
+        const std::string_view own = headings ? "id" : field;
+        const int id = row.integer(own);
+        const Index index = b.discretes.find(id);
+        if (index != none)
+          b.model.discretes[static_cast<std::size_t>(index)].in_deforc = true;
+        else if (id != 0)
+          row.complain(b.findings, Severity::warning, own, "spring is not in the model; it has no time history");
+        if (headings) return;
+      }
+    });
+  }
+}
+
 /// *DATABASE_HISTORY_NODE_LOCAL.
 void read_local_history(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
@@ -360,6 +384,13 @@ std::vector<Keyword> database_keywords() {
       history_keyword<solid_history, true>("DATABASE_HISTORY_SOLID_SET", set_ids, set_id_heading),
       history_keyword<beam_history, false>("DATABASE_HISTORY_BEAM", element_ids, element_id_heading),
       history_keyword<beam_history, true>("DATABASE_HISTORY_BEAM_SET", set_ids, set_id_heading),
+      {"DATABASE_HISTORY_DISCRETE",
+       {},
+       {"ID"},
+       Verdict::used,
+       {},
+       {{"without _ID", &element_ids}, {"with _ID", &element_id_heading}},
+       read_discrete_history},
 
       not_written("DATABASE_NCFORC", "contact forces by node (ncforc) are not written yet; rcforc holds their sums"),
       not_written("DATABASE_DISBOUT",

@@ -42,8 +42,8 @@ const Card orthotropic_johnson_cook_card{{
 const Card johnson_cook_card{{
     material_id,
     density,
-    real("g", dimension::stress, 0, any_value, "shear modulus, for solids only"),
-    young,
+    real("g", dimension::stress, 0, at_least(0), "shear modulus, of solids with an equation of state; 0: of E and PR"),
+    real("e", dimension::stress, 0, at_least(0), "Young's modulus; solids with an equation of state need none"),
     poisson,
     real("dtf", dimension::time, 0, at_least(0), "smallest time step of a shell before it is deleted; 0: none"),
     vp,
@@ -63,8 +63,11 @@ const Card johnson_cook_yield_card{{
 
 const Card johnson_cook_heat_card{{
     real("cp", {0, 2, -2}, 0, at_least(0), "heat capacity a mass and degree; 0: plastic work does not heat"),
-    real("pc", dimension::stress, 0, any_value, "pressure cutoff, for solids only"),
-    real("spall", dimension::number, 2, any_value, "form of spalling, for solids only"),
+    real("pc", dimension::stress, 0, any_value,
+         "tension borne by solids with an equation of state, as a pressure below 0; 0: any"),
+    real("spall", dimension::number, 2, between(0, 3),
+         "at PC 1: the pressure falls no further; 2 (and 0): a point breaks by its largest principal stress, 3: by its "
+         "mean stress"),
     real("it", dimension::number, 0, any_value, "iteration of plastic strain, for solids only"),
     real("d1", dimension::number, 0, any_value, "strain at fracture; D1 to D5 0: none"),
     real("d2", dimension::number, 0, any_value, "strain at fracture: factor of exp(D3 mean over effective stress)"),
@@ -168,7 +171,11 @@ void read_johnson_cook(Builder& b, const Block& block, const Options& options) {
                    "published constants have a D3 below 0");
   law.points_to_delete = fourth.real("numint");
   law.deletion_step = row.real("dtf");
-  law.for_bricks = false;
+  law.solid_shear = row.real("g");
+  if (const double cutoff = third.real("pc"); cutoff < 0.0) {
+    const int form = static_cast<int>(third.real("spall"));
+    law.spall = kernel::Spall{static_cast<kernel::Spall::Form>(form == 0 ? 2 : form), -cutoff};
+  }
   add_material(b, row, std::move(title), "MAT_JOHNSON_COOK", compound(std::move(law)));
 }
 

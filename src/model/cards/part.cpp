@@ -20,7 +20,7 @@ const Card part_card{{
     id("pid", IdSpace::part, required, "part id"),
     id("secid", IdSpace::other, 0, "section; only a part without elements needs none"),
     id("mid", IdSpace::material, 0, "material; only a part without elements needs none"),
-    id("eosid", IdSpace::material, 0, "equation of state: not supported"),
+    id("eosid", IdSpace::material, 0, "*EOS_... of solids of *MAT_JOHNSON_COOK; ignored with other laws"),
     id("hgid", IdSpace::other, 0, "*HOURGLASS; 0: *CONTROL_HOURGLASS"),
     integer("grav", 0, any_value, "for gravity initialization only"),
     integer("adpopt", 0, any_value, "adaptive meshing; without *CONTROL_ADAPTIVE no effect"),
@@ -149,7 +149,6 @@ void read_part(Builder& b, const Block& block, const Options& options) {
     const Row row = cursor.read(part_card);
     part.id = row.integer("pid");
     part.place = row.place();
-    refuse_nonzero(b, row, "eosid", "equations of state are not supported", "use a material that needs none");
     const auto index = static_cast<Index>(b.model.parts.size());
     if (options.contains("INERTIA")) read_inertia(b, cursor, index);
     if (options.contains("CONTACT")) read_contact(cursor, part);

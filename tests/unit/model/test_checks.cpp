@@ -77,13 +77,13 @@ TEST(Checks, ManyFaultsOfOneKindAreCounted) {
 TEST(Checks, FormulationsAreRefusedByName) {
   const Built b(
       sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12,11\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"
-                 "*PART\nb\n3,13,1\n*SECTION_SOLID\n13,-1\n*ELEMENT_SOLID\n1,3,1,2,3,4,5,6,7,8\n"
+                 "*PART\nb\n3,13,1\n*SECTION_SOLID\n13,3\n*ELEMENT_SOLID\n1,3,1,2,3,4,5,6,7,8\n"
                  "*PART\nc\n4,14,2\n*SECTION_BEAM\n14,6\n1.0,1.0\n*MAT_SPOTWELD\n2,7.85e-9,210000.0,0.3,400.0\n"
                  "*ELEMENT_BEAM\n1,4,1,5\n"));
   const Finding* shell = b.find(Severity::error, "shell formulation 11 is not built", "elform");
   ASSERT_NE(shell, nullptr) << b.all_findings();
   EXPECT_EQ(shell->value, "11");
-  EXPECT_TRUE(b.error("solid formulation -1 is not built", "elform"));
+  EXPECT_TRUE(b.error("solid formulation 3 is not built (how its nodal rotations enter", "elform"));
   EXPECT_TRUE(b.error("not a law of discrete beams (ELFORM 6)", "mid"));
 }
 
@@ -158,7 +158,11 @@ TEST(Checks, FormulationsOfWeldsOfBricks) {
   EXPECT_TRUE(zero.warning("honeycombs", "elform"));
   EXPECT_EQ(zero.model.solid_sections.at(0).elform, 1);
   EXPECT_FALSE(blank.warning("honeycombs", "elform"));
-  for (const char* scaled : {"-1", "-2"}) EXPECT_TRUE(Built(deck(scaled)).error("patent application", "elform"));
+  for (const char* scaled : {"-1", "-2"}) {
+    const Built b(deck(scaled));
+    EXPECT_EQ(b.find(Severity::error, "formulation", "elform"), nullptr);
+    EXPECT_TRUE(b.warning("with assumed strains", "elform"));
+  }
 }
 
 TEST(Checks, OptionsOfOtherKindsOfWelds) {
@@ -216,6 +220,16 @@ TEST(Checks, OtherOnePointShells) {
     const Built linear(deck(other, "*CONTROL_IMPLICIT_GENERAL\n1\n*CONTROL_IMPLICIT_EIGENVALUE\n10\n"));
     EXPECT_EQ(linear.findings.errors(), 0) << linear.all_findings();
   }
+}
+
+TEST(Checks, KirchhoffTrianglesAreComputedAsC0) {
+  const Built b(sheet_deck(
+      "*PART\na\n2,12,1\n*SECTION_SHELL\n12,17\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,7\n*CONTROL_SHELL\n20.0,2\n"));
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_TRUE(b.warning("is computed as 4", "elform"));
+  EXPECT_TRUE(b.warning("as with 1", "esort"));
+  EXPECT_EQ(b.model.shell_sections.back().elform, 4);
+  EXPECT_TRUE(b.model.control.sort_triangles);
 }
 
 TEST(Checks, DrillingOfThePartsOfASet) {

@@ -226,14 +226,6 @@ TEST(Controls, DefaultsOfLsDyna) {
   EXPECT_DOUBLE_EQ(c.added_mass_limit, 1e8);
 }
 
-TEST(Controls, CollapsedQuadsBecomeTriangles) {
-  EXPECT_FALSE(built("*CONTROL_SHELL\n,0\n").model.control.sort_triangles);
-  EXPECT_TRUE(built("*CONTROL_SHELL\n,1\n").model.control.sort_triangles);
-  const auto kirchhoff = built("*CONTROL_SHELL\n,2\n");
-  EXPECT_TRUE(kirchhoff.model.control.sort_triangles);
-  EXPECT_TRUE(kirchhoff.warning("not as discrete Kirchhoff ones", "esort"));
-}
-
 TEST(Controls, WhatCannotBeObeyed) {
   const auto b = built(
       "*CONTROL_TIMESTEP\n\n,,1\n*CONTROL_SHELL\n,3,,5\n0.5\n*CONTROL_CONTACT\n0.1,,,,2\n\n\n,,,,,1,0.5\n\n,,,,,,0.5\n*"

@@ -84,7 +84,51 @@ TEST(PlasticMaterials, JohnsonCookFaults) {
   EXPECT_TRUE(built(main + johnson_cook_yield + "\n,,1.0\n").error("only 0 is supported", "erod"));
   EXPECT_TRUE(built(main + johnson_cook_yield + ",,,,0.05,3.44,2.12\n").warning("grows with tension", "d3"));
   EXPECT_TRUE(built("*MAT_015\n4,7.85e-9,80000.0,210000.0,0.3,,,1.0\n792.0\n").error("only 0 is supported", "rateop"));
-  EXPECT_TRUE(built(main + johnson_cook_yield + brick).error("needs an equation of state", "mid"));
+  EXPECT_TRUE(built(main + johnson_cook_yield + brick).warning("which LS-DYNA demands", "eosid"));
+  EXPECT_TRUE(
+      built(std::string("*MAT_015\n4,7.85e-9,80000.0\n") + johnson_cook_yield + brick).error("needs E and PR", "mid"));
+}
+
+/// A brick of *MAT_015 without E, with the equation of state of an id.
+std::string block(int eosid) {
+  std::string text = brick;
+  text.replace(text.find("1,1,4"), 5, "1,1,4," + std::to_string(eosid));
+  return std::string("*MAT_015\n4,8.93e-9,43333.3333333333\n") + johnson_cook_yield + ",-300.0,3.0\n\n" + text;
+}
+
+TEST(PlasticMaterials, EquationOfState) {
+  const auto b = built(block(7) + "*EOS_LINEAR_POLYNOMIAL_TITLE\ncopper\n7,,130000.0,2.0,3.0,0.4,0.5,0.6\n8.0,\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  ASSERT_TRUE(composition(b).state);
+  EXPECT_DOUBLE_EQ(composition(b).state->start_energy, 8.0);
+  EXPECT_DOUBLE_EQ(composition(b).state->start_volume, 1.0);
+  const auto& p = std::get<kernel::LinearPolynomial>(composition(b).state->pressure);
+  EXPECT_DOUBLE_EQ(p.c1, 130000.0);
+  EXPECT_DOUBLE_EQ(p.c6, 0.6);
+  EXPECT_EQ(composition(b).spall->form, kernel::Spall::Form::mean_stress);
+  EXPECT_DOUBLE_EQ(composition(b).spall->limit, 300.0);
+  const auto g = built(block(7) + "*EOS_GRUNEISEN\n7,3.94e6,1.49,0.0,0.0,1.96\n");
+  EXPECT_EQ(g.findings.errors(), 0) << g.all_findings();
+  EXPECT_DOUBLE_EQ(std::get<kernel::Gruneisen>(composition(g).state->pressure).stiffness, 8.93e-9 * 3.94e6 * 3.94e6);
+  // K = 130000 and G = 43333 are E = 117000 and nu = 0.35.
+  const auto exact = built(block(7) + "*EOS_LINEAR_POLYNOMIAL\n7,,130000.0\n");
+  EXPECT_NEAR(exact.model.materials.at(0).young(), 117000.0, 1e-6);
+  EXPECT_NEAR(exact.model.materials.at(0).poisson(), 0.35, 1e-12);
+}
+
+TEST(PlasticMaterials, EquationOfStateFaults) {
+  const std::string polynomial = "*EOS_LINEAR_POLYNOMIAL\n7,,130000.0\n";
+  EXPECT_TRUE(built(block(8) + polynomial).error("is not defined", "eosid"));
+  EXPECT_TRUE(built(block(7) + "*EOS_LINEAR_POLYNOMIAL\n7,1.0\n").error("no bulk modulus", "eosid"));
+  EXPECT_TRUE(built(block(7) + "*EOS_GRUNEISEN\n7,-1.0\n").error("", "c"));
+  EXPECT_TRUE(built(block(7) + "*EOS_GRUNEISEN\n7,3.94e6\n1.0,,3\n").error("", "lcid"));
+  EXPECT_TRUE(built(block(7) + "*EOS_JWL\n7\n").error("is not built"));
+  std::string no_shear = block(7) + polynomial;
+  no_shear.replace(no_shear.find("43333.3333333333"), 16, "0.0");
+  EXPECT_TRUE(built(no_shear).error("has no shear modulus", "mid"));
+  std::string other = block(7) + polynomial;
+  other.replace(other.find("*MAT_015\n4,8.93e-9,"), 20, "*MAT_098\n4,8.93e-9,");
+  EXPECT_TRUE(built(other).warning("ignored", "eosid")) << built(other).all_findings();
 }
 
 TEST(PlasticMaterials, IsotropicElasticPlastic) {

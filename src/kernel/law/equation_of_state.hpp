@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <variant>
+
+#include "kernel/law/stress_space.hpp"
+
+namespace nugget::kernel {
+
+/// Pressure linear in the internal energy E a volume at the start (*EOS_LINEAR_POLYNOMIAL):
+///   p = C0 + C1 mu + C2 mu^2 + C3 mu^3 + (C4 + C5 mu + C6 mu^2) E,   mu = V0/V - 1;
+/// C2 and C6 count under compression only.
+struct LinearPolynomial {
+  double c0 = 0.0, c1 = 0.0, c2 = 0.0, c3 = 0.0;  ///< [stress]
+  double c4 = 0.0, c5 = 0.0, c6 = 0.0;            ///< [1]
+};
+
+/// Mie and Gruneisen's pressure about a cubic shock velocity over particle velocity (*EOS_GRUNEISEN); under compression
+///   p = rho0 C^2 mu (1 + (1 - gamma0/2) mu - A/2 mu^2) / (1 - (S1 - 1) mu - S2 mu^2/(mu + 1) - S3 mu^3/(mu + 1)^2)^2
+///       + (gamma0 + A mu) E,
+/// in expansion rho0 C^2 mu + (gamma0 + A mu) E.
+struct Gruneisen {
+  double stiffness = 0.0;               ///< rho0 C^2 [stress]
+  double s1 = 0.0, s2 = 0.0, s3 = 0.0;  ///< slopes of the shock velocity [1]
+  double gamma0 = 0.0, gamma_mu = 0.0;  ///< gamma0 and A [1]
+};
+
+/// A point's pressure as a function of its volume and internal energy. Volumes are relative to the undeformed one at
+/// the reference density; energies a volume of that.
+struct EquationOfState {
+  std::variant<LinearPolynomial, Gruneisen> pressure;
+  double start_energy = 0.0;  ///< E0 [stress]
+  double start_volume = 1.0;  ///< V0 [1]
+};
+
+/// How a point that is pulled apart by pressure breaks (PC and SPALL of MAT_015).
+struct Spall {
+  enum class Form {
+    limited_tension = 1,  ///< the pressure does not fall below the limit
+    largest_stress = 2,   ///< a principal stress beyond the limit breaks the point
+    mean_stress = 3,      ///< the mean stress does
+  };
+  Form form = Form::largest_stress;
+  double limit = 0.0;  ///< tension borne, -PC [stress]
+};
+
+/// p = cold + heat E at a compression, and the slopes of both over mu.
+template <class R>
+struct PressureLine {
+  R cold, heat, cold_slope, heat_slope;
+};
+
+template <class R>
+PressureLine<R> pressure_line(const LinearPolynomial& p, const R& mu) {
+  const R squeezed = max(mu, R(0.0));
+  return {p.c0 + mu * (p.c1 + p.c3 * (mu * mu)) + p.c2 * (squeezed * squeezed),
+          p.c4 + p.c5 * mu + p.c6 * (squeezed * squeezed), p.c1 + 3.0 * p.c3 * (mu * mu) + 2.0 * p.c2 * squeezed,
+          p.c5 + 2.0 * p.c6 * squeezed};
+}
+
+template <class R>
+PressureLine<R> pressure_line(const Gruneisen& g, const R& mu) {
+  const R m = max(mu, R(0.0)), one = R(1.0), share = m / (m + one);
+  const double bow = 1.0 - 0.5 * g.gamma0;
+  const R top = m * (one + m * (bow - 0.5 * g.gamma_mu * m)), top_slope = one + m * (2.0 * bow - 1.5 * g.gamma_mu * m);
+  // 1 - (S1 - 1) m - S2 m s - S3 m s^2, s = m/(1 + m), ds/dm = (1 - s)^2. Where the shock would outrun itself it is
+  // held.
+  const R root = max(one - m * ((g.s1 - 1.0) + share * (g.s2 + g.s3 * share)), R(0.05));
+  const R turn = (one - share) * (one - share);
+  const R root_slope = -(R(g.s1 - 1.0) + share * (g.s2 + g.s3 * share) + m * turn * (g.s2 + 2.0 * g.s3 * share));
+  const R over = one / (root * root);
+  const auto squeezed = mu > 0.0;
+  return {g.stiffness * select(squeezed, top * over, mu), g.gamma0 + g.gamma_mu * mu,
+          g.stiffness * select(squeezed, over * (top_slope - 2.0 * top * root_slope / root), one), R(g.gamma_mu)};
+}
+
+/// The pressure of a point, step by step. History: relative volume less V0, energy less E0.
+class PreparedPressure {
+ public:
+  static constexpr int size = 2;  ///< of the history
+
+  explicit PreparedPressure(const EquationOfState& of) : law_(of) {}
+
+  template <class R>
+  struct Step {
+    R pressure;
+    R modulus;  ///< d p / d mu at constant entropy: rho0 times the square of the bulk speed of sound [stress]
+  };
+
+  /// A step in which the volume grows at `rate` and the deviators do the work `sheared` a volume at its end. The energy
+  /// takes the mean of the pressures before and after, which is linear in it.
+  template <class R>
+  Step<R> advance(const R& rate, const R& sheared, const R& old_pressure, double dt, double* history) const {
+    const R old = load_field<R>(history, 0) + law_.start_volume, half = 0.5 * dt * rate;
+    const R volume = old * (1.0 + half) / (1.0 - half), growth = volume - old;
+    const R before = load_field<R>(history, 1) + law_.start_energy + volume * sheared - 0.5 * growth * old_pressure;
+    const PressureLine<R> line = line_at<R>(volume);
+    const R energy = (before - 0.5 * growth * line.cold) / (1.0 + 0.5 * growth * line.heat);
+    store_field(history, 0, volume - law_.start_volume);
+    store_field(history, 1, energy - law_.start_energy);
+    return at(volume, energy, line);
+  }
+  /// As it stands.
+  template <class R>
+  Step<R> now(const double* history) const {
+    const R volume = load_field<R>(history, 0) + law_.start_volume,
+            energy = load_field<R>(history, 1) + law_.start_energy;
+    return at(volume, energy, line_at<R>(volume));
+  }
+  /// Work done on the point beside that of its stress, a present volume.
+  template <class R>
+  void add_work(const R& work, double* history) const {
+    const R volume = load_field<R>(history, 0) + law_.start_volume;
+    store_field(history, 1, load_field<R>(history, 1) + volume * work);
+  }
+
+ private:
+  template <class R>
+  PressureLine<R> line_at(const R& volume) const {
+    const R mu = 1.0 / volume - 1.0;
+    return std::visit([&](const auto& p) { return pressure_line(p, mu); }, law_.pressure);
+  }
+  template <class R>
+  static Step<R> at(const R& volume, const R& energy, const PressureLine<R>& line) {
+    const R pressure = line.cold + line.heat * energy;
+    return {pressure, line.cold_slope + line.heat_slope * energy + line.heat * max(pressure, R(0.0)) * volume * volume};
+  }
+
+  EquationOfState law_;
+};
+
+}  // namespace nugget::kernel
