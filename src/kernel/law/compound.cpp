@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "kernel/law/composition.hpp"
@@ -228,21 +229,26 @@ void Prepared<Compound>::set_pressure(SolidTensor<R>& s, const SolidTensor<R>& s
   const SolidTensor<R> sheared = R(0.5) * (with_mean(s, R(0.0)) + with_mean(start, R(0.0)));
   const R work = dt * (sheared.xx * rate.xx + sheared.yy * rate.yy + sheared.zz * rate.zz + sheared.xy * rate.xy +
                        sheared.yz * rate.yz + sheared.zx * rate.zx);
-  R pressure = parts_->pressure->template advance<R>(rate.xx + rate.yy + rate.zz, work, -mean, dt, own).pressure;
+  const R infinity = R(std::numeric_limits<double>::infinity());
+  const auto pressure_above = [&](const R& least) {
+    return parts_->pressure->template advance<R>(rate.xx + rate.yy + rate.zz, work, -mean, least, dt, own);
+  };
   if (!parts_->spall) {
-    s = with_mean(s, -pressure);
+    s = with_mean(s, -pressure_above(-infinity));
     return;
   }
   const Spall& spall = *parts_->spall;
   if (spall.form == Spall::Form::limited_tension) {
-    s = with_mean(s, -max(pressure, R(-spall.limit)));
+    s = with_mean(s, -pressure_above(R(-spall.limit)));
     return;
   }
+  const R before = load_field<R>(own, PreparedPressure::size), none = R(0.0);
+  const R pressure = pressure_above(select(before > 0.5, none, -infinity));
   s = with_mean(s, -pressure);
   const R tension = spall.form == Spall::Form::mean_stress ? -pressure : largest_principal(s);
-  const R broken = select(tension > R(spall.limit), R(1.0), load_field<R>(own, PreparedPressure::size));
+  const R broken = select(tension > R(spall.limit), R(1.0), before);
   store_field(own, PreparedPressure::size, broken);
-  const R left = max(pressure, R(0.0)), none = R(0.0);
+  const R left = max(pressure, none);
   s = select(broken > 0.5, SolidTensor<R>{-left, -left, -left, none, none, none}, s);
 }
 
@@ -260,7 +266,7 @@ void Prepared<Compound>::rotate(const Frame<R>& q, double* history) const {
 template <class R>
 R Prepared<Compound>::wave_modulus(const double* history) const {
   if (parts_->pressure) {
-    const R bulk = parts_->pressure->template now<R>(history + pressure_ * lanes<R>).modulus;
+    const R bulk = parts_->pressure->template modulus<R>(history + pressure_ * lanes<R>);
     return max(bulk, R(0.0)) + (4.0 / 3.0) * elastic_.shear;
   }
   return std::visit([&](const auto& flow) { return flow.template wave_modulus<R>(history); }, parts_->flow);

@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "base/batch.hpp"
 #include "kernel/law/stress_space.hpp"
 
 namespace nugget::kernel {
@@ -81,31 +82,31 @@ class PreparedPressure {
 
   explicit PreparedPressure(const EquationOfState& of) : law_(of) {}
 
+  /// The pressure after a step in which the volume grows at `rate` and the deviators do the work `sheared` a volume at
+  /// its end; it does not fall below `least`. The energy takes the mean of the pressures before and after, which is
+  /// linear in it.
   template <class R>
-  struct Step {
-    R pressure;
-    R modulus;  ///< d p / d mu at constant entropy: rho0 times the square of the bulk speed of sound [stress]
-  };
-
-  /// A step in which the volume grows at `rate` and the deviators do the work `sheared` a volume at its end. The energy
-  /// takes the mean of the pressures before and after, which is linear in it.
-  template <class R>
-  Step<R> advance(const R& rate, const R& sheared, const R& old_pressure, double dt, double* history) const {
+  R advance(const R& rate, const R& sheared, const R& old_pressure, const R& least, double dt, double* history) const {
     const R old = load_field<R>(history, 0) + law_.start_volume, half = 0.5 * dt * rate;
-    const R volume = old * (1.0 + half) / (1.0 - half), growth = volume - old;
-    const R before = load_field<R>(history, 1) + law_.start_energy + volume * sheared - 0.5 * growth * old_pressure;
+    const R volume = old * (1.0 + half) / (1.0 - half), growth = 0.5 * (volume - old);
+    const R before = load_field<R>(history, 1) + law_.start_energy + volume * sheared - growth * old_pressure;
     const PressureLine<R> line = line_at<R>(volume);
-    const R energy = (before - 0.5 * growth * line.cold) / (1.0 + 0.5 * growth * line.heat);
+    R energy = (before - growth * line.cold) / (1.0 + growth * line.heat), pressure = line.cold + line.heat * energy;
+    const auto limited = pressure < least;
+    pressure = select(limited, least, pressure);
+    energy = select(limited, before - growth * least, energy);
     store_field(history, 0, volume - law_.start_volume);
     store_field(history, 1, energy - law_.start_energy);
-    return at(volume, energy, line);
+    return pressure;
   }
-  /// As it stands.
+  /// d p / d mu at constant entropy, as the point stands: rho0 times the square of the bulk speed of sound [stress].
   template <class R>
-  Step<R> now(const double* history) const {
+  R modulus(const double* history) const {
     const R volume = load_field<R>(history, 0) + law_.start_volume,
             energy = load_field<R>(history, 1) + law_.start_energy;
-    return at(volume, energy, line_at<R>(volume));
+    const PressureLine<R> line = line_at<R>(volume);
+    const R pressure = max(line.cold + line.heat * energy, R(0.0));
+    return line.cold_slope + line.heat_slope * energy + line.heat * pressure * volume * volume;
   }
   /// Work done on the point beside that of its stress, a present volume.
   template <class R>
@@ -119,11 +120,6 @@ class PreparedPressure {
   PressureLine<R> line_at(const R& volume) const {
     const R mu = 1.0 / volume - 1.0;
     return std::visit([&](const auto& p) { return pressure_line(p, mu); }, law_.pressure);
-  }
-  template <class R>
-  static Step<R> at(const R& volume, const R& energy, const PressureLine<R>& line) {
-    const R pressure = line.cold + line.heat * energy;
-    return {pressure, line.cold_slope + line.heat_slope * energy + line.heat * max(pressure, R(0.0)) * volume * volume};
   }
 
   EquationOfState law_;

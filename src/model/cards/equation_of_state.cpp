@@ -84,7 +84,7 @@ void give(Builder& b, const Row& part_row, Material& material, bool shells, cons
                   "give each equation of state materials of its own");
   law.state = state;
   const std::array<double, kernel::PreparedPressure::size> at_start{};
-  const double K = kernel::PreparedPressure(state).now<double>(at_start.data()).modulus;
+  const double K = kernel::PreparedPressure(state).modulus<double>(at_start.data());
   const bool sheared = K > 0.0 && set_elastic(law, K);
   material.law = compound(std::move(law));
   if (shells)
