@@ -66,9 +66,8 @@ TEST(ShellFactors, BySizeOnBeamsAndOnBricksForBeams) {
 // Sabotage to be caught: the angle in radians; the smaller coordinate for the place; T_ORT for shear too; the axes of a
 // table over angles taken as those of one over places.
 TEST(ShellFactors, ByThePlaceOfABeamOnItsShells) {
-  const std::string tables = "*DEFINE_TABLE_2D\n" + fields({80}) + fields({0.0, 81}) + fields({1.0, 82}) +
-                             curve(81, {{0.0, 1.0}, {45.0, 1.0}}) + curve(82, {{0.0, 0.5}, {45.0, 0.75}}) +
-                             "*DEFINE_TABLE_2D\n" + fields({90}) + fields({0.0, 91}) + fields({45.0, 92}) +
+  const std::string tables = "*DEFINE_TABLE_2D\n80\n0.0,81\n1.0,82\n" + curve(81, {{0.0, 1.0}, {45.0, 1.0}}) +
+                             curve(82, {{0.0, 0.5}, {45.0, 0.75}}) + "*DEFINE_TABLE_2D\n90\n0.0,91\n45.0,92\n" +
                              curve(91, {{0.0, 1.0}, {1.0, 4.0}}) + curve(92, {{0.0, 0.5}, {1.0, 2.0}});
   const auto control = [&](int in_shear) {
     return tables + "*CONTROL_SPOTWELD_BEAM\n" + fields({0, 0, 80, 0, double(in_shear)});
