@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "base/real.hpp"
+#include "base/batch.hpp"
 #include "base/vec3.hpp"
 
 // The three stress spaces in which an element and a law meet. The same structs hold stresses [stress], strain rates
