@@ -216,7 +216,7 @@ TEST(LoadRateStress, RatesAreAveragedOverNavgCycles) {
 
 TEST(Direction, ForceAllowedAtItsAngle) {
   WeldLaw law;
-  law.tension = {{0.0, 10.0}, {{0, {0.0, 90.0}, {6000.0, 8000.0}}, {0, {0.0, 90.0}, {12000.0, 16000.0}}}};
+  law.tension = {1, {0.0, 10.0}, {{0, {0.0, 90.0}, {6000.0, 8000.0}}, {0, {0.0, 90.0}, {12000.0, 16000.0}}}};
   const auto f = failure::direction(law);
   EXPECT_NEAR(value(*f, {0, 3000, 0}), 0.5, 1e-12);
   EXPECT_NEAR(value(*f, {8000}), 1.0, 1e-12);
@@ -224,7 +224,7 @@ TEST(Direction, ForceAllowedAtItsAngle) {
   EXPECT_NEAR(value(*f, {8000}, 5.0), 8000.0 / 12000.0, 1e-12);
   EXPECT_NEAR(value(*f, {8000}, 1e3), 0.5, 1e-12);
   EXPECT_DOUBLE_EQ(value(*f, {-8000, 8000}), 0.0);  // no curve for compression
-  law.compression = {{0.0}, {{0, {0.0, 90.0}, {6000.0, 60000.0}}}};
+  law.compression = {1, {0.0}, {{0, {0.0, 90.0}, {6000.0, 60000.0}}}};
   const Value v = (*failure::direction(law))(load({-6000}));
   EXPECT_NEAR(v.value, 0.1, 1e-12);
   EXPECT_EQ(v.largest(), FailureMode::compression);
