@@ -122,6 +122,10 @@ TEST(WeldFailureFunctions, Opt3NotchStress) {
   expect_factor(joint, "theory 4.5", "V = 4000 (OPT 3)", shear, 0.950532, FailureMode::shear);
   expect_factor(joint, "theory 4.5", "M = 3000 (OPT 3)", bending, 0.682083, FailureMode::bending);
   expect_factor(joint, "theory 4.5", "N 2000, V 1500, M 1500 (OPT 3)", mixed, 0.644754, FailureMode::bending);
+  const Joint weighted{.material = cards({0, 0, 0, 2, 1.25, 1.5, 0.25}, {0, 3, 1500})};  // each divides its own factor
+  expect_factor(weighted, "theory 4.5", "N = 4000, ZALP3 1.5 (OPT 3)", tension, 1.180873 / 1.5, FailureMode::axial);
+  expect_factor(weighted, "theory 4.5", "V = 4000, ZALP1 2 (OPT 3)", shear, 0.950532 / 2.0, FailureMode::shear);
+  expect_factor(weighted, "theory 4.5", "M = 3000, ZALP2 1.25 (OPT 3)", bending, 0.682083 / 1.25, FailureMode::bending);
 }
 
 TEST(WeldFailureFunctions, Opt4StressIntensity) {

@@ -312,8 +312,7 @@ TEST(WeldFailure, A08AllComponents) {
                    failure_factor(w, {4000, 3000, 0, 4000, 3000, 0}), 1.06527, 5e-3);
 }
 
-// Sabotage to be caught: the mean taken over NF states that do not exist yet (it would start at 0: no difference here,
-// but a first value divided by NF would); a filter applied twice.
+// Sabotage to be caught: a filter applied twice. (Its first values: tests/unit/weld/failure.cpp.)
 TEST(WeldFailure, A08FilterOnlyDelays) {
   const int cycles = 6000;
   for (const Six& load : {Six{8000}, Six{0, 6000}, Six{4000, 3000, 0, 4000, 3000, 0}}) {
