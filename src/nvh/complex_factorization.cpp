@@ -9,7 +9,7 @@
 namespace nugget::nvh {
 
 ComplexFactorization::ComplexFactorization(const Matrices& m)
-    : mumps_(std::make_unique<Mumps<std::complex<double>>>(m, std::vector{&m.stiffness, &m.mass})) {
+    : mumps_(std::make_unique<Mumps<std::complex<double>>>(m)) {
   check();
 }
 
@@ -25,7 +25,7 @@ void ComplexFactorization::check() const {
 }
 
 void ComplexFactorization::factor(std::complex<double> of_stiffness, std::complex<double> of_mass) {
-  mumps_->factor({of_stiffness, of_mass});
+  mumps_->factor(of_stiffness, of_mass);
   check();
 }
 

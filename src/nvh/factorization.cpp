@@ -11,7 +11,7 @@ namespace nugget::nvh {
 
 Factorization::Factorization(const Matrices& m, double shift) : shift_(shift) {
   const auto begin = std::chrono::steady_clock::now();
-  mumps_ = std::make_unique<Mumps<double>>(m, std::vector{&m.stiffness, &m.mass});
+  mumps_ = std::make_unique<Mumps<double>>(m);
   check();
   shift_to(shift);
   cost_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -20,7 +20,7 @@ Factorization::Factorization(const Matrices& m, double shift) : shift_(shift) {
 void Factorization::shift_to(double shift) {
   const auto begin = std::chrono::steady_clock::now();
   shift_ = shift;
-  mumps_->factor({1.0, shift});
+  mumps_->factor(1.0, shift);
   check();
   const DMUMPS_STRUC_C& d = mumps_->data();
   cost_ = {std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),

@@ -49,12 +49,11 @@ void answer(const SolverCall& call, std::map<int, Data>& instances) {
 struct Pattern {
   std::vector<MUMPS_INT> row, column;
 
-  explicit Pattern(const std::vector<const Symmetric*>& terms) {
-    std::size_t entries = 0;
-    for (const Symmetric* matrix : terms) entries += matrix->entries();
+  explicit Pattern(const Matrices& m) {
+    const std::size_t entries = m.stiffness.entries() + m.mass.entries();
     row.reserve(entries);
     column.reserve(entries);
-    for (const Symmetric* matrix : terms)  // entries given twice are added up
+    for (const Symmetric* matrix : {&m.stiffness, &m.mass})  // entries given twice are added up
       for (std::size_t j = 0; j < matrix->size(); ++j)
         for (const int i : matrix->rows(j)) {
           row.push_back(i + 1);
@@ -109,8 +108,7 @@ void Mumps<Number>::call(int job) {
 }
 
 template <class Number>
-Mumps<Number>::Mumps(const Matrices& m, std::vector<const Symmetric*> terms)
-    : terms_(std::move(terms)), instance_(led.instances++) {
+Mumps<Number>::Mumps(const Matrices& m) : matrices_(m), instance_(led.instances++) {
   openblas_set_num_threads(1);
   call(-1);
   option(6) = 0;    // no column permutation
@@ -121,7 +119,7 @@ Mumps<Number>::Mumps(const Matrices& m, std::vector<const Symmetric*> terms)
   option(14) = 40;  // room for pivoting [%]
   option(24) = 0;   // a null pivot is an error
   option(28) = 1;   // the first rank analyses
-  Pattern pattern(terms_);
+  Pattern pattern(m);
   pattern.give(data_);
   std::vector<int> order = elimination_order(m);
   data_.n = m.equations.size();
@@ -130,14 +128,15 @@ Mumps<Number>::Mumps(const Matrices& m, std::vector<const Symmetric*> terms)
 }
 
 template <class Number>
-void Mumps<Number>::factor(const std::vector<Number>& factors) {
-  Pattern pattern(terms_);
+void Mumps<Number>::factor(Number of_stiffness, Number of_mass) {
+  Pattern pattern(matrices_);
   pattern.give(data_);
   std::vector<Number> value;
   value.reserve(pattern.row.size());
-  for (std::size_t t = 0; t < terms_.size(); ++t)
-    for (std::size_t j = 0; j < terms_[t]->size(); ++j)
-      for (const double v : terms_[t]->values(j)) value.push_back(v * factors[t]);
+  for (const auto& [matrix, factor] :
+       {std::pair{&matrices_.stiffness, of_stiffness}, std::pair{&matrices_.mass, of_mass}})
+    for (std::size_t j = 0; j < matrix->size(); ++j)
+      for (const double v : matrix->values(j)) value.push_back(v * factor);
   data_.a = as_mumps(value.data());
   call(2);
   for (int more = 0; error() == -9 && more < 4; ++more) {  // delayed pivots needed more room than was asked for

@@ -6,28 +6,26 @@
 
 #include <complex>
 #include <type_traits>
-#include <vector>
 
 #include "nvh/matrices.hpp"
 
 namespace nugget::nvh {
 
-/// An instance of MUMPS for a sum of matrices with real or complex factors, symmetric (SYM = 2: pivots may be
-/// negative), on all ranks. The order of `elimination_order` and the analysis serve all factors. Each process computes
-/// on one thread, so that results do not depend on the machine.
+/// An instance of MUMPS for a K + b M with real or complex factors, symmetric (SYM = 2: pivots may be negative), on all
+/// ranks. The order of `elimination_order` and the analysis serve all factors. Each process computes on one thread, so
+/// that results do not depend on the machine.
 template <class Number>
 class Mumps {
  public:
   using Data = std::conditional_t<std::is_same_v<Number, double>, DMUMPS_STRUC_C, ZMUMPS_STRUC_C>;
 
-  /// For sums of `terms`, which must outlive it; the order is that of `matrices`.
-  Mumps(const Matrices& matrices, std::vector<const Symmetric*> terms);
+  /// The matrices must outlive it.
+  explicit Mumps(const Matrices& matrices);
   ~Mumps() { call(-2); }
   Mumps(const Mumps&) = delete;
   Mumps& operator=(const Mumps&) = delete;
 
-  /// A, the terms times their factors.
-  void factor(const std::vector<Number>& factors);
+  void factor(Number of_stiffness, Number of_mass);
   /// x := A^-1 x for columns one after the other.
   void solve(Number* x, std::size_t columns);
   /// Of the last call, INFOG(1): below 0 it failed.
@@ -38,7 +36,7 @@ class Mumps {
   void call(int job);
   MUMPS_INT& option(int i) { return data_.icntl[i - 1]; }  // numbers as in the user's guide
 
-  std::vector<const Symmetric*> terms_;
+  const Matrices& matrices_;
   int instance_;
   Data data_{};
 };
