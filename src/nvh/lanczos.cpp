@@ -99,7 +99,7 @@ class Basis {
     add_product(1.0, back, back.count, o.r, 0.0, r);
     w = std::move(next);
     o.r = std::move(r);
-    o.mass = Columns(w.rows, w.count);
+    if (o.mass.count != w.count) o.mass = Columns(w.rows, w.count);
   }
 
   const Matrices& m_;
@@ -164,7 +164,7 @@ Eigenpairs nearest(const Matrices& m, const Factorization& a, int wanted, const 
 
   Columns w(n, width);
   fill_at_random(w);
-  const auto apply = [&](Columns& x) {  // w := A^-1 (M w), where x holds M w
+  const auto applied = [&](Columns x) {  // A^-1 (M w), where x holds M w
     a.solve(x);
     found.solves += static_cast<int>(x.count);
     return x;
@@ -172,17 +172,16 @@ Eigenpairs nearest(const Matrices& m, const Factorization& a, int wanted, const 
   {
     Columns mass(n, width);
     multiply(m.mass, w, mass);
-    w = apply(mass);
+    w = applied(std::move(mass));
   }
   Basis::Orthonormal o = basis.orthonormalize(w);
   Ritz p;
   for (int restarts = 0;;) {
     const std::size_t first = basis.size();
     basis.append(w);
-    Columns next = apply(o.mass);
-    o = basis.orthonormalize(next);
+    w = applied(std::move(o.mass));
+    o = basis.orthonormalize(w);
     basis.project(first, o.h);
-    w = std::move(next);
     p = ritz_pairs(basis, o.r);
     std::size_t converged = 0;
     while (converged < std::min(want, p.order.size()) && p.residual[p.order[converged]] < tolerance) ++converged;
