@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Welds of fully integrated bricks (ELFORM 2): stiffness and failure against the closed forms of the element itself,
-// uniaxial stress state, failure strain, damage.
+// Welds of fully integrated bricks (ELFORM 2, -1): stiffness and failure against the closed forms of the element
+// itself, uniaxial stress state, failure strain, damage.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,9 +18,9 @@ constexpr double step = 1e-7;
 constexpr double E = 210000.0, nu = 0.3, G = E / (2.0 * (1.0 + nu));
 constexpr double confined = E * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));  // no lateral strain
 
-/// A part of weld bricks with ELFORM 2; `law` are the material's keyword and cards.
-std::string part(const std::string& law) {
-  return "*PART\nweld\n" + fields({1, 1, 1}) + "*SECTION_SOLID\n" + fields({1, 2}) + law;
+/// A part of weld bricks; `law` are the material's keyword and cards.
+std::string part(const std::string& law, int elform) {
+  return "*PART\nweld\n" + fields({1, 1, 1}) + "*SECTION_SOLID\n" + fields({1, 1.0 * elform}) + law;
 }
 std::string spotweld(double yield, double hardening, std::initializer_list<double> second) {
   return "*MAT_SPOTWELD\n" + fields({1, 7.8e-9, E, nu, yield, hardening}) + fields(second);
@@ -35,10 +35,10 @@ struct Outcome {
 };
 
 /// One brick: the bottom face stands, the top moves; all in all three directions.
-Outcome run(const std::string& law, const Motion& motion, int cycles = 2000) {
+Outcome run(const std::string& law, const Motion& motion, int cycles = 2000, int elform = 2) {
   const Prism prism = square_prism(side, length);
   Experiment run("*KEYWORD\n" + termination(cycles * step, 0.9, 0.0, 90) + curve(90, {{0.0, step}, {1.0, step}}) +
-                 part(law) + prism.text() + held(prism.bottom(), {1, 1, 1}) +
+                 part(law, elform) + prism.text() + held(prism.bottom(), {1, 1, 1}) +
                  moved(prism, prism.top(), {1, 1, 1}, motion, cycles * step, 1) + "*END\n");
   Outcome out;
   run.run([&](const impact::Snapshot& now) {
@@ -99,6 +99,25 @@ TEST(FullBrickWeld, StiffnessOfTheElement) {
   const Outcome bent = run("*MAT_SPOTWELD_UNIAXIAL\n" + fields({1, 7.8e-9, E, nu, 1e6}) + fields({0}), bend(u));
   expect_reference("ELFORM 2", "M L / theta, uniaxial", bent.moment.y * length / u,
                    E * I + G * area * length * length / 12.0, 1e-3);
+}
+
+// With assumed strains bending is that of a wide plate, E I/(1 - nu^2), as the sides are held, without parasitic shear.
+// Sabotage to be caught: no thinning; the deviator of a uniaxial stress state's strains.
+TEST(FullBrickWeld, StiffnessOfAssumedStrains) {
+  const double I = area * area / 12.0, u = 1e-5;
+  const auto compare = [&](const char* what, double weld, double support, double reference) {
+    expect_reference("ELFORM -1", std::string(what) + ", the weld's resultant", weld, reference, 1e-3);
+    expect_reference("ELFORM -1", std::string(what) + ", the support's", support, reference, 1e-3);
+  };
+  const auto ran = [](const std::string& law, const Motion& motion) { return run(law, motion, 2000, -1); };
+  const Outcome n = ran(elastic, pull(u)), v = ran(elastic, shear(u)), t = ran(elastic, twist(u)),
+                m = ran(elastic, bend(u));
+  compare("N L / u", n.weld.axial * length / u, n.force.z * length / u, confined * area);
+  compare("V L / u", v.weld.shear_s * length / u, v.force.x * length / u, G * area);
+  compare("T L / theta", t.weld.torsion * length / u, t.moment.z * length / u, G * area * area / 6.0);
+  compare("M L / theta", m.weld.moment_t * length / u, m.moment.y * length / u, E * I / (1.0 - nu * nu));
+  const Outcome bent = ran("*MAT_SPOTWELD_UNIAXIAL\n" + fields({1, 7.8e-9, E, nu, 1e6}) + fields({0}), bend(u));
+  expect_reference("ELFORM -1", "M L / theta, uniaxial", bent.moment.y * length / u, E * I, 1e-3);
 }
 
 // Sabotage to be caught: the resultants of the first point alone.
