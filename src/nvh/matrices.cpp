@@ -34,6 +34,39 @@ Vec3d shell_normal(const system::ElementGroup& group, std::size_t e, const syste
                                       : unit(cross(place(1) - place(0), place(2) - place(0)));
 }
 
+/// The section of resultant beams (ELFORM 2); null for other elements.
+const model::SectionBeam* resultant_section(const system::System& system, const system::ElementGroup& group) {
+  if (group.kind != model::ElementKind::beam || group.nodes_per_element != 2) return nullptr;
+  const model::Part& part = system.model.parts[at(group.part)];
+  if (part.section == model::none) return nullptr;
+  const model::SectionBeam& section = system.model.beam_sections[at(part.section)];
+  return section.elform == 2 ? &section : nullptr;
+}
+
+/// Rotary inertia of half a resultant beam by its moments of area. What the group has for explicit dynamics is raised
+/// for the sake of the step, up to six times the larger one in all directions.
+system::Inertia section_inertia(const system::System& system, const system::ElementGroup& group, std::size_t e,
+                                const model::SectionBeam& section, const system::State& rest) {
+  const std::array<int, 8> node = group.nodes(e);
+  const Vec3d line = vec(rest.x[at(node[1])]) - vec(rest.x[at(node[0])]), r = unit(line);
+  const model::Index third = system.model.beams.orientation[at(group.element[e])];
+  const Vec3d towards = third == model::none ? Vec3d{} : system.ties.x[at(third)] - vec(rest.x[at(node[0])]);
+  const Vec3d in_plane = towards - dot(towards, r) * r;
+  const double half =
+      0.5 * system.model.materials[at(system.model.parts[at(group.part)].material)].density * norm(line);
+  const double is = half * section.moment_s, it = half * section.moment_t;
+  // Without a third node the section has no direction in space, and is as large as it may be.
+  const bool turned = !(norm(in_plane) > 0.0);
+  const Vec3d s = turned ? Vec3d{} : unit(in_plane), t = turned ? Vec3d{} : cross(r, s);
+  const double round = turned ? std::max(is, it) : 0.0;
+  const auto component = [&](double Vec3d::*i, double Vec3d::*j) {
+    const double same = i == j ? round : 0.0;
+    return same + (is + it - round) * r.*i * r.*j + is * s.*i * s.*j + it * t.*i * t.*j;
+  };
+  return {component(&Vec3d::x, &Vec3d::x), component(&Vec3d::x, &Vec3d::y), component(&Vec3d::x, &Vec3d::z),
+          component(&Vec3d::y, &Vec3d::y), component(&Vec3d::y, &Vec3d::z), component(&Vec3d::z, &Vec3d::z)};
+}
+
 /// Mass beside a node needs at least the inertia of being there, S^t S / m.
 void add_least_inertia(NodalMass& n) {
   if (!(n.mass > 0.0)) return;
@@ -54,7 +87,8 @@ std::vector<NodalMass> nodal_masses(const system::System& system, const system::
     for (std::size_t e = 0; e < group->size(); ++e) {
       if (!group->alive(e)) continue;
       const std::array<int, 8> node = group->nodes(e);
-      for (std::size_t a = 0; a < at(group->nodes_per_element); ++a) put(node[a], nodal_share(*group, e, a, rest));
+      for (std::size_t a = 0; a < at(group->nodes_per_element); ++a)
+        put(node[a], nodal_share(system, *group, e, a, rest));
     }
   }
   for (const system::System::Lump& lump : system.lumps())
@@ -114,8 +148,13 @@ Symmetric assemble_stiffness(Matrices& m) {
       }
     }
   }
+  const auto add_links = [&](bool rigid) {
+    for (const BodyLink& link : m.links)
+      if (link.rigid == rigid) scatter(Reach(equations, link.node, 6), link.stiffness(), k);
+  };
+  add_links(false);
   stiffen_joints(m.links, equations, k);
-  for (const BodyLink& link : m.links) scatter(Reach(equations, link.node, 6), link.stiffness(), k);
+  add_links(true);
   return k;
 }
 
@@ -176,13 +215,16 @@ Six NodalMass::momentum(const Six& motion) const {
   return p;
 }
 
-NodalMass nodal_share(const system::ElementGroup& group, std::size_t e, std::size_t a, const system::State& rest) {
+NodalMass nodal_share(const system::System& system, const system::ElementGroup& group, std::size_t e, std::size_t a,
+                      const system::State& rest) {
   const std::size_t corners = at(group.nodes_per_element);
   NodalMass share;
   share.mass = group.mass(e) / static_cast<double>(corners);
   const bool shell = group.kind == model::ElementKind::shell;
   const double t = group.thickness(e), own = shell ? share.mass * t * t / 12.0 : group.nodal_inertia(e);
   share.inertia = {own, 0, 0, own, 0, own};
+  if (const model::SectionBeam* section = resultant_section(system, group))
+    share.inertia = section_inertia(system, group, e, *section, rest);
   if (!shell) return share;
   // A point at s beside the node has the normal velocity n . (v + w x s) = n . v + w . (s x n).
   const Vec3d n = shell_normal(group, e, rest), arm = cross(corner_offset(group, e, a, rest), n);

@@ -26,8 +26,9 @@ struct NodalMass {
 
 /// Share of node a in the mass of an element. A quarter of a shell (a third of a triangle) goes with its corner as a
 /// rigid plate: its normal velocity is that of the node and of the node's rotation, and the rotary inertia of the
-/// material, m t^2 / 12, comes on top (docs/decisions/0027).
-NodalMass nodal_share(const system::ElementGroup& group, std::size_t e, std::size_t a, const system::State& rest);
+/// material, m t^2 / 12, comes on top (docs/decisions/0027). A resultant beam has the inertia of its section's moments.
+NodalMass nodal_share(const system::System& system, const system::ElementGroup& group, std::size_t e, std::size_t a,
+                      const system::State& rest);
 
 /// Mass matrix of a node, row-major, in its six freedoms.
 std::array<double, 36> mass_matrix(const NodalMass& n);

@@ -53,7 +53,7 @@ void add_masses(const Matrices& m, const system::ElementGroup& group, std::size_
                 std::vector<Piece>& pieces) {
   const std::array<int, 8> node = group.nodes(e);
   for (std::size_t a = 0; a < at(group.nodes_per_element); ++a) {
-    const std::array<double, 36> mass = mass_matrix(nodal_share(group, e, a, m.rest));
+    const std::array<double, 36> mass = mass_matrix(nodal_share(m.system, group, e, a, m.rest));
     std::vector<double> c(mass.begin(), mass.end());
     for (double& v : c) v *= alpha;
     pieces.push_back({Reach(m.equations, {&node[a], 1}, 6), std::move(c)});

@@ -103,7 +103,8 @@ class ModeStudies(CommandTest):
             f"{1000 * part + 28 * j + i:10d}{0:10d}" + 6 * "         1" + "\n"
             for part in (1, 2) for j in range(4) for i in (0, 27))
         stress = "".join(f"{e:10d}{1:10d}{1:10d}\n{0.0:10.1f}{400.0:10.1f}\n" for e in range(1000, 1081))
-        preload = "*CONTROL_IMPLICIT_GENERAL\n         1       1.0         2         1         1\n*INITIAL_STRESS_SHELL\n" + stress
+        preload = ("*CONTROL_IMPLICIT_GENERAL\n         1       1.0         2         1         1\n"
+                   "*CONTROL_IMPLICIT_EIGENVALUE\n        12\n*INITIAL_STRESS_SHELL\n" + stress)
         found = {}
         for name, cards in (("rest", ""), ("stretched", preload)):
             self.write(strips().replace("*SET_PART_LIST", clamped + cards + "*SET_PART_LIST", 1))

@@ -2,6 +2,7 @@
 """Responses over frequency by the command: `nugget frf` by modes and directly, harmonic loads (SSD), files and the page."""
 import csv
 import math
+import struct
 import unittest
 
 from nugget_command import CommandTest
@@ -163,6 +164,92 @@ class Responses(CommandTest):
         still = next(r for r in self.rows("ssd.csv") if (r["direction"], r["response"]) == ("z", "displacement"))
         self.assertAlmostEqual(float(still["amplitude"]) / 0.952381, 1.0, delta=0.02)
         self.assertAlmostEqual(float(still["phase"]), -math.degrees(math.atan(0.04)), delta=1e-6)
+
+    def test_subcases(self):
+        """Two excitations out of one computation of modes, and Maxwell's reciprocity between them."""
+        nodes = {}
+
+        def cards(tip):
+            nodes["tip"], nodes["middle"] = tip, tip - 10
+            text = "*CONTROL_IMPLICIT_EIGENVALUE\n" + fields(6) + "*SET_NODE_LIST\n" + fields(50) + fields(tip, tip - 10)
+            text += "*FREQUENCY_DOMAIN_FRF_SUBCASE\n" + fields(2) + fields(0.02) + fields(10.0, 200.0, 20)
+            for name, node in nodes.items():
+                text += f"force at the {name}\n" + fields(node, 0, 3, 3) + fields(50, 1, 3, 2)
+            return text
+        self.write(strip(cards, 20, 2))
+        run = self.nugget("frf", "model.k", "--quiet")
+        self.assertIn("case 2: force at the middle", run.stdout)
+        self.assertIn("2 residual vectors", run.stdout)
+        found = {}
+        for row in self.rows("frf.csv"):
+            found.setdefault((int(row["case"]), int(row["node"])), []).append(complex(float(row["real"]), float(row["imaginary"])))
+        self.assertEqual(len(found), 4)
+        for a, b in zip(found[1, nodes["middle"]], found[2, nodes["tip"]]):
+            self.assertAlmostEqual(abs(a - b), 0.0, delta=1e-6 * abs(a))
+        self.assertGreater(abs(found[1, nodes["tip"]][0]), 2.0 * abs(found[2, nodes["middle"]][0]))
+        self.assertEqual([r["case"] for r in self.json("summary.json")["responses"]], [1, 1, 2, 2])
+        self.assertIn(f"C-2-N-{nodes['tip']}-z", self.read("frf_amplitude"))
+        self.assertIn(f"case 2, node {nodes['tip']} z", self.read("report.html"))
+
+    def test_frequencies_of_the_modes(self):
+        """FSPACE 3 and 2: the response at the natural frequencies, and gathered there."""
+        deck = strip(lambda tip: "*CONTROL_IMPLICIT_EIGENVALUE\n" + fields(5) +
+                     frf((tip, 0, 3, 3), (0.02,), (tip, 0, 3, 2), (10.0, 400.0, "COUNT", "SPACE")), 20, 2)
+        natural = None
+        for space, count in ((3, 2), (2, 40)):
+            self.write(deck.replace("COUNT", f"{count:5d}").replace("SPACE", f"{space:5d}"))
+            self.nugget("frf", "model.k", "--quiet")
+            natural = [m["frequency_hz"] for m in self.json("summary.json")["modes"] if 10.0 <= m["frequency_hz"] <= 400.0]
+            frequencies = list(self.amplitudes("frf.csv"))
+            self.assertEqual(len(frequencies), len(natural) if space == 3 else 40)
+            for f in natural:
+                self.assertLess(min(abs(f - g) for g in frequencies), 1e-6 * f)
+        run = self.nugget("frf", "model.k", "--direct", "--quiet", expect=1)
+        self.assertIn("FSPACE 2 and 3 ask for frequencies by the modes", run.stderr)
+
+    def d3ssd(self, states):
+        """[(frequency, displacements, velocities)] of the first file of states."""
+        head = (self.folder / "d3ssd").read_bytes()
+        control = struct.unpack("<64i", head[:256])
+        self.assertEqual(control[11], 21)
+        count, globals_ = control[16], control[18]
+        at_rest = struct.unpack(f"<{3 * count}f", head[256:256 + 12 * count])
+        data = (self.folder / "d3ssd01").read_bytes()
+        words = struct.unpack(f"<{len(data) // 4}f", data)
+        one_state, rest = divmod(words.index(-999999.0), states)
+        self.assertEqual(rest, 0)
+        found = []
+        for k in range(0, states * one_state, one_state):
+            x = words[k + 1 + globals_:][:3 * count]
+            v = words[k + 1 + globals_ + 3 * count:][:3 * count]
+            found.append((words[k], [a - b for a, b in zip(x, at_rest)], v))
+        return found
+
+    def test_states_of_all_nodes(self):
+        """d3ssd: amplitudes, real and imaginary parts; the tip as nodout_ssd has it."""
+        tips = []
+
+        def cards(tip):
+            tips.append(tip)
+            return ("*CONTROL_IMPLICIT_EIGENVALUE\n" + fields(6) + "*DEFINE_CURVE\n" + fields(9) +
+                    f"{0.0:20}{100.0:20}\n{500.0:20}{100.0:20}\n" +
+                    "*FREQUENCY_DOMAIN_SSD\n" + fields(1) + fields(0.05) + fields(0) + fields(tip, 0, 3, 0, 9) +
+                    "*DATABASE_FREQUENCY_ASCII_NODOUT_SSD\n" + fields(20.0, 60.0, 3) + "*DATABASE_HISTORY_NODE\n" + fields(tip) +
+                    "*DATABASE_FREQUENCY_BINARY_D3SSD\n" + fields("BINARY") + fields(20.0, 60.0, 3))
+        deck = strip(cards, 20, 2)
+        parts = {}
+        for part in (1, 90, 91):
+            self.write(deck.replace("    BINARY", f"{part:10d}"))
+            self.nugget("run", "model.k", "--quiet")
+            parts[part] = self.d3ssd(3)
+            self.assertEqual([round(state[0], 3) for state in parts[part]], [20.0, 40.0, 60.0])
+        z = 3 * (tips[0] - 1) + 2
+        rows = [r for r in self.rows("ssd.csv") if (r["direction"], r["response"]) == ("z", "displacement")]
+        for k, row in enumerate(rows):
+            scale = float(row["amplitude"])
+            for part, column in ((1, "amplitude"), (90, "real"), (91, "imaginary")):
+                self.assertAlmostEqual(parts[part][k][1][z], float(row[column]), delta=1e-4 * scale)
+            self.assertAlmostEqual(parts[1][k][2][z] / (2 * math.pi * float(row["frequency"]) * scale), 1.0, delta=1e-4)
 
     def test_page_of_welded_modes(self):
         """Modes with what holds their energy, welds ranked by it and by what the frequencies lose without them."""

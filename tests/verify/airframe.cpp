@@ -55,10 +55,10 @@ class Frame {
   int beam_ = 0, links_ = 0;
 };
 
-// The idealized airframe of pystran (P. Krysl, tutorial 19, "simplified": no constraining layer, no added masses),
-// whose frequencies with 96 beams and more stand still to four digits. The measured aeroplane
-// (6.38 16.10 33.12 33.53 35.65 Hz) has a layer glued on its wing, for which no published model has a stiffness.
-// Sabotage: the drums at the tips; the fin's section turned.
+// The idealized airframe of pystran (P. Krysl, tutorial 19, "simplified": no constraining layer, no added masses), run
+// with 8 beams a member, without its bungees and with links a hundred times as stiff, which are all but rigid. The
+// measured aeroplane (6.38 16.10 33.13 33.53 35.65 Hz) has a layer glued on its wing, for which no published model has
+// a stiffness. Sabotage: the drums at the tips; the fin's section turned; the beams' inertia of explicit dynamics.
 TEST(Modes, AirframeOfBeams) {
   Frame frame;
   const Vec3d x{1, 0, 0}, z{0, 0, 1};
@@ -81,9 +81,9 @@ TEST(Modes, AirframeOfBeams) {
   frame.link({-850, 0, 350}, {-850, 0, 355});
   const LinearExperiment airframe(frame.deck());
   const std::vector<double> found = airframe.elastic_frequencies(8);
-  const double expected[] = {5.924, 16.843, 37.289, 38.114, 38.226, 44.677, 46.181, 57.347};
+  const double expected[] = {5.829, 16.892, 37.797, 38.195, 38.284, 44.674, 53.775, 57.357};
   for (std::size_t i = 0; i < std::size(expected); ++i)
-    expect_reference("A-63", fmt::format("airframe of beams: mode {} [Hz]", i + 1), found[i], expected[i], 1e-2);
+    expect_reference("A-63", fmt::format("airframe of beams: mode {} [Hz]", i + 1), found[i], expected[i], 5e-3);
 }
 
 }  // namespace
