@@ -169,8 +169,7 @@ void SpringGroup::along_line(std::size_t e, double modulus, std::span<double> k)
     for (std::size_t b = 0; b < at_each_node(); ++b)
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
-          k[(a * per_node + first + i) * size + b * per_node + first + j] =
-              (a == b ? scaled : -scaled) * n[i] * n[j];
+          k[(a * per_node + first + i) * size + b * per_node + first + j] = (a == b ? scaled : -scaled) * n[i] * n[j];
 }
 
 void SpringGroup::elastic_rate(std::size_t b, const State& now, std::span<Row> f, std::span<Row> m) const {
