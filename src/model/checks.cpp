@@ -413,7 +413,8 @@ void check_law(Builder& b, const Part& part, const deck::Row& row) {
   const Material& material = m.materials[static_cast<std::size_t>(part.material)];
   const bool is_weld = is<kernel::Spotweld>(m, part);
   check_compound(b, part, row);
-  if (row.integer("eosid") != 0 && !(takes_equation_of_state(material) && part.kind == ElementKind::solid))
+  const bool is_fluid = part.kind == ElementKind::solid && is<kernel::Null>(m, part);
+  if (row.integer("eosid") != 0 && !is_fluid && !(takes_equation_of_state(material) && part.kind == ElementKind::solid))
     row.complain(b.findings, Severity::warning, "eosid",
                  fmt::format("ignored: *{} in these elements has no equation of state", material.keyword));
   if (is_weld && part.kind == ElementKind::shell)
@@ -436,8 +437,10 @@ void check_law(Builder& b, const Part& part, const deck::Row& row) {
     refuse(b, row, "mid",
            fmt::format("*{} is a law of discrete beams, but the part has other elements", material.keyword),
            "give it the law of a sheet");
-  else if (part.kind == ElementKind::solid && is<kernel::Null>(m, part))
-    refuse(b, row, "mid", "*MAT_NULL in solids needs an equation of state, which is not built", "use another law");
+  else if (is_fluid)
+    refuse(b, row, "mid",
+           "*MAT_NULL in solids is a fluid, all of whose stress is that of an equation of state: not built",
+           "use *MAT_JOHNSON_COOK of a small yield stress, which may have one");
   else if (part.kind == ElementKind::solid && material.poisson() >= 0.5 && !is<kernel::Rigid>(m, part))
     refuse(b, row, "mid", "a Poisson's ratio of 0.5 makes solids incompressible", "give a ratio below 0.5, e.g. 0.495");
 }

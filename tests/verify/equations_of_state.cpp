@@ -31,11 +31,11 @@ Grid column(Specimen& s, double length, int cells) {
   return grid;
 }
 
-// A piston at 500 m/s into copper at rest: U = c + s u, p = rho U u, relative volume 1 - u/U, energy u^2/2 a mass.
+// A piston at 2 km/s into copper at rest: U = c + s u, p = rho U u, relative volume 1 - u/U, energy u^2/2 a mass.
 // The line of Hugoniot is the one that the equation is built on, so its energy must be right: without the work of the
 // bulk viscosity the shock is too cold. Sabotage: add_viscous_work does nothing; gamma0 E left out.
 TEST(EquationsOfState, ShockInCopper) {
-  constexpr double length = 100.0, piston = 5e5, end = 1.2e-5;
+  constexpr double length = 100.0, piston = 2e6, end = 1.2e-5;
   constexpr int cells = 400;
   const double front = sound + slope * piston;
   Specimen s;
@@ -57,12 +57,12 @@ TEST(EquationsOfState, ShockInCopper) {
     volume = (experiment.position(now, grid(160, 0)).x - experiment.position(now, grid(60, 0)).x) / 25.0;
   });
   ASSERT_TRUE(passed.seen());
-  expect_reference("Hugoniot", "shock in copper, piston 500 m/s: pressure [MPa]", pressure.value(),
+  expect_reference("Hugoniot", "shock in copper, piston 2 km/s: pressure [MPa]", pressure.value(),
                    density * front * piston, 0.01);
-  expect_reference("Hugoniot", "shock in copper, piston 500 m/s: relative volume", volume, 1.0 - piston / front, 2e-3);
-  expect_reference("Hugoniot", "shock in copper, piston 500 m/s: way of the front [mm]", passed.time(), front * end,
+  expect_reference("Hugoniot", "shock in copper, piston 2 km/s: relative volume", volume, 1.0 - piston / front, 2e-3);
+  expect_reference("Hugoniot", "shock in copper, piston 2 km/s: way of the front [mm]", passed.time(), front * end,
                    0.01);
-  expect_reference("Hugoniot", "shock in copper, piston 500 m/s: energy ratio", 1.0 + ratio, 1.0, 2e-3);
+  expect_reference("Hugoniot", "shock in copper, piston 2 km/s: energy ratio", 1.0 + ratio, 1.0, 2e-3);
 }
 
 // An ideal gas, C4 = C5 = gamma - 1, squeezed slowly to half of its volume: p V^gamma is constant. Sabotage: half of

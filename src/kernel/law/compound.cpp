@@ -254,7 +254,7 @@ void Prepared<Compound>::set_pressure(SolidTensor<R>& s, const SolidTensor<R>& s
 
 template <class R>
 void Prepared<Compound>::add_viscous_work(const R& work, double* history) const {
-  if (parts_->pressure) parts_->pressure->add_work(work, history + pressure_ * lanes<R>);
+  if (parts_->pressure) parts_->pressure->add_viscous_work(work, history + pressure_ * lanes<R>);
 }
 
 template <class R>

@@ -75,10 +75,11 @@ PressureLine<R> pressure_line(const Gruneisen& g, const R& mu) {
           g.stiffness * select(squeezed, over * (top_slope - 2.0 * top * root_slope / root), one), R(g.gamma_mu)};
 }
 
-/// The pressure of a point, step by step. History: relative volume less V0, energy less E0.
+/// The pressure of a point, step by step. History: relative volume less V0, energy less E0, growth of the volume in the
+/// last step, viscous pressure at its end.
 class PreparedPressure {
  public:
-  static constexpr int size = 2;  ///< of the history
+  static constexpr int size = 4;  ///< of the history
 
   explicit PreparedPressure(const EquationOfState& of) : law_(of) {}
 
@@ -89,7 +90,8 @@ class PreparedPressure {
   R advance(const R& rate, const R& sheared, const R& old_pressure, const R& least, double dt, double* history) const {
     const R old = load_field<R>(history, 0) + law_.start_volume, half = 0.5 * dt * rate;
     const R volume = old * (1.0 + half) / (1.0 - half), growth = 0.5 * (volume - old);
-    const R before = load_field<R>(history, 1) + law_.start_energy + volume * sheared - growth * old_pressure;
+    const R before = load_field<R>(history, 1) + law_.start_energy + volume * sheared -
+                     growth * (old_pressure + load_field<R>(history, viscous));
     const PressureLine<R> line = line_at<R>(volume);
     R energy = (before - growth * line.cold) / (1.0 + growth * line.heat), pressure = line.cold + line.heat * energy;
     const auto limited = pressure < least;
@@ -97,6 +99,7 @@ class PreparedPressure {
     energy = select(limited, before - growth * least, energy);
     store_field(history, 0, volume - law_.start_volume);
     store_field(history, 1, energy - law_.start_energy);
+    store_field(history, grown, growth);
     return pressure;
   }
   /// d p / d mu at constant entropy, as the point stands: rho0 times the square of the bulk speed of sound [stress].
@@ -108,14 +111,20 @@ class PreparedPressure {
     const R pressure = max(line.cold + line.heat * energy, R(0.0));
     return line.cold_slope + line.heat_slope * energy + line.heat * pressure * volume * volume;
   }
-  /// Work done on the point beside that of its stress, a present volume.
+  /// Adds the work of viscous pressure, `work` a present volume with its value at the end of the step. As that of the
+  /// stress it is taken with the mean of the values before and after: half of it now, half in the next step.
   template <class R>
-  void add_work(const R& work, double* history) const {
-    const R volume = load_field<R>(history, 0) + law_.start_volume;
-    store_field(history, 1, load_field<R>(history, 1) + volume * work);
+  void add_viscous_work(const R& work, double* history) const {
+    const R volume = load_field<R>(history, 0) + law_.start_volume, growth = load_field<R>(history, grown);
+    const auto squeezed = growth < 0.0;
+    const R pressure = select(squeezed, 0.5 * volume * work / select(squeezed, -growth, R(1.0)), R(0.0));
+    store_field(history, 1, load_field<R>(history, 1) - growth * pressure);
+    store_field(history, viscous, pressure);
   }
 
  private:
+  static constexpr int grown = 2, viscous = 3;
+
   template <class R>
   PressureLine<R> line_at(const R& volume) const {
     const R mu = 1.0 / volume - 1.0;
