@@ -71,7 +71,8 @@ class Taken {
     add(Reach(m_.equations, nodes, elements.freedoms()), tangent_stiffness(m_, elements, e), stiffness_);
     for (std::size_t a = 0; a < nodes.size(); ++a)
       if (!m_.nodal_mass[at(nodes[a])].none())  // else a rigid body with a given mass has swallowed it
-        add(Reach(m_.equations, {&nodes[a], 1}, 6), mass_matrix(nodal_share(m_.system, elements, e, a, m_.rest)), mass_);
+        add(Reach(m_.equations, {&nodes[a], 1}, 6), mass_matrix(nodal_share(m_.system, elements, e, a, m_.rest)),
+            mass_);
   }
   void add(const Reach& reach, std::span<const double> k, Columns& into) const {
     const std::vector<double> q = reach.reduced(k);
