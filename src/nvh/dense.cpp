@@ -2,6 +2,9 @@
 #include "nvh/dense.hpp"
 
 #include <cblas.h>
+#define LAPACK_COMPLEX_CUSTOM  // std::complex in its interface
+#define lapack_complex_float std::complex<float>
+#define lapack_complex_double std::complex<double>
 #include <lapacke.h>
 
 #include <algorithm>
@@ -28,12 +31,9 @@ void add_product(double alpha, const Columns& a, std::size_t a_count, const Colu
 
 void solve(std::vector<std::complex<double>>& a, std::vector<std::complex<double>>& b, std::size_t n) {
   if (n == 0) return;
-  const auto words = [](std::vector<std::complex<double>>& v) {  // both are two doubles (C++ [complex.numbers])
-    return reinterpret_cast<lapack_complex_double*>(v.data());
-  };
   std::vector<lapack_int> pivot(n);
   const auto size = static_cast<lapack_int>(n), columns = static_cast<lapack_int>(b.size() / n);
-  if (LAPACKE_zgesv(LAPACK_COL_MAJOR, size, columns, words(a), size, pivot.data(), words(b), size) != 0)
+  if (LAPACKE_zgesv(LAPACK_COL_MAJOR, size, columns, a.data(), size, pivot.data(), b.data(), size) != 0)
     std::fill(b.begin(), b.end(), std::numeric_limits<double>::quiet_NaN());
 }
 

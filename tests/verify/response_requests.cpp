@@ -39,7 +39,7 @@ std::vector<double> frequencies_of(const std::string& deck) {
 // FSPACE 3: the natural frequencies in the range, each once; those of the row among them. Sabotage: modes outside of
 // it.
 TEST(ResponseRequests, NaturalFrequencies) {
-  const auto [first, second] = natural();
+  const double first = natural()[0], second = natural()[1];
   const std::vector<double> all = frequencies_of(two_masses(fields({0.5 * first, 2.0 * second, 2, 3})));
   EXPECT_TRUE(std::is_sorted(all.begin(), all.end(), [](double a, double b) { return a <= b; }));
   for (const double f : {first, second})
