@@ -105,7 +105,8 @@ std::string log_model(const model::Model& model) {
       "Model: {}\n\n nodes {}, shells {}, solids {}, beams {}, parts {}, rigid bodies {}, SPCs {}, "
       "prescribed motions {}, contacts {}, rigid walls {}\n\n",
       model.title, model.nodes.size(), model.shells.size(), model.solids.size(), model.beams.size(), model.parts.size(),
-      model.rigid_bodies.size(), model.spcs.size(), model.motions.size(), model.contacts.size(), model.walls.size());
+      model.rigid_bodies.size(), model.spcs.size(), model.motions.size(),
+      model.contacts.size() + model.interiors.size(), model.walls.size());
   std::vector<std::size_t> count(model.parts.size(), 0);
   for (model::Index p : model.shells.part) ++count[at(p)];
   for (model::Index p : model.solids.part) ++count[at(p)];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/archive.hpp"
 
+#include "contact/interior_contact.hpp"
 #include "contact/penalty_contact.hpp"
 #include "contact/rigid_wall.hpp"
 
@@ -53,6 +54,12 @@ void PenaltyContact::archive(Archive& a) {
   if (edges_) a(*edges_);
   a(glue_);
   a.built(may_grow_);
+}
+
+void InteriorContact::archive(Archive& a) {
+  a.section("interior contact");
+  a(forces_, energy_, pressed_);
+  a.built(bricks_, threshold_, stiffness_, squeezed_);
 }
 
 void RigidWall::archive(Archive& a) {

@@ -178,7 +178,7 @@ void Simulation::archive(Archive& a) {
   a.section("conditions");
   a(supports_, loads_, damping_, preloads_);
   a.section("contacts");
-  a(contacts_, walls_, element_alive_, erosion_);
+  a(contacts_, interiors_, walls_, element_alive_, erosion_);
   a.section("welds");
   a(welds_, rigid_welds_, rivets_, connectors_, tie_forces_, tie_ends_, joints_);
   a.section("results");

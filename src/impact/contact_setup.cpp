@@ -268,6 +268,26 @@ std::vector<contact::TrackedNode> merged(std::vector<contact::TrackedNode> nodes
 
 }  // namespace
 
+std::vector<contact::SqueezedBrick> bricks_of(const system::System& system, const model::InteriorContact& contact) {
+  const model::Model& model = system.model;
+  std::vector<bool> in(model.parts.size(), false);
+  for (model::Index p : contact.parts)
+    in[at(p)] = model.parts[at(p)].rigid_body == model::none && !weld::of_weld_material(model, p);
+  std::vector<contact::SqueezedBrick> bricks;
+  for (std::size_t e = 0; e < model.solids.size(); ++e) {
+    const model::Part& part = model.parts[at(model.solids.part[e])];
+    if (!in[at(model.solids.part[e])]) continue;
+    contact::SqueezedBrick brick;
+    for (std::size_t a = 0; a < 8; ++a) brick.node[a] = system.node_of[at(model.solids.node[e][a])];
+    brick.element = ElementAlive::place(model, model::ElementKind::solid, static_cast<model::Index>(e));
+    brick.modulus = contact.modulus > 0.0
+                        ? contact.modulus
+                        : model.control.penalty_scale * contact.scale * model.materials[at(part.material)].young();
+    bricks.push_back(brick);
+  }
+  return bricks;
+}
+
 double bulk_modulus(const model::Model& model, const model::Part& part) {
   const model::Material& material = model.materials[at(part.material)];
   return part.stiffness_scale * material.young() / (3.0 * (1.0 - 2.0 * std::min(material.poisson(), 0.49)));

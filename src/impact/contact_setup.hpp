@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "contact/interior_contact.hpp"
 #include "contact/surface_contact.hpp"
 #include "system/system.hpp"
 
@@ -9,6 +10,9 @@ namespace nugget::impact {
 /// The surfaces and the laws of a penalty contact, from its card and what it names. Shells contribute
 /// themselves, bricks their exterior faces; weld elements never contact. Node numbers are the system's.
 contact::SurfaceContactSetup contact_setup(const system::System& system, const model::Contact& contact);
+
+/// The bricks of an interior contact; none of rigid parts.
+std::vector<contact::SqueezedBrick> bricks_of(const system::System& system, const model::InteriorContact& contact);
 
 /// Bulk modulus that a part's contact stiffness is found from, E/(3(1 - 2 nu)) times SSF of *PART_CONTACT [stress].
 double bulk_modulus(const model::Model& model, const model::Part& part);

@@ -434,6 +434,8 @@ output::SleoutState sleout_state(const Snapshot& now) {
     const std::array<double, 2> energy = now.contacts[c++].energy_of_sides();
     s.rows.push_back({card.id, energy[0], energy[1], card.kind == model::Contact::Kind::single_surface});
   }
+  for (std::size_t i = 0; i < now.interiors.size(); ++i)
+    s.rows.push_back({now.system.model.interiors[i].id, now.interiors[i].energy(), 0.0, true});
   return s;
 }
 

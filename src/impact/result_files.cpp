@@ -53,6 +53,8 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
     if (!model_.walls[w].title.empty()) walls.push_back({static_cast<int>(w) + 1, model_.walls[w].title});
   for (const model::Contact& c : model_.contacts)
     if (!c.title.empty()) contacts.push_back({c.id, c.title});
+  for (const model::InteriorContact& c : model_.interiors)
+    if (!c.title.empty()) contacts.push_back({c.id, c.title});
 
   std::vector<output::LegendEntry> sections;
   for (const model::CrossSection& c : ask.cross_sections)
@@ -87,8 +89,8 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
   if (!ask.nodal_force_groups.empty())
     add<output::Nodfor>(ask.nodfor, "nodfor", [](const Snapshot& now) { return now.nodal_forces.state(now.state); });
   if (!ask.history_shells.empty() || !ask.history_solids.empty() || !ask.history_beams.empty()) add_elout();
-  const bool slides =
-      std::any_of(model_.contacts.begin(), model_.contacts.end(), [](const auto& c) { return c.slides(); });
+  const bool slides = !model_.interiors.empty() || std::any_of(model_.contacts.begin(), model_.contacts.end(),
+                                                               [](const auto& c) { return c.slides(); });
   if (slides) add<output::Sleout>(ask.sleout, "sleout", sleout_state, contacts);
   if (ask.d3plot.asked()) {
     output::D3plotGeometry geometry = output::d3plot_geometry(system);

@@ -58,6 +58,12 @@ Simulation::Simulation(system::System& system, Findings& findings)
     auto edges = edge_setup(system, card, setup, state_.x, findings);
     contacts_.emplace_back(std::move(setup), std::move(edges), card.glue, state_.x);
   }
+  for (const model::InteriorContact& card : model.interiors) {
+    auto bricks = bricks_of(system, card);
+    if (bricks.empty())
+      findings.warning(card.place, "*CONTACT_INTERIOR", "none of its parts has deformable bricks: it does nothing");
+    interiors_.emplace_back(std::move(bricks), card.activation, state_.x);
+  }
   for (const auto& group : system.groups)
     if (auto* springs = dynamic_cast<system::SpringGroup*>(group.get()); springs && springs->has_stops())
       stopped_springs_.push_back(springs);
@@ -115,9 +121,9 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_) {
       masses_ = system_.masses();
-      const Snapshot now{system_, state_,    v_before_, w_before_,     energy_,          parts_, controlling_,
-                         masses_, supports_, walls_,    contacts_,     tie_forces_,      welds_, rigid_welds_,
-                         rivets_, joints_,   strains_,  nodal_forces_, history_rotation_};
+      const Snapshot now{system_,      state_,    v_before_, w_before_, energy_,       parts_,           controlling_,
+                         masses_,      supports_, walls_,    contacts_, interiors_,    tie_forces_,      welds_,
+                         rigid_welds_, rivets_,   joints_,   strains_,  nodal_forces_, history_rotation_};
       recorder.write(now, last);
     }
     if (progress && elapsed() >= next_report) {
@@ -423,6 +429,7 @@ void Simulation::forces() {
   const contact::Step step{state_.time, state_.dt, bearable_step_, longest_step_,
                            state_.x,    state_.v,  contact_mass_,  element_alive_.all()};
   for (contact::PenaltyContact& c : contacts_) c.apply(step, state_.f);
+  for (contact::InteriorContact& c : interiors_) c.apply(step, state_.f);
   tie_forces_.apply(state_);
   joints_.apply(state_);
   loads_.apply(state_, state_.dt);
@@ -451,6 +458,7 @@ void Simulation::account() {
   energy_.internal += joints_.energy();
   energy_.contact = tie_forces_.energy();
   for (const contact::PenaltyContact& c : contacts_) energy_.contact += c.energy();
+  for (const contact::InteriorContact& c : interiors_) energy_.contact += c.energy();
   energy_.wall = 0.0;
   for (const contact::RigidWall& w : walls_) energy_.wall += w.energy_until_now();
   energy_.external = supports_.work() + loads_.work() - relaxation_work_;

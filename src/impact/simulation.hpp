@@ -100,6 +100,7 @@ class Simulation {
   Supports supports_;
   Loads loads_;
   std::vector<contact::PenaltyContact> contacts_;
+  std::vector<contact::InteriorContact> interiors_;
   std::vector<contact::RigidWall> walls_;
   std::vector<system::SpringGroup*> stopped_springs_;  ///< those with stops
   std::vector<double> contact_mass_;                   ///< by node, dependent nodes with what they had of their own

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "contact/interior_contact.hpp"
 #include "contact/penalty_contact.hpp"
 #include "contact/rigid_wall.hpp"
 #include "impact/conditions.hpp"
@@ -35,6 +36,7 @@ struct Snapshot {
   const Supports& supports;
   std::span<const contact::RigidWall> walls;
   std::span<const contact::PenaltyContact> contacts;
+  std::span<const contact::InteriorContact> interiors;
   const TieForces& tie_forces;
   const Welds& welds;
   const RigidWelds& rigid_welds;

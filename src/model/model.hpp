@@ -191,6 +191,7 @@ struct Model {
   InitialState initial_state;
   std::vector<RigidWall> walls;
   std::vector<Contact> contacts;  ///< penalty contacts and ties, in deck order
+  std::vector<InteriorContact> interiors;
   std::vector<JointStiffness> joint_stiffnesses;
 
   /// Index of a user id, or none.

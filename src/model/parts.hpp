@@ -158,6 +158,7 @@ struct Set {
   int id = 0;
   std::vector<Member> members;  ///< in the deck's order, each once
   Place place;
+  std::array<double, 4> attributes{};  ///< DA1..DA4: what they mean is up to who uses the set
 };
 using Segment = std::array<Index, 4>;  ///< nodes; a triangle repeats its third
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct SetRecipe {
   std::string keyword;   ///< with its star
   Place place;
   std::vector<SetStep> steps;
+  std::array<double, 4> attributes{};  ///< DA1..DA4
 };
 
 }  // namespace nugget::model

@@ -372,7 +372,7 @@ class Resolver {
     const Place& place = set.recipe.place;
     const auto put = [&](Ids& ids, auto& sets, auto& members) {
       ids.add(id, static_cast<Index>(sets.size()), place, set.recipe.keyword, "set", b_.findings);
-      sets.push_back({id, std::move(members), place});
+      sets.push_back({id, std::move(members), place, set.recipe.attributes});
     };
     switch (set.recipe.kind) {
       case SetKind::node: return put(b_.node_sets, m_.sets.nodes, set.members);

@@ -3,7 +3,7 @@
 
 #include "kernel/element/brick_patterns.hpp"
 
-// The uniform gradient of an eight-node brick and its hourglass patterns. Included by .cpp files of bricks only.
+// The uniform gradient of an eight-node brick and its hourglass patterns. Included by .cpp files only.
 namespace nugget::kernel {
 
 /// dV/dx_I by patterns, V times the uniform gradient b: the trilinear integral of Flanagan and Belytschko, written in

@@ -546,11 +546,38 @@ Keyword refused(std::string_view name, std::string_view why) {
   return {name, {}, {"ID", "TITLE", "MPP"}, Verdict::refused, why, {}, nullptr};
 }
 
-/// What it asks for changes results where solids are crushed nearly flat, so the ledger alone would be too quiet.
-void warn_of_interior(Builder& b, const Block& block, const Options&) {
-  b.findings.warning(block.place, block.starred(),
-                     "not obeyed: solids that are squeezed nearly flat get no forces that press them apart",
-                     "give their law a curve that stiffens there; a brick that turns inside out ends the run by name");
+const Card interior_card{{
+    id("psid", IdSpace::set, required,
+       "set of parts; its attributes: DA1 = PSF (1), DA2 = Fa (0.1), DA3 = ED, DA4 = TYPE (1, 2: the same here)"),
+}};
+
+void read_interior(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  const Heading heading = read_heading(cursor, options.contains("ID") || options.contains("TITLE"));
+  const Row row = cursor.read(interior_card);
+  expect_end(builder, cursor);
+  builder.later(Phase::conditions, [row, heading, place = block.place](Builder& b) {
+    const auto* set = b.part_set(row, "psid");
+    if (!set) return;
+    const auto [scale, activation, modulus, type] = set->attributes;
+    if (scale < 0.0 || activation < 0.0 || activation >= 1.0 || modulus < 0.0 || type < 0.0 || type > 2.0)
+      return refuse(
+          b, row, "psid",
+          fmt::format("attributes {:g}, {:g}, {:g}, {:g} of part set {}: expected PSF and ED of 0 or more, Fa "
+                      "below 1, TYPE 0 to 2",
+                      scale, activation, modulus, type, set->id),
+          "set DA1 to DA4 of the set");
+    InteriorContact contact;
+    contact.id =
+        heading.id != 0 ? heading.id : static_cast<int>(b.model.contacts.size() + b.model.interiors.size()) + 1;
+    contact.title = heading.text;
+    contact.parts = set->members;
+    if (scale > 0.0) contact.scale = scale;
+    if (activation > 0.0) contact.activation = activation;
+    contact.modulus = modulus;
+    contact.place = place;
+    b.model.interiors.push_back(std::move(contact));
+  });
 }
 
 constexpr const char* other_tie_of_translations =
@@ -596,12 +623,13 @@ std::vector<Keyword> contact_keywords() {
               "glue is built between two surfaces; use *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
       refused("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_*", "this form is not built; use it without the last word"),
       refused("CONTACT_FORCE_TRANSDUCER_*", "this transducer is not built; *CONTACT_FORCE_TRANSDUCER_PENALTY is"),
-      {.name = "CONTACT_INTERIOR",
-       .options = {"ID", "TITLE"},
-       .verdict = Verdict::ignored,
-       .why = "soft solids that are squeezed to a tenth of their thickness get no forces that press them apart "
-              "(LS-DYNA documents no law for them)",
-       .read = warn_of_interior},
+      {"CONTACT_INTERIOR",
+       {},
+       {"ID", "TITLE"},
+       Verdict::used,
+       {},
+       {{"with _ID or _TITLE", &heading_card}, {{}, &interior_card}},
+       read_interior},
       refused("CONTACT_ERODING_*",
               "this form is not built; *CONTACT_ERODING_SINGLE_SURFACE, _SURFACE_TO_SURFACE and _NODES_TO_SURFACE "
               "are"),

@@ -19,10 +19,10 @@ using Action = SetStep::Action;
 
 const Card head_card{{
     id("sid", IdSpace::set, required, "id of the set"),
-    real("da1", dimension::number, 0, any_value, "default attribute, no effect"),
-    real("da2", dimension::number, 0, any_value, "default attribute, no effect"),
-    real("da3", dimension::number, 0, any_value, "default attribute, no effect"),
-    real("da4", dimension::number, 0, any_value, "default attribute, no effect"),
+    real("da1", dimension::number, 0, any_value, "default attribute; of parts: PSF of *CONTACT_INTERIOR"),
+    real("da2", dimension::number, 0, any_value, "default attribute; of parts: Fa of *CONTACT_INTERIOR"),
+    real("da3", dimension::number, 0, any_value, "default attribute; of parts: ED of *CONTACT_INTERIOR"),
+    real("da4", dimension::number, 0, any_value, "default attribute; of parts: TYPE of *CONTACT_INTERIOR"),
     text("solver", 10, "no effect"),
     text("its", 10, "no effect"),
     unused(),
@@ -262,7 +262,9 @@ void read_set(Builder& b, const Block& block, const Options& options, const Kind
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
   const Row head = cursor.read(*cards.head);
-  SetRecipe recipe{cards.kind, head.integer("sid"), options.contains("COLLECT"), block.starred(), head.place(), {}};
+  SetRecipe recipe{cards.kind, head.integer("sid"), options.contains("COLLECT"), block.starred(), head.place(), {}, {}};
+  if (cards.head == &head_card)
+    recipe.attributes = {head.real("da1"), head.real("da2"), head.real("da3"), head.real("da4")};
   auto& steps = recipe.steps;
   if (options.contains("GENERAL")) {
     while (!at_end(cursor))
@@ -285,7 +287,8 @@ void read_advanced(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
   const Row head = cursor.read(head_card);
-  SetRecipe recipe{SetKind::node, head.integer("sid"), options.contains("COLLECT"), block.starred(), head.place(), {}};
+  SetRecipe recipe{
+      SetKind::node, head.integer("sid"), options.contains("COLLECT"), block.starred(), head.place(), {}, {}};
   while (!at_end(cursor)) {
     const Row row = cursor.read(advanced_card);
     for (const auto& [set, type_field] : {std::pair{"sid1", "type1"}, std::pair{"sid2", "type2"},
@@ -314,7 +317,7 @@ void read_branch(Builder& b, const Block& block, const Options& options) {
   read_title(cursor, options);
   const Row head = cursor.read(branch_card);
   cursor.read_text();  // the heading
-  SetRecipe recipe{SetKind::branch, head.integer("brid"), false, block.starred(), head.place(), {}};
+  SetRecipe recipe{SetKind::branch, head.integer("brid"), false, block.starred(), head.place(), {}, {}};
   const auto offset = [&](IdSpace space) {
     return block.transform ? static_cast<int>(block.transform->id_offset[static_cast<std::size_t>(space)]) : 0;
   };
