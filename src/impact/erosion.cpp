@@ -38,10 +38,12 @@ bool Erosion::wants_negative_volume(const system::ElementGroup& group) const {
   return control.erode_small_steps % 10 == 1;
 }
 
-/// NFAIL1 or NFAIL4 for quadrilaterals, else 0.
+/// NFAIL1 or NFAIL4 for quadrilaterals of the parts of PSNFAIL, else 0.
 int Erosion::distortion_rule(const system::ElementGroup& group) const {
   if (group.kind != ElementKind::shell || group.nodes_per_element != 4) return 0;
   const model::Model& model = system_.model;
+  const auto& parts = model.control.parts_of_distorted;
+  if (!parts.empty() && std::find(parts.begin(), parts.end(), group.part) == parts.end()) return 0;
   const int elform = model.shell_sections[at(model.parts[at(group.part)].section)].elform;
   return elform == 16 ? model.control.distorted_full_shells : model.control.distorted_shells;
 }

@@ -389,6 +389,45 @@ void check_equation_of_state(Builder& b, const Part& part, const deck::Row& row,
                  "write *EOS_LINEAR_POLYNOMIAL with C1 = E/(3 (1 - 2 PR))");
 }
 
+/// Whether some block of the deck has a keyword that begins so, with this option.
+bool has_option(const Builder& b, std::string_view keyword, std::string_view option) {
+  return std::any_of(b.deck.blocks.begin(), b.deck.blocks.end(), [&](const deck::Block& block) {
+    return block.keyword.starts_with(keyword) && block.keyword.find(option) != std::string::npos;
+  });
+}
+
+/// Material axes that the elements of a part cannot have.
+void check_material_axes(Builder& b, const Part& part, const deck::Row& row, const kernel::MaterialAxes& axes) {
+  using By = kernel::MaterialAxes::By;
+  const Model& m = b.model;
+  if (part.kind == ElementKind::solid) {
+    if (axes.by == By::cross)
+      refuse(b, row, "mid", "AOPT 3 is built for shells, but the part has solids", "use AOPT 2 with vectors a and d");
+    if (axes.by == By::vectors && norm(cross(axes.a, axes.d)) == 0.0)
+      refuse(b, row, "mid", "AOPT 2 needs a vector d that is not along a", "give D1 to D3 of the material");
+    if (has_option(b, "ELEMENT_SOLID", "_ORTHO"))
+      refuse(b, row, "mid", "axes of single solids (*ELEMENT_SOLID_ORTHO) are not built", "use AOPT 2 of the material");
+    return;
+  }
+  if (has_option(b, "ELEMENT_SHELL", "_MCID"))
+    refuse(b, row, "mid", "axes of single shells by coordinate system (_MCID) are not built",
+           "use BETA of *ELEMENT_SHELL_BETA, or AOPT 2 of the material");
+  const auto index = static_cast<Index>(&part - m.parts.data());
+  for (std::size_t e = 0; e < m.shells.size(); ++e) {
+    if (m.shells.part[e] != index) continue;
+    std::array<Vec3d, 4> x;
+    for (std::size_t i = 0; i < 4; ++i) x[i] = m.nodes.x[static_cast<std::size_t>(m.shells.node[e][i])];
+    const Vec3d normal = cross(x[2] - x[0], x[3] - x[1]);
+    if (!(norm(normal) > 0.0)) continue;  // told elsewhere
+    const Vec3d seen = axes.in_shell(x[1] - x[0], unit(normal), {});
+    if (norm(seen) > 1e-6 * (axes.by == By::nodes ? norm(x[1] - x[0]) : norm(axes.a))) continue;
+    return refuse(
+        b, row, "mid",
+        fmt::format("shell {}: the vector of AOPT stands so that it gives no direction in its plane", m.shells.id[e]),
+        "give another vector, or AOPT 0");
+  }
+}
+
 /// Some laws are made for shells or bricks only.
 void check_compound(Builder& b, const Part& part, const deck::Row& row) {
   const Material& material = b.model.materials[static_cast<std::size_t>(part.material)];
@@ -401,6 +440,8 @@ void check_compound(Builder& b, const Part& part, const deck::Row& row) {
     refuse(b, row, "mid", fmt::format("*{} is a law of shells, but the part has solids", material.keyword),
            "use a law of solids");
   if (takes_equation_of_state(material)) check_equation_of_state(b, part, row, *law);
+  if (const auto* flow = std::get_if<kernel::Orthotropic>(&law->made_of->flow))
+    check_material_axes(b, part, row, flow->axes);
   if (part.kind == ElementKind::shell && !law->made_of->for_shells)
     refuse(b, row, "mid", fmt::format("*{} is a law of solids, but the part has shells", material.keyword),
            "give it the law of a sheet");

@@ -63,16 +63,17 @@ struct Control {
   bool mass_scaling_at_start_only = false;  ///< MS1ST
 
   // *CONTROL_SHELL
-  double warp_warning = 20.0;      ///< WRPANG [degrees]
-  bool sort_triangles = false;     ///< ESORT: collapsed quads become C0 triangles
-  bool sort_solids = false;        ///< ESORT of solids: tetrahedra become ELFORM 10, wedges ELFORM 15
-  int thickness_update = 0;        ///< ISTUPD
-  int default_shell = 2;           ///< THEORY
-  bool warping_stiffness = false;  ///< BWC = 1
-  bool lobatto = false;            ///< INTGRD = 1
-  double rotary_mass_scale = 1.0;  ///< ROTASCL
-  int distorted_shells = 0;        ///< NFAIL1, of shells with one in-plane point; see DistortedShells
-  int distorted_full_shells = 0;   ///< NFAIL4, of fully integrated shells
+  double warp_warning = 20.0;             ///< WRPANG [degrees]
+  bool sort_triangles = false;            ///< ESORT: collapsed quads become C0 triangles
+  bool sort_solids = false;               ///< ESORT of solids: tetrahedra become ELFORM 10, wedges ELFORM 15
+  int thickness_update = 0;               ///< ISTUPD
+  int default_shell = 2;                  ///< THEORY
+  bool warping_stiffness = false;         ///< BWC = 1
+  bool lobatto = false;                   ///< INTGRD = 1
+  double rotary_mass_scale = 1.0;         ///< ROTASCL
+  int distorted_shells = 0;               ///< NFAIL1, of shells with one in-plane point; see DistortedShells
+  int distorted_full_shells = 0;          ///< NFAIL4, of fully integrated shells
+  std::vector<Index> parts_of_distorted;  ///< PSNFAIL: parts that these are about; empty: all
 
   // *CONTROL_HOURGLASS, *CONTROL_BULK_VISCOSITY
   Hourglass hourglass;

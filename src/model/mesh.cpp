@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <numeric>
 
 #include "model/passes.hpp"
@@ -313,6 +314,9 @@ void set_thickness(Builder& b, const std::vector<std::size_t>& rows) {
   Shells& shells = b.model.shells;
   shells.thickness.resize(shells.size());
   shells.offset.resize(shells.size());
+  if (!table.angle.empty())
+    for (std::size_t e = 0; e < shells.size(); ++e)
+      shells.angle.push_back(table.angle[rows[e]] * (std::numbers::pi / 180.0));
   for (std::size_t e = 0; e < shells.size(); ++e) {
     const Part& part = b.model.parts[static_cast<std::size_t>(shells.part[e])];
     if (part.section == none) continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -69,9 +70,14 @@ struct Shells {
   std::vector<double> thickness;  ///< initial, mean of the nodal ones [length]
   std::vector<double>
       offset;  ///< of the reference surface from the nodes, along the normal [length]; see SectionShell::nloc
+  std::vector<double> angle;  ///< BETA of single shells, NaN where blank; empty: none has one [rad]
   Places place;
   std::size_t size() const { return id.size(); }
   bool triangle(std::size_t e) const { return node[e][3] == node[e][2]; }
+  std::optional<double> own_angle(Index e) const {
+    const auto at = static_cast<std::size_t>(e);
+    return angle.empty() || std::isnan(angle[at]) ? std::nullopt : std::optional(angle[at]);
+  }
 };
 
 /// Eight-node bricks in ascending order of user id; wedges and tetrahedra repeat nodes (LS-DYNA's rule).

@@ -7,6 +7,7 @@
 #include "kernel/element/full_hexahedron.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
+#include "system/material_axes.hpp"
 #include "system/point_integrity.hpp"
 
 namespace nugget::system {
@@ -30,6 +31,12 @@ struct BrickElement {
 
   void start(double* state, int lane, model::Index, const Places& x) const {
     kernel::start_hexahedron(layout(), x, state, native_width, lane);
+    start_axes(state + Layout::first_history * native_width + lane, x);
+  }
+  /// Material axes of the point whose history begins at `history`, of laws that have them.
+  void start_axes(double* history, const Places& x) const {
+    if (const kernel::MaterialAxes* axes = material_axes(law))
+      kernel::start_solid_axes(history, native_width, axes->in_brick(x[1] - x[0], x[3] - x[0]));
   }
   double mass(model::Index, const Places& x) const { return 8.0 * kernel::hexahedron_nodal_mass(x, brick.density); }
   double nodal_inertia(model::Index, const Places&) const { return 0.0; }
@@ -97,8 +104,9 @@ struct FullBrickElement : BrickElement<Law> {
   Layout layout() const { return kernel::full_hexahedron_layout(this->law); }
   int state_size() const { return layout().size(); }
 
-  void start(double* state, int lane, model::Index, const Places&) const {
+  void start(double* state, int lane, model::Index, const Places& x) const {
     kernel::start_full_hexahedron(layout(), state, native_width, lane);
+    for (int p = 0; p < Layout::points; ++p) this->start_axes(state + layout().history_of(p) * native_width + lane, x);
   }
   template <class R>
   kernel::SolidForces<R> cycle(const Motion<R>& motion, double dt, double* state) const {

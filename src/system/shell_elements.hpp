@@ -8,6 +8,7 @@
 #include "kernel/element/full_shell.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
+#include "system/material_axes.hpp"
 
 // The shells as BatchGroup wants them; see there.
 namespace nugget::system {
@@ -45,8 +46,15 @@ struct ShellElement {
   int state_size() const { return layout().size(); }
   int layers() const { return shell.layers.count; }
 
-  void start(double* state, int lane, model::Index e, const Places&) const {
+  void start(double* state, int lane, model::Index e, const Places& x) const {
     kernel::start_shell(layout(), shells.thickness[static_cast<std::size_t>(e)], state, native_width, lane);
+    const kernel::MaterialAxes* axes = material_axes(law);
+    if (!axes) return;
+    const Frame3d frame = frame_of(x);
+    const Vec3d a = unit(frame.local(axes->in_shell(x[1] - x[0], frame.e3, shells.own_angle(e))));
+    for (int column = 0; column < columns; ++column)
+      for (int k = 0; k < layers(); ++k)
+        kernel::start_layer_axes(state + layout().history_of(k, column) * native_width + lane, native_width, a.x, a.y);
   }
   kernel::NodalMass nodal_mass(model::Index e, const Places& x) const {
     const double t = shells.thickness[static_cast<std::size_t>(e)];

@@ -7,6 +7,7 @@
 #include "kernel/element/tetrahedron.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
+#include "system/material_axes.hpp"
 #include "system/nodal_pressure.hpp"
 
 namespace nugget::system {
@@ -29,8 +30,11 @@ struct TetrahedronElement {
   int state_size() const { return layout().size(); }
   int layers() const { return 1; }
 
-  void start(double* state, int lane, model::Index, const Places&) const {
+  void start(double* state, int lane, model::Index, const Places& x) const {
     kernel::start_tetrahedron(layout(), state, native_width, lane);
+    if (const kernel::MaterialAxes* axes = material_axes(law))
+      kernel::start_solid_axes(state + Layout::first_history * native_width + lane, native_width,
+                               axes->in_brick(x[1] - x[0], x[3] - x[0]));
   }
   double mass(model::Index, const Places& x) const { return solid.density * kernel::tetrahedron_volume(x); }
   double nodal_inertia(model::Index, const Places&) const { return 0.0; }

@@ -368,14 +368,16 @@ TEST(Deletion, StepsBelowDtminDeleteWhereErodeSaysSo) {
 }
 
 /// A shell, one corner of which is driven across its diagonal; a second one beside it.
-std::string crossed(int rule) {
+std::string crossed(int rule, int part_set = 0) {
   Specimen specimen;
   specimen.card("MAT_ELASTIC", {1, density, modulus, 0.3})
       .card("SECTION_SHELL", {1, 2, 1, 3})
       .text(fields({1, 1, 1, 1}))
       .card("CONTROL_TERMINATION", {1e-4})
-      .text("*CONTROL_SHELL\n" + fields({0}) + fields({0}) + fields({0}) + fields({1.0 * rule}))
+      .text("*CONTROL_SHELL\n" + fields({0}) + fields({0}) + fields({0}) + fields({1.0 * rule, 0, 1.0 * part_set}))
       .part(1, 1, 1)
+      .part(2, 1, 1)
+      .text("*SET_PART_LIST\n" + fields({1}) + fields({1}) + "*SET_PART_LIST\n" + fields({2}) + fields({2}))
       .text(constant_curve(1));
   const Grid grid = specimen.shells(1, {}, {20.0, 10.0, 0.0}, 2, 1);
   specimen.node_set(1, {grid(0, 0), grid(1, 0), grid(0, 1)}).card("BOUNDARY_SPC_SET", {1, 0, 1, 1, 1, 1, 1, 1});
@@ -389,6 +391,10 @@ TEST(Deletion, ShellsWhoseSidesCrossFollowNfail1) {
   impact::Erosion::Count count;
   outcome_of(crossed(1), &count);
   EXPECT_EQ(count.distorted, 1);
+  outcome_of(crossed(1, 1), &count);
+  EXPECT_EQ(count.distorted, 1);
+  outcome_of(crossed(1, 2), &count);  // the other part
+  EXPECT_EQ(count.distorted, 0);
   const impact::Outcome stopped = outcome_of(crossed(2), &count);
   EXPECT_EQ(stopped.termination, impact::Termination::error);
   EXPECT_NE(stopped.message.find("NFAIL1"), std::string::npos) << stopped.message;

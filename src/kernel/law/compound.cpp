@@ -5,6 +5,7 @@
 
 #include "kernel/law/composition.hpp"
 #include "kernel/law/foam_points.hpp"
+#include "kernel/law/orthotropic_point.hpp"
 #include "kernel/law/point_failure.hpp"
 #include "kernel/law/prepared_compound.hpp"
 #include "kernel/law/relaxation.hpp"
@@ -255,6 +256,11 @@ void Prepared<Compound>::set_pressure(SolidTensor<R>& s, const SolidTensor<R>& s
 template <class R>
 void Prepared<Compound>::add_viscous_work(const R& work, double* history) const {
   if (parts_->pressure) parts_->pressure->add_viscous_work(work, history + pressure_ * lanes<R>);
+}
+
+const MaterialAxes* Prepared<Compound>::axes() const {
+  const auto* flow = std::get_if<Prepared<Orthotropic>>(&parts_->flow);
+  return flow ? &flow->axes() : nullptr;
 }
 
 template <class R>

@@ -5,6 +5,7 @@
 
 #include "base/batch.hpp"
 #include "kernel/law/compound.hpp"
+#include "kernel/law/orthotropic.hpp"
 #include "kernel/law/prepared.hpp"
 
 namespace nugget::kernel {
@@ -26,6 +27,8 @@ class Prepared<Compound> {
   double deletion_step() const { return deletion_step_; }
   bool can_fail() const { return can_fail_; }
   double points_to_delete() const { return points_to_delete_; }
+  /// Where the history of a point has material axes, how these lie at the start; null: there are none.
+  const MaterialAxes* axes() const;
   template <class R>
   MaskOf<R> failed(const double* history) const {
     return load_field<R>(history, lost_) >= R(1.0);

@@ -191,7 +191,7 @@ const Card shell_card_4{{
     integer("nfail1", 0, at_least(0),
             "1, 3: shells of one in-plane point whose sides cross are deleted; 2: they stop the run"),
     integer("nfail4", 0, at_least(0), "the same for fully integrated shells"),
-    flag("psnfail", "parts of NFAIL, no effect"),
+    id("psnfail", IdSpace::set, 0, "part set that NFAIL1 and NFAIL4 are about; 0: all shells"),
     flag("keepcs", "contact of nodes of deleted shells of NFAIL, no effect"),
     integer("delfr", 0, any_value, "1: free shells are deleted"),
     id("drcpsid", IdSpace::set, 0, "part set with stiffness against drilling rotations, of formulation 16 or 4"),
@@ -399,6 +399,9 @@ void read_shell(Builder& b, const Block& block, const Options&) {
   c.lobatto = two.integer("intgrd") == 1;
   c.distorted_shells = four.integer("nfail1");
   c.distorted_full_shells = four.integer("nfail4");
+  b.later(Phase::conditions, [four](Builder& later) {
+    if (const auto* parts = later.part_set(four, "psnfail")) later.model.control.parts_of_distorted = parts->members;
+  });
 }
 
 void read_hourglass(Builder& b, const Block& block, const Options&) {

@@ -37,7 +37,9 @@ const Card shell_thickness_card{{
     wide(real("thic2", dimension::length, 0, at_least(0), "thickness at node 2"), 16),
     wide(real("thic3", dimension::length, 0, at_least(0), "thickness at node 3"), 16),
     wide(real("thic4", dimension::length, 0, at_least(0), "thickness at node 4"), 16),
-    wide(real("beta", dimension::number, 0, any_value, "material angle; no effect on isotropic laws"), 16),
+    wide(real("beta", dimension::number, 0, any_value,
+              "angle of the material axes instead of the material's BETA [degrees]"),
+         16),
 }};
 
 const Card shell_offset_card{{

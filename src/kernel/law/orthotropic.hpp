@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "base/vec3.hpp"
+
+namespace nugget::kernel {
+
+/// How the material axes a, b, c of an element lie at the start (AOPT); from then on they turn with it.
+struct MaterialAxes {
+  enum class By {
+    nodes,    ///< AOPT 0: a along nodes 1-2, c normal to 1-2 and 1-4 (in shells: to the element)
+    vectors,  ///< AOPT 2: a and d, c = a x d; in shells a as seen along the normal
+    cross     ///< AOPT 3: a = v x normal, of shells
+  };
+  By by = By::nodes;
+  Vec3d a, d;          ///< vectors of AOPT 2; `a` is v of AOPT 3
+  double angle = 0.0;  ///< BETA: of AOPT 0 and 3 in shells, turns a about the normal [rad]
+
+  /// Direction a in the plane of a shell with unit normal `normal`: not of unit length; zero where the vector that
+  /// gives it stands along the normal. `along`: from node 1 to node 2; `own`: the element's BETA, if it has one [rad].
+  Vec3d in_shell(const Vec3d& along, const Vec3d& normal, std::optional<double> own) const {
+    Vec3d seen = by == By::cross ? cross(a, normal) : by == By::vectors ? a : along;
+    seen -= dot(seen, normal) * normal;
+    if (by == By::vectors) return seen;
+    const double beta = own.value_or(angle);
+    return std::cos(beta) * seen + std::sin(beta) * cross(normal, seen);
+  }
+  /// Axes of a brick; `along`, `across`: from node 1 to nodes 2 and 4.
+  Frame3d in_brick(const Vec3d& along, const Vec3d& across) const {
+    const Vec3d first = by == By::vectors ? a : along, second = by == By::vectors ? d : across;
+    const Vec3d e1 = unit(first), e3 = unit(cross(first, second));
+    return {e1, cross(e3, e1), e3};
+  }
+};
+
+/// Orthotropic linear elasticity in rate form (MAT_002): strain_a = stress_a/EA - PRBA stress_b/EB - PRCA stress_c/EC
+/// and so on, shears by GAB, GBC, GCA.
+struct Orthotropic {
+  /// Of an isotropic material as stiff as the stiffest direction of a layer, E / (1 - nu^2) = EA or EB / (1 - PRBA
+  /// PRAB): for contact, hourglass and drilling stiffness [stress], [1].
+  double E = 0.0, nu = 0.0;
+  double young_a = 0.0, young_b = 0.0, young_c = 0.0;           ///< EA, EB, EC [stress]
+  double poisson_ba = 0.0, poisson_ca = 0.0, poisson_cb = 0.0;  ///< PRBA, PRCA, PRCB [1]
+  double shear_ab = 0.0, shear_bc = 0.0, shear_ca = 0.0;        ///< GAB, GBC, GCA [stress]
+  MaterialAxes axes;
+
+  /// Determinant of the compliance of the normal stresses times EA EB EC: above 0 with those of its parts, or the
+  /// material would give energy.
+  double definiteness() const;
+};
+
+/// Puts the material axes into the history of a point that begins at `history`, its numbers `stride` apart: of a layer
+/// the components of a in the element's frame, of a solid a and b in global axes.
+void start_layer_axes(double* history, int stride, double cosine, double sine);
+void start_solid_axes(double* history, int stride, const Frame3d& axes);
+
+}  // namespace nugget::kernel

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "kernel/law/elastic_constants.hpp"
+#include "kernel/law/orthotropic.hpp"
+#include "kernel/law/prepared.hpp"
+
+namespace nugget::kernel {
+
+/// History of a point: plastic strain (0), then the material axes: of a layer, cosine and sine of the angle from the
+/// element's axis to a; of a solid, a and b in global axes.
+template <>
+class Prepared<Orthotropic> {
+ public:
+  explicit Prepared(const Orthotropic& law);
+
+  static constexpr int first_axis = 1;
+  int layer_history() const { return first_axis + 2; }
+  int solid_history() const { return first_axis + 6; }
+  const MaterialAxes& axes() const { return axes_; }
+
+  template <class R>
+  R wave_modulus(const double*) const {
+    return R(wave_modulus_);
+  }
+
+  template <class R>
+  ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, double* history) const {
+    const R c = load_field<R>(history, first_axis), t = load_field<R>(history, first_axis + 1);
+    const R cc = c * c, tt = t * t, ct = c * t;
+    const LayerTensor<R> e = R(dt) * rate;
+    const R ea = cc * e.xx + tt * e.yy + ct * e.xy, eb = tt * e.xx + cc * e.yy - ct * e.xy;
+    const R a = layer_aa_ * ea + layer_ab_ * eb, b = layer_ab_ * ea + layer_bb_ * eb;
+    const R ab = shear_ab_ * (2.0 * ct * (e.yy - e.xx) + (cc - tt) * e.xy);
+    const R az = shear_ca_ * (c * e.xz + t * e.yz), bz = shear_bc_ * (c * e.yz - t * e.xz);
+    s.xx += cc * a + tt * b - 2.0 * ct * ab;
+    s.yy += tt * a + cc * b + 2.0 * ct * ab;
+    s.xy += ct * (a - b) + (cc - tt) * ab;
+    s.xz += c * az - t * bz;
+    s.yz += t * az + c * bz;
+    return {thinning_a_ * a + thinning_b_ * b, R(0.0)};
+  }
+
+  template <class R>
+  void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
+    const Vec3<R> a = load_vector<R>(history, first_axis), b = load_vector<R>(history, first_axis + 3);
+    const Vec3<R> c = cross(a, b);
+    SolidTensor<R> strain = R(dt) * rate;
+    strain.xy *= R(0.5);
+    strain.yz *= R(0.5);
+    strain.zx *= R(0.5);
+    const SolidTensor<R> e = rotated(Frame<R>{a, b, c}, strain);
+    const auto normal = [&](int i) { return solid_[i][0] * e.xx + solid_[i][1] * e.yy + solid_[i][2] * e.zz; };
+    const SolidTensor<R> change{
+        normal(0), normal(1), normal(2), 2.0 * shear_ab_ * e.xy, 2.0 * shear_bc_ * e.yz, 2.0 * shear_ca_ * e.zx};
+    s = s + rotated(Frame<R>{{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}}, change);
+  }
+  template <class R>
+  void rotate(const Frame<R>& q, double* history) const {
+    for (const int axis : {first_axis, first_axis + 3}) {
+      const Vec3<R> v = load_vector<R>(history, axis);
+      store_vector(history, axis, Vec3<R>{dot(q.e1, v), dot(q.e2, v), dot(q.e3, v)});
+    }
+  }
+
+ private:
+  MaterialAxes axes_;
+  double layer_aa_, layer_ab_, layer_bb_;  // plane stress
+  double thinning_a_, thinning_b_;         // strain through the thickness over the stresses
+  std::array<std::array<double, 3>, 3> solid_;
+  double shear_ab_, shear_bc_, shear_ca_;
+  double wave_modulus_;  // of the fastest plane wave
+};
+
+}  // namespace nugget::kernel

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "kernel/law/composition.hpp"
+#include "model/cards/families.hpp"
+#include "model/cards/material.hpp"
+#include "model/cards/reading.hpp"
+
+// *MAT_ORTHOTROPIC_ELASTIC.
+namespace nugget::model {
+
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+const Card moduli_card{{
+    material_id,
+    density,
+    real("ea", dimension::stress, required, above_zero(), "Young's modulus along a"),
+    real("eb", dimension::stress, required, above_zero(), "Young's modulus along b"),
+    real("ec", dimension::stress, 0, at_least(0), "Young's modulus along c; 0, of shells: EB"),
+    real("prba", dimension::number, 0, any_value, "strain along a over that along b, negative, under stress along b"),
+    real("prca", dimension::number, 0, any_value, "the same along a, under stress along c"),
+    real("prcb", dimension::number, 0, any_value, "the same along b, under stress along c"),
+}};
+
+const Card shears_card{{
+    real("gab", dimension::stress, required, above_zero(), "shear modulus ab"),
+    real("gbc", dimension::stress, required, above_zero(), "shear modulus bc"),
+    real("gca", dimension::stress, required, above_zero(), "shear modulus ca"),
+    real("aopt", dimension::number, 0, any_value, "material axes: 0 by nodes, 2 by vectors a and d, 3 by v x normal"),
+    real("g", dimension::stress, 0, only(0), "shear modulus of frictional damping"),
+    real("sigf", dimension::stress, 0, only(0), "limit of frictional damping"),
+}};
+
+const Card axes_card{{
+    real("xp", dimension::length, 0, any_value, "point of AOPT 1 and 4, which are not built"),
+    real("yp", dimension::length, 0, any_value, "the same"),
+    real("zp", dimension::length, 0, any_value, "the same"),
+    real("a1", dimension::number, 0, any_value, "vector a of AOPT 2, x"),
+    real("a2", dimension::number, 0, any_value, "y"),
+    real("a3", dimension::number, 0, any_value, "z"),
+    integer("macf", 1, between(0, 1), "exchange of axes: 1, none"),
+    integer("ihis", 0, only(0), "axes from *INITIAL_STRESS_SOLID"),
+}};
+
+const Card angle_card{{
+    real("v1", dimension::number, 0, any_value, "vector v of AOPT 3, x"),
+    real("v2", dimension::number, 0, any_value, "y"),
+    real("v3", dimension::number, 0, any_value, "z"),
+    real("d1", dimension::number, 0, any_value, "vector d of AOPT 2, x"),
+    real("d2", dimension::number, 0, any_value, "y"),
+    real("d3", dimension::number, 0, any_value, "z"),
+    real("beta", dimension::number, 0, any_value, "angle of AOPT 0 and 3 in shells [degrees]"),
+    real("ref", dimension::number, 0, only(0), "stress from a reference geometry"),
+}};
+
+/// The material axes of the rows; false where they are refused.
+bool take_axes(Builder& b, const Row& shears, const Row& first, const Row& second, kernel::MaterialAxes& axes) {
+  using By = kernel::MaterialAxes::By;
+  const double aopt = shears.real("aopt");
+  const auto vector = [](const Row& row, const char* x, const char* y, const char* z) {
+    return Vec3d{row.real(x), row.real(y), row.real(z)};
+  };
+  axes.angle = second.real("beta") * (std::numbers::pi / 180.0);
+  if (aopt == 2.0) {
+    axes.by = By::vectors;
+    axes.a = vector(first, "a1", "a2", "a3");
+    axes.d = vector(second, "d1", "d2", "d3");
+    if (norm(axes.a) > 0.0) return true;
+    refuse(b, first, "a1", "AOPT 2 needs the vector a", "give A1 to A3; for bricks also D1 to D3");
+    return false;
+  }
+  if (aopt == 3.0) {
+    axes.by = By::cross;
+    axes.a = vector(second, "v1", "v2", "v3");
+    if (norm(axes.a) > 0.0) return true;
+    refuse(b, second, "v1", "AOPT 3 needs the vector v", "give V1 to V3");
+    return false;
+  }
+  if (aopt == 0.0) return true;
+  refuse(b, shears, "aopt", "only 0, 2 and 3 are built",
+         aopt < 0.0 ? "write the axes of the coordinate system as vectors a and d of AOPT 2" : "use vectors of AOPT 2");
+  return false;
+}
+
+void read_orthotropic(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row moduli = cursor.read(moduli_card);
+  const Row shears = cursor.read(shears_card);
+  const Row first = cursor.read(axes_card);
+  const Row second = cursor.read(angle_card);
+  expect_end(b, cursor);
+  kernel::Orthotropic law;
+  law.young_a = moduli.real("ea");
+  law.young_b = moduli.real("eb");
+  law.young_c = moduli.real("ec") > 0.0 ? moduli.real("ec") : law.young_b;
+  law.poisson_ba = moduli.real("prba");
+  law.poisson_ca = moduli.real("prca");
+  law.poisson_cb = moduli.real("prcb");
+  law.shear_ab = shears.real("gab");
+  law.shear_bc = shears.real("gbc");
+  law.shear_ca = shears.real("gca");
+  take_axes(b, shears, first, second, law.axes);
+  if (!(law.definiteness() > 0.0))
+    refuse(b, moduli, "prba", "with these moduli and Poisson's ratios the material would give energy",
+           "PRBA is the ratio under stress along b: PRBA/EB = PRAB/EA; PRCA and PRCB are those under stress along c");
+  const double product = std::clamp(law.poisson_ba * law.poisson_ba * law.young_a / law.young_b, 0.0, 0.99);
+  law.nu = std::min(std::sqrt(product), 0.45);
+  law.E = std::max(law.young_a, law.young_b) / (1.0 - product) * (1.0 - law.nu * law.nu);
+  add_material(b, moduli, std::move(title), "MAT_ORTHOTROPIC_ELASTIC", kernel::compound({law}));
+}
+
+}  // namespace
+
+std::vector<Keyword> orthotropic_material_keywords() {
+  return {{.name = "MAT_ORTHOTROPIC_ELASTIC",
+           .aliases = {"MAT_002"},
+           .options = {"TITLE"},
+           .layout = {{"", &moduli_card}, {"", &shears_card}, {"", &axes_card}, {"", &angle_card}},
+           .read = read_orthotropic}};
+}
+
+}  // namespace nugget::model
