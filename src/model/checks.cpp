@@ -218,7 +218,7 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
   SectionShell& section = b.model.shell_sections[s];
   if (section.elform == 0) section.elform = b.model.control.default_shell;
   const bool is_computed = !is<kernel::Rigid>(b.model, part) && !is<kernel::Null>(b.model, part);
-  const bool is_built = section.elform == 2 || section.elform == 4 || section.elform == 16;
+  const bool is_built = section.elform == 2 || section.elform == 4 || section.elform == 16 || section.elform == 17;
   if (!is_computed || is_built || std::exchange(told[s], char{1})) return;
   if (computed_as_full(section.elform)) {
     b.shell_section_rows[s].complain(
@@ -226,15 +226,6 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
         fmt::format("shell formulation {} is computed as 16, fully integrated, with large rotations", section.elform),
         "write 16");
     section.elform = 16;
-    return;
-  }
-  if (section.elform == 17) {
-    b.shell_section_rows[s].complain(
-        b.findings, Severity::warning, "elform",
-        "the discrete Kirchhoff triangle 17 is computed as 4, a C0 triangle, which is stiffer in "
-        "bending: mesh finely",
-        "write 4");
-    section.elform = 4;
     return;
   }
   if (b.model.implicit.active && one_point(section.elform)) {
@@ -252,8 +243,8 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
   }
   refuse(
       b, b.shell_section_rows[s], "elform",
-      fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay), 4 (triangle), 10 (2 with warping "
-                  "coupling) and 16 (fully integrated)",
+      fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay), 4 and 17 (triangles), 10 (2 with "
+                  "warping coupling) and 16 (fully integrated)",
                   section.elform),
       "write 16, or 2 with an hourglass control of type 4 for stiffness against hourglassing");
 }
@@ -506,17 +497,20 @@ void check_weld_options(Builder& b) {
   }
 }
 
-/// ELFORM 4 is a triangle only.
+/// ELFORM 4 and 17 are triangles only.
 void check_triangles(Builder& b) {
   const Model& m = b.model;
   Tally quads(b.findings, Severity::error, "*ELEMENT_SHELL");
   for (std::size_t e = 0; e < m.shells.size(); ++e) {
     const Part& part = m.parts[static_cast<std::size_t>(m.shells.part[e])];
     if (part.section == none || is<kernel::Rigid>(m, part) || is<kernel::Null>(m, part)) continue;
-    if (m.shell_sections[static_cast<std::size_t>(part.section)].elform != 4 || m.shells.triangle(e)) continue;
+    const int elform = m.shell_sections[static_cast<std::size_t>(part.section)].elform;
+    if ((elform != 4 && elform != 17) || m.shells.triangle(e)) continue;
     quads.add(
         m.shells.place[e],
-        [&] { return fmt::format("shell {} has four corners, but its formulation 4 is a triangle", m.shells.id[e]); },
+        [&] {
+          return fmt::format("shell {} has four corners, but its formulation {} is a triangle", m.shells.id[e], elform);
+        },
         "give quads a section with ELFORM 2; with ESORT 1 of *CONTROL_SHELL their triangles become ELFORM 4");
   }
 }

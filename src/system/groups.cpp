@@ -267,14 +267,18 @@ void System::make_shells() {
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     if (sorted[p].empty()) continue;
     const model::SectionShell& section = model.shell_sections[at(model.parts[p].section)];
-    const bool sort_out = model.control.sort_triangles || section.elform == 4;
+    const int formulation = triangle_formulation(section, model.control);
     std::vector<model::Index> quads, triangles;
-    for (model::Index e : sorted[p]) (sort_out && model.shells.triangle(at(e)) ? triangles : quads).push_back(e);
+    for (model::Index e : sorted[p])
+      (formulation != 0 && model.shells.triangle(at(e)) ? triangles : quads).push_back(e);
     if (fully_integrated(section))
       add_shells<ShellKind::full>(p, quads);
     else
       add_shells<ShellKind::one_point>(p, quads);
-    add_shells<ShellKind::triangle>(p, triangles);
+    if (formulation == 17)
+      add_shells<ShellKind::kirchhoff>(p, triangles);
+    else
+      add_shells<ShellKind::triangle>(p, triangles);
   }
 }
 

@@ -222,14 +222,14 @@ TEST(Checks, OtherOnePointShells) {
   }
 }
 
-TEST(Checks, KirchhoffTrianglesAreComputedAsC0) {
+TEST(Checks, KirchhoffTrianglesAreBuilt) {
   const Built b(sheet_deck(
       "*PART\na\n2,12,1\n*SECTION_SHELL\n12,17\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,7\n*CONTROL_SHELL\n20.0,2\n"));
-  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
-  EXPECT_TRUE(b.warning("is computed as 4", "elform"));
-  EXPECT_TRUE(b.warning("as with 1", "esort"));
-  EXPECT_EQ(b.model.shell_sections.back().elform, 4);
-  EXPECT_TRUE(b.model.control.sort_triangles);
+  EXPECT_EQ(b.findings.errors() + b.findings.warnings(), 0) << b.all_findings();
+  EXPECT_EQ(b.model.shell_sections.back().elform, 17);
+  EXPECT_EQ(b.model.control.sort_triangles, SortTriangles::kirchhoff);
+  EXPECT_TRUE(Built(sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12,17\n1.0\n*ELEMENT_SHELL\n3,2,5,6,7,8\n"))
+                  .error("shell 3 has four corners, but its formulation 17 is a triangle"));
 }
 
 TEST(Checks, DrillingOfThePartsOfASet) {
