@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "impact/strains.hpp"
 
+#include <algorithm>
+
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "impact/preloads.hpp"
@@ -148,9 +150,11 @@ void Strains::advance_solid(std::size_t e, const system::State& state) {
   if (!group.alive(at(seat.element))) return;
   const auto nodes = group.nodes(at(seat.element));
   std::array<Vec3d, 8> x, v;
+  const std::size_t last = at(group.nodes_per_element) - 1;  // a tetrahedron repeats its fourth node
   for (std::size_t a = 0; a < 8; ++a) {
-    v[a] = vec(state.v[at(nodes[a])]);
-    x[a] = vec(state.x[at(nodes[a])]) - 0.5 * state.dt * v[a];
+    const auto k = at(nodes[std::min(a, last)]);
+    v[a] = vec(state.v[k]);
+    x[a] = vec(state.x[k]) - 0.5 * state.dt * v[a];
   }
   const auto g = velocity_gradient(x, v);
   const double dt = state.dt;

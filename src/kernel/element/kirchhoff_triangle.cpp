@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernel/element/kirchhoff_triangle.hpp"
 
-#include <algorithm>
-
 #include "kernel/element/triangle.hpp"
 #include "kernel/law/prepared_compound.hpp"
 
@@ -66,6 +64,20 @@ struct Bubbles {
   }
 };
 
+/// Square of the radius of gyration of a node's share of the element, without offset.
+template <class R>
+R gyration2(const R& t, const R& area, const R& altitude2) {
+  return max(max(R(1.0 / 12.0) * (t * t), 0.125 * area), 0.5 * area * (t * t) / altitude2);
+}
+
+/// Square of the length over the wave speed that bending bears: of motions across the plane h^2/t, of spins the same
+/// with their inertia.
+template <class R>
+R bending_length2(const R& t, const R& area, const R& altitude2) {
+  const R spins = 0.4 * area / gyration2(t, area, altitude2);
+  return altitude2 * altitude2 / (t * t * (1.0 + spins));
+}
+
 }  // namespace
 
 template <class R, class Law>
@@ -125,7 +137,9 @@ NodalForces<R, 3> kirchhoff_triangle_cycle(const ShellProperties& shell, const P
   }
 
   const R scale = load_field<R>(state, L::density_scale) * (shell.density / e.plane);
-  const R step = sqrt(length2(nodes.x, end.area, shell.length, e.nu) * scale);
+  const R altitude2 = length2(nodes.x, end.area, ShellLength::area_over_side, e.nu);
+  const R shortest2 = min(length2(nodes.x, end.area, shell.length, e.nu), bending_length2(now, end.area, altitude2));
+  const R step = sqrt(shortest2 * scale);
   if (law.deletion_step() > 0.0) alive = alive && step >= law.deletion_step();
   if (law.can_fail() || law.deletion_step() > 0.0) store_field(state, L::alive, select(alive, R(1.0), R(0.0)));
 
@@ -151,10 +165,10 @@ std::array<double, 3> kirchhoff_mean_bending(const std::array<Vec3d, 3>& x, cons
 NodalMass kirchhoff_nodal_mass(const std::array<Vec3d, 3>& x, double thickness, double density, double offset,
                                double mass_per_area) {
   const Vec3d nodes[3] = {x[0], x[1], x[2]};
-  const double area = Triangle<double>(nodes).area, arm = 0.5 * offset * thickness, t2 = thickness * thickness;
+  const double area = Triangle<double>(nodes).area, arm = 0.5 * offset * thickness;
   const double mass = area * (density * thickness + mass_per_area) / 3.0;
   const double altitude2 = length2(nodes, area, ShellLength::area_over_side, 0.0);
-  return {mass, mass * (std::max({t2 / 12.0, area / 8.0, 0.5 * area * t2 / altitude2}) + arm * arm)};
+  return {mass, mass * (gyration2(thickness, area, altitude2) + arm * arm)};
 }
 
 template NodalForces<double, 3> kirchhoff_triangle_cycle(const ShellProperties&, const Prepared<Elastic>&,

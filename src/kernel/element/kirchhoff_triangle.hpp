@@ -24,9 +24,12 @@ ShellLayout kirchhoff_layout(const ShellProperties& shell, const Prepared<Law>& 
 ///     beta = sum L_i beta_i - 6 sum L_i L_j (S_ij / l_ij^2) x_ij,
 /// with S_ij the shear along the side i-j times its length, as the C0 triangle has it. So there are no transverse shear
 /// strains or forces, and nothing but a rigid motion bends nothing. Curvature is linear over the element; the membrane
-/// strain is constant. Frame, mid-step rates, forces at the end, thickness update, drilling (`shell.drilling`), stable
-/// step and deletion are those of triangle_cycle and full_shell_cycle; an element is deleted when all layers of its
-/// three columns have failed. Source: J.-L. Batoz, K.-J. Bathe, L.-W. Ho, Int. J. Numer. Meth. Eng. 15 (1980).
+/// strain is constant. Frame, mid-step rates, forces at the end, thickness update, drilling (`shell.drilling`) and
+/// deletion are those of triangle_cycle and full_shell_cycle; an element is deleted when all layers of its three
+/// columns have failed. The stable step is that of triangle_cycle, and no longer than its bending bears: with the
+/// shortest altitude h and a node's inertia m r^2, h^2 / (c t sqrt(1 + 0.4 A / r^2)), which is the shorter one where t
+/// > h/2 (by eigenvalues of elements of all shapes; ours). Source: J.-L. Batoz, K.-J. Bathe, L.-W. Ho, Int. J. Numer.
+/// Meth. Eng. 15 (1980).
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with Compound;
 /// Dual<18> with Elastic.
@@ -40,8 +43,8 @@ std::array<double, 3> kirchhoff_mean_bending(const std::array<Vec3d, 3>& x, cons
                                              const std::array<Vec3d, 3>& w);
 
 /// Mass of each of three nodes and its inertia m max(t^2/12, A/8, A t^2 / (2 h^2)) with the shortest altitude h, plus
-/// that of the offset. The last is more than the others where t > h/2: bending of such an element would be faster than
-/// a wave across it (by eigenvalues of single elements, ours).
+/// that of the offset. The last is more than the others where t > h/2 and spares such an element the larger part of
+/// what its bending would take off its step (ours).
 NodalMass kirchhoff_nodal_mass(const std::array<Vec3d, 3>& x, double thickness, double density, double offset = 0.0,
                                double mass_per_area = 0.0);
 
