@@ -70,7 +70,7 @@ struct Control {
   bool mass_scaling_at_start_only = false;  ///< MS1ST
 
   // *CONTROL_SHELL
-  double warp_warning = 20.0;      ///< WRPANG [degrees]
+  double warp_warning = 20.0;  ///< WRPANG [degrees]
   SortTriangles sort_triangles = SortTriangles::no;
   bool sort_solids = false;        ///< ESORT of solids: tetrahedra become ELFORM 10, wedges ELFORM 15
   int thickness_update = 0;        ///< ISTUPD
