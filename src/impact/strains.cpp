@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "impact/strains.hpp"
 
+#include <algorithm>
+
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "impact/preloads.hpp"
 #include "kernel/element/belytschko_tsay.hpp"
 #include "kernel/element/c0_triangle.hpp"
+#include "kernel/element/kirchhoff_triangle.hpp"
 #include "model/axes.hpp"
 #include "system/shell_elements.hpp"
 
@@ -119,13 +122,22 @@ void Strains::advance_shell(std::size_t e, const system::State& state) {
     spin += (1.0 / corners) * w[a];
   }
   const double scale = state.dt / twice_area;
+  std::array<double, 3> bent{scale * w_x.y, -scale * w_y.x, scale * (w_y.y - w_x.x)};
+  std::array<double, 2> shear{scale * v_y.z - state.dt * spin.x, scale * v_x.z + state.dt * spin.y};
+  const model::Model& model = system_.model;
+  const model::SectionShell& section = model.shell_sections[at(model.parts[at(group.part)].section)];
+  if (corners == 3 && system::triangle_formulation(section, model.control) == 17) {
+    const auto more = kernel::kirchhoff_mean_bending({x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]});
+    for (std::size_t c = 0; c < 3; ++c) bent[c] += state.dt * more[c];
+    shear = {};
+  }
   const auto add = [&](InPlane& strain, double zeta) {
     const double z = system_.model.shells.offset[e] + 0.5 * zeta * group.thickness(at(seat.element));
-    strain[0] += scale * (v_x.x + z * w_x.y);
-    strain[1] += scale * (v_y.y - z * w_y.x);
-    strain[2] += 0.5 * scale * (v_y.x + v_x.y + z * (w_y.y - w_x.x));
-    strain[3] += 0.5 * (scale * v_y.z - state.dt * spin.x);
-    strain[4] += 0.5 * (scale * v_x.z + state.dt * spin.y);
+    strain[0] += scale * v_x.x + z * bent[0];
+    strain[1] += scale * v_y.y + z * bent[1];
+    strain[2] += 0.5 * (scale * (v_y.x + v_x.y) + z * bent[2]);
+    strain[3] += 0.5 * shear[0];
+    strain[4] += 0.5 * shear[1];
   };
   add(shells_[e].lower, zeta_[e][0]);
   add(shells_[e].upper, zeta_[e][1]);
@@ -138,9 +150,11 @@ void Strains::advance_solid(std::size_t e, const system::State& state) {
   if (!group.alive(at(seat.element))) return;
   const auto nodes = group.nodes(at(seat.element));
   std::array<Vec3d, 8> x, v;
+  const std::size_t last = at(group.nodes_per_element) - 1;  // a tetrahedron repeats its fourth node
   for (std::size_t a = 0; a < 8; ++a) {
-    v[a] = vec(state.v[at(nodes[a])]);
-    x[a] = vec(state.x[at(nodes[a])]) - 0.5 * state.dt * v[a];
+    const auto k = at(nodes[std::min(a, last)]);
+    v[a] = vec(state.v[k]);
+    x[a] = vec(state.x[k]) - 0.5 * state.dt * v[a];
   }
   const auto g = velocity_gradient(x, v);
   const double dt = state.dt;

@@ -114,7 +114,7 @@ void check_solids(Builder& b) {
           "mend the mesh there; it may fail early");
     const Index section = m.parts[static_cast<std::size_t>(m.solids.part[e])].section;
     const int elform = section == none ? 1 : m.solid_sections[static_cast<std::size_t>(section)].elform;
-    const bool tetrahedron = elform == 10 || elform == 13;
+    const bool tetrahedron = elform == 4 || elform == 10 || elform == 13;
     const std::size_t corners = tetrahedron || elform == 15 ? m.solids.corners(e).size() : 0;
     if ((tetrahedron && corners != 4) || (elform == 15 && corners != 6))
       misshapen.add(
@@ -218,7 +218,7 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
   SectionShell& section = b.model.shell_sections[s];
   if (section.elform == 0) section.elform = b.model.control.default_shell;
   const bool is_computed = !is<kernel::Rigid>(b.model, part) && !is<kernel::Null>(b.model, part);
-  const bool is_built = section.elform == 2 || section.elform == 4 || section.elform == 16;
+  const bool is_built = section.elform == 2 || section.elform == 4 || section.elform == 16 || section.elform == 17;
   if (!is_computed || is_built || std::exchange(told[s], char{1})) return;
   if (computed_as_full(section.elform)) {
     b.shell_section_rows[s].complain(
@@ -226,15 +226,6 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
         fmt::format("shell formulation {} is computed as 16, fully integrated, with large rotations", section.elform),
         "write 16");
     section.elform = 16;
-    return;
-  }
-  if (section.elform == 17) {
-    b.shell_section_rows[s].complain(
-        b.findings, Severity::warning, "elform",
-        "the discrete Kirchhoff triangle 17 is computed as 4, a C0 triangle, which is stiffer in "
-        "bending: mesh finely",
-        "write 4");
-    section.elform = 4;
     return;
   }
   if (b.model.implicit.active && one_point(section.elform)) {
@@ -252,8 +243,8 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
   }
   refuse(
       b, b.shell_section_rows[s], "elform",
-      fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay), 4 (triangle), 10 (2 with warping "
-                  "coupling) and 16 (fully integrated)",
+      fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay), 4 and 17 (triangles), 10 (2 with "
+                  "warping coupling) and 16 (fully integrated)",
                   section.elform),
       "write 16, or 2 with an hourglass control of type 4 for stiffness against hourglassing");
 }
@@ -264,9 +255,10 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
   // In linear analyses the one-point brick with its physical stabilisation stands for 18 (nvh::linear_model).
   const bool linear = elform == 18 && b.model.implicit.active;
   const bool is_weld = is<kernel::Spotweld>(b.model, part),
-             is_corner_shape = elform == 10 || elform == 13 || elform == 15;
-  const bool is_scaled = elform == -1 || elform == -2;
-  const bool is_built = elform == 1 || elform == 2 || linear || is_scaled || (is_corner_shape && !is_weld);
+             is_corner_shape = elform == 4 || elform == 10 || elform == 13 || elform == 15;
+  const bool is_scaled = elform == -1 || elform == -2, has_rotations = elform == 3 || (elform == 4 && !is_weld);
+  const bool is_built =
+      elform == 1 || elform == 2 || elform == 3 || linear || is_scaled || (is_corner_shape && !is_weld);
   const bool is_wedge = elform == 15 && is_built;
   if (elform == 13 && is_built && is<kernel::Compound>(b.model, part) && !told[s]) {
     told[s] = 1;
@@ -274,8 +266,20 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
         b.findings, Severity::warning, "elform",
         "the nodes' pressure is built for *MAT_001, 003, 012 and 024; with this law the tetrahedra are computed as 10");
   }
-  if (is<kernel::Rigid>(b.model, part) || (is_built && !is_wedge && !is_scaled) || std::exchange(told[s], char{1}))
-    return;
+  const bool as_asked = is_built && !is_wedge && !is_scaled && !has_rotations;
+  if (is<kernel::Rigid>(b.model, part) || as_asked || std::exchange(told[s], char{1})) return;
+  if (elform == 3)
+    return b.solid_section_rows[s].complain(
+        b.findings, Severity::warning, "elform",
+        "solid formulation 3 is computed as a brick of eight points with assumed strains (as -1), which bends without "
+        "locking, and without nodal rotations: LS-DYNA's are not public. Where shells, beams or supports are to turn "
+        "its nodes, they turn freely",
+        "write -1; tie shells to a face of it rather than to one row of nodes");
+  if (has_rotations)
+    return b.solid_section_rows[s].complain(
+        b.findings, Severity::warning, "elform",
+        "solid formulation 4 is computed as the tetrahedron of ten nodes whose mid-side nodes follow displacements and "
+        "rotations of its corners (Allman; Pawlak, Yunus, Cook 1991); LS-DYNA's is not public and may differ");
   if (is_scaled)
     return b.solid_section_rows[s].complain(
         b.findings, Severity::warning, "elform",
@@ -294,15 +298,13 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
     elform = 1;
     return;
   }
-  const bool is_brick_that_bends = elform == 3 || elform == 18 || is_weld;
-  refuse(
-      b, b.solid_section_rows[s], "elform",
-      fmt::format("solid formulation {} is not built{}; built are 1 (constant stress), 2 (fully integrated), -1 and -2 "
-                  "(for poor aspect ratios) and, not for welds, 10 and 13 (tetrahedra) and 15 (wedge)",
-                  elform, elform == 3 || elform == 4 ? " (how its nodal rotations enter is not public)" : ""),
-      is_brick_that_bends ? "write -1, a brick of eight points that bends without locking"
-      : elform == 4       ? "write 13, or 10, which locks in bending and in plastic flow"
-                          : "write 1, with an hourglass control of type 2 or 3");
+  const bool is_brick_that_bends = elform == 18 || is_weld;
+  refuse(b, b.solid_section_rows[s], "elform",
+         fmt::format("solid formulation {} is not built{}; built are 1 (constant stress), 2 (fully integrated), -1, -2 "
+                     "and 3 (without locking in bending) and, not for welds, 4, 10 and 13 (tetrahedra) and 15 (wedge)",
+                     elform, is_weld ? " for welds" : ""),
+         is_brick_that_bends ? "write -1, a brick of eight points that bends without locking"
+                             : "write 1, with an hourglass control of type 2 or 3");
 }
 
 /// A spring needs a mass to have a time step.
@@ -547,17 +549,20 @@ void check_weld_options(Builder& b) {
   }
 }
 
-/// ELFORM 4 is a triangle only.
+/// ELFORM 4 and 17 are triangles only.
 void check_triangles(Builder& b) {
   const Model& m = b.model;
   Tally quads(b.findings, Severity::error, "*ELEMENT_SHELL");
   for (std::size_t e = 0; e < m.shells.size(); ++e) {
     const Part& part = m.parts[static_cast<std::size_t>(m.shells.part[e])];
     if (part.section == none || is<kernel::Rigid>(m, part) || is<kernel::Null>(m, part)) continue;
-    if (m.shell_sections[static_cast<std::size_t>(part.section)].elform != 4 || m.shells.triangle(e)) continue;
+    const int elform = m.shell_sections[static_cast<std::size_t>(part.section)].elform;
+    if ((elform != 4 && elform != 17) || m.shells.triangle(e)) continue;
     quads.add(
         m.shells.place[e],
-        [&] { return fmt::format("shell {} has four corners, but its formulation 4 is a triangle", m.shells.id[e]); },
+        [&] {
+          return fmt::format("shell {} has four corners, but its formulation {} is a triangle", m.shells.id[e], elform);
+        },
         "give quads a section with ELFORM 2; with ESORT 1 of *CONTROL_SHELL their triangles become ELFORM 4");
   }
 }

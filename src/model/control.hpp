@@ -44,6 +44,13 @@ struct Relaxation {
   bool on() const { return asked && !forbidden; }
 };
 
+/// ESORT of *CONTROL_SHELL: what collapsed quads are computed as.
+enum class SortTriangles : unsigned char {
+  no,         ///< collapsed quads of their section's formulation
+  c0,         ///< ELFORM 4
+  kirchhoff,  ///< ELFORM 17
+};
+
 /// The *CONTROL_... cards that this program obeys, in words; defaults are LS-DYNA's.
 struct Control {
   // *CONTROL_TERMINATION
@@ -63,8 +70,8 @@ struct Control {
   bool mass_scaling_at_start_only = false;  ///< MS1ST
 
   // *CONTROL_SHELL
-  double warp_warning = 20.0;             ///< WRPANG [degrees]
-  bool sort_triangles = false;            ///< ESORT: collapsed quads become C0 triangles
+  double warp_warning = 20.0;  ///< WRPANG [degrees]
+  SortTriangles sort_triangles = SortTriangles::no;
   bool sort_solids = false;               ///< ESORT of solids: tetrahedra become ELFORM 10, wedges ELFORM 15
   int thickness_update = 0;               ///< ISTUPD
   int default_shell = 2;                  ///< THEORY

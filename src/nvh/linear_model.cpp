@@ -41,7 +41,7 @@ void integrate_shells_fully(model::Model& m, Findings& findings) {
     part.drilling = std::max(part.drilling, 1.0);
     model::Hourglass warping = part.hourglass == model::none ? m.control.hourglass : m.hourglass[at(part.hourglass)];
     model::SectionShell section = m.shell_sections[at(part.section)];
-    if (section.elform == 4) continue;
+    if (section.elform == 4 || section.elform == 17) continue;
     if (section.elform != 16) changed.push_back(part.id);
     section.elform = 16;
     warping.type = 8;
@@ -50,7 +50,7 @@ void integrate_shells_fully(model::Model& m, Findings& findings) {
     part.hourglass = static_cast<model::Index>(m.hourglass.size());
     m.hourglass.push_back(warping);
   }
-  m.control.sort_triangles = true;
+  if (m.control.sort_triangles == model::SortTriangles::no) m.control.sort_triangles = model::SortTriangles::c0;
   if (!changed.empty())
     findings.note({m.deck, 0, 0}, "*CONTROL_IMPLICIT_GENERAL",
                   fmt::format("shells of part{} {}: linear analyses use formulation 16 instead of a one-point shell, "

@@ -221,7 +221,9 @@ NodalMass nodal_share(const system::System& system, const system::ElementGroup& 
   NodalMass share;
   share.mass = group.mass(e) / static_cast<double>(corners);
   const bool shell = group.kind == model::ElementKind::shell;
-  const double t = group.thickness(e), own = shell ? share.mass * t * t / 12.0 : group.nodal_inertia(e);
+  // Solids with nodal rotations have rotary inertia in explicit dynamics for the sake of the step only.
+  const bool solid = group.kind == model::ElementKind::solid;
+  const double t = group.thickness(e), own = shell ? share.mass * t * t / 12.0 : solid ? 0.0 : group.nodal_inertia(e);
   share.inertia = {own, 0, 0, own, 0, own};
   if (const model::SectionBeam* section = resultant_section(system, group))
     share.inertia = section_inertia(system, group, e, *section, rest);

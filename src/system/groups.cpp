@@ -15,6 +15,7 @@
 #include "system/brick_element.hpp"
 #include "system/discrete_beam_element.hpp"
 #include "system/order.hpp"
+#include "system/rotational_tetrahedron_element.hpp"
 #include "system/shell_elements.hpp"
 #include "system/spring_group.hpp"
 #include "system/system.hpp"
@@ -112,7 +113,7 @@ bool fully_integrated(const model::SectionShell& section) {
 }
 
 bool bends_without_locking(int elform) {
-  return elform == -1 || elform == -2;
+  return elform == -1 || elform == -2 || elform == 3;
 }
 template <class Law>
 FullBrickElement<Law> full_brick(const BrickElement<Law>& of, const model::SectionSolid& section) {
@@ -267,14 +268,18 @@ void System::make_shells() {
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     if (sorted[p].empty()) continue;
     const model::SectionShell& section = model.shell_sections[at(model.parts[p].section)];
-    const bool sort_out = model.control.sort_triangles || section.elform == 4;
+    const int formulation = triangle_formulation(section, model.control);
     std::vector<model::Index> quads, triangles;
-    for (model::Index e : sorted[p]) (sort_out && model.shells.triangle(at(e)) ? triangles : quads).push_back(e);
+    for (model::Index e : sorted[p])
+      (formulation != 0 && model.shells.triangle(at(e)) ? triangles : quads).push_back(e);
     if (fully_integrated(section))
       add_shells<ShellKind::full>(p, quads);
     else
       add_shells<ShellKind::one_point>(p, quads);
-    add_shells<ShellKind::triangle>(p, triangles);
+    if (formulation == 17)
+      add_shells<ShellKind::kirchhoff>(p, triangles);
+    else
+      add_shells<ShellKind::triangle>(p, triangles);
   }
 }
 
@@ -311,10 +316,14 @@ void System::make_bricks() {
       const auto [tetrahedra, full, others] = by_formulation(sorted[p], model.solid_sections[at(part.section)].elform);
       if (!tetrahedra.empty()) {
         const Members m = corners(tetrahedra);
+        const int elform = model.solid_sections[at(part.section)].elform;
         std::shared_ptr<NodalPressure> shared;
-        if (!std::is_same_v<Law, kernel::Compound> && model.solid_sections[at(part.section)].elform == 13)
+        if (!std::is_same_v<Law, kernel::Compound> && elform == 13)
           shared = std::make_shared<NodalPressure>(first_four(m.node), start_, bulk_modulus(element.law.elastic()));
-        add_group(TetrahedronElement<Law>{brick, element.law, shared}, model::ElementKind::solid, p, m, solid_seat);
+        if (elform == 4)
+          add_group(RotationalTetrahedronElement<Law>{brick, element.law}, model::ElementKind::solid, p, m, solid_seat);
+        else
+          add_group(TetrahedronElement<Law>{brick, element.law, shared}, model::ElementKind::solid, p, m, solid_seat);
       }
       if (!full.empty())
         add_group(full_brick(element, model.solid_sections[at(part.section)]), model::ElementKind::solid, p,
@@ -348,7 +357,8 @@ System::Formulations System::by_formulation(const std::vector<model::Index>& sol
   Formulations f;
   for (const model::Index e : solids) {
     const std::size_t corners = model.solids.corners(at(e)).size();
-    const bool tetrahedron = corners == 4 && (sorts || elform == 10 || elform == 13), wedge = corners == 6 && sorts;
+    const bool tetrahedron = corners == 4 && (sorts || elform == 4 || elform == 10 || elform == 13),
+               wedge = corners == 6 && sorts;
     const bool full = wedge || elform == 2 || elform == 15 || bends_without_locking(elform);
     (tetrahedron ? f.tetrahedra : full ? f.full : f.others).push_back(e);
   }

@@ -6,6 +6,7 @@
 #include "kernel/element/belytschko_tsay.hpp"
 #include "kernel/element/c0_triangle.hpp"
 #include "kernel/element/full_shell.hpp"
+#include "kernel/element/kirchhoff_triangle.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
 #include "system/material_axes.hpp"
@@ -19,13 +20,22 @@ std::array<double, 6> global_stress(const Frame3d& frame, double xx, double yy, 
 /// Components xx yy xy xz yz in the element's frame of a global stress; what else it has there is lost.
 std::array<double, 5> local_stress(const Frame3d& frame, const std::array<double, 6>& stress);
 
-/// ELFORM 2, 4 and 16.
-enum class ShellKind { one_point, triangle, full };
+/// ELFORM 2, 4, 16 and 17.
+enum class ShellKind { one_point, triangle, full, kirchhoff };
+
+/// Formulation of the shells of three nodes in a section: 4, 17, or 0 where they are collapsed quads.
+inline int triangle_formulation(const model::SectionShell& section, const model::Control& control) {
+  if (section.elform == 4 || section.elform == 17) return section.elform;
+  using enum model::SortTriangles;
+  return control.sort_triangles == kirchhoff ? 17 : control.sort_triangles == c0 ? 4 : 0;
+}
 
 template <class Law, ShellKind Kind>
 struct ShellElement {
-  static constexpr int corners = Kind == ShellKind::triangle ? 3 : 4;
-  static constexpr int columns = Kind == ShellKind::full ? kernel::full_shell_columns : 1;
+  static constexpr int corners = Kind == ShellKind::triangle || Kind == ShellKind::kirchhoff ? 3 : 4;
+  static constexpr int columns = Kind == ShellKind::full        ? kernel::full_shell_columns
+                                 : Kind == ShellKind::kirchhoff ? kernel::kirchhoff_columns
+                                                                : 1;
   static constexpr bool rotational = true;
   using Layout = kernel::ShellLayout;
   template <class R>
@@ -40,6 +50,8 @@ struct ShellElement {
   kernel::ShellLayout layout() const {
     if constexpr (Kind == ShellKind::full)
       return kernel::full_shell_layout(shell, law);
+    else if constexpr (Kind == ShellKind::kirchhoff)
+      return kernel::kirchhoff_layout(shell, law);
     else
       return kernel::shell_layout(shell, law);
   }
@@ -60,6 +72,8 @@ struct ShellElement {
     const double t = shells.thickness[static_cast<std::size_t>(e)];
     if constexpr (corners == 4)
       return kernel::shell_nodal_mass(x, t, shell.density, shell.offset, mass_per_area);
+    else if constexpr (Kind == ShellKind::kirchhoff)
+      return kernel::kirchhoff_nodal_mass(x, t, shell.density, shell.offset, mass_per_area);
     else
       return kernel::triangle_nodal_mass(x, t, shell.density, shell.offset, mass_per_area);
   }
@@ -72,6 +86,8 @@ struct ShellElement {
       return kernel::shell_cycle(shell, law, motion, dt, state);
     else if constexpr (Kind == ShellKind::full)
       return kernel::full_shell_cycle(shell, law, motion, dt, state);
+    else if constexpr (Kind == ShellKind::kirchhoff)
+      return kernel::kirchhoff_triangle_cycle(shell, law, motion, dt, state);
     else
       return kernel::triangle_cycle(shell, law, motion, dt, state);
   }

@@ -159,7 +159,7 @@ const Card contact_card_7{{
 
 const Card shell_card_1{{
     real("wrpang", dimension::number, 20, at_least(0), "warpage that is warned of [degrees]"),
-    integer("esort", 0, between(0, 2), "1: collapsed quads are computed as triangles; 2 is computed as 1"),
+    integer("esort", 0, between(0, 2), "collapsed quads are computed as triangles: 1 of formulation 4, 2 of 17"),
     integer("irnxx", -1, any_value, "update of normals of other formulations, no effect"),
     integer("istupd", 0, any_value, "1: membrane strain thins the shells; 0: not; 4: plastic strain does"),
     integer("theory", 2, any_value, "formulation of sections that name none"),
@@ -382,11 +382,7 @@ void read_shell(Builder& b, const Block& block, const Options&) {
   expect(b, five, Severity::warning, {{"nlocdt", 0, "not obeyed: the time step is that of the mid-surface"}});
   Control& c = b.model.control;
   c.warp_warning = one.real("wrpang");
-  c.sort_triangles = one.integer("esort") != 0;
-  if (one.integer("esort") == 2)
-    one.complain(b.findings, Severity::warning, "esort",
-                 "collapsed quads become C0 triangles, as with 1; discrete Kirchhoff triangles, which are softer in "
-                 "bending, are not built");
+  c.sort_triangles = static_cast<SortTriangles>(one.integer("esort"));
   c.thickness_update = thickness_update(b, one);
   c.default_shell = one.integer("theory");
   c.warping_stiffness = one.integer("bwc") == 1;

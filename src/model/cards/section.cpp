@@ -19,10 +19,10 @@ using deck::Row;
 
 const Card shell_card{{
     id("secid", IdSpace::other, required, "section id"),
-    integer(
-        "elform", 0, any_value,
-        "formulation: 2 Belytschko-Tsay (10: with warping), 4 triangle (also for 17), 16 fully integrated (also for "
-        "-16, 6, 7, 18, 20, 21); linear analyses: 1, 8, 11 also; blank: THEORY of *CONTROL_SHELL"),
+    integer("elform", 0, any_value,
+            "formulation: 2 Belytschko-Tsay (10: with warping), 4 and 17 triangles (C0, discrete Kirchhoff), 16 "
+            "fully integrated (also for -16, 6, 7, 18, 20, 21); linear analyses: 1, 8, 11 also; blank: THEORY of "
+            "*CONTROL_SHELL"),
     real("shrf", dimension::number, 1, above_zero(), "shear correction factor"),
     integer("nip", 2, between(1, 10), "layers through the thickness"),
     integer("propt", 1, any_value, "printout option, no effect"),
@@ -46,8 +46,9 @@ const Card shell_thickness_card{{
 constexpr Field solid_formulation() {
   Field f =
       integer("elform", 1, any_value,
-              "formulation: 1 constant stress, 2 fully integrated, -1 and -2 the same without locking in bending, 10 "
-              "tetrahedron, 13 the same with pressure by nodes, 15 wedge (as a collapsed 2); 0 is computed as 1");
+              "formulation: 1 constant stress, 2 fully integrated, -1, -2 and 3 the same without locking in bending, "
+              "tetrahedra 4 with nodal rotations, 10, 13 with pressure by nodes, 15 wedge (as a collapsed 2); 0 is "
+              "computed as 1");
   f.zero_is_default = false;
   return f;
 }

@@ -77,14 +77,28 @@ TEST(Checks, ManyFaultsOfOneKindAreCounted) {
 TEST(Checks, FormulationsAreRefusedByName) {
   const Built b(
       sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12,11\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"
-                 "*PART\nb\n3,13,1\n*SECTION_SOLID\n13,3\n*ELEMENT_SOLID\n1,3,1,2,3,4,5,6,7,8\n"
+                 "*PART\nb\n3,13,1\n*SECTION_SOLID\n13,5\n*ELEMENT_SOLID\n1,3,1,2,3,4,5,6,7,8\n"
                  "*PART\nc\n4,14,2\n*SECTION_BEAM\n14,6\n1.0,1.0\n*MAT_SPOTWELD\n2,7.85e-9,210000.0,0.3,400.0\n"
                  "*ELEMENT_BEAM\n1,4,1,5\n"));
   const Finding* shell = b.find(Severity::error, "shell formulation 11 is not built", "elform");
   ASSERT_NE(shell, nullptr) << b.all_findings();
   EXPECT_EQ(shell->value, "11");
-  EXPECT_TRUE(b.error("solid formulation 3 is not built (how its nodal rotations enter", "elform"));
+  EXPECT_TRUE(b.error("solid formulation 5 is not built", "elform"));
   EXPECT_TRUE(b.error("not a law of discrete beams (ELFORM 6)", "mid"));
+}
+
+TEST(Checks, SolidsWithNodalRotationsAreComputedWithAWarning) {
+  const auto deck = [](const std::string& elform, const std::string& nodes) {
+    return Built(
+        sheet_deck("*PART\nb\n3,13,1\n*SECTION_SOLID\n13," + elform + "\n*ELEMENT_SOLID\n1,3," + nodes + "\n"));
+  };
+  const Built brick = deck("3", "1,2,3,4,5,6,7,8");
+  EXPECT_EQ(brick.findings.errors(), 0) << brick.all_findings();
+  EXPECT_TRUE(brick.warning("solid formulation 3 is computed as a brick of eight points", "elform"));
+  const Built tetrahedron = deck("4", "1,2,3,5,5,5,5,5");
+  EXPECT_EQ(tetrahedron.findings.errors(), 0) << tetrahedron.all_findings();
+  EXPECT_TRUE(tetrahedron.warning("solid formulation 4 is computed as the tetrahedron of ten nodes", "elform"));
+  EXPECT_TRUE(deck("4", "1,2,3,4,5,6,7,8").error("expected the four of a tetrahedron"));
 }
 
 TEST(Checks, DiscreteBeams) {
@@ -222,14 +236,14 @@ TEST(Checks, OtherOnePointShells) {
   }
 }
 
-TEST(Checks, KirchhoffTrianglesAreComputedAsC0) {
+TEST(Checks, KirchhoffTrianglesAreBuilt) {
   const Built b(sheet_deck(
       "*PART\na\n2,12,1\n*SECTION_SHELL\n12,17\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,7\n*CONTROL_SHELL\n20.0,2\n"));
-  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
-  EXPECT_TRUE(b.warning("is computed as 4", "elform"));
-  EXPECT_TRUE(b.warning("as with 1", "esort"));
-  EXPECT_EQ(b.model.shell_sections.back().elform, 4);
-  EXPECT_TRUE(b.model.control.sort_triangles);
+  EXPECT_EQ(b.findings.errors() + b.findings.warnings(), 0) << b.all_findings();
+  EXPECT_EQ(b.model.shell_sections.back().elform, 17);
+  EXPECT_EQ(b.model.control.sort_triangles, SortTriangles::kirchhoff);
+  EXPECT_TRUE(Built(sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12,17\n1.0\n*ELEMENT_SHELL\n3,2,5,6,7,8\n"))
+                  .error("shell 3 has four corners, but its formulation 17 is a triangle"));
 }
 
 TEST(Checks, DrillingOfThePartsOfASet) {

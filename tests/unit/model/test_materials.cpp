@@ -193,7 +193,7 @@ TEST(Controls, WhatIsObeyed) {
   EXPECT_TRUE(c.mass_scaling_at_start_only);
   EXPECT_DOUBLE_EQ(c.tied_rotary_mass, 2.0);
   EXPECT_DOUBLE_EQ(c.warp_warning, 25.0);
-  EXPECT_TRUE(c.sort_triangles);
+  EXPECT_EQ(c.sort_triangles, SortTriangles::c0);
   EXPECT_EQ(c.thickness_update, 1);
   EXPECT_TRUE(c.warping_stiffness);
   EXPECT_TRUE(c.lobatto);
