@@ -177,7 +177,8 @@ Row Cursor::read(const Card& card) {
     cell.text = readable(cells[i].text);
     fill(row, i, cells[i].text);
   }
-  if (!surplus.text.empty()) report_surplus(surplus.text, surplus.column);
+  // Zeros ask for nothing: decks fill fields with them that other releases have, or none.
+  if (surplus.text.find_first_not_of("0., \t") != std::string_view::npos) report_surplus(surplus.text, surplus.column);
   ++next_;
   return row;
 }

@@ -12,6 +12,17 @@
 
 namespace nugget::impact {
 
+namespace {
+
+/// As the deck says, but as text too; where it asks for none, 200 times over the run.
+model::Request with_text(model::Request glstat, double end_time) {
+  if (!glstat.asked()) glstat.interval = end_time / 200.0;
+  if (glstat.binary == 2) glstat.binary = 3;
+  return glstat;
+}
+
+}  // namespace
+
 template <class File, class MakeState>
 void ResultFiles::add(const model::Request& request, const char* name, MakeState make_state,
                       std::vector<output::LegendEntry> legend) {
@@ -43,7 +54,10 @@ void ResultFiles::add(const model::Request& request, const char* name, MakeState
 
 ResultFiles::ResultFiles(const system::System& system, const std::filesystem::path& directory,
                          const output::Header& header)
-    : model_(system.model), directory_(directory), header_(header) {
+    : model_(system.model),
+      directory_(directory),
+      header_(header),
+      energies_(with_text(model_.requests.glstat, model_.control.end_time)) {
   const model::Requests& ask = model_.requests;
   std::vector<output::LegendEntry> parts, nodes, walls, contacts;
   for (const model::Part& p : model_.parts) parts.push_back({p.id, p.title});
@@ -60,7 +74,7 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
   for (const model::CrossSection& c : ask.cross_sections)
     if (!c.title.empty()) sections.push_back({c.id, c.title});
 
-  add<output::Glstat>(ask.glstat, "glstat", glstat_state);
+  add<output::Glstat>(energies_, "glstat", glstat_state);
   add<output::Matsum>(ask.matsum, "matsum", matsum_state, parts);
   if (!ask.history_nodes.empty()) add<output::Nodout>(ask.nodout, "nodout", nodout_state, nodes);
   if (!system.ties.welds.empty()) add<output::Swforc>(ask.swforc, "swforc", swforc_state);
@@ -145,7 +159,7 @@ void ResultFiles::archive(Archive& a) {
   a.section("result files");
   a(channels_);
   if (binout_) a(*binout_);
-  a.built(model_, directory_, header_);
+  a.built(model_, directory_, header_, energies_);
 }
 
 void ResultFiles::write(const Snapshot& now, bool last) {

@@ -15,7 +15,8 @@
 namespace nugget::impact {
 
 /// Writes the files that the deck's *DATABASE_ cards ask for, each at its own interval: ASCII histories, binout0000,
-/// d3plot. Throws output::WriteError when the disk is full or may not be written.
+/// d3plot; and glstat as text in any case, since the report draws the energies from it. Throws output::WriteError when
+/// the disk is full or may not be written.
 class ResultFiles : public Recorder {
  public:
   ResultFiles(const system::System& system, const std::filesystem::path& directory, const output::Header& header);
@@ -45,6 +46,7 @@ class ResultFiles : public Recorder {
   const model::Model& model_;
   std::filesystem::path directory_;
   output::Header header_;
+  model::Request energies_;  ///< of glstat
   std::shared_ptr<output::Binout> binout_;
   std::vector<Channel> channels_;
 };

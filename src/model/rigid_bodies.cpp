@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "model/axes.hpp"
 #include "model/cards/reading.hpp"
@@ -41,6 +42,7 @@ class Maker {
     add_parts();
     for (const auto& card : b_.body_cards.nodal) add_nodal(card);
     for (const Row& row : b_.body_cards.merges) merge(row);
+    merge_neighbours();
     emit();
     add_element_nodes();
     for (const auto& card : b_.body_cards.extra_nodes) add_extra_nodes(card);
@@ -163,6 +165,57 @@ class Maker {
     into.parts.insert(into.parts.end(), merged.parts.begin(), merged.parts.end());
     into.nodes.insert(into.nodes.end(), merged.nodes.begin(), merged.nodes.end());
     lead_[static_cast<std::size_t>(from)] = to;
+  }
+
+  /// Two rigid parts with three common nodes that are not in a line cannot but move as one.
+  void merge_neighbours() {
+    std::vector<Index> seed_of_part(model_.parts.size(), none);
+    for (std::size_t s = 0; s < seeds_.size(); ++s)
+      if (seeds_[s].origin == RigidBody::Origin::part)
+        seed_of_part[static_cast<std::size_t>(seeds_[s].parts.front())] = static_cast<Index>(s);
+    std::vector<Index> first(model_.nodes.size(), none);
+    std::map<std::pair<Index, Index>, std::vector<Index>> common;
+    const auto look = [&](const auto& elements) {
+      for (std::size_t e = 0; e < elements.size(); ++e) {
+        const Index seed = elements.part[e] == none ? none : seed_of_part[static_cast<std::size_t>(elements.part[e])];
+        if (seed == none) continue;
+        for (const Index node : elements.node[e]) {
+          if (node == none) continue;
+          Index& owner = first[static_cast<std::size_t>(node)];
+          if (owner == none) owner = seed;
+          if (lead(owner) != lead(seed)) common[std::minmax(owner, seed)].push_back(node);
+        }
+      }
+    };
+    look(model_.shells);
+    look(model_.solids);
+    look(model_.beams);
+    for (const auto& [pair, nodes] : common) merge_neighbours(pair.first, pair.second, nodes);
+  }
+
+  void merge_neighbours(Index a, Index b, const std::vector<Index>& nodes) {
+    const Index to = lead(a), from = lead(b);
+    RigidBody& into = seeds_[static_cast<std::size_t>(to)];
+    const RigidBody& merged = seeds_[static_cast<std::size_t>(from)];
+    if (to == from || into.given || merged.given || !span_a_plane(nodes)) return;
+    b_.findings.warning(
+        merged.place, "*PART",
+        fmt::format("{} shares nodes with {}, and moves with it as one", name_of(merged), name_of(into)),
+        "say so with *CONSTRAINED_RIGID_BODIES");
+    into.parts.insert(into.parts.end(), merged.parts.begin(), merged.parts.end());
+    into.nodes.insert(into.nodes.end(), merged.nodes.begin(), merged.nodes.end());
+    lead_[static_cast<std::size_t>(from)] = to;
+  }
+
+  bool span_a_plane(const std::vector<Index>& nodes) const {
+    const auto from_first = [&](Index node) {
+      return model_.nodes.x[static_cast<std::size_t>(node)] - model_.nodes.x[static_cast<std::size_t>(nodes.front())];
+    };
+    const auto farther = [&](Index m, Index n) { return norm(from_first(m)) < norm(from_first(n)); };
+    const Vec3d longest = from_first(*std::max_element(nodes.begin(), nodes.end(), farther));
+    return std::any_of(nodes.begin(), nodes.end(), [&](Index node) {
+      return norm(cross(longest, from_first(node))) > 1e-3 * dot(longest, longest);
+    });
   }
 
   void emit() {

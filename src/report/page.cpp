@@ -83,7 +83,7 @@ std::string head(const Json& s) {
 
 std::string energy_curves(const RunData& run) {
   const std::string plot = to_svg({"time", "energy", run.times, run.energies});
-  if (plot.empty()) return "<p>No glstat as text here: ask for it with *DATABASE_GLSTAT, BINARY 1 or 3.</p>\n";
+  if (plot.empty()) return "<p>There is no glstat here.</p>\n";
   return plot;
 }
 

@@ -82,6 +82,14 @@ const Card merge_card{{
     id("pidc", IdSpace::part, required, "body that is merged into it"),
     integer("iflag", 0, any_value, "0: a given inertia of the lead body holds for both"),
 }};
+Card switched_card(IdSpace space) {
+  return {{
+      id("pid", space, required, "part, or set of parts, that is rigid from the start"),
+      id("lrb", IdSpace::part, 0, "lead body into which it is merged: not built, 0"),
+      text("ptype", 10, "PART or PSET: what pid is; blank: PART"),
+  }};
+}
+const Card switched_part_card = switched_card(IdSpace::part), switched_set_card = switched_card(IdSpace::set);
 const Card weld_id_card{{id("wid", IdSpace::other, 0, "number of the weld")}};
 constexpr Field normal_strength = real("sn", dimension::force, 0, at_least(0), "normal force at failure; 0: left out");
 constexpr Field shear_strength = real("ss", dimension::force, 0, at_least(0), "shear force at failure; 0: left out");
@@ -213,6 +221,39 @@ void read_extra_nodes(Builder& builder, const Block& block, const Options&) {
 void read_mergers(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) builder.body_cards.merges.push_back(cursor.read(merge_card));
+}
+
+/// Before the rigid bodies are made: from there on the part is one of *MAT_RIGID with its own density and moduli.
+void make_rigid(Builder& b, const Row& row, Index p) {
+  Part& part = b.model.parts[static_cast<std::size_t>(p)];
+  if (part.material == none) return;
+  Material rigid = b.model.materials[static_cast<std::size_t>(part.material)];
+  if (std::holds_alternative<kernel::Spotweld>(rigid.law) || part.kind == ElementKind::discrete)
+    return refuse(b, row, "pid", fmt::format("part {} has welds or springs, which cannot be rigid", part.id),
+                  "take it out");
+  if (std::holds_alternative<kernel::Rigid>(rigid.law)) return;
+  rigid.law = kernel::Rigid{rigid.young(), rigid.poisson()};
+  rigid.keyword = "MAT_RIGID";
+  part.material = static_cast<Index>(b.model.materials.size());
+  b.model.materials.push_back(std::move(rigid));
+}
+
+void read_switched(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    const bool set = cursor.peek().find("PSET") != std::string::npos;
+    const Row row = cursor.read(set ? switched_set_card : switched_part_card);
+    if (const std::string& type = row.text("ptype"); !set && !type.empty() && type != "PART")
+      refuse(builder, row, "ptype", "expected PART or PSET", "leave it blank for a part");
+    refuse_nonzero(builder, row, "lrb", "merging into a lead body here is not built", "use *CONSTRAINED_RIGID_BODIES");
+    builder.later(Phase::sets, [row, set](Builder& b) {
+      if (!set) {
+        if (const Index part = b.part(row, "pid"); part != none) make_rigid(b, row, part);
+      } else if (const Set<Index>* parts = b.part_set(row, "pid")) {
+        for (const Index part : parts->members) make_rigid(b, row, part);
+      }
+    });
+  }
 }
 
 // ---- rigid welds
@@ -396,6 +437,7 @@ std::vector<Keyword> constrained_keywords() {
       {"CONSTRAINED_EXTRA_NODES_NODE", {}, {}, Verdict::used, {}, {{{}, &extra_node_card}}, read_extra_nodes<false>},
       {"CONSTRAINED_EXTRA_NODES_SET", {}, {}, Verdict::used, {}, {{{}, &extra_set_card}}, read_extra_nodes<true>},
       {"CONSTRAINED_RIGID_BODIES", {}, {}, Verdict::used, {}, {{{}, &merge_card}}, read_mergers},
+      {"DEFORMABLE_TO_RIGID", {}, {}, Verdict::used, {}, {{{}, &switched_part_card}}, read_switched},
       {"CONSTRAINED_GENERALIZED_WELD_SPOT",
        {},
        {"ID"},

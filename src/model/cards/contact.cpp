@@ -482,6 +482,22 @@ void judge_mortar(Builder& builder, const Block& block, const Options& options) 
                              "expect forces that are less smooth over coarse meshes");
 }
 
+/// The oriented forms of earlier releases. Their segments have one face each, which the automatic forms do not need to
+/// know; those of two surfaces leave the thickness of sheets out unless SHLTHK or THKOPT asks for it.
+void judge_oriented(Builder& builder, const Block& block, const Contact& contact) {
+  if (!contact.slides() || block.keyword.starts_with("CONTACT_AUTOMATIC") || erodes(contact)) return;
+  const bool single = contact.kind == Kind::single_surface;
+  builder.findings.warning(
+      block.place, '*' + block.keyword,
+      single
+          ? "computed as *CONTACT_AUTOMATIC_SINGLE_SURFACE: both faces of a sheet press, not that of its normal alone"
+          : "computed as the _AUTOMATIC form: both faces of a sheet press, and at half its thickness in any case "
+            "(this form: one face, and the thickness with SHLTHK 1 or 2 alone)",
+      single ? "write the automatic form"
+             : "write the automatic form; where sheets were meshed closer than their thickness, IGNORE = 1 keeps them "
+               "in place");
+}
+
 template <Kind kind>
 void read_contact(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
@@ -491,6 +507,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   contact.place = block.place;
   take_form(builder, block, options, contact);
   judge_mortar(builder, block, options);
+  judge_oriented(builder, block, contact);
   const Heading heading = read_heading(cursor, options.contains("ID") || options.contains("TITLE"));
   contact.id = heading.id;
   contact.title = heading.text;
@@ -593,6 +610,10 @@ std::vector<Keyword> contact_keywords() {
       contact_keyword<Kind::one_way>("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", {"TIEBREAK"}),
       contact_keyword<Kind::one_way>("CONTACT_AUTOMATIC_NODES_TO_SURFACE"),
       contact_keyword<Kind::single_surface>("CONTACT_AUTOMATIC_GENERAL", {"INTERIOR"}),
+      contact_keyword<Kind::single_surface>("CONTACT_SINGLE_SURFACE"),
+      contact_keyword<Kind::two_surfaces>("CONTACT_SURFACE_TO_SURFACE"),
+      contact_keyword<Kind::one_way>("CONTACT_ONE_WAY_SURFACE_TO_SURFACE"),
+      contact_keyword<Kind::one_way>("CONTACT_NODES_TO_SURFACE"),
       contact_keyword<Kind::single_surface>("CONTACT_ERODING_SINGLE_SURFACE"),
       contact_keyword<Kind::two_surfaces>("CONTACT_ERODING_SURFACE_TO_SURFACE"),
       contact_keyword<Kind::one_way>("CONTACT_ERODING_NODES_TO_SURFACE"),
@@ -636,8 +657,8 @@ std::vector<Keyword> contact_keywords() {
       refused("CONTACT_RIGID*", "contact of rigid bodies by force curves is not built"),
       refused("CONTACT_2D*", "contact in two dimensions is not built"),
       refused("CONTACT_*",
-              "this contact is not built; *CONTACT_AUTOMATIC_SINGLE_SURFACE, *CONTACT_SPOTWELD and "
-              "*CONTACT_TIED_SHELL_EDGE_TO_SURFACE are"),
+              "this contact is not built; *CONTACT_AUTOMATIC_SINGLE_SURFACE, _SURFACE_TO_SURFACE, _NODES_TO_SURFACE, "
+              "_GENERAL, the eroding ones, *CONTACT_SPOTWELD and *CONTACT_TIED_... are (`nugget keywords CONTACT`)"),
   };
 }
 

@@ -174,6 +174,9 @@ const Card shell_card_2{{
     integer("lamsht", 0, only(0), "laminated shells"),
     flag("cstyp6", "for formulation 6, no effect"),
     flag("thshel", "thermal, no effect"),
+    integer("nfail1", 0, at_least(0), "as on the fourth card: where LS-DYNA 971 had it"),
+    integer("nfail4", 0, at_least(0), "the same"),
+    flag("psnfail", "the same"),
 }};
 
 const Card shell_card_3{{
@@ -237,6 +240,17 @@ const Card accuracy_card{{
     flag("iacc", "implicit, no effect"),
     factor("exacc", 0, "implicit, no effect"),
     flag("srtflg", "no effect"),
+}};
+
+const Card solution_card{{
+    integer("soln", 0, only(0), "0: structural; heat conduction is not built"),
+    flag("nlq", "vector length, no effect"),
+    flag("isnan", "a force that is not a number ends the run in any case"),
+    integer("lcint", 100, any_value, "curves are taken as they are given, not at equal spaces"),
+    flag("lcacc", "truncation of curves, no effect"),
+    integer("ncdcf", 1, any_value, "no effect"),
+    flag("nocopy", "no effect"),
+    flag("crvp", "listing of curves, no effect"),
 }};
 
 const Card solid_card_1{{
@@ -393,8 +407,11 @@ void read_shell(Builder& b, const Block& block, const Options&) {
         "compare with BWC = 2 where warped shells matter");
   c.rotary_mass_scale = two.real("rotascl");
   c.lobatto = two.integer("intgrd") == 1;
-  c.distorted_shells = four.integer("nfail1");
-  c.distorted_full_shells = four.integer("nfail4");
+  const auto failing = [&](std::string_view field) {
+    return four.integer(field) != 0 ? four.integer(field) : two.integer(field);
+  };
+  c.distorted_shells = failing("nfail1");
+  c.distorted_full_shells = failing("nfail4");
   b.later(Phase::conditions, [four](Builder& later) {
     if (const auto* parts = later.part_set(four, "psnfail")) later.model.control.parts_of_distorted = parts->members;
   });
@@ -406,6 +423,10 @@ void read_hourglass(Builder& b, const Block& block, const Options&) {
   h.type = row.integer("ihq");
   h.membrane = h.bending = h.warping = row.real("qh");
   h.place = row.place("ihq");
+}
+
+void read_solution(Builder& b, const Block& block, const Options&) {
+  first_row(b, block, solution_card);
 }
 
 void read_bulk(Builder& b, const Block& block, const Options&) {
@@ -495,6 +516,7 @@ std::vector<Keyword> control_keywords() {
       {.name = "CONTROL_ENERGY", .layout = {{"", &energy_card}}, .read = read_energy},
       {.name = "CONTROL_ACCURACY", .layout = {{"", &accuracy_card}}, .read = read_accuracy},
       {.name = "CONTROL_SOLID", .layout = {{"", &solid_card_1}}, .read = read_solid},
+      {.name = "CONTROL_SOLUTION", .layout = {{"", &solution_card}}, .read = read_solution},
       {.name = "CONTROL_DYNAMIC_RELAXATION", .layout = {{"", &relaxation_card}}, .read = read_relaxation},
       {.name = "CONTROL_OUTPUT", .layout = {{"", &output_card_1}}, .read = read_output},
       {.name = "CONTROL_UNITS",
