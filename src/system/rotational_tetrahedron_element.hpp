@@ -7,6 +7,7 @@
 #include "kernel/element/tetrahedron.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
+#include "system/material_axes.hpp"
 
 namespace nugget::system {
 
@@ -29,6 +30,10 @@ struct RotationalTetrahedronElement {
 
   void start(double* state, int lane, model::Index, const Places& x) const {
     kernel::start_rotational_tetrahedron(layout(), x, state, native_width, lane);
+    if (const kernel::MaterialAxes* axes = material_axes(law))
+      for (int p = 0; p < Layout::points; ++p)
+        kernel::start_solid_axes(state + layout().history_of(p) * native_width + lane, native_width,
+                                 axes->in_brick(x[1] - x[0], x[3] - x[0]));
   }
   double mass(model::Index, const Places& x) const { return solid.density * kernel::tetrahedron_volume(x); }
   double nodal_inertia(model::Index, const Places& x) const {
