@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "model/parts.hpp"
@@ -19,6 +20,14 @@ struct Joint {
   std::array<Index, 2> body{none, none};  ///< A and B, in Model::rigid_bodies
   double stiffness_scale = 1.0;           ///< RPS
   double damping = 1.0;                   ///< DAMP: factor on the damping that belongs to the stiffness
+  /// _FAILURE: when the joint lets go for good, by the force and moment on B in fixed axes.
+  struct Failure {
+    Frame3d axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< CID
+    double time = 0.0;                              ///< TFAIL; 0: never
+    bool coupled = true;                            ///< COUPL <= 0: one sum of force and moment; else a sum of each
+    Vec3d force, moment;                            ///< NXX NYY NZZ, MXX MYY MZZ; 0: not looked at
+  };
+  std::optional<Failure> failure;
   Place place;
 };
 

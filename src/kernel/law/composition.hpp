@@ -8,6 +8,7 @@
 #include "kernel/law/compound.hpp"
 #include "kernel/law/elastic.hpp"
 #include "kernel/law/equation_of_state.hpp"
+#include "kernel/law/fluid.hpp"
 #include "kernel/law/foam.hpp"
 #include "kernel/law/johnson_cook.hpp"
 #include "kernel/law/piecewise_linear.hpp"
@@ -21,8 +22,9 @@
 namespace nugget::kernel {
 
 /// How a point flows.
-using Flow = std::variant<Elastic, PlasticKinematic, PiecewiseLinear, JohnsonCook, PowerLaw, RateDependentYield,
-                          MooneyRivlin, Ogden, PolynomialRubber, LowDensityFoam, CrushableFoam, RateFoam, Viscoelastic>;
+using Flow =
+    std::variant<Elastic, PlasticKinematic, PiecewiseLinear, JohnsonCook, PowerLaw, RateDependentYield, MooneyRivlin,
+                 Ogden, PolynomialRubber, LowDensityFoam, CrushableFoam, RateFoam, Viscoelastic, Fluid>;
 
 /// What a compound law is made of: how a point flows, and when it and its element fail.
 struct Composition {
