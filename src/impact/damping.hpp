@@ -19,8 +19,8 @@ struct DampingFilters {
   std::vector<double> weight;  ///< of the output of each [1]
   /// `low`, `high`: the range [cycles/time].
   DampingFilters(double share, double low, double high, Of of = Of::motion);
-  /// Share of critical damping of a vibration at a circular frequency (of the damped structure, for motion; of the
-  /// undamped one, for deformation), and share by which the mass, or the stiffness, seems to grow.
+  /// Share of critical damping of a vibration of a circular frequency, and share by which the mass, or the stiffness,
+  /// seems to grow at it.
   double share_at(double omega) const;
   double growth_at(double omega) const;
 };

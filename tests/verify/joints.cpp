@@ -272,7 +272,7 @@ TEST(Joints, FaultsAreNamed) {
             std::string::npos);
   EXPECT_NE(deck([](Specimen& s, Pairs&, int, int) {
               s.text("*CONSTRAINED_JOINT_COOR_SPHERICAL\n" + fields({1, 2, 0, 0, 1e-3}));
-            }).find("TMASS"),
+            }).find("tmass"),
             std::string::npos);
   EXPECT_NE(deck([](Specimen& s, Pairs& p, int, int) {
               joint(s, "REVOLUTE", p);
