@@ -13,6 +13,7 @@ void Supports::Held::archive(Archive& a) {
 
 void Supports::Driven::archive(Archive& a) {
   Held::archive(a);
+  a(left, rate);
   a.built(motion, body, hold_others);
 }
 
@@ -51,9 +52,14 @@ void Damping::ByRange::archive(Archive& a) {
   a.built(card, filters, members);
 }
 
+void Damping::Deforming::archive(Archive& a) {
+  a(passed, across, started);
+  a.built(group, filters);
+}
+
 void Damping::archive(Archive& a) {
-  a(range_, force_, moment_, last_force_, last_moment_, energy_);
-  a.built(system_, mass_, relative_, stiff_groups_, rate_force_, rate_moment_);
+  a(range_, deforming_, force_, moment_, last_force_, last_moment_, energy_);
+  a.built(system_, mass_, deform_, relative_, stiff_groups_, rate_force_, rate_moment_);
 }
 
 void ElementAlive::archive(Archive& a) {

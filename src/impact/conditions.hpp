@@ -60,10 +60,14 @@ class Supports {
   struct Driven : Held {
     const model::PrescribedMotion* motion = nullptr;
     int body = -1;
-    bool hold_others = false;
+    bool hold_others = false;  ///< across the direction that is driven; of a circle: the radius
+    // Of a circle, whose directions turn:
+    Vec3d left;         ///< velocity of the node after the last prescribe
+    double rate = 0.0;  ///< angular velocity, where the curve is its rate [1/time]
     void archive(Archive& a);
   };
-  double target(const Driven& driven, const system::State& state, double old_velocity, double kick) const;
+  double target(Driven& driven, const system::State& state, double old_velocity, double kick) const;
+  double circular_target(Driven& driven, const system::State& state, double old_velocity, double kick) const;
   void set_component(Held& held, double target, int body, system::State& state, double kick,
                      std::span<system::RigidBody> bodies, std::vector<Reaction>& reactions);
 

@@ -10,8 +10,43 @@
 #include "base/parallel.hpp"
 
 namespace nugget::impact {
+namespace {
 
-DampingFilters::DampingFilters(double share, double low, double high) {
+/// Forces, and moments, at the nodes of an element.
+std::size_t rows_of(const system::ElementGroup& group) {
+  return at(group.nodes_per_element) * (group.rotational ? 2 : 1);
+}
+
+Frame3d frame(const Vec3d& first, const Vec3d& second) {
+  const Vec3d e1 = unit(first), e3 = unit(cross(first, second));
+  return {e1, cross(e3, e1), e3};
+}
+
+/// Axes that turn with a shell or a solid: means of opposite sides, so that no corner counts for more than another.
+Frame3d axes_of(const std::array<int, 8>& node, std::size_t corners, const system::State& state) {
+  const auto x = [&](std::size_t a) { return vec(state.x[at(node[a])]); };
+  if (corners == 8)
+    return frame(x(1) + x(2) + x(5) + x(6) - x(0) - x(3) - x(4) - x(7),
+                 x(2) + x(3) + x(6) + x(7) - x(0) - x(1) - x(4) - x(5));
+  if (corners == 4 && node[2] != node[3]) return frame(x(1) + x(2) - x(0) - x(3), x(2) + x(3) - x(0) - x(1));
+  return frame(x(1) - x(0), x(2) - x(0));
+}
+
+/// Axes that turn with a beam: about its line by the mean spin of its ends.
+Frame3d axes_along(const std::array<int, 8>& node, const system::State& state, double dt, bool started, Vec3d& across) {
+  const std::size_t i = at(node[0]), j = at(node[1]);
+  const Vec3d line = unit(vec(state.x[j]) - vec(state.x[i]));
+  if (started)
+    across += (0.5 * dt) * cross(vec(state.w[i]) + vec(state.w[j]), across);
+  else
+    across = std::abs(line.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
+  across = unit(across - dot(across, line) * line);
+  return {line, across, cross(line, across)};
+}
+
+}  // namespace
+
+DampingFilters::DampingFilters(double share, double low, double high, Of what) : of(what) {
   // Between corners that stand in equal ratios the sum of w^2 wi / (w^2 + wi^2) is pi/2 w over the logarithm of the
   // ratio, but for the ends: the row goes on beyond the range on both sides, and its last filters count for those that
   // are missing. So chosen, the force goes with w within 2 % over ranges of 1:3 to 1:100.
@@ -22,8 +57,8 @@ DampingFilters::DampingFilters(double share, double low, double high) {
   for (int i = 0; i <= static_cast<int>(steps); ++i) corner.push_back(first * std::exp(step * i));
   weight.assign(corner.size(), 1.0);
   weight.front() = weight.back() = end_weight;
-  // The mean of the share over the range, at equal ratios, is made what is wanted. The added mass takes a little of it,
-  // so this is repeated.
+  // The mean of the share over the range, at equal ratios, is made what is wanted. What is added to mass or stiffness
+  // takes a little of it, so this is repeated.
   constexpr int samples = 33;
   for (int round = 0; round < 20; ++round) {
     double mean = 0.0;
@@ -36,14 +71,16 @@ DampingFilters::DampingFilters(double share, double low, double high) {
 double DampingFilters::share_at(double omega) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < corner.size(); ++i)
-    sum += weight[i] * corner[i] * omega * omega / (omega * omega + corner[i] * corner[i]);
-  return 0.5 * sum / (omega * (1.0 + added_mass_at(omega)));
+    sum += weight[i] * corner[i] * omega / (omega * omega + corner[i] * corner[i]);
+  return 0.5 * sum / (1.0 + growth_at(omega));
 }
 
-double DampingFilters::added_mass_at(double omega) const {
+double DampingFilters::growth_at(double omega) const {
   double sum = 0.0;
-  for (std::size_t i = 0; i < corner.size(); ++i)
-    sum += weight[i] * corner[i] * corner[i] / (omega * omega + corner[i] * corner[i]);
+  for (std::size_t i = 0; i < corner.size(); ++i) {
+    const double part = of == Of::motion ? corner[i] : omega;
+    sum += weight[i] * part * part / (omega * omega + corner[i] * corner[i]);
+  }
   return sum;
 }
 
@@ -52,7 +89,12 @@ Damping::Damping(system::System& system) : system_(system) {
   const model::Damping& cards = model.damping;
   for (const model::MassDamping& card : cards.mass)
     mass_.push_back({&card, card.everything ? std::vector<Member>{} : of_parts({card.part})});
+  std::vector<char> deformed(system.groups.size(), 0);  // cards with parts before those for all others
+  for (const bool everything : {false, true})
+    for (const model::FrequencyRangeDamping& card : cards.range)
+      if (card.deform && card.everything == everything) take_deforming(card, deformed);
   for (const model::FrequencyRangeDamping& card : cards.range) {
+    if (card.deform) continue;
     ByRange range{
         &card, {card.share, card.low, card.high}, card.everything ? everything() : of_parts(card.parts), {}, {}, false};
     range.v.resize(range.members.size() * range.filters.corner.size());
@@ -69,7 +111,7 @@ Damping::Damping(system::System& system) : system_(system) {
       group.keep_unstressed();
       stiff_groups_.push_back(static_cast<int>(g));
     }
-  if (mass_.empty() && range_.empty() && relative_.empty() && stiff_groups_.empty()) return;
+  if (mass_.empty() && range_.empty() && deforming_.empty() && relative_.empty() && stiff_groups_.empty()) return;
   for (auto* rows : {&force_, &moment_, &last_force_, &last_moment_}) rows->resize(system.all_nodes());
 }
 
@@ -130,6 +172,7 @@ void Damping::apply(system::State& state, double dt) {
   std::fill(moment_.begin(), moment_.end(), Row{});
   for (const ByMass& d : mass_) add(d, state);
   for (ByRange& d : range_) add(d, state, dt);
+  for (Deforming& d : deforming_) add(d, state, dt);
   for (const Relative& d : relative_) add(d, state);
   if (!stiff_groups_.empty()) add_stiffness(state);
   energy_ -= 0.5 * dt * ordered_sum(force_.size(), [&](std::size_t k) {
@@ -189,6 +232,71 @@ void Damping::add(ByRange& damping, const system::State& state, double dt) {
     }
     push(m.node, body, force, state);
     nugget::add(moment_[m.node], moment);
+  }
+  damping.started = true;
+}
+
+void Damping::take_deforming(const model::FrequencyRangeDamping& card, std::vector<char>& taken) {
+  const std::size_t filters = deform_.size();
+  deform_.emplace_back(card.share, card.low, card.high, DampingFilters::Of::deformation);
+  double growth = 0.0;
+  for (const double w : deform_.back().weight) growth += w;
+  for (std::size_t g = 0; g < system_.groups.size(); ++g) {
+    system::ElementGroup& group = *system_.groups[g];
+    if (taken[g] || std::find(card.parts.begin(), card.parts.end(), group.part) == card.parts.end()) continue;
+    taken[g] = 1;
+    // As if it were stiffened twice: the twist of some shells is at the limit of the step already (TSSFAC 0.9).
+    group.stiffened = (1.0 + growth) * (1.0 + growth) - 1.0;
+    Deforming d;
+    d.group = static_cast<int>(g);
+    d.filters = filters;
+    d.passed.resize(group.size() * rows_of(group) * (1 + deform_.back().corner.size()));
+    if (group.nodes_per_element == 2) d.across.resize(group.size());
+    deforming_.push_back(std::move(d));
+  }
+}
+
+void Damping::add(Deforming& damping, const system::State& state, double dt) {
+  const system::ElementGroup& group = *system_.groups[at(damping.group)];
+  const DampingFilters& filters = deform_[damping.filters];
+  const std::size_t count = filters.corner.size(), rows = rows_of(group), corners = at(group.nodes_per_element);
+  // F - low-passed F of a force that grows evenly over the step.
+  std::vector<double> left(count), gain(count);
+  for (std::size_t f = 0; f < count; ++f) {
+    const double a = filters.corner[f] * dt;
+    left[f] = std::exp(-a);
+    gain[f] = a > 0.0 ? -std::expm1(-a) / a : 1.0;
+  }
+  rate_force_.resize(group.size() * rows);
+  parallel_for(group.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      Vec3d* passed = &damping.passed[e * rows * (1 + count)];
+      Row* out = &rate_force_[e * rows];
+      std::fill_n(out, rows, Row{});
+      if (!group.alive(e)) continue;
+      const auto nodes = group.nodes(e);
+      const Frame3d axes = damping.across.empty() ? axes_of(nodes, corners, state)
+                                                  : axes_along(nodes, state, dt, damping.started, damping.across[e]);
+      const system::System::Seat seat{damping.group, static_cast<int>(e)};
+      for (std::size_t r = 0; r < rows; ++r, passed += 1 + count) {
+        const auto node = static_cast<int>(r % corners);
+        const Vec3d force =
+            axes.local(r < corners ? system_.nodal_force(seat, node) : system_.nodal_moment(seat, node));
+        const Vec3d change = damping.started ? force - passed[0] : Vec3d{};
+        passed[0] = force;
+        Vec3d sum{};
+        for (std::size_t f = 0; f < count; ++f) {
+          passed[1 + f] = left[f] * passed[1 + f] + gain[f] * change;
+          sum += filters.weight[f] * passed[1 + f];
+        }
+        set(out[r], axes.global(sum));
+      }
+    }
+  });
+  for (std::size_t e = 0; e < group.size(); ++e) {
+    const auto nodes = group.nodes(e);
+    for (std::size_t r = 0; r < rows; ++r)
+      nugget::add((r < corners ? force_ : moment_)[at(nodes[r % corners])], -vec(rate_force_[e * rows + r]));
   }
   damping.started = true;
 }

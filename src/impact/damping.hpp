@@ -8,16 +8,21 @@
 
 namespace nugget::impact {
 
-/// A chain of first-order filters that, fed with a velocity, gives a force of 2 share |w| times its part in phase, at
-/// all frequencies of a range.
+/// A row of first-order filters that gives a vibration about the same share of critical damping at all frequencies of a
+/// range: fed with a velocity, by a force a mass of -sum weight corner (v - low-passed v), or fed with the force F of
+/// an element, by a further one of sum weight (F - low-passed F). What is in phase with the acceleration, or the
+/// displacement, comes with it: mass, or stiffness, seems to grow.
 struct DampingFilters {
+  enum class Of { motion, deformation };
+  Of of;
   std::vector<double> corner;  ///< circular frequencies of the filters [1/time]
-  std::vector<double> weight;  ///< of the output of each: force per mass = -sum weight corner (v - low-passed v)
+  std::vector<double> weight;  ///< of the output of each [1]
   /// `low`, `high`: the range [cycles/time].
-  DampingFilters(double share, double low, double high);
-  /// Share of critical damping of a vibration, and share by which the mass seems to grow, at a circular frequency.
+  DampingFilters(double share, double low, double high, Of of = Of::motion);
+  /// Share of critical damping of a vibration of a circular frequency, and share by which the mass, or the stiffness,
+  /// seems to grow at it.
   double share_at(double omega) const;
-  double added_mass_at(double omega) const;
+  double growth_at(double omega) const;
 };
 
 /// *DAMPING_...: forces against the velocities of half a step before. What they take out is the damping energy.
@@ -51,6 +56,16 @@ class Damping {
     bool started = false;
     void archive(Archive& a);
   };
+  /// Filters of the forces of one group's elements, in axes that turn with each of them.
+  struct Deforming {
+    int group;
+    std::size_t filters;  ///< in `deform_`
+    /// By element, node, and force or moment: the force of the last step, then what each filter has let through.
+    std::vector<Vec3d> passed;
+    std::vector<Vec3d> across;  ///< of elements along a line, which have axes by history: a vector across it
+    bool started = false;
+    void archive(Archive& a);
+  };
   struct Relative {
     const model::RelativeDamping* card;
     std::vector<Member> members;
@@ -64,12 +79,16 @@ class Damping {
   void push(std::size_t node, model::Index body, const Vec3d& force, const system::State& state);
   void add(const ByMass& damping, const system::State& state);
   void add(ByRange& damping, const system::State& state, double dt);
+  void take_deforming(const model::FrequencyRangeDamping& card, std::vector<char>& taken);
+  void add(Deforming& damping, const system::State& state, double dt);
   void add(const Relative& damping, const system::State& state);
   void add_stiffness(const system::State& state);
 
   const system::System& system_;
   std::vector<ByMass> mass_;
   std::vector<ByRange> range_;
+  std::vector<DampingFilters> deform_;
+  std::vector<Deforming> deforming_;
   std::vector<Relative> relative_;
   std::vector<int> stiff_groups_;
   std::vector<Row> force_, moment_, last_force_, last_moment_;  ///< by node, bodies included; empty without damping

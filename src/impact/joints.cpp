@@ -17,11 +17,10 @@ using Kind = model::Joint::Kind;
 }  // namespace
 
 Joints::Joints(const system::System& system) : system_(system), springs_(system) {
-  const std::vector<Vec3d>& x = system.ties.x;
   for (const model::Joint& source : system.model.joints) {
     Joint j;
     j.source = &source;
-    const auto place = [&](std::size_t i) { return x[at(source.node[i])]; };
+    const auto place = [&](std::size_t i) { return source.point[i]; };
     // The pairs stand at one place but for the last digits of their coordinates: A's place counts.
     for (std::size_t side = 0; side < 2; ++side) {
       j.body[side] = &system.bodies[at(system.body_of[at(source.body[side])])];

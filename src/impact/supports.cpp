@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include "base/index.hpp"
 #include "impact/conditions.hpp"
+#include "model/circular_motion.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -50,6 +52,7 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
     const model::PrescribedMotion& motion = model.motions[k];
     const auto drive = [&](int node, int body) {
       std::vector<Vec3d> directions{motion.direction};
+      if (motion.circular && motion.radius_held) directions.push_back({});  // found anew in each step
       if (!motion.only_direction)
         for (const Vec3d& n : normals(motion.direction)) directions.push_back(n);
       for (std::size_t d = 0; d < directions.size(); ++d) {
@@ -89,7 +92,8 @@ void Supports::hold_at_start(system::State& state) {
   }
 }
 
-double Supports::target(const Driven& driven, const system::State& state, double old_velocity, double kick) const {
+double Supports::target(Driven& driven, const system::State& state, double old_velocity, double kick) const {
+  if (driven.motion->circular) return circular_target(driven, state, old_velocity, kick);
   if (driven.hold_others) return 0.0;
   const model::PrescribedMotion& motion = *driven.motion;
   const Curve& curve = system_.model.curves[static_cast<std::size_t>(motion.curve)];
@@ -105,6 +109,34 @@ double Supports::target(const Driven& driven, const system::State& state, double
     }
   }
   return 0.0;
+}
+
+double Supports::circular_target(Driven& driven, const system::State& state, double old_velocity, double kick) const {
+  const model::PrescribedMotion& motion = *driven.motion;
+  const Curve& curve = system_.model.curves[at(motion.curve)];
+  const double dt = state.dt, t = state.time - motion.birth;
+  if (!(dt > 0.0)) return 0.0;
+  const auto node = at(driven.node);
+  const model::PlaceOnCircle place = model::place_on_circle(motion, vec(state.x[node]));
+  // The nodes end on the circle, not beside it: both components are those of a chord. This one follows that around.
+  if (driven.hold_others) {
+    const double sine = place.radius > 0.0 ? dt * dot(place.around, vec(state.v[node])) / place.radius : 0.0;
+    return -place.radius * sine * sine / (1.0 + std::sqrt(std::max(0.0, 1.0 - sine * sine))) / dt;
+  }
+  using Quantity = model::PrescribedMotion::Quantity;
+  double turned = 0.0;  // angle of the step to come
+  if (motion.quantity == Quantity::velocity) {
+    turned = motion.scale * curve.zero_outside(t + 0.5 * dt) * dt;
+  } else if (motion.quantity == Quantity::displacement) {
+    turned = motion.scale * (curve.clamped(t + dt) - curve.clamped(t));
+  } else {
+    if (!driven.active) driven.rate = place.radius > 0.0 ? old_velocity / place.radius : 0.0;
+    driven.rate += motion.scale * curve.zero_outside(t) * kick;
+    turned = driven.rate * dt;
+  }
+  // Where the radius is free, the velocity outwards stays, and the angle is met at the place where that leads.
+  if (motion.radius_held) return place.radius * std::sin(turned) / dt;
+  return (place.radius + dt * dot(place.outwards, vec(state.v[node]))) * std::tan(turned) / dt;
 }
 
 void Supports::set_component(Held& held, double target, int body, system::State& state, double kick,
@@ -169,10 +201,22 @@ void Supports::prescribe(system::State& state, double kick, std::span<system::Ri
       const Frame3d& axes = bodies[static_cast<std::size_t>(d.body)].axes;
       if (!d.hold_others) d.axis = axes.global(d.motion->direction);
     }
+    if (d.motion->circular) {
+      const model::PlaceOnCircle place = model::place_on_circle(*d.motion, vec(state.x[at(d.node)]));
+      if (place.radius == 0.0 && !d.motion->radius_held) {
+        release(d);  // on the axis, where there is no way around it
+        continue;
+      }
+      d.axis = d.hold_others ? place.outwards : place.around;
+      d.velocity = dot(d.axis, d.left);
+    }
     if (!d.active) d.velocity = component(d);
+    const double wanted = target(d, state, d.velocity, kick);
     d.active = true;
-    set_component(d, target(d, state, d.velocity, kick), d.body, state, kick, bodies, motion_);
+    set_component(d, wanted, d.body, state, kick, bodies, motion_);
   }
+  for (Driven& d : driven_)
+    if (d.motion->circular) d.left = vec(state.v[at(d.node)]);
 }
 
 void Supports::open_step(double dt) {

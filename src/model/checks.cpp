@@ -370,14 +370,18 @@ void check_beam_law(Builder& b, const Part& part, const deck::Row& row) {
   }
 }
 
+void refuse_unknown_state(Builder& b, const deck::Row& row) {
+  refuse(b, row, "eosid",
+         fmt::format("equation of state {} is not defined, or of a kind that is not built", row.integer("eosid")),
+         "define it by *EOS_LINEAR_POLYNOMIAL, _GRUNEISEN, _TABULATED or _IDEAL_GAS");
+}
+
 /// Solids of *MAT_JOHNSON_COOK have an equation of state, or an elastic bulk modulus; shells have the latter.
 void check_equation_of_state(Builder& b, const Part& part, const deck::Row& row, const kernel::Compound& law) {
   const bool is_solid = part.kind == ElementKind::solid;
   if (is_solid && law.made_of->state) return;
   if (is_solid && row.integer("eosid") != 0)
-    refuse(b, row, "eosid",
-           fmt::format("equation of state {} is not defined, or of a kind that is not built", row.integer("eosid")),
-           "define it by *EOS_LINEAR_POLYNOMIAL or *EOS_GRUNEISEN");
+    refuse_unknown_state(b, row);
   else if (!(law.E > 0.0))
     refuse(b, row, "mid", "*MAT_JOHNSON_COOK without an equation of state needs E and PR", "give them");
   else if (!is_solid && law.made_of->spall)
@@ -441,7 +445,7 @@ void check_compound(Builder& b, const Part& part, const deck::Row& row) {
   else if (part.kind == ElementKind::solid && !law->made_of->for_bricks)
     refuse(b, row, "mid", fmt::format("*{} is a law of shells, but the part has solids", material.keyword),
            "use a law of solids");
-  if (takes_equation_of_state(material)) check_equation_of_state(b, part, row, *law);
+  if (takes_equation_of_state(material) && material.keyword != "MAT_NULL") check_equation_of_state(b, part, row, *law);
   if (const auto* flow = std::get_if<kernel::Orthotropic>(&law->made_of->flow))
     check_material_axes(b, part, row, flow->axes);
   if (part.kind == ElementKind::shell && !law->made_of->for_shells)
@@ -480,10 +484,11 @@ void check_law(Builder& b, const Part& part, const deck::Row& row) {
     refuse(b, row, "mid",
            fmt::format("*{} is a law of discrete beams, but the part has other elements", material.keyword),
            "give it the law of a sheet");
+  else if (is_fluid && row.integer("eosid") != 0)
+    refuse_unknown_state(b, row);
   else if (is_fluid)
-    refuse(b, row, "mid",
-           "*MAT_NULL in solids is a fluid, all of whose stress is that of an equation of state: not built",
-           "use *MAT_JOHNSON_COOK of a small yield stress, which may have one");
+    refuse(b, row, "eosid", "*MAT_NULL in solids is a fluid, whose pressure is that of an equation of state",
+           "name an *EOS_... in EOSID of the part");
   else if (part.kind == ElementKind::solid && material.poisson() >= 0.5 && !is<kernel::Rigid>(m, part))
     refuse(b, row, "mid", "a Poisson's ratio of 0.5 makes solids incompressible", "give a ratio below 0.5, e.g. 0.495");
 }
@@ -590,9 +595,8 @@ bool fits(const Material& m, const UnitSystem& u) {
 }
 
 bool is_elastic_plastic(const Material& m) {
-  const bool is_moving_body =
-      std::holds_alternative<kernel::Null>(m.law) || std::holds_alternative<kernel::Rigid>(m.law);
-  return !is_moving_body && m.density > 0.0 && m.young() > 0.0;
+  const bool is_fluid_or_moved = m.keyword == "MAT_NULL" || std::holds_alternative<kernel::Rigid>(m.law);
+  return !is_fluid_or_moved && m.density > 0.0 && m.young() > 0.0;
 }
 
 }  // namespace

@@ -25,13 +25,16 @@ struct StiffnessDamping {
   double time = 0.0;   ///< COEF < 0: beta itself [time]
 };
 
-/// *DAMPING_FREQUENCY_RANGE: about the same share of critical damping at all frequencies of a range.
+/// *DAMPING_FREQUENCY_RANGE, _DEFORM: about the same share of critical damping at all frequencies of a range.
 struct FrequencyRangeDamping {
   double share = 0.0;            ///< CDAMP
   double low = 0.0, high = 0.0;  ///< FLOW, FHIGH [cycles/time]
   bool everything = false;       ///< all nodes and bodies; else the masses of `parts`
   std::vector<Index> parts;
   Index relative_to = none;  ///< PIDREL: a rigid body; velocities relative to its motion
+  /// _DEFORM: against the changes of the forces in the elements of `parts` instead of the motion of nodes.
+  /// `everything`: these are all parts, but what another such card names is that card's.
+  bool deform = false;
 };
 
 /// *DAMPING_RELATIVE: damping of the motion relative to a rigid body.

@@ -8,17 +8,18 @@
 
 namespace nugget::model {
 
-/// *CONSTRAINED_JOINT_...: which relative motion two rigid bodies have. Its nodes come in pairs, the first of each on
-/// body A, the second on body B, both at one place at time 0.
+/// *CONSTRAINED_JOINT_..., _COOR_...: which relative motion two rigid bodies have. Its nodes, or points, come in pairs,
+/// the first of each on body A, the second on body B, both at one place at time 0.
 struct Joint {
   enum class Kind { spherical, revolute, cylindrical, planar, universal, translational, locking };
   int id = 0;
   std::string title;
   Kind kind = Kind::spherical;
-  std::array<Index, 6> node{none, none, none, none, none, none};
-  std::array<Index, 2> body{none, none};  ///< A and B, in Model::rigid_bodies
-  double stiffness_scale = 1.0;           ///< RPS
-  double damping = 1.0;                   ///< DAMP: factor on the damping that belongs to the stiffness
+  std::array<Index, 6> node{none, none, none, none, none, none};  ///< none of a _COOR joint
+  std::array<Vec3d, 6> point;                                     ///< where they are at time 0
+  std::array<Index, 2> body{none, none};                          ///< A and B, in Model::rigid_bodies
+  double stiffness_scale = 1.0;                                   ///< RPS
+  double damping = 1.0;  ///< DAMP: factor on the damping that belongs to the stiffness
   Place place;
 };
 

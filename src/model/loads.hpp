@@ -32,6 +32,11 @@ struct PrescribedMotion {
   bool rotation = false;       ///< DOF 5..8
   Vec3d direction;             ///< unit vector of the motion, global axes (of the body at time 0 when local)
   bool only_direction = true;  ///< false (DOF -4, -8): motion normal to `direction` is held too
+  /// DOF 9 to 11, -9 to -11: nodes go around the axis along `direction` through `center`; the curve is the angle [rad]
+  /// of each, or its rate. `rotation` is false: spins of nodes are left alone.
+  bool circular = false;
+  Vec3d center;
+  bool radius_held = true;  ///< DOF 9 to 11; below 0 nodes are free to move to the axis and away from it
   Quantity quantity = Quantity::velocity;
   Index curve = none;
   double scale = 1.0;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/index.hpp"
+#include "model/circular_motion.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -139,6 +140,13 @@ Supports supports_of(const system::System& system, Findings& findings) {
     const model::PrescribedMotion& motion = model.motions[m];
     const auto hold = [&](int node) {
       constexpr auto source = Equations::Support::Source::motion;
+      if (motion.circular) {
+        const model::PlaceOnCircle place =
+            model::place_on_circle(motion, system.ties.x[at(system.model_node[at(node)])]);
+        if (place.radius > 0.0 || motion.radius_held) held.add({source, m, node, false, place.around, {}, true});
+        if (motion.radius_held) held.add({source, m, node, false, place.outwards, {}});
+        return;
+      }
       held.add({source, m, node, motion.rotation, motion.direction, {}, true});
       if (motion.only_direction) return;
       for (const Vec3d& axis : axes) {

@@ -51,7 +51,7 @@ const system::RigidBody& body_of(const system::System& system, model::Index body
 }
 
 BodyLink link_of(const system::System& system, const model::Joint& joint) {
-  const auto place = [&](std::size_t i) { return system.ties.x[at(joint.node[i])]; };
+  const auto place = [&](std::size_t i) { return joint.point[i]; };
   BodyLink link;
   link.rigid = true;
   link.scale = joint.stiffness_scale;

@@ -58,6 +58,15 @@ void integrate_shells_fully(model::Model& m, Findings& findings) {
                               changed.size() == 1 ? "" : "s", fmt::join(changed, " ")));
 }
 
+/// Nothing resists their change of shape, so they would have motions without stiffness.
+void refuse_fluids(const model::Model& m, Findings& findings) {
+  for (const model::Part& part : m.parts)
+    if (part.kind == model::ElementKind::solid && part.material != model::none &&
+        m.materials[at(part.material)].keyword == "MAT_NULL")
+      findings.error(part.place, "*PART", fmt::format("part {} is a fluid, which linear analyses do not have", part.id),
+                     "take it out, or put its mass on the structure (*ELEMENT_MASS)");
+}
+
 /// Nodes that a response over frequency drives are held in its modes, like those of prescribed motions.
 void hold_driven_nodes(model::Model& m) {
   const auto hold = [&](const model::FrequencyResponse::Excitation& e) {
@@ -84,6 +93,7 @@ model::Model linear_model(const model::Model& model, Findings& findings) {
     if (weld.kind == model::RigidWeld::Kind::rivet)
       findings.error(weld.place, "*CONSTRAINED_RIVET", "rivets are not built in linear analyses",
                      "weld the two nodes with *CONSTRAINED_SPOTWELD");
+  refuse_fluids(m, findings);
   hold_driven_nodes(m);
   stabilize_bricks(m, findings);
   integrate_shells_fully(m, findings);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/index.hpp"
+#include "model/circular_motion.hpp"
 #include "nvh/nodal.hpp"
 #include "weld/brick_section.hpp"
 #include "weld/failure.hpp"
@@ -85,6 +86,9 @@ Nodal prescribed(const Matrices& m, double time, Findings& findings) {
     if (s.moves) {
       const model::PrescribedMotion& motion = model.motions[s.index];
       value = motion.scale * model.curves[at(motion.curve)].clamped(time - motion.birth);
+      // The way along the circle, to first order in the angle.
+      if (motion.circular)
+        value *= model::place_on_circle(motion, m.system.ties.x[at(m.system.model_node[at(s.node)])]).radius;
     }
     Six& node = u[at(s.node)];
     const double missing = value - dot(s.direction, part_of(node, s.rotation));

@@ -23,8 +23,8 @@ void ConstraintMap::archive(Archive& a) {
 
 void ElementGroup::archive(Archive& a) {
   a(deaths, inverted, block_step, step_share);
-  a.built(kind, part, element, nodes_per_element, weld, rotational, first_slot, damping_share, damping_time, mass_step,
-          added_mass_is_physical);
+  a.built(kind, part, element, nodes_per_element, weld, rotational, first_slot, damping_share, damping_time, stiffened,
+          mass_step, added_mass_is_physical);
 }
 
 void SpringGroup::Entry::archive(Archive& a) {

@@ -78,9 +78,12 @@ class ElementGroup {
   /// Stiffness-proportional damping: a share of critical at the highest frequency of each element, or beta [time].
   double damping_share = 0.0, damping_time = 0.0;
   bool damped() const { return damping_share > 0.0 || damping_time > 0.0; }
-  /// Stable step of an element that is so damped, with the velocities of half a step before (Belytschko): s (sqrt(1 +
-  /// x^2) - x), x = beta / s.
+  /// Share by which damping of the elements' forces over a range of frequencies stiffens them above it.
+  double stiffened = 0.0;
+  /// Stable step of an element that is so stiffened and damped, with the velocities of half a step before (Belytschko):
+  /// s (sqrt(1 + x^2) - x), x = beta / s.
   double damped_step(double s) const {
+    if (stiffened > 0.0) s /= std::sqrt(1.0 + stiffened);
     if (!damped() || !(s < std::numeric_limits<double>::infinity())) return s;
     const double beta = damping_time > 0.0 ? damping_time : damping_share * s;
     return std::sqrt(s * s + beta * beta) - beta;

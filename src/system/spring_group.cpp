@@ -246,7 +246,8 @@ bool held(const System& system, int node, const Vec3d& n, bool rotation) {
       if (bits >> i & 1u) rest -= dot(rest, *direction[i]) * *direction[i];
   }
   for (const model::PrescribedMotion& motion : system.model.motions)
-    if (motion.rotation == rotation && std::find(motion.nodes.begin(), motion.nodes.end(), k) != motion.nodes.end())
+    if (!motion.circular && motion.rotation == rotation &&
+        std::find(motion.nodes.begin(), motion.nodes.end(), k) != motion.nodes.end())
       rest -= dot(rest, motion.direction) * motion.direction;
   return norm(rest) < 1e-9;
 }

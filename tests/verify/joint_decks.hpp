@@ -49,6 +49,18 @@ inline void joint(Specimen& s, const std::string& kind, const Pairs& p, double d
   s.card("CONSTRAINED_JOINT_" + kind, {n[0], n[1], n[2], n[3], n[4], n[5], 1.0, damp});
 }
 
+/// The same by points: `a` on body 1; on body 2 only a second one that is apart from it is `b`.
+inline void joint_by_points(Specimen& s, const std::string& kind, const std::vector<Vec3d>& a, const Vec3d& b = {}) {
+  std::string text = "*CONSTRAINED_JOINT_COOR_" + kind + '\n' + fields({1, 2});
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3d& x = i < a.size() ? a[i] : Vec3d{};
+    // What stands for the second point of a pair does not count.
+    const Vec3d other = i == 1 && kind == "UNIVERSAL" ? b : Vec3d{9, 9, 9};
+    text += fields({x.x, x.y, x.z}) + fields({other.x, other.y, other.z});
+  }
+  s.text(text);
+}
+
 inline Specimen& timing(Specimen& s, double end, double step) {
   return s.text(constant_curve(90, step))
       .card("CONTROL_TIMESTEP", {0, 0.9, 0, 0, 0, 90})

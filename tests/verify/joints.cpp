@@ -15,13 +15,16 @@ constexpr double pi = std::numbers::pi;
 
 // A-37 on a hinge: a uniform rod released from the horizontal. The hinge's reaction at the bottom is m g (1 + 3/2), and
 // it has no moment about its axis. Sabotage: the hinge's damper about its own axis.
-TEST(Joints, PhysicalPendulumOnAHinge) {
+void pendulum(bool by_points) {
   const double length = 400.0, g = 9810.0, m = 2e-3, across = m * length * length / 12.0;
   Specimen s;
   const Pairs p(s, {{0, 0, 0}, {0, 100, 0}});
   body(s, 1, {.center = {0, 0, 0}, .fixed = true}, p.a);
   body(s, 2, {.center = {0.5 * length, 0, 0}, .mass = m, .inertia = {0.01 * across, across, across}}, p.b);
-  joint(s, "REVOLUTE", p);
+  if (by_points)
+    joint_by_points(s, "REVOLUTE", {{0, 0, 0}, {0, 100, 0}});
+  else
+    joint(s, "REVOLUTE", p);
   s.text(constant_curve(1)).card("LOAD_BODY_Z", {1, g});
   timing(s, 1.3, 2e-5);
   Experiment experiment(s.deck());
@@ -44,6 +47,12 @@ TEST(Joints, PhysicalPendulumOnAHinge) {
   expect_reference("joints", "rod on a hinge: reaction at the bottom [N]", reaction, 2.5 * m * g, 5e-3);
   expect_reference("joints", "rod on a hinge: moment about its axis, of m g L", twist, 0.0, 1e-9, m * g * length);
   EXPECT_NEAR(drift, 0.0, 1e-4 * m * g * length);
+}
+TEST(Joints, PhysicalPendulumOnAHinge) {
+  pendulum(false);
+}
+TEST(Joints, PhysicalPendulumOnAHingeByPoints) {
+  pendulum(true);
 }
 
 // Two rods on ball joints without damping, falling from the horizontal, out of plane: energy, and the joints stay
@@ -167,34 +176,40 @@ TEST(Joints, FreedomsThatAreLeft) {
       {"LOCKING", {}, {0, 0, 1}, false},       {"UNIVERSAL", {}, {1, 2, 0}, true},
       {"UNIVERSAL", {}, {0, 0, 1}, false},
   };
-  for (const Case& c : cases) {
-    Specimen s;
-    Pairs p(s, {{0, 0, 0}});
-    if (c.kind == "UNIVERSAL") {
-      p.a.push_back(s.node({1, 0, 0}));
-      p.b.push_back(s.node({0, 1, 0}));
-    } else if (c.kind != "SPHERICAL") {
-      for (const Vec3d& x : {Vec3d{0, 0, 1}, Vec3d{1, 0, 0}}) {
-        if (p.a.size() == 2 && c.kind != "TRANSLATIONAL" && c.kind != "LOCKING") break;
-        p.a.push_back(s.node(x));
-        p.b.push_back(s.node(x));
+  for (const bool by_points : {false, true})
+    for (const Case& c : cases) {
+      Specimen s;
+      Pairs p(s, {{0, 0, 0}});
+      if (c.kind == "UNIVERSAL") {
+        p.a.push_back(s.node({1, 0, 0}));
+        p.b.push_back(s.node({0, 1, 0}));
+      } else if (c.kind != "SPHERICAL") {
+        for (const Vec3d& x : {Vec3d{0, 0, 1}, Vec3d{1, 0, 0}}) {
+          if (p.a.size() == 2 && c.kind != "TRANSLATIONAL" && c.kind != "LOCKING") break;
+          p.a.push_back(s.node(x));
+          p.b.push_back(s.node(x));
+        }
       }
+      body(s, 1, {.center = {0, 0, 0}, .fixed = true}, p.a);
+      body(s, 2, {.center = {0, 0, 0}, .velocity = c.velocity, .spin = c.spin}, p.b);
+      if (!by_points)
+        joint(s, c.kind, p);
+      else if (c.kind == "UNIVERSAL")
+        joint_by_points(s, c.kind, {{0, 0, 0}, {1, 0, 0}}, {0, 1, 0});
+      else
+        joint_by_points(s, c.kind, {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}});
+      timing(s, 0.8, 1e-3);
+      Experiment experiment(s.deck());
+      Vec3d v, w;
+      run_to_end(experiment, [&](const impact::Snapshot& now) { v = velocity(now, 2), w = spin(now, 2); });
+      const std::string what = fmt::format("{} {} {} {} / {} {} {}", c.kind, c.velocity.x, c.velocity.y, c.velocity.z,
+                                           c.spin.x, c.spin.y, c.spin.z);
+      const double kept = c.free ? 1.0 : 0.0;
+      EXPECT_NEAR(norm(v - kept * c.velocity), 0.0, 0.02) << what;
+      // A universal joint's axes turn with the bodies: two rotations at once are no longer free.
+      if (c.kind == "UNIVERSAL" && c.free) continue;
+      EXPECT_NEAR(norm(w - kept * c.spin), 0.0, 0.05) << what;
     }
-    body(s, 1, {.center = {0, 0, 0}, .fixed = true}, p.a);
-    body(s, 2, {.center = {0, 0, 0}, .velocity = c.velocity, .spin = c.spin}, p.b);
-    joint(s, c.kind, p);
-    timing(s, 0.8, 1e-3);
-    Experiment experiment(s.deck());
-    Vec3d v, w;
-    run_to_end(experiment, [&](const impact::Snapshot& now) { v = velocity(now, 2), w = spin(now, 2); });
-    const std::string what = fmt::format("{} {} {} {} / {} {} {}", c.kind, c.velocity.x, c.velocity.y, c.velocity.z,
-                                         c.spin.x, c.spin.y, c.spin.z);
-    const double kept = c.free ? 1.0 : 0.0;
-    EXPECT_NEAR(norm(v - kept * c.velocity), 0.0, 0.02) << what;
-    // A universal joint's axes turn with the bodies: two rotations at once are no longer free.
-    if (c.kind == "UNIVERSAL" && c.free) continue;
-    EXPECT_NEAR(norm(w - kept * c.spin), 0.0, 0.05) << what;
-  }
 }
 
 // Two bodies locked together far from their centres turn as one: spin by the parallel-axis theorem.
@@ -246,6 +261,18 @@ TEST(Joints, FaultsAreNamed) {
               p.b[1] = away;
               joint(s, "REVOLUTE", p);
             }).find("0.5 apart"),
+            std::string::npos);
+  EXPECT_NE(deck([](Specimen& s, Pairs&, int, int) {
+              joint_by_points(s, "REVOLUTE", {{0, 0, 1}, {0, 0, 1}});
+            }).find("at one place"),
+            std::string::npos);
+  EXPECT_NE(deck([](Specimen& s, Pairs&, int, int) {
+              s.text("*CONSTRAINED_JOINT_COOR_SPHERICAL\n" + fields({1, 1}));
+            }).find("this is body A"),
+            std::string::npos);
+  EXPECT_NE(deck([](Specimen& s, Pairs&, int, int) {
+              s.text("*CONSTRAINED_JOINT_COOR_SPHERICAL\n" + fields({1, 2, 0, 0, 1e-3}));
+            }).find("tmass"),
             std::string::npos);
   EXPECT_NE(deck([](Specimen& s, Pairs& p, int, int) {
               joint(s, "REVOLUTE", p);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Linear statics (*CONTROL_IMPLICIT_SOLUTION, NSOLVR 1) against closed forms and three-dimensional models.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -109,6 +110,42 @@ TEST(LinearStatics, PatchesHaveTheirStresses) {
                    worst(bent, 1, 0, -at_point * 2.0 / 3.0), -at_point * 2.0 / 3.0, 1e-4);
   expect_reference("A-23", "bending patch by statics, xy stress at the upper point, worst shell",
                    worst(bent, 1, 3, -at_point * 0.2), -at_point * 0.2, 1e-4);
+}
+
+// A rod from (4, 3) on a circle of 5 around (1, -1), tangent to it: the angle phi pulls it by r phi, force E A/L r phi.
+// With the radius free a second rod along the arm stays without force. Sabotage: the angle for the way; the arm held.
+TEST(LinearStatics, AMotionAroundAnAxisPullsByTheArc) {
+  constexpr double E = 210000.0, area = 4.0, length = 100.0, phi = 1e-3, arm = 5.0;
+  for (const double dof : {11.0, -11.0}) {
+    Specimen s;
+    s.text(linear).text(ramp);
+    s.card("MAT_ELASTIC", {1, 7.85e-9, E, 0.3}).text("*SECTION_BEAM\n" + fields({1, 3}) + fields({area})).part(1, 1, 1);
+    // Outwards (0.6, 0.8), around (-0.8, 0.6).
+    const int driven = s.node({4.0, 3.0, 0.0}), behind = s.node({4.0 + 0.8 * length, 3.0 - 0.6 * length, 0.0}),
+              out = s.node({4.0 + 0.6 * length, 3.0 + 0.8 * length, 0.0});
+    s.text(fmt::format("*ELEMENT_BEAM\n{:8}{:8}{:8}{:8}\n{:8}{:8}{:8}{:8}\n", 1, 1, behind, driven, 2, 1, driven, out));
+    for (const int held : {behind, out}) s.card("BOUNDARY_SPC_NODE", {1.0 * held, 0, 1, 1, 1, 1, 1, 1});
+    s.card("BOUNDARY_SPC_NODE", {1.0 * driven, 0, 0, 0, 1, 1, 1, 1});
+    s.card("BOUNDARY_PRESCRIBED_MOTION_NODE", {1.0 * driven, dof, 2, 9, phi}).text(fields({1.0, -1.0}));
+    const LinearExperiment rods(s.deck());
+    const nvh::Statics solved = solve(rods);
+    const auto k = static_cast<std::size_t>(
+        rods.system().node_of[static_cast<std::size_t>(rods.system().model.node_index(driven))]);
+    expect_reference("arc", fmt::format("linear statics, DOF {:g}: way around the axis", dof),
+                     -0.8 * solved.motion[k][0] + 0.6 * solved.motion[k][1], arm * phi, 1e-9);
+    EXPECT_NEAR(0.6 * solved.motion[k][0] + 0.8 * solved.motion[k][1], 0.0, 1e-12);
+    const auto& supports = rods.matrices().equations.supports();
+    double force = 0.0;
+    std::size_t held = 0;
+    for (std::size_t i = 0; i < supports.size(); ++i) {
+      if (supports[i].source != nvh::Equations::Support::Source::motion) continue;
+      force += solved.support_force[i] * (-0.8 * supports[i].taken.x + 0.6 * supports[i].taken.y);
+      ++held;
+    }
+    EXPECT_EQ(held, dof > 0.0 ? 2u : 1u);
+    expect_reference("arc", fmt::format("linear statics, DOF {:g}: force E A/L r phi [N]", dof), force,
+                     E * area / length * arm * phi, 1e-6);
+  }
 }
 
 }  // namespace

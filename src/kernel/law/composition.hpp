@@ -8,6 +8,7 @@
 #include "kernel/law/compound.hpp"
 #include "kernel/law/elastic.hpp"
 #include "kernel/law/equation_of_state.hpp"
+#include "kernel/law/fluid.hpp"
 #include "kernel/law/foam.hpp"
 #include "kernel/law/johnson_cook.hpp"
 #include "kernel/law/orthotropic.hpp"
@@ -24,7 +25,7 @@ namespace nugget::kernel {
 /// How a point flows.
 using Flow =
     std::variant<Elastic, PlasticKinematic, PiecewiseLinear, JohnsonCook, PowerLaw, RateDependentYield, MooneyRivlin,
-                 Ogden, PolynomialRubber, LowDensityFoam, CrushableFoam, RateFoam, Viscoelastic, Orthotropic>;
+                 Ogden, PolynomialRubber, LowDensityFoam, CrushableFoam, RateFoam, Viscoelastic, Orthotropic, Fluid>;
 
 /// What a compound law is made of: how a point flows, and when it and its element fail.
 struct Composition {

@@ -112,6 +112,41 @@ class Prepared<Viscoelastic> : public SolidPointLaw<ViscoelasticPoint> {
   using SolidPointLaw::SolidPointLaw;
 };
 
+/// History of a point: plastic strain, which stays 0, and the last step.
+template <>
+class Prepared<Fluid> {
+ public:
+  explicit Prepared(const Fluid& law) : viscosity_(law.viscosity) {}
+
+  static constexpr int layer_history() { return 2; }
+  static constexpr int solid_history() { return 2; }
+
+  template <class R>
+  ThicknessStrain<R> layer(LayerTensor<R>&, const LayerTensor<R>&, double, double*) const {
+    return {};
+  }
+  template <class R>
+  void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
+    const R mean = (1.0 / 3.0) * (rate.xx + rate.yy + rate.zz);
+    const double twice = 2.0 * viscosity_;
+    s = {twice * (rate.xx - mean), twice * (rate.yy - mean), twice * (rate.zz - mean),
+         viscosity_ * rate.xy,     viscosity_ * rate.yz,     viscosity_ * rate.zx};
+    store_field(history, 1, R(dt));
+  }
+  template <class R>
+  void rotate(const Frame<R>&, double*) const {}
+  /// The modulus of an elastic solid of the same stable step: with velocities of half a step before, a dashpot C is
+  /// borne as a spring 2 C/dt would be.
+  template <class R>
+  R wave_modulus(const double* history) const {
+    const R dt = load_field<R>(history, 1);
+    return select(dt > 0.0, (8.0 / 3.0) * viscosity_ / select(dt > 0.0, dt, R(1.0)), R(0.0));
+  }
+
+ private:
+  double viscosity_;
+};
+
 namespace {
 
 /// The flows made ready, in the order of Flow.
@@ -273,6 +308,8 @@ template <class R>
 R Prepared<Compound>::wave_modulus(const double* history) const {
   if (parts_->pressure) {
     const R bulk = parts_->pressure->template modulus<R>(history + pressure_ * lanes<R>);
+    if (const auto* fluid = std::get_if<Prepared<Fluid>>(&parts_->flow))
+      return max(bulk, R(0.0)) + fluid->wave_modulus<R>(history);
     return max(bulk, R(0.0)) + (4.0 / 3.0) * elastic_.shear;
   }
   return std::visit([&](const auto& flow) { return flow.template wave_modulus<R>(history); }, parts_->flow);

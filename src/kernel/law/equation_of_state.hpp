@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include "base/batch.hpp"
+#include "base/curve.hpp"
 #include "kernel/law/stress_space.hpp"
 
 namespace nugget::kernel {
@@ -26,10 +29,17 @@ struct Gruneisen {
   double gamma0 = 0.0, gamma_mu = 0.0;  ///< gamma0 and A [1]
 };
 
+/// Pressure between given points of ln V, V the relative volume, and along the last lines beyond them
+/// (*EOS_TABULATED): p = C(ln V) + gamma T(ln V) E. Loading and unloading follow the same line.
+struct TabulatedPressure {
+  Curve cold;  ///< C over ln V, ascending [stress]; two points or more
+  Curve heat;  ///< gamma T over ln V; empty: 0
+};
+
 /// A point's pressure as a function of its volume and internal energy. Volumes are relative to the undeformed one at
 /// the reference density; energies a volume of that.
 struct EquationOfState {
-  std::variant<LinearPolynomial, Gruneisen> pressure;
+  std::variant<LinearPolynomial, Gruneisen, TabulatedPressure> pressure;
   double start_energy = 0.0;  ///< E0 [stress]
   double start_volume = 1.0;  ///< V0 [1]
 };
@@ -73,6 +83,24 @@ PressureLine<R> pressure_line(const Gruneisen& g, const R& mu) {
   const auto squeezed = mu > 0.0;
   return {g.stiffness * select(squeezed, top * over, mu), g.gamma0 + g.gamma_mu * mu,
           g.stiffness * select(squeezed, over * (top_slope - 2.0 * top * root_slope / root), one), R(g.gamma_mu)};
+}
+
+template <class R>
+PressureLine<R> pressure_line(const TabulatedPressure& p, const R& mu) {
+  PressureLine<R> line;
+  for (int l = 0; l < lanes<R>; ++l) {
+    // d ln V / d mu = -1/(1 + mu).
+    const double squeezed = std::max(1.0 + lane(mu, l), 1e-12), at = -std::log(squeezed);
+    const auto set = [&](const Curve& curve, R& value, R& slope) {
+      const double tilt = curve.empty() ? 0.0 : curve.slope(at);
+      const double before = curve.empty() ? 0.0 : std::min(0.0, at - curve.x.front());
+      set_lane(value, l, curve.empty() ? 0.0 : curve.extrapolated(at) + tilt * before);
+      set_lane(slope, l, -tilt / squeezed);
+    };
+    set(p.cold, line.cold, line.cold_slope);
+    set(p.heat, line.heat, line.heat_slope);
+  }
+  return line;
 }
 
 /// The pressure of a point, step by step. History: relative volume less V0, energy less E0, growth of the volume in the

@@ -4,10 +4,13 @@
 namespace nugget::kernel {
 
 /// A coating without stress (MAT_009 on shells and beams): mass and contact, no force, no stable time step. No kernel
-/// is run for it.
+/// is run for it. Solids of MAT_009 are a Fluid with an equation of state, of the same viscosity and tension borne.
 struct Null {
-  double E = 0.0;   ///< Young's modulus for the contact stiffness [stress]
-  double nu = 0.0;  ///< Poisson's ratio for the contact stiffness [1]
+  double E = 0.0;          ///< Young's modulus for the contact stiffness [stress]
+  double nu = 0.0;         ///< Poisson's ratio for the contact stiffness [1]
+  double viscosity = 0.0;  ///< MU [stress time]
+  double tension = 0.0;    ///< -PC: the pressure falls no further than its opposite [stress]; 0: no limit
+  bool erodes = false;     ///< TEROD, CEROD: by its volume, which is not built
 };
 
 }  // namespace nugget::kernel

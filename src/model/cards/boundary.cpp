@@ -173,12 +173,12 @@ Card motion_card(Field target) {
       target,
       integer("dof", required, any_value,
               "1, 2, 3 translation along x, y, z; 4 along the vector; -4 the same, motion normal to it held; 5, 6, 7 "
-              "rotation about x, "
-              "y, z; 8 about the vector; -8 the same, rotation normal to it held"),
+              "rotation about x, y, z; 8 about the vector; -8 the same, rotation normal to it held; nodes only: 9, 10, "
+              "11 around an axis along x, y, z through the offsets; -9, -10, -11 the same, the radius free"),
       integer("vad", 0, any_value, "0 velocity, 1 acceleration, 2 displacement"),
       id("lcid", IdSpace::function, required, "curve of the motion over time"),
       real("sf", dimension::number, 1, any_value, "scale of the curve"),
-      id("vid", IdSpace::define, 0, "vector of dof 4, -4, 8, -8"),
+      id("vid", IdSpace::define, 0, "vector of dof 4, -4, 8, -8; below 0: coordinate system of dof 1 to 3, 5 to 7"),
       real("death", dimension::time, 1e28, at_least(0), "the motion ends at this time"),
       real("birth", dimension::time, 0, at_least(0), "and begins at this time; the curve starts then"),
   }};
@@ -188,7 +188,19 @@ const Card motion_set_card = motion_card(id("nsid", IdSpace::set, required, "nod
 const Card motion_body_card =
     motion_card(id("pid", IdSpace::part, required, "part of *MAT_RIGID, or nodal rigid body"));
 
+const Card motion_axis_card{{
+    real("offset1", dimension::length, 0, any_value, "where the axis is: y (dof 9), z (10), x (11)"),
+    real("offset2", dimension::length, 0, any_value, "where the axis is: z (dof 9), x (10), y (11)"),
+    id("lrb", IdSpace::part, 0, "leading rigid body of vad 4, which is not built"),
+    id("node1", IdSpace::node, 0, "orientation of vad 4, which is not built"),
+    id("node2", IdSpace::node, 0, "orientation of vad 4, which is not built"),
+}};
+
 using Target = PrescribedMotion::Target;
+
+bool is_circular(int dof) {
+  return std::abs(dof) >= 9 && std::abs(dof) <= 11;
+}
 
 bool takes_vector(int dof) {
   return std::abs(dof) == 4 || std::abs(dof) == 8;
@@ -198,20 +210,42 @@ bool takes_vector(int dof) {
 bool take_degree_of_freedom(Builder& builder, const Row& row, PrescribedMotion& motion) {
   const int dof = row.integer("dof"), vad = row.integer("vad");
   if (dof == 0) return false;  // missing: the row has said so
-  const bool known = (dof >= 1 && dof <= 8) || dof == -4 || dof == -8;
-  if (!known) refuse(builder, row, "dof", "this degree of freedom is not built; expected 1 to 8, -4 or -8");
+  const bool of_nodes = motion.target == Target::nodes, circular = is_circular(dof);
+  const bool known = (dof >= 1 && dof <= 8) || dof == -4 || dof == -8 || (circular && of_nodes);
+  if (circular && !of_nodes)
+    refuse(builder, row, "dof", "dof 9 to 11 drive nodes, not rigid bodies",
+           "drive the body's rotation with dof 5 to 8, and its centre with 1 to 4");
+  else if (!known)
+    refuse(builder, row, "dof",
+           fmt::format("this degree of freedom is not built; expected 1 to 8, -4 or -8{}",
+                       of_nodes ? ", or 9 to 11, -9 to -11" : ""));
   const bool quantity = vad >= 0 && vad <= 2;
   if (!quantity) refuse(builder, row, "vad", "expected 0 (velocity), 1 (acceleration) or 2 (displacement)");
   if (!known || !quantity) return false;
-  motion.rotation = std::abs(dof) >= 5;
-  motion.only_direction = dof > 0;
+  motion.rotation = std::abs(dof) >= 5 && !circular;
+  motion.only_direction = dof > 0 || circular;
+  motion.circular = circular;
+  motion.radius_held = dof > 0;
   motion.quantity = static_cast<PrescribedMotion::Quantity>(vad);
   return true;
 }
 
 Vec3d axis(int dof) {
-  const int k = (dof - 1) % 4;
+  const int k = is_circular(dof) ? std::abs(dof) - 9 : (dof - 1) % 4;
   return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0};
+}
+
+/// VID < 0: the motion is along, or about, an axis of a coordinate system as it is at the start.
+bool turn_into_system(Builder& builder, const Row& row, PrescribedMotion& motion) {
+  if (motion.circular || motion.target == Target::rigid_body_local) {
+    refuse(builder, row, "vid", "a coordinate system beside axes of the body or an axis by offsets is not built",
+           "leave VID empty");
+    return false;
+  }
+  const Index system = builder.system(row, "vid");
+  if (system == none) return false;
+  motion.direction = builder.model.systems[static_cast<std::size_t>(system)].axes.global(motion.direction);
+  return true;
 }
 
 /// The unit vector of the motion, or nothing and a finding.
@@ -219,7 +253,7 @@ bool resolve_direction(Builder& builder, const Row& row, PrescribedMotion& motio
   const int dof = row.integer("dof");
   if (!takes_vector(dof)) {
     motion.direction = axis(dof);
-    return true;
+    return row.integer("vid") >= 0 || turn_into_system(builder, row, motion);
   }
   if (row.integer("vid") <= 0) {
     refuse(builder, row, "vid", fmt::format("dof {} needs a vector", dof), "name a *DEFINE_VECTOR");
@@ -247,6 +281,20 @@ void resolve_body(Builder& builder, const Row& row, PrescribedMotion& motion) {
   motion.direction = axes->global(motion.direction);
 }
 
+/// Where the axis of a circular motion is.
+void take_axis(Builder& builder, const Block& block, const Row& row, int dof, PrescribedMotion& motion) {
+  if (block.transform && block.transform->matrix != deck::Transform{}.matrix)
+    refuse(builder, row, "offset1", "an axis by offsets in an include that is turned or moved is not built",
+           "write the motion in the main file");
+  expect(builder, row, Severity::warning,
+         {{"lrb", 0, "belongs to VAD 4: it does nothing here"},
+          {"node1", 0, "belongs to VAD 4: it does nothing here"},
+          {"node2", 0, "belongs to VAD 4: it does nothing here"}});
+  const double first = row.real("offset1"), second = row.real("offset2");
+  const int k = std::abs(dof) - 9;
+  motion.center = k == 0 ? Vec3d{0, first, second} : k == 1 ? Vec3d{second, 0, first} : Vec3d{first, second, 0};
+}
+
 template <Target target, bool set>
 void read_motion(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
@@ -259,8 +307,9 @@ void read_motion(Builder& builder, const Block& block, const Options& options) {
     motion.scale = row.real("sf");
     motion.birth = row.real("birth");
     motion.death = death_time(row.real("death"));
-    // The second card belongs to the motions that are refused; without them it would be taken for the next definition.
+    // A motion that is refused may have a second card, which would be taken for the next definition.
     if (!take_degree_of_freedom(builder, row, motion)) return;
+    if (motion.circular) take_axis(builder, block, cursor.read(motion_axis_card), row.integer("dof"), motion);
     builder.later(Phase::conditions, [row, motion](Builder& b) mutable {
       motion.curve = b.curve(row, "lcid");
       if (!resolve_direction(b, row, motion)) return;
@@ -278,7 +327,9 @@ void read_motion(Builder& builder, const Block& block, const Options& options) {
 
 template <Target target, bool set = false>
 Keyword motion_keyword(std::string_view name, const Card& card) {
-  return {name, {}, {"ID"}, Verdict::used, {}, {{"with _ID", &heading_card}, {{}, &card}}, read_motion<target, set>};
+  std::vector<LayoutCard> layout{{"with _ID", &heading_card}, {{}, &card}};
+  if (target == Target::nodes) layout.push_back({"if |DOF| is 9, 10 or 11", &motion_axis_card});
+  return {name, {}, {"ID"}, Verdict::used, {}, std::move(layout), read_motion<target, set>};
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // *DAMPING_...
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "base/index.hpp"
@@ -161,22 +163,44 @@ void read_part_stiffness(Builder& builder, const Block& block, const Options&) {
 
 // ---- over a range of frequencies -----------------------------------------------------------------------------------
 
+bool is_discrete(const Model& m, const Part& part) {
+  return part.kind == ElementKind::discrete ||
+         (part.kind == ElementKind::beam && part.section != none && m.beam_sections[at(part.section)].elform == 6);
+}
+
+/// The parts whose elements _DEFORM damps: all but those of springs, dampers and discrete beams, whose forces are those
+/// of cards of their own.
+std::vector<Index> deformed_parts(Builder& b, const Row& row, const std::vector<Index>& set) {
+  std::vector<Index> parts;
+  const bool all = row.integer("psid") == 0;
+  for (std::size_t i = 0; i < (all ? b.model.parts.size() : set.size()); ++i) {
+    const Index part = all ? static_cast<Index>(i) : set[i];
+    const Part& p = b.model.parts[at(part)];
+    if (!is_discrete(b.model, p))
+      parts.push_back(part);
+    else if (!all)
+      row.complain(b.findings, Severity::warning, "psid",
+                   fmt::format("part {} is of discrete elements, which _DEFORM does not damp here", p.id),
+                   "give them a damper of their own, as *MAT_S02");
+  }
+  return parts;
+}
+
 void read_range(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
-  if (options.contains("DEFORM")) {
-    return builder.findings.error(block.place, block.starred(),
-                                  "damping of the element responses over a range of frequencies is not built",
-                                  "use *DAMPING_FREQUENCY_RANGE, which damps nodal motion, or *DAMPING_PART_STIFFNESS");
-  }
+  const bool deform = options.contains("DEFORM");
   while (!at_end(cursor)) {
     const Row row = cursor.read(range_card);
     if (row.real("fhigh") < row.real("flow"))
       refuse(builder, row, "fhigh", "the range ends before it begins", "swap flow and fhigh");
-    builder.later(Phase::conditions, [row](Builder& b) {
+    if (deform)
+      expect(builder, row, Severity::warning, {{"pidrel", 0, "does not apply to _DEFORM: it does nothing here"}});
+    builder.later(Phase::conditions, [row, deform](Builder& b) {
       FrequencyRangeDamping damping{
-          row.real("cdamp"), row.real("flow"), row.real("fhigh"), row.integer("psid") == 0, {}, none};
+          row.real("cdamp"), row.real("flow"), row.real("fhigh"), row.integer("psid") == 0, {}, none, deform};
       if (const auto* parts = b.part_set(row, "psid")) damping.parts = parts->members;
-      if (row.integer("pidrel") != 0) damping.relative_to = find_body(b, row, "pidrel");
+      if (deform) damping.parts = deformed_parts(b, row, damping.parts);
+      if (row.integer("pidrel") != 0 && !deform) damping.relative_to = find_body(b, row, "pidrel");
       if (damping.share > 0.0) b.model.damping.range.push_back(std::move(damping));
     });
   }

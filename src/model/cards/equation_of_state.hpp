@@ -7,7 +7,7 @@
 
 namespace nugget::model {
 
-/// Whether solids of the material get their pressure from an equation of state: *MAT_JOHNSON_COOK.
+/// Whether solids of the material get their pressure from an equation of state: *MAT_JOHNSON_COOK, *MAT_NULL.
 bool takes_equation_of_state(const Material& material);
 
 std::vector<Keyword> equation_of_state_keywords();  ///< *EOS_...

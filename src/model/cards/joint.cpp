@@ -27,6 +27,29 @@ const Card joint_card{{
     real("damp", dimension::number, 1, between(0, 5), "factor on the damping; up to 0.01: none"),
 }};
 
+const Card bodies_card{{
+    id("rbid_a", IdSpace::part, required, "rigid body A: part of *MAT_RIGID, or nodal rigid body"),
+    id("rbid_b", IdSpace::part, required, "rigid body B"),
+    real("rps", dimension::number, 1, above_zero(), "factor on the penalty stiffness; 2 is the most that is stable"),
+    real("damp", dimension::number, 1, between(0, 5), "factor on the damping; up to 0.01: none"),
+    real("tmass", dimension::mass, 0, only(0), "mass shared by the first points of A and B: not built"),
+    real("rmass", dimension::inertia, 0, only(0), "rotary inertia of these points: not built"),
+    id("rbidc", IdSpace::part, 0, "rigid body C, of harmonic drives only"),
+}};
+
+Card point_card(std::string_view meaning) {
+  return {{real("x", dimension::length, 0, any_value, meaning), real("y", dimension::length, 0, any_value, meaning),
+           real("z", dimension::length, 0, any_value, meaning)}};
+}
+const std::array<Card, 6> point_cards{
+    point_card("point 1 on body A: where the joint is"),
+    point_card("point 2 on body B: taken as point 1"),
+    point_card("point 3 on body A: point 1 to 3 is the joint's axis"),
+    point_card("point 4 on body B: taken as point 3; universal: point 2 to 4 is the other axis"),
+    point_card("point 5 on body A, off the axis (translational, locking)"),
+    point_card("point 6 on body B: taken as point 5"),
+};
+
 const Card rigid_card{{
     integer("lmf", 0, between(0, 1), "joints: 0 penalty, 1 Lagrange multipliers (not built)"),
     unused(),
@@ -76,18 +99,21 @@ bool find_bodies(Builder& b, const Row& row, Joint& joint) {
              "odd nodes belong to body A, even ones to body B");
       return false;
     }
+    joint.point[i] = b.model.nodes.x[static_cast<std::size_t>(joint.node[i])];
   }
   if (joint.body[0] != joint.body[1]) return true;
   refuse(b, row, "n2", "both nodes belong to the same rigid body", "take the second node from the other body");
   return false;
 }
 
-bool check_places(Builder& b, const Row& row, const Joint& joint) {
-  const auto place = [&](std::size_t i) { return b.model.nodes.x[static_cast<std::size_t>(joint.node[i])]; };
+/// `field`: of each node, or point, for findings.
+bool check_places(Builder& b, const Row& row, const Joint& joint, const std::array<std::string_view, 6>& field) {
+  const auto place = [&](std::size_t i) { return joint.point[i]; };
   const std::size_t count = pairs(joint.kind);
   const Vec3d axis = count > 1 ? place(2) - place(0) : Vec3d{};
   if (count > 1 && !(norm(axis) > 0.0)) {
-    refuse(b, row, "n3", "n1 and n3 are at one place, so the joint has no axis", "take nodes far apart");
+    refuse(b, row, field[2], "the first and third point are at one place, so the joint has no axis",
+           "take points far apart");
     return false;
   }
   // Decks write coordinates with a few digits.
@@ -95,46 +121,91 @@ bool check_places(Builder& b, const Row& row, const Joint& joint) {
   const std::size_t coincident = joint.kind == Kind::universal ? 1 : count;
   for (std::size_t p = 0; p < coincident; ++p) {
     if (norm(place(2 * p + 1) - place(2 * p)) <= near) continue;
-    refuse(b, row, node_fields[2 * p + 1],
-           fmt::format("{} and {} are to be at one place, but they are {:g} apart", node_fields[2 * p],
-                       node_fields[2 * p + 1], norm(place(2 * p + 1) - place(2 * p))),
+    refuse(b, row, field[2 * p + 1],
+           fmt::format("{} and {} are to be at one place, but they are {:g} apart", field[2 * p], field[2 * p + 1],
+                       norm(place(2 * p + 1) - place(2 * p))),
            "give both the same coordinates");
     return false;
   }
   if (joint.kind == Kind::universal) {
     const Vec3d other = place(3) - place(1);
     if (!(norm(other) > 0.0) || std::abs(dot(axis, other)) > 0.02 * norm(axis) * norm(other)) {
-      refuse(b, row, "n4", "the axes n1 to n3 and n2 to n4 must be perpendicular", "see the nodes' coordinates");
+      refuse(b, row, field[3],
+             "the axes from the first point to the third and from the second to the fourth must be "
+             "perpendicular",
+             "see the coordinates");
       return false;
     }
   }
   if (count == 3 && !(norm(cross(axis, place(4) - place(0))) > 1e-6 * dot(axis, axis))) {
-    refuse(b, row, "n5", "n5 lies on the axis n1 to n3, so it holds no rotation", "take a node off the axis");
+    refuse(b, row, field[4], "the fifth point lies on the axis from the first to the third, so it holds no rotation",
+           "take one off the axis");
     return false;
   }
   return true;
 }
 
-void add_joint(Builder& b, const Row& row, Joint joint) {
+/// RPS and DAMP, and an id where there is none.
+void take_penalty(Builder& b, const Row& row, Joint& joint) {
   joint.stiffness_scale = row.real("rps");
   joint.damping = row.real("damp") > 0.01 ? row.real("damp") : 0.0;
   if (joint.id == 0) joint.id = static_cast<int>(b.model.joints.size()) + 1;
   if (joint.stiffness_scale > 2.0)
     row.complain(b.findings, Severity::warning, "rps", "computed with 2, the most that is stable", "write 2 or less");
-  if (find_bodies(b, row, joint) && check_places(b, row, joint)) b.model.joints.push_back(std::move(joint));
+}
+
+void add_joint(Builder& b, const Row& row, Joint joint) {
+  take_penalty(b, row, joint);
+  if (find_bodies(b, row, joint) && check_places(b, row, joint, node_fields))
+    b.model.joints.push_back(std::move(joint));
+}
+
+Joint begun(Cursor& cursor, const Options& options, Kind kind) {
+  Joint joint;
+  joint.kind = kind;
+  const Heading heading = read_heading(cursor, options.contains("ID") || options.contains("TITLE"));
+  joint.id = heading.id;
+  joint.title = heading.text;
+  return joint;
 }
 
 template <Kind kind>
 void read_joint(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
-    Joint joint;
-    joint.kind = kind;
-    const Heading heading = read_heading(cursor, options.contains("ID") || options.contains("TITLE"));
-    joint.id = heading.id;
-    joint.title = heading.text;
+    Joint joint = begun(cursor, options, kind);
     const Row row = cursor.read(joint_card);
     joint.place = row.place();
     b.later(Phase::conditions, [row, joint](Builder& later) { add_joint(later, row, joint); });
+  }
+}
+
+// ---- by points -----------------------------------------------------------------------------------------------------
+
+void add_joint_by_points(Builder& b, const Row& row, Joint joint) {
+  take_penalty(b, row, joint);
+  joint.body = {find_body(b, row, "rbid_a"), find_body(b, row, "rbid_b")};
+  if (joint.body[0] == none || joint.body[1] == none) return;
+  if (joint.body[0] == joint.body[1])
+    return refuse(b, row, "rbid_b", "a joint joins two bodies, but this is body A", "name the other one");
+  constexpr std::array<std::string_view, 6> all{"rbid_a", "rbid_a", "rbid_a", "rbid_a", "rbid_a", "rbid_a"};
+  if (check_places(b, row, joint, all)) b.model.joints.push_back(std::move(joint));
+}
+
+template <Kind kind>
+void read_joint_by_points(Builder& b, const Block& block, const Options& options) {
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    Joint joint = begun(cursor, options, kind);
+    const Row row = cursor.read(bodies_card);
+    joint.place = row.place();
+    expect(b, row, Severity::warning, {{"rbidc", 0, "belongs to harmonic drives: it does nothing here"}});
+    for (std::size_t i = 0; i < point_cards.size() && !at_end(cursor); ++i) {
+      const Row point = cursor.read(point_cards[i]);
+      joint.point[i] = position(block, point, "x", "y", "z");
+    }
+    // The second point of a pair is where the first one is, whatever its card says.
+    for (std::size_t p = 0; p < pairs(kind); ++p)
+      if (p == 0 || kind != Kind::universal) joint.point[2 * p + 1] = joint.point[2 * p];
+    b.later(Phase::conditions, [row, joint](Builder& later) { add_joint_by_points(later, row, joint); });
   }
 }
 
@@ -155,6 +226,13 @@ Keyword joint(std::string_view name) {
           .read = read_joint<kind>};
 }
 
+template <Kind kind>
+Keyword joint_by_points(std::string_view name) {
+  std::vector<LayoutCard> layout{{"with _ID", &heading_card}, {"", &bodies_card}};
+  for (const Card& card : point_cards) layout.push_back({"", &card});
+  return {.name = name, .options = {"ID", "TITLE"}, .layout = std::move(layout), .read = read_joint_by_points<kind>};
+}
+
 }  // namespace
 
 std::vector<Keyword> joint_keywords() {
@@ -169,9 +247,16 @@ std::vector<Keyword> joint_keywords() {
       joint<Kind::universal>("CONSTRAINED_JOINT_UNIVERSAL"),
       joint<Kind::translational>("CONSTRAINED_JOINT_TRANSLATIONAL"),
       joint<Kind::locking>("CONSTRAINED_JOINT_LOCKING"),
+      joint_by_points<Kind::spherical>("CONSTRAINED_JOINT_COOR_SPHERICAL"),
+      joint_by_points<Kind::revolute>("CONSTRAINED_JOINT_COOR_REVOLUTE"),
+      joint_by_points<Kind::cylindrical>("CONSTRAINED_JOINT_COOR_CYLINDRICAL"),
+      joint_by_points<Kind::planar>("CONSTRAINED_JOINT_COOR_PLANAR"),
+      joint_by_points<Kind::universal>("CONSTRAINED_JOINT_COOR_UNIVERSAL"),
+      joint_by_points<Kind::translational>("CONSTRAINED_JOINT_COOR_TRANSLATIONAL"),
+      joint_by_points<Kind::locking>("CONSTRAINED_JOINT_COOR_LOCKING"),
       refused("CONSTRAINED_JOINT_*",
               "this joint is not built; SPHERICAL, REVOLUTE, CYLINDRICAL, PLANAR, UNIVERSAL, TRANSLATIONAL and LOCKING "
-              "are, without further options"),
+              "are, by nodes and by points (_COOR_), without further options"),
       {.name = "CONTROL_RIGID", .layout = {{"", &rigid_card}}, .read = read_control},
   };
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/cards/families.hpp"
 #include "model/cards/material.hpp"
 #include "model/cards/reading.hpp"
@@ -47,12 +49,12 @@ const Card kinematic_rate_card{{
 const Card null_card{{
     material_id,
     density,
-    real("pc", dimension::stress, 0, any_value, "pressure cutoff, for solids only"),
-    real("mu", {1, -1, -1}, 0, any_value, "viscosity, for solids only"),
-    real("terod", dimension::number, 0, any_value, "erosion in tension, for solids only"),
-    real("cerod", dimension::number, 0, any_value, "erosion in compression, for solids only"),
-    real("ym", dimension::stress, 0, at_least(0), "Young's modulus, for contact only"),
-    real("pr", dimension::number, 0, between(0, 0.5), "Poisson's ratio, for contact only"),
+    real("pc", dimension::stress, 0, any_value, "solids: the pressure falls no further; below 0, or 0: no limit"),
+    real("mu", {1, -1, -1}, 0, at_least(0), "solids: viscosity; deviators are 2 MU times those of the strain rate"),
+    real("terod", dimension::number, 0, any_value, "solids: relative volume at which they erode in tension: not built"),
+    real("cerod", dimension::number, 0, any_value, "the same in compression: not built"),
+    real("ym", dimension::stress, 0, at_least(0), "shells, beams: Young's modulus, for contact only"),
+    real("pr", dimension::number, 0, between(0, 0.5), "shells, beams: Poisson's ratio, for contact only"),
 }};
 
 const Card rigid_card{{
@@ -145,7 +147,12 @@ void read_null(Builder& b, const Block& block, const Options& options) {
   std::string title = read_title(cursor, options);
   const Row row = cursor.read(null_card);
   expect_end(b, cursor);
-  add_material(b, row, std::move(title), "MAT_NULL", kernel::Null{row.real("ym"), row.real("pr")});
+  if (row.real("pc") > 0.0)
+    row.complain(b.findings, Severity::warning, "pc", "a limit of the pressure is below 0; taken as none",
+                 "write a negative pressure");
+  add_material(b, row, std::move(title), "MAT_NULL",
+               kernel::Null{row.real("ym"), row.real("pr"), row.real("mu"), std::max(-row.real("pc"), 0.0),
+                            row.real("terod") > 0.0 || row.real("cerod") > 0.0});
 }
 
 /// The id of a coordinate system that stands in a field for real numbers, with the offset of its include.

@@ -87,7 +87,8 @@ Rows other_physics() {
       refused("CONTROL_DISCRETE_ELEMENT", "particles (DES) are not built"),
       refused("CONTROL_EFG", "meshfree elements are not built"),
       refused("IGA_*", "isogeometric elements are not built; mesh the part with shells"),
-      refused("EOS_*", "this equation of state is not built; *EOS_LINEAR_POLYNOMIAL and _GRUNEISEN are"),
+      refused("EOS_*",
+              "this equation of state is not built; *EOS_LINEAR_POLYNOMIAL, _GRUNEISEN, _TABULATED and _IDEAL_GAS are"),
       refused("RAIL_*", "rail tracks are not built"),
   };
 }

@@ -184,5 +184,103 @@ TEST(Supports, HoldWhatTheLoadsPush) {
   EXPECT_EQ(run.energy().external, 0.0);
 }
 
+/// Node 1 of mass 2 at (1 + 3, -1 + 4, 0.5), 5 from the axis along z through (1, -1).
+const std::string around_z = "*NODE\n1,4.0,3.0,0.5\n*ELEMENT_MASS\n1,1,2.0\n";
+constexpr double way = 5.0;
+Vec3d on_circle(double angle) {
+  const double start = std::atan2(4.0, 3.0);
+  return {1.0 + way * std::cos(start + angle), -1.0 + way * std::sin(start + angle), 0.5};
+}
+void expect_near(const Vec3d& a, const Vec3d& b, double tolerance) {
+  EXPECT_NEAR(a.x, b.x, tolerance);
+  EXPECT_NEAR(a.y, b.y, tolerance);
+  EXPECT_NEAR(a.z, b.z, tolerance);
+}
+
+// The angle goes as t^2, by its rate, by itself and by its acceleration: the node stays on its circle to round-off and
+// is where it is to be, held by m w^2 r inwards and driven by m r a; the work is its kinetic energy. Sabotage:
+// velocities along the tangent (the radius grows); the work of a step with the axes of another (1e-3 of it).
+TEST(Supports, ANodeGoesAroundAnAxis) {
+  const std::string square = [] {
+    std::string curve = "*DEFINE_CURVE\n1\n";
+    for (int i = 0; i <= 1100; ++i) curve += std::to_string(1e-3 * i) + ',' + std::to_string(1e-6 * i * i) + '\n';
+    return curve;
+  }();
+  const std::string motions[] = {
+      "*DEFINE_CURVE\n1\n0.0,0.0\n10.0,20.0\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,11,0,1\n1.0,-1.0\n",
+      square + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,11,2,1\n1.0,-1.0\n",
+      "*DEFINE_CURVE\n1\n0.0,2.0\n10.0,2.0\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,11,1,1\n1.0,-1.0\n"};
+  for (const std::string& motion : motions) {
+    Trial run(until_one + around_z + motion);
+    double off = 0.0, wrong = 0.0;
+    run.run([&](const Snapshot& now) {
+      const Vec3d x = vec(now.state.x[run.node(1)]);
+      off = std::max(off, norm(x - on_circle(now.state.time * now.state.time)));
+      if (now.state.time < 0.5 || now.state.time > 0.99) return;
+      const double w = 2.0 * now.state.time;
+      const Vec3d out = (1.0 / way) * Vec3d{x.x - 1.0, x.y + 1.0, 0.0}, around{-out.y, out.x, 0.0};
+      const Vec3d force = now.supports.motion_reactions().at(0).force;
+      wrong = std::max(wrong, norm(force - (-2.0 * w * w * way) * out - (2.0 * way * 2.0) * around));
+    });
+    EXPECT_LT(off, 1e-9) << motion.substr(0, 60);
+    EXPECT_LT(wrong, 1e-4 * 2.0 * 4.0 * way) << motion.substr(0, 60);
+    EXPECT_NEAR(run.energy().external, 0.5 * 2.0 * 4.0 * way * way, 1e-3 * 100.0);
+    EXPECT_LT(run.worst, 1e-9);
+  }
+}
+
+// A bead on a straight wire that turns at w: r = r0 cosh(w t), pushed by 2 m w r'. Sabotage: the radius held.
+TEST(Supports, ABeadSlidesAlongATurningWire) {
+  constexpr double w = 2.0;
+  Trial run(until_one + around_z +
+            "*INITIAL_VELOCITY_NODE\n1,-8.0,6.0,0.0\n"
+            "*DEFINE_CURVE\n1\n0.0,2.0\n10.0,2.0\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,-11,0,1\n1.0,-1.0\n");
+  double angle = 0.0, radius = 0.0, push = 0.0;
+  run.run([&](const Snapshot& now) {
+    const Vec3d x = vec(now.state.x[run.node(1)]);
+    const double t = now.state.time, start = std::atan2(4.0, 3.0), r = std::hypot(x.x - 1.0, x.y + 1.0);
+    angle =
+        std::max(angle, std::abs(std::remainder(std::atan2(x.y + 1.0, x.x - 1.0) - start - w * t, 6.283185307179586)));
+    radius = std::max(radius, std::abs(r / (way * std::cosh(w * t)) - 1.0));
+    if (t < 0.5 || t > 0.99) return;
+    const double wanted = 2.0 * 2.0 * w * w * way * std::sinh(w * t);
+    const Vec3d f = now.supports.motion_reactions().at(0).force;
+    push = std::max(push, std::abs((f.y * (x.x - 1.0) - f.x * (x.y + 1.0)) / (r * wanted) - 1.0));
+  });
+  EXPECT_LT(angle, 1e-11);
+  EXPECT_LT(radius, 1e-5);
+  EXPECT_LT(push, 1e-5);
+  const double c = std::cosh(w), s = std::sinh(w), ours = 0.5 * 2.0 * w * w * way * way;
+  EXPECT_NEAR(run.energy().external, ours * (c * c + s * s - 1.0), 1e-3 * ours * c * c);
+}
+
+// The offsets are y, z about x, and z, x about y; along the axis the node is free. On the axis there is no way around
+// it.
+TEST(Supports, AxesStandWhereTheOffsetsSay) {
+  for (const int dof : {9, 10}) {
+    const std::string node = dof == 9 ? "1,0.25,4.0,3.0\n" : "1,3.0,0.25,4.0\n";
+    Trial run(until_one + "*NODE\n" + node +
+              "2,1.0,1.0,-1.0\n3,-1.0,1.0,1.0\n*ELEMENT_MASS\n1,1,2.0\n2,2,2.0\n3,3,2.0\n" +
+              "*INITIAL_VELOCITY_NODE\n1,1.0,1.0,1.0\n*SET_NODE\n4\n1,2,3\n*DEFINE_CURVE\n1\n0.0,2.0\n10.0,2.0\n"
+              "*BOUNDARY_PRESCRIBED_MOTION_SET\n4," +
+              std::to_string(dof) + ",0,1\n1.0,-1.0\n");
+    run.run();
+    const Vec3d x = vec(run.simulation->state().x[run.node(1)]), round = on_circle(2.0);
+    expect_near(x, dof == 9 ? Vec3d{1.25, round.x, round.y} : Vec3d{round.y, 1.25, round.x}, 1e-9);
+    const Vec3d axis = dof == 9 ? Vec3d{1, 1, -1} : Vec3d{-1, 1, 1};
+    expect_near(vec(run.simulation->state().x[run.node(dof == 9 ? 2 : 3)]), axis, 1e-12);
+  }
+}
+
+// VID < 0: y of a system turned by 30 degrees about z.
+TEST(Supports, MotionAlongAnAxisOfASystem) {
+  Trial run(
+      until_one + mass +
+      "*DEFINE_COORDINATE_VECTOR\n5,0.8660254037844386,0.5,0.0,-0.5,0.8660254037844386,0.0\n*DEFINE_CURVE\n1\n0.0,2.0\n"
+      "10.0,2.0\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,2,0,1,1.0,-5\n");
+  run.run();
+  expect_near(vec(run.simulation->state().x[run.node(1)]), {-1.0, std::sqrt(3.0), 0.0}, 1e-9);
+}
+
 }  // namespace
 }  // namespace nugget::impact

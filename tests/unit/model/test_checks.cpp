@@ -268,7 +268,7 @@ TEST(Checks, LawsAndElementsMustGoTogether) {
                  "*PART\nelastic beam\n5,5,1\n*SECTION_BEAM\n5,9,,,1\n6.0\n*ELEMENT_BEAM\n1,5,1,5\n"
                  "*PART\nnull sheet\n6,1,3\n*ELEMENT_SHELL\n6,6,1,2,6,5\n"));
   EXPECT_TRUE(b.error("*MAT_SPOTWELD is a law of weld beams", "mid")) << b.all_findings();
-  EXPECT_TRUE(b.error("*MAT_NULL in solids is a fluid", "mid"));
+  EXPECT_TRUE(b.error("*MAT_NULL in solids is a fluid", "eosid"));
   EXPECT_TRUE(b.error("spot-weld beams (ELFORM 9) need *MAT_SPOTWELD, not *MAT_ELASTIC", "mid"));
   EXPECT_EQ(b.findings.errors(), 3) << b.all_findings();
 }

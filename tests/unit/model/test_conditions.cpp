@@ -205,8 +205,18 @@ TEST(Boundary, PrescribedMotions) {
 }
 
 TEST(Boundary, PrescribedMotionFaults) {
-  EXPECT_TRUE(Built(small_deck("*BOUNDARY_PRESCRIBED_MOTION_SET\n         1         9         0         7\n"))
+  EXPECT_TRUE(Built(small_deck("*BOUNDARY_PRESCRIBED_MOTION_SET\n         1        12         0         7\n"))
                   .error("1 to 8", "dof"));
+  EXPECT_TRUE(Built(small_deck("*BOUNDARY_PRESCRIBED_MOTION_RIGID\n         2        11         0         7\n\n"))
+                  .error("not rigid bodies", "dof"));
+  EXPECT_TRUE(
+      Built(small_deck("*BOUNDARY_PRESCRIBED_MOTION_SET\n         1         9         0         7       1.0        "
+                       "-5\n       1.0\n*DEFINE_COORDINATE_VECTOR\n5,1.0,0.0,0.0,0.0,1.0,0.0\n"))
+          .error("axis by offsets", "vid"));
+  EXPECT_TRUE(
+      Built(small_deck("*BOUNDARY_PRESCRIBED_MOTION_SET\n         1         1         0         7       1.0        "
+                       "-6\n"))
+          .error("not defined", "vid"));
   EXPECT_TRUE(Built(small_deck("*BOUNDARY_PRESCRIBED_MOTION_SET\n         1         1         4         7\n"))
                   .error("velocity", "vad"));
   EXPECT_TRUE(Built(small_deck("*BOUNDARY_PRESCRIBED_MOTION_SET\n         1         4         0         7\n"))
@@ -217,6 +227,25 @@ TEST(Boundary, PrescribedMotionFaults) {
                   .error("not rigid", "pid"));
   EXPECT_TRUE(Built(small_deck("*BOUNDARY_PRESCRIBED_MOTION_RIGID_LOCAL\n         2         1         0         7\n"))
                   .error("local axes", "pid"));
+}
+
+TEST(Boundary, MotionsAroundAnAxis) {
+  const Built built(small_deck(R"(*BOUNDARY_PRESCRIBED_MOTION_SET
+         1       -10         2         7       0.5
+       3.0       4.0         2
+         1         9         0         7
+       3.0       4.0
+)"));
+  ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
+  EXPECT_TRUE(built.warning("VAD 4", "lrb"));
+  const auto& motions = built.model.motions;
+  ASSERT_EQ(motions.size(), 2u);
+  EXPECT_TRUE(motions[0].circular && !motions[0].rotation && !motions[0].radius_held);
+  expect_vector(motions[0].direction, 0, 1, 0);
+  expect_vector(motions[0].center, 4, 0, 3);
+  EXPECT_TRUE(motions[1].circular && motions[1].radius_held);
+  expect_vector(motions[1].direction, 1, 0, 0);
+  expect_vector(motions[1].center, 0, 3, 4);
 }
 
 TEST(Boundary, NodesOfRigidBodiesAreNotMovedOneByOne) {

@@ -102,9 +102,17 @@ TEST(Damping, CardsSayWhatIsDamped) {
   EXPECT_EQ(damping.relative[0].quadratic, 0.5);
 }
 
+TEST(Damping, OfDeformationKnowsItsParts) {
+  const Built built(
+      small_deck("*DAMPING_FREQUENCY_RANGE_DEFORM\n      0.01      10.0     300.0         0                   2\n"));
+  ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
+  EXPECT_TRUE(built.warning("does nothing", "pidrel"));
+  ASSERT_EQ(built.model.damping.range.size(), 1u);
+  EXPECT_TRUE(built.model.damping.range[0].deform);
+  EXPECT_EQ(built.model.damping.range[0].parts.size(), built.model.parts.size());
+}
+
 TEST(Damping, WhatIsNotBuiltIsRefused) {
-  EXPECT_TRUE(
-      Built(small_deck("*DAMPING_FREQUENCY_RANGE_DEFORM\n      0.01      10.0     300.0\n")).error("not built"));
   EXPECT_TRUE(Built(small_deck("*DAMPING_FREQUENCY_RANGE\n      0.01     300.0      10.0\n")).error("swap", "fhigh"));
   EXPECT_TRUE(Built(small_deck("*DAMPING_PART_STIFFNESS\n         1       3.0\n")).error("critical", "coef"));
   EXPECT_TRUE(Built(small_deck("*DAMPING_MODAL\n")).error("not built"));
