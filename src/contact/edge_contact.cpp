@@ -292,12 +292,11 @@ Vec3d EdgeContact::friction(const Pair& pair, const Pair& before, double stiffne
   const Vec3d over_b = pair.feet.b - at(setup_.edges[before.b], before.feet.t, step.x);
   const auto tangential = [&pair](const Vec3d& a) { return a - dot(a, pair.direction) * pair.direction; };
   const Vec3d slip = tangential(over_b - over_a);
-  const Vec3d trial = tangential(before.friction) - stiffness * slip;
   const double speed = step.dt > 0.0 ? norm(slip) / step.dt : 0.0;
   // Two crossing bars touch in a patch as wide as both.
   const double area = setup_.edges[pair.a].thickness * setup_.edges[pair.b].thickness;
-  const double bound = setup_.law.friction.bound(normal_force, speed, area), size = norm(trial);
-  return size > bound ? (bound / size) * trial : trial;
+  const double bound = setup_.law.friction.bound(normal_force, speed, area);
+  return kernel::sliding_spring(tangential(before.friction), stiffness, slip, bound);
 }
 
 double EdgeContact::penalty(const Edge& e, const Edge& f, const Step& step) const {
