@@ -64,7 +64,7 @@ Simulation::Simulation(system::System& system, Findings& findings)
       continue;
     }
     treat_initial_penetrations(system, card, setup, state_.x, findings);
-    auto edges = edge_setup(system, card, setup, state_.x, findings);
+    auto edges = edge_setup(system, card, setup, state_.x);
     contacts_.emplace_back(std::move(setup), std::move(edges), card.glue, state_.x);
     if (card.glue) tell_of_glue(card, *contacts_.back().glue(), findings);
   }
