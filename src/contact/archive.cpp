@@ -45,8 +45,8 @@ void EdgeContact::archive(Archive& a) {
 
 void Glue::archive(Archive& a) {
   a.section("glue");
-  a(bonds_, glued_, forces_, energy_, resultant_, failed_);
-  a.built(setup_, law_);
+  a(bonds_, held_, spent_, forces_, energy_, resultant_, failed_, first_node_, first_time_, last_time_);
+  a.built(setup_, card_, around_, segment_stiffness_, node_area_, at_start_);
 }
 
 void PenaltyContact::archive(Archive& a) {

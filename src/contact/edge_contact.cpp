@@ -12,7 +12,10 @@ namespace nugget::contact {
 namespace {
 
 constexpr int block_size = 64;
-constexpr double parallel = 1e-5;  // sine below which edges have no common normal of their own
+constexpr double parallel = 1e-5;       // sine below which edges have no common normal of their own
+constexpr double pressing_depth = 0.3;  // of a brick's depth
+constexpr double beyond_normals = 0.1;  // angle by which a common normal may leave those of the faces
+constexpr double flat = 0.05;           // sine of an inward angle between faces that still counts as none
 
 bool finite(const Row& r) {
   return std::isfinite(r.x + r.y + r.z);
@@ -38,6 +41,34 @@ Vec3d at(const Edge& e, double place, std::span<const Row> rows) {
   return (1.0 - place) * vec(rows[e.node[0]]) + place * vec(rows[e.node[1]]);
 }
 
+/// The outward normals at an edge of bricks: their middle, and how far from it either stands. None (zero) where there
+/// are not two bare faces, or these stand at an inward angle.
+struct Outward {
+  Vec3d middle;
+  double half_angle = 0.0;
+
+  Outward(const Edge& e, const Step& step) {
+    const Segment* face[2] = {nullptr, nullptr};
+    int bare_faces = 0;
+    for (const Segment& s : e.faces)
+      if (bare(s, step.element_alive) && bare_faces++ < 2) face[bare_faces - 1] = &s;
+    if (bare_faces != 2) return;
+    Vec3d normal[2], centre[2];
+    for (int f = 0; f < 2; ++f) {
+      const kernel::Corners c = corners_of(*face[f], step.x);
+      normal[f] = kernel::detail::unit_or_zero(cross(c[2] - c[0], c[3] - c[1]));
+      const int corners = face[f]->corners();
+      for (int i = 0; i < corners; ++i) centre[f] += (1.0 / corners) * c[static_cast<std::size_t>(i)];
+    }
+    const Vec3d to_other = kernel::detail::unit_or_zero(centre[1] - at(e, 0.5, step.x));
+    if (dot(normal[0], to_other) > flat) return;
+    middle = kernel::detail::unit_or_zero(normal[0] + normal[1]);
+    half_angle = angle_to(normal[0]);
+  }
+  double angle_to(const Vec3d& direction) const { return std::acos(std::clamp(dot(middle, direction), -1.0, 1.0)); }
+  bool hold(const Vec3d& direction) const { return angle_to(direction) <= half_angle + beyond_normals; }
+};
+
 /// Whether a place along an edge is one of its ends, but for round-off.
 bool at_an_end(double place) {
   return place <= 1e-9 || place >= 1.0 - 1e-9;
@@ -45,13 +76,14 @@ bool at_an_end(double place) {
 
 }  // namespace
 
-std::vector<Edge> edges_of(const std::vector<Segment>& segments, std::span<const Row> x) {
-  std::map<std::pair<int, int>, Edge> found;
+std::vector<Edge> edges_of(const std::vector<Segment>& segments, std::span<const Row> x, bool bricks) {
+  std::map<std::pair<int, int>, Edge> of_shells, of_bricks;
   for (const Segment& s : segments) {
-    if (s.volume > 0.0) continue;
+    const bool brick = s.volume > 0.0;
+    if (brick && !bricks) continue;
     for (int c = 0; c < s.corners(); ++c) {
       const int from = s.node[c], to = s.node[(c + 1) % s.corners()];
-      Edge& edge = found[std::minmax(from, to)];
+      Edge& edge = (brick ? of_bricks : of_shells)[std::minmax(from, to)];
       edge.node = {std::min(from, to), std::max(from, to)};
       edge.thickness += s.thickness;
       edge.stiffness += penalty_stiffness(s, x);
@@ -59,15 +91,20 @@ std::vector<Edge> edges_of(const std::vector<Segment>& segments, std::span<const
       edge.scale = edge.elements.empty() ? s.scale : edge.scale + s.scale;
       edge.side = edge.elements.empty() ? s.side : edge.side | s.side;
       edge.elements.push_back(s.element);
+      if (!brick) continue;
+      const double a = area(s, x), depth = a > 0.0 ? pressing_depth * s.volume / a : 0.0;
+      edge.depth = edge.faces.empty() ? depth : std::min(edge.depth, depth);
+      edge.faces.push_back(s);
     }
   }
+  of_shells.merge(of_bricks);  // where a shell lies on a brick its edge counts
   std::vector<Edge> edges;
-  for (auto& [nodes, edge] : found) {
-    const auto shells = static_cast<double>(edge.elements.size());
-    edge.thickness /= shells;
-    edge.stiffness /= shells;
-    edge.mass /= shells;
-    edge.scale /= shells;
+  for (auto& [nodes, edge] : of_shells) {
+    const auto segments_there = static_cast<double>(edge.elements.size());
+    edge.thickness /= segments_there;
+    edge.stiffness /= segments_there;
+    edge.mass /= segments_there;
+    edge.scale /= segments_there;
     edges.push_back(std::move(edge));
   }
   return edges;
@@ -107,7 +144,7 @@ void EdgeContact::apply(const Step& step, std::span<Row> force) {
     approach_.follow(step.x);
     if (!searched_ || approach_.since_start() > margin_) search(step.x, step.element_alive);
     parallel_for(blocks_.size(), 4, [this, &step](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b) find_close(blocks_[b], step.x);
+      for (std::size_t b = begin; b < end; ++b) find_close(blocks_[b], step);
     });
     close_.clear();
     for (const Block& block : blocks_)
@@ -125,6 +162,8 @@ void EdgeContact::apply(const Step& step, std::span<Row> force) {
 
 bool EdgeContact::takes_part(int edge, std::span<const unsigned char> alive) const {
   const Edge& e = setup_.edges[edge];
+  if (!e.faces.empty())
+    return std::count_if(e.faces.begin(), e.faces.end(), [&alive](const Segment& s) { return bare(s, alive); }) == 2;
   const auto living = std::count_if(e.elements.begin(), e.elements.end(), [&alive](int element) {
     return element < 0 || alive.empty() || alive[element] != 0;
   });
@@ -159,7 +198,7 @@ void EdgeContact::search(std::span<const Row> x, std::span<const unsigned char> 
     Box box;
     for (int n : edge.node) box.add(vec(x[n]));
     listed.push_back(static_cast<int>(e));
-    boxes.push_back(box.grown(0.5 * edge.thickness));
+    boxes.push_back(box.grown(0.5 * edge.thickness + edge.depth));
     nodes.insert(nodes.end(), edge.node.begin(), edge.node.end());
   }
   std::sort(nodes.begin(), nodes.end());
@@ -184,14 +223,14 @@ void EdgeContact::list_neighbours(Block& block, const std::vector<int>& listed, 
     Box box;
     for (int n : edge.node) box.add(vec(x[n]));
     const std::size_t start = block.pairs.size();
-    tree.overlapping(box.grown(0.5 * edge.thickness + margin_), [&](int item) {
+    tree.overlapping(box.grown(0.5 * edge.thickness + edge.depth + margin_), [&](int item) {
       const int b = listed[item];
       if (b <= a || !face_each_other(a, b) || belong_together(a, b)) return;
       Pair pair;
       pair.a = a;
       pair.b = b;
       pair.feet = feet_of(a, b, x);
-      if (pair.feet.distance > reach(a, b) + margin_) return;
+      if (pair.feet.distance > reach(a, b) + depth(a, b) + margin_) return;
       // What the pair remembers goes on.
       const auto known = std::lower_bound(old.begin(), old.end(), pair, by_edges);
       block.pairs.push_back(known != old.end() && known->a == a && known->b == b ? *known : pair);
@@ -204,17 +243,43 @@ void EdgeContact::list_neighbours(Block& block, const std::vector<int>& listed, 
 // ----------------------------------------------------------------------------------------------------------- every
 // cycle
 
-void EdgeContact::find_close(Block& block, std::span<const Row> x) const {
+void EdgeContact::find_close(Block& block, const Step& step) const {
   block.close.clear();
   for (Pair& pair : block.pairs) {
     if (pair.wake > approach_.travelled()) continue;
     const Pair before = pair;
     pair.touching = false;
-    pair.feet = feet_of(pair.a, pair.b, x);
+    pair.feet = feet_of(pair.a, pair.b, step.x);
     const double gap = pair.feet.distance - reach(pair.a, pair.b);
     pair.wake = approach_.travelled() + gap;
-    if (gap < 0.0) block.close.push_back({&pair, before});
+    if (of_bricks(pair)) {
+      pair.direction = out_of_bricks(pair, step);
+      // What is inside is close however far it is; asked again in the next cycle.
+      if (norm(pair.direction) == 0.0) continue;
+      pair.wake = approach_.travelled();
+      block.close.push_back({&pair, before});
+    } else if (gap < 0.0) {
+      block.close.push_back({&pair, before});
+    }
   }
+}
+
+/// The direction in which the first edge leaves the second, of a pair with an edge of bricks that overlaps; else zero.
+Vec3d EdgeContact::out_of_bricks(const Pair& pair, const Step& step) const {
+  const double deepest = depth(pair.a, pair.b), span = reach(pair.a, pair.b);
+  if (pair.feet.distance > span + deepest) return {};
+  const Edge &e = setup_.edges[pair.a], &f = setup_.edges[pair.b];
+  const Vec3d p = along(e, step.x), q = along(f, step.x), r = pair.feet.a - pair.feet.b;
+  const Vec3d normal = cross(p, q);
+  if (norm(normal) <= parallel * norm(p) * norm(q)) return {};
+  Vec3d direction = (1.0 / norm(normal)) * normal;
+  // Off the common normal the closest point is the end of a line: a node, which meets faces.
+  if (norm(r - dot(r, direction) * direction) > 1e-6 * std::min(norm(p), norm(q))) return {};
+  const Outward of_e(e, step), of_f(f, step);
+  if ((!e.faces.empty() && norm(of_e.middle) == 0.0) || (!f.faces.empty() && norm(of_f.middle) == 0.0)) return {};
+  if (dot(direction, of_f.middle - of_e.middle) < 0.0) direction = -direction;
+  if ((!e.faces.empty() && !of_e.hold(-direction)) || (!f.faces.empty() && !of_f.hold(direction))) return {};
+  return dot(r, direction) < span ? direction : Vec3d{};
 }
 
 /// The edges that go on where `place` is an end of the edge (the edge itself is one of them).
@@ -292,12 +357,11 @@ Vec3d EdgeContact::friction(const Pair& pair, const Pair& before, double stiffne
   const Vec3d over_b = pair.feet.b - at(setup_.edges[before.b], before.feet.t, step.x);
   const auto tangential = [&pair](const Vec3d& a) { return a - dot(a, pair.direction) * pair.direction; };
   const Vec3d slip = tangential(over_b - over_a);
-  const Vec3d trial = tangential(before.friction) - stiffness * slip;
   const double speed = step.dt > 0.0 ? norm(slip) / step.dt : 0.0;
   // Two crossing bars touch in a patch as wide as both.
   const double area = setup_.edges[pair.a].thickness * setup_.edges[pair.b].thickness;
-  const double bound = setup_.law.friction.bound(normal_force, speed, area), size = norm(trial);
-  return size > bound ? (bound / size) * trial : trial;
+  const double bound = setup_.law.friction.bound(normal_force, speed, area);
+  return kernel::sliding_spring(tangential(before.friction), stiffness, slip, bound);
 }
 
 double EdgeContact::penalty(const Edge& e, const Edge& f, const Step& step) const {
@@ -314,7 +378,7 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   const Vec3d r = pair.feet.a - pair.feet.b;
   const Vec3d velocity = at(e, s, step.v) - at(f, t, step.v);
   const Pair before = predecessor(candidate);
-  pair.direction = direction(pair, before, r - step.dt * velocity, step.x);
+  if (!of_bricks(pair)) pair.direction = direction(pair, before, r - step.dt * velocity, step.x);
   const double overlap = reach(pair.a, pair.b) - dot(r, pair.direction);
   // What the motion of this step cannot have made was there before, or comes from an edge laid bare.
   const double explained = before.depth + step.dt * norm(velocity);

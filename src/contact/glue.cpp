@@ -11,7 +11,8 @@ namespace nugget::contact {
 namespace {
 
 constexpr double tolerance = 0.05;
-constexpr unsigned reference = 2;  // bit of Segment::side
+constexpr double in_the_middle = 1e-6;  // of the thickness: what round-off makes of no gap
+constexpr unsigned reference = 2;       // bit of Segment::side
 
 /// Unit axes of a segment: along its first pair of edges, across, and its normal.
 struct Axes {
@@ -30,17 +31,43 @@ Axes axes_of(const Segment& s, std::span<const Row> x) {
   return axes;
 }
 
-Vec3d point_of(const Segment& s, const std::array<double, 4>& weight, std::span<const Row> rows) {
-  Vec3d sum;
-  for (int c = 0; c < s.corners(); ++c) sum += weight[c] * vec(rows[s.node[c]]);
-  return sum;
+double shortest_diagonal(const Segment& s, std::span<const Row> x) {
+  const kernel::Corners c = corners_of(s, x);
+  return std::min(norm(c[2] - c[0]), norm(c[3] - c[1]));
 }
 
 }  // namespace
 
-Glue::Glue(const SurfaceContactSetup& setup, kernel::Cohesion law, std::span<const Row> x)
-    : setup_(setup), law_(law), glued_(setup.nodes.size(), 0), forces_(surface_nodes(setup)) {
-  const NodeSegments around(setup_.segments);
+Glue::Glue(const SurfaceContactSetup& setup, model::Glue card, std::span<const Row> x)
+    : setup_(setup),
+      card_(std::move(card)),
+      around_(setup_.segments),
+      held_(setup.nodes.size(), card_.alone ? 1 : 0),
+      spent_(setup.nodes.size(), 0),
+      forces_(surface_nodes(setup)) {
+  book_sides(forces_, around_, setup_.segments);
+  for (const Segment& s : setup_.segments)
+    segment_stiffness_.push_back(setup_.stiffness_scale * penalty_stiffness(s, x));
+  for (const TrackedNode& node : setup_.nodes) {
+    double sum = 0.0;
+    for (int s : around_.at(node.node)) {
+      const Segment& own = setup_.segments[s];
+      if (own.covered_by < 0) sum += area(own, x) / own.corners();
+    }
+    node_area_.push_back(sum);
+  }
+  glue_together(x);
+}
+
+/// How far from a segment a node may stand that is glued to it.
+double Glue::limit(const TrackedNode& node, const Segment& s, std::span<const Row> x) const {
+  if (card_.without_thickness)
+    return std::max(0.6 * (node.thickness + s.thickness), tolerance * shortest_diagonal(s, x));
+  const double reach = 0.5 * (node.thickness + s.thickness);
+  return reach + tolerance * (s.volume > 0.0 ? std::sqrt(area(s, x)) : reach);
+}
+
+void Glue::glue_together(std::span<const Row> x) {
   std::vector<Box> boxes;
   for (const Segment& s : setup_.segments) {
     Box box;
@@ -52,38 +79,136 @@ Glue::Glue(const SurfaceContactSetup& setup, kernel::Cohesion law, std::span<con
     const TrackedNode& node = setup_.nodes[t];
     if (!(node.against & reference)) continue;
     const Vec3d p = vec(x[node.node]);
-    const auto limit = [&](const Segment& s) {
-      const double reach = 0.5 * (node.thickness + s.thickness);
-      return reach + tolerance * (s.volume > 0.0 ? std::sqrt(area(s, x)) : reach);
-    };
     const auto distance = [&](int item) {
       const Segment& s = setup_.segments[item];
       if (!(s.side & node.against) || s.has(node.node) || s.covered_by >= 0) return Box::infinity;
       const double d = kernel::closest_point(corners_of(s, x), s.triangle(), p).distance;
-      return d <= limit(s) ? d : Box::infinity;
+      return d <= limit(node, s, x) ? d : Box::infinity;
     };
     const BoxTree::Nearest nearest = tree.nearest(p, Box::infinity, distance);
     if (nearest.item < 0 || !std::isfinite(nearest.distance)) continue;
-    Bond bond;
-    bond.tracked = static_cast<int>(t);
-    bond.node = node.node;
-    bond.segment = setup_.segments[nearest.item];
-    const kernel::Foot foot = kernel::closest_point(corners_of(bond.segment, x), bond.segment.triangle(), p);
-    bond.weight = foot.weight;
-    bond.place = axes_of(bond.segment, x).local(p - foot.point);
-    bond.stiffness = setup_.stiffness_scale * penalty_stiffness(bond.segment, x);
-    for (int s : around.at(node.node)) {
-      const Segment& own = setup_.segments[s];
-      if (own.covered_by < 0) bond.area += area(own, x) / own.corners();
-    }
-    const double whole = area(bond.segment, x);
-    if (!(bond.area > 0.0)) bond.area = whole;
-    // As stiff per area everywhere, so that surfaces that part evenly are stressed evenly.
-    if (whole > 0.0) bond.stiffness *= bond.area / whole;
-    if (law_.normal_stiffness > 0.0) bond.stiffness = law_.normal_stiffness * bond.area;
-    glued_[t] = 1;
-    bonds_.push_back(bond);
+    const Segment& s = setup_.segments[nearest.item];
+    Bond made = bond(static_cast<int>(t), nearest.item, kernel::closest_point(corners_of(s, x), s.triangle(), p), x);
+    if (s.volume == 0.0 && nearest.distance <= in_the_middle * (node.thickness + s.thickness)) made.outward = 0.0;
+    held_[t] = spent_[t] = 1;
+    bonds_.push_back(made);
   }
+  at_start_ = static_cast<int>(bonds_.size());
+}
+
+/// A bond that is without stress in this place.
+Glue::Bond Glue::bond(int tracked, int segment, const kernel::Foot& foot, std::span<const Row> x) const {
+  const Segment& s = setup_.segments[segment];
+  Bond bond;
+  bond.tracked = tracked;
+  bond.segment = segment;
+  bond.weight = foot.weight;
+  bond.place = axes_of(s, x).local(vec(x[setup_.nodes[tracked].node]) - foot.point);
+  bond.outward = s.volume == 0.0 && bond.place.z < 0.0 ? -1.0 : 1.0;
+  const double whole = area(s, x);
+  bond.area = node_area_[tracked] > 0.0 ? node_area_[tracked] : whole;
+  bond.stiffness = segment_stiffness_[segment];
+  // As stiff per area everywhere, so that surfaces that part evenly are stressed evenly.
+  if (whole > 0.0) bond.stiffness *= bond.area / whole;
+  if (card_.law.normal_stiffness > 0.0) bond.stiffness = card_.law.normal_stiffness * bond.area;
+  if (card_.by_force) bond.area = 1.0;
+  return bond;
+}
+
+/// What the step bears of the bond's stiffness, by area.
+kernel::CohesiveStiffness Glue::stiffness(const Bond& bond, const Step& step) const {
+  const Segment& s = setup_.segments[bond.segment];
+  std::array<double, 4> corner_mass{};
+  for (int c = 0; c < s.corners(); ++c) corner_mass[c] = step.mass[s.node[c]];
+  const double inverse_mass =
+      kernel::inverse_pair_mass(step.mass[setup_.nodes[bond.tracked].node], bond.weight, corner_mass);
+  // The stiffer of both directions is bounded, the other goes with it.
+  const double stiffer = std::max(1.0, card_.law.shear_ratio);
+  const double normal =
+      kernel::pair_stiffness(setup_.law, stiffer * bond.stiffness, inverse_mass, step.bearable) / stiffer;
+  return {normal / bond.area, card_.law.shear_ratio * normal / bond.area};
+}
+
+/// Force of the node on the segment, of glue that holds in all directions.
+Vec3d Glue::pull(Bond& bond, const kernel::CohesiveStiffness& k, const Step& step) const {
+  const Segment& s = setup_.segments[bond.segment];
+  const int node = setup_.nodes[bond.tracked].node;
+  const Axes axes = axes_of(s, step.x);
+  const Vec3d stretch = axes.local(vec(step.x[node]) - interpolate(s, bond.weight, step.x)) - bond.place;
+  const double outward = bond.outward != 0.0 ? bond.outward : stretch.z < 0.0 ? -1.0 : 1.0;
+  double rate = 0.0;
+  if (card_.law.thickness > 0.0) {
+    const Vec3d v = axes.local(vec(step.v[node]) - interpolate(s, bond.weight, step.v));
+    rate = std::sqrt(v.z * v.z + 0.25 * (v.x * v.x + v.y * v.y)) / card_.law.thickness;
+  }
+  const Vec3d stress =
+      kernel::cohesive_stress(card_.law, k, {stretch.x, stretch.y, outward * stretch.z}, rate, bond.state);
+  return axes.global(bond.area * Vec3d{stress.x, stress.y, outward * stress.z});
+}
+
+/// The same of glue that slides: the foot goes to where the surface is closest now.
+Vec3d Glue::sliding_pull(Bond& bond, const kernel::CohesiveStiffness& k, const Step& step) const {
+  const TrackedNode& node = setup_.nodes[bond.tracked];
+  const Vec3d p = vec(step.x[node.node]);
+  const Segment& from = setup_.segments[bond.segment];
+  const Vec3d was = interpolate(from, bond.weight, step.x);
+  int to = -1;
+  kernel::Foot foot;
+  for (int c = 0; c < from.corners(); ++c)
+    for (int item : around_.at(from.node[c])) {
+      const Segment& s = setup_.segments[item];
+      if (!(s.side & reference) || s.has(node.node) || !bare(s, step.element_alive)) continue;
+      const kernel::Foot other = kernel::closest_point(corners_of(s, step.x), s.triangle(), p);
+      // Of two that are as close, over an edge that they share, the one where it is stays.
+      if (to >= 0 && (other.distance > foot.distance || (other.distance == foot.distance && item != bond.segment)))
+        continue;
+      to = item;
+      foot = other;
+    }
+  if (to < 0) {
+    bond.state.damage = 1.0;
+    return {};
+  }
+  const Segment& s = setup_.segments[to];
+  if (to != bond.segment && same_side(from, s) < 0) {
+    bond.outward = -bond.outward;
+    bond.place.z = -bond.place.z;
+  }
+  bond.segment = to;
+  bond.weight = foot.weight;
+  const Vec3d r = p - foot.point;
+  const double height = dot(r, foot.normal);
+  if (norm(r - height * foot.normal) > limit(node, s, step.x)) {
+    bond.state.damage = 1.0;
+    return {};
+  }
+  const double stretch = height - bond.place.z;
+  const double outward = bond.outward != 0.0 ? bond.outward : stretch < 0.0 ? -1.0 : 1.0;
+  const double stress = kernel::cohesive_stress(card_.law, k, {0.0, 0.0, outward * stretch}, 0.0, bond.state).z;
+
+  const auto along = [&foot](const Vec3d& a) { return a - dot(a, foot.normal) * foot.normal; };
+  const Vec3d slip = along(foot.point - was);
+  double bound = card_.slip_stress * bond.area;
+  if (!(bound > 0.0)) {
+    const kernel::Friction law = setup_.friction_by_part
+                                     ? kernel::mean(s.friction, friction_at(around_.at(node.node), setup_.segments))
+                                     : setup_.law.friction;
+    const double speed = step.dt > 0.0 ? norm(slip) / step.dt : 0.0;
+    bound = law.bound(std::max(0.0, -stress) * bond.area, speed, bond.area);
+  }
+  bond.friction = kernel::sliding_spring(along(bond.friction), k.shear * bond.area, slip, bound);
+  return bond.area * outward * stress * foot.normal - bond.friction;
+}
+
+void Glue::let_go(Bond& bond, double time) {
+  bond.holds = false;
+  if (!card_.alone) held_[bond.tracked] = 0;
+  if (failed_ == 0) {
+    first_node_ = setup_.nodes[bond.tracked].node;
+    first_time_ = time;
+  }
+  last_time_ = time;
+  ++failed_;
 }
 
 void Glue::apply(const Step& step, std::span<Row> force) {
@@ -91,37 +216,40 @@ void Glue::apply(const Step& step, std::span<Row> force) {
   resultant_ = {};
   for (Bond& bond : bonds_) {
     if (!bond.holds) continue;
-    const Segment& s = bond.segment;
-    std::array<double, 4> corner_mass{};
-    for (int c = 0; c < s.corners(); ++c) corner_mass[c] = step.mass[s.node[c]];
-    const double inverse_mass = kernel::inverse_pair_mass(step.mass[bond.node], bond.weight, corner_mass);
-    // The stiffer of both directions is bounded, the other goes with it.
-    const double stiffer = std::max(1.0, law_.shear_ratio);
-    const double normal =
-        kernel::pair_stiffness(setup_.law, stiffer * bond.stiffness, inverse_mass, step.bearable) / stiffer;
-    const double shear = law_.shear_ratio * normal;
-    const Axes axes = axes_of(s, step.x);
-    const Vec3d stretch = axes.local(vec(step.x[bond.node]) - point_of(s, bond.weight, step.x)) - bond.place;
-    const double outward = bond.place.z < 0.0 ? -stretch.z : stretch.z;
-    const kernel::Opening opening{std::max(0.0, outward), std::hypot(stretch.x, stretch.y)};
-    bond.damage = kernel::cohesive_damage(law_, normal / bond.area, shear / bond.area, opening, bond.damage);
-    if (step.time >= setup_.death || !bare(s, step.element_alive) || bond.damage >= 1.0) {
-      bond.holds = false;
-      glued_[bond.tracked] = 0;
-      ++failed_;
+    const kernel::CohesiveStiffness k = stiffness(bond, step);
+    const Vec3d f = card_.slides ? sliding_pull(bond, k, step) : pull(bond, k, step);
+    const bool ends = step.time >= setup_.death || !bare(setup_.segments[bond.segment], step.element_alive);
+    if (ends || bond.state.damage >= 1.0) {
+      let_go(bond, step.time);
       continue;
     }
-    const double left = 1.0 - bond.damage;
-    const Vec3d pull{left * shear * stretch.x, left * shear * stretch.y,
-                     (outward > 0.0 ? left : 1.0) * normal * stretch.z};  // of the node on the segment
-    const Vec3d f = axes.global(pull);
-    forces_.add(bond.node, -f);
+    const Segment& s = setup_.segments[bond.segment];
+    forces_.add(setup_.nodes[bond.tracked].node, -f);
     for (int c = 0; c < s.corners(); ++c) forces_.add(s.node[c], bond.weight[c] * f);
     resultant_ += s.side == 1 ? f : -f;
   }
   forces_.add_to(force);
   const std::array<double, 2> work = forces_.work(step.dt, step.v);
   for (int side = 0; side < 2; ++side) energy_[side] -= work[side];
+}
+
+void Glue::stick(const SurfaceContact& surface, const Step& step) {
+  if (!card_.sticks_later) return;
+  surface.each_hit([this, &step](const SurfaceContact::Hit& hit) {
+    const TrackedNode& node = setup_.nodes[hit.tracked];
+    const Segment& s = setup_.segments[hit.segment];
+    if (spent_[hit.tracked] || !(node.against & reference) || !(s.side & reference)) return;
+    kernel::Foot foot;
+    foot.weight = hit.weight;
+    foot.point = interpolate(s, hit.weight, step.x);
+    Bond made = bond(hit.tracked, hit.segment, foot, step.x);
+    // Pressed from the start with the force that presses it now.
+    const double normal = made.area * stiffness(made, step).tension;
+    const double pressure = dot(hit.force, made.outward * axes_of(s, step.x).normal);
+    if (normal > 0.0) made.place.z += made.outward * std::max(0.0, pressure) / normal;
+    held_[hit.tracked] = spent_[hit.tracked] = 1;
+    bonds_.push_back(made);
+  });
 }
 
 }  // namespace nugget::contact

@@ -17,8 +17,8 @@ namespace nugget::contact {
 class PenaltyContact {
  public:
   /// `x`: initial coordinates.
-  PenaltyContact(SurfaceContactSetup surface, std::optional<EdgeContactSetup> edges,
-                 std::optional<kernel::Cohesion> glue, std::span<const Row> x);
+  PenaltyContact(SurfaceContactSetup surface, std::optional<EdgeContactSetup> edges, std::optional<model::Glue> glue,
+                 std::span<const Row> x);
 
   /// See SurfaceContact::apply.
   void apply(const Step& step, std::span<Row> force);

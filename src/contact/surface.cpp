@@ -52,6 +52,21 @@ double area(const Segment& segment, std::span<const Row> x) {
   return 0.5 * norm(cross(c[2] - c[0], c[3] - c[1]));
 }
 
+Vec3d interpolate(const Segment& s, const std::array<double, 4>& weight, std::span<const Row> rows) {
+  Vec3d sum;
+  for (int c = 0; c < s.corners(); ++c) sum += weight[c] * vec(rows[s.node[c]]);
+  return sum;
+}
+
+kernel::Friction friction_at(std::span<const int> around, const std::vector<Segment>& segments) {
+  kernel::Friction friction;
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const kernel::Friction& own = segments[around[i]].friction;
+    friction = i == 0 ? own : kernel::mean(friction, own);
+  }
+  return friction;
+}
+
 double penalty_stiffness(const Segment& segment, std::span<const Row> x) {
   const double a = area(segment, x);
   if (!(a > 0.0)) return 0.0;

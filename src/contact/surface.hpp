@@ -49,12 +49,17 @@ std::vector<TrackedNode> nodes_of(const std::vector<Segment>& segments, unsigned
 
 kernel::Corners corners_of(const Segment& segment, std::span<const Row> x);
 double area(const Segment& segment, std::span<const Row> x);
+/// Sum of the rows of the corners, each with its weight.
+Vec3d interpolate(const Segment& segment, const std::array<double, 4>& weight, std::span<const Row> rows);
 /// Penalty stiffness of the segment before scaling; see kernel/contact/penalty.hpp. 0 for a segment without area.
 double penalty_stiffness(const Segment& segment, std::span<const Row> x);
 
 /// +1 if the right-hand normals of two segments that share an edge lie on the same side of the surface that they form,
 /// -1 if on opposite sides, 0 if they share no edge.
 int same_side(const Segment& a, const Segment& b);
+
+/// Friction of a node by those of the segments at it.
+kernel::Friction friction_at(std::span<const int> around, const std::vector<Segment>& segments);
 
 /// Which segments stand at a node.
 class NodeSegments {

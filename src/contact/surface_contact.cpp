@@ -32,12 +32,6 @@ bool has_boundary(const Segment& other, const Segment& segment, unsigned boundar
   return boundary != 0;
 }
 
-Vec3d interpolate(const Segment& s, const std::array<double, 4>& weight, std::span<const Row> rows) {
-  Vec3d sum;
-  for (int c = 0; c < s.corners(); ++c) sum += weight[c] * vec(rows[s.node[c]]);
-  return sum;
-}
-
 double mean_edge(const std::vector<Segment>& segments, std::span<const Row> x) {
   double sum = 0.0;
   for (const Segment& s : segments) sum += std::sqrt(area(s, x));
@@ -66,15 +60,10 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
     node_stiffness_.push_back(around.empty() ? Box::infinity : sum / static_cast<double>(around.size()));
     node_mass_.push_back(around.empty() ? 0.0 : mass / static_cast<double>(around.size()));
     pressing_ |= t.against;
-    kernel::Friction friction;
-    for (std::size_t i = 0; i < around.size(); ++i) {
-      const kernel::Friction& own = setup_.segments[around[i]].friction;
-      friction = i == 0 ? own : kernel::mean(friction, own);
-    }
-    node_friction_.push_back(friction);
+    node_friction_.push_back(friction_at(around, setup_.segments));
     if (t.stays) stays_[t.node] = 1;
   }
-  book_sides();
+  book_sides(forces_, around_, setup_.segments);
 
   // A quarter of an element: few pairs are listed in vain, and a search lasts some hundred cycles at crash speeds.
   margin_ = 0.25 * mean_edge(setup_.segments, x);
@@ -88,15 +77,6 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
     block.old_first = block.first;
     block.wake.assign(block.end - block.begin, 0.0);
     blocks_.push_back(std::move(block));
-  }
-}
-
-/// Work on nodes that belong to the reference side alone is booked there.
-void SurfaceContact::book_sides() {
-  for (int n : forces_.nodes()) {
-    unsigned sides = 0;
-    for (int s : around_.at(n)) sides |= setup_.segments[s].side;
-    forces_.set_side(n, sides == 2 ? 1 : 0);
   }
 }
 
@@ -441,7 +421,7 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
     pair.friction = friction(rough, candidate, before, direction, stiffness, size, step);
     force += pair.friction;
   }
-  block.hits.push_back({node, pair.segment, candidate.foot.weight, force, pair.depth});
+  block.hits.push_back({tracked, pair.segment, candidate.foot.weight, force, pair.depth});
 }
 
 /// Stiffness of the pair before the step bounds it. A node without segments meets its like.
@@ -474,11 +454,9 @@ Vec3d SurfaceContact::friction(const kernel::Friction& law, const Candidate& can
   const Vec3d was = interpolate(from, kernel::shape_functions(from.triangle(), before->xi, before->eta), step.x);
   const auto along = [&direction](const Vec3d& a) { return a - dot(a, direction) * direction; };
   const Vec3d slip = along(candidate.foot.point - was);
-  const Vec3d trial = along(before->friction) - stiffness * slip;
   const double speed = step.dt > 0.0 ? norm(slip) / step.dt : 0.0;
   const double bound = law.bound(normal_force, speed, area(setup_.segments[candidate.pair->segment], step.x));
-  const double size = norm(trial);
-  return size > bound ? (bound / size) * trial : trial;
+  return kernel::sliding_spring(along(before->friction), stiffness, slip, bound);
 }
 
 // --------------------------------------------------------------------------------------------------- forces and energy
@@ -494,7 +472,7 @@ void SurfaceContact::add_forces(std::span<Row> force) {
   for (int b : busy_) {
     for (const Hit& hit : blocks_[b].hits) {
       const Segment& segment = setup_.segments[hit.segment];
-      forces_.add(hit.node, hit.force);
+      forces_.add(setup_.nodes[hit.tracked].node, hit.force);
       for (int c = 0; c < segment.corners(); ++c) forces_.add(segment.node[c], -hit.weight[c] * hit.force);
       resultant_ += segment.side == 1 && pressing_ != 1 ? -hit.force : hit.force;
       deepest_ = std::max(deepest_, hit.depth);

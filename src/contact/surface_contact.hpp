@@ -79,6 +79,14 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 /// Results are the same bits for any number of threads. No memory is taken between searches.
 class SurfaceContact {
  public:
+  /// A node that is pressed by a segment.
+  struct Hit {
+    int tracked = 0, segment = 0;    ///< places in the setup
+    std::array<double, 4> weight{};  ///< of the segment's corners, at the foot
+    Vec3d force;                     ///< on the node
+    double depth = 0.0;
+  };
+
   /// `x`: initial coordinates, for stiffness and search margin.
   SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x);
 
@@ -103,7 +111,14 @@ class SurfaceContact {
   const Vec3d& resultant() const { return resultant_; }
   /// Sum of the forces on the nodes that are marked (by node; nodes beyond its end are not) [force].
   Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
-  int touching() const { return touching_; }   ///< pairs that carry force
+  int touching() const { return touching_; }  ///< pairs that carry force
+  /// Visits the hits of this step, by tracked node and segment.
+  template <class Visit>
+  void each_hit(const Visit& visit) const {
+    if (touching_ == 0) return;
+    for (int b : busy_)
+      for (const Hit& hit : blocks_[b].hits) visit(hit);
+  }
   double deepest() const { return deepest_; }  ///< largest depth that counts in a force [length]
   long searches() const { return searches_; }  ///< how often the lists were made
   std::size_t listed() const;                  ///< pairs in the lists
@@ -138,13 +153,6 @@ class SurfaceContact {
     double gap = 0.0;    ///< from the foot to the node, negative inside a brick [length]
     double reach = 0.0;  ///< distance at which the two touch
   };
-  /// A contact force to be added.
-  struct Hit {
-    int node = 0, segment = 0;
-    std::array<double, 4> weight{};
-    Vec3d force;
-    double depth = 0.0;
-  };
   /// A fixed group of tracked nodes: what one thread works on at a time.
   struct Block {
     int begin = 0, end = 0;      // tracked nodes
@@ -168,7 +176,6 @@ class SurfaceContact {
     return 0.5 * (setup_.nodes[tracked].thickness + setup_.segments[segment].thickness);
   }
 
-  void book_sides();
   bool moved_too_far(std::span<const Row> x);
   template <class Displacement>
   double approach(const Displacement& displacement);

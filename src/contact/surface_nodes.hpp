@@ -10,4 +10,7 @@ namespace nugget::contact {
 /// All nodes of segments and all tracked nodes, ascending, each once.
 std::vector<int> surface_nodes(const SurfaceContactSetup& setup);
 
+/// Books the work on nodes that belong to the reference side alone there; `around`: of the segments.
+void book_sides(NodalForces& forces, const NodeSegments& around, const std::vector<Segment>& segments);
+
 }  // namespace nugget::contact

@@ -55,16 +55,11 @@ std::vector<contact::Edge> bars(const system::System& system, const model::Conta
 }
 
 std::optional<contact::EdgeContactSetup> edge_setup(const system::System& system, const model::Contact& card,
-                                                    const contact::SurfaceContactSetup& surface, std::span<const Row> x,
-                                                    Findings& findings) {
+                                                    const contact::SurfaceContactSetup& surface,
+                                                    std::span<const Row> x) {
   if (!checks_edges(card)) return std::nullopt;
-  if (card.soft == 2 && std::any_of(surface.segments.begin(), surface.segments.end(),
-                                    [](const contact::Segment& s) { return s.volume > 0.0; }))
-    findings.warning(card.place, '*' + card.keyword,
-                     "DEPTH asks for edges against edges; those of bricks are not checked, those of shells are",
-                     "expect bricks that meet edge on edge to pass through each other between their nodes");
   contact::EdgeContactSetup setup;
-  setup.edges = contact::edges_of(surface.segments, x);
+  setup.edges = contact::edges_of(surface.segments, x, card.soft == 2 && card.depth >= 3);
   if (checks_beams(card))
     for (contact::Edge& bar : bars(system, card)) setup.edges.push_back(std::move(bar));
   setup.interior = checks_all_edges(card);

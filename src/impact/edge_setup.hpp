@@ -14,10 +14,10 @@ namespace nugget::impact {
 /// The beams of the parts of a contact as round bars; weld beams and discrete beams are none.
 std::vector<contact::Edge> bars(const system::System& system, const model::Contact& contact);
 
-/// The lines of a contact that checks them: the edges of the shells in `surface`, and the beams. Coordinates `x`. A
-/// warning where the contact asks for edges that are not looked at: those of bricks.
+/// The lines of a contact that checks them: the edges of the shells in `surface`, the beams, and in segment-based
+/// contact the edges of bricks. Coordinates `x`.
 std::optional<contact::EdgeContactSetup> edge_setup(const system::System& system, const model::Contact& contact,
-                                                    const contact::SurfaceContactSetup& surface, std::span<const Row> x,
-                                                    Findings& findings);
+                                                    const contact::SurfaceContactSetup& surface,
+                                                    std::span<const Row> x);
 
 }  // namespace nugget::impact

@@ -20,6 +20,15 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
+void tell_of_glue(const model::Contact& card, const contact::Glue& glue, Findings& findings) {
+  if (glue.at_start() > 0)
+    findings.note(card.place, '*' + card.keyword,
+                  fmt::format("{} nodes of SURFA are glued to SURFB at the start", glue.at_start()));
+  else if (!card.glue->sticks_later)
+    findings.warning(card.place, '*' + card.keyword, "no node of SURFA touches SURFB at the start: nothing is glued",
+                     "check the sides, and the gap between them against the thicknesses (SFSAT, SFSBT, SAST, SBST)");
+}
+
 }  // namespace
 
 void Simulation::interrupt() {
@@ -55,8 +64,9 @@ Simulation::Simulation(system::System& system, Findings& findings)
       continue;
     }
     treat_initial_penetrations(system, card, setup, state_.x, findings);
-    auto edges = edge_setup(system, card, setup, state_.x, findings);
+    auto edges = edge_setup(system, card, setup, state_.x);
     contacts_.emplace_back(std::move(setup), std::move(edges), card.glue, state_.x);
+    if (card.glue) tell_of_glue(card, *contacts_.back().glue(), findings);
   }
   for (const model::InteriorContact& card : model.interiors) {
     auto bricks = bricks_of(system, card);
@@ -73,6 +83,25 @@ Simulation::Simulation(system::System& system, Findings& findings)
     const Curve* curve = wall.motion_curve == model::none ? nullptr : &model.curves[at(wall.motion_curve)];
     walls_.emplace_back(wall, std::move(nodes), curve);
   }
+}
+
+std::vector<std::string> Simulation::glue_events() const {
+  std::vector<std::string> lines;
+  std::size_t next = 0;
+  for (const model::Contact& card : system_.model.contacts) {
+    if (!card.slides()) continue;
+    const contact::Glue* glue = contacts_[next++].glue();
+    if (glue == nullptr) continue;
+    std::string line = fmt::format("glue of contact {}: {} nodes at the start", card.id, glue->at_start());
+    if (card.glue->sticks_later) line += fmt::format(", {} later", glue->later());
+    line += fmt::format("; {} failed", glue->failed());
+    if (glue->failed() > 0)
+      line += fmt::format(", node {} first at time={:.5E}, the last at time={:.5E}",
+                          system_.model.nodes.id[at(system_.model_node[at(glue->first_node())])], glue->first_time(),
+                          glue->last_time());
+    lines.push_back(std::move(line));
+  }
+  return lines;
 }
 
 double Simulation::elapsed() const {

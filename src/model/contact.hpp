@@ -27,6 +27,17 @@ struct Surface {
   bool empty() const { return !everything && parts.empty() && nodes.empty() && segments.empty(); }
 };
 
+/// What _TIEBREAK asks for.
+struct Glue {
+  kernel::Cohesion law;
+  bool sticks_later = false;       ///< OPTION 1, 3: also what comes to touch in the run
+  bool slides = false;             ///< OPTION 4: holds along the normal alone
+  double slip_stress = 0.0;        ///< of glue that slides: its friction, whatever the pressure; 0: Coulomb's [stress]
+  bool by_force = false;           ///< the strengths are forces of a node, not stresses
+  bool without_thickness = false;  ///< what touches is judged as for ties: the sheets may be meshed at any distance
+  bool alone = false;              ///< _ONLY: no contact besides the glue
+};
+
 /// *CONTACT_...: the cards, in words. Penalty contacts and ties alike; `kind` says what is done with it.
 struct Contact {
   /// A surface against itself; two surfaces, each node against the other side; nodes of `a` against segments of `b`; a
@@ -50,12 +61,12 @@ struct Contact {
   std::string title;
   std::string keyword;
   Kind kind = Kind::single_surface;
-  std::optional<kernel::Cohesion> glue;  ///< _TIEBREAK: nodes that touch at the start are glued
-  Offset offset = Offset::projected;     ///< ties
-  bool torsion = false;                  ///< _WITH_TORSION: twist of a weld becomes in-plane forces
-  bool penalty_fallback = false;         ///< IPBACK: springs where a constraint meets another one
-  Surface a;                             ///< tracked (SURFA, slave)
-  Surface b;                             ///< reference (SURFB, master)
+  std::optional<Glue> glue;           ///< _TIEBREAK
+  Offset offset = Offset::projected;  ///< ties
+  bool torsion = false;               ///< _WITH_TORSION: twist of a weld becomes in-plane forces
+  bool penalty_fallback = false;      ///< IPBACK: springs where a constraint meets another one
+  Surface a;                          ///< tracked (SURFA, slave)
+  Surface b;                          ///< reference (SURFB, master)
   kernel::Friction friction;
   bool friction_by_part = false;  ///< FS = -1: of *PART_CONTACT; `friction` holds the factors on it
   double damping = 0.0;           ///< VDC, percent of critical

@@ -104,15 +104,33 @@ class ContactForms(CommandTest):
             self.assertAlmostEqual(max(force) / (10.0 * SIDE * SIDE), 1.0, delta=0.05)
             self.assertEqual(force[-1], 0.0)
 
-    def test_glue_of_another_kind_is_refused(self):
+    def test_glue_tells_what_it_holds(self):
+        """Findings and run.log. Sabotage: the first failure's time is the last one's; no warning where nothing touches."""
         glued = "AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"
-        for option in (1, 3, 4, 5, 7, 10, 13, -9):
+        said = self.run_deck(plates(sliding(glued, option=3, nfls=10.0, sfls=10.0), {3: 30.0, 1: 10.0}, 2.0e-4))
+        self.assertIn("25 nodes of SURFA are glued to SURFB at the start", said.stdout + said.stderr + self.read("run.log"))
+        events = self.read("run.log").split("Events")[1]
+        self.assertRegex(events, r"glue of contact 1: 25 nodes at the start, 0 later; 25 failed, node \d+ first at time=\S+, the last at")
+
+    def test_cards_of_glue(self):
+        """What is refused, by field. Sabotage: a curve that begins with anything is taken as a factor."""
+        glued = "AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"
+        for option in (0, 12, 15, -9, -1):
             self.write(plates(sliding(glued, option=option, nfls=1.0, sfls=1.0), {3: 10.0}, 1e-4))
-            self.assertIn(f"option = {option}: this glue is not built", self.nugget("check", "model.k", expect=1).stderr)
-        self.write(plates(sliding(glued, option=9, nfls=1.0, sfls=1.0, param=1.0, eraten=1.0), {3: 10.0}, 1e-4))
-        self.assertIn("erates = (blank): must be given with OPTION 9", self.nugget("check", "model.k", expect=1).stderr)
-        self.write(plates(sliding(glued, option=6, nfls=1.0, sfls=1.0, param=-1.0), {3: 10.0}, 1e-4))
-        self.assertIn("param = -1", self.nugget("check", "model.k", expect=1).stderr)
+            self.assertIn("expected 1 to 11, 13 or 14", self.nugget("check", "model.k", expect=1).stderr)
+
+        def refused(card, word, extra=None):
+            self.write(plates(sliding(glued, **card), {3: 10.0}, 1e-4, extra))
+            self.assertIn(word, self.nugget("check", "model.k", expect=1).stderr)
+        refused(dict(option=9, nfls=1.0, sfls=1.0, param=1.0, eraten=1.0), "erates = (blank): must be given with OPTION 9")
+        refused(dict(option=7, nfls=1.0, sfls=1.0, param=0.0, eraten=1.0), "erates = (blank): must be given with OPTION 7")
+        refused(dict(option=7, nfls=1.0, sfls=1.0, param=90.0, eraten=1.0, erates=1.0), "param = 90")
+        refused(dict(option=6, nfls=1.0, sfls=1.0, param=-1.0), "param = -1")
+        refused(dict(option=4, nfls=1.0, sfls=0.0, param=1.0), "sfls = 0")
+        refused(dict(option=2, nfls=1.0, sfls=1.0, param=0.5), "param = 0.5")
+        refused(dict(option=5, nfls=4.0, sfls=0), "sfls")
+        refused(dict(option=5, nfls=4.0, sfls=99), "expected 1 (a factor on NFLS) or NFLS itself",
+                lambda d: d.curve(99, [(0.0, 3.0), (1.0, 0.0)]))
 
     def test_stiffness_for_a_given_step(self):
         """SOFT = 1 with DTSTIF: twice the step, a quarter of the stiffness. Sabotage: DTSTIF not looked at."""

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vec3.hpp"
+
 namespace nugget::kernel {
 
 /// Friction after Coulomb, with a coefficient that falls from the static to the dynamic one and a bound on the shear
@@ -27,6 +29,14 @@ struct Friction {
 inline Friction mean(const Friction& a, const Friction& b) {
   return {0.5 * (a.at_rest + b.at_rest), 0.5 * (a.sliding + b.sliding), 0.5 * (a.decay + b.decay),
           0.5 * (a.shear_strength + b.shear_strength)};
+}
+
+/// Force on a node that slides over a surface: a spring that had the force `before` is drawn out by `slip`, and slips at
+/// `bound`.
+inline Vec3d sliding_spring(const Vec3d& before, double stiffness, const Vec3d& slip, double bound) {
+  const Vec3d trial = before - stiffness * slip;
+  const double size = norm(trial);
+  return size > bound ? (bound / size) * trial : trial;
 }
 
 }  // namespace nugget::kernel

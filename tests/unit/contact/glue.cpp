@@ -40,6 +40,13 @@ struct TwoPlates {
   }
 };
 
+model::Glue brittle(double normal_strength, double shear_strength) {
+  model::Glue glue;
+  glue.law.normal_strength = normal_strength;
+  glue.law.shear_strength = shear_strength;
+  return glue;
+}
+
 constexpr double area = 25.0;  // of a node
 // That of the lower segment, by area.
 const double stiffness = 0.1 * 1e5 * 1600.0 / (40.0 * std::sqrt(2.0)) * area / 1600.0;
@@ -47,8 +54,8 @@ const double stiffness = 0.1 * 1e5 * 1600.0 / (40.0 * std::sqrt(2.0)) * area / 1
 // The force is that of the spring; at (25 area) x strength the node is let go. Sabotage: the area of the whole segment.
 TEST(Glue, FailsAtItsStrengthInTension) {
   TwoPlates s;
-  Glue glue(s.setup, {10.0, 0.0}, s.x);
-  EXPECT_EQ(glue.size(), 4u);
+  Glue glue(s.setup, brittle(10.0, 0.0), s.x);
+  EXPECT_EQ(glue.at_start(), 4);
   const double at_failure = 10.0 * area / stiffness;
   s.pull(glue, {0, 0, 0.99 * at_failure});
   EXPECT_EQ(glue.failed(), 0);
@@ -59,13 +66,13 @@ TEST(Glue, FailsAtItsStrengthInTension) {
   s.pull(glue, {0, 0, 0.02 * at_failure});
   EXPECT_EQ(glue.failed(), 4);
   EXPECT_EQ(s.force[4].z, 0.0);
-  EXPECT_EQ(glue.glued(), (std::vector<unsigned char>{0, 0, 0, 0}));
+  EXPECT_EQ(glue.held(), (std::vector<unsigned char>{0, 0, 0, 0}));
 }
 
 TEST(Glue, TensionAndShearAddUpByTheirSquares) {
   for (const double share : {0.99, 1.01}) {
     TwoPlates s;
-    Glue glue(s.setup, {10.0, 20.0}, s.x);
+    Glue glue(s.setup, brittle(10.0, 20.0), s.x);
     const double c = share * area / stiffness;
     s.pull(glue, {20.0 * std::sqrt(0.5) * c, 0.0, 10.0 * std::sqrt(0.5) * c});
     EXPECT_EQ(glue.failed(), share > 1.0 ? 4 : 0);
@@ -74,7 +81,7 @@ TEST(Glue, TensionAndShearAddUpByTheirSquares) {
 
 TEST(Glue, CompressionDoesNotFailIt) {
   TwoPlates s;
-  Glue glue(s.setup, {10.0, 20.0}, s.x);
+  Glue glue(s.setup, brittle(10.0, 20.0), s.x);
   s.pull(glue, {0, 0, -100.0 * area / stiffness});
   EXPECT_EQ(glue.failed(), 0);
   EXPECT_NEAR(s.force[4].z, 100.0 * area, 1e-9);
@@ -82,7 +89,7 @@ TEST(Glue, CompressionDoesNotFailIt) {
 
 TEST(Glue, GoesWithItsShell) {
   TwoPlates s;
-  Glue glue(s.setup, {10.0, 20.0}, s.x);
+  Glue glue(s.setup, brittle(10.0, 20.0), s.x);
   s.alive = {0, 1};
   s.pull(glue, {});
   EXPECT_EQ(glue.failed(), 4);
@@ -91,7 +98,7 @@ TEST(Glue, GoesWithItsShell) {
 TEST(Glue, HoldsOnlyWhatTouches) {
   TwoPlates s;
   for (std::size_t n = 4; n < 6; ++n) s.x[n].z += 0.06;
-  EXPECT_EQ(Glue(s.setup, {10.0, 20.0}, s.x).size(), 2u);
+  EXPECT_EQ(Glue(s.setup, brittle(10.0, 20.0), s.x).at_start(), 2);
 }
 
 }  // namespace
