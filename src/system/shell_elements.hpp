@@ -71,7 +71,8 @@ struct ShellElement {
   kernel::NodalMass nodal_mass(model::Index e, const Places& x) const {
     const double t = shells.thickness[static_cast<std::size_t>(e)];
     if constexpr (corners == 4)
-      return kernel::shell_nodal_mass(x, t, shell.density, shell.offset, mass_per_area);
+      return kernel::shell_nodal_mass(x, t, shell.density, shell.offset, mass_per_area,
+                                      shell.shear_factor * law.elastic().shear / law.elastic().plane);
     else if constexpr (Kind == ShellKind::kirchhoff)
       return kernel::kirchhoff_nodal_mass(x, t, shell.density, shell.offset, mass_per_area);
     else

@@ -225,5 +225,30 @@ TEST(TimeSteps, A04Dt2ms) {
   expect_reference("A-04", "step with DT2MS = -1e-6 and TSSFAC = 0.9 [s]", run.simulation().first_step(), 9e-7, 1e-4);
 }
 
+// Without lateral contraction transverse shear and spin are faster than a wave across a square with inertia m A/8: all
+// motions of a strip stay bounded at TSSFAC 0.9. Sabotage: that inertia.
+TEST(TimeSteps, ShellsWithoutLateralContractionAreStable) {
+  for (const double elform : {2.0, 16.0}) {
+    SheetMesh mesh;
+    mesh.nx = 10;
+    std::string deck = "*KEYWORD\n" + termination(5e-3) + "*PART\nstrip\n" + fields({1, 1, 1}) + "*SECTION_SHELL\n" +
+                       fields({1, elform, 1, 3}) + fields({1, 1, 1, 1}) + "*MAT_ELASTIC\n" +
+                       fields({1, 7.85e-9, 210000.0, 0.0}) + "*INITIAL_VELOCITY_NODE\n";
+    std::uint32_t random = 1;
+    const auto next = [&random] { return 1e-3 * ((random = 1664525u * random + 1013904223u) >> 8) / 0x1p24; };
+    for (int j = 0; j <= 1; ++j)
+      for (int i = 0; i <= 10; ++i)
+        deck += fields({1.0 * mesh.node(i, j), next(), next(), next(), 0.1 * next(), 0.1 * next()});
+    Experiment run(deck + mesh.text() + "*END\n");
+    double most = 0.0, first = 0.0;
+    const impact::Outcome outcome = run.run([&](const impact::Snapshot& now) {
+      if (now.state.cycle == 0) first = now.energy.kinetic;
+      most = std::max(most, now.energy.kinetic);
+    });
+    EXPECT_EQ(outcome.termination, impact::Termination::normal) << outcome.message;
+    EXPECT_LE(most, 1.01 * first) << elform;
+  }
+}
+
 }  // namespace
 }  // namespace nugget::verify
