@@ -279,7 +279,9 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
     return b.solid_section_rows[s].complain(
         b.findings, Severity::warning, "elform",
         "solid formulation 4 is computed as the tetrahedron of ten nodes whose mid-side nodes follow displacements and "
-        "rotations of its corners (Allman; Pawlak, Yunus, Cook 1991); LS-DYNA's is not public and may differ");
+        "rotations of its corners (Allman; Pawlak, Yunus, Cook 1991); LS-DYNA's is not public and may differ. What "
+        "turns its nodes, such as a shell on edge, meets next to no resistance",
+        "hold the rotations that turn nodes out of planes of symmetry and grips; tie shells to a face");
   if (is_scaled)
     return b.solid_section_rows[s].complain(
         b.findings, Severity::warning, "elform",
@@ -568,7 +570,7 @@ void check_triangles(Builder& b) {
         [&] {
           return fmt::format("shell {} has four corners, but its formulation {} is a triangle", m.shells.id[e], elform);
         },
-        "give quads a section with ELFORM 2; with ESORT 1 of *CONTROL_SHELL their triangles become ELFORM 4");
+        "give quads a section with ELFORM 2; with ESORT 1 (2) of *CONTROL_SHELL their triangles become ELFORM 4 (17)");
   }
 }
 
