@@ -271,6 +271,18 @@ std::string doubt_of(const output::Summary& summary) {
       100.0 * e.step_change / input);
 }
 
+/// Hourglass energy is work that no material did. Where all flies or swings and little is internal, it says little.
+std::string doubt_of_hourglass(const output::Summary& summary) {
+  const output::Summary::Energies& e = summary.energy;
+  if (summary.termination == "error" || e.hourglass <= 0.1 * e.internal ||
+      e.hourglass <= 0.01 * std::abs(e.initial + e.external))
+    return {};
+  return fmt::format(
+      "warning: the hourglass energy, {:.3g}, is more than a tenth of the internal energy, {:.3g}; 5 % is usual [see "
+      "matsum for the parts; *CONTROL_HOURGLASS with IHQ 4 (bricks: 5) and QH 0.05, or fully integrated elements]",
+      e.hourglass, e.internal);
+}
+
 /// Why a run that went wrong may have been unstable, as far as that can be known.
 std::string cause_of(const impact::Simulation& run, const output::Summary& summary) {
   const double ratio = summary.energy.ratio;
@@ -350,10 +362,11 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
   report::write_report(directory);
   log.add(log_mass(*system));
   log.add(log_run(*simulation, summary));
-  const std::array<std::string, 2> doubts{doubt_of(summary), cause_of(*simulation, summary)};
+  const std::array<std::string, 3> doubts{doubt_of(summary), doubt_of_hourglass(summary),
+                                          cause_of(*simulation, summary)};
   for (const std::string& line : doubts) log.add(line.empty() ? "" : ' ' + line + "\n\n");
   log.add(log_termination(outcome));
-  for (const std::string& line : {outcome.message, doubts[0], doubts[1]})
+  for (const std::string& line : {outcome.message, doubts[0], doubts[1], doubts[2]})
     if (!line.empty()) fmt::print(stderr, "{}\n", line);
   if (!arguments.quiet)
     fmt::print(stderr, "{} cycles in {:.2f} s, energy ratio {:.5f}; results in {}\n", summary.cycles,

@@ -148,6 +148,28 @@ class PublicHabits(CommandTest):
         self.assertIn(len(self.glstat()), range(50, 203))
         self.assertIn("kinetic energy", self.read("report.html"))
 
+    def bent(self, hourglass):
+        """The lower plate, shells of one layer with no stiffness against bending, blown out of its plane at every other
+        node: a pattern of hourglasses alone."""
+        text = plates(words("*CONTROL_HOURGLASS", hourglass), {1: 0.0}, 3.0e-4, gap=10.0)
+        pattern = [n for n in range(1, 26) if (n - 1) % 2 == 0]
+        blow = "*SET_NODE_LIST\n" + f"{8:10d}\n"
+        blow += "".join("".join(f"{n:10d}" for n in pattern[i:i + 8]) + "\n" for i in range(0, len(pattern), 8))
+        blow += "*INITIAL_VELOCITY\n" + f"{8:10d}\n" + f"{0.0:10.1f}{0.0:10.1f}{2.0e4:10.1f}\n"
+        begin = text.index("*BOUNDARY_SPC_SET")
+        self.write(text[:begin] + blow + text[text.index("*BOUNDARY_PRESCRIBED_MOTION_RIGID"):])
+        return self.nugget("run", "model.k", "-j", 1)
+
+    def test_a_run_full_of_hourglasses_is_doubted(self):
+        """Sabotage: the limit taken of all energy."""
+        run = self.bent(f"{1:10d}{0.1:10.2f}")
+        energy = self.json("summary.json")["energy"]
+        self.assertGreater(energy["hourglass"], 0.1 * energy["internal"])
+        self.assertIn(f"the hourglass energy, {energy['hourglass']:.3g}, is more than a tenth", run.stderr)
+        self.assertIn("the hourglass energy, ", self.read("run.log"))
+        run = self.run_plates(sliding("AUTOMATIC_SURFACE_TO_SURFACE"), gap=1.05)
+        self.assertNotIn("hourglass energy, ", run.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()
