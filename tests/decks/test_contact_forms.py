@@ -120,7 +120,7 @@ class ContactForms(CommandTest):
             self.assertIn("expected 1 to 11, 13 or 14", self.nugget("check", "model.k", expect=1).stderr)
 
         def refused(card, word, extra=None):
-            self.write(plates(sliding(glued, **card), {3: 10.0}, 1e-4, extra))
+            self.write(plates(sliding(glued, **card), {3: 10.0}, 1e-4, extra=extra))
             self.assertIn(word, self.nugget("check", "model.k", expect=1).stderr)
         refused(dict(option=9, nfls=1.0, sfls=1.0, param=1.0, eraten=1.0), "erates = (blank): must be given with OPTION 9")
         refused(dict(option=7, nfls=1.0, sfls=1.0, param=0.0, eraten=1.0), "erates = (blank): must be given with OPTION 7")

@@ -31,8 +31,8 @@ inline Friction mean(const Friction& a, const Friction& b) {
           0.5 * (a.shear_strength + b.shear_strength)};
 }
 
-/// Force on a node that slides over a surface: a spring that had the force `before` is drawn out by `slip`, and slips at
-/// `bound`.
+/// Force on a node that slides over a surface: a spring that had the force `before` is drawn out by `slip`, and slips
+/// at `bound`.
 inline Vec3d sliding_spring(const Vec3d& before, double stiffness, const Vec3d& slip, double bound) {
   const Vec3d trial = before - stiffness * slip;
   const double size = norm(trial);

@@ -2,7 +2,6 @@
 // *CONTACT_...: the penalty contact and the ties that are built, and by name those that are not.
 #include <fmt/format.h>
 
-
 #include "model/cards/contact_glue.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
