@@ -98,6 +98,7 @@ Model build(const deck::Deck& deck, Findings& findings, bool skip_unsupported) {
   b.later(Phase::checks, [](Builder& late) { late.later(Phase::checks, check_inertia); });
   b.later(Phase::checks, check_mesh);
   b.later(Phase::checks, check_parts);
+  b.later(Phase::checks, release_driven_bodies);
   b.later(Phase::checks, check_relaxation);
   b.later(Phase::checks, check_units);
   for (const deck::Block& block : deck.blocks) read_block(b, block, ledger);

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "model/passes.hpp"
 #include "model/rigid_bodies.hpp"
 
 namespace nugget::model {
@@ -119,6 +121,27 @@ void check_inertia(Builder& builder) {
          harmless ? ""
                   : "give its moments about the centre, and products that are smaller than these; "
                     "0 for products that are not known"});
+  }
+}
+
+void release_driven_bodies(Builder& b) {
+  for (const PrescribedMotion& motion : b.model.motions) {
+    if (motion.rigid_body == none) continue;
+    RigidBody& body = b.model.rigid_bodies[static_cast<std::size_t>(motion.rigid_body)];
+    const Vec3d axes[] = {body.fixed_axes.e1, body.fixed_axes.e2, body.fixed_axes.e3};
+    for (unsigned i = 0; i < 3; ++i) {
+      const unsigned bit = 1u << (i + (motion.rotation ? 3u : 0u));
+      const double share = std::abs(dot(motion.direction, axes[i]));
+      if (!(body.fixed & bit) || share < 1e-6) continue;
+      const std::string what = fmt::format("rigid body {} is held in the direction in which this drives it", body.id);
+      if (share < 1.0 - 1e-6) {
+        b.findings.error(motion.place, "*BOUNDARY_PRESCRIBED_MOTION", what + " in part", "free it in CON1 and CON2");
+        continue;
+      }
+      body.fixed &= ~bit;
+      b.findings.warning(motion.place, "*BOUNDARY_PRESCRIBED_MOTION", what + ": the motion counts, nothing holds it",
+                         "free it in CON1 or CON2 of *MAT_RIGID, or in the body's SPC");
+    }
   }
 }
 

@@ -401,5 +401,29 @@ TEST(Deletion, ShellsWhoseSidesCrossFollowNfail1) {
   EXPECT_EQ(count.distorted, 0);
 }
 
+// A rigid sheet that its material holds along z and a motion drives there at 500 mm/s. Sabotage: both act, and each
+// step counts the work of setting it in motion again.
+TEST(RigidMotion, WhatIsDrivenIsNotHeld) {
+  Specimen specimen;
+  specimen.card("MAT_RIGID", {1, density, modulus, 0.3})
+      .text(fields({1, 5, 7}) + fields({0}))
+      .card("SECTION_SHELL", {1, 2})
+      .text(fields({1, 1, 1, 1}))
+      .card("CONTROL_TERMINATION", {1e-3})
+      .part(1, 1, 1)
+      .text(constant_curve(1))
+      .card("BOUNDARY_PRESCRIBED_MOTION_RIGID", {1, 3, 0, 1, 500.0});
+  const Grid grid = specimen.shells(1, {}, {20.0, 20.0, 0.0}, 2, 2);
+  Experiment experiment(specimen.deck());
+  double external = 0.0, height = 0.0;
+  run_to_end(experiment, [&](const impact::Snapshot& now) {
+    external = now.energy.external;
+    height = experiment.position(now, grid(0, 0)).z;
+  });
+  EXPECT_NEAR(external, 0.5 * density * 400.0 * 500.0 * 500.0, 1e-9);
+  EXPECT_NEAR(height, 0.5, 1e-9);
+  EXPECT_EQ(experiment.findings().warnings(), 1);
+}
+
 }  // namespace
 }  // namespace nugget::verify
