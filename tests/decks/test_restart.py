@@ -212,7 +212,7 @@ class Restart(CommandTest):
         time_of = lambda name: float(re.search(rb'"time":([^,]+)', (self.folder / name).read_bytes())[1])  # noqa: E731
         self.assertAlmostEqual(time_of("restart"), 1.6e-5, delta=2e-7)
         self.assertAlmostEqual(time_of("restart.previous"), 0.8e-5, delta=2e-7)
-        self.nugget("run", "model.k", "--quiet", "--checkpoint", "0.00001min")
+        self.nugget("run", "model.k", "--quiet", "--checkpoint", "0.0000000001min")
         self.assertTrue((self.folder / "restart").exists())
         self.nugget("run", "model.k", "--quiet")
         self.assertFalse((self.folder / "restart").exists(), "a new run takes the old restart files away")
