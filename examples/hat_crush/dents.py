@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mean force of the spot-welded column over the strength of its welds, with the dent in six places: what is trend, and what is chance.
+"""Mean force of the spot-welded column over the strength of its welds, with the dent in twelve places: what is trend, and what is chance.
 
     python3 examples/hat_crush/dents.py NUGGET FOLDER [JOBS]
 
-Runs 24 columns, JOBS (1) at a time, minutes each; finished runs are not repeated. Units: mm, t, s, N, MPa; forces in kN.
+Runs 60 columns, JOBS (1) at a time, minutes each; finished runs are not repeated. Units: mm, t, s, N, MPa; forces in kN.
 """
 import concurrent.futures
 import json
@@ -16,7 +16,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from crush_study import CLOSED_FORM, FROM, TO, mean, wall_force  # noqa: E402
 from make import STRENGTH, make  # noqa: E402
 
-DENTS = (14.0, 17.0, 20.0, 23.0, 26.0, 29.0)  # from the front [mm]; an element is 4 mm long
+DENTS = tuple(14.0 + 1.5 * i for i in range(12))  # from the front [mm]; an element is 4 mm long
 
 
 def crush(nugget, folder, dent, strength):
@@ -42,7 +42,7 @@ def main(nugget, folder, jobs=1):
         found = dict(zip(cases, pool.map(lambda case: crush(nugget, folder, *case), cases)))
     print("mean force [kN], welds failed; dent at   " + "   ".join(f"{name:>10s}" for name in STRENGTH))
     for dent in DENTS:
-        print(f"{dent:5.0f} mm {'':30s}" + "   ".join("{:6.1f} {:3d}".format(*found[dent, name]) for name in STRENGTH))
+        print(f"{dent:5.1f} mm {'':30s}" + "   ".join("{:6.1f} {:3d}".format(*found[dent, name]) for name in STRENGTH))
     forces = {name: [found[dent, name][0] for dent in DENTS] for name in STRENGTH}
     print("mean, its standard error" + " " * 15 + "   ".join(
         f"{statistics.mean(f):6.2f} +-{statistics.stdev(f) / len(f) ** 0.5:.2f}" for f in forces.values()))
