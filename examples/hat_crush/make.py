@@ -21,7 +21,7 @@ YIELD = 300.0
 DENT_AT, DENT_REACH, DENT_DEPTH = 20.0, 15.0, 0.75
 HAT, PLATE, WELDS = 1, 3, 4  # parts; 2 is the pushing end
 # Strength of a weld in tension and in shear [N]; None: it does not fail.
-STRENGTH = {"sound": None, "good": (3000.0, 4500.0), "fair": (2000.0, 3000.0), "poor": (1000.0, 1500.0), "bad": (300.0, 450.0)}
+STRENGTH = {"sound": None, "good": (3000.0, 4500.0), "fair": (2000.0, 3000.0), "weak": (1500.0, 2250.0), "poor": (1000.0, 1500.0), "bad": (300.0, 450.0)}
 
 
 def line(points, counts):

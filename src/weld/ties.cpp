@@ -123,11 +123,11 @@ class Tying {
   void make_ties();
   void choose_hold(Tie& tie, const model::Contact& contact) const;
   void describe_weld(std::size_t w);
-  Projection projection(std::size_t w, Index node, bool overlap) const;
+  Projection projection(std::size_t w, Index node, double penetration) const;
   Projection held_rigidly(Index node) const;
   std::array<Index, 2> sheets_of(const std::vector<Projection>& ends) const;
   int position_case(const Record& r) const;
-  std::string reason(const Record& r, const Projection& p) const;
+  std::string reason(const Record& r, const Projection& p, double penetration) const;
 
   Record* record(Index node) { return record_of_[node] == none ? nullptr : &records_[record_of_[node]]; }
   /// Whether a tie of this contact moves nodes onto the segments.
@@ -145,7 +145,7 @@ class Tying {
   Vec3d foot(Index node) const;
   Vec3d projected(Index node) const;
   End end(const Weld& weld, int side) const;
-  bool penetrating(const Weld& weld) const;
+  double penetration(const Weld& weld) const;
 
   const model::Model& model_;
   Findings& findings_;
@@ -428,20 +428,22 @@ void Tying::choose_hold(Tie& tie, const model::Contact& contact) const {
   tie.lever = contact.offset != Offset::penalty;
 }
 
-/// Sheets closer to each other than their thicknesses allow, in the right order.
-bool Tying::penetrating(const Weld& weld) const {
+/// How deep sheets in the right order lie in each other, by their thicknesses; 0 if not worth a word.
+double Tying::penetration(const Weld& weld) const {
   const End a = end(weld, 0), b = end(weld, 1);
-  if (!a.attached || !b.attached || a.sheet == b.sheet || a.thickness == 0.0 || b.thickness == 0.0) return false;
+  if (!a.attached || !b.attached || a.sheet == b.sheet || a.thickness == 0.0 || b.thickness == 0.0) return 0.0;
   const Vec3d n = norm(a.normal) > 0.0 ? a.normal : b.normal;
-  if (norm(n) == 0.0) return false;
-  return std::abs(dot(b.on_sheet - a.on_sheet, n)) < (1.0 - penetration_share) * 0.5 * (a.thickness + b.thickness);
+  if (norm(n) == 0.0) return 0.0;
+  const double touching = 0.5 * (a.thickness + b.thickness);
+  const double depth = touching - std::abs(dot(b.on_sheet - a.on_sheet, n));
+  return depth > penetration_share * touching ? depth : 0.0;
 }
 
 void Tying::describe_weld(std::size_t w) {
   Weld& weld = result_.welds[w];
-  const bool overlap = fates_[w] == 0 && penetrating(weld);
+  const double depth = fates_[w] == 0 ? penetration(weld) : 0.0;
   for (Projection& p : weld.ends)
-    p = weld.kind == Weld::Kind::rigid ? held_rigidly(p.node) : projection(w, p.node, overlap);
+    p = weld.kind == Weld::Kind::rigid ? held_rigidly(p.node) : projection(w, p.node, depth);
   if (weld.kind == Weld::Kind::rigid) {
     weld.sheets = sheets_of(weld.ends);
     return;
@@ -476,7 +478,7 @@ std::array<Index, 2> Tying::sheets_of(const std::vector<Projection>& ends) const
   return sheets;
 }
 
-Projection Tying::projection(std::size_t w, Index node, bool overlap) const {
+Projection Tying::projection(std::size_t w, Index node, double penetration) const {
   Projection p;
   p.node = node;
   const Record* r = record(node);
@@ -495,8 +497,8 @@ Projection Tying::projection(std::size_t w, Index node, bool overlap) const {
   p.only_sheet_taken = !r->found && r->only_sheet_taken;
   p.tied = r->tied && fates_[w] == 0;
   if (p.tied) p.tie = result_.ties[r->tie];
-  p.kase = fates_[w] != 0 ? fates_[w] : !r->found ? 5 : overlap ? 4 : position_case(*r);
-  p.reason = reason(*r, p);
+  p.kase = fates_[w] != 0 ? fates_[w] : !r->found ? 5 : penetration > 0.0 ? 4 : position_case(*r);
+  p.reason = reason(*r, p, penetration);
   return p;
 }
 
@@ -516,7 +518,7 @@ int Tying::position_case(const Record& r) const {
   return on_first && on_second ? 3 : on_first || on_second ? 2 : 1;
 }
 
-std::string Tying::reason(const Record& r, const Projection& p) const {
+std::string Tying::reason(const Record& r, const Projection& p, double penetration) const {
   const Foot& foot = r.closest.foot;
   const std::string segment = name_segment(model_, r.closest.segment.shell, r.closest.segment.part);
   const std::string distance = fmt::format("{:.4g}", foot.gap);
@@ -525,7 +527,9 @@ std::string Tying::reason(const Record& r, const Projection& p) const {
     case 1: text = "over " + segment; break;
     case 2: text = "on an edge of " + segment; break;
     case 3: text = "on a corner of " + segment; break;
-    case 4: text = "the sheets penetrate each other; over " + segment + ", " + distance + " away"; break;
+    case 4:
+      text = fmt::format("the sheets penetrate each other by {:.4g}; over {}, {} away", penetration, segment, distance);
+      break;
     case 5:
       if (r.closest.contact == none) return "there is no segment that it may be tied to";
       if (r.only_sheet_taken) return "the only sheet in reach, with " + segment + ", holds the weld's other end";

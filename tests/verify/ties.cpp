@@ -245,7 +245,7 @@ TEST(ProjectionDeck, Case4PenetratingSheets) {
   expect_case(run, 4, 4, true);
   EXPECT_NEAR(run.ties().welds[0].length, 0.6, 1e-12);
   EXPECT_THAT(text(run.findings()),
-              HasSubstr("node 901 at (15, 15, -0.125): the sheets penetrate each other; over shell 5 of part 1, "
+              HasSubstr("node 901 at (15, 15, -0.125): the sheets penetrate each other by 0.4; over shell 5 of part 1, "
                         "0.125 away, moved 0.125"));
 }
 

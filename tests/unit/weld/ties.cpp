@@ -98,7 +98,7 @@ TEST(ProjectionCase4, PenetratingSheetsInOrderAreTiedWithTheDistanceMoved) {
   EXPECT_NEAR(weld.length, 0.6, 1e-12);
   EXPECT_THAT(text(a.findings),
               HasSubstr("warning: *ELEMENT_BEAM: beam weld 1000: node 33 at (15, 15, -0.125): the sheets "
-                        "penetrate each other; over shell 5 of part 1, 0.125 away, moved 0.125"));
+                        "penetrate each other by 0.4; over shell 5 of part 1, 0.125 away, moved 0.125"));
 }
 
 TEST(ProjectionCase5, NoSegmentInReachIsNotTied) {
