@@ -6,10 +6,14 @@
 #include <cstring>
 
 #include "kernel/element/belytschko_tsay.hpp"
+#include "kernel/element/c0_triangle.hpp"
 #include "kernel/element/full_shell.hpp"
+#include "kernel/element/kirchhoff_triangle.hpp"
 #include "motion.hpp"
 
-// A four-node shell alone, of either formulation, for the kernel tests.
+// One shell, of any formulation, driven by the velocities of its nodes, and what all of them must keep. A `Kind` has
+//   corners, some(random)    a shape of its own
+//   layout(properties, law), cycle<R>(properties, law, nodes, dt, state)
 namespace nugget::kernel {
 
 using Motion = NodalMotion<double, 4>;
@@ -40,8 +44,17 @@ inline std::array<Vec3d, 4> positions(const Motion& m) {
   return {m.x[0], m.x[1], m.x[2], m.x[3]};
 }
 
-/// The two four-node shells.
+inline NodalMotion<double, 3> triangle(Random& random) {
+  NodalMotion<double, 3> m;
+  m.x[1] = {5, 0, 0};
+  m.x[2] = {1, 4, 0};
+  for (Vec3d& x : m.x) x += random.vector(0.5);
+  return m;
+}
+
 struct OnePoint {
+  static constexpr int corners = 4;
+  static Motion some(Random& random) { return warped(random); }
   template <class Law>
   static ShellLayout layout(const ShellProperties& shell, const Prepared<Law>& law) {
     return shell_layout(shell, law);
@@ -53,6 +66,8 @@ struct OnePoint {
   }
 };
 struct Full {
+  static constexpr int corners = 4;
+  static Motion some(Random& random) { return warped(random); }
   template <class Law>
   static ShellLayout layout(const ShellProperties& shell, const Prepared<Law>& law) {
     return full_shell_layout(shell, law);
@@ -63,6 +78,32 @@ struct Full {
     return full_shell_cycle<R>(shell, law, nodes, dt, state);
   }
 };
+struct C0 {
+  static constexpr int corners = 3;
+  static NodalMotion<double, 3> some(Random& random) { return triangle(random); }
+  template <class Law>
+  static ShellLayout layout(const ShellProperties& shell, const Prepared<Law>& law) {
+    return shell_layout(shell, law);
+  }
+  template <class R, class Law>
+  static NodalForces<R, 3> cycle(const ShellProperties& shell, const Prepared<Law>& law, const NodalMotion<R, 3>& nodes,
+                                 double dt, double* state) {
+    return triangle_cycle<R>(shell, law, nodes, dt, state);
+  }
+};
+struct Kirchhoff {
+  static constexpr int corners = 3;
+  static NodalMotion<double, 3> some(Random& random) { return triangle(random); }
+  template <class Law>
+  static ShellLayout layout(const ShellProperties& shell, const Prepared<Law>& law) {
+    return kirchhoff_layout(shell, law);
+  }
+  template <class R, class Law>
+  static NodalForces<R, 3> cycle(const ShellProperties& shell, const Prepared<Law>& law, const NodalMotion<R, 3>& nodes,
+                                 double dt, double* state) {
+    return kirchhoff_triangle_cycle<R>(shell, law, nodes, dt, state);
+  }
+};
 
 /// A shell with its state, driven step by step.
 template <class Law, class Kind = OnePoint>
@@ -71,10 +112,11 @@ struct Driven {
   Prepared<Law> law;
   ShellLayout layout;
   std::vector<double> state;
-  Motion nodes;
-  NodalForces<double, 4> force{};
+  NodalMotion<double, Kind::corners> nodes;
+  NodalForces<double, Kind::corners> force{};
 
-  Driven(const ShellProperties& s, const Law& parameters, const Motion& start, double thickness = 1.2)
+  Driven(const ShellProperties& s, const Law& parameters, const NodalMotion<double, Kind::corners>& start,
+         double thickness = 1.2)
       : shell(s),
         law(parameters),
         layout(Kind::layout(s, law)),
@@ -82,13 +124,19 @@ struct Driven {
         nodes(start) {
     start_shell(layout, thickness, state.data(), 1, 0);
   }
-  const NodalForces<double, 4>& step(double dt) {
+  const NodalForces<double, Kind::corners>& step(double dt) {
     advance(nodes, dt);
     return cycle(dt);
   }
   /// A step to nodes that are already at its end.
-  const NodalForces<double, 4>& cycle(double dt) {
+  const NodalForces<double, Kind::corners>& cycle(double dt) {
     return force = Kind::template cycle<double>(shell, law, nodes, dt, state.data());
+  }
+  void shake(Random& random, double speed, double turning) {
+    for (int i = 0; i < Kind::corners; ++i) {
+      nodes.v[i] = random.vector(speed);
+      nodes.w[i] = random.vector(turning);
+    }
   }
   double at(int field) const { return state[static_cast<std::size_t>(field)]; }
 };
@@ -109,7 +157,7 @@ void batch_gives_the_bits_of_double(const ShellProperties& shell, const Law& par
   Random random;
   std::vector<Driven<Law, Kind>> single;
   for (int l = 0; l < W; ++l) {
-    single.emplace_back(shell, parameters, warped(random), 1.0 + 0.1 * l);
+    single.emplace_back(shell, parameters, Kind::some(random), 1.0 + 0.1 * l);
     start_shell(layout, 1.0 + 0.1 * l, together.data(), W, l);
   }
   if (W > 2) {  // one lane is deleted
@@ -118,12 +166,12 @@ void batch_gives_the_bits_of_double(const ShellProperties& shell, const Law& par
   }
   int yielded = 0;
   for (int cycle = 0; cycle < 60; ++cycle) {
-    NodalMotion<NativeBatch, 4> nodes;
+    NodalMotion<NativeBatch, Kind::corners> nodes;
     for (int l = 0; l < W; ++l) {
       Driven<Law, Kind>& one = single[static_cast<std::size_t>(l)];
       const double wild = speed * (l + 1);
       const Vec3d spin = random.vector(500.0);
-      for (int i = 0; i < 4; ++i) {
+      for (int i = 0; i < Kind::corners; ++i) {
         one.nodes.v[i] = cross(spin, one.nodes.x[i]) + random.vector(wild);
         one.nodes.w[i] = spin + random.vector(wild);
       }
@@ -133,7 +181,7 @@ void batch_gives_the_bits_of_double(const ShellProperties& shell, const Law& par
     const auto force = Kind::template cycle<NativeBatch>(shell, law, nodes, dt, together.data());
     for (int l = 0; l < W; ++l) {
       const Driven<Law, Kind>& one = single[static_cast<std::size_t>(l)];
-      for (int i = 0; i < 4; ++i) {
+      for (int i = 0; i < Kind::corners; ++i) {
         expect_same(get(force.f[i], l), one.force.f[i]);
         expect_same(get(force.m[i], l), one.force.m[i]);
       }
@@ -151,24 +199,107 @@ void batch_gives_the_bits_of_double(const ShellProperties& shell, const Law& par
   }
 }
 
-/// The elastic stiffness as the derivative of the forces.
+/// A stressed element that has yielded, turned once round an oblique axis as a rigid body: stresses and forces come
+/// back with it and do no work.
 template <class Kind = OnePoint>
-std::vector<double> stiffness_by_dual(const ShellProperties& shell, const Motion& m) {
-  NodalMotion<Dual<24>, 4> nodes;
+void rigid_rotation_strains_nothing(const ShellProperties& shell) {
+  const double dt = 1e-6;
+  Random random;
+  Driven<PlasticKinematic, Kind> d(shell, mixed(0.5), Kind::some(random));
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    d.shake(random, 9000.0, 3000.0);
+    d.step(dt);
+  }
+  const std::vector<double> before = d.state;
+  const auto force = d.force;
+  ASSERT_GT(before[static_cast<std::size_t>(d.layout.history_of(0))], 0.0);
+  const Vec3d axis = unit(Vec3d{1, 2, 3});
+  double work = 0.0, drift = 0.0;
+  const int steps = 720;
+  for (int cycle = 0; cycle < steps; ++cycle) {
+    const auto last = d.force;
+    d.nodes = rotation_step(d.nodes, axis, 2.0 * M_PI / steps, dt);
+    d.cycle(dt);
+    work += 0.5 * dt * (power(last, d.nodes) + power(d.force, d.nodes));
+    for (std::size_t i = 0; i < before.size(); ++i)
+      drift = std::max(drift, std::abs(d.state[i] - before[i]) / (1.0 + std::abs(before[i])));
+  }
+  EXPECT_LT(drift, 1e-9);
+  for (int i = 0; i < Kind::corners; ++i) EXPECT_LT(norm(d.force.f[i] - force.f[i]), 1e-8 * largest_force(force));
+  EXPECT_LT(std::abs(work), 1e-3 * largest_force(force));
+}
+
+/// A four-node shell numbered from its second node has the same forces.
+template <class Kind = OnePoint>
+void does_not_depend_on_the_first_node(const ShellProperties& shell) {
+  Random random;
+  Motion moving = warped(random);
+  for (int i = 0; i < 4; ++i) {
+    moving.v[i] = random.vector(5000.0);
+    moving.w[i] = random.vector(1000.0);
+  }
+  Motion shifted;
+  for (int i = 0; i < 4; ++i) {
+    shifted.x[i] = moving.x[(i + 1) % 4];
+    shifted.v[i] = moving.v[(i + 1) % 4];
+    shifted.w[i] = moving.w[(i + 1) % 4];
+  }
+  Driven<PiecewiseLinear, Kind> a(shell, curved(), moving), b(shell, curved(), shifted);
+  for (int cycle = 0; cycle < 10; ++cycle) {
+    a.step(1e-6);
+    b.step(1e-6);
+  }
+  EXPECT_GT(a.at(a.layout.history_of(0)), 0.0);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_LT(norm(b.force.f[i] - a.force.f[(i + 1) % 4]), 1e-9 * largest_force(a.force));
+    EXPECT_LT(norm(b.force.m[i] - a.force.m[(i + 1) % 4]), 1e-9 * largest_force(a.force));
+  }
+}
+
+/// Forces and moments of an element that turns with nothing but its stresses are in balance.
+template <class Kind, class Law>
+void expect_balance(const Driven<Law, Kind>& d, bool moments = true) {
+  Vec3d force{}, moment{};
+  for (int i = 0; i < Kind::corners; ++i) {
+    force += d.force.f[i];
+    moment += cross(d.nodes.x[i], d.force.f[i]) + d.force.m[i];
+  }
+  EXPECT_LT(norm(force), 1e-9 * largest_force(d.force));
+  if (moments) {
+    EXPECT_LT(norm(moment), 1e-9 * largest_force(d.force) * 5.0);
+  }
+}
+
+/// The elastic stiffness as the derivative of the forces, row by row.
+template <class Kind = OnePoint>
+std::vector<double> stiffness_by_dual(const ShellProperties& shell, const NodalMotion<double, Kind::corners>& m) {
+  using D = Dual<6 * Kind::corners>;
+  NodalMotion<D, Kind::corners> nodes;
   const Prepared<Elastic> law(steel);
   std::vector<double> state(static_cast<std::size_t>(Kind::layout(shell, law).size()));
   start_shell(Kind::layout(shell, law), 1.2, state.data(), 1, 0);
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < Kind::corners; ++i) {
     nodes.x[i] = {m.x[i].x, m.x[i].y, m.x[i].z};
-    nodes.v[i] = {Dual<24>::variable(0, 6 * i), Dual<24>::variable(0, 6 * i + 1), Dual<24>::variable(0, 6 * i + 2)};
-    nodes.w[i] = {Dual<24>::variable(0, 6 * i + 3), Dual<24>::variable(0, 6 * i + 4), Dual<24>::variable(0, 6 * i + 5)};
+    nodes.v[i] = {D::variable(0, 6 * i), D::variable(0, 6 * i + 1), D::variable(0, 6 * i + 2)};
+    nodes.w[i] = {D::variable(0, 6 * i + 3), D::variable(0, 6 * i + 4), D::variable(0, 6 * i + 5)};
   }
-  const auto force = Kind::template cycle<Dual<24>>(shell, law, nodes, 1.0, state.data());
+  const auto force = Kind::template cycle<D>(shell, law, nodes, 1.0, state.data());
   std::vector<double> K;
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < Kind::corners; ++i)
     for (const auto* row : {&force.f[i], &force.m[i]})
-      for (const Dual<24>* f : {&row->x, &row->y, &row->z}) K.insert(K.end(), f->d.begin(), f->d.end());
+      for (const D* f : {&row->x, &row->y, &row->z}) K.insert(K.end(), f->d.begin(), f->d.end());
   return K;
+}
+
+/// The stiffness is symmetric and lets `free` motions go.
+inline void expect_free_motions(const std::vector<double>& K, int size, int free) {
+  const auto n = static_cast<std::size_t>(size);
+  double largest = 0.0, skew = 0.0;
+  for (const double k : K) largest = std::max(largest, std::abs(k));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) skew = std::max(skew, std::abs(K[i * n + j] - K[j * n + i]));
+  EXPECT_LT(skew, 1e-12 * largest);
+  EXPECT_EQ(zero_modes(K, size), free);
 }
 
 }  // namespace nugget::kernel

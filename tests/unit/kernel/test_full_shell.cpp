@@ -25,33 +25,7 @@ TEST(FullShell, BatchGivesTheBitsOfDouble) {
 }
 
 TEST(FullShell, RigidRotationStrainsNothing) {
-  const double dt = 1e-6;
-  Random random;
-  const Vec3d axis = unit(Vec3d{1, 2, 3});
-  Driven<PlasticKinematic, Full> d(drilled(), mixed(0.5), warped(random));
-  for (int cycle = 0; cycle < 20; ++cycle) {  // stress and yield it
-    for (int i = 0; i < 4; ++i) {
-      d.nodes.v[i] = random.vector(9000.0);
-      d.nodes.w[i] = random.vector(3000.0);
-    }
-    d.step(dt);
-  }
-  const std::vector<double> before = d.state;
-  const NodalForces<double, 4> force = d.force;
-  ASSERT_GT(before[static_cast<std::size_t>(d.layout.history_of(0, 3))], 0.0);
-  double work = 0.0, drift = 0.0;
-  const int steps = 720;
-  for (int cycle = 0; cycle < steps; ++cycle) {
-    const auto last = d.force;
-    d.nodes = rotation_step(d.nodes, axis, 2.0 * M_PI / steps, dt);
-    d.cycle(dt);
-    work += 0.5 * dt * (power(last, d.nodes) + power(d.force, d.nodes));
-    for (std::size_t i = 0; i < before.size(); ++i)
-      drift = std::max(drift, std::abs(d.state[i] - before[i]) / (1.0 + std::abs(before[i])));
-  }
-  EXPECT_LT(drift, 1e-9);
-  for (int i = 0; i < 4; ++i) EXPECT_LT(norm(d.force.f[i] - force.f[i]), 1e-8 * largest_force(force));
-  EXPECT_LT(std::abs(work), 1e-3 * largest_force(force));
+  rigid_rotation_strains_nothing<Full>(drilled());
 }
 
 TEST(FullShell, ForcesAreInEquilibriumAndDoTheWorkOfTheStresses) {
@@ -68,10 +42,7 @@ TEST(FullShell, ForcesAreInEquilibriumAndDoTheWorkOfTheStresses) {
     for (std::size_t i = ShellLayout::first_layer; i < d.state.size(); ++i) d.state[i] = 300.0 * random();
     for (std::size_t i = 0; i < 4; ++i) d.state[ShellLayout::hourglass + i] = 100.0 * random();
     const std::vector<double> start = d.state;
-    for (int i = 0; i < 4; ++i) {
-      d.nodes.v[i] = random.vector(1000.0);
-      d.nodes.w[i] = random.vector(1000.0);
-    }
+    d.shake(random, 1000.0, 1000.0);
     d.step(dt);
     const double E = steel_E, nu = steel_nu, G = E / (2 * (1 + nu)), volume = 1.2 * shell_area(positions(d.nodes));
     double expected = d.at(ShellLayout::hourglass_energy) / dt;
@@ -86,39 +57,12 @@ TEST(FullShell, ForcesAreInEquilibriumAndDoTheWorkOfTheStresses) {
                      (mean(2) * change(2) + shell.shear_factor * (mean(3) * change(3) + mean(4) * change(4))) / G);
       }
     EXPECT_NEAR(power(d.force, d.nodes), expected, 2e-4 * std::abs(expected));
-    Vec3d force{}, moment{};
-    for (int i = 0; i < 4; ++i) {
-      force += d.force.f[i];
-      moment += cross(d.nodes.x[i], d.force.f[i]) + d.force.m[i];
-    }
-    EXPECT_LT(norm(force), 1e-9 * largest_force(d.force));
-    EXPECT_LT(norm(moment), 1e-9 * largest_force(d.force) * 5.0);
+    expect_balance(d);
   }
 }
 
 TEST(FullShell, DoesNotDependOnTheFirstNode) {
-  Random random;
-  Motion moving = warped(random);
-  for (int i = 0; i < 4; ++i) {
-    moving.v[i] = random.vector(5000.0);
-    moving.w[i] = random.vector(1000.0);
-  }
-  Motion shifted;
-  for (int i = 0; i < 4; ++i) {
-    shifted.x[i] = moving.x[(i + 1) % 4];
-    shifted.v[i] = moving.v[(i + 1) % 4];
-    shifted.w[i] = moving.w[(i + 1) % 4];
-  }
-  Driven<PiecewiseLinear, Full> a(drilled(), curved(), moving), b(drilled(), curved(), shifted);
-  for (int cycle = 0; cycle < 10; ++cycle) {
-    a.step(1e-6);
-    b.step(1e-6);
-  }
-  EXPECT_GT(a.at(a.layout.history_of(0)), 0.0);
-  for (int i = 0; i < 4; ++i) {
-    EXPECT_LT(norm(b.force.f[i] - a.force.f[(i + 1) % 4]), 1e-9 * largest_force(a.force));
-    EXPECT_LT(norm(b.force.m[i] - a.force.m[(i + 1) % 4]), 1e-9 * largest_force(a.force));
-  }
+  does_not_depend_on_the_first_node<Full>(drilled());
 }
 
 TEST(FullShell, ConstantStrainAndCurvatureOnADistortedElement) {
@@ -154,13 +98,7 @@ TEST(FullShell, OnlyRigidMotionIsFree) {
   for (const double warp : {0.0, 0.2, 1.0}) {
     Motion m = square();
     for (Vec3d& x : m.x) x += Vec3d{random(), random(), warp * random()};
-    const std::vector<double> K = stiffness_by_dual<Full>(drilled(), m);
-    double largest = 0.0, skew = 0.0;
-    for (double k : K) largest = std::max(largest, std::abs(k));
-    for (std::size_t i = 0; i < 24; ++i)
-      for (std::size_t j = 0; j < 24; ++j) skew = std::max(skew, std::abs(K[i * 24 + j] - K[j * 24 + i]));
-    EXPECT_LT(skew, 1e-12 * largest);
-    EXPECT_EQ(zero_modes(K, 24), 6);
+    expect_free_motions(stiffness_by_dual<Full>(drilled(), m), 24, 6);
   }
   ShellProperties free = section();
   EXPECT_EQ(zero_modes(stiffness_by_dual<Full>(free, square()), 24), 10);  // and the drilling of four nodes

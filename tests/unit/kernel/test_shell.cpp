@@ -36,33 +36,7 @@ TEST(Shell, BatchGivesTheBitsOfDouble) {
 }
 
 TEST(Shell, RigidRotationStrainsNothing) {
-  const double dt = 1e-6;
-  Random random;
-  const Vec3d axis = unit(Vec3d{1, 2, 3});
-  Driven<PlasticKinematic> d(section(), mixed(0.5), warped(random));
-  for (int cycle = 0; cycle < 20; ++cycle) {  // stress and yield it
-    for (int i = 0; i < 4; ++i) {
-      d.nodes.v[i] = random.vector(9000.0);
-      d.nodes.w[i] = random.vector(3000.0);
-    }
-    d.step(dt);
-  }
-  const std::vector<double> before = d.state;
-  const NodalForces<double, 4> force = d.force;
-  ASSERT_GT(before[static_cast<std::size_t>(d.layout.history_of(0))], 0.0);
-  double work = 0.0, drift = 0.0;
-  const int steps = 720;
-  for (int cycle = 0; cycle < steps; ++cycle) {
-    const auto last = d.force;
-    d.nodes = rotation_step(d.nodes, axis, 2.0 * M_PI / steps, dt);
-    d.force = shell_cycle<double>(d.shell, d.law, d.nodes, dt, d.state.data());
-    work += 0.5 * dt * (power(last, d.nodes) + power(d.force, d.nodes));
-    for (std::size_t i = 0; i < before.size(); ++i)
-      drift = std::max(drift, std::abs(d.state[i] - before[i]) / (1.0 + std::abs(before[i])));
-  }
-  EXPECT_LT(drift, 1e-9);
-  for (int i = 0; i < 4; ++i) EXPECT_LT(norm(d.force.f[i] - force.f[i]), 1e-8 * largest_force(force));
-  EXPECT_LT(std::abs(work), 1e-3 * largest_force(force));
+  rigid_rotation_strains_nothing(section());
 }
 
 TEST(Shell, TrueSpinLeavesOnlyAThirdOrderShear) {
@@ -117,10 +91,7 @@ TEST(Shell, ForcesDoTheWorkOfTheStresses) {
     for (std::size_t i = ShellLayout::hourglass; i < 8; ++i) d.state[i] = 100.0 * random();
     for (std::size_t i = ShellLayout::first_layer; i < d.state.size(); ++i) d.state[i] = 300.0 * random();
     const std::vector<double> start = d.state;
-    for (int i = 0; i < 4; ++i) {
-      d.nodes.v[i] = random.vector(1000.0);
-      d.nodes.w[i] = random.vector(1000.0);
-    }
+    d.shake(random, 1000.0, 1000.0);
     d.step(dt);
     const double E = steel_E, nu = steel_nu, G = E / (2 * (1 + nu)), volume = 1.2 * shell_area(positions(d.nodes));
     double expected = (d.at(ShellLayout::hourglass_energy) - 0.0) / dt;
@@ -135,42 +106,12 @@ TEST(Shell, ForcesDoTheWorkOfTheStresses) {
                             (mean(2) * change(2) + kappa * (mean(3) * change(3) + mean(4) * change(4))) / G);
     }
     EXPECT_NEAR(power(d.force, d.nodes), expected, 2e-4 * std::abs(expected));
-    Vec3d force{}, moment{};
-    for (int i = 0; i < 4; ++i) {
-      force += d.force.f[i];
-      moment += cross(d.nodes.x[i], d.force.f[i]) + d.force.m[i];
-    }
-    EXPECT_LT(norm(force), 1e-9 * largest_force(d.force));
-    if (!warping) {
-      EXPECT_LT(norm(moment), 1e-9 * largest_force(d.force) * 5.0);
-    }
+    expect_balance(d, !warping);
   }
 }
 
 TEST(Shell, DoesNotDependOnTheFirstNode) {
-  Random random;
-  const Motion m = warped(random);
-  Motion moving = m;
-  for (int i = 0; i < 4; ++i) {
-    moving.v[i] = random.vector(5000.0);
-    moving.w[i] = random.vector(1000.0);
-  }
-  Motion shifted;
-  for (int i = 0; i < 4; ++i) {
-    shifted.x[i] = moving.x[(i + 1) % 4];
-    shifted.v[i] = moving.v[(i + 1) % 4];
-    shifted.w[i] = moving.w[(i + 1) % 4];
-  }
-  Driven<PiecewiseLinear> a(section(), curved(), moving), b(section(), curved(), shifted);
-  for (int cycle = 0; cycle < 10; ++cycle) {
-    a.step(1e-6);
-    b.step(1e-6);
-  }
-  EXPECT_GT(a.at(a.layout.history_of(0)), 0.0);
-  for (int i = 0; i < 4; ++i) {
-    EXPECT_LT(norm(b.force.f[i] - a.force.f[(i + 1) % 4]), 1e-9 * largest_force(a.force));
-    EXPECT_LT(norm(b.force.m[i] - a.force.m[(i + 1) % 4]), 1e-9 * largest_force(a.force));
-  }
+  does_not_depend_on_the_first_node(section());
 }
 
 TEST(Shell, MembranePatch) {
