@@ -1,26 +1,48 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes a body-like model (500,000 shells, 5,000 welds) and times tie and audit on it.
+"""Writes a body-like model (500,000 shells, 5,000 welds) and times tie and audit, an impact, or natural modes on it.
 
     python3 bench/body.py [--nugget build/nugget] [--work build-bench/body] [--shells 500000] [--welds 5000] [--threads 1]
+    python3 bench/body.py --study crash [--end 1e-4] ...
+    python3 bench/body.py --study modes [--modes 50] [--shells 280000] [--welds 800] ...
 
 The body is a row of closed sills: each is a curved hat with flanges, and a floor strip under it, both of 5 mm elements; some
-carry a third strip under one flange. Spots stand along the flanges, three elements wide; `nugget weld` places them, so that
-the deck is one that a user could have made. What is timed is `nugget check` as its check.log tells it: reading, then tie and
-audit together. Aim: under 5 s for tie and audit.
+carry a third strip under one flange. For modes the hats are straight and stand on one floor, so that it is one body. Spots
+stand along the flanges, three elements wide; `nugget weld` places them, so that the deck is one that a user could have made.
+What is timed is `nugget check` as its check.log tells it: reading, then tie and audit together (aim: under 5 s); the impact of
+the body against a wall at 10 m/s, all of it in one contact with itself; modes up to their number, files and report included.
 """
 import argparse
 import math
+import json
 import pathlib
 import re
 import subprocess
 import sys
 import time
 
+from modes import measure
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SIZE = 5.0                       # of an element
 FLANGE, WALL, ROOF = 3, 10, 12   # elements across a flange, a wall, the roof of the hat
 THICKNESS = {"hat": 1.2, "floor": 1.5, "third": 1.0}
 CURVATURE = 4.0e-4               # of the sill's axis, 1/mm
+LENGTH = 250                     # elements along a sill
+PITCH = 50                       # elements of the floor from one hat to the next
+IMPACT = """*CONTACT_AUTOMATIC_SINGLE_SURFACE
+         0
+       0.1       0.1
+
+         2
+*INITIAL_VELOCITY_GENERATION
+         0         2            -1.0e4       0.0       0.0
+
+*RIGIDWALL_PLANAR
+         0
+      -0.5       0.0       0.0       1.0       0.0       0.0       0.1
+*CONTROL_ENERGY
+         2         2         2         2
+"""
 
 
 def hat_profile():
@@ -38,22 +60,26 @@ def strip(count, z):
 
 
 class Body:
-    def __init__(self, path):
+    def __init__(self, path, curvature):
+        self.curvature = curvature
         self.file = open(path, "w", encoding="ascii")
         self.nodes, self.shells, self.node, self.shell, self.part = [], [], 0, 0, 0
         self.parts, self.points = [], []
 
+    def lift(self, x, length):
+        return 0.5 * self.curvature * (x - 0.5 * SIZE * length) ** 2
+
     def sheet(self, kind, profile, length, origin):
-        """Sweeps a profile along a curved axis."""
+        """Sweeps a profile along the axis."""
         self.part += 1
         self.parts.append((self.part, kind))
         first = self.node + 1
         for i in range(length + 1):
             x = SIZE * i
-            lift = 0.5 * CURVATURE * (x - 0.5 * SIZE * length) ** 2
             for y, z in profile:
                 self.node += 1
-                self.nodes.append(f"{self.node:8d}{x + origin[0]:16.5f}{y + origin[1]:16.5f}{z + lift + origin[2]:16.5f}\n")
+                z += self.lift(x, length)
+                self.nodes.append(f"{self.node:8d}{x + origin[0]:16.5f}{y + origin[1]:16.5f}{z + origin[2]:16.5f}\n")
         across = len(profile)
         for i in range(length):
             for j in range(across - 1):
@@ -64,12 +90,11 @@ class Body:
     def spots(self, count, length, y, z, origin):
         for k in range(count):
             x = SIZE * length * (k + 0.5) / count
-            lift = 0.5 * CURVATURE * (x - 0.5 * SIZE * length) ** 2
-            self.points.append((x + origin[0], y + origin[1], z + lift + origin[2]))
+            self.points.append((x + origin[0], y + origin[1], z + self.lift(x, length) + origin[2]))
 
-    def write(self):
+    def write(self, end):
         f = self.file
-        f.write("*KEYWORD\n*TITLE\nbody-like bench of sills\n*CONTROL_TERMINATION\n     0.001\n*CONTROL_TIMESTEP\n       0.0       0.9\n"
+        f.write("*KEYWORD\n*TITLE\nbody-like bench of sills\n*CONTROL_TERMINATION\n" + f"{end:10.3g}" + "\n*CONTROL_TIMESTEP\n       0.0       0.9\n"
                 "*MAT_PIECEWISE_LINEAR_PLASTICITY\n         1  7.85e-09  210000.0       0.3     300.0    1000.0\n       0.0\n\n\n")
         for number, (kind, t) in enumerate(THICKNESS.items(), start=1):
             f.write(f"*SECTION_SHELL\n{number:10d}         2    0.8333         3\n" + f"{t:10.2f}" * 4 + "\n")
@@ -84,54 +109,101 @@ class Body:
         f.close()
 
 
-def make(folder, shells, welds):
-    """Writes body.k and points.csv; returns how many shells and points there are."""
-    length = 250
+def sills(folder, shells, welds, end):
+    """Writes body.k and points.csv of the row of sills; returns how many shells and points there are."""
     profile = hat_profile()
     floor = len(profile) - 1 - 2 * WALL
-    sills = max(1, round(shells / (length * (len(profile) - 1 + floor + 0.25 * FLANGE))))
-    per_flange = max(1, round(welds / (2 * sills)))
-    body = Body(folder / "body.k")
+    number = max(1, round(shells / (LENGTH * (len(profile) - 1 + floor + 0.25 * FLANGE))))
+    per_flange = max(1, round(welds / (2 * number)))
+    body = Body(folder / "body.k", CURVATURE)
     gap_floor = 0.5 * (THICKNESS["hat"] + THICKNESS["floor"])
     gap_third = gap_floor + 0.5 * (THICKNESS["floor"] + THICKNESS["third"])
-    for sill in range(sills):
+    for sill in range(number):
         origin = (1300.0 * (sill % 10), 250.0 * (sill // 10), 0.0)
-        body.sheet("hat", profile, length, origin)
-        body.sheet("floor", strip(floor, -gap_floor), length, origin)
+        body.sheet("hat", profile, LENGTH, origin)
+        body.sheet("floor", strip(floor, -gap_floor), LENGTH, origin)
         if sill % 4 == 0:
-            body.sheet("third", strip(FLANGE, -gap_third), length, origin)
+            body.sheet("third", strip(FLANGE, -gap_third), LENGTH, origin)
         for y in (0.5 * FLANGE * SIZE, (floor - 0.5 * FLANGE) * SIZE):
-            body.spots(per_flange, length, y, -0.5 * gap_floor, origin)
-    body.write()
+            body.spots(per_flange, LENGTH, y, -0.5 * gap_floor, origin)
+    return finish(folder, body, end)
+
+
+def panel(folder, shells, welds, end):
+    """The same of straight hats on one floor, as long as eight of them are wide."""
+    profile = hat_profile()
+    width = len(profile) - 1 - 2 * WALL
+    hats = 8
+    length = max(PITCH, round(shells / (hats * (PITCH + len(profile) - 1))))
+    per_flange = max(1, round(welds / (2 * hats)))
+    gap = 0.5 * (THICKNESS["hat"] + THICKNESS["floor"])
+    body = Body(folder / "body.k", 0.0)
+    body.sheet("floor", strip(hats * PITCH, -gap), length, (0.0, 0.0, 0.0))
+    for hat in range(hats):
+        origin = (0.0, SIZE * (hat * PITCH + 0.5 * (PITCH - width)), 0.0)
+        body.sheet("hat", profile, length, origin)
+        for y in (0.5 * FLANGE * SIZE, (width - 0.5 * FLANGE) * SIZE):
+            body.spots(per_flange, length, y, -0.5 * gap, origin)
+    return finish(folder, body, end)
+
+
+def finish(folder, body, end):
+    body.write(end)
     with open(folder / "points.csv", "w", encoding="ascii") as f:
         f.write("x,y,z\n")
         f.writelines(f"{x:.4f},{y:.4f},{z:.4f}\n" for x, y, z in body.points)
     return body.shell, len(body.points)
 
 
+def crash(nugget, work, threads):
+    text = (work / "welded.k").read_text(encoding="ascii")
+    at = text.rindex("*END")
+    (work / "crash.k").write_text(text[:at] + IMPACT + text[at:], encoding="ascii")
+    seconds, memory = measure([nugget, "run", "crash.k", "-o", "crash", "-j", str(threads), "--quiet"], work)
+    summary = json.loads((work / "crash" / "summary.json").read_text(encoding="utf-8"))
+    print(f"nugget run    {seconds:8.1f} s of processor time, {memory:.0f} MB, {summary['cycles']} cycles, "
+          f"{summary['ns_per_element_cycle']:.0f} ns per element-cycle (by the clock), "
+          f"energy ratio {summary['energy']['ratio']:.6f}")
+
+
+def modes(nugget, work, threads, number):
+    seconds, memory = measure([nugget, "modes", "welded.k", "-n", str(number), "-o", "modes", "-j", str(threads), "--quiet"], work)
+    log = (work / "modes" / "run.log").read_text(encoding="utf-8")
+    print(f"nugget modes  {seconds:8.1f} s of processor time, {memory:.0f} MB")
+    print("\n".join(re.findall(r"^ \d+ (?:equations|factorizations).*", log, re.MULTILINE)))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--study", choices=("tie", "crash", "modes"), default="tie")
     parser.add_argument("--nugget", type=pathlib.Path, default=ROOT / "build" / "nugget")
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build-bench" / "body")
     parser.add_argument("--shells", type=int, default=500_000)
     parser.add_argument("--welds", type=int, default=5_000)
     parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--end", type=float, default=1e-4)
+    parser.add_argument("--modes", type=int, default=50)
     arguments = parser.parse_args()
-    arguments.work.mkdir(parents=True, exist_ok=True)
-    shells, points = make(arguments.work, arguments.shells, arguments.welds)
+    nugget, work = str(arguments.nugget.resolve()), arguments.work
+    work.mkdir(parents=True, exist_ok=True)
+    write = panel if arguments.study == "modes" else sills
+    shells, points = write(work, arguments.shells, arguments.welds, arguments.end)
     print(f"{shells} shells, {points} spots")
     for title, command in (("nugget weld", ["weld", "points.csv", "body.k", "-o", "welded.k"]),
                            ("nugget check", ["check", "welded.k", "-o", "audit"])):
         start = time.perf_counter()
-        done = subprocess.run([str(arguments.nugget.resolve()), *command, "-j", str(arguments.threads)], cwd=arguments.work,
-                              capture_output=True, text=True)
+        done = subprocess.run([nugget, *command, "-j", str(arguments.threads)], cwd=work, capture_output=True, text=True)
         print(f"{title:<14}{time.perf_counter() - start:8.2f} s in all, exit code {done.returncode}")
         if done.returncode != 0:
             print(done.stderr[:2000])
             return 1
-    log = (arguments.work / "audit" / "check.log").read_text(encoding="utf-8")
+    log = (work / "audit" / "check.log").read_text(encoding="utf-8")
     print(re.search(r"Audit: .*", log)[0])
     print(re.search(r"Seconds: .*", log)[0])
+    if arguments.study == "crash":
+        crash(nugget, work, arguments.threads)
+    elif arguments.study == "modes":
+        modes(nugget, work, arguments.threads, arguments.modes)
     return 0
 
 

@@ -254,6 +254,8 @@ void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& st
       continue;
     }
     const Segment& segment = setup_.segments[pair.segment];
+    if (i + 1 < end)
+      __builtin_prefetch(&setup_.segments[block.pairs[i + 1].segment]);  // a body has more than a cache holds
     if (!alive(pair.segment, step.element_alive)) {
       pair.let_go();
       continue;
