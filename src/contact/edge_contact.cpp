@@ -382,7 +382,7 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   const double overlap = reach(pair.a, pair.b) - dot(r, pair.direction);
   // What the motion of this step cannot have made was there before, or comes from an edge laid bare.
   const double explained = before.depth + step.dt * norm(velocity);
-  const double offset = candidate.before.touching ? before.offset : std::max(0.0, overlap - explained);
+  const double offset = candidate.before.touching ? before.offset : std::max(before.offset, overlap - explained);
   pair.touching = true;
   pair.offset = std::min(offset, overlap);
   pair.depth = overlap - pair.offset;

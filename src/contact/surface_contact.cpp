@@ -400,9 +400,12 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   const double overlap = candidate.reach - dot(r, direction);
   if (too_deep(overlap, pair.segment)) return;
 
-  // What the motion of this step cannot have made was there before, or comes from a change of the surface.
-  const double explained = (from != nullptr ? from->before.depth : 0.0) + step.dt * norm(velocity);
-  const double offset = candidate.before.touching ? candidate.before.offset : std::max(0.0, overlap - explained);
+  // An offset goes with the node over the edges of the surface. What the motion of this step cannot have made was there
+  // before, or comes from a change of the surface, and is an offset too.
+  const Pair* before = candidate.before.touching ? &candidate.before : from != nullptr ? &from->before : nullptr;
+  double offset = before != nullptr ? before->offset : 0.0;
+  if (before != &candidate.before)
+    offset = std::max(offset, overlap - (before != nullptr ? before->depth : 0.0) - step.dt * norm(velocity));
 
   pair.touching = true;
   pair.side = static_cast<signed char>(side);
@@ -419,7 +422,6 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   Vec3d force = size * direction;
   const kernel::Friction rough = friction_law(candidate, tracked);
   if (rough.any()) {
-    const Pair* before = candidate.before.touching ? &candidate.before : from != nullptr ? &from->before : nullptr;
     pair.friction = friction(rough, candidate, before, direction, stiffness, size, step);
     force += pair.friction;
   }

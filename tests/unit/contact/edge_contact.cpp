@@ -161,6 +161,20 @@ TEST(EdgeContact, TheDepthGoesOnFromEdgeToEdge) {
   }
 }
 
+// Sabotage caught: an offset forgotten from edge to edge, where the way along then became depth.
+TEST(EdgeContact, AnInitialPenetrationGoesOnFromEdgeToEdge) {
+  Bars s;
+  s.add_line({{0, 0, 0}, {4, 0, 0}, {8, 0, 0}}, {}, 1e10);
+  s.add_line({{3.0, -5.0, 0.9}, {3.0, 5.0, 0.9}}, {1e5, 0.0, 0.0}, 1e10);
+  EdgeContact contact = s.contact();
+  s.evaluate(contact, 0.0);
+  for (int i = 0; i < 300; ++i) {
+    s.step(contact);
+    ASSERT_NEAR(contact.deepest(), 0.0, 1e-9) << i;
+  }
+  EXPECT_GT(s.x[3].x, 4.0);
+}
+
 // A closed polygon finer than it is thick does not press itself. Sabotage: belong_together() without the nodes.
 TEST(EdgeContact, ALineDoesNotFightItself) {
   Bars s;
