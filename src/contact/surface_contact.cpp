@@ -15,6 +15,7 @@ constexpr int block_size = 64;
 constexpr std::size_t group_size = 4096;
 constexpr double pressing_depth = 0.3;  // of a brick's depth
 constexpr double extension = 0.025;     // of a brick's face beyond its border, in sides
+constexpr double forgotten = 0.5;       // cosine from the side that is remembered, over an edge
 constexpr double on_the_face = 1e-6;    // of the depth down to which a brick presses: what round-off makes of 0
 
 bool finite(const Row& r) {
@@ -372,13 +373,11 @@ const SurfaceContact::Candidate* SurfaceContact::predecessor(const Block& block,
   return found;
 }
 
-int SurfaceContact::side_of(const Candidate& candidate, const Candidate* from, const Vec3d& was_at) const {
-  if (candidate.before.touching && candidate.before.side != 0) return candidate.before.side;
-  if (from != nullptr && from->before.side != 0) {
-    const int same = same_side(setup_.segments[from->pair->segment], setup_.segments[candidate.pair->segment]);
-    if (same != 0) return same * from->before.side;
-  }
-  return dot(was_at, candidate.foot.normal) < 0.0 ? -1 : 1;
+/// The side on which the node is remembered to be; 0: none.
+int SurfaceContact::remembered_side(const Candidate& candidate, const Candidate* from) const {
+  if (candidate.before.touching) return candidate.before.side;
+  if (from == nullptr) return 0;
+  return same_side(setup_.segments[from->pair->segment], setup_.segments[candidate.pair->segment]) * from->before.side;
 }
 
 void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, const Step& step) const {
@@ -390,12 +389,14 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   const Candidate* from = candidate.before.touching ? nullptr : predecessor(block, candidate);
 
   Vec3d direction = candidate.away;
-  int side = dot(direction, candidate.foot.normal) < 0.0 ? -1 : 1;
+  int side = remembered_side(candidate, from);
   if (candidate.gap < 0.0) {
     side = 1;
   } else if (candidate.foot.boundary == 0) {
-    side = side_of(candidate, from, r - step.dt * velocity);
+    if (side == 0) side = dot(r - step.dt * velocity, candidate.foot.normal) < 0.0 ? -1 : 1;
     direction = static_cast<double>(side) * candidate.foot.normal;
+  } else if (side * dot(direction, candidate.foot.normal) < forgotten) {
+    side = 0;  // an edge has no sides: beyond it lies the other face of a free edge, the next one of a fold
   }
   const double overlap = candidate.reach - dot(r, direction);
   if (too_deep(overlap, pair.segment)) return;

@@ -56,8 +56,9 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 /// Bricks. The face of a brick has no skin; a node behind it is inside, down to 0.3 of the brick's depth, and is
 /// pressed out along the normal. Of the faces around an edge the closest counts.
 ///
-/// Sides. When a node first touches a segment, the side on which it stood a step earlier is kept until it leaves, and
-/// handed on to the neighbour over whose edge it slides. So a node pressed beyond the mid-surface is pressed back.
+/// Sides. When a node first touches a segment inside its border, the side on which it stood a step earlier is kept
+/// until it leaves, and handed on to the neighbour over whose edge it slides. So a node pressed beyond the mid-surface
+/// is pressed back. Over an edge or corner it is pressed away from that, and may come to another side.
 ///
 /// Initial overlaps (IGNORE = 1, 2, birth time, elements dying) are kept as an offset that is given up as the pair
 /// comes apart: a contact never starts with a force that no motion has worked against.
@@ -191,7 +192,7 @@ class SurfaceContact {
   bool at_home(const Candidate& candidate, int node, std::span<const unsigned char> element_alive) const;
   bool hidden_by(const Candidate& other, const Candidate& candidate) const;
   const Candidate* predecessor(const Block& block, const Candidate& candidate) const;
-  int side_of(const Candidate& candidate, const Candidate* from, const Vec3d& was_at) const;
+  int remembered_side(const Candidate& candidate, const Candidate* from) const;
   Vec3d friction(const kernel::Friction& law, const Candidate& candidate, const Pair* before, const Vec3d& direction,
                  double stiffness, double normal_force, const Step& step) const;
   bool too_deep(double overlap, int segment) const;

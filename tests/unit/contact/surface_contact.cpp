@@ -695,6 +695,37 @@ TEST(SurfaceContact, InitialPenetrationGoesOnOverElementBorders) {
   EXPECT_NEAR(contact.deepest(), 0.05, 1e-12);
 }
 
+// A node stands above the edge where a wall goes down from a roof, by round-off inside of the wall's plane. The wall is
+// as close as the roof. When it slides onto the roof, the side that it had on the wall must not count: the roof would
+// draw it in. Sabotage caught: sides remembered from feet on an edge.
+TEST(SurfaceContact, TheSideOfAWallIsNotThatOfItsRoof) {
+  for (const double fold : {0.0, 4.9}) {  // the wall stands upright, or is folded back under the roof
+    Scene s;
+    const auto wall = [fold](int i, int j) { return Vec3d{-fold + fold * i, 5.0 * j, -5.0 + 5.0 * i}; };
+    s.add_patch(1, 2, 1.0, wall, {}, 1e10);
+    const auto roof = [](int i, int j) { return Vec3d{-5.0 * i, 5.0 * j, 0.0}; };
+    s.add_patch(1, 2, 1.0, roof, {}, 1e10);
+    for (Segment& segment : s.setup.segments)  // of one sheet: the upper edge of the wall is that of the roof
+      for (int& n : segment.node)
+        if (n >= 6 && (n - 6) % 2 == 0) n = n - 6 + 1;
+    const int node = s.add_node({-1e-9, 5.2, 0.98}, {}, 1e10);
+    s.setup.nodes = {{node, 1.0}};
+    SurfaceContact contact = s.contact();
+    s.evaluate(contact, 0.0);
+    const auto go_to = [&](double x, double z) {
+      s.v[node] = {(x - s.x[node].x) / s.dt, 0.0, (z - s.x[node].z) / s.dt, 0.0};
+      s.x[node] = {x, 5.2, z, 0.0};
+      s.evaluate(contact, s.dt);
+      return s.force[node].z;
+    };
+    EXPECT_NEAR(go_to(-2e-9, 0.98), 0.0, 1e-6) << fold;
+    EXPECT_NEAR(go_to(-0.1, 0.98), 0.0, 1e-6) << fold;
+    EXPECT_GT(go_to(-0.1, 0.95), 0.0) << fold;
+    EXPECT_NEAR(contact.deepest(), 0.03, 1e-9) << fold;
+    EXPECT_EQ(go_to(-0.1, 0.999), 0.0) << fold;
+  }
+}
+
 // Two curved sheets of one mesh, in each other from the start: each node is near the corner of four segments, and which
 // of them is the closest is round-off. Sabotage caught: as above; the energy then grows from round-off without end.
 TEST(SurfaceContact, SheetsInEachOtherStayAtRest) {
