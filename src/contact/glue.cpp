@@ -12,6 +12,7 @@ namespace {
 
 constexpr double tolerance = 0.05;
 constexpr double in_the_middle = 1e-6;  // of the thickness: what round-off makes of no gap
+constexpr double facing = 1e-6;         // weight of what a segment looks past a node, against its distance
 constexpr unsigned reference = 2;       // bit of Segment::side
 
 /// Unit axes of a segment: along its first pair of edges, across, and its normal.
@@ -82,8 +83,10 @@ void Glue::glue_together(std::span<const Row> x) {
     const auto distance = [&](int item) {
       const Segment& s = setup_.segments[item];
       if (!(s.side & node.against) || s.has(node.node) || s.covered_by >= 0) return Box::infinity;
-      const double d = kernel::closest_point(corners_of(s, x), s.triangle(), p).distance;
-      return d <= limit(node, s, x) ? d : Box::infinity;
+      const kernel::Foot foot = kernel::closest_point(corners_of(s, x), s.triangle(), p);
+      if (foot.distance > limit(node, s, x)) return Box::infinity;
+      // Above the edge of a fold all its segments are as close: the one that faces the node is meant.
+      return foot.distance + facing * (foot.distance - std::abs(dot(p - foot.point, foot.normal)));
     };
     const BoxTree::Nearest nearest = tree.nearest(p, Box::infinity, distance);
     if (nearest.item < 0 || !std::isfinite(nearest.distance)) continue;

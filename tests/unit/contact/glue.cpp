@@ -95,6 +95,27 @@ TEST(Glue, GoesWithItsShell) {
   EXPECT_EQ(glue.failed(), 4);
 }
 
+// A wall goes down from the edge of the lower plate, below two of the four nodes. Pulled up, these are in tension all
+// the same. Sabotage caught: the first of the closest segments.
+TEST(Glue, AboveAFoldThePlateBelowHolds) {
+  TwoPlates s;
+  for (std::size_t n : {0, 3}) s.x[n].x = -5.0;
+  for (double y : {-20.0, 20.0}) {
+    s.x.push_back({-5.0, y, -20.0, 0.0});
+    s.mass.push_back(1e10);
+  }
+  s.v.resize(10);
+  Segment wall = s.setup.segments[0];
+  wall.node = {8, 0, 3, 9};
+  s.setup.segments.insert(s.setup.segments.begin(), wall);
+  Glue glue(s.setup, brittle(10.0, 0.0), s.x);
+  EXPECT_EQ(glue.at_start(), 4);
+  s.force.assign(10, {});
+  for (std::size_t n = 4; n < 8; ++n) s.x[n].z += 20.0 * area / stiffness;
+  glue.apply({0.0, 0.0, 0.0, 0.0, s.x, s.v, s.mass, s.alive}, s.force);
+  EXPECT_EQ(glue.failed(), 4);
+}
+
 TEST(Glue, HoldsOnlyWhatTouches) {
   TwoPlates s;
   for (std::size_t n = 4; n < 6; ++n) s.x[n].z += 0.06;
