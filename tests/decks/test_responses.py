@@ -278,6 +278,7 @@ class Responses(CommandTest):
             self.assertAlmostEqual(float(points[0][1]) / value, 1.0, delta=1e-6)
         peak = [r for r in self.json("summary.json")["responses"] if r["kind"] == "erp"]
         self.assertEqual([(r["direction"], r["response"]) for r in peak], [("part 1", "radiated power")])
+        self.assertIn('<tr class="erp"><td class="text">part 1</td>', self.read("report.html"))
 
     def test_subcases_of_harmonic_loads(self):
         """Files for each case, and the two cases in ssd.csv: loads twice as large move the tip twice as far."""

@@ -133,7 +133,7 @@ TEST(SteadyState, TurningBase) {
       deck.text("*DATABASE_FREQUENCY_ASCII_NODOUT_SSD\n" + fields({cycles(now), 2.0 * cycles(now), 2}));
       deck.text("*DATABASE_HISTORY_NODE\n" + fields({1.0 * tip}));
       const LinearExperiment e(deck.deck());
-      const nvh::SteadyResult result = nvh::steady_state(e.matrices(), e.modes(4), *e.system().model.steady_state);
+      const nvh::SteadyResult result = nvh::steady_state(e.matrices(), e.modes(1), *e.system().model.steady_state);
       const double w = 2.0 * std::numbers::pi * result.frequency[0], arm = by_vector ? length : 20.0 + length;
       const Complex turn = angle / derivative(vad - 9, w);
       const Complex relative = w * w / (own * own - w * w + Complex(0.0, 2.0 * ratio * own * w));

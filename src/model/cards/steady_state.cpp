@@ -268,10 +268,11 @@ void check_ssd(Builder& b, const Cards& cards) {
     for (std::size_t i = 0; i < loads.size(); ++i) check_excitation(b, loads[i], "vad", s.cases[c].loads[i].excitation);
     check_together(b, loads.back(), s, s.cases[c]);
   }
-  const bool power = s.radiated_power && !s.radiated_power->frequency.empty();
+  const bool power = cards.fluid && !s.radiated_power->frequency.empty();
   if (s.frequency.empty() && !s.states && !power)
     refuse(b, cards.modes, "mdmin", "no frequencies are given",
-           "add *DATABASE_FREQUENCY_ASCII_NODOUT_SSD or _BINARY_D3SSD with FMIN, FMAX and NFREQ");
+           "add *DATABASE_FREQUENCY_ASCII_NODOUT_SSD, _BINARY_D3SSD or (with _ERP) _BINARY_D3ERP with FMIN, FMAX and "
+           "NFREQ");
   if (!s.frequency.empty() && b.model.requests.history_nodes.empty() && !cards.fluid)
     refuse(b, cards.modes, "mdmin", "no nodes are given whose response is wanted", "add *DATABASE_HISTORY_NODE");
 }
