@@ -127,13 +127,14 @@ bool turns(const Equations& equations, int node) {
 
 void check_excitation(const Matrices& m, const Excitation& e, const char* keyword, Findings& findings) {
   const model::Model& model = m.system.model;
-  if (!e.moves()) check_effect(m, e, keyword, findings);
-  if (e.kind != Kind::torque) return;
-  for (const model::Index n : e.nodes)
-    if (!turns(m.equations, m.system.node_of[at(n)]))
-      findings.error(e.place, keyword,
-                     fmt::format("node {} carries a torque, but nothing there can turn", model.nodes.id[at(n)]),
-                     "put it on a node of shells, beams or a rigid body, or write a pair of forces");
+  const int errors = findings.errors();
+  if (e.kind == Kind::torque)
+    for (const model::Index n : e.nodes)
+      if (!turns(m.equations, m.system.node_of[at(n)]))
+        findings.error(e.place, keyword,
+                       fmt::format("node {} carries a torque, but nothing there can turn", model.nodes.id[at(n)]),
+                       "put it on a node of shells, beams or a rigid body, or write a pair of forces");
+  if (!e.moves() && findings.errors() == errors) check_effect(m, e, keyword, findings);
 }
 
 }  // namespace nugget::nvh
