@@ -132,6 +132,28 @@ class ModeRequests(CommandTest):
                 expected = wanted * YOUNG * HEIGHT / 2 / math.sqrt(3) * wave ** 2 * max(map(abs, z))
                 self.assertAlmostEqual(largest, expected, delta=0.02 * expected, msg=f"mode {mode + 1}")
 
+    def test_comparison_after_renumbering(self):
+        """Nodes with other ids at the same places are compared. Sabotage: ids alone."""
+        deck = beam(card(3))
+        self.frequencies(deck)
+        lines, keyword = [], ""
+        for line in deck.splitlines():
+            if line.startswith("*"):
+                keyword = line
+            elif keyword == "*NODE":
+                line = f"{int(line[:8]) + 5000:8d}" + line[8:]
+            elif keyword == "*ELEMENT_SHELL":
+                line = line[:16] + "".join(f"{int(line[i:i + 8]) + 5000:8d}" for i in range(16, 48, 8))
+            elif keyword == "*BOUNDARY_SPC_NODE":
+                line = f"{int(line[:10]) + 5000:10d}" + line[10:]
+            lines.append(line)
+        self.write("\n".join(lines) + "\n", "renumbered.k")
+        run = self.nugget("modes", "renumbered.k", "-n", 3, "-o", "other", "--compare", "out", "--quiet")
+        self.assertIn(f"over {25 * 3} nodes, 75 of them by their places", run.stdout)
+        rows = [line.split(",") for line in self.read("other/mac.csv").splitlines()[2:]]
+        for i, row in enumerate(rows):
+            self.assertAlmostEqual(float(row[2 + i]), 1.0, delta=1e-5)
+
     def test_an_empty_interval_of_the_command(self):
         run = self.nugget("modes", self.write(beam(card(3))), "-fmin", 500, "-fmax", 100, "-o", "out", expect=2)
         self.assertIn("the interval is empty", run.stderr)

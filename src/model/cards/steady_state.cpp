@@ -192,7 +192,7 @@ SteadyState::RadiatedPower::Panel panel_of(Builder& b, const Row& row) {
 
 SteadyState::RadiatedPower& radiated_power(Builder& b) {
   SteadyState& s = steady_state(b);
-  if (!s.radiated_power) s.radiated_power.emplace();
+  if (!s.radiated_power) s.radiated_power = SteadyState::RadiatedPower{};
   return *s.radiated_power;
 }
 
