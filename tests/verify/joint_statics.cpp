@@ -125,9 +125,9 @@ TEST(JointStatics, DamperOfAHinge) {
   Rod rod("*CONTROL_IMPLICIT_GENERAL\n" + fields({1, 1}) + "*CONTROL_IMPLICIT_EIGENVALUE\n" + fields({1}),
           {{0, 0, 0}, {0, 100, 0}});
   joint(rod.s, "REVOLUTE", rod.pair);
-  std::string stiffness = joint_spring(rotary);
-  stiffness.replace(stiffness.find(fields({0, 31, 0})), fields({0, 31, 0}).size(), fields({0, 31, 0, 0, 32, 0}));
-  rod.s.text(stiffness + curve(32, {{-1.0, -damper}, {0.0, 0.0}, {1.0, damper}, {2.0, damper}}));
+  std::string cards = joint_spring(rotary);
+  cards.replace(cards.find(fields({0, 31, 0})), fields({0, 31, 0}).size(), fields({0, 31, 0, 0, 32, 0}));
+  rod.s.text(cards + curve(32, {{-1.0, -damper}, {0.0, 0.0}, {1.0, damper}, {2.0, damper}}));
   rod.s.text(curve(11, {{0.0, 3.0}, {10.0 * frequency, 3.0}}) + "*FREQUENCY_DOMAIN_SSD\n" + fields({1}) +
              fields({0, 0, 0, 0, 0, 1}) + fields({0}) + fields({1.0 * rod.end, 0, 3, 0, 11}) +
              "*DATABASE_FREQUENCY_ASCII_NODOUT_SSD\n" + fields({frequency, 2.0 * frequency, 2}) +
