@@ -11,6 +11,7 @@
 #include "app/modes.hpp"
 #include "app/preload.hpp"
 #include "app/status.hpp"
+#include "nvh/radiated_power.hpp"
 #include "nvh/response_states.hpp"
 #include "output/results.hpp"
 #include "report/page.hpp"
@@ -29,7 +30,8 @@ struct Response {
   const std::vector<Complex>& value;
 };
 
-std::string route_text(const nvh::Modes& modes, const nvh::Route& route, double highest_asked) {
+/// `equations`: of the model; that many modes are all there are.
+std::string route_text(const nvh::Modes& modes, std::size_t equations, const nvh::Route& route, double highest_asked) {
   if (route.direct) return " direct solution at each frequency\n";
   std::string s = " no mode takes part, only the static response";
   double highest = 0.0;
@@ -41,7 +43,8 @@ std::string route_text(const nvh::Modes& modes, const nvh::Route& route, double 
     s += fmt::format(", and {} residual vector{} from {:.6g} on for all above", route.residual.size(),
                      route.residual.size() == 1 ? "" : "s", route.residual.front());
   s += '\n';
-  if (route.last > route.first && highest < highest_asked)
+  const bool all = route.first == 0 && route.last == equations;
+  if (route.last > route.first && highest < highest_asked && !all)
     s += fmt::format(
         " warning: the response is asked for up to {:.6g}, above the last mode: it is doubtful there; raise NEIG of "
         "*CONTROL_IMPLICIT_EIGENVALUE, FNMAX or MDMAX, or solve directly (nugget frf --direct)\n",
@@ -102,7 +105,7 @@ std::string frf_of(const fs::path& directory, const output::Header& header, cons
     for (std::size_t i = 0; i < request.cases.size(); ++i)
       titles += fmt::format(" case {}: {}\n", i + 1, request.cases[i].title);
   return title("Frequency response", responses.size(), result.frequency) + titles +
-         route_text(modes, result.route, result.frequency.back()) +
+         route_text(modes, matrices.size(), result.route, result.frequency.back()) +
          peaks(responses, result.frequency, "frf.csv", summary);
 }
 
@@ -110,15 +113,42 @@ std::string ssd_of(const fs::path& directory, const output::Header& header, cons
                    const nvh::Modes& modes, const model::SteadyState& request, output::Summary& summary,
                    const nvh::Tell& tell) {
   const nvh::SteadyResult result = nvh::steady_state(matrices, modes, request, tell);
-  nvh::write_steady_state(directory, header, result);
+  nvh::write_steady_state(directory, header, request, result);
   std::vector<Response> responses;
   for (const nvh::SteadyCurve& c : result.curve)
     for (std::size_t q = 0; q < nvh::steady_quantities.size(); ++q)
-      responses.push_back(
-          {"ssd", 0, c.node, nvh::direction_name(c.direction), nvh::to_string(nvh::steady_quantities[q]), c.value[q]});
-  return title("Steady state", responses.size(), result.frequency) +
-         route_text(modes, result.route, result.frequency.back()) +
+      responses.push_back({"ssd", c.load_case, c.node, nvh::direction_name(c.direction),
+                           nvh::to_string(nvh::steady_quantities[q]), c.value[q]});
+  std::string titles;
+  for (std::size_t i = 0; i < request.cases.size(); ++i)
+    if (const auto& c = request.cases[i]; !c.id.empty())
+      titles += fmt::format(" case {}: {} {}\n", i + 1, c.id, c.title);
+  return title("Steady state", responses.size(), result.frequency) + titles +
+         route_text(modes, matrices.size(), result.route, result.frequency.back()) +
          peaks(responses, result.frequency, "ssd.csv", summary);
+}
+
+std::string power_of(const fs::path& directory, const output::Header& header, const nvh::Matrices& matrices,
+                     const nvh::Modes& modes, const model::SteadyState& request, output::Summary& summary,
+                     const nvh::Tell& tell) {
+  const nvh::RadiatedPower result = nvh::radiated_power(matrices, modes, request, tell);
+  nvh::write_radiated_power(directory, header, request, result);
+  const double reference = request.radiated_power->reference;
+  std::string s = fmt::format(
+      "Equivalent radiated power: {} panels, {} frequencies from {:.6g} to {:.6g}\n\n {:<24} {:>14} {:>14} "
+      "{:>14} {:>10}   at the largest power\n",
+      request.radiated_power->panels.size(), result.frequency.size(), result.frequency.front(), result.frequency.back(),
+      "panel", "area", "frequency", "power", "dB");
+  for (const nvh::RadiatedPower::Panel& panel : result.panels) {
+    const std::vector<Complex> value(panel.power.begin(), panel.power.end());
+    const std::size_t k = largest(value);
+    const double power = panel.power[k];
+    summary.responses.push_back({"erp", 0, panel.name, "radiated power", result.frequency[k], power, 0.0, 0});
+    s += fmt::format(" {:<24} {:>14.6g} {:>14.6g} {:>14.6g} {:>10}\n", panel.name, panel.area, result.frequency[k],
+                     power,
+                     reference > 0.0 && power > 0.0 ? fmt::format("{:.2f}", nvh::decibels(power, reference)) : "");
+  }
+  return s + '\n';
 }
 
 }  // namespace
@@ -130,11 +160,13 @@ std::string responses_of(const fs::path& directory, const output::Header& header
   if (model.frequency_response)
     text += frf_of(directory, header, matrices, modes, *model.frequency_response, summary, tell);
   if (!model.steady_state) return text;
-  if (!model.steady_state->frequency.empty())
+  if (!model.steady_state->frequency.empty() && !model.requests.history_nodes.empty())
     text += ssd_of(directory, header, matrices, modes, *model.steady_state, summary, tell);
   if (model.steady_state->states)
     text += fmt::format("d3ssd: the motion of all nodes at {} frequencies\n\n",
                         nvh::write_d3ssd(directory, matrices, modes, *model.steady_state, tell));
+  if (model.steady_state->radiated_power)
+    text += power_of(directory, header, matrices, modes, *model.steady_state, summary, tell);
   return text;
 }
 

@@ -9,8 +9,8 @@ namespace nugget::app {
 
 std::string pair_table(const nvh::Modes& modes, const nvh::ModeComparison& c, const std::string& other) {
   std::string s = fmt::format("Compared with {} over {} nodes", other, c.nodes);
-  if (c.absent > 0) s += fmt::format("; {} nodes of this run are not in the other", c.absent);
-  if (c.moved > 0) s += fmt::format("; {} have the same id but another place there and are left out", c.moved);
+  if (c.renumbered > 0) s += fmt::format(", {} of them by their places, with other ids", c.renumbered);
+  if (c.absent > 0) s += fmt::format("; {} nodes of this run have no node at their place in the other", c.absent);
   s += "\n\n";
   if (c.nodes == 0) return s + " no node in common: nothing can be compared\n\n";
   s += fmt::format(" {:>6} {:>14} {:>8} {:>14} {:>9} {:>7}\n", "mode", "frequency", "other", "frequency", "shift [%]",

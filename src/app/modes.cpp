@@ -36,6 +36,8 @@ nvh::ModeRequest request_of(const ModesArguments& arguments, const model::Model&
     if (const auto& ssd = model.steady_state; ssd && !ssd->direct) {
       if (!ssd->frequency.empty()) r.high = std::max(r.high, reach(ssd->modes, ssd->frequency));
       if (ssd->states) r.high = std::max(r.high, reach(ssd->modes, ssd->states->frequency));
+      if (ssd->radiated_power && !ssd->radiated_power->frequency.empty())
+        r.high = std::max(r.high, reach(ssd->modes, ssd->radiated_power->frequency));
     }
     return r;
   }
@@ -52,6 +54,17 @@ nvh::ModeRequest request_of(const ModesArguments& arguments, const model::Model&
   const bool all = interval && std::isfinite(r.high);
   r.count = arguments.count > 0 ? arguments.count : all ? 0 : deck.modes != 0 ? std::abs(deck.modes) : usual;
   return r;
+}
+
+/// Why modes are missing: motions without stiffness are all alike, and Lanczos does not tell many of them apart.
+std::string missing_modes(const nvh::Modes& modes) {
+  const nvh::Modes::Proof& proof = modes.proof;
+  std::string s = fmt::format("{} modes were counted but {} found", proof.counted, proof.found);
+  const bool free = !modes.eigenvalue.empty() && modes.frequency(modes.eigenvalue.size() - 1) < 1e-6 * proof.high;
+  if (free && proof.counted > 6)
+    s += fmt::format(": parts of the structure move without stiffness (a mechanism); hold them, or ask for {} modes",
+                     proof.counted + 1);
+  return s;
 }
 
 std::string mode_table(const nvh::Modes& modes) {
@@ -173,8 +186,7 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
     summary.seconds.output = job.seconds();
     impact::Outcome outcome{impact::Termination::normal, {}};
     if (!modes.proof.complete()) {
-      outcome = {impact::Termination::error,
-                 fmt::format("{} modes were counted but {} found", modes.proof.counted, modes.proof.found)};
+      outcome = {impact::Termination::error, missing_modes(modes)};
       summary.termination = "error";
       summary.message = outcome.message;
     }
@@ -192,6 +204,11 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
 
 ExitCode modes(const ModesArguments& arguments) {
   return guarded(arguments.run.directory, [&](const fs::path& directory) {
+    if (arguments.high > 0.0 && arguments.low >= arguments.high) {
+      fmt::print(stderr, "nugget: -fmin {:g} -fmax {:g}: the interval is empty; give an -fmax above -fmin\n",
+                 arguments.low, arguments.high);
+      return ExitCode::wrong_command;
+    }
     use_threads(arguments.run.threads);
     Findings findings;
     Prepared p = prepare(arguments.run, findings);

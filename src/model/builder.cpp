@@ -180,6 +180,10 @@ const Vec3d* Builder::vector(const deck::Row& row, std::string_view field) {
   const Index i = find(vectors, "vector", row, field);
   return i == none ? nullptr : &vector_list[static_cast<std::size_t>(i)];
 }
+const Vec3d* Builder::vector_tail(const deck::Row& row, std::string_view field) {
+  const Index i = find(vectors, "vector", row, field);
+  return i == none ? nullptr : &vector_tails[static_cast<std::size_t>(i)];
+}
 const Box* Builder::box(const deck::Row& row, std::string_view field) {
   const Index i = find(boxes, "box", row, field);
   return i == none ? nullptr : &box_list[static_cast<std::size_t>(i)];

@@ -93,6 +93,7 @@ class Builder {
   std::unordered_map<Index, RigidBody::Inertia> part_inertia;  ///< by part; known after Phase::sets
   std::vector<Box> box_list;                                   ///< by index of `boxes`
   std::vector<Vec3d> vector_list;                              ///< by index of `vectors`; not normalized
+  std::vector<Vec3d> vector_tails;                             ///< of the same: points
   std::vector<SetRecipe> set_recipes;
   BodyCards body_cards;
 
@@ -127,6 +128,7 @@ class Builder {
   Index system(const deck::Row& row, std::string_view field);
   Index turning_or_fixed_system(const deck::Row& row, std::string_view field);
   const Vec3d* vector(const deck::Row& row, std::string_view field);
+  const Vec3d* vector_tail(const deck::Row& row, std::string_view field);
   const Box* box(const deck::Row& row, std::string_view field);
   Index shell(const deck::Row& row, std::string_view field);
   Index solid(const deck::Row& row, std::string_view field);

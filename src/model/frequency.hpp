@@ -41,6 +41,8 @@ struct FrequencyResponse : Frequencies {
     Quantity quantity = Quantity::velocity;  ///< of the base or of the enforced nodes, which has amplitude 1
     std::vector<Index> nodes;
     Vec3d direction;               ///< unit vector
+    bool turning = false;          ///< of the base: it turns about `direction`, by angles; not for enforced nodes
+    Vec3d axis;                    ///< a point of the axis about which it turns
     std::vector<Segment> pressed;  ///< each carries a pressure of amplitude 1, against its normal
     Place place;                   ///< of the card
     bool moves() const { return kind == Kind::base || kind == Kind::enforced; }
@@ -83,18 +85,22 @@ struct FrequencyResponse : Frequencies {
   bool by_parts = false;  ///< OUTPUT 1: LS-DYNA's files hold real and imaginary part
 };
 
-/// *FREQUENCY_DOMAIN_SSD: steady response to harmonic loads together, each with its amplitude and phase over frequency.
-/// `frequency`: of *DATABASE_FREQUENCY_ASCII_NODOUT_SSD.
+/// *FREQUENCY_DOMAIN_SSD: steady response to harmonic loads together, each with its amplitude and phase over frequency;
+/// of _SUBCASE to several such groups, one at a time. `frequency`: of *DATABASE_FREQUENCY_ASCII_NODOUT_SSD.
 struct SteadyState : Frequencies {
   struct Load {
     FrequencyResponse::Excitation excitation;
     double scale = 1.0;
     Index first = none, second = none;  ///< curves over frequency: amplitude and phase [degree], or real and imaginary
   };
-  std::vector<Load> loads;
-  bool by_parts = false;  ///< the curves are real and imaginary part
-  bool direct = false;    ///< _DIRECT: no modes, one solution for each frequency
-  bool relative = false;  ///< responses to the base's motion are relative to it
+  struct Case {
+    std::string id, title;  ///< of _SUBCASE
+    std::vector<Load> loads;
+  };
+  std::vector<Case> cases;  ///< one, but for _SUBCASE
+  bool by_parts = false;    ///< the curves are real and imaginary part
+  bool direct = false;      ///< _DIRECT: no modes, one solution for each frequency
+  bool relative = false;    ///< responses to the base's motion are relative to it
   FrequencyResponse::Selection modes;
   FrequencyResponse::Damping damping;
 
@@ -103,6 +109,27 @@ struct SteadyState : Frequencies {
     enum class Part { amplitude, real, imaginary } part = Part::amplitude;
   };
   std::optional<States> states;
+
+  /// _ERP: power that panels would radiate if each point of them did so as part of a large flat piston. `frequency`: of
+  /// *DATABASE_FREQUENCY_BINARY_D3ERP; none: that of the other requests.
+  struct RadiatedPower : Frequencies {
+    double density = 0.0, sound_speed = 0.0;  ///< of the fluid
+    double loss_factor = 1.0;                 ///< share of that power that is radiated, where there is no curve
+    Index loss_curve = none;                  ///< the same over frequency; end values hold outside
+    double reference = 0.0;                   ///< power of 0 decibels; 0: none is given
+    struct Panel {
+      std::string name;  ///< kind and number of what the deck names
+      std::vector<Segment> segments;
+    };
+    std::vector<Panel> panels;
+  };
+  std::optional<RadiatedPower> radiated_power;
+
+  /// Of all outputs. Where the radiated power has none of its own, it stands at those of nodout_ssd, or else of d3ssd.
+  const Frequencies& frequencies_of_power() const {
+    if (!radiated_power->frequency.empty()) return *radiated_power;
+    return frequency.empty() && states ? static_cast<const Frequencies&>(*states) : *this;
+  }
 };
 
 }  // namespace nugget::model

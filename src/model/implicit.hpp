@@ -14,6 +14,7 @@ struct Implicit {
   std::optional<double> low;    ///< LFTEND where LFLAG = 1 [cycles/time]
   std::optional<double> high;   ///< RHTEND where RFLAG = 1 [cycles/time]
   bool modal_stresses = false;  ///< MSTRES = 1
+  int solid_form = 0;           ///< ISOLID: formulation of all bricks but welds; 0: that of their sections
 };
 
 }  // namespace nugget::model

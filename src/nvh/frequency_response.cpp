@@ -10,6 +10,7 @@
 #include "nvh/frequencies.hpp"
 #include "nvh/part_damping.hpp"
 #include "nvh/transfer.hpp"
+#include "output/curve_file.hpp"
 #include "output/result_file.hpp"
 
 namespace nugget::nvh {
@@ -18,27 +19,19 @@ namespace {
 using Complex = std::complex<double>;
 using Quantity = model::FrequencyResponse::Quantity;
 
-/// One file of curves as LS-PrePost reads them.
+/// A file of curves; infinite values (of free bodies at frequency 0) are 0 there.
 void write_curves(const std::filesystem::path& path, const output::Header& header, const FrfResult& result,
                   const char* ordinate, double (*part)(const Complex&)) {
-  std::string text = fmt::format("Curveplot\n{}\nFrequency\n{}\n", header.title, ordinate);
+  std::vector<output::XyCurve> curves;
   for (const FrfCurve& curve : result.curve) {
-    std::size_t low = 0, high = 0;
-    std::vector<double> y;
-    for (const Complex& v : curve.value) {
-      y.push_back(std::isfinite(part(v)) ? part(v) : 0.0);
-      if (y.back() < y[low]) low = y.size() - 1;
-      if (y.back() > y[high]) high = y.size() - 1;
-    }
-    text += fmt::format(
-        "{}N-{}-{}{} #pts={:>5}\n* Minval= {:14.7E} at time= {:14.7E}\n* Maxval= {:14.7E} at time= {:14.7E}\n",
-        curve.load_case > 0 ? fmt::format("C-{}-", curve.load_case) : "", curve.node, curve.rotation ? "r" : "",
-        direction_name(curve.direction), y.size(), y[low], result.frequency[low], y[high], result.frequency[high]);
-    for (std::size_t k = 0; k < y.size(); ++k)
-      text += fmt::format(" {:14.7E} {:14.7E}\n", result.frequency[k], output::column(y[k]));
-    text += "endcurve\n";
+    output::XyCurve xy{fmt::format("{}N-{}-{}{}", curve.load_case > 0 ? fmt::format("C-{}-", curve.load_case) : "",
+                                   curve.node, curve.rotation ? "r" : "", direction_name(curve.direction)),
+                       result.frequency,
+                       {}};
+    for (const Complex& v : curve.value) xy.y.push_back(std::isfinite(part(v)) ? part(v) : 0.0);
+    curves.push_back(std::move(xy));
   }
-  output::write_whole_file(path, text);
+  output::write_curve_file(path, header.title, ordinate, curves);
 }
 
 }  // namespace

@@ -72,6 +72,29 @@ Nodal static_shape(const Matrices& m, const Excitation& e) {
   return u;
 }
 
+/// Of a unit of its translation, or of its (small) rotation about the axis.
+Nodal motion_of_base(const Matrices& m, const Excitation& e) {
+  const Vec3d& d = e.direction;
+  Nodal u(m.system.all_nodes(), Six{d.x, d.y, d.z, 0, 0, 0});
+  if (!e.turning) return u;
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    const Vec3d v = cross(d, m.place(k) - e.axis);
+    u[k] = {v.x, v.y, v.z, d.x, d.y, d.z};
+  }
+  return u;
+}
+
+/// Forces act where something can move; what supports carry moves nothing.
+void check_effect(const Matrices& m, const Excitation& e, const char* keyword, Findings& findings) {
+  std::vector<double> load(m.size(), 0.0);
+  const Nodal f = applied_forces(m, e);
+  add_load(m, f, 1.0, load);
+  const auto zero = [](double v) { return v == 0.0; };
+  if (std::ranges::all_of(load, zero))
+    findings.warning(e.place, keyword, "the load moves nothing: supports hold what it acts on in its direction",
+                     "load nodes that are free to move that way");
+}
+
 }  // namespace
 
 HarmonicLoad harmonic_load(const Matrices& m, const Excitation& e) {
@@ -83,7 +106,7 @@ HarmonicLoad harmonic_load(const Matrices& m, const Excitation& e) {
     return load;
   }
   if (e.kind == Kind::base)
-    load.carried.assign(m.system.all_nodes(), {e.direction.x, e.direction.y, e.direction.z, 0, 0, 0});
+    load.carried = motion_of_base(m, e);
   else
     load.carried = static_shape(m, e);
   for (std::size_t k = 0; k < m.nodal_mass.size(); ++k) {
@@ -104,12 +127,14 @@ bool turns(const Equations& equations, int node) {
 
 void check_excitation(const Matrices& m, const Excitation& e, const char* keyword, Findings& findings) {
   const model::Model& model = m.system.model;
-  if (e.kind != Kind::torque) return;
-  for (const model::Index n : e.nodes)
-    if (!turns(m.equations, m.system.node_of[at(n)]))
-      findings.error(e.place, keyword,
-                     fmt::format("node {} carries a torque, but nothing there can turn", model.nodes.id[at(n)]),
-                     "put it on a node of shells, beams or a rigid body, or write a pair of forces");
+  const int errors = findings.errors();
+  if (e.kind == Kind::torque)
+    for (const model::Index n : e.nodes)
+      if (!turns(m.equations, m.system.node_of[at(n)]))
+        findings.error(e.place, keyword,
+                       fmt::format("node {} carries a torque, but nothing there can turn", model.nodes.id[at(n)]),
+                       "put it on a node of shells, beams or a rigid body, or write a pair of forces");
+  if (!e.moves() && findings.errors() == errors) check_effect(m, e, keyword, findings);
 }
 
 }  // namespace nugget::nvh

@@ -22,7 +22,7 @@ struct HarmonicLoad {
 /// Throws Factorization::SolverError.
 HarmonicLoad harmonic_load(const Matrices& matrices, const model::FrequencyResponse::Excitation& excitation);
 
-/// Errors for a torque on a node that does not turn.
+/// Errors for a torque on a node that does not turn; a warning for forces on what supports hold.
 void check_excitation(const Matrices& matrices, const model::FrequencyResponse::Excitation& excitation,
                       const char* keyword, Findings& findings);
 

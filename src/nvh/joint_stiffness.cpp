@@ -23,7 +23,7 @@ void put(Row& row, std::size_t first, const Vec3d& v) {
 
 /// d . (B's displacement - A's), of points with these arms from the bodies' centres.
 HeldMotion displacement(const Vec3d& d, const Vec3d& arm_a, const Vec3d& arm_b) {
-  HeldMotion held{{}, d, false, 0.0};
+  HeldMotion held{{}, d, false};
   put(held.row, 0, -d);
   put(held.row, 3, -cross(arm_a, d));  // d . (w x r) = w . (r x d)
   put(held.row, 6, d);
@@ -33,7 +33,7 @@ HeldMotion displacement(const Vec3d& d, const Vec3d& arm_a, const Vec3d& arm_b) 
 
 /// d . (B's rotation - A's).
 HeldMotion rotation(const Vec3d& d) {
-  HeldMotion held{{}, d, true, 0.0};
+  HeldMotion held{{}, d, true};
   put(held.row, 3, -d);
   put(held.row, 9, d);
   return held;
@@ -104,9 +104,20 @@ BodyLink link_of(const system::System& system, const model::JointStiffness& s) {
   for (std::size_t i = 0; i < 3; ++i) {
     HeldMotion held = s.rotational ? rotation(own[i]) : displacement(own[i], arm[0], arm[1]);
     held.spring = slope_of(system, s.freedom[i], dot(own[i], start));
-    if (held.spring != 0.0) link.held.push_back(held);
+    if (const model::Index damper = s.freedom[i].damper; damper != model::none)
+      held.dashpot = kernel::ForceCurve(system.model.curves[at(damper)]).slope(0.0);
+    if (held.spring != 0.0 || held.dashpot != 0.0) link.held.push_back(held);
   }
   return link;
+}
+
+/// Matrix of the twelve freedoms.
+std::vector<double> sum_of(const std::vector<HeldMotion>& held, double HeldMotion::*factor) {
+  std::vector<double> k(144, 0.0);
+  for (const HeldMotion& h : held)
+    for (std::size_t a = 0; a < 12; ++a)
+      for (std::size_t b = 0; b < 12; ++b) k[12 * a + b] += h.*factor * h.row[a] * h.row[b];
+  return k;
 }
 
 /// The largest diagonal entry of the stiffness among a node's translations, or rotations.
@@ -121,11 +132,13 @@ double stiffest(const Equations& equations, const Symmetric& k, int node, int fi
 }  // namespace
 
 std::vector<double> BodyLink::stiffness() const {
-  std::vector<double> k(144, 0.0);
-  for (const HeldMotion& h : held)
-    for (std::size_t a = 0; a < 12; ++a)
-      for (std::size_t b = 0; b < 12; ++b) k[12 * a + b] += h.spring * h.row[a] * h.row[b];
-  return k;
+  return sum_of(held, &HeldMotion::spring);
+}
+std::vector<double> BodyLink::viscosity() const {
+  return sum_of(held, &HeldMotion::dashpot);
+}
+bool BodyLink::damps() const {
+  return std::ranges::any_of(held, [](const HeldMotion& h) { return h.dashpot != 0.0; });
 }
 
 Six BodyLink::on_second(const HeldMotion::Row& motion) const {

@@ -17,13 +17,15 @@ struct HeldMotion {
   Row row{};  ///< over the freedoms of the bodies' virtual nodes: how much of it is in a motion of these
   Vec3d direction;
   bool rotation = false;
-  double spring = 0.0;  ///< [force/length], [force length]
+  double spring = 0.0;   ///< [force/length], [force length]
+  double dashpot = 0.0;  ///< [force time/length], [force length time]
 };
 
 /// What holds two rigid bodies together. Of *CONSTRAINED_JOINT_...: displacements of B's point against that of A, all
 /// of them, across an axis of A or along it; rotations that would turn directions of the two bodies off each other. The
 /// same as in impact (impact/joints.hpp), to first order. Of *CONSTRAINED_JOINT_STIFFNESS: displacements of B's origin
-/// and rotations along the axes, with the slopes of the curves at rest, and the stiffness of friction, which sticks.
+/// and rotations along the axes, with the slopes of the curves at rest (those of dampers too), and the stiffness of
+/// friction, which sticks.
 struct BodyLink {
   std::array<int, 2> node{};
   std::vector<HeldMotion> held;
@@ -33,6 +35,8 @@ struct BodyLink {
 
   /// Of the twelve freedoms, row-major.
   std::vector<double> stiffness() const;
+  std::vector<double> viscosity() const;
+  bool damps() const;
   /// Force and moment on B at its point, in a motion of the twelve freedoms.
   Six on_second(const HeldMotion::Row& motion) const;
 };

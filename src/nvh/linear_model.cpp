@@ -4,22 +4,53 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "base/index.hpp"
 
 namespace nugget::nvh {
 namespace {
 
+/// Formulations of bricks; tetrahedra and wedges have others.
+bool of_bricks(int elform) {
+  return elform == 0 || elform == 1 || elform == 2 || elform == 3 || elform == 18 || elform == -1 || elform == -2;
+}
+
+/// ISOLID of *CONTROL_IMPLICIT_EIGENVALUE.
+void change_bricks(model::Model& m, Findings& findings) {
+  if (m.implicit.solid_form == 0) return;
+  std::vector<int> changed;
+  for (model::Part& part : m.parts) {
+    if (part.kind != model::ElementKind::solid || part.section == model::none || part.material == model::none) continue;
+    model::SectionSolid section = m.solid_sections[at(part.section)];
+    if (std::holds_alternative<kernel::Spotweld>(m.materials[at(part.material)].law) || !of_bricks(section.elform) ||
+        section.elform == m.implicit.solid_form)
+      continue;
+    changed.push_back(part.id);
+    section.elform = m.implicit.solid_form;
+    part.section = static_cast<model::Index>(m.solid_sections.size());
+    m.solid_sections.push_back(section);
+  }
+  if (!changed.empty())
+    findings.note({m.deck, 0, 0}, "*CONTROL_IMPLICIT_EIGENVALUE",
+                  fmt::format("bricks of part{} {}: formulation {} (ISOLID)", changed.size() == 1 ? "" : "s",
+                              fmt::join(changed, " "), m.implicit.solid_form));
+}
+
 void stabilize_bricks(model::Model& m, Findings& findings) {
   std::vector<int> changed;
   for (model::Part& part : m.parts) {
     if (part.kind != model::ElementKind::solid || part.section == model::none) continue;
+    const int form = m.solid_sections[at(part.section)].elform;
+    const bool rigid = part.material != model::none &&
+                       std::holds_alternative<kernel::Rigid>(m.materials[at(part.material)].law),
+               one_point = !rigid && (form == 0 || form == 1 || form == 18);
     const model::Hourglass& now = part.hourglass == model::none ? m.control.hourglass : m.hourglass[at(part.hourglass)];
     model::Hourglass bindeman = now;
     if (now.type != 6) {
       bindeman.type = 6;
       bindeman.membrane = 1.0;
-      changed.push_back(part.id);
+      if (one_point) changed.push_back(part.id);
     }
     bindeman.bulk_linear = bindeman.bulk_quadratic = 0.0;
     part.hourglass = static_cast<model::Index>(m.hourglass.size());
@@ -80,7 +111,8 @@ void hold_driven_nodes(model::Model& m) {
   if (m.frequency_response)
     for (const model::FrequencyResponse::Case& c : m.frequency_response->cases) hold(c.excitation);
   if (m.steady_state)
-    for (const model::SteadyState::Load& load : m.steady_state->loads) hold(load.excitation);
+    for (const model::SteadyState::Case& c : m.steady_state->cases)
+      for (const model::SteadyState::Load& load : c.loads) hold(load.excitation);
 }
 
 }  // namespace
@@ -95,6 +127,7 @@ model::Model linear_model(const model::Model& model, Findings& findings) {
                      "weld the two nodes with *CONSTRAINED_SPOTWELD");
   refuse_fluids(m, findings);
   hold_driven_nodes(m);
+  change_bricks(m, findings);
   stabilize_bricks(m, findings);
   integrate_shells_fully(m, findings);
   return m;

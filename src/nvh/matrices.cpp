@@ -273,6 +273,10 @@ void stiffen(Matrices& m, std::shared_ptr<const Prestress> prestress) {
   assemble(m);
 }
 
+Vec3d Matrices::place(std::size_t node) const {
+  return node < system.nodes ? vec(rest.x[node]) : system.bodies[node - system.nodes].center0;
+}
+
 std::vector<double> Matrices::element_energies(const system::ElementGroup& group, std::size_t e,
                                                const Columns& q) const {
   const std::size_t per_node = at(group.freedoms()), n = at(group.nodes_per_element) * per_node, count = q.count;

@@ -54,6 +54,9 @@ struct Matrices {
 
   std::size_t size() const { return static_cast<std::size_t>(equations.size()); }
 
+  /// Where a system node is at rest; a rigid body's is its centre of mass.
+  Vec3d place(std::size_t node) const;
+
   /// Strain energy of one element in each of the motions q: 1/2 u_e^t K_e u_e.
   std::vector<double> element_energies(const system::ElementGroup& group, std::size_t e, const Columns& q) const;
 };

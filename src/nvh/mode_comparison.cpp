@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/index.hpp"
 #include "nvh/mode_files.hpp"
@@ -21,6 +22,31 @@ double size_of(const std::vector<Vec3d>& x) {
   return x.empty() ? 0.0 : norm(high - low);
 }
 
+/// Points in the order of x.
+class Places {
+ public:
+  explicit Places(const std::vector<Vec3d>& x) : x_(x), order_(x.size()) {
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return x[a].x < x[b].x; });
+  }
+  /// The nearest one within a distance, or their number.
+  std::size_t nearest(const Vec3d& p, double reach) const {
+    const auto before = [&](std::size_t i, double value) { return x_[i].x < value; };
+    std::size_t best = x_.size();
+    for (auto i = std::lower_bound(order_.begin(), order_.end(), p.x - reach, before);
+         i != order_.end() && x_[*i].x <= p.x + reach; ++i)
+      if (const double away = norm(x_[*i] - p); away <= reach) {
+        if (away < reach || best == x_.size()) best = *i;
+        reach = away;
+      }
+    return best;
+  }
+
+ private:
+  const std::vector<Vec3d>& x_;
+  std::vector<std::size_t> order_;
+};
+
 Columns only(const Columns& shapes, const std::vector<std::size_t>& nodes) {
   Columns kept(3 * nodes.size(), shapes.count);
   for (std::size_t j = 0; j < shapes.count; ++j)
@@ -35,19 +61,21 @@ ModeComparison compare(const Matrices& m, const Modes& modes, const ShapeFile& o
   ModeComparison c;
   const std::vector<Vec3d>& x = m.system.ties.x;
   const double near = 1e-3 * size_of(x);
+  const Places places(other.x);
   std::vector<std::size_t> here, there;
   for (std::size_t n = 0; n < x.size(); ++n) {
     const int id = m.system.model.nodes.id[n];
     const auto found = std::lower_bound(other.node.begin(), other.node.end(), id);
-    const auto k = static_cast<std::size_t>(found - other.node.begin());
-    if (found == other.node.end() || *found != id)
+    auto k = static_cast<std::size_t>(found - other.node.begin());
+    const bool same = found != other.node.end() && *found == id && norm(other.x[k] - x[n]) <= near;
+    if (!same) k = places.nearest(x[n], near);
+    if (k == other.x.size()) {
       ++c.absent;
-    else if (norm(other.x[k] - x[n]) > near)
-      ++c.moved;
-    else {
-      here.push_back(n);
-      there.push_back(k);
+      continue;
     }
+    c.renumbered += !same;
+    here.push_back(n);
+    there.push_back(k);
   }
   c.nodes = here.size();
   c.frequency = other.frequency;

@@ -5,6 +5,7 @@
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
+#include "nvh/stresses.hpp"
 #include "output/eigout.hpp"
 #include "output/model_geometry.hpp"
 
@@ -23,6 +24,12 @@ void write_shapes(const std::filesystem::path& directory, const Matrices& m, con
     state.x = m.system.ties.x;
     for (std::size_t n = 0; n < state.x.size(); ++n)
       state.x[n] += Vec3d{shapes[mode][3 * n], shapes[mode][3 * n + 1], shapes[mode][3 * n + 2]};
+    if (m.system.model.implicit.modal_stresses) {
+      std::vector<Six> motion(m.system.all_nodes());
+      for (std::size_t k = 0; k < motion.size(); ++k)
+        motion[k] = m.equations.motion(static_cast<int>(k), modes.shape[mode]);
+      ElasticStresses(m.system, motion).fill(1.0, state);
+    }
     file.write(state);
   }
 }

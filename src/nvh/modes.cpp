@@ -19,9 +19,7 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 void find_participation(const Matrices& m, Modes& modes) {
   double mass = 0.0;
   Vec3d moment{};
-  const auto place = [&](std::size_t k) {
-    return k < m.system.nodes ? vec(m.rest.x[k]) : m.system.bodies[k - m.system.nodes].center0;
-  };
+  const auto place = [&](std::size_t k) { return m.place(k); };
   for (std::size_t k = 0; k < m.nodal_mass.size(); ++k) {
     mass += m.nodal_mass[k].mass;
     moment += m.nodal_mass[k].mass * place(k);

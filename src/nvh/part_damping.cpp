@@ -75,6 +75,8 @@ Symmetric part_damping(const Matrices& m) {
       add_element(m, *group, e, beta[at(group->part)], pieces);
       if (alpha[at(group->part)] != 0.0) add_masses(m, *group, e, alpha[at(group->part)], pieces);
     }
+  for (const BodyLink& link : m.links)
+    if (link.damps()) pieces.push_back({Reach(m.equations, link.node, 6), link.viscosity()});
   std::vector<std::vector<int>> lists;
   for (const Piece& p : pieces) lists.push_back(p.reach.equations());
   Symmetric c(pattern(m.size(), lists));
@@ -88,7 +90,7 @@ bool has_dashpots(const Matrices& m) {
     std::vector<double> c(n * n);
     if (group->size() > 0 && group->viscosity(0, m.rest, c)) return true;  // all elements of a group have one law
   }
-  return false;
+  return std::ranges::any_of(m.links, &BodyLink::damps);
 }
 
 void check_part_damping(const Matrices& m, const Place& place, const char* keyword, Findings& findings) {

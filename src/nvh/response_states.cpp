@@ -19,8 +19,9 @@ using Load = model::SteadyState::Load;
 /// along with a motion.
 class Drive {
  public:
-  Drive(const Matrices& m, const model::SteadyState& request) : m_(m), request_(request) {
-    for (const Load& load : request.loads) loads_.push_back(harmonic_load(m, load.excitation));
+  Drive(const Matrices& m, const model::SteadyState& request, const model::SteadyState::Case& driven)
+      : m_(m), request_(request), driven_(driven.loads) {
+    for (const Load& load : driven_) loads_.push_back(harmonic_load(m, load.excitation));
   }
   const std::vector<HarmonicLoad>& loads() const { return loads_; }
 
@@ -32,7 +33,7 @@ class Drive {
     const Six a = m_.equations.motion(node, real), b = m_.equations.motion(node, imaginary);
     std::array<Complex, 3> u{Complex(a[0], b[0]), Complex(a[1], b[1]), Complex(a[2], b[2])};
     for (std::size_t l = 0; l < loads_.size(); ++l) {
-      const auto& excitation = request_.loads[l].excitation;
+      const auto& excitation = driven_[l].excitation;
       const bool relative = request_.relative && excitation.kind == Transfer::Excitation::Kind::base;
       if (!excitation.moves() || relative) continue;
       const Complex along = factor(l, frequency, 0);
@@ -44,7 +45,7 @@ class Drive {
  private:
   /// Of a motion the answer is that to a unit acceleration, two derivatives more.
   Complex factor(std::size_t l, double frequency, int more) const {
-    const Load& load = request_.loads[l];
+    const Load& load = driven_[l];
     const Complex a = amplitude(m_.system.model, request_, load, frequency);
     if (a == 0.0 || !load.excitation.moves()) return a;
     return a * derivative(2.0 * std::numbers::pi * frequency, more - order(load.excitation.quantity));
@@ -52,15 +53,16 @@ class Drive {
 
   const Matrices& m_;
   const model::SteadyState& request_;
+  const std::vector<Load>& driven_;
   std::vector<HarmonicLoad> loads_;
 };
 
 }  // namespace
 
 void each_motion(const Matrices& m, const Modes& modes, const model::SteadyState& request,
+                 const model::SteadyState::Case& loads, const std::vector<double>& frequency,
                  const std::function<void(const MotionAt&)>& visit, const Tell& tell) {
-  const Drive drive(m, request);
-  const std::vector<double> frequency = frequencies(*request.states, modes);
+  const Drive drive(m, request, loads);
   std::vector<double> real(m.size()), imaginary(m.size());
   MotionAt now;
   now.u.resize(m.system.model.nodes.size());
@@ -109,37 +111,37 @@ void each_motion(const Matrices& m, const Modes& modes, const model::SteadyState
 std::size_t write_d3ssd(const std::filesystem::path& directory, const Matrices& m, const Modes& modes,
                         const model::SteadyState& request, const Tell& tell) {
   using Part = model::SteadyState::States::Part;
-  output::D3plotGeometry geometry = output::d3plot_geometry(m.system);
-  geometry.family = output::D3plotGeometry::Family::d3ssd;
-  geometry.rigid_walls = 0;
-  output::D3plotState state = output::unstressed_state(m.system, geometry);
+  const std::vector<double> frequency = frequencies(*request.states, modes);
   const std::size_t nodes = m.system.model.nodes.size();
-  state.v.resize(nodes);
-  state.a.resize(nodes);
-  output::D3plot file(directory, std::move(geometry));
   const auto part = [&](const Complex& z) {
     const double v = request.states->part == Part::amplitude ? std::abs(z)
                      : request.states->part == Part::real    ? z.real()
                                                              : z.imag();
     return std::isfinite(v) ? v : 0.0;  // a free body at frequency 0
   };
-  std::size_t states = 0;
-  each_motion(
-      m, modes, request,
-      [&](const MotionAt& now) {
-        const Complex rate(0.0, 2.0 * std::numbers::pi * now.frequency);
-        state.time = now.frequency;
-        for (std::size_t n = 0; n < nodes; ++n) {
-          const auto& u = now.u[n];
-          state.x[n] = m.system.ties.x[n] + Vec3d{part(u[0]), part(u[1]), part(u[2])};
-          state.v[n] = {part(rate * u[0]), part(rate * u[1]), part(rate * u[2])};
-          state.a[n] = {part(rate * rate * u[0]), part(rate * rate * u[1]), part(rate * rate * u[2])};
-        }
-        file.write(state);
-        ++states;
-      },
-      tell);
-  return states;
+  for (const model::SteadyState::Case& loads : request.cases) {
+    output::D3plotGeometry geometry = output::d3plot_geometry(m.system);
+    geometry.family = output::D3plotGeometry::Family::d3ssd;
+    geometry.suffix = file_of_case("", loads);
+    geometry.rigid_walls = 0;
+    output::D3plotState state = output::unstressed_state(m.system, geometry);
+    state.v.resize(nodes);
+    state.a.resize(nodes);
+    output::D3plot file(directory, std::move(geometry));
+    const auto write = [&](const MotionAt& now) {
+      const Complex rate(0.0, 2.0 * std::numbers::pi * now.frequency);
+      state.time = now.frequency;
+      for (std::size_t n = 0; n < nodes; ++n) {
+        const auto& u = now.u[n];
+        state.x[n] = m.system.ties.x[n] + Vec3d{part(u[0]), part(u[1]), part(u[2])};
+        state.v[n] = {part(rate * u[0]), part(rate * u[1]), part(rate * u[2])};
+        state.a[n] = {part(rate * rate * u[0]), part(rate * rate * u[1]), part(rate * rate * u[2])};
+      }
+      file.write(state);
+    };
+    each_motion(m, modes, request, loads, frequency, write, tell);
+  }
+  return frequency.size();
 }
 
 }  // namespace nugget::nvh

@@ -10,6 +10,7 @@ namespace nugget::nvh {
 /// Steady motion of one node in one direction under all loads of a deck together: displacement, velocity and
 /// acceleration, as amplitudes of exp(+i omega t).
 struct SteadyCurve {
+  int load_case = 0;                                       ///< of _SUBCASE, counted from 1; else 0
   int node = 0;                                            ///< user id
   Vec3d direction;                                         ///< unit vector
   std::array<std::vector<std::complex<double>>, 3> value;  ///< by frequency; in the order of `steady_quantities`
@@ -36,8 +37,12 @@ SteadyResult steady_state(const Matrices& matrices, const Modes& modes, const mo
 std::complex<double> amplitude(const model::Model& model, const model::SteadyState& request,
                                const model::SteadyState::Load& load, double frequency);
 
-/// ssd.csv: a line for each frequency of each response; and nodout_ssd. Throws output::WriteError.
+/// ssd.csv: a line for each frequency of each response; and nodout_ssd, of _SUBCASE one for each case. Throws
+/// output::WriteError.
 void write_steady_state(const std::filesystem::path& directory, const output::Header& header,
-                        const SteadyResult& result);
+                        const model::SteadyState& request, const SteadyResult& result);
+
+/// The name of a file of a case: of _SUBCASE with the name of the case behind it.
+std::string file_of_case(const char* name, const model::SteadyState::Case& loads);
 
 }  // namespace nugget::nvh

@@ -312,8 +312,8 @@ void deletion(Words& out, const Elements& elements, const std::vector<char>& ali
 
 }  // namespace
 
-const char* D3plotGeometry::stem() const {
-  return family == Family::d3plot ? "d3plot" : family == Family::d3eigv ? "d3eigv" : "d3ssd";
+std::string D3plotGeometry::stem() const {
+  return (family == Family::d3plot ? "d3plot" : family == Family::d3eigv ? "d3eigv" : "d3ssd") + suffix;
 }
 
 void shell_layers(std::span<const StressRecord> points, std::span<StressRecord> layers) {

@@ -47,7 +47,8 @@ struct D3plotGeometry {
   /// What the files hold, and are called. The time of a state of d3eigv and d3ssd is a frequency; modes have
   /// coordinates only (no velocities, accelerations).
   enum class Family { d3plot, d3eigv, d3ssd } family = Family::d3plot;
-  const char* stem() const;
+  std::string suffix;  ///< of their names, before the number
+  std::string stem() const;
 };
 
 /// Energies [force length], mass and velocity of one part.

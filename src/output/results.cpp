@@ -22,6 +22,9 @@ constexpr auto names = std::to_array<std::string_view>({"run.log",
                                                         "frf_angle",
                                                         "frf_real",
                                                         "frf_imag",
+                                                        "erp.csv",
+                                                        "ERP_abs",
+                                                        "ERP_dB",
                                                         "ssd.csv",
                                                         "nodout_ssd",
                                                         "mode_energy.csv",
@@ -65,7 +68,8 @@ bool is_member(std::string_view name, std::string_view stem) {
 bool is_ours(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
   return std::find(names.begin(), names.end(), name) != names.end() || is_member(name, "d3plot") ||
-         is_member(name, "d3eigv") || is_member(name, "d3ssd");
+         is_member(name, "d3eigv") || is_member(name, "d3ssd") || name.starts_with("d3ssd_") ||
+         name.starts_with("nodout_ssd_");  // of subcases
 }
 
 }  // namespace

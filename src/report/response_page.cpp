@@ -163,6 +163,25 @@ std::string section(const RunData& run, const std::vector<ResponseCurve>& curves
   return s;
 }
 
+std::string power_section(const RunData& run) {
+  if (run.power.empty()) return {};
+  Plot plot{"frequency [cycles/time]", "radiated power", {}, {}, true, true};
+  constexpr std::size_t most = 8;
+  for (std::size_t i = 0; i < std::min(most, run.power.size()); ++i) {
+    plot.x = run.power[i].frequency;
+    plot.curves.emplace_back(run.power[i].name, run.power[i].amplitude);
+  }
+  std::string s = "<h2>Equivalent radiated power</h2>\n" + to_svg(plot) +
+                  "<table id=\"erp-peaks\"><tr><th class=\"text\">panel</th><th>largest power</th><th>at frequency</th>"
+                  "</tr>\n";
+  for (const Json& r : run.summary["responses"])
+    if (r.value("kind", "") == "erp")
+      s += fmt::format("<tr class=\"erp\"><td class=\"text\">{}</td><td>{}</td><td>{}</td></tr>\n",
+                       escaped(r.value("direction", "")), number(real(r["peak"]["amplitude"])),
+                       number(real(r["peak"]["frequency"])));
+  return s + "</table>\n";
+}
+
 }  // namespace
 
 bool of_linear_analysis(const Json& summary) {
@@ -177,7 +196,7 @@ std::string modes_part(const RunData& run) {
 std::string responses_part(const RunData& run) {
   if (!run.summary.contains("responses")) return {};
   return section(run, run.frf, "frf", "Frequency response", "frf.csv") +
-         section(run, run.ssd, "ssd", "Steady state", "ssd.csv");
+         section(run, run.ssd, "ssd", "Steady state", "ssd.csv") + power_section(run);
 }
 
 }  // namespace nugget::report

@@ -76,6 +76,22 @@ std::vector<ResponseCurve> read_responses(const fs::path& path) {
   return curves;
 }
 
+/// erp.csv.
+std::vector<ResponseCurve> read_power(const fs::path& path) {
+  std::vector<ResponseCurve> curves;
+  for (const WeldRow& row : read_table(path)) {
+    const auto number = [&](const char* column) {
+      const std::string& cell = row.at(column);
+      return cell.empty() ? std::numeric_limits<double>::quiet_NaN() : std::strtod(cell.c_str(), nullptr);
+    };
+    if (curves.empty() || curves.back().name != row.at("panel"))
+      curves.push_back({row.at("panel"), "radiated power", {}, {}, {}});
+    curves.back().frequency.push_back(number("frequency"));
+    curves.back().amplitude.push_back(number("power"));
+  }
+  return curves;
+}
+
 /// ` kinetic energy.................   1.00000E+00`: its name and value; an empty name for other lines.
 std::pair<std::string, double> quantity(const std::string& line) {
   const std::size_t dots = line.find("..");
@@ -126,6 +142,7 @@ RunData read_run(const fs::path& directory) {
   data.shares = read_table(directory / "mode_energy.csv");
   data.frf = read_responses(directory / "frf.csv");
   data.ssd = read_responses(directory / "ssd.csv");
+  data.power = read_power(directory / "erp.csv");
   return data;
 }
 

@@ -30,6 +30,7 @@ struct RunData {
   std::vector<double> times;                                          ///< of glstat; empty where there is none as text
   std::vector<WeldRow> shares;          ///< mode_energy.csv: strain energy of parts and welds by mode
   std::vector<ResponseCurve> frf, ssd;  ///< frf.csv, ssd.csv
+  std::vector<ResponseCurve> power;     ///< erp.csv, by panel; without phases
 };
 
 /// Reads them. Throws std::runtime_error with the reason where there is no summary.json, or one that cannot be read.

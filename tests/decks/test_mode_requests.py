@@ -2,6 +2,7 @@
 """*CONTROL_IMPLICIT_EIGENVALUE and IGS as a deck asks for them: intervals, centre, preload by stress and by load."""
 import json
 import math
+import struct
 import unittest
 
 from nugget_command import CommandTest
@@ -73,6 +74,89 @@ class ModeRequests(CommandTest):
         self.near(self.frequencies(beam(card(2, 1000.0))), [f[1], f[2]])
         self.near(self.frequencies(beam(card(2, 1000.0, 1, 600.0))), f[2:4])
         self.near(self.frequencies(beam(card(3)), "-fmin", 300, "-fmax", 2000, command="modes"), f[1:4])
+
+    def test_formulations_of_this_analysis(self):
+        """ISHELL and ISOLID, value by value."""
+        deck = lambda *second: self.write(beam(card(3) + card(*second)))
+        plain = self.frequencies(beam(card(3)))
+        self.assertEqual(self.frequencies(beam(card(3) + card(0, 0, 16))), plain)
+        run = self.nugget("check", deck(0, 0, 18))
+        self.assertIn("ishell = 18: computed as 16", run.stdout + run.stderr)
+        for second, text in (((0, 0, 25), "ishell = 25"), ((0, 0, 5), "ishell = 5"), ((5, 0, 0), "isolid = 5"), ((0, 1, 0), "ibeam = 1")):
+            run = self.nugget("check", deck(*second), expect=1)
+            self.assertIn(text, run.stdout + run.stderr)
+
+    def test_isolid(self):
+        """A cantilever of one brick through its height: as a fully integrated brick it is stiffer in bending."""
+        def bar(elform, isolid):
+            text = "*KEYWORD\n*CONTROL_IMPLICIT_GENERAL\n" + card(1, 1.0) + "*CONTROL_IMPLICIT_EIGENVALUE\n" + card(2) + card(isolid)
+            text += "*PART\nbar\n" + card(1, 1, 1) + "*SECTION_SOLID\n" + card(1, elform) + "*MAT_ELASTIC\n" + card(1, DENSITY, YOUNG, 0.3)
+            text += "*NODE\n"
+            for i in range(9):
+                for k, (y, z) in enumerate(((0, 0), (10, 0), (10, 10), (0, 10))):
+                    text += f"{4 * i + k + 1:8d}{20.0 * i:16.8f}{y:16.8f}{z:16.8f}\n"
+            text += "*ELEMENT_SOLID\n"
+            for i in range(8):
+                text += "".join(f"{v:8d}" for v in (i + 1, 1, *range(4 * i + 1, 4 * i + 9))) + "\n"
+            text += "*BOUNDARY_SPC_NODE\n" + "".join(card(n, 0, 1, 1, 1) for n in range(1, 5))
+            return text + "*END\n"
+        one, full = self.frequencies(bar(1, 0)), self.frequencies(bar(2, 0))
+        self.assertGreater(full[0], 1.02 * one[0])
+        self.assertEqual(self.frequencies(bar(1, 2)), full)
+        self.assertIn("formulation 2 (ISOLID)", self.read("out/run.log"))
+        self.assertEqual(self.frequencies(bar(2, 1)), one)
+        self.frequencies(bar(2, 0))
+        self.assertNotIn("hourglass type 6", self.read("out/run.log"))
+
+    def test_stresses_of_modes(self):
+        """MSTRES: the largest bending stress of a mode of a beam on two supports is E t/2 (n pi / L)^2 times its
+        amplitude. Sabotage: the stresses of the first mode in all states."""
+        for wanted in (0, 1):
+            self.frequencies(beam(card(3) + card(0, 0, 0, 0, wanted)))
+            with open(self.folder / "out/d3eigv", "rb") as file:
+                head = file.read()
+            with open(self.folder / "out/d3eigv01", "rb") as file:
+                data = file.read()
+            control = struct.unpack("<64i", head[:256])
+            nodes, globals_, shells, words = control[16], control[18], control[31], control[33]
+            at_rest = struct.unpack(f"<{3 * nodes}f", head[256:256 + 12 * nodes])
+            values = struct.unpack(f"<{len(data) // 4}f", data)
+            one_state, rest = divmod(values.index(-999999.0), 3)
+            self.assertEqual(rest, 0)
+            for mode in range(3):
+                state = values[mode * one_state:(mode + 1) * one_state]
+                z = [a - b for a, b in zip(state[1 + globals_:][2:3 * nodes:3], at_rest[2::3])]
+                records = state[1 + globals_ + 3 * nodes:]
+                largest = max(abs(records[e * words + 7 * layer]) for e in range(shells) for layer in range(3))
+                wave = (mode + 1) * math.pi / LENGTH
+                expected = wanted * YOUNG * HEIGHT / 2 / math.sqrt(3) * wave ** 2 * max(map(abs, z))
+                self.assertAlmostEqual(largest, expected, delta=0.02 * expected, msg=f"mode {mode + 1}")
+
+    def test_comparison_after_renumbering(self):
+        """Nodes with other ids at the same places are compared. Sabotage: ids alone."""
+        deck = beam(card(3))
+        self.frequencies(deck)
+        lines, keyword = [], ""
+        for line in deck.splitlines():
+            if line.startswith("*"):
+                keyword = line
+            elif keyword == "*NODE":
+                line = f"{int(line[:8]) + 5000:8d}" + line[8:]
+            elif keyword == "*ELEMENT_SHELL":
+                line = line[:16] + "".join(f"{int(line[i:i + 8]) + 5000:8d}" for i in range(16, 48, 8))
+            elif keyword == "*BOUNDARY_SPC_NODE":
+                line = f"{int(line[:10]) + 5000:10d}" + line[10:]
+            lines.append(line)
+        self.write("\n".join(lines) + "\n", "renumbered.k")
+        run = self.nugget("modes", "renumbered.k", "-n", 3, "-o", "other", "--compare", "out", "--quiet")
+        self.assertIn(f"over {25 * 3} nodes, 75 of them by their places", run.stdout)
+        rows = [line.split(",") for line in self.read("other/mac.csv").splitlines()[2:]]
+        for i, row in enumerate(rows):
+            self.assertAlmostEqual(float(row[2 + i]), 1.0, delta=1e-5)
+
+    def test_an_empty_interval_of_the_command(self):
+        run = self.nugget("modes", self.write(beam(card(3))), "-fmin", 500, "-fmax", 100, "-o", "out", expect=2)
+        self.assertIn("the interval is empty", run.stderr)
 
     def test_intervals_that_hold_nothing(self):
         run = self.nugget("run", self.write(beam(card(9, 0.0, 0, 0.0, 1, -5.0))), "-o", "out", expect=1)

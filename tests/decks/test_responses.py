@@ -251,6 +251,62 @@ class Responses(CommandTest):
                 self.assertAlmostEqual(parts[part][k][1][z], float(row[column]), delta=1e-4 * scale)
             self.assertAlmostEqual(parts[1][k][2][z] / (2 * math.pi * float(row["frequency"]) * scale), 1.0, delta=1e-4)
 
+    def test_radiated_power(self):
+        """ERP of the shells of a cantilever at its first resonance: the velocity is that of its first mode, of which the
+        integral of the square is a quarter of the tip's. erp.csv, ERP_abs and ERP_dB hold the same."""
+        density, speed = 1.2e-12, 343000.0
+
+        def cards(tip):
+            return ("*CONTROL_IMPLICIT_EIGENVALUE\n" + fields(6) + "*DEFINE_CURVE\n" + fields(9) +
+                    f"{0.0:20}{1.0:20}\n{500.0:20}{1.0:20}\n" +
+                    "*FREQUENCY_DOMAIN_SSD_ERP\n" + fields(1) + fields(0.01) + fields(0, 0, 0, 1) +
+                    fields(f"{density:.4g}", speed, 1.0, 1e-9) + fields(1, 0) + fields(tip, 0, 3, 0, 9) +
+                    "*DATABASE_FREQUENCY_ASCII_NODOUT_SSD\n" + fields(1.0, 60.0, 2, 3) +
+                    "*DATABASE_HISTORY_NODE\n" + fields(tip))
+        self.write(strip(cards, 40, 4))
+        run = self.nugget("frf", "model.k", "--quiet")
+        self.assertIn("Equivalent radiated power", run.stdout)
+        row, = self.rows("erp.csv")
+        tip = next(r for r in self.rows("ssd.csv") if (r["direction"], r["response"]) == ("z", "velocity"))
+        expected = 0.5 * density * speed * 200.0 * 20.0 * float(tip["amplitude"]) ** 2 / 4
+        power = float(row["power"])
+        self.assertAlmostEqual(power / expected, 1.0, delta=5e-3)
+        self.assertAlmostEqual(float(row["decibels"]), 10 * math.log10(power / 1e-9), delta=1e-6)
+        for name, value in (("ERP_abs", power), ("ERP_dB", float(row["decibels"]))):
+            points = [line.split() for line in self.read(name).splitlines() if len(line.split()) == 2 and line[0] == " "]
+            self.assertEqual(len(points), 1, name)
+            self.assertAlmostEqual(float(points[0][1]) / value, 1.0, delta=1e-6)
+        peak = [r for r in self.json("summary.json")["responses"] if r["kind"] == "erp"]
+        self.assertEqual([(r["direction"], r["response"]) for r in peak], [("part 1", "radiated power")])
+        self.assertIn('<tr class="erp"><td class="text">part 1</td>', self.read("report.html"))
+
+    def test_subcases_of_harmonic_loads(self):
+        """Files for each case, and the two cases in ssd.csv: loads twice as large move the tip twice as far."""
+        def cards(tip):
+            text = ("*CONTROL_IMPLICIT_EIGENVALUE\n" + fields(6) + "*DEFINE_CURVE\n" + fields(9) +
+                    f"{0.0:20}{1.0:20}\n{500.0:20}{1.0:20}\n" +
+                    "*FREQUENCY_DOMAIN_SSD_SUBCASE\n" + fields(1) + fields(0.05) + fields(0))
+            for name, factor in (("one", 1.0), ("two", 2.0)):
+                text += f"{name:10}{'force of ' + name:60}{1:10}\n" + fields(tip, 0, 3, 0, 9, 0, factor)
+            return (text + "*DATABASE_FREQUENCY_ASCII_NODOUT_SSD_SUBCASE\n" + fields(20.0, 60.0, 3) +
+                    "*DATABASE_HISTORY_NODE\n" + fields(tip) +
+                    "*DATABASE_FREQUENCY_BINARY_D3SSD_SUBCASE\n" + fields(1) + fields(20.0, 60.0, 3))
+        self.write(strip(cards, 20, 2))
+        run = self.nugget("frf", "model.k", "--quiet")
+        self.assertIn("case 2: two force of two", run.stdout)
+        for name in ("nodout_ssd_one", "nodout_ssd_two", "d3ssd_one", "d3ssd_one01", "d3ssd_two", "d3ssd_two01"):
+            self.assertIn(name, self.files())
+        found = {}
+        for row in self.rows("ssd.csv"):
+            found.setdefault(row["case"], []).append(float(row["amplitude"]))
+        self.assertEqual(sorted(found), ["1", "2"])
+        for a, b in zip(found["1"], found["2"]):
+            self.assertAlmostEqual(2 * a, b, delta=1e-8 * abs(b))
+        self.assertIn("case 2, node", self.read("report.html"))
+        self.write(strip(lambda tip: cards(tip).replace("two  ", "three"), 20, 2))
+        self.nugget("frf", "model.k", "--quiet")
+        self.assertNotIn("d3ssd_two", self.files())
+
     def test_page_of_welded_modes(self):
         """Modes with what holds their energy, welds ranked by it and by what the frequencies lose without them."""
         self.write(strips())

@@ -227,5 +227,26 @@ TEST(FrequencyResponse, RefusesWhatTheModelCannotAnswer) {
   EXPECT_NE(refusal(Quantity::displacement, false, false, true).find("has no matrix"), std::string::npos);
 }
 
+// A base that turns about z by 1 carries a mass r from the axis along by r, which a spring across r adds to. Sabotage:
+// the codes of translations.
+TEST(FrequencyResponse, TurningBase) {
+  const double r = 70.0, spring = 50.0, mass = 0.002, own = std::sqrt(spring / mass), omega = 0.6 * own;
+  for (const int vad : {9, 10, 11}) {
+    Specimen s;
+    s.card("CONTROL_IMPLICIT_GENERAL", {1, 1}).card("CONTROL_IMPLICIT_EIGENVALUE", {4});
+    const int tip = s.mass_point({r, 0, 0}, mass), ground = s.node({r, -30.0, 0});
+    s.card("MAT_SPRING_ELASTIC", {1, spring}).card("SECTION_DISCRETE", {1}).part(1, 1, 1);
+    s.text(fmt::format("*ELEMENT_DISCRETE\n{:8}{:8}{:8}{:8}\n", 1, 1, tip, ground));
+    s.card("BOUNDARY_SPC_NODE", {1.0 * ground, 0, 1, 1, 1, 1, 1, 1});
+    s.card("BOUNDARY_SPC_NODE", {1.0 * tip, 0, 1, 0, 1, 1, 1, 1});
+    s.text("*FREQUENCY_DOMAIN_FRF\n" + fields({0, 0, 3, 1.0 * vad}) + fields({0.05}) + fields({1.0 * tip, 0, 2, 2}) +
+           fields({1, 10, 2}));
+    const LinearExperiment e(s.deck());
+    const Complex relative = omega * omega / (own * own - omega * omega + Complex(0.0, 2.0 * 0.05 * own * omega));
+    const Complex expected = r / derivative(vad - 9, omega) * (1.0 + relative);
+    EXPECT_LT(distance(response_at(e, 1, cycles(omega))[0], expected), 1e-6) << vad;
+  }
+}
+
 }  // namespace
 }  // namespace nugget::verify

@@ -9,6 +9,7 @@
 #include "linear.hpp"
 #include "nvh/frequency_response.hpp"
 #include "nvh/statics.hpp"
+#include "nvh/steady_state.hpp"
 
 namespace nugget::verify {
 namespace {
@@ -113,6 +114,33 @@ TEST(JointStatics, StiffnessOfAHinge) {
     else
       expect_reference("joints", "rod on a hinge with stiffness, static: rise of its end [mm]",
                        lift(e, solve(e), rod.end), load * length * length / (2.0 * rotary), 1e-4);
+  }
+}
+
+// The hinge with a damper D beside its stiffness, by DMPFLG 1: the end of the rod answers a force there with
+// L^2 / (C - omega^2 I + i omega D), by modes and directly. Sabotage: the damper left out; its slope at another rate.
+TEST(JointStatics, DamperOfAHinge) {
+  constexpr double rotary = 5e6, damper = 2e4, inertia = 40.0 + 2e-3 * 0.25 * length * length;
+  const double omega = 0.9 * std::sqrt(rotary / inertia), frequency = omega / (2.0 * std::numbers::pi);
+  Rod rod("*CONTROL_IMPLICIT_GENERAL\n" + fields({1, 1}) + "*CONTROL_IMPLICIT_EIGENVALUE\n" + fields({1}),
+          {{0, 0, 0}, {0, 100, 0}});
+  joint(rod.s, "REVOLUTE", rod.pair);
+  std::string cards = joint_spring(rotary);
+  cards.replace(cards.find(fields({0, 31, 0})), fields({0, 31, 0}).size(), fields({0, 31, 0, 0, 32, 0}));
+  rod.s.text(cards + curve(32, {{-1.0, -damper}, {0.0, 0.0}, {1.0, damper}, {2.0, damper}}));
+  rod.s.text(curve(11, {{0.0, 3.0}, {10.0 * frequency, 3.0}}) + "*FREQUENCY_DOMAIN_SSD\n" + fields({1}) +
+             fields({0, 0, 0, 0, 0, 1}) + fields({0}) + fields({1.0 * rod.end, 0, 3, 0, 11}) +
+             "*DATABASE_FREQUENCY_ASCII_NODOUT_SSD\n" + fields({frequency, 2.0 * frequency, 2}) +
+             "*DATABASE_HISTORY_NODE\n" + fields({1.0 * rod.end}));
+  const LinearExperiment e(rod.s.deck());
+  model::SteadyState request = *e.system().model.steady_state;
+  for (const bool direct : {false, true}) {
+    request.direct = direct;
+    const nvh::SteadyResult result = nvh::steady_state(e.matrices(), direct ? nvh::Modes{} : e.modes(1), request);
+    const double w = 2.0 * std::numbers::pi * result.frequency[0];
+    const std::complex<double> expected =
+        3.0 * length * length / std::complex<double>(rotary - w * w * inertia, w * damper);
+    EXPECT_LT(std::abs(result.curve[2].value[0][0] - expected), 1e-4 * std::abs(expected)) << direct;
   }
 }
 

@@ -163,7 +163,8 @@ TEST(ResponseRequests, DashpotsAndDampedParts) {
     const Complex end = 4.0 * a / (a * c - stiff * stiff), middle = 4.0 * stiff / (a * c - stiff * stiff);
     EXPECT_LT(distance(result.curve[0].value[0][0], end), 1e-5) << option;
     std::vector<nvh::MotionAt> states;
-    nvh::each_motion(e.matrices(), modes, request, [&](const nvh::MotionAt& now) { states.push_back(now); });
+    nvh::each_motion(e.matrices(), modes, request, request.cases.front(), nvh::frequencies(*request.states, modes),
+                     [&](const nvh::MotionAt& now) { states.push_back(now); });
     ASSERT_EQ(states.size(), 2u);
     const auto node = [&](int id) {
       const std::vector<int>& ids = e.system().model.nodes.id;
@@ -183,7 +184,10 @@ TEST(ResponseRequests, StatesOfABaseMotion) {
   row.specimen.text("*FREQUENCY_DOMAIN_SSD\n" + fields({1}) + fields({0}) + fields({0}) + fields({0, 0, 1, 4, 11}));
   row.specimen.text("*DATABASE_FREQUENCY_BINARY_D3SSD\n" + fields({1}) + fields({frequency, 2.0 * frequency, 2}));
   const LinearExperiment e(row.specimen.deck());
-  nvh::each_motion(e.matrices(), e.modes(1), *e.system().model.steady_state, [&](const nvh::MotionAt& now) {
+  const nvh::Modes modes = e.modes(1);
+  const model::SteadyState& request = *e.system().model.steady_state;
+  const std::vector<double> steps = nvh::frequencies(*request.states, modes);
+  nvh::each_motion(e.matrices(), modes, request, request.cases.front(), steps, [&](const nvh::MotionAt& now) {
     const double r = std::pow(now.frequency / cycles(Row::omega0()), 2);
     EXPECT_LT(distance(now.u[0][0], 2.0), 1e-6);
     EXPECT_LT(distance(now.u[1][0], 2.0 / (1.0 - r)), 1e-6);

@@ -142,15 +142,18 @@ void read_vector(Builder& b, const Block& block, const Options& options) {
     const Row row = cursor.read(vector_card);
     const auto index = b.vector_list.size();
     b.vectors.add(row.integer("vid"), static_cast<Index>(index), row.place(), block.starred(), "vector", b.findings);
-    const Vec3d v = triple(row, "xh", "yh", "zh") - triple(row, "xt", "yt", "zt");
-    const bool is_local = row.integer("cid") != 0;
-    b.vector_list.push_back(block.transform && !is_local ? block.transform->direction(v) : v);
+    const Vec3d tail = triple(row, "xt", "yt", "zt"), v = triple(row, "xh", "yh", "zh") - tail;
+    const bool is_local = row.integer("cid") != 0, moved = block.transform && !is_local;
+    b.vector_list.push_back(moved ? block.transform->direction(v) : v);
+    b.vector_tails.push_back(moved ? block.transform->moved(tail) : tail);
     if (!(norm(v) > 0.0)) refuse(b, row, "xh", "head and tail of a vector must differ");
     if (is_local)
       b.later(Phase::sets, [row, index](Builder& later) {
-        if (const Index s = later.system(row, "cid"); s != none)
-          later.vector_list[index] =
-              later.model.systems[static_cast<std::size_t>(s)].axes.global(later.vector_list[index]);
+        const Index s = later.system(row, "cid");
+        if (s == none) return;
+        const CoordinateSystem& own = later.model.systems[static_cast<std::size_t>(s)];
+        later.vector_list[index] = own.axes.global(later.vector_list[index]);
+        later.vector_tails[index] = own.origin + own.axes.global(later.vector_tails[index]);
       });
   }
 }

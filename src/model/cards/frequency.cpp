@@ -33,11 +33,12 @@ Card excitation_card(IdSpace n1, std::initializer_list<Field> rest = {}) {
       id("n1", n1, 0, "node, node set or segment set that is loaded; base motion moves all supports instead"),
       integer("n1typ", 0, between(0, 2),
               "0: n1 is a node, 1: a node set, each of whose nodes is driven, 2: a segment set under pressure"),
-      integer("dof1", 0, between(0, 3), "1, 2, 3: along (torque: about) x, y, z; 0: along vid1; pressure: no effect"),
+      integer("dof1", 0, between(0, 3),
+              "1, 2, 3: along (torque, turning base: about) x, y, z; 0: along vid1; pressure: no effect"),
       zero_counts(integer("vad1", 3, between(0, 12),
                           "what has amplitude 1. 0, 1, 2: base velocity, acceleration, displacement; 3: nodal force; "
                           "4: pressure; 5, 6, 7: enforced velocity, acceleration, displacement of the nodes; 8: "
-                          "torque; others are refused")),
+                          "torque; 9, 10, 11: base angular velocity, acceleration, rotation; 12 is refused")),
       id("vid1", IdSpace::define, 0, "vector of the direction, where dof1 is 0"),
   };
   return with_rest(fields, rest);
@@ -123,7 +124,10 @@ constexpr Driven of_frf[] = {{Excitation::Kind::base, Quantity::velocity},
                              {Excitation::Kind::enforced, Quantity::velocity},
                              {Excitation::Kind::enforced, Quantity::acceleration},
                              {Excitation::Kind::enforced, Quantity::displacement},
-                             {Excitation::Kind::torque}};
+                             {Excitation::Kind::torque},
+                             {Excitation::Kind::base, Quantity::velocity, true},
+                             {Excitation::Kind::base, Quantity::acceleration, true},
+                             {Excitation::Kind::base, Quantity::displacement, true}};
 
 Response response_of(Builder& b, const Row& row) {
   Response r;
@@ -144,10 +148,9 @@ Response response_of(Builder& b, const Row& row) {
 }
 
 FrequencyResponse::Case case_of(Builder& b, const CaseRows& rows) {
-  const auto vad = static_cast<std::size_t>(rows.excitation.integer("vad1"));
-  return {rows.title,
-          excitation_of(b, rows.excitation, {"n1", "n1typ", "dof1", "vad1", "vid1"},
-                        vad < std::size(of_frf) ? std::optional(of_frf[vad]) : std::nullopt),
+  const int vad = rows.excitation.integer("vad1");
+  if (vad < 0 || at(vad) >= std::size(of_frf)) return {};  // refused
+  return {rows.title, excitation_of(b, rows.excitation, {"n1", "n1typ", "dof1", "vad1", "vid1"}, of_frf[at(vad)]),
           response_of(b, rows.response)};
 }
 
@@ -192,6 +195,7 @@ void make_frf(Builder& builder, const std::vector<CaseRows>& cases, const Row& s
   });
   builder.later(Phase::checks, [=](Builder& b) {
     check_analysis(b, selection, "mdmin", true);
+    if (b.model.frequency_response) check_damped(b, damping, b.model.frequency_response->damping);
     if (!b.model.frequency_response || b.model.frequency_response->cases.size() != cases.size()) return;
     for (std::size_t i = 0; i < cases.size(); ++i)
       check_excitation(b, cases[i].excitation, "vad1", b.model.frequency_response->cases[i].excitation);
@@ -279,7 +283,9 @@ std::vector<Index> nodes_of(Builder& b, const Row& row, std::string_view entity,
   }
   if (row.integer(type) == 1) {
     const Set<Index>* set = b.node_set(row, entity);
-    return set != nullptr ? set->members : std::vector<Index>{};
+    if (set == nullptr) return {};
+    if (set->members.empty()) refuse(b, row, entity, "the node set has no members", "give a set with nodes");
+    return set->members;
   }
   const Index node = b.node(row, entity);
   return node != none ? std::vector<Index>{node} : std::vector<Index>{};
@@ -294,26 +300,30 @@ Vec3d direction_of(Builder& b, const Row& row, std::string_view axis, std::strin
   return v != nullptr && dot(*v, *v) > 0.0 ? unit(*v) : Vec3d{};
 }
 
-Excitation excitation_of(Builder& b, const Row& row, const ExcitationFields& fields, std::optional<Driven> driven) {
+Excitation excitation_of(Builder& b, const Row& row, const ExcitationFields& fields, const Driven& driven) {
   Excitation e;
   e.place = row.place();
-  if (!driven) {
-    refuse(b, row, fields.kind, "rotations of the base are not built",
-           "drive the base along an axis, or nodes of it by enforced motion");
-    return e;
-  }
-  e.kind = driven->kind;
-  e.quantity = driven->quantity;
+  e.kind = driven.kind;
+  e.quantity = driven.quantity;
+  e.turning = driven.turning;
   const bool segments = row.integer(fields.type) == 2;
   if (e.kind == Excitation::Kind::pressure) {
     if (!segments)
       refuse(b, row, fields.type, "pressure acts on segments", "write 2 and give a segment set");
-    else if (const Set<Segment>* set = b.segment_set(row, fields.entity))
+    else if (const Set<Segment>* set = b.segment_set(row, fields.entity)) {
       e.pressed = set->members;
+      if (e.pressed.empty()) refuse(b, row, fields.entity, "the segment set has no members", "give one with segments");
+    } else if (row.integer(fields.entity) == 0)
+      refuse(b, row, fields.entity, "no segment set is given", "give the set that carries the pressure");
     return e;
   }
   e.direction = direction_of(b, row, fields.direction, fields.vector);
-  if (e.kind == Excitation::Kind::base) return e;
+  if (e.kind == Excitation::Kind::base) {
+    const int axis = row.integer(fields.direction);
+    const bool along_vector = e.turning && (axis < 1 || axis > 3) && row.integer(fields.vector) != 0;
+    if (const Vec3d* tail = along_vector ? b.vector_tail(row, fields.vector) : nullptr) e.axis = *tail;
+    return e;
+  }
   if (segments)
     refuse(b, row, fields.type, "only pressure acts on segment sets", "write 1 and give a node set");
   else
@@ -361,6 +371,14 @@ FrequencyResponse::Damping damping_of(Builder& b, const Row& row) {
   return {row.real("dampf"), b.curve(row, "lcdam"), row.integer("lctyp") == 1, row.real("dmpmas"), row.real("dmpstf")};
 }
 
+void check_damped(Builder& b, const Row& row, const FrequencyResponse::Damping& d) {
+  if (d.ratio > 0.0 || d.curve != none || d.mass > 0.0 || d.stiffness > 0.0 || d.of_parts ||
+      b.model.structural_damping.given())
+    return;
+  row.complain(b.findings, Severity::warning, "dampf", "nothing damps: responses grow without bound at resonances",
+               "give DAMPF, LCDAM, DMPMAS, DMPSTF or *DAMPING_STRUCTURAL");
+}
+
 void check_analysis(Builder& b, const Row& row, std::string_view field, bool modal) {
   const Implicit& implicit = b.model.implicit;
   if (modal && (implicit.low || implicit.centre > 0.0))
@@ -402,7 +420,7 @@ std::vector<Keyword> frequency_keywords() {
       {.name = "CONTROL_FREQUENCY_DOMAIN", .layout = {{"", &control_card}}, .read = read_control},
       {.name = "FREQUENCY_DOMAIN_*",
        .verdict = Verdict::refused,
-       .why = "of the responses over frequency *FREQUENCY_DOMAIN_FRF, _SSD and _SSD_DIRECT are built"},
+       .why = "of the responses over frequency *FREQUENCY_DOMAIN_FRF and _SSD are built"},
   };
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +19,7 @@ constexpr Field zero_counts(Field f) {
 struct Driven {
   FrequencyResponse::Excitation::Kind kind;
   FrequencyResponse::Quantity quantity = FrequencyResponse::Quantity::displacement;
+  bool turning = false;
 };
 
 /// Names of an excitation's fields.
@@ -27,11 +27,11 @@ struct ExcitationFields {
   std::string_view entity, type, direction, kind, vector;
 };
 
-/// What is driven, and where. An entity or a kind that is not built is refused.
+/// What is driven, and where. An entity that is not built or a set without members is refused.
 FrequencyResponse::Excitation excitation_of(Builder& builder, const deck::Row& row, const ExcitationFields& fields,
-                                            std::optional<Driven> driven);
+                                            const Driven& driven);
 
-/// Nodes of a node or a node set.
+/// Nodes of a node or a node set, which must not be empty.
 std::vector<Index> nodes_of(Builder& builder, const deck::Row& row, std::string_view entity, std::string_view type);
 /// A unit vector: axis 1, 2, 3, or else that of *DEFINE_VECTOR.
 Vec3d direction_of(Builder& builder, const deck::Row& row, std::string_view axis, std::string_view vector);
@@ -42,6 +42,9 @@ Card frequency_card(std::initializer_list<Field> rest = {});
 Frequencies frequencies_of(Builder& builder, const deck::Row& row);
 FrequencyResponse::Selection selection_of(Builder& builder, const deck::Row& row);
 FrequencyResponse::Damping damping_of(Builder& builder, const deck::Row& row);
+
+/// A warning where nothing damps. `row`: the card of the damping.
+void check_damped(Builder& builder, const deck::Row& row, const FrequencyResponse::Damping& damping);
 
 /// What only the whole model tells: whether the analysis runs, whether there is a base to move. `field`: where findings
 /// stand. `modal`: by modes, which must be the lowest ones.

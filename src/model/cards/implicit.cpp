@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/index.hpp"
 #include "model/cards/families.hpp"
@@ -49,9 +50,11 @@ const Card eigenvalue_card{{
 }};
 
 const Card eigenvalue_card_2{{
-    integer("isolid", 0, only(0), "formulation of solids in this analysis"),
-    integer("ibeam", 0, only(0), "formulation of beams in this analysis"),
-    integer("ishell", 0, only(0), "formulation of shells in this analysis"),
+    integer("isolid", 0, between(-2, 18),
+            "formulation of bricks in this analysis, welds excepted: 1, 2, 18, -1, -2; 0: that of their sections"),
+    integer("ibeam", 0, only(0), "formulation of beams in this analysis; their sections' in any case"),
+    integer("ishell", 0, between(-16, 21),
+            "formulation of shells in this analysis; all values mean 16, as which quads run in any case"),
     integer("itshell", 0, any_value, "formulation of thick shells, no effect"),
     integer("mstres", 0, any_value, "1: stresses of the modes in d3eigv"),
     integer("evdump", 0, any_value, "vectors in a file Eigen_Vectors"),
@@ -158,6 +161,21 @@ void read_modes_under_load(Builder& b, const Row& row) {
            fmt::format("the curve asks {} times for modes: a linear solution has one time", extractions), remedy);
 }
 
+/// ISOLID and ISHELL.
+void read_formulations(Builder& b, const Row& row) {
+  constexpr int solids[] = {0, 1, 2, 18, -1, -2}, shells[] = {0, 2, 10, 16, -16, 18, 20, 21};
+  const int solid = row.integer("isolid"), shell = row.integer("ishell");
+  if (std::ranges::find(solids, solid) == std::end(solids))
+    refuse(b, row, "isolid", fmt::format("bricks of formulation {} are not built", solid),
+           "write 1, 2, 18, -1, -2 or 0");
+  b.model.implicit.solid_form = solid;
+  if (std::ranges::find(shells, shell) == std::end(shells))
+    refuse(b, row, "ishell", fmt::format("shells of formulation {} are not built", shell), "write 16 or 0");
+  else if (shell != 0 && shell != 16)
+    row.complain(b.findings, Severity::warning, "ishell", "computed as 16, like all quads in linear analyses",
+                 "write 16");
+}
+
 void read_eigenvalue(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   const Row row = cursor.read(eigenvalue_card);
@@ -168,10 +186,9 @@ void read_eigenvalue(Builder& b, const Block& block, const Options&) {
   if (row.integer("lflag") == 1) i.low = row.real("lftend");
   if (row.integer("rflag") == 1) i.high = row.real("rhtend");
   i.modal_stresses = more.integer("mstres") == 1;
+  read_formulations(b, more);
   expect(b, row, Severity::warning, {{"eigmth", 2, "not obeyed: modes come from block Lanczos, as with 2"}});
-  expect(b, more, Severity::warning,
-         {{"mstres", 0, "not obeyed: d3eigv has shapes without stresses, as with 0"},
-          {"evdump", 0, "not obeyed: no Eigen_Vectors; d3eigv holds the shapes"}});
+  expect(b, more, Severity::warning, {{"evdump", 0, "not obeyed: no Eigen_Vectors; d3eigv holds the shapes"}});
   if (i.low && i.high && *i.low >= *i.high)
     refuse(b, row, "rhtend", "the interval is empty", "give an RHTEND above LFTEND");
   if (i.high && !(*i.high > 0.0))
