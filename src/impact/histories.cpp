@@ -411,10 +411,13 @@ output::RcforcState rcforc_state(const Snapshot& now) {
       add(output::ContactSide::tracked, force);
       if (card.kind != model::Contact::Kind::single_surface) add(output::ContactSide::reference, -force);
     } else if (card.kind == model::Contact::Kind::transducer) {
-      const std::vector<unsigned char> marked = nodes_of(now.system, card.a);
+      const contact::TwoBodies bodies{nodes_of(now.system, card.a), nodes_of(now.system, card.b)};
+      const bool of_two = !card.b.empty();
       Vec3d sum;
-      for (const contact::PenaltyContact& contact : now.contacts) sum += contact.force_on(marked);
+      for (const contact::PenaltyContact& contact : now.contacts)
+        sum += of_two ? contact.force_between(bodies) : contact.force_on(bodies.in_a);
       add(output::ContactSide::tracked, sum);
+      if (of_two) add(output::ContactSide::reference, -sum);
     } else if (card.tie_by_springs() || card.penalty_fallback) {
       const Vec3d force = now.tie_forces.resultant(static_cast<model::Index>(i));
       add(output::ContactSide::tracked, force);

@@ -231,6 +231,71 @@ class ContactForms(CommandTest):
             self.assertGreater(max(force), 0.0)
             self.assertEqual(force[-1] > 0.0, pressed, penmax)
 
+    def test_a_transducer_with_two_sides_has_what_is_between_them(self):
+        """Against the row of the only contact, by glue, nodes and edges. Sabotage: segments of any body count."""
+        def third(d):
+            """Two transducers, and a plate that nothing touches."""
+            for name, a, b in ((11, UPPER, LOWER), (12, LOWER, UPPER), (13, UPPER, 3), (14, UPPER, 0)):
+                d.keyword("CONTACT_FORCE_TRANSDUCER_PENALTY_ID")
+                d.text(f"{name:10d}")
+                d.card(surfa=a, surfb=b, surfatyp=3, surfbtyp=3)
+                d.card(fs=None)
+                d.card(sfsa=None)
+            d.keyword("PART")
+            d.text("far away")
+            d.card(pid=3, secid=1, mid=LOWER)
+            d.nodes({901: (0.0, 0.0, 90.0), 902: (5.0, 0.0, 90.0), 903: (5.0, 5.0, 90.0), 904: (0.0, 5.0, 90.0)})
+            d.shells({901: (3, (901, 902, 903, 904))})
+
+        glued = dict(name="AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", option=2, nfls=10.0, sfls=10.0)
+        edges = dict(soft=2, depth=5)
+        for contact, motion, gap in ((sliding(fs=0.3), {3: -1000.0, 1: 500.0}, 1.05), (sliding(**glued), {3: 10.0, 1: 5.0}, 1.0),
+                                     (sliding(**edges), {3: -1000.0, 1: 500.0, 2: 300.0}, 1.05)):
+            self.run_deck(plates(contact, motion, 1.0e-4, gap=gap, extra=third))
+            rows = {}
+            for line in self.read("rcforc").splitlines():
+                words = line.split()
+                if words and words[0] in ("slave", "master"):
+                    rows.setdefault((words[0], int(words[1])), []).append([float(words[i]) for i in (5, 7, 9)])
+            expected = rows["slave", 1]
+            self.assertGreater(max(abs(f) for row in expected for f in row), 1.0)
+
+            def expect(key, factor):
+                for got, wanted in zip(rows[key], expected, strict=True):
+                    for f, g in zip(got, wanted):
+                        self.assertAlmostEqual(f, factor * g, delta=2e-5 * max(abs(x) for x in wanted))
+            # The contact's SURFA is UPPER.
+            expect(("slave", 11), 1.0)
+            expect(("master", 11), -1.0)
+            expect(("slave", 12), -1.0)
+            expect(("slave", 13), 0.0)
+            expect(("slave", 14), 1.0)
+            self.assertNotIn(("master", 14), rows)
+
+    def test_beams_that_general_contact_does_not_choose(self):
+        """Sabotage: CPARM8 of the card of _MPP is read past."""
+        for value, words in ((2, "cparm8 = 2: not obeyed: weld beams are left out"), (1, "cparm8 = 1: not obeyed: beams of one part"),
+                             (10, "cparm8 = 10: not obeyed: the bars around shell edges")):
+            def general(d):
+                d.keyword("CONTACT_AUTOMATIC_GENERAL_MPP")
+                d.text(f"{'':70}{value:10d}")
+                d.card(surfa=0)
+                d.card(fs=None)
+                d.card(sfsa=None)
+            self.write(plates(general, {3: 10.0}, 1e-4))
+            self.assertIn(words, self.nugget("check", "model.k").stderr)
+
+    def test_two_sides_must_be_named(self):
+        """Sabotage: a contact of nothing."""
+        for field in ("surfa", "surfb"):
+            def blank(d):
+                d.keyword("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE")
+                d.card(**({"surfa": UPPER, "surfb": LOWER, "surfatyp": 3, "surfbtyp": 3} | {field: 0}))
+                d.card(fs=None)
+                d.card(sfsa=None)
+            self.write(plates(blank, {3: 10.0}, 1e-4))
+            self.assertIn(f"{field} = 0: must be given [name both sides", self.nugget("check", "model.k", expect=1).stderr)
+
     def test_sleout_adds_up_to_glstat(self):
         self.run_deck(plates(sliding(), {3: -1000.0}, 5.0e-5))
         lines = self.read("sleout").splitlines()
