@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Forms and fields of sliding contacts, each by what it does to two small plates: glue, friction by part, boxes, PENMAX,
 eroding bricks, edges; sleout; and what is refused."""
+import math
 import sys
 import unittest
 
@@ -284,6 +285,56 @@ class ContactForms(CommandTest):
                 d.card(sfsa=None)
             self.write(plates(general, {3: 10.0}, 1e-4))
             self.assertIn(words, self.nugget("check", "model.k").stderr)
+
+    def test_a_transducer_counts_beams(self):
+        """A bar falls on the lower plate: what it feels is the change of its momentum. Sabotage: beams are no part's nodes."""
+        mass = 7.85e-9 * math.pi * 0.25 * 2.0**2 * 10.0
+
+        def bar(d):
+            for name, a, b in ((11, 3, 0), (12, 3, LOWER), (13, LOWER, 0)):
+                d.keyword("CONTACT_FORCE_TRANSDUCER_PENALTY_ID")
+                d.text(f"{name:10d}")
+                d.card(surfa=a, surfb=b, surfatyp=3, surfbtyp=3)
+                d.card(fs=None)
+                d.card(sfsa=None)
+            d.keyword("DATABASE_NODOUT")
+            d.card(dt=4.0e-7)
+            d.keyword("DATABASE_HISTORY_NODE")
+            d.card(id1=901, id2=902)
+            d.keyword("PART")
+            d.text("bar")
+            d.card(pid=3, secid=3, mid=3)
+            d.keyword("SECTION_BEAM")
+            d.card(secid=3, elform=1, shrf=1.0, qr=2, cst=1)
+            d.card(ts1=2.0, ts2=2.0)
+            d.keyword("MAT_NULL")
+            d.card(mid=3, ro=7.85e-9, pc=0, mu=0, terod=0, cerod=0, ym=210000.0, pr=0.3)
+            for node in (901, 902):
+                d.keyword("INITIAL_VELOCITY_NODE")
+                d.card(nid=node, vx=0.0, vy=0.0, vz=-1.0e4)
+            d.nodes({901: (6.0, 7.0, 1.6), 902: (16.0, 7.0, 1.6), 903: (6.0, 17.0, 1.6)})
+            d.keyword("ELEMENT_BEAM")
+            d.text(f"{901:8d}{3:8d}{901:8d}{902:8d}{903:8d}")
+
+        def general(d):
+            d.keyword("CONTACT_AUTOMATIC_GENERAL")
+            d.card(surfa=0)
+            d.card(fs=None)
+            d.card(sfsa=None)
+        self.run_deck(plates(general, {3: 0.0}, 4.0e-5, gap=20.0, extra=bar))
+        rows = {}
+        for line in self.read("rcforc").splitlines():
+            words = line.split()
+            if words and words[0] == "slave":
+                rows.setdefault(int(words[1]), []).append((float(words[3]), float(words[9])))
+        impulse = sum(0.5 * (f + g) * (u - t) for (t, f), (u, g) in zip(rows[11], rows[11][1:]))
+        speeds = [float(line[70:82]) for line in self.read("nodout").splitlines() if line[:10].strip() in ("901", "902") and len(line) > 130]
+        gained = 0.5 * (speeds[-1] + speeds[-2]) + 1.0e4
+        self.assertGreater(gained, 1.0e4)
+        self.assertAlmostEqual(impulse / (mass * gained), 1.0, delta=0.05)
+        for other, factor in ((12, 1.0), (13, -1.0)):
+            for (_, f), (_, g) in zip(rows[other], rows[11], strict=True):
+                self.assertAlmostEqual(f, factor * g, delta=1e-4 * max(abs(x) for _, x in rows[11]))
 
     def test_two_sides_must_be_named(self):
         """Sabotage: a contact of nothing."""
