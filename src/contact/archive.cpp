@@ -19,8 +19,8 @@ void NodalForces::archive(Archive& a) {
 }
 
 void SurfaceContact::Block::archive(Archive& a) {
-  a(first, wake, pairs);
-  a.built(begin, end, old_first, old_pairs, candidates, hits);
+  a(first, wake, pairs, hits);
+  a.built(begin, end, old_first, old_pairs, candidates);
 }
 
 void SurfaceContact::archive(Archive& a) {

@@ -387,6 +387,7 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   pair.offset = std::min(offset, overlap);
   pair.depth = overlap - pair.offset;
   pair.friction = {};
+  pair.force = {};
 
   const std::array<double, 4> weight{1.0 - s, s, 1.0 - t, t};
   const std::array<double, 4> node_mass{step.mass[e.node[0]], step.mass[e.node[1]], step.mass[f.node[0]],
@@ -397,15 +398,22 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
       kernel::pair_force(setup_.law, stiffness, inverse_mass, pair.depth, -dot(velocity, pair.direction));
   if (size > 0.0) {
     if (setup_.law.friction.any()) pair.friction = friction(pair, before, stiffness, size, step);
-    const Vec3d force = size * pair.direction + pair.friction;
+    pair.force = size * pair.direction + pair.friction;
     for (int end = 0; end < 2; ++end) {
-      forces_.add(e.node[end], weight[end] * force);
-      forces_.add(f.node[end], -weight[2 + end] * force);
+      forces_.add(e.node[end], weight[end] * pair.force);
+      forces_.add(f.node[end], -weight[2 + end] * pair.force);
     }
-    if (setup_.two_sides) resultant_ += (e.side & 1u) ? force : -force;
+    if (setup_.two_sides) resultant_ += (e.side & 1u) ? pair.force : -pair.force;
     deepest_ = std::max(deepest_, pair.depth);
   }
   touches_.push_back(pair);
+}
+
+Vec3d EdgeContact::force_between(const TwoBodies& bodies) const {
+  Vec3d sum;
+  for (const Pair& pair : touches_)
+    sum += bodies.sign(setup_.edges[pair.a].node, setup_.edges[pair.b].node) * pair.force;
+  return sum;
 }
 
 }  // namespace nugget::contact

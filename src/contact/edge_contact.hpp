@@ -81,6 +81,8 @@ class EdgeContact {
   /// Force on the tracked side as a whole; zero where there are not two sides [force].
   const Vec3d& resultant() const { return resultant_; }
   Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
+  /// As SurfaceContact::force_between.
+  Vec3d force_between(const TwoBodies& bodies) const;
   int touching() const { return static_cast<int>(touches_.size()); }  ///< pairs that touch
   double deepest() const { return deepest_; }                         ///< [length]
   long searches() const { return searches_; }
@@ -95,6 +97,7 @@ class EdgeContact {
     Vec3d direction;  // in which a is pressed away from b
     double offset = 0.0, depth = 0.0;
     Vec3d friction;     // on a
+    Vec3d force;        // on a, friction included
     double wake = 0.0;  // before the approach gets here the two cannot touch
   };
   /// A pair that is close enough to touch, with what it was in the cycle before.

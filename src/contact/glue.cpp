@@ -218,6 +218,7 @@ void Glue::apply(const Step& step, std::span<Row> force) {
   forces_.next_cycle();
   resultant_ = {};
   for (Bond& bond : bonds_) {
+    bond.force = {};
     if (!bond.holds) continue;
     const kernel::CohesiveStiffness k = stiffness(bond, step);
     const Vec3d f = card_.slides ? sliding_pull(bond, k, step) : pull(bond, k, step);
@@ -226,8 +227,9 @@ void Glue::apply(const Step& step, std::span<Row> force) {
       let_go(bond, step.time);
       continue;
     }
+    bond.force = -f;
     const Segment& s = setup_.segments[bond.segment];
-    forces_.add(setup_.nodes[bond.tracked].node, -f);
+    forces_.add(setup_.nodes[bond.tracked].node, bond.force);
     for (int c = 0; c < s.corners(); ++c) forces_.add(s.node[c], bond.weight[c] * f);
     resultant_ += s.side == 1 ? f : -f;
   }
@@ -253,6 +255,13 @@ void Glue::stick(const SurfaceContact& surface, const Step& step) {
     held_[hit.tracked] = spent_[hit.tracked] = 1;
     bonds_.push_back(made);
   });
+}
+
+Vec3d Glue::force_between(const TwoBodies& bodies) const {
+  Vec3d sum;
+  for (const Bond& bond : bonds_)
+    sum += bodies.sign({&setup_.nodes[bond.tracked].node, 1}, setup_.segments[bond.segment].node) * bond.force;
+  return sum;
 }
 
 }  // namespace nugget::contact

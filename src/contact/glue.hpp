@@ -55,6 +55,8 @@ class Glue {
   const std::array<double, 2>& energy_of_sides() const { return energy_; }
   const Vec3d& resultant() const { return resultant_; }  ///< force on the tracked side [force]
   Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
+  /// As SurfaceContact::force_between.
+  Vec3d force_between(const TwoBodies& bodies) const;
 
   void archive(Archive& a);
 
@@ -69,6 +71,7 @@ class Glue {
     double area = 0.0;       // that the node stands for; 1 where the law counts forces
     kernel::CohesiveState state;
     Vec3d friction;  // on the node along the surface, of glue that slides [force]
+    Vec3d force;     // on the node [force]
     bool holds = true;
   };
 

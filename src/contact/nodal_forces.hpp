@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -9,6 +10,23 @@
 #include "base/row.hpp"
 
 namespace nugget::contact {
+
+/// The nodes of two bodies, by node; those beyond the end of a list are of neither.
+struct TwoBodies {
+  std::vector<unsigned char> in_a, in_b;
+
+  /// +1 where all nodes of `first` are of the one and all of `second` of the other body, -1 the other way round; 0
+  /// where neither is so, or both.
+  double sign(std::span<const int> first, std::span<const int> second) const {
+    const auto all = [](std::span<const int> nodes, const std::vector<unsigned char>& in) {
+      return std::all_of(nodes.begin(), nodes.end(), [&in](int n) {
+        const auto k = static_cast<std::size_t>(n);
+        return k < in.size() && in[k] != 0;
+      });
+    };
+    return (all(first, in_a) && all(second, in_b) ? 1.0 : 0.0) - (all(first, in_b) && all(second, in_a) ? 1.0 : 0.0);
+  }
+};
 
 /// The forces of a contact on its nodes, in this cycle and in the one before, and the work that they do. Only nodes
 /// that are touched cost anything.

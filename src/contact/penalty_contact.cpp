@@ -57,4 +57,11 @@ Vec3d PenaltyContact::force_on(std::span<const unsigned char> marked) const {
   return sum;
 }
 
+Vec3d PenaltyContact::force_between(const TwoBodies& bodies) const {
+  Vec3d sum = surface_.force_between(bodies);
+  if (edges_) sum += edges_->force_between(bodies);
+  if (glue_) sum += glue_->force_between(bodies);
+  return sum;
+}
+
 }  // namespace nugget::contact

@@ -29,6 +29,7 @@ class PenaltyContact {
   std::array<double, 2> energy_of_sides() const;
   Vec3d resultant() const;  ///< see SurfaceContact::resultant
   Vec3d force_on(std::span<const unsigned char> marked) const;
+  Vec3d force_between(const TwoBodies& bodies) const;  ///< see SurfaceContact::force_between
   const SurfaceContact& surface() const { return surface_; }
   const Glue* glue() const { return glue_.get(); }
 

@@ -533,4 +533,12 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
   return before;
 }
 
+Vec3d SurfaceContact::force_between(const TwoBodies& bodies) const {
+  Vec3d sum;
+  each_hit([&](const Hit& hit) {
+    sum += bodies.sign({&setup_.nodes[hit.tracked].node, 1}, setup_.segments[hit.segment].node) * hit.force;
+  });
+  return sum;
+}
+
 }  // namespace nugget::contact

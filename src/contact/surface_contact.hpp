@@ -112,6 +112,8 @@ class SurfaceContact {
   const Vec3d& resultant() const { return resultant_; }
   /// Sum of the forces on the nodes that are marked (by node; nodes beyond its end are not) [force].
   Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
+  /// Force on the first body by the second: the sum over those pairs that have one side in each [force].
+  Vec3d force_between(const TwoBodies& bodies) const;
   int touching() const { return touching_; }  ///< pairs that carry force
   /// Visits the hits of this step, by tracked node and segment.
   template <class Visit>

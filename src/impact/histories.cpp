@@ -392,6 +392,8 @@ static std::vector<unsigned char> nodes_of(const system::System& system, const m
     if (in[at(model.shells.part[e])]) std::for_each(model.shells.node[e].begin(), model.shells.node[e].end(), mark);
   for (std::size_t e = 0; e < model.solids.size(); ++e)
     if (in[at(model.solids.part[e])]) std::for_each(model.solids.node[e].begin(), model.solids.node[e].end(), mark);
+  for (std::size_t e = 0; e < model.beams.size(); ++e)
+    if (in[at(model.beams.part[e])]) std::for_each(model.beams.node[e].begin(), model.beams.node[e].begin() + 2, mark);
   for (const model::Segment& s : surface.segments) std::for_each(s.begin(), s.end(), mark);
   std::for_each(surface.nodes.begin(), surface.nodes.end(), mark);
   return marked;
@@ -411,10 +413,13 @@ output::RcforcState rcforc_state(const Snapshot& now) {
       add(output::ContactSide::tracked, force);
       if (card.kind != model::Contact::Kind::single_surface) add(output::ContactSide::reference, -force);
     } else if (card.kind == model::Contact::Kind::transducer) {
-      const std::vector<unsigned char> marked = nodes_of(now.system, card.a);
+      const contact::TwoBodies bodies{nodes_of(now.system, card.a), nodes_of(now.system, card.b)};
+      const bool of_two = !card.b.empty();
       Vec3d sum;
-      for (const contact::PenaltyContact& contact : now.contacts) sum += contact.force_on(marked);
+      for (const contact::PenaltyContact& contact : now.contacts)
+        sum += of_two ? contact.force_between(bodies) : contact.force_on(bodies.in_a);
       add(output::ContactSide::tracked, sum);
+      if (of_two) add(output::ContactSide::reference, -sum);
     } else if (card.tie_by_springs() || card.penalty_fallback) {
       const Vec3d force = now.tie_forces.resultant(static_cast<model::Index>(i));
       add(output::ContactSide::tracked, force);

@@ -60,7 +60,8 @@ Simulation::Simulation(system::System& system, Findings& findings)
     contact::SurfaceContactSetup setup = contact_setup(system, card);
     if (setup.segments.empty()) {
       findings.error(card.place, '*' + card.keyword,
-                     "the contact has no segments: none of its parts has shells or bricks", "check SURFA and SURFATYP");
+                     "the contact has no segments: none of its parts has shells or bricks",
+                     "check SURFA and SURFATYP; a contact of beams alone is not built");
       continue;
     }
     treat_initial_penetrations(system, card, setup, state_.x, findings);

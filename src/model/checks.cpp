@@ -501,9 +501,12 @@ void check_hourglass(Builder& b) {
   std::map<std::pair<Index, ElementKind>, std::vector<int>> parts;
   for (const Part& part : m.parts) {
     if (part.section == none || is<kernel::Rigid>(m, part) || is<kernel::Null>(m, part)) continue;
-    // Formulation 16 has no hourglass modes: type 8 gives it warping stiffness, the others mean nothing to it.
-    const bool has_modes =
-        part.kind != ElementKind::shell || m.shell_sections[static_cast<std::size_t>(part.section)].elform != 16;
+    // Shells 16 have no hourglass modes: type 8 gives them warping stiffness, the others mean nothing to them. Of
+    // solids the one-point brick has some, the others have none.
+    const auto section = static_cast<std::size_t>(part.section);
+    const bool has_modes = part.kind == ElementKind::shell   ? m.shell_sections[section].elform != 16
+                           : part.kind == ElementKind::solid ? m.solid_sections[section].elform == 1
+                                                             : true;
     if (has_modes) parts[{part.hourglass, part.kind}].push_back(part.id);
   }
   for (const auto& [user, ids] : parts) {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Forms and fields of sliding contacts, each by what it does to two small plates: glue, friction by part, boxes, PENMAX,
 eroding bricks, edges; sleout; and what is refused."""
+import math
 import sys
 import unittest
 
@@ -230,6 +231,121 @@ class ContactForms(CommandTest):
             force = [row[3] for row in self.rows()]
             self.assertGreater(max(force), 0.0)
             self.assertEqual(force[-1] > 0.0, pressed, penmax)
+
+    def test_a_transducer_with_two_sides_has_what_is_between_them(self):
+        """Against the row of the only contact, by glue, nodes and edges. Sabotage: segments of any body count."""
+        def third(d):
+            """Two transducers, and a plate that nothing touches."""
+            for name, a, b in ((11, UPPER, LOWER), (12, LOWER, UPPER), (13, UPPER, 3), (14, UPPER, 0)):
+                d.keyword("CONTACT_FORCE_TRANSDUCER_PENALTY_ID")
+                d.text(f"{name:10d}")
+                d.card(surfa=a, surfb=b, surfatyp=3, surfbtyp=3)
+                d.card(fs=None)
+                d.card(sfsa=None)
+            d.keyword("PART")
+            d.text("far away")
+            d.card(pid=3, secid=1, mid=LOWER)
+            d.nodes({901: (0.0, 0.0, 90.0), 902: (5.0, 0.0, 90.0), 903: (5.0, 5.0, 90.0), 904: (0.0, 5.0, 90.0)})
+            d.shells({901: (3, (901, 902, 903, 904))})
+
+        glued = dict(name="AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", option=2, nfls=10.0, sfls=10.0)
+        edges = dict(soft=2, depth=5)
+        for contact, motion, gap in ((sliding(fs=0.3), {3: -1000.0, 1: 500.0}, 1.05), (sliding(**glued), {3: 10.0, 1: 5.0}, 1.0),
+                                     (sliding(**edges), {3: -1000.0, 1: 500.0, 2: 300.0}, 1.05)):
+            self.run_deck(plates(contact, motion, 1.0e-4, gap=gap, extra=third))
+            rows = {}
+            for line in self.read("rcforc").splitlines():
+                words = line.split()
+                if words and words[0] in ("slave", "master"):
+                    rows.setdefault((words[0], int(words[1])), []).append([float(words[i]) for i in (5, 7, 9)])
+            expected = rows["slave", 1]
+            self.assertGreater(max(abs(f) for row in expected for f in row), 1.0)
+
+            def expect(key, factor):
+                for got, wanted in zip(rows[key], expected, strict=True):
+                    for f, g in zip(got, wanted):
+                        self.assertAlmostEqual(f, factor * g, delta=2e-5 * max(abs(x) for x in wanted))
+            # The contact's SURFA is UPPER.
+            expect(("slave", 11), 1.0)
+            expect(("master", 11), -1.0)
+            expect(("slave", 12), -1.0)
+            expect(("slave", 13), 0.0)
+            expect(("slave", 14), 1.0)
+            self.assertNotIn(("master", 14), rows)
+
+    def test_beams_that_general_contact_does_not_choose(self):
+        """Sabotage: CPARM8 of the card of _MPP is read past."""
+        for value, words in ((2, "cparm8 = 2: not obeyed: weld beams are left out"), (1, "cparm8 = 1: not obeyed: beams of one part"),
+                             (10, "cparm8 = 10: not obeyed: the bars around shell edges")):
+            def general(d):
+                d.keyword("CONTACT_AUTOMATIC_GENERAL_MPP")
+                d.text(f"{'':70}{value:10d}")
+                d.card(surfa=0)
+                d.card(fs=None)
+                d.card(sfsa=None)
+            self.write(plates(general, {3: 10.0}, 1e-4))
+            self.assertIn(words, self.nugget("check", "model.k").stderr)
+
+    def test_a_transducer_counts_beams(self):
+        """A bar falls on the lower plate: what it feels is the change of its momentum. Sabotage: beams are no part's nodes."""
+        mass = 7.85e-9 * math.pi * 0.25 * 2.0**2 * 10.0
+
+        def bar(d):
+            for name, a, b in ((11, 3, 0), (12, 3, LOWER), (13, LOWER, 0)):
+                d.keyword("CONTACT_FORCE_TRANSDUCER_PENALTY_ID")
+                d.text(f"{name:10d}")
+                d.card(surfa=a, surfb=b, surfatyp=3, surfbtyp=3)
+                d.card(fs=None)
+                d.card(sfsa=None)
+            d.keyword("DATABASE_NODOUT")
+            d.card(dt=4.0e-7)
+            d.keyword("DATABASE_HISTORY_NODE")
+            d.card(id1=901, id2=902)
+            d.keyword("PART")
+            d.text("bar")
+            d.card(pid=3, secid=3, mid=3)
+            d.keyword("SECTION_BEAM")
+            d.card(secid=3, elform=1, shrf=1.0, qr=2, cst=1)
+            d.card(ts1=2.0, ts2=2.0)
+            d.keyword("MAT_NULL")
+            d.card(mid=3, ro=7.85e-9, pc=0, mu=0, terod=0, cerod=0, ym=210000.0, pr=0.3)
+            for node in (901, 902):
+                d.keyword("INITIAL_VELOCITY_NODE")
+                d.card(nid=node, vx=0.0, vy=0.0, vz=-1.0e4)
+            d.nodes({901: (6.0, 7.0, 1.6), 902: (16.0, 7.0, 1.6), 903: (6.0, 17.0, 1.6)})
+            d.keyword("ELEMENT_BEAM")
+            d.text(f"{901:8d}{3:8d}{901:8d}{902:8d}{903:8d}")
+
+        def general(d):
+            d.keyword("CONTACT_AUTOMATIC_GENERAL")
+            d.card(surfa=0)
+            d.card(fs=None)
+            d.card(sfsa=None)
+        self.run_deck(plates(general, {3: 0.0}, 4.0e-5, gap=20.0, extra=bar))
+        rows = {}
+        for line in self.read("rcforc").splitlines():
+            words = line.split()
+            if words and words[0] == "slave":
+                rows.setdefault(int(words[1]), []).append((float(words[3]), float(words[9])))
+        impulse = sum(0.5 * (f + g) * (u - t) for (t, f), (u, g) in zip(rows[11], rows[11][1:]))
+        speeds = [float(line[70:82]) for line in self.read("nodout").splitlines() if line[:10].strip() in ("901", "902") and len(line) > 130]
+        gained = 0.5 * (speeds[-1] + speeds[-2]) + 1.0e4
+        self.assertGreater(gained, 1.0e4)
+        self.assertAlmostEqual(impulse / (mass * gained), 1.0, delta=0.05)
+        for other, factor in ((12, 1.0), (13, -1.0)):
+            for (_, f), (_, g) in zip(rows[other], rows[11], strict=True):
+                self.assertAlmostEqual(f, factor * g, delta=1e-4 * max(abs(x) for _, x in rows[11]))
+
+    def test_two_sides_must_be_named(self):
+        """Sabotage: a contact of nothing."""
+        for field in ("surfa", "surfb"):
+            def blank(d):
+                d.keyword("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE")
+                d.card(**({"surfa": UPPER, "surfb": LOWER, "surfatyp": 3, "surfbtyp": 3} | {field: 0}))
+                d.card(fs=None)
+                d.card(sfsa=None)
+            self.write(plates(blank, {3: 10.0}, 1e-4))
+            self.assertIn(f"{field} = 0: must be given [name both sides", self.nugget("check", "model.k", expect=1).stderr)
 
     def test_sleout_adds_up_to_glstat(self):
         self.run_deck(plates(sliding(), {3: -1000.0}, 5.0e-5))

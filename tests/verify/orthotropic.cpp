@@ -106,9 +106,18 @@ void expect_stress(const std::string& what, const Matrix3& value, const Matrix3&
 
 TEST(Orthotropic, StressOfBricks) {
   const Eigen::Vector3d a(1, 2, -1), d(0, 1, 1);
-  for (const double elform : {1.0, 2.0, 10.0, 4.0}) {
+  const std::string by_vectors = material(2, {0, 0, 0, a(0), a(1), a(2)}, {0, 0, 0, d(0), d(1), d(2)}),
+                    by_system = "*DEFINE_COORDINATE_VECTOR\n" + fields({7, a(0), a(1), a(2), d(0), d(1), d(2)}) +
+                                material(-7, {0}, {0});
+  struct Case {
+    double elform;
+    std::string name, material;
+  };
+  for (const auto& [elform, name, cards] :
+       {Case{1, "AOPT 2", by_vectors}, Case{2, "AOPT 2", by_vectors}, Case{10, "AOPT 2", by_vectors},
+        Case{4, "AOPT 2", by_vectors}, Case{1, "AOPT -7", by_system}, Case{10, "AOPT -7", by_system}}) {
     Specimen s;
-    s.text(material(2, {0, 0, 0, a(0), a(1), a(2)}, {0, 0, 0, d(0), d(1), d(2)}));
+    s.text(cards);
     s.card("SECTION_SOLID", {1, elform}).part(1, 1, 1);
     std::vector<std::pair<int, Vec3d>> nodes;
     if (elform == 10.0 || elform == 4.0) {
@@ -123,7 +132,7 @@ TEST(Orthotropic, StressOfBricks) {
     const Matrix3 g = gradient(false), strain = 0.5 * (g + g.transpose());
     const Matrix3 axes = axes_of(a, a.cross(d));
     expect_stress(
-        fmt::format("solid {:.0f}, AOPT 2", elform),
+        fmt::format("solid {:.0f}, {}", elform, name),
         driven(
             s, nodes, [&](double t) { return Matrix3(Matrix3::Identity() + t * g); }, 1, false, 2e-4, elform == 4.0),
         stress(strain, axes, false));
@@ -144,6 +153,7 @@ TEST(Orthotropic, StressOfShells) {
       {"AOPT 0, BETA", material(0, {0}, {0, 0, 0, 0, 0, 0, 35}), degrees(55)},
       {"AOPT 0, BETA of the shell", material(0, {0}, {0, 0, 0, 0, 0, 0, 35}), degrees(70), 50},
       {"AOPT 2", material(2, {0, 0, 0, 1, 2, 3}, {0}), {1, 2, 0}},
+      {"AOPT -7", "*DEFINE_COORDINATE_VECTOR\n" + fields({7, 1, 2, 3, 0, 0, 1}) + material(-7, {0}, {0}), {1, 2, 0}},
       {"AOPT 3, BETA", material(3, {0}, {1, 0, 0, 0, 0, 0, 10}), degrees(-80)}};
   for (const Case& c : cases)
     for (const double elform : {2.0, 16.0, 4.0, 17.0}) {

@@ -23,7 +23,7 @@ const Card mpp_card1{{
     integer("inititr", 2, any_value, "iterations for initial penetrations"),
     real("parmax", dimension::number, 0, any_value, "extension of segments"),
     unused(),
-    integer("cparm8", 0, any_value, "beams"),
+    integer("cparm8", 0, any_value, "_GENERAL: which beams take part; not obeyed, with a warning"),
 }};
 const Card mpp_card2{{
     text("mark", 10, "& in column 1"),
@@ -117,7 +117,7 @@ const Card card_d{{
 }};
 const Card card_e{{
     integer("sharec", 0, any_value, "shared constraints"),
-    integer("cparm8", 0, any_value, "beams"),
+    integer("cparm8", 0, any_value, "_GENERAL: which beams take part; not obeyed, with a warning"),
     integer("ipback", 0, any_value, "ties: not 0: springs where a node or its segment is constrained already"),
     integer("srnde", 0, any_value, "round edges of shells"),
     real("fricsf", dimension::number, 1, any_value, "scale of friction"),
@@ -218,6 +218,12 @@ void take_single_surface(Builder& builder, const Row& row, Contact& contact) {
     contact.a = surface_of(builder, row, "surfa", "surfatyp");
 }
 
+void refuse_missing_sides(Builder& builder, const Row& row, const char* advice) {
+  for (const auto& [field, type] : {std::pair{"surfa", "surfatyp"}, std::pair{"surfb", "surfbtyp"}})
+    if (row.integer(field) == 0 && row.integer(type) != 5 && row.integer(type) != 2)
+      refuse(builder, row, field, "must be given", advice);
+}
+
 /// Both sides of a contact of two surfaces; a tracked side may be a set of nodes where only its nodes are looked at.
 void take_two_sides(Builder& builder, const Row& row, Contact& contact) {
   if (row.integer("surfatyp") == 4 && contact.kind == Kind::two_surfaces)
@@ -225,24 +231,22 @@ void take_two_sides(Builder& builder, const Row& row, Contact& contact) {
            "use *CONTACT_AUTOMATIC_NODES_TO_SURFACE");
   if (row.integer("surfbtyp") == 4)
     refuse(builder, row, "surfbtyp", "the reference side needs segments", "name parts, shells or a segment set");
+  refuse_missing_sides(builder, row,
+                       "name both sides; *CONTACT_AUTOMATIC_SINGLE_SURFACE with SURFA 0 is for all parts and all");
   contact.a = surface_of(builder, row, "surfa", "surfatyp");
   contact.b = surface_of(builder, row, "surfb", "surfbtyp");
 }
 
 void take_transducer(Builder& builder, const Row& row, Contact& contact) {
-  if (row.integer("surfb") != 0)
-    refuse(builder, row, "surfb", "forces between two sides alone are not built; expected 0",
-           "give one transducer a side, or read the contact's own rows in rcforc");
   contact.a = surface_of(builder, row, "surfa", "surfatyp");
+  if (row.integer("surfb") != 0) contact.b = surface_of(builder, row, "surfb", "surfbtyp");
 }
 
 void take_tie(Builder& builder, const Row& row, Contact& contact) {
   if (row.integer("surfbtyp") == 4)
     return refuse(builder, row, "surfbtyp", "the reference side of a tie needs segments",
                   "name parts, shells or a segment set");
-  for (const auto& [field, type] : {std::pair{"surfa", "surfatyp"}, std::pair{"surfb", "surfbtyp"}})
-    if (row.integer(field) == 0 && row.integer(type) != 5 && row.integer(type) != 2)
-      refuse(builder, row, field, "must be given", "name what is tied, and to what");
+  refuse_missing_sides(builder, row, "name what is tied, and to what");
   contact.a = surface_of(builder, row, "surfa", "surfatyp");
   contact.b = surface_of(builder, row, "surfb", "surfbtyp");
 }
@@ -344,11 +348,27 @@ void take_d(Builder& builder, const Row& row, const Contact& contact) {
             {"shledg", 0, left}});
 }
 
+/// CPARM8 has a meaning for _GENERAL alone. LS-DYNA's shared-memory version too obeys that of the card of _MPP
+/// (docs/book/decks.md, the bolted connection).
+void warn_of_cparm8(Builder& builder, const Row& row, const Contact& contact) {
+  if (contact.keyword.find("GENERAL") == std::string::npos) return;
+  const int value = row.integer("cparm8");
+  if (value % 10 != 0)
+    row.complain(builder.findings, Severity::warning, "cparm8",
+                 value % 10 == 2 ? "not obeyed: weld beams are left out, and beams of one part press each other"
+                                 : "not obeyed: beams of one part press each other",
+                 "give beams that must not touch contacts of their own");
+  if (value >= 10)
+    row.complain(builder.findings, Severity::warning, "cparm8",
+                 "not obeyed: the bars around shell edges are not shifted into the shells");
+}
+
 void take_e(Builder& builder, const Row& row, Contact& contact) {
   if (contact.tie()) {
     contact.penalty_fallback = row.integer("ipback") != 0;
     return;
   }
+  warn_of_cparm8(builder, row, contact);
   contact.friction.at_rest *= row.real("fricsf");
   contact.friction.sliding *= row.real("fricsf");
   expect(builder, row, Severity::warning,
@@ -378,9 +398,9 @@ void take_optional_cards(Builder& builder, Cursor& cursor, Contact& contact) {
 // --------------------------------------------------------------------------------------------------------------------
 
 /// The cards of the distributed-memory version are read past, as LS-DYNA's shared-memory version does.
-void skip_mpp(Cursor& cursor, const Options& options) {
+void skip_mpp(Builder& builder, Cursor& cursor, const Options& options, const Contact& contact) {
   if (!options.contains("MPP")) return;
-  cursor.read(mpp_card1);
+  warn_of_cparm8(builder, cursor.read(mpp_card1), contact);
   if (cursor.peek().starts_with('&')) cursor.read(mpp_card2);
 }
 
@@ -440,7 +460,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   const Heading heading = read_heading(cursor, options.contains("ID") || options.contains("TITLE"));
   contact.id = heading.id;
   contact.title = heading.text;
-  skip_mpp(cursor, options);
+  skip_mpp(builder, cursor, options, contact);
   const Row sides = cursor.read(card_of_sides(cursor));
   if (!contact.slides())
     expect(builder, sides, Severity::error,

@@ -155,13 +155,6 @@ void read_null(Builder& b, const Block& block, const Options& options) {
                             row.real("terod") > 0.0 || row.real("cerod") > 0.0});
 }
 
-/// The id of a coordinate system that stands in a field for real numbers, with the offset of its include.
-int system_id(const Block& block, double written) {
-  const int id = static_cast<int>(written);
-  if (id == 0 || !block.transform) return id;
-  return id + static_cast<int>(block.transform->id_offset[static_cast<std::size_t>(IdSpace::define)]);
-}
-
 RigidCard rigid_hold(Builder& b, const Block& block, const Row& row) {
   RigidCard hold;
   hold.cmo = static_cast<int>(row.real("cmo"));
@@ -263,6 +256,12 @@ std::optional<kernel::PlasticDamage> plastic_damage(Builder& b, const Row& onset
     onset_row.complain(b.findings, Severity::warning, onset_field, "without EPPFR or LCDM nothing is damaged",
                        "give EPPFR, the plastic strain at rupture");
   return std::nullopt;
+}
+
+int system_id(const Block& block, double written) {
+  const int id = static_cast<int>(written);
+  if (id == 0 || !block.transform) return id;
+  return id + static_cast<int>(block.transform->id_offset[static_cast<std::size_t>(IdSpace::define)]);
 }
 
 Index add_material(Builder& b, const Row& row, std::string title, std::string_view name, Law law) {

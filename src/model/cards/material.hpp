@@ -32,6 +32,9 @@ double plastic_strain_at_failure(double written);
 std::optional<kernel::PlasticDamage> plastic_damage(Builder& builder, const deck::Row& onset_row,
                                                     std::string_view onset_field, const deck::Row& row);
 
+/// The id of a coordinate system that stands in a field for real numbers, with the offset of its include.
+int system_id(const deck::Block& block, double written);
+
 /// Adds a material with the id and density of its first card; gives its index.
 Index add_material(Builder& builder, const deck::Row& row, std::string title, std::string_view name, Law law);
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
+
 #include "kernel/law/composition.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/material.hpp"
@@ -32,7 +34,8 @@ const Card shears_card{{
     real("gab", dimension::stress, required, above_zero(), "shear modulus ab"),
     real("gbc", dimension::stress, required, above_zero(), "shear modulus bc"),
     real("gca", dimension::stress, required, above_zero(), "shear modulus ca"),
-    real("aopt", dimension::number, 0, any_value, "material axes: 0 by nodes, 2 by vectors a and d, 3 by v x normal"),
+    real("aopt", dimension::number, 0, any_value,
+         "material axes: 0 by nodes, 2 by vectors a and d, 3 by v x normal, -id by a coordinate system"),
     real("g", dimension::stress, 0, only(0), "shear modulus of frictional damping"),
     real("sigf", dimension::stress, 0, only(0), "limit of frictional damping"),
 }};
@@ -82,10 +85,28 @@ bool take_axes(Builder& b, const Row& shears, const Row& first, const Row& secon
     refuse(b, second, "v1", "AOPT 3 needs the vector v", "give V1 to V3");
     return false;
   }
-  if (aopt == 0.0) return true;
-  refuse(b, shears, "aopt", "only 0, 2 and 3 are built",
-         aopt < 0.0 ? "write the axes of the coordinate system as vectors a and d of AOPT 2" : "use vectors of AOPT 2");
+  if (aopt <= 0.0) return true;  // a coordinate system comes later
+  refuse(b, shears, "aopt", "only 0, 2, 3 and the id of a coordinate system below 0 are built",
+         "use vectors of AOPT 2");
   return false;
+}
+
+/// AOPT below 0: a and d are the x and y axes of that coordinate system.
+void take_system(Builder& b, const Row& shears, int id, Index material, kernel::Orthotropic law) {
+  const Index found = b.systems.find(id);
+  if (found == none)
+    return refuse(b, shears, "aopt", fmt::format("coordinate system {} is not defined", id),
+                  "define it with *DEFINE_COORDINATE_...");
+  const CoordinateSystem& system = b.model.systems[static_cast<std::size_t>(found)];
+  if (system.turning)
+    return refuse(
+        b, shears, "aopt",
+        fmt::format("coordinate system {} turns with its nodes (FLAG 1); the axes are those of the start", id),
+        "define one with FLAG 0");
+  law.axes.by = kernel::MaterialAxes::By::vectors;
+  law.axes.a = system.axes.e1;
+  law.axes.d = system.axes.e2;
+  b.model.materials[static_cast<std::size_t>(material)].law = kernel::compound({law});
 }
 
 void read_orthotropic(Builder& b, const Block& block, const Options& options) {
@@ -113,7 +134,10 @@ void read_orthotropic(Builder& b, const Block& block, const Options& options) {
   const double product = std::clamp(law.poisson_ba * law.poisson_ba * law.young_a / law.young_b, 0.0, 0.99);
   law.nu = std::min(std::sqrt(product), 0.45);
   law.E = std::max(law.young_a, law.young_b) / (1.0 - product) * (1.0 - law.nu * law.nu);
-  add_material(b, moduli, std::move(title), "MAT_ORTHOTROPIC_ELASTIC", kernel::compound({law}));
+  const Index material = add_material(b, moduli, std::move(title), "MAT_ORTHOTROPIC_ELASTIC", kernel::compound({law}));
+  if (const int id = system_id(block, -shears.real("aopt")); id > 0)
+    b.later(Phase::sets,
+            [shears, id, material, law](Builder& builder) { take_system(builder, shears, id, material, law); });
 }
 
 }  // namespace

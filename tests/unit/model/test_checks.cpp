@@ -283,6 +283,10 @@ TEST(Checks, HourglassTypesByElement) {
                 .find(Severity::error, "part 2 has solids, for which types 1 to 6 are built", "ihq"),
             nullptr);
   EXPECT_EQ(Built(sheet_deck(brick + "*CONTROL_HOURGLASS\n2\n")).findings.errors(), 0);
+  // A brick of eight points has no modes, so types of shells mean nothing to it.
+  const std::string full = "*PART\nblock\n2,2,1\n*SECTION_SOLID\n2,2\n*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n";
+  EXPECT_TRUE(Built(sheet_deck(brick + "*CONTROL_HOURGLASS\n8\n")).error("part 2 has solids", "ihq"));
+  EXPECT_FALSE(Built(sheet_deck(full + "*CONTROL_HOURGLASS\n8\n")).error("part 2 has solids", "ihq"));
 }
 
 TEST(Checks, TriangleFormulationNeedsTriangles) {
