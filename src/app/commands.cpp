@@ -297,6 +297,19 @@ std::string cause_of(const impact::Simulation& run, const output::Summary& summa
       std::floor(100.0 * model.control.step_scale * free->step / run.first_step()) / 100.0);
 }
 
+/// Modes of the state in which a run has ended, into a folder of their own (IMFLAG 6).
+ExitCode modes_after(const fs::path& directory, const RunArguments& arguments, const Prepared& prepared,
+                     const impact::Simulation& run) {
+  const fs::path folder = directory / "modes";
+  fs::create_directories(folder);
+  output::remove_old_results(folder);
+  ModesArguments modes;
+  modes.run = arguments;
+  modes.response = true;
+  Findings findings;
+  return modes_of(folder, modes, prepared, findings, {}, &run);
+}
+
 /// `from`: the restart file of a run that is gone on with; null: a new one.
 ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output::RestartReader* from) {
   use_threads(arguments.threads);
@@ -373,7 +386,8 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
                summary.seconds.solve, summary.energy.ratio, directory.string());
   fmt::print("{}", log_termination({outcome.termination, {}}));
   switch (outcome.termination) {
-    case impact::Termination::normal: return ExitCode::normal;
+    case impact::Termination::normal:
+      return p.model.implicit.after_run ? modes_after(directory, arguments, p, *simulation) : ExitCode::normal;
     case impact::Termination::error: return ExitCode::error_termination;
     case impact::Termination::interrupted: return ExitCode::interrupted;
   }

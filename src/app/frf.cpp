@@ -186,7 +186,7 @@ ExitCode direct_responses(const fs::path& directory, const RunArguments& argumen
   LinearJob job(directory, arguments, std::move(prepared), findings);
   const model::Model& model = job.deck().model;
   if (job.assembled()) check_responses(job.matrices(), model, findings);
-  check_preload(model, findings);
+  check_preload(model, nullptr, findings);
   if (!job.accepted()) return ExitCode::refused;
   return job.attempt([&] {
     Status status(arguments.quiet);

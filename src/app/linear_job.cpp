@@ -5,14 +5,30 @@
 
 #include "app/outcome.hpp"
 #include "app/run_log.hpp"
+#include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "nvh/linear_model.hpp"
 #include "nvh/ranks.hpp"
 
 namespace nugget::app {
+namespace {
+
+/// Removes what is dead in another system of the same deck.
+void bury(system::System& system, const system::System& run) {
+  using Seats = std::vector<system::System::Seat> system::System::*;
+  for (const Seats seats : {&system::System::shell_seat, &system::System::solid_seat, &system::System::beam_seat,
+                            &system::System::discrete_seat})
+    for (std::size_t i = 0; i < (run.*seats).size(); ++i) {
+      const auto &there = (run.*seats)[i], &here = (system.*seats)[i];
+      if (there.group < 0 || here.group < 0 || run.groups[at(there.group)]->alive(at(there.element))) continue;
+      system.groups[at(here.group)]->remove(at(here.element));
+    }
+}
+
+}  // namespace
 
 LinearJob::LinearJob(const std::filesystem::path& directory, const RunArguments& arguments, Prepared prepared,
-                     Findings& findings)
+                     Findings& findings, const system::System* after)
     : directory_(directory),
       arguments_(arguments),
       findings_(findings),
@@ -21,6 +37,7 @@ LinearJob::LinearJob(const std::filesystem::path& directory, const RunArguments&
       ties_(nvh::linear_ties(deck_.ties, findings)) {
   if (findings.errors() == 0) model_.emplace(nvh::linear_model(deck_.model, findings));
   if (findings.errors() == 0) system_.emplace(*model_, ties_, findings);
+  if (system_ && after != nullptr) bury(*system_, *after);
   if (findings.errors() == 0) matrices_.emplace(*system_, findings);
   setup_seconds_ = deck_.tie_seconds + clock_.seconds();
 }

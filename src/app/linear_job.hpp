@@ -19,9 +19,10 @@ namespace nugget::app {
 /// gone: what comes before the first equation is solved, and what all of them leave behind.
 class LinearJob {
  public:
-  /// Ties, elements and matrices as linear analyses have them; no matrices after errors.
+  /// Ties, elements and matrices as linear analyses have them; no matrices after errors. What has died in the run
+  /// `after` takes no part.
   LinearJob(const std::filesystem::path& directory, const RunArguments& arguments, Prepared prepared,
-            Findings& findings);
+            Findings& findings, const system::System* after = nullptr);
   LinearJob(const LinearJob&) = delete;
   LinearJob& operator=(const LinearJob&) = delete;
 

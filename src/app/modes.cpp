@@ -145,12 +145,12 @@ std::optional<DropRequest> drop_of(const std::string& word, const nvh::ModeReque
 }  // namespace
 
 ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Prepared prepared, Findings& findings,
-                  const std::optional<nvh::ShapeFile>& other) {
-  LinearJob job(directory, arguments.run, std::move(prepared), findings);
+                  const std::optional<nvh::ShapeFile>& other, const impact::Simulation* after) {
+  LinearJob job(directory, arguments.run, std::move(prepared), findings, after != nullptr ? &after->system() : nullptr);
   const model::Model& model = job.deck().model;
   if (job.assembled()) nvh::tell_held_motions(job.matrices().equations, model, findings);
   if (job.assembled() && arguments.response) check_responses(job.matrices(), model, findings);
-  check_preload(model, findings);
+  check_preload(model, after, findings);
   if (!job.accepted()) return ExitCode::refused;
   nvh::Matrices& matrices = job.matrices();
   const nvh::ModeRequest request = request_of(arguments, model);
@@ -164,7 +164,7 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
 
   return job.attempt([&] {
     Status status(arguments.run.quiet);
-    const std::string preload = stiffen_by_preload(matrices);
+    const std::string preload = stiffen_by_preload(matrices, after);
     const nvh::Modes modes = nvh::find_modes(matrices, request, std::ref(status));
     output::Summary summary = job.summary();
     tell_modes(modes, summary);

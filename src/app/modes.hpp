@@ -6,12 +6,15 @@
 
 #include "app/commands.hpp"
 #include "app/prepared.hpp"
+#include "impact/simulation.hpp"
 #include "nvh/shape_file.hpp"
 
 namespace nugget::app {
 
-/// Natural modes of a prepared deck, into a folder whose old results are gone; `other`: modes to compare them with.
+/// Natural modes of a prepared deck, into a folder whose old results are gone; `other`: modes to compare them with;
+/// `after`: the explicit run whose end they are of.
 ExitCode modes_of(const std::filesystem::path& directory, const ModesArguments& arguments, Prepared prepared,
-                  Findings& findings, const std::optional<nvh::ShapeFile>& other = {});
+                  Findings& findings, const std::optional<nvh::ShapeFile>& other = {},
+                  const impact::Simulation* after = nullptr);
 
 }  // namespace nugget::app

@@ -9,25 +9,34 @@
 
 namespace nugget::app {
 
-void check_preload(const model::Model& model, Findings& findings) {
+void check_preload(const model::Model& model, const impact::Simulation* after, Findings& findings) {
   const model::Implicit& implicit = model.implicit;
   const model::InitialState& initial = model.initial_state;
   const bool stressed = !initial.shells.empty() || !initial.solids.empty() || !initial.axial_forces.empty() ||
                         !initial.section_stresses.empty();
-  if (implicit.modes < 0) nvh::check_statics(model, findings);
+  if (implicit.after_run && after == nullptr)
+    findings.warning({model.deck, 0, 0}, "*CONTROL_IMPLICIT_GENERAL",
+                     "IMFLAG is 6: these are the modes of the structure before its explicit run",
+                     "`nugget run` runs it first and has the modes of its end in the folder modes");
+  if (implicit.modes < 0 && !implicit.after_run) nvh::check_statics(model, findings);
   if (!implicit.geometric && (implicit.modes < 0 || stressed))
     findings.warning({model.deck, 0, 0}, "*CONTROL_IMPLICIT_GENERAL",
                      "IGS is 2: modes are those of the structure without its stresses",
                      "write IGS 1 for the geometric stiffness of loads and initial stresses");
 }
 
-std::string stiffen_by_preload(nvh::Matrices& m) {
+std::string stiffen_by_preload(nvh::Matrices& m, const impact::Simulation* after) {
   const model::Model& model = m.system.model;
   if (!model.implicit.geometric) return {};
   const auto prestress = std::make_shared<nvh::Prestress>(m);
-  prestress->add_initial();
   std::string text = "Preload\n\n";
-  if (model.implicit.modes < 0) {
+  if (after != nullptr) {
+    prestress->add(after->system(), after->state());
+    text += fmt::format(" the explicit run at time {:.6g}\n", after->state().time);
+  } else {
+    prestress->add_initial();
+  }
+  if (model.implicit.modes < 0 && !model.implicit.after_run) {
     Findings told;  // by check_preload
     const nvh::Statics statics = nvh::solve_statics(m, told);
     prestress->add(statics);

@@ -4,15 +4,18 @@
 #include <string>
 
 #include "base/finding.hpp"
+#include "impact/simulation.hpp"
 #include "nvh/matrices.hpp"
 
 namespace nugget::app {
 
-/// What the deck asks of a preload, and does not get; called before the findings are told.
-void check_preload(const model::Model& model, Findings& findings);
+/// What the deck asks of a preload, and does not get; called before the findings are told. `after`: the explicit run
+/// that comes before, if any.
+void check_preload(const model::Model& model, const impact::Simulation* after, Findings& findings);
 
-/// Adds geometric stiffness to K where the deck asks for it (IGS 1): of the stresses that it begins with, and where
-/// NEIG is below 0 of its linear static solution. Returns a table for run.log. Throws Factorization::SolverError.
-std::string stiffen_by_preload(nvh::Matrices& matrices);
+/// Adds geometric stiffness to K where the deck asks for it (IGS 1): of the stresses in which the explicit run `after`
+/// has ended; else of those that the deck begins with, and where NEIG is below 0 of its linear static solution. Returns
+/// a table for run.log. Throws Factorization::SolverError.
+std::string stiffen_by_preload(nvh::Matrices& matrices, const impact::Simulation* after = nullptr);
 
 }  // namespace nugget::app

@@ -8,8 +8,9 @@ namespace nugget::model {
 /// *CONTROL_IMPLICIT_...: what linear analysis the deck asks for instead of an explicit run.
 struct Implicit {
   bool active = false;          ///< IMFLAG = 1
+  bool after_run = false;       ///< IMFLAG = 6: modes of the state in which the explicit run ends
   bool geometric = false;       ///< IGS = 1
-  int modes = 0;                ///< NEIG; below 0: so many, of the structure under its static loads at ENDTIM
+  int modes = 0;                ///< NEIG; below 0: so many, of the structure under its loads at ENDTIM
   double centre = 0.0;          ///< CENTER [cycles/time]
   std::optional<double> low;    ///< LFTEND where LFLAG = 1 [cycles/time]
   std::optional<double> high;   ///< RHTEND where RFLAG = 1 [cycles/time]

@@ -217,6 +217,33 @@ void Prestress::add(const Statics& statics) {
   }
 }
 
+void Prestress::add(const system::System& run, const system::State& now) {
+  const auto carry = [&](const std::vector<Seat>& from, const std::vector<Seat>& to) {
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      if (from[i].group < 0 || to[i].group < 0) continue;
+      const system::ElementGroup& group = *run.groups[at(from[i].group)];
+      const std::size_t e = at(from[i].element);
+      if (!group.alive(e)) continue;
+      if (dimension_of(group) == 1) {
+        const std::array<int, 8> node = group.nodes(e);
+        const Vec3d line = vec(now.x[at(node[1])]) - vec(now.x[at(node[0])]);
+        if (norm(line) > 0.0) add_to(of(to[i]), dot(unit(line), run.nodal_force(from[i], 1)), along(unit(line)));
+        continue;
+      }
+      const int layers = group.layers();
+      const kernel::LayerRule rule = run.model.control.lobatto ? kernel::lobatto_layers(std::max(layers, 1))
+                                                               : kernel::gauss_layers(std::max(layers, 1));
+      for (int k = 0; k < layers; ++k)
+        add_to(of(to[i]), dimension_of(group) == 2 ? group.thickness(e) * rule.weight[at(k)] : 1.0 / layers,
+               group.layer(e, k, now).stress);
+    }
+  };
+  carry(run.shell_seat, system_.shell_seat);
+  carry(run.solid_seat, system_.solid_seat);
+  carry(run.beam_seat, system_.beam_seat);
+  carry(run.discrete_seat, system_.discrete_seat);
+}
+
 std::size_t Prestress::elements() const {
   std::size_t count = 0;
   for (const std::vector<Tensor>& group : tensor_)

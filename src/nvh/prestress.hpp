@@ -24,6 +24,8 @@ class Prestress {
   void add_initial();
   /// Those of a static solution.
   void add(const Statics& statics);
+  /// Those that another system of the same deck carries, one that has been run; axes are the global ones of then.
+  void add(const system::System& run, const system::State& now);
 
   /// Number of elements that have any.
   std::size_t elements() const;

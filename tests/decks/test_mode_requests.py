@@ -180,16 +180,54 @@ class ModeRequests(CommandTest):
         buckled = self.nugget("run", self.write(beam(card(-8), 1, solution + curve, -1.05 * EULER)), "-o", "out", expect=3)
         self.assertIn("1 eigenvalues are negative", buckled.stderr)
 
+    def test_preload_by_an_explicit_run(self):
+        """IMFLAG 6: pulled up slowly and damped until it rests, then modes of what it carries. Sabotage: the stresses of
+        time 0; a layer's weight left out."""
+        damping = "*DAMPING_GLOBAL\n" + card(0, 4000.0)
+        times = "*DEFINE_CURVE\n" + card(8) + "                 0.0                 0.0\n               0.004                 2.0\n"
+        deck = beam(card(-8), 1, damping + times, 3 * EULER)
+        deck = deck.replace(card(1, 2.0, 2, 1, 1), card(6, 2.0, 2, 1, 1)).replace("*CONTROL_TERMINATION\n" + card(2.0), "*CONTROL_TERMINATION\n" + card(0.004))
+        deck = deck.replace("                 2.0                 2.0\n", "               0.002                 2.0\n               1.000                 2.0\n")
+        self.nugget("run", self.write(deck), "-o", "out", "--quiet")
+        modes = json.loads(self.read("out/modes/summary.json"))["modes"]
+        self.near([m["frequency_hz"] for m in modes], [frequency(n, 3 * EULER) for n in (1, 2)])
+        self.assertIn("the explicit run at time 0.004", self.read("out/modes/run.log"))
+        self.assertGreater(json.loads(self.read("out/summary.json"))["cycles"], 1000)
+        self.near(self.frequencies(deck, command="modes"), [frequency(1), frequency(2)])
+        self.assertIn("before its explicit run", self.read("out/findings.json"))
+
+    def test_what_has_died_in_the_explicit_run_takes_no_part(self):
+        """A mass between two bars, thrown; one bar breaks, and the mass swings on the other. Sabotage: all elements live."""
+        mass, area, length = 0.01, 10.0, 100.0
+        deck = "*KEYWORD\n*CONTROL_TERMINATION\n" + card(0.001) + "*CONTROL_IMPLICIT_GENERAL\n" + card(6, 0.001)
+        deck += "*CONTROL_IMPLICIT_EIGENVALUE\n" + card(-8) + "*DEFINE_CURVE\n" + card(8)
+        deck += "                 0.0                 0.0\n               0.001                 1.0\n"
+        deck += "*SECTION_BEAM\n" + card(1, 3) + card(area) + "*MAT_ELASTIC\n" + card(1, DENSITY, YOUNG, 0.3)
+        deck += "*MAT_PLASTIC_KINEMATIC\n" + card(2, DENSITY, YOUNG, 0.3, 21.0) + card(0.0, 0.0, 0.001)
+        deck += "".join(f"*PART\nbar {p}\n" + card(p, 1, p) for p in (1, 2)) + "*NODE\n"
+        for n, x in enumerate((0.0, length, 2 * length), start=1):
+            deck += f"{n:8d}{x:16.4f}{0:16.4f}{0:16.4f}\n"
+        deck += "*ELEMENT_BEAM\n" + "".join("".join(f"{v:8d}" for v in row) + "\n" for row in ((1, 1, 1, 2), (2, 2, 2, 3)))
+        deck += "*ELEMENT_MASS\n" + f"{1:8d}{2:8d}{mass:16.6f}\n" + "*BOUNDARY_SPC_NODE\n"
+        deck += card(1, 0, 1, 1, 1, 1, 1, 1) + card(2, 0, 0, 1, 1, 1, 1, 1) + card(3, 0, 1, 1, 1, 1, 1, 1)
+        deck += "*INITIAL_VELOCITY_NODE\n" + card(2, -500.0) + "*END\n"
+        self.nugget("run", self.write(deck), "-o", "out", "--quiet")
+        (mode,) = json.loads(self.read("out/modes/summary.json"))["modes"]
+        one = math.sqrt(YOUNG * area / length / (mass + 0.5 * DENSITY * area * length)) / (2 * math.pi)
+        self.near([mode["frequency_hz"]], [one])
+
     def test_what_is_refused(self):
         solution = "*CONTROL_IMPLICIT_SOLUTION\n" + card(1)
         late = "*DEFINE_CURVE\n" + card(8) + "                 0.0                 5.0\n                 1.0                 2.0\n"
         run = self.nugget("run", self.write(beam(card(-8), 1, solution + late)), "-o", "out", expect=1)
-        self.assertIn("the linear solution is that of ENDTIM", run.stderr)
+        self.assertIn("they are built at ENDTIM", run.stderr)
         self.assertIn("asks 2 times for modes", run.stderr)
         run = self.nugget("run", self.write(beam(card(0), 1, solution)), "-o", "out", expect=1)
         self.assertIn("geometric stiffness is built in modes and responses", run.stderr)
         run = self.nugget("run", self.write(beam(card(-9), 1, solution)), "-o", "out", expect=1)
         self.assertIn("there is no curve 9", run.stderr)
+        run = self.nugget("run", self.write(beam(card(9)).replace(card(1, 2.0, 2, 1, 2), card(6, 2.0, 2, 1, 2))), "-o", "out", expect=1)
+        self.assertIn("the deck does not ask for any", run.stderr)
 
 
 if __name__ == "__main__":

@@ -26,7 +26,8 @@ constexpr Field tuning(std::string_view name, double fallback) {
 }
 
 const Card general_card{{
-    integer("imflag", 0, any_value, "0: explicit run, 1: implicit (modes or linear statics); others are refused"),
+    integer("imflag", 0, any_value,
+            "0: explicit run, 1: implicit (modes or linear statics), 6: explicit, then modes; others are refused"),
     real("dt0", dimension::time, 0, any_value, "time step; a linear solution has none, no effect"),
     choice("imform", 2, "springback formulation, no effect"),
     choice("nsbs", 1, "springback steps, no effect"),
@@ -98,19 +99,13 @@ const Card dynamics_card{{
 /// False, and why, for runs that go from one kind of analysis to another.
 bool single_analysis(Builder& b, const Row& row) {
   const int flag = row.integer("imflag");
-  if (flag == 0 || flag == 1) return true;
-  const char* const what =
-      flag < 0    ? "a switch between implicit and explicit over time (a curve) is not built"
-      : flag == 2 ? "springback after an explicit run is a nonlinear implicit step, which is not built"
-      : flag == 6 ? "modes in the course of an explicit run are not built: they are those at time 0, or "
-                    "under static loads"
-                  : "a run that switches between implicit and explicit is not built";
-  const char* const remedy =
-      flag == 6
-          ? "write 1 with NEIG (below 0: under the loads at ENDTIM; IGS 1 for their geometric stiffness), or 0 for "
-            "the explicit run"
-          : "write 0 for an explicit run, 1 for modes or linear statics";
-  refuse(b, row, "imflag", what, remedy);
+  if (flag == 0 || flag == 1 || flag == 6) return true;
+  const char* const what = flag < 0 ? "a switch between implicit and explicit over time (a curve) is not built"
+                           : flag == 2
+                               ? "springback after an explicit run is a nonlinear implicit step, which is not built"
+                               : "a run that switches between implicit and explicit is not built";
+  refuse(b, row, "imflag", what,
+         "write 0 for an explicit run, 1 for modes or linear statics, 6 for modes after an explicit run");
   return false;
 }
 
@@ -120,7 +115,15 @@ void read_general(Builder& b, const Block& block, const Options&) {
   expect_end(b, cursor);
   if (!single_analysis(b, row)) return;
   b.model.implicit.active = row.integer("imflag") == 1;
+  b.model.implicit.after_run = row.integer("imflag") == 6;
   b.model.implicit.geometric = row.integer("igs") == 1;
+  if (b.model.implicit.after_run)
+    b.later(Phase::checks, [row](Builder& later) {
+      if (later.model.implicit.modes < 0) return;
+      refuse(later, row, "imflag",
+             "modes in the course of a run are those at its end, and the deck does not ask for any",
+             "give a curve, (0, 0) (ENDTIM, 20), as NEIG = -LCID of *CONTROL_IMPLICIT_EIGENVALUE, or write IMFLAG 0");
+    });
   if (!b.model.implicit.active) return;
   b.later(Phase::checks, [row](Builder& later) {
     const bool response = later.model.frequency_response || later.model.steady_state;
@@ -138,7 +141,7 @@ void read_general(Builder& b, const Block& block, const Options&) {
   });
 }
 
-/// Modes at one time of a static run: that of its linear solution.
+/// Modes at one time: that of the linear solution, or of the end of the explicit run.
 void read_modes_under_load(Builder& b, const Row& row) {
   const Index id = b.curves.find(-row.integer("neig"));
   const auto remedy = "give a curve with one point of modes, at ENDTIM, e.g. (0, 0) (ENDTIM, 20)";
@@ -152,13 +155,12 @@ void read_modes_under_load(Builder& b, const Row& row) {
     b.model.implicit.modes = -static_cast<int>(std::lround(curve.y[i]));
     const double end = b.model.control.end_time;
     if (!(end > 0.0) || std::abs(curve.x[i] - end) > 1e-6 * end || !(curve.y[i] >= 1.0))
-      refuse(b, row, "neig",
-             fmt::format("{:g} modes at time {:g}: the linear solution is that of ENDTIM", curve.y[i], curve.x[i]),
+      refuse(b, row, "neig", fmt::format("{:g} modes at time {:g}: they are built at ENDTIM", curve.y[i], curve.x[i]),
              remedy);
   }
   if (extractions != 1)
-    refuse(b, row, "neig",
-           fmt::format("the curve asks {} times for modes: a linear solution has one time", extractions), remedy);
+    refuse(b, row, "neig", fmt::format("the curve asks {} times for modes: they are built at one time", extractions),
+           remedy);
 }
 
 /// ISOLID and ISHELL.
@@ -195,9 +197,9 @@ void read_eigenvalue(Builder& b, const Block& block, const Options&) {
     refuse(b, row, "rhtend", "there are no modes below frequency 0", "give an RHTEND above 0");
   if (i.modes < 0) b.later(Phase::conditions, [row](Builder& later) { read_modes_under_load(later, row); });
   b.later(Phase::checks, [row](Builder& later) {
-    if (later.model.implicit.active || later.model.implicit.modes == 0) return;
+    if (later.model.implicit.active || later.model.implicit.after_run || later.model.implicit.modes == 0) return;
     row.complain(later.findings, Severity::warning, "neig",
-                 "no modes: the run is explicit, since IMFLAG of *CONTROL_IMPLICIT_GENERAL is not 1",
+                 "no modes: the run is explicit, since IMFLAG of *CONTROL_IMPLICIT_GENERAL is 0",
                  "write IMFLAG 1, or use `nugget modes`");
   });
 }
