@@ -307,8 +307,10 @@ void SurfaceContact::leave_out_strays(Block& block, int node, const Step& step) 
 }
 
 /// Whether p lies behind the face of a brick; where the foot is on an edge or corner, behind all faces that meet there,
-/// or beyond them by no more than the extension that segments have (MAXPAR).
+/// or, once it moves, beyond them by no more than the extension that segments have (MAXPAR). At the start nothing came
+/// through a face yet: a node a little above one, near its edge, is not deep inside from the side.
 bool SurfaceContact::inside(const Candidate& candidate, const Vec3d& p, const Step& step) const {
+  const double allowed = step.dt > 0.0 ? extension : 0.0;
   const Vec3d r = p - candidate.foot.point;
   if (dot(r, candidate.foot.normal) >= 0.0 || candidate.foot.distance > inner_[candidate.pair->segment]) return false;
   const Segment& segment = setup_.segments[candidate.pair->segment];
@@ -317,7 +319,7 @@ bool SurfaceContact::inside(const Candidate& candidate, const Vec3d& p, const St
     if (!has_boundary(other, segment, candidate.foot.boundary) || !alive(s, step.element_alive)) return false;
     const kernel::Corners k = corners_of(other, step.x);
     const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
-    return dot(r, n) > extension * std::sqrt(0.5 * norm(n)) * norm(n);
+    return dot(r, n) > allowed * std::sqrt(0.5 * norm(n)) * norm(n);
   };
   for (int c = 0; c < segment.corners(); ++c) {
     if (!(candidate.foot.boundary >> c & 1u)) continue;

@@ -270,19 +270,22 @@ std::vector<contact::TrackedNode> merged(std::vector<contact::TrackedNode> nodes
 
 std::vector<contact::SqueezedBrick> bricks_of(const system::System& system, const model::InteriorContact& contact) {
   const model::Model& model = system.model;
-  std::vector<bool> in(model.parts.size(), false);
-  for (model::Index p : contact.parts)
-    in[at(p)] = model.parts[at(p)].rigid_body == model::none && !weld::of_weld_material(model, p);
+  std::vector<const model::InteriorPart*> in(model.parts.size(), nullptr);
+  for (const model::InteriorPart& p : contact.parts)
+    if (model.parts[at(p.part)].rigid_body == model::none && !weld::of_weld_material(model, p.part))
+      in[at(p.part)] = &p;
   std::vector<contact::SqueezedBrick> bricks;
   for (std::size_t e = 0; e < model.solids.size(); ++e) {
     const model::Part& part = model.parts[at(model.solids.part[e])];
-    if (!in[at(model.solids.part[e])]) continue;
+    const model::InteriorPart* attributes = in[at(model.solids.part[e])];
+    if (!attributes) continue;
     contact::SqueezedBrick brick;
     for (std::size_t a = 0; a < 8; ++a) brick.node[a] = system.node_of[at(model.solids.node[e][a])];
     brick.element = ElementAlive::place(model, model::ElementKind::solid, static_cast<model::Index>(e));
-    brick.modulus = contact.modulus > 0.0
-                        ? contact.modulus
-                        : model.control.penalty_scale * contact.scale * model.materials[at(part.material)].young();
+    brick.activation = attributes->activation;
+    brick.modulus = attributes->modulus > 0.0
+                        ? attributes->modulus
+                        : model.control.penalty_scale * attributes->scale * model.materials[at(part.material)].young();
     bricks.push_back(brick);
   }
   return bricks;

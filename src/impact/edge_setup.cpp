@@ -16,6 +16,7 @@ namespace {
 
 /// Diameter of the round bar that stands for a beam: its own, or that of a circle of the same area [length].
 double bar_diameter(const model::SectionBeam& section) {
+  if (section.area > 0.0) return std::sqrt(4.0 / std::numbers::pi * section.area);  // resultant beams, trusses
   if (section.cross_section == 1) return 0.5 * (section.outer[0] + section.outer[1]);
   return std::sqrt(4.0 / std::numbers::pi * section.outer[0] * section.inner[0]);
 }

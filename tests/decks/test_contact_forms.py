@@ -190,12 +190,25 @@ class ContactForms(CommandTest):
         self.assertIn("Fa below 1", self.nugget("check", "model.k", expect=1).stderr)
 
     def test_what_is_refused_beside_contacts(self):
-        def card_g(d):
-            sliding()(d)
-            for _ in range(7):
-                d.card(soft=0)
-        self.write(plates(card_g, {3: -20.0}, 1.0e-5))
-        self.assertIn("card G is not built", self.nugget("check", "model.k", expect=1).stderr)
+        def all_cards(more=0, cparm8=0, shloff=0):
+            def write(d):
+                sliding()(d)
+                for _ in "ABCD":
+                    d.card(soft=None)
+                d.card(sharec=0, cparm8=cparm8)
+                d.card(pstiff=0)
+                d.card(unused=None, shloff=shloff)
+                for _ in range(more):
+                    d.card(soft=0)
+            return plates(write, {3: -20.0}, 1.0e-5)
+        self.write(all_cards())
+        self.assertNotIn("warning", self.nugget("check", "model.k").stderr)
+        self.write(all_cards(cparm8=2, shloff=1))
+        told = self.nugget("check", "model.k").stderr
+        self.assertRegex(told, "warning: .* cparm8 = 2: not obeyed: weld beams take no part")
+        self.assertRegex(told, "warning: .* shloff = 1: not obeyed")
+        self.write(all_cards(more=1))
+        self.assertIn("more data lines than this keyword has cards", self.nugget("check", "model.k", expect=1).stderr)
 
     def test_friction_of_the_parts(self):
         """FS = -1: the mean of both parts', 0.1 and 0.3, so what FS = 0.2 gives. Sabotage: of one part alone."""

@@ -136,6 +136,11 @@ const Card card_f{{
     real("tetfac", dimension::number, 0, any_value, "stiffness of tetrahedra"),
 }};
 
+const Card card_g{{
+    unused(),
+    real("shloff", dimension::number, 0, any_value, "contact surfaces of shells that lie off their nodes"),
+}};
+
 const Card eroding_card{{
     integer("isym", 0, any_value, "planes of symmetry: nothing to do here"),
     integer("erosop", 0, any_value, "faces that come to light take part in any case"),
@@ -352,7 +357,11 @@ void take_e(Builder& builder, const Row& row, Contact& contact) {
   contact.friction.at_rest *= row.real("fricsf");
   contact.friction.sliding *= row.real("fricsf");
   expect(builder, row, Severity::warning,
-         {{"srnde", 0, left}, {"icor", 0, left}, {"ftorq", 0, left}, {"region", 0, left}});
+         {{"cparm8", 0, "not obeyed: weld beams take no part in contact, and edges of shells reach out, as with 0"},
+          {"srnde", 0, left},
+          {"icor", 0, left},
+          {"ftorq", 0, left},
+          {"region", 0, left}});
 }
 
 void take_f(Builder& builder, const Row& row, const Contact& contact) {
@@ -368,10 +377,12 @@ void take_optional_cards(Builder& builder, Cursor& cursor, Contact& contact) {
   if (cursor.more()) take_d(builder, cursor.read(card_d), contact);
   if (cursor.more()) take_e(builder, cursor.read(card_e), contact);
   if (cursor.more()) take_f(builder, cursor.read(card_f), contact);
-  if (cursor.more())
-    builder.findings.error(cursor.place(), '*' + contact.keyword,
-                           "has more data lines than its optional cards A to F; a card G is not built",
-                           "leave it out: none of its fields is read");
+  if (cursor.more() && !contact.tie())
+    expect(builder, cursor.read(card_g), Severity::warning,
+           {{"shloff", 0, "not obeyed: contact surfaces lie about the mid-surface, as with 0"}});
+  else if (cursor.more())
+    cursor.read(card_g);
+  expect_end(builder, cursor);
 }
 
 // ---- reader
@@ -488,7 +499,8 @@ Keyword contact_keyword(std::string_view name, std::vector<std::string_view> for
                                {"optional card C", &card_c},
                                {"optional card D", &card_d},
                                {"optional card E", &card_e},
-                               {"optional card F", &card_f}});
+                               {"optional card F", &card_f},
+                               {"optional card G", &card_g}});
   return {name, {}, std::move(forms), Verdict::used, {}, std::move(layout), read_contact<kind>};
 }
 
@@ -498,7 +510,8 @@ Keyword refused(std::string_view name, std::string_view why) {
 
 const Card interior_card{{
     id("psid", IdSpace::set, required,
-       "set of parts; its attributes: DA1 = PSF (1), DA2 = Fa (0.1), DA3 = ED, DA4 = TYPE (1, 2: the same here)"),
+       "set of parts; attributes DA1 = PSF (1), DA2 = Fa (0.1), DA3 = ED, DA4 = TYPE (1, 2: the same here), by part in "
+       "*SET_PART_COLUMN"),
 }};
 
 void read_interior(Builder& builder, const Block& block, const Options& options) {
@@ -509,22 +522,24 @@ void read_interior(Builder& builder, const Block& block, const Options& options)
   builder.later(Phase::conditions, [row, heading, place = block.place](Builder& b) {
     const auto* set = b.part_set(row, "psid");
     if (!set) return;
-    const auto [scale, activation, modulus, type] = set->attributes;
-    if (scale < 0.0 || activation < 0.0 || activation >= 1.0 || modulus < 0.0 || type < 0.0 || type > 2.0)
-      return refuse(
-          b, row, "psid",
-          fmt::format("attributes {:g}, {:g}, {:g}, {:g} of part set {}: expected PSF and ED of 0 or more, Fa "
-                      "below 1, TYPE 0 to 2",
-                      scale, activation, modulus, type, set->id),
-          "set DA1 to DA4 of the set");
     InteriorContact contact;
+    for (const Index index : set->members) {
+      const auto [scale, activation, modulus, type] = set->attributes_of(index);
+      if (scale < 0.0 || activation < 0.0 || activation >= 1.0 || modulus < 0.0 || type < 0.0 || type > 2.0)
+        return refuse(
+            b, row, "psid",
+            fmt::format("attributes {:g}, {:g}, {:g}, {:g} of part {} in part set {}: expected PSF and ED of "
+                        "0 or more, Fa below 1, TYPE 0 to 2",
+                        scale, activation, modulus, type, b.model.parts[static_cast<std::size_t>(index)].id, set->id),
+            "set DA1 to DA4 of the set, or A1 to A4 of the part");
+      InteriorPart part{.part = index, .modulus = modulus};
+      if (scale > 0.0) part.scale = scale;
+      if (activation > 0.0) part.activation = activation;
+      contact.parts.push_back(part);
+    }
     contact.id =
         heading.id != 0 ? heading.id : static_cast<int>(b.model.contacts.size() + b.model.interiors.size()) + 1;
     contact.title = heading.text;
-    contact.parts = set->members;
-    if (scale > 0.0) contact.scale = scale;
-    if (activation > 0.0) contact.activation = activation;
-    contact.modulus = modulus;
     contact.place = place;
     b.model.interiors.push_back(std::move(contact));
   });
