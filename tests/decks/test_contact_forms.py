@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Forms and fields of sliding contacts, each by what it does to two small plates: glue, friction by part, boxes, PENMAX,
 eroding bricks, edges; sleout; and what is refused."""
+import math
 import sys
 import unittest
 
@@ -188,6 +189,27 @@ class ContactForms(CommandTest):
 
         self.write(plates(sliding(), {3: 0.0}, 1.0e-3, extra=block(1.0, 1.5)))
         self.assertIn("Fa below 1", self.nugget("check", "model.k", expect=1).stderr)
+
+    def test_beams_alone_meet_where_their_thicknesses_say(self):
+        """Two crossing bars 5 apart, 4 thick, 1e4 fast: they meet after 1e-4, whatever gives the section its area: a tube, a
+        resultant beam, a truss. Sabotage: the diameter from TS1 alone; a contact without segments refused."""
+        area = math.pi * 4.0
+        sections = {1: ("1,1,1.0,2,1", "4.0,4.0,0.0,0.0"), 2: ("1,2,1.0", f"{area},{area},{area},{2 * area}"),
+                    3: ("1,3", f"{area}")}
+        places = [(-10, 0, 0), (0.5, 0, 0), (10, 0, 0), (0, -10, 5), (0, 0.5, 5), (0, 10, 5), (50, 50, 50)]
+        for elform, (section, size) in sections.items():
+            lines = ["*KEYWORD", "*CONTROL_TERMINATION", "2.0e-4", "*DATABASE_GLSTAT", "1.0e-6", "*PART", "bars", "1,1,1",
+                     "*MAT_ELASTIC", "1,7.85e-9,210000.0,0.3", "*SECTION_BEAM", section, size, "*NODE"]
+            lines += [f"{i},{x},{y},{z}" for i, (x, y, z) in enumerate(places, 1)]
+            lines += ["*ELEMENT_BEAM", "1,1,1,2,7", "2,1,2,3,7", "3,1,4,5,7", "4,1,5,6,7", "*INITIAL_VELOCITY_NODE"]
+            lines += [f"{n},0.0,0.0,-10000.0" for n in (4, 5, 6)]
+            lines += ["*CONTACT_AUTOMATIC_GENERAL", "0", "0", "0", "*END"]
+            with self.subTest(elform):
+                self.run_deck("\n".join(lines) + "\n")
+                states = self.glstat()
+                met = next(s["time"] for s in states if s["sliding interface energy"] > 0.0)
+                self.assertAlmostEqual(met, 1.0e-4, delta=3.0e-6)
+                self.assertAlmostEqual(self.json("summary.json")["energy"]["ratio"], 1.0, delta=1.0e-3)
 
     def test_what_is_refused_beside_contacts(self):
         def all_cards(more=0, cparm8=0, shloff=0):
