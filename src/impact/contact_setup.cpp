@@ -233,12 +233,13 @@ std::vector<contact::TrackedNode> listed_nodes(const system::System& system, con
   return nodes;
 }
 
-/// The nodes of the beams of a contact that looks at beams.
-std::vector<contact::TrackedNode> ends_of_bars(const system::System& system, const model::Contact& card) {
+/// The nodes of the beams of a contact that looks at these; to be pressed by the segments of the side `against`.
+std::vector<contact::TrackedNode> ends_of_bars(const system::System& system, const model::Contact& card,
+                                               unsigned against) {
   std::vector<contact::TrackedNode> nodes;
-  if (!checks_beams(card)) return nodes;
+  if (!tracks_beams(card)) return nodes;
   for (const contact::Edge& bar : bars(system, card))
-    for (int n : bar.node) nodes.push_back({n, bar.thickness, tracked});
+    for (int n : bar.node) nodes.push_back({n, bar.thickness, against});
   return nodes;
 }
 
@@ -318,9 +319,6 @@ contact::SurfaceContactSetup contact_setup(const system::System& system, const m
 
   if (single) {
     setup.nodes = contact::nodes_of(setup.segments);
-    const auto ends = ends_of_bars(system, card);
-    setup.nodes.insert(setup.nodes.end(), ends.begin(), ends.end());
-    setup.nodes = merged(std::move(setup.nodes));
   } else {
     setup.nodes = contact::nodes_of(setup.segments, tracked, reference);
     const auto listed = listed_nodes(system, card);
@@ -329,8 +327,10 @@ contact::SurfaceContactSetup contact_setup(const system::System& system, const m
       const auto others = contact::nodes_of(setup.segments, reference, tracked);
       setup.nodes.insert(setup.nodes.end(), others.begin(), others.end());
     }
-    setup.nodes = merged(std::move(setup.nodes));
   }
+  const auto ends = ends_of_bars(system, card, single ? tracked : reference);
+  setup.nodes.insert(setup.nodes.end(), ends.begin(), ends.end());
+  setup.nodes = merged(std::move(setup.nodes));
   if (erodes(card)) let_stay(system, setup.nodes);
   setup.stiffness_scale = system.model.control.penalty_scale;
   setup.friction_by_part = card.friction_by_part;

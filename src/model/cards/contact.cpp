@@ -438,6 +438,17 @@ void judge_oriented(Builder& builder, const Block& block, const Contact& contact
                "in place");
 }
 
+/// A contact without an id has its number in the deck, which may be the id of another.
+void tell_of_same_id(Builder& builder, const Contact& contact) {
+  for (const Contact& other : builder.model.contacts)
+    if (other.id == contact.id)
+      return builder.findings.warning(
+          contact.place, '*' + contact.keyword,
+          fmt::format("contact {} has the number of the one at {}:{}: rcforc and sleout do not tell them apart",
+                      contact.id, other.place.file, other.place.line),
+          "give each an id of its own, with _ID");
+}
+
 template <Kind kind>
 void read_contact(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
@@ -477,6 +488,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
     // Where thicknesses are left out sheets may be meshed at any distance: their nodes stay where they are.
     if (contact.ignore == 0 && contact.glue && contact.glue->without_thickness) contact.ignore = 1;
     if (contact.id == 0) contact.id = static_cast<int>(b.model.contacts.size()) + 1;
+    tell_of_same_id(b, contact);
     b.model.contacts.push_back(std::move(contact));
   });
 }

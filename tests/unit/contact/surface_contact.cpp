@@ -675,10 +675,10 @@ TEST(SurfaceContact, InitialPenetrationIsReportedKeptAndGivenUp) {
   EXPECT_NEAR(contact.deepest(), 0.05, 1e-12);
 }
 
-// A node a little above a brick, near its edge, is no closer to being inside than one above its middle. Sabotage: the
-// extension of faces beyond their borders counted at the start too.
+// A node on a brick or a little above it, near its edge, is no closer to being inside than one above its middle.
+// Sabotage: the extension of faces beyond their borders counted at the start too.
 TEST(SurfaceContact, NodeAboveTheEdgeOfABrickIsNotInsideIt) {
-  for (const double edge : {0.1, 1.0, 5.0}) {
+  for (const auto& [edge, gap] : {std::pair{0.1, 0.05}, {1.0, 0.05}, {5.0, 0.05}, {0.1, 0.0}, {1.0, 0.0}, {5.0, 0.0}}) {
     Scene s;
     for (const double z : {0.0, 10.0})
       for (const Vec3d& p : {Vec3d{0, 0, z}, Vec3d{10, 0, z}, Vec3d{10, 10, z}, Vec3d{0, 10, z}}) s.add_node(p);
@@ -690,9 +690,9 @@ TEST(SurfaceContact, NodeAboveTheEdgeOfABrickIsNotInsideIt) {
       segment.bulk_modulus = bulk;
       s.setup.segments.push_back(segment);
     }
-    const int node = s.add_node({edge, 4.0, 10.05});
+    const int node = s.add_node({edge, 4.0, 10.0 + gap});
     s.setup.nodes = {{node, 0.0}};
-    EXPECT_TRUE(find_penetrations(s.setup, s.x).empty()) << edge;
+    EXPECT_TRUE(find_penetrations(s.setup, s.x).empty()) << edge << ' ' << gap;
     SurfaceContact contact = s.contact();
     s.evaluate(contact, 0.0);
     s.v[node].z = -1000.0;
