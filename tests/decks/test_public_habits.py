@@ -168,7 +168,6 @@ class PublicHabits(CommandTest):
                 "*DATABASE_NODOUT\n1.0e-5\n*DATABASE_HISTORY_NODE\n1\n*DEFINE_CURVE\n1\n0.0,0.0\n1.0e-5,1000.0\n1.0,1000.0\n")
         spc, drive = "*BOUNDARY_SPC_NODE\n1,0,1,1,1,1,1,1\n", "*BOUNDARY_PRESCRIBED_MOTION_NODE\n"
         for cards, speed, told in ((spc + drive + "1,1,0,1,1.0\n", 1000.0, "held by an SPC"), (drive + "1,1,0,1,1.0\n" + spc, 1000.0, "held by an SPC"),
-                                   (spc + drive + "1,1,0,1,1.0,0,5.0e-5\n", 0.0, "held by an SPC"),
                                    (drive + "1,1,0,1,1.0\n1,1,0,1,2.0\n", 2000.0, "driven by two cards"),
                                    (drive + "1,1,0,1,1.0,0,5.0e-5\n1,1,0,1,2.0,0,1.0,5.0e-5\n", 2000.0, None),
                                    (drive + "1,1,0,1,1.0\n" + spc.replace("1,0,1,1", "1,0,0,1"), 1000.0, None)):
@@ -182,6 +181,15 @@ class PublicHabits(CommandTest):
                 # columns of 12, the first of 13 behind the node: translations and rotations in turn
                 self.assertAlmostEqual(float(rows[-2][46:58]), speed, delta=1.0)
                 self.assertAlmostEqual(self.json("summary.json")["energy"]["ratio"], 1.0, delta=2.0e-3)
+        # Driven for half of the time: as with an SPC along x that is born then.
+        until = drive + "1,1,0,1,1.0,0,5.0e-5\n"
+        born = "*BOUNDARY_SPC_NODE_BIRTH_DEATH\n1,0,1\n5.0e-5,1.0e20\n"
+        nodout = []
+        for cards in (spc + until, born + spc.replace("1,0,1,1", "1,0,0,1") + until):
+            self.write(head + cards + "*END\n")
+            self.nugget("run", "model.k", "--quiet")
+            nodout.append(self.read("nodout"))
+        self.assertEqual(*nodout)
 
     def test_a_run_full_of_hourglasses_is_doubted(self):
         """Sabotage: the limit taken of all energy."""
