@@ -27,11 +27,11 @@ std::vector<int> nodes_of(const std::vector<SqueezedBrick>& bricks) {
 
 }  // namespace
 
-InteriorContact::InteriorContact(std::vector<SqueezedBrick> bricks, double activation, std::span<const Row> x)
+InteriorContact::InteriorContact(std::vector<SqueezedBrick> bricks, std::span<const Row> x)
     : bricks_(std::move(bricks)), forces_(nodes_of(bricks_)), squeezed_(bricks_.size(), 0) {
   for (const SqueezedBrick& brick : bricks_) {
     const kernel::BrickHeights start = heights(brick, x);
-    threshold_.push_back(activation * start.least());
+    threshold_.push_back(brick.activation * start.least());
     stiffness_.push_back(brick.modulus * std::cbrt(start.volume() * start.volume()) / start.least());
   }
 }

@@ -15,6 +15,7 @@ namespace nugget::contact {
 struct SqueezedBrick {
   std::array<int, 8> node{};  ///< system nodes; wedges and tetrahedra repeat theirs
   int element = 0;            ///< place in Step::element_alive
+  double activation = 0.0;    ///< Fa: share of its smallest height at the start below which it pushes back
   double modulus = 0.0;       ///< [stress], all scales included
 };
 
@@ -27,8 +28,8 @@ struct SqueezedBrick {
 /// k (Fa h0 - h) dh/dx, so that it has a potential and no resultant. k is bounded, so that it does not set the step.
 class InteriorContact {
  public:
-  /// `activation`: Fa; `x`: initial positions [length].
-  InteriorContact(std::vector<SqueezedBrick> bricks, double activation, std::span<const Row> x);
+  /// `x`: initial positions [length].
+  InteriorContact(std::vector<SqueezedBrick> bricks, std::span<const Row> x);
 
   /// Adds the forces at the end of a step to `force`.
   void apply(const Step& step, std::span<Row> force);
@@ -41,7 +42,7 @@ class InteriorContact {
 
  private:
   std::vector<SqueezedBrick> bricks_;
-  std::vector<double> threshold_;  // by brick: Fa times its smallest height at the start [length]
+  std::vector<double> threshold_;  // by brick: its Fa times its smallest height at the start [length]
   std::vector<double> stiffness_;  // [force/length]
   NodalForces forces_;
   std::vector<unsigned char> squeezed_;  // by brick, in this cycle

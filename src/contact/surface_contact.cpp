@@ -310,17 +310,20 @@ void SurfaceContact::leave_out_strays(Block& block, int node, const Step& step) 
 }
 
 /// Whether p lies behind the face of a brick; where the foot is on an edge or corner, behind all faces that meet there,
-/// or beyond them by no more than the extension that segments have (MAXPAR).
+/// or, once it moves, beyond them by no more than the extension that segments have (MAXPAR). At the start nothing came
+/// through a face yet: a node on one or a little above it, near its edge, is not deep inside from the side.
 bool SurfaceContact::inside(const Candidate& candidate, const Vec3d& p, const Step& step) const {
+  const double allowed = step.dt > 0.0 ? extension : 0.0;
   const Vec3d r = p - candidate.foot.point;
   if (dot(r, candidate.foot.normal) >= 0.0 || candidate.foot.distance > inner_[candidate.pair->segment]) return false;
+  if (!(step.dt > 0.0) && before_a_neighbour(candidate, p, step)) return false;
   const Segment& segment = setup_.segments[candidate.pair->segment];
   const auto beyond = [&](int s) {
     const Segment& other = setup_.segments[s];
     if (!has_boundary(other, segment, candidate.foot.boundary) || !alive(s, step.element_alive)) return false;
     const kernel::Corners k = corners_of(other, step.x);
     const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
-    return dot(r, n) > extension * std::sqrt(0.5 * norm(n)) * norm(n);
+    return dot(r, n) > allowed * std::sqrt(0.5 * norm(n)) * norm(n);
   };
   for (int c = 0; c < segment.corners(); ++c) {
     if (!(candidate.foot.boundary >> c & 1u)) continue;
@@ -328,6 +331,21 @@ bool SurfaceContact::inside(const Candidate& candidate, const Vec3d& p, const St
     if (std::any_of(around.begin(), around.end(), beyond)) return false;
   }
   return true;
+}
+
+/// Whether p lies on, or in front of, a face that forms a ridge with the candidate's.
+bool SurfaceContact::before_a_neighbour(const Candidate& candidate, const Vec3d& p, const Step& step) const {
+  const Segment& segment = setup_.segments[candidate.pair->segment];
+  for (int c = 0; c < segment.corners(); ++c)
+    for (const int s : around_.at(segment.node[c])) {
+      const Segment& other = setup_.segments[s];
+      if (s == candidate.pair->segment || same_side(segment, other) == 0 || !alive(s, step.element_alive)) continue;
+      const kernel::Corners k = corners_of(other, step.x);
+      const Vec3d n = cross(k[2] - k[0], k[3] - k[1]), centre = 0.25 * (k[0] + k[1] + k[2] + k[3]);
+      const bool ridge = dot(centre - candidate.foot.point, candidate.foot.normal) < 0.0;
+      if (ridge && dot(p - centre, n) >= -on_the_face * std::sqrt(0.5 * norm(n)) * norm(n)) return true;
+    }
+  return false;
 }
 
 bool SurfaceContact::presses(const Block& block, const Candidate& candidate, int node, const Step& step) const {

@@ -190,6 +190,7 @@ class SurfaceContact {
   void gather_candidates(Block& block, int tracked, const Step& step) const;
   void leave_out_strays(Block& block, int node, const Step& step) const;
   bool inside(const Candidate& candidate, const Vec3d& p, const Step& step) const;
+  bool before_a_neighbour(const Candidate& candidate, const Vec3d& p, const Step& step) const;
   bool presses(const Block& block, const Candidate& candidate, int node, const Step& step) const;
   bool at_home(const Candidate& candidate, int node, std::span<const unsigned char> element_alive) const;
   bool hidden_by(const Candidate& other, const Candidate& candidate) const;

@@ -233,12 +233,13 @@ std::vector<contact::TrackedNode> listed_nodes(const system::System& system, con
   return nodes;
 }
 
-/// The nodes of the beams of a contact that looks at beams.
-std::vector<contact::TrackedNode> ends_of_bars(const system::System& system, const model::Contact& card) {
+/// The nodes of the beams of a contact that looks at these; to be pressed by the segments of the side `against`.
+std::vector<contact::TrackedNode> ends_of_bars(const system::System& system, const model::Contact& card,
+                                               unsigned against) {
   std::vector<contact::TrackedNode> nodes;
-  if (!checks_beams(card)) return nodes;
+  if (!tracks_beams(card)) return nodes;
   for (const contact::Edge& bar : bars(system, card))
-    for (int n : bar.node) nodes.push_back({n, bar.thickness, tracked});
+    for (int n : bar.node) nodes.push_back({n, bar.thickness, against});
   return nodes;
 }
 
@@ -270,19 +271,22 @@ std::vector<contact::TrackedNode> merged(std::vector<contact::TrackedNode> nodes
 
 std::vector<contact::SqueezedBrick> bricks_of(const system::System& system, const model::InteriorContact& contact) {
   const model::Model& model = system.model;
-  std::vector<bool> in(model.parts.size(), false);
-  for (model::Index p : contact.parts)
-    in[at(p)] = model.parts[at(p)].rigid_body == model::none && !weld::of_weld_material(model, p);
+  std::vector<const model::InteriorPart*> in(model.parts.size(), nullptr);
+  for (const model::InteriorPart& p : contact.parts)
+    if (model.parts[at(p.part)].rigid_body == model::none && !weld::of_weld_material(model, p.part))
+      in[at(p.part)] = &p;
   std::vector<contact::SqueezedBrick> bricks;
   for (std::size_t e = 0; e < model.solids.size(); ++e) {
     const model::Part& part = model.parts[at(model.solids.part[e])];
-    if (!in[at(model.solids.part[e])]) continue;
+    const model::InteriorPart* attributes = in[at(model.solids.part[e])];
+    if (!attributes) continue;
     contact::SqueezedBrick brick;
     for (std::size_t a = 0; a < 8; ++a) brick.node[a] = system.node_of[at(model.solids.node[e][a])];
     brick.element = ElementAlive::place(model, model::ElementKind::solid, static_cast<model::Index>(e));
-    brick.modulus = contact.modulus > 0.0
-                        ? contact.modulus
-                        : model.control.penalty_scale * contact.scale * model.materials[at(part.material)].young();
+    brick.activation = attributes->activation;
+    brick.modulus = attributes->modulus > 0.0
+                        ? attributes->modulus
+                        : model.control.penalty_scale * attributes->scale * model.materials[at(part.material)].young();
     bricks.push_back(brick);
   }
   return bricks;
@@ -315,9 +319,6 @@ contact::SurfaceContactSetup contact_setup(const system::System& system, const m
 
   if (single) {
     setup.nodes = contact::nodes_of(setup.segments);
-    const auto ends = ends_of_bars(system, card);
-    setup.nodes.insert(setup.nodes.end(), ends.begin(), ends.end());
-    setup.nodes = merged(std::move(setup.nodes));
   } else {
     setup.nodes = contact::nodes_of(setup.segments, tracked, reference);
     const auto listed = listed_nodes(system, card);
@@ -326,8 +327,10 @@ contact::SurfaceContactSetup contact_setup(const system::System& system, const m
       const auto others = contact::nodes_of(setup.segments, reference, tracked);
       setup.nodes.insert(setup.nodes.end(), others.begin(), others.end());
     }
-    setup.nodes = merged(std::move(setup.nodes));
   }
+  const auto ends = ends_of_bars(system, card, single ? tracked : reference);
+  setup.nodes.insert(setup.nodes.end(), ends.begin(), ends.end());
+  setup.nodes = merged(std::move(setup.nodes));
   if (erodes(card)) let_stay(system, setup.nodes);
   setup.stiffness_scale = system.model.control.penalty_scale;
   setup.friction_by_part = card.friction_by_part;

@@ -14,10 +14,10 @@
 namespace nugget::impact {
 namespace {
 
-/// Diameter of the round bar that stands for a beam: its own, or that of a circle of the same area [length].
+/// Diameter of the round bar that stands for a beam [length]: TS1, and of a section given by its area (ELFORM 2, 3) the
+/// root of that ("How to model contact between beam elements?", Ansys Learning Forum).
 double bar_diameter(const model::SectionBeam& section) {
-  if (section.cross_section == 1) return 0.5 * (section.outer[0] + section.outer[1]);
-  return std::sqrt(4.0 / std::numbers::pi * section.outer[0] * section.inner[0]);
+  return section.area > 0.0 ? std::sqrt(section.area) : section.outer[0];
 }
 
 bool is_a_bar(const model::Model& model, std::size_t beam) {

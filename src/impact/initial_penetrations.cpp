@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/index.hpp"
 
@@ -33,9 +34,10 @@ void treat_initial_penetrations(const system::System& system, const model::Conta
                                 const contact::SurfaceContactSetup& setup, std::span<Row> x, Findings& findings) {
   std::vector<contact::Penetration> found =
       card.ignore == 0 ? contact::remove_penetrations(setup, x) : contact::find_penetrations(setup, x);
-  // What round-off makes of sheets that just touch is none.
+  // What round-off makes of sheets or bricks that just touch is none.
   std::erase_if(found, [&setup](const contact::Penetration& p) {
-    return p.depth <= 1e-6 * setup.segments[at(p.segment)].thickness;
+    const contact::Segment& s = setup.segments[at(p.segment)];
+    return p.depth <= 1e-6 * (s.volume > 0.0 ? std::cbrt(s.volume) : s.thickness);
   });
   if (found.empty()) return;
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });

@@ -2,6 +2,7 @@
 #include "impact/result_files.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 #include "impact/cross_sections.hpp"
@@ -171,8 +172,11 @@ void ResultFiles::write(const Snapshot& now, bool last) {
                                 : model_.curves[static_cast<std::size_t>(c.request->curve)].clamped(now.state.time);
     if (!(interval > 0.0)) continue;
     // Marks are multiples of the interval; one that a long step has jumped over is not made up for.
+    if (const double missed = std::floor((now.state.time - c.next) / interval); missed > 64.0)
+      c.next += missed * interval;
+    // An interval far below the step asks for every cycle: it changes nothing in the mark.
     do c.next += interval;
-    while (c.next <= now.state.time);
+    while (c.next <= now.state.time && c.next + interval > c.next);
   }
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/index.hpp"
 #include "impact/conditions.hpp"
@@ -24,6 +27,44 @@ std::array<Vec3d, 2> normals(const Vec3d& d) {
                                                                                        : axis_of[2];
   const Vec3d a = unit(cross(d, least));
   return {a, cross(d, a)};
+}
+
+/// Where a node is driven in a direction in which it is held, or driven twice, the motion of the last card counts: what
+/// is left of `items`, which `yields(item, motion)` says to give way, acts before and after it only. So work is counted
+/// once.
+template <class Item, class Driven, class Yields>
+void give_way(std::vector<Item>& items, const std::vector<Driven>& motions, const system::System& system,
+              Findings& findings, std::string_view what, const Yields& yields) {
+  std::multimap<int, std::size_t> motion_at;
+  for (std::size_t d = 0; d < motions.size(); ++d)
+    if (motions[d].body < 0 && !motions[d].hold_others && !motions[d].motion->circular)
+      motion_at.emplace(motions[d].node, d);
+  if (motion_at.empty()) return;
+  std::vector<Item> left;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    std::vector<Item> parts{items[i]};
+    const auto [first, last] = motion_at.equal_range(items[i].node);
+    for (auto other = first; other != last; ++other) {
+      const Driven& d = motions[other->second];
+      const bool together = d.rotation == items[i].rotation && std::abs(dot(d.axis, items[i].axis)) >= 1.0 - 1e-9 &&
+                            d.birth < items[i].death && d.death > items[i].birth;
+      if (!together || !yields(i, other->second)) continue;
+      findings.warning(d.motion->place, "*BOUNDARY_PRESCRIBED_MOTION",
+                       fmt::format("node {} {}", system.model.nodes.id[at(system.model_node[at(d.node)])], what),
+                       "take it out of one of the two cards");
+      std::vector<Item> cut;
+      for (Item before : parts) {
+        Item after = before;
+        before.death = std::min(before.death, d.birth);
+        after.birth = std::max(after.birth, d.death);
+        for (const Item& part : {before, after})
+          if (part.birth < part.death) cut.push_back(part);
+      }
+      parts = std::move(cut);
+    }
+    left.insert(left.end(), parts.begin(), parts.end());
+  }
+  items = std::move(left);
 }
 
 }  // namespace
@@ -82,6 +123,14 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
       drive(system.bodies[static_cast<std::size_t>(body)].node, body);
     }
   }
+  give_way(held_, driven_, system, findings,
+           "is held by an SPC in the direction in which it is driven: it follows the motion",
+           [](std::size_t, std::size_t) { return true; });
+  give_way(driven_, std::vector<Driven>(driven_), system, findings,
+           "is driven by two cards in one direction at one time: the last one counts",
+           [this](std::size_t one, std::size_t other) {
+             return one < other && !driven_[one].hold_others && driven_[one].motion != driven_[other].motion;
+           });
 }
 
 void Supports::hold_at_start(system::State& state) {

@@ -91,14 +91,19 @@ struct Contact {
   bool ties_rotations() const { return tie() && kind != Kind::tied_nodes && kind != Kind::tied_surface; }
 };
 
+/// A part whose bricks *CONTACT_INTERIOR keeps from being squeezed flat.
+struct InteriorPart {
+  Index part = none;
+  double scale = 1.0;       ///< PSF, on the stiffness that follows from Young's modulus
+  double activation = 0.1;  ///< Fa: share of its first thickness at which a brick begins to push back
+  double modulus = 0.0;     ///< ED; 0: Young's modulus times `scale` and SLSFAC [stress]
+};
+
 /// *CONTACT_INTERIOR: bricks of soft parts that are squeezed nearly flat push back.
 struct InteriorContact {
   int id = 0;
   std::string title;
-  std::vector<Index> parts;
-  double scale = 1.0;       ///< PSF, on the stiffness that follows from Young's modulus
-  double activation = 0.1;  ///< Fa: share of its first thickness at which a brick begins to push back
-  double modulus = 0.0;     ///< ED; 0: Young's modulus times `scale` and SLSFAC [stress]
+  std::vector<InteriorPart> parts;
   Place place;
 };
 

@@ -10,6 +10,13 @@ namespace nugget::model {
 inline bool checks_beams(const Contact& contact) {
   return contact.keyword.starts_with("CONTACT_AUTOMATIC_GENERAL");
 }
+/// The nodes of SURFA's beams are pressed by segments: beside that also in *CONTACT_AUTOMATIC_SINGLE_SURFACE, by nodes,
+/// and where SURFA only has nodes to be pressed.
+inline bool tracks_beams(const Contact& contact) {
+  if (contact.kind == Contact::Kind::one_way) return true;
+  return checks_beams(contact) ||
+         (contact.keyword.starts_with("CONTACT_AUTOMATIC_SINGLE_SURFACE") && contact.soft != 2);
+}
 /// ..._GENERAL_INTERIOR, and segment-based contact with DEPTH = 3 or more: all edges of shells are checked against each
 /// other.
 inline bool checks_all_edges(const Contact& contact) {

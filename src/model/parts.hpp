@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -159,6 +160,14 @@ struct Set {
   std::vector<Member> members;  ///< in the deck's order, each once
   Place place;
   std::array<double, 4> attributes{};  ///< DA1..DA4: what they mean is up to who uses the set
+  /// A1..A4 of members that have their own (_COLUMN), with DA1..DA4 where these are 0.
+  std::vector<std::pair<Member, std::array<double, 4>>> own_attributes{};
+
+  const std::array<double, 4>& attributes_of(const Member& member) const {
+    for (const auto& [who, own] : own_attributes)
+      if (who == member) return own;
+    return attributes;
+  }
 };
 using Segment = std::array<Index, 4>;  ///< nodes; a triangle repeats its third
 

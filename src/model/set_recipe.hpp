@@ -30,6 +30,7 @@ struct SetStep {
   bool of_shells = true, of_solids = true;  ///< segments: which elements give faces
   std::vector<int> ids;
   Place place;
+  std::array<double, 4> attributes{};  ///< A1..A4 of a _COLUMN; 0: those of the set
 };
 
 struct SetRecipe {

@@ -47,11 +47,13 @@ class Resolver {
   }
 
  private:
+  using OwnAttributes = decltype(Set<Index>::own_attributes);
   struct WorkingSet {
     SetRecipe recipe;
     enum { untouched, in_work, done } state = untouched;
     std::vector<Index> members;     ///< all kinds but segments
     std::vector<Segment> segments;  ///< segment sets
+    OwnAttributes own_attributes;   ///< part sets
   };
   using Key = std::pair<SetKind, int>;
 
@@ -176,6 +178,27 @@ class Resolver {
     Tally unknown(b_.findings, Severity::error, set.recipe.keyword);
     std::vector<char> inside(count_of(kind), 0);
     for (const SetStep& step : set.recipe.steps) apply(step.action, gather(step, kind, unknown), set.members, inside);
+    if (kind == SetKind::part) set.own_attributes = attributes_by_part(set.recipe);
+  }
+
+  /// Of parts that a _COLUMN lists with attributes, and of those that come from sets with attributes.
+  OwnAttributes attributes_by_part(const SetRecipe& recipe) const {
+    static constexpr std::array<double, 4> nothing{};
+    OwnAttributes own;
+    for (const SetStep& step : recipe.steps) {
+      if (step.attributes != nothing)
+        for (const int id : step.ids)
+          if (const Index part = b_.parts.find(id); part != none) own.emplace_back(part, step.attributes);
+      if (step.source != Source::sets || step.kind != SetKind::part) continue;
+      for (const int id : step.ids) {
+        const WorkingSet* set = inner(step, id);
+        if (!set) continue;
+        own.insert(own.end(), set->own_attributes.begin(), set->own_attributes.end());
+        if (set->recipe.attributes != nothing)
+          for (const Index part : set->members) own.emplace_back(part, set->recipe.attributes);
+      }
+    }
+    return own;
   }
 
   static void apply(Action action, const std::vector<Index>& found, std::vector<Index>& members,
@@ -372,11 +395,14 @@ class Resolver {
     const Place& place = set.recipe.place;
     const auto put = [&](Ids& ids, auto& sets, auto& members) {
       ids.add(id, static_cast<Index>(sets.size()), place, set.recipe.keyword, "set", b_.findings);
-      sets.push_back({id, std::move(members), place, set.recipe.attributes});
+      sets.push_back({id, std::move(members), place, set.recipe.attributes, {}});
     };
     switch (set.recipe.kind) {
       case SetKind::node: return put(b_.node_sets, m_.sets.nodes, set.members);
-      case SetKind::part: return put(b_.part_sets, m_.sets.parts, set.members);
+      case SetKind::part:
+        put(b_.part_sets, m_.sets.parts, set.members);
+        m_.sets.parts.back().own_attributes = std::move(set.own_attributes);
+        return;
       case SetKind::shell: return put(b_.shell_sets, m_.sets.shells, set.members);
       case SetKind::solid: return put(b_.solid_sets, m_.sets.solids, set.members);
       case SetKind::beam: return put(b_.beam_sets, m_.sets.beams, set.members);

@@ -61,13 +61,18 @@ BrickSection::Shape BrickSection::shape(std::span<const Vec3d> x) const {
   shape.area = 0.5 * norm(both);
   for (std::size_t end = 0; end < 2; ++end) {
     double sum = 0.0;
+    Vec3d corners;
     for (const auto& c : facets_[end])
       for (const auto& [i, j] : {std::pair{c[1], c[2]}, std::pair{c[2], c[3]}}) {
         const double area = dot(r, cross(x[i] - x[c[0]], x[j] - x[c[0]]));
         shape.centre[end] += (area / 3.0) * (x[c[0]] + x[i] + x[j]);
         sum += area;
       }
-    shape.centre[end] = (1.0 / sum) * shape.centre[end];
+    for (const auto& c : facets_[end])
+      for (const std::size_t i : c) corners += x[i];
+    // A brick turned inside out may have an end without area.
+    shape.centre[end] =
+        sum > 0.0 ? (1.0 / sum) * shape.centre[end] : (0.25 / static_cast<double>(facets_[end].size())) * corners;
   }
   shape.length = dot(shape.centre[1] - shape.centre[0], r);
   return shape;

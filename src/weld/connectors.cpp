@@ -3,6 +3,8 @@
 
 #include <variant>
 
+#include "weld/welds.hpp"
+
 namespace nugget::weld {
 namespace {
 
@@ -20,6 +22,12 @@ std::vector<Index> find_connectors(const model::Model& model) {
   if (candidates.empty()) return {};
 
   std::vector<char> of_mesh(model.nodes.size(), 0), of_body(model.nodes.size(), 0);
+  for (Index e = 0; e < static_cast<Index>(model.beams.size()); ++e)
+    if (!discrete(model, model.beams.part[e]) && !of_weld_material(model, model.beams.part[e]))
+      for (const Index n : model.beams.node[e]) of_mesh[n] = 1;
+  for (const model::Discrete& spring : model.discretes)
+    for (const Index n : spring.node)
+      if (n != none) of_mesh[n] = 1;
   for (const auto& nodes : model.shells.node)
     for (const Index n : nodes) of_mesh[n] = 1;
   for (const auto& nodes : model.solids.node)

@@ -127,6 +127,20 @@ class Audit(CommandTest):
         for name in CHECKS:
             self.assertRegex(log, rf"(?m)^ {name} .* ok +0 ")
 
+    def test_a_discrete_beam_among_beams_and_springs_is_no_weld(self):
+        """Between a beam and a spring; the same beam alone, which hangs on nothing, is one. Sabotage: only shells and bricks
+        count as what it belongs to."""
+        lines = ["*KEYWORD", "*CONTROL_TERMINATION", "1.0e-6", "*MAT_ELASTIC", "1,7.85e-9,210000.0,0.3",
+                 "*MAT_LINEAR_ELASTIC_DISCRETE_BEAM", "2,1.0e-9,100.0,100.0,100.0,100.0,100.0,100.0", "", "", "*MAT_SPRING_ELASTIC", "3,100.0",
+                 "*PART", "frame", "1,1,1", "*PART", "bushing", "2,2,2", "*PART", "spring", "3,3,3", "*SECTION_BEAM", "1,1,1.0,2,1",
+                 "4.0,4.0,0.0,0.0", "*SECTION_BEAM", "2,6", "10.0,1.0", "*SECTION_DISCRETE", "3,0", "0.0", "*NODE"]
+        lines += [f"{i},{10 * i}.0,0.0,0.0" for i in range(1, 5)] + ["9,0.0,50.0,0.0", "*ELEMENT_MASS", "20,3,1.0e-6", "21,4,1.0e-6"]
+        frame = ["*ELEMENT_BEAM", "1,1,1,2,9", "*ELEMENT_DISCRETE", "3,3,3,4", "*END"]
+        bushing = ["*ELEMENT_BEAM", "2,2,2,3,9"]
+        for present, told in ((bushing + frame, False), (bushing + ["*ELEMENT_MASS", "22,1,1.0e-6", "23,2,1.0e-6", "*END"], True)):
+            self.write("\n".join(lines + present) + "\n")
+            self.assertEqual("no contact tracks it" in self.nugget("check", "model.k").stderr, told)
+
     def test_a_sliding_contact_that_takes_everything_is_a_note(self):
         text = good_deck().replace("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n1,0,2", "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,5")
         _, found, _ = self.check(text)

@@ -6,6 +6,7 @@ import unittest
 
 from lap_joint import deck
 from nugget_command import CommandTest
+from welded_sheets import Sheets, weld_material
 
 
 class BrickWelds(CommandTest):
@@ -30,6 +31,20 @@ class BrickWelds(CommandTest):
                 self.assertTrue(rows)
                 self.assertIn(f"{label}   {weld['id']:>8}"[:28], rows[-1])
                 self.assertRegex(log, rf"weld +{weld['id']} of part +3, A = 28.274:" + r"( \d+)" * bricks + r"\n")
+
+    def test_a_brick_turned_inside_out_gives_no_nan(self):
+        """One end of the weld has no area. Sabotage: its centre divided by that."""
+        s = Sheets()
+        s.cards += ["*CONTROL_TERMINATION\n2.0e-6", "*DATABASE_SWFORC\n1.0e-7", weld_material(2)]
+        sheets = [s.sheet(1.0, 0, 0, z, 3, 3, 5.0) for z in (0.0, 1.2)]
+        bricks = s.brick_part(2)
+        s.brick(bricks, 3.0, 3.0, 0.0, 4.0, 1.2)
+        s.solids[-1] = ",".join([*s.solids[-1].split(",")[:2], "3", *s.solids[-1].split(",")[3:]])
+        s.tie([bricks], sheets)
+        self.write(s.text())
+        self.nugget("run", "model.k", "--quiet")
+        for name in ("swforc", "welds.csv"):
+            self.assertNotRegex(self.read(name), r"(?i)\bnan\b")
 
     def test_the_fragment_with_brick_welds_says_that_they_have_no_sheets(self):
         """99 parts without section and material: given both, every brick is a weld that nothing tracks."""

@@ -190,13 +190,68 @@ class ContactForms(CommandTest):
         self.write(plates(sliding(), {3: 0.0}, 1.0e-3, extra=block(1.0, 1.5)))
         self.assertIn("Fa below 1", self.nugget("check", "model.k", expect=1).stderr)
 
+    def test_beams_alone_meet_where_their_thicknesses_say(self):
+        """Two crossing bars 5 apart, 4 thick, 1e4 fast: they meet after 1e-4, a tube by TS1, a resultant beam and a truss by
+        the root of the area. Sabotage: the diameter from TS1 alone; a contact without segments refused."""
+        sections = {1: ("1,1,1.0,2,1", "4.0,4.0,0.0,0.0"), 2: ("1,2,1.0", "16.0,20.0,20.0,40.0"), 3: ("1,3", "16.0")}
+        places = [(-10, 0, 0), (0.5, 0, 0), (10, 0, 0), (0, -10, 5), (0, 0.5, 5), (0, 10, 5), (50, 50, 50)]
+        for elform, (section, size) in sections.items():
+            lines = ["*KEYWORD", "*CONTROL_TERMINATION", "2.0e-4", "*DATABASE_GLSTAT", "1.0e-6", "*PART", "bars", "1,1,1",
+                     "*MAT_ELASTIC", "1,7.85e-9,210000.0,0.3", "*SECTION_BEAM", section, size, "*NODE"]
+            lines += [f"{i},{x},{y},{z}" for i, (x, y, z) in enumerate(places, 1)]
+            lines += ["*ELEMENT_BEAM", "1,1,1,2,7", "2,1,2,3,7", "3,1,4,5,7", "4,1,5,6,7", "*INITIAL_VELOCITY_NODE"]
+            lines += [f"{n},0.0,0.0,-10000.0" for n in (4, 5, 6)]
+            lines += ["*CONTACT_AUTOMATIC_GENERAL", "0", "0", "0", "*END"]
+            with self.subTest(elform):
+                self.run_deck("\n".join(lines) + "\n")
+                states = self.glstat()
+                met = next(s["time"] for s in states if s["sliding interface energy"] > 0.0)
+                self.assertAlmostEqual(met, 1.0e-4, delta=3.0e-6)
+                self.assertAlmostEqual(self.json("summary.json")["energy"]["ratio"], 1.0, delta=1.0e-3)
+
+    def test_beams_meet_sheets_by_their_nodes(self):
+        """A rod of 2 along a plate of 1, its axis 2 above the plate's middle, 5e4 fast: 1e-5. Not with segment-based contact, nor
+        where SURFA needs segments. Sabotage: beams in *CONTACT_AUTOMATIC_GENERAL alone."""
+        plate = [(5 * i, 5 * j, 0) for j in range(4) for i in range(4)]
+        shells = [(4 * j + i + 1, 4 * j + i + 2, 4 * j + i + 6, 4 * j + i + 5) for j in range(3) for i in range(3)]
+        lines = ["*KEYWORD", "*CONTROL_TERMINATION", "2.0e-5", "*DATABASE_GLSTAT", "2.0e-7", "*MAT_ELASTIC",
+                 "1,7.85e-9,210000.0,0.3", "*PART", "plate", "1,1,1", "*PART", "rod", "2,2,1", "*SECTION_SHELL", "1,2", "1.0",
+                 "*SECTION_BEAM", "2,1,1.0,2,1", "2.0,2.0,0.0,0.0", "*NODE"]
+        lines += [f"{i},{x},{y},{z}" for i, (x, y, z) in enumerate([*plate, (4, 7, 2), (7.5, 7, 2), (11, 7, 2), (50, 50, 50)], 1)]
+        lines += ["*ELEMENT_SHELL"] + [f"{i},1,{a},{b},{c},{d}" for i, (a, b, c, d) in enumerate(shells, 1)]
+        lines += ["*ELEMENT_BEAM", "11,2,17,18,20", "12,2,18,19,20", "*INITIAL_VELOCITY_NODE"]
+        lines += [f"{n},0.0,0.0,-50000.0" for n in (17, 18, 19)]
+        for name, sides, soft, meets in (("GENERAL", "0", 0, True), ("SINGLE_SURFACE", "0", 1, True), ("SINGLE_SURFACE", "0", 2, False),
+                                         ("NODES_TO_SURFACE", "2,1,3,3", 0, True), ("SURFACE_TO_SURFACE", "2,1,3,3", 0, False)):
+            with self.subTest(name=name, soft=soft):
+                self.run_deck("\n".join([*lines, "*CONTACT_AUTOMATIC_" + name, sides, "0", "0", f"{soft}", "*END"]) + "\n")
+                met = [s["time"] for s in self.glstat() if s["sliding interface energy"] > 0.0]
+                self.assertEqual(bool(met), meets)
+                if meets:
+                    self.assertAlmostEqual(met[0], 1.0e-5, delta=1.5e-6)
+
     def test_what_is_refused_beside_contacts(self):
-        def card_g(d):
-            sliding()(d)
-            for _ in range(7):
-                d.card(soft=0)
-        self.write(plates(card_g, {3: -20.0}, 1.0e-5))
-        self.assertIn("card G is not built", self.nugget("check", "model.k", expect=1).stderr)
+        def all_cards(more=0, cparm8=0, shloff=0):
+            def write(d):
+                sliding()(d)
+                for _ in "ABCD":
+                    d.card(soft=None)
+                d.card(sharec=0, cparm8=cparm8)
+                d.card(pstiff=0)
+                d.card(unused=None, shloff=shloff)
+                for _ in range(more):
+                    d.card(soft=0)
+            return plates(write, {3: -20.0}, 1.0e-5)
+        self.write(all_cards())
+        self.assertNotIn("warning", self.nugget("check", "model.k").stderr)
+        self.write(all_cards(cparm8=2, shloff=1))
+        told = self.nugget("check", "model.k").stderr
+        self.assertRegex(told, "warning: .* cparm8 = 2: not obeyed: weld beams take no part")
+        self.assertRegex(told, "warning: .* shloff = 1: not obeyed")
+        self.write(plates(lambda d: (sliding()(d), sliding("AUTOMATIC_SURFACE_TO_SURFACE_ID\n         1twin")(d)), {3: -20.0}, 1.0e-5))
+        self.assertRegex(self.nugget("check", "model.k").stderr, r"warning: .* contact 1 has the number of the one at model.k:\d+")
+        self.write(all_cards(more=1))
+        self.assertIn("more data lines than this keyword has cards", self.nugget("check", "model.k", expect=1).stderr)
 
     def test_friction_of_the_parts(self):
         """FS = -1: the mean of both parts', 0.1 and 0.3, so what FS = 0.2 gives. Sabotage: of one part alone."""

@@ -76,6 +76,12 @@ class Histories(CommandTest):
         for branch in ("secforc", "nodfor", "elout/shell", "elout/beam"):
             self.assertIn(f"/{branch}/d000005".encode(), binary)
 
+    def test_an_interval_far_below_the_step_writes_every_cycle(self):
+        """And the run ends. Sabotage: marks that are counted up one by one."""
+        self.write(self.text().replace("*DATABASE_SWFORC\n  5.00e-06", "*DATABASE_SWFORC\n  1.00e-30"))
+        self.nugget("run", "model.k", "--quiet", "--max-cycles", 20)
+        self.assertEqual(self.read("swforc").count("constraint #"), 21)
+
     def test_strains_reach_d3plot(self):
         self.write(self.text())
         self.nugget("run", "model.k", "--quiet")

@@ -160,6 +160,37 @@ class PublicHabits(CommandTest):
         self.write(text[:begin] + blow + text[text.index("*BOUNDARY_PRESCRIBED_MOTION_RIGID"):])
         return self.nugget("run", "model.k", "-j", 1)
 
+    def test_a_node_that_is_held_and_driven_follows_the_motion(self):
+        """So does one that is driven twice, the last card; work is counted once, and an SPC holds again when the motion has
+        ended. Sabotage: held and driven in turn in each step (the ratio ends at 0.07)."""
+        head = ("*KEYWORD\n*CONTROL_TERMINATION\n1.0e-4\n*PART\nsheet\n1,1,1\n*SECTION_SHELL\n1,2\n1.0\n*MAT_ELASTIC\n1,7.85e-9,210000.0,0.3\n"
+                "*NODE\n1,0.0,0.0,0.0\n2,5.0,0.0,0.0\n3,5.0,5.0,0.0\n4,0.0,5.0,0.0\n*ELEMENT_SHELL\n1,1,1,2,3,4\n"
+                "*DATABASE_NODOUT\n1.0e-5\n*DATABASE_HISTORY_NODE\n1\n*DEFINE_CURVE\n1\n0.0,0.0\n1.0e-5,1000.0\n1.0,1000.0\n")
+        spc, drive = "*BOUNDARY_SPC_NODE\n1,0,1,1,1,1,1,1\n", "*BOUNDARY_PRESCRIBED_MOTION_NODE\n"
+        for cards, speed, told in ((spc + drive + "1,1,0,1,1.0\n", 1000.0, "held by an SPC"), (drive + "1,1,0,1,1.0\n" + spc, 1000.0, "held by an SPC"),
+                                   (drive + "1,1,0,1,1.0\n1,1,0,1,2.0\n", 2000.0, "driven by two cards"),
+                                   (drive + "1,1,0,1,1.0,0,5.0e-5\n1,1,0,1,2.0,0,1.0,5.0e-5\n", 2000.0, None),
+                                   (drive + "1,1,0,1,1.0\n" + spc.replace("1,0,1,1", "1,0,0,1"), 1000.0, None)):
+            with self.subTest(cards=cards):
+                self.write(head + cards + "*END\n")
+                said = self.nugget("run", "model.k", "--quiet").stderr
+                self.assertEqual([line for line in said.splitlines() if "node 1 is " in line] != [], told is not None, said)
+                if told:
+                    self.assertRegex(said, rf"warning: \*BOUNDARY_PRESCRIBED_MOTION: node 1 is {told}")
+                rows = [line for line in self.read("nodout").splitlines() if line.split()[:1] == ["1"]]
+                # columns of 12, the first of 13 behind the node: translations and rotations in turn
+                self.assertAlmostEqual(float(rows[-2][46:58]), speed, delta=1.0)
+                self.assertAlmostEqual(self.json("summary.json")["energy"]["ratio"], 1.0, delta=2.0e-3)
+        # Driven for half of the time: as with an SPC along x that is born then.
+        until = drive + "1,1,0,1,1.0,0,5.0e-5\n"
+        born = "*BOUNDARY_SPC_NODE_BIRTH_DEATH\n1,0,1\n5.0e-5,1.0e20\n"
+        nodout = []
+        for cards in (spc + until, born + spc.replace("1,0,1,1", "1,0,0,1") + until):
+            self.write(head + cards + "*END\n")
+            self.nugget("run", "model.k", "--quiet")
+            nodout.append(self.read("nodout"))
+        self.assertEqual(*nodout)
+
     def test_a_run_full_of_hourglasses_is_doubted(self):
         """Sabotage: the limit taken of all energy."""
         run = self.bent(f"{1:10d}{0.1:10.2f}")

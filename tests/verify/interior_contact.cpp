@@ -21,11 +21,11 @@ const std::string interior = "*CONTACT_INTERIOR\n" + fields({1});
 constexpr double side = 2.0, activation = 0.3;
 
 /// Energy of the contact in a cube that is pressed flat by `down` and sheared by `along`.
-double energy_of_flat_cube(double young, double psf, double modulus, double down, double along) {
+double energy_of_flat_cube(const std::string& part_and_contact, double down, double along) {
   const Prism cube = square_prism(side, side);
   // The stiffness asked for is borne at steps this short only.
-  Experiment run("*KEYWORD\n" + termination(1e-3, 0.005) + soft_part(young, psf, activation, modulus) + interior +
-                 cube.text() + held(cube.bottom(), {1, 1, 1}) +
+  Experiment run("*KEYWORD\n" + termination(1e-3, 0.005) + part_and_contact + cube.text() +
+                 held(cube.bottom(), {1, 1, 1}) +
                  moved(
                      cube, cube.top(), {1, 1, 1},
                      [=](const Vec3d&, double s) {
@@ -36,6 +36,10 @@ double energy_of_flat_cube(double young, double psf, double modulus, double down
   double energy = 0.0;
   run.run([&](const impact::Snapshot& now) { energy = now.energy.contact; });
   return energy;
+}
+
+double energy_of_flat_cube(double young, double psf, double modulus, double down, double along) {
+  return energy_of_flat_cube(soft_part(young, psf, activation, modulus) + interior, down, along);
 }
 
 TEST(InteriorContact, ForceOfTheDocumentedStiffness) {
@@ -49,6 +53,20 @@ TEST(InteriorContact, ForceOfTheDocumentedStiffness) {
                    energy_of_flat_cube(50.0, 20.0, 0.0, side - left, 0.0), 0.5 * (0.1 * 20.0 * 50.0 * side) * way * way,
                    1e-3);
   EXPECT_EQ(energy_of_flat_cube(1.0, 0.0, 1000.0, side - activation * side - 0.01, 0.0), 0.0);
+}
+
+/// Attributes of the part go before those of its set, and a set of sets keeps those of each.
+TEST(InteriorContact, AttributesOfThePart) {
+  constexpr double left = 0.2, way = activation * side - left, k = 1000.0 * side * side / side;
+  const std::string part = soft_part(1.0, 3.0, 0.05, 7.0);
+  const std::string own = "*SET_PART_COLUMN\n" + fields({2, 0.0, activation, 5.0}) + fields({1, 0.0, 0.0, 1000.0}),
+                    sum = "*SET_PART_ADD\n" + fields({3, 0.0, 0.04}) + fields({2});
+  expect_reference("*CONTACT_INTERIOR", "energy, ED of the part in its set",
+                   energy_of_flat_cube(part + own + "*CONTACT_INTERIOR\n" + fields({2}), side - left, 0.0),
+                   0.5 * k * way * way, 1e-3);
+  expect_reference("*CONTACT_INTERIOR", "energy, ED of the part in a set of sets",
+                   energy_of_flat_cube(part + own + sum + "*CONTACT_INTERIOR\n" + fields({3}), side - left, 0.0),
+                   0.5 * k * way * way, 1e-3);
 }
 
 struct Flight {

@@ -136,6 +136,11 @@ const Card card_f{{
     real("tetfac", dimension::number, 0, any_value, "stiffness of tetrahedra"),
 }};
 
+const Card card_g{{
+    unused(),
+    real("shloff", dimension::number, 0, any_value, "contact surfaces of shells that lie off their nodes"),
+}};
+
 const Card eroding_card{{
     integer("isym", 0, any_value, "planes of symmetry: nothing to do here"),
     integer("erosop", 0, any_value, "faces that come to light take part in any case"),
@@ -372,7 +377,11 @@ void take_e(Builder& builder, const Row& row, Contact& contact) {
   contact.friction.at_rest *= row.real("fricsf");
   contact.friction.sliding *= row.real("fricsf");
   expect(builder, row, Severity::warning,
-         {{"srnde", 0, left}, {"icor", 0, left}, {"ftorq", 0, left}, {"region", 0, left}});
+         {{"cparm8", 0, "not obeyed: weld beams take no part in contact, and edges of shells reach out, as with 0"},
+          {"srnde", 0, left},
+          {"icor", 0, left},
+          {"ftorq", 0, left},
+          {"region", 0, left}});
 }
 
 void take_f(Builder& builder, const Row& row, const Contact& contact) {
@@ -388,10 +397,12 @@ void take_optional_cards(Builder& builder, Cursor& cursor, Contact& contact) {
   if (cursor.more()) take_d(builder, cursor.read(card_d), contact);
   if (cursor.more()) take_e(builder, cursor.read(card_e), contact);
   if (cursor.more()) take_f(builder, cursor.read(card_f), contact);
-  if (cursor.more())
-    builder.findings.error(cursor.place(), '*' + contact.keyword,
-                           "has more data lines than its optional cards A to F; a card G is not built",
-                           "leave it out: none of its fields is read");
+  if (cursor.more() && !contact.tie())
+    expect(builder, cursor.read(card_g), Severity::warning,
+           {{"shloff", 0, "not obeyed: contact surfaces lie about the mid-surface, as with 0"}});
+  else if (cursor.more())
+    cursor.read(card_g);
+  expect_end(builder, cursor);
 }
 
 // ---- reader
@@ -447,6 +458,17 @@ void judge_oriented(Builder& builder, const Block& block, const Contact& contact
                "in place");
 }
 
+/// A contact without an id has its number in the deck, which may be the id of another.
+void tell_of_same_id(Builder& builder, const Contact& contact) {
+  for (const Contact& other : builder.model.contacts)
+    if (other.id == contact.id)
+      return builder.findings.warning(
+          contact.place, '*' + contact.keyword,
+          fmt::format("contact {} has the number of the one at {}:{}: rcforc and sleout do not tell them apart",
+                      contact.id, other.place.file, other.place.line),
+          "give each an id of its own, with _ID");
+}
+
 template <Kind kind>
 void read_contact(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
@@ -486,6 +508,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
     // Where thicknesses are left out sheets may be meshed at any distance: their nodes stay where they are.
     if (contact.ignore == 0 && contact.glue && contact.glue->without_thickness) contact.ignore = 1;
     if (contact.id == 0) contact.id = static_cast<int>(b.model.contacts.size()) + 1;
+    tell_of_same_id(b, contact);
     b.model.contacts.push_back(std::move(contact));
   });
 }
@@ -508,7 +531,8 @@ Keyword contact_keyword(std::string_view name, std::vector<std::string_view> for
                                {"optional card C", &card_c},
                                {"optional card D", &card_d},
                                {"optional card E", &card_e},
-                               {"optional card F", &card_f}});
+                               {"optional card F", &card_f},
+                               {"optional card G", &card_g}});
   return {name, {}, std::move(forms), Verdict::used, {}, std::move(layout), read_contact<kind>};
 }
 
@@ -518,7 +542,8 @@ Keyword refused(std::string_view name, std::string_view why) {
 
 const Card interior_card{{
     id("psid", IdSpace::set, required,
-       "set of parts; its attributes: DA1 = PSF (1), DA2 = Fa (0.1), DA3 = ED, DA4 = TYPE (1, 2: the same here)"),
+       "set of parts; attributes DA1 = PSF (1), DA2 = Fa (0.1), DA3 = ED, DA4 = TYPE (1, 2: the same here), by part in "
+       "*SET_PART_COLUMN"),
 }};
 
 void read_interior(Builder& builder, const Block& block, const Options& options) {
@@ -529,22 +554,24 @@ void read_interior(Builder& builder, const Block& block, const Options& options)
   builder.later(Phase::conditions, [row, heading, place = block.place](Builder& b) {
     const auto* set = b.part_set(row, "psid");
     if (!set) return;
-    const auto [scale, activation, modulus, type] = set->attributes;
-    if (scale < 0.0 || activation < 0.0 || activation >= 1.0 || modulus < 0.0 || type < 0.0 || type > 2.0)
-      return refuse(
-          b, row, "psid",
-          fmt::format("attributes {:g}, {:g}, {:g}, {:g} of part set {}: expected PSF and ED of 0 or more, Fa "
-                      "below 1, TYPE 0 to 2",
-                      scale, activation, modulus, type, set->id),
-          "set DA1 to DA4 of the set");
     InteriorContact contact;
+    for (const Index index : set->members) {
+      const auto [scale, activation, modulus, type] = set->attributes_of(index);
+      if (scale < 0.0 || activation < 0.0 || activation >= 1.0 || modulus < 0.0 || type < 0.0 || type > 2.0)
+        return refuse(
+            b, row, "psid",
+            fmt::format("attributes {:g}, {:g}, {:g}, {:g} of part {} in part set {}: expected PSF and ED of "
+                        "0 or more, Fa below 1, TYPE 0 to 2",
+                        scale, activation, modulus, type, b.model.parts[static_cast<std::size_t>(index)].id, set->id),
+            "set DA1 to DA4 of the set, or A1 to A4 of the part");
+      InteriorPart part{.part = index, .modulus = modulus};
+      if (scale > 0.0) part.scale = scale;
+      if (activation > 0.0) part.activation = activation;
+      contact.parts.push_back(part);
+    }
     contact.id =
         heading.id != 0 ? heading.id : static_cast<int>(b.model.contacts.size() + b.model.interiors.size()) + 1;
     contact.title = heading.text;
-    contact.parts = set->members;
-    if (scale > 0.0) contact.scale = scale;
-    if (activation > 0.0) contact.activation = activation;
-    contact.modulus = modulus;
     contact.place = place;
     b.model.interiors.push_back(std::move(contact));
   });

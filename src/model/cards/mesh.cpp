@@ -88,7 +88,7 @@ const Card mass_card{{
 const Card set_mass_card{{
     wide(id("eid", IdSpace::element, 0, "element id"), 8),
     wide(id("nsid", IdSpace::set, required, "node set"), 8),
-    wide(real("mass", dimension::mass, 0, at_least(0), "mass on each node of the set"), 16),
+    wide(real("mass", dimension::mass, 0, at_least(0), "mass, shared out evenly over the nodes of the set"), 16),
     wide(id("pid", IdSpace::part, 0, "part, for listings only"), 8),
 }};
 
@@ -159,7 +159,9 @@ void read_set_mass(Builder& b, const Block& block, const Options&) {
   b.later(Phase::bodies, [rows = read_rows(b, block, set_mass_card)](Builder& later) {
     for (const Row& row : rows)
       if (const auto* set = later.node_set(row, "nsid"))
-        for (const Index n : set->members) later.model.masses.push_back({row.integer("eid"), n, row.real("mass")});
+        for (const Index n : set->members)
+          later.model.masses.push_back(
+              {row.integer("eid"), n, row.real("mass") / static_cast<double>(set->members.size())});
   });
 }
 

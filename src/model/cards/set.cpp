@@ -45,15 +45,15 @@ const Card part_ids = eight_ids(IdSpace::part, "part");
 const Card element_ids = eight_ids(IdSpace::element, "element");
 const Card set_ids = eight_ids(IdSpace::set, "set");
 
-Card one_with_attributes(IdSpace space) {
+Card one_with_attributes(IdSpace space, std::string_view meaning = "attribute, no effect") {
   Card card{{id("id1", space, 0, "member")}};
   for (const auto* name : {"a1", "a2", "a3", "a4"})
-    card.fields.push_back(real(name, dimension::number, 0, any_value, "attribute, no effect"));
+    card.fields.push_back(real(name, dimension::number, 0, any_value, meaning));
   return card;
 }
 
 const Card node_column = one_with_attributes(IdSpace::node);
-const Card part_column = one_with_attributes(IdSpace::part);
+const Card part_column = one_with_attributes(IdSpace::part, "attribute of this part; 0: da1 to da4 of the set");
 const Card element_column = one_with_attributes(IdSpace::element);
 
 const Card segment_card{{
@@ -227,9 +227,19 @@ void read_ranges(Cursor& cursor, const KindCards& cards, bool has_increment, std
   }
 }
 
+/// A1..A4 of a line of _COLUMN; where they are 0, DA1..DA4 of the set.
+std::array<double, 4> own_attributes(const Row& row, const std::array<double, 4>& of_set) {
+  std::array<double, 4> own{row.real("a1"), row.real("a2"), row.real("a3"), row.real("a4")};
+  if (own == std::array<double, 4>{}) return own;
+  for (std::size_t i = 0; i < 4; ++i)
+    if (own[i] == 0.0) own[i] = of_set[i];
+  return own;
+}
+
 /// Lines of members (LIST, COLUMN) or of sets (ADD, INTERSECT).
 void read_members(Cursor& cursor, const KindCards& cards, const Card& card, Source source, Action action,
-                  std::vector<SetStep>& steps) {
+                  SetRecipe& recipe) {
+  std::vector<SetStep>& steps = recipe.steps;
   const int count = &card == cards.column && cards.kind != SetKind::segment       ? 1
                     : cards.kind == SetKind::segment && source == Source::members ? 4
                                                                                   : 8;
@@ -242,6 +252,7 @@ void read_members(Cursor& cursor, const KindCards& cards, const Card& card, Sour
     step.ids = ids_of(row, count);
     step.place = row.place();
     if (step.ids.empty()) continue;
+    if (&card == &part_column) step.attributes = own_attributes(row, recipe.attributes);
     steps.push_back(std::move(step));
   }
 }
@@ -272,11 +283,11 @@ void read_set(Builder& b, const Block& block, const Options& options, const Kind
   } else if (options.contains("GENERATE")) {
     read_ranges(cursor, cards, options.contains("INCREMENT"), steps);
   } else if (options.contains("ADD") || options.contains("INTERSECT")) {
-    read_members(cursor, cards, set_ids, Source::sets, Action::add, steps);
+    read_members(cursor, cards, set_ids, Source::sets, Action::add, recipe);
     if (options.contains("INTERSECT")) split_intersection(steps);
   } else {
     read_members(cursor, cards, options.contains("COLUMN") ? *cards.column : *cards.ids, Source::members, Action::add,
-                 steps);
+                 recipe);
   }
   b.set_recipes.push_back(std::move(recipe));
 }

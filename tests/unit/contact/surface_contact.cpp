@@ -750,6 +750,42 @@ TEST(SurfaceContact, SheetsInEachOtherStayAtRest) {
   EXPECT_LT(s.kinetic(), 2.0 * kinetic);
 }
 
+// A node on a brick or a little above it, near its edge, is no closer to being inside than one above its middle.
+// Sabotage: the extension of faces beyond their borders counted at the start too.
+TEST(SurfaceContact, NodeAboveTheEdgeOfABrickIsNotInsideIt) {
+  for (const auto& [edge, gap] : {std::pair{0.1, 0.05}, {1.0, 0.05}, {5.0, 0.05}, {0.1, 0.0}, {1.0, 0.0}, {5.0, 0.0}}) {
+    Scene s;
+    for (const double z : {0.0, 10.0})
+      for (const Vec3d& p : {Vec3d{0, 0, z}, Vec3d{10, 0, z}, Vec3d{10, 10, z}, Vec3d{0, 10, z}}) s.add_node(p);
+    for (const std::array<int, 4>& face : {std::array{0, 3, 2, 1}, std::array{4, 5, 6, 7}, std::array{0, 1, 5, 4},
+                                           std::array{1, 2, 6, 5}, std::array{2, 3, 7, 6}, std::array{3, 0, 4, 7}}) {
+      Segment segment;
+      segment.node = face;
+      segment.volume = 1000.0;
+      segment.bulk_modulus = bulk;
+      s.setup.segments.push_back(segment);
+    }
+    const int node = s.add_node({edge, 4.0, 10.0 + gap});
+    s.setup.nodes = {{node, 0.0}};
+    EXPECT_TRUE(find_penetrations(s.setup, s.x).empty()) << edge << ' ' << gap;
+    SurfaceContact contact = s.contact();
+    s.evaluate(contact, 0.0);
+    s.v[node].z = -1000.0;
+    while (s.x[node].z > 9.99) {
+      EXPECT_EQ(contact.touching(), s.x[node].z < 10.0 ? 1 : 0) << edge << ' ' << s.x[node].z;
+      EXPECT_GE(s.force[node].z, 0.0);
+      EXPECT_EQ(s.force[node].x, 0.0);
+      s.x[node].z += s.dt * s.v[node].z;
+      s.evaluate(contact, s.dt);
+    }
+    s.x[node] = {5.0, 4.0, 9.9, 0.0};
+    const auto found = find_penetrations(s.setup, s.x);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0].depth, 0.1, 1e-12);
+    EXPECT_NEAR(found[0].direction.z, 1.0, 1e-12);
+  }
+}
+
 TEST(SurfaceContact, RemovalOfInitialPenetrationsOpensTwoSheets) {
   Scene s;
   s.add_patch(3, 3, 1.0, flat(5.0, 0.0));
