@@ -42,6 +42,7 @@ struct FrequencyResponse : Frequencies {
     std::vector<Index> nodes;
     Vec3d direction;               ///< unit vector
     std::vector<Segment> pressed;  ///< each carries a pressure of amplitude 1, against its normal
+    std::vector<CornerShares> share;  ///< of their forces; see share_pressure
     Place place;                   ///< of the card
     bool moves() const { return kind == Kind::base || kind == Kind::enforced; }
   };

@@ -16,7 +16,9 @@ void stabilize_bricks(model::Model& m, Findings& findings) {
     if (part.kind != model::ElementKind::solid || part.section == model::none) continue;
     const model::Hourglass& now = part.hourglass == model::none ? m.control.hourglass : m.hourglass[at(part.hourglass)];
     model::Hourglass bindeman = now;
-    if (now.type != 6) {
+    const int elform = m.solid_sections[at(part.section)].elform;
+    const bool ten_nodes = elform == 16 || elform == 17;  // they have no hourglass modes
+    if (now.type != 6 && !ten_nodes) {
       bindeman.type = 6;
       bindeman.membrane = 1.0;
       changed.push_back(part.id);

@@ -8,6 +8,7 @@
 #include "base/index.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/frequency_cards.hpp"
+#include "model/segments.hpp"
 
 // *FREQUENCY_DOMAIN_FRF, and what it shares with *FREQUENCY_DOMAIN_SSD.
 namespace nugget::model {
@@ -308,8 +309,10 @@ Excitation excitation_of(Builder& b, const Row& row, const ExcitationFields& fie
   if (e.kind == Excitation::Kind::pressure) {
     if (!segments)
       refuse(b, row, fields.type, "pressure acts on segments", "write 2 and give a segment set");
-    else if (const Set<Segment>* set = b.segment_set(row, fields.entity))
+    else if (const Set<Segment>* set = b.segment_set(row, fields.entity)) {
       e.pressed = set->members;
+      e.share = share_pressure(b.model, e.pressed);
+    }
     return e;
   }
   e.direction = direction_of(b, row, fields.direction, fields.vector);
