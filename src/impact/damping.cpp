@@ -33,7 +33,8 @@ Frame3d axes_of(const system::ElementNodes& node, std::size_t corners, const sys
 }
 
 /// Axes that turn with a beam: about its line by the mean spin of its ends.
-Frame3d axes_along(const system::ElementNodes& node, const system::State& state, double dt, bool started, Vec3d& across) {
+Frame3d axes_along(const system::ElementNodes& node, const system::State& state, double dt, bool started,
+                   Vec3d& across) {
   const std::size_t i = at(node[0]), j = at(node[1]);
   const Vec3d line = unit(vec(state.x[j]) - vec(state.x[i]));
   if (started)

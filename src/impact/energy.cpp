@@ -64,13 +64,13 @@ void element_energies(const system::System& system, const system::State& state, 
         energy.eroded += internal + hourglass;
       }
       const auto nodes = group->nodes(e);
-      for (int a = 0; a < group->nodes_per_element; ++a) carry(part, nodes[static_cast<std::size_t>(a)], group->mass_scale(e) * group->nodal_mass(e, a));
+      for (int a = 0; a < group->nodes_per_element; ++a)
+        carry(part, nodes[static_cast<std::size_t>(a)], group->mass_scale(e) * group->nodal_mass(e, a));
     }
   }
   for (const system::System::Lump& lump : system.lumps())
     for (int a = 0; a < lump.corners; ++a)
-      carry(parts[static_cast<std::size_t>(lump.part)], lump.node[static_cast<std::size_t>(a)],
-            lump.nodal_mass(a));
+      carry(parts[static_cast<std::size_t>(lump.part)], lump.node[static_cast<std::size_t>(a)], lump.nodal_mass(a));
 }
 
 }  // namespace nugget::impact

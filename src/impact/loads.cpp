@@ -61,8 +61,7 @@ Loads::Loads(const system::System& system) : system_(system) {
       // Rigid parts, and what else has mass without a kernel.
       for (const system::System::Lump& lump : system.lumps())
         if (std::find(load.parts.begin(), load.parts.end(), lump.part) != load.parts.end())
-          for (int a = 0; a < lump.corners; ++a)
-            mass[lump.node[static_cast<std::size_t>(a)]] += lump.nodal_mass(a);
+          for (int a = 0; a < lump.corners; ++a) mass[lump.node[static_cast<std::size_t>(a)]] += lump.nodal_mass(a);
       for (const auto& [node, m] : mass) {
         body.nodes.push_back(node);
         body.mass.push_back(m);

@@ -150,13 +150,16 @@ void check_solids(Builder& b) {
             return fmt::format("solid {} has the volume {:g}, expected more than 0 (negative Jacobian)", id, volume);
           },
           m.solids.quadratic(e)
-              ? "number its nodes 1-3 around the bottom and 4 above them, seen from inside right-handed, then those amid "
+              ? "number its nodes 1-3 around the bottom and 4 above them, seen from inside right-handed, then those "
+                "amid "
                 "1-2, 2-3, 3-1, 1-4, 2-4, 3-4"
               : "number its nodes 1-4 around the bottom and 5-8 above them, seen from inside right-handed");
     else if (const double off = m.solids.quadratic(e) ? farthest_from_middle(m, e) : 0.0; off > 0.25)
       bent.add(
           m.solids.place[e],
-          [&] { return fmt::format("a node amid an edge of solid {} is {:.2f} of its length off the middle", id, off); },
+          [&] {
+            return fmt::format("a node amid an edge of solid {} is {:.2f} of its length off the middle", id, off);
+          },
           "number nodes 5-10 amid the edges 1-2, 2-3, 3-1, 1-4, 2-4, 3-4, or mend the mesh; its step is short");
     else if (!has_equal_nodes(m.solids.node[e]) && !(smallest_corner_volume(m, e) > 0.0))
       bent.add(
@@ -303,7 +306,8 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
   const bool linear = elform == 18 && b.model.implicit.active;
   const bool is_weld = is<kernel::Spotweld>(b.model, part),
              is_corner_shape = elform == 4 || elform == 10 || elform == 13 || elform == 15 || elform == 16;
-  const bool is_composite = elform == 17 && !is_weld, is_scaled = elform == -1 || elform == -2, has_rotations = elform == 3 || (elform == 4 && !is_weld);
+  const bool is_composite = elform == 17 && !is_weld, is_scaled = elform == -1 || elform == -2,
+             has_rotations = elform == 3 || (elform == 4 && !is_weld);
   const bool is_built =
       elform == 1 || elform == 2 || elform == 3 || linear || is_scaled || is_composite || (is_corner_shape && !is_weld);
   const bool is_wedge = elform == 15 && is_built;
@@ -354,13 +358,14 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
     return;
   }
   const bool is_brick_that_bends = elform == 18 || is_weld;
-  refuse(b, b.solid_section_rows[s], "elform",
-         fmt::format("solid formulation {} is not built{}; built are 1 (constant stress), 2 (fully integrated), -1, -2 "
-                     "and 3 (without locking in bending) and, not for welds, 4, 10 and 13 (tetrahedra), 15 (wedge) and 16 "
-                     "(tetrahedron of ten nodes)",
-                     elform, is_weld ? " for welds" : ""),
-         is_brick_that_bends ? "write -1, a brick of eight points that bends without locking"
-                             : "write 1, with an hourglass control of type 2 or 3");
+  refuse(
+      b, b.solid_section_rows[s], "elform",
+      fmt::format("solid formulation {} is not built{}; built are 1 (constant stress), 2 (fully integrated), -1, -2 "
+                  "and 3 (without locking in bending) and, not for welds, 4, 10 and 13 (tetrahedra), 15 (wedge) and 16 "
+                  "(tetrahedron of ten nodes)",
+                  elform, is_weld ? " for welds" : ""),
+      is_brick_that_bends ? "write -1, a brick of eight points that bends without locking"
+                          : "write 1, with an hourglass control of type 2 or 3");
 }
 
 /// A spring needs a mass to have a time step.

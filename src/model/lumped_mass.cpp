@@ -59,8 +59,8 @@ static bool is_tetrahedron(const Model& m, std::size_t e) {
   if (m.solids.node[e][4] != m.solids.node[e][7] || m.solids.corners(e).size() != 4) return false;
   const Part& part = m.parts[static_cast<std::size_t>(m.solids.part[e])];
   const SectionSolid* section = section_of(m.solid_sections, part);
-  const bool rigid = part.material != none && std::holds_alternative<kernel::Rigid>(
-                                                  m.materials[static_cast<std::size_t>(part.material)].law);
+  const bool rigid = part.material != none &&
+                     std::holds_alternative<kernel::Rigid>(m.materials[static_cast<std::size_t>(part.material)].law);
   return rigid || m.control.sort_solids || (section && (section->elform == 4 || section->elform >= 10));
 }
 
@@ -96,8 +96,7 @@ std::vector<NodeMass> lumped_mass(const Model& m, Index part) {
       share(shares, std::span(m.shells.node[e]).first(m.shells.triangle(e) ? 3 : 4),
             (density * m.shells.thickness[e] + shell->extra_mass) * shell_area(m, e));
   for (std::size_t e = 0; p.kind == ElementKind::solid && e < m.solids.size(); ++e)
-    if (m.solids.part[e] == part)
-      share(shares, m.solids.different_nodes(e), density * solid_volume(m, e));
+    if (m.solids.part[e] == part) share(shares, m.solids.different_nodes(e), density * solid_volume(m, e));
   const SectionBeam* beam = p.kind == ElementKind::beam ? section_of(m.beam_sections, p) : nullptr;
   for (std::size_t e = 0; beam && e < m.beams.size(); ++e)
     if (m.beams.part[e] == part)

@@ -233,8 +233,8 @@ std::vector<Index> Solids::different_nodes(std::size_t e) const {
 
 namespace {
 
-/// *ELEMENT_SOLID_TET4TOTET10: tetrahedra of four nodes, rows `to_ten` of the table, get new nodes amid their edges, with
-/// ids after the largest; on edges of ten-node tetrahedra of the deck theirs.
+/// *ELEMENT_SOLID_TET4TOTET10: tetrahedra of four nodes, rows `to_ten` of the table, get new nodes amid their edges,
+/// with ids after the largest; on edges of ten-node tetrahedra of the deck theirs.
 void give_nodes_amid_edges(Builder& b, Elements& elements, const std::vector<std::size_t>& to_ten) {
   Solids& solids = b.model.solids;
   Nodes& nodes = b.model.nodes;

@@ -82,14 +82,14 @@ struct Shells {
   }
 };
 
-/// Eight-node bricks in ascending order of user id; wedges and tetrahedra repeat nodes (LS-DYNA's rule). A tetrahedron of
-/// ten nodes stands in `node` with its corners, like one of four nodes.
+/// Eight-node bricks in ascending order of user id; wedges and tetrahedra repeat nodes (LS-DYNA's rule). A tetrahedron
+/// of ten nodes stands in `node` with its corners, like one of four nodes.
 struct Solids {
   std::vector<int> id;
   std::vector<Index> part;
   std::vector<std::array<Index, 8>> node;
   std::vector<std::array<Index, 10>> ten_nodes;  ///< of the tetrahedra of ten nodes; see kernel::quadratic_tetrahedron
-  std::vector<Index> ten_row;  ///< of a solid in `ten_nodes`, or none; may end before the last solid
+  std::vector<Index> ten_row;                    ///< of a solid in `ten_nodes`, or none; may end before the last solid
   Places place;
   std::size_t size() const { return id.size(); }
   bool quadratic(std::size_t e) const { return e < ten_row.size() && ten_row[e] != none; }
@@ -99,7 +99,8 @@ struct Solids {
     if (quadratic(e)) return ten(e);
     return node[e];
   }
-  /// The different corners of a solid in the order of its card: eight of a brick, six of a wedge, four of a tetrahedron.
+  /// The different corners of a solid in the order of its card: eight of a brick, six of a wedge, four of a
+  /// tetrahedron.
   std::vector<Index> corners(std::size_t e) const;
   /// All different nodes: the corners, after them those amid the edges of a quadratic tetrahedron.
   std::vector<Index> different_nodes(std::size_t e) const;

@@ -160,7 +160,7 @@ struct Set {
   Place place;
   std::array<double, 4> attributes{};  ///< DA1..DA4: what they mean is up to who uses the set
 };
-using Segment = std::array<Index, 4>;         ///< nodes; a triangle repeats its third
+using Segment = std::array<Index, 4>;        ///< nodes; a triangle repeats its third
 using CornerShares = std::array<double, 4>;  ///< of something on a segment
 
 struct Sets {

@@ -73,7 +73,7 @@ class ElementGroup {
   virtual double stable_step(std::size_t e) const = 0;      ///< before TSSFAC, mass scaling included; of the last cycle
   virtual double internal_energy(std::size_t e) const = 0;  ///< hourglass work not included
   virtual double hourglass_energy(std::size_t e) const = 0;
-  virtual double mass(std::size_t e) const = 0;               ///< physical, of the whole element
+  virtual double mass(std::size_t e) const = 0;  ///< physical, of the whole element
   /// Its share at node a, physical.
   double nodal_mass(std::size_t e, int a) const {
     return model::mass_at(mass(e), static_cast<std::size_t>(nodes_per_element), static_cast<std::size_t>(a));

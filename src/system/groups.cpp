@@ -314,7 +314,8 @@ void System::make_bricks() {
     }
     const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
       const BrickElement<Law> element{brick, kernel::Prepared<Law>(law)};
-      const auto [quadratic, tetrahedra, full, others] = by_formulation(sorted[p], model.solid_sections[at(part.section)].elform);
+      const auto [quadratic, tetrahedra, full, others] =
+          by_formulation(sorted[p], model.solid_sections[at(part.section)].elform);
       if (!quadratic.empty())
         add_group(QuadraticTetrahedronElement<Law>{brick, element.law}, model::ElementKind::solid, p,
                   different_nodes(quadratic), solid_seat);
@@ -364,11 +365,7 @@ System::Formulations System::by_formulation(const std::vector<model::Index>& sol
     const bool tetrahedron = corners == 4 && (sorts || elform == 4 || elform == 10 || elform == 13),
                wedge = corners == 6 && sorts;
     const bool full = wedge || elform == 2 || elform == 15 || bends_without_locking(elform);
-    (model.solids.quadratic(at(e)) ? f.quadratic
-     : tetrahedron                 ? f.tetrahedra
-     : full                        ? f.full
-                                   : f.others)
-        .push_back(e);
+    (model.solids.quadratic(at(e)) ? f.quadratic : tetrahedron ? f.tetrahedra : full ? f.full : f.others).push_back(e);
   }
   return f;
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int points = QuadraticTetrahedronLayout::points;
 constexpr double near = 0.58541019662496845446, far = 0.13819660112501051518;  // (5 + 3 sqrt 5) / 20, (5 - sqrt 5) / 20
-constexpr double most = 25.7507;  // c of the stable step
+constexpr double most = 25.7507;                                               // c of the stable step
 
 /// Place of the node between corners i and j; the corner where they are one.
 constexpr int between[4][4] = {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3}};

@@ -161,9 +161,9 @@ TEST(QuadraticTetrahedron, ForcesAreInBalance) {
   EXPECT_LT(norm(moment), 1e-9 * norm(d.force.f[4]));
 }
 
-/// Strain energy of a field of displacement u = (x y, y z + x^2, x z - y^2) in a straight-sided tetrahedron: its density
-/// is a quadratic polynomial, integrated exactly by the monomials' formula over a simplex,
-/// integral of (a . x)(b . x) = V / 20 (sum_i (a . x_i)(b . x_i) + (sum_i a . x_i)(sum_i b . x_i)).
+/// Strain energy of a field of displacement u = (x y, y z + x^2, x z - y^2) in a straight-sided tetrahedron: its
+/// density is a quadratic polynomial, integrated exactly by the monomials' formula over a simplex, integral of (a .
+/// x)(b . x) = V / 20 (sum_i (a . x_i)(b . x_i) + (sum_i a . x_i)(sum_i b . x_i)).
 double quadratic_energy(const Motion& m) {
   const double G = steel_E / (2 * (1 + steel_nu)), lambda = 2 * G * steel_nu / (1 - 2 * steel_nu);
   const auto strain = [](const Vec3d& p) {  // linear in p
