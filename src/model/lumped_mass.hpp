@@ -22,8 +22,9 @@ std::vector<NodeMass> lumped_mass(const Model& model, Index part);
 
 /// Area of a shell, half the cross product of its diagonals [length^2].
 double shell_area(const Model& model, std::size_t shell);
-/// Eight times the Jacobian determinant at the centre: the volume that a one-point brick integrates; of a tetrahedron
-/// of ten nodes that of its four points [length^3].
+/// Eight times the Jacobian determinant at the centre: the volume that a one-point brick integrates. Of tetrahedra
+/// their own, where they are not computed as collapsed bricks; of those of ten nodes that of their four points
+/// [length^3].
 double solid_volume(const Model& model, std::size_t solid);
 /// Of a beam's cross-section: A, a rectangle, or a round tube [length^2].
 double beam_area(const SectionBeam& section);
