@@ -146,6 +146,7 @@ class ElementReader {
     fill(out_.angle, none);
     fill(out_.system, 0);
     fill(out_.offset, none);
+    fill(out_.to_ten, char{0});
     fill(out_.tied_parts, std::array<int, 2>{});
     fill(out_.orientation, std::array<double, 3>{});
     fill(out_.section, std::array<double, 5>{});
@@ -325,7 +326,9 @@ class SolidReader : ElementReader {
 
   void read() {
     const auto options = options_of(block_.keyword, "ELEMENT_SOLID");
-    if (!options_are_known(options, {"ORTHO", "DOF"}, "use *ELEMENT_SOLID, alone or with ORTHO or DOF")) return;
+    if (!options_are_known(options, {"ORTHO", "DOF", "TET4TOTET10"},
+                           "use *ELEMENT_SOLID, alone or with ORTHO, DOF or TET4TOTET10"))
+      return;
     const auto has = [&](std::string_view o) { return std::find(options.begin(), options.end(), o) != options.end(); };
     if (has("ORTHO")) {
       findings_.warning(block_.place, block_.starred(), "material axes of single elements are read but not used",
@@ -342,6 +345,7 @@ class SolidReader : ElementReader {
         read_nodes_line(line, solid_nodes_card(), 10);
       }
       if (kept) append();
+      if (kept && has("TET4TOTET10")) append(out_.to_ten, char{1}, char{0});
       if (has("ORTHO") && !(skip_card(axes_card) && skip_card(axes_card))) break;
       if (has("DOF") && !skip_card(scalar_nodes_card)) break;
     }

@@ -170,13 +170,14 @@ struct ElementTable {
   std::vector<double> angle;                       ///< shells: BETA in degrees, NaN where blank
   std::vector<int> system;                         ///< shells: MCID
   std::vector<double> offset;                      ///< shells: OFFSET, NaN where none is given
+  std::vector<char> to_ten;                        ///< solids: of _TET4TOTET10
   std::vector<std::array<int, 2>> tied_parts;      ///< beams: PID1, PID2 of _PID
   std::vector<std::array<double, 3>> orientation;  ///< beams: _ORIENTATION
   std::vector<std::array<double, 5>> section;      ///< beams: _THICKNESS PARM1..5
 };
 /// *ELEMENT_SHELL with THICKNESS, BETA, MCID, OFFSET, DOF; up to 8 nodes.
 void read_shells(const Deck& deck, const Block& block, ElementTable& out, Findings& findings);
-/// *ELEMENT_SOLID one-line and two-line, ORTHO, DOF; up to 10 nodes.
+/// *ELEMENT_SOLID one-line and two-line, ORTHO, DOF, TET4TOTET10; up to 10 nodes.
 void read_solids(const Deck& deck, const Block& block, ElementTable& out, Findings& findings);
 /// *ELEMENT_BEAM with THICKNESS, PID, OFFSET, ORIENTATION; nodes N1 N2 N3.
 void read_beams(const Deck& deck, const Block& block, ElementTable& out, Findings& findings);

@@ -8,7 +8,9 @@
 #include "base/index.hpp"
 #include "impact/edge_setup.hpp"
 #include "impact/element_alive.hpp"
+#include "kernel/element/tetrahedron.hpp"
 #include "model/contact_form.hpp"
+#include "model/segments.hpp"
 #include "weld/welds.hpp"
 
 namespace nugget::impact {
@@ -20,6 +22,7 @@ constexpr unsigned tracked = 1, reference = 2;  // bits of contact::Segment::sid
 constexpr int faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 
 double volume(const std::array<model::Index, 8>& n, const std::vector<Vec3d>& x) {
+  if (n[3] == n[4]) return std::abs(kernel::tetrahedron_volume({x[at(n[0])], x[at(n[1])], x[at(n[2])], x[at(n[3])]}));
   Vec3d middle{};
   for (model::Index k : n) middle += 0.125 * x[at(k)];
   double v = 0.0;
@@ -152,11 +155,8 @@ class Surfaces {
     };
     std::map<Key, std::vector<Face>> found;
     for (std::size_t e = 0; e < model_.solids.size(); ++e) {
-      for (const auto& f : faces) {
-        Key node;
-        for (std::size_t a = 0; a < 4; ++a) node[a] = model_.solids.node[e][at(f[a])];
+      for (const model::Segment& node : model::faces_of(model_.solids, e)) {
         const Key key = key_of(node);
-        if (key[2] == model::none) continue;  // a collapsed face of a wedge or a tetrahedron
         const auto set = wanted.find(key);
         const bool listed = set != wanted.end() && !set->second;
         if (!in_box(node)) continue;
@@ -172,18 +172,14 @@ class Surfaces {
   }
 
   contact::Segment face(const Key& node, std::size_t solid, unsigned side) const {
-    // A triangle repeats its third node, wherever the repetition stood in the face.
-    std::vector<int> corner;
-    for (int n : node)
-      if (std::find(corner.begin(), corner.end(), n) == corner.end()) corner.push_back(n);
-    if (corner.size() == 3) corner.push_back(corner[2]);
     contact::Segment s;
-    for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[at(corner[a])];
+    for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[at(node[a])];
     const model::Part& part = model_.parts[at(model_.solids.part[solid])];
     s.scale = stiffness_scale(side) * part.stiffness_scale;
     s.bulk_modulus = stiffness_scale(side) * bulk_modulus(model_, part);
     s.friction = friction(model_, part, card_.friction);
-    s.volume = volume(model_.solids.node[solid], system_.ties.x);
+    // Each of the four triangles of a six-node face has its share of the solid behind it.
+    s.volume = volume(model_.solids.node[solid], system_.ties.x) * (model_.solids.quadratic(solid) ? 0.25 : 1.0);
     s.mass = 0.5 * density(part) * s.volume;
     s.element = place_of(solid);
     return s;

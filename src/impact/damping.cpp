@@ -23,7 +23,7 @@ Frame3d frame(const Vec3d& first, const Vec3d& second) {
 }
 
 /// Axes that turn with a shell or a solid: means of opposite sides, so that no corner counts for more than another.
-Frame3d axes_of(const std::array<int, 8>& node, std::size_t corners, const system::State& state) {
+Frame3d axes_of(const system::ElementNodes& node, std::size_t corners, const system::State& state) {
   const auto x = [&](std::size_t a) { return vec(state.x[at(node[a])]); };
   if (corners == 8)
     return frame(x(1) + x(2) + x(5) + x(6) - x(0) - x(3) - x(4) - x(7),
@@ -33,7 +33,8 @@ Frame3d axes_of(const std::array<int, 8>& node, std::size_t corners, const syste
 }
 
 /// Axes that turn with a beam: about its line by the mean spin of its ends.
-Frame3d axes_along(const std::array<int, 8>& node, const system::State& state, double dt, bool started, Vec3d& across) {
+Frame3d axes_along(const system::ElementNodes& node, const system::State& state, double dt, bool started,
+                   Vec3d& across) {
   const std::size_t i = at(node[0]), j = at(node[1]);
   const Vec3d line = unit(vec(state.x[j]) - vec(state.x[i]));
   if (started)
@@ -133,7 +134,7 @@ std::vector<Damping::Member> Damping::of_parts(const std::vector<model::Index>& 
       const auto nodes = group->nodes(e);
       for (int a = 0; a < group->nodes_per_element; ++a) {
         auto& [mass, inertia] = own[nodes[at(a)]];
-        mass += group->mass_scale(e) * group->mass(e) / group->nodes_per_element;
+        mass += group->mass_scale(e) * group->nodal_mass(e, a);
         inertia += group->mass_scale(e) * group->nodal_inertia(e);
       }
     }

@@ -64,14 +64,13 @@ void element_energies(const system::System& system, const system::State& state, 
         energy.eroded += internal + hourglass;
       }
       const auto nodes = group->nodes(e);
-      const double m = group->mass_scale(e) * group->mass(e) / group->nodes_per_element;
-      for (int a = 0; a < group->nodes_per_element; ++a) carry(part, nodes[static_cast<std::size_t>(a)], m);
+      for (int a = 0; a < group->nodes_per_element; ++a)
+        carry(part, nodes[static_cast<std::size_t>(a)], group->mass_scale(e) * group->nodal_mass(e, a));
     }
   }
   for (const system::System::Lump& lump : system.lumps())
     for (int a = 0; a < lump.corners; ++a)
-      carry(parts[static_cast<std::size_t>(lump.part)], lump.node[static_cast<std::size_t>(a)],
-            lump.mass / lump.corners);
+      carry(parts[static_cast<std::size_t>(lump.part)], lump.node[static_cast<std::size_t>(a)], lump.nodal_mass(a));
 }
 
 }  // namespace nugget::impact

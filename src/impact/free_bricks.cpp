@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "base/index.hpp"
@@ -14,11 +15,15 @@ namespace {
 
 struct Brick {
   model::Index part, element;
-  std::array<int, 8> node;
+  system::ElementNodes node;
   std::array<Vec3d, 8> x;
   double E, nu, density;
   double viscosity;  ///< Q2, linear
 };
+
+std::span<const int, 8> corners_of(const system::ElementNodes& node) {
+  return std::span(node).first<8>();
+}
 
 /// By system node: its mass, or 0 where it cannot move by itself.
 std::vector<double> free_masses(const system::System& system) {
@@ -40,13 +45,13 @@ std::vector<Brick> bricks_of_rows(const system::System& system, const std::vecto
         for (std::size_t e = 0; e < group->size(); ++e) with(*group, e, group->nodes(e));
   };
   std::vector<int> users(system.all_nodes(), 0);
-  each_brick([&](const system::ElementGroup&, std::size_t, const std::array<int, 8>& node) {
-    for (const int n : node) ++users[at(n)];
+  each_brick([&](const system::ElementGroup&, std::size_t, const system::ElementNodes& node) {
+    for (const int n : corners_of(node)) ++users[at(n)];
   });
   std::vector<Brick> rows;
-  each_brick([&](const system::ElementGroup& group, std::size_t e, const std::array<int, 8>& node) {
-    if (std::any_of(node.begin(), node.end(), [&](int n) { return users[at(n)] > 2; })) return;
-    if (std::none_of(node.begin(), node.end(), [&](int n) { return mass[at(n)] > 0.0; })) return;
+  each_brick([&](const system::ElementGroup& group, std::size_t e, const system::ElementNodes& node) {
+    if (std::ranges::any_of(corners_of(node), [&](int n) { return users[at(n)] > 2; })) return;
+    if (std::ranges::none_of(corners_of(node), [&](int n) { return mass[at(n)] > 0.0; })) return;
     const model::Material& material = system.model.materials[at(system.model.parts[at(group.part)].material)];
     const model::Index card = system.model.parts[at(group.part)].hourglass;
     const model::Hourglass& control =

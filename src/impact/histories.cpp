@@ -391,7 +391,7 @@ static std::vector<unsigned char> nodes_of(const system::System& system, const m
   for (std::size_t e = 0; e < model.shells.size(); ++e)
     if (in[at(model.shells.part[e])]) std::for_each(model.shells.node[e].begin(), model.shells.node[e].end(), mark);
   for (std::size_t e = 0; e < model.solids.size(); ++e)
-    if (in[at(model.solids.part[e])]) std::for_each(model.solids.node[e].begin(), model.solids.node[e].end(), mark);
+    if (in[at(model.solids.part[e])]) std::ranges::for_each(model.solids.nodes(e), mark);
   for (std::size_t e = 0; e < model.beams.size(); ++e)
     if (in[at(model.beams.part[e])]) std::for_each(model.beams.node[e].begin(), model.beams.node[e].begin() + 2, mark);
   for (const model::Segment& s : surface.segments) std::for_each(s.begin(), s.end(), mark);

@@ -55,14 +55,13 @@ Loads::Loads(const system::System& system) : system_(system) {
         for (std::size_t e = 0; e < group->size(); ++e) {
           const auto nodes = group->nodes(e);
           for (int a = 0; a < group->nodes_per_element; ++a)
-            mass[nodes[static_cast<std::size_t>(a)]] += group->mass(e) / group->nodes_per_element;
+            mass[nodes[static_cast<std::size_t>(a)]] += group->nodal_mass(e, a);
         }
       }
       // Rigid parts, and what else has mass without a kernel.
       for (const system::System::Lump& lump : system.lumps())
         if (std::find(load.parts.begin(), load.parts.end(), lump.part) != load.parts.end())
-          for (int a = 0; a < lump.corners; ++a)
-            mass[lump.node[static_cast<std::size_t>(a)]] += lump.mass / lump.corners;
+          for (int a = 0; a < lump.corners; ++a) mass[lump.node[static_cast<std::size_t>(a)]] += lump.nodal_mass(a);
       for (const auto& [node, m] : mass) {
         body.nodes.push_back(node);
         body.mass.push_back(m);
@@ -133,8 +132,9 @@ void Loads::apply(Pressure& pressure, system::State& state, double dt) {
       k[a] = static_cast<std::size_t>(system_.node_of[static_cast<std::size_t>(segment[a])]);
       x[a] = vec(state.x[k[a]]);
     }
-    const Vec3d share = (-p / static_cast<double>(corners)) * area(x, triangle);
+    const Vec3d force = -p * area(x, triangle);
     for (std::size_t a = 0; a < corners; ++a) {
+      const Vec3d share = load.share[s][a] * force;
       Vec3d& last = pressure.last[4 * s + a];
       work_ += 0.5 * dt * dot(last + share, vec(state.v[k[a]]));
       add(state.f[k[a]], share);

@@ -9,6 +9,7 @@
 #include "kernel/element/belytschko_tsay.hpp"
 #include "kernel/element/c0_triangle.hpp"
 #include "kernel/element/kirchhoff_triangle.hpp"
+#include "kernel/element/quadratic_tetrahedron.hpp"
 #include "model/axes.hpp"
 #include "system/shell_elements.hpp"
 
@@ -17,6 +18,12 @@ namespace {
 
 Frame3d frame_of(const std::array<Vec3d, 4>& x, int corners) {
   return corners == 4 ? kernel::shell_frame(x) : kernel::triangle_frame({x[0], x[1], x[2]});
+}
+
+std::array<Vec3d, 8> first_eight(const std::array<Vec3d, 10>& x) {
+  std::array<Vec3d, 8> eight;
+  std::copy_n(x.begin(), 8, eight.begin());
+  return eight;
 }
 
 /// Velocity gradient of a brick at its centre: rows are the gradients of the velocity's components.
@@ -149,14 +156,15 @@ void Strains::advance_solid(std::size_t e, const system::State& state) {
   const system::ElementGroup& group = *system_.groups[at(seat.group)];
   if (!group.alive(at(seat.element))) return;
   const auto nodes = group.nodes(at(seat.element));
-  std::array<Vec3d, 8> x, v;
+  std::array<Vec3d, 10> x, v;
   const std::size_t last = at(group.nodes_per_element) - 1;  // a tetrahedron repeats its fourth node
-  for (std::size_t a = 0; a < 8; ++a) {
+  for (std::size_t a = 0; a < 10; ++a) {
     const auto k = at(nodes[std::min(a, last)]);
     v[a] = vec(state.v[k]);
     x[a] = vec(state.x[k]) - 0.5 * state.dt * v[a];
   }
-  const auto g = velocity_gradient(x, v);
+  const auto g = group.nodes_per_element == 10 ? kernel::quadratic_tetrahedron_gradient(x, v)
+                                               : velocity_gradient(first_eight(x), first_eight(v));
   const double dt = state.dt;
   // Half the curl; the strain so far turns with the element (Jaumann).
   const double wz = 0.5 * dt * (g[1].x - g[0].y), wx = 0.5 * dt * (g[2].y - g[1].z), wy = 0.5 * dt * (g[0].z - g[2].x);

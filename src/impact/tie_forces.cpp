@@ -58,7 +58,8 @@ double volume_behind(const model::Model& model, const std::vector<Vec3d>& x, con
   for (std::size_t e = 0; e < model.solids.size(); ++e) {
     if (model.solids.part[e] != part) continue;
     const auto& n = model.solids.node[e];
-    const auto has = [&](model::Index k) { return std::find(n.begin(), n.end(), k) != n.end(); };
+    const std::span<const model::Index> all = model.solids.nodes(e);
+    const auto has = [&](model::Index k) { return std::ranges::find(all, k) != all.end(); };
     if (!std::all_of(face.begin(), face.end(), has)) continue;
     std::array<Vec3d, 8> place;
     for (std::size_t a = 0; a < 8; ++a) place[a] = x[at(n[a])];

@@ -28,7 +28,7 @@ Welds::Bricks::Bricks(const system::System& system, const weld::Weld& weld) : se
   for (model::Index n : at_ends) nodes.push_back(system.node_of[at(n)]);
   for (model::Index e : weld.elements) {
     const system::System::Seat seat = system.seat_of(weld, e);
-    const std::array<int, 8> of_brick = system.groups[at(seat.group)]->nodes(at(seat.element));
+    const system::ElementNodes of_brick = system.groups[at(seat.group)]->nodes(at(seat.element));
     std::array<Vec3d, 8> place;
     for (std::size_t a = 0; a < 8; ++a) {
       place[a] = system.ties.x[at(system.model_node[at(of_brick[a])])];
@@ -45,7 +45,7 @@ Welds::Bricks::Bricks(const system::System& system, const weld::Weld& weld) : se
 double Welds::Bricks::least_jacobian(const system::System& system, const system::State& state) const {
   double least = 1.0;
   for (std::size_t b = 0; b < seats.size(); ++b) {
-    const std::array<int, 8> node = system.groups[at(seats[b].group)]->nodes(at(seats[b].element));
+    const system::ElementNodes node = system.groups[at(seats[b].group)]->nodes(at(seats[b].element));
     std::array<Vec3d, 8> place;
     for (std::size_t a = 0; a < 8; ++a) place[a] = vec(state.x[at(node[a])]);
     const std::array<double, 8> now = corner_jacobians(place);

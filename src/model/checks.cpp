@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "kernel/element/quadratic_tetrahedron.hpp"
 #include "kernel/law/composition.hpp"
 #include "model/cards/equation_of_state.hpp"
 #include "model/lumped_mass.hpp"
@@ -93,20 +94,73 @@ bool has_equal_nodes(const std::array<Index, 8>& nodes) {
   return false;
 }
 
+template <class L>
+bool is(const Model& m, const Part& part) {
+  return part.material != none && std::holds_alternative<L>(m.materials[static_cast<std::size_t>(part.material)].law);
+}
+
+std::array<Vec3d, 10> ten_places(const Model& m, std::size_t e) {
+  std::array<Vec3d, 10> x;
+  for (std::size_t a = 0; a < 10; ++a) x[a] = position(m, m.solids.ten(e)[a]);
+  return x;
+}
+
+double least_volume(const Model& m, std::size_t e) {
+  return kernel::quadratic_tetrahedron_least_volume(ten_places(m, e));
+}
+
+/// How far the nodes of a quadratic tetrahedron are from the middles of their edges, as a share of the edge.
+double farthest_from_middle(const Model& m, std::size_t e) {
+  const std::array<Vec3d, 10> x = ten_places(m, e);
+  double most = 0.0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Vec3d &from = x[static_cast<std::size_t>(kernel::quadratic_tetrahedron_edge[i][0])],
+                &to = x[static_cast<std::size_t>(kernel::quadratic_tetrahedron_edge[i][1])];
+    most = std::max(most, norm(x[4 + i] - 0.5 * (from + to)) / norm(to - from));
+  }
+  return most;
+}
+
+/// Ten nodes belong to formulations 16 and 17, and they to ten nodes; rigid parts have no formulation.
+void check_order(const Model& m, std::size_t e, int elform, Tally& order) {
+  const Part& part = m.parts[static_cast<std::size_t>(m.solids.part[e])];
+  const bool quadratic = elform == 16 || elform == 17;
+  if (m.solids.quadratic(e) == quadratic || part.section == none || is<kernel::Rigid>(m, part)) return;
+  order.add(
+      m.solids.place[e],
+      [&] {
+        return fmt::format("solid {} has {} nodes, which formulation {} does not", m.solids.id[e],
+                           m.solids.different_nodes(e).size(), elform);
+      },
+      quadratic ? "give it ten nodes, or keep four and write *ELEMENT_SOLID_TET4TOTET10"
+                : "give its part a section of ELFORM 16");
+}
+
 void check_solids(Builder& b) {
   const Model& m = b.model;
   Tally negative(b.findings, Severity::error, "*ELEMENT_SOLID"), bent(b.findings, Severity::warning, "*ELEMENT_SOLID");
-  Tally misshapen(b.findings, Severity::error, "*ELEMENT_SOLID");
+  Tally misshapen(b.findings, Severity::error, "*ELEMENT_SOLID"), order(b.findings, Severity::error, "*ELEMENT_SOLID");
   for (std::size_t e = 0; e < m.solids.size(); ++e) {
     const int id = m.solids.id[e];
-    const double volume = solid_volume(m, e);
+    const double volume = m.solids.quadratic(e) ? least_volume(m, e) : solid_volume(m, e);
     if (!(volume > 0.0))
       negative.add(
           m.solids.place[e],
           [&] {
             return fmt::format("solid {} has the volume {:g}, expected more than 0 (negative Jacobian)", id, volume);
           },
-          "number its nodes 1-4 around the bottom and 5-8 above them, seen from inside right-handed");
+          m.solids.quadratic(e)
+              ? "number its nodes 1-3 around the bottom and 4 above them, seen from inside right-handed, then those "
+                "amid "
+                "1-2, 2-3, 3-1, 1-4, 2-4, 3-4"
+              : "number its nodes 1-4 around the bottom and 5-8 above them, seen from inside right-handed");
+    else if (const double off = m.solids.quadratic(e) ? farthest_from_middle(m, e) : 0.0; off > 0.25)
+      bent.add(
+          m.solids.place[e],
+          [&] {
+            return fmt::format("a node amid an edge of solid {} is {:.2f} of its length off the middle", id, off);
+          },
+          "number nodes 5-10 amid the edges 1-2, 2-3, 3-1, 1-4, 2-4, 3-4, or mend the mesh; its step is short");
     else if (!has_equal_nodes(m.solids.node[e]) && !(smallest_corner_volume(m, e) > 0.0))
       bent.add(
           m.solids.place[e],
@@ -114,7 +168,8 @@ void check_solids(Builder& b) {
           "mend the mesh there; it may fail early");
     const Index section = m.parts[static_cast<std::size_t>(m.solids.part[e])].section;
     const int elform = section == none ? 1 : m.solid_sections[static_cast<std::size_t>(section)].elform;
-    const bool tetrahedron = elform == 4 || elform == 10 || elform == 13;
+    check_order(m, e, elform, order);
+    const bool tetrahedron = !m.solids.quadratic(e) && (elform == 4 || elform == 10 || elform == 13);
     const std::size_t corners = tetrahedron || elform == 15 ? m.solids.corners(e).size() : 0;
     if ((tetrahedron && corners != 4) || (elform == 15 && corners != 6))
       misshapen.add(
@@ -178,7 +233,7 @@ void count_free_nodes(Builder& b) {
     if (n != none) used[static_cast<std::size_t>(n)] = 1;
   };
   for (const auto& nodes : m.shells.node) std::for_each(nodes.begin(), nodes.end(), use);
-  for (const auto& nodes : m.solids.node) std::for_each(nodes.begin(), nodes.end(), use);
+  for (std::size_t e = 0; e < m.solids.size(); ++e) std::ranges::for_each(m.solids.nodes(e), use);
   for (const auto& nodes : m.beams.node) std::for_each(nodes.begin(), nodes.end(), use);
   std::for_each(m.beams.orientation.begin(), m.beams.orientation.end(), use);
   for (const Discrete& d : m.discretes) std::for_each(d.node.begin(), d.node.end(), use);
@@ -197,11 +252,6 @@ void count_free_nodes(Builder& b) {
 
 // ---- parts
 // -----------------------------------------------------------------------------------------------------------
-
-template <class L>
-bool is(const Model& m, const Part& part) {
-  return part.material != none && std::holds_alternative<L>(m.materials[static_cast<std::size_t>(part.material)].law);
-}
 
 /// LS-DYNA's other fully integrated quadrilaterals, which 16 stands for.
 bool computed_as_full(int elform) {
@@ -255,10 +305,11 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
   // In linear analyses the one-point brick with its physical stabilisation stands for 18 (nvh::linear_model).
   const bool linear = elform == 18 && b.model.implicit.active;
   const bool is_weld = is<kernel::Spotweld>(b.model, part),
-             is_corner_shape = elform == 4 || elform == 10 || elform == 13 || elform == 15;
-  const bool is_scaled = elform == -1 || elform == -2, has_rotations = elform == 3 || (elform == 4 && !is_weld);
+             is_corner_shape = elform == 4 || elform == 10 || elform == 13 || elform == 15 || elform == 16;
+  const bool is_composite = elform == 17 && !is_weld, is_scaled = elform == -1 || elform == -2,
+             has_rotations = elform == 3 || (elform == 4 && !is_weld);
   const bool is_built =
-      elform == 1 || elform == 2 || elform == 3 || linear || is_scaled || (is_corner_shape && !is_weld);
+      elform == 1 || elform == 2 || elform == 3 || linear || is_scaled || is_composite || (is_corner_shape && !is_weld);
   const bool is_wedge = elform == 15 && is_built;
   if (elform == 13 && is_built && is<kernel::Compound>(b.model, part) && !told[s]) {
     told[s] = 1;
@@ -266,7 +317,7 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
         b.findings, Severity::warning, "elform",
         "the nodes' pressure is built for *MAT_001, 003, 012 and 024; with this law the tetrahedra are computed as 10");
   }
-  const bool as_asked = is_built && !is_wedge && !is_scaled && !has_rotations;
+  const bool as_asked = is_built && !is_wedge && !is_scaled && !has_rotations && !is_composite;
   if (is<kernel::Rigid>(b.model, part) || as_asked || std::exchange(told[s], char{1})) return;
   if (elform == 3)
     return b.solid_section_rows[s].complain(
@@ -282,6 +333,12 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
         "rotations of its corners (Allman; Pawlak, Yunus, Cook 1991); LS-DYNA's is not public and may differ. What "
         "turns its nodes, such as a shell on edge, meets next to no resistance",
         "hold the rotations that turn nodes out of planes of symmetry and grips; tie shells to a face");
+  if (is_composite)
+    return b.solid_section_rows[s].complain(
+        b.findings, Severity::warning, "elform",
+        "solid formulation 17, a tetrahedron composed of smaller ones on the same ten nodes, is computed as 16, the "
+        "quadratic tetrahedron of four points",
+        "write 16");
   if (is_scaled)
     return b.solid_section_rows[s].complain(
         b.findings, Severity::warning, "elform",
@@ -301,12 +358,14 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
     return;
   }
   const bool is_brick_that_bends = elform == 18 || is_weld;
-  refuse(b, b.solid_section_rows[s], "elform",
-         fmt::format("solid formulation {} is not built{}; built are 1 (constant stress), 2 (fully integrated), -1, -2 "
-                     "and 3 (without locking in bending) and, not for welds, 4, 10 and 13 (tetrahedra) and 15 (wedge)",
-                     elform, is_weld ? " for welds" : ""),
-         is_brick_that_bends ? "write -1, a brick of eight points that bends without locking"
-                             : "write 1, with an hourglass control of type 2 or 3");
+  refuse(
+      b, b.solid_section_rows[s], "elform",
+      fmt::format("solid formulation {} is not built{}; built are 1 (constant stress), 2 (fully integrated), -1, -2 "
+                  "and 3 (without locking in bending) and, not for welds, 4, 10 and 13 (tetrahedra), 15 (wedge) and 16 "
+                  "(tetrahedron of ten nodes)",
+                  elform, is_weld ? " for welds" : ""),
+      is_brick_that_bends ? "write -1, a brick of eight points that bends without locking"
+                          : "write 1, with an hourglass control of type 2 or 3");
 }
 
 /// A spring needs a mass to have a time step.

@@ -69,7 +69,7 @@ std::vector<Index> nodes_of(const Model& model, ElementKind kind, Index element)
   if (kind == ElementKind::shell)
     all = model.shells.node[e];
   else if (kind == ElementKind::solid)
-    all = model.solids.node[e];
+    all = model.solids.nodes(e);
   else
     all = model.beams.node[e];
   std::vector<Index> nodes;
@@ -138,7 +138,7 @@ void cut(const Model& model, const CuttingPlane& plane, const std::vector<char>&
       if (corners.empty() ||
           !std::all_of(corners.begin(), corners.end(), [&](const Corner& c) { return inside(plane, place(model, c)); }))
         continue;
-      for (const Index n : elements.node[e])
+      for (const Index n : elements.nodes(e))
         if (height(n) >= 0.0) section.nodes.push_back(n);
       section.facets.push_back(facet(model, kind, static_cast<Index>(e), std::move(corners)));
     }

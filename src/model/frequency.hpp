@@ -40,11 +40,12 @@ struct FrequencyResponse : Frequencies {
     } kind = Kind::force;
     Quantity quantity = Quantity::velocity;  ///< of the base or of the enforced nodes, which has amplitude 1
     std::vector<Index> nodes;
-    Vec3d direction;               ///< unit vector
-    bool turning = false;          ///< of the base: it turns about `direction`, by angles; not for enforced nodes
-    Vec3d axis;                    ///< a point of the axis about which it turns
-    std::vector<Segment> pressed;  ///< each carries a pressure of amplitude 1, against its normal
-    Place place;                   ///< of the card
+    Vec3d direction;                  ///< unit vector
+    bool turning = false;             ///< of the base: it turns about `direction`, by angles; not for enforced nodes
+    Vec3d axis;                       ///< a point of the axis about which it turns
+    std::vector<Segment> pressed;     ///< each carries a pressure of amplitude 1, against its normal
+    std::vector<CornerShares> share;  ///< of their forces; see share_pressure
+    Place place;                      ///< of the card
     bool moves() const { return kind == Kind::base || kind == Kind::enforced; }
   };
 

@@ -73,6 +73,7 @@ struct BodyLoad {
 /// Pressure on segments; positive pushes onto the face, against its right-hand normal.
 struct PressureLoad {
   std::vector<Segment> segments;
+  std::vector<CornerShares> share;  ///< of each segment's force, by its corners; see share_pressure
   Index curve = none;
   double scale = 1.0;
   double arrival = 0.0;

@@ -5,7 +5,8 @@
 #include <numbers>
 #include <span>
 
-#include "kernel/element/hexahedron.hpp"
+#include "kernel/element/quadratic_tetrahedron.hpp"
+#include "kernel/element/tetrahedron.hpp"
 
 namespace nugget::model {
 
@@ -21,7 +22,7 @@ const Section* section_of(const std::vector<Section>& sections, const Part& part
 }
 
 void share(std::vector<NodeMass>& out, std::span<const Index> nodes, double mass) {
-  for (const Index n : nodes) out.push_back({n, mass / static_cast<double>(nodes.size())});
+  for (std::size_t a = 0; a < nodes.size(); ++a) out.push_back({nodes[a], mass_at(mass, nodes.size(), a)});
 }
 
 std::vector<NodeMass> joined(std::vector<NodeMass> shares) {
@@ -36,6 +37,11 @@ std::vector<NodeMass> joined(std::vector<NodeMass> shares) {
 
 }  // namespace
 
+double mass_at(double mass, std::size_t nodes, std::size_t node) {
+  if (nodes == 10) return mass * kernel::quadratic_tetrahedron_mass_share(static_cast<int>(node));
+  return mass / static_cast<double>(nodes);
+}
+
 double beam_area(const SectionBeam& s) {
   if (s.area > 0.0) return s.area;
   if (s.elform == 1 && s.cross_section == 0) return 0.25 * (s.outer[0] + s.outer[1]) * (s.inner[0] + s.inner[1]);
@@ -48,8 +54,28 @@ double shell_area(const Model& m, std::size_t e) {
   return 0.5 * norm(cross(position(m, n[2]) - position(m, n[0]), position(m, n[3]) - position(m, n[1])));
 }
 
+/// Four corners, and no one-point brick that is collapsed to them, which has a volume of its own.
+static bool is_tetrahedron(const Model& m, std::size_t e) {
+  if (m.solids.node[e][4] != m.solids.node[e][7] || m.solids.corners(e).size() != 4) return false;
+  const Part& part = m.parts[static_cast<std::size_t>(m.solids.part[e])];
+  const SectionSolid* section = section_of(m.solid_sections, part);
+  const bool rigid = part.material != none &&
+                     std::holds_alternative<kernel::Rigid>(m.materials[static_cast<std::size_t>(part.material)].law);
+  return rigid || m.control.sort_solids || (section && (section->elform == 4 || section->elform >= 10));
+}
+
 double solid_volume(const Model& m, std::size_t e) {
+  if (m.solids.quadratic(e)) {
+    std::array<Vec3d, 10> ten;
+    for (std::size_t a = 0; a < 10; ++a) ten[a] = position(m, m.solids.ten(e)[a]);
+    return kernel::quadratic_tetrahedron_volume(ten);
+  }
   std::array<Vec3d, 8> x;
+  if (is_tetrahedron(m, e)) {
+    const std::vector<Index> corner = m.solids.corners(e);
+    return kernel::tetrahedron_volume(
+        {position(m, corner[0]), position(m, corner[1]), position(m, corner[2]), position(m, corner[3])});
+  }
   for (std::size_t a = 0; a < 8; ++a) x[a] = position(m, m.solids.node[e][a]);
   return kernel::hexahedron_volume(x);
 }
@@ -70,7 +96,7 @@ std::vector<NodeMass> lumped_mass(const Model& m, Index part) {
       share(shares, std::span(m.shells.node[e]).first(m.shells.triangle(e) ? 3 : 4),
             (density * m.shells.thickness[e] + shell->extra_mass) * shell_area(m, e));
   for (std::size_t e = 0; p.kind == ElementKind::solid && e < m.solids.size(); ++e)
-    if (m.solids.part[e] == part) share(shares, m.solids.corners(e), density * solid_volume(m, e));
+    if (m.solids.part[e] == part) share(shares, m.solids.different_nodes(e), density * solid_volume(m, e));
   const SectionBeam* beam = p.kind == ElementKind::beam ? section_of(m.beam_sections, p) : nullptr;
   for (std::size_t e = 0; beam && e < m.beams.size(); ++e)
     if (m.beams.part[e] == part)

@@ -12,14 +12,19 @@ struct NodeMass {
   double mass = 0.0;
 };
 
-/// Mass of a part's elements at its nodes, in ascending order of nodes: each element gives equal shares to its nodes
-/// (a triangle thirds). Shells rho A t plus MAREA, bricks rho V, beams rho A L plus NSM,
-/// discrete beams rho VOL.
+/// Mass that an element of mass `mass` has at one of its nodes: an equal share, of a tetrahedron of ten nodes that of
+/// its kernel.
+double mass_at(double mass, std::size_t nodes, std::size_t node);
+
+/// Mass of a part's elements at its nodes, in ascending order of nodes, by `mass_at` (a triangle gives thirds). Shells
+/// rho A t plus MAREA, bricks rho V, beams rho A L plus NSM, discrete beams rho VOL.
 std::vector<NodeMass> lumped_mass(const Model& model, Index part);
 
 /// Area of a shell, half the cross product of its diagonals [length^2].
 double shell_area(const Model& model, std::size_t shell);
-/// Eight times the Jacobian determinant at the centre: the volume that a one-point brick integrates [length^3].
+/// Eight times the Jacobian determinant at the centre: the volume that a one-point brick integrates. Of tetrahedra
+/// their own, where they are not computed as collapsed bricks; of those of ten nodes that of their four points
+/// [length^3].
 double solid_volume(const Model& model, std::size_t solid);
 /// Of a beam's cross-section: A, a rectangle, or a round tube [length^2].
 double beam_area(const SectionBeam& section);

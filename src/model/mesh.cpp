@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "kernel/element/quadratic_tetrahedron.hpp"
 #include "model/passes.hpp"
 #include "model/segments.hpp"
 
@@ -212,6 +213,11 @@ bool complete_solid(std::array<Index, 8>& n) {
   return std::count(n.begin(), n.end(), none) == 0;
 }
 
+bool all_different(std::array<Index, 10> n) {
+  std::sort(n.begin(), n.end());
+  return n.front() != none && std::adjacent_find(n.begin(), n.end()) == n.end();
+}
+
 }  // namespace
 
 std::vector<Index> Solids::corners(std::size_t e) const {
@@ -221,7 +227,55 @@ std::vector<Index> Solids::corners(std::size_t e) const {
   return different;
 }
 
+std::vector<Index> Solids::different_nodes(std::size_t e) const {
+  return quadratic(e) ? std::vector<Index>(ten(e).begin(), ten(e).end()) : corners(e);
+}
+
 namespace {
+
+/// *ELEMENT_SOLID_TET4TOTET10: tetrahedra of four nodes, rows `to_ten` of the table, get new nodes amid their edges,
+/// with ids after the largest; on edges of ten-node tetrahedra of the deck theirs.
+void give_nodes_amid_edges(Builder& b, Elements& elements, const std::vector<std::size_t>& to_ten) {
+  Solids& solids = b.model.solids;
+  Nodes& nodes = b.model.nodes;
+  std::map<std::pair<Index, Index>, Index> amid;
+  const auto edge = [](const std::array<Index, 10>& n, std::size_t i) -> std::pair<Index, Index> {
+    const auto& ends = kernel::quadratic_tetrahedron_edge[i];
+    return std::minmax(n[static_cast<std::size_t>(ends[0])], n[static_cast<std::size_t>(ends[1])]);
+  };
+  for (const std::array<Index, 10>& n : solids.ten_nodes)
+    for (std::size_t i = 0; i < 6; ++i) amid.emplace(edge(n, i), n[4 + i]);
+  const std::size_t given = nodes.size();
+  solids.ten_row.resize(solids.size(), none);
+  for (const std::size_t r : to_ten) {
+    const auto e = static_cast<std::size_t>(b.solids.find(b.solid_table.id[r]));
+    const std::vector<Index> corners = solids.corners(e);
+    if (corners.size() != 4) {
+      elements.refuse(r, fmt::format("has {} different nodes, expected the four of a tetrahedron", corners.size()),
+                      "take it out of *ELEMENT_SOLID_TET4TOTET10");
+      continue;
+    }
+    std::array<Index, 10> ten;
+    std::copy(corners.begin(), corners.end(), ten.begin());
+    for (std::size_t i = 0; i < 6; ++i) {
+      const auto [it, is_new] = amid.try_emplace(edge(ten, i), static_cast<Index>(nodes.size()));
+      ten[4 + i] = it->second;
+      if (!is_new) continue;
+      const auto [from, to] = it->first;
+      nodes.id.push_back(nodes.id.back() + 1);
+      nodes.x.push_back(0.5 * (nodes.x[static_cast<std::size_t>(from)] + nodes.x[static_cast<std::size_t>(to)]));
+    }
+    solids.node[e] = {ten[0], ten[1], ten[2], ten[3], ten[3], ten[3], ten[3], ten[3]};
+    solids.ten_row[e] = static_cast<Index>(solids.ten_nodes.size());
+    solids.ten_nodes.push_back(ten);
+  }
+  b.nodes.assign(nodes.id);
+  if (nodes.size() > given)
+    b.findings.warning(elements.place(to_ten.front()), "*ELEMENT_SOLID_TET4TOTET10",
+                       fmt::format("{} nodes are made amid edges, {} to {}; sets that list nodes do not have them",
+                                   nodes.size() - given, nodes.id[given], nodes.id.back()),
+                       "choose nodes of supports and loads by part or box, or press on segments");
+}
 
 void make_solids(Builder& b) {
   const auto& table = b.solid_table;
@@ -233,14 +287,19 @@ void make_solids(Builder& b) {
   solids.node.reserve(rows.size());
   solids.place.reserve(rows.size());
   Elements elements(b, table, ElementKind::solid, "solid", "*ELEMENT_SOLID");
+  std::vector<std::size_t> to_ten;
   for (const std::size_t r : rows) {
     const Index part = elements.part(r);
-    std::array<Index, 8> n;
-    if (!elements.nodes(r, n) || part == none) continue;
-    if (elements.has_more_nodes_than(8, r)) {
-      elements.refuse(r, "solids of ten nodes are not supported", "mesh with eight-node bricks");
+    std::array<Index, 10> ten;
+    if (!elements.nodes(r, ten) || part == none) continue;
+    const bool quadratic = elements.has_more_nodes_than(8, r);
+    if (quadratic && !all_different(ten)) {
+      elements.refuse(r, "expected ten different nodes of a quadratic tetrahedron", "complete its nodes");
       continue;
     }
+    std::array<Index, 8> n;
+    std::copy_n(ten.begin(), 8, n.begin());
+    if (quadratic) std::fill(n.begin() + 4, n.end(), n[3]);
     if (!complete_solid(n)) {
       elements.refuse(r, "expected eight nodes (repeated ones for wedges and tetrahedra)", "complete its nodes");
       continue;
@@ -249,8 +308,16 @@ void make_solids(Builder& b) {
     solids.part.push_back(part);
     solids.node.push_back(n);
     solids.place.push_back(table.file[r], table.line[r]);
+    if (!quadratic) {
+      if (!table.to_ten.empty() && table.to_ten[r] != 0) to_ten.push_back(r);
+      continue;
+    }
+    solids.ten_row.resize(solids.size(), none);
+    solids.ten_row.back() = static_cast<Index>(solids.ten_nodes.size());
+    solids.ten_nodes.push_back(ten);
   }
   b.solids.assign(solids.id);
+  if (!to_ten.empty()) give_nodes_amid_edges(b, elements, to_ten);
 }
 
 /// The parts that a weld beam's ends are to be tied to (_PID).

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,6 +74,7 @@ struct Shells {
   std::vector<double> angle;  ///< BETA of single shells, NaN where blank; empty: none has one [rad]
   Places place;
   std::size_t size() const { return id.size(); }
+  std::span<const Index> nodes(std::size_t e) const { return node[e]; }
   bool triangle(std::size_t e) const { return node[e][3] == node[e][2]; }
   std::optional<double> own_angle(Index e) const {
     const auto at = static_cast<std::size_t>(e);
@@ -80,15 +82,28 @@ struct Shells {
   }
 };
 
-/// Eight-node bricks in ascending order of user id; wedges and tetrahedra repeat nodes (LS-DYNA's rule).
+/// Eight-node bricks in ascending order of user id; wedges and tetrahedra repeat nodes (LS-DYNA's rule). A tetrahedron
+/// of ten nodes stands in `node` with its corners, like one of four nodes.
 struct Solids {
   std::vector<int> id;
   std::vector<Index> part;
   std::vector<std::array<Index, 8>> node;
+  std::vector<std::array<Index, 10>> ten_nodes;  ///< of the tetrahedra of ten nodes; see kernel::quadratic_tetrahedron
+  std::vector<Index> ten_row;                    ///< of a solid in `ten_nodes`, or none; may end before the last solid
   Places place;
   std::size_t size() const { return id.size(); }
-  /// The different nodes of a solid in the order of its card: eight of a brick, six of a wedge, four of a tetrahedron.
+  bool quadratic(std::size_t e) const { return e < ten_row.size() && ten_row[e] != none; }
+  const std::array<Index, 10>& ten(std::size_t e) const { return ten_nodes[static_cast<std::size_t>(ten_row[e])]; }
+  /// All nodes of a solid: the ten of a quadratic tetrahedron, else eight, of which some may be the same.
+  std::span<const Index> nodes(std::size_t e) const {
+    if (quadratic(e)) return ten(e);
+    return node[e];
+  }
+  /// The different corners of a solid in the order of its card: eight of a brick, six of a wedge, four of a
+  /// tetrahedron.
   std::vector<Index> corners(std::size_t e) const;
+  /// All different nodes: the corners, after them those amid the edges of a quadratic tetrahedron.
+  std::vector<Index> different_nodes(std::size_t e) const;
 };
 
 /// Two-node beams in ascending order of user id.
@@ -102,6 +117,7 @@ struct Beams {
       tied_parts;  ///< *ELEMENT_BEAM_PID: parts that end 1 and end 2 are to be tied to, or none
   Places place;
   std::size_t size() const { return id.size(); }
+  std::span<const Index> nodes(std::size_t e) const { return node[e]; }
   /// Direction from the first node to where the section's s axis points; zero if the deck gives none. `x`: of all
   /// nodes.
   Vec3d side(std::size_t e, const std::vector<Vec3d>& x) const {

@@ -169,7 +169,8 @@ struct Set {
     return attributes;
   }
 };
-using Segment = std::array<Index, 4>;  ///< nodes; a triangle repeats its third
+using Segment = std::array<Index, 4>;        ///< nodes; a triangle repeats its third
+using CornerShares = std::array<double, 4>;  ///< of something on a segment
 
 struct Sets {
   std::vector<Set<Index>> nodes, parts, shells, solids, beams;

@@ -179,7 +179,7 @@ class Maker {
       for (std::size_t e = 0; e < elements.size(); ++e) {
         const Index seed = elements.part[e] == none ? none : seed_of_part[static_cast<std::size_t>(elements.part[e])];
         if (seed == none) continue;
-        for (const Index node : elements.node[e]) {
+        for (const Index node : elements.nodes(e)) {
           if (node == none) continue;
           Index& owner = first[static_cast<std::size_t>(node)];
           if (owner == none) owner = seed;
@@ -242,7 +242,7 @@ class Maker {
         if (elements.part[e] == none) continue;
         const Index owner = model_.parts[static_cast<std::size_t>(elements.part[e])].rigid_body;
         if (owner == none) continue;
-        for (const Index node : elements.node[e])
+        for (const Index node : elements.nodes(e))
           if (node != none) body(owner).nodes.push_back(node);
       }
     };

@@ -256,7 +256,7 @@ class Resolver {
     std::vector<Index> out;
     const auto add_nodes = [&](const auto& elements, const std::vector<Index>& list) {
       for (const Index e : list)
-        for (const Index n : elements.node[static_cast<std::size_t>(e)]) out.push_back(n);
+        for (const Index n : elements.nodes(static_cast<std::size_t>(e))) out.push_back(n);
     };
     if (kind == SetKind::shell) add_nodes(m_.shells, from);
     if (kind == SetKind::solid) add_nodes(m_.solids, from);
@@ -290,7 +290,7 @@ class Resolver {
     std::vector<Index> out;
     const auto add_elements = [&](const auto& elements) {
       for (std::size_t e = 0; e < elements.size(); ++e)
-        if (std::all_of(elements.node[e].begin(), elements.node[e].end(), [&](Index n) { return is_inside(box, n); }))
+        if (std::ranges::all_of(elements.nodes(e), [&](Index n) { return is_inside(box, n); }))
           out.push_back(static_cast<Index>(e));
     };
     if (own == SetKind::shell) add_elements(m_.shells);
@@ -407,7 +407,9 @@ class Resolver {
       case SetKind::solid: return put(b_.solid_sets, m_.sets.solids, set.members);
       case SetKind::beam: return put(b_.beam_sets, m_.sets.beams, set.members);
       case SetKind::branch: return put(b_.branches, m_.sets.branches, set.members);
-      case SetKind::segment: return put(b_.segment_sets, m_.sets.segments, set.segments);
+      case SetKind::segment:
+        split_quadratic_faces(m_, set.segments);
+        return put(b_.segment_sets, m_.sets.segments, set.segments);
     }
   }
 

@@ -11,7 +11,7 @@
 // How matrices of elements and of nodes become a matrix of the unknowns.
 namespace nugget::nvh {
 
-inline std::span<const int> element_nodes(const system::ElementGroup& group, const std::array<int, 8>& nodes) {
+inline std::span<const int> element_nodes(const system::ElementGroup& group, const system::ElementNodes& nodes) {
   return {nodes.data(), static_cast<std::size_t>(group.nodes_per_element)};
 }
 

@@ -52,7 +52,7 @@ Needs needs_of(const system::System& system) {
   for (const auto& group : system.groups)
     for (std::size_t e = 0; e < group->size(); ++e) {
       if (!group->alive(e)) continue;
-      const std::array<int, 8> node = group->nodes(e);
+      const system::ElementNodes node = group->nodes(e);
       for (std::size_t a = 0; a < at(group->nodes_per_element); ++a) {
         needs.translation[at(node[a])] = 1;
         needs.rotation[at(node[a])] |= group->rotational;

@@ -20,10 +20,10 @@ Nodal applied_forces(const Matrices& m, const Excitation& e) {
   Nodal f(m.system.all_nodes());
   const auto node = [&](model::Index n) { return at(m.system.node_of[at(n)]); };
   for (const model::Index n : e.nodes) add_to(f[node(n)], e.kind == Kind::torque, e.direction);
-  for (const model::Segment& s : e.pressed) {
+  for (std::size_t i = 0; i < e.pressed.size(); ++i) {
+    const model::Segment& s = e.pressed[i];
     const Vec3d force = force_of_pressure(m, s);
-    const std::size_t corners = s[3] == s[2] ? 3 : 4;
-    for (std::size_t a = 0; a < corners; ++a) add_to(f[node(s[a])], false, force);
+    for (std::size_t a = 0; a < 4; ++a) add_to(f[node(s[a])], false, e.share[i][a] * force);
   }
   return f;
 }

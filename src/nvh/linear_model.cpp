@@ -47,7 +47,9 @@ void stabilize_bricks(model::Model& m, Findings& findings) {
                one_point = !rigid && (form == 0 || form == 1 || form == 18);
     const model::Hourglass& now = part.hourglass == model::none ? m.control.hourglass : m.hourglass[at(part.hourglass)];
     model::Hourglass bindeman = now;
-    if (now.type != 6) {
+    const int elform = m.solid_sections[at(part.section)].elform;
+    const bool ten_nodes = elform == 16 || elform == 17;  // they have no hourglass modes
+    if (now.type != 6 && !ten_nodes) {
       bindeman.type = 6;
       bindeman.membrane = 1.0;
       if (one_point) changed.push_back(part.id);

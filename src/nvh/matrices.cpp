@@ -21,14 +21,14 @@ namespace {
 /// is a mass m h/2 whose first moment about node 1 is m h/2 times h/6; likewise on triangles, from the rule of the
 /// middles of the edges, with an eighth.
 Vec3d corner_offset(const system::ElementGroup& group, std::size_t e, std::size_t a, const system::State& rest) {
-  const std::array<int, 8> node = group.nodes(e);
+  const system::ElementNodes node = group.nodes(e);
   const std::size_t corners = at(group.nodes_per_element);
   const auto place = [&](std::size_t k) { return vec(rest.x[at(node[k % corners])]); };
   return (corners == 4 ? 1.0 / 6.0 : 1.0 / 8.0) * (place(a + 1) + place(a + corners - 1) - 2.0 * place(a));
 }
 
 Vec3d shell_normal(const system::ElementGroup& group, std::size_t e, const system::State& rest) {
-  const std::array<int, 8> node = group.nodes(e);
+  const system::ElementNodes node = group.nodes(e);
   const auto place = [&](std::size_t k) { return vec(rest.x[at(node[k])]); };
   return group.nodes_per_element == 4 ? unit(cross(place(2) - place(0), place(3) - place(1)))
                                       : unit(cross(place(1) - place(0), place(2) - place(0)));
@@ -47,7 +47,7 @@ const model::SectionBeam* resultant_section(const system::System& system, const 
 /// for the sake of the step, up to six times the larger one in all directions.
 system::Inertia section_inertia(const system::System& system, const system::ElementGroup& group, std::size_t e,
                                 const model::SectionBeam& section, const system::State& rest) {
-  const std::array<int, 8> node = group.nodes(e);
+  const system::ElementNodes node = group.nodes(e);
   const Vec3d line = vec(rest.x[at(node[1])]) - vec(rest.x[at(node[0])]), r = unit(line);
   const model::Index third = system.model.beams.orientation[at(group.element[e])];
   const Vec3d towards = third == model::none ? Vec3d{} : system.ties.x[at(third)] - vec(rest.x[at(node[0])]);
@@ -86,7 +86,7 @@ std::vector<NodalMass> nodal_masses(const system::System& system, const system::
   for (const auto& group : system.groups) {
     for (std::size_t e = 0; e < group->size(); ++e) {
       if (!group->alive(e)) continue;
-      const std::array<int, 8> node = group->nodes(e);
+      const system::ElementNodes node = group->nodes(e);
       for (std::size_t a = 0; a < at(group->nodes_per_element); ++a)
         put(node[a], nodal_share(system, *group, e, a, rest));
     }
@@ -94,7 +94,7 @@ std::vector<NodalMass> nodal_masses(const system::System& system, const system::
   for (const system::System::Lump& lump : system.lumps())
     for (int a = 0; a < lump.corners; ++a) {
       const double inertia = lump.nodal_inertia;
-      put(lump.node[at(a)], {lump.mass / lump.corners, {inertia, 0, 0, inertia, 0, inertia}, {}});
+      put(lump.node[at(a)], {lump.nodal_mass(a), {inertia, 0, 0, inertia, 0, inertia}, {}});
     }
   for (const model::PointMass& m : system.model.masses) put(system.node_of[at(m.node)], {m.mass, {}, {}});
   for (NodalMass& n : at_node) add_least_inertia(n);
@@ -124,7 +124,7 @@ Symmetric assemble_stiffness(Matrices& m) {
   for (const auto& group : system.groups)
     for (std::size_t e = 0; e < group->size(); ++e) {
       if (!group->alive(e)) continue;
-      const std::array<int, 8> node = group->nodes(e);
+      const system::ElementNodes node = group->nodes(e);
       lists.push_back(Reach(equations, element_nodes(*group, node), group->freedoms()).equations());
     }
   for (const BodyLink& link : m.links) lists.push_back(Reach(equations, link.node, 6).equations());
@@ -143,7 +143,7 @@ Symmetric assemble_stiffness(Matrices& m) {
       });
       for (std::size_t i = 0; i < count; ++i) {
         if (!group->alive(first + i)) continue;
-        const std::array<int, 8> node = group->nodes(first + i);
+        const system::ElementNodes node = group->nodes(first + i);
         scatter(Reach(equations, element_nodes(*group, node), group->freedoms()), matrix(i), k);
       }
     }
@@ -217,9 +217,8 @@ Six NodalMass::momentum(const Six& motion) const {
 
 NodalMass nodal_share(const system::System& system, const system::ElementGroup& group, std::size_t e, std::size_t a,
                       const system::State& rest) {
-  const std::size_t corners = at(group.nodes_per_element);
   NodalMass share;
-  share.mass = group.mass(e) / static_cast<double>(corners);
+  share.mass = group.nodal_mass(e, static_cast<int>(a));
   const bool shell = group.kind == model::ElementKind::shell;
   // Solids with nodal rotations have rotary inertia in explicit dynamics for the sake of the step only.
   const bool solid = group.kind == model::ElementKind::solid;
@@ -282,7 +281,7 @@ std::vector<double> Matrices::element_energies(const system::ElementGroup& group
   const std::size_t per_node = at(group.freedoms()), n = at(group.nodes_per_element) * per_node, count = q.count;
   std::vector<double> k(n * n), u(n * count), force(count), energy(count, 0.0);
   group.stiffness(e, rest, k);
-  const std::array<int, 8> node = group.nodes(e);
+  const system::ElementNodes node = group.nodes(e);
   for (std::size_t a = 0; a < at(group.nodes_per_element); ++a)
     for (std::size_t mode = 0; mode < count; ++mode) {
       const Six motion = equations.motion(node[a], q[mode]);

@@ -63,7 +63,7 @@ Internal internal_forces(const Matrices& m, const Nodal& u) {
   for (const auto& group : m.system.groups)
     for (std::size_t e = 0; e < group->size(); ++e) {
       const std::vector<double> k = tangent_stiffness(m, *group, e);
-      const std::array<int, 8> node = group->nodes(e);
+      const system::ElementNodes node = group->nodes(e);
       const std::size_t per_node = at(group->freedoms()), n = at(group->nodes_per_element) * per_node;
       double twice = 0.0;
       for (std::size_t i = 0; i < n; ++i) {
@@ -88,8 +88,8 @@ Internal internal_forces(const Matrices& m, const Nodal& u) {
 
 Vec3d force_of_pressure(const Matrices& m, const model::Segment& s) {
   const auto place = [&](std::size_t a) { return m.system.ties.x[at(s[a])]; };
-  if (s[3] == s[2]) return (-1.0 / 6.0) * cross(place(1) - place(0), place(2) - place(0));
-  return (-1.0 / 8.0) * cross(place(2) - place(0), place(3) - place(1));
+  if (s[3] == s[2]) return -0.5 * cross(place(1) - place(0), place(2) - place(0));
+  return -0.5 * cross(place(2) - place(0), place(3) - place(1));
 }
 
 }  // namespace nugget::nvh

@@ -34,7 +34,7 @@ struct Internal {
 };
 Internal internal_forces(const Matrices& matrices, const Nodal& motion);
 
-/// Force of a pressure of 1 on each corner of a segment, against its normal (corners in order, seen from its tip).
+/// Force of a pressure of 1 on a segment, against its normal (corners in order, seen from its tip).
 Vec3d force_of_pressure(const Matrices& matrices, const model::Segment& segment);
 
 }  // namespace nugget::nvh

@@ -37,7 +37,7 @@ struct Piece {
 /// Of one element: its dashpots, and the share of its stiffness.
 void add_element(const Matrices& m, const system::ElementGroup& group, std::size_t e, double beta,
                  std::vector<Piece>& pieces) {
-  const std::array<int, 8> node = group.nodes(e);
+  const system::ElementNodes node = group.nodes(e);
   const auto put = [&](std::vector<double> c) {
     pieces.push_back({Reach(m.equations, element_nodes(group, node), group.freedoms()), std::move(c)});
   };
@@ -51,7 +51,7 @@ void add_element(const Matrices& m, const system::ElementGroup& group, std::size
 
 void add_masses(const Matrices& m, const system::ElementGroup& group, std::size_t e, double alpha,
                 std::vector<Piece>& pieces) {
-  const std::array<int, 8> node = group.nodes(e);
+  const system::ElementNodes node = group.nodes(e);
   for (std::size_t a = 0; a < at(group.nodes_per_element); ++a) {
     const std::array<double, 36> mass = mass_matrix(nodal_share(m.system, group, e, a, m.rest));
     std::vector<double> c(mass.begin(), mass.end());

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/index.hpp"
+#include "kernel/element/quadratic_tetrahedron.hpp"
 #include "kernel/element/shell.hpp"
 #include "nvh/assembly.hpp"
 #include "nvh/stresses.hpp"
@@ -56,10 +57,35 @@ struct Point {
   double weight;
 };
 
+/// Those of kernel::quadratic_tetrahedron_cycle, by the area coordinates of nodes 2 to 4.
+std::vector<Point> points_of_quadratic_tetrahedron() {
+  constexpr double near = 0.58541019662496845446, far = 0.13819660112501051518;
+  constexpr std::array<Gradient, 4> slope{{{-1, -1, -1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  std::vector<Point> points;
+  for (std::size_t p = 0; p < 4; ++p) {
+    std::array<double, 4> l{far, far, far, far};
+    l[p] = near;
+    Point point{{}, 1.0 / 24.0};
+    for (std::size_t a = 0; a < 4; ++a) {
+      const double f = 4.0 * l[a] - 1.0;
+      point.gradient.push_back({f * slope[a][0], f * slope[a][1], f * slope[a][2]});
+    }
+    for (const auto& edge : kernel::quadratic_tetrahedron_edge) {
+      const std::size_t i = at(edge[0]), j = at(edge[1]);
+      Gradient g{};
+      for (std::size_t c = 0; c < 3; ++c) g[c] = 4.0 * (l[i] * slope[j][c] + l[j] * slope[i][c]);
+      point.gradient.push_back(g);
+    }
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
 std::vector<Point> points_of(std::size_t corners, int dimension) {
   if (dimension == 1) return {{{{-0.5}, {0.5}}, 2.0}};
   if (corners == 3) return {{{{-1, -1}, {1, 0}, {0, 1}}, 0.5}};
   if (dimension == 3 && corners == 4) return {{{{-1, -1, -1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 1.0 / 6.0}};
+  if (corners == 10) return points_of_quadratic_tetrahedron();
   constexpr std::array<Gradient, 8> corner{
       {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
   const double g = 1.0 / std::sqrt(3.0);
@@ -139,7 +165,7 @@ std::vector<double> element_stiffness(const system::ElementGroup& group, const s
 }
 
 std::vector<Vec3d> places_of(const system::ElementGroup& group, std::size_t e, const system::State& rest) {
-  const std::array<int, 8> nodes = group.nodes(e);
+  const system::ElementNodes nodes = group.nodes(e);
   std::vector<Vec3d> x;
   for (const int node : element_nodes(group, nodes)) x.push_back(vec(rest.x[at(node)]));
   return x;
@@ -179,7 +205,7 @@ void Prestress::add_initial() {
     for (const model::Index beam : f.beams) {
       const Seat seat = system.beam_seat[at(beam)];
       if (seat.group < 0) continue;
-      const std::array<int, 8> node = system.groups[at(seat.group)]->nodes(at(seat.element));
+      const system::ElementNodes node = system.groups[at(seat.group)]->nodes(at(seat.element));
       const Vec3d line = vec(rest_.x[at(node[1])]) - vec(rest_.x[at(node[0])]);
       if (norm(line) > 0.0)
         add_to(of(seat), f.scale * system.model.curves[at(f.curve)].clamped(0.0), along(unit(line)));
@@ -205,7 +231,7 @@ void Prestress::add(const Statics& statics) {
       const std::size_t per_node = at(group.freedoms()), n = 2 * per_node;
       std::vector<double> k(n * n);
       group.stiffness(e, rest_, k);
-      const std::array<int, 8> node = group.nodes(e);
+      const system::ElementNodes node = group.nodes(e);
       const Vec3d line = vec(rest_.x[at(node[1])]) - vec(rest_.x[at(node[0])]);
       if (!(norm(line) > 0.0)) continue;
       double force[3] = {0.0, 0.0, 0.0};
@@ -263,7 +289,7 @@ Symmetric Prestress::stiffness(const Equations& equations) const {
     const std::vector<Point> points = points_of(at(group.nodes_per_element), dimension_of(group));
     for (std::size_t e = 0; e < group.size(); ++e) {
       if (!group.alive(e) || !any(tensor_[g][e])) continue;
-      const std::array<int, 8> node = group.nodes(e);
+      const system::ElementNodes node = group.nodes(e);
       pieces.push_back({Reach(equations, element_nodes(group, node), group.freedoms()),
                         element_stiffness(group, places_of(group, e, rest_), points, tensor_[g][e])});
       lists.push_back(pieces.back().reach.equations());

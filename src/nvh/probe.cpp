@@ -35,7 +35,7 @@ Form elastic_force(const Matrices& m, const std::map<int, Six>& weight) {
   for (const auto& group : m.system.groups)
     for (std::size_t e = 0; e < group->size(); ++e) {
       if (!group->alive(e)) continue;
-      const std::array<int, 8> node = group->nodes(e);
+      const system::ElementNodes node = group->nodes(e);
       const std::size_t corners = at(group->nodes_per_element), per_node = at(group->freedoms()),
                         n = corners * per_node;
       if (std::none_of(node.begin(), node.begin() + static_cast<std::ptrdiff_t>(corners),

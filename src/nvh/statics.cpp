@@ -61,10 +61,10 @@ class Loads {
   void add(const model::PressureLoad& load) {
     const double time = time_ - load.arrival;
     const double p = time >= 0.0 ? load.scale * level(load.curve, time) : 0.0;
-    for (const model::Segment& s : load.segments) {
+    for (std::size_t i = 0; i < load.segments.size(); ++i) {
+      const model::Segment& s = load.segments[i];
       const Vec3d force = p * force_of_pressure(m_, s);
-      const std::size_t corners = s[3] == s[2] ? 3 : 4;
-      for (std::size_t a = 0; a < corners; ++a) add_to(load_[at(node(s[a]))], false, force);
+      for (std::size_t a = 0; a < 4; ++a) add_to(load_[at(node(s[a]))], false, load.share[i][a] * force);
     }
   }
   void add(const model::BodyLoad& load) {
@@ -107,7 +107,7 @@ Nodal prescribed(const Matrices& m, double time, Findings& findings) {
 /// Internal forces K_e u_e of one element, in its freedoms.
 std::vector<double> element_force(const Matrices& m, const system::ElementGroup& group, std::size_t e, const Nodal& u) {
   const std::vector<double> k = element_stiffness(m, group, e);
-  const std::array<int, 8> node = group.nodes(e);
+  const system::ElementNodes node = group.nodes(e);
   const std::size_t per_node = at(group.freedoms()), n = at(group.nodes_per_element) * per_node;
   std::vector<double> f(n, 0.0);
   for (std::size_t i = 0; i < n; ++i)
@@ -118,7 +118,7 @@ std::vector<double> element_force(const Matrices& m, const system::ElementGroup&
 /// Of a weld beam, by equilibrium from the forces at its second end: moments about its middle.
 weld::Resultants of_beam(const Matrices& m, const system::ElementGroup& group, std::size_t e, const Nodal& u) {
   const std::vector<double> f = element_force(m, group, e, u);
-  const std::array<int, 8> node = group.nodes(e);
+  const system::ElementNodes node = group.nodes(e);
   const Vec3d line = vec(m.rest.x[at(node[1])]) - vec(m.rest.x[at(node[0])]);
   const Vec3d r = unit(line), force{f[6], f[7], f[8]};
   const Vec3d moment = Vec3d{f[9], f[10], f[11]} + cross(0.5 * line, force);
@@ -136,7 +136,7 @@ weld::Resultants of_bricks(const Matrices& m, const weld::Weld& weld, const Noda
     const system::System::Seat seat = m.system.seat_of(weld, element);
     const system::ElementGroup& group = *m.system.groups[at(seat.group)];
     const std::vector<double> f = element_force(m, group, at(seat.element), u);
-    const std::array<int, 8> node = group.nodes(at(seat.element));
+    const system::ElementNodes node = group.nodes(at(seat.element));
     for (std::size_t a = 0; a < 8; ++a)
       for (std::size_t i = 0; i < x.size(); ++i)
         if (m.system.node_of[at(section.nodes()[i])] == node[a])

@@ -19,7 +19,7 @@ class Taken {
  public:
   Taken(const Matrices& m, const WeldGroup& group) : m_(m) {
     each_element(group, [&](const system::ElementGroup& elements, std::size_t e) {
-      const std::array<int, 8> node = elements.nodes(e);
+      const system::ElementNodes node = elements.nodes(e);
       const Reach reach(m_.equations, {node.data(), at(elements.nodes_per_element)}, 6);
       equation_.insert(equation_.end(), reach.equations().begin(), reach.equations().end());
     });
@@ -66,7 +66,7 @@ class Taken {
     }
   }
   void add(const system::ElementGroup& elements, std::size_t e) {
-    const std::array<int, 8> all = elements.nodes(e);
+    const system::ElementNodes all = elements.nodes(e);
     const std::span<const int> nodes(all.data(), at(elements.nodes_per_element));
     add(Reach(m_.equations, nodes, elements.freedoms()), tangent_stiffness(m_, elements, e), stiffness_);
     for (std::size_t a = 0; a < nodes.size(); ++a)

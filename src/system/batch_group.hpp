@@ -57,7 +57,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle {
 
   /// `connectivity`: system nodes of each element.
   BatchGroup(Element kernel, model::ElementKind k, model::Index p, std::vector<model::Index> elements,
-             const std::vector<std::array<int, 8>>& connectivity, std::span<const Vec3d> x)
+             const std::vector<ElementNodes>& connectivity, std::span<const Vec3d> x)
       : kernel_(std::move(kernel)) {
     kind = k;
     part = p;
@@ -217,8 +217,8 @@ class BatchGroup final : public ElementGroup, public BeforeCycle {
     a.built(kernel_, nodes_, inviscid_, mass_, inertia_);
   }
 
-  std::array<int, 8> nodes(std::size_t e) const override {
-    std::array<int, 8> n{};
+  ElementNodes nodes(std::size_t e) const override {
+    ElementNodes n{};
     for (int a = 0; a < corners; ++a) n[static_cast<std::size_t>(a)] = nodes_[node_index(e, a)];
     return n;
   }

@@ -10,10 +10,13 @@
 #include <vector>
 
 #include "base/archive.hpp"
-#include "model/model.hpp"
+#include "model/lumped_mass.hpp"
 #include "system/state.hpp"
 
 namespace nugget::system {
+
+/// System nodes of an element, as many as its group's nodes_per_element.
+using ElementNodes = std::array<int, 10>;
 
 /// Elements of one kind, formulation, law and part, in blocks of `width` lanes. A cycle reads nodal rows and writes the
 /// elements' nodal forces into slots of their own; the nodes gather the slots afterwards, always in the same order.
@@ -61,7 +64,7 @@ class ElementGroup {
   virtual bool viscosity(std::size_t, const State&, std::span<double>) const { return false; }
 
   // What is known of element e of the group.
-  virtual std::array<int, 8> nodes(std::size_t e) const = 0;  ///< system nodes
+  virtual ElementNodes nodes(std::size_t e) const = 0;
   virtual bool alive(std::size_t e) const = 0;
   /// Deletes element e. Its last force still acts over the step to come, so its own step stays in the choice for that.
   virtual void remove(std::size_t e) = 0;
@@ -70,7 +73,11 @@ class ElementGroup {
   virtual double stable_step(std::size_t e) const = 0;      ///< before TSSFAC, mass scaling included; of the last cycle
   virtual double internal_energy(std::size_t e) const = 0;  ///< hourglass work not included
   virtual double hourglass_energy(std::size_t e) const = 0;
-  virtual double mass(std::size_t e) const = 0;               ///< physical, of the whole element
+  virtual double mass(std::size_t e) const = 0;  ///< physical, of the whole element
+  /// Its share at node a, physical.
+  double nodal_mass(std::size_t e, int a) const {
+    return model::mass_at(mass(e), static_cast<std::size_t>(nodes_per_element), static_cast<std::size_t>(a));
+  }
   virtual double nodal_inertia(std::size_t e) const = 0;      ///< physical rotary inertia at each of its nodes
   virtual double mass_scale(std::size_t e) const = 0;         ///< factor on the density by mass scaling
   virtual void scale_mass(std::size_t e, double factor) = 0;  ///< sets that factor

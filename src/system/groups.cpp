@@ -15,6 +15,7 @@
 #include "system/brick_element.hpp"
 #include "system/discrete_beam_element.hpp"
 #include "system/order.hpp"
+#include "system/quadratic_tetrahedron_element.hpp"
 #include "system/rotational_tetrahedron_element.hpp"
 #include "system/shell_elements.hpp"
 #include "system/spring_group.hpp"
@@ -102,7 +103,7 @@ double bulk_modulus(const kernel::ElasticConstants& e) {
   return e.E / (3.0 * (1.0 - 2.0 * e.nu));
 }
 
-std::vector<std::array<int, 4>> first_four(const std::vector<std::array<int, 8>>& nodes) {
+std::vector<std::array<int, 4>> first_four(const std::vector<ElementNodes>& nodes) {
   std::vector<std::array<int, 4>> four;
   for (const auto& n : nodes) four.push_back({n[0], n[1], n[2], n[3]});
   return four;
@@ -200,7 +201,7 @@ System::Members System::members(const Elements& elements, const std::vector<mode
   Members m;
   m.element = chosen;
   for (model::Index e : chosen) {
-    std::array<int, 8> node{};
+    ElementNodes node{};
     for (std::size_t a = 0; a < elements.node[at(e)].size(); ++a) node[a] = node_of[at(elements.node[at(e)][a])];
     m.node.push_back(node);
   }
@@ -313,9 +314,13 @@ void System::make_bricks() {
     }
     const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
       const BrickElement<Law> element{brick, kernel::Prepared<Law>(law)};
-      const auto [tetrahedra, full, others] = by_formulation(sorted[p], model.solid_sections[at(part.section)].elform);
+      const auto [quadratic, tetrahedra, full, others] =
+          by_formulation(sorted[p], model.solid_sections[at(part.section)].elform);
+      if (!quadratic.empty())
+        add_group(QuadraticTetrahedronElement<Law>{brick, element.law}, model::ElementKind::solid, p,
+                  different_nodes(quadratic), solid_seat);
       if (!tetrahedra.empty()) {
-        const Members m = corners(tetrahedra);
+        const Members m = different_nodes(tetrahedra);
         const int elform = model.solid_sections[at(part.section)].elform;
         std::shared_ptr<NodalPressure> shared;
         if (!std::is_same_v<Law, kernel::Compound> && elform == 13)
@@ -331,21 +336,21 @@ void System::make_bricks() {
       if (!others.empty()) add_group(element, model::ElementKind::solid, p, members(model.solids, others), solid_seat);
     });
     if (computed) continue;
-    const Members m = corners(sorted[p]);
+    const Members m = different_nodes(sorted[p]);
     for (std::size_t i = 0; i < sorted[p].size(); ++i) {
       const double whole = material.density * model::solid_volume(model, at(sorted[p][i]));
-      const int count = static_cast<int>(model.solids.corners(at(sorted[p][i])).size());
+      const int count = static_cast<int>(model.solids.different_nodes(at(sorted[p][i])).size());
       lumps_.push_back({static_cast<model::Index>(p), count, m.node[i], whole, 0.0});
     }
   }
 }
 
-System::Members System::corners(const std::vector<model::Index>& solids) const {
+System::Members System::different_nodes(const std::vector<model::Index>& solids) const {
   Members m;
   m.element = solids;
   for (const model::Index e : solids) {
-    std::array<int, 8> node{};
-    const std::vector<model::Index> different = model.solids.corners(at(e));
+    ElementNodes node{};
+    const std::vector<model::Index> different = model.solids.different_nodes(at(e));
     for (std::size_t a = 0; a < different.size(); ++a) node[a] = node_of[at(different[a])];
     m.node.push_back(node);
   }
@@ -360,7 +365,7 @@ System::Formulations System::by_formulation(const std::vector<model::Index>& sol
     const bool tetrahedron = corners == 4 && (sorts || elform == 4 || elform == 10 || elform == 13),
                wedge = corners == 6 && sorts;
     const bool full = wedge || elform == 2 || elform == 15 || bends_without_locking(elform);
-    (tetrahedron ? f.tetrahedra : full ? f.full : f.others).push_back(e);
+    (model.solids.quadratic(at(e)) ? f.quadratic : tetrahedron ? f.tetrahedra : full ? f.full : f.others).push_back(e);
   }
   return f;
 }
@@ -463,7 +468,7 @@ void System::add_beams(std::size_t p, const std::vector<model::Index>& chosen) {
     }
   });
   if (computed) return;
-  for (const std::array<int, 8>& node : m.node) {
+  for (const ElementNodes& node : m.node) {
     const double length = norm(start_[at(node[1])] - start_[at(node[0])]);
     const double whole = (material.density * model::beam_area(section) + section.extra_mass) * length;
     lumps_.push_back({static_cast<model::Index>(p), 2, node, whole, whole * length * length / 24.0});

@@ -188,8 +188,8 @@ void SpringGroup::elastic_rate(std::size_t b, const State& now, std::span<Row> f
   }
 }
 
-std::array<int, 8> SpringGroup::nodes(std::size_t e) const {
-  std::array<int, 8> n{};
+ElementNodes SpringGroup::nodes(std::size_t e) const {
+  ElementNodes n{};
   for (std::size_t a = 0; a < at_each_node(); ++a) n[a] = springs_[e].node[a];
   return n;
 }

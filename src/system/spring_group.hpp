@@ -37,7 +37,7 @@ class SpringGroup final : public ElementGroup {
 
   void archive(Archive& a) override;
 
-  std::array<int, 8> nodes(std::size_t e) const override;
+  ElementNodes nodes(std::size_t e) const override;
   bool alive(std::size_t e) const override { return springs_[e].alive; }
   void remove(std::size_t e) override { springs_[e].alive = false; }
   void release_step(std::size_t) override {}  // a spring that is deleted gives up its step and its force together

@@ -193,14 +193,13 @@ void System::assemble_mass() {
   for (const auto& group : groups) {
     const int corners = group->nodes_per_element;
     for (std::size_t e = 0; e < group->size(); ++e) {
-      const std::array<int, 8> node = group->nodes(e);
-      const double scale = group->mass_scale(e);
-      const double m = scale * group->mass(e) / corners, j = scale * group->nodal_inertia(e);
-      for (int a = 0; a < corners; ++a) put(node[at(a)], m, j);
+      const ElementNodes node = group->nodes(e);
+      const double scale = group->mass_scale(e), j = scale * group->nodal_inertia(e);
+      for (int a = 0; a < corners; ++a) put(node[at(a)], scale * group->nodal_mass(e, a), j);
     }
   }
   for (const Lump& lump : lumps_)
-    for (int a = 0; a < lump.corners; ++a) put(lump.node[at(a)], lump.mass / lump.corners, lump.nodal_inertia);
+    for (int a = 0; a < lump.corners; ++a) put(lump.node[at(a)], lump.nodal_mass(a), lump.nodal_inertia);
   for (const model::PointMass& m : model.masses) put(node_of[at(m.node)], m.mass, 0.0);
   for (const model::PointInertia& p : model.inertias)
     put(node_of[at(p.node)], p.mass, (p.inertia[0] + p.inertia[3] + p.inertia[5]) / 3.0);
@@ -377,7 +376,7 @@ void System::link_slots() {
   const auto each_slot = [&](auto&& visit) {
     for (const auto& group : groups)
       for (std::size_t e = 0; e < group->size(); ++e) {
-        const std::array<int, 8> node = group->nodes(e);
+        const ElementNodes node = group->nodes(e);
         for (int a = 0; a < group->nodes_per_element; ++a) visit(at(node[at(a)]), *group, group->slot_row(e, a));
       }
   };
@@ -487,10 +486,10 @@ int System::element_id(const ElementGroup& group, model::Index e) const {
 void System::set_mass_scale(ElementGroup& group, std::size_t e, double factor) {
   const int corners = group.nodes_per_element;
   const double more = factor - group.mass_scale(e);
-  const double m = more * group.mass(e) / corners, j = more * group.nodal_inertia(e);
-  const std::array<int, 8> node = group.nodes(e);
+  const double j = more * group.nodal_inertia(e);
+  const ElementNodes node = group.nodes(e);
   for (int a = 0; a < corners; ++a) {
-    own_mass[at(node[at(a)])] += m;
+    own_mass[at(node[at(a)])] += more * group.nodal_mass(e, a);
     own_inertia_[at(node[at(a)])] += j;
   }
   group.scale_mass(e, factor);

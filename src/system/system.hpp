@@ -85,9 +85,12 @@ class System {
   struct Lump {
     model::Index part;
     int corners;
-    std::array<int, 8> node;
+    ElementNodes node;
     double mass;           ///< of the element
-    double nodal_inertia;  ///< at each corner
+    double nodal_inertia;  ///< at each node
+    double nodal_mass(int a) const {
+      return model::mass_at(mass, static_cast<std::size_t>(corners), static_cast<std::size_t>(a));
+    }
   };
   const std::vector<Lump>& lumps() const { return lumps_; }
 
@@ -138,7 +141,7 @@ class System {
   /// Elements of one part and the system nodes of each.
   struct Members {
     std::vector<model::Index> element;
-    std::vector<std::array<int, 8>> node;
+    std::vector<ElementNodes> node;
   };
   template <class Elements>
   Members members(const Elements& elements, const std::vector<model::Index>& chosen) const;
@@ -151,11 +154,11 @@ class System {
   template <ShellKind Kind>
   void add_shells(std::size_t part, const std::vector<model::Index>& chosen);
   void make_bricks();
-  /// The different nodes of solids only; see model::Solids::corners.
-  Members corners(const std::vector<model::Index>& solids) const;
+  /// The different nodes of solids only; see model::Solids::different_nodes.
+  Members different_nodes(const std::vector<model::Index>& solids) const;
   /// Solids of a part by the kernel that runs them; wedges of formulation 15 are collapsed bricks, fully integrated.
   struct Formulations {
-    std::vector<model::Index> tetrahedra, full, others;
+    std::vector<model::Index> quadratic, tetrahedra, full, others;
   };
   Formulations by_formulation(const std::vector<model::Index>& solids, int elform) const;
   void add_weld_bricks(std::size_t part, const std::vector<model::Index>& chosen,

@@ -72,7 +72,7 @@ template <class Elements>
 void mark_nodes(const Elements& elements, const std::vector<char>& left_out, std::vector<char>& marked) {
   for (std::size_t e = 0; e < elements.size(); ++e) {
     if (e < left_out.size() && left_out[e]) continue;
-    for (const Index n : elements.node[e]) marked[static_cast<std::size_t>(n)] = 1;
+    for (const Index n : elements.nodes(e)) marked[static_cast<std::size_t>(n)] = 1;
   }
 }
 

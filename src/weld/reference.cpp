@@ -50,7 +50,7 @@ std::vector<Candidate> best_of_each_part(std::vector<Candidate> all) {
 std::vector<Index> first_brick_part_at_nodes(const model::Model& model) {
   std::vector<Index> part(model.nodes.size(), none);
   for (std::size_t e = 0; e < model.solids.size(); ++e)
-    for (Index n : model.solids.node[e])
+    for (Index n : model.solids.nodes(e))
       if (part[n] == none) part[n] = model.solids.part[e];
   return part;
 }

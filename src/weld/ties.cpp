@@ -64,7 +64,7 @@ std::vector<Index> nodes_on_side_a(const model::Model& model, const model::Conta
     for (std::size_t e = 0; e < elements.size(); ++e) {
       const bool weld = welds[elements.part[e]] != 0;
       if (!parts[elements.part[e]] && !(contact.a.everything && weld)) continue;
-      for (Index n : elements.node[e])
+      for (Index n : elements.nodes(e))
         if (!weld || around.shell[n] == none) chosen[n] = 1;
     }
   };

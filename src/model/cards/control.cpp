@@ -256,10 +256,10 @@ const Card solution_card{{
 const Card solid_card_1{{
     integer("esort", 0, between(0, 3), "1, 2, 3: tetrahedra become formulation 10, wedges 15"),
     flag("fmatrx", "deformation gradient of other laws, no effect"),
-    integer("niptets", 4, any_value, "for tetrahedra of ten nodes, no effect"),
+    integer("niptets", 4, any_value, "points of tetrahedra of ten nodes; always 4"),
     integer("swlocl", 1, any_value, "axes of the stresses of brick welds, no effect"),
     id("psfail", IdSpace::set, 0, "part set whose bricks of negative volume are deleted; others stop the run"),
-    factor("t10jtol", 0, "for tetrahedra of ten nodes, no effect"),
+    factor("t10jtol", 0, "warning about misshapen tetrahedra of ten nodes, no effect"),
     flag("icoh", "for cohesive elements, no effect"),
     flag("tet13k", "for formulation 13, no effect"),
 }};
@@ -273,6 +273,16 @@ const Card output_card_1{{
     flag("ipnint", "listing, no effect"),
     integer("ikedit", 100, any_value, "listing, no effect"),
     integer("iflush", 5000, any_value, "buffers, no effect"),
+}};
+const Card output_card_2{{
+    integer("iprtf", 0, any_value, "listing, no effect"),
+    integer("ierode", 0, any_value, "output of eroded energies, no effect"),
+    integer("tet10s8", 2, any_value, "nodes of ten-node tetrahedra in d3plot: 2 corners; 1 all, not obeyed"),
+    integer("msgmax", 50, any_value, "messages, no effect"),
+    integer("ipcurv", 0, any_value, "listing, no effect"),
+    real("gmdt", dimension::time, 0, any_value, "interval of generalised masses, no effect"),
+    integer("ip1dblt", 0, any_value, "output of pretensioned bars, no effect"),
+    integer("eocs", 0, any_value, "axes of shells in elout, no effect"),
 }};
 
 Row first_row(Builder& b, const Block& block, const Card& card) {
@@ -457,6 +467,9 @@ void read_solid(Builder& b, const Block& block, const Options&) {
   const Row row = cursor.read(solid_card_1);
   b.later(Phase::conditions, [row](Builder& later) {
     if (const auto* parts = later.part_set(row, "psfail")) later.model.control.eroding_parts = parts->members;
+    if (row.integer("niptets") == 5 && !later.model.solids.ten_nodes.empty())
+      row.complain(later.findings, Severity::warning, "niptets", "tetrahedra of ten nodes have four points here",
+                   "write 4");
   });
   b.model.control.sort_solids = row.integer("esort") > 0;
 }
@@ -478,12 +491,17 @@ void read_relaxation(Builder& b, const Block& block, const Options&) {
 }
 
 void read_output(Builder& b, const Block& block, const Options&) {
-  // Its further cards are about LS-DYNA's listings.
+  // Its cards from the third on are about LS-DYNA's listings.
   Cursor cursor(b.deck, block, b.findings);
   const Row row = cursor.read(output_card_1);
   expect(b, row, Severity::warning,
          {{"iaccop", 0, "not obeyed: nodout has the accelerations of the moment, as with 0"}});
   b.model.control.average_accelerations = row.integer("iaccop") == 1;
+  b.later(Phase::conditions, [second = cursor.read(output_card_2)](Builder& later) {
+    if (second.integer("tet10s8") == 1 && !later.model.solids.ten_nodes.empty())
+      second.complain(later.findings, Severity::warning, "tet10s8",
+                      "not obeyed: d3plot has the corners of tetrahedra of ten nodes, as with 2");
+  });
 }
 
 }  // namespace
@@ -518,7 +536,7 @@ std::vector<Keyword> control_keywords() {
       {.name = "CONTROL_SOLID", .layout = {{"", &solid_card_1}}, .read = read_solid},
       {.name = "CONTROL_SOLUTION", .layout = {{"", &solution_card}}, .read = read_solution},
       {.name = "CONTROL_DYNAMIC_RELAXATION", .layout = {{"", &relaxation_card}}, .read = read_relaxation},
-      {.name = "CONTROL_OUTPUT", .layout = {{"", &output_card_1}}, .read = read_output},
+      {.name = "CONTROL_OUTPUT", .layout = {{"", &output_card_1}, {"optional", &output_card_2}}, .read = read_output},
       {.name = "CONTROL_UNITS",
        .verdict = Verdict::ignored,
        .why = "a remark on the units; the program computes in whatever units the deck is written in"},

@@ -8,6 +8,7 @@
 #include "base/index.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/frequency_cards.hpp"
+#include "model/segments.hpp"
 
 // *FREQUENCY_DOMAIN_FRF, and what it shares with *FREQUENCY_DOMAIN_SSD.
 namespace nugget::model {
@@ -313,6 +314,7 @@ Excitation excitation_of(Builder& b, const Row& row, const ExcitationFields& fie
     else if (const Set<Segment>* set = b.segment_set(row, fields.entity)) {
       e.pressed = set->members;
       if (e.pressed.empty()) refuse(b, row, fields.entity, "the segment set has no members", "give one with segments");
+      e.share = share_pressure(b.model, e.pressed);
     } else if (row.integer(fields.entity) == 0)
       refuse(b, row, fields.entity, "no segment set is given", "give the set that carries the pressure");
     return e;

@@ -6,6 +6,7 @@
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
 #include "model/rigid_bodies.hpp"
+#include "model/segments.hpp"
 
 namespace nugget::model {
 namespace {
@@ -246,6 +247,7 @@ void leave_pressure(Builder& builder, const Row& row, Segments segments) {
     load.scale = row.real("sf");
     load.arrival = row.real("at");
     load.segments = segments(b, row);
+    load.share = share_pressure(b.model, load.segments);
     if (!load.segments.empty()) b.model.pressure_loads.push_back(std::move(load));
   });
 }

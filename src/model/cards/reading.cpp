@@ -58,7 +58,7 @@ std::vector<Index> nodes_of_parts(const Model& model, const std::vector<Index>& 
   const auto collect = [&](const auto& elements) {
     for (std::size_t e = 0; e < elements.size(); ++e) {
       if (elements.part[e] == none || !wanted[static_cast<std::size_t>(elements.part[e])]) continue;
-      for (const Index n : elements.node[e])
+      for (const Index n : elements.nodes(e))
         if (n != none) used[static_cast<std::size_t>(n)] = 1;
     }
   };
