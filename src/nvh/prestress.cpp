@@ -251,7 +251,7 @@ void Prestress::add(const system::System& run, const system::State& now) {
       const std::size_t e = at(from[i].element);
       if (!group.alive(e)) continue;
       if (dimension_of(group) == 1) {
-        const std::array<int, 8> node = group.nodes(e);
+        const system::ElementNodes node = group.nodes(e);
         const Vec3d line = vec(now.x[at(node[1])]) - vec(now.x[at(node[0])]);
         if (norm(line) > 0.0) add_to(of(to[i]), dot(unit(line), run.nodal_force(from[i], 1)), along(unit(line)));
         continue;
