@@ -237,7 +237,7 @@ std::vector<contact::TrackedNode> listed_nodes(const system::System& system, con
 std::vector<contact::TrackedNode> ends_of_bars(const system::System& system, const model::Contact& card) {
   std::vector<contact::TrackedNode> nodes;
   if (!checks_beams(card)) return nodes;
-  for (const contact::Edge& bar : bars(system, card))
+  for (const contact::Edge& bar : bars(system, card, false))
     for (int n : bar.node) nodes.push_back({n, bar.thickness, tracked});
   return nodes;
 }
