@@ -350,8 +350,7 @@ void take_d(Builder& builder, const Row& row, const Contact& contact) {
             {"shledg", 0, left}});
 }
 
-/// CPARM8 has a meaning for _GENERAL alone. LS-DYNA's shared-memory version too obeys that of the card of _MPP
-/// (docs/book/decks.md, the bolted connection).
+/// CPARM8 has a meaning for _GENERAL alone.
 void take_cparm8(Builder& builder, const Row& row, Contact& contact) {
   if (contact.keyword.find("GENERAL") == std::string::npos) return;
   const int value = row.integer("cparm8"), beams = value % 10;
@@ -397,7 +396,8 @@ void take_optional_cards(Builder& builder, Cursor& cursor, Contact& contact) {
 // ---- reader
 // --------------------------------------------------------------------------------------------------------------------
 
-/// Of the cards of the distributed-memory version only CPARM8 counts, as in LS-DYNA's shared-memory version.
+/// Of the cards of the distributed-memory version only CPARM8 counts, which says what the contact holds
+/// (docs/book/decks.md, the bolted connection).
 void read_mpp(Builder& builder, Cursor& cursor, const Options& options, Contact& contact) {
   if (!options.contains("MPP")) return;
   take_cparm8(builder, cursor.read(mpp_card1), contact);
