@@ -175,9 +175,10 @@ bool EdgeContact::face_each_other(int a, int b) const {
   return !setup_.two_sides || ((e & 1u) && (f & 2u)) || ((e & 2u) && (f & 1u));
 }
 
-/// Edges that meet, or belong to one element.
+/// Edges that meet, or belong to one element or part.
 bool EdgeContact::belong_together(int a, int b) const {
   const Edge &e = setup_.edges[a], &f = setup_.edges[b];
+  if (e.part >= 0 && e.part == f.part) return true;
   return share_a_node(e, f) || std::find_first_of(e.elements.begin(), e.elements.end(), f.elements.begin(),
                                                   f.elements.end()) != e.elements.end();
 }

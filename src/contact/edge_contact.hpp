@@ -25,6 +25,7 @@ struct Edge {
   double mass = 0.0;           ///< of the segments that it bounds, or of the beam; counts with SOFT = 2
   double scale = 1.0;          ///< of the stiffness by masses
   unsigned side = 1;           ///< as of Segment
+  int part = -1;               ///< edges of one part, if it is not -1, never press each other
   std::vector<int> elements;   ///< the shells or bricks that have it, or the beam, as indices in `alive`
   std::vector<Segment> faces;  ///< of bricks: those that meet there, with those that others cover; empty: a round bar
   double depth = 0.0;          ///< of bricks: how deep another may stand in it and still be pressed out [length]
@@ -50,7 +51,7 @@ struct EdgeContactSetup {
 /// Geometry. An edge is a round bar. Two of them overlap by depth = (t_a + t_b)/2 - distance of their closest points.
 /// A pair counts where this distance has a local minimum along the lines that the edges form: where a closest point is
 /// the end of an edge, the pairs of the neighbours there count instead if they are closer, and edges that meet, or
-/// belong to one element, never press each other.
+/// belong to one element or Edge::part, never press each other.
 ///
 /// Bricks. Their edges have no thickness. Two of them overlap, or one and a bar, where the closest points lie inside
 /// both, along the common normal: where that stands in the angle between the outward normals of the two bare faces at

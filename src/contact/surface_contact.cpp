@@ -83,7 +83,7 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
 
 void SurfaceContact::apply(const Step& step, std::span<Row> force) {
   next_cycle();
-  const bool active = step.time >= setup_.birth && step.time < setup_.death;
+  const bool active = !setup_.segments.empty() && step.time >= setup_.birth && step.time < setup_.death;
   if (active) {
     if (moved_too_far(step.x) || !searched_) search(step.x, step.element_alive);
     parallel_for(busy_.size(), 4, [this, &step](std::size_t begin, std::size_t end) {

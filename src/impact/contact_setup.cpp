@@ -234,7 +234,7 @@ std::vector<contact::TrackedNode> ends_of_bars(const system::System& system, con
                                                unsigned against) {
   std::vector<contact::TrackedNode> nodes;
   if (!tracks_beams(card)) return nodes;
-  for (const contact::Edge& bar : bars(system, card))
+  for (const contact::Edge& bar : bars(system, card, false))
     for (int n : bar.node) nodes.push_back({n, bar.thickness, against});
   return nodes;
 }

@@ -11,8 +11,8 @@
 
 namespace nugget::impact {
 
-/// The beams of the parts of a contact as round bars; weld beams and discrete beams are none.
-std::vector<contact::Edge> bars(const system::System& system, const model::Contact& contact);
+/// The beams of the parts of a contact as round bars; discrete beams are none, and weld beams only `with_welds`.
+std::vector<contact::Edge> bars(const system::System& system, const model::Contact& contact, bool with_welds);
 
 /// The lines of a contact that checks them: the edges of the shells in `surface`, the beams, and in segment-based
 /// contact the edges of bricks. Coordinates `x`.

@@ -58,12 +58,12 @@ Simulation::Simulation(system::System& system, Findings& findings)
   for (const model::Contact& card : model.contacts) {
     if (!card.slides()) continue;
     contact::SurfaceContactSetup setup = contact_setup(system, card);
-    treat_initial_penetrations(system, card, setup, state_.x, findings);
+    if (!setup.segments.empty()) treat_initial_penetrations(system, card, setup, state_.x, findings);
     auto edges = edge_setup(system, card, setup, state_.x);
-    if (setup.segments.empty() && (!edges || edges->edges.empty())) {
+    if (setup.segments.empty() && !(edges && !edges->edges.empty())) {
       findings.error(card.place, '*' + card.keyword,
                      "the contact has no segments: none of its parts has shells or bricks",
-                     "check SURFA and SURFATYP; a contact of beams alone is not built");
+                     "check SURFA and SURFATYP; beams alone are pressed by _GENERAL");
       continue;
     }
     contacts_.emplace_back(std::move(setup), std::move(edges), card.glue, state_.x);

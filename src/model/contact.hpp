@@ -65,6 +65,8 @@ struct Contact {
   Offset offset = Offset::projected;  ///< ties
   bool torsion = false;               ///< _WITH_TORSION: twist of a weld becomes in-plane forces
   bool penalty_fallback = false;      ///< IPBACK: springs where a constraint meets another one
+  bool parts_apart = false;           ///< CPARM8 1, 2: beams of one and the same part do not press each other
+  bool takes_welds = false;           ///< CPARM8 2: weld beams take part, against edges and beams
   Surface a;                          ///< tracked (SURFA, slave)
   Surface b;                          ///< reference (SURFB, master)
   kernel::Friction friction;

@@ -258,7 +258,7 @@ void report_remarks(const Ties& ties, const std::vector<Report>& reports, Findin
 /// Welds that a penalty contact lists as sliding parts.
 void look_for_sliding_welds(const model::Model& model, Findings& findings) {
   for (const model::Contact& contact : model.contacts) {
-    if (contact.tie()) continue;
+    if (contact.tie() || contact.takes_welds) continue;
     std::set<int> parts;
     for (const model::Surface* side : {&contact.a, &contact.b})
       for (Index p = 0; p < static_cast<Index>(model.parts.size()); ++p)

@@ -328,19 +328,6 @@ class ContactForms(CommandTest):
             expect(("slave", 14), 1.0)
             self.assertNotIn(("master", 14), rows)
 
-    def test_beams_that_general_contact_does_not_choose(self):
-        """Sabotage: CPARM8 of the card of _MPP is read past."""
-        for value, words in ((2, "cparm8 = 2: not obeyed: weld beams are left out"), (1, "cparm8 = 1: not obeyed: beams of one part"),
-                             (10, "cparm8 = 10: not obeyed: the bars around shell edges")):
-            def general(d):
-                d.keyword("CONTACT_AUTOMATIC_GENERAL_MPP")
-                d.text(f"{'':70}{value:10d}")
-                d.card(surfa=0)
-                d.card(fs=None)
-                d.card(sfsa=None)
-            self.write(plates(general, {3: 10.0}, 1e-4))
-            self.assertIn(words, self.nugget("check", "model.k").stderr)
-
     def test_a_transducer_counts_beams(self):
         """A bar falls on the lower plate: what it feels is the change of its momentum. Sabotage: beams are no part's nodes."""
         mass = 7.85e-9 * math.pi * 0.25 * 2.0**2 * 10.0
@@ -483,6 +470,113 @@ class ContactForms(CommandTest):
             late[name] = max(force[len(force) // 2:])
         self.assertGreater(late["ERODING_NODES_TO_SURFACE"], 100.0)
         self.assertLess(late["AUTOMATIC_NODES_TO_SURFACE"], 0.05 * late["ERODING_NODES_TO_SURFACE"])
+
+
+class Bars(CommandTest):
+    """Beams alone in a contact: a bar that flies across another of the same mass hands over its velocity."""
+    SPEED = 1.0e4
+
+    def deck(self, name, second_part, mpp="", welds=False):
+        """Two bars of 10 mm, 2 mm thick, crossing 0.1 mm from touching; the upper one of `second_part` comes down. With
+        `welds` the lower one is a weld between two sheets that hold it."""
+        d = Deck()
+        d.keyword("KEYWORD")
+        d.keyword("CONTROL_TERMINATION")
+        d.card(endtim=5.0e-5)
+        d.keyword("DATABASE_NODOUT")
+        d.card(dt=1.0e-7)
+        d.keyword("DATABASE_HISTORY_NODE")
+        d.card(id1=1, id2=2, id3=3, id4=4)
+        d.keyword("CONTACT_" + name)
+        if mpp:
+            d.card(ignore=0, bckt=0, lcbckt=0, ns2trk=0, inititr=0, parmax=0, unused=None, cparm8=mpp)
+        d.card(surfa=1, surfb=0, surfatyp=2, surfbtyp=0)
+        d.card(fs=0.0)
+        d.card(sfsa=1.0)
+        d.keyword("SET_PART_LIST")
+        d.card(sid=1)
+        d.card(pid1=1, pid2=2)
+        d.keyword("PART")
+        d.text("lower")
+        d.card(pid=1, secid=9 if welds else 1, mid=9 if welds else 1)
+        d.keyword("PART")
+        d.text("upper")
+        d.card(pid=2, secid=1, mid=1)
+        d.keyword("SECTION_BEAM")
+        d.card(secid=1, elform=1, shrf=1.0, qr=2, cst=1)
+        d.card(ts1=2.0, ts2=2.0)
+        d.keyword("MAT_NULL")
+        d.card(mid=1, ro=7.85e-9, pc=0, mu=0, terod=0, cerod=0, ym=210000.0, pr=0.3)
+        if welds:
+            d.keyword("SECTION_BEAM")
+            d.card(secid=9, elform=9, shrf=1.0, qr=2, cst=1)
+            d.card(ts1=2.0, ts2=2.0)
+            d.keyword("MAT_SPOTWELD")
+            d.card(mid=9, ro=7.85e-9, e=210000.0, pr=0.3, sigy=1.0e6, eh=1000.0)
+            d.card(efail=0.0)
+            d.keyword("PART")
+            d.text("sheets")
+            d.card(pid=5, secid=5, mid=5)
+            d.keyword("SECTION_SHELL")
+            d.card(secid=5, elform=2, shrf=1.0, nip=2)
+            d.card(t1=1.0, t2=1.0, t3=1.0, t4=1.0)
+            d.keyword("MAT_ELASTIC")
+            d.card(mid=5, ro=7.85e-9, e=210000.0, pr=0.3)
+        for node in (3, 4):
+            d.keyword("INITIAL_VELOCITY_NODE")
+            d.card(nid=node, vx=0.0, vy=0.0, vz=-self.SPEED)
+        nodes = {1: (-5.0, 0.0, 0.0), 2: (5.0, 0.0, 0.0), 3: (0.0, -5.0, 2.1), 4: (0.0, 5.0, 2.1)}
+        shells = {}
+        if welds:
+            for side, corner in ((-5.0, 1), (5.0, 2)):
+                first = 10 * corner
+                nodes |= {first + k: (side, y, z) for k, (y, z) in enumerate(((9.0, 0.0), (9.0, 9.0), (0.0, 9.0)))}
+                shells[corner] = (5, (corner, first, first + 1, first + 2))
+        d.nodes(nodes)
+        if shells:
+            d.shells(shells)
+        d.keyword("ELEMENT_BEAM")
+        d.text(f"{1:8d}{1:8d}{1:8d}{2:8d}")
+        d.text(f"{2:8d}{second_part:8d}{3:8d}{4:8d}")
+        self.write("\n".join(d.lines + ["*END"]) + "\n")
+
+    def velocities(self):
+        """Last velocities along z of the lower and the upper bar."""
+        found = {}
+        for line in self.read("nodout").splitlines():
+            if line[:10].strip().isdigit() and len(line) > 130:
+                found[int(line[:10])] = float(line[10 + 5 * 12:10 + 6 * 12])
+        return 0.5 * (found[1] + found[2]), 0.5 * (found[3] + found[4])
+
+    def test_beams_alone_press_each_other(self):
+        """Elastic impact of equal masses. Sabotage: a contact without segments is left out."""
+        self.deck("AUTOMATIC_GENERAL", 2)
+        self.nugget("run", "model.k", "--quiet", "-j", 1)
+        lower, upper = self.velocities()
+        self.assertAlmostEqual(lower, -self.SPEED, delta=0.01 * self.SPEED)
+        self.assertAlmostEqual(upper, 0.0, delta=0.01 * self.SPEED)
+
+    def test_cparm8_keeps_beams_of_one_part_apart(self):
+        """Sabotage: CPARM8 is read past."""
+        for mpp, pressed in ((0, True), (1, False)):
+            self.deck("AUTOMATIC_GENERAL_MPP", 1, mpp=str(mpp) if mpp else "0")
+            self.nugget("run", "model.k", "--quiet", "-j", 1)
+            self.assertAlmostEqual(self.velocities()[1], 0.0 if pressed else -self.SPEED, delta=0.01 * self.SPEED)
+
+    def test_cparm8_lets_weld_beams_take_part(self):
+        """The bar bounces off a weld that is held, and passes one that is left out. Sabotage: weld beams never take part."""
+        self.deck("AUTOMATIC_GENERAL_MPP", 2, mpp="2", welds=True)
+        said = self.nugget("run", "model.k", "--quiet", "-j", 1)
+        self.assertNotIn("left out of it here", said.stderr)
+        self.assertGreater(self.velocities()[1], -0.5 * self.SPEED)
+        self.deck("AUTOMATIC_GENERAL", 2, welds=True)
+        said = self.nugget("run", "model.k", "--quiet", "-j", 1)
+        self.assertIn("left out of it here", said.stderr)
+        self.assertAlmostEqual(self.velocities()[1], -self.SPEED, delta=1e-3 * self.SPEED)
+
+    def test_cparm8_has_few_values(self):
+        self.deck("AUTOMATIC_GENERAL_MPP", 2, mpp="3")
+        self.assertIn("cparm8 = 3: expected 0, 1 or 2, or 10 more", self.nugget("check", "model.k", expect=1).stderr)
 
 
 if __name__ == "__main__":

@@ -23,7 +23,8 @@ const Card mpp_card1{{
     integer("inititr", 2, any_value, "iterations for initial penetrations"),
     real("parmax", dimension::number, 0, any_value, "extension of segments"),
     unused(),
-    integer("cparm8", 0, any_value, "_GENERAL: which beams take part; not obeyed, with a warning"),
+    integer("cparm8", 0, any_value,
+            "_GENERAL: 1 beams of one part do not press each other; 2 and weld beams take part"),
 }};
 const Card mpp_card2{{
     text("mark", 10, "& in column 1"),
@@ -117,7 +118,8 @@ const Card card_d{{
 }};
 const Card card_e{{
     integer("sharec", 0, any_value, "shared constraints"),
-    integer("cparm8", 0, any_value, "_GENERAL: which beams take part; not obeyed, with a warning"),
+    integer("cparm8", 0, any_value,
+            "_GENERAL: 1 beams of one part do not press each other; 2 and weld beams take part"),
     integer("ipback", 0, any_value, "ties: not 0: springs where a node or its segment is constrained already"),
     integer("srnde", 0, any_value, "round edges of shells"),
     real("fricsf", dimension::number, 1, any_value, "scale of friction"),
@@ -353,19 +355,16 @@ void take_d(Builder& builder, const Row& row, const Contact& contact) {
             {"shledg", 0, left}});
 }
 
-/// CPARM8 has a meaning for _GENERAL alone. LS-DYNA's shared-memory version too obeys that of the card of _MPP
-/// (docs/book/decks.md, the bolted connection).
-void warn_of_cparm8(Builder& builder, const Row& row, const Contact& contact) {
+/// CPARM8 has a meaning for _GENERAL alone.
+void take_cparm8(Builder& builder, const Row& row, Contact& contact) {
   if (contact.keyword.find("GENERAL") == std::string::npos) return;
-  const int value = row.integer("cparm8");
-  if (value % 10 != 0)
-    row.complain(builder.findings, Severity::warning, "cparm8",
-                 value % 10 == 2 ? "not obeyed: weld beams are left out, and beams of one part press each other"
-                                 : "not obeyed: beams of one part press each other",
-                 "give beams that must not touch contacts of their own");
+  const int value = row.integer("cparm8"), beams = value % 10;
+  if (value < 0 || beams > 2 || value / 10 > 1) return refuse(builder, row, "cparm8", "expected 0, 1 or 2, or 10 more");
   if (value >= 10)
     row.complain(builder.findings, Severity::warning, "cparm8",
                  "not obeyed: the bars around shell edges are not shifted into the shells");
+  if (beams > 0) contact.parts_apart = true;
+  if (beams == 2) contact.takes_welds = true;
 }
 
 void take_e(Builder& builder, const Row& row, Contact& contact) {
@@ -373,7 +372,7 @@ void take_e(Builder& builder, const Row& row, Contact& contact) {
     contact.penalty_fallback = row.integer("ipback") != 0;
     return;
   }
-  warn_of_cparm8(builder, row, contact);
+  take_cparm8(builder, row, contact);
   contact.friction.at_rest *= row.real("fricsf");
   contact.friction.sliding *= row.real("fricsf");
   expect(builder, row, Severity::warning,
@@ -408,10 +407,11 @@ void take_optional_cards(Builder& builder, Cursor& cursor, Contact& contact) {
 // ---- reader
 // --------------------------------------------------------------------------------------------------------------------
 
-/// The cards of the distributed-memory version are read past, as LS-DYNA's shared-memory version does.
-void skip_mpp(Builder& builder, Cursor& cursor, const Options& options, const Contact& contact) {
+/// Of the cards of the distributed-memory version only CPARM8 counts, which says what the contact holds
+/// (docs/book/decks.md, the bolted connection).
+void read_mpp(Builder& builder, Cursor& cursor, const Options& options, Contact& contact) {
   if (!options.contains("MPP")) return;
-  warn_of_cparm8(builder, cursor.read(mpp_card1), contact);
+  take_cparm8(builder, cursor.read(mpp_card1), contact);
   if (cursor.peek().starts_with('&')) cursor.read(mpp_card2);
 }
 
@@ -482,7 +482,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   const Heading heading = read_heading(cursor, options.contains("ID") || options.contains("TITLE"));
   contact.id = heading.id;
   contact.title = heading.text;
-  skip_mpp(builder, cursor, options, contact);
+  read_mpp(builder, cursor, options, contact);
   const Row sides = cursor.read(card_of_sides(cursor));
   if (!contact.slides())
     expect(builder, sides, Severity::error,
