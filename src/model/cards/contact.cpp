@@ -355,9 +355,9 @@ void take_d(Builder& builder, const Row& row, const Contact& contact) {
             {"shledg", 0, left}});
 }
 
-/// CPARM8 has a meaning for _GENERAL alone.
 void take_cparm8(Builder& builder, const Row& row, Contact& contact) {
-  if (contact.keyword.find("GENERAL") == std::string::npos) return;
+  if (contact.keyword.find("GENERAL") == std::string::npos)
+    return expect(builder, row, Severity::warning, {{"cparm8", 0, "has an effect in _GENERAL alone"}});
   const int value = row.integer("cparm8"), beams = value % 10;
   if (value < 0 || beams > 2 || value / 10 > 1) return refuse(builder, row, "cparm8", "expected 0, 1 or 2, or 10 more");
   if (value >= 10)
