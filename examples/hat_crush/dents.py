@@ -3,7 +3,7 @@
 
     python3 examples/hat_crush/dents.py NUGGET FOLDER [JOBS]
 
-Runs 60 columns, JOBS (1) at a time, minutes each; finished runs are not repeated. Units: mm, t, s, N, MPa; forces in kN.
+Runs 72 columns, JOBS (1) at a time, minutes each; finished runs are not repeated. Units: mm, t, s, N, MPa; forces in kN.
 """
 import concurrent.futures
 import json
