@@ -410,7 +410,7 @@ TEST(Contacts, WhatCannotBeObeyedIsRefused) {
   EXPECT_TRUE(single("         1         0         4         0\n").error("node set", "surfatyp"));
   EXPECT_TRUE(single("         0         0         0         0         5\n").error("box", "saboxid"));
   EXPECT_TRUE(single("        77         0         2         0\n").error("part set 77 is not defined", "surfa"));
-  EXPECT_TRUE(single("\n\n\n\n\n\n\n\n\n         1\n").error("more data lines"));
+  EXPECT_TRUE(single("\n\n\n\n\n\n\n\n\n\n         1\n").error("more data lines"));
   EXPECT_TRUE(Built(small_deck("*CONTACT_SPOTWELD\n         1         0         4         3\n"))
                   .error("must be given", "surfb"));
   EXPECT_TRUE(
