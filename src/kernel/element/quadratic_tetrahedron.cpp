@@ -32,14 +32,15 @@ struct Slopes {
   }
 };
 
-/// Adds the forces that do work on the derivatives at point p.
+/// Adds the forces that do work on the derivatives at point p: (4 L_k - 1) t_k to corner k, 4 L_j t_i + 4 L_i t_j to
+/// the node between i and j.
 template <class R>
 [[gnu::always_inline]] inline void collect(int p, const Vec3<R> (&t)[4], Vec3<R> (&f)[10]) {
-  for (int k = 0; k < 4; ++k) {
-    f[k] += R(4.0 * far - 1.0) * t[k];
-    for (int j = 0; j < 4; ++j)
-      if (j != k) f[between[k][j]] += R(4.0 * far) * t[k];
-    f[between[k][p]] += R(4.0 * (near - far)) * t[k];
+  const auto four_l = [p](int k) { return 4.0 * (k == p ? near : far); };
+  for (int k = 0; k < 4; ++k) f[k] += R(four_l(k) - 1.0) * t[k];
+  for (int e = 0; e < 6; ++e) {
+    const auto [i, j] = quadratic_tetrahedron_edge[e];
+    f[4 + e] += R(four_l(j)) * t[i] + R(four_l(i)) * t[j];
   }
 }
 
