@@ -37,6 +37,21 @@ void change_bricks(model::Model& m, Findings& findings) {
                               fmt::join(changed, " "), m.implicit.solid_form));
 }
 
+/// Tetrahedra whose nodes share a pressure (13) have no stiffness element by element; those of formulation 10 do.
+void separate_pressures(model::Model& m, Findings& findings) {
+  for (const model::Part& part : m.parts)
+    if (part.kind == model::ElementKind::solid && part.section != model::none &&
+        m.solid_sections[at(part.section)].elform == 13)
+      findings.warning(
+          part.place, "*PART",
+          fmt::format("part {}: tetrahedra of ELFORM 13 are computed as 10 in linear analyses: each has its "
+                      "own pressure, the nodes do not share one",
+                      part.id),
+          "use ELFORM 16 where Poisson's ratio is near 0.5");
+  for (model::SectionSolid& section : m.solid_sections)
+    if (section.elform == 13) section.elform = 10;
+}
+
 void stabilize_bricks(model::Model& m, Findings& findings) {
   std::vector<int> changed;
   for (model::Part& part : m.parts) {
@@ -130,6 +145,7 @@ model::Model linear_model(const model::Model& model, Findings& findings) {
   refuse_fluids(m, findings);
   hold_driven_nodes(m);
   change_bricks(m, findings);
+  separate_pressures(m, findings);
   stabilize_bricks(m, findings);
   integrate_shells_fully(m, findings);
   return m;

@@ -250,15 +250,6 @@ std::array<double, 36> mass_matrix(const NodalMass& n) {
 
 Matrices::Matrices(const system::System& s, Findings& findings)
     : system(s), rest(at_rest(s)), equations(s, findings), nodal_mass(nodal_masses(s, rest)), links(body_links(s)) {
-  for (const model::Part& part : s.model.parts)
-    if (part.kind == model::ElementKind::solid && part.section != model::none &&
-        s.model.solid_sections[at(part.section)].elform == 13)
-      findings.error(
-          part.place, "*PART",
-          fmt::format("part {}: tetrahedra whose nodes share a pressure (ELFORM 13) have no stiffness of their "
-                      "own, so they are not in the linear analyses",
-                      part.id),
-          "write 10 there");
   assemble(*this);
   if (held > 0)
     findings.note({s.model.deck, 0, 0}, "*CONTROL_IMPLICIT_SOLVER",
