@@ -44,11 +44,11 @@ const Card shell_thickness_card{{
 
 /// A written 0 is a formulation of its own, not a blank field.
 constexpr Field solid_formulation() {
-  Field f =
-      integer("elform", 1, any_value,
-              "formulation: 1 constant stress, 2 fully integrated, -1, -2 and 3 the same without locking in bending, "
-              "tetrahedra 4 with nodal rotations, 10, 13 with pressure by nodes, 15 wedge (as a collapsed 2); 0 is "
-              "computed as 1");
+  Field f = integer(
+      "elform", 1, any_value,
+      "formulation: 1 constant stress, 2 fully integrated, -1, -2 and 3 the same without locking in bending, "
+      "tetrahedra 4 with nodal rotations, 10, 13 with pressure by nodes, 16 of ten nodes (also for 17), 15 wedge "
+      "(as a collapsed 2); 0 is computed as 1");
   f.zero_is_default = false;
   return f;
 }

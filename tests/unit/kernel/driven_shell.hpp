@@ -12,7 +12,8 @@
 #include "motion.hpp"
 
 // One shell, of any formulation, driven by the velocities of its nodes, and what all of them must keep. A `Kind` has
-//   corners, some(random)    a shape of its own
+//   corners, columns         nodes, and points of integration in the plane
+//   some(random)             a shape of its own
 //   layout(properties, law), cycle<R>(properties, law, nodes, dt, state)
 namespace nugget::kernel {
 
@@ -53,7 +54,7 @@ inline NodalMotion<double, 3> triangle(Random& random) {
 }
 
 struct OnePoint {
-  static constexpr int corners = 4;
+  static constexpr int corners = 4, columns = 1;
   static Motion some(Random& random) { return warped(random); }
   template <class Law>
   static ShellLayout layout(const ShellProperties& shell, const Prepared<Law>& law) {
@@ -66,7 +67,7 @@ struct OnePoint {
   }
 };
 struct Full {
-  static constexpr int corners = 4;
+  static constexpr int corners = 4, columns = 4;
   static Motion some(Random& random) { return warped(random); }
   template <class Law>
   static ShellLayout layout(const ShellProperties& shell, const Prepared<Law>& law) {
@@ -79,7 +80,7 @@ struct Full {
   }
 };
 struct C0 {
-  static constexpr int corners = 3;
+  static constexpr int corners = 3, columns = 1;
   static NodalMotion<double, 3> some(Random& random) { return triangle(random); }
   template <class Law>
   static ShellLayout layout(const ShellProperties& shell, const Prepared<Law>& law) {
@@ -92,7 +93,7 @@ struct C0 {
   }
 };
 struct Kirchhoff {
-  static constexpr int corners = 3;
+  static constexpr int corners = 3, columns = kirchhoff_columns;
   static NodalMotion<double, 3> some(Random& random) { return triangle(random); }
   template <class Law>
   static ShellLayout layout(const ShellProperties& shell, const Prepared<Law>& law) {
@@ -212,7 +213,7 @@ void rigid_rotation_strains_nothing(const ShellProperties& shell, int steps = 72
   }
   const std::vector<double> before = d.state;
   const auto force = d.force;
-  ASSERT_GT(before[static_cast<std::size_t>(d.layout.history_of(0))], 0.0);
+  for (int column = 0; column < Kind::columns; ++column) ASSERT_GT(d.at(d.layout.history_of(0, column)), 0.0);
   const Vec3d axis = unit(Vec3d{1, 2, 3});
   double work = 0.0, drift = 0.0;
   for (int cycle = 0; cycle < steps; ++cycle) {
