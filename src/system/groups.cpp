@@ -317,7 +317,7 @@ void System::make_bricks() {
       const auto [quadratic, tetrahedra, full, others] =
           by_formulation(sorted[p], model.solid_sections[at(part.section)].elform);
       if (!quadratic.empty())
-        add_group(QuadraticTetrahedronElement<Law>{brick, element.law}, model::ElementKind::solid, p,
+        add_group(QuadraticTetrahedronElement<Law>{{brick, element.law}}, model::ElementKind::solid, p,
                   different_nodes(quadratic), solid_seat);
       if (!tetrahedra.empty()) {
         const Members m = different_nodes(tetrahedra);
@@ -326,7 +326,7 @@ void System::make_bricks() {
         if (!std::is_same_v<Law, kernel::Compound> && elform == 13)
           shared = std::make_shared<NodalPressure>(first_four(m.node), start_, bulk_modulus(element.law.elastic()));
         if (elform == 4)
-          add_group(RotationalTetrahedronElement<Law>{brick, element.law}, model::ElementKind::solid, p, m, solid_seat);
+          add_group(RotationalTetrahedronElement<Law>{{brick, element.law}}, model::ElementKind::solid, p, m, solid_seat);
         else
           add_group(TetrahedronElement<Law>{brick, element.law, shared}, model::ElementKind::solid, p, m, solid_seat);
       }

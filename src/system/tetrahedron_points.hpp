@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "kernel/element/hexahedron.hpp"
+#include "model/model.hpp"
+#include "system/element_group.hpp"
+#include "system/material_axes.hpp"
+
+namespace nugget::system {
+
+/// What the tetrahedra of several points share as BatchGroup wants it; see there. `Element` derives from it and gives
+/// `layout()`, whose Layout has `points`, `point(p)` (the six stresses) and `history_of(p)`.
+template <class Law, class Element>
+struct TetrahedronPoints {
+  kernel::HexahedronProperties solid;
+  kernel::Prepared<Law> law;
+
+  int state_size() const { return self().layout().size(); }
+  int layers() const { return 1; }
+
+  /// The same element without viscous forces.
+  Element inviscid() const {
+    Element e = self();
+    e.solid.bulk_quadratic = e.solid.bulk_linear = 0.0;
+    return e;
+  }
+
+  /// The mean of the points.
+  template <class Field, class Places>
+  ElementGroup::Layer layer(const Field& field, int, const Places&) const {
+    const auto layout = self().layout();
+    const double share = 1.0 / layout.points;
+    ElementGroup::Layer l;
+    for (int p = 0; p < layout.points; ++p) {
+      for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] += share * field(layout.point(p) + i);
+      if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain += share * field(layout.history_of(p));
+    }
+    return l;
+  }
+  /// All points get the same stress.
+  template <class Put, class Places>
+  void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
+    const auto layout = self().layout();
+    for (int p = 0; p < layout.points; ++p) {
+      for (int i = 0; i < 6; ++i) put(layout.point(p) + i, l.stress[static_cast<std::size_t>(i)]);
+      if (kernel::Prepared<Law>::has_plastic_strain) put(layout.history_of(p), l.plastic_strain);
+    }
+  }
+  template <class Field>
+  double thickness(const Field&) const {
+    return 0.0;
+  }
+  template <class Field>
+  std::array<double, 8> resultants(const Field&) const {
+    return {};
+  }
+
+ protected:
+  /// Material axes of all points, of laws that have them; x: the corners.
+  template <class Places>
+  void start_axes(double* state, int lane, const Places& x) const {
+    const auto layout = self().layout();
+    if (const kernel::MaterialAxes* axes = material_axes(law))
+      for (int p = 0; p < layout.points; ++p)
+        kernel::start_solid_axes(state + layout.history_of(p) * native_width + lane, native_width,
+                                 axes->in_brick(x[1] - x[0], x[3] - x[0]));
+  }
+
+ private:
+  const Element& self() const { return static_cast<const Element&>(*this); }
+};
+
+}  // namespace nugget::system
