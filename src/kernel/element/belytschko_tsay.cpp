@@ -75,26 +75,26 @@ template <class R>
   return r;
 }
 
-/// Share of the in-plane hourglass stiffness that is left: 1 while no layer has yielded. Afterwards the material
-/// resists with its tangent, which is next to nothing in steel that flows; a thousandth keeps the pattern from being
-/// free altogether. LS-DYNA's results of type 4 in crash ask for that (docs/decisions/0006).
+/// Share of the hourglass stiffness in the plane and in bending that is left: 1 while no layer has yielded. Afterwards
+/// the material resists with its tangent, in steel that flows about a hundredth of Young's modulus. Twist is resisted
+/// by transverse shear, which does not yield. LS-DYNA's results of type 4 in crash ask for that (docs/decisions/0006).
 template <class R, class Law>
-R in_plane_share(const ShellProperties& shell, const Prepared<Law>& law, const double* state) {
+R tangent_share(const ShellProperties& shell, const Prepared<Law>& law, const double* state) {
   if constexpr (!Prepared<Law>::has_plastic_strain) return R(1.0);
   const ShellLayout layout = shell_layout(shell, law);
   R strain = R(0.0);
   for (int k = 0; k < layout.layers; ++k) strain = max(strain, load_field<R>(state, layout.history_of(k)));
-  return select(strain > 0.0, R(0.001), R(1.0));
+  return select(strain > 0.0, R(0.01), R(1.0));
 }
 
 /// Hourglass forces at the end of the step (element-theory 3.4); stored, and their work added up, in the state.
 ///
-/// The stiffness form is a share of the element's own elastic resistance to the pattern: 3 QM in its plane, less once
-/// the element has yielded (see in_plane_share), 3/2 QB in bending, QW SHRF / 2 in twist.
+/// The stiffness form is a share of the element's own elastic resistance to the pattern: 3 QM in its plane and 3/2 QB
+/// in bending, both less once the element has yielded (see tangent_share), QW SHRF / 2 in twist.
 template <class R>
 [[gnu::always_inline]] inline Hourglass<R> resist_hourglass(const ShellProperties& shell, const ElasticConstants& e,
                                                             const Quadrilateral<R>& g, const Hourglass<R>& rate,
-                                                            double dt, const R& in_plane_share, double* state) {
+                                                            double dt, const R& tangent_share, double* state) {
   using L = ShellLayout;
   const R t = load_field<R>(state, L::thickness), t2 = t * t;
   const Hourglass<R> old{load_field<R>(state, L::hourglass), load_field<R>(state, L::hourglass + 1),
@@ -103,8 +103,8 @@ template <class R>
   Hourglass<R> now;
   if (shell.hourglass >= 4) {
     const R bb = 2.0 * (g.bx13 * g.bx13 + g.bx24 * g.bx24 + g.by13 * g.by13 + g.by24 * g.by24);
-    const R step = dt * t, in_plane = (0.125 * e.E) * step * g.area * bb;
-    const R membrane = in_plane_share * shell.membrane_hourglass * in_plane;
+    const R step = dt * t, in_plane = tangent_share * (0.125 * e.E) * step * g.area * bb;
+    const R membrane = shell.membrane_hourglass * in_plane;
     const R bending = (shell.bending_hourglass / 24.0) * t2 * in_plane;
     const R warping = (shell.warping_hourglass * shell.shear_factor * e.shear / 12.0) * step * t2 * bb;
     now = {old.x + membrane * rate.x, old.y + membrane * rate.y, old.z + warping * rate.z, old.rx + bending * rate.rx,
@@ -127,15 +127,19 @@ template <class R>
   return now;
 }
 
-/// A shell that yields for the first time loses the in-plane hourglass force that its stiffness no longer bears.
+/// A shell that yields for the first time loses the hourglass forces that its stiffness no longer bears.
 template <class R>
 void soften_at_first_yield(const R& share_before, const R& share_now, Hourglass<R>& q, double* state) {
   const auto yields = share_now < share_before;
   if (!any(yields)) return;
   q.x = select(yields, share_now * q.x, q.x);
   q.y = select(yields, share_now * q.y, q.y);
+  q.rx = select(yields, share_now * q.rx, q.rx);
+  q.ry = select(yields, share_now * q.ry, q.ry);
   store_field(state, ShellLayout::hourglass, q.x);
   store_field(state, ShellLayout::hourglass + 1, q.y);
+  store_field(state, ShellLayout::hourglass + 3, q.rx);
+  store_field(state, ShellLayout::hourglass + 4, q.ry);
 }
 
 /// Forces that do the work of the resultants and hourglass forces on the rates above.
@@ -198,10 +202,10 @@ NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const Prepared<Law>&
     rates.q = {select(alive, rates.q.x, R(0.0)), select(alive, rates.q.y, R(0.0)), select(alive, rates.q.z, R(0.0)),
                select(alive, rates.q.rx, R(0.0)), select(alive, rates.q.ry, R(0.0))};
   }
-  const R share = in_plane_share<R>(shell, law, state);
+  const R share = tangent_share<R>(shell, law, state);
   Hourglass<R> q = resist_hourglass(shell, e, mid, rates.q, dt, share, state);
   ShellResultants<R> n = advance_layers(shell, law, rates.d, dt, state, alive);
-  if (shell.hourglass >= 4) soften_at_first_yield(share, in_plane_share<R>(shell, law, state), q, state);
+  if (shell.hourglass >= 4) soften_at_first_yield(share, tangent_share<R>(shell, law, state), q, state);
   if (shell.bulk_quadratic != 0.0 || shell.bulk_linear != 0.0) {
     const R viscous = viscous_membrane(shell, law, rates.d.xx + rates.d.yy, end.area, state);
     n.nxx -= viscous;

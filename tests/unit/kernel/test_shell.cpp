@@ -231,6 +231,41 @@ TEST(Shell, FailsLayerByLayerAndIsDeleted) {
   EXPECT_EQ(largest_force(d.step(1e-6)), 0.0);
 }
 
+TEST(Shell, HourglassStiffnessOfAYieldedShellIsThatOfTheTangent) {
+  // Decision 0006: in the plane and in bending a hundredth, and the stored force with it; twist as before.
+  using L = ShellLayout;
+  ShellProperties shell = section();
+  shell.hourglass = 4;
+  const double dt = 1e-6;
+  const auto pattern = [dt](Driven<PiecewiseLinear>& d) {
+    for (int i = 0; i < 4; ++i) {
+      const double h = i % 2 == 0 ? 1.0 : -1.0;
+      d.nodes.v[i] = {h, h, h};
+      d.nodes.w[i] = {h, h, 0};
+    }
+    std::array<double, 5> before{};
+    for (int k = 0; k < 5; ++k) before[static_cast<std::size_t>(k)] = d.at(L::hourglass + k);
+    d.cycle(dt);  // at rest but for the rates, so that the shape stays a square
+    std::array<double, 5> change{};
+    for (int k = 0; k < 5; ++k)
+      change[static_cast<std::size_t>(k)] = d.at(L::hourglass + k) - before[static_cast<std::size_t>(k)];
+    return change;
+  };
+  Driven<PiecewiseLinear> elastic(shell, bilinear(250, 1000), square()), yielded = elastic;
+  const std::array<double, 5> stiff = pattern(elastic);
+  pattern(yielded);
+  for (int i = 0; i < 4; ++i) yielded.nodes.v[i] = {2000.0 * yielded.nodes.x[i].x, 0, 0}, yielded.nodes.w[i] = {};
+  yielded.cycle(dt);  // a strain of 0.002: beyond 250/210000
+  for (int k : {0, 1, 3, 4})
+    EXPECT_NEAR(yielded.at(L::hourglass + k), 0.01 * stiff[static_cast<std::size_t>(k)],
+                1e-9 * std::abs(stiff[static_cast<std::size_t>(k)]))
+        << k;
+  EXPECT_NEAR(yielded.at(L::hourglass + 2), stiff[2], 1e-9 * std::abs(stiff[2]));
+  const std::array<double, 5> soft = pattern(yielded);
+  for (std::size_t k = 0; k < 5; ++k)
+    EXPECT_NEAR(soft[k], (k == 2 ? 1.0 : 0.01) * stiff[k], 1e-9 * std::abs(stiff[k])) << k;
+}
+
 TEST(Shell, SmallStepDeletes) {
   PiecewiseLinear law = bilinear(250, 0);
   law.tdel = 9.3e-7;
