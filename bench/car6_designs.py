@@ -4,7 +4,7 @@
     python3 bench/car6_designs.py DESIGNS [--nugget build/nugget] [--shared ../shared] [--count 120] [--work FOLDER]
 
 DESIGNS is the folder LHS/9param of github.com/dbrizard/GSA-car-crash (GPL-3; not part of this repository), with LHS-120_X.csv (nine parameters a
-row) and LHS-120_Y_fmax, _dmax, _vfin, _IE.csv (LS-DYNA R10.1). Results already in FOLDER are not run again. The table has, for each result, the
+row) and LHS-120_Y_fmax, _dmax, _vfin, _IE.csv (LS-DYNA R10.1). Finished runs in FOLDER are not repeated. The table has, for each result, the
 coefficient of correlation over the designs, the median difference, and the change that each parameter causes over its range: the slopes of a
 linear regression times the range, LS-DYNA / Nugget.
 """
@@ -31,6 +31,11 @@ def write_deck(folder, source, parameters):
     cards = "".join(f"*PARAMETER\nr{name},{value:.10g}\n" for name, value in parameters.items())
     (folder / "main.k").write_text(f"*KEYWORD\n{cards}*INCLUDE\ncar6_crash_v223.k\n*END\n", encoding="ascii")
     return folder / "main.k"
+
+
+def finished(folder):
+    summary = folder / "summary.json"
+    return summary.is_file() and json.loads(summary.read_text(encoding="utf-8"))["termination"] == "normal"
 
 
 def results_of(folder):
@@ -70,7 +75,7 @@ def main():
     rows, ours = [], []
     for number, design in enumerate(designs):
         folder = arguments.work / f"{number + 1:03d}"
-        if not (folder / "summary.json").is_file():
+        if not finished(folder):
             deck = write_deck(folder, source, dict(zip(names, design)))
             done = subprocess.run([str(arguments.nugget), "run", str(deck), "-o", str(folder), "-j1", "--quiet"], capture_output=True, text=True)
             for state in folder.glob("d3plot*"):
