@@ -395,8 +395,10 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
                                         step.mass[f.node[1]]};
   const double inverse_mass = kernel::inverse_pair_mass(0.0, weight, node_mass);
   const double stiffness = kernel::pair_stiffness(setup_.law, penalty(e, f, step), inverse_mass, step.bearable);
-  const double size =
-      kernel::pair_force(setup_.law, stiffness, inverse_mass, pair.depth, -dot(velocity, pair.direction));
+  const double approach = -dot(velocity, pair.direction);
+  pair.memory = before.memory;
+  const double spring = kernel::spring_force(pair.memory, stiffness, inverse_mass, pair.depth, approach, step.dt);
+  const double size = kernel::pair_force(setup_.law, stiffness, inverse_mass, spring, approach);
   if (size > 0.0) {
     if (setup_.law.friction.any()) pair.friction = friction(pair, before, stiffness, size, step);
     pair.force = size * pair.direction + pair.friction;

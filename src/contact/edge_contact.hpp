@@ -97,7 +97,8 @@ class EdgeContact {
     kernel::EdgeFeet feet;
     Vec3d direction;  // in which a is pressed away from b
     double offset = 0.0, depth = 0.0;
-    Vec3d friction;     // on a
+    Vec3d friction;  // on a
+    kernel::PairMemory memory;
     Vec3d force;        // on a, friction included
     double wake = 0.0;  // before the approach gets here the two cannot touch
   };
