@@ -329,9 +329,11 @@ void SurfaceContact::leave_out_strays(Block& block, int node, const Step& step) 
     const Segment& segment = setup_.segments[candidate.pair->segment];
     const Vec3d velocity = vec(step.v[node]) - interpolate(segment, candidate.foot.weight, step.v);
     const Vec3d was_at = vec(step.x[node]) - candidate.foot.point - step.dt * velocity;
-    const bool was_out = dot(was_at, candidate.foot.normal) >= -on_the_face * inner_[candidate.pair->segment];
-    if (was_out && !candidate.extended) continue;
+    const double height = dot(was_at, candidate.foot.normal), none = on_the_face * inner_[candidate.pair->segment];
+    candidate.came_through = height > none;
     const Candidate* from = predecessor(block, candidate);
+    // Level with a face it came through that only if no other has it.
+    if (!candidate.extended && (candidate.came_through || (from == nullptr && height >= -none))) continue;
     if (from == nullptr || dot(from->away, candidate.away) <= 0.5) candidate.gap = Box::infinity;
   }
 }
@@ -405,8 +407,13 @@ bool SurfaceContact::at_home(const Candidate& candidate, int node, std::span<con
 /// `other` is closer and the two are one stretch of surface: the foot lies on their common edge or corner, or they push
 /// in much the same direction (a facetted hollow, where both have a foot inside).
 bool SurfaceContact::hidden_by(const Candidate& other, const Candidate& candidate) const {
-  if (&other == &candidate || other.foot.distance > candidate.foot.distance) return false;
+  if (&other == &candidate) return false;
   if (candidate.gap < 0.0 && other.gap >= 0.0) return false;  // a face that it is not behind
+  if (candidate.gap < 0.0 && other.came_through != candidate.came_through && !candidate.before.touching &&
+      !other.before.touching &&
+      share_a_node(setup_.segments[other.pair->segment], setup_.segments[candidate.pair->segment]))
+    return other.came_through;
+  if (other.foot.distance > candidate.foot.distance) return false;
   if (other.foot.distance == candidate.foot.distance && other.pair->segment > candidate.pair->segment) return false;
   const Segment &a = setup_.segments[other.pair->segment], &b = setup_.segments[candidate.pair->segment];
   const bool alike = dot(other.away, candidate.away) > 0.5;

@@ -155,10 +155,11 @@ class SurfaceContact {
     Pair* pair = nullptr;
     Pair before;  ///< the pair as the cycle before left it
     kernel::Foot foot;
-    Vec3d away;             ///< unit vector along which the node would leave
-    double gap = 0.0;       ///< from the foot to the node, negative inside a brick [length]
-    bool extended = false;  ///< behind the extension of a brick's face beyond its border
-    double reach = 0.0;     ///< distance at which the two touch
+    Vec3d away;                 ///< unit vector along which the node would leave
+    double gap = 0.0;           ///< from the foot to the node, negative inside a brick [length]
+    bool extended = false;      ///< behind the extension of a brick's face beyond its border
+    bool came_through = false;  ///< came through the brick's face in this step, from clearly before it
+    double reach = 0.0;         ///< distance at which the two touch
   };
   /// A fixed group of tracked nodes: what one thread works on at a time.
   struct Block {
