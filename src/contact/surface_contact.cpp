@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "contact/couple.hpp"
 #include "contact/surface_nodes.hpp"
 
 namespace nugget::contact {
@@ -114,7 +115,7 @@ void SurfaceContact::apply(const Step& step, std::span<Row> force) {
     parallel_for(busy_.size(), 4, [this, &step](std::size_t begin, std::size_t end) {
       for (std::size_t b = begin; b < end; ++b) work(blocks_[busy_[b]], step);
     });
-    add_forces(force);
+    add_forces(step, force);
   }
   account(step.dt, step.v);
 }
@@ -578,12 +579,17 @@ void SurfaceContact::next_cycle() {
   deepest_ = 0.0;
 }
 
-void SurfaceContact::add_forces(std::span<Row> force) {
+void SurfaceContact::add_forces(const Step& step, std::span<Row> force) {
   for (int b : busy_) {
     for (const Hit& hit : blocks_[b].hits) {
       const Segment& segment = setup_.segments[hit.segment];
       forces_.add(setup_.nodes[hit.tracked].node, hit.force);
       for (int c = 0; c < segment.corners(); ++c) forces_.add(segment.node[c], -hit.weight[c] * hit.force);
+      if (setup_.law.balances_friction) {
+        const Vec3d lever = vec(step.x[setup_.nodes[hit.tracked].node]) - interpolate(segment, hit.weight, step.x);
+        add_couple(forces_, {segment.node.data(), static_cast<std::size_t>(segment.corners())},
+                   -cross(lever, hit.force), step.x);
+      }
       resultant_ += segment.side == 1 && pressing_ != 1 ? -hit.force : hit.force;
       deepest_ = std::max(deepest_, hit.depth);
       ++touching_;

@@ -71,7 +71,8 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 /// Friction. A spring along the surface with the same k is drawn out as the foot moves over the segment, and slips at
 /// the bound of kernel::Friction: f = f - k de, then |f| <= bound (theory manual, "Friction"). de is the way of the
 /// foot over the material of the segment, so that turning together is no slip; the spring is handed on from segment to
-/// segment. The force acts on the node and at the foot, half the thicknesses apart: that couple is not balanced.
+/// segment. The force acts on the node and at the foot, half the thicknesses apart. That couple is not balanced but
+/// with FTORQ: then the corners of the segment take it, see add_couple().
 ///
 /// Search. Each node lists the segments within contact distance plus a margin; the lists are renewed when two points of
 /// the surface can have come closer than that margin, judged by the box of all displacements since. A pair found apart
@@ -207,7 +208,7 @@ class SurfaceContact {
   bool too_deep(double overlap, int segment) const;
   kernel::Friction friction_law(const Candidate& candidate, int tracked) const;
   void press(Block& block, Candidate& candidate, int tracked, const Step& step) const;
-  void add_forces(std::span<Row> force);
+  void add_forces(const Step& step, std::span<Row> force);
   void account(double dt, std::span<const Row> v);
   void next_cycle();
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What contact must keep: energy of elastic bodies that bounce off each other, and their momentum.
+// What contact must keep: energy of elastic bodies that bounce off each other, their momentum, and where it is asked
+// for, the moments of friction and of glue.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,13 +25,30 @@ std::string by_all(const std::string& form) {
   return "*CONTACT_AUTOMATIC_" + form + "\n" + fields({0, 0, 5}) + fields({}) + fields({});
 }
 
-std::string by_side(const std::string& form) {
-  return "*CONTACT_AUTOMATIC_" + form + "\n" + fields({2, 1, 3, 3}) + fields({}) + fields({});
+std::string by_side(const std::string& form, double friction = 0.0) {
+  return "*CONTACT_AUTOMATIC_" + form + "\n" + fields({2, 1, 3, 3}) + fields({friction, friction}) + fields({});
 }
 
 void velocity(Specimen& s, int part, const Vec3d& v) {
   s.card("INITIAL_VELOCITY_GENERATION", {1.0 * part, 2, 0, v.x, v.y, v.z}).text(fields({}));
 }
+
+/// The moment about the origin of what a contact does to all nodes, and the sum of their sizes [force length].
+struct Moment {
+  Vec3d sum;
+  double sizes = 0.0;
+
+  Moment(const impact::Snapshot& now, const contact::PenaltyContact& contact) {
+    std::vector<unsigned char> marked(now.state.x.size(), 0);
+    for (std::size_t n = 0; n < marked.size(); ++n) {
+      marked[n] = 1;
+      const Vec3d moment = cross(vec(now.state.x[n]), contact.force_on(marked));
+      marked[n] = 0;
+      sum += moment;
+      sizes += norm(moment);
+    }
+  }
+};
 
 struct Bounce {
   double energy = 0.0;    ///< in the contact at the end, of the first kinetic one
@@ -112,6 +130,62 @@ TEST(ContactBalance, FlushBlocksDoNotStick) {
       else
         straight = b.kinetic;
     }
+  }
+}
+
+// Sheets that rub on each other: friction acts at both mid-surfaces, a millimetre apart. With FTORQ that couple is
+// balanced; without, it is friction times that millimetre. Sabotage: the couple in the other direction.
+TEST(ContactBalance, MomentsOfFriction) {
+  for (const bool balanced : {false, true})
+    for (const bool bricks : {false, true}) {
+      // Cards A to E: SOFT 0, FRICSF 1, FTORQ.
+      const std::string cards =
+          fields({0}) + fields({}) + fields({}) + fields({}) + fields({0, 0, 0, 0, 1, 0, balanced ? 1.0 : 0.0});
+      Specimen s = steel_bodies(by_side("SURFACE_TO_SURFACE", 0.3) + cards, 2e-5);
+      s.part(1, bricks ? 1 : 2, 1).part(2, 2, 1);
+      if (bricks)
+        s.bricks(1, {0.0, 0.0, -9.5}, {30.0, 30.0, 10.0}, {6, 6, 2});
+      else
+        s.shells(1, {0.0, 0.0, 0.0}, {30.0, 30.0, 0.0}, 6, 6);
+      s.shells(2, {4.0, 3.0, 1.01}, {20.0, 20.0, 0.0}, 5, 5);
+      velocity(s, 2, {3000.0, 2000.0, -4000.0});
+      Experiment experiment(s.deck());
+      double worst = 0.0, energy = 1.0;
+      run_to_end(experiment, [&](const impact::Snapshot& now) {
+        const Moment moment(now, now.contacts[0]);
+        if (moment.sizes > 0.0) worst = std::max(worst, norm(moment.sum) / moment.sizes);
+        energy = now.energy.ratio();
+      });
+      const std::string what = bricks ? "a sheet on a block" : "a sheet on a sheet";
+      if (balanced)
+        expect_reference("bounce", "FTORQ, " + what + ", moment of contact, of the sizes", worst, 0.0, 1e-12, 1.0);
+      else
+        EXPECT_GT(worst, 1e-3) << what;
+      EXPECT_NEAR(energy, 1.0, 1e-6) << what;
+    }
+}
+
+// Two sheets glued together slide against each other in their planes, freely. With OPTION -2 the lever between them
+// counts, and glue makes no moment; with 2 it does. Sabotage: OPTION -2 read as 2.
+TEST(ContactBalance, GlueThatHandsOverMoments) {
+  for (const int option : {2, -2}) {
+    Specimen s = steel_bodies("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n" + fields({2, 1, 3, 3}) + fields({}) +
+                                  fields({}) + fields({1.0 * option, 1e9, 1e9}),
+                              5e-5);
+    s.part(1, 2, 1).part(2, 2, 1);
+    s.shells(1, {0.0, 0.0, 0.0}, {20.0, 20.0, 0.0}, 4, 4);
+    s.shells(2, {0.0, 0.0, 1.0}, {20.0, 20.0, 0.0}, 5, 5);
+    velocity(s, 2, {3000.0, 2000.0, 0.0});
+    Experiment experiment(s.deck());
+    double worst = 0.0;
+    run_to_end(experiment, [&](const impact::Snapshot& now) {
+      const Moment moment(now, now.contacts[0]);
+      if (moment.sizes > 0.0) worst = std::max(worst, norm(moment.sum) / moment.sizes);
+    });
+    if (option < 0)
+      expect_reference("bounce", "glue, OPTION -2, moment of it, of the sizes", worst, 0.0, 1e-12, 1.0);
+    else
+      EXPECT_GT(worst, 1e-3);
   }
 }
 

@@ -27,6 +27,8 @@ enum class PenaltyStiffness { material, node_masses, segment_masses };
 /// What the pair law needs to know of a contact.
 struct PenaltyLaw {
   PenaltyStiffness stiffness = PenaltyStiffness::material;
+  bool balances_friction =
+      false;                ///< FTORQ: friction acts on both sides beside each other, and that couple is balanced
   double soft_scale = 0.1;  ///< SOFSCL, for SOFT = 1
   double soft_step = 0.0;   ///< DTSTIF: the step that a stiffness by masses is for; 0: that of the run [time]
   double damping = 0.0;     ///< VDC, percent of critical
