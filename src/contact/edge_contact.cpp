@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "contact/couple.hpp"
 
 namespace nugget::contact {
 namespace {
@@ -395,8 +396,10 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
                                         step.mass[f.node[1]]};
   const double inverse_mass = kernel::inverse_pair_mass(0.0, weight, node_mass);
   const double stiffness = kernel::pair_stiffness(setup_.law, penalty(e, f, step), inverse_mass, step.bearable);
-  const double size =
-      kernel::pair_force(setup_.law, stiffness, inverse_mass, pair.depth, -dot(velocity, pair.direction));
+  const double approach = -dot(velocity, pair.direction);
+  pair.memory = before.memory;
+  const double spring = kernel::spring_force(pair.memory, stiffness, inverse_mass, pair.depth, approach, step.dt);
+  const double size = kernel::pair_force(setup_.law, stiffness, inverse_mass, spring, approach);
   if (size > 0.0) {
     if (setup_.law.friction.any()) pair.friction = friction(pair, before, stiffness, size, step);
     pair.force = size * pair.direction + pair.friction;
@@ -404,10 +407,27 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
       forces_.add(e.node[end], weight[end] * pair.force);
       forces_.add(f.node[end], -weight[2 + end] * pair.force);
     }
+    if (setup_.law.balances_friction) balance(pair, step);
     if (setup_.two_sides) resultant_ += (e.side & 1u) ? pair.force : -pair.force;
     deepest_ = std::max(deepest_, pair.depth);
   }
   touches_.push_back(pair);
+}
+
+/// Friction acts on the axes of both bars, which lie beside each other. Of that couple each bar takes what friction
+/// along itself makes, about an axis across it. Bars side by side have none for friction across them: that would be
+/// torsion.
+void EdgeContact::balance(const Pair& pair, const Step& step) {
+  const Edge &e = setup_.edges[pair.a], &f = setup_.edges[pair.b];
+  const Vec3d p = along(e, step.x), q = along(f, step.x), n = cross(p, q);
+  const Vec3d lever = pair.feet.a - pair.feet.b;
+  Vec3d along_p = pair.friction, along_q;  // shares of the friction
+  if (norm(n) > parallel * norm(p) * norm(q)) {
+    along_p = (dot(cross(pair.friction, q), n) / dot(n, n)) * p;
+    along_q = pair.friction - along_p;
+  }
+  add_couple(forces_, e.node, -cross(lever, along_p), step.x);
+  add_couple(forces_, f.node, -cross(lever, along_q), step.x);
 }
 
 Vec3d EdgeContact::force_between(const TwoBodies& bodies) const {

@@ -97,7 +97,8 @@ class EdgeContact {
     kernel::EdgeFeet feet;
     Vec3d direction;  // in which a is pressed away from b
     double offset = 0.0, depth = 0.0;
-    Vec3d friction;     // on a
+    Vec3d friction;  // on a
+    kernel::PairMemory memory;
     Vec3d force;        // on a, friction included
     double wake = 0.0;  // before the approach gets here the two cannot touch
   };
@@ -135,6 +136,7 @@ class EdgeContact {
   Vec3d direction(const Pair& pair, const Pair& before, const Vec3d& was_at, std::span<const Row> x) const;
   Vec3d friction(const Pair& pair, const Pair& before, double stiffness, double normal_force, const Step& step) const;
   void press(const Candidate& candidate, const Step& step);
+  void balance(const Pair& pair, const Step& step);
 
   EdgeContactSetup setup_;
   std::vector<int> first_at_, edge_at_;  // edges at each node

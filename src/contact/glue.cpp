@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/bvh.hpp"
+#include "contact/couple.hpp"
 #include "contact/surface_nodes.hpp"
 
 namespace nugget::contact {
@@ -231,6 +232,10 @@ void Glue::apply(const Step& step, std::span<Row> force) {
     const Segment& s = setup_.segments[bond.segment];
     forces_.add(setup_.nodes[bond.tracked].node, bond.force);
     for (int c = 0; c < s.corners(); ++c) forces_.add(s.node[c], bond.weight[c] * f);
+    if (card_.moments) {
+      const Vec3d lever = vec(step.x[setup_.nodes[bond.tracked].node]) - interpolate(s, bond.weight, step.x);
+      add_couple(forces_, {s.node.data(), static_cast<std::size_t>(s.corners())}, cross(lever, f), step.x);
+    }
     resultant_ += s.side == 1 ? f : -f;
   }
   forces_.add_to(force);

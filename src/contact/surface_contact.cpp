@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "contact/couple.hpp"
 #include "contact/surface_nodes.hpp"
 
 namespace nugget::contact {
@@ -15,8 +16,33 @@ constexpr int block_size = 64;
 constexpr std::size_t group_size = 4096;
 constexpr double pressing_depth = 0.3;  // of a brick's depth
 constexpr double extension = 0.025;     // of a brick's face beyond its border, in sides
+constexpr double round_off = 1e-6;      // in sides or thicknesses: no farther from a border is on it
+constexpr double level = 0.1;           // sine below which the way from an edge to a node lies in the face
 constexpr double forgotten = 0.5;       // cosine from the side that is remembered, over an edge
 constexpr double on_the_face = 1e-6;    // of the depth down to which a brick presses: what round-off makes of 0
+
+/// Changes the weights of the corners as little as can be so that their point moves by `way`, in the plane with
+/// `normal`.
+void shift(std::array<double, 4>& weight, const Segment& segment, const Vec3d& way, const Vec3d& normal,
+           std::span<const Row> x) {
+  const int corners = segment.corners();
+  Vec3d middle;
+  for (int c = 0; c < corners; ++c) middle += (1.0 / corners) * vec(x[segment.node[c]]);
+  const double length = norm(way);
+  if (!(length > 0.0)) return;
+  const Vec3d e = (1.0 / length) * way, f = cross(normal, e);
+  double ee = 0.0, ef = 0.0, ff = 0.0;
+  for (int c = 0; c < corners; ++c) {
+    const Vec3d r = vec(x[segment.node[c]]) - middle;
+    ee += dot(r, e) * dot(r, e);
+    ef += dot(r, e) * dot(r, f);
+    ff += dot(r, f) * dot(r, f);
+  }
+  const double determinant = ee * ff - ef * ef;
+  if (!(determinant > 0.0)) return;
+  const Vec3d slope = (length / determinant) * (ff * e - ef * f);
+  for (int c = 0; c < corners; ++c) weight[c] += dot(slope, vec(x[segment.node[c]]) - middle);
+}
 
 bool finite(const Row& r) {
   return std::isfinite(r.x + r.y + r.z);
@@ -89,7 +115,7 @@ void SurfaceContact::apply(const Step& step, std::span<Row> force) {
     parallel_for(busy_.size(), 4, [this, &step](std::size_t begin, std::size_t end) {
       for (std::size_t b = begin; b < end; ++b) work(blocks_[busy_[b]], step);
     });
-    add_forces(force);
+    add_forces(step, force);
   }
   account(step.dt, step.v);
 }
@@ -284,14 +310,15 @@ void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& st
     c.foot = foot;
     c.reach = reach(tracked, pair.segment);
     c.gap = c.foot.distance;
-    if (c.foot.boundary == 0 && before.touching && before.side != 0)
-      c.away = static_cast<double>(before.side) * c.foot.normal;
-    else
-      c.away = c.foot.distance > 0.0 ? (1.0 / c.foot.distance) * (p - c.foot.point) : c.foot.normal;
-    if (inner_[pair.segment] > 0.0 && inside(c, p, step)) {
-      c.gap = -c.foot.distance;
-      c.away = c.foot.boundary == 0 || c.foot.distance == 0.0 ? c.foot.normal : -c.away;
+    c.away = c.foot.distance > 0.0 ? (1.0 / c.foot.distance) * (p - c.foot.point) : c.foot.normal;
+    if (before.touching && before.side != 0) {
+      const Vec3d out = static_cast<double>(before.side) * c.foot.normal;
+      if (c.foot.boundary == 0)
+        c.away = out;
+      else if (inner_[pair.segment] == 0.0 && dot(c.away, out) <= -forgotten)
+        c.away = -c.away;
     }
+    if (inner_[pair.segment] > 0.0) go_inside(c, p, step);
   }
 }
 
@@ -303,34 +330,47 @@ void SurfaceContact::leave_out_strays(Block& block, int node, const Step& step) 
     const Segment& segment = setup_.segments[candidate.pair->segment];
     const Vec3d velocity = vec(step.v[node]) - interpolate(segment, candidate.foot.weight, step.v);
     const Vec3d was_at = vec(step.x[node]) - candidate.foot.point - step.dt * velocity;
-    if (dot(was_at, candidate.foot.normal) >= -on_the_face * inner_[candidate.pair->segment]) continue;
+    const double height = dot(was_at, candidate.foot.normal), none = on_the_face * inner_[candidate.pair->segment];
+    candidate.came_through = height > none;
     const Candidate* from = predecessor(block, candidate);
+    // Level with a face it came through that only if no other has it.
+    if (!candidate.extended && (candidate.came_through || (from == nullptr && height >= -none))) continue;
     if (from == nullptr || dot(from->away, candidate.away) <= 0.5) candidate.gap = Box::infinity;
   }
 }
 
-/// Whether p lies behind the face of a brick; where the foot is on an edge or corner, behind all faces that meet there,
-/// or, once it moves, beyond them by no more than the extension that segments have (MAXPAR). At the start nothing came
+/// Where p lies behind the face of a brick, its gap and the way out. If the foot is on an edge or corner: behind all
+/// faces that meet there, or, once it moves, beyond them by no more than the extension that segments have (MAXPAR); the
+/// depth behind that is measured along the normal, as the edge is off to the side. A node that is level with the face,
+/// as those beside the flush face of another brick are, is behind it by round-off alone. At the start nothing came
 /// through a face yet: a node on one or a little above it, near its edge, is not deep inside from the side.
-bool SurfaceContact::inside(const Candidate& candidate, const Vec3d& p, const Step& step) const {
+void SurfaceContact::go_inside(Candidate& candidate, const Vec3d& p, const Step& step) const {
   const double allowed = step.dt > 0.0 ? extension : 0.0;
   const Vec3d r = p - candidate.foot.point;
-  if (dot(r, candidate.foot.normal) >= 0.0 || candidate.foot.distance > inner_[candidate.pair->segment]) return false;
-  if (!(step.dt > 0.0) && before_a_neighbour(candidate, p, step)) return false;
+  const double height = dot(r, candidate.foot.normal), distance = candidate.foot.distance;
+  if (height >= 0.0 || distance > inner_[candidate.pair->segment]) return;
+  if (!(step.dt > 0.0) && before_a_neighbour(candidate, p, step)) return;
   const Segment& segment = setup_.segments[candidate.pair->segment];
-  const auto beyond = [&](int s) {
-    const Segment& other = setup_.segments[s];
-    if (!has_boundary(other, segment, candidate.foot.boundary) || !alive(s, step.element_alive)) return false;
-    const kernel::Corners k = corners_of(other, step.x);
-    const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
-    return dot(r, n) > allowed * std::sqrt(0.5 * norm(n)) * norm(n);
-  };
+  double beyond = 0.0;  // in sides
   for (int c = 0; c < segment.corners(); ++c) {
     if (!(candidate.foot.boundary >> c & 1u)) continue;
-    const std::span<const int> around = around_.at(segment.node[c]);
-    if (std::any_of(around.begin(), around.end(), beyond)) return false;
+    for (const int s : around_.at(segment.node[c])) {
+      const Segment& other = setup_.segments[s];
+      if (!has_boundary(other, segment, candidate.foot.boundary) || !alive(s, step.element_alive)) continue;
+      const kernel::Corners k = corners_of(other, step.x);
+      const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
+      const double off = dot(r, n), size = std::sqrt(0.5 * norm(n)) * norm(n);
+      if (off > allowed * size) return;
+      if (off > 0.0) beyond = std::max(beyond, off / size);
+    }
   }
-  return true;
+  candidate.extended = beyond > round_off;
+  if (candidate.foot.boundary != 0 && !candidate.extended && height > -level * distance) return;
+  const bool normal = beyond > 0.0 || candidate.foot.boundary == 0 || distance == 0.0;
+  candidate.gap = normal ? height : -distance;
+  candidate.away = normal ? candidate.foot.normal : -candidate.away;
+  if (beyond > 0.0)
+    shift(candidate.foot.weight, segment, r - height * candidate.foot.normal, candidate.foot.normal, step.x);
 }
 
 /// Whether p lies on, or in front of, a face that forms a ridge with the candidate's.
@@ -368,14 +408,21 @@ bool SurfaceContact::at_home(const Candidate& candidate, int node, std::span<con
 /// `other` is closer and the two are one stretch of surface: the foot lies on their common edge or corner, or they push
 /// in much the same direction (a facetted hollow, where both have a foot inside).
 bool SurfaceContact::hidden_by(const Candidate& other, const Candidate& candidate) const {
-  if (&other == &candidate || other.foot.distance > candidate.foot.distance) return false;
+  if (&other == &candidate) return false;
   if (candidate.gap < 0.0 && other.gap >= 0.0) return false;  // a face that it is not behind
+  if (candidate.gap < 0.0 && other.came_through != candidate.came_through && !candidate.before.touching &&
+      !other.before.touching &&
+      share_a_node(setup_.segments[other.pair->segment], setup_.segments[candidate.pair->segment]))
+    return other.came_through;
+  if (other.foot.distance > candidate.foot.distance) return false;
   if (other.foot.distance == candidate.foot.distance && other.pair->segment > candidate.pair->segment) return false;
   const Segment &a = setup_.segments[other.pair->segment], &b = setup_.segments[candidate.pair->segment];
   const bool alike = dot(other.away, candidate.away) > 0.5;
   if (has_boundary(a, b, candidate.foot.boundary)) return candidate.gap >= 0.0 || alike || !candidate.before.touching;
   if (candidate.gap < 0.0 && !candidate.before.touching && share_a_node(a, b)) return true;
-  return share_a_node(a, b) && alike;
+  // Of a node that came through a sheet above an edge, the one may know it and the other not.
+  const bool same_place = norm(other.foot.point - candidate.foot.point) <= round_off * candidate.reach;
+  return share_a_node(a, b) && (alike || same_place);
 }
 
 /// The pair from which the node comes if it did not touch `candidate` before: a neighbour that it touched.
@@ -395,7 +442,40 @@ const SurfaceContact::Candidate* SurfaceContact::predecessor(const Block& block,
 int SurfaceContact::remembered_side(const Candidate& candidate, const Candidate* from) const {
   if (candidate.before.touching) return candidate.before.side;
   if (from == nullptr) return 0;
-  return same_side(setup_.segments[from->pair->segment], setup_.segments[candidate.pair->segment]) * from->before.side;
+  const Segment &a = setup_.segments[from->pair->segment], &b = setup_.segments[candidate.pair->segment];
+  int same = same_side(a, b);
+  // Over a corner they have none in common but a neighbour has one with either.
+  for (int c = 0; c < a.corners() && same == 0; ++c) {
+    if (!b.has(a.node[c])) continue;
+    for (const int s : around_.at(a.node[c]))
+      if (same == 0) same = same_side(a, setup_.segments[s]) * same_side(setup_.segments[s], b);
+  }
+  return same * from->before.side;
+}
+
+/// On which side of a sheet a node came to a foot on an edge or corner, from `was_at` as seen from there; 0 where the
+/// sheet has no sides there: off the end of it, at the edge of a brick, and over a fold, where what is the outer side
+/// of the one segment can be the inner one of the next.
+int SurfaceContact::side_over_edge(const Candidate& candidate, const Vec3d& was_at, const Step& step) const {
+  const Segment& segment = setup_.segments[candidate.pair->segment];
+  const double distance = norm(was_at);
+  if (inner_[candidate.pair->segment] > 0.0 || !(distance > 0.0)) return 0;
+  const double up = dot(was_at, candidate.foot.normal) / distance;
+  if (std::abs(up) < forgotten) return 0;
+  const int side = up < 0.0 ? -1 : 1;
+  for (int c = 0; c < segment.corners(); ++c) {
+    if (!(candidate.foot.boundary >> c & 1u)) continue;
+    for (const int s : around_.at(segment.node[c])) {
+      const Segment& other = setup_.segments[s];
+      const int same = same_side(segment, other);
+      if (same == 0 || !has_boundary(other, segment, candidate.foot.boundary) || !alive(s, step.element_alive))
+        continue;
+      const kernel::Corners k = corners_of(other, step.x);
+      const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
+      if (same * side * dot(was_at, n) < forgotten * distance * norm(n)) return 0;
+    }
+  }
+  return side;
 }
 
 void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, const Step& step) const {
@@ -413,8 +493,13 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   } else if (candidate.foot.boundary == 0) {
     if (side == 0) side = dot(r - step.dt * velocity, candidate.foot.normal) < 0.0 ? -1 : 1;
     direction = static_cast<double>(side) * candidate.foot.normal;
-  } else if (side * dot(direction, candidate.foot.normal) < forgotten) {
-    side = 0;  // an edge has no sides: beyond it lies the other face of a free edge, the next one of a fold
+  } else {
+    if (side == 0) side = side_over_edge(candidate, r - step.dt * velocity, step);
+    const double up = side * dot(direction, candidate.foot.normal);
+    if (inner_[pair.segment] == 0.0 && up <= -forgotten)
+      direction = -direction;  // it came through
+    else if (up < forgotten)
+      side = 0;  // beyond an edge lies the other face of a free edge, the next one of a fold
   }
   const double overlap = candidate.reach - dot(r, direction);
   if (too_deep(overlap, pair.segment)) return;
@@ -436,7 +521,10 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   const double inverse_mass = kernel::inverse_pair_mass(step.mass[node], candidate.foot.weight, corner_mass);
   const double stiffness =
       kernel::pair_stiffness(setup_.law, penalty(pair.segment, tracked, step), inverse_mass, step.bearable);
-  const double size = kernel::pair_force(setup_.law, stiffness, inverse_mass, pair.depth, -dot(velocity, direction));
+  const double approach = -dot(velocity, direction);
+  if (before != nullptr) pair.memory = before->memory;
+  const double spring = kernel::spring_force(pair.memory, stiffness, inverse_mass, pair.depth, approach, step.dt);
+  const double size = kernel::pair_force(setup_.law, stiffness, inverse_mass, spring, approach);
   if (!(size > 0.0)) return;
   Vec3d force = size * direction;
   const kernel::Friction rough = friction_law(candidate, tracked);
@@ -491,12 +579,17 @@ void SurfaceContact::next_cycle() {
   deepest_ = 0.0;
 }
 
-void SurfaceContact::add_forces(std::span<Row> force) {
+void SurfaceContact::add_forces(const Step& step, std::span<Row> force) {
   for (int b : busy_) {
     for (const Hit& hit : blocks_[b].hits) {
       const Segment& segment = setup_.segments[hit.segment];
       forces_.add(setup_.nodes[hit.tracked].node, hit.force);
       for (int c = 0; c < segment.corners(); ++c) forces_.add(segment.node[c], -hit.weight[c] * hit.force);
+      if (setup_.law.balances_friction) {
+        const Vec3d lever = vec(step.x[setup_.nodes[hit.tracked].node]) - interpolate(segment, hit.weight, step.x);
+        add_couple(forces_, {segment.node.data(), static_cast<std::size_t>(segment.corners())},
+                   -cross(lever, hit.force), step.x);
+      }
       resultant_ += segment.side == 1 && pressing_ != 1 ? -hit.force : hit.force;
       deepest_ = std::max(deepest_, hit.depth);
       ++touching_;

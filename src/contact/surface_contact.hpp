@@ -56,21 +56,23 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 /// Bricks. The face of a brick has no skin; a node behind it is inside, down to 0.3 of the brick's depth, and is
 /// pressed out along the normal. Of the faces around an edge the closest counts.
 ///
-/// Sides. When a node first touches a segment inside its border, the side on which it stood a step earlier is kept
-/// until it leaves, and handed on to the neighbour over whose edge it slides. So a node pressed beyond the mid-surface
-/// is pressed back. Over an edge or corner it is pressed away from that, and may come to another side.
+/// Sides. When a node first touches a segment, the side on which it stood a step earlier is kept until it leaves, and
+/// handed on to the neighbour over whose edge it slides. So a node pressed beyond the mid-surface is pressed back, over
+/// the edges and corners within a sheet as well. Off the end of a sheet and over a fold it is pressed away from the
+/// edge, and may come to another side.
 ///
 /// Initial overlaps (IGNORE = 1, 2, birth time, elements dying) are kept as an offset that is given up as the pair
 /// comes apart: a contact never starts with a force that no motion has worked against.
 ///
 /// Force. k depth along the normal, k the smaller of the segment's and the node's stiffness (PENOPT = 1), with SOFT = 2
-/// that of the two segments' masses, bounded by what the step bears; see kernel/contact/penalty.hpp. What the node has
-/// is the mean of its segments'. Initial geometry.
+/// that of the two segments' masses, bounded by what the step bears; see kernel/contact/penalty.hpp, also for the first
+/// and the last cycle of a pair. What the node has is the mean of its segments'. Initial geometry.
 ///
 /// Friction. A spring along the surface with the same k is drawn out as the foot moves over the segment, and slips at
 /// the bound of kernel::Friction: f = f - k de, then |f| <= bound (theory manual, "Friction"). de is the way of the
 /// foot over the material of the segment, so that turning together is no slip; the spring is handed on from segment to
-/// segment. The force acts on the node and at the foot, half the thicknesses apart: that couple is not balanced.
+/// segment. The force acts on the node and at the foot, half the thicknesses apart. That couple is not balanced but
+/// with FTORQ: then the corners of the segment take it, see add_couple().
 ///
 /// Search. Each node lists the segments within contact distance plus a margin; the lists are renewed when two points of
 /// the surface can have come closer than that margin, judged by the box of all displacements since. A pair found apart
@@ -138,13 +140,15 @@ class SurfaceContact {
     double offset = 0.0;  ///< overlap that the pair came with and that gives no force [length]
     double depth = 0.0;   ///< overlap that does [length]
     Vec3d friction;       ///< force on the node along the surface [force]
-    double wake = 0.0;    ///< before `travelled_` gets here the two cannot touch [length]
+    kernel::PairMemory memory;
+    double wake = 0.0;  ///< before `travelled_` gets here the two cannot touch [length]
 
     void let_go() {
       touching = false;
       side = 0;
       offset = depth = 0.0;
       friction = {};
+      memory = {};
     }
   };
   /// A pair close enough to be looked at in this cycle.
@@ -152,9 +156,11 @@ class SurfaceContact {
     Pair* pair = nullptr;
     Pair before;  ///< the pair as the cycle before left it
     kernel::Foot foot;
-    Vec3d away;          ///< unit vector along which the node would leave
-    double gap = 0.0;    ///< from the foot to the node, negative inside a brick [length]
-    double reach = 0.0;  ///< distance at which the two touch
+    Vec3d away;                 ///< unit vector along which the node would leave
+    double gap = 0.0;           ///< from the foot to the node, negative inside a brick [length]
+    bool extended = false;      ///< behind the extension of a brick's face beyond its border
+    bool came_through = false;  ///< came through the brick's face in this step, from clearly before it
+    double reach = 0.0;         ///< distance at which the two touch
   };
   /// A fixed group of tracked nodes: what one thread works on at a time.
   struct Block {
@@ -189,19 +195,20 @@ class SurfaceContact {
   void look_at(Block& block, int tracked, const Step& step) const;
   void gather_candidates(Block& block, int tracked, const Step& step) const;
   void leave_out_strays(Block& block, int node, const Step& step) const;
-  bool inside(const Candidate& candidate, const Vec3d& p, const Step& step) const;
+  void go_inside(Candidate& candidate, const Vec3d& p, const Step& step) const;
   bool before_a_neighbour(const Candidate& candidate, const Vec3d& p, const Step& step) const;
   bool presses(const Block& block, const Candidate& candidate, int node, const Step& step) const;
   bool at_home(const Candidate& candidate, int node, std::span<const unsigned char> element_alive) const;
   bool hidden_by(const Candidate& other, const Candidate& candidate) const;
   const Candidate* predecessor(const Block& block, const Candidate& candidate) const;
   int remembered_side(const Candidate& candidate, const Candidate* from) const;
+  int side_over_edge(const Candidate& candidate, const Vec3d& was_at, const Step& step) const;
   Vec3d friction(const kernel::Friction& law, const Candidate& candidate, const Pair* before, const Vec3d& direction,
                  double stiffness, double normal_force, const Step& step) const;
   bool too_deep(double overlap, int segment) const;
   kernel::Friction friction_law(const Candidate& candidate, int tracked) const;
   void press(Block& block, Candidate& candidate, int tracked, const Step& step) const;
-  void add_forces(std::span<Row> force);
+  void add_forces(const Step& step, std::span<Row> force);
   void account(double dt, std::span<const Row> v);
   void next_cycle();
 

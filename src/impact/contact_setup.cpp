@@ -301,6 +301,7 @@ static kernel::PenaltyLaw law_of(const model::Contact& card) {
   law.soft_scale = card.soft_scale;
   law.soft_step = card.soft_step;
   law.damping = card.damping;
+  law.balances_friction = card.balances_friction;
   if (!card.friction_by_part) law.friction = card.friction;
   return law;
 }

@@ -36,6 +36,7 @@ struct Glue {
   bool by_force = false;           ///< the strengths are forces of a node, not stresses
   bool without_thickness = false;  ///< what touches is judged as for ties: the sheets may be meshed at any distance
   bool alone = false;              ///< _ONLY: no contact besides the glue
+  bool moments = false;            ///< OPTION -1, -2, -3: the lever between node and segment counts
 };
 
 /// *CONTACT_...: the cards, in words. Penalty contacts and ties alike; `kind` says what is done with it.
@@ -70,8 +71,9 @@ struct Contact {
   Surface a;                          ///< tracked (SURFA, slave)
   Surface b;                          ///< reference (SURFB, master)
   kernel::Friction friction;
-  bool friction_by_part = false;  ///< FS = -1: of *PART_CONTACT; `friction` holds the factors on it
-  double damping = 0.0;           ///< VDC, percent of critical
+  bool friction_by_part = false;   ///< FS = -1: of *PART_CONTACT; `friction` holds the factors on it
+  bool balances_friction = false;  ///< FTORQ
+  double damping = 0.0;            ///< VDC, percent of critical
   double birth = 0.0, death = forever;
   double stiffness_scale_a = 1.0, stiffness_scale_b = 1.0;  ///< SFSA, SFSB
   double thickness_a = 0.0, thickness_b = 0.0;              ///< SAST, SBST; negative: tie tolerance

@@ -116,7 +116,7 @@ class ContactForms(CommandTest):
     def test_cards_of_glue(self):
         """What is refused, by field. Sabotage: a curve that begins with anything is taken as a factor."""
         glued = "AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"
-        for option in (0, 12, 15, -9, -1):
+        for option in (0, 12, 15, -9, -4):
             self.write(plates(sliding(glued, option=option, nfls=1.0, sfls=1.0), {3: 10.0}, 1e-4))
             self.assertIn("expected 1 to 11, 13 or 14", self.nugget("check", "model.k", expect=1).stderr)
 

@@ -122,9 +122,9 @@ const Card card_e{{
             "_GENERAL: 1 beams of one part do not press each other; 2 and weld beams take part"),
     integer("ipback", 0, any_value, "ties: not 0: springs where a node or its segment is constrained already"),
     integer("srnde", 0, any_value, "round edges of shells"),
-    real("fricsf", dimension::number, 1, any_value, "scale of friction"),
+    real("fricsf", dimension::number, 1, any_value, "scale of the stiffness of friction"),
     integer("icor", 0, any_value, "restitution"),
-    integer("ftorq", 0, any_value, "moments of friction"),
+    integer("ftorq", 0, between(0, 1), "1: the moments of friction are balanced"),
     integer("region", 0, any_value, "region of contact"),
 }};
 const Card card_f{{
@@ -373,10 +373,9 @@ void take_e(Builder& builder, const Row& row, Contact& contact) {
     return;
   }
   take_cparm8(builder, row, contact);
-  contact.friction.at_rest *= row.real("fricsf");
-  contact.friction.sliding *= row.real("fricsf");
+  contact.balances_friction = row.integer("ftorq") != 0;
   expect(builder, row, Severity::warning,
-         {{"srnde", 0, left}, {"icor", 0, left}, {"ftorq", 0, left}, {"region", 0, left}});
+         {{"srnde", 0, left}, {"icor", 0, left}, {"region", 0, left}, {"fricsf", 1, left}});
 }
 
 void take_f(Builder& builder, const Row& row, const Contact& contact) {

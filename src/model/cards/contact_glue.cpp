@@ -20,7 +20,8 @@ Card tiebreak_card_of(Field shear, Dimension parameter) {
       integer("option", 0, any_value,
               "1: what touches sticks, also later; 3: until it fails; 2: what touches at the start is glued until it "
               "fails; 4: along the normal alone; 5: it yields, and fades by a curve; 6, 8: the stress falls to 0 at a "
-              "distance; 7, 9, 10, 11: by an energy; 13, 14: it yields and softens as *MAT_240"),
+              "distance; 7, 9, 10, 11: by an energy; 13, 14: it yields and softens as *MAT_240; -1, -2, -3: as without "
+              "the sign, with moments"),
       real("nfls", dimension::stress, 0, at_least(0),
            "normal stress at which it fails; 0: does not count; 5: at which it yields"),
       std::move(shear),
@@ -231,7 +232,9 @@ void take_layer(Builder& builder, Cursor& cursor, const Row& row, Contact& conta
 
 void take_glue(Builder& builder, Cursor& cursor, const Row& row, Contact& contact) {
   contact.glue.emplace();
-  switch (row.integer("option")) {
+  const int option = row.integer("option");
+  contact.glue->moments = option < 0;
+  switch (option < 0 && option >= -3 ? -option : option) {
     case 1:
       contact.glue->sticks_later = true;
       tell_idle(builder, row, {"nfls", "sfls", "eraten", "erates"});
@@ -257,14 +260,8 @@ void take_glue(Builder& builder, Cursor& cursor, const Row& row, Contact& contac
     case 11: take_energies(builder, row, contact); break;
     case 13:
     case 14: take_layer(builder, cursor, row, contact); break;
-    case -1:
-    case -2:
-    case -3:
-      refuse(builder, row, "option", "glue that hands over moments is not built; expected 1 to 11, 13 or 14",
-             "give the option without its sign: the force then acts without the lever of the gap");
-      break;
     default:
-      refuse(builder, row, "option", "expected 1 to 11, 13 or 14",
+      refuse(builder, row, "option", "expected 1 to 11, 13 or 14, or -1 to -3",
              "2 fails at once, 6 and 8 give way up to a distance, 9 and 11 up to an energy");
   }
 }
