@@ -224,9 +224,12 @@ void Supports::prescribe(system::State& state, double kick, std::span<system::Ri
   const auto component = [&](const Held& h) {
     return dot(h.axis, vec(h.rotation ? state.w[at(h.node)] : state.v[at(h.node)]));
   };
-  const auto release = [](Held& h) {
+  // What is held or driven from the next step on starts from the velocity that it has now: the forces of that step are
+  // not in it.
+  const auto release = [&](Held& h) {
     h.active = false;
     h.force = 0.0;
+    h.velocity = component(h);
   };
   for (std::vector<Reaction>* reactions : {&spc_, &motion_})
     for (Reaction& r : *reactions) r.force = r.moment = {};
@@ -236,7 +239,6 @@ void Supports::prescribe(system::State& state, double kick, std::span<system::Ri
       continue;
     }
     // What moved before it was held gives up its energy; at time 0 it stands still already (hold_at_start).
-    if (!h.active && state.cycle > 0) h.velocity = component(h);
     h.active = true;
     set_component(h, 0.0, -1, state, kick, bodies, spc_);
   }
@@ -259,7 +261,7 @@ void Supports::prescribe(system::State& state, double kick, std::span<system::Ri
       d.axis = d.hold_others ? place.outwards : place.around;
       d.velocity = dot(d.axis, d.left);
     }
-    if (!d.active) d.velocity = component(d);
+    if (!d.active && state.cycle == 0) d.velocity = component(d);
     const double wanted = target(d, state, d.velocity, kick);
     d.active = true;
     set_component(d, wanted, d.body, state, kick, bodies, motion_);
