@@ -67,6 +67,11 @@ void give_way(std::vector<Item>& items, const std::vector<Driven>& motions, cons
   items = std::move(left);
 }
 
+/// Time on the curve at which the step begins; a motion born within it has its curve from there on.
+double begin_of_step(bool active, double t) {
+  return active ? t : std::min(t, 0.0);
+}
+
 }  // namespace
 
 Supports::Supports(const system::System& system, Findings& findings) : system_(system) {
@@ -154,7 +159,7 @@ double Supports::target(Driven& driven, const system::State& state, double old_v
     case model::PrescribedMotion::Quantity::displacement: {
       if (state.dt <= 0.0) return 0.0;
       // Beyond its last point a displacement curve holds its value: the node stays where it was brought.
-      return motion.scale * (curve.clamped(t + state.dt) - curve.clamped(t)) / state.dt;
+      return motion.scale * (curve.clamped(t + state.dt) - curve.clamped(begin_of_step(driven.active, t))) / state.dt;
     }
   }
   return 0.0;
@@ -177,7 +182,7 @@ double Supports::circular_target(Driven& driven, const system::State& state, dou
   if (motion.quantity == Quantity::velocity) {
     turned = motion.scale * curve.zero_outside(t + 0.5 * dt) * dt;
   } else if (motion.quantity == Quantity::displacement) {
-    turned = motion.scale * (curve.clamped(t + dt) - curve.clamped(t));
+    turned = motion.scale * (curve.clamped(t + dt) - curve.clamped(begin_of_step(driven.active, t)));
   } else {
     if (!driven.active) driven.rate = place.radius > 0.0 ? old_velocity / place.radius : 0.0;
     driven.rate += motion.scale * curve.zero_outside(t) * kick;

@@ -441,6 +441,17 @@ TEST(Supports, BirthTakesWhatMoves) {
   expect_reference("loads", "a flying mass that is driven on by VAD 1: its speed [mm/s]", speed,
                    reached + a * (left - birth), 1e-9);
   EXPECT_NEAR(balance, 0.0, 1e-9 * kinetic);
+
+  // A way that begins within a step arrives where its curve does.
+  Specimen brought;
+  const int led = brought.mass_point({0, 0, 0}, mass);
+  brought.text(constant_curve(90, step)).card("CONTROL_TIMESTEP", {0, 0.9, 0, 0, 0, 90});
+  brought.card("CONTROL_TERMINATION", {end}).text(curve(2, {{0.0, 0.0}, {2e-3, 7.0}}));
+  brought.text("*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + fields({double(led), 1, 2, 2, 1, 0, 1e28, birth}));
+  Experiment third(brought.deck());
+  double way = 0.0;
+  run_to_end(third, [&](const impact::Snapshot& now) { way = third.displacement(now, led).x; });
+  expect_reference("loads", "a mass that is driven by VAD 2 from within a step on: its way [mm]", way, 7.0, 1e-9);
 }
 
 // A rigid sheet that its material holds along z and a motion drives there at 500 mm/s. Sabotage: both act, and each
