@@ -17,7 +17,7 @@ using deck::Row;
 using Shape = RigidWall::Shape;
 
 const Card wall_id_card{{
-    id("id", IdSpace::other, 0, "number of the wall in rwforc; 0: by position in the deck"),
+    id("id", IdSpace::other, 0, "number of the wall in rwforc; 0: place in the deck, or the next free"),
     text("title", 70, "its name"),
 }};
 
