@@ -88,8 +88,8 @@ void JointSprings::archive(Archive& a) {
 }
 
 void Joints::Joint::archive(Archive& a) {
-  a(force, moment, load, energy, opening, largest_opening);
-  a.built(source, body, arm, axis, held, directions, bound, rotary_bound, damping, rotary_damping);
+  a(force, moment, load, slip, energy, opening, largest_opening);
+  a.built(source, body, arm, axis, other, held, directions, bound, rotary_bound, damping, rotary_damping);
 }
 
 void Joints::archive(Archive& a) {
@@ -112,14 +112,8 @@ void NodalForceGroups::archive(Archive& a) {
   a.built(system_);
 }
 
-void Preloads::Prescribed::archive(Archive& a) {
-  a(active);
-  a.built(seats, scale, curve, beams, normal, keep_others);
-}
-
 void Preloads::archive(Archive& a) {
-  a(prescribed_);
-  a.built(system_);
+  a.built(system_, prescribed_, groups_);
 }
 
 void Relaxation::archive(Archive& a) {

@@ -319,8 +319,8 @@ output::JntforcState jntforc_state(const Snapshot& now) {
 output::RwforcState rwforc_state(const Snapshot& now) {
   output::RwforcState s;
   s.time = now.state.time;
-  int number = 0;
-  for (const contact::RigidWall& wall : now.walls) s.rows.push_back({++number, wall.normal_force(), wall.force()});
+  for (std::size_t w = 0; w < now.walls.size(); ++w)
+    s.rows.push_back({now.system.model.walls[w].id, now.walls[w].normal_force(), now.walls[w].force()});
   return s;
 }
 

@@ -14,6 +14,16 @@ constexpr double stiffness_share = 0.25, largest_share = 0.5, damping_ratio = 0.
 
 using Kind = model::Joint::Kind;
 
+/// Bound of the inverse mass that the rate of a ratio meets in one of its bodies. `point`, `turning`: traces of the
+/// inverse mass at the body's point and of its inverse inertia. A force and a moment on one body meet at most twice the
+/// sum of what each meets.
+double transmitted(const model::Joint& joint, std::size_t side, double point, double turning) {
+  const double squared = joint.ratio * joint.ratio;
+  if (joint.kind == Kind::screw) return 2.0 * (point + squared * turning);
+  if (joint.kind == Kind::rack_and_pinion) return side == 0 ? 2.0 * (point + squared * turning) : point;
+  return side == 0 ? turning / squared : turning;
+}
+
 }  // namespace
 
 Joints::Joints(const system::System& system) : system_(system), springs_(system) {
@@ -27,6 +37,12 @@ Joints::Joints(const system::System& system) : system_(system), springs_(system)
       j.arm[side] = place(0) - j.body[side]->center0;
     }
     if (source.kind != Kind::spherical) j.axis = unit(place(2) - place(0));
+    if (source.transmits()) {
+      j.arm[1] = place(1) - j.body[1]->center0;
+      j.other = unit(place(3) - place(1));
+      joints_.push_back(std::move(j));
+      continue;
+    }
     if (source.kind == Kind::universal)
       j.directions.push_back({j.axis, unit(place(3) - place(1)), true});
     else if (source.kind != Kind::spherical)
@@ -42,30 +58,40 @@ Joints::Joints(const system::System& system) : system_(system), springs_(system)
   find_bounds();
 }
 
+Vec3d Joints::met_at(const Joint& j, std::size_t side) {
+  return side == 0 && j.source->kind == Kind::screw ? j.source->point[1] - j.body[0]->center0 : j.arm[side];
+}
+
 void Joints::find_bounds() {
   std::vector<int> pieces(system_.bodies.size(), 0);
   const auto count = [&](const system::RigidBody* body) -> int& { return pieces[at(body->node) - system_.nodes]; };
   for (const Joint& j : joints_)
     for (const system::RigidBody* body : j.body) count(body) += 1 + static_cast<int>(j.directions.size());
+  const auto over = [](double a, double sum) { return sum > 0.0 ? a / sum : 0.0; };
   for (Joint& j : joints_) {
     // Traces: row sums in body axes would change as bodies turn. They bound the largest eigenvalue.
     double shared = 0.0, rotary_shared = 0.0, own = 0.0, rotary_own = 0.0;
     for (const std::size_t side : {0u, 1u}) {
       const system::RigidBody& body = *j.body[side];
       const system::Mobility::Matrix inverse = system::inverse_inertia(body);
-      const double point = trace(inverse_mass_at(body, inverse, j.arm[side])), turning = trace(inverse);
+      const double point = trace(inverse_mass_at(body, inverse, met_at(j, side))), turning = trace(inverse);
+      if (j.source->transmits()) {
+        const double met = transmitted(*j.source, side, point, turning);
+        own += met;
+        shared += count(&body) * met;
+        continue;
+      }
       own += point;
       rotary_own += turning;
       shared += count(&body) * point;
       rotary_shared += count(&body) * turning;
     }
     const double share = std::min(stiffness_share * j.source->stiffness_scale, largest_share);
-    const auto over = [](double a, double sum) { return sum > 0.0 ? a / sum : 0.0; };
     j.bound = over(share, shared);
     j.rotary_bound = over(share, rotary_shared);
     // c = 2 xi sqrt(k m) with the mean mass of the relative motion.
     const double ratio = 2.0 * damping_ratio * j.source->damping;
-    j.damping = ratio * std::sqrt(j.bound * over(3.0, own));
+    j.damping = ratio * std::sqrt(j.bound * over(j.source->transmits() ? 1.0 : 3.0, own));
     j.rotary_damping = ratio * std::sqrt(j.rotary_bound * over(3.0, rotary_own));
   }
 }
@@ -77,27 +103,16 @@ void Joints::apply(system::State& state) {
   for (Joint& j : joints_) apply(j, state, longest_step_);
 }
 
-void Joints::apply(Joint& j, system::State& state, double longest_step) {
+std::array<Joints::Load, 2> Joints::hold(Joint& j, const Motion& m, double longest_step) {
   const double k = j.bound / (longest_step * longest_step), rotary = j.rotary_bound / (longest_step * longest_step);
   const double c = j.damping / longest_step, rotary_c = j.rotary_damping / longest_step;
-  std::array<Vec3d, 2> arm, point, velocity, spin;
-  for (std::size_t side = 0; side < 2; ++side) {
-    const system::RigidBody& body = *j.body[side];
-    const std::size_t n = at(body.node);
-    arm[side] = body.axes.global(j.arm[side]);
-    point[side] = vec(state.x[n]) + arm[side];
-    spin[side] = vec(state.w[n]);
-    velocity[side] = vec(state.v[n]) + cross(spin[side], arm[side]);
-  }
-  const Vec3d axis = j.body[0]->axes.global(j.axis), gap = point[1] - point[0];
-  // B's point meets that point of A which is where it is.
-  const Vec3d sliding = velocity[1] - velocity[0] - cross(spin[0], gap), turning = spin[1] - spin[0];
   const auto held = [&](const Vec3d& v) {
-    const Vec3d along = dot(v, axis) * axis;
+    const Vec3d along = dot(v, m.axis) * m.axis;
     return j.held == Held::all ? v : j.held == Held::along ? along : v - along;
   };
-  const Vec3d open = held(gap);
-  j.force = -k * open - c * held(sliding);
+  const Vec3d open = held(m.gap);
+  j.opening = norm(open);
+  j.force = -k * open - c * held(m.sliding);
   j.moment = {};
   for (const Directions& d : j.directions) {
     const Vec3d a = j.body[0]->axes.global(d.a), b = j.body[1]->axes.global(d.b), normal = cross(a, b);
@@ -105,21 +120,73 @@ void Joints::apply(Joint& j, system::State& state, double longest_step) {
     j.moment += (d.perpendicular ? rotary * cosine : -rotary * cosine) * normal;
     // What turns the directions against each other: about their normal where they are to be perpendicular, across
     // them where they are to be parallel.
-    const Vec3d rate = d.perpendicular ? dot(turning, normal) * normal : turning - dot(turning, a) * a;
+    const Vec3d rate = d.perpendicular ? dot(m.turning, normal) * normal : m.turning - dot(m.turning, a) * a;
     j.moment -= rotary_c * rate;
   }
-  j.opening = norm(open);
-  j.largest_opening = std::max(j.largest_opening, j.opening);
+  return {Load{-j.force, -j.moment - cross(m.arm[0] + m.gap, j.force)},
+          Load{j.force, j.moment + cross(m.arm[1], j.force)}};
+}
+
+std::array<Joints::Load, 2> Joints::transmit(Joint& j, const Motion& m, double longest_step, double dt) {
+  const double ratio = j.source->ratio;
+  const Vec3d &a = m.axis, b = j.body[1]->axes.global(j.other);
+  // g = way . (motion of B's point against A's) + turn[0] . w_A + turn[1] . w_B
+  Vec3d way, moving, lever = m.arm[0];
+  std::array<Vec3d, 2> turn{};
+  if (j.source->kind == Kind::screw) {
+    way = a;
+    moving = m.sliding;
+    lever += m.gap;
+    turn = {-ratio * a, ratio * a};
+  } else if (j.source->kind == Kind::rack_and_pinion) {
+    way = b;
+    moving = m.velocity[1] - m.velocity[0];
+    turn[0] = -ratio * a;
+  } else {
+    const double sign = (j.source->kind == Kind::gears ? 1.0 : -1.0) * (dot(a, b) < 0.0 ? -1.0 : 1.0);
+    turn = {sign / ratio * a, b};
+  }
+  const double rate = dot(way, moving) + dot(turn[0], m.spin[0]) + dot(turn[1], m.spin[1]);
+  j.slip += dt * rate;
+  j.opening = std::abs(j.slip);
+  const double load = j.bound / (longest_step * longest_step) * j.slip + j.damping / longest_step * rate;
+  const Vec3d force = -load * way;
+  j.moment = -load * turn[1];
+  j.force = force;
+  if (j.source->radius > 0.0) {
+    // The force of the teeth, or in the belt, that goes with the moment; bearings are no part of the joint.
+    const Vec3d between = m.point[0] - m.point[1], across = between - dot(between, b) * b;
+    if (norm(across) > 0.0) j.force = -load / (ratio * j.source->radius) * cross(b, unit(across));
+  }
+  return {Load{-force, -load * turn[0] - cross(lever, force)}, Load{force, j.moment + cross(m.arm[1], force)}};
+}
+
+void Joints::apply(Joint& j, system::State& state, double longest_step) {
+  Motion m;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const system::RigidBody& body = *j.body[side];
+    const std::size_t n = at(body.node);
+    m.arm[side] = body.axes.global(j.arm[side]);
+    m.point[side] = vec(state.x[n]) + m.arm[side];
+    m.spin[side] = vec(state.w[n]);
+    m.velocity[side] = vec(state.v[n]) + cross(m.spin[side], m.arm[side]);
+  }
+  m.axis = j.body[0]->axes.global(j.axis);
+  m.gap = m.point[1] - m.point[0];
+  // B's point meets that point of A which is where it is.
+  m.sliding = m.velocity[1] - m.velocity[0] - cross(m.spin[0], m.gap);
+  m.turning = m.spin[1] - m.spin[0];
 
   const std::array<Load, 2> before = j.load;
-  j.load = {Load{-j.force, -j.moment - cross(arm[0] + gap, j.force)}, Load{j.force, j.moment + cross(arm[1], j.force)}};
+  j.load = j.source->transmits() ? transmit(j, m, longest_step, state.dt) : hold(j, m, longest_step);
+  j.largest_opening = std::max(j.largest_opening, j.opening);
   for (std::size_t side = 0; side < 2; ++side) {
     const std::size_t n = at(j.body[side]->node);
     add(state.f[n], j.load[side].force);
     add(state.m[n], j.load[side].moment);
     j.energy -= 0.5 * state.dt *
                 (dot(before[side].force + j.load[side].force, vec(state.v[n])) +
-                 dot(before[side].moment + j.load[side].moment, spin[side]));
+                 dot(before[side].moment + j.load[side].moment, m.spin[side]));
   }
 }
 

@@ -17,6 +17,14 @@ namespace nugget::impact {
 ///     axis       M = k (a . b) a x b, which lets the axes a of A and b of B be parallel; a universal joint's are to be
 ///                perpendicular: M = -k (a . b) a x b
 ///     lock       the same as `axis`, for a second direction off the first (translational, locking)
+/// A joint that transmits is one piece more, which keeps a ratio: with the rate
+///     gears            g = w_A.a / rho + w_B.b     the spins in space about the axes of A and B; rho = R2/R1. Where
+///     the
+///                                                  axes point against each other, w_A.a counts with the other sign
+///     pulley           g = -w_A.a / rho + w_B.b    likewise
+///     rack and pinion  g = (v_B - v_A).b - h w_A.a of the two points; b the rack's way
+///     screw            g = (v_B - v_A).a - p (w_A - w_B).a, of the two bodies at the place of B's point
+/// and phi its integral over time, lambda = k phi + c g, the load on each velocity is -lambda dg/d(velocity).
 /// Forces act on both bodies at the place of B's point and moments are opposite, so momentum and angular momentum are
 /// kept to round-off. What resists in a joint's free directions are JointSprings.
 ///
@@ -58,22 +66,34 @@ class Joints {
   struct Load {
     Vec3d force, moment;
   };
+  /// Where a joint's bodies are and how they move: of each its lever to its point in space, the point, its velocity and
+  /// the body's spin.
+  struct Motion {
+    std::array<Vec3d, 2> arm, point, velocity, spin;
+    Vec3d axis, gap, sliding, turning;  ///< a; B against A: points, velocity at B's point, spin
+  };
   struct Joint {
     const model::Joint* source = nullptr;
     std::array<const system::RigidBody*, 2> body{};
     std::array<Vec3d, 2> arm;  ///< of the point, in body axes
-    Vec3d axis;                ///< a, in A's axes
+    Vec3d axis, other;         ///< a, in A's axes; b of joints that transmit, in B's
     Held held = Held::all;
     std::vector<Directions> directions;
     double bound = 0.0, rotary_bound = 0.0;      ///< k dt^2
     double damping = 0.0, rotary_damping = 0.0;  ///< c dt
     Vec3d force, moment;                         ///< on B, at its point
     std::array<Load, 2> load;                    ///< on the bodies' centres
+    double slip = 0.0;                           ///< phi of a joint that transmits
     double energy = 0.0, opening = 0.0, largest_opening = 0.0;
     void archive(Archive& a);
   };
   void find_bounds();
+  /// Lever of the place where the joint's force meets a body, in body axes, at time 0.
+  static Vec3d met_at(const Joint& joint, std::size_t side);
   void apply(Joint& joint, system::State& state, double longest_step);
+  // Loads on the bodies' centres; they leave force, moment and opening in the joint.
+  static std::array<Load, 2> hold(Joint& joint, const Motion& motion, double longest_step);
+  static std::array<Load, 2> transmit(Joint& joint, const Motion& motion, double longest_step, double dt);
 
   const system::System& system_;
   std::vector<Joint> joints_;

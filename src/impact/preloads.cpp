@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
-#include <numbers>
 
 #include "base/index.hpp"
 #include "impact/conditions.hpp"
 #include "kernel/element/shell.hpp"
+#include "model/lumped_mass.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -48,6 +49,18 @@ std::map<double, Layer> by_place(const std::vector<model::InitialPoint>& points)
   return means;
 }
 
+bool takes_stress(const system::ElementGroup& group) {
+  const auto* takes = dynamic_cast<const system::TakesStress*>(&group);
+  return takes && takes->takes_stress();
+}
+
+/// Where the size of the curve's values falls for the first time, or its end.
+double end_of_rise(const Curve& curve) {
+  for (std::size_t i = 1; i < curve.x.size(); ++i)
+    if (std::abs(curve.y[i]) < std::abs(curve.y[i - 1])) return curve.x[i - 1];
+  return curve.x.back();
+}
+
 }  // namespace
 
 std::vector<double> layer_places(const model::Model& model, int layers) {
@@ -63,42 +76,69 @@ double beam_area(const model::Model& model, model::Index beam) {
     const double length = norm(model.nodes.x[at(n[1])] - model.nodes.x[at(n[0])]);
     return length > 0.0 ? section.volume / length : 0.0;
   }
-  const double outer = 0.5 * (section.outer[0] + section.outer[1]), inner = 0.5 * (section.inner[0] + section.inner[1]);
-  return 0.25 * std::numbers::pi * (outer * outer - inner * inner);
+  return model::beam_area(section);
 }
 
 Preloads::Preloads(system::System& system, Findings& findings) : system_(system) {
+  using Others = system::ImposedStress::Others;
   const model::Model& model = system.model;
+  const auto begun = [&](model::Index curve) {
+    Prescribed p;
+    p.curve = &model.curves[at(curve)];
+    p.begin = p.curve->x.front();
+    p.end = end_of_rise(*p.curve);
+    return p;
+  };
   for (const model::AxialForce& card : model.initial_state.axial_forces) {
-    Prescribed p{{}, {}, &model.curves[at(card.curve)], true, {}, true, false};
+    Prescribed p = begun(card.curve);
     for (const model::Index beam : card.beams) {
-      const system::System::Seat seat = system.beam_seat[at(beam)];
       const double area = beam_area(model, beam);
-      if (seat.group < 0 || system.groups[at(seat.group)]->layers() == 0 || !(area > 0.0)) {
+      const system::ImposedStress stress{
+          0, {1, 0, 0}, card.scale / area, card.bends ? Others::bending : Others::kept, area};
+      if (!(area > 0.0) || !prescribe(p, system.beam_seat[at(beam)], stress))
         findings.error(card.place, "*INITIAL_AXIAL_FORCE_BEAM",
-                       fmt::format("beam {} has no section with stresses; weld beams (ELFORM 9) take an axial force",
+                       fmt::format("beam {} has no section with stresses; weld beams (ELFORM 9), integrated beams "
+                                   "(ELFORM 1) and trusses (ELFORM 3) take an axial force",
                                    model.beams.id[at(beam)]),
                        "take it out of the set");
-        continue;
-      }
-      p.seats.push_back(seat);
-      p.scale.push_back(card.scale / area);
     }
     prescribed_.push_back(std::move(p));
   }
   for (const model::SectionStress& card : model.initial_state.section_stresses) {
-    Prescribed p{{}, {}, &model.curves[at(card.curve)], false, card.normal, card.keep_shear, false};
+    Prescribed p = begun(card.curve);
+    const Others others = card.bends ? Others::bending : card.keep_shear ? Others::kept : Others::none;
     for (const model::Index solid : card.solids) {
       const system::System::Seat seat = system.solid_seat[at(solid)];
-      if (seat.group < 0) continue;
-      p.seats.push_back(seat);
-      p.scale.push_back(1.0);
+      if (seat.group >= 0 && !prescribe(p, seat, {0, card.normal, 1.0, others}))
+        findings.error(card.place, "*INITIAL_STRESS_SECTION",
+                       fmt::format("solid {} takes no stress: in tetrahedra of ELFORM 13 the nodes have the pressure",
+                                   model.solids.id[at(solid)]),
+                       "use tetrahedra of ELFORM 10, or cut through bricks");
     }
-    if (p.seats.empty())
+    if (p.elements.empty())
       findings.error(card.place, "*INITIAL_STRESS_SECTION", "the cross section has no deformable bricks",
                      "cut it through bricks; beams take *INITIAL_AXIAL_FORCE_BEAM");
     prescribed_.push_back(std::move(p));
   }
+  for (const model::InitialStress& s : model.initial_state.solids) {
+    const system::System::Seat seat = system.solid_seat[at(s.element)];
+    if (seat.group >= 0 && !takes_stress(*system.groups[at(seat.group)]))
+      findings.error(s.place, "*INITIAL_STRESS_SOLID",
+                     fmt::format("solid {} takes no stress: in tetrahedra of ELFORM 13 the nodes have the pressure",
+                                 model.solids.id[at(s.element)]),
+                     "use tetrahedra of ELFORM 10");
+  }
+  for (const Prescribed& p : prescribed_)
+    for (const auto& [group, stress] : p.elements) groups_.push_back(group);
+  std::sort(groups_.begin(), groups_.end());
+  groups_.erase(std::unique(groups_.begin(), groups_.end()), groups_.end());
+}
+
+bool Preloads::prescribe(Prescribed& p, const system::System::Seat& seat, system::ImposedStress stress) const {
+  if (seat.group < 0 || !takes_stress(*system_.groups[at(seat.group)])) return false;
+  stress.element = at(seat.element);
+  p.elements.emplace_back(seat.group, stress);
+  return true;
 }
 
 void Preloads::start(const system::State& state) {
@@ -117,41 +157,22 @@ void Preloads::start(const model::InitialStress& stress, const system::System::S
     group.set_layer(at(seat.element), static_cast<int>(k), between(given, places[k]), state);
 }
 
-void Preloads::set_active(Prescribed& p, bool active) {
-  if (p.active == active) return;
-  p.active = active;
-  std::vector<int> groups;
-  for (const system::System::Seat& seat : p.seats) groups.push_back(seat.group);
-  std::sort(groups.begin(), groups.end());
-  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
-  for (const int g : groups) system_.groups[at(g)]->step_share *= active ? 0.5 : 2.0;
-}
-
 void Preloads::apply(const system::State& state) {
-  for (Prescribed& p : prescribed_) {
-    set_active(p, in_force(*p.curve, state) && state.time <= p.curve->x.back());
-    if (!p.active) continue;
-    const double value = p.curve->clamped(state.time);
-    for (std::size_t i = 0; i < p.seats.size(); ++i) {
-      system::ElementGroup& group = *system_.groups[at(p.seats[i].group)];
-      const std::size_t e = at(p.seats[i].element);
-      if (!group.alive(e)) continue;
-      const double stress = p.scale[i] * value;
-      for (int k = 0; k < group.layers(); ++k) {
-        Layer l = group.layer(e, k, state);
-        if (p.beams) {
-          l.stress[0] = stress;
-        } else {
-          const Vec3d& n = p.normal;
-          const std::array<double, 6> nn{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.z * n.x};
-          double normal = 0.0;
-          for (std::size_t c = 0; c < 6; ++c) normal += (c < 3 ? 1.0 : 2.0) * nn[c] * l.stress[c];
-          for (std::size_t c = 0; c < 6; ++c)
-            l.stress[c] = p.keep_others ? l.stress[c] + (stress - normal) * nn[c] : stress * nn[c];
-        }
-        group.set_layer(e, k, l, state);
+  for (const int group : groups_) {
+    std::vector<system::ImposedStress> stresses;
+    for (const Prescribed& p : prescribed_) {
+      if (!in_force(*p.curve, state) || state.time < p.begin || state.time > p.end) continue;
+      const double value = p.curve->clamped(state.time);
+      for (const auto& [g, stress] : p.elements) {
+        if (g != group) continue;
+        stresses.push_back(stress);
+        stresses.back().stress *= value;
       }
     }
+    std::stable_sort(
+        stresses.begin(), stresses.end(),
+        [](const system::ImposedStress& a, const system::ImposedStress& b) { return a.element < b.element; });
+    dynamic_cast<system::TakesStress&>(*system_.groups[at(group)]).impose(std::move(stresses));
   }
 }
 

@@ -64,8 +64,8 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
   for (const model::Part& p : model_.parts) parts.push_back({p.id, p.title});
   for (const model::NamedEntity& n : ask.history_nodes)
     if (!n.heading.empty()) nodes.push_back({model_.nodes.id[static_cast<std::size_t>(n.index)], n.heading});
-  for (std::size_t w = 0; w < model_.walls.size(); ++w)
-    if (!model_.walls[w].title.empty()) walls.push_back({static_cast<int>(w) + 1, model_.walls[w].title});
+  for (const model::RigidWall& w : model_.walls)
+    if (!w.title.empty()) walls.push_back({w.id, w.title});
   for (const model::Contact& c : model_.contacts)
     if (!c.title.empty()) contacts.push_back({c.id, c.title});
   for (const model::InteriorContact& c : model_.interiors)

@@ -67,6 +67,11 @@ void give_way(std::vector<Item>& items, const std::vector<Driven>& motions, cons
   items = std::move(left);
 }
 
+/// Time on the curve at which the step begins; a motion born within it has its curve from there on.
+double begin_of_step(bool active, double t) {
+  return active ? t : std::min(t, 0.0);
+}
+
 }  // namespace
 
 Supports::Supports(const system::System& system, Findings& findings) : system_(system) {
@@ -154,7 +159,7 @@ double Supports::target(Driven& driven, const system::State& state, double old_v
     case model::PrescribedMotion::Quantity::displacement: {
       if (state.dt <= 0.0) return 0.0;
       // Beyond its last point a displacement curve holds its value: the node stays where it was brought.
-      return motion.scale * (curve.clamped(t + state.dt) - curve.clamped(t)) / state.dt;
+      return motion.scale * (curve.clamped(t + state.dt) - curve.clamped(begin_of_step(driven.active, t))) / state.dt;
     }
   }
   return 0.0;
@@ -177,7 +182,7 @@ double Supports::circular_target(Driven& driven, const system::State& state, dou
   if (motion.quantity == Quantity::velocity) {
     turned = motion.scale * curve.zero_outside(t + 0.5 * dt) * dt;
   } else if (motion.quantity == Quantity::displacement) {
-    turned = motion.scale * (curve.clamped(t + dt) - curve.clamped(t));
+    turned = motion.scale * (curve.clamped(t + dt) - curve.clamped(begin_of_step(driven.active, t)));
   } else {
     if (!driven.active) driven.rate = place.radius > 0.0 ? old_velocity / place.radius : 0.0;
     driven.rate += motion.scale * curve.zero_outside(t) * kick;
@@ -224,9 +229,12 @@ void Supports::prescribe(system::State& state, double kick, std::span<system::Ri
   const auto component = [&](const Held& h) {
     return dot(h.axis, vec(h.rotation ? state.w[at(h.node)] : state.v[at(h.node)]));
   };
-  const auto release = [](Held& h) {
+  // What is held or driven from the next step on starts from the velocity that it has now: the forces of that step are
+  // not in it.
+  const auto release = [&](Held& h) {
     h.active = false;
     h.force = 0.0;
+    h.velocity = component(h);
   };
   for (std::vector<Reaction>* reactions : {&spc_, &motion_})
     for (Reaction& r : *reactions) r.force = r.moment = {};
@@ -236,7 +244,6 @@ void Supports::prescribe(system::State& state, double kick, std::span<system::Ri
       continue;
     }
     // What moved before it was held gives up its energy; at time 0 it stands still already (hold_at_start).
-    if (!h.active && state.cycle > 0) h.velocity = component(h);
     h.active = true;
     set_component(h, 0.0, -1, state, kick, bodies, spc_);
   }
@@ -259,7 +266,7 @@ void Supports::prescribe(system::State& state, double kick, std::span<system::Ri
       d.axis = d.hold_others ? place.outwards : place.around;
       d.velocity = dot(d.axis, d.left);
     }
-    if (!d.active) d.velocity = component(d);
+    if (!d.active && state.cycle == 0) d.velocity = component(d);
     const double wanted = target(d, state, d.velocity, kick);
     d.active = true;
     set_component(d, wanted, d.body, state, kick, bodies, motion_);

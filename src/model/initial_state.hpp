@@ -35,6 +35,7 @@ struct AxialForce {
   std::vector<Index> beams;
   Index curve = none;
   double scale = 1.0;
+  bool bends = false;  ///< KBEND 1: the force is their mean; the differences between them are what the material says
   Place place;
 };
 /// *INITIAL_STRESS_SECTION: as long as its curve lasts, the bricks of a cross section have this normal stress.
@@ -42,7 +43,8 @@ struct SectionStress {
   std::vector<Index> solids;
   Vec3d normal;
   Index curve = none;
-  bool keep_shear = false;  ///< IZSHEAR 1: the other stresses grow as the material says
+  bool keep_shear = false;  ///< IZSHEAR 1, 2: the other stresses grow as the material says
+  bool bends = false;       ///< IZSHEAR 2: so do the differences between the points of a brick
   Place place;
 };
 

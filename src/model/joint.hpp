@@ -11,7 +11,21 @@ namespace nugget::model {
 /// *CONSTRAINED_JOINT_..., _COOR_...: which relative motion two rigid bodies have. Its nodes, or points, come in pairs,
 /// the first of each on body A, the second on body B, both at one place at time 0.
 struct Joint {
-  enum class Kind { spherical, revolute, cylindrical, planar, universal, translational, locking };
+  enum class Kind {
+    spherical,
+    revolute,
+    cylindrical,
+    planar,
+    universal,
+    translational,
+    locking,
+    // A ratio of two motions, and nothing else:
+    gears,
+    pulley,
+    rack_and_pinion,
+    screw
+  };
+  bool transmits() const { return kind >= Kind::gears; }
   int id = 0;
   std::string title;
   Kind kind = Kind::spherical;
@@ -20,6 +34,8 @@ struct Joint {
   std::array<Index, 2> body{none, none};                          ///< A and B, in Model::rigid_bodies
   double stiffness_scale = 1.0;                                   ///< RPS
   double damping = 1.0;  ///< DAMP: factor on the damping that belongs to the stiffness
+  double ratio = 0.0;    ///< PARM: R2/R1 of gears and pulleys [1]; way over angle of rack and pinion, screw [length]
+  double radius = 0.0;   ///< R1 of gears and pulleys, for the force that is reported [length]
   Place place;
 };
 

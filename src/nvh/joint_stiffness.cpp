@@ -39,6 +39,24 @@ HeldMotion rotation(const Vec3d& d) {
   return held;
 }
 
+/// The ratio that a joint keeps, between these axes of A and B; as in impact (impact/joints.hpp). `gap`: from A's point
+/// to B's.
+HeldMotion transmission(const model::Joint& joint, const Vec3d& a, const Vec3d& b, const Vec3d& arm_a,
+                        const Vec3d& arm_b, const Vec3d& gap) {
+  if (joint.kind == Kind::gears || joint.kind == Kind::pulley) {
+    const double sign = (joint.kind == Kind::gears ? 1.0 : -1.0) * (dot(a, b) < 0.0 ? -1.0 : 1.0);
+    HeldMotion held{{}, b, true};
+    put(held.row, 3, sign / joint.ratio * a);
+    put(held.row, 9, b);
+    return held;
+  }
+  const bool screw = joint.kind == Kind::screw;
+  HeldMotion held = displacement(screw ? a : b, screw ? arm_a + gap : arm_a, arm_b);
+  put(held.row, 3, -joint.ratio * a);
+  if (screw) put(held.row, 9, joint.ratio * a);
+  return held;
+}
+
 /// Two unit vectors that make a triad with a.
 std::array<Vec3d, 2> across(const Vec3d& a) {
   const Vec3d least = std::abs(a.x) < 0.6 ? axes[0] : axes[1];
@@ -69,6 +87,12 @@ BodyLink link_of(const system::System& system, const model::Joint& joint) {
     return link;
   }
   const Vec3d axis = unit(place(2) - place(0));
+  if (joint.transmits()) {
+    arm[1] = place(1) - body_of(system, joint.body[1]).center0;
+    const Vec3d other = unit(place(3) - place(1));
+    link.held.push_back(transmission(joint, axis, other, arm[0], arm[1], place(1) - place(0)));
+    return link;
+  }
   const std::array<Vec3d, 2> sides = across(axis);
   if (joint.kind != Kind::cylindrical && joint.kind != Kind::translational) hold(axis);
   if (joint.kind != Kind::planar)

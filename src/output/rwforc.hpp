@@ -10,7 +10,7 @@ namespace nugget::output {
 
 /// Force of one rigid wall on the model [force].
 struct RwforcRow {
-  int wall = 0;         ///< number of the wall, in deck order from 1
+  int wall = 0;         ///< ID of *RIGIDWALL_..._ID, or the place in the deck from 1
   double normal = 0.0;  ///< along the wall's normal
   Vec3d force;          ///< global axes
 };

@@ -13,6 +13,7 @@
 #include "base/row.hpp"
 #include "system/before_cycle.hpp"
 #include "system/element_group.hpp"
+#include "system/imposed_stress.hpp"
 
 namespace nugget::system {
 
@@ -41,18 +42,22 @@ using AlignedReals = std::vector<double, Aligned<double>>;
 ///   layers(), layer(...), thickness(...), resultants(...)   for output
 ///   before_cycle(state, alive, put)   may be absent; see BeforeCycle
 ///   set_layer(put, k, layer, places), inviscid()   may be absent; see ElementGroup::set_layer, elastic_rate
+///   change_stresses(state, put, change), takes_stress()   may be absent; the stresses of all points, in the order of
+///                                     ElementGroup::layer; see TakesStress
 ///   stiffness(state, places, k)       where the kernel's own derivative is not exact; may be absent
 ///   viscosity(state, places, c)       of dashpots; may be absent
 ///   Layout::integrity, integrity(state), hold_yield(state, lane), plastic_strain(state, k)     of welds only; the
 ///   first
 ///                                     is that of the weld as a whole, the second that of its points
 template <class Element>
-class BatchGroup final : public ElementGroup, public BeforeCycle {
+class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesStress {
  public:
   using R = NativeBatch;
   static constexpr int width = native_width;
   static constexpr int corners = Element::corners;
   static constexpr int rows = Element::rotational ? 2 : 1;
+  /// A step that moves nothing.
+  static constexpr double no_step = 0x1p-100;
   static constexpr bool is_weld = requires(Element & kernel) { kernel.hold_yield(nullptr, 0); };
 
   /// `connectivity`: system nodes of each element.
@@ -113,7 +118,10 @@ class BatchGroup final : public ElementGroup, public BeforeCycle {
         if constexpr (Element::rotational) motion.w[a] = gather<R>(now.w.data(), id + a * width);
       }
       const R lived = real_load<R>(state(b * width) + Element::Layout::alive * width);
-      const auto out = kernel_.template cycle<R>(motion, dt, state(b * width));
+      auto out = kernel_.template cycle<R>(motion, dt, state(b * width));
+      if constexpr (can_take_stress) {
+        if (!imposed_.empty()) impose(b, motion, out);
+      }
       if (any(real_load<R>(state(b * width) + Element::Layout::alive * width) < lived)) ++deaths;
 
       // Work over the step: trapezoid of the forces before and after, times the velocities in between.
@@ -136,6 +144,12 @@ class BatchGroup final : public ElementGroup, public BeforeCycle {
     }
   }
 
+  bool takes_stress() const override {
+    if constexpr (requires { kernel_.takes_stress(); }) return kernel_.takes_stress();
+    return can_take_stress;
+  }
+  void impose(std::vector<ImposedStress> stresses) override { imposed_ = std::move(stresses); }
+
   /// The kernel's forces after a step with unit velocity in one freedom, a freedom a lane. The step is so short that it
   /// moves nothing and meets no yield, and a power of two: what is left is the exact derivative (docs/decisions/0017).
   void stiffness(std::size_t e, const State& start, std::span<double> k) const override {
@@ -143,7 +157,6 @@ class BatchGroup final : public ElementGroup, public BeforeCycle {
       kernel_.stiffness(reader(e), places(e, start), k);
       return;
     }
-    constexpr double step = 0x1p-100;
     constexpr int per_node = Element::rotational ? 6 : 3, size = corners * per_node;
     typename Element::template Motion<R> motion;
     for (int a = 0; a < corners; ++a) {
@@ -158,13 +171,13 @@ class BatchGroup final : public ElementGroup, public BeforeCycle {
         motion.v[a] = unit_motion(first - a * per_node);
         if constexpr (Element::rotational) motion.w[a] = unit_motion(first - a * per_node - 3);
       }
-      const auto out = kernel_.template cycle<R>(motion, step, scratch.data());
+      const auto out = kernel_.template cycle<R>(motion, no_step, scratch.data());
       for (int l = 0; l < std::min(width, size - first); ++l)
         for (int a = 0; a < corners; ++a) {
           double* column = &k[static_cast<std::size_t>(a * per_node * size + first + l)];
           const auto put = [&](const Vec3<R>& f) {
             for (const R* c : {&f.x, &f.y, &f.z}) {
-              *column = nugget::lane(*c, l) / step;
+              *column = nugget::lane(*c, l) / no_step;
               column += size;
             }
           };
@@ -189,7 +202,6 @@ class BatchGroup final : public ElementGroup, public BeforeCycle {
       inviscid_.emplace(kernel_);
   }
   void elastic_rate(std::size_t b, const State& now, std::span<Row> f, std::span<Row> m) const override {
-    constexpr double step = 0x1p-100;  // as in `stiffness`
     const int* id = &nodes_[b * width * corners];
     typename Element::template Motion<R> motion;
     for (int a = 0; a < corners; ++a) {
@@ -202,19 +214,19 @@ class BatchGroup final : public ElementGroup, public BeforeCycle {
     thread_local AlignedReals scratch;
     scratch.assign(first, first + size);
     std::copy_n(state(b * width) + Element::Layout::alive * width, width, &scratch[at(Element::Layout::alive * width)]);
-    const auto out = inviscid_->template cycle<R>(motion, step, scratch.data());
+    const auto out = inviscid_->template cycle<R>(motion, no_step, scratch.data());
     for (int a = 0; a < corners; ++a) {
       int row[width];
       for (int l = 0; l < width; ++l) row[l] = l * corners + a;
-      scatter<R>(f.data(), row, R(1.0 / step) * out.f[a]);
-      if constexpr (Element::rotational) scatter<R>(m.data(), row, R(1.0 / step) * out.m[a]);
+      scatter<R>(f.data(), row, R(1.0 / no_step) * out.f[a]);
+      if constexpr (Element::rotational) scatter<R>(m.data(), row, R(1.0 / no_step) * out.m[a]);
     }
   }
 
   void archive(Archive& a) override {
     ElementGroup::archive(a);
     a(state_, energy_, step_, unstressed_);
-    a.built(kernel_, nodes_, inviscid_, mass_, inertia_);
+    a.built(kernel_, nodes_, inviscid_, mass_, inertia_, imposed_);
   }
 
   ElementNodes nodes(std::size_t e) const override {
@@ -327,12 +339,77 @@ class BatchGroup final : public ElementGroup, public BeforeCycle {
     block_step[b] = smallest;
   }
 
+  static constexpr bool can_take_stress = requires(Element & kernel, double (*field)(int), void (*put)(int, double),
+                                                   void (*change)(std::array<double, 6>&)) {
+    kernel.change_stresses(field, put, change);
+  };
+  /// Gives the elements of block b the stresses that are imposed on them, and `out` the forces of these: those of a
+  /// step that moves nothing, so that viscous forces, which go with the velocities, are the same.
+  template <class Out>
+  void impose(std::size_t b, const typename Element::template Motion<R>& motion, Out& out) {
+    const auto before = [](const ImposedStress& s, std::size_t e) { return s.element < e; };
+    const auto first = std::lower_bound(imposed_.begin(), imposed_.end(), b * width, before),
+               last = std::lower_bound(first, imposed_.end(), (b + 1) * width, before);
+    if (first == last) return;
+    thread_local AlignedReals scratch;
+    const double* block = state(b * width);
+    scratch.assign(block, block + kernel_.state_size() * width);
+    for (auto s = first; s != last; ++s)
+      if (alive(s->element)) put_stress(*s, scratch.data() + lane(s->element));
+    const auto again = kernel_.template cycle<R>(motion, no_step, scratch.data());
+    for (auto s = first; s != last; ++s) {
+      if (!alive(s->element)) continue;
+      const int l = lane(s->element);
+      for (int i = 0; i < kernel_.state_size(); ++i) field(s->element, i) = scratch[at(i * width + l)];
+      for (int a = 0; a < corners; ++a) {
+        copy_lane(again.f[a], out.f[a], l);
+        if constexpr (Element::rotational) copy_lane(again.m[a], out.m[a], l);
+      }
+    }
+  }
+  /// `values`: field i of the element at values[i * width].
+  void put_stress(const ImposedStress& s, double* values) const {
+    const Vec3d& n = s.normal;
+    const std::array<double, 6> nn{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.z * n.x};
+    const auto along = [&](const std::array<double, 6>& stress) {
+      double sum = 0.0;
+      for (std::size_t c = 0; c < 6; ++c) sum += (c < 3 ? 1.0 : 2.0) * nn[c] * stress[c];
+      return sum;
+    };
+    const auto read = [values](int i) { return values[i * width]; };
+    const auto put = [values](int i, double value) { values[i * width] = value; };
+    double mean = 0.0;
+    if (s.area > 0.0) {
+      mean = kernel_.resultants(read)[0] / s.area;
+    } else {
+      int points = 0;
+      kernel_.change_stresses(
+          read, [](int, double) {},
+          [&](std::array<double, 6>& stress) {
+            mean += along(stress);
+            ++points;
+          });
+      mean /= points;
+    }
+    kernel_.change_stresses(read, put, [&](std::array<double, 6>& stress) {
+      const double change = s.stress - (s.others == ImposedStress::Others::bending ? mean : along(stress));
+      for (std::size_t c = 0; c < 6; ++c)
+        stress[c] = s.others == ImposedStress::Others::none ? s.stress * nn[c] : stress[c] + change * nn[c];
+    });
+  }
+  static void copy_lane(const Vec3<R>& from, Vec3<R>& to, int l) {
+    set_lane(to.x, l, nugget::lane(from.x, l));
+    set_lane(to.y, l, nugget::lane(from.y, l));
+    set_lane(to.z, l, nugget::lane(from.z, l));
+  }
+
   Element kernel_;
   std::vector<int> nodes_;  ///< block by block, node by node, lane by lane
   AlignedReals state_, energy_, step_;
   AlignedReals unstressed_;          ///< as `state_`; empty where it was not kept
   std::optional<Element> inviscid_;  ///< the kernel without viscous forces; kept with it
   std::vector<double> mass_, inertia_;
+  std::vector<ImposedStress> imposed_;  ///< by rising element; given anew before each cycle
 };
 
 }  // namespace nugget::system

@@ -10,6 +10,7 @@
 #include "model/model.hpp"
 #include "system/beam.hpp"
 #include "system/element_group.hpp"
+#include "system/imposed_stress.hpp"
 
 // Beams of the structure as BatchGroup wants them; see there. Spot-weld and discrete beams have files of their own.
 namespace nugget::system {
@@ -53,6 +54,10 @@ struct IntegratedBeamElement {
     const int at = layout().fibre(k);
     const double strain = kernel::Prepared<Law>::has_plastic_strain ? field(layout().history_of(k)) : 0.0;
     return {{field(at), 0.0, 0.0, field(at + 1), 0.0, field(at + 2)}, strain};
+  }
+  template <class Field, class Put, class Change>
+  void change_stresses(const Field& field, const Put& put, const Change& change) const {
+    for (int k = 0; k < layers(); ++k) change_fibre_point(field, put, layout().fibre(k), change);
   }
   template <class Field>
   double thickness(const Field& field) const {
@@ -167,6 +172,10 @@ struct TrussElement {
   ElementGroup::Layer layer(const Field& field, int, const Places&) const {
     const double strain = kernel::Prepared<Law>::has_plastic_strain ? field(Layout::history) : 0.0;
     return {{field(Layout::stress), 0.0, 0.0, 0.0, 0.0, 0.0}, strain};
+  }
+  template <class Field, class Put, class Change>
+  void change_stresses(const Field& field, const Put& put, const Change& change) const {
+    change_fibre_point(field, put, Layout::stress, change);
   }
   template <class Field>
   double thickness(const Field& field) const {

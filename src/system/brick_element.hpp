@@ -7,6 +7,7 @@
 #include "kernel/element/full_hexahedron.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
+#include "system/imposed_stress.hpp"
 #include "system/material_axes.hpp"
 #include "system/point_integrity.hpp"
 
@@ -70,6 +71,10 @@ struct BrickElement {
   void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
     for (int i = 0; i < 6; ++i) put(Layout::stress + i, l.stress[static_cast<std::size_t>(i)]);
     if (kernel::Prepared<Law>::has_plastic_strain) put(Layout::first_history, l.plastic_strain);
+  }
+  template <class Field, class Put, class Change>
+  void change_stresses(const Field& field, const Put& put, const Change& change) const {
+    change_solid_point(field, put, Layout::stress, change);
   }
   /// The same element without viscous forces.
   BrickElement inviscid() const {
@@ -137,6 +142,10 @@ struct FullBrickElement : BrickElement<Law> {
       for (int i = 0; i < 6; ++i) put(layout().point(p) + i, l.stress[static_cast<std::size_t>(i)]);
       if (kernel::Prepared<Law>::has_plastic_strain) put(layout().history_of(p), l.plastic_strain);
     }
+  }
+  template <class Field, class Put, class Change>
+  void change_stresses(const Field& field, const Put& put, const Change& change) const {
+    for (int p = 0; p < Layout::points; ++p) change_solid_point(field, put, layout().point(p), change);
   }
   /// The mean of the points.
   template <class Field>

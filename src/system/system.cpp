@@ -537,6 +537,17 @@ System::Masses System::masses() const {
   for (const Lump& lump : lumps_) m.physical += lump.mass;
   for (const model::PointMass& p : model.masses) m.physical += p.mass;
   for (const model::PointInertia& p : model.inertias) m.physical += p.mass;
+  // The mass that a deck gives a rigid body stands in place of that of its elements and nodes.
+  const auto given = [&](const ConstraintMap::Term& t) {
+    return at(t.node) >= nodes && model.rigid_bodies[at(bodies[at(t.node) - nodes].source)].given;
+  };
+  for (std::size_t d = 0; d < nodes; ++d) {
+    if (!map.dependent(static_cast<int>(d))) continue;
+    for (const ConstraintMap::Term& t : map.terms(static_cast<int>(d)))
+      if (given(t)) m.physical -= t.weight * own_mass[d];
+  }
+  for (const RigidBody& body : bodies)
+    if (model.rigid_bodies[at(body.source)].given) m.physical += body.mass;
   return m;
 }
 

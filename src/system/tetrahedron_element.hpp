@@ -7,6 +7,7 @@
 #include "kernel/element/tetrahedron.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
+#include "system/imposed_stress.hpp"
 #include "system/material_axes.hpp"
 #include "system/nodal_pressure.hpp"
 
@@ -59,6 +60,17 @@ struct TetrahedronElement {
     if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = field(Layout::first_history);
     return l;
   }
+  template <class Put>
+  void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
+    for (int i = 0; i < 6; ++i) put(Layout::stress + i, l.stress[static_cast<std::size_t>(i)]);
+    if (kernel::Prepared<Law>::has_plastic_strain) put(Layout::first_history, l.plastic_strain);
+  }
+  template <class Field, class Put, class Change>
+  void change_stresses(const Field& field, const Put& put, const Change& change) const {
+    change_solid_point(field, put, Layout::stress, change);
+  }
+  /// Where nodes have the pressure, an element's own counts for nothing.
+  bool takes_stress() const { return nodal_pressure == nullptr; }
   template <class Field>
   double thickness(const Field&) const {
     return 0.0;

@@ -7,6 +7,7 @@
 #include "kernel/element/hexahedron.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
+#include "system/imposed_stress.hpp"
 #include "system/material_axes.hpp"
 
 namespace nugget::system {
@@ -48,6 +49,11 @@ struct TetrahedronPoints {
       for (int i = 0; i < 6; ++i) put(layout.point(p) + i, l.stress[static_cast<std::size_t>(i)]);
       if (kernel::Prepared<Law>::has_plastic_strain) put(layout.history_of(p), l.plastic_strain);
     }
+  }
+  template <class Field, class Put, class Change>
+  void change_stresses(const Field& field, const Put& put, const Change& change) const {
+    const auto layout = self().layout();
+    for (int p = 0; p < layout.points; ++p) change_solid_point(field, put, layout.point(p), change);
   }
   template <class Field>
   double thickness(const Field&) const {

@@ -26,15 +26,19 @@ struct WeldBeamElement : IntegratedBeamElement<kernel::Spotweld> {
     return {{left * field(at), 0.0, 0.0, left * field(at + 1), 0.0, left * field(at + 2)},
             field(layout().history_of(k))};
   }
-  /// The other way round; the stress of the sound point, which damage keeps, is the same.
-  template <class Put>
-  void set_layer(const Put& put, int k, const ElementGroup::Layer& l, const Places&) const {
-    const double stress[3] = {l.stress[0], l.stress[3], l.stress[5]};
-    for (int i = 0; i < 3; ++i) {
-      put(layout().fibre(k) + i, stress[i]);
-      put(layout().history_of(k) + kernel::Prepared<kernel::Spotweld>::sound + i, stress[i]);
+  /// The stress of the sound point, which damage keeps, becomes the same.
+  template <class Field, class Put, class Change>
+  void change_stresses(const Field& field, const Put& put, const Change& change) const {
+    for (int k = 0; k < layers(); ++k) {
+      const int sound = layout().history_of(k) + kernel::Prepared<kernel::Spotweld>::sound;
+      change_fibre_point(
+          field,
+          [&](int i, double value) {
+            put(i, value);
+            put(sound + i - layout().fibre(k), value);
+          },
+          layout().fibre(k), change);
     }
-    put(layout().history_of(k), l.plastic_strain);
   }
 };
 

@@ -3,6 +3,7 @@
 import json
 import math
 import re
+import struct
 import unittest
 
 from nugget_command import CommandTest
@@ -144,6 +145,35 @@ class Bodies(CommandTest):
         data = (self.folder / "out/binout0000").read_bytes()
         for name in (b"/deforc/d000002", b"/jntforc/joints/d000002", b"resultant_moment", b"joint_internal_energy"):
             self.assertIn(name, data)
+
+    def test_walls_have_their_own_numbers(self):
+        """By _ID where the card has one, else the place in the deck, or the next that is free."""
+        wall = "{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n"
+        deck = (
+            "*KEYWORD\n*TITLE\ntwo walls\n*CONTROL_TERMINATION\n1e-5\n*MAT_ELASTIC\n1,7.85e-9,210000.,0.3\n*SECTION_SOLID\n1,1\n"
+            "*PART\nbrick\n1,1,1\n*INITIAL_VELOCITY_GENERATION\n1,2,0.0,-1000.0,0.0,0.0\n\n"
+            "*NODE\n1,0.,0.,0.\n2,10.,0.,0.\n3,10.,10.,0.\n4,0.,10.,0.\n5,0.,0.,10.\n6,10.,0.,10.\n7,10.,10.,10.\n8,0.,10.,10.\n"
+            "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n"
+            "*RIGIDWALL_PLANAR\n0\n" + wall.format(50, 0, 0, 49, 0, 0) + "\n"
+            "*RIGIDWALL_PLANAR_ID\n2,floor\n0\n" + wall.format(0, 0, 0, 1, 0, 0) + "\n"
+            "*RIGIDWALL_PLANAR\n0\n" + wall.format(60, 0, 0, 59, 0, 0) + "\n"
+            "*DATABASE_RWFORC\n1e-6,3\n*END\n"
+        )
+        self.write(deck)
+        self.nugget("run", "model.k", "-o", "out", "--quiet")
+        text = self.read("out/rwforc")
+        rows = [line.split() for line in text.splitlines() if re.match(r" +\d\.\d+E", line)]
+        self.assertEqual([row[1] for row in rows[-3:]], ["1", "2", "3"])
+        self.assertGreater(max(float(row[2]) for row in rows if row[1] == "2"), 0.0)
+        self.assertRegex(text, r"\n +2 +floor")
+        self.write(deck.replace("2,floor", "42,floor"))
+        self.nugget("run", "model.k", "-o", "other", "--quiet")
+        text = self.read("other/rwforc")
+        rows = [line.split() for line in text.splitlines() if re.match(r" +\d\.\d+E", line)]
+        self.assertEqual([row[1] for row in rows[-3:]], ["1", "42", "3"])
+        self.assertRegex(text, r"\n +42 +floor")
+        ids = struct.pack("<3i", 1, 42, 3)
+        self.assertIn(ids, (self.folder / "other/binout0000").read_bytes())
 
     def test_stiffness_of_a_joint_and_the_springs_asked_for(self):
         stiffness = (

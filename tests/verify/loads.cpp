@@ -401,6 +401,59 @@ TEST(Deletion, ShellsWhoseSidesCrossFollowNfail1) {
   EXPECT_EQ(count.distorted, 0);
 }
 
+// A mass that a force has pushed is caught, or driven on from the speed that it has: what is held takes its energy to
+// round-off, and a motion by acceleration goes on from there (born between two steps, where both speeds are known).
+// Before, the forces of the first step counted twice.
+TEST(Supports, BirthTakesWhatMoves) {
+  const double mass = 1e-3, force = 2.0, birth = 4.05e-3, step = 1e-4, a = -300.0, end = 8e-3;
+  const auto mass_pushed = [&](Specimen& s) {
+    const int id = s.mass_point({0, 0, 0}, mass);
+    s.text(constant_curve(1)).card("LOAD_NODE_POINT", {double(id), 1, 1, force});
+    s.text(constant_curve(90, step)).card("CONTROL_TIMESTEP", {0, 0.9, 0, 0, 0, 90}).card("CONTROL_TERMINATION", {end});
+    return id;
+  };
+  Specimen caught;
+  const int held = mass_pushed(caught);
+  caught.node_set(1, {held}).text("*BOUNDARY_SPC_SET_BIRTH_DEATH\n" + fields({1, 0, 1}) + fields({birth, 1.0}));
+  Experiment first(caught.deck());
+  double lost = 0.0, kinetic = 0.0, speed = 0.0;
+  run_to_end(first, [&](const impact::Snapshot& now) {
+    kinetic = std::max(kinetic, now.energy.kinetic);
+    lost = std::abs(now.energy.total() - now.energy.external);
+    speed = first.velocity(now, held).x;
+  });
+  expect_reference("loads", "a flying mass that is caught by an SPC: energy lost, of its own", lost, 0.0, 1e-9,
+                   kinetic);
+  expect_reference("loads", "the same: its speed", speed, 0.0, 1e-12, 1.0);
+
+  Specimen driven;
+  const int moved = mass_pushed(driven);
+  driven.text(constant_curve(2))
+      .text("*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + fields({double(moved), 1, 1, 2, a, 0, 1e28, birth}));
+  Experiment second(driven.deck());
+  double balance = 0.0, left = 0.0;
+  run_to_end(second, [&](const impact::Snapshot& now) {
+    left = now.state.time;
+    speed = second.velocity(now, moved).x;
+    balance = std::abs(now.energy.total() - now.energy.external);
+  });
+  const double reached = force / mass * birth;
+  expect_reference("loads", "a flying mass that is driven on by VAD 1: its speed [mm/s]", speed,
+                   reached + a * (left - birth), 1e-9);
+  EXPECT_NEAR(balance, 0.0, 1e-9 * kinetic);
+
+  // A way that begins within a step arrives where its curve does.
+  Specimen brought;
+  const int led = brought.mass_point({0, 0, 0}, mass);
+  brought.text(constant_curve(90, step)).card("CONTROL_TIMESTEP", {0, 0.9, 0, 0, 0, 90});
+  brought.card("CONTROL_TERMINATION", {end}).text(curve(2, {{0.0, 0.0}, {2e-3, 7.0}}));
+  brought.text("*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + fields({double(led), 1, 2, 2, 1, 0, 1e28, birth}));
+  Experiment third(brought.deck());
+  double way = 0.0;
+  run_to_end(third, [&](const impact::Snapshot& now) { way = third.displacement(now, led).x; });
+  expect_reference("loads", "a mass that is driven by VAD 2 from within a step on: its way [mm]", way, 7.0, 1e-9);
+}
+
 // A rigid sheet that its material holds along z and a motion drives there at 500 mm/s. Sabotage: both act, and each
 // step counts the work of setting it in motion again.
 TEST(RigidMotion, WhatIsDrivenIsNotHeld) {

@@ -167,7 +167,7 @@ const Card axial_card{{
     id("bsid", IdSpace::set, required, "beam set"),
     id("lcid", IdSpace::function, required, "curve of the force over time; the preload ends with the curve"),
     real("scale", dimension::number, 1, any_value, "scale of the curve"),
-    integer("kbend", 0, only(0), "0: all points of a section get the same axial stress"),
+    integer("kbend", 0, between(0, 1), "0: all points of a section get the same axial stress; 1: the same mean"),
 }};
 
 void read_axial(Builder& builder, const Block& block, const Options&) {
@@ -176,7 +176,7 @@ void read_axial(Builder& builder, const Block& block, const Options&) {
     const Row row = cursor.read(axial_card);
     builder.later(Phase::conditions, [row](Builder& b) {
       const auto* beams = b.beam_set(row, "bsid");
-      AxialForce force{{}, b.curve(row, "lcid"), row.real("scale"), row.place()};
+      AxialForce force{{}, b.curve(row, "lcid"), row.real("scale"), row.integer("kbend") == 1, row.place()};
       if (!beams || force.curve == none) return;
       force.beams = beams->members;
       b.model.initial_state.axial_forces.push_back(std::move(force));
@@ -190,7 +190,8 @@ const Card section_card{{
     id("lcid", IdSpace::function, required, "curve of the normal stress over time; the preload ends with the curve"),
     id("psid", IdSpace::set, 0, "part set; 0: all parts of the section"),
     id("vid", IdSpace::define, 0, "vector of the normal; 0: that of the plane"),
-    integer("izshear", 0, between(0, 1), "1: the other stresses grow as the material says; 0: they are 0"),
+    integer("izshear", 0, between(0, 2),
+            "0: the other stresses are 0; 1: they grow as the material says; 2: so does bending within a brick"),
     integer("istiff", 0, only(0), "artificial stiffness during the preload"),
 }};
 
@@ -203,7 +204,9 @@ void resolve_section_stress(Builder& builder, const Row& row) {
   if (found == sections.end())
     return refuse(builder, row, "csid", fmt::format("cross section {} is not defined", id),
                   "define it by *DATABASE_CROSS_SECTION_PLANE_ID or _SET_ID");
-  SectionStress stress{{}, found->normal, builder.curve(row, "lcid"), row.integer("izshear") == 1, row.place()};
+  SectionStress stress{
+      {},         found->normal, builder.curve(row, "lcid"), row.integer("izshear") > 0, row.integer("izshear") == 2,
+      row.place()};
   if (const Vec3d* vector = builder.vector(row, "vid")) stress.normal = unit(*vector);
   if (norm(stress.normal) == 0.0)
     return refuse(builder, row, "vid", "a cross section by sets has no normal of its own", "name a *DEFINE_VECTOR");

@@ -20,7 +20,8 @@ const Card joint_card{{
     id("n1", IdSpace::node, required, "node of body A at the joint"),
     id("n2", IdSpace::node, required, "node of body B at the same place"),
     id("n3", IdSpace::node, 0, "node of body A: n1 to n3 is the joint's axis"),
-    id("n4", IdSpace::node, 0, "node of body B at the place of n3; universal: n2 to n4 is the other axis"),
+    id("n4", IdSpace::node, 0,
+       "node of body B at the place of n3; universal, gears and the like: n2 to n4 is the other axis"),
     id("n5", IdSpace::node, 0, "node of body A off the axis (translational, locking)"),
     id("n6", IdSpace::node, 0, "node of body B at the place of n5"),
     real("rps", dimension::number, 1, above_zero(), "factor on the penalty stiffness; 2 is the most that is stable"),
@@ -61,15 +62,34 @@ const Card rigid_card{{
     unused(),
 }};
 
+Card transmission_card(Dimension parm, std::string_view meaning) {
+  return {{
+      real("parm", parm, 0, any_value, meaning),
+      id("lcid", IdSpace::function, 0, "of motors: does nothing here"),
+      integer("type", 0, any_value, "of motors: does nothing here"),
+      real("r1", dimension::length, 0, at_least(0), "radius R1 of gears and pulleys; 0: distance of n5 from the axis"),
+      real("h_angle", dimension::number, 0, only(0), "helix angle of gears: not built"),
+  }};
+}
+const Card ratio_card = transmission_card(dimension::number, "R2/R1");
+const Card way_card =
+    transmission_card(dimension::length, "way of body B over the angle of A [1/rad]: h of a pinion, p of a screw");
+
 using Kind = Joint::Kind;
+
+const Card& card_of_ratio(Kind kind) {
+  return kind == Kind::gears || kind == Kind::pulley ? ratio_card : way_card;
+}
 
 /// How many pairs of nodes a joint has.
 std::size_t pairs(Kind kind) {
   switch (kind) {
     case Kind::spherical: return 1;
-    case Kind::translational:
-    case Kind::locking: return 3;
-    default: return 2;
+    case Kind::revolute:
+    case Kind::cylindrical:
+    case Kind::planar:
+    case Kind::universal: return 2;
+    default: return 3;
   }
 }
 
@@ -104,6 +124,47 @@ bool find_bodies(Builder& b, const Row& row, Joint& joint) {
   if (joint.body[0] != joint.body[1]) return true;
   refuse(b, row, "n2", "both nodes belong to the same rigid body", "take the second node from the other body");
   return false;
+}
+
+/// Axes of A and B, ratio and radius of a joint that transmits; `ratio_row` is its second card.
+bool check_transmission(Builder& b, const Row& row, const Row& ratio_row, Joint& joint,
+                        const std::array<std::string_view, 6>& field) {
+  joint.ratio = ratio_row.real("parm");
+  const bool turns = joint.kind == Kind::gears || joint.kind == Kind::pulley;
+  if (turns ? !(joint.ratio > 0.0) : joint.ratio == 0.0) {
+    refuse(b, ratio_row, "parm", turns ? "the ratio R2/R1 must be above 0" : "a ratio of 0 transmits nothing",
+           "give the ratio");
+    return false;
+  }
+  const Vec3d a = joint.point[2] - joint.point[0], other = joint.point[3] - joint.point[1];
+  for (const std::size_t i : {0u, 1u}) {
+    if (norm(i == 0 ? a : other) > 0.0) continue;
+    refuse(b, row, field[2 + i], "this point and the one two before it are at one place, so there is no axis",
+           "take points far apart");
+    return false;
+  }
+  const double cosine = dot(unit(a), unit(other));
+  if (joint.kind == Kind::rack_and_pinion && std::abs(cosine) > 0.02) {
+    refuse(b, row, field[3], "the rack's way (second to fourth point) must be perpendicular to the pinion's axis",
+           "see the coordinates");
+    return false;
+  }
+  if (joint.kind == Kind::screw) {
+    const Vec3d off = joint.point[1] - joint.point[0];
+    if (std::abs(cosine) < 0.9998 || norm(cross(unit(a), off)) > 0.02 * std::max(norm(a), norm(off))) {
+      refuse(b, row, field[1], "the first four points of a screw joint must lie on one axis", "see the coordinates");
+      return false;
+    }
+  }
+  if (turns) {
+    joint.radius = ratio_row.real("r1");
+    if (joint.radius == 0.0) joint.radius = norm(cross(unit(a), joint.point[4] - joint.point[0]));
+    if (!(joint.radius > 0.0)) {
+      refuse(b, row, field[4], "the fifth point lies on the axis, so the radius R1 is not known", "give R1");
+      return false;
+    }
+  }
+  return true;
 }
 
 /// `field`: of each node, or point, for findings.
@@ -169,6 +230,31 @@ Joint begun(Cursor& cursor, const Options& options, Kind kind) {
   return joint;
 }
 
+Row read_ratio(Builder& b, Cursor& cursor, Kind kind) {
+  const Row row = cursor.read(card_of_ratio(kind));
+  expect(
+      b, row, Severity::warning,
+      {{"lcid", 0, "belongs to motors: it does nothing here"}, {"type", 0, "belongs to motors: it does nothing here"}});
+  return row;
+}
+
+void add_transmission(Builder& b, const Row& row, const Row& ratio_row, Joint joint) {
+  take_penalty(b, row, joint);
+  if (find_bodies(b, row, joint) && check_transmission(b, row, ratio_row, joint, node_fields))
+    b.model.joints.push_back(std::move(joint));
+}
+
+template <Kind kind>
+void read_transmission(Builder& b, const Block& block, const Options& options) {
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    Joint joint = begun(cursor, options, kind);
+    const Row row = cursor.read(joint_card), ratio_row = read_ratio(b, cursor, kind);
+    joint.place = row.place();
+    b.later(Phase::conditions,
+            [row, ratio_row, joint](Builder& later) { add_transmission(later, row, ratio_row, joint); });
+  }
+}
+
 template <Kind kind>
 void read_joint(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
@@ -181,31 +267,57 @@ void read_joint(Builder& b, const Block& block, const Options& options) {
 
 // ---- by points -----------------------------------------------------------------------------------------------------
 
-void add_joint_by_points(Builder& b, const Row& row, Joint joint) {
+constexpr std::array<std::string_view, 6> of_points{"rbid_a", "rbid_a", "rbid_a", "rbid_a", "rbid_a", "rbid_a"};
+
+bool find_both(Builder& b, const Row& row, Joint& joint) {
   take_penalty(b, row, joint);
   joint.body = {find_body(b, row, "rbid_a"), find_body(b, row, "rbid_b")};
-  if (joint.body[0] == none || joint.body[1] == none) return;
-  if (joint.body[0] == joint.body[1])
-    return refuse(b, row, "rbid_b", "a joint joins two bodies, but this is body A", "name the other one");
-  constexpr std::array<std::string_view, 6> all{"rbid_a", "rbid_a", "rbid_a", "rbid_a", "rbid_a", "rbid_a"};
-  if (check_places(b, row, joint, all)) b.model.joints.push_back(std::move(joint));
+  if (joint.body[0] == none || joint.body[1] == none) return false;
+  if (joint.body[0] != joint.body[1]) return true;
+  refuse(b, row, "rbid_b", "a joint joins two bodies, but this is body A", "name the other one");
+  return false;
+}
+
+void add_joint_by_points(Builder& b, const Row& row, Joint joint) {
+  if (find_both(b, row, joint) && check_places(b, row, joint, of_points)) b.model.joints.push_back(std::move(joint));
+}
+
+void add_transmission_by_points(Builder& b, const Row& row, const Row& ratio_row, Joint joint) {
+  if (find_both(b, row, joint) && check_transmission(b, row, ratio_row, joint, of_points))
+    b.model.joints.push_back(std::move(joint));
+}
+
+/// The card of the bodies and six of points.
+Row read_points(Builder& b, Cursor& cursor, const Block& block, Joint& joint) {
+  const Row row = cursor.read(bodies_card);
+  joint.place = row.place();
+  expect(b, row, Severity::warning, {{"rbidc", 0, "belongs to harmonic drives: it does nothing here"}});
+  for (std::size_t i = 0; i < point_cards.size() && !at_end(cursor); ++i) {
+    const Row point = cursor.read(point_cards[i]);
+    joint.point[i] = position(block, point, "x", "y", "z");
+  }
+  return row;
 }
 
 template <Kind kind>
 void read_joint_by_points(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     Joint joint = begun(cursor, options, kind);
-    const Row row = cursor.read(bodies_card);
-    joint.place = row.place();
-    expect(b, row, Severity::warning, {{"rbidc", 0, "belongs to harmonic drives: it does nothing here"}});
-    for (std::size_t i = 0; i < point_cards.size() && !at_end(cursor); ++i) {
-      const Row point = cursor.read(point_cards[i]);
-      joint.point[i] = position(block, point, "x", "y", "z");
-    }
+    const Row row = read_points(b, cursor, block, joint);
     // The second point of a pair is where the first one is, whatever its card says.
     for (std::size_t p = 0; p < pairs(kind); ++p)
       if (p == 0 || kind != Kind::universal) joint.point[2 * p + 1] = joint.point[2 * p];
     b.later(Phase::conditions, [row, joint](Builder& later) { add_joint_by_points(later, row, joint); });
+  }
+}
+
+template <Kind kind>
+void read_transmission_by_points(Builder& b, const Block& block, const Options& options) {
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    Joint joint = begun(cursor, options, kind);
+    const Row row = read_points(b, cursor, block, joint), ratio_row = read_ratio(b, cursor, kind);
+    b.later(Phase::conditions,
+            [row, ratio_row, joint](Builder& later) { add_transmission_by_points(later, row, ratio_row, joint); });
   }
 }
 
@@ -233,6 +345,22 @@ Keyword joint_by_points(std::string_view name) {
   return {.name = name, .options = {"ID", "TITLE"}, .layout = std::move(layout), .read = read_joint_by_points<kind>};
 }
 
+template <Kind kind>
+Keyword transmission(std::string_view name) {
+  return {.name = name,
+          .options = {"ID", "TITLE"},
+          .layout = {{"with _ID", &heading_card}, {"", &joint_card}, {"", &card_of_ratio(kind)}},
+          .read = read_transmission<kind>};
+}
+
+template <Kind kind>
+Keyword transmission_by_points(std::string_view name) {
+  Keyword keyword = joint_by_points<kind>(name);
+  keyword.layout.push_back({"", &card_of_ratio(kind)});
+  keyword.read = read_transmission_by_points<kind>;
+  return keyword;
+}
+
 }  // namespace
 
 std::vector<Keyword> joint_keywords() {
@@ -254,9 +382,17 @@ std::vector<Keyword> joint_keywords() {
       joint_by_points<Kind::universal>("CONSTRAINED_JOINT_COOR_UNIVERSAL"),
       joint_by_points<Kind::translational>("CONSTRAINED_JOINT_COOR_TRANSLATIONAL"),
       joint_by_points<Kind::locking>("CONSTRAINED_JOINT_COOR_LOCKING"),
+      transmission<Kind::gears>("CONSTRAINED_JOINT_GEARS"),
+      transmission<Kind::pulley>("CONSTRAINED_JOINT_PULLEY"),
+      transmission<Kind::rack_and_pinion>("CONSTRAINED_JOINT_RACK_AND_PINION"),
+      transmission<Kind::screw>("CONSTRAINED_JOINT_SCREW"),
+      transmission_by_points<Kind::gears>("CONSTRAINED_JOINT_COOR_GEARS"),
+      transmission_by_points<Kind::pulley>("CONSTRAINED_JOINT_COOR_PULLEY"),
+      transmission_by_points<Kind::rack_and_pinion>("CONSTRAINED_JOINT_COOR_RACK_AND_PINION"),
+      transmission_by_points<Kind::screw>("CONSTRAINED_JOINT_COOR_SCREW"),
       refused("CONSTRAINED_JOINT_*",
-              "this joint is not built; SPHERICAL, REVOLUTE, CYLINDRICAL, PLANAR, UNIVERSAL, TRANSLATIONAL and LOCKING "
-              "are, by nodes and by points (_COOR_), without further options"),
+              "this joint is not built; SPHERICAL, REVOLUTE, CYLINDRICAL, PLANAR, UNIVERSAL, TRANSLATIONAL, LOCKING, "
+              "GEARS, PULLEY, RACK_AND_PINION and SCREW are, by nodes and by points (_COOR_), without further options"),
       {.name = "CONTROL_RIGID", .layout = {{"", &rigid_card}}, .read = read_control},
   };
 }

@@ -17,7 +17,7 @@ using deck::Row;
 using Shape = RigidWall::Shape;
 
 const Card wall_id_card{{
-    id("id", IdSpace::other, 0, "number of the wall in rwforc; 0: by position in the deck"),
+    id("id", IdSpace::other, 0, "number of the wall in rwforc; 0: place in the deck, or the next free"),
     text("title", 70, "its name"),
 }};
 
@@ -205,7 +205,12 @@ void leave_wall(Builder& builder, const Row& row, double reach, RigidWall wall, 
                    fmt::format("the wall is born after the end of the run ({:g}): it stops nothing", end),
                    "give 0 if it is to act from the start");
     if (motion) wall.motion_curve = b.curve(*motion, "lcid");
-    if (wall.id == 0) wall.id = static_cast<int>(b.model.walls.size()) + 1;
+    if (wall.id == 0) {
+      wall.id = static_cast<int>(b.model.walls.size());
+      const auto taken = [&](const RigidWall& other) { return other.id == wall.id; };
+      do ++wall.id;
+      while (std::any_of(b.model.walls.begin(), b.model.walls.end(), taken));
+    }
     b.model.walls.push_back(std::move(wall));
   });
 }

@@ -277,7 +277,8 @@ TEST(RigidWalls, GeometricWithAndWithoutTheirDisplayCard) {
   EXPECT_EQ(walls[2].shape, RigidWall::Shape::plane);
   EXPECT_FALSE(walls[2].finite);
   EXPECT_EQ(walls[2].friction, 1.0);
-  EXPECT_EQ(walls[2].id, 3) << "by position";
+  EXPECT_EQ(walls[1].id, 3) << "its place is the number of the first";
+  EXPECT_EQ(walls[2].id, 4) << "by position, if that were free";
 }
 
 TEST(RigidWalls, Faults) {
