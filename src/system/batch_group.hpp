@@ -51,6 +51,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle {
  public:
   using R = NativeBatch;
   static constexpr int width = native_width;
+  static constexpr int line = 8;  ///< doubles in a cache line
   static constexpr int corners = Element::corners;
   static constexpr int rows = Element::rotational ? 2 : 1;
   static constexpr bool is_weld = requires(Element & kernel) { kernel.hold_yield(nullptr, 0); };
@@ -105,9 +106,11 @@ class BatchGroup final : public ElementGroup, public BeforeCycle {
 
   void cycle(std::size_t begin, std::size_t end, const State& now, double dt, std::span<Row> slots) override {
     for (std::size_t b = begin; b < end; ++b) {
-      // The forces of the step before are wanted after the kernel: they are on their way from memory while it runs.
+      // On their way from memory while the kernel runs: the forces of the step before, and the state of the next block.
       Row* slot = &slots[slot_row(b * width, 0)];
       for (int row = 0; row < width * corners * rows; row += 2) __builtin_prefetch(slot + row, 1);
+      const double* next = state(std::min(b + 1, end - 1) * width);
+      for (int i = 0; i < width * kernel_.state_size(); i += line) __builtin_prefetch(next + i, 1);
       const int* id = &nodes_[b * width * corners];
       typename Element::template Motion<R> motion;
       for (int a = 0; a < corners; ++a) {
