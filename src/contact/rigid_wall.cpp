@@ -10,6 +10,7 @@ namespace nugget::contact {
 namespace {
 
 constexpr std::size_t group_size = 1024;
+constexpr std::size_t nodes_ahead = 16;
 
 std::variant<kernel::PlaneWall, kernel::CylinderWall, kernel::SphereWall, kernel::PrismWall> shape_of(
     const model::RigidWall& wall) {
@@ -127,8 +128,13 @@ void RigidWall::stop(const Shape& shape, const Step& step) {
   parallel_for(sums_.size(), 1, [this, &shape, &step](std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
       sums_[g] = {};
-      for (std::size_t i = g * group_size; i < std::min(tracked_.size(), (g + 1) * group_size); ++i)
+      for (std::size_t i = g * group_size; i < std::min(tracked_.size(), (g + 1) * group_size); ++i) {
+        // The nodes of a wall are in the order of the deck, not of memory: not asked for ahead, each is waited for.
+        const int soon = tracked_[std::min(i + nodes_ahead, tracked_.size() - 1)].node;
+        __builtin_prefetch(&step.x[soon]);
+        __builtin_prefetch(&step.v[soon], 1);
         stop(shape, tracked_[i], step, sums_[g]);
+      }
     }
   });
 }

@@ -251,8 +251,36 @@ void SurfaceContact::list_neighbours(Block& block, std::span<const Row> x,
 
 void SurfaceContact::work(Block& block, const Step& step) const {
   block.hits.clear();
-  for (int t = block.begin; t < block.end; ++t)
-    if (block.wake[t - block.begin] <= travelled_) look_at(block, t, step);
+  const auto awake = [this, &block](int t) { return t < block.end && block.wake[t - block.begin] <= travelled_; };
+  for (int t = block.begin; t < block.end; ++t) {
+    if (awake(t + 2)) ask_for_segments(block, t + 2);
+    if (awake(t + 1)) ask_for_corners(block, t + 1, step);
+    if (awake(t)) look_at(block, t, step);
+  }
+}
+
+/// A body has more segments than a cache holds: those near a node, and its own, are on their way while other nodes are
+/// looked at.
+void SurfaceContact::ask_for_segments(const Block& block, int tracked) const {
+  const auto ask_for = [this](int s) {
+    const Segment& segment = setup_.segments[s];
+    __builtin_prefetch(&segment.node);
+    __builtin_prefetch(&segment.element);
+    __builtin_prefetch(&segment.side);
+  };
+  for (const Pair& pair : pairs_of(block, tracked)) ask_for(pair.segment);
+  for (const int own : around_.at(setup_.nodes[tracked].node)) ask_for(own);
+}
+
+/// The same of their corners, once the segments are here.
+void SurfaceContact::ask_for_corners(const Block& block, int tracked, const Step& step) const {
+  for (const Pair& pair : pairs_of(block, tracked)) {
+    if (pair.wake > travelled_) continue;
+    for (const int n : setup_.segments[pair.segment].node) {
+      __builtin_prefetch(&step.x[n]);
+      __builtin_prefetch(&step.v[n]);
+    }
+  }
 }
 
 void SurfaceContact::look_at(Block& block, int tracked, const Step& step) const {
@@ -269,34 +297,61 @@ void SurfaceContact::look_at(Block& block, int tracked, const Step& step) const 
 
 void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& step) const {
   block.candidates.clear();
-  const TrackedNode& node = setup_.nodes[tracked];
-  const Vec3d p = vec(step.x[node.node]);
   const int begin = block.first[tracked - block.begin], end = block.first[tracked - block.begin + 1];
   double& first_wake = block.wake[tracked - block.begin];
   first_wake = Box::infinity;
+  // A node between aligned sheets is near four segments, as many as there are lanes.
+  std::array<Pair*, native_width> near{};
+  std::size_t count = 0;
   for (int i = begin; i < end; ++i) {
     Pair& pair = block.pairs[i];
     if (pair.wake > travelled_) {
       first_wake = std::min(first_wake, pair.wake);
       continue;
     }
-    const Segment& segment = setup_.segments[pair.segment];
-    if (i + 1 < end)
-      __builtin_prefetch(&setup_.segments[block.pairs[i + 1].segment]);  // a body has more than a cache holds
     if (!alive(pair.segment, step.element_alive)) {
       pair.let_go();
       continue;
     }
-    const kernel::Corners corners = corners_of(segment, step.x);
-    const double far = widest(tracked) + inner_[pair.segment];
-    const double clear = kernel::least_distance(corners, p);
-    if (clear >= far) {
+    near[count++] = &pair;
+    if (count < near.size()) continue;
+    add_candidates(block, near, tracked, step);
+    count = 0;
+  }
+  if (count > 0) add_candidates(block, std::span(near).first(count), tracked, step);
+}
+
+/// Those of `near`, pairs of one node in the order of the block, that are close enough.
+void SurfaceContact::add_candidates(Block& block, std::span<Pair* const> near, int tracked, const Step& step) const {
+  using R = NativeBatch;
+  const Vec3d p = vec(step.x[setup_.nodes[tracked].node]);
+  const Vec3<R> x{R(p.x), R(p.y), R(p.z)};
+  std::array<std::array<int, lanes<R>>, 4> id;
+  R xi, eta;
+  for (int l = 0; l < lanes<R>; ++l) {
+    const Pair& pair = *near[std::min(static_cast<std::size_t>(l), near.size() - 1)];
+    for (int c = 0; c < 4; ++c) id[c][l] = setup_.segments[pair.segment].node[c];
+    set_lane(xi, l, pair.xi);
+    set_lane(eta, l, pair.eta);
+  }
+  kernel::CornersOf<R> corners;
+  for (int c = 0; c < 4; ++c) corners[c] = gather<R>(step.x.data(), id[c].data());
+  const R clear = kernel::least_distance(corners, x);
+  const kernel::Feet<R> feet = kernel::closest_points(corners, x, xi, eta);
+
+  double& first_wake = block.wake[tracked - block.begin];
+  for (std::size_t l = 0; l < near.size(); ++l) {
+    Pair& pair = *near[l];
+    const Segment& segment = setup_.segments[pair.segment];
+    const double far = widest(tracked) + inner_[pair.segment], least = lane(clear, static_cast<int>(l));
+    if (least >= far) {
       pair.let_go();
-      pair.wake = travelled_ + (clear - far);
+      pair.wake = travelled_ + (least - far);
       first_wake = std::min(first_wake, pair.wake);
       continue;
     }
-    const kernel::Foot foot = kernel::closest_point(corners, segment.triangle(), p, pair.xi, pair.eta);
+    const kernel::Foot foot =
+        segment.triangle() ? kernel::closest_point(corners_of(segment, step.x), true, p) : feet.at(static_cast<int>(l));
     const Pair before = pair;
     pair.let_go();
     pair.xi = foot.xi;
@@ -389,9 +444,10 @@ bool SurfaceContact::before_a_neighbour(const Candidate& candidate, const Vec3d&
 }
 
 bool SurfaceContact::presses(const Block& block, const Candidate& candidate, int node, const Step& step) const {
-  if (at_home(candidate, node, step.element_alive)) return false;
+  // In this order: most of those that touch are hidden, and that is seen without the segments of the node.
   return std::none_of(block.candidates.begin(), block.candidates.end(),
-                      [&](const Candidate& other) { return hidden_by(other, candidate); });
+                      [&](const Candidate& other) { return hidden_by(other, candidate); }) &&
+         !at_home(candidate, node, step.element_alive);
 }
 
 /// The closest point lies on an edge or corner of the node's own segments: along the surface there is a way down to
@@ -401,7 +457,7 @@ bool SurfaceContact::at_home(const Candidate& candidate, int node, std::span<con
   const Segment& segment = setup_.segments[candidate.pair->segment];
   const std::span<const int> around = around_.at(node);
   return std::any_of(around.begin(), around.end(), [&](int own) {
-    return alive(own, element_alive) && has_boundary(setup_.segments[own], segment, candidate.foot.boundary);
+    return has_boundary(setup_.segments[own], segment, candidate.foot.boundary) && alive(own, element_alive);
   });
 }
 

@@ -193,7 +193,14 @@ class SurfaceContact {
   void list_neighbours(Block& block, std::span<const Row> x, std::span<const unsigned char> element_alive);
   void work(Block& block, const Step& step) const;
   void look_at(Block& block, int tracked, const Step& step) const;
+  static std::span<const Pair> pairs_of(const Block& block, int tracked) {
+    const int first = block.first[tracked - block.begin], last = block.first[tracked - block.begin + 1];
+    return std::span(block.pairs).subspan(first, last - first);
+  }
+  void ask_for_segments(const Block& block, int tracked) const;
+  void ask_for_corners(const Block& block, int tracked, const Step& step) const;
   void gather_candidates(Block& block, int tracked, const Step& step) const;
+  void add_candidates(Block& block, std::span<Pair* const> near, int tracked, const Step& step) const;
   void leave_out_strays(Block& block, int node, const Step& step) const;
   void go_inside(Candidate& candidate, const Vec3d& p, const Step& step) const;
   bool before_a_neighbour(const Candidate& candidate, const Vec3d& p, const Step& step) const;

@@ -54,6 +54,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
  public:
   using R = NativeBatch;
   static constexpr int width = native_width;
+  static constexpr int line = 8;  ///< doubles in a cache line
   static constexpr int corners = Element::corners;
   static constexpr int rows = Element::rotational ? 2 : 1;
   /// A step that moves nothing.
@@ -110,6 +111,11 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
 
   void cycle(std::size_t begin, std::size_t end, const State& now, double dt, std::span<Row> slots) override {
     for (std::size_t b = begin; b < end; ++b) {
+      // On their way from memory while the kernel runs: the forces of the step before, and the state of the next block.
+      Row* slot = &slots[slot_row(b * width, 0)];
+      for (int row = 0; row < width * corners * rows; row += 2) __builtin_prefetch(slot + row, 1);
+      const double* next = state(std::min(b + 1, end - 1) * width);
+      for (int i = 0; i < width * kernel_.state_size(); i += line) __builtin_prefetch(next + i, 1);
       const int* id = &nodes_[b * width * corners];
       typename Element::template Motion<R> motion;
       for (int a = 0; a < corners; ++a) {
@@ -126,7 +132,6 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
 
       // Work over the step: trapezoid of the forces before and after, times the velocities in between.
       R work(0.0);
-      Row* slot = &slots[slot_row(b * width, 0)];
       for (int a = 0; a < corners; ++a) {
         int row[width];
         for (int l = 0; l < width; ++l) row[l] = (l * corners + a) * rows;

@@ -411,10 +411,13 @@ void System::internal_force(State& state) {
       begin = run;
     }
   });
+  constexpr std::size_t slots_ahead = 32;
   parallel_for(nodes, 512, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       Vec3d force{}, moment{};
       for (std::size_t i = gather_start_[k]; i < gather_start_[k + 1]; ++i) {
+        // The slots of a node lie in as many elements: not asked for ahead, every one is waited for.
+        __builtin_prefetch(&slots_[gather_[std::min(i + slots_ahead, gather_.size() - 1)] >> 1]);
         const Row* slot = &slots_[gather_[i] >> 1];
         force -= vec(slot[0]);
         if (gather_[i] & 1u) moment -= vec(slot[1]);

@@ -6,13 +6,17 @@
 #include <cmath>
 #include <limits>
 
+#include "base/batch.hpp"
+#include "base/real.hpp"
 #include "base/vec3.hpp"
 
 // The geometry of one contact pair: a node and a segment.
 namespace nugget::kernel {
 
-/// Corners of a contact segment. A triangle repeats its third corner.
-using Corners = std::array<Vec3d, 4>;
+/// Corners of a contact segment, or of `lanes<R>` segments side by side. A triangle repeats its third corner.
+template <class R>
+using CornersOf = std::array<Vec3<R>, 4>;
+using Corners = CornersOf<double>;
 
 /// The point of a segment that is closest to a point in space.
 struct Foot {
@@ -25,58 +29,99 @@ struct Foot {
                                    ///< (two bits) or is the corner (one bit) on which the foot lies
 };
 
+/// The same for `lanes<R>` points, each on a segment of its own.
+template <class R>
+struct Feet {
+  R xi{}, eta{};
+  std::array<R, 4> weight{};
+  Vec3<R> point, normal;
+  R distance{};
+  R boundary{};  ///< the bits as a number
+
+  Foot at(int l) const {
+    const auto vector = [l](const Vec3<R>& a) { return Vec3d{lane(a.x, l), lane(a.y, l), lane(a.z, l)}; };
+    return {lane(xi, l),
+            lane(eta, l),
+            {lane(weight[0], l), lane(weight[1], l), lane(weight[2], l), lane(weight[3], l)},
+            vector(point),
+            vector(normal),
+            lane(distance, l),
+            static_cast<unsigned>(lane(boundary, l))};
+  }
+};
+
 /// Shape functions of a segment at natural coordinates of Foot.
-inline std::array<double, 4> shape_functions(bool triangle, double xi, double eta) {
-  if (triangle) return {1.0 - xi - eta, xi, eta, 0.0};
+template <class R>
+std::array<R, 4> shape_functions(bool triangle, const R& xi, const R& eta) {
+  if (triangle) return {1.0 - xi - eta, xi, eta, R(0.0)};
   return {0.25 * (1.0 - xi) * (1.0 - eta), 0.25 * (1.0 + xi) * (1.0 - eta), 0.25 * (1.0 + xi) * (1.0 + eta),
           0.25 * (1.0 - xi) * (1.0 + eta)};
 }
 
 namespace detail {
 
-/// Position along the edge from `a` to `b`, 0 to 1, that is closest to `x`.
-inline double along_edge(const Vec3d& a, const Vec3d& b, const Vec3d& x) {
-  const Vec3d e = b - a;
-  const double length2 = dot(e, e);
-  return length2 > 0.0 ? std::clamp(dot(x - a, e) / length2, 0.0, 1.0) : 0.0;
+template <class R>
+R clamped(const R& a, double low, double high) {
+  return min(max(a, R(low)), R(high));
 }
 
-/// Moves the foot to the closest point of those of the segment's edges that are in `edges` (bit i: from corner i to the
+/// Position along the edge from `a` to `b`, 0 to 1, that is closest to `x`.
+template <class R>
+R along_edge(const Vec3<R>& a, const Vec3<R>& b, const Vec3<R>& x) {
+  const Vec3<R> e = b - a;
+  const R length2 = dot(e, e);
+  return select(length2 > 0.0, clamped(R(dot(x - a, e) / length2), 0.0, 1.0), R(0.0));
+}
+
+/// Moves the foot to the closest point of those of the segment's edges that are in `edges` (from corner i to the
 /// next), and of their neighbours if it comes to lie on a corner.
-inline void to_edges(const Corners& c, int corners, unsigned edges, const Vec3d& x, Foot& foot) {
-  double best = std::numeric_limits<double>::infinity();
-  unsigned done = 0;
-  while (edges != done) {
+template <int corners, class R>
+void to_edges(const CornersOf<R>& c, std::array<MaskOf<R>, 4> edges, const Vec3<R>& x, Feet<R>& foot) {
+  const auto next = [](int i) { return i + 1 < corners ? i + 1 : 0; };
+  // All edges at once: the lanes want different ones, and the divisions need not wait for each other.
+  std::array<R, 4> s, d2;
+  for (int i = 0; i < corners; ++i) {
+    const int j = next(i);
+    s[i] = along_edge(c[i], c[j], x);
+    const Vec3<R> r = x - (c[i] + s[i] * (c[j] - c[i]));
+    d2[i] = dot(r, r);
+  }
+  R best(std::numeric_limits<double>::infinity()), edge(-1.0), along(0.0);
+  const MaskOf<R> none = R(1.0) < R(0.0);
+  std::array<MaskOf<R>, 4> done{none, none, none, none};
+  for (MaskOf<R> found = !none; any(found);) {
+    found = none;
     for (int i = 0; i < corners; ++i) {
-      if (!((edges & ~done) >> i & 1u)) continue;
-      done |= 1u << i;
-      const int j = i + 1 < corners ? i + 1 : 0;
-      const double s = along_edge(c[i], c[j], x);
-      const Vec3d r = x - (c[i] + s * (c[j] - c[i]));
-      const double d2 = dot(r, r);
-      if (d2 >= best) continue;
-      best = d2;
-      foot.weight = {};
-      foot.weight[i] = 1.0 - s;
-      foot.weight[j] = s;
-      foot.boundary = (s < 1.0 ? 1u << i : 0u) | (s > 0.0 ? 1u << j : 0u);
-      if (s >= 1.0) edges |= 1u << j;
-      if (s <= 0.0) edges |= 1u << (i > 0 ? i - 1 : corners - 1);
+      const int before = i > 0 ? i - 1 : corners - 1;
+      const MaskOf<R> now = edges[i] && !done[i], better = now && !(d2[i] >= best);
+      found = found || now;
+      done[i] = edges[i];
+      best = select(better, d2[i], best);
+      edge = select(better, R(i), edge);
+      along = select(better, s[i], along);
+      edges[next(i)] = edges[next(i)] || (better && s[i] >= 1.0);
+      edges[before] = edges[before] || (better && s[i] <= 0.0);
     }
+  }
+  for (int i = 0; i < corners; ++i) {
+    const int j = next(i);
+    const MaskOf<R> here = edge >= i && edge <= i;
+    foot.weight[i] = select(here, 1.0 - along, foot.weight[i]);
+    foot.weight[j] = select(here, along, foot.weight[j]);
+    const R boundary = select(along < 1.0, R(1u << i), R(0.0)) + select(along > 0.0, R(1u << j), R(0.0));
+    foot.boundary = select(here, boundary, foot.boundary);
   }
 }
 
-inline void set_natural_from_weights(const std::array<double, 4>& w, Foot& foot) {
-  foot.xi = w[1] + w[2] - w[0] - w[3];
-  foot.eta = w[2] + w[3] - w[0] - w[1];
+template <class R>
+Vec3<R> unit_or_zero(const Vec3<R>& a) {
+  const R length = norm(a), scale = R(1.0) / length;
+  const MaskOf<R> some = length > 0.0;
+  const R zero(0.0);
+  return {select(some, scale * a.x, zero), select(some, scale * a.y, zero), select(some, scale * a.z, zero)};
 }
 
-inline Vec3d unit_or_zero(const Vec3d& a) {
-  const double length = norm(a);
-  return length > 0.0 ? (1.0 / length) * a : Vec3d{};
-}
-
-inline void on_triangle(const Corners& c, const Vec3d& x, Foot& foot) {
+inline void on_triangle(const Corners& c, const Vec3d& x, Feet<double>& foot) {
   const Vec3d u = c[1] - c[0], v = c[2] - c[0], r = x - c[0];
   const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), ru = dot(r, u), rv = dot(r, v);
   const double det = uu * vv - uv * uv;
@@ -85,76 +130,93 @@ inline void on_triangle(const Corners& c, const Vec3d& x, Foot& foot) {
   if (foot.xi >= 0.0 && foot.eta >= 0.0 && foot.xi + foot.eta <= 1.0) {
     foot.weight = shape_functions(true, foot.xi, foot.eta);
   } else {
-    to_edges(c, 3, 0b111u, x, foot);
+    to_edges<3>(c, {true, true, true, false}, x, foot);
     foot.xi = foot.weight[1];
     foot.eta = foot.weight[2];
   }
   foot.normal = unit_or_zero(cross(u, v));
 }
 
-inline void on_quadrilateral(const Corners& c, const Vec3d& x, Foot& foot) {
+template <class R>
+void on_quadrilateral(const CornersOf<R>& c, const Vec3<R>& x, Feet<R>& foot) {
   // p(xi, eta) = m + xi a + eta b + xi eta t; stationary distance by Newton's method. It is quadratic, so what is left
   // after a step is far smaller than the step: a foot 1e-6 away is found, one that cannot come back inside belongs to
   // an edge.
-  const Vec3d m = 0.25 * (c[0] + c[1] + c[2] + c[3]), a = 0.25 * (c[1] + c[2] - c[0] - c[3]);
-  const Vec3d b = 0.25 * (c[2] + c[3] - c[0] - c[1]), t = 0.25 * (c[0] + c[2] - c[1] - c[3]);
-  double xi = foot.xi, eta = foot.eta;
-  bool inside = false;
+  const Vec3<R> m = 0.25 * (c[0] + c[1] + c[2] + c[3]), a = 0.25 * (c[1] + c[2] - c[0] - c[3]);
+  const Vec3<R> b = 0.25 * (c[2] + c[3] - c[0] - c[1]), t = 0.25 * (c[0] + c[2] - c[1] - c[3]);
+  R xi = foot.xi, eta = foot.eta;
+  MaskOf<R> inside = R(1.0) < R(0.0), moves = !inside;
   for (int step = 0; step < 8; ++step) {
-    const Vec3d g = a + eta * t, h = b + xi * t;
-    const Vec3d r = x - (m + xi * a + eta * h);
-    const double gg = dot(g, g), hh = dot(h, h), gh = dot(g, h) - dot(r, t), rg = dot(r, g), rh = dot(r, h);
-    const double det = gg * hh - gh * gh;
-    if (!(det > 0.0)) break;
-    const double scale = 1.0 / det, dxi = scale * (hh * rg - gh * rh), deta = scale * (gg * rh - gh * rg);
-    xi = std::clamp(xi + dxi, -3.0, 3.0);
-    eta = std::clamp(eta + deta, -3.0, 3.0);
-    const double outside = std::max(std::abs(xi), std::abs(eta)) - 1.0, change = std::abs(dxi) + std::abs(deta);
-    inside = outside <= 0.0;
-    if (change < 1e-6 || outside > change) break;
+    const Vec3<R> g = a + eta * t, h = b + xi * t;
+    const Vec3<R> r = x - (m + xi * a + eta * h);
+    const R gg = dot(g, g), hh = dot(h, h), gh = dot(g, h) - dot(r, t), rg = dot(r, g), rh = dot(r, h);
+    const R det = gg * hh - gh * gh;
+    moves = moves && det > 0.0;
+    if (!any(moves)) break;
+    const R scale = 1.0 / det, dxi = scale * (hh * rg - gh * rh), deta = scale * (gg * rh - gh * rg);
+    xi = select(moves, clamped(R(xi + dxi), -3.0, 3.0), xi);
+    eta = select(moves, clamped(R(eta + deta), -3.0, 3.0), eta);
+    const R outside = max(abs(xi), abs(eta)) - 1.0, change = abs(dxi) + abs(deta);
+    inside = (moves && outside <= 0.0) || (!moves && inside);
+    moves = moves && !(change < 1e-6 || outside > change);
   }
-  if (inside) {
-    foot.xi = xi;
-    foot.eta = eta;
-    foot.weight = shape_functions(false, xi, eta);
-  } else {
+  if (any(!inside)) {
     // The distance being convex, the edges beyond which the foot lies hold the closest point, or lead to it over a
     // corner.
-    const unsigned beyond =
-        (eta < -1.0 ? 1u : 0u) | (xi > 1.0 ? 2u : 0u) | (eta > 1.0 ? 4u : 0u) | (xi < -1.0 ? 8u : 0u);
-    to_edges(c, 4, beyond != 0 ? beyond : 0b1111u, x, foot);
-    set_natural_from_weights(foot.weight, foot);
+    const MaskOf<R> out = !inside;
+    std::array<MaskOf<R>, 4> edges{out && eta < -1.0, out && xi > 1.0, out && eta > 1.0, out && xi < -1.0};
+    const MaskOf<R> all = out && !(edges[0] || edges[1] || edges[2] || edges[3]);
+    for (MaskOf<R>& edge : edges) edge = edge || all;
+    to_edges<4>(c, edges, x, foot);
   }
+  const std::array<R, 4>& w = foot.weight;  // of the edges
+  foot.xi = select(inside, xi, w[1] + w[2] - w[0] - w[3]);
+  foot.eta = select(inside, eta, w[2] + w[3] - w[0] - w[1]);
+  const std::array<R, 4> shape = shape_functions(false, xi, eta);
+  for (int i = 0; i < 4; ++i) foot.weight[i] = select(inside, shape[i], foot.weight[i]);
   foot.normal = unit_or_zero(cross(a + foot.eta * t, b + foot.xi * t));
+}
+
+template <class R>
+void place(const CornersOf<R>& corners, const Vec3<R>& x, Feet<R>& foot) {
+  for (int i = 0; i < 4; ++i) foot.point += foot.weight[i] * corners[i];
+  foot.distance = norm(x - foot.point);
 }
 
 }  // namespace detail
 
-/// The point of the segment that is closest to `x`, edges and corners included. A quadrilateral is the bilinear surface
-/// through its corners. `xi`, `eta`: where to start looking, e.g. the foot of the cycle before.
+/// The points of `lanes<R>` quadrilaterals that are closest to `x`, edges and corners included. A quadrilateral is the
+/// bilinear surface through its corners. `xi`, `eta`: where to start looking, e.g. the feet of the cycle before.
+template <class R>
+Feet<R> closest_points(const CornersOf<R>& corners, const Vec3<R>& x, const R& xi, const R& eta) {
+  Feet<R> feet;
+  feet.xi = xi;
+  feet.eta = eta;
+  detail::on_quadrilateral(corners, x, feet);
+  detail::place(corners, x, feet);
+  return feet;
+}
+
+/// The same of one segment, which may be a triangle.
 inline Foot closest_point(const Corners& corners, bool triangle, const Vec3d& x, double xi = 0.0, double eta = 0.0) {
-  Foot foot;
-  foot.xi = xi;
-  foot.eta = eta;
-  if (triangle)
-    detail::on_triangle(corners, x, foot);
-  else
-    detail::on_quadrilateral(corners, x, foot);
-  for (int i = 0; i < 4; ++i) foot.point += foot.weight[i] * corners[i];
-  foot.distance = norm(x - foot.point);
-  return foot;
+  if (!triangle) return closest_points(corners, x, xi, eta).at(0);
+  Feet<double> foot;
+  detail::on_triangle(corners, x, foot);
+  detail::place(corners, x, foot);
+  return foot.at(0);
 }
 
 /// A distance that `x` surely has from the segment, cheap to find: that from the mean plane of the corners less their
 /// warp (a bilinear surface stays between its corners), or that from the sphere around them.
-inline double least_distance(const Corners& c, const Vec3d& x) {
-  const Vec3d to_middle = x - 0.25 * ((c[0] + c[1]) + (c[2] + c[3]));
-  const Vec3d p = c[2] - c[0], q = c[3] - c[1], n = cross(p, q), warp = 0.25 * ((c[0] + c[2]) - (c[1] + c[3]));
-  const double nn = dot(n, n);
-  const double above = std::abs(dot(to_middle, n)) - std::abs(dot(warp, n));
+template <class R>
+R least_distance(const CornersOf<R>& c, const Vec3<R>& x) {
+  const Vec3<R> to_middle = x - 0.25 * ((c[0] + c[1]) + (c[2] + c[3]));
+  const Vec3<R> p = c[2] - c[0], q = c[3] - c[1], n = cross(p, q), warp = 0.25 * ((c[0] + c[2]) - (c[1] + c[3]));
+  const R nn = dot(n, n);
+  const R above = abs(dot(to_middle, n)) - abs(dot(warp, n));
   // A corner is half its diagonal and the warp away from the middle, at most.
-  const double beyond = norm(to_middle) - (0.5 * std::sqrt(std::max(dot(p, p), dot(q, q))) + norm(warp));
-  return std::max(beyond, above > 0.0 ? above / std::sqrt(nn) : 0.0);
+  const R beyond = norm(to_middle) - (0.5 * sqrt(max(dot(p, p), dot(q, q))) + norm(warp));
+  return max(beyond, select(above > 0.0, above / sqrt(nn), R(0.0)));
 }
 
 }  // namespace nugget::kernel
