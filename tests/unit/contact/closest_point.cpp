@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <random>
 
 namespace nugget::kernel {
@@ -69,6 +70,56 @@ TEST(ClosestPoint, WarpedQuadrilateralAgreesWithSearchByRaster) {
       EXPECT_NEAR(norm(cross(x - foot.point, foot.normal)), 0.0, 1e-9);  // at right angles
     }
   }
+}
+
+/// Pairs whose lanes go different ways: inside, over an edge, over a corner or exactly on it, a segment without area.
+TEST(ClosestPoint, LanesGiveTheBitsOfDouble) {
+  using R = NativeBatch;
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> at(-1.0, 3.0), height(-1.5, 1.5);
+  int boundaries[3] = {};
+  for (int i = 0; i < 2000; ++i) {
+    CornersOf<R> corners;
+    Vec3<R> x;
+    R xi, eta;
+    std::array<Foot, lanes<R>> alone;
+    std::array<double, lanes<R>> least;
+    for (int l = 0; l < lanes<R>; ++l) {
+      const Corners c = (i + l) % 5 == 0 ? Corners{warped[0], warped[0], warped[2], warped[3]}
+                        : l % 2          ? warped
+                                         : square;
+      Vec3d p{at(random), at(random), height(random)};
+      if ((i + l) % 3 == 0) p = c[i % 4] + Vec3d{0.0, 0.0, 1.0};
+      const Vec3d start = i % 2 ? Vec3d{1.0, -1.0, 0.0} : Vec3d{};
+      for (int k = 0; k < 4; ++k) {
+        set_lane(corners[k].x, l, c[k].x);
+        set_lane(corners[k].y, l, c[k].y);
+        set_lane(corners[k].z, l, c[k].z);
+      }
+      set_lane(x.x, l, p.x);
+      set_lane(x.y, l, p.y);
+      set_lane(x.z, l, p.z);
+      set_lane(xi, l, start.x);
+      set_lane(eta, l, start.y);
+      alone[l] = closest_point(c, false, p, start.x, start.y);
+      least[l] = least_distance(c, p);
+    }
+    const Feet<R> feet = closest_points(corners, x, xi, eta);
+    const R clear = least_distance(corners, x);
+    for (int l = 0; l < lanes<R>; ++l) {
+      const Foot foot = feet.at(l);
+      EXPECT_EQ(foot.xi, alone[l].xi);
+      EXPECT_EQ(foot.eta, alone[l].eta);
+      EXPECT_EQ(foot.weight, alone[l].weight);
+      EXPECT_EQ(norm(foot.point - alone[l].point), 0.0);
+      EXPECT_EQ(norm(foot.normal - alone[l].normal), 0.0);
+      EXPECT_EQ(foot.distance, alone[l].distance);
+      EXPECT_EQ(foot.boundary, alone[l].boundary);
+      EXPECT_EQ(lane(clear, l), least[l]);
+      ++boundaries[std::min(std::popcount(foot.boundary), 2)];
+    }
+  }
+  for (const int count : boundaries) EXPECT_GT(count, 500);
 }
 
 TEST(ClosestPoint, SegmentWithoutAreaGivesItsEdge) {
