@@ -17,6 +17,9 @@ constexpr double parallel = 1e-5;       // sine below which edges have no common
 constexpr double pressing_depth = 0.3;  // of a brick's depth
 constexpr double beyond_normals = 0.1;  // angle by which a common normal may leave those of the faces
 constexpr double flat = 0.05;           // sine of an inward angle between faces that still counts as none
+constexpr double ridge = 0.3;           // angle from the middle of the normals beyond which faces form a ridge
+constexpr double near_end = 0.06;       // of an edge: nearer to an end of both the force fades
+constexpr double side_by_side = 0.2;    // sine of the angle between edges below which it does
 
 bool finite(const Row& r) {
   return std::isfinite(r.x + r.y + r.z);
@@ -92,6 +95,7 @@ std::vector<Edge> edges_of(const std::vector<Segment>& segments, std::span<const
       edge.scale = edge.elements.empty() ? s.scale : edge.scale + s.scale;
       edge.side = edge.elements.empty() ? s.side : edge.side | s.side;
       edge.elements.push_back(s.element);
+      edge.of_surface = true;
       if (!brick) continue;
       const double a = area(s, x), depth = a > 0.0 ? pressing_depth * s.volume / a : 0.0;
       edge.depth = edge.faces.empty() ? depth : std::min(edge.depth, depth);
@@ -284,6 +288,22 @@ Vec3d EdgeContact::out_of_bricks(const Pair& pair, const Step& step) const {
   return dot(r, direction) < span ? direction : Vec3d{};
 }
 
+/// The share of its stiffness with which the pair meets; the rest is left to nodes and segments.
+double EdgeContact::share(const Pair& pair, const Step& step) const {
+  const Edge &e = setup_.edges[pair.a], &f = setup_.edges[pair.b];
+  if (!e.of_surface || !f.of_surface) return 1.0;
+  const auto is_ridge = [&step](const Edge& edge) {
+    return !edge.faces.empty() && Outward(edge, step).half_angle > ridge;
+  };
+  if (is_ridge(e) && is_ridge(f)) return 1.0;
+  const Vec3d p = along(e, step.x), q = along(f, step.x);
+  const double size = norm(p) * norm(q), sine = size > 0.0 ? norm(cross(p, q)) / size : 0.0;
+  const auto fade = [](double value, double full) { return std::clamp(value / full, 0.0, 1.0); };
+  const auto from_end = [](double place) { return std::min(place, 1.0 - place); };
+  const double at_a = fade(from_end(pair.feet.s), near_end), at_b = fade(from_end(pair.feet.t), near_end);
+  return (1.0 - (1.0 - at_a) * (1.0 - at_b)) * fade(sine, side_by_side);
+}
+
 /// The edges that go on where `place` is an end of the edge (the edge itself is one of them).
 std::span<const int> EdgeContact::neighbours(int edge, double place) const {
   if (!at_an_end(place)) return {};
@@ -395,7 +415,9 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   const std::array<double, 4> node_mass{step.mass[e.node[0]], step.mass[e.node[1]], step.mass[f.node[0]],
                                         step.mass[f.node[1]]};
   const double inverse_mass = kernel::inverse_pair_mass(0.0, weight, node_mass);
-  const double stiffness = kernel::pair_stiffness(setup_.law, penalty(e, f, step), inverse_mass, step.bearable);
+  pair.share = before.touching ? std::max(before.share, share(pair, step)) : share(pair, step);
+  const double stiffness =
+      pair.share * kernel::pair_stiffness(setup_.law, penalty(e, f, step), inverse_mass, step.bearable);
   const double approach = -dot(velocity, pair.direction);
   pair.memory = before.memory;
   const double spring = kernel::spring_force(pair.memory, stiffness, inverse_mass, pair.depth, approach, step.dt);

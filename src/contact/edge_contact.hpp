@@ -29,6 +29,7 @@ struct Edge {
   std::vector<int> elements;   ///< the shells or bricks that have it, or the beam, as indices in `alive`
   std::vector<Segment> faces;  ///< of bricks: those that meet there, with those that others cover; empty: a round bar
   double depth = 0.0;          ///< of bricks: how deep another may stand in it and still be pressed out [length]
+  bool of_surface = false;     ///< of segments that press the nodes of others of this kind, and the other way round
 
   bool has(int n) const { return node[0] == n || node[1] == n; }
 };
@@ -57,6 +58,11 @@ struct EdgeContactSetup {
 /// both, along the common normal: where that stands in the angle between the outward normals of the two bare faces at
 /// an edge, grown by 0.1, and no deeper than 0.3 of the brick's depth. Where it does not, a node meets a face. An edge
 /// between faces that stand at an inward angle meets nothing.
+///
+/// Nodes. Where edges of surfaces cross near an end of both, or lie along each other, it is the nodes that meet the
+/// segments of the other surface. There the stiffness of the pair of edges fades to nothing, so that meshes that lie
+/// corner over corner do not meet several times over. The share that a pair has once had it keeps until it leaves. Not
+/// so two ridges of bricks, whose nodes have no face before them.
 ///
 /// Sides. Of bars, the direction in which the first edge is pressed away from the second is that in which it stood when
 /// they met, and turns with them. So an edge that came beyond the other is pressed back.
@@ -99,8 +105,9 @@ class EdgeContact {
     double offset = 0.0, depth = 0.0;
     Vec3d friction;  // on a
     kernel::PairMemory memory;
-    Vec3d force;        // on a, friction included
-    double wake = 0.0;  // before the approach gets here the two cannot touch
+    double share = 1.0;  // of its stiffness, see share()
+    Vec3d force;         // on a, friction included
+    double wake = 0.0;   // before the approach gets here the two cannot touch
   };
   /// A pair that is close enough to touch, with what it was in the cycle before.
   struct Candidate {
@@ -126,6 +133,7 @@ class EdgeContact {
   /// How deep inside a brick the edges still press each other.
   double depth(int a, int b) const { return std::max(setup_.edges[a].depth, setup_.edges[b].depth); }
   Vec3d out_of_bricks(const Pair& pair, const Step& step) const;
+  double share(const Pair& pair, const Step& step) const;
   void search(std::span<const Row> x, std::span<const unsigned char> alive);
   void list_neighbours(Block& block, const std::vector<int>& listed, const BoxTree& tree, std::span<const Row> x) const;
   void find_close(Block& block, const Step& step) const;

@@ -104,6 +104,19 @@ TEST(ContactBalance, PlatesPartWithTheEnergyThatTheyCameWith) {
       }
 }
 
+// Meshes corner over corner, where edges as well as nodes meet. Sabotage: edges with all their stiffness there (16 %).
+TEST(ContactBalance, EdgesLeaveNodesToNodes) {
+  for (const std::string form : {"SINGLE_SURFACE", "GENERAL_INTERIOR"}) {
+    const std::string card_a = form == "SINGLE_SURFACE" ? fields({2, 0.1, 0, 0, 2, 5}) : std::string{};
+    Specimen s = steel_bodies(by_all(form) + card_a, 6e-5);
+    s.part(1, 2, 1).part(2, 2, 1);
+    s.shells(1, {0.0, 0.0, 0.0}, {30.0, 30.0, 0.0}, 6, 6);
+    s.shells(2, {0.0, 0.0, 1.05}, {30.0, 30.0, 0.0}, 6, 6);
+    velocity(s, 2, {0.0, 0.0, -15000.0});
+    expect_bounce("plates corner over corner, edges, " + form, bounce(s.deck()));
+  }
+}
+
 // Blocks whose sides are flush: a node that leaves the face that it came onto is level with those beside it, before or
 // behind them by round-off, which is another one in each direction. Sabotage: its distance from their edge taken for
 // its depth (11 % lost, and blocks that stick); the closest face taken for the one that it came through (2 %, turned).
