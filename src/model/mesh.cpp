@@ -472,6 +472,24 @@ void demand_section_and_material(const Part& part, const deck::Row& row, Tally& 
 
 }  // namespace
 
+namespace {
+
+/// A tetrahedron N1 N2 N3 N4 N4 N4 N4 N4 in a formulation of bricks: as N1 N2 N3 N3 N4 N4 N4 N4 the collapsed brick has
+/// the volume of the tetrahedron; as it is written, with a bottom of all four nodes, it would have half of it.
+void fold_tetrahedra(Model& m) {
+  if (m.control.sort_solids) return;
+  for (std::size_t e = 0; e < m.solids.size(); ++e) {
+    auto& n = m.solids.node[e];
+    if (n[3] != n[4] || m.solids.quadratic(e) || m.solids.corners(e).size() != 4) continue;
+    const Part& part = m.parts[static_cast<std::size_t>(m.solids.part[e])];
+    if (part.kind != ElementKind::solid || part.section == none) continue;
+    const int elform = m.solid_sections[static_cast<std::size_t>(part.section)].elform;
+    if (elform < 10 && elform != 4) n[3] = n[2];
+  }
+}
+
+}  // namespace
+
 void make_mesh(Builder& b) {
   make_nodes(b);
   const auto shell_rows = make_shells(b);
@@ -486,6 +504,7 @@ void make_mesh(Builder& b) {
     demand_section_and_material(part, row, bare);
     part.hourglass = b.find(b.hourglass, "hourglass control", row, "hgid");
   }
+  fold_tetrahedra(b.model);
   set_thickness(b, shell_rows);
   check_beam_diameters(b, beam_rows);
 }

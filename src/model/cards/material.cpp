@@ -43,7 +43,7 @@ const Card kinematic_rate_card{{
     real("src", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect"),
     real("srp", dimension::number, 0, at_least(0), "Cowper-Symonds P"),
     real("fs", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none"),
-    real("vp", dimension::number, 0, between(0, 1), "rate of 0: the total strain, 1: the plastic strain"),
+    vp,
 }};
 
 const Card null_card{{
@@ -105,9 +105,9 @@ const Card plastic_rate_card{{
     real("p", dimension::number, 0, at_least(0), "Cowper-Symonds P"),
     id("lcss", IdSpace::function, 0, "yield stress over plastic strain: curve, or table over the strain rate"),
     id("lcsr", IdSpace::function, 0, "curve: factor on the yield stress over the strain rate"),
-    real("vp", dimension::number, 0, between(0, 1), "rate of 0: the total strain, 1: the plastic strain"),
+    vp_of_curves,
     unused(),
-    real("rfiltf", dimension::number, 0, any_value, "filter of the rate, for vp 3 only"),
+    real("rfiltf", dimension::number, 0, any_value, "filter of the plastic rate of vp 4: not needed, no effect"),
     unused(),
 }};
 
@@ -138,7 +138,7 @@ void read_kinematic(Builder& b, const Block& block, const Options& options) {
     law.rate_p = rate.real("srp");
   }
   law.failure_strain = failure_value(rate.real("fs"));
-  law.viscoplastic = rate.real("vp") == 1.0;
+  law.viscoplastic = true;
   add_material(b, row, std::move(title), "MAT_PLASTIC_KINEMATIC", law);
 }
 
@@ -199,15 +199,9 @@ void read_plastic(Builder& b, const Block& block, const Options& options) {
                    cursor.read(yield_stress_card), options.contains("LOG_INTERPOLATION")};
   expect_end(b, cursor);
   check_tangent(b, cards.main);
-  warn_of_half_a_rate(b, cards.rate, "c", "p");
   kernel::PiecewiseLinear law;
   law.E = cards.main.real("e");
   law.nu = cards.main.real("pr");
-  if (cards.rate.real("c") > 0.0 && cards.rate.real("p") > 0.0) {
-    law.rate_c = cards.rate.real("c");
-    law.rate_p = cards.rate.real("p");
-  }
-  law.vp = static_cast<int>(cards.rate.real("vp"));
   law.failure_strain = failure_value(cards.main.real("fail"));
   law.tdel = cards.main.real("tdel");
   const Index material = add_material(b, cards.main, std::move(title), "MAT_PIECEWISE_LINEAR_PLASTICITY", law);

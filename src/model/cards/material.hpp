@@ -14,9 +14,14 @@ inline constexpr Field density = real("ro", dimension::density, required, above_
 inline constexpr Field young = real("e", dimension::stress, required, above_zero(), "Young's modulus");
 inline constexpr Field poisson = real("pr", dimension::number, 0, between(0, 0.5), "Poisson's ratio");
 
-// Of metals.
-inline constexpr Field vp =
-    real("vp", dimension::number, 0, between(0, 1), "rate of 0: the total strain, 1: the plastic strain");
+// Of metals. Whatever VP says, the yield stress goes by the rate of the plastic strain, found together with the stress:
+// a stress that leaps with the total strain rate is a dashpot for which the elements' step is too long
+// (docs/decisions/0050).
+inline constexpr Field vp = real("vp", dimension::number, 0, between(0, 1),
+                                 "rate of 0: the total strain, computed as 1; 1: the plastic strain");
+inline constexpr Field vp_of_curves = real(
+    "vp", dimension::number, 0, between(-1, 4),
+    "rate of 0: the total strain, -1: its deviator, computed as 1; 1: the plastic strain; 3, 4: as 0, 1, filtered");
 inline constexpr Field numint = real("numint", dimension::number, 0, any_value,
                                      "failed points that delete a shell; 0: all; below 0: percentage of its layers");
 

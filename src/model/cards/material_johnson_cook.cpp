@@ -95,7 +95,7 @@ kernel::JohnsonCook johnson_cook(const Row& main, const Row& yield) {
   flow.exponent = yield.real("n");
   flow.rate_factor = yield.real("c");
   flow.rest_rate = yield.real("epso");
-  flow.viscoplastic = main.real("vp") == 1.0;
+  flow.viscoplastic = true;
   return flow;
 }
 
@@ -160,9 +160,9 @@ void read_johnson_cook(Builder& b, const Block& block, const Options& options) {
   heat(b, row, yield, third, flow);
   kernel::Composition law{flow};
   const kernel::JohnsonCookFracture fracture{
-      third.real("d1"),  third.real("d2"),     third.real("d3"), third.real("d4"),
-      fourth.real("d5"), fourth.real("efmin"), flow.rest_rate,   flow.heating > 0.0 ? flow.melting_rise : 0.0,
-      flow.viscoplastic};
+      third.real("d1"),     third.real("d2"),     third.real("d3"), third.real("d4"),
+      fourth.real("d5"),    fourth.real("efmin"), flow.rest_rate,   flow.heating > 0.0 ? flow.melting_rise : 0.0,
+      row.real("vp") == 1.0};
   if (fracture.d1 != 0.0 || fracture.d2 != 0.0 || fracture.d3 != 0.0 || fracture.d4 != 0.0 || fracture.d5 != 0.0)
     law.fracture = fracture;
   if (fracture.d2 > 0.0 && fracture.d3 > 0.0)

@@ -91,7 +91,7 @@ void read_power_law(Builder& b, const Block& block, const Options& options) {
     flow.rate_c = row.real("src");
     flow.rate_p = row.real("srp");
   }
-  flow.viscoplastic = yield.real("vp") == 1.0;
+  flow.viscoplastic = true;
   kernel::Composition law{flow};
   law.failure_strain = plastic_strain_at_failure(yield.real("epsf"));
   add_material(b, row, std::move(title), "MAT_POWER_LAW_PLASTICITY", compound(std::move(law)));
@@ -115,7 +115,7 @@ void set_rate_curves(Builder& b, Index material, const Row& main, const Row& row
   kernel::RateDependentYield flow;
   flow.E = main.real("e");
   flow.nu = main.real("pr");
-  flow.viscoplastic = main.real("vp") == 1.0;
+  flow.viscoplastic = true;
   const Index yield = b.curve(row, "lc1");
   if (yield == none) return;
   const auto curve = [&b](Index c) -> const Curve& { return b.model.curves[static_cast<std::size_t>(c)]; };
@@ -166,7 +166,7 @@ const Card damage_rate_card{{
     id("lcss", IdSpace::function, 0, "yield stress over plastic strain: curve, or table over the strain rate"),
     id("lcsr", IdSpace::function, 0, "curve: factor on the yield stress over the strain rate"),
     real("eppfr", dimension::number, 1e14, at_least(0), "plastic strain at rupture"),
-    vp,
+    vp_of_curves,
     id("lcdm", IdSpace::function, 0, "curve: damage over plastic strain beyond EPPF"),
     numint,
 }};
@@ -187,24 +187,11 @@ const Card modified_rate_card{{
     real("p", dimension::number, 0, at_least(0), "Cowper-Symonds P"),
     id("lcss", IdSpace::function, 0, "yield stress over plastic strain: curve, or table over the strain rate"),
     id("lcsr", IdSpace::function, 0, "curve: factor on the yield stress over the strain rate"),
-    vp,
+    vp_of_curves,
     real("epsthin", dimension::number, 0, at_least(0), "plastic thinning of a layer at failure; 0: none"),
     real("epsmaj", dimension::number, 0, at_least(0), "major strain in the plane at failure; 0: none"),
     numint,
 }};
-
-/// The part of a law that MAT_081 and 123 share with MAT_024: yield curves, rates, deletion.
-kernel::PiecewiseLinear piecewise_linear(const YieldCards& cards) {
-  kernel::PiecewiseLinear flow;
-  flow.E = cards.main.real("e");
-  flow.nu = cards.main.real("pr");
-  if (cards.rate.real("c") > 0.0 && cards.rate.real("p") > 0.0) {
-    flow.rate_c = cards.rate.real("c");
-    flow.rate_p = cards.rate.real("p");
-  }
-  flow.vp = static_cast<int>(cards.rate.real("vp"));
-  return flow;
-}
 
 /// Reads the four cards; `complete` adds to the law what is the keyword's own, once curves are known.
 void read_with_curves(Builder& b, const Block& block, const Options& options, std::string_view name, const Card& main,
@@ -215,11 +202,12 @@ void read_with_curves(Builder& b, const Block& block, const Options& options, st
                          cursor.read(yield_stress_card), options.contains("LOG_INTERPOLATION")};
   expect_end(b, cursor);
   check_tangent(b, cards.main);
-  warn_of_half_a_rate(b, cards.rate, "c", "p");
   const Index material =
       add_material(b, cards.main, std::move(title), name, kernel::Elastic{cards.main.real("e"), cards.main.real("pr")});
   b.later(Phase::parts, [=](Builder& later) {
-    kernel::PiecewiseLinear flow = piecewise_linear(cards);
+    kernel::PiecewiseLinear flow;
+    flow.E = cards.main.real("e");
+    flow.nu = cards.main.real("pr");
     set_yield_curves(later, cards, flow);
     if (flow.yield.empty()) return;
     kernel::Composition law{flow};

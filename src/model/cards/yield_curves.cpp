@@ -18,7 +18,8 @@ Curve bilinear(const Row& row) {
   return {0, {0.0, 1.0}, {yield, yield + slope}};
 }
 
-/// The points EPS, ES: as many as are given. A first strain of 0 counts if it has a stress.
+/// The points EPS, ES: as many as are given. A first strain of 0 counts if it has a stress; from one above 0 the line
+/// goes back to strain 0 (LS-DYNA Manual vol. II, MAT_024, EPS1).
 Curve points(const Row& strain, const Row& stress) {
   Curve curve;
   for (int i = 1; i <= 8; ++i) {
@@ -27,12 +28,19 @@ Curve points(const Row& strain, const Row& stress) {
     curve.x.push_back(e);
     curve.y.push_back(s);
   }
+  if (curve.x.size() > 1 && curve.x.front() > 0.0) {
+    curve.y.insert(curve.y.begin(), curve.y.front() - curve.slope(curve.x.front()) * curve.x.front());
+    curve.x.insert(curve.x.begin(), 0.0);
+  }
   return curve;
 }
 
 void set_points(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law, Curve curve) {
   if (!std::is_sorted(curve.x.begin(), curve.x.end(), std::less_equal<>{}))
-    refuse(b, cards.strain, "eps1", "plastic strains must ascend", "sort the points");
+    return refuse(b, cards.strain, "eps1", "plastic strains must ascend", "sort the points");
+  if (*std::min_element(curve.y.begin(), curve.y.end()) <= 0.0)
+    return refuse(b, cards.stress, "es1", "the points make a yield stress that is not above 0",
+                  "give a yield stress above 0 at each point, from plastic strain 0 on");
   law.yield = {std::move(curve)};
 }
 
@@ -44,6 +52,37 @@ void set_curve_or_table(Builder& b, const YieldCards& cards, kernel::PiecewiseLi
   law.yield = std::move(table.curves);
   law.rates = std::move(table.rates);
   law.log_rates = table.log_rates;
+}
+
+/// What of the rate effects counts: those of a table, else LCSR, else C and P (documented for the table, the rest is
+/// of S. Bala's notes); how the rate is measured.
+void set_rates(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law) {
+  const Row& row = cards.rate;
+  const bool table = !law.rates.empty(), scaled = row.integer("lcsr") != 0;
+  for (const auto* field : {"c", "lcsr"})
+    if ((field[0] == 'c' ? row.real("c") > 0.0 : scaled) && (table || (field[0] == 'c' && scaled)))
+      row.complain(b.findings, Severity::warning, field,
+                   table ? "not obeyed: the rates are those of the table in LCSS" : "C and P are not obeyed with LCSR",
+                   "leave it empty");
+  if (const Index scale = b.curve(row, "lcsr"); scale != none && !table)
+    law.rate_scale = b.model.curves[static_cast<std::size_t>(scale)];
+  if (!table && !scaled && row.real("c") > 0.0 && row.real("p") > 0.0) {
+    law.rate_c = row.real("c");
+    law.rate_p = row.real("p");
+  }
+  const double vp = row.real("vp");
+  if (vp != -1.0 && vp != 0.0 && vp != 1.0 && vp != 3.0 && vp != 4.0)
+    return refuse(b, row, "vp", "expected -1, 0, 1, 3 or 4");
+  if (vp != 0.0 && vp != 1.0)
+    row.complain(b.findings, Severity::warning, "vp",
+                 "computed as 1: the rate of the plastic strain, found together with the stress, without a filter",
+                 "write 1");
+  law.vp = 1;
+  if (vp >= 1.0 && vp != 3.0 && law.rate_c > 0.0 && cards.main.real("sigy") > 0.0 && law.yield.front().slope(0.0) > 0.0)
+    row.complain(
+        b.findings, Severity::warning, "vp",
+        "C and P scale all of the yield stress; LS-DYNA's VP 1 scales SIGY only and adds the hardening unscaled",
+        "give the yield stress at each rate as a table in LCSS");
 }
 
 }  // namespace
@@ -120,8 +159,8 @@ void set_yield_curves(Builder& b, const YieldCards& cards, kernel::PiecewiseLine
     set_points(b, cards, law, std::move(curve));
   else if (!(cards.main.real("sigy") > 0.0))
     refuse(b, cards.main, "sigy", "the yield stress must be given", "give SIGY and ETAN, EPS and ES, or LCSS");
-  if (const Index scale = b.curve(cards.rate, "lcsr"); scale != none)
-    law.rate_scale = b.model.curves[static_cast<std::size_t>(scale)];
+  warn_of_half_a_rate(b, cards.rate, "c", "p");
+  set_rates(b, cards, law);
 }
 
 }  // namespace nugget::model

@@ -33,8 +33,8 @@ void check_tangent(Builder& builder, const deck::Row& row);
 /// A warning where only one of the constants of Cowper and Symonds is given.
 void warn_of_half_a_rate(Builder& builder, const deck::Row& row, std::string_view c, std::string_view p);
 
-/// Sets yield, rates, log_rates and rate_scale, from the first of these that is given: LCSS (curve or table), EPS and
-/// ES, SIGY and ETAN with the plastic modulus E ETAN / (E - ETAN).
+/// Sets yield, rates and log_rates, from the first of these that is given: LCSS (curve or table), EPS and ES, SIGY and
+/// ETAN with the plastic modulus E ETAN / (E - ETAN); and what the rate does to them.
 void set_yield_curves(Builder& builder, const YieldCards& cards, kernel::PiecewiseLinear& law);
 
 }  // namespace nugget::model

@@ -100,11 +100,41 @@ TEST(Materials, TablesOverTheRateAndItsLogarithm) {
   EXPECT_DOUBLE_EQ(law<kernel::PiecewiseLinear>(logs).rates.at(0), std::exp(-6.9));
 }
 
+TEST(Materials, OneRateEffectCounts) {
+  const std::string curves = "*DEFINE_CURVE\n5\n0.0,1.0\n100.0,1.5\n*DEFINE_CURVE\n6\n0.0,300.0\n1.0,400.0\n";
+  const std::string steel = "*MAT_024\n1,7.85e-9,210000.0,0.3,300.0\n";
+  const auto factor = built(steel + "40.0,5.0,,5\n\n\n" + curves);
+  EXPECT_TRUE(factor.warning("not obeyed with LCSR", "c")) << factor.all_findings();
+  EXPECT_DOUBLE_EQ(law<kernel::PiecewiseLinear>(factor).rate_c, 0.0);
+  EXPECT_FALSE(law<kernel::PiecewiseLinear>(factor).rate_scale.empty());
+  const auto table = built(steel + "40.0,5.0,9,5\n\n\n" + curves + "*DEFINE_TABLE_2D\n9\n0.0,6\n10.0,6\n");
+  EXPECT_TRUE(table.warning("those of the table", "c")) << table.all_findings();
+  EXPECT_TRUE(table.warning("those of the table", "lcsr"));
+  EXPECT_DOUBLE_EQ(law<kernel::PiecewiseLinear>(table).rate_c, 0.0);
+  EXPECT_TRUE(law<kernel::PiecewiseLinear>(table).rate_scale.empty());
+}
+
+TEST(Materials, WhateverVpSaysThePlasticRateCounts) {
+  const std::string steel = "*MAT_024\n1,7.85e-9,210000.0,0.3,300.0,1000.0\n";
+  EXPECT_EQ(law<kernel::PiecewiseLinear>(built(steel + "40.0,5.0\n\n\n")).vp, 1);
+  const auto filtered = built(steel + "40.0,5.0,,,3\n\n\n");
+  EXPECT_EQ(filtered.findings.errors(), 0) << filtered.all_findings();
+  EXPECT_TRUE(filtered.warning("computed as 1", "vp"));
+  EXPECT_TRUE(built(steel + "40.0,5.0,,,1\n\n\n").warning("scales SIGY only", "vp"));
+}
+
+TEST(Materials, FirstYieldOfPointsThatBeginLate) {
+  const auto b = built("*MAT_024\n1,7.85e-9,210000.0,0.3\n\n0.01,0.02\n310.0,330.0\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_NEAR(law<kernel::PiecewiseLinear>(b).yield[0].extrapolated(0.0), 290.0, 1e-9);
+}
+
 TEST(Materials, PiecewiseLinearFaults) {
   EXPECT_TRUE(built("*MAT_024\n1,7.85e-9,210000.0,0.3\n").error("the yield stress must be given", "sigy"));
   EXPECT_TRUE(built("*MAT_024\n1,7.85e-9,210000.0,0.3\n,,10\n").error("curve or table 10 is not defined", "lcss"));
   EXPECT_TRUE(built("*MAT_024\n1,7.85e-9,210000.0,0.3,300.0\n,,,10\n").error("curve 10 is not defined", "lcsr"));
-  EXPECT_TRUE(built("*MAT_024\n1,7.85e-9,210000.0,0.3,300.0\n,,,,3.0\n").error("expected 0 to 1", "vp"));
+  EXPECT_TRUE(built("*MAT_024\n1,7.85e-9,210000.0,0.3,300.0\n,,,,2.0\n").error("expected -1, 0, 1, 3 or 4", "vp"));
+  EXPECT_TRUE(built("*MAT_024\n1,7.85e-9,210000.0,0.3\n\n0.0,0.1\n300.0,0.0\n").error("not above 0", "es1"));
   EXPECT_TRUE(built("*MAT_024\n1,7.85e-9,210000.0,0.3,300.0,,-1.0\n").error("expected 0 or more", "fail"));
   EXPECT_TRUE(built("*MAT_024\n1,7.85e-9,210000.0,0.3\n\n0.0,0.2,0.1\n310.0,400.0,450.0\n")
                   .error("plastic strains must ascend"));

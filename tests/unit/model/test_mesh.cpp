@@ -91,7 +91,11 @@ TEST(Mesh, TrianglesRepeatTheirThirdNodeAndKeepTheirSense) {
 TEST(Mesh, TetrahedraOfFourNodesAreCompleted) {
   const Built b(cube_deck("*ELEMENT_SOLID\n7,2\n1,2,4,5\n"));
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
-  EXPECT_THAT(b.model.solids.node[0], ElementsAre(0, 1, 3, 4, 4, 4, 4, 4));
+  // The part has ELFORM 1: a brick folded so that it has the tetrahedron's volume.
+  EXPECT_THAT(b.model.solids.node[0], ElementsAre(0, 1, 3, 3, 4, 4, 4, 4));
+  EXPECT_NEAR(solid_volume(b.model, 0), 1.0 / 6.0, 1e-15);
+  const Built as_written(cube_deck("*ELEMENT_SOLID\n7,2,1,2,4,5,5,5,5,5\n"));
+  EXPECT_THAT(as_written.model.solids.node[0], ElementsAre(0, 1, 3, 3, 4, 4, 4, 4));
 }
 
 TEST(Mesh, NodalThicknessesAndOffsets) {
