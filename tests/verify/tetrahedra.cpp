@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tetrahedra (ELFORM 10, and 4 with nodal rotations) and wedges (ELFORM 15), also sorted out of bricks by ESORT.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -98,6 +99,11 @@ TEST(Tetrahedra, StretchedBar) {
   expect_reference("patch", "bar of 96 tetrahedra, ELFORM 10: strain energy", stretched(10, tetrahedra), exact, 1e-9);
   expect_reference("patch", "bar of 96 tetrahedra, ELFORM 4: strain energy", stretched(4, tetrahedra), exact, 1e-9);
   expect_reference("patch", "bar of 32 wedges, ELFORM 15: strain energy", stretched(15, wedges), exact, 1e-9);
+  // Sabotage: bricks with the tetrahedron's four nodes as their bottom, which have half of its volume.
+  for (const int elform : {1, 2, -1})
+    expect_reference("patch",
+                     fmt::format("bar of 96 tetrahedra folded into bricks of ELFORM {}: strain energy", elform),
+                     stretched(elform, tetrahedra), exact, 1e-9);
 }
 
 // The tetrahedron has a step of its own, so ESORT shows.
