@@ -16,7 +16,7 @@ inline constexpr Field poisson = real("pr", dimension::number, 0, between(0, 0.5
 
 // Of metals. Whatever VP says, the yield stress goes by the rate of the plastic strain, found together with the stress:
 // a stress that leaps with the total strain rate is a dashpot for which the elements' step is too long
-// (docs/decisions/0050).
+// (docs/decisions/0041).
 inline constexpr Field vp = real("vp", dimension::number, 0, between(0, 1),
                                  "rate of 0: the total strain, computed as 1; 1: the plastic strain");
 inline constexpr Field vp_of_curves = real(
