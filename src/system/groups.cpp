@@ -326,7 +326,8 @@ void System::make_bricks() {
         if (!std::is_same_v<Law, kernel::Compound> && elform == 13)
           shared = std::make_shared<NodalPressure>(first_four(m.node), start_, bulk_modulus(element.law.elastic()));
         if (elform == 4)
-          add_group(RotationalTetrahedronElement<Law>{{brick, element.law}}, model::ElementKind::solid, p, m, solid_seat);
+          add_group(RotationalTetrahedronElement<Law>{{brick, element.law}}, model::ElementKind::solid, p, m,
+                    solid_seat);
         else
           add_group(TetrahedronElement<Law>{brick, element.law, shared}, model::ElementKind::solid, p, m, solid_seat);
       }
