@@ -101,6 +101,7 @@ Model build(const deck::Deck& deck, Findings& findings, bool skip_unsupported) {
   b.later(Phase::checks, release_driven_bodies);
   b.later(Phase::checks, check_relaxation);
   b.later(Phase::checks, check_units);
+  b.later(Phase::checks, check_initial_velocities);
   for (const deck::Block& block : deck.blocks) read_block(b, block, ledger);
 
   for (const Phase phase : {Phase::curves, Phase::mesh, Phase::parts, Phase::systems, Phase::sets, Phase::bodies,

@@ -21,7 +21,8 @@ void check_mesh(Builder& builder);   ///< shapes of elements, free nodes
 void check_parts(Builder& builder);  ///< parts without elements; sections, laws and hourglass that do not go together
 /// What CMO of *MAT_RIGID or a nodal rigid body's SPC holds and a prescribed motion drives: the motion counts.
 void release_driven_bodies(Builder& builder);
-void check_relaxation(Builder& builder);  ///< what dynamic relaxation cannot hold still
-void check_units(Builder& builder);       ///< do modulus and density fit a usual system of units?
+void check_relaxation(Builder& builder);          ///< what dynamic relaxation cannot hold still
+void check_units(Builder& builder);               ///< do modulus and density fit a usual system of units?
+void check_initial_velocities(Builder& builder);  ///< elements between moving nodes and standing ones
 
 }  // namespace nugget::model

@@ -345,5 +345,18 @@ TEST(Checks, OneMaterialInOtherUnitsThanTheRest) {
   EXPECT_EQ(b.findings.warnings(), 1);
 }
 
+TEST(Checks, ElementsBetweenMovingAndStandingNodes) {
+  const std::string two_move = "*INITIAL_VELOCITY_NODE\n1,5.0\n2,5.0\n";
+  const Built torn(sheet_deck(two_move));
+  EXPECT_TRUE(
+      torn.warning("1 elements (the first is shell 1) of parts 1 join nodes that start moving with nodes that "
+                   "start at rest; 2 of the 8 nodes have an initial velocity"))
+      << torn.all_findings();
+  const Built whole(sheet_deck(two_move + "3,5.0\n4,-5.0\n"));
+  EXPECT_FALSE(whole.warning("start at rest")) << whole.all_findings();
+  const Built held(sheet_deck(two_move + "*BOUNDARY_SPC_NODE\n3,0,1,1,1\n4,0,1,1,1\n"));
+  EXPECT_FALSE(held.warning("start at rest")) << held.all_findings();
+}
+
 }  // namespace
 }  // namespace nugget::model
