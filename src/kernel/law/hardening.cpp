@@ -71,7 +71,6 @@ CurveHardening::CurveHardening(const PiecewiseLinear& law)
     : rates_(law.rates), log_rates_(law.log_rates), rate_{law.rate_c, law.rate_p}, rate_scale_(law.rate_scale) {
   for (const Curve& curve : law.yield) curves_.emplace_back(curve);
   rate_dependent_ = curves_.size() > 1 || rate_.active() || !rate_scale_.empty();
-  viscoplastic_ = rate_dependent_ && law.vp == 1;
   straight_ = curves_.size() == 1 && curves_.front().straight();
   lowest_ = std::numeric_limits<double>::infinity();
   for (const YieldCurve& curve : curves_) lowest_ = std::min(lowest_, curve.lowest());

@@ -13,12 +13,11 @@
 #include "kernel/law/spotweld.hpp"
 #include "kernel/law/stress_space.hpp"
 
-// How the yield stress of a J2 law depends on plastic strain and rate. A hardening gives
+// How the yield stress of a J2 law depends on the plastic strain and on its rate (docs/decisions/0041). A hardening
+// gives
 //   lowest()              a stress below which no point yields, whatever its history: most points are done with it,
-//   needs_rate()          whether `At` wants the total strain rate,
 //   kinematic()           the part of the plastic modulus that moves the yield surface,
-//   At<R>                 one point in one step, by its history and strain rate: yield stress and slope after a further
-//                         plastic strain.
+//   At<R>                 one point in one step, by its history: yield stress and slope after a further plastic strain.
 namespace nugget::kernel {
 
 /// Yield stress and its slope over the plastic strain of this step, both [stress].
@@ -43,45 +42,36 @@ struct CowperSymonds {
 /// Linear hardening, part of it kinematic, with Cowper-Symonds rates (MAT_003).
 class BilinearHardening {
  public:
-  explicit BilinearHardening(const PlasticKinematic& law)
-      : yield_(law.yield), rate_{law.rate_c, law.rate_p}, viscoplastic_(law.viscoplastic && law.rate_c > 0.0) {
+  explicit BilinearHardening(const PlasticKinematic& law) : yield_(law.yield), rate_{law.rate_c, law.rate_p} {
     const double modulus = law.E * law.tangent_modulus / (law.E - law.tangent_modulus);
     isotropic_ = law.beta * modulus;
     kinematic_ = (1.0 - law.beta) * modulus;
   }
 
   double lowest() const { return isotropic_ < 0.0 ? 0.0 : yield_; }
-  bool needs_rate() const { return rate_.active() && !viscoplastic_; }
   double kinematic() const { return kinematic_; }
 
   template <class R>
   class At {
    public:
-    At(const BilinearHardening& hardening, const double* history, const R& strain_rate, double dt)
-        : hardening_(hardening), start_(hardening.yield_ + hardening.isotropic_ * load_field<R>(history, 0)), dt_(dt) {
-      slope_ = R(hardening.isotropic_);
-      if (!hardening.needs_rate()) return;
-      const R factor = hardening.rate_.factor(strain_rate);
-      start_ *= factor;
-      slope_ *= factor;
-    }
+    At(const BilinearHardening& hardening, const double* history, double dt)
+        : hardening_(hardening), start_(hardening.yield_ + hardening.isotropic_ * load_field<R>(history, 0)), dt_(dt) {}
     YieldStress<R> operator()(const R& increment) const {
-      const R still = start_ + slope_ * increment;
-      if (!hardening_.viscoplastic_) return {still, slope_};
+      const R slope = R(hardening_.isotropic_), still = start_ + slope * increment;
+      if (!hardening_.rate_.active()) return {still, slope};
       const R factor = hardening_.rate_.factor((1.0 / dt_) * increment);
-      return {still * factor, slope_ * factor + still * (factor - 1.0) / (hardening_.rate_.p * increment)};
+      return {still * factor, slope * factor + still * (factor - 1.0) / (hardening_.rate_.p * increment)};
     }
 
    private:
     const BilinearHardening& hardening_;
-    R start_, slope_{};
+    R start_;
     double dt_;
   };
 
  private:
   double yield_, isotropic_ = 0.0, kinematic_ = 0.0;
   CowperSymonds rate_{};
-  bool viscoplastic_ = false;
 };
 
 /// A yield curve made ready for fast look-up. Before the first point its ordinate holds; beyond the last the last slope
@@ -118,15 +108,14 @@ class CurveHardening {
   explicit CurveHardening(const PiecewiseLinear& law);
 
   double lowest() const { return lowest_; }
-  bool needs_rate() const { return rate_dependent_ && !viscoplastic_; }
   double kinematic() const { return 0.0; }
 
   template <class R>
   class At {
    public:
-    At(const CurveHardening& hardening, const double* history, const R& strain_rate, double dt)
-        : hardening_(hardening), plastic_strain_(load_field<R>(history, 0)), rate_(strain_rate), dt_(dt) {
-      if (hardening.viscoplastic_) return;
+    At(const CurveHardening& hardening, const double* history, double dt)
+        : hardening_(hardening), plastic_strain_(load_field<R>(history, 0)), dt_(dt) {
+      if (hardening.rate_dependent_) return;
       if (hardening.straight_) {
         const YieldCurve::Piece& line = hardening.curves_.front().last();
         x_ = R(line.x);
@@ -135,21 +124,18 @@ class CurveHardening {
       } else {
         fetch(plastic_strain_);
       }
-      if (hardening.needs_rate()) factor_ = map([&](double r) { return hardening.rate_factor(r); }, strain_rate);
     }
     YieldStress<R> operator()(const R& increment) {
-      if (hardening_.viscoplastic_) return viscous(increment);
+      if (hardening_.rate_dependent_) return viscous(increment);
       const R strain = plastic_strain_ + increment;
       if (!hardening_.straight_ && any(strain < x_ || strain >= end_)) fetch(strain);
-      return {factor_ * (y_ + slope_ * (strain - x_)), factor_ * slope_};
+      return {y_ + slope_ * (strain - x_), slope_};
     }
 
    private:
     void fetch(const R& strain) {
-      const bool table = hardening_.curves_.size() > 1;
       for (int l = 0; l < lanes<R>; ++l) {
-        const YieldCurve::Piece piece = table ? hardening_.between_curves(lane(strain, l), lane(rate_, l))
-                                              : hardening_.curves_.front().at(lane(strain, l));
+        const YieldCurve::Piece piece = hardening_.curves_.front().at(lane(strain, l));
         set_lane(x_, l, piece.x);
         set_lane(end_, l, piece.end);
         set_lane(y_, l, piece.y);
@@ -167,7 +153,7 @@ class CurveHardening {
     }
 
     const CurveHardening& hardening_;
-    R plastic_strain_, rate_, factor_ = R(1.0);
+    R plastic_strain_;
     R x_{}, end_{}, y_{}, slope_{};
     double dt_;
   };
@@ -189,7 +175,7 @@ class CurveHardening {
   bool log_rates_ = false;
   CowperSymonds rate_{};
   Curve rate_scale_;
-  bool rate_dependent_ = false, viscoplastic_ = false, straight_ = false;
+  bool rate_dependent_ = false, straight_ = false;
   double lowest_ = 0.0;
 };
 
@@ -207,8 +193,8 @@ class WeldHardening : public CurveHardening {
   template <class R>
   class At {
    public:
-    At(const WeldHardening& hardening, const double* history, const R& strain_rate, double dt)
-        : curve_(hardening, history, strain_rate, dt), can_be_held_(hardening.can_be_held_) {
+    At(const WeldHardening& hardening, const double* history, double dt)
+        : curve_(hardening, history, dt), can_be_held_(hardening.can_be_held_) {
       if (!can_be_held_) return;
       const R at = load_field<R>(history, held);
       limit_ = select(at > 0.0, at, R(std::numeric_limits<double>::infinity()));

@@ -125,7 +125,7 @@ class J2 {
     ThicknessStrain<R> thickness{-elastic_.thinning * (strain.xx + strain.yy), R(0.0)};
 
     const Parts<LayerTensor<R>, R> trial = parts(s, history);
-    if (any(trial.A + trial.B > lowest2_)) flow(s, rate, dt, history, thickness);
+    if (any(trial.A + trial.B > lowest2_)) flow(s, dt, history, thickness);
     return thickness;
   }
 
@@ -135,7 +135,7 @@ class J2 {
                                            double* history) const {
     elastic_.add(s, R(dt) * rate);
     if (can_fail()) s = select(failed<R>(history), SolidTensor<R>{}, s);
-    if (any(parts(s, history).B > lowest2_)) flow(s, rate, dt, history);
+    if (any(parts(s, history).B > lowest2_)) flow(s, dt, history);
   }
 
   /// Turns the history of a solid point with the material.
@@ -151,7 +151,7 @@ class J2 {
     elastic_.add(s, R(dt) * rate);
     if (can_fail()) s = select(failed<R>(history), FibreTensor<R>{}, s);
     const Parts<FibreTensor<R>, R> trial = parts(s, history);
-    if (any(trial.A + trial.B > lowest2_)) flow(s, rate, dt, history);
+    if (any(trial.A + trial.B > lowest2_)) flow(s, dt, history);
   }
 
  private:
@@ -208,11 +208,10 @@ class J2 {
 
   /// Returns yielding layers to the yield surface. Kept out of line: most points of most cycles are elastic.
   template <class R>
-  [[gnu::noinline]] void flow(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, double* history,
-                              ThicknessStrain<R>& thickness) const {
+  [[gnu::noinline]] void flow(LayerTensor<R>& s, double dt, double* history, ThicknessStrain<R>& thickness) const {
     const Parts<LayerTensor<R>, R> trial = parts(s, history);
     const R plastic_strain = load_field<R>(history, 0), trial2 = trial.A + trial.B;
-    typename Hardening::template At<R> yield(hardening_, history, rate_of(rate), dt);
+    typename Hardening::template At<R> yield(hardening_, history, dt);
     const YieldStress<R> start = yield(R(0.0));
     const auto plastic = trial2 > start.value * start.value;
     if (!any(plastic)) return;
@@ -244,10 +243,10 @@ class J2 {
   }
 
   template <class R>
-  [[gnu::noinline]] void flow(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
+  [[gnu::noinline]] void flow(SolidTensor<R>& s, double dt, double* history) const {
     const Parts<SolidTensor<R>, R> trial = parts(s, history);
     const R plastic_strain = load_field<R>(history, 0);
-    typename Hardening::template At<R> yield(hardening_, history, rate_of(rate), dt);
+    typename Hardening::template At<R> yield(hardening_, history, dt);
     const YieldStress<R> start = yield(R(0.0));
     const auto plastic = trial.B > start.value * start.value;
     if (!any(plastic)) return;
@@ -269,11 +268,11 @@ class J2 {
   }
 
   template <class R>
-  [[gnu::noinline]] void flow(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt, double* history) const {
+  [[gnu::noinline]] void flow(FibreTensor<R>& s, double dt, double* history) const {
     const Parts<FibreTensor<R>, R> trial = parts(s, history);
     const R A = trial.A, B = trial.B, trial2 = A + B;
     const R plastic_strain = load_field<R>(history, 0);
-    typename Hardening::template At<R> yield(hardening_, history, rate_of(rate), dt);
+    typename Hardening::template At<R> yield(hardening_, history, dt);
     const YieldStress<R> start = yield(R(0.0));
     const auto plastic = trial2 > start.value * start.value;
     if (!any(plastic)) return;
@@ -295,26 +294,6 @@ class J2 {
     s = select(plastic, returned, s);
     store_field(history, 0, plastic_strain + select(plastic, r.increment, R(0.0)));
     if (can_fail()) s = select(failed<R>(history), FibreTensor<R>{}, s);
-  }
-
-  // Total strain rate sqrt(2/3 d:d); a layer's rate through the thickness is taken as that of plastic flow.
-  template <class R>
-  R rate_of(const LayerTensor<R>& d) const {
-    if (!hardening_.needs_rate()) return R(0.0);
-    const R zz = d.xx + d.yy;
-    return sqrt((2.0 / 3.0) * (d.xx * d.xx + d.yy * d.yy + zz * zz) +
-                (1.0 / 3.0) * (d.xy * d.xy + d.xz * d.xz + d.yz * d.yz));
-  }
-  template <class R>
-  R rate_of(const SolidTensor<R>& d) const {
-    if (!hardening_.needs_rate()) return R(0.0);
-    return sqrt((2.0 / 3.0) * (d.xx * d.xx + d.yy * d.yy + d.zz * d.zz) +
-                (1.0 / 3.0) * (d.xy * d.xy + d.yz * d.yz + d.zx * d.zx));
-  }
-  template <class R>
-  R rate_of(const FibreTensor<R>& d) const {
-    if (!hardening_.needs_rate()) return R(0.0);
-    return sqrt(d.rr * d.rr + (1.0 / 3.0) * (d.rs * d.rs + d.rt * d.rt));
   }
 
   ElasticConstants elastic_;

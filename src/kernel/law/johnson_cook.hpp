@@ -22,7 +22,6 @@ struct JohnsonCook {
   double heating = 0.0;       ///< rise of temperature a work, 1 / (RO CP) [temperature/stress]; 0: none
   double melting_rise = 1.0;  ///< TM - TR [temperature]
   double softening = 1.0;     ///< M [1]
-  bool viscoplastic = false;  ///< VP 1: the rate is the plastic strain rate, else the total strain rate
 };
 
 }  // namespace nugget::kernel

@@ -21,7 +21,6 @@ struct PiecewiseLinear {
   double rate_c = 0.0;          ///< Cowper-Symonds C [1/time]; 0: no rate effect
   double rate_p = 0.0;          ///< Cowper-Symonds P [1]
   Curve rate_scale;             ///< factor on the yield stress over strain rate (LCSR); empty: none
-  int vp = 0;                   ///< 0: rate effects from the total strain rate, 1: from the plastic strain rate
   double failure_strain = 0.0;  ///< FAIL, effective plastic strain at which a point fails [1]; 0: none
   double tdel = 0.0;            ///< TDEL, an element whose stable time step falls below is deleted [time]; 0: never
 };

@@ -15,7 +15,6 @@ struct PlasticKinematic {
   double rate_c = 0.0;           ///< SRC, Cowper-Symonds C [1/time]; 0: no rate effect
   double rate_p = 0.0;           ///< SRP, Cowper-Symonds P [1]
   double failure_strain = 0.0;   ///< FS, effective plastic strain at which a point fails [1]; 0: none
-  bool viscoplastic = false;     ///< VP 1: the rate is the plastic strain rate, else the total strain rate
 };
 
 }  // namespace nugget::kernel

@@ -12,7 +12,6 @@ struct PowerLaw {
   double yield_strain = 0.0;  ///< e_y, elastic strain at first yield [1]
   double rate_c = 0.0;        ///< SRC, Cowper-Symonds C [1/time]; 0: no rate effect
   double rate_p = 1.0;        ///< SRP [1]
-  bool viscoplastic = false;  ///< VP 1: the rate is the plastic strain rate, else the total strain rate
 };
 
 }  // namespace nugget::kernel

@@ -15,14 +15,13 @@ struct YieldPoint {
   double strain = 0.0;     ///< plastic strain at the start of the step
   double increment = 0.0;  ///< of it in the step
   double power = 0.0;      ///< the formula's power() of `strain`
-  double rate = 0.0;       ///< total strain rate, where the formula needs it
   double heating = 0.0;    ///< temperature rise at the start of the step, where the formula keeps one
   double dt = 0.0;
+  double rate() const { return increment / dt; }
 };
 
-/// Hardening by a formula. `Formula` has lowest(), needs_rate(), yield(YieldPoint); power(): what of it is dear and
-/// depends on the plastic strain at the start only; heats(): whether the second number of the history is a temperature
-/// rise.
+/// Hardening by a formula. `Formula` has lowest(), yield(YieldPoint); power(): what of it is dear and depends on the
+/// plastic strain at the start only; heats(): whether the second number of the history is a temperature rise.
 template <class Formula>
 class SmoothHardening : public Formula {
  public:
@@ -33,16 +32,16 @@ class SmoothHardening : public Formula {
   template <class R>
   class At {
    public:
-    At(const SmoothHardening& hardening, const double* history, const R& strain_rate, double dt)
-        : hardening_(hardening), plastic_strain_(load_field<R>(history, 0)), rate_(strain_rate), dt_(dt) {
+    At(const SmoothHardening& hardening, const double* history, double dt)
+        : hardening_(hardening), plastic_strain_(load_field<R>(history, 0)), dt_(dt) {
       if (hardening.heats()) heating_ = load_field<R>(history, 1);
       power_ = map([&](double strain) { return hardening.power(strain); }, plastic_strain_);
     }
     YieldStress<R> operator()(const R& increment) const {
       YieldStress<R> y;
       for (int l = 0; l < lanes<R>; ++l) {
-        const YieldStress<double> one = hardening_.yield(
-            {lane(plastic_strain_, l), lane(increment, l), lane(power_, l), lane(rate_, l), lane(heating_, l), dt_});
+        const YieldStress<double> one =
+            hardening_.yield({lane(plastic_strain_, l), lane(increment, l), lane(power_, l), lane(heating_, l), dt_});
         set_lane(y.value, l, one.value);
         set_lane(y.slope, l, one.slope);
       }
@@ -51,7 +50,7 @@ class SmoothHardening : public Formula {
 
    private:
     const SmoothHardening& hardening_;
-    R plastic_strain_, rate_, heating_{}, power_{};
+    R plastic_strain_, heating_{}, power_{};
     double dt_;
   };
 };
@@ -97,16 +96,14 @@ class JohnsonCookFormula {
   double lowest() const { return heats() ? 0.0 : std::min({law_.yield, law_.most_hardened, law_.saturation}); }
   bool heats() const { return law_.heating > 0.0; }
   double power(double strain) const { return power_(strain); }
-  bool needs_rate() const { return law_.rate_factor != 0.0 && !law_.viscoplastic; }
   YieldStress<double> yield(const YieldPoint& p) const {
     YieldStress<double> y = power_.after(p.strain, p.power, p.increment);
     y.value += law_.yield;
     if (y.value > law_.most_hardened) y = {law_.most_hardened, 0.0};
-    const double over = (law_.viscoplastic ? p.increment / p.dt : p.rate) / law_.rest_rate;
+    const double over = p.rate() / law_.rest_rate;
     if (law_.rate_factor != 0.0 && over > 1.0) {
       const double factor = 1.0 + law_.rate_factor * std::log(over);
-      y.slope *= factor;
-      if (law_.viscoplastic) y.slope += y.value * law_.rate_factor / p.increment;
+      y.slope = y.slope * factor + y.value * law_.rate_factor / p.increment;
       y.value *= factor;
     }
     if (y.value > law_.saturation) y = {law_.saturation, 0.0};
@@ -129,12 +126,11 @@ class PowerLawFormula {
   double lowest() const { return power(0.0); }
   double power(double strain) const { return power_(law_.yield_strain + strain); }
   static constexpr bool heats() { return false; }
-  bool needs_rate() const { return rate_.active() && !law_.viscoplastic; }
   YieldStress<double> yield(const YieldPoint& p) const {
     const YieldStress<double> y = power_.after(law_.yield_strain + p.strain, p.power, p.increment);
     if (!rate_.active()) return y;
-    const double factor = rate_.factor(law_.viscoplastic ? p.increment / p.dt : p.rate);
-    const double steeper = law_.viscoplastic && p.increment > 0.0 ? (factor - 1.0) / (law_.rate_p * p.increment) : 0.0;
+    const double factor = rate_.factor(p.rate());
+    const double steeper = p.increment > 0.0 ? (factor - 1.0) / (law_.rate_p * p.increment) : 0.0;
     return {y.value * factor, y.slope * factor + y.value * steeper};
   }
 
@@ -152,13 +148,12 @@ class RateDependentFormula {
   double lowest() const { return *std::min_element(law_.yield.y.begin(), law_.yield.y.end()); }
   static constexpr double power(double) { return 0.0; }
   static constexpr bool heats() { return false; }
-  bool needs_rate() const { return !law_.viscoplastic; }
   YieldStress<double> yield(const YieldPoint& p) const {
-    const double rate = law_.viscoplastic ? p.increment / p.dt : p.rate, strain = p.strain + p.increment;
+    const double rate = p.rate(), strain = p.strain + p.increment;
     const double modulus = law_.plastic_modulus.clamped(rate);
     YieldStress<double> y{law_.yield.clamped(rate) + modulus * strain, modulus};
     const bool inside = rate > law_.yield.x.front() && rate < law_.yield.x.back();
-    if (law_.viscoplastic && inside) y.slope += law_.yield.slope(rate) / p.dt;
+    if (inside) y.slope += law_.yield.slope(rate) / p.dt;
     return y;
   }
 

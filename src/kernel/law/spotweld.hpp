@@ -33,7 +33,7 @@ struct Spotweld {
                                 ///< 0: no failure, damage from first yield on
   double mass_step = 0.0;       ///< DT, time step to which the weld's density is scaled [time]; 0: none
   std::vector<Curve> yield_curves;  ///< SIGY < 0: yield stress over plastic strain, one a rate; empty: SIGY and EH
-  std::vector<double> rates;        ///< total strain rates of the curves [1/time]; empty: one curve
+  std::vector<double> rates;        ///< of the plastic strain, of the curves [1/time]; empty: one curve
   bool log_rates = false;           ///< interpolate over the logarithm of the rate
   bool uniaxial = false;  ///< E < 0 or _UNIAXIAL: bricks have no other stresses than those on the weld's cross-section
   PointDamage damage;

@@ -138,7 +138,6 @@ void read_kinematic(Builder& b, const Block& block, const Options& options) {
     law.rate_p = rate.real("srp");
   }
   law.failure_strain = failure_value(rate.real("fs"));
-  law.viscoplastic = true;
   add_material(b, row, std::move(title), "MAT_PLASTIC_KINEMATIC", law);
 }
 

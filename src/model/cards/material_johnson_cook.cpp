@@ -95,7 +95,6 @@ kernel::JohnsonCook johnson_cook(const Row& main, const Row& yield) {
   flow.exponent = yield.real("n");
   flow.rate_factor = yield.real("c");
   flow.rest_rate = yield.real("epso");
-  flow.viscoplastic = true;
   return flow;
 }
 

@@ -91,7 +91,6 @@ void read_power_law(Builder& b, const Block& block, const Options& options) {
     flow.rate_c = row.real("src");
     flow.rate_p = row.real("srp");
   }
-  flow.viscoplastic = true;
   kernel::Composition law{flow};
   law.failure_strain = plastic_strain_at_failure(yield.real("epsf"));
   add_material(b, row, std::move(title), "MAT_POWER_LAW_PLASTICITY", compound(std::move(law)));
@@ -115,7 +114,6 @@ void set_rate_curves(Builder& b, Index material, const Row& main, const Row& row
   kernel::RateDependentYield flow;
   flow.E = main.real("e");
   flow.nu = main.real("pr");
-  flow.viscoplastic = true;
   const Index yield = b.curve(row, "lc1");
   if (yield == none) return;
   const auto curve = [&b](Index c) -> const Curve& { return b.model.curves[static_cast<std::size_t>(c)]; };

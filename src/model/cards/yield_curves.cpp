@@ -77,7 +77,6 @@ void set_rates(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law
     row.complain(b.findings, Severity::warning, "vp",
                  "computed as 1: the rate of the plastic strain, found together with the stress, without a filter",
                  "write 1");
-  law.vp = 1;
   if (vp >= 1.0 && vp != 3.0 && law.rate_c > 0.0 && cards.main.real("sigy") > 0.0 && law.yield.front().slope(0.0) > 0.0)
     row.complain(
         b.findings, Severity::warning, "vp",

@@ -141,7 +141,7 @@ inline PiecewiseLinear tabled() {
   return law;
 }
 inline PlasticKinematic mixed(double beta) {
-  return {steel_E, steel_nu, 300.0, 2000.0, beta, 0.0, 0.0, 0.0, false};
+  return {steel_E, steel_nu, 300.0, 2000.0, beta, 0.0, 0.0, 0.0};
 }
 
 }  // namespace nugget::kernel

@@ -134,59 +134,50 @@ TEST(Laws, CowperSymonds) {  // A-49: rate 100 1/s, C = 40.4, P = 5: factor 2.19
   PiecewiseLinear law = bilinear(250.0, 0.0);
   law.rate_c = 40.4;
   law.rate_p = 5.0;
-  PlasticKinematic kinematic{E, steel_nu, 250.0, 0.0, 1.0, 40.4, 5.0, 0.0, false};
-  for (const int vp : {0, 1}) {
-    law.vp = vp;
-    kinematic.viscoplastic = vp == 1;
-    LayerPoint<PiecewiseLinear> p(law);
-    LayerPoint<PlasticKinematic> k(kinematic);
-    SolidPoint<PiecewiseLinear> q(law);
-    p.dt = q.dt = k.dt = 1e-6;
-    for (int i = 0; i < 100; ++i) {
-      p.uniaxial(1e-4);
-      k.uniaxial(1e-4);
-      q.strain({1e-4, -0.5e-4, -0.5e-4, 0, 0, 0});
-    }
-    EXPECT_NEAR(p.s.xx, 250.0 * 2.19874, 0.001 * 250.0 * 2.2) << vp;
-    EXPECT_NEAR(k.s.xx, 250.0 * 2.19874, 0.001 * 250.0 * 2.2) << vp;
-    EXPECT_NEAR(q.effective(), 250.0 * 2.19874, 0.001 * 250.0 * 2.2) << vp;
+  const PlasticKinematic kinematic{E, steel_nu, 250.0, 0.0, 1.0, 40.4, 5.0, 0.0};
+  LayerPoint<PiecewiseLinear> p(law);
+  LayerPoint<PlasticKinematic> k(kinematic);
+  SolidPoint<PiecewiseLinear> q(law);
+  p.dt = q.dt = k.dt = 1e-6;
+  for (int i = 0; i < 100; ++i) {
+    p.uniaxial(1e-4);
+    k.uniaxial(1e-4);
+    q.strain({1e-4, -0.5e-4, -0.5e-4, 0, 0, 0});
   }
+  EXPECT_NEAR(p.s.xx, 250.0 * 2.19874, 0.001 * 250.0 * 2.2);
+  EXPECT_NEAR(k.s.xx, 250.0 * 2.19874, 0.001 * 250.0 * 2.2);
+  EXPECT_NEAR(q.effective(), 250.0 * 2.19874, 0.001 * 250.0 * 2.2);
 }
 
 TEST(Laws, RateTable) {
-  for (const int vp : {0, 1})
-    for (const bool logarithmic : {false, true}) {
-      PiecewiseLinear law = bilinear(200.0, 100.0);
-      law.yield.push_back(Curve{0, {0.0, 0.1, 1.0}, {300.0, 310.0, 400.0}});
-      law.yield.push_back(Curve{0, {0.0, 1.0}, {500.0, 600.0}});
-      law.rates = {1.0, 100.0, 1000.0};
-      law.log_rates = logarithmic;
-      law.vp = vp;
-      const auto flow = [&](double rate) {
-        SolidPoint<PiecewiseLinear> p(law);
-        p.dt = 1e-5 / rate;
-        while (p.plastic_strain() < 0.05) p.strain({1e-5, -0.5e-5, -0.5e-5, 0, 0, 0});
-        return p.effective();
-      };
-      EXPECT_NEAR(flow(0.1), 205.0, 0.3);
-      EXPECT_NEAR(flow(1.0), 205.0, 0.3);
-      EXPECT_NEAR(flow(10.0), logarithmic ? 255.0 : 205.0 + 100.0 * 9 / 99, 0.5) << vp;
-      EXPECT_NEAR(flow(100.0), 305.0, 0.5);
-      EXPECT_NEAR(flow(1000.0), 505.0, 0.5);
-      EXPECT_NEAR(flow(5000.0), 505.0, 0.5);
-    }
+  for (const bool logarithmic : {false, true}) {
+    PiecewiseLinear law = bilinear(200.0, 100.0);
+    law.yield.push_back(Curve{0, {0.0, 0.1, 1.0}, {300.0, 310.0, 400.0}});
+    law.yield.push_back(Curve{0, {0.0, 1.0}, {500.0, 600.0}});
+    law.rates = {1.0, 100.0, 1000.0};
+    law.log_rates = logarithmic;
+    const auto flow = [&](double rate) {
+      SolidPoint<PiecewiseLinear> p(law);
+      p.dt = 1e-5 / rate;
+      while (p.plastic_strain() < 0.05) p.strain({1e-5, -0.5e-5, -0.5e-5, 0, 0, 0});
+      return p.effective();
+    };
+    EXPECT_NEAR(flow(0.1), 205.0, 0.3);
+    EXPECT_NEAR(flow(1.0), 205.0, 0.3);
+    EXPECT_NEAR(flow(10.0), logarithmic ? 255.0 : 205.0 + 100.0 * 9 / 99, 0.5);
+    EXPECT_NEAR(flow(100.0), 305.0, 0.5);
+    EXPECT_NEAR(flow(1000.0), 505.0, 0.5);
+    EXPECT_NEAR(flow(5000.0), 505.0, 0.5);
+  }
 }
 
 TEST(Laws, RateScaleCurve) {
   PiecewiseLinear law = bilinear(200.0, 0.0);
   law.rate_scale = Curve{0, {0.0, 10.0, 1000.0}, {1.0, 1.2, 2.0}};
-  for (const int vp : {0, 1}) {
-    law.vp = vp;
-    SolidPoint<PiecewiseLinear> p(law);
-    p.dt = 1e-5 / 10.0;
-    for (int i = 0; i < 1000; ++i) p.strain({1e-5, -0.5e-5, -0.5e-5, 0, 0, 0});
-    EXPECT_NEAR(p.effective(), 240.0, 0.1) << vp;
-  }
+  SolidPoint<PiecewiseLinear> p(law);
+  p.dt = 1e-5 / 10.0;
+  for (int i = 0; i < 1000; ++i) p.strain({1e-5, -0.5e-5, -0.5e-5, 0, 0, 0});
+  EXPECT_NEAR(p.effective(), 240.0, 0.1);
 }
 
 TEST(Laws, YieldCurves) {

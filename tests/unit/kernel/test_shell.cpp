@@ -33,8 +33,6 @@ TEST(Shell, BatchGivesTheBitsOfDouble) {
   rated.rate_c = 40.4;
   rated.rate_p = 5.0;
   batch_gives_the_bits_of_double(warping, rated, 6000.0);
-  rated.viscoplastic = true;
-  batch_gives_the_bits_of_double(warping, rated, 6000.0);
 }
 
 TEST(Shell, RigidRotationStrainsNothing) {

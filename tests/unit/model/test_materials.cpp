@@ -52,7 +52,6 @@ TEST(Materials, PlasticKinematic) {
   EXPECT_DOUBLE_EQ(l.rate_c, 40.0);
   EXPECT_DOUBLE_EQ(l.rate_p, 5.0);
   EXPECT_DOUBLE_EQ(l.failure_strain, 0.2);
-  EXPECT_TRUE(l.viscoplastic);
 }
 
 TEST(Materials, HalfARateLawIsWarnedOf) {
@@ -70,7 +69,6 @@ TEST(Materials, BilinearHardeningHasThePlasticModulus) {
   EXPECT_NEAR(l.yield[0].slope(5.0), 210000.0 * 1000.0 / 209000.0, 1e-9);
   EXPECT_DOUBLE_EQ(l.failure_strain, 0.4);
   EXPECT_DOUBLE_EQ(l.tdel, 1e-8);
-  EXPECT_EQ(l.vp, 1);
   EXPECT_DOUBLE_EQ(l.rate_c, 40.0);
   EXPECT_TRUE(l.rates.empty());
 }
@@ -116,7 +114,6 @@ TEST(Materials, OneRateEffectCounts) {
 
 TEST(Materials, WhateverVpSaysThePlasticRateCounts) {
   const std::string steel = "*MAT_024\n1,7.85e-9,210000.0,0.3,300.0,1000.0\n";
-  EXPECT_EQ(law<kernel::PiecewiseLinear>(built(steel + "40.0,5.0\n\n\n")).vp, 1);
   const auto filtered = built(steel + "40.0,5.0,,,3\n\n\n");
   EXPECT_EQ(filtered.findings.errors(), 0) << filtered.all_findings();
   EXPECT_TRUE(filtered.warning("computed as 1", "vp"));

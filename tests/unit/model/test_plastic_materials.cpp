@@ -35,7 +35,6 @@ TEST(PlasticMaterials, SimplifiedJohnsonCook) {
   EXPECT_DOUBLE_EQ(law.most_hardened, 700.0);
   EXPECT_DOUBLE_EQ(law.saturation, 900.0);
   EXPECT_DOUBLE_EQ(law.rest_rate, 0.1);
-  EXPECT_TRUE(law.viscoplastic);
   EXPECT_DOUBLE_EQ(composition(b).failure_strain, 0.4);
 }
 
@@ -148,7 +147,6 @@ TEST(PlasticMaterials, PowerLaw) {
   const auto& law = flow<kernel::PowerLaw>(b);
   EXPECT_NEAR(210000.0 * law.yield_strain, 600.0 * std::pow(law.yield_strain, 0.2), 1e-6);
   EXPECT_DOUBLE_EQ(law.rate_c, 40.4);
-  EXPECT_TRUE(law.viscoplastic);
   EXPECT_DOUBLE_EQ(composition(b).failure_strain, 0.3);
   const double at_stress = flow<kernel::PowerLaw>(built(main + "250.0\n")).yield_strain;
   EXPECT_NEAR(600.0 * std::pow(at_stress, 0.2), 250.0, 1e-6);
@@ -165,7 +163,6 @@ TEST(PlasticMaterials, RateDependent) {
   const auto& law = flow<kernel::RateDependentYield>(b);
   EXPECT_DOUBLE_EQ(law.yield.y[1], 400.0);
   EXPECT_DOUBLE_EQ(law.plastic_modulus.y[1], 210000.0 * 2000.0 / 208000.0);
-  EXPECT_TRUE(law.viscoplastic);
   EXPECT_DOUBLE_EQ(composition(b).failure_strain_over_rate.y[1], 0.1);
   EXPECT_DOUBLE_EQ(composition(b).deletion_step, 1e-8);
   EXPECT_TRUE(built("*MAT_019\n4,7.85e-9,210000.0,0.3\n7\n").error("curve 7 is not defined", "lc1"));
