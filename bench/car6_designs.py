@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs designs of car6 that its author ran with LS-DYNA, and compares trends: does each parameter move each result as it does there?
 
-    python3 bench/car6_designs.py DESIGNS [--nugget build/nugget] [--shared ../shared] [--count 120] [--work FOLDER]
+    python3 bench/car6_designs.py DESIGNS [--nugget build/nugget] [--shared ../shared] [--count 120] [--near 12] [--work FOLDER]
 
 DESIGNS is the folder LHS/9param of github.com/dbrizard/GSA-car-crash (GPL-3; not part of this repository), with LHS-120_X.csv (nine parameters a
 row) and LHS-120_Y_fmax, _dmax, _vfin, _IE.csv (LS-DYNA R10.1). Finished runs in FOLDER are not repeated. The table has, for each result, the
 coefficient of correlation over the designs, the median difference, and the change that each parameter causes over its range: the slopes of a
-linear regression times the range, LS-DYNA / Nugget.
+linear regression times the range, LS-DYNA / Nugget. Last comes how far LS-DYNA's own designs (these and LHS-330) scatter about a fit with the
+squares of the parameters. With --near, designs are drawn within 1 % of the base design instead, and compared with LS-DYNA's base runs plus that fit's slopes.
 """
 import argparse
 import json
@@ -19,6 +20,8 @@ import numpy
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 RESULTS = ("fmax", "dmax", "vfin", "IE")  # of LS-DYNA
+BASE = {"tbumper": 3, "trailb": 2, "trailf": 5, "yrailb": 400, "tgrill": 1, "thood": 1, "ybumper": 400, "yrailf": 400, "ybody": 400}
+BASE_RUNS = (773e3, -642.8, -711.0, 1.2037e8)  # means of LS-DYNA's five
 COLUMNS = RESULTS + ("fmax, mean of three samples",)  # ours; the last beside LS-DYNA's fmax
 
 
@@ -56,12 +59,51 @@ def slopes(designs, results):
     return numpy.linalg.lstsq(numpy.column_stack([scaled, numpy.ones(len(scaled))]), results, rcond=None)[0][:-1]
 
 
+def run(nugget, deck, folder):
+    """Whether the run ended well; its states are not kept."""
+    done = subprocess.run([str(nugget), "run", str(deck), "-o", str(folder), "-j1", "--quiet"], capture_output=True, text=True)
+    for state in folder.glob("d3plot*"):
+        state.unlink()
+    if done.returncode != 0:
+        print(f"{folder.name}: exit code {done.returncode}: {done.stderr.strip().splitlines()[0]}")
+    return done.returncode == 0
+
+
+def own_fit(folder, names):
+    """LS-DYNA's results over the relative changes of the parameters from the base design and their squares, by least squares: slopes, values at the
+    base, standard deviations about the fit."""
+    base = numpy.array([BASE[name] for name in names])
+    designs = numpy.vstack([numpy.loadtxt(folder / f"LHS-{n}_X.csv", delimiter=",") for n in (120, 330)]) / base - 1.0
+    results = numpy.vstack([numpy.column_stack([numpy.loadtxt(folder / f"LHS-{n}_Y_{r}.csv", delimiter=",") for r in RESULTS]) for n in (120, 330)])
+    terms = numpy.column_stack([designs, designs**2, numpy.ones(len(designs))])
+    fit = numpy.linalg.lstsq(terms, results, rcond=None)[0]
+    return fit[: len(names)], fit[-1], (results - terms @ fit).std(axis=0)
+
+
+def compare_near(arguments, names, source, slopes_of_fit):
+    random, differences = numpy.random.default_rng(1), []
+    for number in range(arguments.near):
+        change = 0.01 * (2.0 * random.random(len(names)) - 1.0)
+        folder = arguments.work / f"near{number + 1:03d}"
+        if not finished(folder):
+            deck = write_deck(folder, source, {name: BASE[name] * (1.0 + c) for name, c in zip(names, change)})
+            if not run(arguments.nugget, deck, folder):
+                continue
+        ours, theirs = numpy.array(results_of(folder)), numpy.array(BASE_RUNS) + change @ slopes_of_fit
+        differences.append(ours / numpy.append(theirs, theirs[0]) - 1.0)
+    differences = 100.0 * numpy.array(differences)
+    print(f"{len(differences)} designs within 1 % of the base\n\n| | " + " | ".join(COLUMNS) + " |\n|---|" + "---|" * len(COLUMNS))
+    print("| mean difference and its standard error | " + " | ".join(
+        f"{d.mean():+.1f} ± {d.std(ddof=1) / len(d) ** 0.5:.1f} %" for d in differences.T) + " |")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("designs", type=pathlib.Path, metavar="DESIGNS")
     parser.add_argument("--nugget", type=pathlib.Path, default=ROOT / "build" / "nugget")
     parser.add_argument("--shared", type=pathlib.Path, default=ROOT.parent / "shared")
     parser.add_argument("--count", type=int, default=120)
+    parser.add_argument("--near", type=int, default=0)
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build-bench" / "car6")
     arguments = parser.parse_args()
     source = arguments.shared / "decks" / "car6"
@@ -69,6 +111,9 @@ def main():
         sys.exit(f"{source} is absent: nothing to run")
     problem = (arguments.designs / "LHS-120_problem.txt").read_text(encoding="utf-8")
     names = re.findall(r"'(\w+)'", problem.split("'names': [")[1].split("]")[0])
+    fit, at_base, scatter = own_fit(arguments.designs, names)
+    if arguments.near:
+        return compare_near(arguments, names, source, fit)
     designs = numpy.loadtxt(arguments.designs / "LHS-120_X.csv", delimiter=",")[: arguments.count]
     theirs = numpy.column_stack([numpy.loadtxt(arguments.designs / f"LHS-120_Y_{result}.csv", delimiter=",") for result in RESULTS + ("fmax",)])
 
@@ -77,11 +122,7 @@ def main():
         folder = arguments.work / f"{number + 1:03d}"
         if not finished(folder):
             deck = write_deck(folder, source, dict(zip(names, design)))
-            done = subprocess.run([str(arguments.nugget), "run", str(deck), "-o", str(folder), "-j1", "--quiet"], capture_output=True, text=True)
-            for state in folder.glob("d3plot*"):
-                state.unlink()
-            if done.returncode != 0:
-                print(f"design {number + 1}: exit code {done.returncode}: {done.stderr.strip().splitlines()[0]}")
+            if not run(arguments.nugget, deck, folder):
                 continue
         rows.append(number)
         ours.append(results_of(folder))
@@ -93,6 +134,7 @@ def main():
     changes = [(slopes(designs, theirs[:, k]), slopes(designs, ours[:, k])) for k in range(len(COLUMNS))]
     for parameter, name in enumerate(names):
         print(f"| {name} | " + " | ".join(f"{a[parameter]:.3g} / {b[parameter]:.3g}" for a, b in changes) + " |")
+    print("| LS-DYNA's fit at the base, scatter about it | " + " | ".join(f"{a:.4g} ± {b:.2g}" for a, b in zip(at_base, scatter)) + " | |")
 
 
 if __name__ == "__main__":
