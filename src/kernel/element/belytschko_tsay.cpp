@@ -248,7 +248,7 @@ NodalMass shell_nodal_mass(const std::array<Vec3d, 4>& x, double thickness, doub
                            double mass_per_area, double shear_share) {
   const double area = shell_area(x), arm = 0.5 * offset * thickness;
   const double mass = 0.25 * area * (density * thickness + mass_per_area);
-  double gyration2 = std::max(thickness * thickness / 12.0, area / 8.0);
+  double gyration2 = (thickness * thickness + area) / 12.0;
   constexpr double step = 0.93;  // over L/c
   if (const double spin = 4.0 / (step * step) - 4.0 * shear_share; spin > 0.0) {
     const Vec3d nodes[4] = {x[0], x[1], x[2], x[3]};
