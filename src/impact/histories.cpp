@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/index.hpp"
+#include "impact/node_motion.hpp"
 #include "model/axes.hpp"
 #include "system/spring_group.hpp"
 #include "weld/welds.hpp"
@@ -156,20 +157,6 @@ static void turn_into_local_axes(const Snapshot& now, const model::NamedEntity& 
     *vector = axes.local(*vector);
 }
 
-/// The node of a rigid body moves with it: its own velocities follow only after the state has been written.
-static void take_from_body(const Snapshot& now, std::size_t node, output::NodoutRow& row) {
-  const system::System& system = now.system;
-  if (!system.map.dependent(static_cast<int>(node))) return;
-  const auto terms = system.map.terms(static_cast<int>(node));
-  if (terms.size() != 1 || at(terms.front().node) < system.nodes) return;
-  const std::size_t c = at(terms.front().node);
-  const Vec3d r = row.coordinate - vec(now.state.x[c]), w = now.spin(c), alpha = now.rotary_acceleration(c);
-  row.velocity = now.velocity(c) + cross(w, r);
-  row.acceleration = now.acceleration(c) + cross(alpha, r) + cross(w, cross(w, r));
-  row.rotational_velocity = w;
-  row.rotational_acceleration = alpha;
-}
-
 output::NodoutState nodout_state(const Snapshot& now) {
   const model::Model& model = now.system.model;
   output::NodoutState s;
@@ -183,12 +170,12 @@ output::NodoutState nodout_state(const Snapshot& now) {
     row.node = model.nodes.id[at(entity.index)];
     row.coordinate = vec(now.state.x[k]);
     row.displacement = row.coordinate - model.nodes.x[at(entity.index)];
-    row.velocity = now.velocity(k);
-    row.acceleration = now.acceleration(k);
-    row.rotational_velocity = now.spin(k);
-    row.rotational_acceleration = now.rotary_acceleration(k);
+    const NodeMotion motion = node_motion(now, k);
+    row.velocity = motion.velocity;
+    row.acceleration = motion.acceleration;
+    row.rotational_velocity = motion.rotational_velocity;
+    row.rotational_acceleration = motion.rotational_acceleration;
     row.rotation = now.history_rotation[i];
-    take_from_body(now, k, row);
     turn_into_local_axes(now, entity, row);
     turn_into_accelerometer(now, entity.index, row);
     s.rows.push_back(row);

@@ -147,7 +147,11 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
       for (std::size_t b = 0; b < system_.bodies.size(); ++b) momentum_before_[b] = system_.bodies[b].angular_momentum;
     }
     kick();
-    if (known) account();
+    if (known) {
+      // Dependent nodes follow at the start of the step, which turns the arms of their rows: here those of a copy.
+      system::ConstraintMap(system_.map).follow(state_.dt, state_.v, state_.w);
+      account();
+    }
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_) {
       masses_ = system_.masses();
@@ -327,6 +331,7 @@ void Simulation::update_inverse_mass() {
     if (system_.inertia[k] > 0.0) inverse_inertia_[k] = 1.0 / system_.inertia[k];
     contact_mass_[k] = dependent_[k] ? system_.own_mass[k] : system_.mass[k];
   }
+  loads_.weigh();
 }
 
 void Simulation::choose_step(double end_time) {
