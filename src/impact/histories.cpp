@@ -2,7 +2,6 @@
 #include "impact/histories.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numbers>
 
@@ -37,13 +36,6 @@ output::WeldKind kind(weld::Weld::Kind k) {
     case weld::Weld::Kind::connector: return output::WeldKind::generalized;
   }
   return output::WeldKind::beam;
-}
-
-/// Rotation vector of a triad that started as the global axes.
-Vec3d rotation_vector(const Frame3d& a) {
-  const Vec3d twice_sin{a.e2.z - a.e3.y, a.e3.x - a.e1.z, a.e1.y - a.e2.x};
-  const double s = 0.5 * norm(twice_sin), c = 0.5 * (a.e1.x + a.e2.y + a.e3.z - 1.0);
-  return s > 1e-12 ? (std::atan2(s, c) / (2.0 * s)) * twice_sin : 0.5 * twice_sin;
 }
 
 }  // namespace
@@ -350,7 +342,8 @@ output::RbdoutState rbdout_state(const Snapshot& now) {
   output::RbdoutState s;
   s.cycle = now.state.cycle + 1;
   s.time = now.state.time;
-  for (const system::RigidBody& body : now.system.bodies) {
+  for (std::size_t b = 0; b < now.system.bodies.size(); ++b) {
+    const system::RigidBody& body = now.system.bodies[b];
     const model::RigidBody::Origin origin = model.rigid_bodies[at(body.source)].origin;
     if (origin == model::RigidBody::Origin::weld) continue;
     const auto k = at(body.node);
@@ -358,7 +351,7 @@ output::RbdoutState rbdout_state(const Snapshot& now) {
     row.id = body.id;
     row.coordinate = vec(now.state.x[k]);
     row.displacement = row.coordinate - body.center0;
-    row.rotation = rotation_vector(body.axes);
+    row.rotation = now.history_rotation[model.requests.history_nodes.size() + b];
     row.velocity = now.velocity(k);
     row.angular_velocity = now.spin(k);
     row.acceleration = now.acceleration(k);

@@ -54,7 +54,7 @@ Simulation::Simulation(system::System& system, Findings& findings)
       strains_(system, system.model.requests.strains),
       nodal_forces_(system) {
   const model::Model& model = system.model;
-  history_rotation_.resize(model.requests.history_nodes.size());
+  history_rotation_.resize(model.requests.history_nodes.size() + system.bodies.size());
   for (const model::Contact& card : model.contacts) {
     if (!card.slides()) continue;
     contact::SurfaceContactSetup setup = contact_setup(system, card);
@@ -452,9 +452,10 @@ void Simulation::move() {
     }
   });
   for (system::RigidBody& body : system_.bodies) body.turn(state_.dt, state_);
-  for (std::size_t i = 0; i < history_rotation_.size(); ++i)
-    history_rotation_[i] +=
-        state_.dt * vec(state_.w[at(system_.node_of[at(system_.model.requests.history_nodes[i].index)])]);
+  const auto turn = [&](std::size_t i, std::size_t k) { history_rotation_[i] += state_.dt * vec(state_.w[k]); };
+  const std::vector<model::NamedEntity>& asked = system_.model.requests.history_nodes;
+  for (std::size_t i = 0; i < asked.size(); ++i) turn(i, at(system_.node_of[at(asked[i].index)]));
+  for (std::size_t b = 0; b < system_.bodies.size(); ++b) turn(asked.size() + b, at(system_.bodies[b].node));
   state_.time += state_.dt;
   ++state_.cycle;
 }

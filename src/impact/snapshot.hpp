@@ -45,7 +45,8 @@ struct Snapshot {
   const Joints& joints;
   const Strains& strains;
   const NodalForceGroups& nodal_forces;
-  std::span<const Vec3d> history_rotation;  ///< of the requests' history nodes: their spins, added up over time
+  /// Of the requests' history nodes, then of the rigid bodies: their spins, added up over time.
+  std::span<const Vec3d> history_rotation;
 
   Vec3d velocity(std::size_t node) const { return at_now(vec(v_before[node]), vec(state.v[node])); }
   Vec3d spin(std::size_t node) const { return at_now(vec(w_before[node]), vec(state.w[node])); }

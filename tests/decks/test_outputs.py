@@ -66,6 +66,15 @@ class Outputs(CommandTest):
                 for seen, exact in zip(arrays["Acceleration"][i], (-w * w * r[0], -w * w * r[1], 0.0)):
                     self.assertAlmostEqual(seen, exact, delta=0.1)
 
+    def test_rotation_of_a_body_beyond_half_a_turn(self):
+        """Sabotage: the rotation vector of its axes, which begins anew."""
+        w, end = 1000.0, 0.01
+        self.run_deck(nodes(CORNERS), BRICK, part(1), SOLID, RIGID, "*INITIAL_VELOCITY_GENERATION\n", card(1, 2, w),
+                      card(.5, .5, .5, 0.0, 0.0, 1.0), "*CONTROL_TERMINATION\n", card(end), "*DATABASE_RBDOUT\n",
+                      card(0.001, 2))
+        for state in self.states("rbdout"):
+            self.assertAlmostEqual(state["global_rdz"][0], w * state["time"][0], delta=1e-6)
+
     def test_tied_nodes_in_nodout_and_matsum(self):
         """Two tied bricks under the same acceleration, at the first and the last state too, where steps differ.
         Sabotage: dependent nodes as they were half a step before; velocities by the mean of two unequal steps."""
