@@ -11,6 +11,10 @@ CLASSES = (60, 180, 600, 1000)
 
 def evenly(times, values):
     """The signal at as many times, evenly spaced, on straight lines between its samples."""
+    for before, after in zip(times, times[1:]):
+        if not after > before:
+            raise ValueError(f"times must ascend; {after:g} follows {before:g} (rows of several walls or contacts in one "
+                             "file, or times with too few digits: take binout)")
     step = (times[-1] - times[0]) / (len(times) - 1)
     even, k = [], 0
     for i in range(len(times)):

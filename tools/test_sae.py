@@ -30,6 +30,20 @@ class Sae(unittest.TestCase):
         even, y = sae.filtered(times, [math.sin(2.0 * math.pi * 20.0 * t) for t in times], 180)
         self.assertLess(max(abs(v - math.sin(2.0 * math.pi * 20.0 * t)) for t, v in list(zip(even, y))[200:-200]), 0.01)
 
+    def test_times_that_repeat_are_refused(self):
+        for times in ([0.0, 0.001, 0.001, 0.002], [0.0, 0.002, 0.001, 0.003]):
+            with self.assertRaisesRegex(ValueError, "ascend"):
+                sae.filtered(times, [0.0, 1.0, 2.0, 3.0], 60)
+
+    def test_response_is_that_of_two_butterworth_filters(self):
+        """Gain 1/(1 + (W/Wc)^4) of the pass forwards and backwards, W = tan(pi f T), Wc at 2.0775 of the class: the
+        bilinear transform of the filter of J211-1, at frequencies from a tenth of the corner to eight times it."""
+        for cfc in (60, 180, 600, 1000):
+            for hertz in (0.2 * cfc, cfc, 5.0 / 3.0 * cfc, 3.0 * cfc, 8.0 * cfc):
+                step = 1.0 / (40.0 * max(hertz, cfc))
+                ratio = math.tan(math.pi * hertz * step) / math.tan(math.pi * 2.0775 * cfc * step)
+                self.assertAlmostEqual(gain(cfc, hertz), 1.0 / (1.0 + ratio ** 4), delta=0.004, msg=(cfc, hertz))
+
     def test_samples_too_far_apart_are_refused(self):
         with self.assertRaises(ValueError):
             sae.filtered([0.0, 0.01, 0.02], [0.0, 1.0, 0.0], 60)

@@ -33,8 +33,8 @@ void Loads::Pressure::archive(Archive& a) {
 }
 
 void Loads::Body::archive(Archive& a) {
-  a(last, last_force);
-  a.built(load, nodes, mass);
+  a(last, last_force, nodes, mass);
+  a.built(load);
 }
 
 void Loads::archive(Archive& a) {

@@ -89,6 +89,9 @@ class Loads {
   /// (velocities of that step in `state`, length `dt`; 0 at the start).
   void apply(system::State& state, double dt);
   double work() const { return work_; }
+  /// Takes the masses that body loads act on from the system, mass that was added to it included: to be called when
+  /// they have changed.
+  void weigh();
 
   void archive(Archive& a);
 
@@ -109,7 +112,7 @@ class Loads {
     std::vector<int> nodes;
     std::vector<double> mass;
     double last = 0.0;
-    std::vector<Vec3d> last_force;  ///< by node, of a centrifugal load
+    std::vector<Vec3d> last_force;  ///< by node of the system, of a centrifugal load
     void archive(Archive& a);
   };
   void apply(Nodal& nodal, system::State& state, double dt);
@@ -117,6 +120,8 @@ class Loads {
   void apply(Body& body, system::State& state, double dt);
   double curve_value(const model::BodyLoad& load, const system::State& state) const;
   void take_nodes(Body& body) const;
+  void take_all(Body& body) const;
+  void take_parts(Body& body) const;
   void apply_centrifugal(Body& body, system::State& state, double dt, double omega);
 
   const system::System& system_;

@@ -3,6 +3,7 @@
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
+#include "impact/node_motion.hpp"
 #include "output/element_stresses.hpp"
 
 namespace nugget::impact {
@@ -91,8 +92,9 @@ output::D3plotState d3plot_state(const Snapshot& now) {
   for (std::size_t n = 0; n < model.nodes.size(); ++n) {
     const auto k = at(now.system.node_of[n]);
     s.x[n] = vec(now.state.x[k]);
-    s.v[n] = now.velocity(k);
-    s.a[n] = now.acceleration(k);
+    const NodeMotion motion = node_motion(now, k);
+    s.v[n] = motion.velocity;
+    s.a[n] = motion.acceleration;
   }
   output::fill_stresses(now.system, now.state, s);
   fill_solids(now, s);

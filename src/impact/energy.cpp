@@ -9,8 +9,7 @@ namespace {
 /// Share of the way from t(n-1/2) to t(n+1/2) at which the second velocity of the product v(n-1/2) . v stands, so that
 /// the energy fits the work booked until t(n), 1/2 F . v(n-1/2) dt(n-1): 1 at a constant step, 0 at the start.
 double share_of_kick(const system::State& state) {
-  const double both = state.dt_previous + state.dt;
-  return both > 0.0 ? 2.0 * state.dt_previous / both : 1.0;
+  return 2.0 * share_before_now(state);
 }
 
 Vec3d between(const Vec3d& before, const Vec3d& after, double share) {
@@ -18,6 +17,11 @@ Vec3d between(const Vec3d& before, const Vec3d& after, double share) {
 }
 
 }  // namespace
+
+double share_before_now(const system::State& state) {
+  const double both = state.dt_previous + state.dt;
+  return both > 0.0 ? state.dt_previous / both : 0.5;
+}
 
 double kinetic_energy(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before) {
@@ -47,7 +51,7 @@ void element_energies(const system::System& system, const system::State& state, 
     const auto k = static_cast<std::size_t>(node);
     const Vec3d before = vec(v_before[k]), after = vec(state.v[k]);
     part.kinetic += 0.5 * m * dot(before, between(before, after, share));
-    part.momentum += m * (0.5 * (before + after));
+    part.momentum += m * between(before, after, 0.5 * share);
     part.mass += m;
   };
   for (const auto& group : system.groups) {

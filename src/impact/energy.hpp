@@ -35,6 +35,9 @@ struct Energy {
   }
 };
 
+/// Share of the time from t(n-1/2) to t(n+1/2) that lies before t(n): 1/2 at a constant step, 0 at the start.
+double share_before_now(const system::State& state);
+
 /// Energies and momentum of one part.
 struct PartEnergy {
   double internal = 0.0, kinetic = 0.0, hourglass = 0.0, eroded = 0.0, mass = 0.0;

@@ -2,11 +2,11 @@
 #include "impact/histories.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numbers>
 
 #include "base/index.hpp"
+#include "impact/node_motion.hpp"
 #include "model/axes.hpp"
 #include "system/spring_group.hpp"
 #include "weld/welds.hpp"
@@ -36,13 +36,6 @@ output::WeldKind kind(weld::Weld::Kind k) {
     case weld::Weld::Kind::connector: return output::WeldKind::generalized;
   }
   return output::WeldKind::beam;
-}
-
-/// Rotation vector of a triad that started as the global axes.
-Vec3d rotation_vector(const Frame3d& a) {
-  const Vec3d twice_sin{a.e2.z - a.e3.y, a.e3.x - a.e1.z, a.e1.y - a.e2.x};
-  const double s = 0.5 * norm(twice_sin), c = 0.5 * (a.e1.x + a.e2.y + a.e3.z - 1.0);
-  return s > 1e-12 ? (std::atan2(s, c) / (2.0 * s)) * twice_sin : 0.5 * twice_sin;
 }
 
 }  // namespace
@@ -156,20 +149,6 @@ static void turn_into_local_axes(const Snapshot& now, const model::NamedEntity& 
     *vector = axes.local(*vector);
 }
 
-/// The node of a rigid body moves with it: its own velocities follow only after the state has been written.
-static void take_from_body(const Snapshot& now, std::size_t node, output::NodoutRow& row) {
-  const system::System& system = now.system;
-  if (!system.map.dependent(static_cast<int>(node))) return;
-  const auto terms = system.map.terms(static_cast<int>(node));
-  if (terms.size() != 1 || at(terms.front().node) < system.nodes) return;
-  const std::size_t c = at(terms.front().node);
-  const Vec3d r = row.coordinate - vec(now.state.x[c]), w = now.spin(c), alpha = now.rotary_acceleration(c);
-  row.velocity = now.velocity(c) + cross(w, r);
-  row.acceleration = now.acceleration(c) + cross(alpha, r) + cross(w, cross(w, r));
-  row.rotational_velocity = w;
-  row.rotational_acceleration = alpha;
-}
-
 output::NodoutState nodout_state(const Snapshot& now) {
   const model::Model& model = now.system.model;
   output::NodoutState s;
@@ -183,12 +162,12 @@ output::NodoutState nodout_state(const Snapshot& now) {
     row.node = model.nodes.id[at(entity.index)];
     row.coordinate = vec(now.state.x[k]);
     row.displacement = row.coordinate - model.nodes.x[at(entity.index)];
-    row.velocity = now.velocity(k);
-    row.acceleration = now.acceleration(k);
-    row.rotational_velocity = now.spin(k);
-    row.rotational_acceleration = now.rotary_acceleration(k);
+    const NodeMotion motion = node_motion(now, k);
+    row.velocity = motion.velocity;
+    row.acceleration = motion.acceleration;
+    row.rotational_velocity = motion.rotational_velocity;
+    row.rotational_acceleration = motion.rotational_acceleration;
     row.rotation = now.history_rotation[i];
-    take_from_body(now, k, row);
     turn_into_local_axes(now, entity, row);
     turn_into_accelerometer(now, entity.index, row);
     s.rows.push_back(row);
@@ -363,7 +342,8 @@ output::RbdoutState rbdout_state(const Snapshot& now) {
   output::RbdoutState s;
   s.cycle = now.state.cycle + 1;
   s.time = now.state.time;
-  for (const system::RigidBody& body : now.system.bodies) {
+  for (std::size_t b = 0; b < now.system.bodies.size(); ++b) {
+    const system::RigidBody& body = now.system.bodies[b];
     const model::RigidBody::Origin origin = model.rigid_bodies[at(body.source)].origin;
     if (origin == model::RigidBody::Origin::weld) continue;
     const auto k = at(body.node);
@@ -371,7 +351,7 @@ output::RbdoutState rbdout_state(const Snapshot& now) {
     row.id = body.id;
     row.coordinate = vec(now.state.x[k]);
     row.displacement = row.coordinate - body.center0;
-    row.rotation = rotation_vector(body.axes);
+    row.rotation = now.history_rotation[model.requests.history_nodes.size() + b];
     row.velocity = now.velocity(k);
     row.angular_velocity = now.spin(k);
     row.acceleration = now.acceleration(k);

@@ -36,38 +36,53 @@ Loads::Loads(const system::System& system) : system_(system) {
   }
   for (const model::PressureLoad& load : model.pressure_loads)
     pressure_.push_back({&load, std::vector<Vec3d>(4 * load.segments.size())});
-  for (const model::BodyLoad& load : model.body_loads) {
-    Body body{&load, {}, {}, 0.0, {}};
-    if (!load.nodes.empty()) {
+  for (const model::BodyLoad& load : model.body_loads)
+    body_.push_back({&load, {}, {}, 0.0, std::vector<Vec3d>(load.centrifugal ? system.all_nodes() : 0)});
+  weigh();
+}
+
+void Loads::weigh() {
+  for (Body& body : body_) {
+    body.nodes.clear();
+    body.mass.clear();
+    if (!body.load->nodes.empty())
       take_nodes(body);
-    } else if (load.parts.empty()) {
-      for (std::size_t k = 0; k < system.nodes + system.bodies.size(); ++k) {
-        const double m = k < system.nodes ? system.mass[k] : system.bodies[k - system.nodes].mass;
-        if (m <= 0.0) continue;
-        body.nodes.push_back(static_cast<int>(k));
-        body.mass.push_back(m);
-      }
-    } else {
-      // The parts' own nodal masses; what they put on dependent nodes reaches the independent ones through `collect`.
-      std::map<int, double> mass;
-      for (const auto& group : system.groups) {
-        if (std::find(load.parts.begin(), load.parts.end(), group->part) == load.parts.end()) continue;
-        for (std::size_t e = 0; e < group->size(); ++e) {
-          const auto nodes = group->nodes(e);
-          for (int a = 0; a < group->nodes_per_element; ++a)
-            mass[nodes[static_cast<std::size_t>(a)]] += group->nodal_mass(e, a);
-        }
-      }
-      // Rigid parts, and what else has mass without a kernel.
-      for (const system::System::Lump& lump : system.lumps())
-        if (std::find(load.parts.begin(), load.parts.end(), lump.part) != load.parts.end())
-          for (int a = 0; a < lump.corners; ++a) mass[lump.node[static_cast<std::size_t>(a)]] += lump.nodal_mass(a);
-      for (const auto& [node, m] : mass) {
-        body.nodes.push_back(node);
-        body.mass.push_back(m);
-      }
+    else if (body.load->parts.empty())
+      take_all(body);
+    else
+      take_parts(body);
+  }
+}
+
+void Loads::take_all(Body& body) const {
+  for (std::size_t k = 0; k < system_.nodes + system_.bodies.size(); ++k) {
+    const double m = k < system_.nodes ? system_.mass[k] : system_.bodies[k - system_.nodes].mass;
+    if (m <= 0.0) continue;
+    body.nodes.push_back(static_cast<int>(k));
+    body.mass.push_back(m);
+  }
+}
+
+/// The parts' own nodal masses; what they put on dependent nodes reaches the independent ones through `collect`.
+void Loads::take_parts(Body& body) const {
+  const std::vector<model::Index>& parts = body.load->parts;
+  const auto wanted = [&](model::Index part) { return std::find(parts.begin(), parts.end(), part) != parts.end(); };
+  std::map<int, double> mass;
+  for (const auto& group : system_.groups) {
+    if (!wanted(group->part)) continue;
+    for (std::size_t e = 0; e < group->size(); ++e) {
+      const auto nodes = group->nodes(e);
+      for (int a = 0; a < group->nodes_per_element; ++a)
+        mass[nodes[static_cast<std::size_t>(a)]] += group->mass_scale(e) * group->nodal_mass(e, a);
     }
-    body_.push_back(std::move(body));
+  }
+  // Rigid parts, and what else has mass without a kernel.
+  for (const system::System::Lump& lump : system_.lumps())
+    if (wanted(lump.part))
+      for (int a = 0; a < lump.corners; ++a) mass[lump.node[static_cast<std::size_t>(a)]] += lump.nodal_mass(a);
+  for (const auto& [node, m] : mass) {
+    body.nodes.push_back(node);
+    body.mass.push_back(m);
   }
 }
 
@@ -167,15 +182,14 @@ void Loads::apply(Body& body, system::State& state, double dt) {
 
 void Loads::apply_centrifugal(Body& body, system::State& state, double dt, double omega) {
   const model::BodyLoad& load = *body.load;
-  body.last_force.resize(body.nodes.size());
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     const auto k = static_cast<std::size_t>(body.nodes[i]);
     const Vec3d arm = vec(state.x[k]) - load.center;
     const Vec3d outwards = arm - dot(arm, load.direction) * load.direction;
     const Vec3d force = (body.mass[i] * omega * omega) * outwards;
-    work_ += 0.5 * dt * dot(body.last_force[i] + force, vec(state.v[k]));
+    work_ += 0.5 * dt * dot(body.last_force[k] + force, vec(state.v[k]));
     add(state.f[k], force);
-    body.last_force[i] = force;
+    body.last_force[k] = force;
   }
 }
 

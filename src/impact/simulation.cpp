@@ -54,7 +54,7 @@ Simulation::Simulation(system::System& system, Findings& findings)
       strains_(system, system.model.requests.strains),
       nodal_forces_(system) {
   const model::Model& model = system.model;
-  history_rotation_.resize(model.requests.history_nodes.size());
+  history_rotation_.resize(model.requests.history_nodes.size() + system.bodies.size());
   for (const model::Contact& card : model.contacts) {
     if (!card.slides()) continue;
     contact::SurfaceContactSetup setup = contact_setup(system, card);
@@ -147,7 +147,11 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
       for (std::size_t b = 0; b < system_.bodies.size(); ++b) momentum_before_[b] = system_.bodies[b].angular_momentum;
     }
     kick();
-    if (known) account();
+    if (known) {
+      // Dependent nodes follow at the start of the step, which turns the arms of their rows: here those of a copy.
+      system::ConstraintMap(system_.map).follow(state_.dt, state_.v, state_.w);
+      account();
+    }
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_) {
       masses_ = system_.masses();
@@ -327,6 +331,7 @@ void Simulation::update_inverse_mass() {
     if (system_.inertia[k] > 0.0) inverse_inertia_[k] = 1.0 / system_.inertia[k];
     contact_mass_[k] = dependent_[k] ? system_.own_mass[k] : system_.mass[k];
   }
+  loads_.weigh();
 }
 
 void Simulation::choose_step(double end_time) {
@@ -447,9 +452,10 @@ void Simulation::move() {
     }
   });
   for (system::RigidBody& body : system_.bodies) body.turn(state_.dt, state_);
-  for (std::size_t i = 0; i < history_rotation_.size(); ++i)
-    history_rotation_[i] +=
-        state_.dt * vec(state_.w[at(system_.node_of[at(system_.model.requests.history_nodes[i].index)])]);
+  const auto turn = [&](std::size_t i, std::size_t k) { history_rotation_[i] += state_.dt * vec(state_.w[k]); };
+  const std::vector<model::NamedEntity>& asked = system_.model.requests.history_nodes;
+  for (std::size_t i = 0; i < asked.size(); ++i) turn(i, at(system_.node_of[at(asked[i].index)]));
+  for (std::size_t b = 0; b < system_.bodies.size(); ++b) turn(asked.size() + b, at(system_.bodies[b].node));
   state_.time += state_.dt;
   ++state_.cycle;
 }

@@ -23,8 +23,9 @@
 
 namespace nugget::impact {
 
-/// Everything known at one time t(n), for those who write results. Velocities at t(n) are the means of `before` and
-/// state's.
+/// Everything known at one time t(n), for those who write results. Velocities at t(n) lie between `before` and state's,
+/// in proportion to time: exact under a constant acceleration, at the start and where the step changes as well. The
+/// velocities of dependent nodes (tied, of rigid bodies) follow those of the others at both times.
 struct Snapshot {
   const system::System& system;
   const system::State& state;
@@ -44,16 +45,22 @@ struct Snapshot {
   const Joints& joints;
   const Strains& strains;
   const NodalForceGroups& nodal_forces;
-  std::span<const Vec3d> history_rotation;  ///< of the requests' history nodes: their spins, added up over time
+  /// Of the requests' history nodes, then of the rigid bodies: their spins, added up over time.
+  std::span<const Vec3d> history_rotation;
 
-  Vec3d velocity(std::size_t node) const { return 0.5 * (vec(v_before[node]) + vec(state.v[node])); }
-  Vec3d spin(std::size_t node) const { return 0.5 * (vec(w_before[node]) + vec(state.w[node])); }
+  Vec3d velocity(std::size_t node) const { return at_now(vec(v_before[node]), vec(state.v[node])); }
+  Vec3d spin(std::size_t node) const { return at_now(vec(w_before[node]), vec(state.w[node])); }
   Vec3d acceleration(std::size_t node) const { return (1.0 / kick()) * (vec(state.v[node]) - vec(v_before[node])); }
   Vec3d rotary_acceleration(std::size_t node) const {
     return (1.0 / kick()) * (vec(state.w[node]) - vec(w_before[node]));
   }
   /// Time between t(n-1/2) and t(n+1/2); half a step at the start.
   double kick() const { return 0.5 * (state.dt + state.dt_previous); }
+
+ private:
+  Vec3d at_now(const Vec3d& before, const Vec3d& after) const {
+    return before + share_before_now(state) * (after - before);
+  }
 };
 
 /// Somebody who looks at the run from time to time. Reads, never writes.

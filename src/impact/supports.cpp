@@ -199,6 +199,7 @@ void Supports::set_component(Held& held, double target, int body, system::State&
   Row& row = held.rotation ? state.w[node] : state.v[node];
   const double free_velocity = dot(held.axis, vec(row));
   double impulse;
+  const Vec3d load = vec(held.rotation ? state.m[node] : state.f[node]);
   if (body >= 0 && held.rotation) {
     system::RigidBody& b = bodies[static_cast<std::size_t>(body)];
     const Vec3d before = b.angular_momentum;
@@ -210,8 +211,15 @@ void Supports::set_component(Held& held, double target, int body, system::State&
     impulse = inertia * (target - free_velocity);
     add(row, (target - free_velocity) * held.axis);
   }
-  power_on_change_ += (target - free_velocity) * dot(held.axis, vec(held.rotation ? state.m[node] : state.f[node]));
+  power_on_change_ += (target - free_velocity) * dot(held.axis, load);
   held.force = kick > 0.0 ? impulse / kick : 0.0;
+  // A node without mass, as the end of a spring may be, feels what pulls at it and nothing else. The first card that
+  // holds it takes that.
+  const bool massless = body < 0 && !((held.rotation ? system_.inertia[node] : system_.mass[node]) > 0.0);
+  if (massless) {
+    held.force = -dot(held.axis, load);
+    add(held.rotation ? state.m[node] : state.f[node], held.force * held.axis);
+  }
   Reaction& reaction = reactions[held.reaction];
   (held.rotation ? reaction.moment : reaction.force) += held.force * held.axis;
   // Closing half: the velocity component before the kick is the one that `held` kept from the last step.

@@ -78,21 +78,33 @@ std::vector<Index> nodes_of(const Model& model, ElementKind kind, Index element)
   return nodes;
 }
 
-/// Edges of an element as places in its list of nodes.
-std::span<const std::array<int, 2>> edges_of(ElementKind kind) {
+/// Edges of an element as places in its list of corners. A tetrahedron has its own: of n1 n2 n3 n4 n4 n4 n4 n4 taken as
+/// a brick, the one between n1 and n3 is missing.
+std::span<const std::array<int, 2>> edges_of(ElementKind kind, std::size_t corners) {
   static constexpr std::array<int, 2> beam[] = {{0, 1}}, shell[] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}},
                                       solid[] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
-                                                 {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+                                                 {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}},
+                                      tetrahedron[] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
   if (kind == ElementKind::shell) return shell;
+  if (kind == ElementKind::solid && corners == 4) return tetrahedron;
   if (kind == ElementKind::solid) return solid;
   return beam;
 }
 
+/// The nodes between which `edges_of` are: those of the card, of a tetrahedron its four corners.
+std::vector<Index> edge_nodes(const Model& model, ElementKind kind, std::size_t e) {
+  const auto all = [](const auto& nodes) { return std::vector<Index>(nodes.begin(), nodes.end()); };
+  if (kind == ElementKind::shell) return all(model.shells.node[e]);
+  if (kind == ElementKind::beam) return all(model.beams.node[e]);
+  std::vector<Index> corners = model.solids.corners(e);
+  return corners.size() == 4 ? corners : all(model.solids.node[e]);
+}
+
 /// Where the plane cuts the edges of an element, each edge once; `height` is by node, over the plane.
-template <class Nodes, class Height>
-std::vector<Corner> cut_edges(ElementKind kind, const Nodes& nodes, const Height& height) {
+template <class Height>
+std::vector<Corner> cut_edges(ElementKind kind, const std::vector<Index>& nodes, const Height& height) {
   std::vector<Corner> corners;
-  for (const auto& [i, j] : edges_of(kind)) {
+  for (const auto& [i, j] : edges_of(kind, nodes.size())) {
     Index a = nodes[at(i)], b = nodes[at(j)];
     if (a > b) std::swap(a, b);
     const double ha = height(a), hb = height(b);
@@ -134,7 +146,7 @@ void cut(const Model& model, const CuttingPlane& plane, const std::vector<char>&
   const auto go_through = [&](ElementKind kind, const auto& elements) {
     for (std::size_t e = 0; e < elements.size(); ++e) {
       if (!parts[at(elements.part[e])]) continue;
-      std::vector<Corner> corners = cut_edges(kind, elements.node[e], height);
+      std::vector<Corner> corners = cut_edges(kind, edge_nodes(model, kind, e), height);
       if (corners.empty() ||
           !std::all_of(corners.begin(), corners.end(), [&](const Corner& c) { return inside(plane, place(model, c)); }))
         continue;

@@ -318,16 +318,17 @@ std::string D3plotGeometry::stem() const {
 
 void shell_layers(std::span<const StressRecord> points, std::span<StressRecord> layers) {
   std::fill(layers.begin(), layers.end(), StressRecord{});
-  if (points.empty() || layers.empty()) return;
-  const std::size_t n = points.size(), upper = n / 2, lower = (n - 1) / 2;
-  const StressRecord &a = points[lower], &b = points[upper];
+  if (points.empty()) return;
+  if (layers.size() != 3) {
+    std::copy_n(points.begin(), std::min(points.size(), layers.size()), layers.begin());
+    return;
+  }
+  const std::size_t n = points.size();
+  const StressRecord &a = points[(n - 1) / 2], &b = points[n / 2];
   for (std::size_t i = 0; i < 6; ++i) layers[0].stress[i] = 0.5 * (a.stress[i] + b.stress[i]);
   layers[0].plastic_strain = 0.5 * (a.plastic_strain + b.plastic_strain);
-  if (layers.size() > 1) layers[1] = points.front();
-  if (layers.size() > 2) layers[2] = points.back();
-  std::size_t next = 3;
-  for (std::size_t i = 1; i + 1 < n && next < layers.size(); ++i)
-    if (lower != upper || i != lower) layers[next++] = points[i];
+  layers[1] = points.front();
+  layers[2] = points.back();
 }
 
 D3plot::D3plot(std::filesystem::path directory, D3plotGeometry geometry, Opening opening)

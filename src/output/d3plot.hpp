@@ -104,9 +104,10 @@ struct D3plotState {
   std::vector<char> solid_alive, beam_alive, shell_alive;  ///< 0: deleted; empty: all alive
 };
 
-/// The records of one shell from its integration points, which run from the bottom to the top: middle, bottom, top,
-/// then the points between in their order, `layers` (MAXINT) in all. The middle of an even number of points is the mean
-/// of the two central ones. Records beyond the points are zero.
+/// The records of one shell from its integration points, which run from the bottom to the top; `layers` has room for
+/// MAXINT. Three: middle, bottom, top, the middle of an even number of points being the mean of the two central ones.
+/// Another number: the first MAXINT points in their order, and zeros beyond the last (manual vol. I,
+/// *DATABASE_EXTENT_BINARY, MAXINT).
 void shell_layers(std::span<const StressRecord> points, std::span<StressRecord> layers);
 
 /// The d3plot family: `d3plot` with the geometry, then states in `d3plot01`, `d3plot02`, ... Single precision and the

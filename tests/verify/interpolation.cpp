@@ -66,8 +66,9 @@ TEST(Interpolation, FollowsARotation) {
   run_to_end(experiment, [&](const impact::Snapshot& now) {
     if (now.state.cycle != 1) return;
     const Vec3d v = experiment.velocity(now, f.dependent);
-    EXPECT_NEAR(v.x, -omega * 1.0, 0.6);
-    EXPECT_NEAR(v.y, omega * 3.0, 0.6);
+    const double turned = omega * now.state.time, c = std::cos(turned), s = std::sin(turned);
+    EXPECT_NEAR(v.x, -omega * (c * 1.0 + s * 3.0), 0.01);
+    EXPECT_NEAR(v.y, omega * (c * 3.0 - s * 1.0), 0.01);
     EXPECT_NEAR(now.spin(experiment.node(f.dependent)).z, omega, 0.01);
   });
 }

@@ -282,7 +282,7 @@ const Card output_card_2{{
     integer("ipcurv", 0, any_value, "listing, no effect"),
     real("gmdt", dimension::time, 0, any_value, "interval of generalised masses, no effect"),
     integer("ip1dblt", 0, any_value, "output of pretensioned bars, no effect"),
-    integer("eocs", 0, any_value, "axes of shells in elout, no effect"),
+    integer("eocs", 0, between(0, 2), "axes of shells in elout: 2 global, which they always are"),
 }};
 
 Row first_row(Builder& b, const Block& block, const Card& card) {
@@ -497,7 +497,10 @@ void read_output(Builder& b, const Block& block, const Options&) {
   expect(b, row, Severity::warning,
          {{"iaccop", 0, "not obeyed: nodout has the accelerations of the moment, as with 0"}});
   b.model.control.average_accelerations = row.integer("iaccop") == 1;
-  b.later(Phase::conditions, [second = cursor.read(output_card_2)](Builder& later) {
+  const Row row2 = cursor.read(output_card_2);
+  if (row2.integer("eocs") == 1)
+    row2.complain(b.findings, Severity::warning, "eocs", "not obeyed: elout has shells in global axes, as with 2");
+  b.later(Phase::conditions, [second = row2](Builder& later) {
     if (second.integer("tet10s8") == 1 && !later.model.solids.ten_nodes.empty())
       second.complain(later.findings, Severity::warning, "tet10s8",
                       "not obeyed: d3plot has the corners of tetrahedra of ten nodes, as with 2");

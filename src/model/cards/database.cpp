@@ -49,8 +49,9 @@ const Card format_card{{
 const Card extent_card1{{
     integer("neiph", 0, any_value, "extra history variables of solids"),
     integer("neips", 0, any_value, "extra history variables of shells"),
-    integer("maxint", 3, any_value, "layers of a shell that are written"),
-    integer("strflg", 0, any_value, "1: strains are written"),
+    integer("maxint", 3, any_value,
+            "3: middle, bottom and top of a shell; another number: so many layers from the bottom"),
+    integer("strflg", 0, between(0, 111), "last digit 1: strains are written; the other digits: not built"),
     integer("sigflg", 1, any_value, "1: stresses of shells are written"),
     integer("epsflg", 1, any_value, "1: plastic strains of shells are written"),
     integer("rltflg", 1, any_value, "1: resultants of shells are written"),
@@ -171,8 +172,11 @@ void read_extent_binary(Builder& builder, const Block& block, const Options&) {
   requests.layers = std::abs(row1.integer("maxint"));
   if (row1.integer("maxint") < 0)
     row1.complain(builder.findings, Severity::warning, "maxint",
-                  "shells have one in-plane point; as many layers are written as with the positive number");
-  requests.strains = row1.integer("strflg") != 0;
+                  "the mean over a shell's in-plane points is written, as many layers as with the positive number");
+  requests.strains = row1.integer("strflg") % 10 == 1;
+  if (row1.integer("strflg") > 1)
+    row1.complain(builder.findings, Severity::warning, "strflg",
+                  "plastic and thermal strain tensors are not written: only its last digit, 0 or 1, is obeyed");
   others(row1, {{"neiph", 0, absent},
                 {"neips", 0, absent},
                 {"sigflg", 1, present},
@@ -184,6 +188,9 @@ void read_extent_binary(Builder& builder, const Block& block, const Options&) {
   const Row row2 = cursor.read(extent_card2);
   requests.one_state_a_file = row2.integer("ieverp") == 1;
   requests.beam_points = row2.integer("beamip");
+  if (requests.beam_points > 0)
+    row2.complain(builder.findings, Severity::note, "beamip",
+                  "the axial strain of a beam's points is not known; d3plot has 0 in its place");
   others(row2, {{"cmpflg", 0, "stresses are written in global axes"},
                 {"dcomp", 1, "d3plot is written without compression, velocities and accelerations included"},
                 {"shge", 1, absent},
@@ -194,9 +201,17 @@ void read_extent_binary(Builder& builder, const Block& block, const Options&) {
   if (row3.integer("nintsld") > 1)
     row3.complain(builder.findings, Severity::warning, "nintsld", "solids have one integration point; one is written");
   others(row3, {{"pkp_sen", 0, absent}, {"hydro", 0, absent}, {"msscl", 0, absent}, {"therm", 0, absent}});
+  for (const std::string_view field : {"intout", "nodout"})
+    if (!row3.text(field).empty())
+      row3.complain(builder.findings, Severity::warning, field,
+                    "eloutdet is not written; elout has the elements' means");
 
   if (cursor.more())
-    others(cursor.read(extent_card4), {{"dtdt", 0, absent}, {"resplt", 0, absent}, {"neipb", 0, absent}});
+    others(cursor.read(extent_card4), {{"dtdt", 0, absent},
+                                       {"resplt", 0, absent},
+                                       {"neipb", 0, absent},
+                                       {"quadsld", 0, "d3plot has the corners of quadratic solids only"},
+                                       {"deleres", 0, "deleted elements have no stress in d3plot, as with 0"}});
 }
 
 // ---- time histories ------------------------------------------------------------------------------------------------

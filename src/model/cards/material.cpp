@@ -176,7 +176,16 @@ int local_system(Builder& b, const Block& block, const Row& row) {
                    "name a coordinate system in LCO");
       return 0;
     }
-  return system_id(block, row.real("lco_or_a1"));
+  const int lco = system_id(block, row.real("lco_or_a1"));
+  if (lco != 0)
+    b.later(Phase::checks, [row](Builder& later) {
+      if (later.model.requests.rbdout.asked())
+        row.complain(later.findings, Severity::warning, "lco_or_a1",
+                     "rbdout does not obey it: its local components are in axes that turn with the body and were the "
+                     "global ones at time 0",
+                     "turn them into the axes of LCO afterwards; local motions and secforc obey it");
+    });
+  return lco;
 }
 
 void read_rigid(Builder& b, const Block& block, const Options& options) {
