@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gas in a chamber whose lid moves: pressure over volume, the work that it does on the lid.
-#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
+#include <cmath>
+#include <stdexcept>
+
+#include "model/control_volume.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {
