@@ -298,12 +298,15 @@ class ShellReader : ElementReader {
 // ---- solids
 // ----------------------------------------------------------------------------------------------------------
 
-/// `EID PID` alone: the first line of the two-line form.
+/// `EID PID` alone, or with zeros behind: the first line of the two-line form.
 bool is_short(std::string_view line, std::size_t width) {
+  const auto names_no_node = [](std::string_view rest) {
+    return rest.find_first_not_of(", \t\r0") == std::string_view::npos;
+  };
   const std::size_t comma = line.find(',');
-  if (comma == std::string_view::npos) return trimmed(columns(line, 2 * width, line.size())).empty();
+  if (comma == std::string_view::npos) return names_no_node(columns(line, 2 * width, line.size()));
   const std::size_t second = line.find(',', comma + 1);
-  return second == std::string_view::npos || line.find_first_not_of(", \t\r", second) == std::string_view::npos;
+  return second == std::string_view::npos || names_no_node(line.substr(second));
 }
 
 const Card& solid_short_card() {

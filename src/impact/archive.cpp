@@ -32,13 +32,18 @@ void Loads::Pressure::archive(Archive& a) {
   a.built(load);
 }
 
+void Loads::Volume::archive(Archive& a) {
+  a(at_start, volume, pressure, preload_over, last);
+  a.built(source);
+}
+
 void Loads::Body::archive(Archive& a) {
   a(last, last_force, nodes, mass);
   a.built(load);
 }
 
 void Loads::archive(Archive& a) {
-  a(nodal_, pressure_, body_, work_);
+  a(nodal_, pressure_, volumes_, body_, work_);
   a.built(system_);
 }
 

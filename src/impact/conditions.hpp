@@ -80,7 +80,7 @@ class Supports {
   double power_on_change_ = 0.0;
 };
 
-/// Forces, moments, pressures and body loads.
+/// Forces, moments, pressures, body loads and the gas in control volumes.
 class Loads {
  public:
   explicit Loads(const system::System& system);
@@ -92,6 +92,17 @@ class Loads {
   /// Takes the masses that body loads act on from the system, mass that was added to it included: to be called when
   /// they have changed.
   void weigh();
+
+  /// Gas at the moment of the last `apply`.
+  struct Volume {
+    const model::ControlVolume* source = nullptr;
+    double at_start = 0.0, volume = 0.0;  ///< times VSCA
+    double pressure = 0.0;                ///< on the faces
+    bool preload_over = false;
+    std::vector<Vec3d> last;  ///< as of a pressure
+    void archive(Archive& a);
+  };
+  const std::vector<Volume>& volumes() const { return volumes_; }
 
   void archive(Archive& a);
 
@@ -117,6 +128,11 @@ class Loads {
   };
   void apply(Nodal& nodal, system::State& state, double dt);
   void apply(Pressure& pressure, system::State& state, double dt);
+  void apply(Volume& volume, system::State& state, double dt);
+  double pressure(Volume& volume, const system::State& state) const;
+  /// `pressure` on faces; `last` holds the forces on their corners.
+  void press(const std::vector<model::Segment>& segments, const std::vector<model::CornerShares>& share,
+             double pressure, std::vector<Vec3d>& last, system::State& state, double dt);
   void apply(Body& body, system::State& state, double dt);
   double curve_value(const model::BodyLoad& load, const system::State& state) const;
   void take_nodes(Body& body) const;
@@ -127,6 +143,7 @@ class Loads {
   const system::System& system_;
   std::vector<Nodal> nodal_;
   std::vector<Pressure> pressure_;
+  std::vector<Volume> volumes_;
   std::vector<Body> body_;
   double work_ = 0.0;
 };

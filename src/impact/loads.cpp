@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "base/index.hpp"
@@ -36,6 +37,11 @@ Loads::Loads(const system::System& system) : system_(system) {
   }
   for (const model::PressureLoad& load : model.pressure_loads)
     pressure_.push_back({&load, std::vector<Vec3d>(4 * load.segments.size())});
+  for (const model::ControlVolume& volume : model.control_volumes) {
+    const double v = volume.volume_scale * enclosed_volume(volume.segments, volume.openings,
+                                                           [&](model::Index n) { return model.nodes.x[at(n)]; });
+    volumes_.push_back({&volume, v, v, 0.0, false, std::vector<Vec3d>(4 * volume.segments.size())});
+  }
   for (const model::BodyLoad& load : model.body_loads)
     body_.push_back({&load, {}, {}, 0.0, std::vector<Vec3d>(load.centrifugal ? system.all_nodes() : 0)});
   weigh();
@@ -111,6 +117,7 @@ void Loads::take_nodes(Body& body) const {
 void Loads::apply(system::State& state, double dt) {
   for (Nodal& n : nodal_) apply(n, state, dt);
   for (Pressure& p : pressure_) apply(p, state, dt);
+  for (Volume& v : volumes_) apply(v, state, dt);
   for (Body& b : body_) apply(b, state, dt);
 }
 
@@ -137,8 +144,13 @@ void Loads::apply(Pressure& pressure, system::State& state, double dt) {
   const model::PressureLoad& load = *pressure.load;
   const double time = state.time - load.arrival;
   const double p = time >= 0.0 ? load.scale * value(curve(system_, load.curve), time, state) : 0.0;
-  for (std::size_t s = 0; s < load.segments.size(); ++s) {
-    const model::Segment& segment = load.segments[s];
+  press(load.segments, load.share, p, pressure.last, state, dt);
+}
+
+void Loads::press(const std::vector<model::Segment>& segments, const std::vector<model::CornerShares>& shares,
+                  double pressure, std::vector<Vec3d>& lasts, system::State& state, double dt) {
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const model::Segment& segment = segments[s];
     const bool triangle = segment[3] == segment[2];
     const std::size_t corners = triangle ? 3 : 4;
     std::array<std::size_t, 4> k{};
@@ -147,15 +159,45 @@ void Loads::apply(Pressure& pressure, system::State& state, double dt) {
       k[a] = static_cast<std::size_t>(system_.node_of[static_cast<std::size_t>(segment[a])]);
       x[a] = vec(state.x[k[a]]);
     }
-    const Vec3d force = -p * area(x, triangle);
+    const Vec3d force = -pressure * area(x, triangle);
     for (std::size_t a = 0; a < corners; ++a) {
-      const Vec3d share = load.share[s][a] * force;
-      Vec3d& last = pressure.last[4 * s + a];
+      const Vec3d share = shares[s][a] * force;
+      Vec3d& last = lasts[4 * s + a];
       work_ += 0.5 * dt * dot(last + share, vec(state.v[k[a]]));
       add(state.f[k[a]], share);
       last = share;
     }
   }
+}
+
+/// Gas presses outwards, along the normals.
+void Loads::apply(Volume& volume, system::State& state, double dt) {
+  const model::ControlVolume& source = *volume.source;
+  volume.volume = source.volume_scale * enclosed_volume(source.segments, source.openings, [&](model::Index n) {
+                    return vec(state.x[at(system_.node_of[at(n)])]);
+                  });
+  volume.pressure = source.pressure_scale * pressure(volume, state);
+  press(source.segments, source.share, -volume.pressure, volume.last, state, dt);
+}
+
+double Loads::pressure(Volume& volume, const system::State& state) const {
+  using Gas = model::ControlVolume::Gas;
+  const model::ControlVolume& gas = *volume.source;
+  const double relative = volume.volume / volume.at_start;
+  if (!(relative > 0.0)) return 0.0;
+  if (gas.gas == Gas::adiabatic) {
+    if (gas.preload_curve != model::none && !volume.preload_over) {
+      volume.preload_over = curve(system_, gas.preload_curve).clamped(state.time) != 0.0;
+      if (!volume.preload_over) return gas.beta * gas.absolute;
+    }
+    return gas.beta * (gas.absolute * std::pow(relative, -gas.gamma) - gas.ambient);
+  }
+  if (state.relaxing && gas.relaxation_curve != model::none)
+    return gas.beta * curve(system_, gas.relaxation_curve).zero_outside(state.time) / relative;
+  if (gas.gas == Gas::curve) return curve(system_, gas.curve).clamped(relative);
+  if (gas.coefficient_curve != model::none)
+    return gas.beta * value(curve(system_, gas.coefficient_curve), state.time, state) / relative;
+  return gas.coefficient / relative;
 }
 
 double Loads::curve_value(const model::BodyLoad& load, const system::State& state) const {

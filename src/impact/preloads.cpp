@@ -9,8 +9,8 @@
 
 #include "base/index.hpp"
 #include "impact/conditions.hpp"
-#include "kernel/element/shell.hpp"
 #include "model/lumped_mass.hpp"
+#include "system/shell_elements.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -63,9 +63,9 @@ double end_of_rise(const Curve& curve) {
 
 }  // namespace
 
-std::vector<double> layer_places(const model::Model& model, int layers) {
-  const kernel::LayerRule rule = model.control.lobatto ? kernel::lobatto_layers(layers) : kernel::gauss_layers(layers);
-  return {rule.zeta.begin(), rule.zeta.begin() + layers};
+std::vector<double> layer_places(const model::Model& model, const system::ElementGroup& group) {
+  const kernel::LayerRule rule = system::layer_rule(model, group.part);
+  return {rule.zeta.begin(), rule.zeta.begin() + rule.count};
 }
 
 double beam_area(const model::Model& model, model::Index beam) {
@@ -152,7 +152,7 @@ void Preloads::start(const model::InitialStress& stress, const system::System::S
   if (seat.group < 0 || stress.points.empty()) return;
   system::ElementGroup& group = *system_.groups[at(seat.group)];
   const std::map<double, Layer> given = by_place(stress.points);
-  const std::vector<double> places = shell ? layer_places(system_.model, group.layers()) : std::vector<double>{0.0};
+  const std::vector<double> places = shell ? layer_places(system_.model, group) : std::vector<double>{0.0};
   for (std::size_t k = 0; k < places.size(); ++k)
     group.set_layer(at(seat.element), static_cast<int>(k), between(given, places[k]), state);
 }

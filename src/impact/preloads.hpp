@@ -10,8 +10,8 @@
 
 namespace nugget::impact {
 
-/// Places of the layers of a shell through its thickness, -1 .. 1, from the bottom.
-std::vector<double> layer_places(const model::Model& model, int layers);
+/// Places of the layers of a group's shells through their thickness, -1 .. 1, from the bottom.
+std::vector<double> layer_places(const model::Model& model, const system::ElementGroup& group);
 
 /// Area of a beam's section; of a discrete beam its volume over its length.
 double beam_area(const model::Model& model, model::Index beam);

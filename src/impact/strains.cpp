@@ -63,8 +63,7 @@ Strains::Strains(const system::System& system, bool wanted) : system_(system) {
   for (std::size_t e = 0; e < zeta_.size(); ++e) {
     const system::System::Seat seat = system.shell_seat[e];
     if (seat.group < 0) continue;
-    const int layers = system.groups[at(seat.group)]->layers();
-    const std::vector<double> places = layer_places(model, layers);
+    const std::vector<double> places = layer_places(model, *system.groups[at(seat.group)]);
     zeta_[e] = {places.front(), places.back()};
   }
 }

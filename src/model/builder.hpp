@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <set>
 #include <span>
 #include <string>
@@ -95,6 +96,8 @@ class Builder {
   std::vector<Vec3d> vector_list;                              ///< by index of `vectors`; not normalized
   std::vector<Vec3d> vector_tails;                             ///< of the same: points
   std::vector<SetRecipe> set_recipes;
+  std::map<int, std::vector<std::array<double, 2>>>
+      layer_rules;  ///< *INTEGRATION_SHELL by IRID; see SectionShell::rule
   BodyCards body_cards;
 
   Ids bodies;  ///< rigid bodies by id of part (merged ones too) or nodal body; known after Phase::bodies

@@ -282,11 +282,16 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
     section.elform = 2;
     return;
   }
-  if (section.elform == 10) {
-    b.shell_section_rows[s].complain(b.findings, Severity::warning, "elform",
-                                     "shell formulation 10 (Belytschko-Wong-Chiang) is computed as 2 with its warping "
-                                     "coupling, as with BWC = 1; the transverse shear stays the one-point form",
-                                     "write 16 where warped shells matter");
+  if (one_point(section.elform)) {
+    const char* const name = section.elform == 10  ? "Belytschko-Wong-Chiang"
+                             : section.elform == 8 ? "Belytschko-Leviathan"
+                                                   : "Hughes-Liu";
+    b.shell_section_rows[s].complain(
+        b.findings, Severity::warning, "elform",
+        fmt::format("shell formulation {} ({}) is computed as 2 with its warping coupling, as with BWC = 1; the "
+                    "transverse shear stays the one-point form",
+                    section.elform, name),
+        "write 16 where warped shells matter");
     section.elform = 2;
     section.warping_stiffness = true;
     return;
@@ -554,9 +559,11 @@ void check_law(Builder& b, const Part& part, const deck::Row& row) {
     refuse(b, row, "mid", "a Poisson's ratio of 0.5 makes solids incompressible", "give a ratio below 0.5, e.g. 0.495");
 }
 
-/// Hourglass types that the elements of parts do not have: one finding for all parts that share the card.
+/// Hourglass types that the elements of parts do not have: one finding for all parts that share the card. The control
+/// card's type is for all elements of a deck, of which some may not have it (6 is for solids, 8 for shells of ELFORM
+/// 16): they get the type that stands for none.
 void check_hourglass(Builder& b) {
-  const Model& m = b.model;
+  Model& m = b.model;
   std::map<std::pair<Index, ElementKind>, std::vector<int>> parts;
   for (const Part& part : m.parts) {
     if (part.section == none || is<kernel::Rigid>(m, part) || is<kernel::Null>(m, part)) continue;
@@ -570,16 +577,22 @@ void check_hourglass(Builder& b) {
   }
   for (const auto& [user, ids] : parts) {
     const auto [card, kind] = user;
-    const Hourglass& h = card == none ? m.control.hourglass : m.hourglass[static_cast<std::size_t>(card)];
+    Hourglass h = card == none ? m.control.hourglass : m.hourglass[static_cast<std::size_t>(card)];
     const int highest = kind == ElementKind::shell ? 5 : kind == ElementKind::solid ? 6 : 10;
     if (h.type <= highest) continue;
-    const bool is_shell = kind == ElementKind::shell;
-    b.findings.add(
-        {Severity::error, h.place, card == none ? "*CONTROL_HOURGLASS" : "*HOURGLASS", "ihq", std::to_string(h.type),
-         fmt::format("part{} {} {} {}, for which types 1 to {} are built", ids.size() == 1 ? "" : "s",
-                     fmt::join(ids, " "), ids.size() == 1 ? "has" : "have", is_shell ? "shells" : "solids", highest),
-         is_shell ? "write 4, or give the shells ELFORM 16"
-                  : "write 2, 5 or 6, or give the solids an *HOURGLASS of their own"});
+    const bool is_shell = kind == ElementKind::shell, stands_in = card == none && (is_shell || h.type == 8);
+    b.findings.add({stands_in ? Severity::warning : Severity::error, h.place,
+                    card == none ? "*CONTROL_HOURGLASS" : "*HOURGLASS", "ihq", std::to_string(h.type),
+                    fmt::format("part{} {} {} {}, for which types 1 to {} are built{}", ids.size() == 1 ? "" : "s",
+                                fmt::join(ids, " "), ids.size() == 1 ? "has" : "have", is_shell ? "shells" : "solids",
+                                highest, stands_in ? ": they get type 1, viscosity, as with IHQ 0" : ""),
+                    is_shell ? "write 4, or give the shells ELFORM 16"
+                             : "write 2, 5 or 6, or give the solids an *HOURGLASS of their own"});
+    if (!stands_in) continue;
+    h.type = 1;
+    const auto index = static_cast<Index>(m.hourglass.size());
+    m.hourglass.push_back(h);
+    for (const int id : ids) m.parts[static_cast<std::size_t>(m.part_index(id))].hourglass = index;
   }
 }
 

@@ -48,6 +48,7 @@ std::vector<Keyword> all_families() {
            damping_keywords,
            load_keywords,
            generalized_body_load_keywords,
+           airbag_keywords,
            rigidwall_keywords,
            constrained_keywords,
            joint_stiffness_keywords,

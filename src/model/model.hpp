@@ -14,6 +14,7 @@
 #include "base/vec3.hpp"
 #include "model/contact.hpp"
 #include "model/control.hpp"
+#include "model/control_volume.hpp"
 #include "model/damping.hpp"
 #include "model/discrete.hpp"
 #include "model/frequency.hpp"
@@ -209,6 +210,7 @@ struct Model {
   std::vector<NodalLoad> nodal_loads;
   std::vector<BodyLoad> body_loads;
   std::vector<PressureLoad> pressure_loads;
+  std::vector<ControlVolume> control_volumes;
   Damping damping;
   InitialState initial_state;
   std::vector<RigidWall> walls;

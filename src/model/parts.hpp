@@ -50,7 +50,9 @@ struct SectionShell {
   double shear_factor = 1.0;
   int layers = 2;            ///< NIP
   bool trapezoidal = false;  ///< QR/IRID = 1
-  double thickness = 0.0;    ///< mean of T1..T4 [length]
+  /// *INTEGRATION_SHELL: places from -1 (bottom) to 1, ascending, and shares of the thickness; empty: another rule.
+  std::vector<std::array<double, 2>> rule;
+  double thickness = 0.0;  ///< mean of T1..T4 [length]
   double nloc =
       0.0;  ///< reference surface: 1 top, 0 middle, -1 bottom; mid-surface = nodes - nloc*t/2 along the normal
   double extra_mass = 0.0;         ///< MAREA [mass/length^2]

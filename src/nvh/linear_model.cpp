@@ -142,6 +142,9 @@ model::Model linear_model(const model::Model& model, Findings& findings) {
     if (weld.kind == model::RigidWeld::Kind::rivet)
       findings.error(weld.place, "*CONSTRAINED_RIVET", "rivets are not built in linear analyses",
                      "weld the two nodes with *CONSTRAINED_SPOTWELD");
+  for (const model::ControlVolume& gas : m.control_volumes)
+    findings.warning(gas.place, "*" + gas.keyword,
+                     "the gas takes no part in linear analyses: it has no stiffness there");
   refuse_fluids(m, findings);
   hold_driven_nodes(m);
   change_bricks(m, findings);

@@ -7,9 +7,9 @@
 
 #include "base/index.hpp"
 #include "kernel/element/quadratic_tetrahedron.hpp"
-#include "kernel/element/shell.hpp"
 #include "nvh/assembly.hpp"
 #include "nvh/stresses.hpp"
+#include "system/shell_elements.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -217,8 +217,8 @@ void Prestress::add(const Statics& statics) {
   for (std::size_t g = 0; g < tensor_.size(); ++g) {
     const system::ElementGroup& group = *system_.groups[g];
     const int layers = group.layers();
-    const kernel::LayerRule rule = system_.model.control.lobatto ? kernel::lobatto_layers(std::max(layers, 1))
-                                                                 : kernel::gauss_layers(std::max(layers, 1));
+    const kernel::LayerRule rule =
+        dimension_of(group) == 2 ? system::layer_rule(system_.model, group.part) : kernel::LayerRule{};
     for (std::size_t e = 0; e < group.size(); ++e) {
       if (!group.alive(e)) continue;
       const Seat seat{static_cast<int>(g), static_cast<int>(e)};
@@ -257,8 +257,8 @@ void Prestress::add(const system::System& run, const system::State& now) {
         continue;
       }
       const int layers = group.layers();
-      const kernel::LayerRule rule = run.model.control.lobatto ? kernel::lobatto_layers(std::max(layers, 1))
-                                                               : kernel::gauss_layers(std::max(layers, 1));
+      const kernel::LayerRule rule =
+          dimension_of(group) == 2 ? system::layer_rule(run.model, group.part) : kernel::LayerRule{};
       for (int k = 0; k < layers; ++k)
         add_to(of(to[i]), dimension_of(group) == 2 ? group.thickness(e) * rule.weight[at(k)] : 1.0 / layers,
                group.layer(e, k, now).stress);

@@ -35,7 +35,16 @@ kernel::ThicknessUpdate thickness_update(int istupd) {
                        : kernel::ThicknessUpdate::all;
 }
 
-kernel::LayerRule layers(const model::SectionShell& section, const model::Control& control) {
+}  // namespace
+
+kernel::LayerRule layer_rule(const model::SectionShell& section, const model::Control& control) {
+  if (!section.rule.empty()) {
+    kernel::LayerRule rule;
+    rule.count = static_cast<int>(section.rule.size());
+    for (std::size_t k = 0; k < section.rule.size(); ++k)
+      rule.zeta[k] = section.rule[k][0], rule.weight[k] = section.rule[k][1];
+    return rule;
+  }
   if (section.trapezoidal) {
     kernel::LayerRule rule;
     rule.count = section.layers;
@@ -49,7 +58,9 @@ kernel::LayerRule layers(const model::SectionShell& section, const model::Contro
   return control.lobatto ? kernel::lobatto_layers(section.layers) : kernel::gauss_layers(section.layers);
 }
 
-}  // namespace
+kernel::LayerRule layer_rule(const model::Model& model, model::Index part) {
+  return layer_rule(model.shell_sections[at(model.parts[at(part)].section)], model.control);
+}
 
 std::array<double, 6> global_stress(const Frame3d& f, double xx, double yy, double xy, double xz, double yz) {
   // sigma = sum_ij s_ij e_i e_j, with s_zz = 0.
@@ -127,7 +138,7 @@ kernel::ShellProperties shell_properties(const model::Part& part, const model::S
                                          const model::Control& control) {
   kernel::ShellProperties shell;
   shell.density = material.density;
-  shell.layers = layers(section, control);
+  shell.layers = layer_rule(section, control);
   shell.shear_factor = section.shear_factor;
   shell.offset = section.nloc;
   shell.hourglass = hourglass.type == 0 ? 1 : hourglass.type;

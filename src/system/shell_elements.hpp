@@ -30,6 +30,11 @@ inline int triangle_formulation(const model::SectionShell& section, const model:
   return control.sort_triangles == kirchhoff ? 17 : control.sort_triangles == c0 ? 4 : 0;
 }
 
+/// Places and shares of thickness of the layers of a section.
+kernel::LayerRule layer_rule(const model::SectionShell& section, const model::Control& control);
+/// The same of a part of shells.
+kernel::LayerRule layer_rule(const model::Model& model, model::Index part);
+
 template <class Law, ShellKind Kind>
 struct ShellElement {
   static constexpr int corners = Kind == ShellKind::triangle || Kind == ShellKind::kirchhoff ? 3 : 4;

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
@@ -29,6 +31,16 @@ const Card curve_card{{
 const Card point_card{{
     wide(real("a", dimension::number, 0, any_value, "abscissa"), 20),
     wide(real("o", dimension::number, 0, any_value, "ordinate"), 20),
+}};
+
+const Card smooth_card{{
+    id("lcid", IdSpace::function, required, "curve id"),
+    integer("sidr", 0, between(0, 2), "loads follow the curve 0 in the run, 1 in dynamic relaxation, 2 in both"),
+    real("dist", dimension::number, required, any_value, "distance to go: the area under the curve"),
+    real("tstart", dimension::number, 0, at_least(0), "time at which it rises"),
+    real("tend", dimension::number, 0, at_least(0), "time at which it is back at 0; 0: by VMAX"),
+    real("trise", dimension::number, required, above_zero(), "time of the rise, and of the fall"),
+    real("vmax", dimension::number, 0, any_value, "velocity in between; used where TEND is 0"),
 }};
 
 const Card copy_card{{
@@ -111,6 +123,52 @@ void read_curve(Builder& b, const Block& block, const Options& options) {
   curve.in_relaxation = row.integer("sidr") != 0;
   if (curve.in_relaxation) b.model.control.relaxation.asked = true;
   rescale(curve, row);
+  add_curve(b, row, std::move(curve));
+}
+
+/// Velocity that rises and falls along half a wave of a cosine each, by chords whose area is that of the wave.
+Curve smooth_curve(int id, double start, double end, double rise, double velocity) {
+  constexpr int chords = 32;
+  Curve curve;
+  curve.id = id;
+  const auto add = [&](double x, double y) {
+    if (!curve.empty() && !(x > curve.x.back())) return;
+    curve.x.push_back(x);
+    curve.y.push_back(y);
+  };
+  const auto wave = [](int i) { return 0.5 * (1.0 - std::cos(std::numbers::pi * i / chords)); };
+  add(0.0, 0.0);
+  for (int i = 0; i <= chords; ++i) add(start + rise * i / chords, velocity * wave(i));
+  for (int i = chords; i >= 0; --i) add(end - rise * i / chords, velocity * wave(i));
+  return curve;
+}
+
+void read_smooth(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
+  const Row row = cursor.read(smooth_card);
+  expect_end(b, cursor);
+  refuse_unit_factors(b, block);
+  const double distance = row.real("dist"), start = row.real("tstart"), rise = row.real("trise");
+  double end = row.real("tend"), velocity = row.real("vmax");
+  if (!(rise > 0.0)) return;  // refused by its range
+  if (end == 0.0 && velocity == 0.0)
+    return refuse(b, row, "vmax", "neither TEND nor VMAX is given", "give one of them; DIST gives the other");
+  if (end == 0.0)
+    end = start + distance / velocity + rise;
+  else
+    velocity = distance / (end - start - rise);
+  if (const double given = row.real("vmax"); given != 0.0 && std::abs(given - velocity) > 1e-3 * std::abs(given))
+    row.complain(b.findings, Severity::warning, "vmax", fmt::format("not obeyed: DIST and TEND give {:.6g}", velocity),
+                 "leave one of TEND and VMAX 0");
+  if (!(end - start >= 2.0 * rise) || !std::isfinite(velocity))
+    return refuse(b, row, "trise",
+                  fmt::format("from TSTART to TEND, {:.6g}, there is no room for a rise and a fall", end - start),
+                  "give a shorter TRISE, or a smaller VMAX");
+  Curve curve = smooth_curve(row.integer("lcid"), start, end, rise, velocity);
+  curve.in_run = row.integer("sidr") != 1;
+  curve.in_relaxation = row.integer("sidr") != 0;
+  if (curve.in_relaxation) b.model.control.relaxation.asked = true;
   add_curve(b, row, std::move(curve));
 }
 
@@ -201,10 +259,7 @@ std::vector<Keyword> curve_keywords() {
        .options = {"TITLE"},
        .verdict = Verdict::refused,
        .why = "curves by formula are not supported; write its points as *DEFINE_CURVE"},
-      {.name = "DEFINE_CURVE_SMOOTH",
-       .options = {"TITLE"},
-       .verdict = Verdict::refused,
-       .why = "smooth velocity curves are not supported; write the points as *DEFINE_CURVE"},
+      {.name = "DEFINE_CURVE_SMOOTH", .options = {"TITLE"}, .layout = {{"", &smooth_card}}, .read = read_smooth},
       {.name = "DEFINE_TABLE",
        .options = {"TITLE"},
        .layout = {{"", &table_card}, {"repeated", &value_card}},

@@ -129,33 +129,41 @@ void read_body_rotation(Builder& builder, const Block& block, const Options&) {
   });
 }
 
-// ---- gravity of single parts
+// ---- gravity of parts
 // -----------------------------------------------------------------------------------------
 
-const Card gravity_part_card{{
-    id("pid", IdSpace::part, required, "part"),
-    integer("dof", required, between(1, 3), "1, 2, 3: along x, y, z"),
-    id("lc", IdSpace::function, 0, "curve of a factor over time; 0: 1"),
-    real("accel", dimension::acceleration, 0, any_value, "base acceleration; positive in z pulls down"),
-    id("lcdr", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2"),
-    integer("stga", 0, only(0), "construction stage at which the part is added"),
-    integer("stgr", 0, only(0), "construction stage at which it is removed"),
-}};
+Card gravity_card(Field target) {
+  return {{
+      target,
+      integer("dof", required, between(1, 3), "1, 2, 3: along x, y, z"),
+      id("lc", IdSpace::function, 0, "curve of a factor over time; 0: 1"),
+      real("accel", dimension::acceleration, 0, any_value, "base acceleration; positive in z pulls down"),
+      id("lcdr", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2"),
+      integer("stga", 0, only(0), "construction stage at which the part is added"),
+      integer("stgr", 0, only(0), "construction stage at which it is removed"),
+  }};
+}
+const Card gravity_part_card = gravity_card(id("pid", IdSpace::part, required, "part"));
+const Card gravity_part_set_card = gravity_card(id("psid", IdSpace::set, required, "part set"));
 
-void read_gravity_part(Builder& builder, const Block& block, const Options&) {
+template <bool set>
+void read_gravity(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const Row row = cursor.read(gravity_part_card);
+    const Row row = cursor.read(set ? gravity_part_set_card : gravity_part_card);
     builder.later(Phase::conditions, [row](Builder& b) {
-      const Index part = b.part(row, "pid");
-      if (part == none) return;
       BodyLoad load;
+      if constexpr (set) {
+        if (const auto* parts = b.part_set(row, "psid")) load.parts = parts->members;
+      } else if (const Index part = b.part(row, "pid"); part != none) {
+        load.parts = {part};
+      }
+      if (load.parts.empty()) return;
       const int axis = row.integer("dof");
       load.direction = {axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0, axis == 3 ? 1.0 : 0.0};
       load.scale = row.real("accel");
       load.curve = b.curve(row, "lc");
       load.relaxation_curve = b.curve(row, "lcdr");
-      load.parts = {part};
       load.own_parts = true;
       b.model.body_loads.push_back(std::move(load));
     });
@@ -321,7 +329,8 @@ std::vector<Keyword> load_keywords() {
       simple("LOAD_BODY_RX", body_load_card, read_body_rotation<0>),
       simple("LOAD_BODY_RY", body_load_card, read_body_rotation<1>),
       simple("LOAD_BODY_RZ", body_load_card, read_body_rotation<2>),
-      simple("LOAD_GRAVITY_PART", gravity_part_card, read_gravity_part),
+      simple("LOAD_GRAVITY_PART", gravity_part_card, read_gravity<false>),
+      simple("LOAD_GRAVITY_PART_SET", gravity_part_set_card, read_gravity<true>),
       {"LOAD_BODY_VECTOR",
        {},
        {},

@@ -69,7 +69,7 @@ Rows other_solutions() {
 /// Fluids, fields, particles.
 Rows other_physics() {
   return {
-      refused("AIRBAG_*", "airbags and control volumes are not built"),
+      refused("AIRBAG_*", "airbags are not built; the gas of _SIMPLE_PRESSURE_VOLUME and _ADIABATIC_GAS_MODEL is"),
       refused("ALE_*", "fluids and large distortions by ALE are not built"),
       refused("CONTROL_ALE", "fluids and large distortions by ALE are not built"),
       refused("INITIAL_VOLUME_FRACTION*", "fluids and large distortions by ALE are not built"),
@@ -107,7 +107,7 @@ Rows other_elements() {
       refused("ELEMENT_DIRECT_MATRIX_INPUT*", "superelements are not built"),
       refused("ELEMENT_*", "this element is not built; shells, bricks, beams, springs and masses are"),
       refused("SECTION_*", "this section is not built; *SECTION_SHELL, _SOLID, _BEAM and _DISCRETE are"),
-      refused("INTEGRATION_*", "integration rules of the user are not built; use NIP and QR of the section"),
+      refused("INTEGRATION_*", "this integration rule of the user is not built; *INTEGRATION_SHELL is"),
       refused("PART_COMPOSITE*", "layered composites are not built"),
       refused("PART_*", "this form of *PART is not built; INERTIA and CONTACT are"),
       refused("NODE_*", "this form of *NODE is not built"),
@@ -169,7 +169,6 @@ Rows other_conditions() {
       refused("INITIAL_TEMPERATURE*", "heat conduction is not built"),
       refused("INITIAL_*",
               "this initial condition is not built; velocities of nodes, sets, parts and rigid bodies are"),
-      refused("LOAD_GRAVITY_PART_*", "gravity of part sets and with stages is not built; use *LOAD_GRAVITY_PART"),
       refused("LOAD_THERMAL_*", "heat and thermal strains are not built"),
       refused("LOAD_BLAST*", "blast loads are not built; use *LOAD_SEGMENT_SET with a pressure curve"),
       refused("LOAD_*", "this load is not built; nodal, body and pressure loads are"),

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 
@@ -26,9 +29,24 @@ const Card shell_card{{
     real("shrf", dimension::number, 1, above_zero(), "shear correction factor"),
     integer("nip", 2, between(1, 10), "layers through the thickness"),
     integer("propt", 1, any_value, "printout option, no effect"),
-    integer("qr_irid", 0, between(0, 1), "layers: 0 Gauss or Lobatto by *CONTROL_SHELL, 1 trapezoidal"),
+    integer(
+        "qr_irid", 0, between(-99999999, 1),
+        "layers: 0 Gauss or Lobatto by *CONTROL_SHELL, 1 trapezoidal; below 0: of *INTEGRATION_SHELL, whose IRID is "
+        "this without its sign"),
     integer("icomp", 0, only(0), "layered composites"),
     integer("setyp", 1, only(1), "two-dimensional sections"),
+}};
+
+const Card rule_card{{
+    id("irid", IdSpace::other, required, "id of the rule, which QR/IRID of *SECTION_SHELL gives with a minus"),
+    integer("nip", required, between(1, 10), "layers through the thickness"),
+    integer("esop", 0, between(0, 1), "0: a card for each layer follows; 1: layers of equal thickness"),
+    integer("failopt", 0, between(0, 1), "where only some layers can fail; no effect, all are of one material"),
+}};
+const Card rule_layer_card{{
+    real("s", dimension::number, 0, between(-1, 1), "place of the layer: -1 bottom, 1 top"),
+    real("wf", dimension::number, required, above_zero(), "its share of the thickness"),
+    id("pid", IdSpace::part, 0, "part whose material the layer has"),
 }};
 
 const Card shell_thickness_card{{
@@ -154,6 +172,25 @@ void add_section(Builder& b, const Row& row, Section section, Ids& ids, std::vec
   rows.push_back(row);
 }
 
+/// The layers of the section that comes next are those of a rule of the user.
+void take_rule(Builder& b, const Block& block, const Row& row) {
+  int id = -row.integer("qr_irid");
+  if (block.transform) id += static_cast<int>(block.transform->id_offset[static_cast<std::size_t>(IdSpace::other)]);
+  b.later(Phase::curves, [row, id, index = b.model.shell_sections.size()](Builder& builder) {
+    const auto found = builder.layer_rules.find(id);
+    if (found == builder.layer_rules.end())
+      return refuse(builder, row, "qr_irid", fmt::format("rule {} is not defined", id),
+                    "define it with *INTEGRATION_SHELL, or write 0 or 1");
+    SectionShell& section = builder.model.shell_sections[index];
+    section.rule = found->second;
+    section.layers = static_cast<int>(section.rule.size());
+    if (row.integer("nip") != section.layers)
+      row.complain(builder.findings, Severity::warning, "nip",
+                   fmt::format("there are {} layers, as rule {} of *INTEGRATION_SHELL says", section.layers, id),
+                   fmt::format("write {}", section.layers));
+  });
+}
+
 void read_shell(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     read_title(cursor, options);
@@ -169,7 +206,37 @@ void read_shell(Builder& b, const Block& block, const Options& options) {
     s.thickness = size_is_known ? mean_thickness(size) : std::numeric_limits<double>::quiet_NaN();
     s.nloc = size.real("nloc");
     s.extra_mass = size.real("marea");
+    if (row.integer("qr_irid") < 0) take_rule(b, block, row);
     add_section(b, row, s, b.shell_sections, b.model.shell_sections, b.shell_section_rows, "shell section");
+  }
+}
+
+void read_rule(Builder& b, const Block& block, const Options&) {
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    const Row row = cursor.read(rule_card);
+    const int count = row.integer("nip");
+    if (count < 1 || count > 10) return;  // refused by its range
+    std::vector<std::array<double, 2>> rule;
+    for (int k = 0; k < count; ++k) {
+      if (row.integer("esop") == 1) {
+        rule.push_back({(2.0 * k + 1.0) / count - 1.0, 1.0 / count});
+        continue;
+      }
+      const Row layer = cursor.read(rule_layer_card);
+      rule.push_back({layer.real("s"), layer.real("wf")});
+      if (layer.integer("pid") != 0)
+        refuse(b, layer, "pid", "layers of several materials are not built", "leave it 0: the material of the part");
+    }
+    std::sort(rule.begin(), rule.end());
+    double sum = 0.0, moment = 0.0;
+    for (const auto& [s, weight] : rule) sum += weight, moment += s * weight;
+    if (std::abs(sum - 1.0) > 1e-3 || std::abs(moment) > 1e-3)
+      row.complain(b.findings, Severity::warning, "irid",
+                   fmt::format("the layers' shares sum up to {:.4g} and lie about {:.4g} of half the thickness", sum,
+                               moment / sum),
+                   "a sheet has 1 and 0: see WF and S");
+    if (!b.layer_rules.try_emplace(row.integer("irid"), std::move(rule)).second)
+      refuse(b, row, "irid", fmt::format("rule {} is defined twice", row.integer("irid")), "give it another id");
   }
 }
 
@@ -298,6 +365,9 @@ std::vector<Keyword> section_keywords() {
        .options = {"TITLE"},
        .layout = {{"", &shell_card}, {"", &shell_thickness_card}},
        .read = read_shell},
+      {.name = "INTEGRATION_SHELL",
+       .layout = {{"", &rule_card}, {"if ESOP = 0, NIP times", &rule_layer_card}},
+       .read = read_rule},
       {.name = "SECTION_SOLID", .options = {"TITLE"}, .layout = {{"", &solid_card}}, .read = read_solid},
       {.name = "SECTION_BEAM",
        .options = {"TITLE"},

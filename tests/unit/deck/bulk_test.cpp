@@ -215,6 +215,18 @@ TEST(BulkShells, WhatIsRefused) {
       "(text):7:31: error: *ELEMENT_SHELL_THICKNESS n2 = -2: expected 0 or more (node id)\n");
 }
 
+TEST(BulkSolids, ZerosBehindThePartAreNoNodes) {
+  const Elements e(read_solids, "ELEMENT_SOLID (ten nodes format)",
+                   "      13       6       0       0       0       0       0       0       0       0\n"
+                   "       1       2       3       4       5       6       7       8       0       0\n"
+                   "14,6,0,0\n"
+                   "1,2,3,4,5,6,7,8\n");
+  EXPECT_CLEAN(e.findings);
+  EXPECT_THAT(e.table.id, testing::ElementsAre(13, 14));
+  EXPECT_THAT(e.nodes(0), testing::ElementsAre(1, 2, 3, 4, 5, 6, 7, 8, 0, 0));
+  EXPECT_THAT(e.nodes(1), testing::ElementsAre(1, 2, 3, 4, 5, 6, 7, 8, 0, 0));
+}
+
 TEST(BulkSolids, OneLineAndTwoLineMixed) {
   const Elements e(
       read_solids, "ELEMENT_SOLID (ten nodes format)",

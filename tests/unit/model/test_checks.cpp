@@ -76,13 +76,13 @@ TEST(Checks, ManyFaultsOfOneKindAreCounted) {
 
 TEST(Checks, FormulationsAreRefusedByName) {
   const Built b(
-      sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12,11\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"
+      sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12,5\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"
                  "*PART\nb\n3,13,1\n*SECTION_SOLID\n13,5\n*ELEMENT_SOLID\n1,3,1,2,3,4,5,6,7,8\n"
                  "*PART\nc\n4,14,2\n*SECTION_BEAM\n14,6\n1.0,1.0\n*MAT_SPOTWELD\n2,7.85e-9,210000.0,0.3,400.0\n"
                  "*ELEMENT_BEAM\n1,4,1,5\n"));
-  const Finding* shell = b.find(Severity::error, "shell formulation 11 is not built", "elform");
+  const Finding* shell = b.find(Severity::error, "shell formulation 5 is not built", "elform");
   ASSERT_NE(shell, nullptr) << b.all_findings();
-  EXPECT_EQ(shell->value, "11");
+  EXPECT_EQ(shell->value, "5");
   EXPECT_TRUE(b.error("solid formulation 5 is not built", "elform"));
   EXPECT_TRUE(b.error("not a law of discrete beams (ELFORM 6)", "mid"));
 }
@@ -198,8 +198,8 @@ TEST(Checks, RigidPartsMayHaveAnyFormulation) {
 
 TEST(Checks, TheoryStandsInForABlankFormulation) {
   const Built b(
-      sheet_deck("*CONTROL_SHELL\n,,,,11\n*PART\na\n2,12,1\n*SECTION_SHELL\n12\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"));
-  EXPECT_TRUE(b.error("shell formulation 11 is not built", "elform")) << b.all_findings();
+      sheet_deck("*CONTROL_SHELL\n,,,,5\n*PART\na\n2,12,1\n*SECTION_SHELL\n12\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"));
+  EXPECT_TRUE(b.error("shell formulation 5 is not built", "elform")) << b.all_findings();
 }
 
 TEST(Checks, FullyIntegratedShells) {
@@ -216,7 +216,7 @@ TEST(Checks, FullyIntegratedShells) {
     EXPECT_EQ(b.model.shell_sections.back().elform, 16);
   }
   // Type 8 is for formulation 16 only: part 1 has formulation 2.
-  EXPECT_TRUE(Built(deck("16", "*CONTROL_HOURGLASS\n8\n")).error("part 1 has shells, for which types 1 to 5"));
+  EXPECT_TRUE(Built(deck("16", "*CONTROL_HOURGLASS\n8\n")).warning("part 1 has shells, for which types 1 to 5"));
 }
 
 TEST(Checks, OtherOnePointShells) {
@@ -229,8 +229,13 @@ TEST(Checks, OtherOnePointShells) {
   EXPECT_EQ(chiang.model.shell_sections.back().elform, 2);
   EXPECT_TRUE(chiang.model.shell_sections.back().warping_stiffness);
   EXPECT_FALSE(chiang.model.shell_sections.front().warping_stiffness);
-  for (const char* other : {"1", "8", "11"}) {
-    EXPECT_TRUE(Built(deck(other, "")).error("is not built", "elform"));
+  for (const auto& [other, name] :
+       {std::pair{"1", "Hughes-Liu"}, {"8", "Belytschko-Leviathan"}, {"11", "Hughes-Liu"}}) {
+    const Built b(deck(other, ""));
+    EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+    EXPECT_TRUE(b.warning(name, "elform")) << b.all_findings();
+    EXPECT_EQ(b.model.shell_sections.back().elform, 2);
+    EXPECT_TRUE(b.model.shell_sections.back().warping_stiffness);
     const Built linear(deck(other, "*CONTROL_IMPLICIT_GENERAL\n1\n*CONTROL_IMPLICIT_EIGENVALUE\n10\n"));
     EXPECT_EQ(linear.findings.errors(), 0) << linear.all_findings();
   }
@@ -273,20 +278,35 @@ TEST(Checks, LawsAndElementsMustGoTogether) {
   EXPECT_EQ(b.findings.errors(), 3) << b.all_findings();
 }
 
+/// The hourglass type that a part is computed with.
+int type_of_part(const Built& b, int id) {
+  const Part& part = b.model.parts[static_cast<std::size_t>(b.model.part_index(id))];
+  return part.hourglass == none ? b.model.control.hourglass.type
+                                : b.model.hourglass[static_cast<std::size_t>(part.hourglass)].type;
+}
+
 TEST(Checks, HourglassTypesByElement) {
   const std::string brick = std::string(brick_part) + "*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n";
   const Built b(sheet_deck(brick + "*CONTROL_HOURGLASS\n6\n"));
-  const Finding* f = b.find(Severity::error, "part 1 has shells, for which types 1 to 5 are built", "ihq");
+  const Finding* f = b.find(Severity::warning,
+                            "part 1 has shells, for which types 1 to 5 are built: they get type 1, viscosity", "ihq");
   ASSERT_NE(f, nullptr) << b.all_findings();
-  EXPECT_EQ(b.findings.errors(), 1);  // the bricks of part 2 have type 6
+  EXPECT_EQ(b.findings.errors(), 0);  // the bricks of part 2 have type 6
+  EXPECT_EQ(type_of_part(b, 1), 1);
+  EXPECT_EQ(type_of_part(b, 2), 6);
   EXPECT_NE(Built(sheet_deck(brick + "*CONTROL_HOURGLASS\n7\n"))
                 .find(Severity::error, "part 2 has solids, for which types 1 to 6 are built", "ihq"),
             nullptr);
   EXPECT_EQ(Built(sheet_deck(brick + "*CONTROL_HOURGLASS\n2\n")).findings.errors(), 0);
   // A brick of eight points has no modes, so types of shells mean nothing to it.
   const std::string full = "*PART\nblock\n2,2,1\n*SECTION_SOLID\n2,2\n*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n";
-  EXPECT_TRUE(Built(sheet_deck(brick + "*CONTROL_HOURGLASS\n8\n")).error("part 2 has solids", "ihq"));
-  EXPECT_FALSE(Built(sheet_deck(full + "*CONTROL_HOURGLASS\n8\n")).error("part 2 has solids", "ihq"));
+  const Built mixed(sheet_deck(brick + "*CONTROL_HOURGLASS\n8\n"));
+  EXPECT_TRUE(mixed.warning("part 2 has solids", "ihq"));
+  EXPECT_EQ(type_of_part(mixed, 2), 1);
+  EXPECT_FALSE(Built(sheet_deck(full + "*CONTROL_HOURGLASS\n8\n")).warning("part 2 has solids", "ihq"));
+  // A card of the part's own says what the part is to have.
+  const std::string own = "*HOURGLASS\n5,8\n*PART\nblock\n2,2,1,,5\n*SECTION_SOLID\n2,1\n";
+  EXPECT_TRUE(Built(sheet_deck(own + "*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n")).error("part 2 has solids", "ihq"));
 }
 
 TEST(Checks, TriangleFormulationNeedsTriangles) {

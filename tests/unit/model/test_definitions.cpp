@@ -29,6 +29,36 @@ TEST(Curves, OffsetsComeBeforeFactors) {
   EXPECT_EQ(b.model.curve_index(6), 1);
 }
 
+/// Area under a curve, and its largest value.
+std::pair<double, double> area_and_peak(const Curve& c) {
+  double area = 0.0, peak = 0.0;
+  for (std::size_t i = 1; i < c.x.size(); ++i) area += 0.5 * (c.x[i] - c.x[i - 1]) * (c.y[i] + c.y[i - 1]);
+  for (const double y : c.y) peak = std::max(peak, std::abs(y));
+  return {area, peak};
+}
+
+// Sabotage: the fall without its rise in the sum of times; a straight ramp fails the value at a quarter.
+TEST(Curves, SmoothOnesGoTheirDistance) {
+  // 40 between 1 and 6 with rises of 1: 40 / (6 - 1 - 1) in between; or 10 for as long as it takes.
+  for (const char* card : {"5,0,40.0,1.0,6.0,1.0", "5,0,40.0,1.0,0.0,1.0,10.0"}) {
+    const auto b = built(std::string("*DEFINE_CURVE_SMOOTH\n") + card + "\n");
+    ASSERT_EQ(b.findings.errors(), 0) << b.all_findings();
+    const Curve& c = b.model.curves.at(0);
+    const auto [area, peak] = area_and_peak(c);
+    EXPECT_NEAR(area, 40.0, 1e-12);
+    EXPECT_DOUBLE_EQ(peak, 10.0);
+    EXPECT_DOUBLE_EQ(c.x.back(), 6.0);
+    EXPECT_EQ(c.zero_outside(0.5), 0.0);
+    EXPECT_NEAR(c.zero_outside(1.25), 10.0 * 0.5 * (1.0 - std::sqrt(0.5)), 1e-12);
+    EXPECT_NEAR(c.zero_outside(5.5), 5.0, 1e-12);
+  }
+  const auto backwards = built("*DEFINE_CURVE_SMOOTH_TITLE\nt\n5,,-40.0,0.0,5.0,1.0\n");
+  EXPECT_NEAR(area_and_peak(backwards.model.curves.at(0)).first, -40.0, 1e-12);
+  EXPECT_TRUE(built("*DEFINE_CURVE_SMOOTH\n5,0,40.0,1.0,0.0,1.0\n").error("neither TEND nor VMAX is given", "vmax"));
+  EXPECT_TRUE(built("*DEFINE_CURVE_SMOOTH\n5,0,40.0,1.0,2.5,1.0\n").error("no room for a rise and a fall", "trise"));
+  EXPECT_TRUE(built("*DEFINE_CURVE_SMOOTH\n5,0,40.0,1.0,6.0,1.0,3.0\n").warning("DIST and TEND give 10", "vmax"));
+}
+
 TEST(Curves, AbscissaeMustAscend) {
   const auto b = built("*DEFINE_CURVE\n5\n0.0,1.0\n1.0,2.0\n1.0,3.0\n");
   const Finding* f = b.find(Severity::error, "expected more than 1", "a");

@@ -150,6 +150,23 @@ TEST(Materials, RefusedLawsNameTheNearestOne) {
 // ---- sections and hourglass
 // ------------------------------------------------------------------------------------------
 
+TEST(Sections, LayersOfTheUser) {
+  const auto b = built(
+      "*SECTION_SHELL\n3,2,0.833,5,,-7\n1.0\n4,2,0.833,2,,-8\n1.0\n*INTEGRATION_SHELL\n7,3\n0.8,0.3\n-0.8,0.3\n0.0,0."
+      "4\n"
+      "8,2,1\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  using Layer = std::array<double, 2>;
+  EXPECT_THAT(b.model.shell_sections[0].rule, testing::ElementsAre(Layer{-0.8, 0.3}, Layer{0.0, 0.4}, Layer{0.8, 0.3}));
+  EXPECT_EQ(b.model.shell_sections[0].layers, 3);
+  EXPECT_TRUE(b.warning("there are 3 layers, as rule 7", "nip"));
+  EXPECT_THAT(b.model.shell_sections[1].rule, testing::ElementsAre(Layer{-0.5, 0.5}, Layer{0.5, 0.5}));
+  EXPECT_TRUE(built("*SECTION_SHELL\n3,2,,2,,-7\n1.0\n").error("rule 7 is not defined", "qr_irid"));
+  EXPECT_TRUE(built("*INTEGRATION_SHELL\n7,1\n0.0,1.0,4\n").error("layers of several materials", "pid"));
+  EXPECT_TRUE(built("*INTEGRATION_SHELL\n7,2\n0.0,0.6\n1.0,0.6\n").warning("shares sum up to 1.2", "irid"));
+  EXPECT_TRUE(built("*INTEGRATION_SHELL\n7,1\n1.5,1.0\n").error("expected -1 to 1", "s"));
+}
+
 TEST(Sections, Shell) {
   const auto b = built("*SECTION_SHELL_TITLE\ns\n3,2,0.833,5,,1\n1.0,3.0,,,-1.0,2.0e-9\nt\n4,2\n2.0\n");
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/vec3.hpp"
+#include "model/parts.hpp"
+
+namespace nugget::model {
+
+/// An opening of a surface: its border, each edge in the direction in which the face behind it runs.
+struct Opening {
+  std::vector<std::array<Index, 2>> edges;
+  std::vector<Index> nodes;  ///< of the border, ascending
+};
+
+/// Gas behind faces (*AIRBAG_...): its pressure follows from the volume that they enclose.
+struct ControlVolume {
+  int id = 0;
+  std::string keyword, title;
+  std::vector<Segment> segments;    ///< normals outwards
+  std::vector<CornerShares> share;  ///< as of PressureLoad
+  std::vector<Opening> openings;
+  double volume_scale = 1.0, pressure_scale = 1.0;  ///< VSCA, PSCA
+
+  enum class Gas {
+    coefficient,  ///< SIMPLE_PRESSURE_VOLUME: p = beta CN / (V/V0)
+    curve,        ///< the same with LCID: p(V/V0)
+    adiabatic     ///< ADIABATIC_GAS_MODEL: p = PSF (P0 (V/V0)^-gamma - PE)
+  };
+  Gas gas = Gas::coefficient;
+  Index curve = none;              ///< of `curve`
+  Index coefficient_curve = none;  ///< CN over time, times beta; none: `coefficient`
+  Index relaxation_curve = none;   ///< CN over time in dynamic relaxation; none: as in the run
+  double coefficient = 0.0;        ///< beta CN; with `coefficient_curve` or `relaxation_curve`: see `beta`
+  double beta = 1.0;
+  double gamma = 0.0, absolute = 0.0, ambient = 0.0;  ///< GAMMA, P0, PE
+  Index preload_curve = none;  ///< adiabatic: until its first value above 0 the pressure is PSF P0
+  Place place;
+};
+
+/// What a closed surface of these faces lacks. `twisted`: two faces that run along a common edge in the same direction,
+/// so that their normals disagree; empty where there is none.
+struct SurfaceBorder {
+  std::vector<Opening> openings;
+  std::vector<std::array<Index, 2>> twisted;
+};
+SurfaceBorder surface_border(const std::vector<Segment>& segments);
+
+/// The volume within faces whose normals point outwards. Faces are bilinear; an opening is covered by triangles from
+/// its border to the mean of its nodes, which is a plane where the border is plane. `x(node)` gives places.
+template <class Places>
+double enclosed_volume(const std::vector<Segment>& segments, const std::vector<Opening>& openings, const Places& x) {
+  if (segments.empty()) return 0.0;
+  const Vec3d origin = x(segments.front()[0]);
+  double sum = 0.0;  // of six times the volumes of tetrahedra from the origin
+  const auto add = [&](const Vec3d& a, const Vec3d& b, const Vec3d& c, double weight) {
+    sum += weight * dot(a - origin, cross(b - origin, c - origin));
+  };
+  for (const Segment& s : segments) {
+    const Vec3d a = x(s[0]), b = x(s[1]), c = x(s[2]), d = x(s[3]);
+    if (s[3] == s[2]) {
+      add(a, b, c, 1.0);
+      continue;
+    }
+    // Cut along either diagonal; their mean is that of the bilinear face.
+    add(a, b, c, 0.5), add(a, c, d, 0.5), add(a, b, d, 0.5), add(b, c, d, 0.5);
+  }
+  for (const Opening& opening : openings) {
+    Vec3d middle;
+    for (const Index n : opening.nodes) middle += x(n) - origin;
+    middle = origin + (1.0 / static_cast<double>(opening.nodes.size())) * middle;
+    for (const auto& [from, to] : opening.edges) add(middle, x(to), x(from), 1.0);
+  }
+  return sum / 6.0;
+}
+
+}  // namespace nugget::model
