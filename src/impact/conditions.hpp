@@ -89,8 +89,8 @@ class Loads {
   /// (velocities of that step in `state`, length `dt`; 0 at the start).
   void apply(system::State& state, double dt);
   double work() const { return work_; }
-  /// Takes the masses that body loads act on from the system, mass that was added to it included: to be called when
-  /// they have changed.
+  /// Takes the masses that body loads act on from the system, of what mass scaling added the share EMSCL: to be called
+  /// when they have changed.
   void weigh();
 
   /// Gas at the moment of the last `apply`.
@@ -135,6 +135,7 @@ class Loads {
              double pressure, std::vector<Vec3d>& last, system::State& state, double dt);
   void apply(Body& body, system::State& state, double dt);
   double curve_value(const model::BodyLoad& load, const system::State& state) const;
+  std::vector<double> weightless() const;
   void take_nodes(Body& body) const;
   void take_all(Body& body) const;
   void take_parts(Body& body) const;

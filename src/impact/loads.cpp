@@ -47,6 +47,23 @@ Loads::Loads(const system::System& system) : system_(system) {
   weigh();
 }
 
+/// By node as its elements have it: what mass scaling added and EMSCL leaves without weight [mass].
+std::vector<double> Loads::weightless() const {
+  const double share = 1.0 - system_.model.control.weight_of_added_mass;
+  std::vector<double> without(system_.nodes, 0.0);
+  for (const auto& group : system_.groups) {
+    if (group->added_mass_is_physical) continue;
+    for (std::size_t e = 0; e < group->size(); ++e) {
+      const double added = group->mass_scale(e) - 1.0;
+      if (!(added > 0.0)) continue;
+      const auto nodes = group->nodes(e);
+      for (int a = 0; a < group->nodes_per_element; ++a)
+        without[at(nodes[at(a)])] += share * added * group->nodal_mass(e, a);
+    }
+  }
+  return without;
+}
+
 void Loads::weigh() {
   for (Body& body : body_) {
     body.nodes.clear();
@@ -61,8 +78,20 @@ void Loads::weigh() {
 }
 
 void Loads::take_all(Body& body) const {
-  for (std::size_t k = 0; k < system_.nodes + system_.bodies.size(); ++k) {
-    const double m = k < system_.nodes ? system_.mass[k] : system_.bodies[k - system_.nodes].mass;
+  const std::vector<double> own = weightless();
+  std::vector<double> without(system_.nodes + system_.bodies.size(), 0.0);
+  for (std::size_t k = 0; k < system_.nodes; ++k) {
+    if (!system_.map.dependent(static_cast<int>(k)))
+      without[k] += own[k];
+    else
+      for (const system::ConstraintMap::Term& t : system_.map.terms(static_cast<int>(k)))
+        without[at(t.node)] += t.weight * own[k];
+  }
+  for (std::size_t k = 0; k < without.size(); ++k) {
+    const bool rigid = k >= system_.nodes;
+    // The mass that a deck gives a body is not that of its elements, scaled or not.
+    if (rigid && system_.model.rigid_bodies[at(system_.bodies[k - system_.nodes].source)].given) without[k] = 0.0;
+    const double m = (rigid ? system_.bodies[k - system_.nodes].mass : system_.mass[k]) - without[k];
     if (m <= 0.0) continue;
     body.nodes.push_back(static_cast<int>(k));
     body.mass.push_back(m);
@@ -78,8 +107,11 @@ void Loads::take_parts(Body& body) const {
     if (!wanted(group->part)) continue;
     for (std::size_t e = 0; e < group->size(); ++e) {
       const auto nodes = group->nodes(e);
+      const double added = group->mass_scale(e) - 1.0;
+      const double weight =
+          1.0 + (group->added_mass_is_physical ? added : system_.model.control.weight_of_added_mass * added);
       for (int a = 0; a < group->nodes_per_element; ++a)
-        mass[nodes[static_cast<std::size_t>(a)]] += group->mass_scale(e) * group->nodal_mass(e, a);
+        mass[nodes[static_cast<std::size_t>(a)]] += weight * group->nodal_mass(e, a);
     }
   }
   // Rigid parts, and what else has mass without a kernel.
@@ -110,8 +142,9 @@ void Loads::take_nodes(Body& body) const {
     for (const model::Index n : nodes) wanted[place(n)] = 0;
     take(rigid.node, rigid.mass);
   }
+  const std::vector<double> without = weightless();
   for (std::size_t k = 0; k < system_.nodes; ++k)
-    if (wanted[k]) take(static_cast<int>(k), system_.own_mass[k]);
+    if (wanted[k]) take(static_cast<int>(k), system_.own_mass[k] - without[k]);
 }
 
 void Loads::apply(system::State& state, double dt) {

@@ -65,6 +65,7 @@ struct Control {
   double step_scale = 0.9;                  ///< TSSFAC
   int length_basis = 0;                     ///< ISDO
   double mass_step = 0.0;                   ///< DT2MS, sign as in the deck; 0: none
+  double weight_of_added_mass = 0.0;        ///< EMSCL, share of the mass added by scaling on which body loads act [1]
   Index step_curve = none;                  ///< LCTM
   int erode_small_steps = 0;                ///< ERODE
   bool mass_scaling_at_start_only = false;  ///< MS1ST

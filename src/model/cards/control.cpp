@@ -55,7 +55,7 @@ const Card step_card_2{{
     unused(),
     unused(),
     real("rmscl", dimension::number, 0, only(0), "selective mass scaling of rotations"),
-    real("emscl", dimension::number, 0, only(0), "gravity on added mass"),
+    real("emscl", dimension::number, 0, between(0, 1), "share of the mass added by scaling on which body loads act"),
     flag("ihdo", "step of solids, no effect"),
 }};
 
@@ -310,7 +310,7 @@ void read_termination(Builder& b, const Block& block, const Options&) {
 void read_time_step(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   const Row row = cursor.read(step_card);
-  cursor.read(step_card_2);
+  const Row second = cursor.read(step_card_2);
   const Row third = cursor.read(step_card_3);
   expect_end(b, cursor);
   if (row.real("tssfac") < 0.0)
@@ -325,6 +325,7 @@ void read_time_step(Builder& b, const Block& block, const Options&) {
   c.mass_step = row.real("dt2ms");
   c.erode_small_steps = row.integer("erode");
   c.mass_scaling_at_start_only = row.integer("ms1st") == 1;
+  c.weight_of_added_mass = second.real("emscl");
   c.tied_rotary_mass = third.real("rmavg");
   b.later(Phase::conditions, [row](Builder& later) { later.model.control.step_curve = later.curve(row, "lctm"); });
 }
