@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <numbers>
 #include <utility>
 
 #include "specimen.hpp"
@@ -123,6 +125,54 @@ TEST(EdgeContact, SegmentBasedContactSeesEdges) {
   expect_rebound("crossed plates, 15 m/s, SOFT 2 of two surfaces", of_two);
   expect_reference("edges", "crossed plates, two surfaces, impulse on SURFA over its momentum", of_two.impulse, 1.0,
                    1e-9);
+}
+
+/// Two upright plates, crosswise, edge over edge, the upper one coming down. The edges cross `a` and `b` of an element
+/// from a node of either.
+struct UprightPlates {
+  Grid lower, upper;
+  std::string deck;
+
+  UprightPlates(const std::string& contact, double a, double b, double angle) {
+    Specimen s;
+    s.card("MAT_ELASTIC", {1, 7.85e-9, 210000.0, 0.3});
+    s.text("*SECTION_SHELL\n" + fields({1, 16, 1, 3}) + fields({1, 1, 1, 1}));
+    s.part(1, 1, 1).part(2, 1, 1).text(contact);
+    s.card("CONTROL_ENERGY", {2, 2, 2, 2}).card("CONTROL_TERMINATION", {2e-4});
+    const auto plate = [&s](int part, double along_x, double along_y, double shift, double z) {
+      Grid grid;
+      grid.cells = {6, 6, 0};
+      for (int j = 0; j <= 6; ++j)
+        for (int i = 0; i <= 6; ++i) {
+          const double along = 5.0 * (i - 3 + shift);
+          const int id = s.node({along * along_x, along * along_y, z + 5.0 * j});
+          if (i == 0 && j == 0) grid.first = id;
+        }
+      for (int j = 0; j < 6; ++j)
+        for (int i = 0; i < 6; ++i) s.shell(part, {grid(i, j), grid(i + 1, j), grid(i + 1, j + 1), grid(i, j + 1)});
+      return grid;
+    };
+    lower = plate(1, 1.0, 0.0, a, -30.0);
+    upper = plate(2, std::cos(angle), std::sin(angle), b, 1.05);
+    s.card("INITIAL_VELOCITY_GENERATION", {2, 2, 0, 0, 0, -10000.0}).text(fields({}));
+    deck = s.deck();
+  }
+};
+
+// Edges that cross at nodes, beside them or over the middle of an element. Sabotage: nodes that meet the other plate's
+// edge as well (2 to 10 % of the energy).
+TEST(EdgeContact, EdgesCrossAnywhereAlongThem) {
+  for (const bool by_segments : {false, true})
+    for (const double angle : {90.0, 50.0})
+      for (const auto& [a, b] : {std::pair{0.0, 0.0}, {0.01, 0.0}, {0.02, 0.03}, {0.0, 0.5}, {0.0, 0.25}, {0.3, 0.4}}) {
+        const std::string contact = by_segments
+                                        ? all_by_all("CONTACT_AUTOMATIC_SINGLE_SURFACE") + fields({2, 0.1, 0, 0, 2, 5})
+                                        : all_by_all("CONTACT_AUTOMATIC_GENERAL");
+        char what[80];
+        std::snprintf(what, sizeof what, "upright plates%s, %g degrees, %g and %g off nodes",
+                      by_segments ? ", SOFT 2" : "", angle, a, b);
+        expect_rebound(what, meet(UprightPlates(contact, a, b, angle * std::numbers::pi / 180.0)));
+      }
 }
 
 // Nodes against segments alone let the plates cut into each other: the case is one for edges.
