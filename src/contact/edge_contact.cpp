@@ -465,7 +465,11 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   // What the motion of this step cannot have made was there before, or comes from an edge laid bare.
   const double approach = -dot(velocity, pair.direction);
   const double explained = before.depth + step.dt * (before.touching ? norm(velocity) : std::max(0.0, approach));
-  const double offset = candidate.before.touching ? before.offset : std::max(before.offset, overlap - explained);
+  double offset = candidate.before.touching ? before.offset : std::max(before.offset, overlap - explained);
+  pair.share = before.touching ? std::max(before.share, share(pair, step)) : share(pair, step);
+  // Stiffness that grows with the share would give energy if it found the depth as it was.
+  if (before.touching && pair.share > before.share)
+    offset = overlap - std::max(0.0, overlap - offset) * std::sqrt(before.share / pair.share);
   pair.touching = true;
   pair.offset = std::min(offset, overlap);
   pair.depth = overlap - pair.offset;
@@ -476,7 +480,6 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   const std::array<double, 4> node_mass{step.mass[e.node[0]], step.mass[e.node[1]], step.mass[f.node[0]],
                                         step.mass[f.node[1]]};
   const double inverse_mass = kernel::inverse_pair_mass(0.0, weight, node_mass);
-  pair.share = before.touching ? std::max(before.share, share(pair, step)) : share(pair, step);
   const double stiffness =
       pair.share * kernel::pair_stiffness(setup_.law, penalty(e, f, step), inverse_mass, step.bearable);
   pair.memory = before.memory;

@@ -168,7 +168,7 @@ TEST(EdgeContact, EdgesCrossAnywhereAlongThem) {
         const std::string contact = by_segments
                                         ? all_by_all("CONTACT_AUTOMATIC_SINGLE_SURFACE") + fields({2, 0.1, 0, 0, 2, 5})
                                         : all_by_all("CONTACT_AUTOMATIC_GENERAL");
-        char what[80];
+        char what[120];
         std::snprintf(what, sizeof what, "upright plates%s, %g degrees, %g and %g off nodes",
                       by_segments ? ", SOFT 2" : "", angle, a, b);
         expect_rebound(what, meet(UprightPlates(contact, a, b, angle * std::numbers::pi / 180.0)));
