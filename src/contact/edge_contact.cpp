@@ -18,8 +18,7 @@ constexpr double pressing_depth = 0.3;  // of a brick's depth
 constexpr double beyond_normals = 0.1;  // angle by which a common normal may leave those of the faces
 constexpr double flat = 0.05;           // sine of an inward angle between faces that still counts as none
 constexpr double ridge = 0.3;           // angle from the middle of the normals beyond which faces form a ridge
-constexpr double near_end = 0.06;       // of an edge: nearer to an end of both the force fades
-constexpr double side_by_side = 0.2;    // sine of the angle between edges below which it does
+constexpr double near_end = 0.06;  // of an edge: nearer to an end than this it meets at the node, see closer(), share()
 
 bool finite(const Row& r) {
   return std::isfinite(r.x + r.y + r.z);
@@ -73,9 +72,30 @@ struct Outward {
   bool hold(const Vec3d& direction) const { return angle_to(direction) <= half_angle + beyond_normals; }
 };
 
+/// How many of the elements of an edge live.
+std::ptrdiff_t living(const Edge& e, std::span<const unsigned char> alive) {
+  return std::count_if(e.elements.begin(), e.elements.end(),
+                       [&alive](int element) { return element < 0 || alive.empty() || alive[element] != 0; });
+}
+
 /// Whether a place along an edge is one of its ends, but for round-off.
 bool at_an_end(double place) {
   return place <= 1e-9 || place >= 1.0 - 1e-9;
+}
+
+bool near_an_end(double place) {
+  return place <= near_end || place >= 1.0 - near_end;
+}
+
+/// The end of an edge to which a place along it is closer.
+int end_at(const Edge& edge, double place) {
+  return edge.node[place < 0.5 ? 0 : 1];
+}
+
+/// Whether of the edges `from_a` and `from_b`, which are closest at `feet`, those that are not `a` or `b` end there.
+bool goes_on_at_ends(int from_a, int from_b, const kernel::EdgeFeet& feet, int a, int b) {
+  const auto same = [a, b](int edge) { return edge == a || edge == b; };
+  return (same(from_a) || at_an_end(feet.s)) && (same(from_b) || at_an_end(feet.t));
 }
 
 }  // namespace
@@ -169,10 +189,8 @@ bool EdgeContact::takes_part(int edge, std::span<const unsigned char> alive) con
   const Edge& e = setup_.edges[edge];
   if (!e.faces.empty())
     return std::count_if(e.faces.begin(), e.faces.end(), [&alive](const Segment& s) { return bare(s, alive); }) == 2;
-  const auto living = std::count_if(e.elements.begin(), e.elements.end(), [&alive](int element) {
-    return element < 0 || alive.empty() || alive[element] != 0;
-  });
-  return living == 1 || (setup_.interior && living > 1);
+  const auto count = living(e, alive);
+  return count == 1 || (setup_.interior && count > 1);
 }
 
 bool EdgeContact::face_each_other(int a, int b) const {
@@ -288,46 +306,88 @@ Vec3d EdgeContact::out_of_bricks(const Pair& pair, const Step& step) const {
   return dot(r, direction) < span ? direction : Vec3d{};
 }
 
+/// The edge of a sheet that goes on over no other shell.
+bool EdgeContact::is_free(int edge, std::span<const unsigned char> alive) const {
+  const Edge& e = setup_.edges[edge];
+  return e.of_surface && e.faces.empty() && living(e, alive) == 1;
+}
+
+/// Widest sine of the angles between the free edges that meet where the pair does; 0 where there are none of the one
+/// or the other.
+double EdgeContact::sine_of_free(const Pair& pair, const Step& step) const {
+  const auto each = [&](int edge, double place, const auto& visit) {
+    if (is_free(edge, step.element_alive)) visit(edge);
+    for (const int next : neighbours(edge, place))
+      if (next != edge && is_free(next, step.element_alive)) visit(next);
+  };
+  double widest = 0.0;
+  each(pair.a, pair.feet.s, [&](int a) {
+    each(pair.b, pair.feet.t, [&](int b) {
+      const Vec3d p = along(setup_.edges[a], step.x), q = along(setup_.edges[b], step.x);
+      const double size = norm(p) * norm(q);
+      if (size > 0.0) widest = std::max(widest, norm(cross(p, q)) / size);
+    });
+  });
+  return widest;
+}
+
 /// The share of its stiffness with which the pair meets; the rest is left to nodes and segments.
 double EdgeContact::share(const Pair& pair, const Step& step) const {
   const Edge &e = setup_.edges[pair.a], &f = setup_.edges[pair.b];
   if (!e.of_surface || !f.of_surface) return 1.0;
+  const auto fade = [](double value, double full) { return std::clamp(value / full, 0.0, 1.0); };
+  const double of_free = fade(sine_of_free(pair, step), side_by_side);
+  if (of_free >= 1.0) return 1.0;
   const auto is_ridge = [&step](const Edge& edge) {
     return !edge.faces.empty() && Outward(edge, step).half_angle > ridge;
   };
   if (is_ridge(e) && is_ridge(f)) return 1.0;
   const Vec3d p = along(e, step.x), q = along(f, step.x);
   const double size = norm(p) * norm(q), sine = size > 0.0 ? norm(cross(p, q)) / size : 0.0;
-  const auto fade = [](double value, double full) { return std::clamp(value / full, 0.0, 1.0); };
   const auto from_end = [](double place) { return std::min(place, 1.0 - place); };
   const double at_a = fade(from_end(pair.feet.s), near_end), at_b = fade(from_end(pair.feet.t), near_end);
-  return (1.0 - (1.0 - at_a) * (1.0 - at_b)) * fade(sine, side_by_side);
+  return std::max(of_free, (1.0 - (1.0 - at_a) * (1.0 - at_b)) * fade(sine, side_by_side));
 }
 
-/// The edges that go on where `place` is an end of the edge (the edge itself is one of them).
+/// The edges that go on where `place` is near an end of the edge (the edge itself is one of them).
 std::span<const int> EdgeContact::neighbours(int edge, double place) const {
-  if (!at_an_end(place)) return {};
-  const int node = setup_.edges[edge].node[place < 0.5 ? 0 : 1];
+  if (!near_an_end(place)) return {};
+  const int node = end_at(setup_.edges[edge], place);
   return std::span(edge_at_).subspan(first_at_[node], first_at_[node + 1] - first_at_[node]);
 }
 
-/// Whether the pair of edges `a` and `b` is closer than `than`; of pairs that are equally close, the first.
+/// Whether the pair of edges `a` and `b` is closer than `than`; of pairs that are equally close, the first. Where
+/// `than` meets near ends but not at them, only if the other does so too: lines that bend away from each other at a
+/// node are closest a little before it and a little behind, and meet once.
 bool EdgeContact::closer(int a, int b, const Candidate& than) const {
+  const Pair& own = *than.pair;
   if (a > b) std::swap(a, b);
   const auto place = std::lower_bound(close_.begin(), close_.end(), std::pair{a, b},
                                       [](const Candidate* candidate, const std::pair<int, int>& key) {
                                         return std::pair{candidate->pair->a, candidate->pair->b} < key;
                                       });
   if (place == close_.end() || (*place)->pair->a != a || (*place)->pair->b != b) return false;
-  const double other = (*place)->pair->feet.distance, own = than.pair->feet.distance;
-  return other < own || (other == own && std::pair{a, b} < std::pair{than.pair->a, than.pair->b});
+  const Pair& other = *(*place)->pair;
+  const auto meets_near = [&](int edge, double at) {
+    if (edge == own.a || edge == own.b) return true;
+    const int node = end_at(setup_.edges[edge], at);
+    return near_an_end(at) &&
+           (node == end_at(setup_.edges[own.a], own.feet.s) || node == end_at(setup_.edges[own.b], own.feet.t));
+  };
+  if (!goes_on_at_ends(own.a, own.b, own.feet, a, b) && !(meets_near(a, other.feet.s) && meets_near(b, other.feet.t)))
+    return false;
+  if (other.feet.distance != own.feet.distance) return other.feet.distance < own.feet.distance;
+  return std::pair{a, b} < std::pair{own.a, own.b};
 }
 
 /// Whether the distance of the pair is a local minimum along the lines that the edges are part of.
 bool EdgeContact::presses(const Candidate& candidate) const {
   const Pair& pair = *candidate.pair;
   const std::span<const int> beside_a = neighbours(pair.a, pair.feet.s), beside_b = neighbours(pair.b, pair.feet.t);
-  const auto better = [&](int a, int b) { return a == b || belong_together(a, b) || closer(a, b, candidate); };
+  const auto better = [&](int a, int b) {
+    if (a == b || belong_together(a, b)) return goes_on_at_ends(pair.a, pair.b, pair.feet, a, b);
+    return closer(a, b, candidate);
+  };
   for (int a : beside_a) {
     if (a == pair.a || !active_[a]) continue;
     if (better(a, pair.b)) return false;
@@ -403,8 +463,13 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   if (!of_bricks(pair)) pair.direction = direction(pair, before, r - step.dt * velocity, step.x);
   const double overlap = reach(pair.a, pair.b) - dot(r, pair.direction);
   // What the motion of this step cannot have made was there before, or comes from an edge laid bare.
-  const double explained = before.depth + step.dt * norm(velocity);
-  const double offset = candidate.before.touching ? before.offset : std::max(before.offset, overlap - explained);
+  const double approach = -dot(velocity, pair.direction);
+  const double explained = before.depth + step.dt * (before.touching ? norm(velocity) : std::max(0.0, approach));
+  double offset = candidate.before.touching ? before.offset : std::max(before.offset, overlap - explained);
+  pair.share = before.touching ? std::max(before.share, share(pair, step)) : share(pair, step);
+  // Stiffness that grows with the share would give energy if it found the depth as it was.
+  if (before.touching && pair.share > before.share)
+    offset = overlap - std::max(0.0, overlap - offset) * std::sqrt(before.share / pair.share);
   pair.touching = true;
   pair.offset = std::min(offset, overlap);
   pair.depth = overlap - pair.offset;
@@ -415,13 +480,13 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   const std::array<double, 4> node_mass{step.mass[e.node[0]], step.mass[e.node[1]], step.mass[f.node[0]],
                                         step.mass[f.node[1]]};
   const double inverse_mass = kernel::inverse_pair_mass(0.0, weight, node_mass);
-  pair.share = before.touching ? std::max(before.share, share(pair, step)) : share(pair, step);
   const double stiffness =
       pair.share * kernel::pair_stiffness(setup_.law, penalty(e, f, step), inverse_mass, step.bearable);
-  const double approach = -dot(velocity, pair.direction);
   pair.memory = before.memory;
-  const double spring = kernel::spring_force(pair.memory, stiffness, inverse_mass, pair.depth, approach, step.dt);
-  const double size = kernel::pair_force(setup_.law, stiffness, inverse_mass, spring, approach);
+  const double inverse_own_mass =
+      kernel::inverse_pair_mass(0.0, {weight[0], weight[1], 0.0, 0.0}, {node_mass[0], node_mass[1], 0.0, 0.0});
+  const double size = kernel::pair_force(setup_.law, pair.memory, stiffness, inverse_mass, inverse_own_mass, pair.depth,
+                                         approach, step.dt);
   if (size > 0.0) {
     if (setup_.law.friction.any()) pair.friction = friction(pair, before, stiffness, size, step);
     pair.force = size * pair.direction + pair.friction;

@@ -17,6 +17,9 @@
 
 namespace nugget::contact {
 
+/// Sine of the angle below which edges of surfaces lie beside each other: their nodes meet the other surface.
+constexpr double side_by_side = 0.2;
+
 /// A straight line between two nodes that must not pass through another: the edge of a shell or of a brick, or a beam.
 struct Edge {
   std::array<int, 2> node{};
@@ -62,7 +65,8 @@ struct EdgeContactSetup {
 /// Nodes. Where edges of surfaces cross near an end of both, or lie along each other, it is the nodes that meet the
 /// segments of the other surface. There the stiffness of the pair of edges fades to nothing, so that meshes that lie
 /// corner over corner do not meet several times over. The share that a pair has once had it keeps until it leaves. Not
-/// so two ridges of bricks, whose nodes have no face before them.
+/// so two ridges of bricks, whose nodes have no face before them, nor where free edges of shells cross, whose nodes
+/// SurfaceContact leaves to them.
 ///
 /// Sides. Of bars, the direction in which the first edge is pressed away from the second is that in which it stood when
 /// they met, and turns with them. So an edge that came beyond the other is pressed back.
@@ -122,6 +126,8 @@ class EdgeContact {
   };
 
   bool takes_part(int edge, std::span<const unsigned char> alive) const;
+  bool is_free(int edge, std::span<const unsigned char> alive) const;
+  double sine_of_free(const Pair& pair, const Step& step) const;
   bool face_each_other(int a, int b) const;
   bool belong_together(int a, int b) const;
   double penalty(const Edge& e, const Edge& f, const Step& step) const;

@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/couple.hpp"
+#include "contact/edge_contact.hpp"
 #include "contact/surface_nodes.hpp"
 
 namespace nugget::contact {
@@ -57,6 +58,13 @@ bool has_boundary(const Segment& other, const Segment& segment, unsigned boundar
   for (int c = 0; c < 4; ++c)
     if ((boundary >> c & 1u) && !other.has(segment.node[c])) return false;
   return boundary != 0;
+}
+
+/// Whether a node is one of the corners that `boundary` names.
+bool has_boundary_at(const Segment& segment, unsigned boundary, int node) {
+  for (int c = 0; c < segment.corners(); ++c)
+    if ((boundary >> c & 1u) && segment.node[c] == node) return true;
+  return false;
 }
 
 double mean_edge(const std::vector<Segment>& segments, std::span<const Row> x) {
@@ -534,6 +542,45 @@ int SurfaceContact::side_over_edge(const Candidate& candidate, const Vec3d& was_
   return side;
 }
 
+/// Whether the node lies on a free edge of its sheet and the foot on one of another, and these cross: then they press
+/// each other, where they are closest, and the node on the one is as good a place as any. Side by side it is the nodes
+/// that meet.
+bool SurfaceContact::left_to_edges(const Candidate& candidate, int node, const Step& step) const {
+  const Segment& segment = setup_.segments[candidate.pair->segment];
+  if (!setup_.edges_meet || candidate.foot.boundary == 0 || segment.volume > 0.0) return false;
+  // Visits the other ends of the free edges at a node.
+  const auto each_free_edge = [&](int at, const auto& visit) {
+    for (const int s : around_.at(at)) {
+      const Segment& own = setup_.segments[s];
+      if (own.volume > 0.0 || !alive(s, step.element_alive)) continue;
+      for (int c = 0; c < own.corners(); ++c) {
+        const int a = own.node[c], b = own.node[(c + 1) % own.corners()];
+        if (a != at && b != at) continue;
+        const int end = a == at ? b : a;
+        const std::span<const int> there = around_.at(at);
+        const auto has_it = [&](int t) { return setup_.segments[t].has(end) && alive(t, step.element_alive); };
+        if (std::count_if(there.begin(), there.end(), has_it) == 1) visit(end);
+      }
+    }
+  };
+  bool cross_each_other = false;
+  for (int c = 0; c < segment.corners(); ++c) {
+    const int corner = segment.node[c];
+    if (!(candidate.foot.boundary >> c & 1u)) continue;
+    each_free_edge(corner, [&](int end) {
+      // A foot on an edge is on this one alone.
+      const bool on_it = candidate.foot.boundary == 1u << c || has_boundary_at(segment, candidate.foot.boundary, end);
+      if (!on_it) return;
+      each_free_edge(node, [&](int other) {
+        if (other == corner || other == end) return;
+        const Vec3d p = vec(step.x[end]) - vec(step.x[corner]), q = vec(step.x[other]) - vec(step.x[node]);
+        if (norm(cross(p, q)) >= side_by_side * norm(p) * norm(q)) cross_each_other = true;
+      });
+    });
+  }
+  return cross_each_other;
+}
+
 void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, const Step& step) const {
   Pair& pair = *candidate.pair;
   const Segment& segment = setup_.segments[pair.segment];
@@ -541,6 +588,7 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   const Vec3d r = vec(step.x[node]) - candidate.foot.point;
   const Vec3d velocity = vec(step.v[node]) - interpolate(segment, candidate.foot.weight, step.v);
   const Candidate* from = candidate.before.touching ? nullptr : predecessor(block, candidate);
+  if (!candidate.before.touching && from == nullptr && left_to_edges(candidate, node, step)) return;
 
   Vec3d direction = candidate.away;
   int side = remembered_side(candidate, from);
@@ -563,9 +611,14 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   // An offset goes with the node over the edges of the surface. What the motion of this step cannot have made was there
   // before, or comes from a change of the surface, and is an offset too.
   const Pair* before = candidate.before.touching ? &candidate.before : from != nullptr ? &from->before : nullptr;
-  double offset = before != nullptr ? before->offset : 0.0;
-  if (before != &candidate.before)
-    offset = std::max(offset, overlap - (before != nullptr ? before->depth : 0.0) - step.dt * norm(velocity));
+  const double approach = -dot(velocity, direction);
+  double offset = 0.0;
+  if (before == nullptr)
+    offset = std::max(0.0, overlap - step.dt * std::max(0.0, approach));
+  else if (before == &candidate.before)
+    offset = before->offset;
+  else  // the way out is another one
+    offset = std::max(before->offset, overlap - before->depth - step.dt * norm(velocity));
 
   pair.touching = true;
   pair.side = static_cast<signed char>(side);
@@ -577,10 +630,10 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   const double inverse_mass = kernel::inverse_pair_mass(step.mass[node], candidate.foot.weight, corner_mass);
   const double stiffness =
       kernel::pair_stiffness(setup_.law, penalty(pair.segment, tracked, step), inverse_mass, step.bearable);
-  const double approach = -dot(velocity, direction);
   if (before != nullptr) pair.memory = before->memory;
-  const double spring = kernel::spring_force(pair.memory, stiffness, inverse_mass, pair.depth, approach, step.dt);
-  const double size = kernel::pair_force(setup_.law, stiffness, inverse_mass, spring, approach);
+  const double inverse_node_mass = step.mass[node] > 0.0 ? 1.0 / step.mass[node] : 0.0;
+  const double size = kernel::pair_force(setup_.law, pair.memory, stiffness, inverse_mass, inverse_node_mass,
+                                         pair.depth, approach, step.dt);
   if (!(size > 0.0)) return;
   Vec3d force = size * direction;
   const kernel::Friction rough = friction_law(candidate, tracked);

@@ -23,6 +23,7 @@ struct SurfaceContactSetup {
   kernel::PenaltyLaw law;          ///< SOFT, SOFSCL, VDC, friction
   bool friction_by_part = false;   ///< FS = -1: not law.friction, but the mean of those of node and segment
   double deepest = 0.0;            ///< PENMAX: a node deeper than so many thicknesses is let go; 0: none
+  bool edges_meet = false;         ///< an EdgeContact presses the free edges of shells apart
   double birth = 0.0, death = 1e20;
 };
 
@@ -55,6 +56,9 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 ///
 /// Bricks. The face of a brick has no skin; a node behind it is inside, down to 0.3 of the brick's depth, and is
 /// pressed out along the normal. Of the faces around an edge the closest counts.
+///
+/// Edges. Where edges are checked against each other, a node of a free edge that comes to the free edge of another
+/// sheet across it is left to these edges.
 ///
 /// Sides. When a node first touches a segment, the side on which it stood a step earlier is kept until it leaves, and
 /// handed on to the neighbour over whose edge it slides. So a node pressed beyond the mid-surface is pressed back, over
@@ -209,6 +213,7 @@ class SurfaceContact {
   bool hidden_by(const Candidate& other, const Candidate& candidate) const;
   const Candidate* predecessor(const Block& block, const Candidate& candidate) const;
   int remembered_side(const Candidate& candidate, const Candidate* from) const;
+  bool left_to_edges(const Candidate& candidate, int node, const Step& step) const;
   int side_over_edge(const Candidate& candidate, const Vec3d& was_at, const Step& step) const;
   Vec3d friction(const kernel::Friction& law, const Candidate& candidate, const Pair* before, const Vec3d& direction,
                  double stiffness, double normal_force, const Step& step) const;

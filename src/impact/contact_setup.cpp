@@ -118,13 +118,6 @@ class Surfaces {
     return side == tracked ? card_.stiffness_scale_a : card_.stiffness_scale_b;
   }
 
-  double thickness(const model::Part& part, double own, unsigned side) const {
-    const double given = side == tracked ? card_.thickness_a : card_.thickness_b;
-    const double scale = side == tracked ? card_.thickness_scale_a : card_.thickness_scale_b;
-    const double t = given > 0.0 ? given : part.contact_thickness > 0.0 ? part.contact_thickness : own;
-    return t * scale * part.contact_scale;
-  }
-
   void add_segment(const Key& key, const contact::Segment& segment, unsigned side) {
     const auto [place, is_new] = place_.emplace(key, segments_.size());
     if (is_new) segments_.push_back(segment);
@@ -135,7 +128,7 @@ class Surfaces {
     const model::Part& part = model_.parts[at(model_.shells.part[e])];
     contact::Segment s;
     for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[at(model_.shells.node[e][a])];
-    s.thickness = thickness(part, model_.shells.thickness[e], side);
+    s.thickness = contact_thickness(card_, part, model_.shells.thickness[e], side == tracked);
     if (thinned_[e]) s.thickness *= model_.control.weld_thinning;
     s.scale = stiffness_scale(side) * part.stiffness_scale;
     s.bulk_modulus = stiffness_scale(side) * bulk_modulus(model_, part);
@@ -223,8 +216,7 @@ std::vector<contact::TrackedNode> listed_nodes(const system::System& system, con
   for (model::Index n : card.a.nodes) {
     if (!card.a.holds(system.ties.x[at(n)])) continue;
     const double own = count[at(n)] > 0 ? sum[at(n)] / count[at(n)] : 0.0;
-    const double thickness = (card.thickness_a > 0.0 ? card.thickness_a : own) * card.thickness_scale_a;
-    nodes.push_back({system.node_of[at(n)], thickness, reference});
+    nodes.push_back({system.node_of[at(n)], contact_thickness(card, {}, own, true), reference});
   }
   return nodes;
 }
@@ -288,6 +280,13 @@ std::vector<contact::SqueezedBrick> bricks_of(const system::System& system, cons
   return bricks;
 }
 
+double contact_thickness(const model::Contact& contact, const model::Part& part, double own, bool of_a) {
+  const double given = of_a ? contact.thickness_a : contact.thickness_b;
+  const double scale = of_a ? contact.thickness_scale_a : contact.thickness_scale_b;
+  if (given > 0.0) return contact.keyword.find("MORTAR") != std::string::npos ? given * scale : given;
+  return (part.contact_thickness > 0.0 ? part.contact_thickness : own * part.contact_scale) * scale;
+}
+
 double bulk_modulus(const model::Model& model, const model::Part& part) {
   const model::Material& material = model.materials[at(part.material)];
   return part.stiffness_scale * material.young() / (3.0 * (1.0 - 2.0 * std::min(material.poisson(), 0.49)));
@@ -332,6 +331,7 @@ contact::SurfaceContactSetup contact_setup(const system::System& system, const m
   setup.stiffness_scale = system.model.control.penalty_scale;
   setup.friction_by_part = card.friction_by_part;
   setup.deepest = card.deepest;
+  setup.edges_meet = checks_edges(card);
   setup.law = law_of(card);
   setup.birth = card.birth;
   setup.death = card.death;

@@ -14,6 +14,11 @@ contact::SurfaceContactSetup contact_setup(const system::System& system, const m
 /// The bricks of an interior contact; none of rigid parts.
 std::vector<contact::SqueezedBrick> bricks_of(const system::System& system, const model::InteriorContact& contact);
 
+/// Thickness that the side A or B of a contact sees of a shell or beam of `part` that is `own` thick [length]: SAST or
+/// SBST, else OPTT of *PART_CONTACT, else its own times SFT; SFSAT or SFSBT scale the last two, and SAST, SBST in
+/// _MORTAR alone (keyword manual, *CONTACT, card 3, and *PART_CONTACT).
+double contact_thickness(const model::Contact& contact, const model::Part& part, double own, bool of_a);
+
 /// Bulk modulus that a part's contact stiffness is found from, E/(3(1 - 2 nu)) times SSF of *PART_CONTACT [stress].
 double bulk_modulus(const model::Model& model, const model::Part& part);
 

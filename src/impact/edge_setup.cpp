@@ -40,8 +40,7 @@ std::vector<contact::Edge> bars(const system::System& system, const model::Conta
     contact::Edge edge;
     for (std::size_t end = 0; end < 2; ++end) edge.node[end] = system.node_of[at(model.beams.node[b][end])];
     const double own = bar_diameter(model.beam_sections[at(part.section)]);
-    const double given = card.thickness_a > 0.0 ? card.thickness_a : part.contact_thickness;
-    edge.thickness = (given > 0.0 ? given : own) * card.thickness_scale_a * part.contact_scale;
+    edge.thickness = contact_thickness(card, part, own, true);
     const double length = norm(system.ties.x[at(model.beams.node[b][1])] - system.ties.x[at(model.beams.node[b][0])]);
     // As a shell as wide as the bar is thick.
     edge.stiffness = card.stiffness_scale_a *

@@ -266,6 +266,70 @@ class ContactForms(CommandTest):
         self.run_deck(plates(sliding(fs=0.2), motion, 1.0e-4))
         self.assertEqual(of_parts, self.rows())
 
+    def test_contact_thickness(self):
+        """Where two plates come to touch: at half of both thicknesses. SFSAT leaves SAST as it is, SFT scales the true
+        thickness alone. Sabotage: all of them multiplied."""
+        def contact(sast, sfsat):
+            def write(d):
+                d.keyword("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE")
+                d.card(surfa=UPPER, surfb=LOWER, surfatyp=3, surfbtyp=3)
+                d.card(fs=0.0)
+                d.card(sfsa=1.0, sfsb=1.0, sast=sast, sbst=0.0, sfsat=sfsat, sfsbt=1.0)
+            return write
+        own, end = {"optt": 0.0, "sft": 1.0}, 2.0e-4
+        for sast, sfsat, part, control, thicknesses in (
+                (0.0, 1.5, own, {}, 2.5), (1.4, 1.5, own, {}, 2.4), (0.0, 1.0, {"optt": 1.2, "sft": 1.5}, {}, 2.4),
+                (0.0, 1.5, {"optt": 1.2, "sft": 1.0}, {}, 3.0), (0.0, 1.0, {"optt": 0.0, "sft": 1.5}, {}, 3.0),
+                (0.0, 1.0, own, {"th": 1.2, "th_sf": 2.0}, 2.4), (0.0, 1.0, own, {"th": 0.0, "th_sf": 1.5}, 3.0),
+                (0.0, 1.0, {"optt": 1.3, "sft": 1.0}, {"th": 1.2, "th_sf": 0.0}, 2.6)):
+            with self.subTest(sast=sast, sfsat=sfsat, part=part, control=control):
+                def defaults(d):
+                    d.keyword("CONTROL_CONTACT")
+                    d.card(slsfac=0.1)
+                    d.card(usrstr=0)
+                    d.card(sfric=0.0, dfric=0.0, edc=0.0, vfc=0.0, **control)
+                self.run_deck(plates(contact(sast, sfsat), {3: -1.0e4}, end, gap=3.0, parts="PART_CONTACT",
+                                     options=({"fs": 0.0, "fd": 0.0, "dc": 0.0, "vc": 0.0, **part, "ssf": 1.0},),
+                                     extra=defaults))
+                began = next(row[0] for row in self.rows() if row[3] > 0.0)
+                self.assertAlmostEqual(3.0 - 1.0e4 * began, 0.5 * thicknesses, delta=0.03)
+
+    def test_default_penalty_of_the_parts(self):
+        """PEN_SF is SSF of the parts that have none. Sabotage: not heeded; that of a part overwritten."""
+        def force(ssf, pen_sf):
+            def defaults(d):
+                d.keyword("CONTROL_CONTACT")
+                d.card(slsfac=0.01)
+                d.card(usrstr=0)
+                d.card(sfric=0.0, dfric=0.0, edc=0.0, vfc=0.0, th=0.0, th_sf=0.0, pen_sf=pen_sf)
+            self.run_deck(plates(sliding(), {3: -20.0}, 1.0e-4, parts="PART_CONTACT", extra=defaults,
+                                 options=({"fs": 0.0, "fd": 0.0, "dc": 0.0, "vc": 0.0, "optt": 0.0, "sft": 1.0,
+                                           "ssf": ssf},)))
+            return self.rows()
+        self.assertEqual(force(1.0, 0.5), force(0.5, 0.0))
+        self.assertEqual(force(0.25, 0.5), force(0.25, 0.0))
+        self.assertNotEqual(force(1.0, 0.0), force(1.0, 0.5))
+
+    def test_fields_that_are_not_obeyed(self):
+        def cards(icor=0, soft=0, depth=2):
+            def write(d):
+                d.keyword("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE")
+                d.card(surfa=UPPER, surfb=LOWER, surfatyp=3, surfbtyp=3)
+                d.card(fs=0.0, fd=0.0, dc=0.0, vc=0.0, vdc=80.0)
+                d.card(sfsa=1.0)
+                d.card(soft=soft, sofscl=0.1, lcidab=0, maxpar=1.0, sbopt=2, depth=depth)
+                for _ in "BCD":
+                    d.card(soft=None)
+                d.card(sharec=0, cparm8=0, ipback=0, srnde=0, fricsf=1.0, icor=icor)
+            return write
+        self.write(plates(cards(icor=1), {3: -20.0}, 1.0e-5))
+        self.assertRegex(self.nugget("check", "model.k").stderr, "warning: .* icor = 1: restitution in percent")
+        self.write(plates(cards(soft=2, depth=-5), {3: -20.0}, 1.0e-5))
+        self.assertRegex(self.nugget("check", "model.k", expect=1).stderr, "error: .* depth = -5: a depth by curve")
+        self.write(plates(sliding(), {3: -20.0}, 1.0e-5, parts="PART_CONTACT", options=(
+            {"fs": 0.0, "fd": 0.0, "dc": 0.0, "vc": 0.0, "optt": 0.0, "sft": 1.0, "ssf": 1.0, "cparm8": 1},)))
+        self.assertRegex(self.nugget("check", "model.k").stderr, "warning: .* cparm8 = 1: not obeyed")
+
     def test_only_what_lies_in_the_box(self):
         """A box around a quarter of the upper plate: a quarter of the force, about. Sabotage: the box not looked at."""
         force = {}

@@ -318,6 +318,8 @@ void take_a(Builder& builder, const Row& row, Contact& contact) {
   if (contact.soft < 0 || contact.soft > 2)
     refuse(builder, row, "soft", "this form of the penalty is not built; expected 0, 1 or 2",
            "use 2 for segment-based contact");
+  if (contact.soft == 2 && contact.depth < 0)
+    refuse(builder, row, "depth", "a depth by curve is not built; expected 0 or more", "give the depth");
   expect(builder, row, Severity::error, {{"lcidab", 0, "airbag contact is not built"}});
 }
 
@@ -374,8 +376,13 @@ void take_e(Builder& builder, const Row& row, Contact& contact) {
   }
   take_cparm8(builder, row, contact);
   contact.balances_friction = row.integer("ftorq") != 0;
-  expect(builder, row, Severity::warning,
-         {{"srnde", 0, left}, {"icor", 0, left}, {"region", 0, left}, {"fricsf", 1, left}});
+  if (row.integer("icor") != 0) {
+    row.complain(builder.findings, Severity::warning, "icor",
+                 "restitution in percent (VDC) is not built: this contact is not damped",
+                 "give VDC in percent of critical damping, without ICOR");
+    contact.damping = 0.0;
+  }
+  expect(builder, row, Severity::warning, {{"srnde", 0, left}, {"region", 0, left}, {"fricsf", 1, left}});
 }
 
 void take_f(Builder& builder, const Row& row, const Contact& contact) {
@@ -453,6 +460,24 @@ void judge_oriented(Builder& builder, const Block& block, const Contact& contact
                "in place");
 }
 
+/// With SOFT = 2 a thickness of *PART_CONTACT counts on bricks too (keyword manual); here these have no skin.
+void judge_skins(Builder& builder, const Contact& contact) {
+  if (!contact.slides() || contact.soft != 2) return;
+  for (std::size_t p = 0; p < builder.model.parts.size(); ++p) {
+    const Part& part = builder.model.parts[p];
+    const auto in = [p](const Surface& s) {
+      return s.everything || std::find(s.parts.begin(), s.parts.end(), static_cast<Index>(p)) != s.parts.end();
+    };
+    if (part.kind != ElementKind::solid || part.contact_thickness <= 0.0 || !(in(contact.a) || in(contact.b))) continue;
+    builder.findings.warning(
+        contact.place, '*' + contact.keyword,
+        fmt::format("part {} has a contact thickness of {:g}: bricks have none here, with SOFT = 2 "
+                    "neither",
+                    part.id, part.contact_thickness),
+        "mesh the gap, or coat the bricks with shells");
+  }
+}
+
 /// A contact without an id has its number in the deck, which may be the id of another.
 void tell_of_same_id(Builder& builder, const Contact& contact) {
   for (const Contact& other : builder.model.contacts)
@@ -504,6 +529,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
     if (contact.ignore == 0 && contact.glue && contact.glue->without_thickness) contact.ignore = 1;
     if (contact.id == 0) contact.id = static_cast<int>(b.model.contacts.size()) + 1;
     tell_of_same_id(b, contact);
+    judge_skins(b, contact);
     b.model.contacts.push_back(std::move(contact));
   });
 }

@@ -106,10 +106,10 @@ const Card contact_card_3{{
     real("dfric", dimension::number, 0, at_least(0), "dynamic friction of these"),
     real("edc", {0, -1, 1}, 0, at_least(0), "decay of their friction"),
     real("vfc", dimension::stress, 0, at_least(0), "viscous friction of these"),
-    real("th", dimension::length, 0, only(0), "contact thickness of all parts"),
-    real("th_sf", dimension::number, 0, only(0), "scale of all contact thicknesses"),
-    real("pen_sf", dimension::number, 0, only(0), "scale of all contact stiffnesses"),
-    factor("ptscl", 1, "for contacts with SOFT = 2 or 4, no effect"),
+    real("th", dimension::length, 0, at_least(0), "OPTT of parts that give none"),
+    real("th_sf", dimension::number, 0, at_least(0), "SFT of parts whose own is 1; 0: 1"),
+    real("pen_sf", dimension::number, 0, at_least(0), "SSF of parts whose own is 1; 0: 1"),
+    factor("ptscl", 1, "contact stress on shells of formulations 25 to 27, no effect"),
 }};
 
 const Card contact_card_4{{
@@ -337,6 +337,16 @@ void check_wall_penalty(Builder& b, const Row& row) {
                "nodes of rigid bodies are not stopped by rigid walls by penalty");
 }
 
+/// TH, TH_SF, PEN_SF: what *PART_CONTACT says of a part is left as it is.
+void set_part_defaults(Builder& b, const Row& row) {
+  const double thickness = row.real("th"), scale = row.real("th_sf"), stiffness = row.real("pen_sf");
+  for (Part& part : b.model.parts) {
+    if (part.contact_thickness == 0.0) part.contact_thickness = thickness;
+    if (part.contact_scale == 1.0 && scale > 0.0) part.contact_scale = scale;
+    if (part.stiffness_scale == 1.0 && stiffness > 0.0) part.stiffness_scale = stiffness;
+  }
+}
+
 void read_contact(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   const Row one = cursor.read(contact_card_1), two = cursor.read(contact_card_2);
@@ -354,6 +364,7 @@ void read_contact(Builder& b, const Block& block, const Options&) {
           {"shltrw", 0, "not obeyed: rigid walls stop the mid-surface of shells, as with 0"},
           {"pstiff", 0, "not obeyed: penalty stiffness comes from the material, as with 0"}});
   b.later(Phase::checks, [one](Builder& later) { check_wall_penalty(later, one); });
+  b.later(Phase::conditions, [three](Builder& later) { set_part_defaults(later, three); });
   Control& c = b.model.control;
   c.penalty_scale = one.real("slsfac");
   c.keep_tied_gap = two.integer("tiedprj") == 1;

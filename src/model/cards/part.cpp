@@ -72,7 +72,7 @@ const Card contact_card{{
     real("optt", dimension::length, 0, at_least(0), "contact thickness; 0: of the shells"),
     real("sft", dimension::number, 1, at_least(0), "scale of the contact thickness"),
     real("ssf", dimension::number, 1, at_least(0), "scale of the contact stiffness"),
-    unused(),
+    integer("cparm8", 0, any_value, "beams of the part in _GENERAL: of the contact's own CPARM8 alone"),
 }};
 
 const Card print_card{{integer("prbf", 0, any_value, "which listings show the part: not obeyed, all do")}};
@@ -128,8 +128,9 @@ void read_inertia(Builder& b, Cursor& cursor, Index part) {
   });
 }
 
-void read_contact(Cursor& cursor, Part& part) {
+void read_contact(Builder& b, Cursor& cursor, Part& part) {
   const Row row = cursor.read(contact_card);
+  expect(b, row, Severity::warning, {{"cparm8", 0, "not obeyed: CPARM8 of *CONTACT_AUTOMATIC_GENERAL counts alone"}});
   part.contact_thickness = row.real("optt");
   part.contact_scale = row.real("sft");
   part.stiffness_scale = row.real("ssf");
@@ -151,7 +152,7 @@ void read_part(Builder& b, const Block& block, const Options& options) {
     part.place = row.place();
     const auto index = static_cast<Index>(b.model.parts.size());
     if (options.contains("INERTIA")) read_inertia(b, cursor, index);
-    if (options.contains("CONTACT")) read_contact(cursor, part);
+    if (options.contains("CONTACT")) read_contact(b, cursor, part);
     if (options.contains("PRINT") && cursor.read(print_card).integer("prbf") != 0)
       b.findings.note(part.place, block.starred(), "PRBF is not obeyed: the part is listed in rbdout and matsum");
     b.parts.add(part.id, index, part.place, block.starred(), "part", b.findings);
