@@ -205,7 +205,7 @@ const Card shell_card_4{{
 const Card shell_card_5{{
     flag("drcmth", "method of the drilling constraint; there is one here"),
     flag("lispsid", "implicit, no effect"),
-    integer("nlocdt", 0, any_value, "time step with NLOC"),
+    flag("nlocdt", "shorter step with NLOC: rotary inertia is raised instead, no effect"),
     flag("iswshl", "no effect"),
 }};
 
