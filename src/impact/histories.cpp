@@ -175,7 +175,7 @@ output::NodoutState nodout_state(const Snapshot& now) {
   output::NodoutState s;
   s.cycle = now.state.cycle + 1;
   s.time = now.state.time;
-  s.rotations = model.shells.size() > 0 || model.beams.size() > 0 || !model.inertias.empty();
+  s.rotations = model.shells.size() > 0 || model.beams.size() > 0;
   for (std::size_t i = 0; i < model.requests.history_nodes.size(); ++i) {
     const model::NamedEntity& entity = model.requests.history_nodes[i];
     const auto k = at(now.system.node_of[at(entity.index)]);
