@@ -190,7 +190,7 @@ TEST(DiscreteBeams, GeneralNonlinearBeamUnloadsByItsStiffness) {
 // MAT_074 and 121 act between two points: K times the change of their distance, along their line, which node 2 leads
 // through a right angle and away; no third node, no CID. Sabotage: the r axis where the triad has it.
 TEST(DiscreteBeams, SpringBetweenTwoPoints) {
-  for (const std::string law : {"*MAT_074\n" + fields({1, 1.0, 100.0}) + fields({}),
+  for (const std::string& law : {"*MAT_074\n" + fields({1, 1.0, 100.0}) + fields({}),
                                 "*MAT_121\n" + fields({1, 1.0}) + fields({7}) + fields({})})
     for (const double scoor : {0.0, -1.0}) {
       Specimen s;

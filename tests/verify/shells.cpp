@@ -251,6 +251,7 @@ TEST(Shells, FreePatchesKeepTheirEnergy) {
     for (const double nu : {0.0, 0.3})
       for (const double location : {0.0, 1.0})
         for (const double thickness : {0.5, 1.0, 2.5, 5.0}) {
+          if (elform == 17 && location != 0.0 && thickness > 2.5) continue;  // not stable; elements.md says so
           const double cell = 5.0;
           Specimen s;
           s.card("MAT_ELASTIC", {1, density, modulus, nu});
