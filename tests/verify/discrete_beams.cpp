@@ -191,7 +191,7 @@ TEST(DiscreteBeams, GeneralNonlinearBeamUnloadsByItsStiffness) {
 // through a right angle and away; no third node, no CID. Sabotage: the r axis where the triad has it.
 TEST(DiscreteBeams, SpringBetweenTwoPoints) {
   for (const std::string& law : {"*MAT_074\n" + fields({1, 1.0, 100.0}) + fields({}),
-                                "*MAT_121\n" + fields({1, 1.0}) + fields({7}) + fields({})})
+                                 "*MAT_121\n" + fields({1, 1.0}) + fields({7}) + fields({})})
     for (const double scoor : {0.0, -1.0}) {
       Specimen s;
       s.text(law + curve(7, {{0.0, 0.0}, {1.0, 100.0}}));
