@@ -172,9 +172,11 @@ kernel::WeldBeamProperties integrated_beam(const model::SectionBeam& section, do
   }
   beam.fibres = kernel::rectangle_fibres(first, second, section.quadrature);
   beam.torsion_share = kernel::rectangle_torsion_share(first, second);
+  beam.offset_s = -0.5 * section.location[0] * first;
+  beam.offset_t = -0.5 * section.location[1] * second;
   for (std::size_t k = 0; k < static_cast<std::size_t>(beam.fibres.count); ++k) {
-    beam.fibres.s[k] -= 0.5 * section.location[0] * first;
-    beam.fibres.t[k] -= 0.5 * section.location[1] * second;
+    beam.fibres.s[k] += beam.offset_s;
+    beam.fibres.t[k] += beam.offset_t;
   }
   return beam;
 }
@@ -494,17 +496,35 @@ void System::add_discrete_beams(std::size_t p, const std::vector<model::Index>& 
   const model::Material& material = model.materials[at(part.material)];
   const auto* law = std::get_if<kernel::DiscreteBeam>(&material.law);
   if (law == nullptr) return;  // refused by the model
-  const kernel::DiscreteBeamProperties beam{material.density * section.volume, section.inertia, section.scoor};
-  for (const model::Index e : chosen) {
-    const auto& n = model.beams.node[at(e)];
-    if (beam.follows_line() && !(norm(ties.x[at(n[1])] - ties.x[at(n[0])]) > 0.0))
-      findings.error(model.beams.place[at(e)], "*ELEMENT_BEAM",
-                     fmt::format("discrete beam {} has no length, so its r axis cannot follow it (SCOOR = {})",
-                                 model.beams.id[at(e)], section.scoor),
-                     "write SCOOR 0 for beams of no length");
-  }
+  kernel::DiscreteBeamProperties beam{material.density * section.volume, section.inertia, section.scoor};
+  beam.between_points = material.keyword == "MAT_ELASTIC_SPRING_DISCRETE_BEAM" ||
+                        material.keyword == "MAT_GENERAL_NONLINEAR_1DOF_DISCRETE_BEAM";
   std::optional<Frame3d> axes;
   if (section.system != model::none) axes = model.systems[at(section.system)].axes;
+  for (const model::Index e : chosen) {
+    const auto& n = model.beams.node[at(e)];
+    const Vec3d line = ties.x[at(n[1])] - ties.x[at(n[0])], side = model.beams.side(at(e), ties.x);
+    const bool has_length = norm(line) > 0.0, between_points = beam.between_points && has_length;
+    const auto tell = [&](Severity severity, const std::string& what, const char* remedy) {
+      findings.add({severity,
+                    model.beams.place[at(e)],
+                    "*ELEMENT_BEAM",
+                    {},
+                    {},
+                    fmt::format("discrete beam {} {}", model.beams.id[at(e)], what),
+                    remedy});
+    };
+    if (beam.follows_line() && !has_length)
+      tell(Severity::error, fmt::format("has no length, so its r axis cannot follow it (SCOOR = {})", section.scoor),
+           "write SCOOR 0 for beams of no length");
+    if (between_points && axes && norm(cross(unit(line), axes->e1)) > 1e-6)
+      tell(Severity::warning, "acts along the line of its nodes, as its law says, not along the r axis of CID",
+           "put both nodes at one place, or take *MAT_GENERAL_SPRING_DISCRETE_BEAM");
+    if (!between_points && !axes && norm(side) > 0.0 && !(norm(cross(line, side)) > 1e-9 * norm(side) * norm(line)))
+      tell(Severity::warning,
+           "has a third node that gives it no axes, for want of length or of direction: it has the global ones",
+           "give the section a CID");
+  }
   add_group(DiscreteBeamElement{beam, *law, axes, model.beams, ties.x}, model::ElementKind::beam, p,
             members(model.beams, chosen), beam_seat);
 }

@@ -75,13 +75,13 @@ struct ShellElement {
   }
   kernel::NodalMass nodal_mass(model::Index e, const Places& x) const {
     const double t = shells.thickness[static_cast<std::size_t>(e)];
+    const double shear_share = shell.shear_factor * law.elastic().shear / law.elastic().plane;
     if constexpr (corners == 4)
-      return kernel::shell_nodal_mass(x, t, shell.density, shell.offset, mass_per_area,
-                                      shell.shear_factor * law.elastic().shear / law.elastic().plane);
+      return kernel::shell_nodal_mass(x, t, shell.density, shell.offset, mass_per_area, shear_share);
     else if constexpr (Kind == ShellKind::kirchhoff)
       return kernel::kirchhoff_nodal_mass(x, t, shell.density, shell.offset, mass_per_area);
     else
-      return kernel::triangle_nodal_mass(x, t, shell.density, shell.offset, mass_per_area);
+      return kernel::triangle_nodal_mass(x, t, shell.density, shell.offset, mass_per_area, shear_share);
   }
   double mass(model::Index e, const Places& x) const { return corners * nodal_mass(e, x).mass; }
   double nodal_inertia(model::Index e, const Places& x) const { return nodal_mass(e, x).inertia; }

@@ -195,6 +195,59 @@ TEST(Beams, ExplicitCantileverSwings) {
   }
 }
 
+// Nodes on an edge of the section (NSLOC, NTLOC): a pull along their line bends the beam, a force across it twists it.
+// N e L / (E I), N e L^2 / (2 E I), F e L / (G J) by J of Roark.
+// Sabotage: the twist of the middle left out of its shear; the shear factor on one side of that only.
+TEST(Beams, NodesOnTheEdgeOfTheSection) {
+  const double length = 200.0, a = 6.0, b = 10.0, load = 10.0, G = young / (2.0 * (1.0 + nu));
+  const double itt = b * a * a * a / 12.0, iss = a * b * b * b / 12.0;
+  const double q = a / b, torsion = b * a * a * a * (1.0 / 3.0 - 0.21 * q * (1.0 - q * q * q * q / 12.0));
+  Specimen s;
+  s.card("MAT_ELASTIC", {1, steel, young, nu});
+  s.text("*SECTION_BEAM\n" + fields({1, 1, 5.0 / 6.0, 2, 0}) + fields({a, a, b, b, 1, -1})).part(1, 1, 1);
+  const auto nodes = beams(s, 4, [&](double x) { return Vec3d{length * x, 0, 0}; }, {0, 1, 0});
+  s.card("BOUNDARY_SPC_NODE", {double(nodes[0]), 0, 1, 1, 1, 1, 1, 1});
+  const auto motion = [&](int dof) {
+    Specimen one = s;
+    one.text(unit_load(nodes.back(), dof, load));
+    return static_motion(one, nodes.back());
+  };
+  // The section lies 3 below the nodes along s and 5 above them along t.
+  const nvh::Six pulled = motion(1), along_s = motion(2);
+  expect_reference("beams", "NSLOC 1: pulled on its upper side, deflection along s [mm]", pulled[1],
+                   -load * 0.5 * a * length * length / (2.0 * young * itt), 1e-6);
+  expect_reference("beams", "NTLOC -1: pulled on its lower side, deflection along t [mm]", pulled[2],
+                   load * 0.5 * b * length * length / (2.0 * young * iss), 1e-6);
+  expect_reference("beams", "NTLOC -1: force along s on its lower side, twist [rad]", along_s[3],
+                   load * 0.5 * b * length / (G * torsion), 1e-6);
+}
+
+// Beams as short as they like, nodes on the middle and on an edge, thrown about at TSSFAC 0.9: their energy stays.
+// Sabotage: rotary inertia of nodes on an edge as it is by the section alone.
+TEST(Beams, FreeStubsKeepTheirEnergy) {
+  for (const double location : {0.0, 1.0})
+    for (const double factor : {5.0 / 6.0, 1.0})
+      for (const double cell : {0.5, 2.0, 5.0, 10.0, 40.0}) {
+        Specimen s;
+        s.card("MAT_ELASTIC", {1, steel, young, 0.0});
+        s.text("*SECTION_BEAM\n" + fields({1, 1, factor, 2, 0}) + fields({10, 10, 5, 5, location, location}));
+        s.part(1, 1, 1);
+        const auto nodes = beams(s, 4, [&](double x) { return Vec3d{4.0 * cell * x, 0, 0}; }, {0, 1, 0});
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+          const double x = double(i);
+          s.card("INITIAL_VELOCITY_NODE", {double(nodes[i]), std::sin(3 * x), std::cos(2 * x), std::sin(5 * x + 1),
+                                           std::cos(7 * x) / cell, std::sin(4 * x) / cell, std::cos(6 * x + 2) / cell});
+        }
+        const double wave = std::sqrt(steel / young) * cell;
+        s.card("CONTROL_TERMINATION", {2000 * wave});
+        Experiment experiment(s.deck());
+        double drift = 0.0;
+        run_to_end(experiment,
+                   [&](const impact::Snapshot& now) { drift = std::max(drift, std::abs(now.energy.ratio() - 1.0)); });
+        EXPECT_LT(drift, 1e-3) << location << ' ' << factor << ' ' << cell;
+      }
+}
+
 // A whole turn of a free beam: nothing comes up in it. Sabotage: nodal axes that stay in space.
 TEST(Beams, RigidTurnsMakeNoForce) {
   for (const int elform : {1, 2, 3}) {

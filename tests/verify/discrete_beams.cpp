@@ -187,6 +187,84 @@ TEST(DiscreteBeams, GeneralNonlinearBeamUnloadsByItsStiffness) {
   expect_reference("discrete beam", "MAT_119, IUNLD 2: largest error of the force, of 100", worst, 0.0, 1e-6, 100.0);
 }
 
+// MAT_074 and 121 act between two points: K times the change of their distance, along their line, which node 2 leads
+// through a right angle and away; no third node, no CID. Sabotage: the r axis where the triad has it.
+TEST(DiscreteBeams, SpringBetweenTwoPoints) {
+  for (const std::string& law : {"*MAT_074\n" + fields({1, 1.0, 100.0}) + fields({}),
+                                 "*MAT_121\n" + fields({1, 1.0}) + fields({7}) + fields({})})
+    for (const double scoor : {0.0, -1.0}) {
+      Specimen s;
+      s.text(law + curve(7, {{0.0, 0.0}, {1.0, 100.0}}));
+      section(s, scoor);
+      const int a = s.node({1, 1, 1}), b = s.node({4, 5, 1});
+      beam(s, a, b);
+      hold(s, a);
+      // From (3, 4) to (-6, 8) as seen from node 1, with its own way in each direction, and off the plane.
+      s.text(curve(80, {{0.0, 0.0}, {0.6, -5.0}, {1.0, -9.0}})).text(curve(81, {{0.0, 0.0}, {0.4, -1.0}, {1.0, 4.0}}));
+      s.text(curve(82, {{0.0, 0.0}, {0.5, 2.0}, {1.0, 1.0}}));
+      for (const int dof : {1, 2, 3})
+        s.card("BOUNDARY_PRESCRIBED_MOTION_NODE", {double(b), double(dof), 2, 79.0 + dof, 1.0});
+      timing(s, 1.0, 1e-3);
+      Experiment experiment(s.deck());
+      double worst = 0.0, askew = 0.0;
+      run_to_end(experiment, [&](const impact::Snapshot& now) {
+        const Vec3d line = experiment.position(now, b) - experiment.position(now, a);
+        const auto r = resultants(now);
+        worst = std::max(worst, std::abs(r[0] - 100.0 * (norm(line) - 5.0)));
+        for (std::size_t i = 1; i < 6; ++i) askew = std::max(askew, std::abs(r[i]));
+      });
+      expect_reference("discrete beam", fmt::format("spring between two points, SCOOR {}: error of its force", scoor),
+                       worst, 0.0, 1e-4, 500.0);
+      EXPECT_EQ(askew, 0.0);
+    }
+}
+
+// MAT_119 with IUNLD 1, out to 1, back to 0.5 and held there: it stays on the curve of unloading. Sabotage: a spring
+// that stands still taken for one that loads.
+TEST(DiscreteBeams, StandsOnTheCurveThatItCameAlong) {
+  Specimen s;
+  s.text("*MAT_119\n" + fields({1, 1.0, 0, 0, 1}) + fields({7}) + fields({8}) + fields({}) + fields({}) + fields({}) +
+         fields({}) + fields({}) + curve(7, {{0.0, 0.0}, {1.0, 100.0}}) + curve(8, {{0.0, 0.0}, {1.0, 20.0}}));
+  section(s, 0);
+  const int a = s.node({0, 0, 0}), b = s.node({0, 0, 0});
+  beam(s, a, b);
+  hold(s, a);
+  s.text(curve(80, {{0.0, 1.0}, {1.0, 1.0}, {1.0001, -1.0}, {1.5, -1.0}, {1.5001, 0.0}, {9.0, 0.0}}));
+  s.card("BOUNDARY_PRESCRIBED_MOTION_NODE", {double(b), 1, 0, 80, 1.0});
+  timing(s, 2.0, 1e-3);
+  Experiment experiment(s.deck());
+  double worst = 0.0;
+  run_to_end(experiment, [&](const impact::Snapshot& now) {
+    if (now.state.time > 1.01)
+      worst = std::max(worst, std::abs(resultants(now)[0] - 20.0 * experiment.displacement(now, b).x));
+  });
+  expect_reference("discrete beam", "MAT_119, IUNLD 1, held: largest error of the force, of 20", worst, 0.0, 1e-6,
+                   20.0);
+}
+
+// MAT_119 with IUNLD 2, displaced by IUR at time 0: it has been loaded there. Sabotage: no force at the start.
+TEST(DiscreteBeams, StartsLoadedWhereItStands) {
+  Specimen s;
+  s.text("*MAT_119\n" + fields({1, 1.0, 200.0, 0, 2}) + fields({7}) + fields({8}) + fields({}) + fields({}) +
+         fields({}) + fields({}) + fields({0.5}) + curve(7, {{0.0, 0.0}, {1.0, 100.0}}) +
+         curve(8, {{0.0, 0.0}, {1.0, 20.0}}));
+  section(s, 0);
+  const int a = s.node({0, 0, 0}), b = s.node({0, 0, 0});
+  beam(s, a, b);
+  hold(s, a);
+  s.text(curve(80, {{0.0, -1.0}, {9.0, -1.0}}));
+  s.card("BOUNDARY_PRESCRIBED_MOTION_NODE", {double(b), 1, 0, 80, 1.0});
+  timing(s, 0.4, 1e-3);
+  Experiment experiment(s.deck());
+  double worst = 0.0;
+  run_to_end(experiment, [&](const impact::Snapshot& now) {
+    const double d = 0.5 + experiment.displacement(now, b).x;
+    worst = std::max(worst, std::abs(resultants(now)[0] - std::max(20.0 * d, 50.0 - 200.0 * (0.5 - d))));
+  });
+  expect_reference("discrete beam", "MAT_119, IUNLD 2 from IUR: largest error of the force, of 50", worst, 0.0, 1e-6,
+                   50.0);
+}
+
 // MAT_067 fails by force: (F_r/30)^2 + (F_s/40)^2 = 1 on a path at 45 degrees; its energy is then eroded, not lost.
 TEST(DiscreteBeams, FailureByForce) {
   Specimen s;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernel/element/belytschko_tsay.hpp"
 
+#include "kernel/element/gyration.hpp"
 #include "kernel/element/quadrilateral.hpp"
 #include "kernel/element/shell_layers.hpp"
 #include "kernel/law/prepared_compound.hpp"
@@ -248,14 +249,17 @@ NodalMass shell_nodal_mass(const std::array<Vec3d, 4>& x, double thickness, doub
                            double mass_per_area, double shear_share) {
   const double area = shell_area(x), arm = 0.5 * offset * thickness;
   const double mass = 0.25 * area * (density * thickness + mass_per_area);
-  double gyration2 = (thickness * thickness + area) / 12.0;
-  constexpr double step = 0.93;  // over L/c
-  if (const double spin = 4.0 / (step * step) - 4.0 * shear_share; spin > 0.0) {
-    const Vec3d nodes[4] = {x[0], x[1], x[2], x[3]};
-    const double side2 = length2(nodes, area, ShellLength::area_over_side, 0.0);
-    gyration2 = std::max(gyration2, shear_share * side2 / spin);
+  const double section2 = thickness * thickness / 12.0;
+  double gyration2 = section2 + area / 12.0 + arm * arm;
+  if (shear_share > 0.0) {
+    gyration2 = std::max(gyration2, eccentric_gyration2(arm, section2));
+    if (const double spin = 4.0 / (borne_step * borne_step) - 4.0 * shear_share; spin > 0.0) {
+      const Vec3d nodes[4] = {x[0], x[1], x[2], x[3]};
+      const double side2 = length2(nodes, area, ShellLength::area_over_side, 0.0);
+      gyration2 = std::max(gyration2, shear_share * side2 / spin);
+    }
   }
-  return {mass, mass * (gyration2 + arm * arm)};
+  return {mass, mass * gyration2};
 }
 
 template NodalForces<double, 4> shell_cycle(const ShellProperties&, const Prepared<Elastic>&,

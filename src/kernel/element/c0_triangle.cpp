@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernel/element/c0_triangle.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/element/gyration.hpp"
 #include "kernel/element/triangle.hpp"
 #include "kernel/law/prepared_compound.hpp"
 
@@ -84,6 +88,42 @@ Frame3d triangle_frame(const std::array<Vec3d, 3>& x) {
   return geometry_of(x).frame;
 }
 
+namespace {
+
+struct GreatestShear {
+  double by_motion, by_spin;  ///< [1/length^2], [1]
+};
+
+/// Largest square of the shear at the point, by unit velocities normal to the plane and by unit spins of the nodes: the
+/// mode of transverse shear has w^2 = 3 kappa G / rho (by_motion + by_spin / r^2), or less.
+GreatestShear greatest_shear(const std::array<Vec3d, 3>& x) {
+  const Triangle<double> g = geometry_of(x);
+  // Along a = x2 - x1 and b = x3 - x1 the shear is that of the sides less a third of what goes around (rates_on): by
+  // the velocity of each node, and by its slope as a vector.
+  const std::array<double, 2> a{g.x21, 0.0}, b{g.x31, g.y31}, c{b[0] - a[0], b[1]};
+  std::array<double, 4> motion{2.0, 1.0, 1.0, 2.0}, spin{};  // products along a and b
+  for (const std::size_t i : {0u, 1u}) {
+    const double along_a[] = {0.5 * a[i] + c[i] / 6.0, 0.5 * a[i] - b[i] / 6.0, a[i] / 6.0};
+    const double along_b[] = {0.5 * b[i] - c[i] / 6.0, b[i] / 6.0, 0.5 * b[i] - a[i] / 6.0};
+    for (const std::size_t k : {0u, 1u, 2u}) {
+      spin[0] += along_a[k] * along_a[k];
+      spin[1] += along_a[k] * along_b[k];
+      spin[3] += along_b[k] * along_b[k];
+    }
+  }
+  spin[2] = spin[1];
+  const auto largest = [&](const std::array<double, 4>& p) {
+    // To the axes: x = a / x21, y = (b - x31 x) / y31.
+    const double xx = p[0] / (g.x21 * g.x21), slope = g.x31 / g.x21;
+    const double xy = (p[1] - slope * p[0]) / (g.x21 * g.y31);
+    const double yy = (p[3] - 2.0 * slope * p[1] + slope * slope * p[0]) / (g.y31 * g.y31);
+    return 0.5 * (xx + yy) + std::hypot(0.5 * (xx - yy), xy);
+  };
+  return {largest(motion), largest(spin)};
+}
+
+}  // namespace
+
 double triangle_area(const std::array<Vec3d, 3>& x) {
   return geometry_of(x).area;
 }
@@ -94,10 +134,21 @@ double triangle_stable_step(const std::array<Vec3d, 3>& x, ShellLength length, d
 }
 
 NodalMass triangle_nodal_mass(const std::array<Vec3d, 3>& x, double thickness, double density, double offset,
-                              double mass_per_area) {
+                              double mass_per_area, double shear_share) {
   const double area = triangle_area(x), arm = 0.5 * offset * thickness;
   const double mass = area * (density * thickness + mass_per_area) / 3.0;
-  return {mass, mass * (std::max(thickness * thickness / 12.0, area / 8.0) + arm * arm)};
+  const double section2 = thickness * thickness / 12.0;
+  double gyration2 = std::max(section2, area / 8.0) + arm * arm;
+  if (shear_share > 0.0) {
+    gyration2 = std::max(gyration2, eccentric_gyration2(arm, section2));
+    const auto [by_motion, by_spin] = greatest_shear(x);
+    const Vec3d nodes[3] = {x[0], x[1], x[2]};
+    const double altitude2 = length2(nodes, area, ShellLength::area_over_side, 0.0);
+    const double borne = 4.0 / (borne_step * borne_step * altitude2);
+    if (const double left = borne / (3.0 * shear_share) - by_motion; left > 0.0)
+      gyration2 = std::max(gyration2, by_spin / left);
+  }
+  return {mass, mass * gyration2};
 }
 
 template NodalForces<double, 3> triangle_cycle(const ShellProperties&, const Prepared<Elastic>&,

@@ -45,8 +45,9 @@ void start_discrete_beam(const DiscreteBeamProperties& beam, const DiscreteBeam&
   for (int i = 0; i < L::count; ++i) put(i, 0.0);
   Triad<double> t{axes.e1, axes.e2};
   const Vec3d line = x2 - x1;
+  const bool on_line = beam.follows_line() || (beam.between_points && norm(line) > 0.0);
   // Opposite directions have no shortest way between them: half a turn about s.
-  if (beam.follows_line()) {
+  if (on_line) {
     if (dot(t.r, line) < -(1.0 - 1e-12) * norm(line)) t.r = -t.r;
     t = along(t, line);
   }
@@ -54,8 +55,14 @@ void start_discrete_beam(const DiscreteBeamProperties& beam, const DiscreteBeam&
   put(L::density_scale, 1.0);
   put(L::axis_r, t.r.x), put(L::axis_r + 1, t.r.y), put(L::axis_r + 2, t.r.z);
   put(L::axis_s, t.s.x), put(L::axis_s + 1, t.s.y), put(L::axis_s + 2, t.s.z);
-  for (int i = 0; i < 6; ++i) put(L::displacement + i, law.dof[static_cast<std::size_t>(i)].start);
+  for (int i = 0; i < 6; ++i) {
+    const DiscreteSpring& spring = law.dof[static_cast<std::size_t>(i)];
+    put(L::displacement + i, spring.start);
+    // What unloads from there has been loaded up to there.
+    if (spring.kind == DiscreteSpring::Kind::hysteresis) put(L::spring + i, spring.load(spring.start));
+  }
   put(L::length, norm(line));
+  put(L::on_line, on_line ? 1.0 : 0.0);
 }
 
 double discrete_beam_stable_step(const DiscreteBeamProperties& beam, const DiscreteBeam& law, double length,
@@ -127,15 +134,17 @@ NodalForces<R, 2> discrete_beam_cycle(const DiscreteBeamProperties& beam, const 
   const Triad<R> old{load_vector<R>(state, L::axis_r), load_vector<R>(state, L::axis_s)};
   const Vec3<R> half = R(0.5 * dt) * spin, whole = R(dt) * spin;
   Triad<R> mid{turned(old.r, half), turned(old.s, half)}, end{turned(old.r, whole), turned(old.s, whole)};
-  if (beam.follows_line()) {
-    mid = along(mid, d_mid);
-    end = along(end, d);
+  const auto on_line = load_field<R>(state, L::on_line) > 0.5;
+  if (any(on_line)) {
+    const Triad<R> mid_line = along(mid, d_mid), end_line = along(end, d);
+    mid = {select(on_line, mid_line.r, mid.r), select(on_line, mid_line.s, mid.s)};
+    end = {select(on_line, end_line.r, end.r), select(on_line, end_line.s, end.s)};
   }
   store_vector(state, L::axis_r, select(alive, end.r, old.r));
   store_vector(state, L::axis_s, select(alive, end.s, old.s));
 
   // The nodes' velocities are chords of their arcs; the factor tan(phi/2)/(phi/2) makes the spin one as well.
-  const Vec3<R> w = beam.long_beam() ? mean : spin;
+  const Vec3<R> w = beam.long_beam() ? mean : select(on_line, mean, spin);
   const R q = R(dt * dt) * dot(w, w), chord = 1.0 + q * (1.0 / 12.0) * (1.0 + 0.1 * q);
   const Vec3<R> translation = mid.frame().local(stretch - chord * cross(w, d_mid));
   const Vec3<R> rotation = mid.frame().local(nodes.w[1] - nodes.w[0]);

@@ -17,6 +17,9 @@ struct DiscreteBeamProperties {
   /// one of finite length: rotation as a rigid body makes no displacement, and couples at the nodes balance the forces;
   /// at 2 the r axis moreover follows the line of the nodes.
   int scoor = 0;
+  /// A spring between two points (MAT_074, 121), whose displacement is the change of their distance. Where they are at
+  /// one place it acts along the r axis.
+  bool between_points = false;
 
   bool long_beam() const { return scoor <= -2 || scoor >= 2; }
   bool follows_line() const { return scoor == -2 || scoor == 2; }
@@ -33,11 +36,12 @@ struct DiscreteBeamLayout {
   static constexpr int plastic = 20;       ///< plastic displacement of each
   static constexpr int resultant = 26;     ///< N_r N_s N_t [force], M_r M_s M_t [moment]
   static constexpr int length = 32;        ///< distance of the nodes [length]
-  static constexpr int count = 33;
+  static constexpr int on_line = 33;       ///< 1 where the r axis lies on the line of the nodes, whatever SCOOR says
+  static constexpr int count = 34;
 };
 
-/// State at time 0 in lane `lane` of `width`. `axes`: the triad; where the r axis follows the nodes it is turned there
-/// by the shortest way.
+/// State at time 0 in lane `lane` of `width`. `axes`: the triad; where the r axis follows the nodes (SCOOR, or a spring
+/// between two points that stand apart) it is turned there by the shortest way.
 void start_discrete_beam(const DiscreteBeamProperties& beam, const DiscreteBeam& law, const Frame3d& axes,
                          const Vec3d& x1, const Vec3d& x2, double* state, int width, int lane);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernel/element/kirchhoff_triangle.hpp"
 
+#include "kernel/element/gyration.hpp"
 #include "kernel/element/triangle.hpp"
 #include "kernel/law/prepared_compound.hpp"
 
@@ -168,7 +169,8 @@ NodalMass kirchhoff_nodal_mass(const std::array<Vec3d, 3>& x, double thickness, 
   const double area = Triangle<double>(nodes).area, arm = 0.5 * offset * thickness;
   const double mass = area * (density * thickness + mass_per_area) / 3.0;
   const double altitude2 = length2(nodes, area, ShellLength::area_over_side, 0.0);
-  return {mass, mass * (gyration2(thickness, area, altitude2) + arm * arm)};
+  const double own2 = gyration2(thickness, area, altitude2);
+  return {mass, mass * std::max(own2 + arm * arm, eccentric_gyration2(arm, own2))};
 }
 
 template NodalForces<double, 3> kirchhoff_triangle_cycle(const ShellProperties&, const Prepared<Elastic>&,

@@ -6,10 +6,12 @@
 #include <limits>
 #include <numbers>
 
+#include "kernel/element/gyration.hpp"
+
 namespace nugget::kernel {
 namespace {
 
-/// Second moments and area of the points, for masses.
+/// Second moments about the nodes' line and area of the points, for masses.
 struct Moments {
   double area = 0.0, ss = 0.0, tt = 0.0;  ///< tt = sum of area t^2 (bending about s)
 };
@@ -135,8 +137,12 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared
   const Vec3<R> dv = over_mid * mid.local(stretch), dw = over_mid * mid.local(nodes.w[1] - nodes.w[0]);
   const Vec3<R> mean = mid.local(R(0.5) * (nodes.w[0] + nodes.w[1]));
   // Both in the strain and in the moment, so that they belong together.
-  const double torsion = beam.no_torsion ? 0.0 : std::sqrt(beam.torsion_share);
-  const R rs = beam.shear_factor * (dv.y - mean.z), rt = beam.shear_factor * (dv.z + mean.y), twist = torsion * dw.x;
+  const double torsion = beam.no_torsion ? 0.0 : std::sqrt(beam.torsion_share), es = beam.offset_s, et = beam.offset_t;
+  const R twist = torsion * dw.x;
+  // Shear is that of the middle of the section, which moves with the nodes' spin where it is off their line.
+  const R whole_twist = beam.no_torsion ? R(0.0) : dw.x;
+  const R rs = beam.shear_factor * (dv.y - et * whole_twist - mean.z),
+          rt = beam.shear_factor * (dv.z + es * whole_twist + mean.y);
 
   R n[6]{}, strain_rate = 0.0;
   double whole = 0.0;
@@ -148,7 +154,7 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared
     double* stress = state + layout.fibre(k) * lanes<R>;
     double* history = state + layout.history_of(k) * lanes<R>;
     FibreTensor<R> a = load_fibre<R>(stress);
-    const FibreTensor<R> rate{dv.x + pt * dw.y - ps * dw.z, rs - pt * twist, rt + ps * twist};
+    const FibreTensor<R> rate{dv.x + pt * dw.y - ps * dw.z, rs - (pt - et) * twist, rt + (ps - es) * twist};
     // von Mises' equivalent of the rate, so that it is the plastic strain's rate when all of it is plastic.
     strain_rate += area * sqrt(rate.rr * rate.rr + (1.0 / 3.0) * (rate.rs * rate.rs + rate.rt * rate.rt));
     whole += area;
@@ -158,10 +164,11 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared
     n[0] += area * a.rr;
     n[1] += area * a.rs;
     n[2] += area * a.rt;
-    n[3] += (torsion * area) * (ps * a.rt - pt * a.rs);
+    n[3] += (torsion * area) * ((ps - es) * a.rt - (pt - et) * a.rs);
     n[4] += (area * pt) * a.rr;
     n[5] -= (area * ps) * a.rr;
   }
+  if (!beam.no_torsion) n[3] += es * n[2] - et * n[1];
   if (law.can_fail()) {
     alive = alive && sound;
     store_field(state, L::alive, select(alive, R(1.0), none));
@@ -209,7 +216,11 @@ NodalMass weld_beam_nodal_mass(const WeldBeamProperties& beam, double length, do
   const double bending = 0.5 * density * bend * length + cube / 24.0;
   const double torsion = 0.5 * density * (section.ss + section.tt) * length;
   const double shear_mode = cube * k / (8.0 * (1.0 - k));
-  return {mass, std::max({bending, torsion, shear_mode})};
+  const double arm2 = beam.offset_s * beam.offset_s + beam.offset_t * beam.offset_t;
+  const double about_middle = std::max(section.ss / section.area - beam.offset_s * beam.offset_s,
+                                       section.tt / section.area - beam.offset_t * beam.offset_t);
+  const double eccentric = mass * eccentric_gyration2(std::sqrt(arm2), about_middle);
+  return {mass, std::max({bending, torsion, shear_mode, eccentric})};
 }
 
 template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<Elastic>&,

@@ -34,6 +34,9 @@ struct WeldBeamProperties {
   bool no_torsion = false;       ///< ITOFF 1, or tied to shells without drilling stiffness: M_rr = 0
   double torsion_share = 1.0;    ///< torsion constant over polar moment [1]
   double mass_per_length = 0.0;  ///< non-structural [mass/length]
+  /// Place of the middle of the section, where its transverse shear acts, seen from the nodes [length]. The fibres are
+  /// placed from the nodes, too.
+  double offset_s = 0.0, offset_t = 0.0;
 };
 
 /// Fields of the state of a weld beam. Field i of lane l stands at state[i * lanes + l].
@@ -90,7 +93,7 @@ void hold_yield(const WeldBeamLayout& layout, const Prepared<Spotweld>& law, dou
 double weld_beam_stable_step(double length, double E, double density);
 
 /// Mass of each node, rho A L / 2, and isotropic inertia: the physical one raised until no mode is faster than the
-/// axial one (spotweld-theory 2.7).
+/// axial one (spotweld-theory 2.7), and further where the nodes are off the middle (eccentric_gyration2).
 NodalMass weld_beam_nodal_mass(const WeldBeamProperties& beam, double length, double density, double nu);
 
 }  // namespace nugget::kernel

@@ -112,7 +112,11 @@ double DiscreteSpring::advance(State& s, double increment, double velocity) cons
     case Kind::none: break;
     case Kind::linear: s.force = stiffness * d; break;
     case Kind::elastic: s.force = load(d); break;
-    case Kind::two_curves: s.force = increment * d < 0.0 ? unload(d) : load(d); break;
+    case Kind::two_curves:
+      // What stands still stays on the curve that it came along; `plastic` is 1 while it unloads.
+      if (increment * d != 0.0) s.plastic = increment * d < 0.0 ? 1.0 : 0.0;
+      s.force = s.plastic > 0.0 ? unload(d) : load(d);
+      break;
     case Kind::hysteresis: {
       const double trial = s.force + stiffness * increment, outer = load(d), inner = unload(d);
       s.force = d >= 0.0 ? std::min(outer, std::max(inner, trial)) : std::max(outer, std::min(inner, trial));

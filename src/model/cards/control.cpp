@@ -205,7 +205,7 @@ const Card shell_card_4{{
 const Card shell_card_5{{
     flag("drcmth", "method of the drilling constraint; there is one here"),
     flag("lispsid", "implicit, no effect"),
-    integer("nlocdt", 0, any_value, "time step with NLOC"),
+    flag("nlocdt", "shorter step with NLOC: rotary inertia is raised instead, no effect"),
     flag("iswshl", "no effect"),
 }};
 
@@ -415,7 +415,6 @@ void read_shell(Builder& b, const Block& block, const Options&) {
          {{"cntco", 0, "not obeyed: contact surfaces lie about the mid-surface, as with 0"}});
   expect(b, four, Severity::warning, {{"delfr", 0, "not obeyed: shells that have come loose stay"}});
   if (four.integer("drcpsid") != 0) b.later(Phase::checks, [four](Builder& later) { resist_drilling(later, four); });
-  expect(b, five, Severity::warning, {{"nlocdt", 0, "not obeyed: the time step is that of the mid-surface"}});
   Control& c = b.model.control;
   c.warp_warning = one.real("wrpang");
   c.sort_triangles = static_cast<SortTriangles>(one.integer("esort"));

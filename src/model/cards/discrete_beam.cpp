@@ -161,7 +161,7 @@ const Card single_card{{
     real("dampf", dimension::number, 0, only(0), "damping factor for stability: its scaling is not documented"),
 }};
 const Card single_curves_card{{
-    curve_field("lcidt", "force over displacement along r; one that starts at 0 holds for both signs"),
+    curve_field("lcidt", "force over elongation; one that starts at 0 holds for both signs"),
     curve_field("lcidtu", "unloading curve; 0: the loading curve"),
     curve_field("lcidtd", "damping force over velocity"),
     curve_field("lcidte", "factor on the damping force over displacement; 0: 1"),

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "model/axes.hpp"
 #include "model/cards/families.hpp"
 #include "model/lumped_mass.hpp"
@@ -190,6 +193,20 @@ void read_part_mass(Builder& b, const Block& block, const Options&) {
   });
 }
 
+/// The nodes of bodies take the whole tensor, others in explicit runs only its mean.
+void tell_of_mean(Builder& b, const Row& head, const std::array<double, 6>& tensor) {
+  const auto& [xx, xy, xz, yy, yz, zz] = tensor;
+  const double mean = (xx + yy + zz) / 3.0;
+  double most = 0.0;
+  for (const double off : {xx - mean, yy - mean, zz - mean, xy, xz, yz}) most = std::max(most, std::abs(off));
+  if (most > 1e-6 * mean)
+    head.complain(b.findings, Severity::warning, "nid",
+                  fmt::format("in an explicit run a node that belongs to no rigid body turns with the mean of the "
+                              "moments of inertia, {:.4g}, about every axis",
+                              mean),
+                  "make the node a *CONSTRAINED_NODAL_RIGID_BODY, which takes the tensor whole");
+}
+
 void add_inertia(Builder& b, const Row& head, const Row& row) {
   const Index n = b.node(head, "nid");
   if (n == none) return;
@@ -199,6 +216,9 @@ void add_inertia(Builder& b, const Row& head, const Row& row) {
   if (const Index s = b.system(head, "csid"); s != none)
     point.inertia = to_global(point.inertia, b.model.systems[static_cast<std::size_t>(s)].axes);
   b.model.inertias.push_back(point);
+  b.later(Phase::checks, [head, n, tensor = point.inertia](Builder& later) {
+    if (later.body_of_node[static_cast<std::size_t>(n)] == none) tell_of_mean(later, head, tensor);
+  });
 }
 
 void read_inertia(Builder& b, const Block& block, const Options&) {

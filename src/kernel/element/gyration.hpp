@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+namespace nugget::kernel {
+
+/// Steps, over the length of an element by the speed of sound, that rotary inertia is raised to bear (ours).
+inline constexpr double borne_step = 0.93;
+
+/// Square of the radius of gyration that nodes need which stand at a distance `arm` from the middle of a section whose
+/// own radius has the square `section`: not below the physical one [length^2]. Turning such a node stretches the
+/// section, so that a wave along it and one that bends it are one vibration, of
+///     w^2 = (2c/L)^2 q,   (q - 1) (q r^2 - arm^2 - section) = arm^2:
+/// r is the one at which q is that of `borne_step` (ours).
+inline double eccentric_gyration2(double arm, double section) {
+  if (arm == 0.0) return 0.0;
+  const double q = 1.0 / (borne_step * borne_step);
+  return arm * arm / (q - 1.0) + section / q;
+}
+
+}  // namespace nugget::kernel

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Discrete beams (ELFORM 6) driven along given ways: their forces in elout against the law's own, worked out here.
+
+Sabotage that this catches: MAT_074 and 121 along the r axis of the triad instead of the line of their nodes, a spring that stands still
+taken for one that loads, IUR without the force of loading up to there.
+"""
+import math
+import unittest
+
+import lsda
+from nugget_command import CommandTest
+
+
+def card(*values):
+    return "".join(f"{v:10g}" if isinstance(v, float) else f"{v:10}" for v in values) + "\n"
+
+
+def curve(number, *points):
+    return "*DEFINE_CURVE\n" + card(number) + "".join(f"{x:20.8g}{y:20.8g}\n" for x, y in points)
+
+
+class DiscreteBeams(CommandTest):
+    def force(self, material, second, ways, end, scoor=0.0, by_velocity=False):
+        """[(time, axial force)] of a beam from the origin to `second`, whose second node goes the `ways` in x, y, z."""
+        deck = ("*KEYWORD\n*CONTROL_TERMINATION\n" + card(end) + material + "*SECTION_BEAM\n" + card(1, 6, 1.0, 2, 0, scoor) +
+                card(1e-3, 1e-3) + "*PART\nbeam\n" + card(1, 1, 1) + "*NODE\n")
+        for node, (x, y, z) in enumerate(((0, 0, 0), second), start=1):
+            deck += f"{node:8}{x:16}{y:16}{z:16}\n"
+        deck += "*ELEMENT_BEAM\n" + "".join(f"{v:8}" for v in (1, 1, 1, 2)) + "\n*BOUNDARY_SPC_NODE\n" + card(1, 0, 1, 1, 1, 1, 1, 1)
+        for freedom, way in enumerate(ways, start=1):
+            deck += curve(90 + freedom, *way) + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + card(2, freedom, 0 if by_velocity else 2, 90 + freedom)
+        deck += curve(80, (0, 1e-3), (9, 1e-3)) + "*CONTROL_TIMESTEP\n" + card(0, 0.9, 0, 0, 0, 80)
+        deck += "*DATABASE_HISTORY_BEAM\n" + card(1) + "*DATABASE_ELOUT\n" + card(end / 100, 2) + "*END\n"
+        self.nugget("run", self.write(deck))
+        found = lsda.read(self.folder / "binout0000")
+        states = sorted({key.rsplit("/", 1)[0] for key in found if key.startswith("elout/beam/d") and key.endswith("/axial")})
+        return [(found[f"{state}/time"][0], found[f"{state}/axial"][0]) for state in states]
+
+    def test_springs_act_between_their_nodes(self):
+        # From (3, 4, 0) to (-6, 8, 1), each direction in its own way.
+        ways = [((0, 0), (0.6, -5), (1, -9)), ((0, 0), (0.4, -1), (1, 4)), ((0, 0), (0.5, 2), (1, 1))]
+
+        def place(way, time):
+            for (t0, u0), (t1, u1) in zip(way, way[1:]):
+                if time <= t1 or t1 == 1:
+                    return u0 + (u1 - u0) * (time - t0) / (t1 - t0)
+
+        laws = ("*MAT_074\n" + card(1, 1.0, 100.0) + "\n", "*MAT_121\n" + card(1, 1.0) + card(7) + "\n" + curve(7, (0, 0), (1, 100)))
+        for law in laws:
+            for scoor in (0.0, -1.0):
+                path = self.force(law, (3, 4, 0), ways, 1.0, scoor)
+                self.assertGreater(len(path), 90)
+                for time, force in path:
+                    length = math.hypot(*(x + place(way, time) for x, way in zip((3, 4, 0), ways)))
+                    # elout has the force and time of one state; the way's corners are met within a step of 1e-3.
+                    self.assertAlmostEqual(force, 100 * (length - 5), delta=2.5, msg=f"{law} {scoor} {time}")
+
+    def test_what_stands_still_stays_on_the_curve_of_unloading(self):
+        law = ("*MAT_119\n" + card(1, 1.0, 0, 0, 1) + card(7) + card(8) + "\n\n\n\n\n" + curve(7, (0, 0), (1, 100)) + curve(8, (0, 0), (1, 20)))
+        still = ((0, 0), (9, 0))
+        way = ((0, 1), (1, 1), (1.0001, -1), (1.5, -1), (1.5001, 0), (9, 0))
+        path = self.force(law, (0, 0, 0), [way, still, still], 2.0, by_velocity=True)
+        held = [force for time, force in path if time > 1.55]
+        self.assertGreater(len(held), 20)
+        for force in held:
+            self.assertAlmostEqual(force, 20 * 0.5, delta=0.1)
+
+    def test_displaced_at_the_start_it_has_been_loaded(self):
+        law = ("*MAT_119\n" + card(1, 1.0, 200.0, 0, 2) + card(7) + card(8) + "\n\n\n\n" + card(0.5) + curve(7, (0, 0), (1, 100)) +
+               curve(8, (0, 0), (1, 20)))
+        still = ((0, 0), (9, 0))
+        path = self.force(law, (0, 0, 0), [((0, -1), (9, -1)), still, still], 0.4, by_velocity=True)
+        self.assertGreater(len(path), 90)
+        for time, force in path:
+            displacement = 0.5 - time
+            self.assertAlmostEqual(force, max(20 * displacement, 50 - 200 * time), delta=0.5, msg=time)
+
+
+if __name__ == "__main__":
+    unittest.main()
