@@ -382,8 +382,9 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
     return error(fmt::format("the time step {:.4g} of {} is too small to go on from time {:.6g}, cycle {}", state_.dt,
                              controlling_.describe(system_), state_.time, state_.cycle));
   if (diverged_)
-    return error(fmt::format("the solution diverged: its energy is not a number at time {:.6g}, cycle {}", state_.time,
-                             state_.cycle));
+    return error(
+        fmt::format("the solution diverged: its energy is no number that results can hold at time {:.6g}, cycle {}",
+                    state_.time, state_.cycle));
   if (!erosion_.reason_to_stop().empty()) return error(erosion_.reason_to_stop());
   if (std::isnan(state_.dt))
     return error(
@@ -501,7 +502,8 @@ void Simulation::account() {
   energy_.damping = damping_.energy();
   energy_.step_change = step_change_;
   if (state_.cycle == 0) energy_.initial = energy_.total();
-  if (std::isfinite(energy_.total())) return;
+  // Beyond what the result files' words hold a number is none either.
+  if (std::abs(energy_.total()) < std::numeric_limits<float>::max()) return;
   diverged_ = true;
   energy_ = before;
 }

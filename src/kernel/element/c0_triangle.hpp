@@ -30,7 +30,8 @@ double triangle_area(const std::array<Vec3d, 3>& x);
 double triangle_stable_step(const std::array<Vec3d, 3>& x, ShellLength length, double E, double nu, double density);
 
 /// Mass of each of three nodes and its inertia m r^2, r^2 = max(t^2/12, A/8) + offset, raised as that of
-/// shell_nodal_mass where `shear_share` is given: shear that bends and spins the section, and nodes off the mid-surface.
+/// shell_nodal_mass where `shear_share` is given: shear that bends and spins the section, and nodes off the
+/// mid-surface.
 NodalMass triangle_nodal_mass(const std::array<Vec3d, 3>& x, double thickness, double density, double offset = 0.0,
                               double mass_per_area = 0.0, double shear_share = 0.0);
 

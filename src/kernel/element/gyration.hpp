@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-
 namespace nugget::kernel {
 
 /// Steps, over the length of an element by the speed of sound, that rotary inertia is raised to bear (ours).

@@ -203,8 +203,8 @@ template <BrickStrains strains>
 double plate_moment() {
   const double a = 10.0, h = 1.0, dt = 1e-7, yield = 250.0;
   Corners x{Vec3d{-a, -a, -h}, {a, -a, -h}, {a, a, -h}, {-a, a, -h}, {-a, -a, h}, {a, -a, h}, {a, a, h}, {-a, a, h}};
-  Driven<PlasticKinematic, strains> d(inviscid(),
-                                      PlasticKinematic{steel_E, steel_nu, yield, 0.0, 1.0, 0.0, 0.0, 0.0}, x);
+  Driven<PlasticKinematic, strains> d(inviscid(), PlasticKinematic{steel_E, steel_nu, yield, 0.0, 1.0, 0.0, 0.0, 0.0},
+                                      x);
   const double last = 10.0 * yield / steel_E;  // strain of the faces
   const int cycles = 2000;
   for (int cycle = 0; cycle < cycles; ++cycle) {

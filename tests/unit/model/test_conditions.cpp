@@ -118,7 +118,7 @@ TEST(Database, WhatIsNotWrittenIsSaid) {
   EXPECT_TRUE(built.warning("abstat"));
   EXPECT_TRUE(built.warning("not written", "neiph"));
   EXPECT_TRUE(built.warning("not written", "option1"));
-  EXPECT_TRUE(built.warning("one in-plane point", "maxint"));
+  EXPECT_TRUE(built.warning("the mean over a shell's in-plane points", "maxint"));
   EXPECT_EQ(built.model.requests.layers, 3);
   const auto verdict = [&](std::string_view keyword) {
     const auto& ledger = built.model.ledger;
