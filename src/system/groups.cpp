@@ -496,9 +496,8 @@ void System::add_discrete_beams(std::size_t p, const std::vector<model::Index>& 
   const model::Material& material = model.materials[at(part.material)];
   const auto* law = std::get_if<kernel::DiscreteBeam>(&material.law);
   if (law == nullptr) return;  // refused by the model
-  kernel::DiscreteBeamProperties beam{material.density * section.volume, section.inertia, section.scoor};
-  beam.between_points = material.keyword == "MAT_ELASTIC_SPRING_DISCRETE_BEAM" ||
-                        material.keyword == "MAT_GENERAL_NONLINEAR_1DOF_DISCRETE_BEAM";
+  const kernel::DiscreteBeamProperties beam{material.density * section.volume, section.inertia, section.scoor,
+                                            law->between_points};
   std::optional<Frame3d> axes;
   if (section.system != model::none) axes = model.systems[at(section.system)].axes;
   for (const model::Index e : chosen) {

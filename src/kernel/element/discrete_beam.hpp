@@ -17,9 +17,7 @@ struct DiscreteBeamProperties {
   /// one of finite length: rotation as a rigid body makes no displacement, and couples at the nodes balance the forces;
   /// at 2 the r axis moreover follows the line of the nodes.
   int scoor = 0;
-  /// A spring between two points (MAT_074, 121), whose displacement is the change of their distance. Where they are at
-  /// one place it acts along the r axis.
-  bool between_points = false;
+  bool between_points = false;  ///< DiscreteBeam::between_points of its law
 
   bool long_beam() const { return scoor <= -2 || scoor >= 2; }
   bool follows_line() const { return scoor == -2 || scoor == 2; }

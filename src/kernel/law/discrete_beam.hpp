@@ -12,6 +12,9 @@ namespace nugget::kernel {
 struct DiscreteBeam {
   static constexpr double E = 0.0, nu = 0.0;  ///< it has none; asked of every law
   std::array<DiscreteSpring, 6> dof;
+  /// A spring between two points (MAT_074, 121), whose displacement is the change of their distance. Where they are at
+  /// one place it acts along the r axis.
+  bool between_points = false;
 
   /// How the limits of displacement act together. A limit of 0 is none.
   enum class Rule {

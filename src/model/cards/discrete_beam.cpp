@@ -393,6 +393,7 @@ void read_single(Builder& b, const Block& block, const Options& options) {
   expect_end(b, cursor);
   add_law(b, row, std::move(title), "MAT_GENERAL_NONLINEAR_1DOF_DISCRETE_BEAM",
           [row, curves, failure](Builder& later, kernel::DiscreteBeam& law) {
+            law.between_points = true;
             kernel::DiscreteSpring& spring = law.dof[0];
             spring.load = force_curve(later, curves, "lcidt");
             set_unloading(later, row, row.integer("iunld"), row.real("k"), "k", curves, "lcidtu",
@@ -420,6 +421,7 @@ void read_spring(Builder& b, const Block& block, const Options& options) {
   expect_end(b, cursor);
   add_law(b, row, std::move(title), "MAT_ELASTIC_SPRING_DISCRETE_BEAM",
           [row, rates](Builder& later, kernel::DiscreteBeam& law) {
+            law.between_points = true;
             kernel::DiscreteSpring& spring = law.dof[0];
             spring.load = force_curve(later, rates, "flcid");
             spring.kind = spring.load.empty() ? Kind::linear : Kind::elastic;
