@@ -164,7 +164,7 @@ Elastic elastic() {
   return {E, nu};
 }
 PlasticKinematic kinematic() {
-  return {E, nu, 250.0, 1000.0, 0.5, 0, 0, 0, false};
+  return {E, nu, 250.0, 1000.0, 0.5, 0, 0, 0};
 }
 PiecewiseLinear curve(std::vector<double> x, std::vector<double> y) {
   PiecewiseLinear law;
