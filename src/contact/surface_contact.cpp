@@ -7,7 +7,6 @@
 
 #include "base/parallel.hpp"
 #include "contact/couple.hpp"
-#include "contact/edge_contact.hpp"
 #include "contact/surface_nodes.hpp"
 
 namespace nugget::contact {
@@ -16,55 +15,9 @@ namespace {
 constexpr int block_size = 64;
 constexpr std::size_t group_size = 4096;
 constexpr double pressing_depth = 0.3;  // of a brick's depth
-constexpr double extension = 0.025;     // of a brick's face beyond its border, in sides
-constexpr double round_off = 1e-6;      // in sides or thicknesses: no farther from a border is on it
-constexpr double level = 0.1;           // sine below which the way from an edge to a node lies in the face
-constexpr double forgotten = 0.5;       // cosine from the side that is remembered, over an edge
-constexpr double on_the_face = 1e-6;    // of the depth down to which a brick presses: what round-off makes of 0
-
-/// Changes the weights of the corners as little as can be so that their point moves by `way`, in the plane with
-/// `normal`.
-void shift(std::array<double, 4>& weight, const Segment& segment, const Vec3d& way, const Vec3d& normal,
-           std::span<const Row> x) {
-  const int corners = segment.corners();
-  Vec3d middle;
-  for (int c = 0; c < corners; ++c) middle += (1.0 / corners) * vec(x[segment.node[c]]);
-  const double length = norm(way);
-  if (!(length > 0.0)) return;
-  const Vec3d e = (1.0 / length) * way, f = cross(normal, e);
-  double ee = 0.0, ef = 0.0, ff = 0.0;
-  for (int c = 0; c < corners; ++c) {
-    const Vec3d r = vec(x[segment.node[c]]) - middle;
-    ee += dot(r, e) * dot(r, e);
-    ef += dot(r, e) * dot(r, f);
-    ff += dot(r, f) * dot(r, f);
-  }
-  const double determinant = ee * ff - ef * ef;
-  if (!(determinant > 0.0)) return;
-  const Vec3d slope = (length / determinant) * (ff * e - ef * f);
-  for (int c = 0; c < corners; ++c) weight[c] += dot(slope, vec(x[segment.node[c]]) - middle);
-}
 
 bool finite(const Row& r) {
   return std::isfinite(r.x + r.y + r.z);
-}
-
-bool share_a_node(const Segment& a, const Segment& b) {
-  return b.has(a.node[0]) || b.has(a.node[1]) || b.has(a.node[2]) || b.has(a.node[3]);
-}
-
-/// Whether the edge or corner of `segment` that `boundary` names belongs to `other` too.
-bool has_boundary(const Segment& other, const Segment& segment, unsigned boundary) {
-  for (int c = 0; c < 4; ++c)
-    if ((boundary >> c & 1u) && !other.has(segment.node[c])) return false;
-  return boundary != 0;
-}
-
-/// Whether a node is one of the corners that `boundary` names.
-bool has_boundary_at(const Segment& segment, unsigned boundary, int node) {
-  for (int c = 0; c < segment.corners(); ++c)
-    if ((boundary >> c & 1u) && segment.node[c] == node) return true;
-  return false;
 }
 
 double mean_edge(const std::vector<Segment>& segments, std::span<const Row> x) {
@@ -140,8 +93,7 @@ bool SurfaceContact::node_alive(int node, std::span<const unsigned char> element
   return std::any_of(around.begin(), around.end(), [&](int s) { return alive(s, element_alive); });
 }
 
-// ----------------------------------------------------------------------------------------------------------------
-// search
+// ---- search
 
 /// By how much two of the living points can have approached each other if the i-th was displaced by `displacement(i)`:
 /// no more than the diagonal of the box of all displacements, whatever the surface does as a whole.
@@ -254,8 +206,7 @@ void SurfaceContact::list_neighbours(Block& block, std::span<const Row> x,
   block.hits.reserve(block.pairs.size());
 }
 
-// ----------------------------------------------------------------------------------------------------------- every
-// cycle
+// ---- every cycle
 
 void SurfaceContact::work(Block& block, const Step& step) const {
   block.hits.clear();
@@ -385,202 +336,6 @@ void SurfaceContact::add_candidates(Block& block, std::span<Pair* const> near, i
   }
 }
 
-/// A node inside a brick is near several of its faces. It belongs to those that it touched before, slid onto, or came
-/// through in this step; the others are no business of its.
-void SurfaceContact::leave_out_strays(Block& block, int node, const Step& step) const {
-  for (Candidate& candidate : block.candidates) {
-    if (candidate.gap >= 0.0 || candidate.before.touching) continue;
-    const Segment& segment = setup_.segments[candidate.pair->segment];
-    const Vec3d velocity = vec(step.v[node]) - interpolate(segment, candidate.foot.weight, step.v);
-    const Vec3d was_at = vec(step.x[node]) - candidate.foot.point - step.dt * velocity;
-    const double height = dot(was_at, candidate.foot.normal), none = on_the_face * inner_[candidate.pair->segment];
-    candidate.came_through = height > none;
-    const Candidate* from = predecessor(block, candidate);
-    // Level with a face it came through that only if no other has it.
-    if (!candidate.extended && (candidate.came_through || (from == nullptr && height >= -none))) continue;
-    if (from == nullptr || dot(from->away, candidate.away) <= 0.5) candidate.gap = Box::infinity;
-  }
-}
-
-/// Where p lies behind the face of a brick, its gap and the way out. If the foot is on an edge or corner: behind all
-/// faces that meet there, or, once it moves, beyond them by no more than the extension that segments have (MAXPAR); the
-/// depth behind that is measured along the normal, as the edge is off to the side. A node that is level with the face,
-/// as those beside the flush face of another brick are, is behind it by round-off alone. At the start nothing came
-/// through a face yet: a node on one or a little above it, near its edge, is not deep inside from the side.
-void SurfaceContact::go_inside(Candidate& candidate, const Vec3d& p, const Step& step) const {
-  const double allowed = step.dt > 0.0 ? extension : 0.0;
-  const Vec3d r = p - candidate.foot.point;
-  const double height = dot(r, candidate.foot.normal), distance = candidate.foot.distance;
-  if (height >= 0.0 || distance > inner_[candidate.pair->segment]) return;
-  if (!(step.dt > 0.0) && before_a_neighbour(candidate, p, step)) return;
-  const Segment& segment = setup_.segments[candidate.pair->segment];
-  double beyond = 0.0;  // in sides
-  for (int c = 0; c < segment.corners(); ++c) {
-    if (!(candidate.foot.boundary >> c & 1u)) continue;
-    for (const int s : around_.at(segment.node[c])) {
-      const Segment& other = setup_.segments[s];
-      if (!has_boundary(other, segment, candidate.foot.boundary) || !alive(s, step.element_alive)) continue;
-      const kernel::Corners k = corners_of(other, step.x);
-      const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
-      const double off = dot(r, n), size = std::sqrt(0.5 * norm(n)) * norm(n);
-      if (off > allowed * size) return;
-      if (off > 0.0) beyond = std::max(beyond, off / size);
-    }
-  }
-  candidate.extended = beyond > round_off;
-  if (candidate.foot.boundary != 0 && !candidate.extended && height > -level * distance) return;
-  const bool normal = beyond > 0.0 || candidate.foot.boundary == 0 || distance == 0.0;
-  candidate.gap = normal ? height : -distance;
-  candidate.away = normal ? candidate.foot.normal : -candidate.away;
-  if (beyond > 0.0)
-    shift(candidate.foot.weight, segment, r - height * candidate.foot.normal, candidate.foot.normal, step.x);
-}
-
-/// Whether p lies on, or in front of, a face that forms a ridge with the candidate's.
-bool SurfaceContact::before_a_neighbour(const Candidate& candidate, const Vec3d& p, const Step& step) const {
-  const Segment& segment = setup_.segments[candidate.pair->segment];
-  for (int c = 0; c < segment.corners(); ++c)
-    for (const int s : around_.at(segment.node[c])) {
-      const Segment& other = setup_.segments[s];
-      if (s == candidate.pair->segment || same_side(segment, other) == 0 || !alive(s, step.element_alive)) continue;
-      const kernel::Corners k = corners_of(other, step.x);
-      const Vec3d n = cross(k[2] - k[0], k[3] - k[1]), centre = 0.25 * (k[0] + k[1] + k[2] + k[3]);
-      const bool ridge = dot(centre - candidate.foot.point, candidate.foot.normal) < 0.0;
-      if (ridge && dot(p - centre, n) >= -on_the_face * std::sqrt(0.5 * norm(n)) * norm(n)) return true;
-    }
-  return false;
-}
-
-bool SurfaceContact::presses(const Block& block, const Candidate& candidate, int node, const Step& step) const {
-  // In this order: most of those that touch are hidden, and that is seen without the segments of the node.
-  return std::none_of(block.candidates.begin(), block.candidates.end(),
-                      [&](const Candidate& other) { return hidden_by(other, candidate); }) &&
-         !at_home(candidate, node, step.element_alive);
-}
-
-/// The closest point lies on an edge or corner of the node's own segments: along the surface there is a way down to
-/// distance 0, so this is no contact of one part of the surface with another.
-bool SurfaceContact::at_home(const Candidate& candidate, int node, std::span<const unsigned char> element_alive) const {
-  if (candidate.foot.boundary == 0) return false;
-  const Segment& segment = setup_.segments[candidate.pair->segment];
-  const std::span<const int> around = around_.at(node);
-  return std::any_of(around.begin(), around.end(), [&](int own) {
-    return has_boundary(setup_.segments[own], segment, candidate.foot.boundary) && alive(own, element_alive);
-  });
-}
-
-/// `other` is closer and the two are one stretch of surface: the foot lies on their common edge or corner, or they push
-/// in much the same direction (a facetted hollow, where both have a foot inside).
-bool SurfaceContact::hidden_by(const Candidate& other, const Candidate& candidate) const {
-  if (&other == &candidate) return false;
-  if (candidate.gap < 0.0 && other.gap >= 0.0) return false;  // a face that it is not behind
-  if (candidate.gap < 0.0 && other.came_through != candidate.came_through && !candidate.before.touching &&
-      !other.before.touching &&
-      share_a_node(setup_.segments[other.pair->segment], setup_.segments[candidate.pair->segment]))
-    return other.came_through;
-  if (other.foot.distance > candidate.foot.distance) return false;
-  if (other.foot.distance == candidate.foot.distance && other.pair->segment > candidate.pair->segment) return false;
-  const Segment &a = setup_.segments[other.pair->segment], &b = setup_.segments[candidate.pair->segment];
-  const bool alike = dot(other.away, candidate.away) > 0.5;
-  if (has_boundary(a, b, candidate.foot.boundary)) return candidate.gap >= 0.0 || alike || !candidate.before.touching;
-  if (candidate.gap < 0.0 && !candidate.before.touching && share_a_node(a, b)) return true;
-  // Of a node that came through a sheet above an edge, the one may know it and the other not.
-  const bool same_place = norm(other.foot.point - candidate.foot.point) <= round_off * candidate.reach;
-  return share_a_node(a, b) && (alike || same_place);
-}
-
-/// The pair from which the node comes if it did not touch `candidate` before: a neighbour that it touched.
-const SurfaceContact::Candidate* SurfaceContact::predecessor(const Block& block, const Candidate& candidate) const {
-  const Segment& segment = setup_.segments[candidate.pair->segment];
-  const Candidate* found = nullptr;
-  for (const Candidate& other : block.candidates) {
-    if (&other == &candidate || !other.before.touching) continue;
-    const Segment& from = setup_.segments[other.pair->segment];
-    if (same_side(from, segment) != 0) return &other;
-    if (found == nullptr && share_a_node(from, segment)) found = &other;
-  }
-  return found;
-}
-
-/// The side on which the node is remembered to be; 0: none.
-int SurfaceContact::remembered_side(const Candidate& candidate, const Candidate* from) const {
-  if (candidate.before.touching) return candidate.before.side;
-  if (from == nullptr) return 0;
-  const Segment &a = setup_.segments[from->pair->segment], &b = setup_.segments[candidate.pair->segment];
-  int same = same_side(a, b);
-  // Over a corner they have none in common but a neighbour has one with either.
-  for (int c = 0; c < a.corners() && same == 0; ++c) {
-    if (!b.has(a.node[c])) continue;
-    for (const int s : around_.at(a.node[c]))
-      if (same == 0) same = same_side(a, setup_.segments[s]) * same_side(setup_.segments[s], b);
-  }
-  return same * from->before.side;
-}
-
-/// On which side of a sheet a node came to a foot on an edge or corner, from `was_at` as seen from there; 0 where the
-/// sheet has no sides there: off the end of it, at the edge of a brick, and over a fold, where what is the outer side
-/// of the one segment can be the inner one of the next.
-int SurfaceContact::side_over_edge(const Candidate& candidate, const Vec3d& was_at, const Step& step) const {
-  const Segment& segment = setup_.segments[candidate.pair->segment];
-  const double distance = norm(was_at);
-  if (inner_[candidate.pair->segment] > 0.0 || !(distance > 0.0)) return 0;
-  const double up = dot(was_at, candidate.foot.normal) / distance;
-  if (std::abs(up) < forgotten) return 0;
-  const int side = up < 0.0 ? -1 : 1;
-  for (int c = 0; c < segment.corners(); ++c) {
-    if (!(candidate.foot.boundary >> c & 1u)) continue;
-    for (const int s : around_.at(segment.node[c])) {
-      const Segment& other = setup_.segments[s];
-      const int same = same_side(segment, other);
-      if (same == 0 || !has_boundary(other, segment, candidate.foot.boundary) || !alive(s, step.element_alive))
-        continue;
-      const kernel::Corners k = corners_of(other, step.x);
-      const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
-      if (same * side * dot(was_at, n) < forgotten * distance * norm(n)) return 0;
-    }
-  }
-  return side;
-}
-
-/// Whether the node lies on a free edge of its sheet and the foot on one of another, and these cross: then they press
-/// each other, where they are closest, and the node on the one is as good a place as any. Side by side it is the nodes
-/// that meet.
-bool SurfaceContact::left_to_edges(const Candidate& candidate, int node, const Step& step) const {
-  const Segment& segment = setup_.segments[candidate.pair->segment];
-  if (!setup_.edges_meet || candidate.foot.boundary == 0 || segment.volume > 0.0) return false;
-  // Visits the other ends of the free edges at a node.
-  const auto each_free_edge = [&](int at, const auto& visit) {
-    for (const int s : around_.at(at)) {
-      const Segment& own = setup_.segments[s];
-      if (own.volume > 0.0 || !alive(s, step.element_alive)) continue;
-      for (int c = 0; c < own.corners(); ++c) {
-        const int a = own.node[c], b = own.node[(c + 1) % own.corners()];
-        if (a != at && b != at) continue;
-        const int end = a == at ? b : a;
-        const std::span<const int> there = around_.at(at);
-        const auto has_it = [&](int t) { return setup_.segments[t].has(end) && alive(t, step.element_alive); };
-        if (std::count_if(there.begin(), there.end(), has_it) == 1) visit(end);
-      }
-    }
-  };
-  bool cross_each_other = false;
-  for (int c = 0; c < segment.corners(); ++c) {
-    const int corner = segment.node[c];
-    if (!(candidate.foot.boundary >> c & 1u)) continue;
-    each_free_edge(corner, [&](int end) {
-      // A foot on an edge is on this one alone.
-      const bool on_it = candidate.foot.boundary == 1u << c || has_boundary_at(segment, candidate.foot.boundary, end);
-      if (!on_it) return;
-      each_free_edge(node, [&](int other) {
-        if (other == corner || other == end) return;
-        const Vec3d p = vec(step.x[end]) - vec(step.x[corner]), q = vec(step.x[other]) - vec(step.x[node]);
-        if (norm(cross(p, q)) >= side_by_side * norm(p) * norm(q)) cross_each_other = true;
-      });
-    });
-  }
-  return cross_each_other;
-}
-
 void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, const Step& step) const {
   Pair& pair = *candidate.pair;
   const Segment& segment = setup_.segments[pair.segment];
@@ -679,7 +434,7 @@ Vec3d SurfaceContact::friction(const kernel::Friction& law, const Candidate& can
   return kernel::sliding_spring(along(before->friction), stiffness, slip, bound);
 }
 
-// --------------------------------------------------------------------------------------------------- forces and energy
+// ---- forces and energy
 
 void SurfaceContact::next_cycle() {
   forces_.next_cycle();
@@ -712,8 +467,7 @@ void SurfaceContact::account(double dt, std::span<const Row> v) {
   for (int side = 0; side < 2; ++side) energy_[side] -= work[side];
 }
 
-// -------------------------------------------------------------------------------------------------- initial
-// penetrations
+// ---- initial penetrations
 
 std::vector<Penetration> find_penetrations(const SurfaceContactSetup& setup, std::span<const Row> x) {
   SurfaceContact contact(setup, x);

@@ -178,6 +178,7 @@ class SurfaceContact {
     std::vector<Hit> hits;
     void archive(Archive& a);
   };
+  static constexpr double forgotten = 0.5;  // cosine from the side that is remembered, over an edge
   friend std::vector<Penetration> find_penetrations(const SurfaceContactSetup&, std::span<const Row>);
 
   bool alive(int segment, std::span<const unsigned char> element_alive) const {
