@@ -149,22 +149,35 @@ class Outputs(CommandTest):
         self.assertAlmostEqual(sum(driven["y_force"]), 0.8 * 200.0, delta=1e-6)
         self.assertAlmostEqual(self.glstat()[-1]["external work"], 200.0, delta=0.01)
 
-    def test_layers_of_a_shell(self):
-        """MAXINT 2 of a strip that is bent: the first two of four points, not the middle. And STRFLG 10 asks for no strains."""
+    def bend(self, curvature, section, extent):
+        """A square of 10 mm, 2 mm thick, E = 1000, bent about y; the last state of its elout."""
         strip = "*ELEMENT_SHELL\n" + "".join(f"{n:8}" for n in (1, 1, 1, 2, 3, 4)) + "\n"
-        bent = 1e-5
         self.run_deck(nodes(((0, 0, 0), (10, 0, 0), (10, 10, 0), (0, 10, 0))), strip, part(1),
-                      "*SECTION_SHELL\n", card(1, 2, 1.0, 4), card(2.0, 2.0, 2.0, 2.0), "*MAT_ELASTIC\n",
+                      "*SECTION_SHELL\n", section, card(2.0, 2.0, 2.0, 2.0), "*MAT_ELASTIC\n",
                       card(1, 1e-9, 1000.0, 0.0), "*BOUNDARY_SPC_NODE\n", card(1, 0, 1, 1, 1, 1, 1, 1),
                       card(4, 0, 1, 1, 1, 1, 1, 1), "*BOUNDARY_SPC_SET\n", card(1, 0, 1, 1, 0, 1, 0, 1),
                       "*SET_NODE_LIST\n", card(1), card(2, 3), "*BOUNDARY_PRESCRIBED_MOTION_SET\n",
-                      card(1, 6, 2, 1, 10 * bent), curve(1, (0.0, 0.0), (1e-3, 1.0), (1.0, 1.0)),
+                      card(1, 6, 2, 1, 10 * curvature), curve(1, (0.0, 0.0), (1e-3, 1.0), (1.0, 1.0)),
                       "*CONTROL_TERMINATION\n", card(2e-3), "*DATABASE_ELOUT\n", card(1e-3, 3),
                       "*DATABASE_HISTORY_SHELL\n", card(1), "*DATABASE_BINARY_D3PLOT\n", card(1e-3),
-                      "*DATABASE_EXTENT_BINARY\n", card(0, 0, 2, 10), card(0, 0, 0), card(0, 0, 0, 0, 0, 0, "ALL"))
+                      "*DATABASE_EXTENT_BINARY\n", extent, card(0, 0, 0), card(0, 0, 0, 0, 0, 0, "ALL"))
+        return self.states("elout/shell")[-1]
+
+    def test_strains_at_the_layers_of_the_section(self):
+        """Trapezoidal layers (QR/IRID 1) stand on the faces, and so do the strains. Sabotage: the places of Gauss' rule."""
+        bent = 1e-5
+        last = self.bend(bent, card(1, 2, 1.0, 3, 1.0, 1), card(0, 0, 3, 1))
+        for seen, z in zip(last["sig_xx"], (-1.0, 0.0, 1.0)):
+            self.assertAlmostEqual(seen, 1000.0 * bent * z, delta=2e-5)
+        self.assertAlmostEqual(last["lower_eps_xx"][0], -bent, delta=2e-8)
+        self.assertAlmostEqual(last["upper_eps_xx"][0], bent, delta=2e-8)
+
+    def test_layers_of_a_shell(self):
+        """MAXINT 2 of a strip that is bent: the first two of four points, not the middle. And STRFLG 10 asks for no strains."""
+        bent = 1e-5
+        last = self.bend(bent, card(1, 2, 1.0, 4), card(0, 0, 2, 10))
         places = (-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526)
         exact = [1000.0 * bent * z for z in places]  # half the thickness is 1
-        last = self.states("elout/shell")[-1]
         for seen, stress in zip(last["sig_xx"], exact):
             self.assertAlmostEqual(seen, stress, delta=2e-5)
         self.assertNotIn("lower_eps_xx", last)
