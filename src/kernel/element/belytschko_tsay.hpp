@@ -38,8 +38,8 @@ double shell_area(const std::array<Vec3d, 4>& x);
 double shell_stable_step(const std::array<Vec3d, 4>& x, ShellLength length, double E, double nu, double density);
 
 /// Mass of each of four nodes, rho t A / 4, and inertia m r^2, r^2 = (t^2 + A)/12 (Kennedy, Belytschko, Lin, Nucl. Eng.
-/// Des. 97 (1986), eq. 16; docs/decisions/0046), and offset (element-theory 3.8). `shear_share`: stiffness in
-/// transverse shear over that in the plane, kappa G (1 - nu^2) / E. Shear that bends and spins the section vibrates
+/// Des. 97 (1986), eq. 16, as quoted; docs/decisions/0046), and offset (element-theory 3.8). `shear_share`: stiffness
+/// in transverse shear over that in the plane, kappa G (1 - nu^2) / E. Shear that bends and spins the section vibrates
 /// with w^2 = shear_share (c/L)^2 (4 + L^2/r^2), which is faster than a wave where Poisson's ratio is small: r is
 /// raised to what a step of 0.93 L/c bears (ours), and likewise where the nodes are off the mid-surface. Without a
 /// share (bodies, masses) it is not raised.
