@@ -16,7 +16,6 @@
 #include "kernel/law/plastic_kinematic.hpp"
 #include "kernel/law/point_damage.hpp"
 #include "kernel/law/power_law.hpp"
-#include "kernel/law/rate_dependent_yield.hpp"
 #include "kernel/law/rubber.hpp"
 #include "kernel/law/viscoelastic.hpp"
 
@@ -24,7 +23,7 @@ namespace nugget::kernel {
 
 /// How a point flows.
 using Flow =
-    std::variant<Elastic, PlasticKinematic, PiecewiseLinear, JohnsonCook, PowerLaw, RateDependentYield, MooneyRivlin,
+    std::variant<Elastic, PlasticKinematic, PiecewiseLinear, JohnsonCook, PowerLaw, MooneyRivlin,
                  Ogden, PolynomialRubber, LowDensityFoam, CrushableFoam, RateFoam, Viscoelastic, Orthotropic, Fluid>;
 
 /// What a compound law is made of: how a point flows, and when it and its element fail.

@@ -64,13 +64,6 @@ class Prepared<PowerLaw> : public J2<SmoothHardening<PowerLawFormula>, false> {
 };
 
 template <>
-class Prepared<RateDependentYield> : public J2<SmoothHardening<RateDependentFormula>, false> {
- public:
-  explicit Prepared(const RateDependentYield& law)
-      : J2(law.E, law.nu, SmoothHardening<RateDependentFormula>(law), 0.0) {}
-};
-
-template <>
 class Prepared<MooneyRivlin> : public SolidPointLaw<MooneyRivlinPoint> {
  public:
   using SolidPointLaw::SolidPointLaw;

@@ -1,87 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "kernel/law/elastic_constants.hpp"
 #include "kernel/law/hardening.hpp"
+#include "kernel/law/plastic_return.hpp"
 
 namespace nugget::kernel {
-
-/// Where a return to the yield surface ends.
-template <class R>
-struct PlasticReturn {
-  R increment;       ///< of the effective plastic strain [1]
-  R yield;           ///< yield stress Y reached [stress]
-  R over_a, over_b;  ///< 1 / (Y + ka increment), 1 / (Y + kb increment) [1/stress]
-};
-
-/// Finds the increment e of plastic strain with
-///   A / (Y + ka e)^2 + B / (Y + kb e)^2 = 1,   Y = yield(e),
-/// to which the J2 return comes in every stress space: A and B are the squares of the parts of the effective trial
-/// stress that shrink with the moduli ka and kb. Solid: A = 0, kb = 3G. Plane stress (Simo and Taylor 1986, with
-/// transverse shear): A = (sxx + syy)^2 / 4, ka = E / (2 (1 - nu)), kb = 3G. Beam fibre: A = s^2, ka = E, B = 3 tau^2,
-/// kb = 3G. Kinematic hardening adds its modulus to both. `start` is yield(0), `trial2` is A + B, the square of the
-/// effective trial stress. Newton on (A/.. + B/..)^(-1/2) = 1, nearly linear in e, kept inside a bracket; relative
-/// residual 1e-12. A lane that has converged is frozen, so that a batch gives bit for bit what its elements give alone.
-template <bool both, class R, class Yield>
-[[gnu::always_inline]] inline PlasticReturn<R> plastic_return(const R& A, const R& B, const R& trial2, double ka,
-                                                              double kb, Yield& yield, const YieldStress<R>& start,
-                                                              MaskOf<R> active) {
-  constexpr double tolerance = 2e-12;
-  constexpr int limit = 100;
-  const R trial = sqrt(trial2), over_by = trial - start.value;
-  R low = R(0.0), high = trial * (1.0 / (both ? std::min(ka, kb) : kb));
-  PlasticReturn<R> r;
-  R ga = start.slope + ka, gb = start.slope + kb, next;
-  if constexpr (both) {
-    const R sum = A * ga + B * gb, over = 1.0 / (sum * start.value), over_sum = over * start.value;
-    const R bend = 1.5 * A * B * ((ka - kb) * (ka - kb)) * over_by * over_sum * (over * sum) * over_sum;
-    next = trial2 * over_by * over_sum * (1.0 + bend);
-  } else {
-    next = over_by / gb;
-  }
-  next = select(next > low && next < high, next, 0.5 * high);
-  r.increment = select(active, next, R(0.0));
-  for (int i = 0;; ++i) {
-    const YieldStress<R> y = yield(r.increment);
-    r.yield = y.value;
-    const R a = y.value + ka * r.increment, b = y.value + kb * r.increment;
-    R a2 = R(0.0);
-    if constexpr (both) {
-      const R over = 1.0 / (a * b);
-      r.over_a = over * b;
-      r.over_b = over * a;
-      a2 = A * (r.over_a * r.over_a);
-    } else {
-      r.over_b = 1.0 / b;
-    }
-    const R b2 = B * (r.over_b * r.over_b), s = both ? a2 + b2 : b2, excess = s - 1.0;
-    active = active && abs(excess) > tolerance;
-    if (!any(active) || i == limit) return r;
-
-    const auto short_of = excess > 0.0;
-    low = select(short_of, r.increment, low);
-    high = select(short_of, high, r.increment);
-    gb = r.over_b * (y.slope + kb);
-    R first = b2 * gb, second = first * gb;  // -1/2 of the slope of s, 1/6 of its curvature
-    if constexpr (both) {
-      ga = r.over_a * (y.slope + ka);
-      const R part = a2 * ga;
-      first += part;
-      second += part * ga;
-    }
-    // Chebyshev's third-order step on s^(-1/2) = 1. sqrt(s) - 1 by its series: exact enough near the end; farther off
-    // the bracket holds.
-    const R root = excess * (0.5 - excess * (0.125 - 0.0625 * excess)), over = 1.0 / first;
-    const R newton = s * root * over;
-    next = r.increment + newton * (1.0 + 1.5 * newton * over * (s * second - first * first));
-    next = select(next > low && next < high, next, 0.5 * (low + high));
-    r.increment = select(active, next, r.increment);
-  }
-}
 
 /// J2 plasticity with a hardening of law/hardening.hpp in all three stress spaces. History of a point: effective
 /// plastic strain, then with `back_stress` the back stress (a layer's in the plane-stress form of Simo and Taylor: its
@@ -211,14 +138,16 @@ class J2 {
   [[gnu::noinline]] void flow(LayerTensor<R>& s, double dt, double* history, ThicknessStrain<R>& thickness) const {
     const Parts<LayerTensor<R>, R> trial = parts(s, history);
     const R plastic_strain = load_field<R>(history, 0), trial2 = trial.A + trial.B;
-    typename Hardening::template At<R> yield(hardening_, history, dt);
+    typename Hardening::template At<R> yield(hardening_, history);
     const YieldStress<R> start = yield(R(0.0));
     const auto plastic = trial2 > start.value * start.value;
     if (!any(plastic)) return;
 
     const double shift = hardening_.kinematic();
     const double ka = 0.5 * elastic_.E / (1.0 - elastic_.nu) + shift, kb = 3.0 * elastic_.shear + shift;
-    const PlasticReturn<R> r = plastic_return<true>(trial.A, trial.B, trial2, ka, kb, yield, start, plastic);
+    const PlasticReturn<R> r = hardening_.template with_unknown<R>(yield, dt, [&](auto& unknown) {
+      return plastic_return<true>(trial.A, trial.B, trial2, ka, kb, unknown, start, plastic);
+    });
     const LayerTensor<R>& d = trial.relative;
     const R sum = d.xx + d.yy;
     // The mean of xx and yy shrinks by one factor, all else by another.
@@ -246,13 +175,15 @@ class J2 {
   [[gnu::noinline]] void flow(SolidTensor<R>& s, double dt, double* history) const {
     const Parts<SolidTensor<R>, R> trial = parts(s, history);
     const R plastic_strain = load_field<R>(history, 0);
-    typename Hardening::template At<R> yield(hardening_, history, dt);
+    typename Hardening::template At<R> yield(hardening_, history);
     const YieldStress<R> start = yield(R(0.0));
     const auto plastic = trial.B > start.value * start.value;
     if (!any(plastic)) return;
 
     const double shift = hardening_.kinematic(), kb = 3.0 * elastic_.shear + shift;
-    const PlasticReturn<R> r = plastic_return<false>(R(0.0), trial.B, trial.B, 0.0, kb, yield, start, plastic);
+    const PlasticReturn<R> r = hardening_.template with_unknown<R>(yield, dt, [&](auto& unknown) {
+      return plastic_return<false>(R(0.0), trial.B, trial.B, 0.0, kb, unknown, start, plastic);
+    });
     SolidTensor<R> returned = (r.yield * r.over_b) * trial.relative;
     if constexpr (back_stress) {
       const SolidTensor<R> back = trial.back + (shift * r.increment * r.over_b) * trial.relative;
@@ -272,7 +203,7 @@ class J2 {
     const Parts<FibreTensor<R>, R> trial = parts(s, history);
     const R A = trial.A, B = trial.B, trial2 = A + B;
     const R plastic_strain = load_field<R>(history, 0);
-    typename Hardening::template At<R> yield(hardening_, history, dt);
+    typename Hardening::template At<R> yield(hardening_, history);
     const YieldStress<R> start = yield(R(0.0));
     const auto plastic = trial2 > start.value * start.value;
     if (!any(plastic)) return;
@@ -280,7 +211,8 @@ class J2 {
     double shift = 0.0;
     if constexpr (back_stress) shift = hardening_.kinematic();
     const double ka = elastic_.E + shift, kb = 3.0 * elastic_.shear + shift;
-    const PlasticReturn<R> r = plastic_return<true>(A, B, trial2, ka, kb, yield, start, plastic);
+    const PlasticReturn<R> r = hardening_.template with_unknown<R>(
+        yield, dt, [&](auto& unknown) { return plastic_return<true>(A, B, trial2, ka, kb, unknown, start, plastic); });
     const FibreTensor<R>& d = trial.relative;
     const auto shrunk = [&](const R& a, const R& b) { return FibreTensor<R>{a * d.rr, b * d.rs, b * d.rt}; };
     FibreTensor<R> returned = shrunk(r.yield * r.over_a, r.yield * r.over_b);

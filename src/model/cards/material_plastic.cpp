@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 #include "kernel/law/composition.hpp"
 #include "model/cards/families.hpp"
@@ -110,23 +111,34 @@ const Card rate_dependent_curves_card{{
     real("rdef", dimension::number, 1, only(1), "what LC4 is: 1 the plastic strain at failure"),
 }};
 
+/// Yield stress and plastic modulus over the rate, each between its neighbours, as a table of straight yield curves at
+/// the rates of both.
 void set_rate_curves(Builder& b, Index material, const Row& main, const Row& row) {
-  kernel::RateDependentYield flow;
+  kernel::PiecewiseLinear flow;
   flow.E = main.real("e");
   flow.nu = main.real("pr");
-  const Index yield = b.curve(row, "lc1");
-  if (yield == none) return;
+  const Index lc1 = b.curve(row, "lc1");
+  if (lc1 == none) return;
   const auto curve = [&b](Index c) -> const Curve& { return b.model.curves[static_cast<std::size_t>(c)]; };
-  flow.yield = curve(yield);
-  for (const double y : flow.yield.y)
+  const Curve& yield = curve(lc1);
+  for (const double y : yield.y)
     if (!(y > 0.0)) return refuse(b, row, "lc1", "a yield stress is not above 0");
-  flow.plastic_modulus = {0, {0.0}, {row.real("etan")}};
+  Curve modulus{0, {0.0}, {row.real("etan")}};
   if (const Index tangent = b.curve(row, "lc3"); tangent != none) {
-    flow.plastic_modulus = curve(tangent);
-    for (double& y : flow.plastic_modulus.y) {
+    modulus = curve(tangent);
+    for (double& y : modulus.y) {
       if (!(y >= 0.0 && y < flow.E)) return refuse(b, row, "lc3", "a tangent modulus is not between 0 and E");
       y = flow.E * y / (flow.E - y);
     }
+  }
+  std::set<double> rates{0.0};
+  for (const Curve* over_rate : std::initializer_list<const Curve*>{&yield, &modulus})
+    rates.insert(over_rate->x.begin(), over_rate->x.end());
+  rates.erase(rates.begin(), rates.find(0.0));
+  for (const double rate : rates) {
+    const double at_first_yield = yield.clamped(rate);
+    flow.rates.push_back(rate);
+    flow.yield.push_back({0, {0.0, 1.0}, {at_first_yield, at_first_yield + modulus.clamped(rate)}});
   }
   kernel::Composition law{flow};
   law.deletion_step = row.real("tdel");

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "base/real.hpp"
+
+namespace nugget::kernel {
+
+/// Yield stress and its slope over the plastic strain of this step, both [stress].
+template <class R>
+struct YieldStress {
+  R value{}, slope{};
+};
+
+/// Plastic strain of the step and yield stress where the unknown of a return has some value, and their first and second
+/// derivatives with respect to it.
+template <class R>
+struct Trial {
+  R increment{}, yield{};
+  R increment_slope{}, yield_slope{};
+  R increment_bend{}, yield_bend{};
+};
+
+/// Where a return to the yield surface ends.
+template <class R>
+struct PlasticReturn {
+  R increment;       ///< of the effective plastic strain [1]
+  R yield;           ///< yield stress Y reached [stress]
+  R over_a, over_b;  ///< 1 / (Y + ka increment), 1 / (Y + kb increment) [1/stress]
+};
+
+/// The unknown of a return where the yield stress does not depend on the rate: the increment itself. `Yield` gives the
+/// yield stress after an increment.
+template <class R, class Yield>
+class ByIncrement {
+ public:
+  static constexpr bool is_increment = true;
+  explicit ByIncrement(Yield& yield) : yield_(yield) {}
+  Trial<R> operator()(const R& increment) {
+    const YieldStress<R> y = yield_(increment);
+    return {increment, y.value, R(1.0), y.slope, R(0.0), R(0.0)};
+  }
+
+ private:
+  Yield& yield_;
+};
+
+/// Finds the increment e of plastic strain with
+///   A / (Y + ka e)^2 + B / (Y + kb e)^2 = 1,   Y the yield stress,
+/// to which the J2 return comes in every stress space: A and B are the squares of the parts of the effective trial
+/// stress that shrink with the moduli ka and kb. Solid: A = 0, kb = 3G. Plane stress (Simo and Taylor 1986, with
+/// transverse shear): A = (sxx + syy)^2 / 4, ka = E / (2 (1 - nu)), kb = 3G. Beam fibre: A = s^2, ka = E, B = 3 tau^2,
+/// kb = 3G. Kinematic hardening adds its modulus to both. `start` is the yield stress at e = 0, `trial2` is A + B, the
+/// square of the effective trial stress.
+///
+/// e and Y are functions of an unknown x in which both are smooth (ByIncrement; hardening.hpp has those of rate
+/// effects, which would need dozens of steps in e). Unless x is e itself, `Unknown` has range(trial, start,
+/// most), which says where x lies between e = 0 and e = `most`, and a first guess. Chebyshev's third-order step on
+/// (A/.. + B/..)^(-1/2) = 1, kept inside a bracket; relative residual 1e-12. A lane that has converged is frozen, so
+/// that a batch gives bit for bit what its elements give alone.
+template <bool both, class R, class Unknown>
+[[gnu::always_inline]] inline PlasticReturn<R> plastic_return(const R& A, const R& B, const R& trial2, double ka,
+                                                              double kb, Unknown& unknown, const YieldStress<R>& start,
+                                                              MaskOf<R> active) {
+  constexpr double tolerance = 2e-12;
+  constexpr int limit = 100;
+  const R trial = sqrt(trial2), most = trial * (1.0 / (both ? std::min(ka, kb) : kb));
+  R low, high, next;
+  if constexpr (Unknown::is_increment) {
+    low = R(0.0);
+    high = most;
+    const R over_by = trial - start.value;
+    if constexpr (both) {
+      const R ga = start.slope + ka, gb = start.slope + kb;
+      const R sum = A * ga + B * gb, over = 1.0 / (sum * start.value), over_sum = over * start.value;
+      const R bend = 1.5 * A * B * ((ka - kb) * (ka - kb)) * over_by * over_sum * (over * sum) * over_sum;
+      next = trial2 * over_by * over_sum * (1.0 + bend);
+    } else {
+      next = over_by / (start.slope + kb);
+    }
+  } else {
+    const auto range = unknown.range(trial, start.value, most);
+    low = range.low;
+    high = range.high;
+    next = range.first;
+  }
+  next = select(next > low && next < high, next, 0.5 * (low + high));
+  R x = select(active, next, low);
+  PlasticReturn<R> r;
+  for (int i = 0;; ++i) {
+    const Trial<R> y = unknown(x);
+    r.increment = y.increment;
+    r.yield = y.yield;
+    const R a = y.yield + ka * y.increment, b = y.yield + kb * y.increment;
+    R a2 = R(0.0);
+    if constexpr (both) {
+      const R over = 1.0 / (a * b);
+      r.over_a = over * b;
+      r.over_b = over * a;
+      a2 = A * (r.over_a * r.over_a);
+    } else {
+      r.over_b = 1.0 / b;
+    }
+    const R b2 = B * (r.over_b * r.over_b), s = both ? a2 + b2 : b2, excess = s - 1.0;
+    active = active && abs(excess) > tolerance;
+    if (!any(active) || i == limit) return r;
+
+    const auto short_of = excess > 0.0;
+    low = select(short_of, x, low);
+    high = select(short_of, high, x);
+    const R gb = r.over_b * (y.yield_slope + kb * y.increment_slope);
+    R first = b2 * gb, second = first * gb;  // -1/2 of the slope of s, 1/6 of its curvature
+    if constexpr (!Unknown::is_increment)
+      second -= (1.0 / 3.0) * b2 * r.over_b * (y.yield_bend + kb * y.increment_bend);
+    if constexpr (both) {
+      const R ga = r.over_a * (y.yield_slope + ka * y.increment_slope), part = a2 * ga;
+      first += part;
+      second += part * ga;
+      if constexpr (!Unknown::is_increment)
+        second -= (1.0 / 3.0) * a2 * r.over_a * (y.yield_bend + ka * y.increment_bend);
+    }
+    // Chebyshev's step. sqrt(s) - 1 by its series: exact enough near the end; farther off the bracket holds.
+    const R root = excess * (0.5 - excess * (0.125 - 0.0625 * excess)), over = 1.0 / first;
+    const R newton = s * root * over;
+    next = x + newton * (1.0 + 1.5 * newton * over * (s * second - first * first));
+    next = select(next > low && next < high, next, 0.5 * (low + high));
+    x = select(active, next, x);
+  }
+}
+
+}  // namespace nugget::kernel

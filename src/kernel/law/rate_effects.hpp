@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/real.hpp"
+#include "kernel/law/plastic_return.hpp"
+
+// Rate effects that scale a yield stress, as functions of x, the share by which they raise it (or what that share goes
+// with): the return of a point finds x rather than its plastic strain, since over the strain their slope at small rates
+// is without bound, and hardly any step of Newton's would help.
+namespace nugget::kernel {
+
+/// Where the unknown of a return lies, and a first guess.
+template <class R>
+struct Range {
+  R low, high, first;
+};
+
+/// Rate of the plastic strain and its derivatives at x, and the share by which the rate raises the yield stress.
+template <class R>
+struct RateAt {
+  R rate, slope, bend;
+  R raise, raise_slope;
+};
+
+/// 1 + (rate / C)^(1/P) (Cowper and Symonds); x = (rate / C)^(1/P).
+class CowperSymonds {
+ public:
+  CowperSymonds() = default;
+  CowperSymonds(double c, double p) : c_(c), p_(p) {
+    if (p == std::floor(p) && p >= 1.0 && p <= 32.0) whole_ = static_cast<int>(p);
+  }
+
+  bool active() const { return c_ > 0.0; }
+
+  /// `raise`: by what share the trial stress is above the yield stress at rest.
+  template <class R>
+  Range<R> range(const R& raise, const R& most_rate) const {
+    const R most = (1.0 / c_) * most_rate;
+    if (p_ >= 1.0) return {R(0.0), max(most, R(1.0)), raise};
+    return {R(0.0), map([&](double r) { return std::pow(r, 1.0 / p_); }, most), raise};
+  }
+  template <class R>
+  [[gnu::always_inline]] inline RateAt<R> operator()(const R& x) const {
+    const R rate = c_ * power(x), over = 1.0 / x, slope = p_ * rate * over;
+    return {rate, slope, (p_ - 1.0) * slope * over, x, R(1.0)};
+  }
+
+ private:
+  template <class R>
+  R power(const R& x) const {
+    if (whole_ == 0) return map([&](double one) { return std::pow(one, p_); }, x);
+    R square = x, product = R(1.0);
+    for (int n = whole_;; square = square * square) {
+      if (n % 2 == 1) product = product * square;
+      n /= 2;
+      if (n == 0) return product;
+    }
+  }
+
+  double c_ = 0.0;  // [1/time]; 0: no rate effect
+  double p_ = 1.0;  // [1]
+  int whole_ = 0;   // P where it is a small whole number
+};
+
+/// 1 + C ln(rate / rest) above the rate `rest`, 1 below (Johnson and Cook); x = ln(rate / rest), or rate / rest - 1.
+class LogarithmicRate {
+ public:
+  LogarithmicRate() = default;
+  LogarithmicRate(double factor, double rest) : factor_(factor), rest_(rest) {}
+
+  bool active() const { return factor_ != 0.0; }
+
+  template <class R>
+  Range<R> range(const R& raise, const R& most_rate) const {
+    const R most = map([](double r) { return std::log(std::max(r, 1.0)); }, (1.0 / rest_) * most_rate);
+    return {R(-1.0), most + 1e-9, (1.0 / factor_) * raise};
+  }
+  template <class R>
+  [[gnu::always_inline]] inline RateAt<R> operator()(const R& x) const {
+    const auto above = x > 0.0;
+    const R grown = rest_ * map([](double one) { return std::exp(one); }, max(x, R(0.0)));
+    return {select(above, grown, rest_ * (1.0 + x)), grown, select(above, grown, R(0.0)), factor_ * max(x, R(0.0)),
+            select(above, R(factor_), R(0.0))};
+  }
+
+ private:
+  double factor_ = 0.0;  // [1]; 0: no rate effect
+  double rest_ = 1.0;    // [1/time]
+};
+
+/// A trial whose yield stress is held at `limit`.
+template <class R>
+Trial<R> limited(Trial<R> t, const R& limit) {
+  const auto over = t.yield > limit;
+  t.yield = select(over, limit, t.yield);
+  t.yield_slope = select(over, R(0.0), t.yield_slope);
+  t.yield_bend = select(over, R(0.0), t.yield_bend);
+  return t;
+}
+
+/// The unknown of a return where `Rate` raises the yield stress that `Yield` gives at rest. `Yield` may have a limit()
+/// that no rate exceeds.
+template <class R, class Yield, class Rate>
+class ByRate {
+ public:
+  static constexpr bool is_increment = false;
+  ByRate(Yield& yield, const Rate& rate, double dt) : yield_(yield), rate_(rate), dt_(dt) {}
+
+  Range<R> range(const R& trial, const R& start, const R& most) const {
+    return rate_.range(R(trial / start - 1.0), R((1.0 / dt_) * most));
+  }
+  [[gnu::always_inline]] inline Trial<R> operator()(const R& x) {
+    const RateAt<R> at = rate_(x);
+    const R e = dt_ * at.rate, e1 = dt_ * at.slope, e2 = dt_ * at.bend;
+    const YieldStress<R> still = yield_(e);
+    const R factor = 1.0 + at.raise;
+    Trial<R> t{e,  still.value * factor,
+               e1, still.slope * e1 * factor + still.value * at.raise_slope,
+               e2, still.slope * (2.0 * e1 * at.raise_slope + e2 * factor)};
+    if constexpr (Yield::limited) t = limited(t, yield_.limit());
+    return t;
+  }
+
+ private:
+  Yield& yield_;
+  const Rate& rate_;
+  double dt_;
+};
+
+/// Calls `f` with the unknown in which the return of a point with this yield stress at rest and this rate effect is
+/// to be found.
+template <class R, class Yield, class Rate, class Function>
+[[gnu::always_inline]] inline auto with_unknown(Yield& yield, const Rate& rate, double dt, Function&& f) {
+  if (!rate.active()) {
+    ByIncrement<R, Yield> unknown(yield);
+    return f(unknown);
+  }
+  ByRate<R, Yield, Rate> unknown(yield, rate, dt);
+  return f(unknown);
+}
+
+}  // namespace nugget::kernel
