@@ -222,8 +222,10 @@ void Simulation::step() {
   connectors_.update(state_);
   bury();
   charge(elements);
-  forces();
-  charge(contact_search);
+  contact_forces();
+  charge(contacts);
+  applied_forces();
+  charge(loads);
   collect();
   if (system_.scale_mass(false)) update_inverse_mass();
   charge(constraints);
@@ -243,7 +245,8 @@ void Simulation::start() {
   internal_force_at_rest();
   system_.scale_mass(true);
   masses_changed();
-  forces();
+  contact_forces();
+  applied_forces();
   collect();
   masses_ = system_.masses();
 
@@ -276,7 +279,8 @@ Outcome Simulation::relax(const Options& options, const ProgressCallback& progre
     state_.time = 0.0;
     state_.cycle = 0;
     internal_force_at_rest();
-    forces();
+    contact_forces();
+    applied_forces();
     collect();
   };
 
@@ -461,12 +465,15 @@ void Simulation::move() {
   ++state_.cycle;
 }
 
-void Simulation::forces() {
+void Simulation::contact_forces() {
   longest_step_ = std::max(longest_step_, bearable_step_);
   const contact::Step step{state_.time, state_.dt, bearable_step_, longest_step_,
                            state_.x,    state_.v,  contact_mass_,  element_alive_.all()};
   for (contact::PenaltyContact& c : contacts_) c.apply(step, state_.f);
   for (contact::InteriorContact& c : interiors_) c.apply(step, state_.f);
+}
+
+void Simulation::applied_forces() {
   tie_forces_.apply(state_);
   joints_.apply(state_);
   loads_.apply(state_, state_.dt);

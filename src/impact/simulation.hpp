@@ -51,9 +51,9 @@ class Simulation {
   double smallest_step() const { return smallest_step_; }
   const std::string& smallest_by() const { return smallest_by_; }
 
-  enum Phase { elements, contact_search, constraints, motion, output, phases };
-  static constexpr std::array<std::string_view, phases> phase_names{"elements", "contact", "constraints", "motion",
-                                                                    "output"};
+  enum Phase { elements, contacts, loads, constraints, motion, output, phases };
+  static constexpr std::array<std::string_view, phases> phase_names{"elements",    "contact", "loads",
+                                                                    "constraints", "motion",  "output"};
   const std::array<double, phases>& seconds() const { return seconds_; }
   double solve_seconds() const { return solve_seconds_; }
 
@@ -78,7 +78,8 @@ class Simulation {
   void accelerate();
   void constrain_by_walls();
   void move();
-  void forces();
+  void contact_forces();
+  void applied_forces();  // of ties with springs, joints, loads and damping
   /// Contacts and ties lose the elements that were deleted.
   void bury();
   /// Loads of dependent nodes go to the independent ones; rigid welds that they overload open.

@@ -126,6 +126,19 @@ TEST(Laws, CowperSymonds) {
   }
 }
 
+// VP 1 raises SIGY alone, whatever the hardening adds (blog.d3view.com on MAT_024 and SIGY; Keyword Manual, remarks on
+// MAT_024). Sabotage: all of the yield stress raised, 8 % more.
+TEST(Laws, ViscoplasticCowperSymondsRaisesSigyAlone) {
+  const double raise = 250.0 * std::pow(100.0 / 40.4, 0.2);
+  expect_law(
+      "laws", "MAT_024 VP 1 with ETAN", mat("024", {{1, 7.85e-9, E, 0.3, 250.0, 1000.0}, {40.4, 5.0, 0, 0, 1}, {}, {}}),
+      0.05, 100.0, [&](double ep) { return 250.0 + E * 1000.0 / (E - 1000.0) * ep + raise; }, 0.002);
+  expect_law(
+      "laws", "MAT_024 VP 1 with LCSS",
+      mat("024", {{1, 7.85e-9, E, 0.3, 250.0}, {40.4, 5.0, 7, 0, 1}, {}, {}}) + curve(7, {{0.0, 300.0}, {0.1, 500.0}}),
+      0.05, 100.0, [&](double ep) { return 300.0 + 2000.0 * ep + raise; }, 0.002);
+}
+
 /// Ten shells of ELFORM 2, of ELFORM 16, ten bricks of ELFORM 1 and of ELFORM 2 in a row (parts 1 to 4), pulled along x
 /// at 100/s of their first length from a state of uniform strain rate. Ratio of the true stress to the law's
 /// `yield(plastic strain, strain rate)`, between strains of 0.035 and 0.05: mean, least and greatest over the time and

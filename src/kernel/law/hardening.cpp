@@ -58,7 +58,7 @@ CurveHardening::CurveHardening(const PiecewiseLinear& law) : CurveHardening(law,
 
 CurveHardening::CurveHardening(const PiecewiseLinear& law, const Rates& rates)
     : curve_(rates.curves.front()),
-      rate_(law.rate_c, law.rate_p),
+      rate_(law.rate_c, law.rate_p, law.rate_yield),
       straight_(curve_.straight()),
       lowest_(curve_.lowest()) {
   if (rates.curves.size() < 2) return;

@@ -20,6 +20,7 @@ struct PiecewiseLinear {
   bool log_rates = false;       ///< interpolate over the logarithm of the rate
   double rate_c = 0.0;          ///< Cowper-Symonds C [1/time]; 0: no rate effect
   double rate_p = 0.0;          ///< Cowper-Symonds P [1]
+  double rate_yield = 0.0;      ///< yield stress that C and P raise, added to that at rest [stress]; 0: all of it
   Curve rate_scale;             ///< factor on the yield stress over strain rate (LCSR); empty: none
   double failure_strain = 0.0;  ///< FAIL, effective plastic strain at which a point fails [1]; 0: none
   double tdel = 0.0;            ///< TDEL, an element whose stable time step falls below is deleted [time]; 0: never

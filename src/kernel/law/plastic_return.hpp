@@ -122,8 +122,12 @@ template <bool both, class R, class Unknown>
     }
     // Chebyshev's step. sqrt(s) - 1 by its series: exact enough near the end; farther off the bracket holds.
     const R root = excess * (0.5 - excess * (0.125 - 0.0625 * excess)), over = 1.0 / first;
-    const R newton = s * root * over;
-    next = x + newton * (1.0 + 1.5 * newton * over * (s * second - first * first));
+    const R newton = s * root * over, bend = 1.5 * newton * over * (s * second - first * first);
+    // Far off, where the function bends much, Chebyshev's factor could vanish: Halley's there, as exact.
+    if constexpr (Unknown::is_increment)
+      next = x + newton * (1.0 + bend);
+    else
+      next = x + newton * select(bend < 0.0, 1.0 / (1.0 - bend), 1.0 + bend);
     next = select(next > low && next < high, next, 0.5 * (low + high));
     x = select(active, next, x);
   }

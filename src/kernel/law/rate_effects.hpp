@@ -29,11 +29,13 @@ struct RateAt {
 class CowperSymonds {
  public:
   CowperSymonds() = default;
-  CowperSymonds(double c, double p) : c_(c), p_(p) {
+  /// `raised`: the yield stress that rises, whatever the hardening adds to it [stress]; 0: all of it.
+  CowperSymonds(double c, double p, double raised = 0.0) : c_(c), p_(p), raised_(raised) {
     if (p == std::floor(p) && p >= 1.0 && p <= 32.0) whole_ = static_cast<int>(p);
   }
 
   bool active() const { return c_ > 0.0; }
+  double raised() const { return raised_; }
 
   /// `raise`: by what share the trial stress is above the yield stress at rest.
   template <class R>
@@ -62,7 +64,8 @@ class CowperSymonds {
 
   double c_ = 0.0;  // [1/time]; 0: no rate effect
   double p_ = 1.0;  // [1]
-  int whole_ = 0;   // P where it is a small whole number
+  double raised_ = 0.0;
+  int whole_ = 0;  // P where it is a small whole number
 };
 
 /// 1 + C ln(rate / rest) above the rate `rest`, 1 below (Johnson and Cook); x = ln(rate / rest), or rate / rest - 1.
@@ -72,6 +75,7 @@ class LogarithmicRate {
   LogarithmicRate(double factor, double rest) : factor_(factor), rest_(rest) {}
 
   bool active() const { return factor_ != 0.0; }
+  static constexpr double raised() { return 0.0; }
 
   template <class R>
   Range<R> range(const R& raise, const R& most_rate) const {
@@ -110,16 +114,22 @@ class ByRate {
   ByRate(Yield& yield, const Rate& rate, double dt) : yield_(yield), rate_(rate), dt_(dt) {}
 
   Range<R> range(const R& trial, const R& start, const R& most) const {
-    return rate_.range(R(trial / start - 1.0), R((1.0 / dt_) * most));
+    const R raised = rate_.raised() > 0.0 ? R(rate_.raised()) : start;
+    return rate_.range(R((trial - start) / raised), R((1.0 / dt_) * most));
   }
   [[gnu::always_inline]] inline Trial<R> operator()(const R& x) {
     const RateAt<R> at = rate_(x);
     const R e = dt_ * at.rate, e1 = dt_ * at.slope, e2 = dt_ * at.bend;
     const YieldStress<R> still = yield_(e);
-    const R factor = 1.0 + at.raise;
-    Trial<R> t{e,  still.value * factor,
-               e1, still.slope * e1 * factor + still.value * at.raise_slope,
-               e2, still.slope * (2.0 * e1 * at.raise_slope + e2 * factor)};
+    Trial<R> t{e, still.value, e1, still.slope * e1, e2, still.slope * e2};
+    if (rate_.raised() > 0.0) {
+      t.yield += rate_.raised() * at.raise;
+      t.yield_slope += rate_.raised() * at.raise_slope;
+    } else {
+      t.yield += still.value * at.raise;
+      t.yield_slope += t.yield_slope * at.raise + still.value * at.raise_slope;
+      t.yield_bend += t.yield_bend * at.raise + 2.0 * still.slope * e1 * at.raise_slope;
+    }
     if constexpr (Yield::limited) t = limited(t, yield_.limit());
     return t;
   }

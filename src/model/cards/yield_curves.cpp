@@ -75,13 +75,9 @@ void set_rates(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law
     return refuse(b, row, "vp", "expected -1, 0, 1, 3 or 4");
   if (vp != 0.0 && vp != 1.0)
     row.complain(b.findings, Severity::warning, "vp",
-                 "computed as 1: the rate of the plastic strain, found together with the stress, without a filter",
-                 "write 1");
-  if (vp >= 1.0 && vp != 3.0 && law.rate_c > 0.0 && cards.main.real("sigy") > 0.0 && law.yield.front().slope(0.0) > 0.0)
-    row.complain(
-        b.findings, Severity::warning, "vp",
-        "C and P scale all of the yield stress; LS-DYNA's VP 1 scales SIGY only and adds the hardening unscaled",
-        "give the yield stress at each rate as a table in LCSS");
+                 "computed as 0: the rate of the plastic strain, found together with the stress, without a filter",
+                 "write 0, or 1");
+  if (vp == 1.0 && law.rate_c > 0.0) law.rate_yield = cards.main.real("sigy");
 }
 
 }  // namespace

@@ -149,12 +149,16 @@ TEST(Compound, PowerLaw) {
       3e-3);
 }
 
-TEST(Compound, RateDependentYield) {
-  const RateDependentYield flow{E, nu, Curve{0, {0.0, 10.0, 1000.0}, {250.0, 300.0, 400.0}}, Curve{0, {0.0}, {1000.0}}};
+TEST(Compound, StraightYieldCurvesOverTheRate) {
+  const Curve yield{0, {0.0, 10.0, 1000.0}, {250.0, 300.0, 400.0}};
+  PiecewiseLinear flow;
+  flow.E = E;
+  flow.nu = nu;
+  flow.rates = yield.x;
+  for (const double y : yield.y) flow.yield.push_back({0, {0.0, 1.0}, {y, y + 1000.0}});
   for (const double rate : {5.0, 500.0, 5000.0})
     expect_follows(
-        "MAT_019", compound({flow}), [&](double ep, double r) { return flow.yield.clamped(r) + 1000.0 * ep; }, rate,
-        2e-2);
+        "MAT_019", compound({flow}), [&](double ep, double r) { return yield.clamped(r) + 1000.0 * ep; }, rate, 2e-2);
 }
 
 TEST(Compound, LargeStepsKeepTheYieldCondition) {

@@ -116,8 +116,9 @@ TEST(Materials, WhateverVpSaysThePlasticRateCounts) {
   const std::string steel = "*MAT_024\n1,7.85e-9,210000.0,0.3,300.0,1000.0\n";
   const auto filtered = built(steel + "40.0,5.0,,,3\n\n\n");
   EXPECT_EQ(filtered.findings.errors(), 0) << filtered.all_findings();
-  EXPECT_TRUE(filtered.warning("computed as 1", "vp"));
-  EXPECT_TRUE(built(steel + "40.0,5.0,,,1\n\n\n").warning("scales SIGY only", "vp"));
+  EXPECT_TRUE(filtered.warning("computed as 0", "vp"));
+  EXPECT_DOUBLE_EQ(law<kernel::PiecewiseLinear>(filtered).rate_yield, 0.0);
+  EXPECT_DOUBLE_EQ(law<kernel::PiecewiseLinear>(built(steel + "40.0,5.0,,,1\n\n\n")).rate_yield, 300.0);
 }
 
 TEST(Materials, FirstYieldOfPointsThatBeginLate) {

@@ -160,9 +160,11 @@ TEST(PlasticMaterials, RateDependent) {
       "*DEFINE_CURVE\n3\n0.0,0.2\n100.0,0.1\n";
   const auto b = built("*MAT_019\n4,7.85e-9,210000.0,0.3,1.0\n1,,,2,3,1e-8\n" + curves);
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
-  const auto& law = flow<kernel::RateDependentYield>(b);
-  EXPECT_DOUBLE_EQ(law.yield.y[1], 400.0);
-  EXPECT_DOUBLE_EQ(law.plastic_modulus.y[1], 210000.0 * 2000.0 / 208000.0);
+  const auto& law = flow<kernel::PiecewiseLinear>(b);
+  EXPECT_EQ(law.rates, (std::vector<double>{0.0, 100.0}));
+  EXPECT_DOUBLE_EQ(law.yield[0].y[0], 250.0);
+  EXPECT_DOUBLE_EQ(law.yield[1].y[0], 400.0);
+  EXPECT_DOUBLE_EQ(law.yield[1].y[1] - law.yield[1].y[0], 210000.0 * 2000.0 / 208000.0);
   EXPECT_DOUBLE_EQ(composition(b).failure_strain_over_rate.y[1], 0.1);
   EXPECT_DOUBLE_EQ(composition(b).deletion_step, 1e-8);
   EXPECT_TRUE(built("*MAT_019\n4,7.85e-9,210000.0,0.3\n7\n").error("curve 7 is not defined", "lc1"));
