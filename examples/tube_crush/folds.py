@@ -28,6 +28,7 @@ RUNS = {
     "2p5_smooth": (2.5, {}, {"friction": 0.0}),
     "2p5_stiff": (2.5, {}, {"stiffness": 10.0}),
     "2p5_points": (2.5, {"points": 9}, {}),
+    "2p5_full": (2.5, {"elform": 16}, {}),
     "5_hardens": (5.0, {"tangent": 500.0}, {}),
     "2p5_hardens": (2.5, {"tangent": 500.0}, {}),
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace nugget::kernel {
@@ -27,16 +28,18 @@ void set_layer_lane(LayerTensor<R>& s, int l, const LayerTensor<double>& one) {
 }
 
 /// a:a of the deviator.
-double deviator2(const SolidTensor<double>& a) {
-  const double m = (a.xx + a.yy + a.zz) / 3.0, x = a.xx - m, y = a.yy - m, z = a.zz - m;
+template <class R>
+R deviator2(const SolidTensor<R>& a) {
+  const R m = (1.0 / 3.0) * (a.xx + a.yy + a.zz), x = a.xx - m, y = a.yy - m, z = a.zz - m;
   return x * x + y * y + z * z + 2.0 * (a.xy * a.xy + a.yz * a.yz + a.zx * a.zx);
 }
 
 /// Bounds of the principal values, cheaper than they.
+template <class R>
 struct Range {
-  double low, high;
-  explicit Range(const SolidTensor<double>& a) {
-    const double mean = (a.xx + a.yy + a.zz) / 3.0, radius = std::sqrt(2.0 / 3.0 * deviator2(a)) * (1.0 + 1e-12);
+  R low, high;
+  explicit Range(const SolidTensor<R>& a) {
+    const R mean = (1.0 / 3.0) * (a.xx + a.yy + a.zz), radius = (1.0 + 1e-12) * sqrt((2.0 / 3.0) * deviator2(a));
     low = mean - radius;
     high = mean + radius;
   }
@@ -73,6 +76,27 @@ int PointFailure::add(bool needed, int numbers) {
   return size_ - numbers;
 }
 
+PointFailure::Bounds::Bounds(const Erosion& erosion, const StrainLimits& limits) {
+  static constexpr double none = std::numeric_limits<double>::infinity();
+  const auto above = [](const std::optional<double>& limit) { return limit.value_or(none); };
+  const auto below = [](const std::optional<double>& limit) { return limit ? -*limit : none; };
+  const double volume = erosion.volume_strain.value_or(0.0);
+  pressure = above(erosion.most_pressure);
+  tension = below(erosion.least_pressure);
+  principal_stress = above(erosion.most_stress);
+  effective_stress = above(erosion.effective_stress);
+  high = std::min(above(erosion.most_strain), limits.major > 0.0 ? limits.major : none);
+  low = below(erosion.least_strain);
+  effective_strain = above(erosion.effective_strain);
+  growth = erosion.volume_strain && volume >= 0.0 ? volume : none;
+  shrinkage = erosion.volume_strain && volume <= 0.0 ? -volume : none;
+  shear = above(erosion.shear_strain);
+  thinning = above(erosion.thinning);
+  age = above(erosion.time);
+  of_stress = std::min({pressure, tension, principal_stress, effective_stress}) < none;
+  of_strain = std::min({high, low, effective_strain, growth, shrinkage, shear, thinning}) < none;
+}
+
 PointFailure::PointFailure(const Composition& law)
     : failure_strain_(law.failure_strain),
       failure_strain_over_rate_(law.failure_strain_over_rate),
@@ -81,6 +105,7 @@ PointFailure::PointFailure(const Composition& law)
       fracture_(law.fracture),
       erosion_(law.erosion),
       limits_(law.limits),
+      bounds_(law.erosion.value_or(Erosion{}), law.limits),
       cracked_(add(cracks_.has_value(), Cracks::history)),
       fractured_(add(fracture_.has_value(), 1)),
       thinned_(add(limits_.plastic_thinning > 0.0, 1)),
@@ -88,7 +113,9 @@ PointFailure::PointFailure(const Composition& law)
       impulse_(add(erosion_ && erosion_->impulse, 1)),
       age_(add(erosion_ && erosion_->time, 1)),
       active_(failure_strain_ > 0.0 || !failure_strain_over_rate_.empty() || damage_ || size_ > 1),
-      by_plastic_strain_only_(failure_strain_ > 0.0 && failure_strain_over_rate_.empty() && !damage_ && size_ == 1) {}
+      by_plastic_strain_only_(failure_strain_ > 0.0 && failure_strain_over_rate_.empty() && !damage_ && size_ == 1),
+      bounded_(failure_strain_over_rate_.empty() && !damage_ && !cracks_ && !fracture_ &&
+               !(erosion_ && (erosion_->impulse || !erosion_->effective_stress_over_rate.empty()))) {}
 
 double PointFailure::fracture_strain(double triaxiality, double rate, double heating) const {
   const JohnsonCookFracture& f = *fracture_;
@@ -102,7 +129,7 @@ bool PointFailure::eroded(const Now& now) const {
   const Erosion& e = *erosion_;
   const double pressure = -(now.stress.xx + now.stress.yy + now.stress.zz) / 3.0;
   const double volume = now.strain.xx + now.strain.yy + now.strain.zz;
-  const Range strain(now.strain);
+  const Range<double> strain(now.strain);
   int met = 0;
   const auto reaches = [&met](const std::optional<double>& limit, double value) { met += limit && value >= *limit; };
   const auto falls_to = [&met](const std::optional<double>& limit, double value) { met += limit && value <= *limit; };
@@ -112,7 +139,7 @@ bool PointFailure::eroded(const Now& now) const {
   if (e.most_strain && strain.high >= *e.most_strain) reaches(e.most_strain, principal_values(now.strain)[2]);
   reaches(e.effective_strain, std::sqrt(2.0 / 3.0 * deviator2(now.strain)));
   if (e.volume_strain) (*e.volume_strain > 0.0 ? reaches(e.volume_strain, volume) : falls_to(e.volume_strain, volume));
-  if (e.most_stress && Range(now.stress).high >= *e.most_stress)
+  if (e.most_stress && Range<double>(now.stress).high >= *e.most_stress)
     reaches(e.most_stress, principal_values(now.stress)[2]);
   const double effective = std::sqrt(1.5 * deviator2(now.stress));
   reaches(e.effective_stress, effective);
@@ -134,11 +161,49 @@ bool PointFailure::beyond_strain_limits(const Now& now, double thinning) const {
 }
 
 template <class R>
+MaskOf<R> PointFailure::may_fail(const PointStep<R>& step, const double* history) const {
+  constexpr double more = 1.0 + 1e-12;
+  auto may = R(0.0) > R(1.0);
+  if (failure_strain_ > 0.0) may = may || step.plastic_strain >= R(failure_strain_);
+  if (thinned_ > 0) may = may || load_field<R>(history, thinned_) >= R(limits_.plastic_thinning);
+  if (age_ > 0) may = may || load_field<R>(history, age_) >= R(bounds_.age);
+  if (bounds_.of_stress) {
+    const R mean = (1.0 / 3.0) * (step.stress.xx + step.stress.yy + step.stress.zz);
+    may = may || -mean >= R(bounds_.pressure) || mean >= R(bounds_.tension) ||
+          Range<R>(step.stress).high >= R(bounds_.principal_stress) ||
+          more * sqrt(1.5 * deviator2(step.stress)) >= R(bounds_.effective_stress);
+  }
+  if (bounds_.of_strain) {
+    const SolidTensor<R> strain = load_solid<R>(history + strain_ * lanes<R>);
+    const Range<R> range(strain);
+    const R volume = strain.xx + strain.yy + strain.zz;
+    may = may || range.high >= R(bounds_.high) || -range.low >= R(bounds_.low) ||
+          more * sqrt((2.0 / 3.0) * deviator2(strain)) >= R(bounds_.effective_strain) || volume >= R(bounds_.growth) ||
+          -volume >= R(bounds_.shrinkage) || 0.5 * (range.high - range.low) >= R(bounds_.shear) ||
+          -strain.zz >= R(bounds_.thinning);
+  }
+  return may;
+}
+
+template <class R>
 void PointFailure::advance(const PointStep<R>& step, double* history) const {
   if (by_plastic_strain_only_) {
     const auto gone = load_field<R>(history, 0) >= R(1.0) || step.plastic_strain >= R(failure_strain_);
     return store_field(history, 0, select(gone, R(1.0), R(0.0)));
   }
+  const auto carries = load_field<R>(history, 0) < R(1.0);
+  const auto grow = [&](int field, const R& by) {
+    store_field(history, field, load_field<R>(history, field) + select(carries, by, R(0.0)));
+  };
+  if (strain_ > 0) {
+    const SolidTensor<R>& rate = step.rate;
+    const R change[] = {rate.xx, rate.yy, rate.zz, 0.5 * rate.xy, 0.5 * rate.yz, 0.5 * rate.zx};
+    for (int i = 0; i < SolidTensor<double>::size; ++i) grow(strain_ + i, step.dt * change[i]);
+  }
+  if (age_ > 0) grow(age_, R(step.dt));
+  if (thinned_ > 0) grow(thinned_, step.plastic_thinning);
+  if (bounded_ && !any(carries && may_fail(step, history))) return;
+
   const auto at = [&](int field, int l) -> double& { return history[field * lanes<R> + l]; };
   for (int l = 0; l < lanes<R>; ++l) {
     double& lost = at(0, l);
@@ -156,18 +221,14 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
           Cracks::weakened({sound.xx, sound.yy, sound.xy, sound.zx, sound.yz}, cracks, lanes<R>);
       now.stress = {left.xx, left.yy, 0.0, left.xy, left.yz, left.xz};
     }
-    if (strain_ > 0) {
-      const double change[] = {rate.xx, rate.yy, rate.zz, 0.5 * rate.xy, 0.5 * rate.yz, 0.5 * rate.zx};
-      for (int i = 0; i < SolidTensor<double>::size; ++i) at(strain_ + i, l) += step.dt * change[i];
+    if (strain_ > 0)
       now.strain = {at(strain_, l),     at(strain_ + 1, l), at(strain_ + 2, l),
                     at(strain_ + 3, l), at(strain_ + 4, l), at(strain_ + 5, l)};
-    }
     if (impulse_ > 0) {
       const double over = std::max(principal_values(now.stress)[2] - erosion_->threshold, 0.0);
       now.impulse = at(impulse_, l) += over * over * step.dt;
     }
-    if (age_ > 0) now.age = at(age_, l) += step.dt;
-    if (thinned_ > 0) at(thinned_, l) += lane(step.plastic_thinning, l);
+    if (age_ > 0) now.age = at(age_, l);
 
     if (fracture_ && increment > 0.0) {
       const double mean = (now.stress.xx + now.stress.yy + now.stress.zz) / 3.0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "base/batch.hpp"
 #include "kernel/law/composition.hpp"
@@ -73,6 +74,17 @@ class PointFailure {
     double rate, impulse, age;
     bool layer;
   };
+  /// Limits of what is known of a stress or strain without its principal values; infinite where there is none.
+  struct Bounds {
+    explicit Bounds(const Erosion& erosion, const StrainLimits& limits);
+    double pressure, tension, principal_stress, effective_stress;
+    double high, low, effective_strain, growth, shrinkage, shear, thinning, age;
+    bool of_stress, of_strain;
+  };
+  /// Which points may have failed: a cheap test that lets through all that have. Only for laws without damage, cracks,
+  /// fracture or a criterion over the rate or time.
+  template <class R>
+  MaskOf<R> may_fail(const PointStep<R>& step, const double* history) const;
   double fracture_strain(double triaxiality, double rate, double heating) const;
   bool eroded(const Now& now) const;
   bool beyond_strain_limits(const Now& now, double thinning) const;
@@ -85,9 +97,10 @@ class PointFailure {
   std::optional<JohnsonCookFracture> fracture_;
   std::optional<Erosion> erosion_;
   StrainLimits limits_;
+  Bounds bounds_;
   int size_ = 1;
   int cracked_, fractured_, thinned_, strain_, impulse_, age_;  ///< places in the history; 0: not kept
-  bool active_, by_plastic_strain_only_;
+  bool active_, by_plastic_strain_only_, bounded_;              ///< bounded_: may_fail() can be asked
 };
 
 }  // namespace nugget::kernel
