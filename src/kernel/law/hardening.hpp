@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -58,7 +55,7 @@ class BilinearHardening {
   CowperSymonds rate_{};
 };
 
-/// Yield curves over plastic strain, with a table over rate or a factor over rate (MAT_024).
+/// A yield curve over plastic strain, with Cowper-Symonds rates, or a table of them over the rate (MAT_024).
 class CurveHardening {
  public:
   explicit CurveHardening(const PiecewiseLinear& law);
