@@ -64,7 +64,7 @@ PointUpdate BlatzKoPoint::update(const Tensor&, const Tensor& d, double dt, std:
   // The greatest principal value of b is at most a sum of a row.
   const double xy = std::abs(b.xy), yz = std::abs(b.yz), zx = std::abs(b.zx);
   const double greatest = std::max({b.xx + xy + zx, b.yy + xy + yz, b.zz + yz + zx});
-  return {shear_ / J * plus(b, -volume), shear_ / J * (2.0 * greatest + power_ * volume)};
+  return {shear_ / J * plus(b, -volume), shear_ / J * (greatest + (power_ + 1.0) * volume)};
 }
 
 template <class Energy>
