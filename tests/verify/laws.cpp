@@ -312,6 +312,17 @@ double mooney_rivlin_stress(double a, double b, double nu, double stretch) {
   return along(stretch, low, low);
 }
 
+// Blatz and Ko's bar: the lateral stretch is l^-nu exactly, so sigma = G l^(2 nu - 1) (l^2 - l^(-2 nu)).
+// Sabotage: nu 0.49; the stress not divided by J.
+TEST(Laws, BlatzKoRubber) {
+  const double G = 2.0, nu = 0.463;
+  for (const double strain : {0.5, -0.4}) {
+    const double l = std::exp(strain);
+    expect_stress("MAT_007 G 2", Pulled(mat("007", {{1, 1.2e-9, G}}), strain, std::copysign(20.0, strain), Of::bricks),
+                  strain, G * std::pow(l, 2 * nu - 1) * (l * l - std::pow(l, -2 * nu)), 0.01, "laws");
+  }
+}
+
 // Sabotage: the stress not divided by J; b taken for its square root.
 TEST(Laws, RubberAndFoam) {
   for (const double strain : {0.5, -0.4})

@@ -22,8 +22,9 @@
 namespace nugget::kernel {
 
 /// How a point flows.
-using Flow = std::variant<Elastic, PlasticKinematic, PiecewiseLinear, JohnsonCook, PowerLaw, MooneyRivlin, Ogden,
-                          PolynomialRubber, LowDensityFoam, CrushableFoam, RateFoam, Viscoelastic, Orthotropic, Fluid>;
+using Flow =
+    std::variant<Elastic, PlasticKinematic, PiecewiseLinear, JohnsonCook, PowerLaw, BlatzKo, MooneyRivlin, Ogden,
+                 PolynomialRubber, LowDensityFoam, CrushableFoam, RateFoam, Viscoelastic, Orthotropic, Fluid>;
 
 /// What a compound law is made of: how a point flows, and when it and its element fail.
 struct Composition {

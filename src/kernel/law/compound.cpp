@@ -70,6 +70,12 @@ class Prepared<MooneyRivlin> : public SolidPointLaw<MooneyRivlinPoint> {
 };
 
 template <>
+class Prepared<BlatzKo> : public SolidPointLaw<BlatzKoPoint> {
+ public:
+  using SolidPointLaw::SolidPointLaw;
+};
+
+template <>
 class Prepared<Ogden> : public SolidPointLaw<OgdenPoint> {
  public:
   using SolidPointLaw::SolidPointLaw;

@@ -15,6 +15,14 @@ struct MooneyRivlin {
   double a = 0.0, b = 0.0;  ///< [stress]
 };
 
+/// Foamed rubber of Blatz and Ko (MAT_007; Trans. Soc. Rheol. 6, 1962, with f = 1):
+///   W = G / 2 [I - 3 + (J^(-2 beta) - 1) / beta],  beta = nu / (1 - 2 nu).
+struct BlatzKo {
+  double E = 0.0;      ///< Young's modulus of small strains, 2 G (1 + nu) [stress]
+  double nu = 0.463;   ///< Poisson's ratio of small strains [1]
+  double shear = 0.0;  ///< G [stress]
+};
+
 /// What a rubber has beside its energy: stresses that relax, each a spring (2 G of the deviator) and a damper in
 /// series, and one that slides, a spring and a friction element in series.
 struct Overstress {

@@ -51,6 +51,22 @@ PointUpdate MooneyRivlinPoint::update(const Tensor&, const Tensor& d, double dt,
   return {stress, V + 2.0 / J * (std::abs(a_) + 2.0 * std::abs(b_) * first) * first};
 }
 
+BlatzKoPoint::BlatzKoPoint(const BlatzKo& law)
+    : E_(law.E), nu_(law.nu), shear_(law.shear), power_(2.0 * law.nu / (1.0 - 2.0 * law.nu)) {}
+
+PointUpdate BlatzKoPoint::update(const Tensor&, const Tensor& d, double dt, std::span<double> h) const {
+  Tensor e = load(h);
+  stretch(e, d, dt);
+  store(h, e);
+  if (small(e)) return linear(E_, nu_, e);
+  const Tensor b = plus(e, 1.0);
+  const double J = std::sqrt(determinant(b)), volume = std::pow(J, -power_);
+  // The greatest principal value of b is at most a sum of a row.
+  const double xy = std::abs(b.xy), yz = std::abs(b.yz), zx = std::abs(b.zx);
+  const double greatest = std::max({b.xx + xy + zx, b.yy + xy + yz, b.zz + yz + zx});
+  return {shear_ / J * plus(b, -volume), shear_ / J * (greatest + (power_ + 1.0) * volume)};
+}
+
 template <class Energy>
 PointUpdate RubberPoint<Energy>::update(const Tensor&, const Tensor& d, double dt, std::span<double> h) const {
   Tensor e = load(h);

@@ -21,6 +21,17 @@ class MooneyRivlinPoint {
   double E_, nu_, a_, b_, c_, d_;
 };
 
+class BlatzKoPoint {
+ public:
+  explicit BlatzKoPoint(const BlatzKo& law);
+  int history() const { return SolidTensor<double>::size; }
+  int tensors() const { return 1; }
+  PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
+
+ private:
+  double E_, nu_, shear_, power_;  ///< 2 beta
+};
+
 /// What the rubbers of MAT_077 share: `Energy` gives the stress and the wave modulus of a tensor b - 1, to which the
 /// overstress adds its own.
 template <class Energy>

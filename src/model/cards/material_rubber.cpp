@@ -47,6 +47,26 @@ void read_viscoelastic(Builder& b, const Block& block, const Options& options) {
   add_solid_law(b, row, std::move(title), "MAT_VISCOELASTIC", {flow});
 }
 
+// ---- 007
+
+const Card blatz_ko_card{{
+    material_id,
+    density,
+    real("g", dimension::stress, required, above_zero(), "shear modulus; Poisson's ratio is 0.463"),
+    reference,
+}};
+
+void read_blatz_ko(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(blatz_ko_card);
+  expect_end(b, cursor);
+  kernel::BlatzKo flow;
+  flow.shear = row.real("g");
+  flow.E = 2.0 * flow.shear * (1.0 + flow.nu);
+  add_solid_law(b, row, std::move(title), "MAT_BLATZ-KO_RUBBER", {flow});
+}
+
 // ---- 027
 
 const Card mooney_rivlin_card{{
@@ -216,6 +236,11 @@ std::vector<Keyword> rubber_material_keywords() {
        .options = {"TITLE"},
        .layout = {{"", &viscoelastic_card}},
        .read = read_viscoelastic},
+      {.name = "MAT_BLATZ-KO_RUBBER",
+       .aliases = {"MAT_007"},
+       .options = {"TITLE"},
+       .layout = {{"", &blatz_ko_card}},
+       .read = read_blatz_ko},
       {.name = "MAT_MOONEY-RIVLIN_RUBBER",
        .aliases = {"MAT_027"},
        .options = {"TITLE"},

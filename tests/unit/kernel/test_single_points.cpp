@@ -74,6 +74,18 @@ TEST(SinglePoints, MooneyRivlinIsTheDerivativeOfItsEnergy) {
   expect_energy({mooney(a, b, nu)}, W, 1e-6);
 }
 
+BlatzKo blatz_ko(double G) {
+  return {2.0 * G * 1.463, 0.463, G};
+}
+
+TEST(SinglePoints, BlatzKoIsTheDerivativeOfItsEnergy) {
+  const double G = 0.5, beta = 0.463 / (1 - 2 * 0.463);
+  const auto W = [=](double x, double y, double z) {
+    return 0.5 * G * (x * x + y * y + z * z - 3 + (std::pow(x * y * z, -2 * beta) - 1) / beta);
+  };
+  expect_energy({blatz_ko(G)}, W, 1e-6);
+}
+
 TEST(SinglePoints, OgdenIsTheDerivativeOfItsEnergy) {
   // Treloar's rubber in Ogden's three terms.
   const std::vector<Ogden::Term> terms{{0.63, 1.3}, {0.0012, 5.0}, {-0.01, -2.0}};
@@ -148,7 +160,8 @@ TEST(SinglePoints, RubberInSimpleShear) {
 
 TEST(SinglePoints, TheStableStepKnowsTheStiffnessReached) {
   // Wave modulus at least the tangent of a laterally held pull.
-  for (const Composition& law : {Composition{mooney(0.8, 0.2, 0.49)}, Composition{polynomial(0.3)}})
+  for (const Composition& law :
+       {Composition{mooney(0.8, 0.2, 0.49)}, Composition{polynomial(0.3)}, Composition{blatz_ko(1.0)}})
     for (const double to : {0.4, 0.7, 1.0, 1.4, 2.5}) {
       Point p(compound(law));
       std::array<double, 3> l{1, 1, 1};
