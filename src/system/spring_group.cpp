@@ -204,10 +204,17 @@ void SpringGroup::stop(State& state, std::span<const double> mass) {
     const Vec3d va = vec(state.v[a]), vb = s.node[1] < 0 ? Vec3d{} : vec(state.v[at(s.node[1])]);
     const double opening = dot(vb - va, s.line);
     if (pushed ? opening >= 0.0 : opening <= 0.0) continue;
-    const double over_a = 1.0 / mass[a], over_b = s.node[1] < 0 ? 0.0 : 1.0 / mass[at(s.node[1])];
-    const double impulse = opening / (over_a + over_b);
-    add(state.v[a], impulse * over_a * s.line);
-    if (s.node[1] >= 0) add(state.v[at(s.node[1])], -impulse * over_b * s.line);
+    // What a unit impulse along the line does to either node.
+    const auto push = [&](std::size_t end) {
+      const Frame3d& free = s.free[end];
+      return 1.0 / mass[at(s.node[end])] * (s.line.x * free.e1 + s.line.y * free.e2 + s.line.z * free.e3);
+    };
+    const Vec3d push_a = push(0), push_b = s.node[1] < 0 ? Vec3d{} : push(1);
+    const double both = dot(push_a + push_b, s.line);
+    if (!(both > 0.0)) continue;
+    const double impulse = opening / both;
+    add(state.v[a], impulse * push_a);
+    if (s.node[1] >= 0) add(state.v[at(s.node[1])], -impulse * push_b);
     s.energy += 0.5 * impulse * opening;
   }
 }
@@ -232,8 +239,8 @@ std::map<std::pair<int, bool>, std::vector<SpringEnd>> springs_at_nodes(const Sy
   return at_node;
 }
 
-/// Whether supports or prescribed motion hold a direction of a node for ever.
-bool held(const System& system, int node, const Vec3d& n, bool rotation) {
+/// What of a vector at a node supports and, where asked, prescribed motion do not hold for ever.
+Vec3d free_part(const System& system, int node, const Vec3d& n, bool rotation, bool motions) {
   const model::Index k = system.model_node[at(node)];
   Vec3d rest = n;
   for (const model::SinglePointConstraint& spc : system.model.spcs) {
@@ -245,11 +252,22 @@ bool held(const System& system, int node, const Vec3d& n, bool rotation) {
     for (unsigned i = 0; i < 3; ++i)
       if (bits >> i & 1u) rest -= dot(rest, *direction[i]) * *direction[i];
   }
+  if (!motions) return rest;
   for (const model::PrescribedMotion& motion : system.model.motions)
     if (!motion.circular && motion.rotation == rotation &&
         std::find(motion.nodes.begin(), motion.nodes.end(), k) != motion.nodes.end())
       rest -= dot(rest, motion.direction) * motion.direction;
-  return norm(rest) < 1e-9;
+  return rest;
+}
+
+/// Whether supports or prescribed motion hold a direction of a node for ever.
+bool held(const System& system, int node, const Vec3d& n, bool rotation) {
+  return norm(free_part(system, node, n, rotation, true)) < 1e-9;
+}
+
+/// Whether a motion is prescribed to a node that has a part along n.
+bool is_driven(const System& system, int node, const Vec3d& n) {
+  return norm(free_part(system, node, n, false, true) - free_part(system, node, n, false, false)) > 1e-9;
 }
 
 }  // namespace
@@ -263,6 +281,13 @@ void bound_springs(System& system) {
     const Mobility m = mobility(system, key.first);
     const Mobility::Matrix& matrix = key.second ? m.rotation : m.translation;
     for (const SpringEnd& own : ends) {
+      if (own.group->has_stops())
+        for (const std::size_t a : {0u, 1u})
+          if (own.group->nodes(own.spring)[a] == key.first)
+            own.group->set_free(own.spring, a,
+                                {free_part(system, key.first, {1, 0, 0}, false, false),
+                                 free_part(system, key.first, {0, 1, 0}, false, false),
+                                 free_part(system, key.first, {0, 0, 1}, false, false)});
       const Vec3d n = own.group->line(own.spring);
       // A line that turns may come to lie in any direction.
       const double inverse_mass = norm(n) > 0.0 ? Mobility::along(matrix, n) : Mobility::largest(matrix);
@@ -299,6 +324,13 @@ void check_springs(const System& system, Findings& findings) {
             d.place, "*SECTION_DISCRETE",
             fmt::format("node {} of spring {}, which has a stop (CDL, TDL), follows other nodes or has no mass", id,
                         d.id),
+            "use a law whose force rises steeply there");
+      else if (end.group->has_stops() && is_driven(system, node, n))
+        findings.error(
+            d.place, "*SECTION_DISCRETE",
+            fmt::format("node {} of spring {}, which has a stop (CDL, TDL), is driven along the spring: motion "
+                        "and stop would contradict each other",
+                        id, d.id),
             "use a law whose force rises steeply there");
     }
   }
