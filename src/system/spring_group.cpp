@@ -194,6 +194,26 @@ ElementNodes SpringGroup::nodes(std::size_t e) const {
   return n;
 }
 
+namespace {
+
+/// What of a vector at a node the supports leave free between two times.
+Vec3d free_of_supports(const model::Model& model, model::Index node, const Vec3d& n, bool rotation, double from,
+                       double to) {
+  Vec3d rest = n;
+  for (const model::SinglePointConstraint& spc : model.spcs) {
+    if (spc.node != node || spc.birth > from || spc.death < to) continue;
+    const unsigned bits = rotation ? spc.fixed >> 3 : spc.fixed & 7u;
+    const Frame3d axes =
+        spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model.systems[at(spc.system)].axes;
+    const Vec3d* direction[3] = {&axes.e1, &axes.e2, &axes.e3};
+    for (unsigned i = 0; i < 3; ++i)
+      if (bits >> i & 1u) rest -= dot(rest, *direction[i]) * *direction[i];
+  }
+  return rest;
+}
+
+}  // namespace
+
 void SpringGroup::stop(State& state, std::span<const double> mass) {
   for (Entry& s : springs_) {
     if (!s.alive) continue;
@@ -206,8 +226,8 @@ void SpringGroup::stop(State& state, std::span<const double> mass) {
     if (pushed ? opening >= 0.0 : opening <= 0.0) continue;
     // What a unit impulse along the line does to either node.
     const auto push = [&](std::size_t end) {
-      const Frame3d& free = s.free[end];
-      return 1.0 / mass[at(s.node[end])] * (s.line.x * free.e1 + s.line.y * free.e2 + s.line.z * free.e3);
+      const Vec3d free = free_of_supports(model_, s.source->node[end], s.line, false, state.time, state.time);
+      return (1.0 / mass[at(s.node[end])]) * free;
     };
     const Vec3d push_a = push(0), push_b = s.node[1] < 0 ? Vec3d{} : push(1);
     const double both = dot(push_a + push_b, s.line);
@@ -239,20 +259,10 @@ std::map<std::pair<int, bool>, std::vector<SpringEnd>> springs_at_nodes(const Sy
   return at_node;
 }
 
-/// What of a vector at a node supports and, where asked, prescribed motion do not hold for ever.
-Vec3d free_part(const System& system, int node, const Vec3d& n, bool rotation, bool motions) {
+/// What of a vector at a node no motion is prescribed to.
+Vec3d free_of_motions(const System& system, int node, const Vec3d& n, bool rotation) {
   const model::Index k = system.model_node[at(node)];
   Vec3d rest = n;
-  for (const model::SinglePointConstraint& spc : system.model.spcs) {
-    if (spc.node != k || spc.birth > 0.0 || spc.death < model::forever) continue;
-    const unsigned bits = rotation ? spc.fixed >> 3 : spc.fixed & 7u;
-    const Frame3d axes = spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}
-                                                   : system.model.systems[at(spc.system)].axes;
-    const Vec3d* direction[3] = {&axes.e1, &axes.e2, &axes.e3};
-    for (unsigned i = 0; i < 3; ++i)
-      if (bits >> i & 1u) rest -= dot(rest, *direction[i]) * *direction[i];
-  }
-  if (!motions) return rest;
   for (const model::PrescribedMotion& motion : system.model.motions)
     if (!motion.circular && motion.rotation == rotation &&
         std::find(motion.nodes.begin(), motion.nodes.end(), k) != motion.nodes.end())
@@ -262,12 +272,8 @@ Vec3d free_part(const System& system, int node, const Vec3d& n, bool rotation, b
 
 /// Whether supports or prescribed motion hold a direction of a node for ever.
 bool held(const System& system, int node, const Vec3d& n, bool rotation) {
-  return norm(free_part(system, node, n, rotation, true)) < 1e-9;
-}
-
-/// Whether a motion is prescribed to a node that has a part along n.
-bool is_driven(const System& system, int node, const Vec3d& n) {
-  return norm(free_part(system, node, n, false, true) - free_part(system, node, n, false, false)) > 1e-9;
+  const Vec3d rest = free_of_supports(system.model, system.model_node[at(node)], n, rotation, 0.0, model::forever);
+  return norm(free_of_motions(system, node, rest, rotation)) < 1e-9;
 }
 
 }  // namespace
@@ -281,13 +287,6 @@ void bound_springs(System& system) {
     const Mobility m = mobility(system, key.first);
     const Mobility::Matrix& matrix = key.second ? m.rotation : m.translation;
     for (const SpringEnd& own : ends) {
-      if (own.group->has_stops())
-        for (const std::size_t a : {0u, 1u})
-          if (own.group->nodes(own.spring)[a] == key.first)
-            own.group->set_free(own.spring, a,
-                                {free_part(system, key.first, {1, 0, 0}, false, false),
-                                 free_part(system, key.first, {0, 1, 0}, false, false),
-                                 free_part(system, key.first, {0, 0, 1}, false, false)});
       const Vec3d n = own.group->line(own.spring);
       // A line that turns may come to lie in any direction.
       const double inverse_mass = norm(n) > 0.0 ? Mobility::along(matrix, n) : Mobility::largest(matrix);
@@ -325,7 +324,7 @@ void check_springs(const System& system, Findings& findings) {
             fmt::format("node {} of spring {}, which has a stop (CDL, TDL), follows other nodes or has no mass", id,
                         d.id),
             "use a law whose force rises steeply there");
-      else if (end.group->has_stops() && is_driven(system, node, n))
+      else if (end.group->has_stops() && norm(free_of_motions(system, node, n, false) - n) > 1e-9)
         findings.error(
             d.place, "*SECTION_DISCRETE",
             fmt::format("node {} of spring {}, which has a stop (CDL, TDL), is driven along the spring: motion "

@@ -61,12 +61,9 @@ class SpringGroup final : public ElementGroup {
   void set_bound(std::size_t e, double inverse_mass, double stiffness_rate, double viscosity_rate);
 
   /// Stops (CDL, TDL): where elongation is beyond its limit and still grows, both nodes take their common velocity
-  /// along the line, a plastic impact. The energy lost is booked with the spring. Nodes must be independent; what
-  /// supports hold of a node takes no velocity.
+  /// along the line, a plastic impact. The energy lost is booked with the spring. Nodes must be independent.
   void stop(State& state, std::span<const double> mass);
   bool has_stops() const { return section_.most_compression > 0.0 || section_.most_elongation > 0.0; }
-  /// Says in which directions node `a` (0, 1) of spring e is free: the columns of a projection.
-  void set_free(std::size_t e, std::size_t a, const Frame3d& free) { springs_[e].free[a] = free; }
 
  private:
   struct Entry {
@@ -81,7 +78,6 @@ class SpringGroup final : public ElementGroup {
     Vec3d line;
     bool alive = true, started = false;
     double inverse_mass = 0.0, stiffness_rate = 0.0, viscosity_rate = 0.0;
-    std::array<Frame3d, 2> free{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
     void archive(Archive& a);
   };
   /// A modulus along the spring's line, as a matrix of its freedoms.
