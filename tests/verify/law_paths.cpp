@@ -151,7 +151,6 @@ struct MetalPoint {
 
   /// Adds a strain increment; radial return, the increment of plastic strain by halving.
   void add(const Metal& m, const Tensor& de, double dt) {
-    const Tensor before = stress;
     stress += 2.0 * G * de + (K - 2.0 / 3.0 * G) * de.trace() * Tensor::Identity();
     const Tensor relative = stress - stress.trace() / 3.0 * Tensor::Identity() - back;
     const double trial = effective(relative);
@@ -210,7 +209,7 @@ struct MetalPoint {
   }
 };
 
-/// The metal along a path, at 2000 moments.
+/// The metal along a path, at 1000 moments.
 class MetalHistory {
  public:
   MetalHistory(const Metal& metal, const Path& path, double end, bool in_plane) {
@@ -230,7 +229,7 @@ class MetalHistory {
   }
 
  private:
-  static constexpr int steps = 2000;
+  static constexpr int steps = 1000;
   std::vector<Tensor> stress_;
 };
 

@@ -138,10 +138,6 @@ void set_crushable_foam(Builder& b, Index material, const Row& row) {
   if (*std::min_element(flow.yield.y.begin(), flow.yield.y.end()) < 0.0)
     return refuse(b, row, "lcid", "a yield stress is below 0", "give the curve positive in compression");
   check_compression(b, row, "lcid", flow.yield, false);
-  if (!(flow.yield.extrapolated(0.0) > 0.0))
-    row.complain(b.findings, Severity::warning, "lcid",
-                 "the yield stress begins at 0: the foam crushes under any pressure",
-                 "begin the curve with the stress at which it starts to crush");
   flow.cutoff = row.real("tsc");
   if (flow.cutoff == 0.0)
     row.complain(b.findings, Severity::warning, "tsc", "no tension is borne at all", "give the tensile strength");
