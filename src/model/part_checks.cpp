@@ -280,6 +280,13 @@ void check_compound(Builder& b, const Part& part, const deck::Row& row) {
   else if (part.kind == ElementKind::solid && !law->made_of->for_bricks)
     refuse(b, row, "mid", fmt::format("*{} is a law of shells, but the part has solids", material.keyword),
            "use a law of solids");
+  const kernel::Composition& made_of = *law->made_of;
+  if (part.kind == ElementKind::solid &&
+      (made_of.limits.plastic_thinning > 0.0 || (made_of.erosion && made_of.erosion->thinning)))
+    row.complain(
+        b.findings, Severity::warning, "mid",
+        fmt::format("EPSTHIN of material {} is a limit of layers and has no effect in this part's solids", material.id),
+        "limit the plastic strain or the major strain");
   if (takes_equation_of_state(material) && material.keyword != "MAT_NULL") check_equation_of_state(b, part, row, *law);
   if (const auto* flow = std::get_if<kernel::Orthotropic>(&law->made_of->flow))
     check_material_axes(b, part, row, flow->axes);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/law/composition.hpp"
 #include "model/passes.hpp"
 
 namespace nugget::model {
@@ -28,9 +29,12 @@ bool fits(const Material& m, const UnitSystem& u) {
   return speed >= 300.0 && speed <= 12000.0 && density >= 500.0 && density <= 200000.0;
 }
 
+/// Whether its modulus and density tell the units: those of rubber, foam and the like reach over decades.
 bool is_elastic_plastic(const Material& m) {
   const bool is_fluid_or_moved = m.keyword == "MAT_NULL" || std::holds_alternative<kernel::Rigid>(m.law);
-  return !is_fluid_or_moved && m.density > 0.0 && m.young() > 0.0;
+  const auto* law = std::get_if<kernel::Compound>(&m.law);
+  const bool is_soft = law != nullptr && !law->made_of->for_shells;
+  return !is_fluid_or_moved && !is_soft && m.density > 0.0 && m.young() > 0.0;
 }
 
 }  // namespace

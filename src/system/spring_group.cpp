@@ -194,6 +194,26 @@ ElementNodes SpringGroup::nodes(std::size_t e) const {
   return n;
 }
 
+namespace {
+
+/// What of a vector at a node the supports leave free between two times.
+Vec3d free_of_supports(const model::Model& model, model::Index node, const Vec3d& n, bool rotation, double from,
+                       double to) {
+  Vec3d rest = n;
+  for (const model::SinglePointConstraint& spc : model.spcs) {
+    if (spc.node != node || spc.birth > from || spc.death < to) continue;
+    const unsigned bits = rotation ? spc.fixed >> 3 : spc.fixed & 7u;
+    const Frame3d axes =
+        spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model.systems[at(spc.system)].axes;
+    const Vec3d* direction[3] = {&axes.e1, &axes.e2, &axes.e3};
+    for (unsigned i = 0; i < 3; ++i)
+      if (bits >> i & 1u) rest -= dot(rest, *direction[i]) * *direction[i];
+  }
+  return rest;
+}
+
+}  // namespace
+
 void SpringGroup::stop(State& state, std::span<const double> mass) {
   for (Entry& s : springs_) {
     if (!s.alive) continue;
@@ -204,10 +224,17 @@ void SpringGroup::stop(State& state, std::span<const double> mass) {
     const Vec3d va = vec(state.v[a]), vb = s.node[1] < 0 ? Vec3d{} : vec(state.v[at(s.node[1])]);
     const double opening = dot(vb - va, s.line);
     if (pushed ? opening >= 0.0 : opening <= 0.0) continue;
-    const double over_a = 1.0 / mass[a], over_b = s.node[1] < 0 ? 0.0 : 1.0 / mass[at(s.node[1])];
-    const double impulse = opening / (over_a + over_b);
-    add(state.v[a], impulse * over_a * s.line);
-    if (s.node[1] >= 0) add(state.v[at(s.node[1])], -impulse * over_b * s.line);
+    // What a unit impulse along the line does to either node.
+    const auto push = [&](std::size_t end) {
+      const Vec3d free = free_of_supports(model_, s.source->node[end], s.line, false, state.time, state.time);
+      return (1.0 / mass[at(s.node[end])]) * free;
+    };
+    const Vec3d push_a = push(0), push_b = s.node[1] < 0 ? Vec3d{} : push(1);
+    const double both = dot(push_a + push_b, s.line);
+    if (!(both > 0.0)) continue;
+    const double impulse = opening / both;
+    add(state.v[a], impulse * push_a);
+    if (s.node[1] >= 0) add(state.v[at(s.node[1])], -impulse * push_b);
     s.energy += 0.5 * impulse * opening;
   }
 }
@@ -232,24 +259,21 @@ std::map<std::pair<int, bool>, std::vector<SpringEnd>> springs_at_nodes(const Sy
   return at_node;
 }
 
-/// Whether supports or prescribed motion hold a direction of a node for ever.
-bool held(const System& system, int node, const Vec3d& n, bool rotation) {
+/// What of a vector at a node no motion is prescribed to.
+Vec3d free_of_motions(const System& system, int node, const Vec3d& n, bool rotation) {
   const model::Index k = system.model_node[at(node)];
   Vec3d rest = n;
-  for (const model::SinglePointConstraint& spc : system.model.spcs) {
-    if (spc.node != k || spc.birth > 0.0 || spc.death < model::forever) continue;
-    const unsigned bits = rotation ? spc.fixed >> 3 : spc.fixed & 7u;
-    const Frame3d axes = spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}
-                                                   : system.model.systems[at(spc.system)].axes;
-    const Vec3d* direction[3] = {&axes.e1, &axes.e2, &axes.e3};
-    for (unsigned i = 0; i < 3; ++i)
-      if (bits >> i & 1u) rest -= dot(rest, *direction[i]) * *direction[i];
-  }
   for (const model::PrescribedMotion& motion : system.model.motions)
     if (!motion.circular && motion.rotation == rotation &&
         std::find(motion.nodes.begin(), motion.nodes.end(), k) != motion.nodes.end())
       rest -= dot(rest, motion.direction) * motion.direction;
-  return norm(rest) < 1e-9;
+  return rest;
+}
+
+/// Whether supports or prescribed motion hold a direction of a node for ever.
+bool held(const System& system, int node, const Vec3d& n, bool rotation) {
+  const Vec3d rest = free_of_supports(system.model, system.model_node[at(node)], n, rotation, 0.0, model::forever);
+  return norm(free_of_motions(system, node, rest, rotation)) < 1e-9;
 }
 
 }  // namespace
@@ -299,6 +323,13 @@ void check_springs(const System& system, Findings& findings) {
             d.place, "*SECTION_DISCRETE",
             fmt::format("node {} of spring {}, which has a stop (CDL, TDL), follows other nodes or has no mass", id,
                         d.id),
+            "use a law whose force rises steeply there");
+      else if (end.group->has_stops() && norm(free_of_motions(system, node, n, false) - n) > 1e-9)
+        findings.error(
+            d.place, "*SECTION_DISCRETE",
+            fmt::format("node {} of spring {}, which has a stop (CDL, TDL), is driven along the spring: motion "
+                        "and stop would contradict each other",
+                        id, d.id),
             "use a law whose force rises steeply there");
     }
   }

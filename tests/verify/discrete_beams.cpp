@@ -129,17 +129,17 @@ TEST(DiscreteBeams, LongBeamKeepsTheBalanceOfMoments) {
   EXPECT_NEAR(linear, 0.0, 1e-9);
 }
 
-/// Force of a driven spring over its displacement, at a constant speed of 1 there and back.
-std::vector<std::pair<double, double>> driven(const std::string& material, int dof, double amplitude) {
+/// Force of a spring along r over its displacement, driven by a curve of its speed up to `end`.
+std::vector<std::pair<double, double>> driven(const std::string& material,
+                                              std::initializer_list<std::pair<double, double>> speed, double end) {
   Specimen s;
   s.text(material);
   section(s, 0);
   const int a = s.node({0, 0, 0}), b = s.node({0, 0, 0});
   beam(s, a, b);
   hold(s, a);
-  s.text(curve(80, {{0.0, 1.0}, {amplitude - 1e-9, 1.0}, {amplitude + 1e-9, -1.0}, {9.0, -1.0}}));
-  s.card("BOUNDARY_PRESCRIBED_MOTION_NODE", {double(b), double(dof), 0, 80, 1.0});
-  timing(s, 2.0 * amplitude, 1e-3);
+  s.text(curve(80, speed)).card("BOUNDARY_PRESCRIBED_MOTION_NODE", {double(b), 1, 0, 80, 1.0});
+  timing(s, end, 1e-3);
   Experiment experiment(s.deck());
   std::vector<std::pair<double, double>> path;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
@@ -148,11 +148,51 @@ std::vector<std::pair<double, double>> driven(const std::string& material, int d
   return path;
 }
 
+/// At a constant speed of 1 there and back.
+std::vector<std::pair<double, double>> driven(const std::string& material, double amplitude) {
+  return driven(material, {{0.0, 1.0}, {amplitude - 1e-9, 1.0}, {amplitude + 1e-9, -1.0}, {9.0, -1.0}},
+                2.0 * amplitude);
+}
+
+// MAT_066, 067 and 068 out to 1, to -1 and back: K d, both sides of a curve, and 50 + 20 q with K = 400. Sabotage: the
+// plastic displacement by its sign; the curve of tension for both sides.
+TEST(DiscreteBeams, CyclesOfTheSimpleLaws) {
+  const auto cycle = [](const std::string& material) {
+    return driven(
+        material,
+        {{0.0, 1.0}, {1.0 - 1e-9, 1.0}, {1.0 + 1e-9, -1.0}, {3.0 - 1e-9, -1.0}, {3.0 + 1e-9, 1.0}, {9.0, 1.0}}, 4.0);
+  };
+  const auto expect = [&](const std::string& what, const std::string& material, auto force) {
+    double worst = 0.0;
+    for (const auto& [d, f] : cycle(material)) worst = std::max(worst, std::abs(f - force(d)));
+    expect_reference("discrete beam", what + ", cycle: largest error of the force, of 50", worst, 0.0, 1e-6, 50.0);
+  };
+  expect("MAT_066", "*MAT_066\n" + fields({1, 1.0, 50.0}) + fields({}) + fields({}), [](double d) { return 50.0 * d; });
+  expect("MAT_067",
+         "*MAT_067\n" + fields({1, 1.0, 7}) + fields({}) + fields({}) + fields({}) + fields({}) +
+             curve(7, {{-1.0, -60.0}, {-0.2, -20.0}, {0.0, 0.0}, {0.3, 30.0}, {1.0, 50.0}}),
+         [](double d) {
+           if (d < -0.2) return -20.0 + 50.0 * (d + 0.2);
+           return d < 0.3 ? 100.0 * d : 30.0 + 20.0 / 0.7 * (d - 0.3);
+         });
+  double plastic = 0.0, hardened = 0.0;  // displacement that stays, and all of it that was plastic
+  expect("MAT_068",
+         "*MAT_068\n" + fields({1, 1.0, 400.0}) + fields({}) + fields({7}) + fields({}) + fields({}) + fields({}) +
+             curve(7, {{0.0, 50.0}, {4.0, 130.0}}),
+         [&](double d) {
+           const double elastic = 400.0 * (d - plastic), beyond = std::abs(elastic) - (50.0 + 20.0 * hardened);
+           if (beyond <= 0.0) return elastic;
+           hardened += beyond / 420.0;
+           plastic += std::copysign(beyond / 420.0, elastic);
+           return 400.0 * (d - plastic);
+         });
+}
+
 // MAT_196, elastoplastic: F = 50 + 20 q, K = 400; out to 1 and back. Sabotage: yield over the whole displacement.
 TEST(DiscreteBeams, GeneralSpringYieldsAndUnloads) {
   const auto path = driven("*MAT_GENERAL_SPRING_DISCRETE_BEAM\n" + fields({1, 1.0}) + fields({1, 1, 400.0}) +
                                fields({7, 0, 0, 0, 1.0}) + curve(7, {{0.0, 50.0}, {2.0, 90.0}}),
-                           1, 1.0);
+                           1.0);
   double worst = 0.0, turning = 0.0, after = 0.0;
   for (const auto& [d, f] : path) {
     if (d >= turning) {
@@ -174,7 +214,7 @@ TEST(DiscreteBeams, GeneralNonlinearBeamUnloadsByItsStiffness) {
   const auto path = driven("*MAT_119\n" + fields({1, 1.0, 200.0, 0, 2}) + fields({7}) + fields({8}) + fields({}) +
                                fields({}) + fields({}) + fields({}) + fields({}) +
                                curve(7, {{0.0, 0.0}, {1.0, 100.0}}) + curve(8, {{0.0, 0.0}, {1.0, 20.0}}),
-                           1, 1.0);
+                           1.0);
   double worst = 0.0, turning = 0.0;
   for (const auto& [d, f] : path) {
     if (d >= turning) {

@@ -131,8 +131,13 @@ bool PointFailure::eroded(const Now& now) const {
   const double volume = now.strain.xx + now.strain.yy + now.strain.zz;
   const Range<double> strain(now.strain);
   int met = 0;
-  const auto reaches = [&met](const std::optional<double>& limit, double value) { met += limit && value >= *limit; };
-  const auto falls_to = [&met](const std::optional<double>& limit, double value) { met += limit && value <= *limit; };
+  // A limit of 0 must be passed: at rest it is reached already.
+  const auto reaches = [&met](const std::optional<double>& limit, double value) {
+    met += limit && (*limit != 0.0 ? value >= *limit : value > 0.0);
+  };
+  const auto falls_to = [&met](const std::optional<double>& limit, double value) {
+    met += limit && (*limit != 0.0 ? value <= *limit : value < 0.0);
+  };
   reaches(e.most_pressure, pressure);
   falls_to(e.least_pressure, pressure);
   if (e.least_strain && strain.low <= *e.least_strain) falls_to(e.least_strain, principal_values(now.strain)[0]);

@@ -137,6 +137,61 @@ std::optional<kernel::Composition> composition_of(const Law& law) {
   return std::nullopt;
 }
 
+/// How many criteria count.
+int number_of(const kernel::Erosion& e) {
+  int n = !e.effective_stress_over_rate.empty();
+  for (const auto* one :
+       {&e.most_pressure, &e.least_pressure, &e.least_strain, &e.most_strain, &e.effective_strain, &e.volume_strain,
+        &e.most_stress, &e.effective_stress, &e.shear_strain, &e.impulse, &e.time, &e.thinning})
+    n += one->has_value();
+  return n;
+}
+
+/// Whether a point of this flow has a plastic strain.
+bool has_plastic_strain(const kernel::Flow& flow) {
+  return std::holds_alternative<kernel::PlasticKinematic>(flow) ||
+         std::holds_alternative<kernel::PiecewiseLinear>(flow) || std::holds_alternative<kernel::JohnsonCook>(flow) ||
+         std::holds_alternative<kernel::PowerLaw>(flow) || std::holds_alternative<kernel::RateDependentYield>(flow);
+}
+
+/// Warns of criteria that can never be met, and of those that hold at rest.
+void complain_of_idle(Builder& b, const Cards& cards, const kernel::Composition& law) {
+  const kernel::Erosion& e = *law.erosion;
+  const auto warn = [&](const Row& row, std::string_view field, std::string text, const char* remedy) {
+    row.complain(b.findings, Severity::warning, field, std::move(text), remedy);
+  };
+  const auto at_rest = [&](const Row& row, std::string_view field, bool met) {
+    if (met)
+      warn(row, field,
+           "the criterion is met where there is no stress and no strain: all elements go in the first cycle",
+           "see its sign, and EXCL");
+  };
+  at_rest(cards.first, "mxpres", e.most_pressure && *e.most_pressure < 0.0);
+  at_rest(cards.first, "mneps", e.least_strain && *e.least_strain > 0.0);
+  at_rest(cards.second, "mnpres", e.least_pressure && *e.least_pressure > 0.0);
+  at_rest(cards.second, "sigp1", e.most_stress && *e.most_stress < 0.0);
+  at_rest(cards.second, "epssh", e.shear_strain && *e.shear_strain < 0.0);
+  at_rest(cards.second, "impulse", e.impulse && *e.impulse < 0.0);
+  at_rest(cards.second, "failtm", e.time && *e.time == 0.0);
+  if (const double threshold = cards.second.real("sigth");
+      threshold != 0.0 && threshold != cards.first.real("excl") && !e.impulse)
+    warn(cards.second, "sigth", "a threshold without IMPULSE has no effect", "give IMPULSE");
+  const double strain = cards.first.real("effeps");
+  const bool by_plastic_strain = strain < 0.0 && strain != cards.first.real("excl");
+  if (by_plastic_strain && !has_plastic_strain(law.flow))
+    warn(cards.first, "effeps", "below 0 it is a plastic strain, which this material does not have",
+         "write it above 0 for the effective strain");
+  const int count = number_of(e);
+  if (count == 0 && !by_plastic_strain)
+    warn(cards.first, "mid", "none of the criteria counts: nothing is eroded", "give one, or remove the keyword");
+  else if (e.needed > count && !by_plastic_strain)
+    warn(cards.first, "ncs",
+         fmt::format("{} criteria must hold at once, but {} are given: nothing is eroded", e.needed, count),
+         "lower NCS");
+  if (e.time && b.model.control.relaxation.on())
+    warn(cards.second, "failtm", "the time of dynamic relaxation counts too", "erode in a run without relaxation");
+}
+
 void add_erosion(Builder& b, const Cards& cards) {
   const Index index = b.find(b.materials, "material", cards.first, "mid");
   if (index == none) return;
@@ -155,6 +210,7 @@ void add_erosion(Builder& b, const Cards& cards) {
                     "write NCS 1");
     law->failure_strain = law->failure_strain > 0.0 ? std::min(law->failure_strain, -*strain) : -*strain;
   }
+  complain_of_idle(b, cards, *law);
   law->points_to_delete = points_to_delete(cards.first.real("numfip"));
   material.law = compound(std::move(*law));
 }

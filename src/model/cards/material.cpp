@@ -248,6 +248,17 @@ std::optional<kernel::PlasticDamage> plastic_damage(Builder& b, const Row& onset
   if (const Index curve = b.curve(row, "lcdm"); curve != none) {
     if (rupture > 0.0)
       refuse(b, row, "lcdm", "a damage curve together with EPPFR is not supported", "give the onset and LCDM only");
+    const Curve& growth = b.model.curves[static_cast<std::size_t>(curve)];
+    if (growth.x.front() < 0.0 || growth.y.front() < 0.0 || !std::is_sorted(growth.y.begin(), growth.y.end()))
+      refuse(b, row, "lcdm",
+             fmt::format("curve {} is not a damage that grows from 0 over the strain beyond its onset", growth.id),
+             "give damage from 0 to 1 over plastic strain, from strain 0 on");
+    else if (growth.y.back() < 1.0)
+      row.complain(b.findings, Severity::warning, "lcdm",
+                   fmt::format("the damage ends at {:g}: nothing fails", growth.y.back()), "let it end at 1");
+    else if (growth.y.front() > 0.0)
+      row.complain(b.findings, Severity::warning, "lcdm",
+                   fmt::format("the damage leaps to {:g} at its onset", growth.y.front()), "let it begin at 0");
     return kernel::PlasticDamage{onset, 0.0, b.model.curves[static_cast<std::size_t>(curve)]};
   }
   if (rupture > 0.0) {

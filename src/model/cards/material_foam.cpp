@@ -28,6 +28,33 @@ void set_foam(Builder& b, Index material, kernel::Composition law) {
   b.model.materials[static_cast<std::size_t>(material)].law = compound(std::move(law));
 }
 
+/// A foam's curve over the amount of compression: its yield stress, or with `from_zero` its stress.
+void check_compression(Builder& b, const Row& row, std::string_view field, const Curve& curve, bool from_zero) {
+  const auto warn = [&](std::string text, const char* remedy) {
+    row.complain(b.findings, Severity::warning, field, fmt::format("curve {}: {}", curve.id, text), remedy);
+  };
+  const double at_rest = curve.extrapolated(0.0), most = *std::max_element(curve.y.begin(), curve.y.end());
+  if (from_zero && std::abs(at_rest) > 1e-9 * most)
+    warn(fmt::format("the stress leaps to {:g} as soon as there is a strain", at_rest), "let the curve begin at 0, 0");
+  for (std::size_t i = 0; i + 1 < curve.x.size(); ++i)
+    if (curve.x[i + 1] > 0.0 && curve.y[i + 1] < curve.y[i]) {
+      warn(fmt::format("it falls behind {:g}: elements give way one after the other, which depends on the mesh",
+                       curve.x[i]),
+           "give a curve that rises to its end");
+      break;
+    }
+  if (curve.x.size() > 1 && curve.x.back() < 1.0 && curve.slope(curve.x.back()) < 0.0)
+    refuse(b, row, field, fmt::format("curve {}: its last slope, which goes on, is below 0", curve.id),
+           "end the curve with the steep rise of the compacted foam");
+}
+
+/// Whether a stress over the amount of compression is below 0 there.
+bool pulls(const Curve& curve) {
+  for (std::size_t i = 0; i < curve.x.size(); ++i)
+    if (curve.x[i] > 0.0 && curve.y[i] < 0.0) return true;
+  return false;
+}
+
 // ---- 057
 
 const Card low_density_foam_card{{
@@ -57,9 +84,11 @@ void set_low_density_foam(Builder& b, Index material, const Row& row, const Row&
   kernel::LowDensityFoam flow;
   flow.E = row.real("e");
   flow.compression = b.model.curves[static_cast<std::size_t>(curve)];
-  if (flow.compression.x.front() < 0.0 || flow.compression.y.front() < 0.0 || flow.compression.x.size() < 2)
+  if (flow.compression.x.front() < 0.0 || flow.compression.y.front() < 0.0 || flow.compression.x.size() < 2 ||
+      pulls(flow.compression))
     return refuse(b, row, "lcid", "the curve must begin at strain 0, positive in compression",
                   "give nominal stress over nominal strain of compression");
+  check_compression(b, row, "lcid", flow.compression, true);
   flow.cutoff = row.real("tc");
   flow.tears = unloading.real("fail") == 1.0;
   flow.unloading = row.real("hu");
@@ -108,7 +137,10 @@ void set_crushable_foam(Builder& b, Index material, const Row& row) {
                   "end the curve with the steep rise of the compacted foam");
   if (*std::min_element(flow.yield.y.begin(), flow.yield.y.end()) < 0.0)
     return refuse(b, row, "lcid", "a yield stress is below 0", "give the curve positive in compression");
+  check_compression(b, row, "lcid", flow.yield, false);
   flow.cutoff = row.real("tsc");
+  if (flow.cutoff == 0.0)
+    row.complain(b.findings, Severity::warning, "tsc", "no tension is borne at all", "give the tensile strength");
   flow.damping = row.real("damp");
   set_foam(b, material, {flow});
 }
@@ -189,6 +221,12 @@ bool set_table(Builder& b, const Row& row, kernel::RateFoam& flow) {
              "give nominal stress over nominal strain of compression; with TFLAG 1 negative strains are tension");
       return false;
     }
+    if (pulls(curve)) {
+      refuse(b, row, "tbid", fmt::format("curve {} pulls while it is compressed", curve.id),
+             "give nominal stress over nominal strain, both positive in compression");
+      return false;
+    }
+    check_compression(b, row, "tbid", curve, true);
   }
   if (flow.rates.front() < 0.0) {
     refuse(b, row, "tbid", "a rate of the table is below 0", "give the rates themselves, not their logarithms");

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
@@ -253,10 +256,20 @@ void fill_elastoplastic(Builder& b, const Row& row, kernel::Spring& spring) {
   spring.law = law;
 }
 
+/// Warns of a curve for both signs that does not go through 0, 0.
+void complain_of_leap(Builder& b, const Row& row, std::string_view field, const kernel::ForceCurve& force) {
+  const double leap = force(1e-300);
+  if (force.empty() || force(-1e-300) != -leap || std::abs(leap) <= 1e-9 * force.largest()) return;
+  row.complain(b.findings, Severity::warning, field,
+               fmt::format("the curve holds for both signs: at 0 the force leaps from {:g} to {:g}", -leap, leap),
+               "let the curve begin at 0, 0, or give both sides");
+}
+
 void fill_nonlinear(Builder& b, const Row& row, kernel::Spring& spring) {
   kernel::DiscreteSpring law;
   law.kind = Kind::elastic;
   law.load = force_curve(b, row, "lcd");
+  complain_of_leap(b, row, "lcd", law.load);
   law.rate_scale = force_curve(b, row, "lcr");
   spring.law = law;
 }
@@ -264,7 +277,27 @@ void fill_nonlinear(Builder& b, const Row& row, kernel::Spring& spring) {
 void fill_nonlinear_viscous(Builder& b, const Row& row, kernel::Spring& spring) {
   kernel::DiscreteSpring law;
   law.damper = force_curve(b, row, "lcdr");
+  complain_of_leap(b, row, "lcdr", law.damper);
+  for (const double v : curve_of(b, row, "lcdr").x)
+    if (v * law.damper(v) < 0.0) {
+      row.complain(b.findings, Severity::warning, "lcdr",
+                   fmt::format("at a rate of {:g} the force drives the motion: the damper makes energy", v),
+                   "give forces of the sign of their rate");
+      break;
+    }
   spring.law = law;
+}
+
+/// A yield force from which the way back along the unloading curve is longer than the way there was.
+std::optional<double> too_soft_unloading(const kernel::ReversingSpring& law) {
+  std::vector<double> forces = law.load.y;
+  forces.insert(forces.end(), {law.tension_yield, law.compression_yield});
+  for (const double force : forces) {
+    if (force == 0.0 || (force < law.tension_yield && force > law.compression_yield)) continue;
+    const auto way = [&](const Curve& curve) { return kernel::ReversingSpring::reach(curve, 0.0, force, force > 0.0); };
+    if (std::abs(way(law.unload)) > (1.0 + 1e-9) * std::abs(way(law.load))) return force;
+  }
+  return std::nullopt;
 }
 
 void fill_reversing(Builder& b, const Row& row, kernel::Spring& spring) {
@@ -290,6 +323,10 @@ void fill_reversing(Builder& b, const Row& row, kernel::Spring& spring) {
   if (law.isotropic && !rises(law.load))
     refuse(b, row, "lcdl", "with isotropic hardening the loading curve must rise from each point to the next",
            "write BETA 0 for a curve that softens");
+  if (const std::optional<double> force = too_soft_unloading(law); force)
+    row.complain(b.findings, Severity::warning, "lcdu",
+                 fmt::format("unloaded from {:g} the spring gives back more energy than loading took", *force),
+                 "make the unloading curve at least as steep as the loading curve");
 }
 
 void fill_maxwell(Builder& b, const Row& row, kernel::Spring& spring) {
@@ -308,6 +345,7 @@ void fill_inelastic(Builder& b, const Row& row, kernel::Spring& spring) {
   law.load = force_curve(b, row, "lcfd");
   law.unloading = std::max(row.real("ku"), law.load.steepest());
   law.tension = row.real("ctf") == -1.0;
+  if (std::abs(row.real("ctf")) != 1.0) refuse(b, row, "ctf", "expected -1 or 1");
   spring.law = law;
   const Curve c = curve_of(b, row, "lcfd");
   if (!c.empty() && (c.x.front() < 0.0 || law.load.lowest() < 0.0))

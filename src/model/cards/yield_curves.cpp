@@ -142,6 +142,17 @@ YieldTable yield_table(Builder& b, const Row& row, std::string_view field, int i
     if (!curve.empty() && *std::min_element(curve.y.begin(), curve.y.end()) <= 0.0)
       refuse(b, row, field, fmt::format("curve {} has a yield stress that is not above 0", curve.id),
              "give the true yield stress over plastic strain, from strain 0 on");
+    if (curve.x.size() < 2) continue;
+    if (curve.x.front() != 0.0)
+      row.complain(b.findings, Severity::warning, field,
+                   fmt::format("curve {} begins at a plastic strain of {:g}: {}", curve.id, curve.x.front(),
+                               curve.x.front() > 0.0 ? "before it the yield stress is its first"
+                                                     : "what lies below 0 has no effect"),
+                   "begin it at plastic strain 0");
+    if (!std::is_sorted(curve.y.begin(), curve.y.end()))
+      row.complain(b.findings, Severity::warning, field,
+                   fmt::format("curve {} falls: results depend on the size of the elements there", curve.id),
+                   "let it rise, and say by a failure strain or damage where the sheet ends");
   }
   return y;
 }

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Cards of material laws and springs that cannot mean what they say are refused or warned of by their field; criteria of erosion and stops
+act as they are documented."""
+import json
+import unittest
+
+import lsda
+from nugget_command import CommandTest
+
+CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+
+
+def card(*values):
+    return "".join(f"{value:>10}" for value in values) + "\n"
+
+
+def curve(number, *points):
+    return "*DEFINE_CURVE\n" + card(number) + "".join(f"{x:20}{y:20}\n" for x, y in points)
+
+
+FOAM = ((0, 0), (0.05, 0.1), (0.5, 0.15), (0.9, 0.95))
+STEEL = "*MAT_001\n" + card(1, 7.85e-9, 210000.0, 0.3)
+
+
+class LawCards(CommandTest):
+    def brick(self, material, speed=0.0, extra=""):
+        """A cube of 1 mm, its right side moved along x, all else held."""
+        nodes = "".join(f"{i + 1:8}{x:16}{y:16}{z:16}\n" for i, (x, y, z) in enumerate(CORNERS))
+        motion = curve(99, (0, 1), (1, 1)) + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + "".join(
+            card(i + 1, 1, 0, 99, speed if CORNERS[i][0] else 0.0) + card(i + 1, 2, 0, 99, 0.0) + card(i + 1, 3, 0, 99, 0.0)
+            for i in range(8))
+        return ("*KEYWORD\n" + material + "*SECTION_SOLID\n" + card(1, 1) + "*PART\n\n" + card(1, 1, 1) + "*NODE\n" + nodes
+                + "*ELEMENT_SOLID\n" + "".join(f"{i:8}" for i in (1, 1, *range(1, 9))) + "\n" + motion
+                + "*CONTROL_TERMINATION\n" + card(1e-5) + "*DATABASE_GLSTAT\n" + card(1e-6, 2) + extra + "*END\n")
+
+    def spring(self, material, section="", extra=""):
+        return ("*KEYWORD\n" + material + "*SECTION_DISCRETE\n" + card(1, 0) + section + "\n" * (not section) + "*PART\n\n" + card(1, 1, 1)
+                + "*NODE\n" + f"{1:8}{0.0:16}{0.0:16}{0.0:16}\n{2:8}{10.0:16}{0.0:16}{0.0:16}\n"
+                + "*ELEMENT_MASS\n" + f"{1:8}{1:8}{1e-3:16}\n{2:8}{2:8}{1e-3:16}\n"
+                + "*ELEMENT_DISCRETE\n" + f"{1:8}{1:8}{1:8}{2:8}\n" + "*CONTROL_TERMINATION\n" + card(0.1)
+                + "*DATABASE_GLSTAT\n" + card(1e-3, 2) + extra + "*END\n")
+
+    def findings(self, deck, refused=False):
+        self.write(deck)
+        self.nugget("check", "model.k", expect=1 if refused else 0)
+        return [f for f in json.loads(self.read("findings.json")) if f["severity"] == ("error" if refused else "warning")]
+
+    def expect(self, deck, field, words, refused=False):
+        found = self.findings(deck, refused)
+        self.assertTrue(any(f["field"].lower() == field and words in f["text"] and f["line"] for f in found), (field, words, found))
+
+    def low_density(self, *points):
+        return self.brick("*MAT_057\n" + card(1, 5e-11, 2.0, 7) + "\n" + curve(7, *points))
+
+    def test_foams_and_rubbers_have_no_usual_units(self):
+        """A foam of 2 MPa and 50 kg/m3 is what it is. Sabotage: the range of metals and plastics for all."""
+        self.assertEqual(self.findings(self.low_density(*FOAM)), [])
+        self.assertEqual(self.findings(self.brick("*MAT_027\n" + card(1, 1.2e-9, 0.49, 0.8, 0.2) + "\n")), [])
+
+    def test_curves_of_foam(self):
+        self.expect(self.low_density((0.05, 0.1), (0.5, 0.15), (0.9, 0.95)), "lcid", "leaps to 0.1")
+        self.expect(self.low_density((0, 0), (0.05, 0.1), (0.5, 0.05), (0.9, 0.95)), "lcid", "falls behind 0.05")
+        self.expect(self.low_density((0, 0), (0.05, 0.1), (0.9, 0.05)), "lcid", "last slope", refused=True)
+        self.expect(self.low_density((0, 0), (0.05, -0.1), (0.9, 0.05)), "lcid", "positive in compression", refused=True)
+        crushable = "*MAT_063\n" + card(1, 5e-11, 2.0, 0, 7, 0.0) + curve(7, (0, 0), (0.5, 0.2))
+        self.expect(self.brick(crushable), "tsc", "no tension")
+        by_rate = "*MAT_083\n" + card(1, 5e-11, 2.0, "", "", "", "", 7) + "\n\n\n\n"
+        self.expect(self.brick(by_rate + curve(7, (0, 0), (0.05, 0.1), (0.9, -0.9))), "tbid", "pulls", refused=True)
+
+    def test_curves_of_metals(self):
+        plastic = "*MAT_024\n" + card(1, 7.85e-9, 210000.0, 0.3) + card("", "", 7) + "\n\n"
+        self.expect(self.brick(plastic + curve(7, (0, 300), (0.2, 100))), "lcss", "falls")
+        self.expect(self.brick(plastic + curve(7, (0.1, 300), (0.2, 400))), "lcss", "begins at a plastic strain of 0.1")
+        damage = "*MAT_081\n" + card(1, 7.85e-9, 210000.0, 0.3, 300.0, "", 0.2) + card(*[""] * 6, 8) + "\n\n"
+        self.expect(self.brick(damage + curve(8, (-1, 0), (0.1, 1))), "lcdm", "grows from 0", refused=True)
+        self.expect(self.brick(damage + curve(8, (0, 0), (0.1, 0.5))), "lcdm", "nothing fails")
+        self.expect(self.brick(damage + curve(8, (0, 0.5), (0.1, 1))), "lcdm", "leaps to 0.5")
+
+    def test_criteria_that_never_or_always_hold(self):
+        for first, second, field, words in ((("",), (), "mid", "none of the criteria"),
+                                            (("", "", "", -0.1), (), "effeps", "plastic strain"),
+                                            (("", "", 0.1), (), "mneps", "first cycle"),
+                                            (("", -5.0), (), "mxpres", "first cycle"),
+                                            (("",), (5.0,), "mnpres", "first cycle"),
+                                            (("",), ("", "", "", 0.1, "", 100.0), "sigth", "IMPULSE"),
+                                            (("", "", "", "", "", "", 3), ("", "", "", 0.1), "ncs", "nothing is eroded")):
+            with self.subTest(field=field):
+                self.expect(self.brick(STEEL + "*MAT_ADD_EROSION\n" + card(1, *first) + card(*second)), field, words)
+        thinning = STEEL + "*MAT_ADD_EROSION\n" + card(1) + "\n\n" + card("", "", 0.1)
+        self.expect(self.brick(thinning), "mid", "no effect in this part's solids")
+
+    def test_no_tension_by_excl(self):
+        """EXCL 1234 and MNPRES 0, as LS-DYNA's manual writes it: pressed, the cube bears its stress; pulled, it is gone at once. Sabotage: a
+        pressure of 0 counts as fallen to 0."""
+        erosion = "*MAT_ADD_EROSION\n" + card(1, *[1234.0] * 5) + card(0.0, *[1234.0] * 7)
+        written = "*DATABASE_ELOUT\n" + card(1e-6, 2) + "*DATABASE_HISTORY_SOLID\n" + card(1)
+        modulus = 210000.0 * 0.7 / (1.3 * 0.4)
+        for speed, stress in ((-100.0, -modulus * 1e-3), (100.0, 0.0)):
+            with self.subTest(speed=speed):
+                deck = self.brick(STEEL + erosion, speed, written)
+                self.assertEqual(self.findings(deck), [])
+                self.nugget("run", "model.k", "--quiet")
+                records = lsda.read(self.folder / "binout0000")
+                last = max(name for name in records if name.startswith("elout/solid/d") and name.endswith("/sig_xx"))
+                self.assertAlmostEqual(records[last][0], stress, delta=0.02 * modulus * 1e-3)  # the last step goes beyond the end
+
+    def test_springs(self):
+        self.expect(self.spring("*MAT_S04\n" + card(1, 5) + curve(5, (0, 10), (1, 20))), "lcd", "leaps from -10 to 10")
+        self.expect(self.spring("*MAT_S04\n" + card(1, 5) + curve(5, (0.5, 0), (1, 20))), "lcd", "leaps from 20 to -20")
+        self.expect(self.spring("*MAT_S05\n" + card(1, 5) + curve(5, (-1, 20), (0, 0), (1, -20))), "lcdr", "makes energy")
+        load = curve(5, (-1, -10), (0, 0), (1, 10))
+        self.expect(self.spring("*MAT_S06\n" + card(1, 5, 6, 0, 5.0, -5.0) + load + curve(6, (-1, -5), (0, 0), (1, 5))), "lcdu",
+                    "more energy")
+        for rise in (10, 20):
+            stiff = curve(6, (-1, -rise), (0, 0), (1, rise))
+            self.assertEqual(self.findings(self.spring("*MAT_S06\n" + card(1, 5, 6, 0, 5.0, -5.0) + load + stiff)), [])
+        self.expect(self.spring("*MAT_S08\n" + card(1, 5, 100.0, 0.5) + curve(5, (0, 0), (1, 20))), "ctf", "-1 or 1", refused=True)
+
+    def test_a_stop_at_a_node_that_is_held(self):
+        """A mass of 1e-3 at 100 mm/s runs into a stop: it stands, and its energy is the spring's. Sabotage: the held node moves too."""
+        held = "*BOUNDARY_SPC_NODE\n" + card(1, 0, 1, 1, 1, 1, 1, 1) + "*INITIAL_VELOCITY_NODE\n" + card(2, 100.0)
+        step = curve(90, (0, 1e-4), (1, 1e-4)) + "*CONTROL_TIMESTEP\n" + card(0, 0.9, 0, 0, 0, 90)
+        self.write(self.spring("*MAT_S01\n" + card(1, 0.1), card(1.0, 1.0), held + step))
+        self.nugget("run", "model.k", "--quiet")
+        states = lsda.states(lsda.read(self.folder / "binout0000"), "glstat")
+        after = next(s for s in states if s["time"][0] >= 0.012)
+        self.assertAlmostEqual(after["energy_ratio"][0], 1.0, delta=2e-4)
+        self.assertLess(after["kinetic_energy"][0], 1e-3)
+        self.assertAlmostEqual(after["spring_and_damper_energy"][0], 5.0, delta=0.01)
+
+    def test_a_stop_at_a_node_that_is_driven(self):
+        driven = ("*BOUNDARY_SPC_NODE\n" + card(1, 0, 1, 1, 1) + curve(9, (0, 0), (1, 1)) + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n"
+                  + card(2, 1, 2, 9, 1.0))
+        self.write(self.spring("*MAT_S01\n" + card(1, 0.1), card(1.0, 1.0), driven))
+        run = self.nugget("run", "model.k", "--quiet", expect=1)
+        self.assertIn("motion and stop would contradict", run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
