@@ -340,8 +340,8 @@ output::AbstatState abstat_state(const Snapshot& now) {
     } else {
       row.internal_energy = -volume.work;
     }
-    row.surface_area =
-        surface_area(source.segments, [&](model::Index n) { return vec(now.state.x[at(now.system.node_of[at(n)])]); });
+    row.surface_area = model::surface_area(
+        source.segments, [&](model::Index n) { return vec(now.state.x[at(now.system.node_of[at(n)])]); });
     s.rows.push_back(row);
   }
   return s;
