@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Results in axes of their own, at times of their own, and their sums, of decks of a few elements against closed forms."""
+"""Results in axes of their own, at times of their own, and their sums: decks of a few elements against closed forms."""
 import math
 import unittest
 
@@ -84,7 +84,7 @@ class Axes(CommandTest):
         for node, (a, b) in enumerate(flat, 1):
             ua, ub = 0.1 * a, -0.05 * b  # times the curve's 1e-3
             for dof, u in ((1, c * ua - s * ub), (2, s * ua + c * ub)):
-                moves += card(node, dof, 2, 1, number(u))
+                moves += card(node, dof, 2, 1, number(u) if u else "1e-20")  # 0 stands for 1
         self.run_deck(nodes([(c * a - s * b, s * a + c * b, 0.0) for a, b in flat]), shell, part(1),
                       "*SECTION_SHELL\n", card(1, 2, 1.0, 2), card(2.0, 2.0, 2.0, 2.0), material,
                       moves, curve(1, (0.0, 0.0), (1e-3, 1e-3), (1.0, 1e-3)), "*CONTROL_TERMINATION\n", card(2e-3),
@@ -110,9 +110,8 @@ class Axes(CommandTest):
         found = lsda.read(self.folder / "binout0000")
         self.assertEqual(found["elout/shell/metadata/system"], "local ")
         cells = self.d3plot()["states"][-1]["blocks"][0]["cell_arrays"]
-        resultants = {name: rows[0][0] if isinstance(rows[0], list) else rows[0] for name, rows in cells.items()
-                      if "ormal" in name or "Nx" in name or "N_" in name}
-        self.assertTrue(any(abs(v - 2.0 * a) < 1e-4 for v in resultants.values()), (sorted(cells), resultants))
+        # Mx My Mxy Qx Qy Nx Ny Nxy, LSTC's document says; VTK takes the first three for the normal forces.
+        self.close(cells["BendingResultant"][0], [2.0 * a, 2.0 * b, 0.0], 4e-5)
 
     def test_elout_in_global_axes(self):
         """EOCS 2. Sabotage: the option is not read."""
