@@ -33,7 +33,7 @@ void Loads::Pressure::archive(Archive& a) {
 }
 
 void Loads::Volume::archive(Archive& a) {
-  a(at_start, volume, pressure, preload_over, last);
+  a(at_start, volume, pressure, relative_pressure, work, preload_over, last);
   a.built(source);
 }
 
@@ -64,7 +64,7 @@ void Damping::Deforming::archive(Archive& a) {
 
 void Damping::archive(Archive& a) {
   a(range_, deforming_, force_, moment_, last_force_, last_moment_, energy_);
-  a.built(system_, mass_, deform_, relative_, stiff_groups_, rate_force_, rate_moment_);
+  a.built(system_, mass_, deform_, relative_, stiff_groups_, rate_force_, rate_moment_, end_of_step_);
 }
 
 void ElementAlive::archive(Archive& a) {
@@ -187,11 +187,11 @@ void Simulation::archive(Archive& a) {
   a.section("welds");
   a(welds_, rigid_welds_, rivets_, connectors_, tie_forces_, tie_ends_, joints_);
   a.section("results");
-  a(strains_, nodal_forces_, energy_, parts_, controlling_);
+  a(strains_, nodal_forces_, accelerometers_, energy_, parts_, controlling_);
   a(masses_.physical, masses_.added, masses_.added_to_welds, masses_.added_by_part);
   a(inverse_mass_, inverse_inertia_, contact_mass_, dependent_);
-  a(diverged_, relaxation_, relaxation_work_, step_change_, power_on_change_, first_step_, smallest_step_,
-    bearable_step_, longest_step_, smallest_by_, seconds_, solve_seconds_);
+  a(diverged_, relaxation_, step_change_, power_on_change_, first_step_, smallest_step_, bearable_step_, longest_step_,
+    smallest_by_, seconds_, solve_seconds_);
   a.built(stopped_springs_, v_before_, w_before_, momentum_before_, block_power_, stop_asked_, kept_cycle_, kept_time_,
           kept_seconds_, begin_, charged_);
 }

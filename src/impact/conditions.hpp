@@ -30,6 +30,12 @@ class Supports {
   /// Books the opening half, with the velocities that `prescribe` left.
   void open_step(double dt);
   double work() const { return work_; }
+  /// What was done so far counts no longer: the run begins after a relaxation.
+  void forget_work() {
+    work_ = 0.0;
+    for (std::vector<Reaction>* reactions : {&spc_, &motion_})
+      for (Reaction& r : *reactions) r.energy = 0.0;
+  }
   /// Sum over what is held of the other forces times what the last `prescribe` changed in the velocities [power].
   double power_on_change() const { return power_on_change_; }
 
@@ -89,6 +95,8 @@ class Loads {
   /// (velocities of that step in `state`, length `dt`; 0 at the start).
   void apply(system::State& state, double dt);
   double work() const { return work_; }
+  /// As that of the supports; the gas in volumes keeps what it has given.
+  void forget_work() { work_ = 0.0; }
   /// Takes the masses that body loads act on from the system, of what mass scaling added the share EMSCL: to be called
   /// when they have changed.
   void weigh();
@@ -98,6 +106,8 @@ class Loads {
     const model::ControlVolume* source = nullptr;
     double at_start = 0.0, volume = 0.0;  ///< times VSCA
     double pressure = 0.0;                ///< on the faces
+    double relative_pressure = 1.0;       ///< of an adiabatic gas: absolute pressure over that at the start
+    double work = 0.0;                    ///< done on the faces so far
     bool preload_over = false;
     std::vector<Vec3d> last;  ///< as of a pressure
     void archive(Archive& a);

@@ -78,6 +78,8 @@ CrossSections::Area CrossSections::area(const Section& section, const Snapshot& 
 
 Frame3d CrossSections::axes(const model::CrossSection& card, const Snapshot& now) const {
   if (card.system != model::none) return axes_now(system_, now.state, card.system);
+  if (card.accelerometer != model::none)
+    return accelerometer_axes(system_, now.state, system_.model.accelerometers[at(card.accelerometer)]);
   if (card.rigid_body == model::none) return card.axes;
   // The body's own axes were the global ones at time 0.
   const Frame3d& turned = system_.bodies[at(system_.body_of[at(card.rigid_body)])].axes;
@@ -102,6 +104,9 @@ output::SecforcState CrossSections::state(const Snapshot& now) const {
     if (card.system != model::none) {
       row.axes = output::SectionAxes::system;
       row.axes_id = system_.model.systems[at(card.system)].id;
+    } else if (card.accelerometer != model::none) {
+      row.axes = output::SectionAxes::accelerometer;
+      row.axes_id = system_.model.accelerometers[at(card.accelerometer)].id;
     } else if (card.rigid_body != model::none) {
       row.axes = output::SectionAxes::rigid_body;
       row.axes_id = system_.model.rigid_bodies[at(card.rigid_body)].id;

@@ -31,8 +31,11 @@ void fill_shells(const Snapshot& now, output::D3plotState& s) {
       s.shell_alive[e] = group->alive(i);
       if (!model.requests.strains) continue;
       const Strains::Faces faces = now.strains.shell(e, now.state);
-      shell.inner_strain = faces.lower;
-      shell.outer_strain = faces.upper;
+      const auto axes = [&](int layer, const Strains::Tensor& strain) {
+        return output::by_cmpflg(model, *group, i, layer, now.state, strain);
+      };
+      shell.inner_strain = axes(0, faces.lower);
+      shell.outer_strain = axes(group->layers() - 1, faces.upper);
     }
   });
 }
@@ -44,7 +47,7 @@ void fill_solids(const Snapshot& now, output::D3plotState& s) {
     const system::System::Seat seat = now.system.solid_seat[e];
     const system::ElementGroup* group = group_of(now, seat);
     if (group == nullptr) continue;
-    s.solids[e].strain = now.strains.solid(e);
+    s.solids[e].strain = output::by_cmpflg(model, *group, at(seat.element), 0, now.state, now.strains.solid(e));
     s.solid_alive[e] = group->alive(at(seat.element));
   }
 }

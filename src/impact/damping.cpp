@@ -175,7 +175,14 @@ void Damping::apply(system::State& state, double dt) {
   for (ByRange& d : range_) add(d, state, dt);
   for (Deforming& d : deforming_) add(d, state, dt);
   for (const Relative& d : relative_) add(d, state);
-  if (!stiff_groups_.empty()) add_stiffness(state);
+  if (!stiff_groups_.empty()) {
+    // In the middle of the step the velocities, which are chords, of a steady turning strain nothing; at its end they
+    // would stretch, by dt/2 times the centripetal acceleration.
+    end_of_step_ = state.x;
+    for (std::size_t k = 0; k < state.x.size(); ++k) nugget::add(state.x[k], -0.5 * dt * vec(state.v[k]));
+    add_stiffness(state);
+    state.x.swap(end_of_step_);
+  }
   energy_ -= 0.5 * dt * ordered_sum(force_.size(), [&](std::size_t k) {
                return dot(vec(last_force_[k]) + vec(force_[k]), vec(state.v[k])) +
                       dot(vec(last_moment_[k]) + vec(moment_[k]), vec(state.w[k]));

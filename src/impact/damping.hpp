@@ -34,6 +34,11 @@ class Damping {
   /// (velocities of that step in `state`, length `dt`; 0 at the start).
   void apply(system::State& state, double dt);
   double energy() const { return energy_; }
+  /// Before the first `apply` of a relaxation, or of the run after it: velocities begin anew, and so does the energy.
+  void begin_anew() {
+    energy_ = 0.0;
+    for (ByRange& d : range_) d.started = false;
+  }
 
   void archive(Archive& a);
 
@@ -93,6 +98,7 @@ class Damping {
   std::vector<int> stiff_groups_;
   std::vector<Row> force_, moment_, last_force_, last_moment_;  ///< by node, bodies included; empty without damping
   std::vector<Row> rate_force_, rate_moment_;                   ///< of one group
+  std::vector<Row> end_of_step_;  ///< places, while those in the middle of the step stand in the state
   double energy_ = 0.0;
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/index.hpp"
+#include "output/element_stresses.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -22,6 +23,45 @@ output::EloutPoint point(const system::ElementGroup& group, std::size_t e, int l
   if (!group.alive(e)) return {};
   const system::ElementGroup::Layer l = group.layer(e, layer, now.state);
   return {l.stress, l.plastic_strain};
+}
+
+output::EloutSolid solid(const Snapshot& now, model::Index index, const system::ElementGroup& group, std::size_t e) {
+  const model::Model& model = now.system.model;
+  const auto turned = [&](const output::Tensor& t) { return output::by_cmpflg(model, group, e, 0, now.state, t); };
+  output::EloutSolid row{model.solids.id[at(index)], model.parts[at(group.part)].id, point(group, e, 0, now),
+                         turned(now.strains.solid(at(index)))};
+  row.point.stress = turned(row.point.stress);
+  return row;
+}
+
+/// Axes of a layer of a shell as EOCS wants them; nothing: the global ones.
+std::optional<Frame3d> axes_of_layer(const Snapshot& now, const system::ElementGroup& group, std::size_t e, int layer) {
+  using enum model::Requests::ShellAxes;
+  const model::Requests& ask = now.system.model.requests;
+  if (ask.shell_axes == global) return {};
+  if (ask.shell_axes == standard && ask.material_axes)
+    if (const auto axes = group.material_axes(e, layer, now.state)) return axes;
+  return output::shell_axes(now.system, group, e, now.state);
+}
+
+output::EloutShell shell(const Snapshot& now, model::Index index, const system::ElementGroup& group, std::size_t e) {
+  const model::Model& model = now.system.model;
+  output::EloutShell row;
+  row.id = model.shells.id[at(index)];
+  row.part = model.parts[at(group.part)].id;
+  const auto turn = [&](output::Tensor& tensor, int layer) {
+    if (const auto axes = axes_of_layer(now, group, e, layer)) tensor = output::along(*axes, tensor);
+  };
+  for (int k = 0; k < group.layers(); ++k) {
+    row.layers.push_back(point(group, e, k, now));
+    turn(row.layers.back().stress, k);
+  }
+  const Strains::Faces faces = now.strains.shell(at(index), now.state);
+  row.lower_strain = faces.lower;
+  row.upper_strain = faces.upper;
+  turn(row.lower_strain, 0);
+  turn(row.upper_strain, group.layers() - 1);
+  return row;
 }
 
 /// LS-DYNA's number of the laws that beams can have; 0 where this table does not know it.
@@ -73,11 +113,11 @@ output::EloutState elout_state(const Snapshot& now) {
   s.cycle = now.state.cycle + 1;  // LS-DYNA counts from 1
   s.time = now.state.time;
   s.strains = model.requests.strains;
+  s.local_shells = model.requests.shell_axes != model::Requests::ShellAxes::global;
   for (const model::NamedEntity& entity : model.requests.history_solids) {
     const auto [group, e] = find(now, now.system.solid_seat, entity.index);
     if (group == nullptr) continue;
-    s.solids.push_back({model.solids.id[at(entity.index)], model.parts[at(group->part)].id, point(*group, e, 0, now),
-                        now.strains.solid(at(entity.index))});
+    s.solids.push_back(solid(now, entity.index, *group, e));
   }
   for (const model::NamedEntity& entity : model.requests.history_beams) {
     const auto [group, e] = find(now, now.system.beam_seat, entity.index);
@@ -86,14 +126,7 @@ output::EloutState elout_state(const Snapshot& now) {
   for (const model::NamedEntity& entity : model.requests.history_shells) {
     const auto [group, e] = find(now, now.system.shell_seat, entity.index);
     if (group == nullptr) continue;
-    output::EloutShell shell;
-    shell.id = model.shells.id[at(entity.index)];
-    shell.part = model.parts[at(group->part)].id;
-    for (int k = 0; k < group->layers(); ++k) shell.layers.push_back(point(*group, e, k, now));
-    const Strains::Faces faces = now.strains.shell(at(entity.index), now.state);
-    shell.lower_strain = faces.lower;
-    shell.upper_strain = faces.upper;
-    s.shells.push_back(std::move(shell));
+    s.shells.push_back(shell(now, entity.index, *group, e));
   }
   return s;
 }

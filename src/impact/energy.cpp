@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "impact/energy.hpp"
 
+#include "base/index.hpp"
 #include "base/parallel.hpp"
+#include "model/axes.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -15,6 +17,65 @@ double share_of_kick(const system::State& state) {
 Vec3d between(const Vec3d& before, const Vec3d& after, double share) {
   return before + share * (after - before);
 }
+
+/// Kinetic energy of a body's turning; `w` and `momentum` at t(n-1/2), those of `state` and `body` at t(n+1/2).
+double turning(const system::RigidBody& body, const system::State& state, const Vec3d& w, const Vec3d& momentum,
+               double share) {
+  return 0.25 * (dot(w, between(momentum, body.angular_momentum, share)) +
+                 dot(momentum, between(w, vec(state.w[at(body.node)]), share)));
+}
+
+/// What hands nodal masses to parts: kinetic energy and momentum.
+struct Carrier {
+  const system::System& system;
+  const system::State& state;
+  std::span<const Row> v_before, w_before;
+  double share;
+  std::vector<char> weightless;  ///< by node: its body's mass is given
+
+  Carrier(const system::System& s, const system::State& now, std::span<const Row> v, std::span<const Row> w)
+      : system(s), state(now), v_before(v), w_before(w), share(share_of_kick(now)), weightless(s.all_nodes(), 0) {
+    for (const system::RigidBody& body : s.bodies) {
+      const model::RigidBody& source = s.model.rigid_bodies[at(body.source)];
+      if (!source.given) continue;
+      for (const model::Index n : source.nodes) weightless[at(s.node_of[at(n)])] = 1;
+    }
+  }
+
+  /// A tied node's mass is, as in the equations of motion, that of the nodes which it follows.
+  void carry(PartEnergy& part, int node, double m, double inertia) const {
+    const auto k = at(node);
+    if (weightless[k]) return;
+    if (system.map.dependent(node) && at(system.map.terms(node).front().node) < system.nodes) {
+      for (const system::ConstraintMap::Term& t : system.map.terms(node))
+        carry(part, t.node, t.weight * m, t.weight * (inertia + m * dot(t.arm, t.arm)));
+      return;
+    }
+    const Vec3d before = vec(v_before[k]), after = vec(state.v[k]), spin = vec(w_before[k]);
+    part.kinetic += 0.5 * m * dot(before, between(before, after, share)) +
+                    0.5 * inertia * dot(spin, between(spin, vec(state.w[k]), share));
+    part.momentum += m * between(before, after, 0.5 * share);
+    part.mass += m;
+  }
+
+  /// Of a node the mean of the tensor counts, of a body's node all of it.
+  void carry(PartEnergy& part, const model::PointInertia& point) const {
+    const int node = system.node_of[at(point.node)];
+    const double mean = (point.inertia[0] + point.inertia[3] + point.inertia[5]) / 3.0;
+    carry(part, node, point.mass, mean);
+    if (weightless[at(node)] || !system.map.dependent(node)) return;
+    const auto body = at(system.map.terms(node).front().node);
+    if (body < system.nodes) return;
+    system::Inertia tensor = point.inertia;
+    for (const std::size_t i : {0u, 3u, 5u}) tensor[i] -= mean;
+    const Frame3d& axes = system.bodies[body - system.nodes].axes;
+    const Vec3d w = axes.local(vec(w_before[body])), after = axes.local(vec(state.w[body]));
+    const Vec3d x{tensor[0], tensor[1], tensor[2]}, y{tensor[1], tensor[3], tensor[4]},
+        z{tensor[2], tensor[4], tensor[5]};
+    const Vec3d mixed = between(w, after, share);
+    part.kinetic += 0.5 * dot(w, Vec3d{dot(x, mixed), dot(y, mixed), dot(z, mixed)});
+  }
+};
 
 }  // namespace
 
@@ -34,26 +95,35 @@ double kinetic_energy(const system::System& system, const system::State& state, 
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const system::RigidBody& body = system.bodies[b];
     const auto k = static_cast<std::size_t>(body.node);
-    const Vec3d v = vec(v_before[k]), w = vec(w_before[k]), momentum = momentum_before[b];
+    const Vec3d v = vec(v_before[k]);
     sum += 0.5 * body.mass * dot(v, between(v, vec(state.v[k]), share)) +
-           0.25 * (dot(w, between(momentum, body.angular_momentum, share)) +
-                   dot(momentum, between(w, vec(state.w[k]), share)));
+           turning(body, state, vec(w_before[k]), momentum_before[b], share);
   }
   return sum;
 }
 
 void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
-                      Energy& energy, std::vector<PartEnergy>& parts) {
-  energy.internal = energy.hourglass = energy.eroded = 0.0;
+                      std::span<const Row> w_before, std::span<const Vec3d> momentum_before, Energy& energy,
+                      std::vector<PartEnergy>& parts) {
+  energy.internal = energy.hourglass = energy.eroded = energy.lumped = 0.0;
   parts.assign(system.model.parts.size(), {});
-  const double share = share_of_kick(state);
-  const auto carry = [&](PartEnergy& part, int node, double m) {
-    const auto k = static_cast<std::size_t>(node);
-    const Vec3d before = vec(v_before[k]), after = vec(state.v[k]);
-    part.kinetic += 0.5 * m * dot(before, between(before, after, share));
-    part.momentum += m * between(before, after, 0.5 * share);
-    part.mass += m;
-  };
+  const Carrier carrier(system, state, v_before, w_before);
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const system::RigidBody& body = system.bodies[b];
+    const model::RigidBody& source = system.model.rigid_bodies[at(body.source)];
+    if (!source.given) continue;
+    const Vec3d v = vec(v_before[at(body.node)]), after = vec(state.v[at(body.node)]);
+    const double kinetic = 0.5 * body.mass * dot(v, between(v, after, carrier.share)) +
+                           turning(body, state, vec(w_before[at(body.node)]), momentum_before[b], carrier.share);
+    if (source.parts.empty()) {
+      energy.lumped += kinetic;
+      continue;
+    }
+    PartEnergy& part = parts[at(source.parts.front())];
+    part.kinetic += kinetic;
+    part.mass += body.mass;
+    part.momentum += body.mass * between(v, after, 0.5 * carrier.share);
+  }
   for (const auto& group : system.groups) {
     PartEnergy& part = parts[static_cast<std::size_t>(group->part)];
     for (std::size_t e = 0; e < group->size(); ++e) {
@@ -68,13 +138,19 @@ void element_energies(const system::System& system, const system::State& state, 
         energy.eroded += internal + hourglass;
       }
       const auto nodes = group->nodes(e);
+      const double scale = group->mass_scale(e), inertia = scale * group->nodal_inertia(e);
       for (int a = 0; a < group->nodes_per_element; ++a)
-        carry(part, nodes[static_cast<std::size_t>(a)], group->mass_scale(e) * group->nodal_mass(e, a));
+        carrier.carry(part, nodes[static_cast<std::size_t>(a)], scale * group->nodal_mass(e, a), inertia);
     }
   }
   for (const system::System::Lump& lump : system.lumps())
     for (int a = 0; a < lump.corners; ++a)
-      carry(parts[static_cast<std::size_t>(lump.part)], lump.node[static_cast<std::size_t>(a)], lump.nodal_mass(a));
+      carrier.carry(parts[static_cast<std::size_t>(lump.part)], lump.node[static_cast<std::size_t>(a)],
+                    lump.nodal_mass(a), lump.nodal_inertia);
+  PartEnergy points;
+  for (const model::PointMass& m : system.model.masses) carrier.carry(points, system.node_of[at(m.node)], m.mass, 0.0);
+  for (const model::PointInertia& p : system.model.inertias) carrier.carry(points, p);
+  energy.lumped += points.kinetic;
 }
 
 }  // namespace nugget::impact

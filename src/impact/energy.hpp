@@ -17,6 +17,7 @@ struct Energy {
   double wall = 0.0;     ///< taken out by rigid walls (stonewall energy)
   double damping = 0.0;
   double eroded = 0.0;    ///< internal and hourglass energy of deleted elements
+  double lumped = 0.0;    ///< share of `kinetic` that belongs to no part
   double external = 0.0;  ///< work of loads and supports
   double initial = 0.0;   ///< total at time 0
   /// What the kinetic energy lost because the time step changed (docs/decisions/0021); no work, and 0 at a constant
@@ -38,7 +39,7 @@ struct Energy {
 /// Share of the time from t(n-1/2) to t(n+1/2) that lies before t(n): 1/2 at a constant step, 0 at the start.
 double share_before_now(const system::State& state);
 
-/// Energies and momentum of one part.
+/// Energies and momentum of one part. Kinetic energy contains that of spins.
 struct PartEnergy {
   double internal = 0.0, kinetic = 0.0, hourglass = 0.0, eroded = 0.0, mass = 0.0;
   Vec3d momentum;
@@ -50,7 +51,11 @@ double kinetic_energy(const system::System& system, const system::State& state, 
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before);
 
 /// Adds up the elements' energies: internal, hourglass, eroded of `energy`, and all of `parts` (size: number of parts).
+/// A part whose body's mass is given (*PART_INERTIA) has the kinetic energy and the momentum of the body. Point masses
+/// and nodal rigid bodies with masses of their own belong to no part: `lumped` is their kinetic energy, so that the
+/// parts' and it are `kinetic_energy`.
 void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
-                      Energy& energy, std::vector<PartEnergy>& parts);
+                      std::span<const Row> w_before, std::span<const Vec3d> momentum_before, Energy& energy,
+                      std::vector<PartEnergy>& parts);
 
 }  // namespace nugget::impact

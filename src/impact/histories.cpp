@@ -2,6 +2,7 @@
 #include "impact/histories.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numbers>
 
@@ -90,6 +91,10 @@ output::GlstatState glstat_state(const Snapshot& now) {
 output::MatsumState matsum_state(const Snapshot& now) {
   output::MatsumState s;
   s.time = now.state.time;
+  const model::Model& model = now.system.model;
+  const bool given_nodal =
+      std::ranges::any_of(model.rigid_bodies, [](const model::RigidBody& b) { return b.given && b.parts.empty(); });
+  if (!model.masses.empty() || !model.inertias.empty() || given_nodal) s.lumped_kinetic = now.energy.lumped;
   for (std::size_t p = 0; p < now.parts.size(); ++p) {
     const PartEnergy& part = now.parts[p];
     output::MatsumRow row;
@@ -118,21 +123,32 @@ static Vec3d gravity(const Snapshot& now) {
   return sum;
 }
 
+/// Bits of the global accelerations of body loads that an accelerometer leaves out now.
+static unsigned without_gravity(const Snapshot& now, const model::Accelerometer& a) {
+  if (a.gravity_curve == model::none) return a.without_gravity;
+  const double flag = now.system.model.curves[at(a.gravity_curve)].clamped(now.state.time);
+  return model::gravity_left_out(static_cast<int>(std::lround(flag)));
+}
+
 /// Histories of accelerometers are in axes that turn with the nodes.
 static void turn_into_accelerometer(const Snapshot& now, model::Index node, output::NodoutRow& row) {
   const model::Model& model = now.system.model;
   const auto found = std::find_if(model.accelerometers.begin(), model.accelerometers.end(),
                                   [&](const model::Accelerometer& a) { return a.node[0] == node; });
   if (found == model.accelerometers.end()) return;
-  const auto place = [&](std::size_t i) { return vec(now.state.x[at(now.system.node_of[at(found->node[i])])]); };
-  Frame3d axes;
-  if (!model::frame_from(place(1) - place(0), place(2) - place(0), axes)) return;
-  const Vec3d g = found->without_gravity != 0 ? gravity(now) : Vec3d{};
-  const auto left_out = [&](unsigned i, double value) { return found->without_gravity >> i & 1u ? value : 0.0; };
+  const Frame3d axes = accelerometer_axes(now.system, now.state, *found);
+  const unsigned without = without_gravity(now, *found);
+  const Vec3d g = without != 0 ? gravity(now) : Vec3d{};
+  const auto left_out = [&](unsigned i, double value) { return without >> i & 1u ? value : 0.0; };
   row.acceleration -= Vec3d{left_out(0, g.x), left_out(1, g.y), left_out(2, g.z)};
   for (Vec3d* v : {&row.displacement, &row.velocity, &row.acceleration, &row.rotation, &row.rotational_velocity,
                    &row.rotational_acceleration})
     *v = axes.local(*v);
+  if (!found->sums_local) return;
+  const auto k = at(now.system.node_of[at(node)]);
+  const Vec3d change = vec(now.state.v[k]) - vec(now.v_before[k]);
+  row.velocity = now.accelerometers.velocity(static_cast<std::size_t>(found - model.accelerometers.begin())) +
+                 share_before_now(now.state) * axes.local(change);
 }
 
 /// The motion of a node in the axes that its history asks for; coordinates stay global.
@@ -140,10 +156,20 @@ static void turn_into_local_axes(const Snapshot& now, const model::NamedEntity& 
   if (entity.system == model::none) return;
   const model::CoordinateSystem& system = now.system.model.systems[at(entity.system)];
   Frame3d axes = system.axes;
-  const auto place = [&](model::Index n) { return vec(now.state.x[at(now.system.node_of[at(n)])]); };
+  const auto index = [&](model::Index n) { return at(now.system.node_of[at(n)]); };
+  const auto place = [&](model::Index n) { return vec(now.state.x[index(n)]); };
   if (entity.turning)
     model::frame_of_points(place(system.nodes->origin), place(system.nodes->on_axis), place(system.nodes->in_plane),
                            system.nodes->axis, axes);
+  if (entity.relative) {
+    const model::Index origin = system.nodes->origin;
+    const NodeMotion of_origin = node_motion(now, index(origin));
+    row.velocity -= of_origin.velocity;
+    row.acceleration -= of_origin.acceleration;
+    const auto start = [&](model::Index n) { return now.system.model.nodes.x[at(n)]; };
+    row.displacement =
+        row.coordinate - place(origin) - axes.global(system.axes.local(start(entity.index) - start(origin)));
+  }
   for (Vec3d* vector : {&row.displacement, &row.velocity, &row.acceleration, &row.rotation, &row.rotational_velocity,
                         &row.rotational_acceleration})
     *vector = axes.local(*vector);
@@ -295,6 +321,32 @@ output::JntforcState jntforc_state(const Snapshot& now) {
   return s;
 }
 
+output::AbstatState abstat_state(const Snapshot& now) {
+  output::AbstatState s;
+  s.time = now.state.time;
+  int number = 0;
+  for (const Loads::Volume& volume : now.loads.volumes()) {
+    const model::ControlVolume& source = *volume.source;
+    output::AbstatRow row;
+    row.id = source.id > 0 ? source.id : number + 1;
+    ++number;
+    row.volume = volume.volume;
+    row.pressure = volume.pressure;
+    if (source.gas == model::ControlVolume::Gas::adiabatic) {
+      const double absolute = source.pressure_scale * source.beta * source.absolute * volume.relative_pressure;
+      row.internal_energy = absolute * volume.volume / (source.gamma - 1.0);
+      row.total_mass = source.density * volume.at_start;
+      row.density = volume.volume > 0.0 ? row.total_mass / volume.volume : 0.0;
+    } else {
+      row.internal_energy = -volume.work;
+    }
+    row.surface_area = model::surface_area(
+        source.segments, [&](model::Index n) { return vec(now.state.x[at(now.system.node_of[at(n)])]); });
+    s.rows.push_back(row);
+  }
+  return s;
+}
+
 output::RwforcState rwforc_state(const Snapshot& now) {
   output::RwforcState s;
   s.time = now.state.time;
@@ -356,7 +408,8 @@ output::RbdoutState rbdout_state(const Snapshot& now) {
     row.angular_velocity = now.spin(k);
     row.acceleration = now.acceleration(k);
     row.angular_acceleration = now.rotary_acceleration(k);
-    row.axes = body.axes;
+    const Frame3d& own = model.rigid_bodies[at(body.source)].own_axes;
+    row.axes = {body.axes.global(own.e1), body.axes.global(own.e2), body.axes.global(own.e3)};
     (origin == model::RigidBody::Origin::part ? s.parts : s.nodal).push_back(row);
   }
   return s;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "impact/snapshot.hpp"
+#include "output/abstat.hpp"
 #include "output/bndout.hpp"
 #include "output/dcfail.hpp"
 #include "output/deforc.hpp"
@@ -26,6 +27,7 @@ output::SwforcState swforc_state(const Snapshot& now);
 output::DcfailState dcfail_state(const Snapshot& now);
 output::DeforcState deforc_state(const Snapshot& now);
 output::JntforcState jntforc_state(const Snapshot& now);
+output::AbstatState abstat_state(const Snapshot& now);
 output::RwforcState rwforc_state(const Snapshot& now);
 output::SpcforcState spcforc_state(const Snapshot& now);
 output::BndoutState bndout_state(const Snapshot& now);

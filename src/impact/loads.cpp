@@ -40,7 +40,7 @@ Loads::Loads(const system::System& system) : system_(system) {
   for (const model::ControlVolume& volume : model.control_volumes) {
     const double v = volume.volume_scale * enclosed_volume(volume.segments, volume.openings,
                                                            [&](model::Index n) { return model.nodes.x[at(n)]; });
-    volumes_.push_back({&volume, v, v, 0.0, false, std::vector<Vec3d>(4 * volume.segments.size())});
+    volumes_.push_back({&volume, v, v, 0.0, 1.0, 0.0, false, std::vector<Vec3d>(4 * volume.segments.size())});
   }
   for (const model::BodyLoad& load : model.body_loads)
     body_.push_back({&load, {}, {}, 0.0, std::vector<Vec3d>(load.centrifugal ? system.all_nodes() : 0)});
@@ -210,7 +210,9 @@ void Loads::apply(Volume& volume, system::State& state, double dt) {
                     return vec(state.x[at(system_.node_of[at(n)])]);
                   });
   volume.pressure = source.pressure_scale * pressure(volume, state);
+  const double before = work_;
   press(source.segments, source.share, -volume.pressure, volume.last, state, dt);
+  volume.work += work_ - before;
 }
 
 double Loads::pressure(Volume& volume, const system::State& state) const {
@@ -223,7 +225,8 @@ double Loads::pressure(Volume& volume, const system::State& state) const {
       volume.preload_over = curve(system_, gas.preload_curve).clamped(state.time) != 0.0;
       if (!volume.preload_over) return gas.beta * gas.absolute;
     }
-    return gas.beta * (gas.absolute * std::pow(relative, -gas.gamma) - gas.ambient);
+    volume.relative_pressure = std::pow(relative, -gas.gamma);
+    return gas.beta * (gas.absolute * volume.relative_pressure - gas.ambient);
   }
   if (state.relaxing && gas.relaxation_curve != model::none)
     return gas.beta * curve(system_, gas.relaxation_curve).zero_outside(state.time) / relative;

@@ -17,6 +17,11 @@ class NodalForceGroups {
 
   /// After the internal forces at the end of a step of length state.dt.
   void update(const system::State& state);
+  /// As Supports::forget_work.
+  void forget_work() {
+    for (Group& group : groups_)
+      for (Node& node : group.nodes) node.work = 0.0;
+  }
   output::NodforState state(const system::State& now) const;
 
   void archive(Archive& a);

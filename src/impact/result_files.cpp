@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "impact/cross_sections.hpp"
@@ -20,6 +21,44 @@ model::Request with_text(model::Request glstat, double end_time) {
   if (!glstat.asked()) glstat.interval = end_time / 200.0;
   if (glstat.binary == 2) glstat.binary = 3;
   return glstat;
+}
+
+/// The next mark by a curve of the interval, from the mark `last` at or after which the state at `time` stands. One
+/// that a long step has jumped over is not made up for. Infinite where the curve has none.
+double next_on_curve(const model::Request& request, const Curve& curve, double last, double time) {
+  using Rule = model::Request::Rule;
+  const double from = std::max(last, time);
+  if (request.rule == Rule::at_points) {
+    const auto later = std::upper_bound(curve.x.begin(), curve.x.end(), from + 1e-12 * std::abs(from));
+    return later == curve.x.end() ? std::numeric_limits<double>::infinity() : *later;
+  }
+  if (request.rule == Rule::from_last) return last + std::max(curve.clamped(last), from - last);
+  // T - last = y(T): the first root, between two points of the curve or beyond them all.
+  const auto excess = [&](double t) { return t - last - curve.clamped(t); };
+  double low = last;
+  for (const double x : curve.x) {
+    if (x <= low) continue;
+    if (excess(x) < 0.0) {
+      low = x;
+      continue;
+    }
+    double high = x;
+    for (int i = 0; i < 200 && low < high; ++i) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high) break;
+      (excess(middle) < 0.0 ? low : high) = middle;
+    }
+    return std::max(high, from);
+  }
+  return std::max(last + curve.clamped(low), from);
+}
+
+/// The first mark: the start, but with IOOPT 3 the curve's first abscissa that is not before it.
+double first_mark(const model::Request& request, const std::vector<Curve>& curves) {
+  if (request.curve == model::none || request.rule != model::Request::Rule::at_points) return 0.0;
+  const std::vector<double>& x = curves[static_cast<std::size_t>(request.curve)].x;
+  const auto first = std::lower_bound(x.begin(), x.end(), 0.0);
+  return first == x.end() ? std::numeric_limits<double>::infinity() : *first;
 }
 
 }  // namespace
@@ -50,7 +89,8 @@ void ResultFiles::add(const model::Request& request, const char* name, MakeState
                        },
                        [=](Archive& a) {
                          if (ascii) a(*ascii);
-                       }});
+                       },
+                       first_mark(request, model_.curves)});
 }
 
 ResultFiles::ResultFiles(const system::System& system, const std::filesystem::path& directory,
@@ -95,6 +135,15 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
   if (!model_.spcs.empty()) add<output::Spcforc>(ask.spcforc, "spcforc", spcforc_state);
   if (!model_.motions.empty()) add<output::Bndout>(ask.bndout, "bndout", bndout_state);
   if (!system.bodies.empty()) add<output::Rbdout>(ask.rbdout, "rbdout", rbdout_state);
+  if (!model_.control_volumes.empty()) {
+    std::vector<output::LegendEntry> volumes;
+    int number = 0;
+    for (const model::ControlVolume& v : model_.control_volumes) {
+      ++number;
+      if (!v.title.empty()) volumes.push_back({v.id > 0 ? v.id : number, v.title});
+    }
+    add<output::Abstat>(ask.abstat, "abstat", abstat_state, volumes);
+  }
   add<output::Rcforc>(ask.rcforc, "rcforc", rcforc_state, contacts);
   if (!ask.cross_sections.empty()) {
     const auto through = std::make_shared<CrossSections>(system);
@@ -112,7 +161,7 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
     geometry.strains = ask.strains;
     auto file = std::make_shared<output::D3plot>(directory, std::move(geometry), header.opening);
     channels_.push_back({&ask.d3plot, [file](const Snapshot& now) { file->write(d3plot_state(now)); },
-                         [file](Archive& a) { a(*file); }});
+                         [file](Archive& a) { a(*file); }, first_mark(ask.d3plot, model_.curves)});
   }
 }
 
@@ -167,10 +216,12 @@ void ResultFiles::write(const Snapshot& now, bool last) {
   for (Channel& c : channels_) {
     if (!last && !due(c, now.state)) continue;
     c.write(now);
-    const double interval = c.request->curve == model::none
-                                ? c.request->interval
-                                : model_.curves[static_cast<std::size_t>(c.request->curve)].clamped(now.state.time);
-    if (!(interval > 0.0)) continue;
+    if (c.request->curve != model::none) {
+      c.next =
+          next_on_curve(*c.request, model_.curves[static_cast<std::size_t>(c.request->curve)], c.next, now.state.time);
+      continue;
+    }
+    const double interval = c.request->interval;
     // Marks are multiples of the interval; one that a long step has jumped over is not made up for.
     if (const double missed = std::floor((now.state.time - c.next) / interval); missed > 64.0)
       c.next += missed * interval;

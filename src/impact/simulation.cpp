@@ -52,7 +52,8 @@ Simulation::Simulation(system::System& system, Findings& findings)
       preloads_(system, findings),
       erosion_(system),
       strains_(system, system.model.requests.strains),
-      nodal_forces_(system) {
+      nodal_forces_(system),
+      accelerometers_(system) {
   const model::Model& model = system.model;
   history_rotation_.resize(model.requests.history_nodes.size() + system.bodies.size());
   for (const model::Contact& card : model.contacts) {
@@ -155,9 +156,10 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_) {
       masses_ = system_.masses();
-      const Snapshot now{system_,      state_,    v_before_, w_before_, energy_,       parts_,           controlling_,
-                         masses_,      supports_, walls_,    contacts_, interiors_,    tie_forces_,      welds_,
-                         rigid_welds_, rivets_,   joints_,   strains_,  nodal_forces_, history_rotation_};
+      const Snapshot now{
+          system_,   state_,  v_before_, w_before_,     energy_,           parts_,         controlling_, masses_,
+          supports_, loads_,  walls_,    contacts_,     interiors_,        tie_forces_,    welds_,       rigid_welds_,
+          rivets_,   joints_, strains_,  nodal_forces_, history_rotation_, accelerometers_};
       recorder.write(now, last);
     }
     if (progress && elapsed() >= next_report) {
@@ -210,6 +212,7 @@ void Simulation::step() {
   step_change_ += 0.25 * (state_.dt - state_.dt_previous) * power_on_change_;
   supports_.open_step(state_.dt);
   system_.map.follow(state_.dt, state_.v, state_.w);
+  accelerometers_.add_step(state_);
   charge(constraints);
   move();
   charge(motion);
@@ -242,6 +245,7 @@ void Simulation::start() {
   // masses.
   preloads_.start(state_);
   strains_.start(state_);
+  accelerometers_.start(state_);
   internal_force_at_rest();
   system_.scale_mass(true);
   masses_changed();
@@ -279,6 +283,7 @@ Outcome Simulation::relax(const Options& options, const ProgressCallback& progre
     state_.time = 0.0;
     state_.cycle = 0;
     internal_force_at_rest();
+    damping_.begin_anew();
     contact_forces();
     applied_forces();
     collect();
@@ -312,7 +317,10 @@ Outcome Simulation::relax(const Options& options, const ProgressCallback& progre
   state_.w = w;
   for (std::size_t b = 0; b < momentum.size(); ++b) system_.bodies[b].angular_momentum = momentum[b];
   begin_anew(false);
-  relaxation_work_ = supports_.work() + loads_.work();
+  accelerometers_.start(state_);
+  supports_.forget_work();
+  loads_.forget_work();
+  nodal_forces_.forget_work();
   step_change_ = 0.0;
   smallest_step_ = std::numeric_limits<double>::infinity();
   return {};
@@ -497,7 +505,7 @@ void Simulation::collect() {
 
 void Simulation::account() {
   const Energy before = energy_;
-  element_energies(system_, state_, v_before_, energy_, parts_);
+  element_energies(system_, state_, v_before_, w_before_, momentum_before_, energy_, parts_);
   energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_);
   energy_.internal += joints_.energy();
   energy_.contact = tie_forces_.energy();
@@ -505,7 +513,7 @@ void Simulation::account() {
   for (const contact::InteriorContact& c : interiors_) energy_.contact += c.energy();
   energy_.wall = 0.0;
   for (const contact::RigidWall& w : walls_) energy_.wall += w.energy_until_now();
-  energy_.external = supports_.work() + loads_.work() - relaxation_work_;
+  energy_.external = supports_.work() + loads_.work();
   energy_.damping = damping_.energy();
   energy_.step_change = step_change_;
   if (state_.cycle == 0) energy_.initial = energy_.total();

@@ -125,12 +125,12 @@ class Simulation {
   Erosion erosion_;
   Strains strains_;
   NodalForceGroups nodal_forces_;
+  Accelerometers accelerometers_;
   bool stop_asked_ = false;  ///< the run was interrupted before this cycle
   long kept_cycle_ = 0;      ///< of the last restart file; its time, and the clock then
   double kept_time_ = 0.0, kept_seconds_ = 0.0;
   bool diverged_ = false;
   Relaxation relaxation_;
-  double relaxation_work_ = 0.0;     ///< of loads and supports in the relaxation; no part of the run's energy balance
   double step_change_ = 0.0;         ///< Energy::step_change so far
   double power_on_change_ = 0.0;     ///< forces at t(n) times the change of velocity from t(n-1/2) to t(n+1/2)
   std::vector<double> block_power_;  ///< the nodes' part of it, by block

@@ -10,6 +10,7 @@
 #include "contact/interior_contact.hpp"
 #include "contact/penalty_contact.hpp"
 #include "contact/rigid_wall.hpp"
+#include "impact/accelerometers.hpp"
 #include "impact/conditions.hpp"
 #include "impact/energy.hpp"
 #include "impact/joints.hpp"
@@ -35,6 +36,7 @@ struct Snapshot {
   const system::System::Controlling& controlling;
   const system::System::Masses& masses;
   const Supports& supports;
+  const Loads& loads;
   std::span<const contact::RigidWall> walls;
   std::span<const contact::PenaltyContact> contacts;
   std::span<const contact::InteriorContact> interiors;
@@ -47,6 +49,7 @@ struct Snapshot {
   const NodalForceGroups& nodal_forces;
   /// Of the requests' history nodes, then of the rigid bodies: their spins, added up over time.
   std::span<const Vec3d> history_rotation;
+  const Accelerometers& accelerometers;
 
   Vec3d velocity(std::size_t node) const { return at_now(vec(v_before[node]), vec(state.v[node])); }
   Vec3d spin(std::size_t node) const { return at_now(vec(w_before[node]), vec(state.w[node])); }

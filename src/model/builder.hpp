@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -68,11 +69,12 @@ struct Box {
 
 /// What holds a *MAT_RIGID's parts (its second card); the rigid bodies are made of it.
 struct RigidCard {
-  int cmo = 0;    ///< 1: codes in global axes, -1: six digits in the axes of a coordinate system, 0: free
-  int con1 = 0;   ///< CMO 1: code of held translations 0..7; CMO -1: id of the coordinate system
-  int con2 = 0;   ///< CMO 1: code of held rotations 0..7; CMO -1: digits xyz and rx ry rz, e.g. 110111
-  int lco = 0;    ///< LCO: id of the coordinate system of local motions and output, 0 none
-  deck::Row row;  ///< the card, for findings
+  int cmo = 0;   ///< 1: codes in global axes, -1: six digits in the axes of a coordinate system, 0: free
+  int con1 = 0;  ///< CMO 1: code of held translations 0..7; CMO -1: id of the coordinate system
+  int con2 = 0;  ///< CMO 1: code of held rotations 0..7; CMO -1: digits xyz and rx ry rz, e.g. 110111
+  int lco = 0;   ///< LCO: id of the coordinate system of local motions and output, 0 none
+  std::optional<Frame3d> output_axes;  ///< instead of it, by two vectors
+  deck::Row row;                       ///< the card, for findings
 };
 
 /// The codes 0..7 of LS-DYNA (x, y, z, xy, yz, zx, xyz) as bits 0..2.

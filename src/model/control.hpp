@@ -107,6 +107,8 @@ struct Control {
   WeldBeamControl weld_beams;
   Relaxation relaxation;
 
+  bool invariant_shell_axes = false;  ///< INN of *CONTROL_ACCURACY, for output: else x of a shell goes from N1 to N2
+
   // *CONTROL_OUTPUT, *CONTROL_SOLID
   bool average_accelerations = false;  ///< IACCOP = 1
   std::vector<Index> eroding_parts;    ///< PSFAIL: only their bricks are deleted at negative volume; empty: all

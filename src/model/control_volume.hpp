@@ -37,6 +37,7 @@ struct ControlVolume {
   double coefficient = 0.0;        ///< beta CN; with `coefficient_curve` or `relaxation_curve`: see `beta`
   double beta = 1.0;
   double gamma = 0.0, absolute = 0.0, ambient = 0.0;  ///< GAMMA, P0, PE
+  double density = 0.0;                               ///< RO, at the start; 0: not known
   Index preload_curve = none;  ///< adiabatic: until its first value above 0 the pressure is PSF P0
   Place place;
 };
@@ -75,6 +76,16 @@ double enclosed_volume(const std::vector<Segment>& segments, const std::vector<O
     for (const auto& [from, to] : opening.edges) add(middle, x(to), x(from), 1.0);
   }
   return sum / 6.0;
+}
+
+/// Area of the faces, openings left out: half the cross product of a face's diagonals.
+template <class Places>
+double surface_area(const std::vector<Segment>& segments, const Places& x) {
+  double sum = 0.0;
+  for (const Segment& s : segments)
+    sum += 0.5 * (s[3] == s[2] ? norm(cross(x(s[1]) - x(s[0]), x(s[2]) - x(s[0])))
+                               : norm(cross(x(s[2]) - x(s[0]), x(s[3]) - x(s[1]))));
+  return sum;
 }
 
 }  // namespace nugget::model

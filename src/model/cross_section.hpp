@@ -33,7 +33,8 @@ struct CrossSection {
   Vec3d normal;             ///< of the plane form, at time 0; else zero
   Index rigid_body = none;  ///< ITYPE 0: forces in the axes of this body (`axes` at time 0) ...
   Frame3d axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  Index system = none;  ///< ... ITYPE 2: of this coordinate system; neither: global axes
+  Index accelerometer = none;  ///< ... ITYPE 1: of this one of Model::accelerometers ...
+  Index system = none;         ///< ... ITYPE 2: of this coordinate system; none of them: global axes
   Place place;
 };
 

@@ -58,12 +58,20 @@ struct JointStiffness {
   Place place;
 };
 
+/// IGRAV as bits of x, y, z: 1 all, -1 x, -2 y, -3 z, -4 xy, -5 yz, -6 zx; 0 and others: none.
+inline unsigned gravity_left_out(int flag) {
+  constexpr unsigned bits[] = {0, 1, 2, 4, 3, 6, 5};
+  return flag == 1 ? 7u : flag < 0 && flag >= -6 ? bits[-flag] : 0u;
+}
+
 /// *ELEMENT_SEATBELT_ACCELEROMETER: a node of a rigid body whose motion nodout gives in axes that turn with the body:
 /// x from node 1 to node 2, z normal to x and to node 3, y = z x x.
 struct Accelerometer {
   int id = 0;
   std::array<Index, 3> node{none, none, none};
   unsigned without_gravity = 0;  ///< IGRAV: bits of the global x, y, z acceleration of body loads that is taken out
+  Index gravity_curve = none;    ///< IGRAV above 1: its values -6 to 1 over time, in place of `without_gravity`
+  bool sums_local = false;       ///< INTOPT 1: velocities are sums of the accelerations in the turning axes
 };
 
 }  // namespace nugget::model

@@ -190,6 +190,7 @@ struct RigidBody {
   std::vector<Index> nodes;  ///< all nodes that it carries, ascending
   unsigned fixed = 0;        ///< bits 0..2 translations x y z, 3..5 rotations that cannot move
   Frame3d fixed_axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< whose x y z those are (CMO = -1: local ones)
+  Frame3d own_axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};    ///< of rbdout, at time 0 (LCO, or two vectors; CID)
   struct Inertia {
     double mass = 0.0;
     Vec3d center;

@@ -11,9 +11,16 @@ namespace nugget::model {
 
 /// When and how one history file is written. `interval` 0: not at all.
 struct Request {
+  /// IOOPT: how `curve` gives the next time from one at which there was a record.
+  enum class Rule {
+    from_last,  ///< 1: the curve's value at that time later
+    to_next,    ///< 2: the curve's value at the next time later than it
+    at_points   ///< 3: at each abscissa of the curve
+  };
   double interval = 0.0;  ///< DT [time]
   Index curve = none;     ///< LCUR: interval over time
-  int binary = 0;         ///< 0 as on this machine (ASCII), 1 ASCII, 2 binout, 3 both
+  Rule rule = Rule::from_last;
+  int binary = 0;  ///< 0 as on this machine (ASCII), 1 ASCII, 2 binout, 3 both
   bool ascii() const { return interval > 0.0 && binary != 2; }
   bool binout() const { return interval > 0.0 && binary >= 2; }
   bool asked() const { return interval > 0.0; }
@@ -21,15 +28,16 @@ struct Request {
 
 struct NamedEntity {
   Index index = none;
-  std::string heading;   ///< of the _ID form
-  Index system = none;   ///< of a node: the axes of its motion (*DATABASE_HISTORY_NODE_LOCAL), or none: global
-  bool turning = false;  ///< REF 1: these axes as they stand at that time; else as at time 0
+  std::string heading;    ///< of the _ID form
+  Index system = none;    ///< of a node: the axes of its motion (*DATABASE_HISTORY_NODE_LOCAL), or none: global
+  bool turning = false;   ///< REF 1 and 2: these axes as they stand at that time; else as at time 0
+  bool relative = false;  ///< REF 2: the motion as seen from these axes, their origin included
 };
 
 /// The *DATABASE_... cards.
 struct Requests {
   Request glstat, matsum, nodout, swforc, dcfail, rwforc, spcforc, bndout, rbdout, rcforc, secforc, elout, deforc,
-      jntforc, nodfor, sleout;
+      jntforc, nodfor, sleout, abstat;
   Request d3plot;  ///< interval; `binary` unused
   std::vector<NamedEntity> history_nodes, history_shells, history_solids, history_beams;
   std::vector<CrossSection> cross_sections;         ///< of secforc
@@ -40,6 +48,15 @@ struct Requests {
   bool strains = false;           ///< STRFLG
   bool one_state_a_file = false;  ///< IEVERP
   int beam_points = 0;            ///< BEAMIP
+  bool material_axes = false;     ///< CMPFLG: stresses and strains where a material has axes a, b, c in these
+
+  /// EOCS of *CONTROL_OUTPUT: axes of shells in elout.
+  enum class ShellAxes {
+    standard,  ///< the element's own, or the material's where `material_axes` asks for them
+    element,
+    global
+  };
+  ShellAxes shell_axes = ShellAxes::standard;
 };
 
 }  // namespace nugget::model

@@ -68,6 +68,7 @@ class Maker {
       body.parts = {static_cast<Index>(p)};
       body.place = part.place;
       if (const auto card = b_.rigid_cards.find(part.material); card != b_.rigid_cards.end()) hold(body, card->second);
+      if (const Frame3d* axes = body_axes(b_, part.id)) body.own_axes = *axes;
       if (const auto inertia = b_.part_inertia.find(static_cast<Index>(p)); inertia != b_.part_inertia.end()) {
         body.given = true;
         body.inertia = inertia->second;
@@ -111,6 +112,8 @@ class Maker {
     body.title = card.title;
     body.place = card.row.place();
     body.fixed = card.fixed;
+    if (const Index system = b_.system(card.row, "cid"); system != none)
+      body.own_axes = model_.systems[static_cast<std::size_t>(system)].axes;
     if (const Set<Index>* nodes = b_.node_set(card.row, card.row.integer("nsid") == 0 ? "pid" : "nsid"))
       body.nodes = nodes->members;
     if (card.given) {
@@ -503,10 +506,11 @@ const Frame3d* body_axes(Builder& builder, int id) {
   };
   if (const Index part = builder.parts.find(id); part != none) {
     const auto card = builder.rigid_cards.find(builder.model.parts[static_cast<std::size_t>(part)].material);
-    return card == builder.rigid_cards.end() ? nullptr : axes(builder.systems.find(card->second.lco));
+    if (card == builder.rigid_cards.end()) return nullptr;
+    return card->second.output_axes ? &*card->second.output_axes : axes(builder.systems.find(card->second.lco));
   }
   for (const auto& nodal : builder.body_cards.nodal)
-    if (nodal.row.integer("pid") == id) return axes(builder.system(nodal.row, "cid"));
+    if (nodal.row.integer("pid") == id) return axes(builder.systems.find(nodal.row.integer("cid")));
   return nullptr;
 }
 

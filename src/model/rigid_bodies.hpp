@@ -19,7 +19,8 @@ void make_rigid_bodies(Builder& builder);
 /// none and a finding where there is no such body.
 Index find_body(Builder& builder, const deck::Row& row, std::string_view field);
 
-/// Local axes of a body by the deck: LCO of *MAT_RIGID, CID of *CONSTRAINED_NODAL_RIGID_BODY; null where it names none.
+/// Local axes of a body by the deck: LCO of *MAT_RIGID or its two vectors, CID of *CONSTRAINED_NODAL_RIGID_BODY; null
+/// where it names none.
 const Frame3d* body_axes(Builder& builder, int id);
 
 /// Centre of mass: as given, or of the lumped masses at the body's nodes [length].

@@ -112,6 +112,7 @@ void Binout::write(const MatsumState& s) {
       "*_momentum", s.rows, [](const MatsumRow& r) { return r.momentum; }, column_of);
   put_vectors(
       "*_rbvelocity", s.rows, [](const MatsumRow& r) { return r.velocity; }, column_of);
+  if (s.lumped_kinetic) real("lumped_kinetic_energy", *s.lumped_kinetic);
   end_state();
 }
 
@@ -191,6 +192,24 @@ void Binout::write(const RwforcState& s) {
   reals("normal_force", collect(s.rows, [](const RwforcRow& r) { return r.normal; }));
   put_vectors(
       "*_force", s.rows, [](const RwforcRow& r) { return r.force; }, column_of);
+  end_state();
+}
+
+void Binout::write(const AbstatState& s) {
+  const auto put = [&](const char* name, double AbstatRow::*member) {
+    reals(name, collect(s.rows, [member](const AbstatRow& r) { return r.*member; }));
+  };
+  begin_state("abstat", collect(s.rows, [](const AbstatRow& r) { return r.id; }));
+  begin_data("abstat");
+  real("time", s.time);
+  put("volume", &AbstatRow::volume);
+  put("pressure", &AbstatRow::pressure);
+  put("internal_energy", &AbstatRow::internal_energy);
+  put("density", &AbstatRow::density);
+  put("total_mass", &AbstatRow::total_mass);
+  put("surface_area", &AbstatRow::surface_area);
+  for (const char* name : {"dm_dt_in", "dm_dt_out", "gas_temp", "reaction"})
+    reals(name, std::vector<double>(s.rows.size(), 0.0));
   end_state();
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "output/abstat.hpp"
 #include "output/bndout.hpp"
 #include "output/dcfail.hpp"
 #include "output/deforc.hpp"
@@ -49,6 +50,7 @@ class Binout {
   void write(const RcforcState& state);
   void write(const SleoutState& state);
   void write(const DcfailState& state);
+  void write(const AbstatState& state);
   void write(const DeforcState& state);
   void write(const JntforcState& state);
   void write(const SecforcState& state);

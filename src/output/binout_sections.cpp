@@ -37,7 +37,7 @@ void Binout::write(const SecforcState& s) {
   };
   if (begin_state("secforc", collect(s.rows, [](const SecforcRow& r) { return r.id; }))) {
     integers("rigidbody", id_where(SectionAxes::rigid_body));
-    integers("accelerometer", std::vector<int>(s.rows.size(), 0));
+    integers("accelerometer", id_where(SectionAxes::accelerometer));
     integers("coordinate_system", id_where(SectionAxes::system));
   }
   begin_data("secforc");
@@ -119,7 +119,7 @@ void Binout::write_shells(const EloutState& s) {
   const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
   if (begin_state("elout/shell", {})) {
     text("states", states);
-    text("system", "global");
+    text("system", s.local_shells ? "local " : "global");
   }
   begin_data("elout/shell");
   real("time", s.time);

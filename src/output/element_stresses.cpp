@@ -11,9 +11,24 @@ namespace {
 
 using Seat = system::System::Seat;
 
-StressRecord record(const system::ElementGroup& group, const Seat& seat, int point, const system::State& state) {
+StressRecord record(const model::Model& model, const system::ElementGroup& group, const Seat& seat, int point,
+                    const system::State& state) {
   const system::ElementGroup::Layer layer = group.layer(at(seat.element), point, state);
-  return {layer.stress, layer.plastic_strain};
+  return {by_cmpflg(model, group, at(seat.element), point, state, layer.stress), layer.plastic_strain};
+}
+
+/// Mx My Mxy Qx Qy Nx Ny Nxy along axes that lie by an angle, given by cosine and sine, from their own.
+std::array<double, 8> turned(const std::array<double, 8>& r, double c, double s) {
+  std::array<double, 8> t{};
+  for (const std::size_t first : {std::size_t{0}, std::size_t{5}}) {
+    const double x = r[first], y = r[first + 1], xy = r[first + 2];
+    t[first] = c * c * x + s * s * y + 2.0 * c * s * xy;
+    t[first + 1] = s * s * x + c * c * y - 2.0 * c * s * xy;
+    t[first + 2] = c * s * (y - x) + (c * c - s * s) * xy;
+  }
+  t[3] = c * r[3] + s * r[4];
+  t[4] = c * r[4] - s * r[3];
+  return t;
 }
 
 /// Calls `fill(element, group, seat)` for those that have a kernel.
@@ -27,12 +42,40 @@ void each_element(const system::System& system, const std::vector<Seat>& seats, 
 
 }  // namespace
 
+std::array<double, 6> along(const Frame3d& axes, const std::array<double, 6>& t) {
+  const auto times = [&](const Vec3d& a) {
+    return Vec3d{t[0] * a.x + t[3] * a.y + t[5] * a.z, t[3] * a.x + t[1] * a.y + t[4] * a.z,
+                 t[5] * a.x + t[4] * a.y + t[2] * a.z};
+  };
+  const Vec3d x = times(axes.e1), y = times(axes.e2), z = times(axes.e3);
+  return {dot(axes.e1, x), dot(axes.e2, y), dot(axes.e3, z), dot(axes.e1, y), dot(axes.e2, z), dot(axes.e3, x)};
+}
+
+std::optional<Frame3d> shell_axes(const system::System& system, const system::ElementGroup& group, std::size_t e,
+                                  const system::State& state) {
+  std::optional<Frame3d> axes = group.axes(e, state);
+  if (!axes || system.model.control.invariant_shell_axes) return axes;
+  const auto nodes = group.nodes(e);
+  const Vec3d side = vec(state.x[at(nodes[1])]) - vec(state.x[at(nodes[0])]);
+  const Vec3d in_plane = side - dot(side, axes->e3) * axes->e3;
+  if (!(norm(in_plane) > 0.0)) return axes;
+  const Vec3d x = unit(in_plane);
+  return Frame3d{x, cross(axes->e3, x), axes->e3};
+}
+
+std::array<double, 6> by_cmpflg(const model::Model& model, const system::ElementGroup& group, std::size_t e, int layer,
+                                const system::State& state, const std::array<double, 6>& tensor) {
+  if (!model.requests.material_axes) return tensor;
+  const auto axes = group.material_axes(e, layer, state);
+  return axes ? along(*axes, tensor) : tensor;
+}
+
 void fill_stresses(const system::System& system, const system::State& state, D3plotState& s) {
   using Group = system::ElementGroup;
   const model::Model& model = system.model;
   s.solids.resize(model.solids.size());
   each_element(system, system.solid_seat, [&](std::size_t e, const Group& group, const Seat& seat) {
-    static_cast<StressRecord&>(s.solids[e]) = record(group, seat, 0, state);
+    static_cast<StressRecord&>(s.solids[e]) = record(model, group, seat, 0, state);
   });
 
   const auto points = at(model.requests.beam_points);
@@ -42,7 +85,7 @@ void fill_stresses(const system::System& system, const system::State& state, D3p
     const std::array<double, 8> r = group.resultants(at(seat.element));
     s.beams[e] = {r[0], r[1], r[2], r[4], r[5], r[3]};
     for (std::size_t k = 0; k < std::min(points, at(group.layers())); ++k) {
-      const StressRecord p = record(group, seat, static_cast<int>(k), state);
+      const StressRecord p = record(model, group, seat, static_cast<int>(k), state);
       s.beam_points[e * points + k] = {p.stress[3], p.stress[5], p.stress[0], p.plastic_strain, 0.0};
     }
   });
@@ -52,9 +95,11 @@ void fill_stresses(const system::System& system, const system::State& state, D3p
   s.shell_layers.resize(model.shells.size() * layers);
   each_element(system, system.shell_seat, [&](std::size_t e, const Group& group, const Seat& seat) {
     std::vector<StressRecord> through;
-    for (int k = 0; k < group.layers(); ++k) through.push_back(record(group, seat, k, state));
+    for (int k = 0; k < group.layers(); ++k) through.push_back(record(model, group, seat, k, state));
     shell_layers(through, std::span(s.shell_layers).subspan(e * layers, layers));
-    const std::array<double, 8> r = group.resultants(at(seat.element));
+    std::array<double, 8> r = group.resultants(at(seat.element));
+    const auto own = group.axes(at(seat.element), state), axes = shell_axes(system, group, at(seat.element), state);
+    if (own && axes) r = turned(r, dot(axes->e1, own->e1), dot(axes->e1, own->e2));
     ShellRecord& shell = s.shells[e];
     shell.mx = r[0], shell.my = r[1], shell.mxy = r[2];
     shell.qx = r[3], shell.qy = r[4];

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "output/d3plot.hpp"
 #include "system/system.hpp"
 
@@ -9,5 +12,17 @@ namespace nugget::output {
 /// Stresses and plastic strains of all elements, resultants of shells and beams, as their kernels hold them. Sizes the
 /// records; those of elements without a kernel are left as they are.
 void fill_stresses(const system::System& system, const system::State& state, D3plotState& into);
+
+/// Components of a symmetric tensor xx yy zz xy yz zx along other axes.
+std::array<double, 6> along(const Frame3d& axes, const std::array<double, 6>& tensor);
+
+/// Local axes of a shell in results: in its plane, x from its first node to the second; with INN 2 and 4 of
+/// *CONTROL_ACCURACY those that do not depend on which node is the first. Nothing for other elements.
+std::optional<Frame3d> shell_axes(const system::System& system, const system::ElementGroup& group, std::size_t e,
+                                  const system::State& state);
+
+/// A tensor as CMPFLG of *DATABASE_EXTENT_BINARY wants it: along the material's axes where it has some.
+std::array<double, 6> by_cmpflg(const model::Model& model, const system::ElementGroup& group, std::size_t e, int layer,
+                                const system::State& state, const std::array<double, 6>& tensor);
 
 }  // namespace nugget::output

@@ -89,11 +89,13 @@ void Elout::write_beams(const EloutState& state) {
 }
 
 void Elout::write_shells(const EloutState& state) {
+  const char* axes = state.local_shells ? "(local)" : "(global)";
   head(file_, "s t r e s s", state);
   file_.print(
-      " element  materl(global)\n"
+      " element  materl{:<8}\n"
       " ipt-shl  stress       sig-xx      sig-yy      sig-zz      sig-xy      sig-yz      sig-zx       plastic\n"
-      "           state                                                                                 strain \n");
+      "           state                                                                                 strain \n",
+      axes);
   for (const EloutShell& shell : state.shells) {
     element(file_, shell.id, shell.part);
     int number = 0;
@@ -104,9 +106,8 @@ void Elout::write_shells(const EloutState& state) {
     }
   }
   if (!state.strains) return;
-  file_.print(
-      "\n strains (global)      eps-xx      eps-yy      eps-zz      eps-xy      eps-yz      eps-zx{:36}\n{:117}\n", "",
-      "");
+  file_.print("\n strains {:<8}      eps-xx      eps-yy      eps-zz      eps-xy      eps-yz      eps-zx{:36}\n{:117}\n",
+              axes, "", "");
   for (const EloutShell& shell : state.shells) {
     element(file_, shell.id, shell.part);
     file_.print(" lower ipt       ");

@@ -11,7 +11,8 @@ namespace nugget::output {
 /// Six components xx yy zz xy yz zx.
 using Tensor = std::array<double, 6>;
 
-/// One integration point: stress in global axes [force/length^2].
+/// One integration point: stress, of shells in the axes that EloutState says, of bricks in global ones
+/// [force/length^2].
 struct EloutPoint {
   Tensor stress{};
   double plastic_strain = 0.0;
@@ -48,7 +49,8 @@ struct EloutShell {
 struct EloutState {
   long cycle = 0;
   double time = 0.0;
-  bool strains = false;  ///< STRFLG
+  bool strains = false;       ///< STRFLG
+  bool local_shells = false;  ///< shells in axes of their own, else in global ones
   std::vector<EloutSolid> solids;
   std::vector<EloutBeam> beams;
   std::vector<EloutShell> shells;

@@ -8,6 +8,10 @@ Matsum::Matsum(std::filesystem::path path, const Header& header, std::span<const
 
 void Matsum::write(const MatsumState& state) {
   file_.print("\n\n time ={:13.4E}\n", column(state.time));
+  if (state.lumped_kinetic)
+    file_.print(
+        " mat.#={:5}             inten={:13.4E}     kinen={:13.4E}     eroded_ie={:13.4E}     eroded_ke={:13.4E}\n", 0,
+        0.0, column(*state.lumped_kinetic), 0.0, 0.0);
   for (const MatsumRow& row : state.rows) {
     if (row.part < 100000)
       file_.print(" mat.#={:5}   ", row.part);

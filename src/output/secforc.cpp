@@ -14,6 +14,7 @@ constexpr const char* column_heads =
 std::string axes_of(const SecforcRow& row) {
   switch (row.axes) {
     case SectionAxes::rigid_body: return fmt::format("rb ID ={:8}            ", row.axes_id);
+    case SectionAxes::accelerometer: return fmt::format("ac ID ={:8}            ", row.axes_id);
     case SectionAxes::system: return fmt::format("cs ID ={:8}            ", row.axes_id);
     default: return "global system              ";
   }

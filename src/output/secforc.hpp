@@ -9,7 +9,7 @@
 namespace nugget::output {
 
 /// What the components of a cross section's force stand in.
-enum class SectionAxes { global, rigid_body, system };
+enum class SectionAxes { global, rigid_body, accelerometer, system };
 
 /// Resultant of one cross section.
 struct SecforcRow {

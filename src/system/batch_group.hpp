@@ -40,6 +40,7 @@ using AlignedReals = std::vector<double, Aligned<double>>;
 ///   cycle<R>(motion, dt, state)       the kernel; returns f, m (where rotational) and stable_step
 ///   mass, nodal_inertia (element)     of the undeformed element
 ///   layers(), layer(...), thickness(...), resultants(...)   for output
+///   frame_of(places), material_axes_of(field, k, places)   may be absent; see ElementGroup::axes, material_axes
 ///   before_cycle(state, alive, put)   may be absent; see BeforeCycle
 ///   set_layer(put, k, layer, places), inviscid()   may be absent; see ElementGroup::set_layer, elastic_rate
 ///   change_stresses(state, put, change), takes_stress()   may be absent; the stresses of all points, in the order of
@@ -289,6 +290,15 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   double plastic_strain(std::size_t e, int k) const override {
     if constexpr (is_weld) return kernel_.plastic_strain(reader(e), k);
     return 0.0;
+  }
+  std::optional<Frame3d> axes(std::size_t e, const State& now) const override {
+    if constexpr (requires { kernel_.frame_of(places(e, now)); }) return kernel_.frame_of(places(e, now));
+    return {};
+  }
+  std::optional<Frame3d> material_axes(std::size_t e, int k, const State& now) const override {
+    if constexpr (requires { kernel_.material_axes_of(reader(e), k, places(e, now)); })
+      return kernel_.material_axes_of(reader(e), k, places(e, now));
+    return {};
   }
   double thickness(std::size_t e) const override { return kernel_.thickness(reader(e)); }
   std::array<double, 8> resultants(std::size_t e) const override { return kernel_.resultants(reader(e)); }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -119,6 +120,10 @@ class ElementGroup {
   virtual bool set_layer(std::size_t, int, const Layer&, const State&) { return false; }
   /// Of a point of a weld; 0 of other elements.
   virtual double plastic_strain(std::size_t, int) const { return 0.0; }
+  /// Of shells: the axes in which their `resultants` stand, at the positions given.
+  virtual std::optional<Frame3d> axes(std::size_t, const State&) const { return {}; }
+  /// Axes a, b, c of the material in a layer, of laws that have them (AOPT).
+  virtual std::optional<Frame3d> material_axes(std::size_t, int, const State&) const { return {}; }
   /// Current thickness of a shell, length of a beam.
   virtual double thickness(std::size_t) const { return 0.0; }
   /// Shells: Mx My Mxy Qx Qy Nx Ny Nxy in local axes, per unit length. Beams: N_rr N_rs N_rt M_rr M_ss M_tt.

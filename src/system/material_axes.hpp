@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
+#include "kernel/law/orthotropic_point.hpp"
 #include "kernel/law/prepared_compound.hpp"
 
 namespace nugget::system {
@@ -12,6 +15,24 @@ const kernel::MaterialAxes* material_axes(const kernel::Prepared<Law>& law) {
     return law.axes();
   else
     return nullptr;
+}
+
+/// Field of a point's history in which its material axes begin.
+inline constexpr int first_material_axis = kernel::Prepared<kernel::Orthotropic>::first_axis;
+
+/// Axes a, b, c of a solid now: the mean over its points, whose histories begin at the fields `history_of(point)`.
+template <class Law, class Field, class HistoryOf>
+std::optional<Frame3d> solid_material_axes(const kernel::Prepared<Law>& law, const Field& field, int points,
+                                           const HistoryOf& history_of) {
+  if (material_axes(law) == nullptr) return {};
+  Vec3d a, b;
+  for (int p = 0; p < points; ++p) {
+    const int i = history_of(p) + first_material_axis;
+    a += Vec3d{field(i), field(i + 1), field(i + 2)};
+    b += Vec3d{field(i + 3), field(i + 4), field(i + 5)};
+  }
+  const Vec3d e1 = unit(a), e3 = unit(cross(a, b));
+  return Frame3d{e1, cross(e3, e1), e3};
 }
 
 }  // namespace nugget::system

@@ -112,6 +112,14 @@ struct ShellElement {
       return kernel::triangle_frame(x);
   }
   template <class Field>
+  std::optional<Frame3d> material_axes_of(const Field& field, int k, const Places& x) const {
+    if (material_axes(law) == nullptr) return {};
+    const int i = layout().history_of(k) + first_material_axis;
+    const Frame3d frame = frame_of(x);
+    const Vec3d a = field(i) * frame.e1 + field(i + 1) * frame.e2;
+    return Frame3d{a, cross(frame.e3, a), frame.e3};
+  }
+  template <class Field>
   ElementGroup::Layer layer(const Field& field, int k, const Places& x) const {
     const Frame3d frame = frame_of(x);
     std::array<double, 5> s;

@@ -60,6 +60,10 @@ struct TetrahedronElement {
     if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = field(Layout::first_history);
     return l;
   }
+  template <class Field>
+  std::optional<Frame3d> material_axes_of(const Field& field, int, const Places&) const {
+    return solid_material_axes(law, field, 1, [](int) { return Layout::first_history; });
+  }
   template <class Put>
   void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
     for (int i = 0; i < 6; ++i) put(Layout::stress + i, l.stress[static_cast<std::size_t>(i)]);

@@ -41,6 +41,11 @@ struct TetrahedronPoints {
     }
     return l;
   }
+  template <class Field, class Places>
+  std::optional<Frame3d> material_axes_of(const Field& field, int, const Places&) const {
+    const auto layout = self().layout();
+    return solid_material_axes(law, field, layout.points, [&](int p) { return layout.history_of(p); });
+  }
   /// All points get the same stress.
   template <class Put, class Places>
   void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {

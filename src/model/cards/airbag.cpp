@@ -39,7 +39,7 @@ const Card adiabatic_card{{
     real("gamma", dimension::number, required, above_zero(), "ratio of heat capacities"),
     real("p0", dimension::stress, required, above_zero(), "pressure at the start, absolute"),
     real("pe", dimension::stress, 0, at_least(0), "ambient pressure"),
-    real("ro", dimension::density, 0, at_least(0), "density at the start; has no effect on the pressure"),
+    real("ro", dimension::density, 0, at_least(0), "density at the start, for abstat; has no effect on the pressure"),
 }};
 
 std::vector<Segment> faces(Builder& b, const Row& row) {
@@ -142,6 +142,9 @@ void read_adiabatic(Builder& builder, const Block& block, const Options& options
     volume.gamma = gas.real("gamma");
     volume.absolute = gas.real("p0");
     volume.ambient = gas.real("pe");
+    volume.density = gas.real("ro");
+    if (volume.gamma <= 1.0)
+      refuse(builder, gas, "gamma", "a ratio of heat capacities is above 1", "write 1.4 for air");
     builder.later(Phase::conditions, [row, gas, volume](Builder& b) mutable {
       volume.preload_curve = b.curve(gas, "lcid");
       add_volume(b, row, std::move(volume));

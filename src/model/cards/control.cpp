@@ -235,7 +235,9 @@ const Card energy_card{{
 
 const Card accuracy_card{{
     integer("osu", 0, between(0, 1), "1: second-order stress update"),
-    integer("inn", 1, any_value, "invariant node numbering; shells always have it"),
+    integer(
+        "inn", 1, any_value,
+        "invariant node numbering; shells always have it, 2 and 4 in their results too (axes of elout, resultants)"),
     id("pidos", IdSpace::set, 0, "parts of OSU, no effect"),
     flag("iacc", "implicit, no effect"),
     factor("exacc", 0, "implicit, no effect"),
@@ -282,7 +284,8 @@ const Card output_card_2{{
     integer("ipcurv", 0, any_value, "listing, no effect"),
     real("gmdt", dimension::time, 0, any_value, "interval of generalised masses, no effect"),
     integer("ip1dblt", 0, any_value, "output of pretensioned bars, no effect"),
-    integer("eocs", 0, between(0, 2), "axes of shells in elout: 2 global, which they always are"),
+    integer("eocs", 0, between(0, 2),
+            "axes of shells in elout: 1 the element's, 2 global; 0: the element's, or with CMPFLG 1 the material's"),
 }};
 
 Row first_row(Builder& b, const Block& block, const Card& card) {
@@ -468,7 +471,10 @@ void read_energy(Builder& b, const Block& block, const Options&) {
 }
 
 void read_accuracy(Builder& b, const Block& block, const Options&) {
-  expect(b, first_row(b, block, accuracy_card), Severity::warning,
+  const Row row = first_row(b, block, accuracy_card);
+  const int inn = std::abs(row.integer("inn"));
+  b.model.control.invariant_shell_axes = inn == 2 || inn == 4;
+  expect(b, row, Severity::warning,
          {{"osu", 0, "not obeyed: stresses are turned by the midpoint rule of first order, as with 0"}});
 }
 
@@ -509,8 +515,8 @@ void read_output(Builder& b, const Block& block, const Options&) {
          {{"iaccop", 0, "not obeyed: nodout has the accelerations of the moment, as with 0"}});
   b.model.control.average_accelerations = row.integer("iaccop") == 1;
   const Row row2 = cursor.read(output_card_2);
-  if (row2.integer("eocs") == 1)
-    row2.complain(b.findings, Severity::warning, "eocs", "not obeyed: elout has shells in global axes, as with 2");
+  using enum Requests::ShellAxes;
+  b.model.requests.shell_axes = row2.integer("eocs") == 1 ? element : row2.integer("eocs") == 2 ? global : standard;
   b.later(Phase::conditions, [second = row2](Builder& later) {
     if (second.integer("tet10s8") == 1 && !later.model.solids.ten_nodes.empty())
       second.complain(later.findings, Severity::warning, "tet10s8",

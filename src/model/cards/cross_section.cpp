@@ -23,7 +23,8 @@ const Card set_card{{
     id("ssid", IdSpace::set, 0, "shell set"),
     id("tsid", IdSpace::set, 0, "set of thick shells"),
     id("dsid", IdSpace::set, 0, "set of discrete elements"),
-    id("id", IdSpace::none, 0, "rigid body or coordinate system in whose axes the result is written; 0: global axes"),
+    id("id", IdSpace::none, 0,
+       "rigid body, accelerometer or coordinate system in whose axes the result is written; 0: global axes"),
     integer("itype", 0, between(0, 2), "what id is: 0 a rigid body, 1 an accelerometer, 2 a coordinate system"),
 }};
 
@@ -43,7 +44,8 @@ const Card plane_card2{{
     real("zhev", dimension::length, 0, any_value, "z"),
     real("lenl", dimension::length, 0, at_least(0), "length along the edge L; 0: infinite"),
     real("lenm", dimension::length, 0, at_least(0), "length along the edge M = normal x L; 0: infinite"),
-    id("id", IdSpace::none, 0, "rigid body or coordinate system in whose axes the result is written; 0: global axes"),
+    id("id", IdSpace::none, 0,
+       "rigid body, accelerometer or coordinate system in whose axes the result is written; 0: global axes"),
     integer("itype", 0, between(0, 2), "what id is: 0 a rigid body, 1 an accelerometer, 2 a coordinate system"),
 }};
 
@@ -67,9 +69,16 @@ void resolve_axes(Builder& builder, const Row& row, CrossSection& section) {
         refuse(builder, row, "id", "local axes of this body are not known: its principal axes are not used",
                "name a coordinate system in LCO of *MAT_RIGID, or use itype 2");
       return;
-    case 1:
-      return refuse(builder, row, "itype", "the axes of accelerometers are not followed",
-                    "use itype 2 with a *DEFINE_COORDINATE_NODES of the same nodes and FLAG 1");
+    case 1: {
+      const auto& all = builder.model.accelerometers;
+      const auto found =
+          std::find_if(all.begin(), all.end(), [&](const Accelerometer& a) { return a.id == row.integer("id"); });
+      if (found == all.end())
+        return refuse(builder, row, "id", fmt::format("accelerometer {} is not defined", row.integer("id")),
+                      "name an *ELEMENT_SEATBELT_ACCELEROMETER");
+      section.accelerometer = static_cast<Index>(found - all.begin());
+      return;
+    }
     default: section.system = builder.turning_or_fixed_system(row, "id");
   }
 }

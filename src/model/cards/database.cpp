@@ -17,7 +17,10 @@ const Card interval_card{{
     real("dt", dimension::time, 0, at_least(0), "time between two records; 0 writes none"),
     integer("binary", 0, between(0, 3), "0, 1 ASCII file; 2 binout; 3 both"),
     id("lcur", IdSpace::function, 0, "curve of the interval over time, instead of dt"),
-    integer("ioopt", 1, between(0, 3), "how the interval's curve is applied"),
+    integer("ioopt", 1, between(0, 3),
+            "next output: 1 after the curve's value at this one, 2 where its own value is what has passed, 3 at each "
+            "of the "
+            "curve's abscissas"),
     real("option1", dimension::number, 0, any_value, "more output: a finer nodout, history variables in elout"),
     real("option2", dimension::number, 0, any_value, "the same"),
     real("option3", dimension::number, 0, any_value, "the same"),
@@ -33,7 +36,7 @@ const Card d3plot_card{{
 }};
 
 const Card d3plot_card2{{
-    integer("ioopt", 0, any_value, "how the interval's curve is applied"),
+    integer("ioopt", 0, between(0, 3), "as of the ASCII files"),
     real("rate", dimension::number, 0, any_value, "filter rate"),
     real("cutoff", dimension::rate, 0, any_value, "filter frequency"),
     real("window", dimension::number, 0, any_value, "width of the filter window"),
@@ -58,7 +61,8 @@ const Card extent_card1{{
     integer("engflg", 1, any_value, "1: thickness and energy of shells are written"),
 }};
 const Card extent_card2{{
-    integer("cmpflg", 0, any_value, "0: stresses in global axes"),
+    integer("cmpflg", 0, between(-1, 1),
+            "1, -1: stresses and strains where a material has axes of its own in these; 0: in global axes"),
     integer("ieverp", 0, between(0, 1), "1: one state a file"),
     integer("beamip", 0, at_least(0), "integration points of a beam that are written"),
     integer("dcomp", 1, any_value, "1: no compression"),
@@ -102,7 +106,8 @@ const Card set_ids = eight(IdSpace::set, "set whose members have time histories;
 const Card local_node_card{{
     id("id", IdSpace::node, 0, "node with a time history in local axes"),
     id("cid", IdSpace::define, 0, "coordinate system; 0: global axes"),
-    integer("ref", 0, between(0, 1), "0: its axes at time 0; 1: as they turn with their nodes; 2, relative: not built"),
+    integer("ref", 0, between(0, 2),
+            "0: its axes at time 0; 1: as they turn with their nodes; 2: likewise, and relative to their origin"),
     integer("hfo", 0, only(0), "high frequency output: not built"),
 }};
 const Card local_heading_card{{text("heading", 80, "its name")}};
@@ -112,19 +117,28 @@ const Card set_id_heading = headed(IdSpace::set, "set whose members have time hi
 
 // ---- intervals -----------------------------------------------------------------------------------------------------
 
+/// The curve of an interval, and how it counts.
+void take_curve(Builder& builder, const Row& row, std::string_view field, int ioopt, Request Requests::*file) {
+  if (row.integer(field) == 0) return;
+  builder.later(Phase::conditions, [row, field = std::string(field), ioopt, file](Builder& b) {
+    Request& asked = b.model.requests.*file;
+    asked.curve = b.curve(row, field);
+    if (asked.curve == none) return;
+    using enum Request::Rule;
+    asked.rule = ioopt == 2 ? to_next : ioopt == 3 ? at_points : from_last;
+    const Curve& curve = b.model.curves[static_cast<std::size_t>(asked.curve)];
+    if (asked.rule != at_points && *std::min_element(curve.y.begin(), curve.y.end()) <= 0.0)
+      return refuse(b, row, field, "an interval of 0 or below is none",
+                    "give a curve above 0, or IOOPT 3, which takes the curve's abscissas");
+    asked.interval = asked.rule == at_points ? 1.0 : curve.y.front();  // of a curve: asked for, and no more
+  });
+}
+
 void take_request(Builder& builder, const Row& row, Request Requests::*file) {
   Request& request = builder.model.requests.*file;
   request.interval = row.real("dt");
   request.binary = row.integer("binary");
-  if (row.integer("lcur") == 0) return;
-  expect(builder, row, Severity::warning, {{"ioopt", 1, "the interval follows the curve as with 1"}});
-  builder.later(Phase::conditions, [row, file](Builder& b) {
-    Request& asked = b.model.requests.*file;
-    asked.curve = b.curve(row, "lcur");
-    if (asked.curve == none) return;
-    const Curve& curve = b.model.curves[static_cast<std::size_t>(asked.curve)];
-    if (asked.interval == 0.0 && !curve.empty()) asked.interval = curve.y.front();
-  });
+  take_curve(builder, row, "lcur", row.integer("ioopt"), file);
 }
 
 template <Request Requests::*file>
@@ -140,14 +154,14 @@ void read_d3plot(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   const Row row = cursor.read(d3plot_card);
   builder.model.requests.d3plot.interval = row.real("dt");
-  if (row.integer("lcdt") != 0)
-    row.complain(builder.findings, Severity::error, "lcdt",
-                 "an interval that changes over time is not built for d3plot", "give dt, or npltc");
+  int ioopt = 1;
   if (cursor.more()) {
-    constexpr std::string_view plain = "states are written at equal intervals and unfiltered";
-    expect(builder, cursor.read(d3plot_card2), Severity::warning,
-           {{"ioopt", 0, plain}, {"rate", 0, plain}, {"cutoff", 0, plain}, {"window", 0, plain}});
+    constexpr std::string_view plain = "states are written unfiltered";
+    const Row second = cursor.read(d3plot_card2);
+    expect(builder, second, Severity::warning, {{"rate", 0, plain}, {"cutoff", 0, plain}, {"window", 0, plain}});
+    ioopt = second.integer("ioopt");
   }
+  if (row.integer("npltc") == 0) take_curve(builder, row, "lcdt", ioopt, &Requests::d3plot);
   if (const int states = row.integer("npltc"); states > 0)
     builder.later(Phase::conditions,
                   [states](Builder& b) { b.model.requests.d3plot.interval = b.model.control.end_time / states; });
@@ -191,8 +205,8 @@ void read_extent_binary(Builder& builder, const Block& block, const Options&) {
   if (requests.beam_points > 0)
     row2.complain(builder.findings, Severity::note, "beamip",
                   "the axial strain of a beam's points is not known; d3plot has 0 in its place");
-  others(row2, {{"cmpflg", 0, "stresses are written in global axes"},
-                {"dcomp", 1, "d3plot is written without compression, velocities and accelerations included"},
+  requests.material_axes = row2.integer("cmpflg") != 0;
+  others(row2, {{"dcomp", 1, "d3plot is written without compression, velocities and accelerations included"},
                 {"shge", 1, absent},
                 {"stssz", 1, absent}});
 
@@ -308,18 +322,26 @@ void read_local_history(Builder& builder, const Block& block, const Options& opt
       if (node == none)
         return row.complain(b.findings, Severity::warning, "id", "node is not in the model; it has no time history");
       if (row.integer("cid") == 0) return add_history(list, node, heading);
-      const bool turning = row.integer("ref") == 1;
+      const bool turning = row.integer("ref") != 0, relative = row.integer("ref") == 2;
       const Index system = b.turning_or_fixed_system(row, "cid");
       if (system == none) return;
-      // With REF 1 the axes turn whatever FLAG says.
+      // With REF 1 and 2 the axes turn whatever FLAG says.
       const CoordinateSystem& axes = b.model.systems[static_cast<std::size_t>(system)];
       if (turning && !axes.nodes)
-        return refuse(b, row, "ref", "axes that turn (REF 1) need the nodes that they turn with",
+        return refuse(b, row, "ref", "axes that turn (REF 1 and 2) need the nodes that they turn with",
                       "define the system by *DEFINE_COORDINATE_NODES, or write 0");
       if (!turning && axes.turning)
         return refuse(b, row, "ref", "fixed axes (REF 0) need a system of fixed axes",
                       "write 1, or FLAG 0 in the system");
-      list.push_back({node, heading, system, turning});
+      list.push_back({node, heading, system, turning, relative});
+      if (!relative) return;
+      b.later(Phase::checks, [row](Builder& later) {
+        if (later.model.control.relaxation.on())
+          refuse(later, row, "ref",
+                 "relative motion (REF 2) after a dynamic relaxation is not built: its places of "
+                 "reference would be those at the end of it",
+                 "write 1");
+      });
     });
   }
 }
@@ -369,6 +391,7 @@ std::vector<Keyword> database_keywords() {
       file_keyword<&Requests::deforc>("DATABASE_DEFORC"),
       file_keyword<&Requests::jntforc>("DATABASE_JNTFORC"),
       file_keyword<&Requests::sleout>("DATABASE_SLEOUT"),
+      file_keyword<&Requests::abstat>("DATABASE_ABSTAT"),
       {"DATABASE_BINARY_D3PLOT",
        {},
        {},
@@ -410,7 +433,6 @@ std::vector<Keyword> database_keywords() {
       not_written("DATABASE_NCFORC", "contact forces by node (ncforc) are not written yet; rcforc holds their sums"),
       not_written("DATABASE_DISBOUT",
                   "discrete beams (disbout) are not written; swforc has the forces of those that join sheets"),
-      not_written("DATABASE_ABSTAT", "volumes and pressures of airbags (abstat) are not written"),
       not_written("DATABASE_SBTOUT", "seat belts (sbtout) are not written; there are none"),
 
       without_effect("DATABASE_BINARY_RUNRSF", "restart files are asked for on the command line (--checkpoint)"),

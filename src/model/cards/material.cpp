@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/axes.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/material.hpp"
 #include "model/cards/reading.hpp"
@@ -81,11 +82,11 @@ const Card rigid_hold_card{{
 const Card rigid_output_card{{
     real("lco_or_a1", dimension::number, 0, any_value,
          "LCO, coordinate system of local motions; else first of two vectors"),
-    real("a2", dimension::number, 0, any_value, "local axes of rbdout: not obeyed"),
-    real("a3", dimension::number, 0, any_value, "local axes of rbdout: not obeyed"),
-    real("v1", dimension::number, 0, any_value, "local axes of rbdout: not obeyed"),
-    real("v2", dimension::number, 0, any_value, "local axes of rbdout: not obeyed"),
-    real("v3", dimension::number, 0, any_value, "local axes of rbdout: not obeyed"),
+    real("a2", dimension::number, 0, any_value, "first vector a: first of the body's own axes"),
+    real("a3", dimension::number, 0, any_value, "first vector a: first of the body's own axes"),
+    real("v1", dimension::number, 0, any_value, "second vector v: third axis c = a x v, second c x a"),
+    real("v2", dimension::number, 0, any_value, "second vector v: third axis c = a x v, second c x a"),
+    real("v3", dimension::number, 0, any_value, "second vector v: third axis c = a x v, second c x a"),
     integer("bndlco", 0, any_value, "axes of bndout, no effect"),
 }};
 
@@ -166,26 +167,22 @@ RigidCard rigid_hold(Builder& b, const Block& block, const Row& row) {
   return hold;
 }
 
-/// LCO of the third card: the coordinate system of local motions. Axes by two vectors are only for output, in global
-/// axes here.
-int local_system(Builder& b, const Block& block, const Row& row) {
-  for (const auto* field : {"a2", "a3", "v1", "v2", "v3"})
-    if (row.real(field) != 0.0) {
-      row.complain(b.findings, Severity::warning, field,
-                   "local axes by two vectors are not obeyed: rbdout is in global axes",
-                   "name a coordinate system in LCO");
-      return 0;
-    }
-  const int lco = system_id(block, row.real("lco_or_a1"));
-  if (lco != 0)
-    b.later(Phase::checks, [row](Builder& later) {
-      if (later.model.requests.rbdout.asked())
-        row.complain(later.findings, Severity::warning, "lco_or_a1",
-                     "rbdout does not obey it: its local components are in axes that turn with the body and were the "
-                     "global ones at time 0",
-                     "turn them into the axes of LCO afterwards; local motions and secforc obey it");
-    });
-  return lco;
+/// The third card: LCO, the coordinate system of local motions and output, or two vectors a and v that give the axes of
+/// output a, c = a x v and b = c x a.
+void take_local_axes(Builder& b, const Block& block, const Row& row, RigidCard& hold) {
+  const auto vector = [&](const char* x, const char* y, const char* z) {
+    return Vec3d{row.real(x), row.real(y), row.real(z)};
+  };
+  const Vec3d v = vector("v1", "v2", "v3");
+  if (row.real("a2") == 0.0 && row.real("a3") == 0.0 && norm(v) == 0.0) {
+    hold.lco = system_id(block, row.real("lco_or_a1"));
+    return;
+  }
+  Frame3d axes;
+  if (!frame_from(vector("lco_or_a1", "a2", "a3"), v, axes))
+    return refuse(b, row, "v1", "the two vectors are parallel, or one is missing",
+                  "give two vectors that span a plane");
+  hold.output_axes = axes;
 }
 
 void read_rigid(Builder& b, const Block& block, const Options& options) {
@@ -193,7 +190,7 @@ void read_rigid(Builder& b, const Block& block, const Options& options) {
   std::string title = read_title(cursor, options);
   const Row row = cursor.read(rigid_card);
   RigidCard hold = rigid_hold(b, block, cursor.read(rigid_hold_card));
-  hold.lco = local_system(b, block, cursor.read(rigid_output_card));
+  take_local_axes(b, block, cursor.read(rigid_output_card), hold);
   expect_end(b, cursor);
   const Index material =
       add_material(b, row, std::move(title), "MAT_RIGID", kernel::Rigid{row.real("e"), row.real("pr")});

@@ -125,9 +125,10 @@ const Card accelerometer_card{{
     id("nid2", IdSpace::node, required, "node 2: local x from node 1 to node 2"),
     id("nid3", IdSpace::node, required, "node 3: local z normal to x and to the direction to node 3"),
     integer("igrav", 0, at_least(-6),
-            "accelerations of body loads are 0 contained, 1 left out, -1 x, -2 y, -3 z, -4 xy, -5 yz, -6 zx left out"),
+            "accelerations of body loads are 0 contained, 1 left out, -1 x, -2 y, -3 z, -4 xy, -5 yz, -6 zx left out; "
+            "above 1: a curve of this flag over time"),
     integer("intopt", 0, between(0, 1), "0: velocities turned into the local axes; 1: local accelerations summed up"),
-    real("mass", dimension::mass, 0, at_least(0), "mass added to node 1"),
+    real("mass", dimension::mass, 0, at_least(0), "mass added, a third to each of the nodes"),
 }};
 
 void read_node(Builder& b, const Block& block, const Options&) {
@@ -235,16 +236,18 @@ void add_accelerometer(Builder& b, const Row& row) {
   a.node = {b.node(row, "nid1"), b.node(row, "nid2"), b.node(row, "nid3")};
   if (a.node[0] == none || a.node[1] == none || a.node[2] == none) return;
   const int gravity = row.integer("igrav");
-  if (gravity > 1)
-    return refuse(b, row, "igrav", "a curve of this flag over time is not built", "write 0, 1 or -1 to -6");
-  a.without_gravity = gravity == 1 ? 7u : bits_of_code(-gravity);
-  if (row.integer("intopt") != 0)
-    return refuse(b, row, "intopt", "velocities summed up in the turning axes are not built", "write 0");
+  a.without_gravity = gravity_left_out(gravity);
+  a.sums_local = row.integer("intopt") == 1;
   const auto at = [&](std::size_t i) { return b.model.nodes.x[static_cast<std::size_t>(a.node[i])]; };
   Frame3d axes;
   if (!frame_from(at(1) - at(0), at(2) - at(0), axes))
     return refuse(b, row, "nid2", "the three nodes lie on a line, so they span no axes", "take nodes apart");
-  if (row.real("mass") > 0.0) b.model.masses.push_back({a.id, a.node[0], row.real("mass")});
+  if (row.real("mass") > 0.0)
+    for (const Index n : a.node) b.model.masses.push_back({a.id, n, row.real("mass") / 3.0});
+  if (gravity > 1)
+    b.later(Phase::conditions, [row, number = b.model.accelerometers.size()](Builder& later) {
+      later.model.accelerometers[number].gravity_curve = later.curve(row, "igrav");
+    });
   b.model.accelerometers.push_back(a);
 }
 

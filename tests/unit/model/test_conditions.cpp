@@ -103,7 +103,7 @@ TEST(Database, HistoriesOfNodesSetsAndHeadings) {
 }
 
 TEST(Database, WhatIsNotWrittenIsSaid) {
-  const Built built(small_deck(R"(*DATABASE_ABSTAT
+  const Built built(small_deck(R"(*DATABASE_SBTOUT
     1.0E-3
 *DATABASE_BINARY_RUNRSF
     1000.0
@@ -115,7 +115,7 @@ TEST(Database, WhatIsNotWrittenIsSaid) {
          4         0        -3
 )"));
   EXPECT_EQ(built.findings.errors(), 0) << built.all_findings();
-  EXPECT_TRUE(built.warning("abstat"));
+  EXPECT_TRUE(built.warning("sbtout"));
   EXPECT_TRUE(built.warning("not written", "neiph"));
   EXPECT_TRUE(built.warning("not written", "option1"));
   EXPECT_TRUE(built.warning("the mean over a shell's in-plane points", "maxint"));
@@ -127,7 +127,7 @@ TEST(Database, WhatIsNotWrittenIsSaid) {
   };
   EXPECT_EQ(verdict("DATABASE_BINARY_RUNRSF"), Verdict::ignored);
   EXPECT_EQ(verdict("DATABASE_SOMETHING_NEW"), Verdict::refused);
-  EXPECT_TRUE(Built(small_deck("*DATABASE_BINARY_D3PLOT\n       0.1         7\n")).error("over time", "lcdt"));
+  EXPECT_TRUE(Built(small_deck("*DATABASE_BINARY_D3PLOT\n       0.1         7\n")).error("not defined", "lcdt"));
 }
 
 // ---- *BOUNDARY

@@ -53,7 +53,7 @@ TEST(CrossSection, WhatIsNotThereIsRefused) {
   };
   EXPECT_TRUE(with("         1                             4         7").error("thick shells", "tsid"));
   EXPECT_TRUE(with("         1                             4                   0         1         1")
-                  .error("accelerometers", "itype"));
+                  .error("accelerometer 1 is not defined", "id"));
   EXPECT_TRUE(with("         1                             4                             2").error("principal", "id"));
   EXPECT_TRUE(with("        77                             4").error("not defined", "nsid"));
   const Built flat(small_deck("*DATABASE_CROSS_SECTION_PLANE\n         0       1.0       0.0       0.0       1.0\n\n"));
