@@ -151,7 +151,7 @@ int number_of(const kernel::Erosion& e) {
 bool has_plastic_strain(const kernel::Flow& flow) {
   return std::holds_alternative<kernel::PlasticKinematic>(flow) ||
          std::holds_alternative<kernel::PiecewiseLinear>(flow) || std::holds_alternative<kernel::JohnsonCook>(flow) ||
-         std::holds_alternative<kernel::PowerLaw>(flow) || std::holds_alternative<kernel::RateDependentYield>(flow);
+         std::holds_alternative<kernel::PowerLaw>(flow);
 }
 
 /// Warns of criteria that can never be met, and of those that hold at rest.
