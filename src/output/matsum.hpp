@@ -21,8 +21,8 @@ struct MatsumRow {
 
 struct MatsumState {
   double time = 0.0;
-  std::optional<double> lumped_kinetic;  ///< of masses that belong to no part; in the ASCII file as part 0
   std::vector<MatsumRow> rows;           ///< the same parts in the same order in every state
+  std::optional<double> lumped_kinetic;  ///< of masses that belong to no part; in the ASCII file as part 0
 };
 
 /// The ASCII file `matsum`; the legend holds the parts' titles.

@@ -78,7 +78,11 @@ TEST(Database, HistoriesInLocalAxes) {
   EXPECT_TRUE(nodes[0].turning) << "REF 1 turns them whatever FLAG says";
   EXPECT_EQ(nodes[1].system, none);
   EXPECT_TRUE(Built(small_deck("*DATABASE_HISTORY_NODE_LOCAL\n4,3,0\n" + axes(1))).error("need a system", "ref"));
-  EXPECT_TRUE(Built(small_deck("*DATABASE_HISTORY_NODE_LOCAL\n4,3,2\n" + axes(1))).error("", "ref"));
+  const std::string relative = "*DATABASE_HISTORY_NODE_LOCAL\n4,3,2\n" + axes(0);
+  const Built seen_from_axes(small_deck(relative));
+  ASSERT_EQ(seen_from_axes.findings.errors(), 0) << seen_from_axes.all_findings();
+  EXPECT_TRUE(seen_from_axes.model.requests.history_nodes[0].relative);
+  EXPECT_TRUE(Built(small_deck(relative + "*CONTROL_DYNAMIC_RELAXATION\n,,,,,,,1\n")).error("relaxation", "ref"));
   EXPECT_TRUE(Built(small_deck("*DATABASE_HISTORY_NODE_LOCAL\n4,3,1\n*DEFINE_COORDINATE_VECTOR\n3,0.0,2.0,0.0,1.0\n"))
                   .error("the nodes that they turn with", "ref"));
 }
@@ -127,7 +131,7 @@ TEST(Database, WhatIsNotWrittenIsSaid) {
   };
   EXPECT_EQ(verdict("DATABASE_BINARY_RUNRSF"), Verdict::ignored);
   EXPECT_EQ(verdict("DATABASE_SOMETHING_NEW"), Verdict::refused);
-  EXPECT_TRUE(Built(small_deck("*DATABASE_BINARY_D3PLOT\n       0.1         7\n")).error("not defined", "lcdt"));
+  EXPECT_TRUE(Built(small_deck("*DATABASE_BINARY_D3PLOT\n       0.1        77\n")).error("not defined", "lcdt"));
 }
 
 // ---- *BOUNDARY

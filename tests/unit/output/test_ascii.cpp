@@ -207,10 +207,12 @@ TEST(Matsum, WritesAPart) {
   row.eroded_internal = 5.0, row.eroded_kinetic = 6.0;
   row.momentum = {7.0, 8.0, 9.0};
   row.velocity = {-1.0, -2.0, -3.0};
-  Matsum(scratch / "matsum", header, legend).write({0.5, {row}});
+  Matsum(scratch / "matsum", header, legend).write({0.5, {row}, 0.25});
   EXPECT_EQ(content(scratch / "matsum"),
             head + legend_lines(legend) +
                 "\n\n time =   5.0000E-01\n"
+                " mat.#=    0             inten=   0.0000E+00     kinen=   2.5000E-01     eroded_ie=   0.0000E+00     "
+                "eroded_ke=   0.0000E+00\n"
                 " mat.#=    4             inten=   1.0000E+00     kinen=   2.0000E+00     eroded_ie=   5.0000E+00     "
                 "eroded_ke=   6.0000E+00\n"
                 " x-mom=   7.0000E+00     y-mom=   8.0000E+00     z-mom=   9.0000E+00\n"

@@ -121,7 +121,7 @@ TEST(Binout, HoldsPartsNodesWallsAndContacts) {
   MatsumRow part;
   part.part = 4;
   part.internal = 1.0, part.momentum = {1.0, 2.0, 3.0}, part.velocity = {4.0, 5.0, 6.0}, part.added_mass = 7.0;
-  file.write(MatsumState{0.5, {part}});
+  file.write(MatsumState{0.5, {part}, 0.25});
   NodoutRow node;
   node.node = 605;
   node.displacement = {-641.87, 1.0, 2.0}, node.rotation = {0.1, 0.2, 0.3};
@@ -133,6 +133,7 @@ TEST(Binout, HoldsPartsNodesWallsAndContacts) {
   EXPECT_THAT(lsda.integers("/matsum/metadata/legend_ids"), ElementsAre(4));
   EXPECT_THAT(lsda.integers("/matsum/metadata/ids"), ElementsAre(4));
   EXPECT_THAT(lsda.reals("/matsum/d000001/internal_energy"), ElementsAre(1.0));
+  EXPECT_THAT(lsda.reals("/matsum/d000001/lumped_kinetic_energy"), ElementsAre(0.25));
   EXPECT_THAT(lsda.reals("/matsum/d000001/z_momentum"), ElementsAre(3.0));
   EXPECT_THAT(lsda.reals("/matsum/d000001/x_rbvelocity"), ElementsAre(4.0));
   EXPECT_THAT(lsda.reals("/matsum/d000001/mass"), ElementsAre(7.0));
