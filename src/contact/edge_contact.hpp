@@ -23,13 +23,14 @@ constexpr double side_by_side = 0.2;
 /// A straight line between two nodes that must not pass through another: the edge of a shell or of a brick, or a beam.
 struct Edge {
   std::array<int, 2> node{};
-  double thickness = 0.0;      ///< of the round bar around it: the shell's, or the diameter of the beam [length]
-  double stiffness = 0.0;      ///< penalty stiffness before scaling [force/length]
-  double mass = 0.0;           ///< of the segments that it bounds, or of the beam; counts with SOFT = 2
-  double scale = 1.0;          ///< of the stiffness by masses
-  unsigned side = 1;           ///< as of Segment
-  int part = -1;               ///< edges of one part, if it is not -1, never press each other
-  std::vector<int> elements;   ///< the shells or bricks that have it, or the beam, as indices in `alive`
+  double thickness = 0.0;     ///< of the round bar around it: the shell's, or the diameter of the beam [length]
+  double stiffness = 0.0;     ///< penalty stiffness before scaling [force/length]
+  double mass = 0.0;          ///< of the segments that it bounds, or of the beam; counts with SOFT = 2
+  double scale = 1.0;         ///< of the stiffness by masses
+  unsigned side = 1;          ///< as of Segment
+  int part = -1;              ///< edges of one part, if it is not -1, never press each other
+  std::vector<int> elements;  ///< the shells or bricks that have it, or the beam, as indices in `alive`
+  std::vector<std::array<int, 2>> beyond;  ///< of a shell, by element: its nodes that are not on the edge
   std::vector<Segment> faces;  ///< of bricks: those that meet there, with those that others cover; empty: a round bar
   double depth = 0.0;          ///< of bricks: how deep another may stand in it and still be pressed out [length]
   bool of_surface = false;     ///< of segments that press the nodes of others of this kind, and the other way round
@@ -139,14 +140,17 @@ class EdgeContact {
   /// How deep inside a brick the edges still press each other.
   double depth(int a, int b) const { return std::max(setup_.edges[a].depth, setup_.edges[b].depth); }
   Vec3d out_of_bricks(const Pair& pair, const Step& step) const;
+  double sharpness(const Edge& edge, const Vec3d& toward, const Step& step) const;
   double share(const Pair& pair, const Step& step) const;
   void search(std::span<const Row> x, std::span<const unsigned char> alive);
   void list_neighbours(Block& block, const std::vector<int>& listed, const BoxTree& tree, std::span<const Row> x) const;
   void find_close(Block& block, const Step& step) const;
   std::span<const int> neighbours(int edge, double place) const;
-  bool presses(const Candidate& candidate) const;
+  bool presses(const Candidate& candidate, std::span<const Row> x) const;
+  bool another_stretch_is_closer(const Pair& pair, std::span<const Row> x) const;
+  const Pair* close_pair(int a, int b) const;
   bool closer(int a, int b, const Candidate& than) const;
-  Pair predecessor(const Candidate& candidate) const;
+  Pair predecessor(const Candidate& candidate);
   Vec3d direction(const Pair& pair, const Pair& before, const Vec3d& was_at, std::span<const Row> x) const;
   Vec3d friction(const Pair& pair, const Pair& before, double stiffness, double normal_force, const Step& step) const;
   void press(const Candidate& candidate, const Step& step);
