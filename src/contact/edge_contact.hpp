@@ -56,7 +56,8 @@ struct EdgeContactSetup {
 /// Geometry. An edge is a round bar. Two of them overlap by depth = (t_a + t_b)/2 - distance of their closest points.
 /// A pair counts where this distance has a local minimum along the lines that the edges form: where a closest point is
 /// the end of an edge, the pairs of the neighbours there count instead if they are closer, and edges that meet, or
-/// belong to one element or Edge::part, never press each other.
+/// belong to one element or Edge::part, never press each other. Of edges of shells that go straight on only the closest
+/// of neighbouring pairs counts: lines that cross at a small angle have several minima once they bend.
 ///
 /// Bricks. Their edges have no thickness. Two of them overlap, or one and a bar, where the closest points lie inside
 /// both, along the common normal: where that stands in the angle between the outward normals of the two bare faces at
@@ -68,6 +69,11 @@ struct EdgeContactSetup {
 /// corner over corner do not meet several times over. The share that a pair has once had it keeps until it leaves. Not
 /// so two ridges of bricks, whose nodes have no face before them, nor where free edges of shells cross, whose nodes
 /// SurfaceContact leaves to them.
+///
+/// Flat sheets. An edge of a surface presses as far as the faces beside it form a ridge towards the other edge. Those
+/// of sheets that lie flat on each other overlap no deeper than the nodes do, which meet the segments, and add nothing.
+///
+/// What a pair remembers goes to one other as the crossing slides on, and to none while the pair itself goes on.
 ///
 /// Sides. Of bars, the direction in which the first edge is pressed away from the second is that in which it stood when
 /// they met, and turns with them. So an edge that came beyond the other is pressed back.
