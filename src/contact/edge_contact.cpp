@@ -13,11 +13,15 @@ namespace nugget::contact {
 namespace {
 
 constexpr int block_size = 64;
-constexpr double parallel = 1e-5;       // sine below which edges have no common normal of their own
-constexpr double pressing_depth = 0.3;  // of a brick's depth
-constexpr double beyond_normals = 0.1;  // angle by which a common normal may leave those of the faces
-constexpr double flat = 0.05;           // sine of an inward angle between faces that still counts as none
-constexpr double ridge = 0.3;           // angle from the middle of the normals beyond which faces form a ridge
+constexpr double parallel = 1e-5;           // sine below which edges have no common normal of their own
+constexpr double pressing_depth = 0.3;      // of a brick's depth
+constexpr double beyond_normals = 0.1;      // angle by which a common normal may leave those of the faces
+constexpr double flat = 0.05;               // sine of an inward angle between faces that still counts as none
+constexpr double ridge = 0.3;               // angle from the middle of the normals beyond which faces form a ridge
+constexpr double parallel_to_nodes = 0.05;  // sine below which edges leave all to their nodes
+constexpr double straight = 0.85;           // cosine of the angle up to which an edge goes straight on into the next
+constexpr double blunt = 0.05;              // half the angle between faces up to which their edge does not stand out
+constexpr double sharp = 0.15;              // and from which on it does so fully
 constexpr double near_end = 0.06;  // of an edge: nearer to an end than this it meets at the node, see closer(), share()
 
 bool finite(const Row& r) {
@@ -72,10 +76,14 @@ struct Outward {
   bool hold(const Vec3d& direction) const { return angle_to(direction) <= half_angle + beyond_normals; }
 };
 
+bool is_living(int element, std::span<const unsigned char> alive) {
+  return element < 0 || alive.empty() || alive[element] != 0;
+}
+
 /// How many of the elements of an edge live.
 std::ptrdiff_t living(const Edge& e, std::span<const unsigned char> alive) {
   return std::count_if(e.elements.begin(), e.elements.end(),
-                       [&alive](int element) { return element < 0 || alive.empty() || alive[element] != 0; });
+                       [&alive](int element) { return is_living(element, alive); });
 }
 
 /// Whether a place along an edge is one of its ends, but for round-off.
@@ -116,7 +124,11 @@ std::vector<Edge> edges_of(const std::vector<Segment>& segments, std::span<const
       edge.side = edge.elements.empty() ? s.side : edge.side | s.side;
       edge.elements.push_back(s.element);
       edge.of_surface = true;
-      if (!brick) continue;
+      if (!brick) {
+        const int corners = s.corners();
+        edge.beyond.push_back({s.node[(c + 2) % corners], s.node[(c + corners - 1) % corners]});
+        continue;
+      }
       const double a = area(s, x), depth = a > 0.0 ? pressing_depth * s.volume / a : 0.0;
       edge.depth = edge.faces.empty() ? depth : std::min(edge.depth, depth);
       edge.faces.push_back(s);
@@ -174,8 +186,9 @@ void EdgeContact::apply(const Step& step, std::span<Row> force) {
     close_.clear();
     for (const Block& block : blocks_)
       for (const Candidate& candidate : block.close) close_.push_back(&candidate);
+    for (const Candidate* candidate : close_) candidate->pair->touching = presses(*candidate, step.x);
     for (const Candidate* candidate : close_)
-      if (presses(*candidate)) press(*candidate, step);
+      if (candidate->pair->touching) press(*candidate, step);
     forces_.add_to(force);
   }
   const std::array<double, 2> work = forces_.work(step.dt, step.v);
@@ -312,8 +325,8 @@ bool EdgeContact::is_free(int edge, std::span<const unsigned char> alive) const 
   return e.of_surface && e.faces.empty() && living(e, alive) == 1;
 }
 
-/// Widest sine of the angles between the free edges that meet where the pair does; 0 where there are none of the one
-/// or the other.
+/// Widest sine of the angles between the free edges that meet where the pair does, as seen along the direction of the
+/// pair (an edge that stands on its end crosses nothing); 0 where there are none of the one or the other.
 double EdgeContact::sine_of_free(const Pair& pair, const Step& step) const {
   const auto each = [&](int edge, double place, const auto& visit) {
     if (is_free(edge, step.element_alive)) visit(edge);
@@ -325,10 +338,30 @@ double EdgeContact::sine_of_free(const Pair& pair, const Step& step) const {
     each(pair.b, pair.feet.t, [&](int b) {
       const Vec3d p = along(setup_.edges[a], step.x), q = along(setup_.edges[b], step.x);
       const double size = norm(p) * norm(q);
-      if (size > 0.0) widest = std::max(widest, norm(cross(p, q)) / size);
+      if (size > 0.0) widest = std::max(widest, std::abs(dot(cross(p, q), pair.direction)) / size);
     });
   });
   return widest;
+}
+
+/// How much the edge of a surface stands out against what lies `toward` it: 1 that of a free edge, or where faces form
+/// a ridge; 0 where they lie in one plane, or form a hollow.
+double EdgeContact::sharpness(const Edge& edge, const Vec3d& toward, const Step& step) const {
+  const auto of_angle = [](double half) { return std::clamp((half - blunt) / (sharp - blunt), 0.0, 1.0); };
+  if (!edge.faces.empty()) return of_angle(Outward(edge, step).half_angle);
+  Vec3d wing[2];
+  int wings = 0;
+  const Vec3d from = vec(step.x[edge.node[0]]), e = along(edge, step.x);
+  for (std::size_t i = 0; i < edge.elements.size(); ++i) {
+    if (!is_living(edge.elements[i], step.element_alive)) continue;
+    if (wings == 2) return 1.0;
+    const Vec3d to_middle = 0.5 * (vec(step.x[edge.beyond[i][0]]) + vec(step.x[edge.beyond[i][1]])) - from;
+    wing[wings++] = kernel::detail::unit_or_zero(to_middle - (dot(to_middle, e) / dot(e, e)) * e);
+  }
+  if (wings < 2) return 1.0;
+  const Vec3d fall = wing[0] + wing[1];  // as long as twice the sine of half the angle of the fold
+  if (dot(fall, toward) >= 0.0) return 0.0;
+  return of_angle(std::asin(std::min(1.0, 0.5 * norm(fall))));
 }
 
 /// The share of its stiffness with which the pair meets; the rest is left to nodes and segments.
@@ -336,17 +369,19 @@ double EdgeContact::share(const Pair& pair, const Step& step) const {
   const Edge &e = setup_.edges[pair.a], &f = setup_.edges[pair.b];
   if (!e.of_surface || !f.of_surface) return 1.0;
   const auto fade = [](double value, double full) { return std::clamp(value / full, 0.0, 1.0); };
-  const double of_free = fade(sine_of_free(pair, step), side_by_side);
+  const auto across = [&fade](double sine) { return fade(sine - parallel_to_nodes, side_by_side - parallel_to_nodes); };
+  const double of_free = across(sine_of_free(pair, step));
   if (of_free >= 1.0) return 1.0;
   const auto is_ridge = [&step](const Edge& edge) {
     return !edge.faces.empty() && Outward(edge, step).half_angle > ridge;
   };
   if (is_ridge(e) && is_ridge(f)) return 1.0;
   const Vec3d p = along(e, step.x), q = along(f, step.x);
-  const double size = norm(p) * norm(q), sine = size > 0.0 ? norm(cross(p, q)) / size : 0.0;
+  const double size = norm(p) * norm(q), sine = size > 0.0 ? std::abs(dot(cross(p, q), pair.direction)) / size : 0.0;
   const auto from_end = [](double place) { return std::min(place, 1.0 - place); };
   const double at_a = fade(from_end(pair.feet.s), near_end), at_b = fade(from_end(pair.feet.t), near_end);
-  return std::max(of_free, (1.0 - (1.0 - at_a) * (1.0 - at_b)) * fade(sine, side_by_side));
+  const double stands_out = std::min(sharpness(e, -pair.direction, step), sharpness(f, pair.direction, step));
+  return std::max(of_free, (1.0 - (1.0 - at_a) * (1.0 - at_b)) * across(sine) * stands_out);
 }
 
 /// The edges that go on where `place` is near an end of the edge (the edge itself is one of them).
@@ -356,18 +391,25 @@ std::span<const int> EdgeContact::neighbours(int edge, double place) const {
   return std::span(edge_at_).subspan(first_at_[node], first_at_[node + 1] - first_at_[node]);
 }
 
+/// The pair of edges `a` and `b` if it is close enough to touch.
+const EdgeContact::Pair* EdgeContact::close_pair(int a, int b) const {
+  if (a > b) std::swap(a, b);
+  const auto place = std::lower_bound(close_.begin(), close_.end(), std::pair{a, b},
+                                      [](const Candidate* candidate, const std::pair<int, int>& key) {
+                                        return std::pair{candidate->pair->a, candidate->pair->b} < key;
+                                      });
+  return place != close_.end() && (*place)->pair->a == a && (*place)->pair->b == b ? (*place)->pair : nullptr;
+}
+
 /// Whether the pair of edges `a` and `b` is closer than `than`; of pairs that are equally close, the first. Where
 /// `than` meets near ends but not at them, only if the other does so too: lines that bend away from each other at a
 /// node are closest a little before it and a little behind, and meet once.
 bool EdgeContact::closer(int a, int b, const Candidate& than) const {
   const Pair& own = *than.pair;
   if (a > b) std::swap(a, b);
-  const auto place = std::lower_bound(close_.begin(), close_.end(), std::pair{a, b},
-                                      [](const Candidate* candidate, const std::pair<int, int>& key) {
-                                        return std::pair{candidate->pair->a, candidate->pair->b} < key;
-                                      });
-  if (place == close_.end() || (*place)->pair->a != a || (*place)->pair->b != b) return false;
-  const Pair& other = *(*place)->pair;
+  const Pair* const found = close_pair(a, b);
+  if (found == nullptr) return false;
+  const Pair& other = *found;
   const auto meets_near = [&](int edge, double at) {
     if (edge == own.a || edge == own.b) return true;
     const int node = end_at(setup_.edges[edge], at);
@@ -380,9 +422,45 @@ bool EdgeContact::closer(int a, int b, const Candidate& than) const {
   return std::pair{a, b} < std::pair{own.a, own.b};
 }
 
+/// Edges of surfaces that lie side by side, one going straight on where the other ends, meet once: where lines that
+/// cross at a small angle bend, they have several places where they are closest.
+bool EdgeContact::another_stretch_is_closer(const Pair& pair, std::span<const Row> x) const {
+  const auto straight_on = [&](int edge, std::array<int, 9>& line) {
+    const Edge& e = setup_.edges[edge];
+    std::size_t count = 0;
+    line[count++] = edge;
+    for (const int end : {0, 1}) {
+      const Vec3d out = (end == 0 ? -1.0 : 1.0) * along(e, x);
+      for (int i = first_at_[e.node[end]]; i < first_at_[e.node[end] + 1] && count < line.size(); ++i) {
+        const int next = edge_at_[i];
+        if (next == edge || !active_[next]) continue;
+        const Edge& f = setup_.edges[next];
+        const Vec3d on = (f.node[0] == e.node[end] ? 1.0 : -1.0) * along(f, x);
+        if (dot(out, on) > straight * norm(out) * norm(on)) line[count++] = next;
+      }
+    }
+    return count;
+  };
+  const Edge &e = setup_.edges[pair.a], &f = setup_.edges[pair.b];
+  if (!e.of_surface || !f.of_surface || of_bricks(pair)) return false;
+  std::array<int, 9> line_a{}, line_b{};
+  const std::size_t of_a = straight_on(pair.a, line_a), of_b = straight_on(pair.b, line_b);
+  for (std::size_t i = 0; i < of_a; ++i)
+    for (std::size_t j = 0; j < of_b; ++j) {
+      if (i == 0 && j == 0) continue;
+      const Pair* const other = close_pair(line_a[i], line_b[j]);
+      if (other == nullptr) continue;
+      const double distance = other->feet.distance;
+      if (distance < pair.feet.distance) return true;
+      if (distance == pair.feet.distance && std::pair{other->a, other->b} < std::pair{pair.a, pair.b}) return true;
+    }
+  return false;
+}
+
 /// Whether the distance of the pair is a local minimum along the lines that the edges are part of.
-bool EdgeContact::presses(const Candidate& candidate) const {
+bool EdgeContact::presses(const Candidate& candidate, std::span<const Row> x) const {
   const Pair& pair = *candidate.pair;
+  if (another_stretch_is_closer(pair, x)) return false;
   const std::span<const int> beside_a = neighbours(pair.a, pair.feet.s), beside_b = neighbours(pair.b, pair.feet.t);
   const auto better = [&](int a, int b) {
     if (a == b || belong_together(a, b)) return goes_on_at_ends(pair.a, pair.b, pair.feet, a, b);
@@ -399,15 +477,19 @@ bool EdgeContact::presses(const Candidate& candidate) const {
 }
 
 /// The pair that touched in the cycle before, this one or the one from which it slid here, with its edges in the order
-/// of this one; not touching if there was none.
-EdgeContact::Pair EdgeContact::predecessor(const Candidate& candidate) const {
+/// of this one; not touching if there was none. What a pair had goes to one other pair, and to none while it goes on.
+EdgeContact::Pair EdgeContact::predecessor(const Candidate& candidate) {
   if (candidate.before.touching) return candidate.before;
   const auto goes_on = [this](int a, int b) { return a == b || share_a_node(setup_.edges[a], setup_.edges[b]); };
   const int a = candidate.pair->a, b = candidate.pair->b;
-  for (const Pair& other : touched_before_) {
-    if (goes_on(a, other.a) && goes_on(b, other.b)) return other;
-    if (!goes_on(a, other.b) || !goes_on(b, other.a)) continue;
+  for (Pair& other : touched_before_) {
+    if (!other.touching) continue;
+    if (const Pair* const now = close_pair(other.a, other.b); now != nullptr && now->touching) continue;
+    const bool same_order = goes_on(a, other.a) && goes_on(b, other.b);
+    if (!same_order && !(goes_on(a, other.b) && goes_on(b, other.a))) continue;
     Pair turned = other;
+    other.touching = false;
+    if (same_order) return turned;
     std::swap(turned.a, turned.b);
     std::swap(turned.feet.a, turned.feet.b);
     std::swap(turned.feet.s, turned.feet.t);
@@ -467,6 +549,10 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   const double explained = before.depth + step.dt * (before.touching ? norm(velocity) : std::max(0.0, approach));
   double offset = candidate.before.touching ? before.offset : std::max(before.offset, overlap - explained);
   pair.share = before.touching ? std::max(before.share, share(pair, step)) : share(pair, step);
+  if (pair.share == 0.0) {
+    pair.touching = false;
+    return;
+  }
   // Stiffness that grows with the share would give energy if it found the depth as it was.
   if (before.touching && pair.share > before.share)
     offset = overlap - std::max(0.0, overlap - offset) * std::sqrt(before.share / pair.share);
@@ -480,8 +566,10 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   const std::array<double, 4> node_mass{step.mass[e.node[0]], step.mass[e.node[1]], step.mass[f.node[0]],
                                         step.mass[f.node[1]]};
   const double inverse_mass = kernel::inverse_pair_mass(0.0, weight, node_mass);
+  const double greatest = kernel::greatest_inverse_mass(0.0, std::span(node_mass).first(2)) +
+                          kernel::greatest_inverse_mass(0.0, std::span(node_mass).last(2));
   const double stiffness =
-      pair.share * kernel::pair_stiffness(setup_.law, penalty(e, f, step), inverse_mass, step.bearable);
+      pair.share * kernel::pair_stiffness(setup_.law, penalty(e, f, step), greatest, step.bearable);
   pair.memory = before.memory;
   const double inverse_own_mass =
       kernel::inverse_pair_mass(0.0, {weight[0], weight[1], 0.0, 0.0}, {node_mass[0], node_mass[1], 0.0, 0.0});

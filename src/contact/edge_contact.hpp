@@ -23,13 +23,14 @@ constexpr double side_by_side = 0.2;
 /// A straight line between two nodes that must not pass through another: the edge of a shell or of a brick, or a beam.
 struct Edge {
   std::array<int, 2> node{};
-  double thickness = 0.0;      ///< of the round bar around it: the shell's, or the diameter of the beam [length]
-  double stiffness = 0.0;      ///< penalty stiffness before scaling [force/length]
-  double mass = 0.0;           ///< of the segments that it bounds, or of the beam; counts with SOFT = 2
-  double scale = 1.0;          ///< of the stiffness by masses
-  unsigned side = 1;           ///< as of Segment
-  int part = -1;               ///< edges of one part, if it is not -1, never press each other
-  std::vector<int> elements;   ///< the shells or bricks that have it, or the beam, as indices in `alive`
+  double thickness = 0.0;     ///< of the round bar around it: the shell's, or the diameter of the beam [length]
+  double stiffness = 0.0;     ///< penalty stiffness before scaling [force/length]
+  double mass = 0.0;          ///< of the segments that it bounds, or of the beam; counts with SOFT = 2
+  double scale = 1.0;         ///< of the stiffness by masses
+  unsigned side = 1;          ///< as of Segment
+  int part = -1;              ///< edges of one part, if it is not -1, never press each other
+  std::vector<int> elements;  ///< the shells or bricks that have it, or the beam, as indices in `alive`
+  std::vector<std::array<int, 2>> beyond;  ///< of a shell, by element: its nodes that are not on the edge
   std::vector<Segment> faces;  ///< of bricks: those that meet there, with those that others cover; empty: a round bar
   double depth = 0.0;          ///< of bricks: how deep another may stand in it and still be pressed out [length]
   bool of_surface = false;     ///< of segments that press the nodes of others of this kind, and the other way round
@@ -55,7 +56,8 @@ struct EdgeContactSetup {
 /// Geometry. An edge is a round bar. Two of them overlap by depth = (t_a + t_b)/2 - distance of their closest points.
 /// A pair counts where this distance has a local minimum along the lines that the edges form: where a closest point is
 /// the end of an edge, the pairs of the neighbours there count instead if they are closer, and edges that meet, or
-/// belong to one element or Edge::part, never press each other.
+/// belong to one element or Edge::part, never press each other. Of edges of shells that go straight on only the closest
+/// of neighbouring pairs counts: lines that cross at a small angle have several minima once they bend.
 ///
 /// Bricks. Their edges have no thickness. Two of them overlap, or one and a bar, where the closest points lie inside
 /// both, along the common normal: where that stands in the angle between the outward normals of the two bare faces at
@@ -67,6 +69,11 @@ struct EdgeContactSetup {
 /// corner over corner do not meet several times over. The share that a pair has once had it keeps until it leaves. Not
 /// so two ridges of bricks, whose nodes have no face before them, nor where free edges of shells cross, whose nodes
 /// SurfaceContact leaves to them.
+///
+/// Flat sheets. An edge of a surface presses as far as the faces beside it form a ridge towards the other edge. Those
+/// of sheets that lie flat on each other overlap no deeper than the nodes do, which meet the segments, and add nothing.
+///
+/// What a pair remembers goes to one other as the crossing slides on, and to none while the pair itself goes on.
 ///
 /// Sides. Of bars, the direction in which the first edge is pressed away from the second is that in which it stood when
 /// they met, and turns with them. So an edge that came beyond the other is pressed back.
@@ -139,14 +146,17 @@ class EdgeContact {
   /// How deep inside a brick the edges still press each other.
   double depth(int a, int b) const { return std::max(setup_.edges[a].depth, setup_.edges[b].depth); }
   Vec3d out_of_bricks(const Pair& pair, const Step& step) const;
+  double sharpness(const Edge& edge, const Vec3d& toward, const Step& step) const;
   double share(const Pair& pair, const Step& step) const;
   void search(std::span<const Row> x, std::span<const unsigned char> alive);
   void list_neighbours(Block& block, const std::vector<int>& listed, const BoxTree& tree, std::span<const Row> x) const;
   void find_close(Block& block, const Step& step) const;
   std::span<const int> neighbours(int edge, double place) const;
-  bool presses(const Candidate& candidate) const;
+  bool presses(const Candidate& candidate, std::span<const Row> x) const;
+  bool another_stretch_is_closer(const Pair& pair, std::span<const Row> x) const;
+  const Pair* close_pair(int a, int b) const;
   bool closer(int a, int b, const Candidate& than) const;
-  Pair predecessor(const Candidate& candidate) const;
+  Pair predecessor(const Candidate& candidate);
   Vec3d direction(const Pair& pair, const Pair& before, const Vec3d& was_at, std::span<const Row> x) const;
   Vec3d friction(const Pair& pair, const Pair& before, double stiffness, double normal_force, const Step& step) const;
   void press(const Candidate& candidate, const Step& step);

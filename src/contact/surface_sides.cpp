@@ -246,7 +246,7 @@ bool SurfaceContact::left_to_edges(const Candidate& candidate, int node, const S
       each_free_edge(node, [&](int other) {
         if (other == corner || other == end) return;
         const Vec3d p = vec(step.x[end]) - vec(step.x[corner]), q = vec(step.x[other]) - vec(step.x[node]);
-        if (norm(cross(p, q)) >= side_by_side * norm(p) * norm(q)) cross_each_other = true;
+        if (std::abs(dot(cross(p, q), candidate.away)) >= side_by_side * norm(p) * norm(q)) cross_each_other = true;
       });
     });
   }

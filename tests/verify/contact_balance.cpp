@@ -117,6 +117,39 @@ TEST(ContactBalance, EdgesLeaveNodesToNodes) {
   }
 }
 
+// Sheets that lie flat on each other, turned or aligned, at rest or sliding: nodes meet segments, and of the edges that
+// cross there none has anything to add. Sabotage: edges of a flat sheet press as ridges do (5.3 % too much energy
+// turned, 2.9 % lost or made aligned).
+TEST(ContactBalance, EdgesOfFlatSheetsHaveNothingToAdd) {
+  for (const bool by_segments : {false, true})
+    for (const double turn : {0.0, 0.3})
+      for (const double slide : {0.0, 20000.0}) {
+        const std::string contact =
+            by_segments ? by_all("SINGLE_SURFACE") + fields({2, 0.1, 0, 0, 2, 5}) : by_all("GENERAL_INTERIOR");
+        Specimen s = steel_bodies(contact, 6e-5);
+        s.part(1, 2, 1).part(2, 2, 1);
+        s.shells(1, {0.0, 0.0, 0.0}, {30.0, 30.0, 0.0}, 6, 6);
+        const double c = 5.0 * std::cos(turn), d = 5.0 * std::sin(turn), off = turn > 0.0 ? 1.3 : 0.0;
+        std::vector<int> node;
+        for (int j = 0; j <= 6; ++j)
+          for (int i = 0; i <= 6; ++i) node.push_back(s.node({off + c * i - d * j, 1.5 * off + d * i + c * j, 1.05}));
+        for (std::size_t j = 0; j < 6; ++j)
+          for (std::size_t i = 0; i < 6; ++i) {
+            const std::size_t k = 7 * j + i;
+            s.shell(2, {node[k], node[k + 1], node[k + 8], node[k + 7]});
+          }
+        velocity(s, 2, {slide, 0.6 * slide, -5000.0});
+        const Bounce b = bounce(s.deck());
+        const double approach = 1.0 / (1.0 + 1.36 * slide * slide / 25e6);  // its part of the first energy
+        const std::string what = std::string(by_segments ? "SOFT 2" : "GENERAL_INTERIOR") +
+                                 (turn > 0.0 ? ", turned" : ", aligned") + (slide > 0.0 ? ", sliding" : "");
+        expect_reference("bounce", "sheets flat on each other, " + what + ", energy left, of that of the approach",
+                         b.energy / approach, 0.0, 0.01, 1.0);
+        expect_reference("bounce", "sheets flat on each other, " + what + ", change of momentum, of the first",
+                         b.momentum, 0.0, 1e-12, 1.0);
+      }
+}
+
 /// Part of its velocity with which a mass leaves a spring and a dashpot of `damping` (1: critical) that press but do
 /// not pull: force 2 damping w v + w^2 x, until it is 0.
 double restitution(double damping) {

@@ -54,6 +54,7 @@ struct Meeting {
   double energy = 1.0;     ///< energy ratio farthest from 1
   double contact = 0.0;    ///< energy left in the contact, over the first kinetic one
   double stored = 0.0;     ///< the greatest there, over the first kinetic one
+  double stiffness = 0.0;  ///< of the contact as one spring, F^2/2E, where it stores most [force/length]
   double impulse = 0.0;    ///< of the force on SURFA that is written, upward, over what the lower plate has got
 };
 
@@ -81,6 +82,12 @@ Meeting meet(const Bodies& bodies) {
     m.apart = sum[1].z / mass[1] - sum[0].z / mass[0];
     m.momentum = norm(sum[0] + sum[1] - Vec3d{0.0, 0.0, first}) / std::abs(first);
     m.contact = now.energy.contact / kinetic;
+    if (m.contact > m.stored) {
+      std::vector<unsigned char> lower(now.state.x.size(), 0);
+      for (int id : bodies.lower.all()) lower[experiment.node(id)] = 1;
+      const Vec3d force = now.contacts[0].force_on(lower);
+      m.stiffness = dot(force, force) / (2.0 * now.energy.contact);
+    }
     m.stored = std::max(m.stored, m.contact);
     impulse += now.contacts[0].resultant().z * now.kick();
     m.impulse = impulse / sum[0].z;
@@ -177,11 +184,27 @@ TEST(EdgeContact, EdgesCrossAnywhereAlongThem) {
                       by_segments ? ", SOFT 2" : "", angle, a, b);
         const Meeting m = meet(UprightPlates(contact, a, b, angle * std::numbers::pi / 180.0));
         expect_rebound(what, m);
-        if (between_nodes == 0.0) between_nodes = m.stored;
-        expect_reference("edges", std::string(what) + ", stored in the contact, of the first", m.stored, between_nodes,
-                         0.05);
+        if (between_nodes == 0.0) between_nodes = m.stiffness;
+        expect_reference("edges", std::string(what) + ", stiffness of the contact", m.stiffness, between_nodes, 0.02);
       }
     }
+}
+
+// Edges that cross at small angles lie close to each other over a long way, and have more than one place where they
+// are closest once they bend. Sabotage: a spring at each of these (9 degrees, at nodes: 9.6 % too much energy); a
+// stiffness that changes with the place along the edge (13 degrees, beside nodes: 3.2 % lost).
+TEST(EdgeContact, EdgesCrossAtSmallAngles) {
+  for (const bool by_segments : {false, true})
+    for (const double angle : {20.0, 13.0, 9.0, 7.0, 5.0, 1.0, 0.0})
+      for (const auto& [a, b] : {std::pair{0.0, 0.0}, {0.0, 0.5}, {0.25, 0.1}, {0.02, 0.03}}) {
+        const std::string contact = by_segments
+                                        ? all_by_all("CONTACT_AUTOMATIC_SINGLE_SURFACE") + fields({2, 0.1, 0, 0, 2, 5})
+                                        : all_by_all("CONTACT_AUTOMATIC_GENERAL");
+        char what[120];
+        std::snprintf(what, sizeof what, "upright plates%s, %g degrees, %g and %g off nodes",
+                      by_segments ? ", SOFT 2" : "", angle, a, b);
+        expect_rebound(what, meet(UprightPlates(contact, a, b, angle * std::numbers::pi / 180.0)));
+      }
 }
 
 // Nodes against segments alone let the plates cut into each other: the case is one for edges.
