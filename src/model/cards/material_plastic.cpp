@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "kernel/law/composition.hpp"
@@ -120,6 +121,8 @@ void set_rate_curves(Builder& b, Index material, const Row& main, const Row& row
   flow.yield = curve(yield);
   for (const double y : flow.yield.y)
     if (!(y > 0.0)) return refuse(b, row, "lc1", "a yield stress is not above 0");
+  if (!std::is_sorted(flow.yield.y.begin(), flow.yield.y.end()))
+    warn_of_softening_by_rate(b, row, "lc1", fmt::format("curve {}", flow.yield.id));
   flow.plastic_modulus = {0, {0.0}, {row.real("etan")}};
   if (const Index tangent = b.curve(row, "lc3"); tangent != none) {
     flow.plastic_modulus = curve(tangent);
