@@ -71,6 +71,17 @@ class LawCards(CommandTest):
         plastic = "*MAT_024\n" + card(1, 7.85e-9, 210000.0, 0.3) + card("", "", 7) + "\n\n"
         self.expect(self.brick(plastic + curve(7, (0, 300), (0.2, 100))), "lcss", "falls")
         self.expect(self.brick(plastic + curve(7, (0.1, 300), (0.2, 400))), "lcss", "begins at a plastic strain of 0.1")
+        steel = (1, 7.85e-9, 210000.0, 0.3)
+        softer = curve(8, (0, 300), (500, 200))
+        self.expect(self.brick("*MAT_019\n" + card(*steel) + card(8) + softer), "lc1", "falls with the rate")
+        scaled = "*MAT_024\n" + card(*steel, 300.0) + card("", "", "", 8) + "\n\n"
+        self.expect(self.brick(scaled + softer), "lcsr", "falls with the rate")
+        for last, crosses in ((380, True), (400, False)):
+            curves = curve(5, (0, 300), (1, 400)) + curve(6, (0, 350), (1, last))
+            table = "*DEFINE_TABLE_2D\n" + card(7) + f"{1.0:20}{5:20}\n{100.0:20}{6:20}\n"
+            with self.subTest(last=last):
+                found = self.findings(self.brick(plastic + curves + table))
+                self.assertEqual(["at a plastic strain of 1 from curve 5 to 6" in f["text"] for f in found], [True] * crosses, found)
         damage = "*MAT_081\n" + card(1, 7.85e-9, 210000.0, 0.3, 300.0, "", 0.2) + card(*[""] * 6, 8) + "\n\n"
         self.expect(self.brick(damage + curve(8, (-1, 0), (0.1, 1))), "lcdm", "grows from 0", refused=True)
         self.expect(self.brick(damage + curve(8, (0, 0), (0.1, 0.5))), "lcdm", "nothing fails")

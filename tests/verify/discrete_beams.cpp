@@ -154,8 +154,8 @@ std::vector<std::pair<double, double>> driven(const std::string& material, doubl
                 2.0 * amplitude);
 }
 
-// MAT_066, 067 and 068 out to 1, to -1 and back: K d, both sides of a curve, and 50 + 20 q with K = 400. Sabotage: the
-// plastic displacement by its sign; the curve of tension for both sides.
+// MAT_066, 067 and 068 out to 1, to -1 and back: K d, both sides of a curve, and 50 + 20 q with K = 400. Sabotage:
+// each step hardens from q = 0.
 TEST(DiscreteBeams, CyclesOfTheSimpleLaws) {
   const auto cycle = [](const std::string& material) {
     return driven(

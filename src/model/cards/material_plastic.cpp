@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -123,6 +124,8 @@ void set_rate_curves(Builder& b, Index material, const Row& main, const Row& row
   const Curve& yield = curve(lc1);
   for (const double y : yield.y)
     if (!(y > 0.0)) return refuse(b, row, "lc1", "a yield stress is not above 0");
+  if (!std::is_sorted(yield.y.begin(), yield.y.end()))
+    warn_of_softening_by_rate(b, row, "lc1", fmt::format("curve {}", yield.id));
   Curve modulus{0, {0.0}, {row.real("etan")}};
   if (const Index tangent = b.curve(row, "lc3"); tangent != none) {
     modulus = curve(tangent);

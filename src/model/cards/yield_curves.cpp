@@ -66,6 +66,8 @@ void set_rates(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law
                    "leave it empty");
   if (const Index scale = b.curve(row, "lcsr"); scale != none && !table)
     law.rate_scale = b.model.curves[static_cast<std::size_t>(scale)];
+  if (!std::is_sorted(law.rate_scale.y.begin(), law.rate_scale.y.end()))
+    warn_of_softening_by_rate(b, row, "lcsr", fmt::format("curve {}", law.rate_scale.id));
   if (!table && !scaled && row.real("c") > 0.0 && row.real("p") > 0.0) {
     law.rate_c = row.real("c");
     law.rate_p = row.real("p");
@@ -116,6 +118,13 @@ void warn_of_half_a_rate(Builder& b, const Row& row, std::string_view c, std::st
                "give both, or neither");
 }
 
+void warn_of_softening_by_rate(Builder& b, const Row& row, std::string_view field, const std::string& where) {
+  row.complain(
+      b.findings, Severity::warning, field,
+      fmt::format("the yield stress falls with the rate ({}): the rate of a point then leaps from step to step", where),
+      "let it rise with the rate, or stay");
+}
+
 YieldTable yield_table(Builder& b, const Row& row, std::string_view field, int id, bool log_rates) {
   YieldTable y;
   y.log_rates = log_rates;
@@ -153,6 +162,18 @@ YieldTable yield_table(Builder& b, const Row& row, std::string_view field, int i
       row.complain(b.findings, Severity::warning, field,
                    fmt::format("curve {} falls: results depend on the size of the elements there", curve.id),
                    "let it rise, and say by a failure strain or damage where the sheet ends");
+  }
+  for (std::size_t k = 1; k < y.curves.size(); ++k) {
+    const Curve &slow = y.curves[k - 1], &fast = y.curves[k];
+    if (slow.empty() || fast.empty()) continue;
+    std::vector<double> strains = slow.x;
+    strains.insert(strains.end(), fast.x.begin(), fast.x.end());
+    for (const double e : strains)
+      if (e >= 0.0 && fast.extrapolated(e) < (1.0 - 1e-6) * slow.extrapolated(e)) {
+        warn_of_softening_by_rate(b, row, field,
+                                  fmt::format("at a plastic strain of {:g} from curve {} to {}", e, slow.id, fast.id));
+        break;
+      }
   }
   return y;
 }

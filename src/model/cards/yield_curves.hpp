@@ -33,6 +33,11 @@ void check_tangent(Builder& builder, const deck::Row& row);
 /// A warning where only one of the constants of Cowper and Symonds is given.
 void warn_of_half_a_rate(Builder& builder, const deck::Row& row, std::string_view c, std::string_view p);
 
+/// A warning that the yield stress falls with the rate, `where`: the plastic rate, found together with the stress, then
+/// has more than one value.
+void warn_of_softening_by_rate(Builder& builder, const deck::Row& row, std::string_view field,
+                               const std::string& where);
+
 /// Sets yield, rates and log_rates, from the first of these that is given: LCSS (curve or table), EPS and ES, SIGY and
 /// ETAN with the plastic modulus E ETAN / (E - ETAN); and what the rate does to them.
 void set_yield_curves(Builder& builder, const YieldCards& cards, kernel::PiecewiseLinear& law);
