@@ -323,6 +323,23 @@ class BrokenDecks(CommandTest):
             "the deck is refused; nothing was run",
         ])
 
+    def test_a_weld_of_an_empty_set(self):
+        """Found by a deck of ones: it read the last node of none. Sabotage: the count after the axis."""
+        run = self.refused(("*SECTION_BEAM\n", "*SET_NODE_LIST\n        77\n*CONSTRAINED_GENERALIZED_WELD_SPOT\n        77\n"
+                                               "\n*SECTION_BEAM\n"))
+        self.assertIn("nsid = 77: a weld joins two nodes or more [add nodes to the set]", run)
+
+    def test_more_points_announced_than_lines(self):
+        """Found by a deck of ids: it counted to 2^31. Sabotage: the product of the two counts as an int, 0 here."""
+        for announced in ("*INITIAL_STRESS_SOLID\n         12147483647", "*INITIAL_STRESS_SHELL\n         1     65536     65536",
+                          "*INITIAL_STRAIN_SHELL\n         1     65536     65536"):
+            run = self.refused(("*SECTION_BEAM\n", announced + "\n*SECTION_BEAM\n"))
+            self.assertIn("points are announced, but the keyword has only 1 lines", run)
+
+    def refused(self, change):
+        self.write(deck(change))
+        return self.nugget("check", "model.k", expect=1).stderr
+
     def test_nothing_in_it(self):
         self.write("")
         run = self.nugget("run", "model.k", expect=1)
