@@ -336,8 +336,14 @@ class BrokenDecks(CommandTest):
             run = self.refused(("*SECTION_BEAM\n", announced + "\n*SECTION_BEAM\n"))
             self.assertIn("points are announced, but the keyword has only 1 lines", run)
 
-    def refused(self, change):
-        self.write(deck(change))
+    def test_a_weld_almost_without_diameter(self):
+        """Found by mutations: the account of a refused deck's welds threw at a diameter of 5e-309. Sabotage: std::stod."""
+        run = self.refused(("       6.0       6.0       0.0       0.0", "    1e-308       0.0       0.0       0.0"),
+                           ("*SECTION_BEAM\n", "*ALE_REFERENCE_SYSTEM\n         1\n*SECTION_BEAM\n"))
+        self.assertIn("the deck is refused", run)
+
+    def refused(self, *changes):
+        self.write(deck(*changes))
         return self.nugget("check", "model.k", expect=1).stderr
 
     def test_nothing_in_it(self):
