@@ -336,11 +336,23 @@ class BrokenDecks(CommandTest):
             run = self.refused(("*SECTION_BEAM\n", announced + "\n*SECTION_BEAM\n"))
             self.assertIn("points are announced, but the keyword has only 1 lines", run)
 
+    def test_glue_by_a_curve_without_points(self):
+        """Found by mutations: the last point of none was read. Sabotage: no look at the number of points."""
+        glue = "*DEFINE_CURVE\n        88\n*CONTACT_TIEBREAK_SURFACE_TO_SURFACE\n" + 3 * ("1".rjust(10) + "2".rjust(10) + "\n")
+        run = self.refused(("*SECTION_BEAM\n", glue + "      10.0      10.0        88\n*SECTION_BEAM\n"))
+        self.assertIn("curve 88 has no points", run)
+
+    def test_foam_by_a_curve_without_points(self):
+        for user in ("*MAT_LOW_DENSITY_FOAM\n        89   1.0e-10       2.0        88\n\n",
+                     "*MAT_CRUSHABLE_FOAM\n        89   1.0e-10       2.0       0.0        88\n"):
+            run = self.refused(("*SECTION_BEAM\n", "*DEFINE_CURVE\n        88\n" + user + "*SECTION_BEAM\n"))
+            self.assertIn("curve 88 has no points", run)
+
     def test_a_weld_almost_without_diameter(self):
         """Found by mutations: the account of a refused deck's welds threw at a diameter of 5e-309. Sabotage: std::stod."""
         run = self.refused(("       6.0       6.0       0.0       0.0", "    1e-308       0.0       0.0       0.0"),
                            ("*SECTION_BEAM\n", "*ALE_REFERENCE_SYSTEM\n         1\n*SECTION_BEAM\n"))
-        self.assertIn("the deck is refused", run)
+        self.assertIn("ALE are not built", run)
 
     def refused(self, *changes):
         self.write(deck(*changes))
