@@ -194,6 +194,10 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
     for (std::size_t i = 0; i < run.joints().size(); ++i)
       s += fmt::format(" joint {:>8} {:12.4e}\n", run.system().model.joints[i].id, run.joints().largest_opening(i));
     s += '\n';
+    for (std::size_t i = 0; i < run.joints().size(); ++i)
+      if (run.joints().failed(i))
+        events +=
+            fmt::format(" joint {} fails at {:.6e}\n", run.system().model.joints[i].id, run.joints().failure_time(i));
   }
   if (!events.empty()) s += "Events\n\n" + events + '\n';
   s += fmt::format("Seconds\n\n read {:.3f}  setup {:.3f}  solve {:.3f}  output {:.3f}\n", summary.seconds.read,

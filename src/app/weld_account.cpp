@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <set>
 
@@ -63,7 +64,8 @@ Account take_account(const model::Model& model, const weld::Ties& ties) {
     ++account.on_sheets[static_cast<std::size_t>(one) + static_cast<std::size_t>(other)];
     if (w.part != model::none) parts.insert(w.part);
     if (w.kind != weld::Weld::Kind::rigid && w.kind != weld::Weld::Kind::connector)
-      ++account.diameters[std::stod(fmt::format("{:.3g}", w.diameter))];
+      // Of any number that is printed; std::stod throws at the smallest ones.
+      ++account.diameters[std::strtod(fmt::format("{:.3g}", w.diameter).c_str(), nullptr)];
     std::vector<std::string> told;
     for (const weld::Projection& p : w.ends) {
       if (p.tied) continue;

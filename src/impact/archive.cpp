@@ -93,7 +93,7 @@ void JointSprings::archive(Archive& a) {
 }
 
 void Joints::Joint::archive(Archive& a) {
-  a(force, moment, load, slip, energy, opening, largest_opening);
+  a(force, moment, load, slip, energy, opening, largest_opening, failed, failure_time);
   a.built(source, body, arm, axis, other, held, directions, bound, rotary_bound, damping, rotary_damping);
 }
 

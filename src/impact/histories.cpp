@@ -305,8 +305,16 @@ output::DeforcState deforc_state(const Snapshot& now) {
 output::JntforcState jntforc_state(const Snapshot& now) {
   output::JntforcState s;
   s.time = now.state.time;
-  for (std::size_t i = 0; i < now.joints.size(); ++i)
-    s.rows.push_back({now.system.model.joints[i].id, now.joints.force(i), now.joints.moment(i), now.joints.energy(i)});
+  for (std::size_t i = 0; i < now.joints.size(); ++i) {
+    const model::Joint& source = now.system.model.joints[i];
+    output::JntforcRow row{source.id, now.joints.force(i), now.joints.moment(i), now.joints.energy(i)};
+    if (source.output) {
+      const Frame3d& turned = now.system.bodies[at(now.system.body_of[at(source.output->body)])].axes;
+      row.local = true;
+      for (Vec3d* load : {&row.force, &row.moment}) *load = source.output->axes.local(turned.local(*load));
+    }
+    s.rows.push_back(row);
+  }
   const JointSprings& springs = now.joints.springs();
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const model::JointStiffness& source = now.system.model.joint_stiffnesses[i];

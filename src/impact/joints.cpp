@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/index.hpp"
+#include "impact/axes_now.hpp"
 #include "impact/body_points.hpp"
 
 namespace nugget::impact {
@@ -100,7 +101,24 @@ void Joints::apply(system::State& state) {
   longest_step_ = std::max(longest_step_, state.dt);
   springs_.apply(state);
   if (!(longest_step_ > 0.0)) return;
-  for (Joint& j : joints_) apply(j, state, longest_step_);
+  for (Joint& j : joints_)
+    if (!j.failed) apply(j, state, longest_step_);
+}
+
+bool Joints::fails(const Joint& j, const system::State& state) const {
+  if (!j.source->failure) return false;
+  const model::Joint::Failure& failure = *j.source->failure;
+  if (failure.time > 0.0 && state.time >= failure.time) return true;
+  const auto share = [&](const Vec3d& load, const std::array<double, 3>& limit) {
+    const Vec3d l = failure.system == model::none ? load : axes_now(system_, state, failure.system).local(load);
+    const std::array<double, 3> part{l.x, l.y, l.z};
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (limit[i] > 0.0) sum += part[i] / limit[i] * (part[i] / limit[i]);
+    return sum;
+  };
+  const double of_force = share(j.force, failure.force), of_moment = share(j.moment, failure.moment);
+  return failure.together ? of_force + of_moment >= 1.0 : of_force >= 1.0 || of_moment >= 1.0;
 }
 
 std::array<Joints::Load, 2> Joints::hold(Joint& j, const Motion& m, double longest_step) {
@@ -179,6 +197,12 @@ void Joints::apply(Joint& j, system::State& state, double longest_step) {
 
   const std::array<Load, 2> before = j.load;
   j.load = j.source->transmits() ? transmit(j, m, longest_step, state.dt) : hold(j, m, longest_step);
+  if (fails(j, state)) {
+    j.failed = true;
+    j.failure_time = state.time;
+    j.force = j.moment = {};
+    j.load = {};
+  }
   j.largest_opening = std::max(j.largest_opening, j.opening);
   for (std::size_t side = 0; side < 2; ++side) {
     const std::size_t n = at(j.body[side]->node);

@@ -28,6 +28,10 @@ namespace nugget::impact {
 /// Forces act on both bodies at the place of B's point and moments are opposite, so momentum and angular momentum are
 /// kept to round-off. What resists in a joint's free directions are JointSprings.
 ///
+/// A joint with *_FAILURE is gone for good from TFAIL on, or from when the load that it would bear in the axes of CID
+/// reaches sum (N_i / N_iF)^2 + sum (M_i / M_iF)^2 >= 1, both sums together (COUPL up to 0) or each apart. What it
+/// stored by then stays in its energy, as lost. PROJECT: components count with both signs.
+///
 /// Stiffness: with G the inverse mass that a piece's relative motion meets, when each body shares its mass evenly among
 /// the pieces at it, k = RPS beta / (dt^2 tr(G)), beta = 1/4: all pieces together have omega dt <= 1/2, well
 /// inside the 2 of central differences. dt is the longest step so far, so k never rises in a run. Damping ratio 0.1
@@ -49,6 +53,8 @@ class Joints {
   const Vec3d& force(std::size_t joint) const { return joints_[joint].force; }
   const Vec3d& moment(std::size_t joint) const { return joints_[joint].moment; }
   double energy(std::size_t joint) const { return joints_[joint].energy; }
+  bool failed(std::size_t joint) const { return joints_[joint].failed; }
+  double failure_time(std::size_t joint) const { return joints_[joint].failure_time; }
   const JointSprings& springs() const { return springs_; }
   /// Distance of B's point from A's, in the directions that the joint holds, and the largest so far.
   double opening(std::size_t joint) const { return joints_[joint].opening; }
@@ -85,12 +91,16 @@ class Joints {
     std::array<Load, 2> load;                    ///< on the bodies' centres
     double slip = 0.0;                           ///< phi of a joint that transmits
     double energy = 0.0, opening = 0.0, largest_opening = 0.0;
+    bool failed = false;
+    double failure_time = 0.0;
     void archive(Archive& a);
   };
   void find_bounds();
   /// Lever of the place where the joint's force meets a body, in body axes, at time 0.
   static Vec3d met_at(const Joint& joint, std::size_t side);
   void apply(Joint& joint, system::State& state, double longest_step);
+  /// Whether a joint fails now, under its force and moment.
+  bool fails(const Joint& joint, const system::State& state) const;
   // Loads on the bodies' centres; they leave force, moment and opening in the joint.
   static std::array<Load, 2> hold(Joint& joint, const Motion& motion, double longest_step);
   static std::array<Load, 2> transmit(Joint& joint, const Motion& motion, double longest_step, double dt);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "model/parts.hpp"
@@ -36,6 +37,20 @@ struct Joint {
   double damping = 1.0;  ///< DAMP: factor on the damping that belongs to the stiffness
   double ratio = 0.0;    ///< PARM: R2/R1 of gears and pulleys [1]; way over angle of rack and pinion, screw [length]
   double radius = 0.0;   ///< R1 of gears and pulleys, for the force that is reported [length]
+  /// _FAILURE: the joint is gone from `time` on, or from when its loads in the axes of `system` reach the limits.
+  struct Failure {
+    double time = 0.0;                        ///< TFAIL; 0: no such time
+    Index system = none;                      ///< CID; none: global axes
+    bool together = true;                     ///< COUPL up to 0: forces and moments in one criterion
+    std::array<double, 3> force{}, moment{};  ///< at failure [force, moment]; 0: not considered
+  };
+  std::optional<Failure> failure;
+  /// _LOCAL: results are in axes that turn with this body and are these at time 0.
+  struct Output {
+    Index body = none;
+    Frame3d axes;
+  };
+  std::optional<Output> output;
   Place place;
 };
 

@@ -335,6 +335,11 @@ class Maker {
     const bool generalized = weld.kind == RigidWeld::Kind::generalized;
     const std::string_view field = generalized ? "nsid" : "n1";
     if (!find_weld_nodes(card.row, weld)) return;
+    std::vector<Index> different = weld.nodes;
+    make_unique(different);
+    if (different.size() < 2)
+      return refuse(b_, card.row, field, "a weld joins two nodes or more",
+                    generalized ? "add nodes to the set" : "give two different nodes");
     if (const Index part_body = touched_part(weld.nodes); part_body != none) {
       if (weld.can_fail())
         return refuse(
@@ -352,11 +357,7 @@ class Maker {
     held.origin = RigidBody::Origin::weld;
     held.id = weld.id;
     held.place = weld.place;
-    held.nodes = weld.nodes;
-    make_unique(held.nodes);
-    if (held.nodes.size() < 2)
-      return refuse(b_, card.row, field, "a weld joins two nodes or more",
-                    generalized ? "add nodes to the set" : "give two different nodes");
+    held.nodes = std::move(different);
     weld.body = static_cast<Index>(model_.rigid_bodies.size());
     model_.rigid_bodies.push_back(std::move(held));
     model_.rigid_welds.push_back(std::move(weld));

@@ -118,8 +118,15 @@ class States {
   output::JntforcState jntforc(double share) const {
     output::JntforcState state;
     state.time = time(share);
-    for (std::size_t i = 0; i < model_.joints.size(); ++i)
-      state.rows.push_back({model_.joints[i].id, share * translation(s_.joint[i]), share * rotation(s_.joint[i]), 0.0});
+    for (std::size_t i = 0; i < model_.joints.size(); ++i) {
+      const model::Joint& joint = model_.joints[i];
+      output::JntforcRow row{joint.id, share * translation(s_.joint[i]), share * rotation(s_.joint[i])};
+      if (joint.output) {
+        row.local = true;
+        for (Vec3d* load : {&row.force, &row.moment}) *load = joint.output->axes.local(*load);
+      }
+      state.rows.push_back(row);
+    }
     return state;
   }
 

@@ -269,7 +269,7 @@ void Binout::write(const JntforcState& s) {
   if (s.rows.empty()) return;
   const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
   if (begin_state("jntforc/joints", collect(s.rows, [](const JntforcRow& r) { return r.joint; })))
-    integers("local", std::vector<int>(s.rows.size(), 0));
+    integers("local", collect(s.rows, [](const JntforcRow& r) { return r.local ? 1 : 0; }));
   begin_data("jntforc/joints");
   real("time", s.time);
   put_vectors(

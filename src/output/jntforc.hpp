@@ -14,6 +14,7 @@ struct JntforcRow {
   int joint = 0;  ///< user id
   Vec3d force, moment;
   double energy = 0.0;  ///< stored and lost in the joint; in binout only
+  bool local = false;   ///< in the axes that _LOCAL names, not in global ones
 };
 
 /// What a joint stiffness does about each of its three axes: moments over angles, or forces over displacements.

@@ -323,6 +323,41 @@ class BrokenDecks(CommandTest):
             "the deck is refused; nothing was run",
         ])
 
+    def test_a_weld_of_an_empty_set(self):
+        """Found by a deck of ones: it read the last node of none. Sabotage: the count after the axis."""
+        run = self.refused(("*SECTION_BEAM\n", "*SET_NODE_LIST\n        77\n*CONSTRAINED_GENERALIZED_WELD_SPOT\n        77\n"
+                                               "\n*SECTION_BEAM\n"))
+        self.assertIn("nsid = 77: a weld joins two nodes or more [add nodes to the set]", run)
+
+    def test_more_points_announced_than_lines(self):
+        """Found by a deck of ids: it counted to 2^31. Sabotage: the product of the two counts as an int, 0 here."""
+        for announced in ("*INITIAL_STRESS_SOLID\n         12147483647", "*INITIAL_STRESS_SHELL\n         1     65536     65536",
+                          "*INITIAL_STRAIN_SHELL\n         1     65536     65536"):
+            run = self.refused(("*SECTION_BEAM\n", announced + "\n*SECTION_BEAM\n"))
+            self.assertIn("points are announced, but the keyword has only 1 lines", run)
+
+    def test_glue_by_a_curve_without_points(self):
+        """Found by mutations: the last point of none was read. Sabotage: no look at the number of points."""
+        glue = "*DEFINE_CURVE\n        88\n*CONTACT_TIEBREAK_SURFACE_TO_SURFACE\n" + 3 * ("1".rjust(10) + "2".rjust(10) + "\n")
+        run = self.refused(("*SECTION_BEAM\n", glue + "      10.0      10.0        88\n*SECTION_BEAM\n"))
+        self.assertIn("curve 88 has no points", run)
+
+    def test_foam_by_a_curve_without_points(self):
+        for user in ("*MAT_LOW_DENSITY_FOAM\n        89   1.0e-10       2.0        88\n\n",
+                     "*MAT_CRUSHABLE_FOAM\n        89   1.0e-10       2.0       0.0        88\n"):
+            run = self.refused(("*SECTION_BEAM\n", "*DEFINE_CURVE\n        88\n" + user + "*SECTION_BEAM\n"))
+            self.assertIn("curve 88 has no points", run)
+
+    def test_a_weld_almost_without_diameter(self):
+        """Found by mutations: the account of a refused deck's welds threw at a diameter of 5e-309. Sabotage: std::stod."""
+        run = self.refused(("       6.0       6.0       0.0       0.0", "    1e-308       0.0       0.0       0.0"),
+                           ("*SECTION_BEAM\n", "*ALE_REFERENCE_SYSTEM\n         1\n*SECTION_BEAM\n"))
+        self.assertIn("ALE are not built", run)
+
+    def refused(self, *changes):
+        self.write(deck(*changes))
+        return self.nugget("check", "model.k", expect=1).stderr
+
     def test_nothing_in_it(self):
         self.write("")
         run = self.nugget("run", "model.k", expect=1)

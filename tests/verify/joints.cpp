@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "impact/histories.hpp"
 #include "joint_decks.hpp"
 
 namespace nugget::verify {
@@ -226,6 +227,100 @@ TEST(Joints, LockedBodiesTurnAsOne) {
   // Angular momentum about the common centre: 0.5 1 of the first body alone; both together 2 (0.5 + 2).
   expect_reference("joints", "locking joint: common spin of two bodies", a.z, 0.5 / 5.0, 1e-3);
   EXPECT_NEAR(b.z, a.z, 1e-4);
+}
+
+/// Joints of bodies 1 (held) and 2, mass 2, whose centre is 3 along x from the joint, under a weight that grows as
+/// 100 t: when the joint, with these cards behind it, is gone.
+double failing(const std::string& kind, const std::string& cards, double arm, const std::string& more = {}) {
+  Specimen s;
+  const Pairs p(s, {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}});
+  body(s, 1, {.center = {0, 0, 0}, .fixed = true}, p.a);
+  body(s, 2, {.center = {arm, 0, 0}, .mass = 2.0, .inertia = {1, 1, 1}}, p.b);
+  joint(s, kind, p, 3.0);
+  s.text(cards + more).text(curve(9, {{0, 0}, {10, 100}})).card("LOAD_BODY_Z", {9, 10});
+  timing(s, 1.0, 1e-4);
+  Experiment experiment(s.deck());
+  double at = -1.0;
+  run_to_end(experiment, [&](const impact::Snapshot& now) {
+    if (at < 0.0 && now.joints.failed(0)) at = now.joints.failure_time(0);
+    if (at > 0.0) {
+      EXPECT_EQ(norm(now.joints.force(0)) + norm(now.joints.moment(0)), 0.0);
+    }
+  });
+  return at;
+}
+
+// The weight is 200 t, its moment about the joint 200 t times the arm. Sabotage: sums not squared; COUPL the other way
+// round; the limits of other axes; the force in global axes.
+TEST(Joints, FailureByTimeAndLoad) {
+  const auto cards = [](double cid, double time, double coupl, std::initializer_list<double> limits) {
+    return fields({cid, time, coupl}) + fields(limits);
+  };
+  const double arm = 3.0;
+  EXPECT_NEAR(failing("LOCKING_FAILURE", cards(0, 0.25, 0, {1e3}), 0.0), 0.25, 1.5e-4);
+  expect_reference("joints", "joint gone at a force along z of 60 [s]",
+                   failing("LOCKING_FAILURE", cards(0, 0, 0, {1, 1, 60}), 0.0), 0.3, 5e-3);
+  const std::string tilted = "*DEFINE_COORDINATE_VECTOR\n" + fields({4, std::cos(0.5), 0, std::sin(0.5), 0, 1, 0});
+  expect_reference("joints", "joint gone at a force of 30 along an axis at 0.5 rad [s]",
+                   failing("LOCKING_FAILURE", cards(4, 0, 0, {30}), 0.0, tilted), 30 / (200 * std::sin(0.5)), 5e-3);
+  expect_reference("joints", "joint gone by force and moment together [s]",
+                   failing("LOCKING_FAILURE", cards(0, 0, 0, {0, 0, 60, 0, 200}), arm),
+                   1 / std::hypot(200 / 60.0, 200 * arm / 200.0), 5e-3);
+  expect_reference("joints", "joint gone by the moment alone [s]",
+                   failing("LOCKING_FAILURE", cards(0, 0, 1, {0, 0, 80, 0, 200}), arm), 200 / (200 * arm), 5e-3);
+  EXPECT_EQ(failing("LOCKING_FAILURE", cards(0, 0, 1, {0, 0, 800, 0, 2000}), arm), -1.0);
+}
+
+// A hinge that is gone lets the rod fly: its centre falls freely, its spin stays. Sabotage: the joint goes on after it
+// has failed.
+TEST(Joints, ARodFliesFromAJointThatIsGone) {
+  const double g = 9.81, gone = 0.3;
+  Specimen s;
+  const Pairs p(s, {{0, 0, 0}, {0, 1, 0}});
+  body(s, 1, {.center = {0, 0, 0}, .fixed = true}, p.a);
+  body(s, 2, {.center = {0.5, 0, 0}, .mass = 1.0, .inertia = {0.01, 1.0 / 12, 1.0 / 12}}, p.b);
+  joint(s, "REVOLUTE_FAILURE", p, 3.0);
+  s.text(fields({0, gone}) + fields({0}));
+  s.text(constant_curve(1)).card("LOAD_BODY_Z", {1, g});
+  timing(s, 0.6, 1e-4);
+  Experiment experiment(s.deck());
+  Vec3d v, last;
+  double w = 0.0, last_spin = 0.0, ratio = 0.0;
+  bool flown = false;
+  run_to_end(experiment, [&](const impact::Snapshot& now) {
+    if (!flown && now.state.time > gone + 1e-3)
+      flown = true, v = velocity(now, 2) + Vec3d{0, 0, g * now.state.time}, w = spin(now, 2).y;
+    last = velocity(now, 2) + Vec3d{0, 0, g * now.state.time};
+    last_spin = spin(now, 2).y;
+    ratio = std::max(ratio, std::abs(now.energy.total() - now.energy.external));
+  });
+  ASSERT_TRUE(flown);
+  EXPECT_GT(std::abs(w), 1.0);
+  EXPECT_NEAR(norm(last - v), 0.0, 1e-9);
+  EXPECT_NEAR(last_spin, w, 1e-9);
+  EXPECT_NEAR(ratio, 0.0, 1e-3 * g);
+}
+
+// A weight 2 from the axis turns with a heavy wheel: in axes that turn along it pulls by m w^2 r along x all the time.
+// Sabotage: axes of time 0; of the other body turned back.
+TEST(Joints, ResultsInAxesThatTurnWithABody) {
+  const double w = 3.0, m = 0.5, r = 2.0;
+  Specimen s;
+  const Pairs p(s, {{2, 0, 0}, {2, 0, 1}, {2, 1, 0}});
+  body(s, 1, {.mass = 1e6, .inertia = {1e6, 1e6, 1e6}, .spin = {0, 0, w}}, p.a);
+  body(s, 2, {.center = {r, 0, 0}, .mass = m, .inertia = {1, 1, 1}, .velocity = {0, w * r, 0}, .spin = {0, 0, w}}, p.b);
+  joint(s, "LOCKING_LOCAL", p, 3.0);
+  s.text(fields({1}));
+  timing(s, 1.0, 1e-4);
+  Experiment experiment(s.deck());
+  double worst = 0.0;
+  run_to_end(experiment, [&](const impact::Snapshot& now) {
+    if (now.state.time < 0.5) return;
+    const output::JntforcRow row = impact::jntforc_state(now).rows.at(0);
+    EXPECT_TRUE(row.local);
+    worst = std::max(worst, norm(row.force - Vec3d{-m * w * w * r, 0, 0}));
+  });
+  EXPECT_NEAR(worst, 0.0, 0.01 * m * w * w * r);
 }
 
 /// All findings of a deck that is refused.

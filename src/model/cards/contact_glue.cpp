@@ -301,9 +301,11 @@ void take_resistance(Builder& builder, const Row& row, std::string_view field, C
              "give the id of a *DEFINE_CURVE that begins with 1 and ends with 0");
     return;
   }
+  const Curve& curve = builder.model.curves[static_cast<std::size_t>(c)];
+  if (curve.empty()) return;  // told where it is defined
   kernel::Cohesion& law = contact.glue->law;
   law.softening = kernel::Cohesion::Softening::by_curve;
-  law.resistance = builder.model.curves[static_cast<std::size_t>(c)];
+  law.resistance = curve;
   const double first = law.resistance.clamped(0.0);
   const auto is = [first](double level) { return std::abs(first - level) <= 1e-6 * level; };
   if (!is(1.0) && !is(law.normal_strength))

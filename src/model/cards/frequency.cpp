@@ -244,6 +244,7 @@ std::vector<double> listed_frequencies(Builder& b, const Row& row) {
   const Index id = b.curve(row, "lcfreq");
   if (id == none) return {};
   const Curve& curve = b.model.curves[at(id)];
+  if (curve.empty()) return {};  // told where it is defined
   const bool same = curve.x == curve.y,
              constant = std::all_of(curve.y.begin(), curve.y.end(), [&](double y) { return y == curve.y.front(); });
   if (!same && !constant)

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 
 #include "base/index.hpp"
 #include "model/cards/families.hpp"
@@ -110,25 +112,40 @@ bool turned(Builder& builder, const Block& block) {
   return true;
 }
 
+/// Points that the row announces. Nothing and a finding where they are more than the lines of the block, of which a
+/// point takes one or more.
+std::optional<int> points_of(Builder& builder, const Cursor& cursor, const Row& row, bool in_layers) {
+  const std::int64_t announced =
+      in_layers ? std::int64_t{row.integer("nplane")} * row.integer("nthick") : std::int64_t{row.integer("nint")};
+  const std::size_t lines = cursor.block().lines.size();
+  if (announced <= static_cast<std::int64_t>(lines)) return static_cast<int>(announced);
+  refuse(builder, row, in_layers ? "nthick" : "nint",
+         fmt::format("{} points are announced, but the keyword has only {} lines", announced, lines),
+         "see the number of points, or whether lines are missing");
+  return std::nullopt;
+}
+
 template <bool shell>
 void read_stress(Builder& builder, const Block& block, const Options&) {
   if (turned(builder, block)) return;
   Cursor cursor(builder.deck, block, builder.findings);
-  bool history = false;
+  bool told = false;
   while (!at_end(cursor)) {
     const Row row = cursor.read(shell ? shell_card : solid_card);
     const bool large = row.integer("large") == 1;
-    const int points = shell ? row.integer("nplane") * row.integer("nthick") : row.integer("nint");
-    const int history_lines = (row.integer("nhisv") + (large ? 4 : 7)) / (large ? 5 : 8);
+    const std::optional<int> points = points_of(builder, cursor, row, shell);
+    if (!points) return;
+    const int per_line = large ? 5 : 8, history = row.integer("nhisv");
+    const int history_lines = history / per_line + (history % per_line > 0 ? 1 : 0);
     InitialStress stress;
     stress.place = row.place();
-    for (int i = 0; i < points; ++i) {
+    for (int i = 0; i < *points; ++i) {
       const Point point(cursor, (shell ? shell_point_cards : solid_point_cards).of(large));
       for (int line = 0; line < history_lines && cursor.more(); ++line) cursor.skip();
       stress.points.push_back({point["t"], point.tensor(), point["eps"]});
     }
-    if (history_lines > 0 && !history) {
-      history = true;
+    if (history_lines > 0 && !told) {
+      told = true;
       row.complain(builder.findings, Severity::warning, "nhisv",
                    "history variables of another program's laws are not taken over; stress and plastic strain are");
     }
@@ -146,10 +163,11 @@ void read_strain(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     const Row row = cursor.read(strain_card);
-    const int points = row.integer("nplane") * row.integer("nthick");
+    const std::optional<int> points = points_of(builder, cursor, row, true);
+    if (!points) return;
     InitialStrain strain;
     double lowest = 2.0, highest = -2.0;
-    for (int i = 0; i < points; ++i) {
+    for (int i = 0; i < *points; ++i) {
       const Point point(cursor, strain_point_cards.of(row.integer("large") == 1));
       if (point["t"] < lowest) lowest = point["t"], strain.lower = point.tensor();
       if (point["t"] > highest) highest = point["t"], strain.upper = point.tensor();

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "model/axes.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
 #include "model/rigid_bodies.hpp"
@@ -75,6 +78,26 @@ const Card ratio_card = transmission_card(dimension::number, "R2/R1");
 const Card way_card =
     transmission_card(dimension::length, "way of body B over the angle of A [1/rad]: h of a pinion, p of a screw");
 
+const Card local_card{{
+    id("raid", IdSpace::part, required, "LST 0: rigid body, LST 1: accelerometer, in the axes of which results are"),
+    integer("lst", 0, between(0, 1), "0: RAID is a rigid body, 1: an accelerometer"),
+}};
+
+const Card failure_card{{
+    id("cid", IdSpace::define, 0, "axes of the limits below; 0: global"),
+    real("tfail", dimension::time, 0, at_least(0), "time from which the joint is gone; 0: none"),
+    real("coupl", dimension::number, 0, any_value, "up to 0: forces and moments count together; above 0: apart"),
+}};
+
+const Card limits_card{{
+    real("nxx", dimension::force, 0, at_least(0), "force along x at failure; 0: not considered"),
+    real("nyy", dimension::force, 0, at_least(0), "force along y at failure"),
+    real("nzz", dimension::force, 0, at_least(0), "force along z at failure"),
+    real("mxx", dimension::moment, 0, at_least(0), "moment about x at failure"),
+    real("myy", dimension::moment, 0, at_least(0), "moment about y at failure"),
+    real("mzz", dimension::moment, 0, at_least(0), "moment about z at failure"),
+}};
+
 using Kind = Joint::Kind;
 
 const Card& card_of_ratio(Kind kind) {
@@ -92,6 +115,8 @@ std::size_t pairs(Kind kind) {
     default: return 3;
   }
 }
+
+constexpr Frame3d global_axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 constexpr std::array<std::string_view, 6> node_fields{"n1", "n2", "n3", "n4", "n5", "n6"};
 
@@ -206,6 +231,66 @@ bool check_places(Builder& b, const Row& row, const Joint& joint, const std::arr
   return true;
 }
 
+/// The cards of _LOCAL and _FAILURE.
+struct Extras {
+  std::optional<Row> local, failure, limits;
+};
+
+Extras read_extras(Builder& b, Cursor& cursor, const Options& options) {
+  Extras extras;
+  if (options.contains("LOCAL")) extras.local = cursor.read(local_card);
+  if (options.contains("FAILURE")) {
+    extras.failure = cursor.read(failure_card);
+    extras.limits = cursor.read(limits_card);
+    bool ever = extras.failure->real("tfail") > 0.0;
+    for (const std::string_view field : {"nxx", "nyy", "nzz", "mxx", "myy", "mzz"})
+      ever = ever || extras.limits->real(field) > 0.0;
+    if (!ever)
+      extras.failure->complain(b.findings, Severity::warning, "tfail",
+                               "neither a time nor a limit: this joint never fails", "give TFAIL or one of NXX to MZZ");
+  }
+  return extras;
+}
+
+/// The axes of _LOCAL; nothing and a finding where they are not to be had.
+std::optional<Joint::Output> output_axes(Builder& b, const Row& row) {
+  if (row.integer("lst") == 0) {
+    const Index body = find_body(b, row, "raid");
+    if (body == none) return std::nullopt;
+    const Frame3d* own = body_axes(b, row.integer("raid"));
+    return Joint::Output{body, own ? *own : global_axes};
+  }
+  const auto& all = b.model.accelerometers;
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Accelerometer& a) { return a.id == row.integer("raid"); });
+  if (found == all.end()) {
+    refuse(b, row, "raid", "no such *ELEMENT_SEATBELT_ACCELEROMETER is defined",
+           "name one, or a rigid body with LST 0");
+    return std::nullopt;
+  }
+  const auto at = [&](std::size_t i) { return b.model.nodes.x[static_cast<std::size_t>(found->node[i])]; };
+  const Index body = b.body_of_node[static_cast<std::size_t>(found->node[0])];
+  if (body == none) {
+    refuse(b, row, "raid", "this accelerometer is on no rigid body", "name one that is, or a rigid body with LST 0");
+    return std::nullopt;
+  }
+  Joint::Output output{body, global_axes};
+  frame_from(at(1) - at(0), at(2) - at(0), output.axes);
+  return output;
+}
+
+void take_extras(Builder& b, const Extras& extras, Joint& joint) {
+  if (extras.local) joint.output = output_axes(b, *extras.local);
+  if (!extras.failure) return;
+  Joint::Failure failure;
+  failure.time = extras.failure->real("tfail");
+  failure.system = b.turning_or_fixed_system(*extras.failure, "cid");
+  failure.together = !(extras.failure->real("coupl") > 0.0);
+  failure.force = {extras.limits->real("nxx"), extras.limits->real("nyy"), extras.limits->real("nzz")};
+  failure.moment = {extras.limits->real("mxx"), extras.limits->real("myy"), extras.limits->real("mzz")};
+  joint.failure = failure;
+}
+
 /// RPS and DAMP, and an id where there is none.
 void take_penalty(Builder& b, const Row& row, Joint& joint) {
   joint.stiffness_scale = row.real("rps");
@@ -215,8 +300,9 @@ void take_penalty(Builder& b, const Row& row, Joint& joint) {
     row.complain(b.findings, Severity::warning, "rps", "computed with 2, the most that is stable", "write 2 or less");
 }
 
-void add_joint(Builder& b, const Row& row, Joint joint) {
+void add_joint(Builder& b, const Row& row, const Extras& extras, Joint joint) {
   take_penalty(b, row, joint);
+  take_extras(b, extras, joint);
   if (find_bodies(b, row, joint) && check_places(b, row, joint, node_fields))
     b.model.joints.push_back(std::move(joint));
 }
@@ -238,8 +324,9 @@ Row read_ratio(Builder& b, Cursor& cursor, Kind kind) {
   return row;
 }
 
-void add_transmission(Builder& b, const Row& row, const Row& ratio_row, Joint joint) {
+void add_transmission(Builder& b, const Row& row, const Row& ratio_row, const Extras& extras, Joint joint) {
   take_penalty(b, row, joint);
+  take_extras(b, extras, joint);
   if (find_bodies(b, row, joint) && check_transmission(b, row, ratio_row, joint, node_fields))
     b.model.joints.push_back(std::move(joint));
 }
@@ -249,9 +336,11 @@ void read_transmission(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     Joint joint = begun(cursor, options, kind);
     const Row row = cursor.read(joint_card), ratio_row = read_ratio(b, cursor, kind);
+    const Extras extras = read_extras(b, cursor, options);
     joint.place = row.place();
-    b.later(Phase::conditions,
-            [row, ratio_row, joint](Builder& later) { add_transmission(later, row, ratio_row, joint); });
+    b.later(Phase::conditions, [row, ratio_row, extras, joint](Builder& later) {
+      add_transmission(later, row, ratio_row, extras, joint);
+    });
   }
 }
 
@@ -260,8 +349,9 @@ void read_joint(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     Joint joint = begun(cursor, options, kind);
     const Row row = cursor.read(joint_card);
+    const Extras extras = read_extras(b, cursor, options);
     joint.place = row.place();
-    b.later(Phase::conditions, [row, joint](Builder& later) { add_joint(later, row, joint); });
+    b.later(Phase::conditions, [row, extras, joint](Builder& later) { add_joint(later, row, extras, joint); });
   }
 }
 
@@ -278,11 +368,13 @@ bool find_both(Builder& b, const Row& row, Joint& joint) {
   return false;
 }
 
-void add_joint_by_points(Builder& b, const Row& row, Joint joint) {
+void add_joint_by_points(Builder& b, const Row& row, const Extras& extras, Joint joint) {
+  take_extras(b, extras, joint);
   if (find_both(b, row, joint) && check_places(b, row, joint, of_points)) b.model.joints.push_back(std::move(joint));
 }
 
-void add_transmission_by_points(Builder& b, const Row& row, const Row& ratio_row, Joint joint) {
+void add_transmission_by_points(Builder& b, const Row& row, const Row& ratio_row, const Extras& extras, Joint joint) {
+  take_extras(b, extras, joint);
   if (find_both(b, row, joint) && check_transmission(b, row, ratio_row, joint, of_points))
     b.model.joints.push_back(std::move(joint));
 }
@@ -307,7 +399,9 @@ void read_joint_by_points(Builder& b, const Block& block, const Options& options
     // The second point of a pair is where the first one is, whatever its card says.
     for (std::size_t p = 0; p < pairs(kind); ++p)
       if (p == 0 || kind != Kind::universal) joint.point[2 * p + 1] = joint.point[2 * p];
-    b.later(Phase::conditions, [row, joint](Builder& later) { add_joint_by_points(later, row, joint); });
+    const Extras extras = read_extras(b, cursor, options);
+    b.later(Phase::conditions,
+            [row, extras, joint](Builder& later) { add_joint_by_points(later, row, extras, joint); });
   }
 }
 
@@ -316,8 +410,10 @@ void read_transmission_by_points(Builder& b, const Block& block, const Options& 
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     Joint joint = begun(cursor, options, kind);
     const Row row = read_points(b, cursor, block, joint), ratio_row = read_ratio(b, cursor, kind);
-    b.later(Phase::conditions,
-            [row, ratio_row, joint](Builder& later) { add_transmission_by_points(later, row, ratio_row, joint); });
+    const Extras extras = read_extras(b, cursor, options);
+    b.later(Phase::conditions, [row, ratio_row, extras, joint](Builder& later) {
+      add_transmission_by_points(later, row, ratio_row, extras, joint);
+    });
   }
 }
 
@@ -330,35 +426,42 @@ void read_control(Builder& b, const Block& block, const Options&) {
   });
 }
 
+/// A keyword with the cards that all joints may have before and after their own.
+Keyword made(std::string_view name, std::vector<LayoutCard> own, void (*read)(Builder&, const Block&, const Options&)) {
+  std::vector<LayoutCard> layout{{"with _ID", &heading_card}};
+  layout.insert(layout.end(), own.begin(), own.end());
+  layout.push_back({"with _LOCAL", &local_card});
+  layout.push_back({"with _FAILURE", &failure_card});
+  layout.push_back({"with _FAILURE", &limits_card});
+  return {.name = name, .options = {"ID", "TITLE", "LOCAL", "FAILURE"}, .layout = std::move(layout), .read = read};
+}
+
+std::vector<LayoutCard> cards_of_points() {
+  std::vector<LayoutCard> cards{{"", &bodies_card}};
+  for (const Card& card : point_cards) cards.push_back({"", &card});
+  return cards;
+}
+
 template <Kind kind>
 Keyword joint(std::string_view name) {
-  return {.name = name,
-          .options = {"ID", "TITLE"},
-          .layout = {{"with _ID", &heading_card}, {"", &joint_card}},
-          .read = read_joint<kind>};
+  return made(name, {{"", &joint_card}}, read_joint<kind>);
 }
 
 template <Kind kind>
 Keyword joint_by_points(std::string_view name) {
-  std::vector<LayoutCard> layout{{"with _ID", &heading_card}, {"", &bodies_card}};
-  for (const Card& card : point_cards) layout.push_back({"", &card});
-  return {.name = name, .options = {"ID", "TITLE"}, .layout = std::move(layout), .read = read_joint_by_points<kind>};
+  return made(name, cards_of_points(), read_joint_by_points<kind>);
 }
 
 template <Kind kind>
 Keyword transmission(std::string_view name) {
-  return {.name = name,
-          .options = {"ID", "TITLE"},
-          .layout = {{"with _ID", &heading_card}, {"", &joint_card}, {"", &card_of_ratio(kind)}},
-          .read = read_transmission<kind>};
+  return made(name, {{"", &joint_card}, {"", &card_of_ratio(kind)}}, read_transmission<kind>);
 }
 
 template <Kind kind>
 Keyword transmission_by_points(std::string_view name) {
-  Keyword keyword = joint_by_points<kind>(name);
-  keyword.layout.push_back({"", &card_of_ratio(kind)});
-  keyword.read = read_transmission_by_points<kind>;
-  return keyword;
+  std::vector<LayoutCard> cards = cards_of_points();
+  cards.push_back({"", &card_of_ratio(kind)});
+  return made(name, std::move(cards), read_transmission_by_points<kind>);
 }
 
 }  // namespace
@@ -392,7 +495,7 @@ std::vector<Keyword> joint_keywords() {
       transmission_by_points<Kind::screw>("CONSTRAINED_JOINT_COOR_SCREW"),
       refused("CONSTRAINED_JOINT_*",
               "this joint is not built; SPHERICAL, REVOLUTE, CYLINDRICAL, PLANAR, UNIVERSAL, TRANSLATIONAL, LOCKING, "
-              "GEARS, PULLEY, RACK_AND_PINION and SCREW are, by nodes and by points (_COOR_), without further options"),
+              "GEARS, PULLEY, RACK_AND_PINION and SCREW are, by nodes and by points (_COOR_)"),
       {.name = "CONTROL_RIGID", .layout = {{"", &rigid_card}}, .read = read_control},
   };
 }

@@ -84,7 +84,7 @@ void set_low_density_foam(Builder& b, Index material, const Row& row, const Row&
   kernel::LowDensityFoam flow;
   flow.E = row.real("e");
   flow.compression = b.model.curves[static_cast<std::size_t>(curve)];
-  if (flow.compression.x.front() < 0.0 || flow.compression.y.front() < 0.0 || flow.compression.x.size() < 2 ||
+  if (flow.compression.x.size() < 2 || flow.compression.x.front() < 0.0 || flow.compression.y.front() < 0.0 ||
       pulls(flow.compression))
     return refuse(b, row, "lcid", "the curve must begin at strain 0, positive in compression",
                   "give nominal stress over nominal strain of compression");
@@ -131,6 +131,7 @@ void set_crushable_foam(Builder& b, Index material, const Row& row) {
   if (curve == none) return;
   kernel::CrushableFoam flow;
   flow.yield = b.model.curves[static_cast<std::size_t>(curve)];
+  if (flow.yield.empty()) return;  // told where it is defined
   flow.E = flow.yield.slope(flow.yield.x.back());
   if (!(flow.E > 0.0))
     return refuse(b, row, "lcid", "the curve's last slope is the elastic stiffness and must be above 0",

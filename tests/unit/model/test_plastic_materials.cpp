@@ -266,6 +266,11 @@ TEST(PlasticMaterials, ErosionFaults) {
 }
 
 TEST(SoftMaterials, Rubbers) {
+  const auto blatz_ko = built("*MAT_BLATZ-KO_RUBBER\n4,1.2e-9,2.0\n");
+  EXPECT_EQ(blatz_ko.findings.errors(), 0) << blatz_ko.all_findings();
+  EXPECT_DOUBLE_EQ(flow<kernel::BlatzKo>(blatz_ko).shear, 2.0);
+  EXPECT_DOUBLE_EQ(blatz_ko.model.materials.at(0).young(), 2.0 * 2.0 * 1.463);
+  EXPECT_FALSE(composition(blatz_ko).for_shells);
   const auto mooney = built("*MAT_027\n4,1.2e-9,0.49,0.8,0.2\n");
   EXPECT_EQ(mooney.findings.errors(), 0) << mooney.all_findings();
   EXPECT_DOUBLE_EQ(flow<kernel::MooneyRivlin>(mooney).a, 0.8);
