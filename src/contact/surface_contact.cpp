@@ -384,8 +384,7 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   for (int c = 0; c < segment.corners(); ++c) corner_mass[c] = step.mass[segment.node[c]];
   const double inverse_mass = kernel::inverse_pair_mass(step.mass[node], candidate.foot.weight, corner_mass);
   const double stiffness =
-      kernel::pair_stiffness(setup_.law, penalty(pair.segment, tracked, step),
-                             kernel::greatest_inverse_mass(step.mass[node], corner_mass), step.bearable);
+      kernel::pair_stiffness(setup_.law, penalty(pair.segment, tracked, step), inverse_mass, step.bearable);
   if (before != nullptr) pair.memory = before->memory;
   const double inverse_node_mass = step.mass[node] > 0.0 ? 1.0 / step.mass[node] : 0.0;
   const double size = kernel::pair_force(setup_.law, pair.memory, stiffness, inverse_mass, inverse_node_mass,

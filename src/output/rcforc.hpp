@@ -15,7 +15,7 @@ struct RcforcRow {
   int contact = 0;  ///< user id
   ContactSide side = ContactSide::tracked;
   Vec3d force;        ///< [force]
-  double mass = 0.0;  ///< of the nodes on this side [mass]
+  double mass = 0.0;  ///< of the nodes on this side [mass]; histories.cpp leaves it 0
 };
 
 struct RcforcState {
