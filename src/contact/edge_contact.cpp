@@ -86,6 +86,12 @@ std::ptrdiff_t living(const Edge& e, std::span<const unsigned char> alive) {
                        [&alive](int element) { return is_living(element, alive); });
 }
 
+/// Inverse of the mass that an edge has where it has least, at its lighter node; 0 if both are held.
+double inverse_of_lightest(double mass_a, double mass_b) {
+  const double lightest = std::min(mass_a > 0.0 ? mass_a : mass_b, mass_b > 0.0 ? mass_b : mass_a);
+  return lightest > 0.0 ? 1.0 / lightest : 0.0;
+}
+
 /// Whether a place along an edge is one of its ends, but for round-off.
 bool at_an_end(double place) {
   return place <= 1e-9 || place >= 1.0 - 1e-9;
@@ -566,8 +572,8 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   const std::array<double, 4> node_mass{step.mass[e.node[0]], step.mass[e.node[1]], step.mass[f.node[0]],
                                         step.mass[f.node[1]]};
   const double inverse_mass = kernel::inverse_pair_mass(0.0, weight, node_mass);
-  const double greatest = kernel::greatest_inverse_mass(0.0, std::span(node_mass).first(2)) +
-                          kernel::greatest_inverse_mass(0.0, std::span(node_mass).last(2));
+  const double greatest =
+      inverse_of_lightest(node_mass[0], node_mass[1]) + inverse_of_lightest(node_mass[2], node_mass[3]);
   const double stiffness =
       pair.share * kernel::pair_stiffness(setup_.law, penalty(e, f, step), greatest, step.bearable);
   pair.memory = before.memory;

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <span>
 
 #include "kernel/contact/friction.hpp"
 
@@ -54,16 +52,6 @@ inline double inverse_pair_mass(double node_mass, const std::array<double, 4>& w
   for (int i = 0; i < 4; ++i)
     if (corner_mass[i] > 0.0) inverse += weight[i] * weight[i] / corner_mass[i];
   return inverse;
-}
-
-/// The same where the foot is at the lightest of the corners: the greatest inverse that a pair comes to as it slides.
-/// Bounds by this one do not change along the way: a spring whose stiffness does gives back more or less energy than
-/// it took.
-inline double greatest_inverse_mass(double node_mass, std::span<const double> corner_mass) {
-  double lightest = std::numeric_limits<double>::infinity();
-  for (const double mass : corner_mass)
-    if (mass > 0.0) lightest = std::min(lightest, mass);
-  return (node_mass > 0.0 ? 1.0 / node_mass : 0.0) + 1.0 / lightest;
 }
 
 /// Stiffness of a pair [force/length]: the penalty one; with SOFT = 1 at least SOFSCL/2 m*/DTSTIF^2; never more than
