@@ -473,7 +473,7 @@ output::RcforcState rcforc_state(const Snapshot& now) {
 output::SleoutState sleout_state(const Snapshot& now) {
   output::SleoutState s;
   s.time = now.state.time;
-  s.cycle = now.state.cycle;
+  s.cycle = now.state.cycle + 1;
   std::size_t c = 0;
   for (const model::Contact& card : now.system.model.contacts) {
     if (!card.slides()) continue;

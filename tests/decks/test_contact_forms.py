@@ -2,6 +2,7 @@
 """Forms and fields of sliding contacts, each by what it does to two small plates: glue, friction by part, boxes, PENMAX,
 eroding bricks, edges; sleout; and what is refused."""
 import math
+import re
 import sys
 import unittest
 
@@ -462,6 +463,8 @@ class ContactForms(CommandTest):
         self.assertGreater(glstat[-1], 0.0)
         for ours, theirs in zip(total, glstat):
             self.assertAlmostEqual(ours, theirs, delta=1e-5 * max(glstat))
+        cycles = [line.split("cycle=")[1].strip() for line in lines if "cycle=" in line]
+        self.assertEqual(cycles, re.findall(r"dt of cycle *(\d+) is controlled", self.read("glstat")))
 
     def test_initial_penetrations_are_reported(self):
         """IGNORE of *CONTROL_CONTACT holds. Sabotage: its field not used; a node or shell of another number."""
