@@ -4,33 +4,14 @@ import math
 import unittest
 
 import lsda
+from few_elements import BRICK, CORNERS, SOLID, card, curve, nodes, part
 from nugget_command import CommandTest
-
-CORNERS = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
-BRICK = "*ELEMENT_SOLID\n       1       1\n       1       2       3       4       5       6       7       8\n"
-SOLID = "*SECTION_SOLID\n         1         1\n"
-
-
-def card(*fields):
-    return "".join(f"{field:>10}" for field in fields) + "\n"
 
 
 def number(x):
     """Ten columns of it."""
     text = f"{x:.8f}"[:10]
     return text if abs(x) >= 1e-3 or x == 0.0 else f"{x:.3e}"
-
-
-def nodes(places, first=1):
-    return "*NODE\n" + "".join(f"{first + i:8}{x:16.9f}{y:16.9f}{z:16.9f}\n" for i, (x, y, z) in enumerate(places))
-
-
-def curve(identity, *points):
-    return "*DEFINE_CURVE\n" + card(identity) + "".join(f"{x:20}{y:20}\n" for x, y in points)
-
-
-def part(identity, section=1, material=1):
-    return "*PART\npart\n" + card(identity, section, material)
 
 
 def rigid(material=1, third="\n"):

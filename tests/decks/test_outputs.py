@@ -5,31 +5,11 @@ import math
 import unittest
 
 import lsda
+from few_elements import BRICK, CORNERS, SOLID, card, curve, nodes, part
 from nugget_command import CommandTest
 
-CORNERS = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
-BRICK = "*ELEMENT_SOLID\n       1       1\n       1       2       3       4       5       6       7       8\n"
 RIGID = "*MAT_RIGID\n         1   7.8e-09    2.1e+5       0.3\n\n\n"
 ELASTIC = "*MAT_ELASTIC\n         1   7.8e-09    2.1e+5       0.0\n"
-
-
-def card(*fields):
-    return "".join(f"{field:>10}" for field in fields) + "\n"
-
-
-def nodes(places, first=1):
-    return "*NODE\n" + "".join(f"{first + i:8}{x:16}{y:16}{z:16}\n" for i, (x, y, z) in enumerate(places))
-
-
-def curve(number, *points):
-    return "*DEFINE_CURVE\n" + card(number) + "".join(f"{x:20}{y:20}\n" for x, y in points)
-
-
-def part(number, section=1, material=1):
-    return "*PART\npart\n" + card(number, section, material)
-
-
-SOLID = "*SECTION_SOLID\n" + card(1, 1)
 
 
 class Outputs(CommandTest):
