@@ -198,6 +198,8 @@ TEST(RigidBodies, WeldsThatFail) {
 TEST(RigidBodies, FaultsOfRigidWelds) {
   EXPECT_TRUE(Built(small_deck("*CONSTRAINED_SPOTWELD\n         1         2    5000.0\n")).error("exponent", "n"));
   EXPECT_TRUE(Built(small_deck("*CONSTRAINED_SPOTWELD\n         1         1\n")).error("two nodes or more", "n1"));
+  EXPECT_TRUE(Built(small_deck("*NODE\n91,3.0,0.0,0.0\n92,3.0,0.0,0.0\n*CONSTRAINED_SPOTWELD\n        91        92\n"))
+                  .error("one place", "n2"));
   EXPECT_TRUE(Built(small_deck("*CONSTRAINED_SPOTWELD\n         1        99\n")).error("not defined", "n2"));
   EXPECT_TRUE(Built(small_deck("*CONSTRAINED_SPOTWELD\n         1         5    5000.0       0.0       1.0\n"))
                   .error("cannot fail", "n1"))
