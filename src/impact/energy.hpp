@@ -43,6 +43,8 @@ double share_before_now(const system::State& state);
 struct PartEnergy {
   double internal = 0.0, kinetic = 0.0, hourglass = 0.0, eroded = 0.0, mass = 0.0;
   Vec3d momentum;
+
+  PartEnergy& operator+=(const PartEnergy& other);
 };
 
 /// Kinetic energy at t(n) as the discrete balance wants it, 1/2 m v(n-1/2) . v(n+1/2) (docs/decisions/0002): `before`
