@@ -64,7 +64,7 @@ void Damping::Deforming::archive(Archive& a) {
 
 void Damping::archive(Archive& a) {
   a(range_, deforming_, force_, moment_, last_force_, last_moment_, energy_);
-  a.built(system_, mass_, deform_, relative_, stiff_groups_, rate_force_, rate_moment_, end_of_step_);
+  a.built(system_, mass_, deform_, relative_, deforming_of_);
 }
 
 void ElementAlive::archive(Archive& a) {

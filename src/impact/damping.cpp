@@ -2,6 +2,7 @@
 #include "impact/damping.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -11,6 +12,9 @@
 
 namespace nugget::impact {
 namespace {
+
+constexpr std::size_t nodes_at_once = 512;
+constexpr std::size_t most_rows = 2 * std::tuple_size_v<system::ElementNodes>;
 
 /// Forces, and moments, at the nodes of an element.
 std::size_t rows_of(const system::ElementGroup& group) {
@@ -85,7 +89,18 @@ double DampingFilters::growth_at(double omega) const {
   return sum;
 }
 
-Damping::Damping(system::System& system) : system_(system) {
+DampingFilters::Step DampingFilters::over(double dt) const {
+  Step step;
+  for (const double c : corner) {
+    const double a = c * dt;
+    step.left.push_back(std::exp(-a));
+    step.nearer.push_back(-std::expm1(-a));
+    step.gain.push_back(a > 0.0 ? -std::expm1(-a) / a : 1.0);
+  }
+  return step;
+}
+
+Damping::Damping(system::System& system) : system_(system), deforming_of_(system.groups.size(), -1) {
   const model::Model& model = system.model;
   const model::Damping& cards = model.damping;
   for (const model::MassDamping& card : cards.mass)
@@ -110,9 +125,9 @@ Damping::Damping(system::System& system) : system_(system) {
       group.damping_share = card.share;
       group.damping_time = card.time;
       group.keep_unstressed();
-      stiff_groups_.push_back(static_cast<int>(g));
+      system.have_damping_slots();
     }
-  if (mass_.empty() && range_.empty() && deforming_.empty() && relative_.empty() && stiff_groups_.empty()) return;
+  if (mass_.empty() && range_.empty() && relative_.empty() && system.damping_slots.empty()) return;
   for (auto* rows : {&force_, &moment_, &last_force_, &last_moment_}) rows->resize(system.all_nodes());
 }
 
@@ -169,28 +184,27 @@ void Damping::apply(system::State& state, double dt) {
   if (force_.empty()) return;
   last_force_.swap(force_);
   last_moment_.swap(moment_);
-  std::fill(force_.begin(), force_.end(), Row{});
-  std::fill(moment_.begin(), moment_.end(), Row{});
+  if (system_.damping_slots.empty()) {
+    parallel_for(force_.size(), nodes_at_once, [this](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) force_[k] = moment_[k] = Row{};
+    });
+  } else {
+    if (!deforming_.empty()) add_deforming(state, dt);
+    system_.gather_slots(system_.damping_slots, force_, moment_);
+  }
   for (const ByMass& d : mass_) add(d, state);
   for (ByRange& d : range_) add(d, state, dt);
-  for (Deforming& d : deforming_) add(d, state, dt);
   for (const Relative& d : relative_) add(d, state);
-  if (!stiff_groups_.empty()) {
-    // In the middle of the step the velocities, which are chords, of a steady turning strain nothing; at its end they
-    // would stretch, by dt/2 times the centripetal acceleration.
-    end_of_step_ = state.x;
-    for (std::size_t k = 0; k < state.x.size(); ++k) nugget::add(state.x[k], -0.5 * dt * vec(state.v[k]));
-    add_stiffness(state);
-    state.x.swap(end_of_step_);
-  }
   energy_ -= 0.5 * dt * ordered_sum(force_.size(), [&](std::size_t k) {
                return dot(vec(last_force_[k]) + vec(force_[k]), vec(state.v[k])) +
                       dot(vec(last_moment_[k]) + vec(moment_[k]), vec(state.w[k]));
              });
-  for (std::size_t k = 0; k < force_.size(); ++k) {
-    nugget::add(state.f[k], vec(force_[k]));
-    nugget::add(state.m[k], vec(moment_[k]));
-  }
+  parallel_for(force_.size(), nodes_at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      nugget::add(state.f[k], vec(force_[k]));
+      nugget::add(state.m[k], vec(moment_[k]));
+    }
+  });
 }
 
 void Damping::add(const ByMass& damping, const system::State& state) {
@@ -209,7 +223,9 @@ void Damping::add(const ByMass& damping, const system::State& state) {
     nugget::add(moment_[k], -d * times(card.rotary_scale, body.angular_momentum));
   };
   if (card.everything) {
-    for (std::size_t k = 0; k < system_.nodes; ++k) one(k, system_.mass[k], system_.inertia[k]);
+    parallel_for(system_.nodes, nodes_at_once, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) one(k, system_.mass[k], system_.inertia[k]);
+    });
     for (const system::RigidBody& body : system_.bodies) whole_body(body);
     return;
   }
@@ -223,24 +239,32 @@ void Damping::add(const ByMass& damping, const system::State& state) {
 
 void Damping::add(ByRange& damping, const system::State& state, double dt) {
   const DampingFilters& filters = damping.filters;
+  const DampingFilters::Step step = filters.over(dt);
   const std::size_t count = filters.corner.size();
   const model::Index body = damping.card->relative_to;
-  for (std::size_t i = 0; i < damping.members.size(); ++i) {
-    const Member& m = damping.members[i];
-    const Vec3d v = vec(state.v[m.node]) - carried(body, vec(state.x[m.node]), state), w = vec(state.w[m.node]);
-    Vec3d force{}, moment{};
-    for (std::size_t f = 0; f < count; ++f) {
-      Vec3d &slow_v = damping.v[i * count + f], &slow_w = damping.w[i * count + f];
-      if (!damping.started) slow_v = v, slow_w = w;
-      const double share = 1.0 - std::exp(-filters.corner[f] * dt), rate = filters.weight[f] * filters.corner[f];
-      slow_v += share * (v - slow_v);
-      slow_w += share * (w - slow_w);
-      force -= (m.mass * rate) * (v - slow_v);
-      moment -= (m.inertia * rate) * (w - slow_w);
+  const auto some = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Member& m = damping.members[i];
+      const Vec3d v = vec(state.v[m.node]) - carried(body, vec(state.x[m.node]), state), w = vec(state.w[m.node]);
+      Vec3d force{}, moment{};
+      for (std::size_t f = 0; f < count; ++f) {
+        Vec3d &slow_v = damping.v[i * count + f], &slow_w = damping.w[i * count + f];
+        if (!damping.started) slow_v = v, slow_w = w;
+        const double rate = filters.weight[f] * filters.corner[f];
+        slow_v += step.nearer[f] * (v - slow_v);
+        slow_w += step.nearer[f] * (w - slow_w);
+        force -= (m.mass * rate) * (v - slow_v);
+        moment -= (m.inertia * rate) * (w - slow_w);
+      }
+      push(m.node, body, force, state);
+      nugget::add(moment_[m.node], moment);
     }
-    push(m.node, body, force, state);
-    nugget::add(moment_[m.node], moment);
-  }
+  };
+  // A body to which the motion is relative feels every node's force.
+  if (body == model::none)
+    parallel_for(damping.members.size(), nodes_at_once, some);
+  else
+    some(0, damping.members.size());
   damping.started = true;
 }
 
@@ -258,55 +282,63 @@ void Damping::take_deforming(const model::FrequencyRangeDamping& card, std::vect
     Deforming d;
     d.group = static_cast<int>(g);
     d.filters = filters;
-    d.passed.resize(group.size() * rows_of(group) * (1 + deform_.back().corner.size()));
+    d.passed.resize(group.size() * 3 * rows_of(group) * (1 + deform_.back().corner.size()));
     if (group.nodes_per_element == 2) d.across.resize(group.size());
+    deforming_of_[g] = static_cast<int>(deforming_.size());
     deforming_.push_back(std::move(d));
+    system_.have_damping_slots();
   }
 }
 
-void Damping::add(Deforming& damping, const system::State& state, double dt) {
+void Damping::add_deforming(const system::State& state, double dt) {
+  std::vector<DampingFilters::Step> steps;
+  for (const DampingFilters& filters : deform_) steps.push_back(filters.over(dt));
+  system_.each_block([&](int g, std::size_t begin, std::size_t end) {
+    if (deforming_of_[at(g)] < 0) return;
+    const system::ElementGroup& group = *system_.groups[at(g)];
+    Deforming& damping = deforming_[at(deforming_of_[at(g)])];
+    const std::size_t width = group.block_width();
+    deform(damping, steps[damping.filters], begin * width, std::min(group.size(), end * width), state, dt);
+  });
+  for (Deforming& damping : deforming_) damping.started = true;
+}
+
+void Damping::deform(Deforming& damping, const DampingFilters::Step& step, std::size_t begin, std::size_t end,
+                     const system::State& state, double dt) {
   const system::ElementGroup& group = *system_.groups[at(damping.group)];
   const DampingFilters& filters = deform_[damping.filters];
   const std::size_t count = filters.corner.size(), rows = rows_of(group), corners = at(group.nodes_per_element);
-  // F - low-passed F of a force that grows evenly over the step.
-  std::vector<double> left(count), gain(count);
-  for (std::size_t f = 0; f < count; ++f) {
-    const double a = filters.corner[f] * dt;
-    left[f] = std::exp(-a);
-    gain[f] = a > 0.0 ? -std::expm1(-a) / a : 1.0;
-  }
-  rate_force_.resize(group.size() * rows);
-  parallel_for(group.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) {
-      Vec3d* passed = &damping.passed[e * rows * (1 + count)];
-      Row* out = &rate_force_[e * rows];
-      std::fill_n(out, rows, Row{});
-      if (!group.alive(e)) continue;
-      const auto nodes = group.nodes(e);
-      const Frame3d axes = damping.across.empty() ? axes_of(nodes, corners, state)
-                                                  : axes_along(nodes, state, dt, damping.started, damping.across[e]);
-      const system::System::Seat seat{damping.group, static_cast<int>(e)};
-      for (std::size_t r = 0; r < rows; ++r, passed += 1 + count) {
-        const auto node = static_cast<int>(r % corners);
-        const Vec3d force =
-            axes.local(r < corners ? system_.nodal_force(seat, node) : system_.nodal_moment(seat, node));
-        const Vec3d change = damping.started ? force - passed[0] : Vec3d{};
-        passed[0] = force;
-        Vec3d sum{};
-        for (std::size_t f = 0; f < count; ++f) {
-          passed[1 + f] = left[f] * passed[1 + f] + gain[f] * change;
-          sum += filters.weight[f] * passed[1 + f];
-        }
-        set(out[r], axes.global(sum));
+  for (std::size_t e = begin; e < end; ++e) {
+    double* last = &damping.passed[e * 3 * rows * (1 + count)];
+    Row* slot = &system_.damping_slots[group.slot_row(e, 0)];
+    if (!group.damped()) std::fill_n(slot, rows, Row{});
+    if (!group.alive(e)) continue;
+    const auto nodes = group.nodes(e);
+    const Frame3d axes = damping.across.empty() ? axes_of(nodes, corners, state)
+                                                : axes_along(nodes, state, dt, damping.started, damping.across[e]);
+    const system::System::Seat seat{damping.group, static_cast<int>(e)};
+    std::array<double, 3 * most_rows> change, sum{};
+    for (std::size_t r = 0; r < rows; ++r) {
+      const auto node = static_cast<int>(r % corners);
+      const Vec3d force = axes.local(r < corners ? system_.nodal_force(seat, node) : system_.nodal_moment(seat, node));
+      const std::array<double, 3> now{force.x, force.y, force.z};
+      for (std::size_t c = 0; c < 3; ++c) {
+        change[3 * r + c] = damping.started ? now[c] - last[3 * r + c] : 0.0;
+        last[3 * r + c] = now[c];
       }
     }
-  });
-  for (std::size_t e = 0; e < group.size(); ++e) {
-    const auto nodes = group.nodes(e);
+    for (std::size_t f = 0; f < count; ++f) {
+      double* passed = last + 3 * rows * (1 + f);
+      for (std::size_t i = 0; i < 3 * rows; ++i) {
+        // F - low-passed F of a force that grows evenly over the step.
+        passed[i] = step.left[f] * passed[i] + step.gain[f] * change[i];
+        sum[i] += filters.weight[f] * passed[i];
+      }
+    }
     for (std::size_t r = 0; r < rows; ++r)
-      nugget::add((r < corners ? force_ : moment_)[at(nodes[r % corners])], -vec(rate_force_[e * rows + r]));
+      nugget::add(slot[group.rotational ? 2 * (r % corners) + r / corners : r],
+                  axes.global({sum[3 * r], sum[3 * r + 1], sum[3 * r + 2]}));
   }
-  damping.started = true;
 }
 
 void Damping::add(const Relative& damping, const system::State& state) {
@@ -316,29 +348,6 @@ void Damping::add(const Relative& damping, const system::State& state) {
   for (const Member& m : damping.members) {
     const Vec3d v = vec(state.v[m.node]) - carried(card.rigid_body, vec(state.x[m.node]), state);
     push(m.node, card.rigid_body, -m.mass * (linear + factor * card.quadratic * norm(v)) * v, state);
-  }
-}
-
-void Damping::add_stiffness(const system::State& state) {
-  for (const int g : stiff_groups_) {
-    const system::ElementGroup& group = *system_.groups[at(g)];
-    const std::size_t width = group.block_width(), corners = at(group.nodes_per_element), size = width * corners;
-    rate_force_.resize(group.blocks() * size);
-    rate_moment_.resize(group.blocks() * size);
-    parallel_for(group.blocks(), 16, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b)
-        group.elastic_rate(b, state, std::span(rate_force_).subspan(b * size, size),
-                           std::span(rate_moment_).subspan(b * size, size));
-    });
-    for (std::size_t e = 0; e < group.size(); ++e) {
-      if (!group.alive(e)) continue;
-      const double beta = group.damping_time > 0.0 ? group.damping_time : group.damping_share * group.stable_step(e);
-      const auto nodes = group.nodes(e);
-      for (std::size_t a = 0; a < corners; ++a) {
-        nugget::add(force_[at(nodes[a])], -beta * vec(rate_force_[e * corners + a]));
-        if (group.rotational) nugget::add(moment_[at(nodes[a])], -beta * vec(rate_moment_[e * corners + a]));
-      }
-    }
   }
 }
 

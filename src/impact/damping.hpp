@@ -23,6 +23,13 @@ struct DampingFilters {
   /// seems to grow at it.
   double share_at(double omega) const;
   double growth_at(double omega) const;
+
+  /// Over a step: by how much each filter nears what it is fed with, if that is constant; the share of its state that
+  /// is left, and of an even growth that it has not let through.
+  struct Step {
+    std::vector<double> nearer, left, gain;
+  };
+  Step over(double dt) const;
 };
 
 /// *DAMPING_...: forces against the velocities of half a step before. What they take out is the damping energy.
@@ -65,8 +72,8 @@ class Damping {
   struct Deforming {
     int group;
     std::size_t filters;  ///< in `deform_`
-    /// By element, node, and force or moment: the force of the last step, then what each filter has let through.
-    std::vector<Vec3d> passed;
+    /// By element: forces and moments of the last step, then of them what each filter has let through.
+    std::vector<double> passed;
     std::vector<Vec3d> across;  ///< of elements along a line, which have axes by history: a vector across it
     bool started = false;
     void archive(Archive& a);
@@ -85,20 +92,20 @@ class Damping {
   void add(const ByMass& damping, const system::State& state);
   void add(ByRange& damping, const system::State& state, double dt);
   void take_deforming(const model::FrequencyRangeDamping& card, std::vector<char>& taken);
-  void add(Deforming& damping, const system::State& state, double dt);
   void add(const Relative& damping, const system::State& state);
-  void add_stiffness(const system::State& state);
+  /// Adds the forces of elements that damp their deformation to the damping slots.
+  void add_deforming(const system::State& state, double dt);
+  void deform(Deforming& damping, const DampingFilters::Step& step, std::size_t begin, std::size_t end,
+              const system::State& state, double dt);
 
-  const system::System& system_;
+  system::System& system_;
   std::vector<ByMass> mass_;
   std::vector<ByRange> range_;
   std::vector<DampingFilters> deform_;
   std::vector<Deforming> deforming_;
   std::vector<Relative> relative_;
-  std::vector<int> stiff_groups_;
+  std::vector<int> deforming_of_;                               ///< by group: in `deforming_`, or -1
   std::vector<Row> force_, moment_, last_force_, last_moment_;  ///< by node, bodies included; empty without damping
-  std::vector<Row> rate_force_, rate_moment_;                   ///< of one group
-  std::vector<Row> end_of_step_;  ///< places, while those in the middle of the step stand in the state
   double energy_ = 0.0;
 };
 

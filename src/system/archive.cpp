@@ -43,7 +43,7 @@ void System::archive(Archive& a) {
   a.section("system");
   a(mass, inertia, own_mass, own_inertia_, carried_mass_, carried_inertia_, map, bodies, slots_);
   a.built(model, ties, nodes, node_of, model_node, body_of, springs, shell_seat, solid_seat, beam_seat, discrete_seat,
-          start_, lumps_, holder_, gather_start_, gather_, blocks_);
+          start_, lumps_, holder_, damping_slots, gather_start_, gather_, blocks_);
   a.section("elements");
   a(groups);
 }

@@ -42,7 +42,7 @@ using AlignedReals = std::vector<double, Aligned<double>>;
 ///   layers(), layer(...), thickness(...), resultants(...)   for output
 ///   frame_of(places), material_axes_of(field, k, places)   may be absent; see ElementGroup::axes, material_axes
 ///   before_cycle(state, alive, put)   may be absent; see BeforeCycle
-///   set_layer(put, k, layer, places), inviscid()   may be absent; see ElementGroup::set_layer, elastic_rate
+///   set_layer(put, k, layer, places), inviscid()   may be absent; see ElementGroup::set_layer, cycle
 ///   change_stresses(state, put, change), takes_stress()   may be absent; the stresses of all points, in the order of
 ///                                     ElementGroup::layer; see TakesStress
 ///   stiffness(state, places, k)       where the kernel's own derivative is not exact; may be absent
@@ -110,7 +110,8 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
           [this](std::size_t e, int i, double value) { field(e, i) = value; });
   }
 
-  void cycle(std::size_t begin, std::size_t end, const State& now, double dt, std::span<Row> slots) override {
+  void cycle(std::size_t begin, std::size_t end, const State& now, double dt, std::span<Row> slots,
+             std::span<Row> damping) override {
     for (std::size_t b = begin; b < end; ++b) {
       // On their way from memory while the kernel runs: the forces of the step before, and the state of the next block.
       Row* slot = &slots[slot_row(b * width, 0)];
@@ -147,6 +148,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       real_store(&step_[b * width], out.stable_step);
       if constexpr (requires { out.volume; }) note_inverted(b, out.volume);
       find_block_step(b);
+      if (damped()) damp(b, motion, dt, damping);
     }
   }
 
@@ -201,38 +203,31 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   }
 
   void keep_unstressed() override {
-    unstressed_ = state_;
+    for (int i = 0; i < kernel_.state_size(); ++i) {
+      const auto holds = [this, i](std::size_t b) {
+        const double* values = state(b * width) + i * width;
+        return std::any_of(values, values + width, [](double x) { return x != 0.0; });
+      };
+      for (std::size_t b = 0; b < blocks(); ++b) {
+        if (!holds(b)) continue;
+        unstressed_fields_.push_back(i);
+        break;
+      }
+    }
+    for (std::size_t b = 0; b < blocks(); ++b)
+      for (const int i : unstressed_fields_) {
+        const double* values = state(b * width) + i * width;
+        unstressed_.insert(unstressed_.end(), values, values + width);
+      }
     if constexpr (requires { kernel_.inviscid(); })
       inviscid_.emplace(kernel_.inviscid());
     else
       inviscid_.emplace(kernel_);
   }
-  void elastic_rate(std::size_t b, const State& now, std::span<Row> f, std::span<Row> m) const override {
-    const int* id = &nodes_[b * width * corners];
-    typename Element::template Motion<R> motion;
-    for (int a = 0; a < corners; ++a) {
-      motion.x[a] = gather<R>(now.x.data(), id + a * width);
-      motion.v[a] = gather<R>(now.v.data(), id + a * width);
-      if constexpr (Element::rotational) motion.w[a] = gather<R>(now.w.data(), id + a * width);
-    }
-    const auto size = static_cast<std::ptrdiff_t>(kernel_.state_size() * width);
-    const auto first = unstressed_.begin() + static_cast<std::ptrdiff_t>(b) * size;
-    thread_local AlignedReals scratch;
-    scratch.assign(first, first + size);
-    std::copy_n(state(b * width) + Element::Layout::alive * width, width, &scratch[at(Element::Layout::alive * width)]);
-    const auto out = inviscid_->template cycle<R>(motion, no_step, scratch.data());
-    for (int a = 0; a < corners; ++a) {
-      int row[width];
-      for (int l = 0; l < width; ++l) row[l] = l * corners + a;
-      scatter<R>(f.data(), row, R(1.0 / no_step) * out.f[a]);
-      if constexpr (Element::rotational) scatter<R>(m.data(), row, R(1.0 / no_step) * out.m[a]);
-    }
-  }
-
   void archive(Archive& a) override {
     ElementGroup::archive(a);
     a(state_, energy_, step_, unstressed_);
-    a.built(kernel_, nodes_, inviscid_, mass_, inertia_, imposed_);
+    a.built(kernel_, nodes_, unstressed_fields_, inviscid_, mass_, inertia_, imposed_);
   }
 
   ElementNodes nodes(std::size_t e) const override {
@@ -412,6 +407,36 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
         stress[c] = s.others == ImposedStress::Others::none ? s.stress * nn[c] : stress[c] + change * nn[c];
     });
   }
+  /// Stiffness-proportional damping of a block. In the middle of the step the velocities, which are chords, of a steady
+  /// turning strain nothing; at its end they would stretch, by dt/2 times the centripetal acceleration.
+  void damp(std::size_t b, typename Element::template Motion<R> motion, double dt, std::span<Row> slots) const {
+    const std::size_t fields = unstressed_fields_.size();
+    const double* unstressed = &unstressed_[b * fields * width];
+    Row* slot = &slots[slot_row(b * width, 0)];
+    for (int row = 0; row < width * corners * rows; row += 2) __builtin_prefetch(slot + row, 1);
+    thread_local AlignedReals scratch;
+    scratch.assign(at(kernel_.state_size() * width), 0.0);
+    for (std::size_t i = 0; i < fields; ++i)
+      real_store(&scratch[at(unstressed_fields_[i] * width)], real_load<R>(unstressed + i * width));
+    const R lives = real_load<R>(state(b * width) + Element::Layout::alive * width);
+    real_store(&scratch[at(Element::Layout::alive * width)], lives);
+    for (int a = 0; a < corners; ++a) motion.x[a] = motion.x[a] - R(0.5 * dt) * motion.v[a];
+    const auto out = inviscid_->template cycle<R>(motion, no_step, scratch.data());
+
+    const R step = real_load<R>(&step_[b * width]);
+    const R beta = R(1.0 / no_step) * (damping_time > 0.0 ? R(damping_time) : R(damping_share) * step);
+    const auto alive = R(0.0) < lives;
+    const auto damping = [&](const Vec3<R>& f) {
+      return Vec3<R>{select(alive, beta * f.x, R(0.0)), select(alive, beta * f.y, R(0.0)),
+                     select(alive, beta * f.z, R(0.0))};
+    };
+    for (int a = 0; a < corners; ++a) {
+      int row[width];
+      for (int l = 0; l < width; ++l) row[l] = (l * corners + a) * rows;
+      scatter<R>(slot, row, damping(out.f[a]));
+      if constexpr (Element::rotational) scatter<R>(slot + 1, row, damping(out.m[a]));
+    }
+  }
   static void copy_lane(const Vec3<R>& from, Vec3<R>& to, int l) {
     set_lane(to.x, l, nugget::lane(from.x, l));
     set_lane(to.y, l, nugget::lane(from.y, l));
@@ -421,7 +446,8 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   Element kernel_;
   std::vector<int> nodes_;  ///< block by block, node by node, lane by lane
   AlignedReals state_, energy_, step_;
-  AlignedReals unstressed_;          ///< as `state_`; empty where it was not kept
+  std::vector<int> unstressed_fields_;  ///< of the state, those that are not 0 in all elements free of stress
+  AlignedReals unstressed_;          ///< their values, block by block, field by field; empty where they were not kept
   std::optional<Element> inviscid_;  ///< the kernel without viscous forces; kept with it
   std::vector<double> mass_, inertia_;
   std::vector<ImposedStress> imposed_;  ///< by rising element; given anew before each cycle

@@ -41,8 +41,11 @@ class ElementGroup {
   virtual std::size_t block_width() const = 0;  ///< elements of a block; the last one may be padded
 
   /// Advances elements of blocks [begin, end) over dt with the velocities of `state` at mid-step and its positions at
-  /// the end of the step; fills slots; adds the work done to the elements' internal energy.
-  virtual void cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots) = 0;
+  /// the end of the step; fills slots; adds the work done to the elements' internal energy. Where they are `damped()`
+  /// fills slots of `damping` too, with beta K v: K v is the rate of the nodal forces if the elements, where they were
+  /// in the middle of the step, were free of stress and elastic, without what a kernel resists by viscosity.
+  virtual void cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots,
+                     std::span<Row> damping) = 0;
   /// What all groups have; a group's own adds to it.
   virtual void archive(Archive& a);
 
@@ -86,6 +89,7 @@ class ElementGroup {
   /// Stiffness-proportional damping: a share of critical at the highest frequency of each element, or beta [time].
   double damping_share = 0.0, damping_time = 0.0;
   bool damped() const { return damping_share > 0.0 || damping_time > 0.0; }
+  double damping_time_at(double step) const { return damping_time > 0.0 ? damping_time : damping_share * step; }
   /// Share by which damping of the elements' forces over a range of frequencies stiffens them above it.
   double stiffened = 0.0;
   /// Stable step of an element that is so stiffened and damped, with the velocities of half a step before (Belytschko):
@@ -93,14 +97,11 @@ class ElementGroup {
   double damped_step(double s) const {
     if (stiffened > 0.0) s /= std::sqrt(1.0 + stiffened);
     if (!damped() || !(s < std::numeric_limits<double>::infinity())) return s;
-    const double beta = damping_time > 0.0 ? damping_time : damping_share * s;
+    const double beta = damping_time_at(s);
     return std::sqrt(s * s + beta * beta) - beta;
   }
-  /// Keeps the state as it is, free of stress, for `elastic_rate`.
+  /// Keeps the state as it is, free of stress, for stiffness-proportional damping.
   virtual void keep_unstressed() = 0;
-  /// Rates of the nodal forces and moments of a block's elements if they were free of stress where they are and
-  /// elastic: K v, without what a kernel resists by viscosity. Element by element, node by node.
-  virtual void elastic_rate(std::size_t block, const State& now, std::span<Row> f, std::span<Row> m) const = 0;
 
   // Damage of a weld as a whole, from outside its elements. Elements of other kinds are always sound.
   virtual double integrity(std::size_t) const { return 1.0; }  ///< share of the sound element's force that is left

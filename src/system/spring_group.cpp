@@ -62,7 +62,8 @@ Vec3d SpringGroup::line_of(const Entry& s, const State& state, double& length) c
   return direction;
 }
 
-void SpringGroup::cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots) {
+void SpringGroup::cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots,
+                        std::span<Row> damping) {
   for (std::size_t b = begin; b < end; ++b) {
     double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t e = b * width; e < std::min(size(), (b + 1) * width); ++e) {
@@ -80,6 +81,7 @@ void SpringGroup::cycle(std::size_t begin, std::size_t end, const State& state, 
         set(row, now);
       }
       s.energy += 0.5 * dt * work;
+      if (damped()) damp(e, state, damping);
       if (s.alive) smallest = std::min(smallest, s.step);
     }
     block_step[b] = smallest;
@@ -172,20 +174,16 @@ void SpringGroup::along_line(std::size_t e, double modulus, std::span<double> k)
           k[(a * per_node + first + i) * size + b * per_node + first + j] = (a == b ? scaled : -scaled) * n[i] * n[j];
 }
 
-void SpringGroup::elastic_rate(std::size_t b, const State& now, std::span<Row> f, std::span<Row> m) const {
-  const std::span<Row> rates = rotational ? m : f;
-  const std::vector<Row>& of = rotational ? now.w : now.v;
-  for (std::size_t i = 0; i < width; ++i) {
-    const std::size_t e = b * width + i;
-    for (std::size_t a = 0; a < at_each_node(); ++a) f[i * at_each_node() + a] = m[i * at_each_node() + a] = Row{};
-    if (e >= size()) continue;
-    const Entry& s = springs_[e];
+void SpringGroup::damp(std::size_t e, const State& state, std::span<Row> slots) const {
+  const std::vector<Row>& of = rotational ? state.w : state.v;
+  const Entry& s = springs_[e];
+  Vec3d pull{};
+  if (s.alive) {
     const Vec3d second = s.node[1] < 0 ? Vec3d{} : vec(of[at(s.node[1])]);
     const double k = s.source->scale * law_.initial_stiffness();
-    const Vec3d rate = (k * dot(second - vec(of[at(s.node[0])]), s.line)) * s.line;
-    set(rates[i * at_each_node()], -rate);
-    if (s.node[1] >= 0) set(rates[i * at_each_node() + 1], rate);
+    pull = (damping_time_at(s.step) * k * dot(second - vec(of[at(s.node[0])]), s.line)) * s.line;
   }
+  for (int a = 0; a < nodes_per_element; ++a) set(slots[slot_row(e, a) + (rotational ? 1 : 0)], a == 0 ? -pull : pull);
 }
 
 ElementNodes SpringGroup::nodes(std::size_t e) const {

@@ -29,11 +29,11 @@ class SpringGroup final : public ElementGroup {
   std::size_t blocks() const override { return (size() + width - 1) / width; }
   std::size_t block_width() const override { return width; }
   std::size_t slot_rows() const override { return blocks() * width * at_each_node() * (rotational ? 2 : 1); }
-  void cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots) override;
+  void cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots,
+             std::span<Row> damping) override;
   void stiffness(std::size_t e, const State& start, std::span<double> k) const override;
   bool viscosity(std::size_t e, const State& start, std::span<double> c) const override;
   void keep_unstressed() override {}
-  void elastic_rate(std::size_t block, const State& now, std::span<Row> f, std::span<Row> m) const override;
 
   void archive(Archive& a) override;
 
@@ -87,6 +87,8 @@ class SpringGroup final : public ElementGroup {
   /// The line of a spring and, of one along it, the elongation's length on it.
   Vec3d line_of(const Entry& s, const State& state, double& length) const;
   void advance(Entry& s, const State& state, double dt);
+  /// Stiffness-proportional damping of spring e into its slots.
+  void damp(std::size_t e, const State& state, std::span<Row> slots) const;
   double stable_step_of(const Entry& s) const;
 
   const model::SectionDiscrete& section_;

@@ -402,31 +402,41 @@ Vec3d System::nodal_moment(Seat seat, int a) const {
 void System::internal_force(State& state) {
   for (const auto& group : groups)
     if (auto* looks = dynamic_cast<BeforeCycle*>(group.get())) looks->before_cycle(state);
+  each_block([&](int g, std::size_t begin, std::size_t end) {
+    groups[at(g)]->cycle(begin, end, state, state.dt, slots_, damping_slots);
+  });
+  gather_slots(slots_, state.f, state.m);
+}
+
+void System::each_block(const std::function<void(int, std::size_t, std::size_t)>& body) const {
   parallel_for(blocks_.size(), 16, [&](std::size_t begin, std::size_t end) {
     while (begin < end) {
       const int g = blocks_[begin].first;
       std::size_t run = begin;
       while (run < end && blocks_[run].first == g) ++run;
-      groups[at(g)]->cycle(blocks_[begin].second, blocks_[run - 1].second + 1, state, state.dt, slots_);
+      body(g, blocks_[begin].second, blocks_[run - 1].second + 1);
       begin = run;
     }
   });
+}
+
+void System::gather_slots(std::span<const Row> slots, std::span<Row> force, std::span<Row> moment) const {
   constexpr std::size_t slots_ahead = 32;
   parallel_for(nodes, 512, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      Vec3d force{}, moment{};
+      Vec3d f{}, m{};
       for (std::size_t i = gather_start_[k]; i < gather_start_[k + 1]; ++i) {
         // The slots of a node lie in as many elements: not asked for ahead, every one is waited for.
-        __builtin_prefetch(&slots_[gather_[std::min(i + slots_ahead, gather_.size() - 1)] >> 1]);
-        const Row* slot = &slots_[gather_[i] >> 1];
-        force -= vec(slot[0]);
-        if (gather_[i] & 1u) moment -= vec(slot[1]);
+        __builtin_prefetch(&slots[gather_[std::min(i + slots_ahead, gather_.size() - 1)] >> 1]);
+        const Row* slot = &slots[gather_[i] >> 1];
+        f -= vec(slot[0]);
+        if (gather_[i] & 1u) m -= vec(slot[1]);
       }
-      set(state.f[k], force);
-      set(state.m[k], moment);
+      set(force[k], f);
+      set(moment[k], m);
     }
   });
-  for (std::size_t k = nodes; k < all_nodes(); ++k) state.f[k] = state.m[k] = Row{};
+  for (std::size_t k = nodes; k < all_nodes(); ++k) force[k] = moment[k] = Row{};
 }
 
 System::Controlling System::controlling() const {

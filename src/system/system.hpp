@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -100,6 +101,14 @@ class System {
   /// Forces of all elements at the end of a step into state.f and state.m (overwritten); keeps the smallest stable
   /// step.
   void internal_force(State& state);
+  /// Calls `body(group, begin, end)` for ranges of blocks of elements, all of all groups, side by side.
+  void each_block(const std::function<void(int, std::size_t, std::size_t)>& body) const;
+  /// Forces by which elements damp themselves, laid out as the slots of their internal forces (ElementGroup::slot_row);
+  /// empty until `have_damping_slots`.
+  std::vector<Row> damping_slots;
+  void have_damping_slots() { damping_slots.resize(slots_.size()); }
+  /// Takes the sum of its slots from each node: what forces of elements do to nodes. Rows of bodies become 0.
+  void gather_slots(std::span<const Row> slots, std::span<Row> force, std::span<Row> moment) const;
 
   /// The element that controls the time step.
   struct Controlling {
