@@ -35,6 +35,17 @@ class SameBits(CommandTest):
         self.assertLessEqual({"d3plot", "d3plot01", "swforc", "glstat", "matsum", "nodout", "rwforc", "rbdout"}, set(files))
         self.assertGreater(len(files["swforc"]), 10000)
 
+    def test_every_kind_of_damping(self):
+        """Upper hat by stiffness and by deformation, lower hat by deformation, all nodes by two more; and deformation alone."""
+        subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)
+        text = (self.folder / "double_hat.k").read_text(encoding="ascii")
+        cards = ("*DAMPING_GLOBAL\n         0      50.0\n*DAMPING_PART_STIFFNESS\n         1      0.05\n"
+                 "*DAMPING_FREQUENCY_RANGE\n      0.02     100.0   10000.0\n*DAMPING_FREQUENCY_RANGE_DEFORM\n      0.02     100.0   10000.0\n")
+        self.compare(self.write(text.replace("*END", cards + "*END")), "--until", "1.0e-4")
+        glstat = (self.folder / "t1" / "glstat").read_text(encoding="ascii")
+        damping = float(re.findall(r"system damping energy\.+ *(\S+)", glstat)[-1])
+        self.assertGreater(damping, 0.0)
+
     def test_folds_with_edges_against_edges(self):
         subprocess.run([sys.executable, str(SOURCE / "examples" / "hat_crush" / "make.py"), str(self.folder)], check=True)
         text = (self.folder / "hat_poor.k").read_text(encoding="ascii")
