@@ -3,13 +3,15 @@
 
     python3 bench/body.py [--nugget build/nugget] [--work build-bench/body] [--shells 500000] [--welds 5000] [--threads 1]
     python3 bench/body.py --study crash [--end 1e-4] ...
+    python3 bench/body.py --study cards [--other OLD_NUGGET] --shells 55000 --welds 700 --end 3e-5
     python3 bench/body.py --study modes [--modes 50] [--shells 280000] [--welds 800] ...
 
 The body is a row of closed sills: each is a curved hat with flanges, and a floor strip under it, both of 5 mm elements; some
 carry a third strip under one flange. For modes the hats are straight and stand on one floor, so that it is one body. Spots
 stand along the flanges, three elements wide; `nugget weld` places them, so that the deck is one that a user could have made.
 What is timed is `nugget check` as its check.log tells it: reading, then tie and audit together (aim: under 5 s); the impact of
-the body against a wall at 10 m/s, all of it in one contact with itself; modes up to their number, files and report included.
+the body against a wall at 10 m/s, all of it in one contact with itself; that impact with one more card that many decks have,
+phase by phase, in turn with another program's where one is given; modes up to their number, files and report included.
 """
 import argparse
 import math
@@ -43,6 +45,14 @@ IMPACT = """*CONTACT_AUTOMATIC_SINGLE_SURFACE
 *CONTROL_ENERGY
          2         2         2         2
 """
+CARDS = {  # set 2: the sheets
+    "none": "",
+    "histories every 1e-6": "*DATABASE_HISTORY_NODE\n         1\n" + "".join(f"*DATABASE_{f}\n   1.0E-06\n" for f in ("NODOUT", "RWFORC", "RCFORC")),
+    "DAMPING_GLOBAL": "*DAMPING_GLOBAL\n         0      10.0\n",
+    "DAMPING_PART_STIFFNESS": "*DAMPING_PART_STIFFNESS_SET\n         2      0.05\n",
+    "DAMPING_FREQUENCY_RANGE": "*DAMPING_FREQUENCY_RANGE\n      0.02       1.0     300.0         2\n",
+    "DAMPING_FREQUENCY_RANGE_DEFORM": "*DAMPING_FREQUENCY_RANGE_DEFORM\n      0.02       1.0     300.0         2\n",
+}
 
 
 def hat_profile():
@@ -155,10 +165,28 @@ def finish(folder, body, end):
     return body.shell, len(body.points)
 
 
-def crash(nugget, work, threads):
+def write_crash(work, card=""):
     text = (work / "welded.k").read_text(encoding="ascii")
     at = text.rindex("*END")
-    (work / "crash.k").write_text(text[:at] + IMPACT + text[at:], encoding="ascii")
+    (work / "crash.k").write_text(text[:at] + IMPACT + card + text[at:], encoding="ascii")
+
+
+def cards(programs, work, threads):
+    """ns per element-cycle of each phase, by the clock. `nugget weld` asks for swforc, a hundred times up to the end: not here."""
+    deck = work / "welded.k"
+    deck.write_text(re.sub(r"\*DATABASE_SWFORC\n(\$.*\n)*.*\n", "", deck.read_text(encoding="ascii")), encoding="ascii")
+    for name, card in CARDS.items():
+        write_crash(work, card)
+        for program in programs:
+            measure([program, "run", "crash.k", "-o", "crash", "-j", str(threads), "--quiet"], work)
+            summary = json.loads((work / "crash" / "summary.json").read_text(encoding="utf-8"))
+            count = summary["cycles"] * sum(summary["elements"].values())
+            phases = "  ".join(f"{phase} {1e9 * seconds / count:5.1f}" for phase, seconds in summary["seconds"]["phases"].items())
+            print(f"{name:32}{phases}  {program}")
+
+
+def crash(nugget, work, threads):
+    write_crash(work)
     seconds, memory = measure([nugget, "run", "crash.k", "-o", "crash", "-j", str(threads), "--quiet"], work)
     summary = json.loads((work / "crash" / "summary.json").read_text(encoding="utf-8"))
     print(f"nugget run    {seconds:8.1f} s of processor time, {memory:.0f} MB, {summary['cycles']} cycles, "
@@ -175,8 +203,9 @@ def modes(nugget, work, threads, number):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--study", choices=("tie", "crash", "modes"), default="tie")
+    parser.add_argument("--study", choices=("tie", "crash", "cards", "modes"), default="tie")
     parser.add_argument("--nugget", type=pathlib.Path, default=ROOT / "build" / "nugget")
+    parser.add_argument("--other", type=pathlib.Path)
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build-bench" / "body")
     parser.add_argument("--shells", type=int, default=500_000)
     parser.add_argument("--welds", type=int, default=5_000)
@@ -202,6 +231,8 @@ def main():
     print(re.search(r"Seconds: .*", log)[0])
     if arguments.study == "crash":
         crash(nugget, work, arguments.threads)
+    elif arguments.study == "cards":
+        cards([nugget] + ([str(arguments.other.resolve())] if arguments.other else []), work, arguments.threads)
     elif arguments.study == "modes":
         modes(nugget, work, arguments.threads, arguments.modes)
     return 0
