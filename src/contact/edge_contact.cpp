@@ -8,6 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/couple.hpp"
+#include "kernel/contact/touch_friction.hpp"
 
 namespace nugget::contact {
 namespace {
@@ -522,14 +523,19 @@ Vec3d EdgeContact::direction(const Pair& pair, const Pair& before, const Vec3d& 
 /// that over the first.
 Vec3d EdgeContact::friction(const Pair& pair, const Pair& before, double stiffness, double normal_force,
                             const Step& step) const {
-  if (!before.touching) return {};
+  // Two crossing bars touch in a patch as wide as both.
+  const double area = setup_.edges[pair.a].thickness * setup_.edges[pair.b].thickness;
+  if (!before.touching) {
+    const Vec3d velocity =
+        at(setup_.edges[pair.a], pair.feet.s, step.v) - at(setup_.edges[pair.b], pair.feet.t, step.v);
+    return kernel::touch_friction(setup_.law.friction,
+                                  {velocity, pair.direction, pair.depth, stiffness, normal_force, area});
+  }
   const Vec3d over_a = pair.feet.a - at(setup_.edges[before.a], before.feet.s, step.x);
   const Vec3d over_b = pair.feet.b - at(setup_.edges[before.b], before.feet.t, step.x);
   const auto tangential = [&pair](const Vec3d& a) { return a - dot(a, pair.direction) * pair.direction; };
   const Vec3d slip = tangential(over_b - over_a);
   const double speed = step.dt > 0.0 ? norm(slip) / step.dt : 0.0;
-  // Two crossing bars touch in a patch as wide as both.
-  const double area = setup_.edges[pair.a].thickness * setup_.edges[pair.b].thickness;
   const double bound = setup_.law.friction.bound(normal_force, speed, area);
   return kernel::sliding_spring(tangential(before.friction), stiffness, slip, bound);
 }
@@ -538,7 +544,8 @@ double EdgeContact::penalty(const Edge& e, const Edge& f, const Step& step) cons
   if (setup_.law.stiffness != kernel::PenaltyStiffness::segment_masses)
     return setup_.stiffness_scale * std::min(e.stiffness, f.stiffness);
   return setup_.stiffness_scale * std::min(e.scale, f.scale) *
-         kernel::segment_penalty(e.mass, f.mass, setup_.law.step(step.longest));
+         kernel::segment_penalty(e.mass > 0.0 ? e.mass : f.mass, f.mass > 0.0 ? f.mass : e.mass,
+                                 setup_.law.step(step.longest));
 }
 
 void EdgeContact::press(const Candidate& candidate, const Step& step) {

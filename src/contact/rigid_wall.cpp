@@ -44,11 +44,14 @@ RigidWall::RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const
   sums_.resize((tracked_.size() + group_size - 1) / group_size);
 }
 
+/// In the step `dt` from `time` on. The curve's time counts from the birth of the wall (keyword manual, BIRTH).
 Vec3d RigidWall::prescribed_velocity(double time, double dt) const {
   if (!motion_ || motion_->empty()) return {};
-  if (!motion_is_displacement_) return motion_->zero_outside(time + 0.5 * dt) * motion_direction_;
+  const double begin = time - birth_, end = begin + dt, middle = begin + 0.5 * dt;
+  if (!motion_is_displacement_) return middle < 0.0 ? Vec3d{} : motion_->zero_outside(middle) * motion_direction_;
   // A displacement holds its last value when the curve ends.
-  return ((motion_->clamped(time + dt) - motion_->clamped(time)) / dt) * motion_direction_;
+  const double way = motion_->clamped(std::max(0.0, end)) - motion_->clamped(std::max(0.0, begin));
+  return (way / dt) * motion_direction_;
 }
 
 void RigidWall::constrain(double time, double dt, double dt_previous, std::span<const Row> x, std::span<Row> v,
@@ -59,7 +62,7 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
   due_ = power_on_change_ = 0.0;
   Step step{dt, x, v, f, mass, skip, prescribed_velocity(time, dt)};
   const bool active = time >= birth_ && time < death_;
-  if (mass_ > 0.0) {
+  if (mass_ > 0.0 && time >= birth_) {
     if (active) std::visit([&](const auto& shape) { collide(shape, step); }, shape_);
     step.wall_velocity = velocity_ * normal_;
   }

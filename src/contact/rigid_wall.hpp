@@ -29,7 +29,7 @@ namespace nugget::contact {
 ///
 /// Motion: a plane with `mass` moves along its normal, its velocity following from the momentum of the nodes (plastic
 /// collision: the total is kept to round-off); any wall with a motion curve moves as the curve says; others stand.
-/// Results are the same bits for any number of threads.
+/// None moves before its birth, from which the curve counts. Results are the same bits for any number of threads.
 class RigidWall {
  public:
   /// `nodes`: the tracked nodes, numbered as in the arrays of `constrain`. `motion`: the curve that

@@ -8,6 +8,7 @@
 #include "base/parallel.hpp"
 #include "contact/couple.hpp"
 #include "contact/surface_nodes.hpp"
+#include "kernel/contact/touch_friction.hpp"
 
 namespace nugget::contact {
 namespace {
@@ -393,19 +394,23 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   Vec3d force = size * direction;
   const kernel::Friction rough = friction_law(candidate, tracked);
   if (rough.any()) {
-    pair.friction = friction(rough, candidate, before, direction, stiffness, size, step);
+    const kernel::Touch touch{velocity, direction, pair.depth, stiffness, size, area(segment, step.x)};
+    pair.friction = before != nullptr ? friction(rough, candidate, before, direction, stiffness, size, step)
+                                      : kernel::touch_friction(rough, touch);
     force += pair.friction;
   }
   block.hits.push_back({tracked, pair.segment, candidate.foot.weight, force, pair.depth});
 }
 
-/// Stiffness of the pair before the step bounds it. A node without segments meets its like.
+/// Stiffness of the pair before the step bounds it. What has no mass of its own, as a node without segments or a side
+/// that is held, meets its like.
 double SurfaceContact::penalty(int segment, int tracked, const Step& step) const {
   if (setup_.law.stiffness != kernel::PenaltyStiffness::segment_masses)
     return std::min(segment_stiffness_[segment], node_stiffness_[tracked]);
   const Segment& s = setup_.segments[segment];
   const double own = node_mass_[tracked] > 0.0 ? node_mass_[tracked] : s.mass;
-  return setup_.stiffness_scale * s.scale * kernel::segment_penalty(own, s.mass, setup_.law.step(step.longest));
+  const double other = s.mass > 0.0 ? s.mass : own;
+  return setup_.stiffness_scale * s.scale * kernel::segment_penalty(own, other, setup_.law.step(step.longest));
 }
 
 /// Beyond PENMAX thicknesses of the shell, or depths of the brick.
@@ -424,7 +429,6 @@ kernel::Friction SurfaceContact::friction_law(const Candidate& candidate, int tr
 /// Friction on the node; `before`: the pair that it touched a cycle ago, this one or the one from which it came.
 Vec3d SurfaceContact::friction(const kernel::Friction& law, const Candidate& candidate, const Pair* before,
                                const Vec3d& direction, double stiffness, double normal_force, const Step& step) const {
-  if (before == nullptr) return {};
   const Segment& from = setup_.segments[before->segment];
   const Vec3d was = interpolate(from, kernel::shape_functions(from.triangle(), before->xi, before->eta), step.x);
   const auto along = [&direction](const Vec3d& a) { return a - dot(a, direction) * direction; };

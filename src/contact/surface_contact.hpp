@@ -76,7 +76,7 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 /// the bound of kernel::Friction: f = f - k de, then |f| <= bound (theory manual, "Friction"). de is the way of the
 /// foot over the material of the segment, so that turning together is no slip; the spring is handed on from segment to
 /// segment. The force acts on the node and at the foot, half the thicknesses apart. That couple is not balanced but
-/// with FTORQ: then the corners of the segment take it, see add_couple().
+/// with FTORQ: then the corners of the segment take it, see add_couple(). In the cycle of the touch: touch_friction().
 ///
 /// Search. Each node lists the segments within contact distance plus a margin; the lists are renewed when two points of
 /// the surface can have come closer than that margin, judged by the box of all displacements since. A pair found apart

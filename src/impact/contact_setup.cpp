@@ -40,6 +40,18 @@ kernel::Friction friction(const model::Model& model, const model::Part& part, co
           factor.shear_strength * own.shear_strength};
 }
 
+/// The directions in which a body is held.
+struct Directions {
+  std::array<Vec3d, 3> rows{};  // of the sum of n n^t
+
+  void add(const Vec3d& n) {
+    rows[0] += n.x * n;
+    rows[1] += n.y * n;
+    rows[2] += n.z * n;
+  }
+  bool all() const { return dot(rows[0], cross(rows[1], rows[2])) > 1e-6; }
+};
+
 /// A segment by its nodes, in whatever order they stand.
 using Key = std::array<model::Index, 4>;
 Key key_of(Key nodes) {
@@ -107,7 +119,11 @@ class Surfaces {
                        [this](model::Index n) { return surface_->holds(system_.ties.x[at(n)]); });
   }
 
-  double density(const model::Part& part) const { return model_.materials[at(part.material)].density; }
+  /// 0 of a rigid part that is held.
+  double density(const model::Part& part) const {
+    const bool held = part.rigid_body != model::none && held_for_good(model_, part.rigid_body);
+    return held ? 0.0 : model_.materials[at(part.material)].density;
+  }
 
   double area(const Key& nodes) const {
     const auto& x = system_.ties.x;
@@ -278,6 +294,25 @@ std::vector<contact::SqueezedBrick> bricks_of(const system::System& system, cons
     bricks.push_back(brick);
   }
   return bricks;
+}
+
+bool held_for_good(const model::Model& model, model::Index rigid_body) {
+  const model::RigidBody& body = model.rigid_bodies[at(rigid_body)];
+  std::array<Directions, 2> held;  // of translations, of rotations
+  const Frame3d& axes = body.fixed_axes;
+  const std::array<Vec3d, 3> own{axes.e1, axes.e2, axes.e3};
+  for (std::size_t i = 0; i < 6; ++i)
+    if (body.fixed >> i & 1u) held[i / 3].add(own[i % 3]);
+  for (const model::PrescribedMotion& motion : model.motions) {
+    const bool for_good =
+        motion.birth <= 0.0 && motion.death >= model.control.end_time && model.curves[at(motion.curve)].in_run;
+    if (motion.rigid_body != rigid_body || !for_good) continue;
+    Directions& driven = held[motion.rotation ? 1 : 0];
+    driven.add(motion.direction);
+    if (!motion.only_direction)
+      for (const Vec3d& n : own) driven.add(n);
+  }
+  return held[0].all() && held[1].all();
 }
 
 double contact_thickness(const model::Contact& contact, const model::Part& part, double own, bool of_a) {

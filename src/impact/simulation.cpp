@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -27,6 +28,34 @@ void tell_of_glue(const model::Contact& card, const contact::Glue& glue, Finding
   else if (!card.glue->sticks_later)
     findings.warning(card.place, '*' + card.keyword, "no node of SURFA touches SURFB at the start: nothing is glued",
                      "check the sides, and the gap between them against the thicknesses (SFSAT, SFSBT, SAST, SBST)");
+}
+
+/// A wall leaves alone what is tied or belongs to a rigid body.
+void tell_of_held_nodes(const model::RigidWall& wall, const std::vector<int>& nodes, const system::System& system,
+                        Findings& findings) {
+  const auto held = std::count_if(nodes.begin(), nodes.end(), [&](int n) { return system.map.dependent(n); });
+  if (held > 0)
+    findings.note(wall.place, "*RIGIDWALL",
+                  fmt::format("{} of the nodes of wall {} are tied or belong to nodal rigid bodies: the wall stops "
+                              "what they hang on, not them",
+                              held, wall.id));
+}
+
+/// What a node of a rigid part brings to a contact is its share of the body's mass, whatever the density of its mesh;
+/// of a body that nothing can move, none, which counts as held.
+void weigh_rigid_parts(const system::System& system, std::vector<double>& contact_mass) {
+  for (const system::RigidBody& body : system.bodies) {
+    const model::RigidBody& source = system.model.rigid_bodies[at(body.source)];
+    const bool held = held_for_good(system.model, body.source);
+    if (source.origin != model::RigidBody::Origin::part || !(held || source.given)) continue;
+    double mesh = 0.0;
+    for (const model::Index n : source.nodes) mesh += system.own_mass[at(system.node_of[at(n)])];
+    const double share = held || !(mesh > 0.0) ? 0.0 : body.mass / mesh;
+    for (const model::Index n : source.nodes) {
+      const std::size_t k = at(system.node_of[at(n)]);
+      contact_mass[k] = share * system.own_mass[k];
+    }
+  }
 }
 
 }  // namespace
@@ -82,6 +111,7 @@ Simulation::Simulation(system::System& system, Findings& findings)
   for (const model::RigidWall& wall : model.walls) {
     std::vector<int> nodes;
     for (model::Index n : wall.nodes) nodes.push_back(system.node_of[at(n)]);
+    tell_of_held_nodes(wall, nodes, system, findings);
     const Curve* curve = wall.motion_curve == model::none ? nullptr : &model.curves[at(wall.motion_curve)];
     walls_.emplace_back(wall, std::move(nodes), curve);
   }
@@ -343,6 +373,7 @@ void Simulation::update_inverse_mass() {
     if (system_.inertia[k] > 0.0) inverse_inertia_[k] = 1.0 / system_.inertia[k];
     contact_mass_[k] = dependent_[k] ? system_.own_mass[k] : system_.mass[k];
   }
+  weigh_rigid_parts(system_, contact_mass_);
   loads_.weigh();
 }
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "specimen.hpp"
 
@@ -275,6 +277,128 @@ TEST(ContactBalance, MomentsOfFriction) {
         EXPECT_GT(worst, 1e-3) << what;
       EXPECT_NEAR(energy, 1.0, 1e-6) << what;
     }
+}
+
+/// Momentum of nodes, by their ids.
+Vec3d momentum_of(const Experiment& experiment, const impact::Snapshot& now, const std::vector<int>& ids) {
+  Vec3d sum;
+  for (const int id : ids) sum += now.system.mass[experiment.node(id)] * vec(now.state.v[experiment.node(id)]);
+  return sum;
+}
+
+/// An elastic plate, of part 2, above a rigid one of `density`, of part 1; the rigid one's *MAT_RIGID card is `held`.
+Grid plate_over_tool(Specimen& s, double tool, const std::string& held) {
+  s.text("*MAT_RIGID\n" + fields({1, tool, 210000.0, 0.3}) + held + fields({}));
+  s.card("MAT_ELASTIC", {2, density, 210000.0, 0.3});
+  s.text("*SECTION_SHELL\n" + fields({2, 2, 1, 2}) + fields({1, 1, 1, 1}));
+  s.card("CONTROL_ENERGY", {2, 2, 2, 2}).part(1, 2, 1).part(2, 2, 2);
+  s.shells(1, {-15.0, -15.0, 0.0}, {60.0, 60.0, 0.0}, 12, 12);
+  return s.shells(2, {0.7, 1.05, 1.02}, {30.0, 30.0, 0.0}, 6, 6);
+}
+
+// A plate comes down obliquely, slides all the time, and leaves: friction has taken the coefficient times what it has
+// changed its velocity by across (Coulomb, integrated over the touch). It lasts four cycles or so. Sabotage: friction
+// from the second cycle on (0.159 to 0.197 of 0.2).
+TEST(ContactBalance, FrictionOfABounce) {
+  constexpr double friction = 0.2;
+  for (const std::string form : {"SINGLE_SURFACE", "SURFACE_TO_SURFACE", "NODES_TO_SURFACE", "GENERAL"})
+    for (const Vec3d& v : {Vec3d{10000.0, 0.0, -1000.0}, Vec3d{40000.0, 0.0, -5000.0}, Vec3d{40000.0, 15000.0, -2e4}}) {
+      const bool alone = form == "SINGLE_SURFACE" || form == "GENERAL";
+      Specimen s;
+      const Grid plate = plate_over_tool(s, density, fields({1, 7, 7}));
+      s.text("*CONTACT_AUTOMATIC_" + form + "\n" + (alone ? fields({0, 0, 5}) : fields({2, 1, 3, 3})) +
+             fields({friction, friction}) + fields({}));
+      velocity(s, 2, v);
+      s.card("CONTROL_TERMINATION", {4e-5});
+      Experiment experiment(s.deck());
+      Vec3d first, last;
+      run_to_end(experiment, [&](const impact::Snapshot& now) {
+        last = momentum_of(experiment, now, plate.all());
+        if (now.state.cycle == 0) first = last;
+      });
+      const Vec3d change = last - first;
+      expect_reference("bounce",
+                       "oblique plate, " + form + ", " + std::to_string(static_cast<int>(-v.z / 1000.0)) +
+                           " m/s, impulse along the surface, of that across",
+                       std::hypot(change.x, change.y) / change.z, friction, 0.02);
+    }
+}
+
+// Nothing can move a tool that is held, or driven, whatever its density: a plate comes back from the one, and leaves
+// the other at twice its speed (less what goes into its own vibration). Sabotage: the mass of its mesh (the plate goes
+// through).
+TEST(ContactBalance, ToolsThatAreHeldNeedNoMass) {
+  constexpr double speed = 5000.0;
+  for (const double soft : {0.0, 1.0, 2.0})
+    for (const bool driven : {false, true}) {
+      Specimen s;
+      const Grid plate = plate_over_tool(s, 1e-18, fields({1, driven ? 4.0 : 7.0, 7}));
+      s.text(by_side("SURFACE_TO_SURFACE") + fields({soft}));
+      if (driven)
+        s.card("BOUNDARY_PRESCRIBED_MOTION_RIGID", {1, 3, 0, 8, 1}).text(constant_curve(8, speed));
+      else
+        velocity(s, 2, {0.0, 0.0, -speed});
+      s.card("CONTROL_TERMINATION", {6e-5});
+      Experiment experiment(s.deck());
+      double last = 0.0, mass = 0.0;
+      run_to_end(experiment, [&](const impact::Snapshot& now) {
+        last = momentum_of(experiment, now, plate.all()).z;
+        mass = 0.0;
+        for (const int id : plate.all()) mass += now.system.mass[experiment.node(id)];
+      });
+      expect_reference("bounce",
+                       std::string(driven ? "plate pushed by a tool" : "plate on a tool") + " without mass, SOFT " +
+                           std::to_string(static_cast<int>(soft)) + ", mean velocity after, of the first",
+                       last / (mass * speed), driven ? 2.0 : 1.0, 0.05);
+    }
+}
+
+// *PART_INERTIA gives a rigid plate a seventieth of the mass of its mesh; it comes back from an elastic one. Sabotage:
+// the mass of its mesh, for which the contact is stiff, while it is the body that must bear it (ten times its energy).
+TEST(ContactBalance, LightRigidBodyOfAHeavyMesh) {
+  constexpr double speed = 5000.0, mass = 1e-7, above = 1.12;
+  for (const int cells : {4, 6, 12}) {
+    Specimen s;
+    s.card("MAT_ELASTIC", {1, 2.7e-9, 70000.0, 0.33});
+    s.text("*MAT_RIGID\n" + fields({2, density, 210000.0, 0.3}) + fields({}) + fields({}));
+    s.text("*SECTION_SHELL\n" + fields({2, 2, 1, 2}) + fields({1, 1, 1, 1})).part(1, 2, 1);
+    s.text("*PART_INERTIA\nlight\n" + fields({2, 2, 2}) + fields({15.0, 15.0, above, mass}) +
+           fields({75.0 * mass, 0, 0, 75.0 * mass, 0, 150.0 * mass}) + fields({0, 0, -speed}));
+    s.text(by_side("SURFACE_TO_SURFACE")).card("CONTROL_ENERGY", {2, 2, 2, 2}).card("CONTROL_TERMINATION", {2e-4});
+    s.shells(1, {-10.3, -10.7, 0.0}, {50.0, 50.0, 0.0}, 10, 10);
+    s.shells(2, {0.0, 0.0, above}, {30.0, 30.0, 0.0}, cells, cells);
+    Experiment experiment(s.deck());
+    double first = 0.0, left = 0.0;
+    run_to_end(experiment, [&](const impact::Snapshot& now) {
+      if (now.state.cycle == 0) first = now.energy.kinetic;
+      left = now.energy.contact;
+    });
+    expect_reference("bounce",
+                     "light rigid body of a heavy mesh of " + std::to_string(cells * cells) +
+                         " shells, energy left in the contact, of the first",
+                     left / first, 0.0, 0.05, 1.0);
+  }
+}
+
+// Sheets that slide over each other without friction, nodes over the segments of a larger sheet: what a pair of the
+// last and the first cycle leaves grows together. Sabotage: force k depth in the first and the last cycle too.
+TEST(ContactBalance, NodesThatSlideOverSegments) {
+  for (const std::string form : {"SINGLE_SURFACE", "SURFACE_TO_SURFACE"})
+    for (const double slide : {0.0, 20000.0, 60000.0})
+      for (const double speed : {2000.0, 5000.0, 15000.0}) {
+        Specimen s = steel_bodies(form == "SINGLE_SURFACE" ? by_all(form) : by_side(form), 6e-5);
+        s.part(1, 2, 1).part(2, 2, 1);
+        s.shells(1, {-15.0, -15.0, 0.0}, {60.0, 60.0, 0.0}, 12, 12);
+        s.shells(2, {0.7, 1.05, 1.02}, {30.0, 30.0, 0.0}, 6, 6);
+        velocity(s, 2, {slide, 0.6 * slide, -speed});
+        const Bounce b = bounce(s.deck());
+        const double approach = 1.0 / (1.0 + 1.36 * slide * slide / (speed * speed));  // its part of the first energy
+        expect_reference("bounce",
+                         "sheet over a larger one, " + form + ", " + std::to_string(static_cast<int>(slide / 1000.0)) +
+                             " m/s along, " + std::to_string(static_cast<int>(speed / 1000.0)) +
+                             " m/s across, energy left, of that of the approach",
+                         b.energy / approach, 0.0, 0.02, 1.0);
+      }
 }
 
 // Two sheets glued together slide against each other in their planes, freely. With OPTION -2 the lever between them

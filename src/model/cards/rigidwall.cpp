@@ -27,7 +27,7 @@ const Card planar_card1{{
     id("boxid", IdSpace::define, 0, "only nodes inside this box"),
     real("offset", dimension::length, 0, at_least(0),
          "only nodes within this distance of the wall; 0: at any distance"),
-    real("birth", dimension::time, 0, at_least(0), "the wall acts from this time on"),
+    real("birth", dimension::time, 0, at_least(0), "the wall acts, and moves, from this time on"),
     real("death", dimension::time, forever, at_least(0), "until this time"),
     real("rwksf", dimension::number, 1, any_value, "stiffness in implicit runs"),
 }};
@@ -73,7 +73,7 @@ const Card geometric_card1{{
     id("nsid", IdSpace::set, 0, "nodes that the wall stops; 0: all"),
     id("nsidex", IdSpace::set, 0, "nodes left out"),
     id("boxid", IdSpace::define, 0, "only nodes inside this box"),
-    real("birth", dimension::time, 0, at_least(0), "the wall acts from this time on"),
+    real("birth", dimension::time, 0, at_least(0), "the wall acts, and moves, from this time on"),
     real("death", dimension::time, forever, at_least(0), "until this time"),
 }};
 const Card geometric_card2{{
@@ -90,7 +90,11 @@ const Card geometric_card2{{
 const Card cylinder_card{{
     real("radcyl", dimension::length, required, above_zero(), "radius"),
     real("lencyl", dimension::length, 0, at_least(0), "length; 0 infinite"),
-    integer("nsegs", 0, at_least(0), "sections whose forces are listed apart"),
+    integer("nsegs", 0, at_least(0), "sections whose forces are listed apart; as many cards follow"),
+}};
+const Card section_card{{
+    real("vl", dimension::length, 0, any_value, "distance of a section from the cylinder's foot, no effect"),
+    real("height", dimension::length, 0, any_value, "its height, no effect"),
 }};
 const Card sphere_card{{real("radsph", dimension::length, required, above_zero(), "radius")}};
 const Card flat_card{{
@@ -109,7 +113,7 @@ const Card prism_card{{
     real("lenp", dimension::length, 0, at_least(0), "depth behind the face; 0 infinite"),
 }};
 const Card motion_card{{
-    id("lcid", IdSpace::function, required, "curve of the wall's motion over time"),
+    id("lcid", IdSpace::function, required, "curve of the wall's motion over the time since its birth"),
     integer("opt", 0, between(0, 1), "0 the curve is a velocity, 1 a displacement"),
     real("vx", dimension::number, 0, any_value, "direction of the motion: x"),
     real("vy", dimension::number, 0, any_value, "y"),
@@ -172,6 +176,50 @@ bool on_rigid_part(const Builder& builder, Index node) {
   return body != none && builder.model.rigid_bodies[static_cast<std::size_t>(body)].origin == RigidBody::Origin::part;
 }
 
+/// How deep a point is in the body of the wall [length]; negative outside. A bounded plane is only a face.
+double depth_in(const RigidWall& wall, const Vec3d& x) {
+  const Vec3d r = x - wall.origin;
+  const double up = dot(r, wall.normal);
+  switch (wall.shape) {
+    case Shape::sphere: return wall.radius - norm(r);
+    case Shape::cylinder: {
+      const double side = wall.radius - norm(r - up * wall.normal);
+      return wall.length > 0.0 ? std::min({side, up, wall.length - up}) : side;
+    }
+    case Shape::plane: return wall.finite && wall.length_l + wall.length_m > 0.0 ? -1.0 : -up;
+    case Shape::prism: break;
+  }
+  double depth = -up;
+  const auto between = [&depth](double at, double length) {
+    if (length > 0.0) depth = std::min({depth, at, length - at});
+  };
+  between(-up, wall.depth);
+  between(dot(r, wall.edge_l), wall.length_l);
+  between(dot(r, wall.edge_m), wall.length_m);
+  return depth;
+}
+
+/// Nodes that a wall starts behind its face are not pushed out.
+void tell_of_nodes_behind(Builder& builder, const Row& row, const RigidWall& wall) {
+  constexpr double round_off = 1e-6;  // of the node's distance from the wall's reference point
+  std::size_t behind = 0;
+  Index deepest = none;
+  double depth = 0.0;
+  for (const Index node : wall.nodes) {
+    const Vec3d& x = builder.model.nodes.x[static_cast<std::size_t>(node)];
+    const double own = depth_in(wall, x);
+    if (own <= round_off * (norm(x - wall.origin) + wall.radius)) continue;
+    ++behind;
+    if (own > depth) depth = own, deepest = node;
+  }
+  if (behind == 0) return;
+  row.complain(builder.findings, Severity::warning, "nsid",
+               fmt::format("{} nodes start behind the wall, node {} the deepest, by {:.4g}: they are kept from going "
+                           "deeper, not pushed out",
+                           behind, builder.model.nodes.id[static_cast<std::size_t>(deepest)], depth),
+               "shift the wall, turn its normal, or leave them out by nsidex");
+}
+
 /// The nodes that the wall stops: NSID or all, in the box, near enough, without NSIDEX and, as in LS-DYNA, without
 /// rigid parts.
 void take_nodes(Builder& builder, const Row& row, double reach, RigidWall& wall) {
@@ -195,6 +243,20 @@ void take_nodes(Builder& builder, const Row& row, double reach, RigidWall& wall)
         builder.findings, Severity::warning, "nsid",
         fmt::format("{} nodes of rigid parts pass through the wall: it stops deformable ones (RWPNAL = 0)", rigid));
   if (wall.nodes.empty()) row.complain(builder.findings, Severity::warning, "nsid", "the wall stops no node");
+  if (wall.birth == 0.0) tell_of_nodes_behind(builder, row, wall);
+}
+
+void take_curve(Builder& builder, const Row& motion, RigidWall& wall) {
+  wall.motion_curve = builder.curve(motion, "lcid");
+  if (!wall.motion_is_displacement || wall.motion_curve == none) return;
+  const Curve& curve = builder.model.curves[static_cast<std::size_t>(wall.motion_curve)];
+  if (const double first = curve.clamped(0.0); first != 0.0)
+    motion.complain(
+        builder.findings, Severity::warning, "lcid",
+        fmt::format("the wall is displaced by {:g} at its start: it starts where its card puts it and moves "
+                    "by what the curve adds",
+                    first),
+        "let the curve begin with 0");
 }
 
 void leave_wall(Builder& builder, const Row& row, double reach, RigidWall wall, const std::optional<Row>& motion = {}) {
@@ -204,7 +266,7 @@ void leave_wall(Builder& builder, const Row& row, double reach, RigidWall wall, 
       row.complain(b.findings, Severity::warning, "birth",
                    fmt::format("the wall is born after the end of the run ({:g}): it stops nothing", end),
                    "give 0 if it is to act from the start");
-    if (motion) wall.motion_curve = b.curve(*motion, "lcid");
+    if (motion) take_curve(b, *motion, wall);
     if (wall.id == 0) {
       wall.id = static_cast<int>(b.model.walls.size());
       const auto taken = [&](const RigidWall& other) { return other.id == wall.id; };
@@ -260,7 +322,8 @@ void read_planar(Builder& builder, const Block& block, const Options& options) {
       const Row row = cursor.read(forces_card);
       wall.soft = row.integer("soft");
       expect(builder, row, Severity::warning,
-             {{"ssid", 0, "forces by segment set are not written yet; rwforc holds the wall's sum"}});
+             {{"soft", 0, "the wall stops a node in one cycle, not in so many: its first force is that much higher"},
+              {"ssid", 0, "forces by segment set are not written yet; rwforc holds the wall's sum"}});
     }
     skip_display(builder, cursor, options);
     if (sound) leave_wall(builder, row1, row1.real("offset"), std::move(wall));
@@ -278,7 +341,9 @@ bool take_form(Builder& builder, const Block& block, Cursor& cursor, RigidWall& 
     const Row row = cursor.read(cylinder_card);
     wall.radius = row.real("radcyl");
     wall.length = row.real("lencyl");
-    if (row.integer("nsegs") > 1)
+    const int sections = row.integer("nsegs");
+    for (int i = 0; i < sections; ++i) cursor.read(section_card);
+    if (sections > 1)
       row.complain(builder.findings, Severity::warning, "nsegs",
                    "forces by section are not written yet; rwforc holds the wall's sum");
   } else if constexpr (form == Form::sphere) {
@@ -349,6 +414,8 @@ std::vector<Keyword> rigidwall_keywords() {
                     {"with _DISPLAY; may be missing", &display_card}},
                    read};
   };
+  Keyword cylinder = geometric("RIGIDWALL_GEOMETRIC_CYLINDER", cylinder_card, read_geometric<Form::cylinder>);
+  cylinder.layout.insert(cylinder.layout.begin() + 4, {"nsegs times", &section_card});
   const auto refused = [](std::string_view name, std::string_view why) {
     return Keyword{name, {},     {"FINITE", "MOVING", "FORCES", "MOTION", "DISPLAY", "ID"}, Verdict::refused, why,
                    {},   nullptr};
@@ -369,7 +436,7 @@ std::vector<Keyword> rigidwall_keywords() {
        read_planar},
       geometric("RIGIDWALL_GEOMETRIC_FLAT", flat_card, read_geometric<Form::flat>),
       geometric("RIGIDWALL_GEOMETRIC_PRISM", prism_card, read_geometric<Form::prism>),
-      geometric("RIGIDWALL_GEOMETRIC_CYLINDER", cylinder_card, read_geometric<Form::cylinder>),
+      cylinder,
       geometric("RIGIDWALL_GEOMETRIC_SPHERE", sphere_card, read_geometric<Form::sphere>),
       refused("RIGIDWALL_PLANAR_ORTHO",
               "orthotropic friction is not built; use *RIGIDWALL_PLANAR with one coefficient"),

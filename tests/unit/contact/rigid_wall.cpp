@@ -252,6 +252,45 @@ TEST(RigidWall, PrescribedMotionPushesNodes) {
   }
 }
 
+// The wall, born at 1e-3, moves by 1 in the 1e-3 after that, and meets the node at 0.5 half-way (keyword manual, BIRTH:
+// the times of the curve are offset by it). Sabotage: the curve over the time of the run (the node stands behind the
+// wall when it is born, and is taken along at once).
+TEST(RigidWall, MotionBeginsWithItsBirth) {
+  model::RigidWall card = floor_wall();
+  card.motion_direction = {0.0, 0.0, 1.0};
+  card.birth = 1e-3;
+  for (bool displacement : {true, false}) {
+    card.motion_is_displacement = displacement;
+    Curve curve;
+    curve.x = {0.0, 1e-3};
+    curve.y = displacement ? std::vector{0.0, 1.0} : std::vector{1000.0, 1000.0};
+    Masses m;
+    m.dt = 1e-5;
+    m.add({0.0, 0.0, 0.5}, {0.0, 0.0, 0.0});
+    RigidWall wall(card, m.nodes(), &curve);
+    double met = 0.0;
+    for (int i = 0; i < 250; ++i) {
+      m.step(wall);
+      if (met == 0.0 && wall.touching() > 0) met = m.time;
+    }
+    EXPECT_NEAR(met, 1.5e-3, 1.1e-5);
+    EXPECT_NEAR(wall.origin().z, 1.0, 1e-9);
+  }
+}
+
+TEST(RigidWall, WallWithMassStandsUntilItIsBorn) {
+  model::RigidWall card = floor_wall();
+  card.mass = 10.0;
+  card.velocity = 500.0;
+  card.birth = 1e-3;
+  Masses m;
+  m.dt = 1e-5;
+  m.add({0.0, 0.0, 9.0}, {0.0, 0.0, 0.0});
+  RigidWall wall(card, m.nodes());
+  for (int i = 0; i < 300; ++i) m.step(wall);
+  EXPECT_NEAR(wall.origin().z, 1.0, 1.1 * 500.0 * 1e-5);
+}
+
 TEST(RigidWall, FiniteWallStopsOnlyWhatComesThroughItsFace) {
   model::RigidWall card = floor_wall();
   card.finite = true;

@@ -283,6 +283,49 @@ TEST(RigidWalls, GeometricWithAndWithoutTheirDisplayCard) {
   EXPECT_EQ(walls[2].id, 4) << "by position, if that were free";
 }
 
+// NSEGS cards of sections stand before that of the motion. Sabotage: they are not read.
+TEST(RigidWalls, CylinderWithSections) {
+  const Built built(small_deck(R"(*RIGIDWALL_GEOMETRIC_CYLINDER_MOTION
+         1
+       5.0       0.0       0.0       5.0       0.0     100.0
+     177.0     100.0         2
+       0.0      50.0
+      50.0      50.0
+         7         0       0.0       1.0       0.0
+)"));
+  ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
+  ASSERT_EQ(built.model.walls.size(), 1u);
+  expect_vector(built.model.walls[0].motion_direction, 0, 1, 0);
+  EXPECT_TRUE(built.warning("forces by section", "nsegs"));
+}
+
+TEST(RigidWalls, TellsWhatItDoesNotDo) {
+  EXPECT_TRUE(Built(small_deck("*RIGIDWALL_PLANAR_FORCES\n         0\n       0.0       0.0      -9.0       0.0       "
+                               "0.0       1.0\n        20\n"))
+                  .warning("in one cycle", "soft"));
+  const Built displaced(small_deck(R"(*RIGIDWALL_GEOMETRIC_SPHERE_MOTION
+         0
+       0.0       0.0      -9.0
+       1.0
+         7         1       0.0       0.0       1.0
+)"));
+  EXPECT_TRUE(displaced.warning("displaced by 2 at its start", "lcid")) << displaced.all_findings();
+}
+
+// Nodes of the small deck stand at the corners of a unit square at z = 0, one far off.
+TEST(RigidWalls, TellsOfNodesThatStartBehind) {
+  const auto behind = [](const std::string& wall) {
+    return Built(small_deck(wall)).warning("behind the wall", "nsid");
+  };
+  const std::string plane = "*RIGIDWALL_PLANAR\n         0\n";
+  EXPECT_TRUE(behind(plane + "       0.0       0.0       0.5       0.0       0.0       1.0\n"));
+  EXPECT_FALSE(behind(plane + "       0.0       0.0      -0.5       0.0       0.0       1.0\n"));
+  EXPECT_FALSE(behind(plane + "       0.0       0.0       0.0       0.0       0.0       1.0\n")) << "on it";
+  const std::string ball = "*RIGIDWALL_GEOMETRIC_SPHERE\n         0\n       0.0       0.0       0.0\n";
+  EXPECT_TRUE(behind(ball + "       0.5\n"));
+  EXPECT_FALSE(behind("*RIGIDWALL_GEOMETRIC_SPHERE\n         0\n       0.0       0.0      -9.0\n       8.9\n"));
+}
+
 TEST(RigidWalls, Faults) {
   EXPECT_TRUE(Built(small_deck("*RIGIDWALL_PLANAR\n         1\n       1.0       0.0       0.0       1.0\n"))
                   .error("same point", "xh"));
