@@ -20,7 +20,7 @@ void NodalForces::archive(Archive& a) {
 
 void SurfaceContact::Block::archive(Archive& a) {
   a(first, wake, pairs, hits);
-  a.built(begin, end, old_first, old_pairs, candidates);
+  a.built(begin, end, old_first, old_pairs, candidates, resultant, deepest, lowest, highest);
 }
 
 void SurfaceContact::archive(Archive& a) {

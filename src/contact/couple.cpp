@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/couple.hpp"
 
-#include <array>
-
 namespace nugget::contact {
 
-void add_couple(NodalForces& forces, std::span<const int> nodes, const Vec3d& moment, std::span<const Row> x) {
+std::array<Vec3d, 4> couple(std::span<const int> nodes, const Vec3d& moment, std::span<const Row> x) {
   Vec3d middle;
   for (const int n : nodes) middle += (1.0 / static_cast<double>(nodes.size())) * vec(x[n]);
   // J theta = moment with J = sum of r^2 - r r^T.
@@ -31,7 +29,9 @@ void add_couple(NodalForces& forces, std::span<const int> nodes, const Vec3d& mo
       theta = (1.0 / determinant) *
               (moment.x * cross(row[1], row[2]) + moment.y * cross(row[2], row[0]) + moment.z * cross(row[0], row[1]));
   }
-  for (const int n : nodes) forces.add(n, cross(theta, vec(x[n]) - middle));
+  std::array<Vec3d, 4> forces;
+  for (std::size_t i = 0; i < nodes.size(); ++i) forces[i] = cross(theta, vec(x[nodes[i]]) - middle);
+  return forces;
 }
 
 }  // namespace nugget::contact

@@ -614,8 +614,12 @@ void EdgeContact::balance(const Pair& pair, const Step& step) {
     along_p = (dot(cross(pair.friction, q), n) / dot(n, n)) * p;
     along_q = pair.friction - along_p;
   }
-  add_couple(forces_, e.node, -cross(lever, along_p), step.x);
-  add_couple(forces_, f.node, -cross(lever, along_q), step.x);
+  const std::array<Vec3d, 4> on_e = couple(e.node, -cross(lever, along_p), step.x),
+                             on_f = couple(f.node, -cross(lever, along_q), step.x);
+  for (std::size_t end = 0; end < 2; ++end) {
+    forces_.add(e.node[end], on_e[end]);
+    forces_.add(f.node[end], on_f[end]);
+  }
 }
 
 Vec3d EdgeContact::force_between(const TwoBodies& bodies) const {

@@ -234,7 +234,9 @@ void Glue::apply(const Step& step, std::span<Row> force) {
     for (int c = 0; c < s.corners(); ++c) forces_.add(s.node[c], bond.weight[c] * f);
     if (card_.moments) {
       const Vec3d lever = vec(step.x[setup_.nodes[bond.tracked].node]) - interpolate(s, bond.weight, step.x);
-      add_couple(forces_, {s.node.data(), static_cast<std::size_t>(s.corners())}, cross(lever, f), step.x);
+      const std::array<Vec3d, 4> back =
+          couple({s.node.data(), static_cast<std::size_t>(s.corners())}, cross(lever, f), step.x);
+      for (int c = 0; c < s.corners(); ++c) forces_.add(s.node[c], back[c]);
     }
     resultant_ += s.side == 1 ? f : -f;
   }

@@ -26,7 +26,7 @@ namespace nugget::contact {
 /// the step. Its force, over the area of the surface that the node stands for, is the stress that damages and fails it
 /// (kernel/contact/cohesive.hpp); pressure does neither. Normal and shear are those of the segment. A node that stands
 /// in the middle of a shell is pulled off on either side. The force acts at the foot on the segment: the lever of the
-/// gap is not balanced, as with ties by _OFFSET, but where the glue hands over moments: see add_couple().
+/// gap is not balanced, as with ties by _OFFSET, but where the glue hands over moments: see couple().
 ///
 /// Glue that slides holds along the normal alone. Its foot is the closest point of the segment and its neighbours;
 /// along the surface acts friction, as in SurfaceContact, or up to a stress of its own. A node that leaves the border

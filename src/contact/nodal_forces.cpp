@@ -3,7 +3,14 @@
 
 #include <utility>
 
+#include "base/parallel.hpp"
+
 namespace nugget::contact {
+namespace {
+
+constexpr std::size_t part_size = 1024;
+
+}  // namespace
 
 NodalForces::NodalForces(std::vector<int> nodes) : nodes_(std::move(nodes)) {
   index_.assign(nodes_.empty() ? 0 : nodes_.back() + 1, -1);
@@ -12,15 +19,17 @@ NodalForces::NodalForces(std::vector<int> nodes) : nodes_(std::move(nodes)) {
   now_.resize(nodes_.size());
   before_.resize(nodes_.size());
   stamp_.assign(nodes_.size(), 0);
-  touched_now_.reserve(nodes_.size());
-  touched_before_.reserve(nodes_.size());
+  touched_now_.resize((nodes_.size() + part_size - 1) / part_size);
+  touched_before_.resize(touched_now_.size());
 }
 
 void NodalForces::next_cycle() {
   std::swap(now_, before_);
   std::swap(touched_now_, touched_before_);
-  for (int place : touched_now_) now_[place] = Row{};
-  touched_now_.clear();
+  for (std::vector<int>& touched : touched_now_) {
+    for (int place : touched) now_[place] = Row{};
+    touched.clear();
+  }
   ++cycle_;
 }
 
@@ -28,32 +37,57 @@ void NodalForces::add(int node, const Vec3d& force) {
   const int place = index_[node];
   if (stamp_[place] != cycle_) {
     stamp_[place] = cycle_;
-    touched_now_.push_back(place);
+    touched_now_[place / part_size].push_back(place);
   }
   nugget::add(now_[place], force);
 }
 
+NodalForces::Part::Part(NodalForces& forces, std::size_t part)
+    : forces_(forces),
+      first_(forces.nodes_[part * part_size]),
+      last_(forces.nodes_[std::min(forces.nodes_.size(), (part + 1) * part_size) - 1]) {}
+
+void NodalForces::add_by_parts(const std::function<void(Part&)>& put) {
+  parallel_for(touched_now_.size(), 1, [this, &put](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      Part part(*this, p);
+      put(part);
+    }
+  });
+}
+
 void NodalForces::add_to(std::span<Row> force) const {
-  for (int place : touched_now_) nugget::add(force[nodes_[place]], vec(now_[place]));
+  parallel_for(touched_now_.size(), 1, [this, force](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p)
+      for (int place : touched_now_[p]) nugget::add(force[nodes_[place]], vec(now_[place]));
+  });
 }
 
 Vec3d NodalForces::sum(std::span<const unsigned char> marked) const {
   Vec3d sum;
-  for (int place : touched_now_) {
-    const auto node = static_cast<std::size_t>(nodes_[place]);
-    if (node < marked.size() && marked[node]) sum += vec(now_[place]);
-  }
+  for (const std::vector<int>& touched : touched_now_)
+    for (int place : touched) {
+      const auto node = static_cast<std::size_t>(nodes_[place]);
+      if (node < marked.size() && marked[node]) sum += vec(now_[place]);
+    }
   return sum;
 }
 
 std::array<double, 2> NodalForces::work(double dt, std::span<const Row> v) const {
+  std::vector<std::array<double, 2>> by_part(touched_now_.size(), {0.0, 0.0});
+  parallel_for(by_part.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      const auto book = [&](int place, const Vec3d& force) {
+        by_part[p][side_[place]] += 0.5 * dt * dot(force, vec(v[nodes_[place]]));
+      };
+      for (int place : touched_now_[p]) book(place, vec(now_[place]) + vec(before_[place]));
+      for (int place : touched_before_[p])
+        if (stamp_[place] != cycle_) book(place, vec(before_[place]));
+    }
+  });
   std::array<double, 2> work{};
-  const auto book = [&](int place, const Vec3d& force) {
-    work[side_[place]] += 0.5 * dt * dot(force, vec(v[nodes_[place]]));
-  };
-  for (int place : touched_now_) book(place, vec(now_[place]) + vec(before_[place]));
-  for (int place : touched_before_)
-    if (stamp_[place] != cycle_) book(place, vec(before_[place]));
+  for (const std::array<double, 2>& part : by_part)
+    for (std::size_t side = 0; side < 2; ++side) work[side] += part[side];
   return work;
 }
 

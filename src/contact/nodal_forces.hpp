@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -43,6 +44,25 @@ class NodalForces {
   /// What was now becomes what was before; now there are no forces.
   void next_cycle();
   void add(int node, const Vec3d& force);
+  /// Some of the nodes, ascending, and what adds forces to them.
+  class Part {
+   public:
+    /// Whether nodes from `lowest` to `highest` can be among them.
+    bool meets(int lowest, int highest) const { return lowest <= last_ && highest >= first_; }
+    /// Nodes of other parts are passed over.
+    void add(int node, const Vec3d& force) {
+      if (node >= first_ && node <= last_) forces_.add(node, force);
+    }
+
+   private:
+    friend class NodalForces;
+    Part(NodalForces& forces, std::size_t part);
+    NodalForces& forces_;
+    int first_, last_;
+  };
+  /// Adds forces side by side: `put` is called for each part of the nodes and adds all forces to it, every time in the
+  /// same order, of which the part takes its own. So a node's sum has the same bits for any number of threads.
+  void add_by_parts(const std::function<void(Part&)>& put);
   void add_to(std::span<Row> force) const;
   /// Sum over the nodes that are marked (by node; those beyond its end are not) [force].
   Vec3d sum(std::span<const unsigned char> marked) const;
@@ -58,8 +78,8 @@ class NodalForces {
   std::vector<unsigned char> side_;
   // By place, now and a cycle before, and which of them are not zero.
   std::vector<Row> now_, before_;
-  std::vector<int> touched_now_, touched_before_;
-  std::vector<long> stamp_;  // cycle in which a place was last touched
+  std::vector<std::vector<int>> touched_now_, touched_before_;  // by part
+  std::vector<long> stamp_;                                     // cycle in which a place was last touched
   long cycle_ = 0;
 };
 

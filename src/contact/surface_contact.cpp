@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -216,6 +217,22 @@ void SurfaceContact::work(Block& block, const Step& step) const {
     if (awake(t + 2)) ask_for_segments(block, t + 2);
     if (awake(t + 1)) ask_for_corners(block, t + 1, step);
     if (awake(t)) look_at(block, t, step);
+  }
+  block.sum_up(setup_, pressing_);
+}
+
+void SurfaceContact::Block::sum_up(const SurfaceContactSetup& setup, unsigned pressing) {
+  resultant = {};
+  deepest = 0.0;
+  lowest = std::numeric_limits<int>::max();
+  highest = -1;
+  for (const Hit& hit : hits) {
+    const Segment& segment = setup.segments[hit.segment];
+    resultant += segment.side == 1 && pressing != 1 ? -hit.force : hit.force;
+    deepest = std::max(deepest, hit.depth);
+    const auto [low, high] = std::minmax_element(segment.node.begin(), segment.node.end());
+    lowest = std::min({lowest, *low, setup.nodes[hit.tracked].node});
+    highest = std::max({highest, *high, setup.nodes[hit.tracked].node});
   }
 }
 
@@ -448,21 +465,28 @@ void SurfaceContact::next_cycle() {
 }
 
 void SurfaceContact::add_forces(const Step& step, std::span<Row> force) {
-  for (int b : busy_) {
-    for (const Hit& hit : blocks_[b].hits) {
-      const Segment& segment = setup_.segments[hit.segment];
-      forces_.add(setup_.nodes[hit.tracked].node, hit.force);
-      for (int c = 0; c < segment.corners(); ++c) forces_.add(segment.node[c], -hit.weight[c] * hit.force);
-      if (setup_.law.balances_friction) {
-        const Vec3d lever = vec(step.x[setup_.nodes[hit.tracked].node]) - interpolate(segment, hit.weight, step.x);
-        add_couple(forces_, {segment.node.data(), static_cast<std::size_t>(segment.corners())},
-                   -cross(lever, hit.force), step.x);
-      }
-      resultant_ += segment.side == 1 && pressing_ != 1 ? -hit.force : hit.force;
-      deepest_ = std::max(deepest_, hit.depth);
-      ++touching_;
-    }
+  for (const int b : busy_) {
+    const Block& block = blocks_[b];
+    resultant_ += block.resultant;
+    deepest_ = std::max(deepest_, block.deepest);
+    touching_ += static_cast<int>(block.hits.size());
   }
+  forces_.add_by_parts([this, &step](NodalForces::Part& part) {
+    for (const int b : busy_) {
+      const Block& block = blocks_[b];
+      if (!part.meets(block.lowest, block.highest)) continue;
+      for (const Hit& hit : block.hits) {
+        const Segment& segment = setup_.segments[hit.segment];
+        part.add(setup_.nodes[hit.tracked].node, hit.force);
+        for (int c = 0; c < segment.corners(); ++c) part.add(segment.node[c], -hit.weight[c] * hit.force);
+        if (!setup_.law.balances_friction) continue;
+        const Vec3d lever = vec(step.x[setup_.nodes[hit.tracked].node]) - interpolate(segment, hit.weight, step.x);
+        const std::array<Vec3d, 4> back = couple({segment.node.data(), static_cast<std::size_t>(segment.corners())},
+                                                 -cross(lever, hit.force), step.x);
+        for (int c = 0; c < segment.corners(); ++c) part.add(segment.node[c], back[c]);
+      }
+    }
+  });
   forces_.add_to(force);
 }
 

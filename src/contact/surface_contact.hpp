@@ -76,7 +76,7 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 /// the bound of kernel::Friction: f = f - k de, then |f| <= bound (theory manual, "Friction"). de is the way of the
 /// foot over the material of the segment, so that turning together is no slip; the spring is handed on from segment to
 /// segment. The force acts on the node and at the foot, half the thicknesses apart. That couple is not balanced but
-/// with FTORQ: then the corners of the segment take it, see add_couple(). In the cycle of the touch: touch_friction().
+/// with FTORQ: then the corners of the segment take it, see couple(). In the cycle of the touch: touch_friction().
 ///
 /// Search. Each node lists the segments within contact distance plus a margin; the lists are renewed when two points of
 /// the surface can have come closer than that margin, judged by the box of all displacements since. A pair found apart
@@ -176,6 +176,11 @@ class SurfaceContact {
     std::vector<Pair> old_pairs;
     std::vector<Candidate> candidates;
     std::vector<Hit> hits;
+    // Of the hits: their sum as it stands in rcforc, the deepest, and from where to where nodes take part in them.
+    Vec3d resultant;
+    double deepest = 0.0;
+    int lowest = 0, highest = -1;
+    void sum_up(const SurfaceContactSetup& setup, unsigned pressing);
     void archive(Archive& a);
   };
   static constexpr double forgotten = 0.5;  // cosine from the side that is remembered, over an edge
