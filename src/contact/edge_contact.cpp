@@ -193,7 +193,9 @@ void EdgeContact::apply(const Step& step, std::span<Row> force) {
     close_.clear();
     for (const Block& block : blocks_)
       for (const Candidate& candidate : block.close) close_.push_back(&candidate);
-    for (const Candidate* candidate : close_) candidate->pair->touching = presses(*candidate, step.x);
+    parallel_for(close_.size(), 64, [this, &step](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) close_[i]->pair->touching = presses(*close_[i], step.x);
+    });
     for (const Candidate* candidate : close_)
       if (candidate->pair->touching) press(*candidate, step);
     forces_.add_to(force);
