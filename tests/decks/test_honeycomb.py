@@ -51,15 +51,15 @@ def barrier(mass, speed, end, limit=((0.0, PLATEAU), (1.0, PLATEAU)), cells=(4, 
     held = "".join(card(index[i, j, 0], 0, 1, 1, 1) for j in range(ny + 1) for i in range(nx + 1))
     text = ("*KEYWORD\n" + honeycomb(**law) + curve(7, *limit)
             + "*MAT_PIECEWISE_LINEAR_PLASTICITY\n" + card(2, 2.7e-9, 70000.0, 0.33, 100.0, 500.0) + "\n\n\n"
-            + "*MAT_RIGID\n" + card(3, f"{mass / area:.6e}", 210000.0, 0.3) + card(1.0, 4, 7) + "\n"
+            + "*MAT_RIGID\n" + card(3, f"{mass / area:.4e}", 210000.0, 0.3) + card(1.0, 4, 7) + "\n"
             + "*SECTION_SOLID\n" + card(1, 1) + "*SECTION_SHELL\n" + card(2, 2, 1.0, 3) + card(1.0, 1.0, 1.0, 1.0)
             + "*PART\nblock\n" + card(1, 1, 1) + "*PART\nface sheet\n" + card(2, 2, 2) + "*PART\nimpactor\n" + card(3, 2, 3)
             + "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n" + card(3, 2, 3, 3) + "\n\n"
             + "*BOUNDARY_SPC_NODE\n" + held
             + "*INITIAL_VELOCITY_RIGID_BODY\n" + card(3, 0.0, 0.0, -speed)
             + "*CONTROL_TERMINATION\n" + card(end) + "*CONTROL_ENERGY\n" + card(2, 2, 2, 2)
-            + "*DATABASE_GLSTAT\n" + card(end / 100.0, 2) + "*DATABASE_RCFORC\n" + card(end / 1000.0, 2)
-            + "*DATABASE_RBDOUT\n" + card(end / 1000.0, 2)
+            + "*DATABASE_GLSTAT\n" + card(f"{end / 100.0:.3e}", 2) + "*DATABASE_RCFORC\n" + card(f"{end / 1000.0:.3e}", 2)
+            + "*DATABASE_RBDOUT\n" + card(f"{end / 1000.0:.3e}", 2)
             + nodes(places)
             + "*ELEMENT_SOLID\n" + "".join(row(e + 1, 1) + row(*n) for e, n in enumerate(solids))
             + "*ELEMENT_SHELL\n" + "".join(row(e + 1001, 2, *n) for e, n in enumerate(sheet))
@@ -69,9 +69,11 @@ def barrier(mass, speed, end, limit=((0.0, PLATEAU), (1.0, PLATEAU)), cells=(4, 
 
 def stretched(material, strain, corners=CORNERS, elform=1, extra="", curves=(7,), end=1e-3):
     """A cube of 1 mm: each corner goes where the strain `strain(x, y, z)` of the start takes it, steadily; stress in elout."""
-    moves = "".join(card(i + 1, axis + 1, 2, 90, f"{u:.6e}") for i, place in enumerate(corners) for axis, u in enumerate(strain(*place)))
+    goes = [strain(*place) for place in corners]
+    moves = "".join(card(i + 1, axis + 1, 2, 90, f"{u:.3e}") for i, us in enumerate(goes) for axis, u in enumerate(us) if u)
+    held = "".join(card(i + 1, 0, *(int(not u) for u in us)) for i, us in enumerate(goes))
     return ("*KEYWORD\n" + material + "*SECTION_SOLID\n" + card(1, elform) + "*PART\nbrick\n" + card(1, 1, 1) + nodes(corners) + BRICK
-            + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + moves + curve(90, (0.0, 0.0), (end, 1.0), (1.0, 1.0 / end))
+            + ("*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + moves) * bool(moves) + "*BOUNDARY_SPC_NODE\n" + held + curve(90, (0.0, 0.0), (end, 1.0), (1.0, 1.0 / end))
             + "*CONTROL_TERMINATION\n" + card(end) + "*DATABASE_ELOUT\n" + card(end, 3) + "*DATABASE_HISTORY_SOLID\n" + card(1)
             + extra + "*END\n")
 
@@ -115,16 +117,15 @@ class Crush(CommandTest):
     def test_compacted_it_stops_hard(self):
         """2 t: the plateau takes 80 % of the height, then what is left is taken elastically by 90 mm of solid, whose modulus in
         uniaxial strain is K + 4 G / 3. Sabotage: no compacted branch."""
-        time, depth, force, states = self.crush(2.0, 1e4, 0.08)
+        _, depth, _, states = self.crush(2.0, 1e4, 0.08)
         self.expect_balance(states)
         crushed = 0.8 * HEIGHT
         left = 0.5 * 2.0 * 1e8 - PLATEAU * AREA * crushed
         modulus = 1000.0 * 0.7 / (1.3 * 0.4)
         more = math.sqrt(2.0 * left / (modulus * AREA / (HEIGHT - crushed)))
-        print(max(depth), crushed + more, max(force), modulus * AREA * more / (HEIGHT - crushed))
         self.assertLess(abs(max(depth) / (crushed + more) - 1.0), 0.01, (max(depth), crushed + more))
 
-    def test_same_bits_by_threads_and_from_a_kept_state(self):
+    def test_same_bits_by_threads(self):
         text = barrier(1.0, 1e4, 0.02, cells=(3, 3, 4))
         self.write(text)
         for threads in (1, 2):
@@ -135,6 +136,8 @@ class Crush(CommandTest):
 
 
 class Law(CommandTest):
+    """One brick."""
+
     def stress(self, deck):
         self.write(deck)
         self.nugget("run", "model.k", "--quiet")
@@ -167,22 +170,25 @@ class Law(CommandTest):
             self.assertAlmostEqual(seen["sig_xx"], -(0.1 + strain), delta=2e-3)
 
     def test_torn_bricks_are_deleted(self):
-        """TSEF and SSEF at a strain of 0.1; what is crushed by 0.5 stays."""
+        """TSEF and SSEF at a strain of 0.1; what is crushed by 0.5 stays. Sabotage: the shear of a crush counted."""
         wide = curve(7, (0.0, 1.0), (1.0, 1.0))
         pull, shear, crush = self.along(x=0.5), (lambda x, y, z: (0.5 * y, 0.0, 0.0)), self.along(x=-0.5)
         for tsef, ssef, strain, time in ((0.1, 0.0, pull, (math.exp(0.1) - 1.0) / 0.5), (0.0, 0.1, shear, 0.2), (0.1, 0.1, crush, None)):
             law = honeycomb(mu=1e-9, a=(1, 0, 0), d=(0, 1, 0), tsef=tsef, ssef=ssef)
-            self.write(stretched(law + wide, strain, end=1e-2))
+            self.write(stretched(law + wide, strain, end=1e-2, extra="*DATABASE_GLSTAT\n" + card(1e-4, 2)))
             self.nugget("run", "model.k", "--quiet")
-            deleted = self.json("summary.json")
-            print(deleted.get("deleted"), [k for k in deleted if "del" in k or "erod" in k])
+            gone = [state["time"] for state in self.glstat() if state["eroded internal energy"] > 0.0]
+            if time is None:
+                self.assertEqual(gone, [])
+            else:
+                self.assertAlmostEqual(gone[0], time * 1e-2, delta=1.5e-4)
 
     def test_modes_are_those_of_the_uncrushed_core(self):
         """A bar of 10 bricks held at one end, moving along it only: sqrt(EAAU / density) / (4 L)."""
         places = [(i, y, z) for i in range(11) for y, z in ((0, 0), (1, 0), (1, 1), (0, 1))]
         bricks = "".join(f"{i + 1:8}{1:8}\n" + "".join(f"{4 * i + k:8}" for k in (1, 5, 6, 2, 4, 8, 7, 3)) + "\n" for i in range(10))
         held = "".join(card(n + 1, 0, int(n < 4), 1, 1) for n in range(44))
-        self.write("*KEYWORD\n" + honeycomb(a=(1, 0, 0), d=(0, 1, 0)) + curve(7, (0.0, 1.0), (1.0, 1.0)) + "*SECTION_SOLID\n" + card(1, 1)
+        self.write("*KEYWORD\n" + honeycomb(a=(1, 0, 0), d=(0, 1, 0), mu=0.1) + curve(7, (0.0, 1.0), (1.0, 1.0)) + "*SECTION_SOLID\n" + card(1, 1)
                    + "*PART\nbar\n" + card(1, 1, 1) + nodes(places) + "*ELEMENT_SOLID\n" + bricks + "*BOUNDARY_SPC_NODE\n" + held
                    + "*CONTROL_TERMINATION\n" + card(1e-6) + "*END\n")
         self.nugget("modes", "model.k", "-n", 1, "-o", "modes", "--quiet")

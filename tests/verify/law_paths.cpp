@@ -494,7 +494,7 @@ struct Core {
     Tensor axes = Tensor::Identity(), strain = Tensor::Zero(), stress = Tensor::Zero();
     const double c = std::cos(std::numbers::pi / 6.0), s = 0.5;
     axes << c, -s, 0, s, c, 0, 0, 0, 1;
-    std::vector<Tensor> all{stress};
+    std::vector<Tensor> history{stress};
     for (int n = 0; n < steps; ++n) {
       const double step = path.at((n + 1.0) / steps) - path.at(double(n) / steps);
       const Tensor de = axes.transpose() * (step * path.in_bricks) * axes;
@@ -520,9 +520,9 @@ struct Core {
                          2.0 * shear * (de - de.trace() / 3.0 * Tensor::Identity());
         stress = mean + std::min(1.0, yield / std::max(effective(d), 1e-30)) * d;
       }
-      all.push_back(axes * stress * axes.transpose());
+      history.push_back(axes * stress * axes.transpose());
     }
-    return all;
+    return history;
   }
   /// The material, with the curves 7 and 8, and that of the rate in 9.
   std::string cards(const char* law) const {

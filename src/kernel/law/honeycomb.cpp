@@ -104,15 +104,13 @@ void Prepared<Honeycomb>::solid(SolidTensor<R>& s, const SolidTensor<R>& rate, d
     const R norm = (1.0 / dt) * sqrt(x * x + y * y + z * z + 2.0 * (e.xy * e.xy + e.yz * e.yz + e.zx * e.zx));
     factor = map([&](double d) { return law_.rate_factor.clamped(d); }, norm);
   }
-  std::array<R, 6> elastic{old.xx, old.yy, old.zz, old.xy, old.yz, old.zx}, viscous{}, held;
+  std::array<R, 6> elastic{old.xx, old.yy, old.zz, old.xy, old.yz, old.zx}, viscous, held;
   for (std::size_t i = 0; i < 6; ++i) {
     const R modulus = R(law_.modulus[i]) + (modulus_of(compacted_, i) - law_.modulus[i]) * beta;
-    if (law_.viscosity > 0.0) {
-      const int field = viscous_field + static_cast<int>(i);
-      elastic[i] -= load_field<R>(history, field);
-      viscous[i] = law_.viscosity * modulus * change[i];
-      store_field(history, field, viscous[i]);
-    }
+    const int field = viscous_field + static_cast<int>(i);
+    elastic[i] -= load_field<R>(history, field);
+    viscous[i] = law_.viscosity * modulus * change[i];
+    store_field(history, field, viscous[i]);
     const R limit = factor * most[i];
     held[i] = min(max(elastic[i] + modulus * change[i], -limit), limit);
   }
