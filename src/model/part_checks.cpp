@@ -121,10 +121,15 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
     return b.solid_section_rows[s].complain(b.findings, Severity::warning, "elform",
                                             "wedges are computed as collapsed bricks of eight points (formulation 2)");
   if (elform == 0) {
+    const bool own_strains =
+        part.material != none &&
+        b.model.materials[static_cast<std::size_t>(part.material)].keyword == "MAT_MODIFIED_HONEYCOMB";
     b.solid_section_rows[s].complain(
         b.findings, Severity::warning, "elform",
-        "solid formulation 0 is the brick of LS-DYNA's honeycombs (*MAT_126); it is computed as 1, as a blank field is",
-        "write 1");
+        fmt::format("solid formulation 0 is the brick of LS-DYNA's honeycombs (*MAT_126); it is computed as 1, as a "
+                    "blank field is{}",
+                    own_strains ? ", but with the curves over engineering strains" : ""),
+        own_strains ? "keep 0: with 1 the curves are over logarithmic strains" : "write 1");
     elform = 1;
     return;
   }

@@ -161,6 +161,23 @@ class Law(CommandTest):
             seen = self.stress(stretched(law + wide + (system if what == "system" else ""), self.along(x=1e-4)))
             self.assertAlmostEqual(seen["sig_xx"] / (1e-4 * expected), 1.0, delta=2e-3, msg=what)
 
+    def test_axes_turn_with_an_include(self):
+        """A brick turned by 40 degrees about z with its vectors a and d, stretched along its side. Sabotage: vectors as written."""
+        cosine, sine = math.cos(math.radians(40.0)), math.sin(math.radians(40.0))
+        law = honeycomb(mu=1e-9, a=(1, 0, 0), d=(0, 1, 0)) + curve(7, (0.0, 1.0), (1.0, 1.0))
+        self.write("*KEYWORD\n" + law + "*SECTION_SOLID\n" + card(1, 1) + "*PART\nbrick\n" + card(1, 1, 1) + nodes(CORNERS) + BRICK
+                   + "*END\n", "brick.k")
+        moves = "".join(card(i + 1, axis, 2, 90, f"{1e-3 * way:.3e}") for i, place in enumerate(CORNERS) if place[0]
+                        for axis, way in ((1, cosine), (2, sine)))
+        held = "".join(card(i + 1, 0, 1 - place[0], 1 - place[0], 1) for i, place in enumerate(CORNERS))
+        seen = self.stress(
+            "*KEYWORD\n*INCLUDE_TRANSFORM\nbrick.k\n" + card(*7 * [0]) + card(0) + card(1, 1, 1, 1) + card(5) + "*DEFINE_TRANSFORMATION\n"
+            + card(5) + "ROTATE    " + card(0, 0, 1, 0, 0, 0, 40.0) + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + moves
+            + "*BOUNDARY_SPC_NODE\n" + held + curve(90, (0.0, 0.0), (1e-3, 1.0), (1.0, 1000.0)) + "*CONTROL_TERMINATION\n" + card(1e-3)
+            + "*DATABASE_ELOUT\n" + card(1e-3, 3) + "*DATABASE_HISTORY_SOLID\n" + card(1) + "*END\n")
+        for name, expected in (("sig_xx", cosine ** 2), ("sig_yy", sine ** 2), ("sig_xy", cosine * sine)):
+            self.assertAlmostEqual(seen[name], 0.2 * expected, delta=2e-4)
+
     def test_formulation_0_looks_up_engineering_strains(self):
         """MAT_126, crushed to half: 0.5 of engineering strain, ln 2 = 0.693 of logarithmic strain."""
         rising = curve(7, (0.0, 0.1), (1.0, 1.1))
@@ -224,6 +241,17 @@ class Cards(CommandTest):
         self.assertEqual(self.findings(modified + flat, "warning"), [])
         self.expect(modified.replace("         7         0         0         7", "        -7         0         0         7") + flat, "lca", "not built")
         self.expect(honeycomb("126", rate=-1) + flat, "lcsr", "not built")
+
+    def test_formulation_0_of_bricks(self):
+        flat = curve(7, (0.0, 1.0), (1.0, 1.0))
+        second = ("*SECTION_SOLID\n" + card(2, 1) + "*PART\nother\n" + card(2, 2, 1) + BRICK.replace("       1       1\n", "       2       2\n"))
+        for law, expected, refused in (("026", "as a blank field is", 0), ("126", "curves over engineering strains", 1)):
+            self.write(stretched(honeycomb(law) + flat, lambda x, y, z: (0.0, 0.0, 0.0), elform=0))
+            self.nugget("check", "model.k")
+            self.assertIn(expected, json.loads(self.read("findings.json"))[0]["text"])
+            self.write(stretched(honeycomb(law) + flat, lambda x, y, z: (0.0, 0.0, 0.0), elform=0, extra=second))
+            self.nugget("check", "model.k", expect=refused)
+            self.assertEqual("give each its own material" in self.read("findings.json"), bool(refused))
 
 
 if __name__ == "__main__":
