@@ -107,16 +107,18 @@ void integrate_shells_fully(model::Model& m, Findings& findings) {
                               changed.size() == 1 ? "" : "s", fmt::join(changed, " ")));
 }
 
-/// A viscous stress that goes by the step would count as stiffness.
+/// A viscous stress that goes by the step, of foams and honeycomb, would count as stiffness.
 void take_viscosity_out(model::Model& m) {
   for (model::Material& material : m.materials) {
     auto* law = std::get_if<kernel::Compound>(&material.law);
-    const auto* honeycomb = law ? std::get_if<kernel::Honeycomb>(&law->made_of->flow) : nullptr;
-    if (honeycomb == nullptr) continue;
-    kernel::Honeycomb flow = *honeycomb;
-    flow.viscosity = 0.0;
+    if (law == nullptr) continue;
     kernel::Composition made = *law->made_of;
-    made.flow = std::move(flow);
+    std::visit(
+        [](auto& flow) {
+          if constexpr (requires { flow.damping; }) flow.damping = 0.0;
+          if constexpr (requires { flow.viscosity; }) flow.viscosity = 0.0;
+        },
+        made.flow);
     *law = kernel::compound(std::move(made));
   }
 }

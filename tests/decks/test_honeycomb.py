@@ -200,17 +200,19 @@ class Law(CommandTest):
             else:
                 self.assertAlmostEqual(gone[0], time * 1e-2, delta=1.5e-4)
 
-    def test_modes_are_those_of_the_uncrushed_core(self):
-        """A bar of 10 bricks held at one end, moving along it only: sqrt(EAAU / density) / (4 L)."""
+    def test_modes_have_no_viscosity(self):
+        """A bar of 10 bricks held at one end, moving along it only: sqrt(E / density) / (4 L), E of the uncrushed core, or of MAT_063;
+        both with a tenth of critical damping. Sabotage: the viscous stress, which made it 5 % faster."""
         places = [(i, y, z) for i in range(11) for y, z in ((0, 0), (1, 0), (1, 1), (0, 1))]
         bricks = "".join(f"{i + 1:8}{1:8}\n" + "".join(f"{4 * i + k:8}" for k in (1, 5, 6, 2, 4, 8, 7, 3)) + "\n" for i in range(10))
         held = "".join(card(n + 1, 0, int(n < 4), 1, 1) for n in range(44))
-        self.write("*KEYWORD\n" + honeycomb(a=(1, 0, 0), d=(0, 1, 0), mu=0.1) + curve(7, (0.0, 1.0), (1.0, 1.0)) + "*SECTION_SOLID\n" + card(1, 1)
-                   + "*PART\nbar\n" + card(1, 1, 1) + nodes(places) + "*ELEMENT_SOLID\n" + bricks + "*BOUNDARY_SPC_NODE\n" + held
-                   + "*CONTROL_TERMINATION\n" + card(1e-6) + "*END\n")
-        self.nugget("modes", "model.k", "-n", 1, "-o", "modes", "--quiet")
-        first = self.json("modes/summary.json")["modes"][0]["frequency_hz"]
-        self.assertAlmostEqual(first / (math.sqrt(200.0 / 2.6e-11) / 40.0), 1.0, delta=2e-3)
+        for law in (honeycomb(a=(1, 0, 0), d=(0, 1, 0), mu=0.1) + curve(7, (0.0, 1.0), (1.0, 1.0)),
+                    "*MAT_063\n" + card(1, 2.6e-11, 200.0, 0.0, 7, 1.0, 0.1) + curve(7, (0.0, 1.0), (0.5, 1.0), (0.6, 21.0))):
+            self.write("*KEYWORD\n" + law + "*SECTION_SOLID\n" + card(1, 1) + "*PART\nbar\n" + card(1, 1, 1) + nodes(places)
+                       + "*ELEMENT_SOLID\n" + bricks + "*BOUNDARY_SPC_NODE\n" + held + "*CONTROL_TERMINATION\n" + card(1e-6) + "*END\n")
+            self.nugget("modes", "model.k", "-n", 1, "-o", "modes", "--quiet")
+            first = self.json("modes/summary.json")["modes"][0]["frequency_hz"]
+            self.assertAlmostEqual(first / (math.sqrt(200.0 / 2.6e-11) / 40.0), 1.0, delta=2e-3)
 
 
 class Cards(CommandTest):
