@@ -157,7 +157,7 @@ Curve limit_over_volume(Builder& b, const Row& row, std::string_view field, cons
   return {};
 }
 
-/// What every curve of a largest stress must be; `steepest`: modulus that it meets on its way.
+/// Whether a curve of a largest stress over strains can be used; warns of one steeper than the modulus it meets.
 bool check_limit(Builder& b, const Row& row, std::string_view field, const Curve& curve, const Honeycomb& law,
                  std::size_t component) {
   if (*std::min_element(curve.y.begin(), curve.y.end()) < 0.0) {
