@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "kernel/law/composition.hpp"
@@ -120,10 +121,15 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
     return b.solid_section_rows[s].complain(b.findings, Severity::warning, "elform",
                                             "wedges are computed as collapsed bricks of eight points (formulation 2)");
   if (elform == 0) {
+    const bool own_strains =
+        part.material != none &&
+        b.model.materials[static_cast<std::size_t>(part.material)].keyword == "MAT_MODIFIED_HONEYCOMB";
     b.solid_section_rows[s].complain(
         b.findings, Severity::warning, "elform",
-        "solid formulation 0 is the brick of LS-DYNA's honeycombs (*MAT_126); it is computed as 1, as a blank field is",
-        "write 1");
+        fmt::format("solid formulation 0 is the brick of LS-DYNA's honeycombs (*MAT_126); it is computed as 1, as a "
+                    "blank field is{}",
+                    own_strains ? ", but with the curves over engineering strains" : ""),
+        own_strains ? "keep 0: with 1 the curves are over logarithmic strains" : "write 1");
     elform = 1;
     return;
   }
@@ -237,13 +243,32 @@ bool has_option(const Builder& b, std::string_view keyword, std::string_view opt
   });
 }
 
+/// AOPT 3 in solids: hexahedra whose midway surface is not normal to v.
+void check_cross_axes(Builder& b, const Part& part, const deck::Row& row, const kernel::MaterialAxes& axes) {
+  const Model& m = b.model;
+  const auto index = static_cast<Index>(&part - m.parts.data());
+  for (std::size_t e = 0; e < m.solids.size(); ++e) {
+    if (m.solids.part[e] != index) continue;
+    const auto& corner = m.solids.node[e];
+    if (std::set<Index>(corner.begin(), corner.begin() + 8).size() < 8)
+      return refuse(b, row, "mid", fmt::format("AOPT 3 is for hexahedra, but solid {} is none", m.solids.id[e]),
+                    "use AOPT 2 with vectors a and d");
+    std::array<Vec3d, 8> x;
+    for (std::size_t i = 0; i < 8; ++i) x[i] = m.nodes.x[static_cast<std::size_t>(corner[i])];
+    const Vec3d normal = kernel::MaterialAxes::midway_normal(x);
+    if (norm(cross(axes.a, normal)) > 1e-6 * norm(axes.a) * norm(normal)) continue;
+    return refuse(b, row, "mid",
+                  fmt::format("solid {}: the vector v of AOPT 3 stands normal to its midway surface", m.solids.id[e]),
+                  "give another vector, or AOPT 2");
+  }
+}
+
 /// Material axes that the elements of a part cannot have.
 void check_material_axes(Builder& b, const Part& part, const deck::Row& row, const kernel::MaterialAxes& axes) {
   using By = kernel::MaterialAxes::By;
   const Model& m = b.model;
   if (part.kind == ElementKind::solid) {
-    if (axes.by == By::cross)
-      refuse(b, row, "mid", "AOPT 3 is built for shells, but the part has solids", "use AOPT 2 with vectors a and d");
+    if (axes.by == By::cross) check_cross_axes(b, part, row, axes);
     if (axes.by == By::vectors && norm(cross(axes.a, axes.d)) == 0.0)
       refuse(b, row, "mid", "AOPT 2 needs a vector d that is not along a", "give D1 to D3 of the material");
     if (has_option(b, "ELEMENT_SOLID", "_ORTHO"))
@@ -267,6 +292,35 @@ void check_material_axes(Builder& b, const Part& part, const deck::Row& row, con
         fmt::format("shell {}: the vector of AOPT stands so that it gives no direction in its plane", m.shells.id[e]),
         "give another vector, or AOPT 0");
   }
+}
+
+/// The brick of formulation 0 has curves over engineering strains; of bending formulations the law makes no sense.
+void check_honeycomb(Builder& b, const Part& part, const deck::Row& row, kernel::Honeycomb flow) {
+  Model& m = b.model;
+  if (part.kind != ElementKind::solid || part.section == none) return;
+  const auto section = static_cast<std::size_t>(part.section);
+  if (m.solid_sections[section].elform < 0)
+    refuse(b, row, "secid", "honeycomb has no Poisson effect, which bricks of ELFORM -1 and -2 count on in bending",
+           "write ELFORM 1 or 2");
+  if (flow.over == kernel::Honeycomb::Over::volume) return;
+  // 0 is computed as 1 by now; the card still tells.
+  const auto is_formulation_0 = [&](const Part& p) {
+    return b.solid_section_rows[static_cast<std::size_t>(p.section)].integer("elform") == 0;
+  };
+  const bool engineering = is_formulation_0(part);
+  for (const Part& other : m.parts)
+    if (other.material == part.material && other.kind == ElementKind::solid && other.section != none &&
+        is_formulation_0(other) != engineering)
+      return refuse(b, row, "mid",
+                    "the material is in bricks of ELFORM 0, whose curves are over engineering strains, and in others, "
+                    "whose curves are over logarithmic ones",
+                    "give each its own material");
+  if (!engineering || flow.over == kernel::Honeycomb::Over::engineering_strain) return;
+  kernel::Composition law =
+      *std::get<kernel::Compound>(m.materials[static_cast<std::size_t>(part.material)].law).made_of;
+  flow.over = kernel::Honeycomb::Over::engineering_strain;
+  law.flow = std::move(flow);
+  m.materials[static_cast<std::size_t>(part.material)].law = kernel::compound(std::move(law));
 }
 
 /// Some laws are made for shells or bricks only.
@@ -293,6 +347,10 @@ void check_compound(Builder& b, const Part& part, const deck::Row& row) {
   if (part.kind == ElementKind::shell && !law->made_of->for_shells)
     refuse(b, row, "mid", fmt::format("*{} is a law of solids, but the part has shells", material.keyword),
            "give it the law of a sheet");
+  if (const auto* flow = std::get_if<kernel::Honeycomb>(&law->made_of->flow); flow && part.kind == ElementKind::solid) {
+    check_material_axes(b, part, row, flow->axes);
+    check_honeycomb(b, part, row, *flow);
+  }
 }
 
 /// Which law may be used by which elements.

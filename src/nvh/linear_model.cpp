@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "base/index.hpp"
+#include "kernel/law/composition.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -106,6 +107,22 @@ void integrate_shells_fully(model::Model& m, Findings& findings) {
                               changed.size() == 1 ? "" : "s", fmt::join(changed, " ")));
 }
 
+/// A viscous stress that goes by the step, of foams and honeycomb, would count as stiffness.
+void take_viscosity_out(model::Model& m) {
+  for (model::Material& material : m.materials) {
+    auto* law = std::get_if<kernel::Compound>(&material.law);
+    if (law == nullptr) continue;
+    kernel::Composition made = *law->made_of;
+    std::visit(
+        [](auto& flow) {
+          if constexpr (requires { flow.damping; }) flow.damping = 0.0;
+          if constexpr (requires { flow.viscosity; }) flow.viscosity = 0.0;
+        },
+        made.flow);
+    *law = kernel::compound(std::move(made));
+  }
+}
+
 /// Nothing resists their change of shape, so they would have motions without stiffness.
 void refuse_fluids(const model::Model& m, Findings& findings) {
   for (const model::Part& part : m.parts)
@@ -137,6 +154,7 @@ void hold_driven_nodes(model::Model& m) {
 model::Model linear_model(const model::Model& model, Findings& findings) {
   model::Model m = model;
   m.control.mass_step = 0.0;
+  take_viscosity_out(m);
   m.control.bulk_viscosity_type = 1;  // none in shells
   for (const model::RigidWeld& weld : m.rigid_welds)
     if (weld.kind == model::RigidWeld::Kind::rivet)

@@ -37,7 +37,8 @@ struct BrickElement {
   /// Material axes of the point whose history begins at `history`, of laws that have them.
   void start_axes(double* history, const Places& x) const {
     if (const kernel::MaterialAxes* axes = material_axes(law))
-      kernel::start_solid_axes(history, native_width, axes->in_brick(x[1] - x[0], x[3] - x[0]));
+      kernel::start_solid_axes(history, native_width,
+                               axes->in_brick(x[1] - x[0], x[3] - x[0], kernel::MaterialAxes::midway_normal(x)));
   }
   double mass(model::Index, const Places& x) const { return 8.0 * kernel::hexahedron_nodal_mass(x, brick.density); }
   double nodal_inertia(model::Index, const Places&) const { return 0.0; }

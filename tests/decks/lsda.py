@@ -37,6 +37,6 @@ def read(path):
 
 
 def states(found, branch):
-    """[{name: values}] of a branch, in the order of the states."""
-    names = sorted({key.split("/")[1] for key in found if key.startswith(branch + "/d")})
-    return [{key.split("/")[2]: value for key, value in found.items() if key.startswith(f"{branch}/{name}/")} for name in names]
+    """[{name: values}] of a branch, however deep it lies, in the order of the states."""
+    names = sorted({key[len(branch) + 1:].split("/")[0] for key in found if key.startswith(branch + "/d")})
+    return [{key.split("/")[-1]: value for key, value in found.items() if key.startswith(f"{branch}/{name}/")} for name in names]

@@ -37,10 +37,7 @@ def dot(a, b):
 class Axes(CommandTest):
     def states(self, branch):
         """[{name: values}] of a branch of binout0000, however deep it lies."""
-        found = lsda.read(self.folder / "binout0000")
-        names = sorted({key[len(branch) + 1:].split("/")[0] for key in found if key.startswith(branch + "/d")})
-        return [{key.split("/")[-1]: value for key, value in found.items() if key.startswith(f"{branch}/{name}/")}
-                for name in names]
+        return lsda.states(lsda.read(self.folder / "binout0000"), branch)
 
     def run_deck(self, *cards, name="model.k", expect=0):
         self.write("*KEYWORD\n" + "".join(cards) + "*END\n", name)

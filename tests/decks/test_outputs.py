@@ -15,10 +15,7 @@ ELASTIC = "*MAT_ELASTIC\n         1   7.8e-09    2.1e+5       0.0\n"
 class Outputs(CommandTest):
     def states(self, branch):
         """[{name: values}] of a branch of binout0000, however deep it lies."""
-        found = lsda.read(self.folder / "binout0000")
-        names = sorted({key[len(branch) + 1:].split("/")[0] for key in found if key.startswith(branch + "/d")})
-        return [{key.split("/")[-1]: value for key, value in found.items() if key.startswith(f"{branch}/{name}/")}
-                for name in names]
+        return lsda.states(lsda.read(self.folder / "binout0000"), branch)
 
     def run_deck(self, *cards, name="model.k"):
         self.write("*KEYWORD\n" + "".join(cards) + "*END\n", name)

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 
 #include "specimen.hpp"
 
@@ -474,6 +475,115 @@ TEST(LawPaths, CrushableFoam) {
     }
     expect_path(
         "MAT_063", mat("063", {{1, 5e-11, 2.0, 0, 7, 0.02}}) + yield, path, 2e-2,
+        [&](int, double share) { return stress[static_cast<std::size_t>(std::lround(share * steps))]; }, 5e-3,
+        only_bricks);
+  }
+}
+
+// ---- honeycomb
+
+/// A honeycomb whose axis a stands at 30 degrees to x, in the plane of x and y.
+struct Core {
+  double young = 500.0, poisson = 0.25, yield = 12.0, compacted = 0.3;
+  std::array<double, 6> modulus{100.0, 40.0, 30.0, 30.0, 20.0, 25.0};
+  std::function<double(double)> direct, sheared;  ///< largest stresses aa = bb = cc, ab = bc = ca
+  bool own_strains = false;
+  double growth = 0.0;  ///< of the largest stresses by a unit of the deviatoric rate's norm
+
+  std::vector<Tensor> stresses(const Path& path, double end, int steps) const {
+    Tensor axes = Tensor::Identity(), strain = Tensor::Zero(), stress = Tensor::Zero();
+    const double c = std::cos(std::numbers::pi / 6.0), s = 0.5;
+    axes << c, -s, 0, s, c, 0, 0, 0, 1;
+    std::vector<Tensor> history{stress};
+    for (int n = 0; n < steps; ++n) {
+      const double step = path.at((n + 1.0) / steps) - path.at(double(n) / steps);
+      const Tensor de = axes.transpose() * (step * path.in_bricks) * axes;
+      strain += de;
+      const double V = std::exp(strain.trace()), shear = young / (2.0 * (1.0 + poisson));
+      if (V > compacted) {
+        const double beta = std::clamp((1.0 - V) / (1.0 - compacted), 0.0, 1.0);
+        const Tensor rate = (de - de.trace() / 3.0 * Tensor::Identity()) / (end / steps);
+        const double factor = 1.0 + growth * rate.norm();
+        const auto held = [&](int i, int j, int component) {
+          const double dense = component < 3 ? young : shear, twice = component < 3 ? 1.0 : 2.0;
+          const double m = modulus[static_cast<std::size_t>(component)];
+          const double at = !own_strains ? 1.0 - V : component < 3 ? -strain(i, j) : 2.0 * std::abs(strain(i, j));
+          const double most = factor * (component < 3 ? direct(at) : sheared(at));
+          return std::clamp(stress(i, j) + twice * (m + beta * (dense - m)) * de(i, j), -most, most);
+        };
+        Tensor now;
+        now << held(0, 0, 0), held(0, 1, 3), held(2, 0, 5), 0.0, held(1, 1, 1), held(1, 2, 4), 0.0, 0.0, held(2, 2, 2);
+        stress = now.selfadjointView<Eigen::Upper>();
+      } else {
+        const Tensor mean = Tensor::Identity() * (stress.trace() / 3.0 + young / (3.0 - 6.0 * poisson) * de.trace());
+        const Tensor d = stress - stress.trace() / 3.0 * Tensor::Identity() +
+                         2.0 * shear * (de - de.trace() / 3.0 * Tensor::Identity());
+        stress = mean + std::min(1.0, yield / std::max(effective(d), 1e-30)) * d;
+      }
+      history.push_back(axes * stress * axes.transpose());
+    }
+    return history;
+  }
+  /// The material, with the curves 7 and 8, and that of the rate in 9.
+  std::string cards(const char* law) const {
+    const auto& m = modulus;
+    const double c = std::cos(std::numbers::pi / 6.0);
+    return mat(law, {{1, 1e-8, young, poisson, yield, compacted, 1e-9},
+                     {7, 0, 0, 8, 0, 0, 0, growth > 0.0 ? 9.0 : 0.0},
+                     {m[0], m[1], m[2], m[3], m[4], m[5], 2},
+                     {0, 0, 0, c, 0.5, 0},
+                     {-0.5, c, 0}}) +
+           (growth > 0.0 ? curve(9, {{0.0, 1.0}, {2e3, 1.0 + 2e3 * growth}}) : "");
+  }
+};
+
+std::vector<Path> crushes() {
+  const double c2 = 0.75, s2 = 0.25, cs = std::sqrt(3.0) / 4.0;  // of 30 degrees
+  Tensor along_a = diagonal(c2, s2, 0), sheared = shear();
+  along_a(0, 1) = along_a(1, 0) = cs;
+  return {{"tension", {{0, 0}, {1, 0.2}}, along_a, {}},
+          {"crushed along a, back, and compacted", {{0, 0}, {0.4, -0.8}, {0.5, -0.76}, {1, -1.4}}, along_a, {}},
+          {"crushed askew", {{0, 0}, {0.8, -0.9}, {1, -0.85}}, diagonal(1, 0, 0), {}},
+          {"shear", {{0, 0}, {0.6, 0.1}, {1, 0}}, sheared, {}},
+          {"cycle", {{0, 0}, {0.3, -0.5}, {0.6, 0.0}, {1, -0.6}}, diagonal(1, 0.3, 0) + 0.2 * shear(), {}}};
+}
+
+// Sabotages: beta of the volumetric strain alone; axes not turned back; no compacted branch; the first ordinate of a
+// curve over the relative volume last.
+TEST(LawPaths, Honeycomb) {
+  constexpr int steps = 4000;
+  Core core;
+  core.direct = [](double x) { return x < 0.5 ? 0.6 + 0.4 * std::max(x, 0.0) : 0.8 + 5.0 * (x - 0.5); };
+  core.sheared = [](double x) { return 0.3 + 0.5 * std::max(x, 0.0); };
+  // aa over the relative volume, the shears over the volumetric strain.
+  const std::string curves = curve(7, {{0.25, 2.05}, {0.5, 0.8}, {1.0, 0.6}}) + curve(8, {{0.0, 0.3}, {0.8, 0.7}});
+  for (const double growth : {0.0, 5e-4}) {
+    core.growth = growth;
+    for (const Path& path : crushes()) {
+      constexpr double end = 4e-3;
+      const std::vector<Tensor> stress = core.stresses(path, end, steps);
+      expect_path(
+          growth > 0.0 ? "MAT_026 with LCSR" : "MAT_026", core.cards("026") + curves, path, end,
+          [&](int, double share) { return stress[static_cast<std::size_t>(std::lround(share * steps))]; }, 5e-3,
+          only_bricks);
+    }
+  }
+}
+
+// Sabotages: the strain of shears taken as tensorial; tension looked up as compression.
+TEST(LawPaths, HoneycombByItsOwnStrains) {
+  constexpr int steps = 4000;
+  Core core;
+  core.own_strains = true;
+  core.direct = [](double x) { return x < 0.0 ? 0.6 - 2.0 * std::max(x, -0.2) : x < 0.5 ? 0.6 : 0.6 + x - 0.5; };
+  core.sheared = [](double x) { return 0.3 + 0.5 * x; };
+  const std::string curves =
+      curve(7, {{-0.2, 1.0}, {0.0, 0.6}, {0.5, 0.6}, {1.5, 1.6}}) + curve(8, {{0.0, 0.3}, {0.8, 0.7}});
+  for (const Path& path : crushes()) {
+    constexpr double end = 4e-3;
+    const std::vector<Tensor> stress = core.stresses(path, end, steps);
+    expect_path(
+        "MAT_126", core.cards("126") + curves, path, end,
         [&](int, double share) { return stress[static_cast<std::size_t>(std::lround(share * steps))]; }, 5e-3,
         only_bricks);
   }

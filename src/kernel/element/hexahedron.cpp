@@ -41,13 +41,14 @@ Hourglass<R> bindeman_rates(const ElasticConstants& e, double coefficient, const
 }
 
 /// Advances the hourglass forces by a step and adds up their work; returns them in global axes at the end of the step.
+/// `share`: stiffness now over that of `e`.
 template <class R>
 [[gnu::always_inline]] inline Hourglass<R> resist_hourglass(const HexahedronProperties& brick,
                                                             const ElasticConstants& e, const Gradient<R>& g,
                                                             const Patterns<R>& mid, const Patterns<R>& end,
                                                             const Hourglass<R>& rate, const Frame<R>& turn,
-                                                            const Vec3<R>& half, const R& side, const R& integrity,
-                                                            double dt, double* state) {
+                                                            const Vec3<R>& half, const R& side, const R& share,
+                                                            const R& integrity, double dt, double* state) {
   using L = HexahedronLayout;
   Hourglass<R> old = load_hourglass<R>(state), now = old, q = rate;
   if (brick.hourglass == 6) {
@@ -55,9 +56,9 @@ template <class R>
     for (Vec3<R>& a : q.q) a = axes.local(a);
     const Vec3<R> sides{8.0 * dot(mid.a, axes.e1), 8.0 * dot(mid.b, axes.e2), 8.0 * dot(mid.c, axes.e3)};
     const Hourglass<R> change = bindeman_rates(e, brick.hourglass_coefficient, sides, q);
-    for (int i = 0; i < 4; ++i) now.q[i] += R(dt) * change.q[i];
+    for (int i = 0; i < 4; ++i) now.q[i] += (dt * share) * change.q[i];
   } else if (brick.hourglass >= 4) {
-    const R stiffness = (8.0 * brick.hourglass_coefficient * e.shear * dt) * g.squared() * g.over_volume;
+    const R stiffness = (8.0 * brick.hourglass_coefficient * e.shear * dt) * share * g.squared() * g.over_volume;
     for (int i = 0; i < 4; ++i) {
       old.q[i] = turn.local(old.q[i]);
       q.q[i] += cross(half, q.q[i]);
@@ -68,7 +69,8 @@ template <class R>
     // which near the stable step is fast: with the velocity before the step it would overshoot and, with bulk
     // viscosity, drive a single brick unstable. Taken at the mean of the velocities before and after, it cannot
     // (docs/decisions/0007).
-    const R density = brick.density * load_field<R>(state, L::density_scale), impedance = sqrt(density * e.bulk_wave());
+    const R density = brick.density * load_field<R>(state, L::density_scale),
+            impedance = sqrt(density * share * e.bulk_wave());
     const R centred = side + (8.0 * brick.hourglass_coefficient * dt) * (impedance / density);
     const R viscosity = (16.0 * brick.hourglass_coefficient) * impedance * side * side * side / centred;
     for (int i = 0; i < 4; ++i) now.q[i] = viscosity * q.q[i];
@@ -128,7 +130,9 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepare
 
   const bool orthogonal = brick.hourglass != 1;
   const Hourglass<R> rate = orthogonal ? hourglass_rates(v, l, mid) : Hourglass<R>{{v.h[0], v.h[1], v.h[2], v.h[3]}};
-  const Hourglass<R> q = resist_hourglass(brick, e, g, mid, end, rate, turn, half, side, integrity, dt, state);
+  R share(1.0);
+  if constexpr (std::is_same_v<Law, Compound>) share = law.template stiffness_share<R>(history);
+  const Hourglass<R> q = resist_hourglass(brick, e, g, mid, end, rate, turn, half, side, share, integrity, dt, state);
 
   const R density = brick.density * load_field<R>(state, L::density_scale), none = R(0.0);
   const R length = g_end.volume / sqrt(largest_face2(end));

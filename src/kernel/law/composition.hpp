@@ -10,6 +10,7 @@
 #include "kernel/law/equation_of_state.hpp"
 #include "kernel/law/fluid.hpp"
 #include "kernel/law/foam.hpp"
+#include "kernel/law/honeycomb.hpp"
 #include "kernel/law/johnson_cook.hpp"
 #include "kernel/law/orthotropic.hpp"
 #include "kernel/law/piecewise_linear.hpp"
@@ -22,9 +23,9 @@
 namespace nugget::kernel {
 
 /// How a point flows.
-using Flow =
-    std::variant<Elastic, PlasticKinematic, PiecewiseLinear, JohnsonCook, PowerLaw, BlatzKo, MooneyRivlin, Ogden,
-                 PolynomialRubber, LowDensityFoam, CrushableFoam, RateFoam, Viscoelastic, Orthotropic, Fluid>;
+using Flow = std::variant<Elastic, PlasticKinematic, PiecewiseLinear, JohnsonCook, PowerLaw, BlatzKo, MooneyRivlin,
+                          Ogden, PolynomialRubber, LowDensityFoam, CrushableFoam, RateFoam, Viscoelastic, Orthotropic,
+                          Honeycomb, Fluid>;
 
 /// What a compound law is made of: how a point flows, and when it and its element fail.
 struct Composition {

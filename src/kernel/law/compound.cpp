@@ -5,6 +5,7 @@
 
 #include "kernel/law/composition.hpp"
 #include "kernel/law/foam_points.hpp"
+#include "kernel/law/honeycomb_point.hpp"
 #include "kernel/law/orthotropic_point.hpp"
 #include "kernel/law/point_failure.hpp"
 #include "kernel/law/prepared_compound.hpp"
@@ -250,9 +251,10 @@ void Prepared<Compound>::solid(SolidTensor<R>& s, const SolidTensor<R>& rate, do
   const R before = load_field<R>(history, 0);
   flow();
   const R strain = load_field<R>(history, 0);
-  parts_->failure.advance(PointStep<R>{s, rate, strain, strain - before, R(0.0),
-                                       parts_->heats ? load_field<R>(history, 1) : R(0.0), dt, false},
-                          failure);
+  PointStep<R> step{s, rate, strain, strain - before, R(0.0), parts_->heats ? load_field<R>(history, 1) : R(0.0), dt};
+  if (const auto* honeycomb = std::get_if<Prepared<Honeycomb>>(&parts_->flow))
+    step.torn = select(honeycomb->torn<R>(history), R(1.0), R(0.0));
+  parts_->failure.advance(step, failure);
   parts_->failure.weaken(s, failure);
 }
 
@@ -293,8 +295,20 @@ void Prepared<Compound>::add_viscous_work(const R& work, double* history) const 
 }
 
 const MaterialAxes* Prepared<Compound>::axes() const {
-  const auto* flow = std::get_if<Prepared<Orthotropic>>(&parts_->flow);
-  return flow ? &flow->axes() : nullptr;
+  return std::visit(
+      [](const auto& flow) -> const MaterialAxes* {
+        if constexpr (requires { flow.axes(); })
+          return &flow.axes();
+        else
+          return nullptr;
+      },
+      parts_->flow);
+}
+
+template <class R>
+R Prepared<Compound>::stiffness_share(const double* history) const {
+  const auto* honeycomb = std::get_if<Prepared<Honeycomb>>(&parts_->flow);
+  return honeycomb ? honeycomb->stiffness_share<R>(history) : R(1.0);
 }
 
 template <class R>
@@ -327,5 +341,7 @@ template void Prepared<Compound>::add_viscous_work(const double&, double*) const
 template void Prepared<Compound>::add_viscous_work(const NativeBatch&, double*) const;
 template double Prepared<Compound>::wave_modulus(const double*) const;
 template NativeBatch Prepared<Compound>::wave_modulus(const double*) const;
+template double Prepared<Compound>::stiffness_share(const double*) const;
+template NativeBatch Prepared<Compound>::stiffness_share(const double*) const;
 
 }  // namespace nugget::kernel

@@ -14,6 +14,26 @@ double Orthotropic::definiteness() const {
   return std::min({1.0 - ab, 1.0 - ca, 1.0 - cb, 1.0 - ab - ca - cb - 2.0 * all});
 }
 
+double fastest_wave_modulus(const std::array<std::array<double, 3>, 3>& normal, double shear_ab, double shear_bc,
+                            double shear_ca) {
+  // Christoffel's tensor over a quarter of the directions: the others are their mirror images.
+  double fastest = 0.0;
+  constexpr int steps = 24;
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; j <= steps; ++j) {
+      const double theta = 0.5 * std::numbers::pi * i / steps, phi = 0.5 * std::numbers::pi * j / steps;
+      const double x = std::sin(theta) * std::cos(phi), y = std::sin(theta) * std::sin(phi), z = std::cos(theta);
+      const SolidTensor<double> christoffel{normal[0][0] * x * x + shear_ab * y * y + shear_ca * z * z,
+                                            shear_ab * x * x + normal[1][1] * y * y + shear_bc * z * z,
+                                            shear_ca * x * x + shear_bc * y * y + normal[2][2] * z * z,
+                                            (normal[0][1] + shear_ab) * x * y,
+                                            (normal[1][2] + shear_bc) * y * z,
+                                            (normal[2][0] + shear_ca) * z * x};
+      fastest = std::max(fastest, principal_axes(christoffel).value[2]);
+    }
+  return fastest;
+}
+
 void start_layer_axes(double* history, int stride, double cosine, double sine) {
   double* axis = history + Prepared<Orthotropic>::first_axis * stride;
   axis[0] = cosine;
@@ -45,21 +65,7 @@ Prepared<Orthotropic>::Prepared(const Orthotropic& law)
   solid_[1] = {solid_[0][1], over * (aa * cc - ca * ca), over * (ab * ca - aa * cb)};
   solid_[2] = {solid_[0][2], solid_[1][2], over * (aa * bb - ab * ab)};
 
-  // Christoffel's tensor over a quarter of the directions: the others are their mirror images.
-  wave_modulus_ = 0.0;
-  constexpr int steps = 24;
-  for (int i = 0; i <= steps; ++i)
-    for (int j = 0; j <= steps; ++j) {
-      const double theta = 0.5 * std::numbers::pi * i / steps, phi = 0.5 * std::numbers::pi * j / steps;
-      const double x = std::sin(theta) * std::cos(phi), y = std::sin(theta) * std::sin(phi), z = std::cos(theta);
-      const SolidTensor<double> christoffel{solid_[0][0] * x * x + shear_ab_ * y * y + shear_ca_ * z * z,
-                                            shear_ab_ * x * x + solid_[1][1] * y * y + shear_bc_ * z * z,
-                                            shear_ca_ * x * x + shear_bc_ * y * y + solid_[2][2] * z * z,
-                                            (solid_[0][1] + shear_ab_) * x * y,
-                                            (solid_[1][2] + shear_bc_) * y * z,
-                                            (solid_[2][0] + shear_ca_) * z * x};
-      wave_modulus_ = std::max(wave_modulus_, principal_axes(christoffel).value[2]);
-    }
+  wave_modulus_ = fastest_wave_modulus(solid_, shear_ab_, shear_bc_, shear_ca_);
 }
 
 }  // namespace nugget::kernel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -13,7 +14,7 @@ struct MaterialAxes {
   enum class By {
     nodes,    ///< AOPT 0: a along nodes 1-2, c normal to 1-2 and 1-4 (in shells: to the element)
     vectors,  ///< AOPT 2: a and d, c = a x d; in shells a as seen along the normal
-    cross     ///< AOPT 3: a = v x normal, of shells
+    cross     ///< AOPT 3: a = v x normal, in bricks that of the surface midway between the first and last four nodes
   };
   By by = By::nodes;
   Vec3d a, d;          ///< vectors of AOPT 2; `a` is v of AOPT 3
@@ -28,8 +29,17 @@ struct MaterialAxes {
     const double beta = own.value_or(angle);
     return std::cos(beta) * seen + std::sin(beta) * cross(normal, seen);
   }
-  /// Axes of a brick; `along`, `across`: from node 1 to nodes 2 and 4.
-  Frame3d in_brick(const Vec3d& along, const Vec3d& across) const {
+  /// Direction normal to the surface midway between nodes 1 to 4 and 5 to 8 of a brick: not of unit length.
+  template <class Places>
+  static Vec3d midway_normal(const Places& x) {
+    return nugget::cross(x[2] + x[6] - x[0] - x[4], x[3] + x[7] - x[1] - x[5]);
+  }
+  /// Axes of a solid; `along`, `across`: from node 1 to nodes 2 and 4. `normal`: midway_normal(), of hexahedra only.
+  Frame3d in_brick(const Vec3d& along, const Vec3d& across, const Vec3d& normal = {}) const {
+    if (by == By::cross) {
+      const Vec3d e1 = unit(nugget::cross(a, normal)), e3 = unit(normal);
+      return {e1, nugget::cross(e3, e1), e3};
+    }
     const Vec3d first = by == By::vectors ? a : along, second = by == By::vectors ? d : across;
     const Vec3d e1 = unit(first), e3 = unit(cross(first, second));
     return {e1, cross(e3, e1), e3};
@@ -51,6 +61,11 @@ struct Orthotropic {
   /// material would give energy.
   double definiteness() const;
 };
+
+/// Modulus of the fastest plane wave [stress] in a material whose normal stresses follow the normal strains by `normal`
+/// and whose shears are uncoupled, sought over the directions.
+double fastest_wave_modulus(const std::array<std::array<double, 3>, 3>& normal, double shear_ab, double shear_bc,
+                            double shear_ca);
 
 /// Puts the material axes into the history of a point that begins at `history`, its numbers `stride` apart: of a layer
 /// the components of a in the element's frame, of a solid a and b in global axes.

@@ -9,6 +9,37 @@
 
 namespace nugget::kernel {
 
+/// Where in the history of a point its material axes begin.
+inline constexpr int first_axis_field = 1;
+
+/// Material axes a, b, c of a solid's point, in its history.
+template <class R>
+Frame<R> load_solid_axes(const double* history) {
+  const Vec3<R> a = load_vector<R>(history, first_axis_field), b = load_vector<R>(history, first_axis_field + 3);
+  return {a, b, cross(a, b)};
+}
+template <class R>
+void turn_solid_axes(const Frame<R>& q, double* history) {
+  for (const int axis : {first_axis_field, first_axis_field + 3}) {
+    const Vec3<R> v = load_vector<R>(history, axis);
+    store_vector(history, axis, Vec3<R>{dot(q.e1, v), dot(q.e2, v), dot(q.e3, v)});
+  }
+}
+/// A tensor with tensorial shears given in axes `a`, back in global ones.
+template <class R>
+SolidTensor<R> out_of_axes(const Frame<R>& a, const SolidTensor<R>& t) {
+  return rotated(Frame<R>{{a.e1.x, a.e2.x, a.e3.x}, {a.e1.y, a.e2.y, a.e3.y}, {a.e1.z, a.e2.z, a.e3.z}}, t);
+}
+/// Increments of strain [1] in axes `a` from rates with engineering shears; tensorial shears.
+template <class R>
+SolidTensor<R> strain_in_axes(const Frame<R>& a, const SolidTensor<R>& rate, double dt) {
+  SolidTensor<R> strain = R(dt) * rate;
+  strain.xy *= R(0.5);
+  strain.yz *= R(0.5);
+  strain.zx *= R(0.5);
+  return rotated(a, strain);
+}
+
 /// History of a point: plastic strain (0), then the material axes: of a layer, cosine and sine of the angle from the
 /// element's axis to a; of a solid, a and b in global axes.
 template <>
@@ -16,7 +47,7 @@ class Prepared<Orthotropic> {
  public:
   explicit Prepared(const Orthotropic& law);
 
-  static constexpr int first_axis = 1;
+  static constexpr int first_axis = first_axis_field;
   int layer_history() const { return first_axis + 2; }
   int solid_history() const { return first_axis + 6; }
   const MaterialAxes& axes() const { return axes_; }
@@ -45,24 +76,16 @@ class Prepared<Orthotropic> {
 
   template <class R>
   void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
-    const Vec3<R> a = load_vector<R>(history, first_axis), b = load_vector<R>(history, first_axis + 3);
-    const Vec3<R> c = cross(a, b);
-    SolidTensor<R> strain = R(dt) * rate;
-    strain.xy *= R(0.5);
-    strain.yz *= R(0.5);
-    strain.zx *= R(0.5);
-    const SolidTensor<R> e = rotated(Frame<R>{a, b, c}, strain);
+    const Frame<R> axes = load_solid_axes<R>(history);
+    const SolidTensor<R> e = strain_in_axes(axes, rate, dt);
     const auto normal = [&](int i) { return solid_[i][0] * e.xx + solid_[i][1] * e.yy + solid_[i][2] * e.zz; };
     const SolidTensor<R> change{
         normal(0), normal(1), normal(2), 2.0 * shear_ab_ * e.xy, 2.0 * shear_bc_ * e.yz, 2.0 * shear_ca_ * e.zx};
-    s = s + rotated(Frame<R>{{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}}, change);
+    s = s + out_of_axes(axes, change);
   }
   template <class R>
   void rotate(const Frame<R>& q, double* history) const {
-    for (const int axis : {first_axis, first_axis + 3}) {
-      const Vec3<R> v = load_vector<R>(history, axis);
-      store_vector(history, axis, Vec3<R>{dot(q.e1, v), dot(q.e2, v), dot(q.e3, v)});
-    }
+    turn_solid_axes(q, history);
   }
 
  private:

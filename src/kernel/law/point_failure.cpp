@@ -112,8 +112,11 @@ PointFailure::PointFailure(const Composition& law)
       strain_(add(erosion_.has_value() || limits_.major > 0.0, SolidTensor<double>::size)),
       impulse_(add(erosion_ && erosion_->impulse, 1)),
       age_(add(erosion_ && erosion_->time, 1)),
-      active_(failure_strain_ > 0.0 || !failure_strain_over_rate_.empty() || damage_ || size_ > 1),
-      by_plastic_strain_only_(failure_strain_ > 0.0 && failure_strain_over_rate_.empty() && !damage_ && size_ == 1),
+      tears_(std::holds_alternative<Honeycomb>(law.flow) && (std::get<Honeycomb>(law.flow).tensile_failure > 0.0 ||
+                                                             std::get<Honeycomb>(law.flow).shear_failure > 0.0)),
+      active_(tears_ || failure_strain_ > 0.0 || !failure_strain_over_rate_.empty() || damage_ || size_ > 1),
+      by_plastic_strain_only_(!tears_ && failure_strain_ > 0.0 && failure_strain_over_rate_.empty() && !damage_ &&
+                              size_ == 1),
       bounded_(failure_strain_over_rate_.empty() && !damage_ && !cracks_ && !fracture_ &&
                !(erosion_ && (erosion_->impulse || !erosion_->effective_stress_over_rate.empty()))) {}
 
@@ -196,6 +199,7 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
     const auto gone = load_field<R>(history, 0) >= R(1.0) || step.plastic_strain >= R(failure_strain_);
     return store_field(history, 0, select(gone, R(1.0), R(0.0)));
   }
+  if (tears_) store_field(history, 0, select(step.torn > 0.5, R(1.0), load_field<R>(history, 0)));
   const auto carries = load_field<R>(history, 0) < R(1.0);
   const auto grow = [&](int field, const R& by) {
     store_field(history, field, load_field<R>(history, field) + select(carries, by, R(0.0)));

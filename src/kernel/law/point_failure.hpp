@@ -22,6 +22,7 @@ struct PointStep {
   R heating;           ///< temperature rise so far
   double dt = 0.0;
   bool layer = false;
+  R torn{};  ///< 1 where the flow itself says that the point fails
 };
 
 /// Principal values of a symmetric tensor with tensorial shears, ascending.
@@ -100,7 +101,7 @@ class PointFailure {
   Bounds bounds_;
   int size_ = 1;
   int cracked_, fractured_, thinned_, strain_, impulse_, age_;  ///< places in the history; 0: not kept
-  bool active_, by_plastic_strain_only_, bounded_;              ///< bounded_: may_fail() can be asked
+  bool tears_, active_, by_plastic_strain_only_, bounded_;      ///< bounded_: may_fail() can be asked
 };
 
 }  // namespace nugget::kernel

@@ -42,6 +42,9 @@ class Prepared<Compound> {
   void rotate(const Frame<R>& q, double* history) const;
   template <class R>
   R wave_modulus(const double* history) const;
+  /// Stiffness of a point now over that of elastic(), for hourglass control.
+  template <class R>
+  R stiffness_share(const double* history) const;
   /// Heats points with an equation of state by the work of bulk viscosity [energy/present volume].
   template <class R>
   void add_viscous_work(const R& work, double* history) const;

@@ -17,6 +17,7 @@ std::vector<Keyword> section_keywords();               ///< *SECTION_..., *HOURG
 std::vector<Keyword> material_keywords();              ///< *MAT_...
 std::vector<Keyword> orthotropic_material_keywords();  ///< *MAT_ORTHOTROPIC_ELASTIC
 std::vector<Keyword> rubber_material_keywords();       ///< *MAT_... of rubber
+std::vector<Keyword> honeycomb_material_keywords();    ///< *MAT_..._HONEYCOMB
 std::vector<Keyword> foam_material_keywords();         ///< *MAT_... of foam
 std::vector<Keyword> erosion_keywords();               ///< *MAT_ADD_EROSION
 std::vector<Keyword> plastic_material_keywords();      ///< *MAT_... of metals beside 003 and 024

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "kernel/law/orthotropic.hpp"
 #include "kernel/law/point_damage.hpp"
 #include "model/builder.hpp"
 
@@ -39,6 +40,15 @@ std::optional<kernel::PlasticDamage> plastic_damage(Builder& builder, const deck
 
 /// The id of a coordinate system that stands in a field for real numbers, with the offset of its include.
 int system_id(const deck::Block& block, double written);
+
+/// Material axes by AOPT of a row, with a1 to a3, v1 to v3 and d1 to d3 of three, which turn with
+/// *INCLUDE_TRANSFORM; a finding where they are not built.
+/// Those of a coordinate system (AOPT below 0) come later, by take_axes_of_system.
+kernel::MaterialAxes read_axes(Builder& builder, const deck::Block& block, const deck::Row& option, const deck::Row& a,
+                               const deck::Row& v, const deck::Row& d);
+
+/// Where AOPT is below 0, gives the material's law, once that is there, the x and y axes of the system as a and d.
+void take_axes_of_system(Builder& builder, const deck::Block& block, const deck::Row& option, Index material);
 
 /// Adds a material with the id and density of its first card; gives its index.
 Index add_material(Builder& builder, const deck::Row& row, std::string title, std::string_view name, Law law);

@@ -62,53 +62,6 @@ const Card angle_card{{
     real("ref", dimension::number, 0, only(0), "stress from a reference geometry"),
 }};
 
-/// The material axes of the rows; false where they are refused.
-bool take_axes(Builder& b, const Row& shears, const Row& first, const Row& second, kernel::MaterialAxes& axes) {
-  using By = kernel::MaterialAxes::By;
-  const double aopt = shears.real("aopt");
-  const auto vector = [](const Row& row, const char* x, const char* y, const char* z) {
-    return Vec3d{row.real(x), row.real(y), row.real(z)};
-  };
-  axes.angle = second.real("beta") * (std::numbers::pi / 180.0);
-  if (aopt == 2.0) {
-    axes.by = By::vectors;
-    axes.a = vector(first, "a1", "a2", "a3");
-    axes.d = vector(second, "d1", "d2", "d3");
-    if (norm(axes.a) > 0.0) return true;
-    refuse(b, first, "a1", "AOPT 2 needs the vector a", "give A1 to A3; for bricks also D1 to D3");
-    return false;
-  }
-  if (aopt == 3.0) {
-    axes.by = By::cross;
-    axes.a = vector(second, "v1", "v2", "v3");
-    if (norm(axes.a) > 0.0) return true;
-    refuse(b, second, "v1", "AOPT 3 needs the vector v", "give V1 to V3");
-    return false;
-  }
-  if (aopt <= 0.0) return true;  // a coordinate system comes later
-  refuse(b, shears, "aopt", "only 0, 2, 3 and the id of a coordinate system below 0 are built",
-         "use vectors of AOPT 2");
-  return false;
-}
-
-/// AOPT below 0: a and d are the x and y axes of that coordinate system.
-void take_system(Builder& b, const Row& shears, int id, Index material, kernel::Orthotropic law) {
-  const Index found = b.systems.find(id);
-  if (found == none)
-    return refuse(b, shears, "aopt", fmt::format("coordinate system {} is not defined", id),
-                  "define it with *DEFINE_COORDINATE_...");
-  const CoordinateSystem& system = b.model.systems[static_cast<std::size_t>(found)];
-  if (system.turning)
-    return refuse(
-        b, shears, "aopt",
-        fmt::format("coordinate system {} turns with its nodes (FLAG 1); the axes are those of the start", id),
-        "define one with FLAG 0");
-  law.axes.by = kernel::MaterialAxes::By::vectors;
-  law.axes.a = system.axes.e1;
-  law.axes.d = system.axes.e2;
-  b.model.materials[static_cast<std::size_t>(material)].law = kernel::compound({law});
-}
-
 void read_orthotropic(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
@@ -127,7 +80,8 @@ void read_orthotropic(Builder& b, const Block& block, const Options& options) {
   law.shear_ab = shears.real("gab");
   law.shear_bc = shears.real("gbc");
   law.shear_ca = shears.real("gca");
-  take_axes(b, shears, first, second, law.axes);
+  law.axes = read_axes(b, block, shears, first, second, second);
+  law.axes.angle = second.real("beta") * (std::numbers::pi / 180.0);
   if (!(law.definiteness() > 0.0))
     refuse(b, moduli, "prba", "with these moduli and Poisson's ratios the material would give energy",
            "PRBA is the ratio under stress along b: PRBA/EB = PRAB/EA; PRCA and PRCB are those under stress along c");
@@ -135,9 +89,7 @@ void read_orthotropic(Builder& b, const Block& block, const Options& options) {
   law.nu = std::min(std::sqrt(product), 0.45);
   law.E = std::max(law.young_a, law.young_b) / (1.0 - product) * (1.0 - law.nu * law.nu);
   const Index material = add_material(b, moduli, std::move(title), "MAT_ORTHOTROPIC_ELASTIC", kernel::compound({law}));
-  if (const int id = system_id(block, -shears.real("aopt")); id > 0)
-    b.later(Phase::sets,
-            [shears, id, material, law](Builder& builder) { take_system(builder, shears, id, material, law); });
+  take_axes_of_system(b, block, shears, material);
 }
 
 }  // namespace
