@@ -34,8 +34,9 @@ const Card shears_card{{
     real("gab", dimension::stress, required, above_zero(), "shear modulus ab"),
     real("gbc", dimension::stress, required, above_zero(), "shear modulus bc"),
     real("gca", dimension::stress, required, above_zero(), "shear modulus ca"),
-    real("aopt", dimension::number, 0, any_value,
-         "material axes: 0 by nodes, 2 by vectors a and d, 3 by v x normal, -id by a coordinate system"),
+    or_negative(real("aopt", dimension::number, 0, any_value,
+                     "material axes: 0 by nodes, 2 by vectors a and d, 3 by v x normal, -id by a coordinate system"),
+                IdSpace::define),
     real("g", dimension::stress, 0, only(0), "shear modulus of frictional damping"),
     real("sigf", dimension::stress, 0, only(0), "limit of frictional damping"),
 }};
@@ -63,24 +64,22 @@ const Card angle_card{{
 }};
 
 /// The material axes of the rows; false where they are refused.
-bool take_axes(Builder& b, const Row& shears, const Row& first, const Row& second, kernel::MaterialAxes& axes) {
+bool take_axes(Builder& b, const Block& block, const Row& shears, const Row& first, const Row& second,
+               kernel::MaterialAxes& axes) {
   using By = kernel::MaterialAxes::By;
   const double aopt = shears.real("aopt");
-  const auto vector = [](const Row& row, const char* x, const char* y, const char* z) {
-    return Vec3d{row.real(x), row.real(y), row.real(z)};
-  };
   axes.angle = second.real("beta") * (std::numbers::pi / 180.0);
   if (aopt == 2.0) {
     axes.by = By::vectors;
-    axes.a = vector(first, "a1", "a2", "a3");
-    axes.d = vector(second, "d1", "d2", "d3");
+    axes.a = direction(block, first, "a1", "a2", "a3");
+    axes.d = direction(block, second, "d1", "d2", "d3");
     if (norm(axes.a) > 0.0) return true;
     refuse(b, first, "a1", "AOPT 2 needs the vector a", "give A1 to A3; for bricks also D1 to D3");
     return false;
   }
   if (aopt == 3.0) {
     axes.by = By::cross;
-    axes.a = vector(second, "v1", "v2", "v3");
+    axes.a = direction(block, second, "v1", "v2", "v3");
     if (norm(axes.a) > 0.0) return true;
     refuse(b, second, "v1", "AOPT 3 needs the vector v", "give V1 to V3");
     return false;
@@ -127,7 +126,7 @@ void read_orthotropic(Builder& b, const Block& block, const Options& options) {
   law.shear_ab = shears.real("gab");
   law.shear_bc = shears.real("gbc");
   law.shear_ca = shears.real("gca");
-  take_axes(b, shears, first, second, law.axes);
+  take_axes(b, block, shears, first, second, law.axes);
   if (!(law.definiteness() > 0.0))
     refuse(b, moduli, "prba", "with these moduli and Poisson's ratios the material would give energy",
            "PRBA is the ratio under stress along b: PRBA/EB = PRAB/EA; PRCA and PRCB are those under stress along c");
@@ -135,7 +134,7 @@ void read_orthotropic(Builder& b, const Block& block, const Options& options) {
   law.nu = std::min(std::sqrt(product), 0.45);
   law.E = std::max(law.young_a, law.young_b) / (1.0 - product) * (1.0 - law.nu * law.nu);
   const Index material = add_material(b, moduli, std::move(title), "MAT_ORTHOTROPIC_ELASTIC", kernel::compound({law}));
-  if (const int id = system_id(block, -shears.real("aopt")); id > 0)
+  if (const int id = -shears.integer("aopt"); id > 0)
     b.later(Phase::sets,
             [shears, id, material, law](Builder& builder) { take_system(builder, shears, id, material, law); });
 }
