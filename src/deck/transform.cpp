@@ -143,6 +143,8 @@ class TransformationCards {
     }
     if (option == "ROTATE") {
       if (a(4) != 0.0 || a(5) != 0.0 || a(6) != 0.0 || a(7) != 0.0) return rotation(first, second, a(7));
+      // An axis and no angle (decks that take the angle from a parameter): ids of points are above 0.
+      if (!(a(1) > 0.0 && a(2) > 0.0)) return identity;
       const Vec3d from = point_or_node(row, "a1");
       return rotation(point_or_node(row, "a2") - from, from, a(3));
     }

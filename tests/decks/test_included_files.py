@@ -70,8 +70,8 @@ class IncludedFiles(CommandTest):
         self.write(f"*KEYWORD\n*CONTROL_TERMINATION\n{end}\n*DATABASE_GLSTAT\n{end}\n*CONTROL_ENERGY\n2,2,2,2\n{more}"
                    f"*INCLUDE_TRANSFORM\ninner.k\n{offsets}{units}{card(transformation)}{TURNED}*END\n")
 
-    def check(self, expect=0):
-        self.nugget("check", "model.k", expect=expect)
+    def check(self):
+        self.nugget("check", "model.k")
         return [(f["severity"], f["keyword"], f["field"], f["text"]) for f in self.json("findings.json")]
 
     def kinetic(self):
@@ -171,7 +171,8 @@ class IncludedFiles(CommandTest):
                    "*DEFINE_TRANSFORMATION\n1\nTRANSL,500.,0.,0.\n*CONTROL_TIMESTEP\n1e-7,0.9,0,0,0\n*END\n")
         self.assertAlmostEqual(self.kinetic(), 4.5, 6)
         self.deck(file, transformation=1)
-        self.assertIn("a box cannot be turned or scaled with its include", "".join(f[3] for f in self.check(expect=1)))
+        self.assertIn("a box cannot be turned or scaled with its include",
+                      self.nugget("check", "model.k", expect=1).stderr)
 
     # ---- ids
 
@@ -203,7 +204,7 @@ class IncludedFiles(CommandTest):
             with self.subTest(name):
                 for offsets in ("\n\n", OFFSETS):
                     self.deck(file, offsets=offsets)
-                    missing = [f for f in self.check(expect=0) if "not defined" in f[3]]
+                    missing = [f for f in self.check() if "not defined" in f[3]]
                     self.assertEqual(missing, [])
 
     # ---- units
@@ -222,6 +223,22 @@ class IncludedFiles(CommandTest):
     def test_dyna_inc_is_named(self):
         self.deck(NODAL, units=",,,,1\n")
         self.assertTrue(any(f[2] == "incout1" for f in self.check()))
+
+
+class Moves(CommandTest):
+    def deck(self, line):
+        self.write("*KEYWORD\n*CONTROL_TERMINATION\n1e-9\n" + BAR.replace("*MAT_RIGID\n1,7.85e-9,210000.,0.3\n\n\n",
+                   "*MAT_ELASTIC\n1,7.85e-9,210000.,0.3\n") + "*PART\nbar\n1,1,1\n*SET_NODE_GENERAL\n1\nALL\n"
+                   f"*NODE_TRANSFORM\n1,1\n*DEFINE_TRANSFORMATION\n1\n{line}\n*END\n")
+        return self.nugget("check", "model.k").stderr
+
+    def test_a_mirror_of_nodes_is_named(self):
+        self.assertIn("shells have their normals on the other side", self.deck("MIRROR,0,0,0,1,0,0"))
+        self.assertNotIn("mirrors", self.deck("ROTATE,0,0,1,0,0,0,180"))
+
+    def test_an_angle_of_zero_about_an_axis_through_the_origin(self):
+        for axis in ("0,0,1", "1,0,0", "0,1,0", "0,-1,1"):
+            self.assertEqual(self.deck(f"ROTATE,{axis},0,0,0,0"), "")
 
 
 class Systems(CommandTest):
