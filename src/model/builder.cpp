@@ -180,7 +180,8 @@ Index Builder::system(const deck::Row& row, std::string_view field) {
 }
 Index Builder::system_of_directions(const deck::Row& row, std::string_view field) {
   const Index found = system(row, field);
-  if (const auto curved = curved_systems.find(std::abs(row.integer(field))); found != none && curved != curved_systems.end())
+  if (const auto curved = curved_systems.find(std::abs(row.integer(field)));
+      found != none && curved != curved_systems.end())
     refuse(*this, row, field,
            fmt::format("coordinate system {} is {}: directions that differ from node to node are not built",
                        curved->first, curved->second == 1 ? "cylindrical" : "spherical"),
