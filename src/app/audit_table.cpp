@@ -23,8 +23,8 @@ std::string number(double value) {
 
 double mass_of(const model::Model& model) {
   double mass = 0.0;
-  for (model::Index p = 0; p < static_cast<model::Index>(model.parts.size()); ++p)
-    for (const model::NodeMass& m : model::lumped_mass(model, p)) mass += m.mass;
+  for (const auto& of_part : model::lumped_masses(model))
+    for (const model::NodeMass& m : of_part) mass += m.mass;
   return mass;
 }
 

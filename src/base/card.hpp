@@ -75,6 +75,7 @@ struct Field {
   IdSpace id = IdSpace::none;  ///< of which name space the value is an id (a negative value is one too)
   int width = 10;              ///< columns in standard format
   bool zero_is_default = true;
+  IdSpace negative = IdSpace::none;  ///< a negative value is no value but, without its sign, an id of this name space
 };
 
 // Makers, so that a table reads like the manual.
@@ -96,6 +97,12 @@ constexpr Field unused(int width = 10) {
 /// The same field with another number of columns.
 constexpr Field wide(Field f, int width) {
   f.width = width;
+  return f;
+}
+
+/// The same field, of which a negative value stands for an id: moved like one, and free of units.
+constexpr Field or_negative(Field f, IdSpace space) {
+  f.negative = space;
   return f;
 }
 

@@ -229,8 +229,9 @@ void Cursor::fill(Row& row, std::size_t i, std::string_view text) {
     if (needed) complain({with_meaning(field, "must be given, and 0 is not a value here"), "write its value there"});
   } else if (!field.range.holds(value.number)) {
     complain({with_meaning(field, expected(field)), {}});
-  } else if (field.kind == Kind::integer) {
-    cell.value = transformed_id(value.number, field.id);
+  } else if (const bool names = value.number < 0.0 && field.negative != IdSpace::none;
+             names || field.kind == Kind::integer) {
+    cell.value = transformed_id(value.number, names ? field.negative : field.id);
     if (std::abs(cell.value) > largest_integer) {
       complain({with_meaning(field, "the id with the offset of *INCLUDE_TRANSFORM is more than 2147483647"), {}});
       cell.value = 0.0;

@@ -22,9 +22,12 @@ struct Transform {
   std::array<long, 9> id_offset{};                                    ///< by IdSpace
   double mass = 1.0, length = 1.0, time = 1.0;                        ///< unit factors
   std::array<double, 12> matrix{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  ///< rows of [A | b]: x' = A x + b
-  Vec3d point(const Vec3d& x) const;        ///< a position as written: scaled to the new unit, then moved
+  Frame3d turn{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< columns of the rotation R of A = R S, S symmetric
+  Vec3d point(const Vec3d& x) const;              ///< a position as written: scaled to the new unit, then moved
   Vec3d moved(const Vec3d& x) const;        ///< a position already in the new unit (read as a length by a Row): moved
-  Vec3d direction(const Vec3d& d) const;    ///< a direction: turned, not moved
+  Vec3d direction(const Vec3d& d) const;    ///< a direction or a velocity: turned, neither moved nor scaled
+  bool turns() const;                       ///< the matrix changes directions
+  bool scales() const;                      ///< it is more than a turn and a shift
   double factor(const Dimension& d) const;  ///< of a value with this dimension
 };
 

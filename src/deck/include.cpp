@@ -147,6 +147,9 @@ void Reader::include_transform(const Block& block, const Visit& visit) {
   if (units.real("fctchg") != 0.0 && units.real("fctchg") != 1.0) {
     units.complain(findings_, Severity::error, "fctchg", "electric charge is not supported", "leave the field blank");
   }
+  if (!units.blank("incout1") && units.integer("incout1") == 1)
+    units.complain(findings_, Severity::note, "incout1", "the file dyna.inc is not written",
+                   "nugget check shows the model");
   if (cursor.more()) {
     findings_.error(cursor.place(), block.starred(), "more lines than the five cards of this keyword",
                     "give each included file its own *INCLUDE_TRANSFORM");

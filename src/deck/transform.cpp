@@ -68,6 +68,25 @@ Matrix placed(const std::array<Vec3d, 6>& p) {
   return matrix(x, y, z, p[3] - turned(matrix(x, y, z, {}), p[0]));
 }
 
+Frame3d columns_of(const Matrix& m) {
+  return {{m[0], m[4], m[8]}, {m[1], m[5], m[9]}, {m[2], m[6], m[10]}};
+}
+
+/// The rotation of the polar decomposition of a map that keeps the hand of space, by Newton's iteration
+/// X <- (X + X^-T) / 2 (Higham, SIAM J. Sci. Stat. Comput. 7, 1986). A rotation comes back as it is.
+Frame3d rotation_of(const Matrix& m) {
+  Frame3d x = columns_of(m);
+  for (int i = 0; i < 100; ++i) {
+    const Vec3d a = cross(x.e2, x.e3), b = cross(x.e3, x.e1), c = cross(x.e1, x.e2);
+    const double determinant = dot(x.e1, a);
+    const Vec3d da = 0.5 * ((1.0 / determinant) * a - x.e1), db = 0.5 * ((1.0 / determinant) * b - x.e2),
+                dc = 0.5 * ((1.0 / determinant) * c - x.e3);
+    if (norm(da) + norm(db) + norm(dc) < 1e-12) break;
+    x = {x.e1 + da, x.e2 + db, x.e3 + dc};
+  }
+  return x;
+}
+
 bool is_finite(const Matrix& m) {
   for (const double v : m) {
     if (!std::isfinite(v)) return false;
@@ -124,6 +143,8 @@ class TransformationCards {
     }
     if (option == "ROTATE") {
       if (a(4) != 0.0 || a(5) != 0.0 || a(6) != 0.0 || a(7) != 0.0) return rotation(first, second, a(7));
+      // An axis and no angle (decks that take the angle from a parameter): ids of points are above 0.
+      if (!(a(1) > 0.0 && a(2) > 0.0)) return identity;
       const Vec3d from = point_or_node(row, "a1");
       return rotation(point_or_node(row, "a2") - from, from, a(3));
     }
@@ -188,7 +209,14 @@ Vec3d Transform::moved(const Vec3d& x) const {
   return turned(matrix, x) + shift(matrix);
 }
 Vec3d Transform::direction(const Vec3d& d) const {
-  return turned(matrix, d);
+  return turn.global(d);
+}
+bool Transform::turns() const {
+  return norm(turn.e1 - Vec3d{1, 0, 0}) + norm(turn.e2 - Vec3d{0, 1, 0}) + norm(turn.e3 - Vec3d{0, 0, 1}) > 1e-9;
+}
+bool Transform::scales() const {
+  const Frame3d a = columns_of(matrix);
+  return norm(a.e1 - turn.e1) + norm(a.e2 - turn.e2) + norm(a.e3 - turn.e3) > 1e-9;
 }
 
 double Transform::factor(const Dimension& d) const {
@@ -250,6 +278,13 @@ void Reader::resolve_transforms() {
       }
     }
     *p.target = p.outer == nullptr ? p.own : composed(*p.outer, p.own);
+    p.target->turn = rotation_of(p.target->matrix);
+    if (p.id != 0 && p.target->scales())
+      findings_.add(
+          {Severity::warning, p.place, "*INCLUDE_TRANSFORM", "tranid", std::to_string(p.id),
+           "the transformation scales nodes and points of the file; thicknesses, masses, velocities and loads "
+           "stay as they are",
+           "convert units with FCTLEN, FCTMAS and FCTTIM"});
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/builder.hpp"
+#include "model/lumped_mass.hpp"
 
 #include <fmt/format.h>
 
@@ -72,6 +73,11 @@ const std::string* Ids::left_out(int id) const {
 unsigned bits_of_code(int code) {
   static constexpr std::array<unsigned, 8> bits{0b000, 0b001, 0b010, 0b100, 0b011, 0b110, 0b101, 0b111};
   return code < 0 || code > 7 ? 0 : bits[static_cast<std::size_t>(code)];
+}
+
+const std::vector<double>& Builder::nodal_mass() {
+  if (nodal_mass_.empty()) nodal_mass_ = nodal_masses(model);
+  return nodal_mass_;
 }
 
 void Builder::run(Phase phase) {
@@ -172,6 +178,17 @@ Index Builder::system(const deck::Row& row, std::string_view field) {
       "define one with FLAG 0");
   return none;
 }
+Index Builder::system_of_directions(const deck::Row& row, std::string_view field) {
+  const Index found = system(row, field);
+  if (const auto curved = curved_systems.find(std::abs(row.integer(field)));
+      found != none && curved != curved_systems.end())
+    refuse(*this, row, field,
+           fmt::format("coordinate system {} is {}: directions that differ from node to node are not built",
+                       curved->first, curved->second == 1 ? "cylindrical" : "spherical"),
+           "write TYPE 0, and a Cartesian system for each direction");
+  return found;
+}
+
 Index Builder::turning_or_fixed_system(const deck::Row& row, std::string_view field) {
   return find(systems, "coordinate system", row, field);
 }

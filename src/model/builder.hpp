@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "deck/deck.hpp"
@@ -91,7 +92,7 @@ class Builder {
   // Cards as read, until their phase.
   deck::NodeTable node_table;
   deck::ElementTable shell_table, solid_table, beam_table;
-  std::vector<deck::Row> discrete_rows;
+  std::vector<deck::Row> discrete_rows, part_mass_rows;
   std::unordered_map<Index, RigidCard> rigid_cards;            ///< by material
   std::unordered_map<Index, RigidBody::Inertia> part_inertia;  ///< by part; known after Phase::sets
   std::vector<Box> box_list;                                   ///< by index of `boxes`
@@ -132,6 +133,9 @@ class Builder {
   /// A coordinate system with fixed axes; one that turns with its nodes is refused there.
   Index system(const deck::Row& row, std::string_view field);
   Index turning_or_fixed_system(const deck::Row& row, std::string_view field);
+  /// The same as `system` for directions of motions and loads, which LS-DYNA takes along cylindrical or spherical axes
+  /// (TYPE): such a system is refused.
+  Index system_of_directions(const deck::Row& row, std::string_view field);
   const Vec3d* vector(const deck::Row& row, std::string_view field);
   const Vec3d* vector_tail(const deck::Row& row, std::string_view field);
   const Box* box(const deck::Row& row, std::string_view field);
@@ -149,10 +153,17 @@ class Builder {
   /// Remembers what a refused block would have defined, so that its users are not told that it is "not defined".
   void leave_out(const deck::Block& block);
 
+  /// Mass of elements and point masses by node, worked out once. From Phase::bodies on.
+  const std::vector<double>& nodal_mass();
+
+  std::unordered_map<int, int> curved_systems;  ///< TYPE by id: 1 cylindrical, 2 spherical; others are Cartesian
+  std::map<const void*, std::unordered_set<Index>> in_history;  ///< by list of Requests: what is in it
+
   bool skip_unsupported = false;  ///< refused keywords are left out with a warning
 
  private:
   std::array<std::vector<std::function<void(Builder&)>>, 8> work_;
+  std::vector<double> nodal_mass_;
 };
 
 /// The options found behind a keyword's base name, e.g. {"TITLE"} of MAT_SPOTWELD_TITLE.

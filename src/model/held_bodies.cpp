@@ -19,7 +19,7 @@ bool cannot_turn(const RigidBody& body) {
 /// Where a body's centre is, and how far a node may be off it; kept for the body that was asked for last.
 class Center {
  public:
-  explicit Center(const Model& model) : model_(model) {}
+  explicit Center(Builder& builder) : b_(builder) {}
   bool is_at(const RigidBody& body, Index node) {
     if (&body != body_) find(body);
     return norm(place(node) - center_) <= 1e-6 * size_;
@@ -28,13 +28,13 @@ class Center {
  private:
   void find(const RigidBody& body) {
     body_ = &body;
-    center_ = center_of_mass(model_, body);
+    center_ = center_of_mass(b_, body);
     size_ = 0.0;
     for (const Index n : body.nodes) size_ = std::max(size_, norm(place(n) - center_));
   }
-  const Vec3d& place(Index node) const { return model_.nodes.x[static_cast<std::size_t>(node)]; }
+  const Vec3d& place(Index node) const { return b_.model.nodes.x[static_cast<std::size_t>(node)]; }
 
-  const Model& model_;
+  Builder& b_;
   const RigidBody* body_ = nullptr;
   Vec3d center_;
   double size_ = 0.0;
@@ -66,7 +66,7 @@ void tell(Builder& b, const deck::Row& row, std::string_view field, Severity sev
 void hold_translations(Builder& b, const deck::Row& row, std::string_view field, unsigned fixed,
                        const std::vector<Index>& nodes) {
   std::vector<Index> held, left;
-  Center center(b.model);
+  Center center(b);
   for (const Index node : nodes) {
     RigidBody& body = body_of(b, node);
     const bool exact = (fixed & translations) == 0 || cannot_turn(body) || center.is_at(body, node);

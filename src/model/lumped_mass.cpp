@@ -85,25 +85,45 @@ double beam_length(const Model& m, std::size_t e) {
   return norm(position(m, n[1]) - position(m, n[0]));
 }
 
-std::vector<NodeMass> lumped_mass(const Model& m, Index part) {
-  const Part& p = m.parts[static_cast<std::size_t>(part)];
-  if (p.material == none) return {};
-  const double density = m.materials[static_cast<std::size_t>(p.material)].density;
-  std::vector<NodeMass> shares;
-  const SectionShell* shell = p.kind == ElementKind::shell ? section_of(m.shell_sections, p) : nullptr;
-  for (std::size_t e = 0; shell && e < m.shells.size(); ++e)
-    if (m.shells.part[e] == part)
-      share(shares, std::span(m.shells.node[e]).first(m.shells.triangle(e) ? 3 : 4),
-            (density * m.shells.thickness[e] + shell->extra_mass) * shell_area(m, e));
-  for (std::size_t e = 0; p.kind == ElementKind::solid && e < m.solids.size(); ++e)
-    if (m.solids.part[e] == part) share(shares, m.solids.different_nodes(e), density * solid_volume(m, e));
-  const SectionBeam* beam = p.kind == ElementKind::beam ? section_of(m.beam_sections, p) : nullptr;
-  for (std::size_t e = 0; beam && e < m.beams.size(); ++e)
-    if (m.beams.part[e] == part)
-      share(shares, m.beams.node[e],
-            beam->elform == 6 ? density * beam->volume
-                              : (density * beam_area(*beam) + beam->extra_mass) * beam_length(m, e));
-  return joined(std::move(shares));
+std::vector<std::vector<NodeMass>> lumped_masses(const Model& m) {
+  std::vector<std::vector<NodeMass>> shares(m.parts.size());
+  // Calls `add(part, density, shares)` for the elements of parts that have a material and are of that kind.
+  const auto each = [&](const auto& elements, ElementKind kind, const auto& add) {
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      if (elements.part[e] == none) continue;
+      const auto part = static_cast<std::size_t>(elements.part[e]);
+      const Part& p = m.parts[part];
+      if (p.kind != kind || p.material == none) continue;
+      add(e, p, m.materials[static_cast<std::size_t>(p.material)].density, shares[part]);
+    }
+  };
+  each(m.shells, ElementKind::shell, [&](std::size_t e, const Part& p, double density, std::vector<NodeMass>& out) {
+    const SectionShell* shell = section_of(m.shell_sections, p);
+    if (shell == nullptr) return;
+    share(out, std::span(m.shells.node[e]).first(m.shells.triangle(e) ? 3 : 4),
+          (density * m.shells.thickness[e] + shell->extra_mass) * shell_area(m, e));
+  });
+  each(m.solids, ElementKind::solid, [&](std::size_t e, const Part&, double density, std::vector<NodeMass>& out) {
+    share(out, m.solids.different_nodes(e), density * solid_volume(m, e));
+  });
+  each(m.beams, ElementKind::beam, [&](std::size_t e, const Part& p, double density, std::vector<NodeMass>& out) {
+    const SectionBeam* beam = section_of(m.beam_sections, p);
+    if (beam == nullptr) return;
+    share(out, m.beams.node[e],
+          beam->elform == 6 ? density * beam->volume
+                            : (density * beam_area(*beam) + beam->extra_mass) * beam_length(m, e));
+  });
+  for (std::vector<NodeMass>& of_part : shares) of_part = joined(std::move(of_part));
+  return shares;
+}
+
+std::vector<double> nodal_masses(const Model& m) {
+  std::vector<double> mass(m.nodes.size(), 0.0);
+  const auto add = [&](const auto& at) { mass[static_cast<std::size_t>(at.node)] += at.mass; };
+  for (const std::vector<NodeMass>& of_part : lumped_masses(m)) std::for_each(of_part.begin(), of_part.end(), add);
+  std::for_each(m.masses.begin(), m.masses.end(), add);
+  std::for_each(m.inertias.begin(), m.inertias.end(), add);
+  return mass;
 }
 
 }  // namespace nugget::model

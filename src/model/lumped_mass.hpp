@@ -16,9 +16,12 @@ struct NodeMass {
 /// its kernel.
 double mass_at(double mass, std::size_t nodes, std::size_t node);
 
-/// Mass of a part's elements at its nodes, in ascending order of nodes, by `mass_at` (a triangle gives thirds). Shells
-/// rho A t plus MAREA, bricks rho V, beams rho A L plus NSM, discrete beams rho VOL.
-std::vector<NodeMass> lumped_mass(const Model& model, Index part);
+/// By part: mass of its elements at its nodes, in ascending order of nodes, by `mass_at` (a triangle gives thirds).
+/// Shells rho A t plus MAREA, bricks rho V, beams rho A L plus NSM, discrete beams rho VOL. One walk over all elements.
+std::vector<std::vector<NodeMass>> lumped_masses(const Model& model);
+
+/// By node: the mass of elements, *ELEMENT_MASS and *ELEMENT_INERTIA.
+std::vector<double> nodal_masses(const Model& model);
 
 /// Area of a shell, half the cross product of its diagonals [length^2].
 double shell_area(const Model& model, std::size_t shell);

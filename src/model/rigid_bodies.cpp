@@ -267,10 +267,14 @@ class Maker {
     if (owner != none) give(owner, nodes);
   }
 
-  void give(Index owner, const std::vector<Index>& nodes) {
+  /// Decks give thousands of nodes to one body, each on a card of its own: the body's nodes are not sorted anew.
+  void give(Index owner, std::vector<Index> nodes) {
+    make_unique(nodes);
     auto& held = body(owner).nodes;
+    const auto old = static_cast<std::ptrdiff_t>(held.size());
     held.insert(held.end(), nodes.begin(), nodes.end());
-    make_unique(held);
+    std::inplace_merge(held.begin(), held.begin() + old, held.end());
+    held.erase(std::unique(held.begin(), held.end()), held.end());
   }
 
   /// PNODE: a node without elements goes with the body, drawn at its centre of mass.
@@ -283,7 +287,7 @@ class Maker {
                         "name a node without elements, or add it to the body's nodes");
       return;
     }
-    const Vec3d center = center_of_mass(model_, body(owner));
+    const Vec3d center = center_of_mass(b_, body(owner));
     Vec3d& x = model_.nodes.x[static_cast<std::size_t>(node)];
     if (norm(x - center) > 0.0) {
       card.row.complain(b_.findings, Severity::note, "pnode",
@@ -294,13 +298,19 @@ class Maker {
     b_.body_of_node[static_cast<std::size_t>(node)] = owner;
   }
 
-  bool has_element(Index node) const {
-    const auto in = [node](const auto& elements) {
-      return std::any_of(elements.node.begin(), elements.node.end(), [node](const auto& nodes) {
-        return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
-      });
-    };
-    return in(model_.shells) || in(model_.solids) || in(model_.beams);
+  bool has_element(Index node) {
+    if (has_element_.empty()) {
+      has_element_.assign(model_.nodes.size(), 0);
+      const auto mark = [&](const auto& elements) {
+        for (std::size_t e = 0; e < elements.size(); ++e)
+          for (const Index n : elements.nodes(e))
+            if (n != none) has_element_[static_cast<std::size_t>(n)] = 1;
+      };
+      mark(model_.shells);
+      mark(model_.solids);
+      mark(model_.beams);
+    }
+    return has_element_[static_cast<std::size_t>(node)] != 0;
   }
 
   /// Writes down who holds each node.
@@ -480,6 +490,7 @@ class Maker {
   std::vector<RigidBody> seeds_;
   std::vector<Index> lead_;  ///< by seed: the seed that it is merged into, or itself
   Ids seed_ids_;
+  std::vector<char> has_element_;  ///< by node; empty until it is asked for
 };
 
 }  // namespace
@@ -515,19 +526,16 @@ const Frame3d* body_axes(Builder& builder, int id) {
   return nullptr;
 }
 
-Vec3d center_of_mass(const Model& model, const RigidBody& body) {
+Vec3d center_of_mass(Builder& builder, const RigidBody& body) {
   if (body.given) return body.inertia.center;
+  const std::vector<double>& masses = builder.nodal_mass();
   double mass = 0.0;
   Vec3d moment;
-  const auto add = [&](Index node, double m) {
-    if (!std::binary_search(body.nodes.begin(), body.nodes.end(), node)) return;
-    mass += m;
-    moment += m * model.nodes.x[static_cast<std::size_t>(node)];
-  };
-  for (std::size_t p = 0; p < model.parts.size(); ++p)
-    for (const NodeMass& at : lumped_mass(model, static_cast<Index>(p))) add(at.node, at.mass);
-  for (const PointMass& at : model.masses) add(at.node, at.mass);
-  for (const PointInertia& at : model.inertias) add(at.node, at.mass);
+  for (const Index n : body.nodes) {
+    const auto node = static_cast<std::size_t>(n);
+    mass += masses[node];
+    moment += masses[node] * builder.model.nodes.x[node];
+  }
   return mass > 0.0 ? (1.0 / mass) * moment : Vec3d{};
 }
 

@@ -23,8 +23,8 @@ Index find_body(Builder& builder, const deck::Row& row, std::string_view field);
 /// where it names none.
 const Frame3d* body_axes(Builder& builder, int id);
 
-/// Centre of mass: as given, or of the lumped masses at the body's nodes [length].
-Vec3d center_of_mass(const Model& model, const RigidBody& body);
+/// Centre of mass: as given, or of the lumped masses at the body's nodes [length]. From Phase::bodies on.
+Vec3d center_of_mass(Builder& builder, const RigidBody& body);
 
 /// Phase::conditions. Takes the nodes of rigid bodies out of the `nodes` of an SPC. Where the constraint of such a node
 /// is exactly one of its body, the body is held instead: rotations at any node, translations at the centre of mass, or

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <set>
@@ -164,8 +165,16 @@ class Resolver {
   std::vector<Index> in_range(const SetStep& step, SetKind kind) const {
     std::vector<Index> out;
     const int begin = step.ids[0], end = step.ids[1], increment = std::max(step.ids[2], 1);
-    for (std::size_t i = 0; i < count_of(kind); ++i) {
+    const bool ascends = kind != SetKind::part && kind != SetKind::branch;  // as the mesh is sorted
+    std::size_t i = 0;
+    if (ascends)
+      for (std::size_t last = count_of(kind); i < last;) {
+        const std::size_t middle = i + (last - i) / 2;
+        user_id(kind, middle) < begin ? i = middle + 1 : last = middle;
+      }
+    for (; i < count_of(kind); ++i) {
       const int id = user_id(kind, i);
+      if (ascends && id > end) break;
       if (id >= begin && id <= end && (id - begin) % increment == 0) out.push_back(static_cast<Index>(i));
     }
     return out;
@@ -176,8 +185,10 @@ class Resolver {
   void work_out_members(WorkingSet& set) {
     const SetKind kind = set.recipe.kind;
     Tally unknown(b_.findings, Severity::error, set.recipe.keyword);
-    std::vector<char> inside(count_of(kind), 0);
+    std::vector<char>& inside = inside_[static_cast<std::size_t>(kind)];  // all 0 between two sets
+    inside.resize(count_of(kind), 0);
     for (const SetStep& step : set.recipe.steps) apply(step.action, gather(step, kind, unknown), set.members, inside);
+    for (const Index i : set.members) inside[static_cast<std::size_t>(i)] = 0;
     if (kind == SetKind::part) set.own_attributes = attributes_by_part(set.recipe);
   }
 
@@ -416,6 +427,7 @@ class Resolver {
   Builder& b_;
   Model& m_;
   std::vector<std::vector<Index>> shells_of_, solids_of_, beams_of_;
+  std::array<std::vector<char>, 7> inside_;  ///< by kind: the members of the set in work
   std::map<Key, WorkingSet> sets_;
   std::vector<Key> order_;
 };

@@ -27,8 +27,9 @@ const Card volume_card{{
     real("spsf", dimension::number, 0, only(0), "scale of the stagnation pressure"),
 }};
 const Card coefficient_card{{
-    real("cn", dimension::number, 0, any_value,
-         "pressure at the volume of the start over beta; below 0: -CN is a curve of it over time"),
+    or_negative(real("cn", dimension::stress, 0, any_value,
+                     "pressure at the volume of the start over beta; below 0: -CN is a curve of it over time"),
+                IdSpace::function),
     real("beta", dimension::number, 0, any_value, "factor on CN"),
     id("lcid", IdSpace::function, 0, "curve of the pressure over volume by volume at the start, in the place of both"),
     id("lciddr", IdSpace::function, 0, "curve of CN over time in dynamic relaxation"),
@@ -104,14 +105,10 @@ void read_pressure_volume(Builder& builder, const Block& block, const Options& o
     const Heading heading = read_heading(cursor, options.contains("ID"));
     const Row row = cursor.read(volume_card), gas = cursor.read(coefficient_card);
     ControlVolume volume = read_volume(block, row, heading);
-    // A pressure, or the id of a curve below 0: a change of units is for the first.
-    double cn = gas.real("cn");
-    if (block.transform) cn *= cn > 0.0 ? block.transform->factor(dimension::stress) : 1.0;
+    const double cn = gas.real("cn");
     volume.beta = gas.real("beta");
     volume.coefficient = volume.beta * cn;
-    int cn_curve = cn < 0.0 ? static_cast<int>(-cn) : 0;
-    if (cn_curve > 0 && block.transform)
-      cn_curve += static_cast<int>(block.transform->id_offset[static_cast<std::size_t>(IdSpace::function)]);
+    const int cn_curve = cn < 0.0 ? static_cast<int>(-cn) : 0;
     const bool by_curve = gas.integer("lcid") != 0;
     if (by_curve)
       volume.gas = ControlVolume::Gas::curve;

@@ -93,6 +93,7 @@ void read_spc(Builder& builder, const Block& block, const Options& options) {
       spc.death = death_time(times.real("death"));
     }
     spc.fixed = fixed_bits(row);
+    if (row.integer("cid") == 0) warn_of_turned_codes(builder, block, row, set ? "nsid" : "nid", spc.fixed);
     builder.later(Phase::conditions, [row, spc](Builder& b) mutable {
       spc.system = b.system(row, "cid");
       if constexpr (set) spc.set_id = row.integer("nsid");
@@ -144,6 +145,7 @@ void read_planes(Builder& builder, const Block& block, const Options&) {
                    "write 1, 2 or 3");
       continue;
     }
+    warn_of_global_axis(builder, block, row, "dir");
     const double at = component(position(block, row, "x", "y", "z"), normal);
     SinglePointConstraint spc{.fixed = bits_of_code(row.integer("tc")) | bits_of_code(row.integer("rc")) << 3};
     builder.later(Phase::conditions, [row, spc, normal, at](Builder& b) mutable {
@@ -242,7 +244,7 @@ bool turn_into_system(Builder& builder, const Row& row, PrescribedMotion& motion
            "leave VID empty");
     return false;
   }
-  const Index system = builder.system(row, "vid");
+  const Index system = builder.system_of_directions(row, "vid");
   if (system == none) return false;
   motion.direction = builder.model.systems[static_cast<std::size_t>(system)].axes.global(motion.direction);
   return true;
@@ -309,6 +311,9 @@ void read_motion(Builder& builder, const Block& block, const Options& options) {
     motion.death = death_time(row.real("death"));
     // A motion that is refused may have a second card, which would be taken for the next definition.
     if (!take_degree_of_freedom(builder, row, motion)) return;
+    if (!motion.circular && !takes_vector(row.integer("dof")) && row.integer("vid") >= 0 &&
+        target != Target::rigid_body_local)
+      warn_of_global_axis(builder, block, row, "dof");
     if (motion.circular) take_axis(builder, block, cursor.read(motion_axis_card), row.integer("dof"), motion);
     builder.later(Phase::conditions, [row, motion](Builder& b) mutable {
       motion.curve = b.curve(row, "lcid");

@@ -140,25 +140,30 @@ const Card interpolation_card1{{
     integer("idnsw", 1, only(1), "switch of the explicit solution"),
     integer("fgm", 0, any_value, "output of the weights, no effect"),
 }};
-const Card interpolation_card2{{
-    integer("inid", required, at_least(1), "independent node, or set"),
-    integer("idof", 0, any_value, "its degrees of freedom: 123; rotations are not built"),
-    real("twghtx", dimension::number, 1, above_zero(), "weight of its translation"),
-    real("twghty", dimension::number, 0, at_least(0), "along y; 0: as along x, and nothing else"),
-    real("twghtz", dimension::number, 0, at_least(0), "along z; 0: as along x, and nothing else"),
-    real("rwghtx", dimension::number, 0, only(0), "weight of its rotation: not built"),
-    real("rwghty", dimension::number, 0, only(0), "not built"),
-    real("rwghtz", dimension::number, 0, only(0), "not built"),
-}};
+/// The name space of INID depends on ITYP of the first card.
+Card independent_card(IdSpace space) {
+  return {{
+      {"inid", Kind::integer, {}, required, at_least(1), "independent node, or set", space},
+      integer("idof", 0, any_value, "its degrees of freedom: 123; rotations are not built"),
+      real("twghtx", dimension::number, 1, above_zero(), "weight of its translation"),
+      real("twghty", dimension::number, 0, at_least(0), "along y; 0: as along x, and nothing else"),
+      real("twghtz", dimension::number, 0, at_least(0), "along z; 0: as along x, and nothing else"),
+      real("rwghtx", dimension::number, 0, only(0), "weight of its rotation: not built"),
+      real("rwghty", dimension::number, 0, only(0), "not built"),
+      real("rwghtz", dimension::number, 0, only(0), "not built"),
+  }};
+}
+const Card interpolation_node = independent_card(IdSpace::node), interpolation_set = independent_card(IdSpace::set);
 
 // ---- nodal rigid bodies
 // ----------------------------------------------------------------------------------------------------
 
 void read_spc(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
   const Row row = cursor.read(nodal_spc_card);
-  if (row.real("cmo") == 1.0)
+  if (row.real("cmo") == 1.0) {
     body.fixed = bits_of_code(row.integer("con1")) | bits_of_code(row.integer("con2")) << 3;
-  else if (row.real("cmo") != 0.0)
+    warn_of_turned_codes(builder, cursor.block(), row, "con1", body.fixed);
+  } else if (row.real("cmo") != 0.0)
     refuse(builder, row, "cmo", "constraints in local axes are not built", "use 1 with codes in global axes");
   for (const std::string_view field : {"spcnid", "xspc", "yspc", "zspc"})
     refuse_nonzero(builder, row, field, "a body is held at its centre of mass; another point is not built",
@@ -173,7 +178,8 @@ void take_axes(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
     return;
   }
   Frame3d axes;
-  if (!frame_from(triple(row, "xl", "yl", "zl"), triple(row, "xlip", "ylip", "zlip"), axes))
+  const Block& block = cursor.block();
+  if (!frame_from(direction(block, row, "xl", "yl", "zl"), direction(block, row, "xlip", "ylip", "zlip"), axes))
     return refuse(builder, row, "xl", "the two vectors of the local axes are parallel or have no length",
                   "give a local x axis and another vector");
   body.inertia.inertia = to_global(body.inertia.inertia, axes);
@@ -191,7 +197,10 @@ void read_inertia(Builder& builder, const Block& block, Cursor& cursor, BodyCard
   const Row row3 = cursor.read(inertia_card3);
   body.inertia.velocity = direction(block, row3, "vtx", "vty", "vtz");
   body.inertia.spin = direction(block, row3, "vrx", "vry", "vrz");
-  if (row1.integer("ircs") == 1) take_axes(builder, cursor, body);
+  if (row1.integer("ircs") == 1)
+    take_axes(builder, cursor, body);
+  else
+    body.inertia.inertia = to_global(body.inertia.inertia, axes_of_include(block));
 }
 
 void read_nodal_body(Builder& builder, const Block& block, const Options& options) {
@@ -410,7 +419,8 @@ void read_interpolation(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   const Row head = cursor.read(interpolation_card1);
   std::vector<Row> rows;
-  while (!at_end(cursor)) rows.push_back(cursor.read(interpolation_card2));
+  while (!at_end(cursor))
+    rows.push_back(cursor.read(head.integer("ityp") == 1 ? interpolation_set : interpolation_node));
   builder.later(Phase::conditions, [head, rows](Builder& later) { make_interpolation(later, head, rows); });
 }
 
@@ -450,7 +460,7 @@ std::vector<Keyword> constrained_keywords() {
        {},
        Verdict::used,
        {},
-       {{{}, &interpolation_card1}, {"for each independent node or set", &interpolation_card2}},
+       {{{}, &interpolation_card1}, {"for each independent node or set", &interpolation_node}},
        read_interpolation},
       {"CONSTRAINED_SPOTWELD",
        {},

@@ -56,7 +56,7 @@ const Card sides_of_parts = sides_card(IdSpace::part, IdSpace::part);
 const Card friction_card{{
     real("fs", dimension::number, 0, any_value, "static friction; -1: of *PART_CONTACT; ties have none"),
     real("fd", dimension::number, 0, any_value, "dynamic friction"),
-    real("dc", dimension::number, 0, any_value, "decay from the static to the dynamic coefficient"),
+    real("dc", {0, -1, 1}, 0, any_value, "decay from the static to the dynamic coefficient"),
     real("vc", dimension::stress, 0, any_value, "viscous friction"),
     real("vdc", dimension::number, 0, at_least(0), "damping, percent of critical"),
     integer("penchk", 0, any_value, "check of small penetrations; none in automatic contacts"),

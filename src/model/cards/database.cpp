@@ -245,10 +245,8 @@ constexpr History solid_history{"solid", &Builder::solids, &Builder::solid_sets,
                                 &Requests::history_solids};
 constexpr History beam_history{"beam", &Builder::beams, &Builder::beam_sets, &Sets::beams, &Requests::history_beams};
 
-void add_history(std::vector<NamedEntity>& list, Index index, const std::string& heading) {
-  const auto same = [&](const NamedEntity& e) { return e.index == index && e.system == none; };
-  const bool known = std::any_of(list.begin(), list.end(), same);
-  if (!known) list.push_back({index, heading});
+void add_history(Builder& builder, std::vector<NamedEntity>& list, Index index, const std::string& heading) {
+  if (builder.in_history[&list].insert(index).second) list.push_back({index, heading});
 }
 
 void resolve_history(Builder& builder, const History& history, const Row& row, std::string_view field, bool set,
@@ -262,9 +260,9 @@ void resolve_history(Builder& builder, const History& history, const Row& row, s
                  std::string(history.what) + (set ? " set" : "") + " is not in the model; it has no time history");
   } else if (set) {
     for (const Index member : (builder.model.sets.*history.sets)[static_cast<std::size_t>(index)].members)
-      add_history(list, member, heading);
+      add_history(builder, list, member, heading);
   } else {
-    add_history(list, index, heading);
+    add_history(builder, list, index, heading);
   }
 }
 
@@ -321,7 +319,7 @@ void read_local_history(Builder& builder, const Block& block, const Options& opt
       const Index node = b.nodes.find(row.integer("id"));
       if (node == none)
         return row.complain(b.findings, Severity::warning, "id", "node is not in the model; it has no time history");
-      if (row.integer("cid") == 0) return add_history(list, node, heading);
+      if (row.integer("cid") == 0) return add_history(b, list, node, heading);
       const bool turning = row.integer("ref") != 0, relative = row.integer("ref") == 2;
       const Index system = b.turning_or_fixed_system(row, "cid");
       if (system == none) return;

@@ -32,7 +32,9 @@ const Card first_card{{
 const Card second_card{{
     real("mnpres", dimension::stress, 0, any_value, "least pressure"),
     real("sigp1", dimension::stress, 0, any_value, "greatest principal stress"),
-    real("sigvm", dimension::stress, 0, any_value, "greatest effective stress; below 0: curve over the strain rate"),
+    or_negative(real("sigvm", dimension::stress, 0, any_value,
+                     "greatest effective stress; below 0: curve over the strain rate"),
+                IdSpace::function),
     real("mxeps", dimension::number, 0, any_value, "greatest principal strain"),
     real("epssh", dimension::number, 0, any_value, "greatest tensorial shear strain"),
     real("sigth", dimension::stress, 0, any_value, "threshold of the principal stress for IMPULSE"),
@@ -223,11 +225,7 @@ void read_erosion(Builder& b, const Block& block, const Options& options) {
   cards.fourth = cursor.read(fourth_card);
   cursor.read(fifth_card);
   expect_end(b, cursor);
-  if (const double sigvm = cards.second.real("sigvm"); sigvm < 0.0) {
-    cards.stress_curve = static_cast<int>(-sigvm);
-    if (block.transform)
-      cards.stress_curve += static_cast<int>(block.transform->id_offset[static_cast<std::size_t>(IdSpace::function)]);
-  }
+  if (const double sigvm = cards.second.real("sigvm"); sigvm < 0.0) cards.stress_curve = static_cast<int>(-sigvm);
   // After the laws have their curves.
   b.later(Phase::systems, [cards](Builder& later) { add_erosion(later, cards); });
 }

@@ -27,7 +27,8 @@ const Card plane_point_card{{
     real("xp", dimension::length, 0, any_value, "point in the local xy plane, x"),
     real("yp", dimension::length, 0, any_value, "y"),
     real("zp", dimension::length, 0, any_value, "z"),
-    integer("type", 0, any_value, "no effect"),
+    integer("type", 0, between(0, 2),
+            "0 Cartesian; 1 cylindrical, 2 spherical: refused for motions and nodal loads, no effect elsewhere"),
 }};
 
 const Card vectors_card{{
@@ -48,7 +49,8 @@ const Card nodes_card{{
     id("n3", IdSpace::node, required, "node in the plane of DIR and the next axis"),
     integer("flag", 0, between(0, 1), "1: the axes turn with the nodes; 0: fixed as they stand at time 0"),
     text("dir", 10, "axis through n2: X (default), Y or Z"),
-    integer("type", 0, any_value, "no effect"),
+    integer("type", 0, between(0, 2),
+            "0 Cartesian; 1 cylindrical, 2 spherical: refused for motions and nodal loads, no effect elsewhere"),
 }};
 
 const Card vector_card{{
@@ -79,8 +81,9 @@ void add_system(Builder& b, const Row& row, const CoordinateSystem& system) {
 }
 
 void add_system(Builder& b, const Row& row, const Vec3d& origin, const Vec3d& x, const Vec3d& in_plane,
-                std::string_view field) {
+                std::string_view field, int type = 0) {
   CoordinateSystem s{row.integer("cid"), origin, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  if (type != 0) b.curved_systems[s.id] = type;
   if (!frame_from(x, in_plane, s.axes))
     refuse(b, row, field, "the axis and the vector in the plane must differ in direction and from zero",
            "choose three points that do not lie on a line");
@@ -95,7 +98,7 @@ void read_points(Builder& b, const Block& block, const Options& options) {
     refuse_nonzero(b, row, "cidl", "points in another coordinate system are not supported", "give them in global axes");
     const Vec3d origin = position(block, row, "xo", "yo", "zo");
     add_system(b, row, origin, position(block, row, "xl", "yl", "zl") - origin,
-               position(block, plane, "xp", "yp", "zp") - origin, "xl");
+               position(block, plane, "xp", "yp", "zp") - origin, "xl", plane.integer("type"));
   }
 }
 
@@ -125,6 +128,7 @@ void add_system_of_nodes(Builder& b, const Row& row) {
     refuse(b, row, "n1", "the three nodes lie on a line, so they do not tell the axes", "choose three that do not");
   s.nodes = nodes;
   s.turning = row.integer("flag") == 1;
+  if (const int type = row.integer("type"); type != 0) b.curved_systems[s.id] = type;
   add_system(b, row, s);
 }
 
@@ -163,14 +167,14 @@ void read_box(Builder& b, const Block& block, const Options& options) {
     read_title(cursor, options);
     const Row row = cursor.read(box_card);
     const auto* t = block.transform;
-    if (t && t->matrix != deck::Transform{}.matrix)
-      refuse(b, row, "boxid", "a box cannot be turned or moved with its include", "define it in the main deck");
+    if (t && (t->turns() || t->scales()))
+      refuse(b, row, "boxid", "a box cannot be turned or scaled with its include", "define it in the main deck");
     for (const auto& [low, high] : {std::pair{"xmn", "xmx"}, {"ymn", "ymx"}, {"zmn", "zmx"}})
       if (row.real(low) > row.real(high))
         refuse(b, row, low, "the smallest value is larger than the largest", "swap them");
     b.boxes.add(row.integer("boxid"), static_cast<Index>(b.box_list.size()), row.place(), block.starred(), "box",
                 b.findings);
-    b.box_list.push_back({triple(row, "xmn", "ymn", "zmn"), triple(row, "xmx", "ymx", "zmx")});
+    b.box_list.push_back({position(block, row, "xmn", "ymn", "zmn"), position(block, row, "xmx", "ymx", "zmx")});
   }
 }
 

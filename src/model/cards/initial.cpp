@@ -21,8 +21,13 @@ const Card velocity_card1{{
     id("nsid", IdSpace::set, 0, "node set; 0: all nodes"),
     id("nsidex", IdSpace::set, 0, "node set whose nodes get the velocities of the third card"),
     id("boxid", IdSpace::define, 0, "box: only nodes inside"),
-    integer("irigid", 0, at_least(-2),
-            "part set of bodies with given inertia that get this velocity too; -1, -2: all of them"),
+    {"irigid",
+     Kind::integer,
+     {},
+     0,
+     at_least(-2),
+     "part set of bodies with given inertia that get this velocity too; -1, -2: all of them",
+     IdSpace::set},
     id("icid", IdSpace::define, 0, "coordinate system of the velocities; 0: global axes"),
 }};
 const Card velocity_card2{{
@@ -66,16 +71,24 @@ Card generation_card(IdSpace space) {
 // Which offset of *INCLUDE_TRANSFORM holds for the id depends on what it is the id of.
 const Card generation_of_set = generation_card(IdSpace::set);
 const Card generation_of_part = generation_card(IdSpace::part);
-const Card generation_card2{{
-    real("xc", dimension::length, 0, any_value, "point on the axis of rotation, x"),
-    real("yc", dimension::length, 0, any_value, "y"),
-    real("zc", dimension::length, 0, any_value, "z"),
-    real("nx", dimension::number, 0, any_value, "direction of the axis, x; -999: ny and nz are two nodes on the axis"),
-    real("ny", dimension::number, 0, any_value, "y"),
-    real("nz", dimension::number, 0, any_value, "z"),
-    integer("phase", 0, between(0, 1), "0, 1: at the start of the run, after dynamic relaxation where there is one"),
-    integer("irigid", 0, between(0, 1), "1: bodies with given inertia get this velocity too"),
-}};
+/// `y`, `z`: NY and NZ, components of the axis or, with NX -999, nodes on it.
+Card axis_card(Field y, Field z) {
+  return {{
+      real("xc", dimension::length, 0, any_value, "point on the axis of rotation, x"),
+      real("yc", dimension::length, 0, any_value, "y"),
+      real("zc", dimension::length, 0, any_value, "z"),
+      real("nx", dimension::number, 0, any_value,
+           "direction of the axis, x; -999: ny and nz are two nodes on the axis"),
+      y,
+      z,
+      integer("phase", 0, between(0, 1), "0, 1: at the start of the run, after dynamic relaxation where there is one"),
+      integer("irigid", 0, between(0, 1), "1: bodies with given inertia get this velocity too"),
+  }};
+}
+const Card generation_card2 =
+    axis_card(real("ny", dimension::number, 0, any_value, "y"), real("nz", dimension::number, 0, any_value, "z"));
+const Card generation_by_nodes =
+    axis_card(id("ny", IdSpace::node, required, "first node"), id("nz", IdSpace::node, required, "second node"));
 
 /// A rigid field of motion: v = velocity + spin x (x - center) when `turns`, else the same velocity everywhere.
 struct Motion {
@@ -239,7 +252,7 @@ void start_body(Builder& builder, const Row& row, const Motion& motion) {
   RigidBody& body = builder.model.rigid_bodies[static_cast<std::size_t>(index)];
   body.inertia.velocity = in_global(builder, row, motion.velocity);
   body.inertia.spin = in_global(builder, row, motion.spin);
-  const Vec3d center = norm(body.inertia.spin) > 0.0 ? center_of_mass(builder.model, body) : Vec3d{};
+  const Vec3d center = norm(body.inertia.spin) > 0.0 ? center_of_mass(builder, body) : Vec3d{};
   set_motion(builder.model, body, center, body.inertia.velocity, body.inertia.spin);
 }
 
@@ -321,7 +334,7 @@ void read_generation(Builder& builder, const Block& block, const Options&) {
   warn_of_mixture(builder, block);
   while (!at_end(cursor)) {
     const Row row1 = cursor.read(cursor.peek_number(1) == 2.0 ? generation_of_part : generation_of_set);
-    const Row row2 = cursor.read(generation_card2);
+    const Row row2 = cursor.read(cursor.peek_number(3) == -999.0 ? generation_by_nodes : generation_card2);
     builder.later(Phase::conditions, [&block, row1, row2](Builder& b) { generate(b, block, row1, row2); });
   }
 }

@@ -19,7 +19,7 @@ using deck::Row;
 constexpr Dimension force_per_length{1, 0, -2};
 
 const Card stiffness_card{{
-    integer("jsid", required, any_value, "id of the stiffness"),
+    id("jsid", IdSpace::other, required, "id of the stiffness"),
     id("pida", IdSpace::part, required, "rigid body A: a part or a nodal rigid body"),
     id("pidb", IdSpace::part, required, "rigid body B"),
     id("cida", IdSpace::define, required, "coordinate system of body A"),

@@ -49,7 +49,7 @@ void resolve_follower(Builder& builder, const Row& row, NodalLoad& load) {
 void resolve_fixed_direction(Builder& builder, const Row& row, NodalLoad& load) {
   const int axis = (row.integer("dof") - 1) % 4;
   load.direction = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
-  if (const Index system = builder.system(row, "cid"); system != none)
+  if (const Index system = builder.system_of_directions(row, "cid"); system != none)
     load.direction = builder.model.systems[static_cast<std::size_t>(system)].axes.global(load.direction);
 }
 
@@ -71,6 +71,7 @@ void read_force(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     const Row row = cursor.read(on == On::node ? force_node_card : on == On::set ? force_set_card : force_body_card);
+    if (row.integer("dof") % 4 != 0 && row.integer("cid") == 0) warn_of_global_axis(builder, block, row, "dof");
     builder.later(Phase::conditions, [row](Builder& b) {
       NodalLoad load;
       const int dof = row.integer("dof");

@@ -162,6 +162,8 @@ RigidCard rigid_hold(Builder& b, const Block& block, const Row& row) {
   hold.con2 = static_cast<int>(row.real("con2"));
   hold.row = row;
   if (hold.cmo == 1)
+    warn_of_turned_codes(b, block, row, "con1", bits_of_code(hold.con1) | bits_of_code(hold.con2) << 3);
+  if (hold.cmo == 1)
     for (const auto* code : {"con1", "con2"})
       if (row.real(code) > 7.0) refuse(b, row, code, "expected a code from 0 to 7");
   return hold;
@@ -170,16 +172,13 @@ RigidCard rigid_hold(Builder& b, const Block& block, const Row& row) {
 /// The third card: LCO, the coordinate system of local motions and output, or two vectors a and v that give the axes of
 /// output a, c = a x v and b = c x a.
 void take_local_axes(Builder& b, const Block& block, const Row& row, RigidCard& hold) {
-  const auto vector = [&](const char* x, const char* y, const char* z) {
-    return Vec3d{row.real(x), row.real(y), row.real(z)};
-  };
-  const Vec3d v = vector("v1", "v2", "v3");
+  const Vec3d v = direction(block, row, "v1", "v2", "v3");
   if (row.real("a2") == 0.0 && row.real("a3") == 0.0 && norm(v) == 0.0) {
     hold.lco = system_id(block, row.real("lco_or_a1"));
     return;
   }
   Frame3d axes;
-  if (!frame_from(vector("lco_or_a1", "a2", "a3"), v, axes))
+  if (!frame_from(direction(block, row, "lco_or_a1", "a2", "a3"), v, axes))
     return refuse(b, row, "v1", "the two vectors are parallel, or one is missing",
                   "give two vectors that span a plane");
   hold.output_axes = axes;

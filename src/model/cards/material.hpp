@@ -48,7 +48,7 @@ kernel::MaterialAxes read_axes(Builder& builder, const deck::Block& block, const
                                const deck::Row& v, const deck::Row& d);
 
 /// Where AOPT is below 0, gives the material's law, once that is there, the x and y axes of the system as a and d.
-void take_axes_of_system(Builder& builder, const deck::Block& block, const deck::Row& option, Index material);
+void take_axes_of_system(Builder& builder, const deck::Row& option, Index material);
 
 /// Adds a material with the id and density of its first card; gives its index.
 Index add_material(Builder& builder, const deck::Row& row, std::string title, std::string_view name, Law law);

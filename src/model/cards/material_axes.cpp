@@ -33,8 +33,8 @@ kernel::MaterialAxes read_axes(Builder& b, const Block& block, const Row& option
   return axes;
 }
 
-void take_axes_of_system(Builder& b, const Block& block, const Row& option, Index material) {
-  const int id = system_id(block, -option.real("aopt"));
+void take_axes_of_system(Builder& b, const Row& option, Index material) {
+  const int id = -option.integer("aopt");
   if (id <= 0) return;
   b.later(Phase::sets, [=](Builder& later) {
     const Index found = later.systems.find(id);

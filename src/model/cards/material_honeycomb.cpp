@@ -239,7 +239,7 @@ void add_honeycomb(Builder& b, const Block& block, HoneycombCards cards, std::st
                                       kernel::Elastic{cards.dense.real("e"), cards.dense.real("pr")});
   if (!(vf > 0.0 && vf < 1.0)) return;
   b.later(Phase::parts, [=](Builder& later) { set_honeycomb(later, material, cards); });
-  take_axes_of_system(b, block, cards.core, material);
+  take_axes_of_system(b, cards.core, material);
 }
 
 void read_honeycomb(Builder& b, const Block& block, const Options& options) {

@@ -34,8 +34,9 @@ const Card shears_card{{
     real("gab", dimension::stress, required, above_zero(), "shear modulus ab"),
     real("gbc", dimension::stress, required, above_zero(), "shear modulus bc"),
     real("gca", dimension::stress, required, above_zero(), "shear modulus ca"),
-    real("aopt", dimension::number, 0, any_value,
-         "material axes: 0 by nodes, 2 by vectors a and d, 3 by v x normal, -id by a coordinate system"),
+    or_negative(real("aopt", dimension::number, 0, any_value,
+                     "material axes: 0 by nodes, 2 by vectors a and d, 3 by v x normal, -id by a coordinate system"),
+                IdSpace::define),
     real("g", dimension::stress, 0, only(0), "shear modulus of frictional damping"),
     real("sigf", dimension::stress, 0, only(0), "limit of frictional damping"),
 }};
@@ -89,7 +90,7 @@ void read_orthotropic(Builder& b, const Block& block, const Options& options) {
   law.nu = std::min(std::sqrt(product), 0.45);
   law.E = std::max(law.young_a, law.young_b) / (1.0 - product) * (1.0 - law.nu * law.nu);
   const Index material = add_material(b, moduli, std::move(title), "MAT_ORTHOTROPIC_ELASTIC", kernel::compound({law}));
-  take_axes_of_system(b, block, shears, material);
+  take_axes_of_system(b, shears, material);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "model/axes.hpp"
 #include "model/cards/families.hpp"
+#include "model/cards/reading.hpp"
 #include "model/lumped_mass.hpp"
 
 // *NODE, *ELEMENT_... Nodes and elements are only collected here; make_mesh() works them out.
@@ -119,20 +120,38 @@ const Card inertia_card{{
     real("mass", dimension::mass, 0, at_least(0), "mass"),
 }};
 
-const Card accelerometer_card{{
-    id("sbacid", IdSpace::element, 0, "number"),
-    id("nid1", IdSpace::node, required, "node of a rigid body whose motion nodout gives in local axes"),
-    id("nid2", IdSpace::node, required, "node 2: local x from node 1 to node 2"),
-    id("nid3", IdSpace::node, required, "node 3: local z normal to x and to the direction to node 3"),
-    integer("igrav", 0, at_least(-6),
-            "accelerations of body loads are 0 contained, 1 left out, -1 x, -2 y, -3 z, -4 xy, -5 yz, -6 zx left out; "
-            "above 1: a curve of this flag over time"),
-    integer("intopt", 0, between(0, 1), "0: velocities turned into the local axes; 1: local accelerations summed up"),
-    real("mass", dimension::mass, 0, at_least(0), "mass added, a third to each of the nodes"),
-}};
+/// `igrav`: a flag or, above 1, a curve.
+Card accelerometer_card_of(IdSpace igrav) {
+  return {{
+      id("sbacid", IdSpace::element, 0, "number"),
+      id("nid1", IdSpace::node, required, "node of a rigid body whose motion nodout gives in local axes"),
+      id("nid2", IdSpace::node, required, "node 2: local x from node 1 to node 2"),
+      id("nid3", IdSpace::node, required, "node 3: local z normal to x and to the direction to node 3"),
+      {"igrav",
+       Kind::integer,
+       {},
+       0,
+       at_least(-6),
+       "accelerations of body loads are 0 contained, 1 left out, -1 x, -2 y, -3 z, -4 xy, -5 yz, -6 zx left out; "
+       "above 1: a curve of this flag over time",
+       igrav},
+      integer("intopt", 0, between(0, 1), "0: velocities turned into the local axes; 1: local accelerations summed up"),
+      real("mass", dimension::mass, 0, at_least(0), "mass added, a third to each of the nodes"),
+  }};
+}
+const Card accelerometer_card = accelerometer_card_of(IdSpace::none),
+           accelerometer_by_curve = accelerometer_card_of(IdSpace::function);
 
 void read_node(Builder& b, const Block& block, const Options&) {
+  const std::size_t before = b.node_table.id.size();
   deck::read_nodes(b.deck, block, b.node_table, b.findings);
+  if (!block.transform || !block.transform->turns()) return;
+  for (std::size_t n = before; n < b.node_table.id.size(); ++n) {
+    const unsigned held = bits_of_code(b.node_table.tc[n]) | bits_of_code(b.node_table.rc[n]) << 3;
+    if (!depends_on_axes(held)) continue;
+    return b.findings.warning({block.place.file, b.node_table.line[n], 0}, block.starred(),
+                              std::string(global_codes_text), std::string(global_codes_remedy));
+  }
 }
 void read_shell(Builder& b, const Block& block, const Options&) {
   deck::read_shells(b.deck, block, b.shell_table, b.findings);
@@ -160,7 +179,7 @@ void read_mass(Builder& b, const Block& block, const Options&) {
 }
 
 void read_set_mass(Builder& b, const Block& block, const Options&) {
-  b.later(Phase::bodies, [rows = read_rows(b, block, set_mass_card)](Builder& later) {
+  b.later(Phase::sets, [rows = read_rows(b, block, set_mass_card)](Builder& later) {
     for (const Row& row : rows)
       if (const auto* set = later.node_set(row, "nsid"))
         for (const Index n : set->members)
@@ -170,10 +189,11 @@ void read_set_mass(Builder& b, const Block& block, const Options&) {
 }
 
 /// Spreads the added mass over the part's nodes in proportion to the mass they have of it.
-void add_part_mass(Builder& b, const Row& row) {
+void add_part_mass(Builder& b, const Row& row, const std::vector<std::vector<NodeMass>>& by_part) {
+  refuse_nonzero(b, row, "lcid", "mass over time is not supported", "leave it blank: the mass is there from the start");
   const Index p = b.part(row, "pid");
   if (p == none) return;
-  const auto shares = lumped_mass(b.model, p);
+  const auto& shares = by_part[static_cast<std::size_t>(p)];
   double total = 0.0;
   for (const auto& share : shares) total += share.mass;
   const double wanted = row.real("finmass");
@@ -185,13 +205,12 @@ void add_part_mass(Builder& b, const Row& row) {
 }
 
 void read_part_mass(Builder& b, const Block& block, const Options&) {
-  b.later(Phase::parts, [rows = read_rows(b, block, part_mass_card)](Builder& later) {
-    for (const Row& row : rows) {
-      refuse_nonzero(later, row, "lcid", "mass over time is not supported",
-                     "leave it blank: the mass is there from the start");
-      add_part_mass(later, row);
-    }
-  });
+  if (b.part_mass_rows.empty())
+    b.later(Phase::parts, [](Builder& later) {
+      const auto by_part = lumped_masses(later.model);
+      for (const Row& row : later.part_mass_rows) add_part_mass(later, row, by_part);
+    });
+  for (const Row& row : read_rows(b, block, part_mass_card)) b.part_mass_rows.push_back(row);
 }
 
 /// The nodes of bodies take the whole tensor, others in explicit runs only its mean.
@@ -208,7 +227,7 @@ void tell_of_mean(Builder& b, const Row& head, const std::array<double, 6>& tens
                   "make the node a *CONSTRAINED_NODAL_RIGID_BODY, which takes the tensor whole");
 }
 
-void add_inertia(Builder& b, const Row& head, const Row& row) {
+void add_inertia(Builder& b, const Row& head, const Row& row, const Frame3d& of_include) {
   const Index n = b.node(head, "nid");
   if (n == none) return;
   PointInertia point{head.integer("eid"), n, row.real("mass"), {}};
@@ -216,6 +235,8 @@ void add_inertia(Builder& b, const Row& head, const Row& row) {
                    row.real("iyy"), row.real("iyz"), row.real("izz")};
   if (const Index s = b.system(head, "csid"); s != none)
     point.inertia = to_global(point.inertia, b.model.systems[static_cast<std::size_t>(s)].axes);
+  else if (head.integer("csid") == 0)
+    point.inertia = to_global(point.inertia, of_include);
   b.model.inertias.push_back(point);
   b.later(Phase::checks, [head, n, tensor = point.inertia](Builder& later) {
     if (later.body_of_node[static_cast<std::size_t>(n)] == none) tell_of_mean(later, head, tensor);
@@ -226,7 +247,8 @@ void read_inertia(Builder& b, const Block& block, const Options&) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     const Row head = cursor.read(inertia_head_card);
     const Row row = cursor.read(inertia_card);
-    b.later(Phase::bodies, [head, row](Builder& later) { add_inertia(later, head, row); });
+    b.later(Phase::sets,
+            [head, row, axes = axes_of_include(block)](Builder& later) { add_inertia(later, head, row, axes); });
   }
 }
 
@@ -252,8 +274,10 @@ void add_accelerometer(Builder& b, const Row& row) {
 }
 
 void read_accelerometer(Builder& b, const Block& block, const Options&) {
-  for (const Row& row : read_rows(b, block, accelerometer_card))
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    const Row row = cursor.read(cursor.peek_number(4) > 1.0 ? accelerometer_by_curve : accelerometer_card);
     b.later(Phase::mesh, [row](Builder& later) { add_accelerometer(later, row); });
+  }
 }
 
 }  // namespace

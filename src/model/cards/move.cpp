@@ -49,6 +49,12 @@ void move_nodes(Builder& b, const Row& row, std::string_view field, const std::v
   }
 }
 
+bool mirrors(const deck::Transform& transform) {
+  const Vec3d origin = transform.moved({});
+  const auto image = [&](const Vec3d& e) { return transform.moved(e) - origin; };
+  return dot(cross(image({1, 0, 0}), image({0, 1, 0})), image({0, 0, 1})) < 0.0;
+}
+
 void read_node_transform(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
@@ -58,8 +64,14 @@ void read_node_transform(Builder& builder, const Block& block, const Options&) {
       const deck::Transform* transform = b.deck.transformation(row.integer("trsid"));
       if (transform == nullptr)
         refuse(b, row, "trsid", "no *DEFINE_TRANSFORMATION has this id", "define it");
-      else if (nodes != nullptr)
+      else if (nodes != nullptr) {
+        if (mirrors(*transform))
+          row.complain(b.findings, Severity::warning, "trsid",
+                       "mirrors the nodes; elements keep their numbering: shells have their normals on the other side, "
+                       "and bricks are inside out",
+                       "renumber the elements of mirrored parts in the pre-processor");
         move_nodes(b, row, "nsid", nodes->members, [&](const Vec3d& x) { return transform->moved(x); });
+      }
     });
   }
 }

@@ -78,13 +78,12 @@ const Card contact_card{{
 const Card print_card{{integer("prbf", 0, any_value, "which listings show the part: not obeyed, all do")}};
 
 /// The local axes of _INERTIA with IRCS = 1.
-bool inertia_axes(Builder& b, const Row& row, Frame3d& frame) {
+bool inertia_axes(Builder& b, const Row& row, const Vec3d& x, const Vec3d& in_plane, Frame3d& frame) {
   if (const Index s = b.system(row, "cid"); s != none) {
     frame = b.model.systems[static_cast<std::size_t>(s)].axes;
     return true;
   }
-  const bool found = frame_from({row.real("xl"), row.real("yl"), row.real("zl")},
-                                {row.real("xlip"), row.real("ylip"), row.real("zlip")}, frame);
+  const bool found = frame_from(x, in_plane, frame);
   if (!found) refuse(b, row, "xl", "the two vectors must differ in direction and from zero");
   return found;
 }
@@ -97,10 +96,12 @@ void read_inertia(Builder& b, Cursor& cursor, Index part) {
   const bool is_local = centre.integer("ircs") == 1;
   const Row axes = is_local ? cursor.read(axes_card) : centre;
   const Block& block = cursor.block();
-  Frame3d own{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // the include's axes, where it is turned
-  if (block.transform)
-    own = {unit(block.transform->direction(own.e1)), unit(block.transform->direction(own.e2)),
-           unit(block.transform->direction(own.e3))};
+  const Frame3d own = axes_of_include(block);
+  Vec3d x, in_plane;
+  if (is_local) {
+    x = direction(block, axes, "xl", "yl", "zl");
+    in_plane = direction(block, axes, "xlip", "ylip", "zlip");
+  }
   const Vec3d place = position(block, centre, "xc", "yc", "zc"),
               translation = direction(block, velocity, "vtx", "vty", "vtz"),
               rotation = direction(block, velocity, "vrx", "vry", "vrz");
@@ -116,7 +117,7 @@ void read_inertia(Builder& b, Cursor& cursor, Index part) {
     Frame3d frame;
     if (!is_local)
       given.inertia = to_global(given.inertia, own);
-    else if (inertia_axes(later, axes, frame))
+    else if (inertia_axes(later, axes, x, in_plane, frame))
       given.inertia = to_global(given.inertia, frame);
     given.velocity = translation;
     given.spin = rotation;

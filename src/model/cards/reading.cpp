@@ -32,10 +32,31 @@ Vec3d position(const deck::Block& block, const deck::Row& row, std::string_view 
                std::string_view z) {
   const Vec3d p = triple(row, x, y, z);
   if (!block.transform) return p;
-  // The row has converted the length already; what is left is the affine map itself.
-  const auto& m = block.transform->matrix;
-  return {m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3], m[4] * p.x + m[5] * p.y + m[6] * p.z + m[7],
-          m[8] * p.x + m[9] * p.y + m[10] * p.z + m[11]};
+  return block.transform->moved(p);
+}
+
+Frame3d axes_of_include(const deck::Block& block) {
+  const auto axis = [&](const Vec3d& e) { return block.transform ? block.transform->direction(e) : e; };
+  return {axis({1, 0, 0}), axis({0, 1, 0}), axis({0, 0, 1})};
+}
+
+bool depends_on_axes(unsigned fixed) {
+  const unsigned translations = fixed & 7u, rotations = fixed >> 3;
+  return (translations != 0 && translations != 7u) || (rotations != 0 && rotations != 7u);
+}
+
+void warn_of_turned_codes(Builder& builder, const deck::Block& block, const deck::Row& row, std::string_view field,
+                          unsigned fixed) {
+  if (block.transform && block.transform->turns() && depends_on_axes(fixed))
+    row.complain(builder.findings, Severity::warning, field, std::string(global_codes_text),
+                 std::string(global_codes_remedy));
+}
+
+void warn_of_global_axis(Builder& builder, const deck::Block& block, const deck::Row& row, std::string_view field) {
+  if (block.transform && block.transform->turns())
+    row.complain(builder.findings, Severity::warning, field,
+                 "acts along the global axes, also where *INCLUDE_TRANSFORM turns the file",
+                 std::string(global_codes_remedy));
 }
 
 double death_time(double written) {

@@ -30,6 +30,21 @@ Vec3d position(const deck::Block& block, const deck::Row& row, std::string_view 
 Vec3d direction(const deck::Block& block, const deck::Row& row, std::string_view x, std::string_view y,
                 std::string_view z);
 
+/// The global axes of the file that the block stands in, as *INCLUDE_TRANSFORM turns them.
+Frame3d axes_of_include(const deck::Block& block);
+
+/// Codes of held directions (bits 0..5: x y z rx ry rz) that would be others in other axes.
+bool depends_on_axes(unsigned fixed);
+inline constexpr std::string_view global_codes_text =
+    "holds along the global axes, also where *INCLUDE_TRANSFORM turns the file";
+inline constexpr std::string_view global_codes_remedy =
+    "name a coordinate system in the file: it turns with it; or write it in the main file";
+/// A warning where such codes stand in a file that is turned.
+void warn_of_turned_codes(Builder& builder, const deck::Block& block, const deck::Row& row, std::string_view field,
+                          unsigned fixed);
+/// A warning where what acts along a global axis stands in a file that is turned.
+void warn_of_global_axis(Builder& builder, const deck::Block& block, const deck::Row& row, std::string_view field);
+
 /// A death time as it acts: 0 and the deck's various large numbers mean for ever.
 double death_time(double written);
 

@@ -29,10 +29,10 @@ const Card shell_card{{
     real("shrf", dimension::number, 1, above_zero(), "shear correction factor"),
     integer("nip", 2, between(1, 10), "layers through the thickness"),
     integer("propt", 1, any_value, "printout option, no effect"),
-    integer(
-        "qr_irid", 0, between(-99999999, 1),
-        "layers: 0 Gauss or Lobatto by *CONTROL_SHELL, 1 trapezoidal; below 0: of *INTEGRATION_SHELL, whose IRID is "
-        "this without its sign"),
+    or_negative(integer("qr_irid", 0, between(-99999999, 1),
+                        "layers: 0 Gauss or Lobatto by *CONTROL_SHELL, 1 trapezoidal; below 0: of *INTEGRATION_SHELL, "
+                        "whose IRID is this without its sign"),
+                IdSpace::other),
     integer("icomp", 0, only(0), "layered composites"),
     integer("setyp", 1, only(1), "two-dimensional sections"),
 }};
@@ -173,9 +173,8 @@ void add_section(Builder& b, const Row& row, Section section, Ids& ids, std::vec
 }
 
 /// The layers of the section that comes next are those of a rule of the user.
-void take_rule(Builder& b, const Block& block, const Row& row) {
-  int id = -row.integer("qr_irid");
-  if (block.transform) id += static_cast<int>(block.transform->id_offset[static_cast<std::size_t>(IdSpace::other)]);
+void take_rule(Builder& b, const Row& row) {
+  const int id = -row.integer("qr_irid");
   b.later(Phase::curves, [row, id, index = b.model.shell_sections.size()](Builder& builder) {
     const auto found = builder.layer_rules.find(id);
     if (found == builder.layer_rules.end())
@@ -206,7 +205,7 @@ void read_shell(Builder& b, const Block& block, const Options& options) {
     s.thickness = size_is_known ? mean_thickness(size) : std::numeric_limits<double>::quiet_NaN();
     s.nloc = size.real("nloc");
     s.extra_mass = size.real("marea");
-    if (row.integer("qr_irid") < 0) take_rule(b, block, row);
+    if (row.integer("qr_irid") < 0) take_rule(b, row);
     add_section(b, row, s, b.shell_sections, b.model.shell_sections, b.shell_section_rows, "shell section");
   }
 }

@@ -73,7 +73,8 @@ const Card general_card{{
     integer("id1", 0, any_value, "id"),
     integer("id2", 0, any_value, "id"),
     integer("id3", 0, any_value, "id"),
-    real("id4", dimension::number, 0, any_value, "id; of parts and boxes of segment sets: attribute, no effect"),
+    real("id4", dimension::number, 0, any_value,
+         "id; segments of parts, boxes, shells, sets of elements: attribute, no effect"),
     real("id5", dimension::number, 0, any_value, "id"),
     real("id6", dimension::number, 0, any_value, "id"),
     real("id7", dimension::number, 0, any_value, "id"),
@@ -198,18 +199,21 @@ std::optional<SetStep> general_step(Builder& b, const Block& block, const KindCa
   SetStep step = std::move(option->step);
   if (takes_away) step.action = Action::remove;
   step.place = row.place();
+  // E4 to E7 are attributes where segments are made of other things; where they are taken away, all are ids.
   const bool has_attributes =
-      cards.kind == SetKind::segment &&
-      (step.source == Source::boxes || step.kind == SetKind::part || step.kind == SetKind::branch);
+      cards.kind == SetKind::segment && !takes_away && (step.source == Source::boxes || step.kind != SetKind::segment);
+  const bool is_face =
+      cards.kind == SetKind::segment && step.source == Source::members && step.kind == SetKind::segment;
+  const int most = has_attributes ? 3 : is_face ? 4 : 7;
   const long offset = block.transform ? block.transform->id_offset[static_cast<std::size_t>(option->space)] : 0;
-  for (int i = 1; i <= (has_attributes ? 3 : 7); ++i)
+  for (int i = 1; i <= most; ++i)
     if (const auto id = static_cast<long>(row.real(fmt::format("id{}", i))); id != 0)
       step.ids.push_back(static_cast<int>(id + offset));
   return step;
 }
 
 /// The lines GENERATE (pairs) and GENERATE_INCREMENT (begin, end, increment).
-void read_ranges(Cursor& cursor, const KindCards& cards, bool has_increment, std::vector<SetStep>& steps) {
+void read_ranges(Builder& b, Cursor& cursor, const KindCards& cards, bool has_increment, std::vector<SetStep>& steps) {
   const Card increments{{id("id1", cards.space, 0, "begin"), id("id2", cards.space, 0, "end"),
                          integer("id3", 1, at_least(1), "increment")}};
   while (!at_end(cursor)) {
@@ -217,6 +221,10 @@ void read_ranges(Cursor& cursor, const KindCards& cards, bool has_increment, std
     for (int i = 1; i < (has_increment ? 3 : 8); i += 2) {
       const int begin = row.integer(fmt::format("id{}", i)), end = row.integer(fmt::format("id{}", i + 1));
       if (begin == 0 && end == 0) continue;
+      if (end < begin)
+        row.complain(b.findings, Severity::warning, fmt::format("id{}", i + 1),
+                     fmt::format("the range from {} to {} ends before it begins: it has no members", begin, end),
+                     "write begin and end in pairs");
       SetStep step;
       step.source = Source::range;
       step.kind = cards.kind;
@@ -281,7 +289,7 @@ void read_set(Builder& b, const Block& block, const Options& options, const Kind
     while (!at_end(cursor))
       if (auto step = general_step(b, block, cards, cursor.read(general_card))) steps.push_back(std::move(*step));
   } else if (options.contains("GENERATE")) {
-    read_ranges(cursor, cards, options.contains("INCREMENT"), steps);
+    read_ranges(b, cursor, cards, options.contains("INCREMENT"), steps);
   } else if (options.contains("ADD") || options.contains("INTERSECT")) {
     read_members(cursor, cards, set_ids, Source::sets, Action::add, recipe);
     if (options.contains("INTERSECT")) split_intersection(steps);

@@ -53,8 +53,9 @@ const Card options_card{{
 const Card fluid_card{{
     real("ro", dimension::density, required, above_zero(), "density of the fluid"),
     real("c", dimension::velocity, required, above_zero(), "speed of sound in the fluid"),
-    real("erprlf", dimension::number, 1, any_value,
-         "radiation loss factor, on the power; below 0: -erprlf is its curve over frequency"),
+    or_negative(real("erprlf", dimension::number, 1, any_value,
+                     "radiation loss factor, on the power; below 0: -erprlf is its curve over frequency"),
+                IdSpace::function),
     real("erpref", Dimension{1, 2, -3}, 0, at_least(0),
          "power of 0 decibels, in the units of the deck; 0: no decibels"),
     integer("radeff", 0, between(0, 2), "0: by the normal velocity of each point; others are refused"),

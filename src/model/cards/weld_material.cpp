@@ -29,13 +29,18 @@ constexpr Field fail_time = real("tfail", dimension::time, 0, at_least(0), "time
 constexpr Field fail_strain = real("efail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none");
 constexpr Field filter_length = integer("nf", 0, at_least(0), "force vectors averaged for the failure");
 
+/// A strength, of which a negative value is the id of a curve.
+constexpr Field strength_or_curve(std::string_view name, Dimension d, double fallback, std::string_view meaning) {
+  return or_negative(real(name, d, fallback, any_value, meaning), IdSpace::function);
+}
+
 const Card weld_card{{
     material_id,
     density,
     modulus,
     poisson,
-    real("sigy", dimension::stress, required, any_value,
-         "yield stress; negative: curve over plastic strain, or table over the strain rate"),
+    strength_or_curve("sigy", dimension::stress, required,
+                      "yield stress; negative: curve over plastic strain, or table over the strain rate"),
     real("eh", dimension::stress, 0, at_least(0), "hardening: slope of the yield stress over plastic strain"),
     mass_step,
     fail_time,
@@ -43,20 +48,20 @@ const Card weld_card{{
 
 const Card resultant_card{{
     fail_strain,
-    real("nrr", dimension::force, 0, any_value, "axial force at failure; 0: left out; negative: curve over the rate"),
-    real("nrs", dimension::force, 0, any_value, "shear force s at failure; 0 and negative as NRR"),
-    real("nrt", dimension::force, 0, any_value, "shear force t at failure; 0 and negative as NRR"),
-    real("mrr", dimension::moment, 0, any_value, "torsion at failure; 0 and negative as NRR"),
-    real("mss", dimension::moment, 0, any_value, "bending s at failure; 0 and negative as NRR"),
-    real("mtt", dimension::moment, 0, any_value, "bending t at failure; 0 and negative as NRR"),
+    strength_or_curve("nrr", dimension::force, 0, "axial force at failure; 0: left out; negative: curve over the rate"),
+    strength_or_curve("nrs", dimension::force, 0, "shear force s at failure; 0 and negative as NRR"),
+    strength_or_curve("nrt", dimension::force, 0, "shear force t at failure; 0 and negative as NRR"),
+    strength_or_curve("mrr", dimension::moment, 0, "torsion at failure; 0 and negative as NRR"),
+    strength_or_curve("mss", dimension::moment, 0, "bending s at failure; 0 and negative as NRR"),
+    strength_or_curve("mtt", dimension::moment, 0, "bending t at failure; 0 and negative as NRR"),
     filter_length,
 }};
 
 const Card stress_card{{
     fail_strain,
-    real("sigax", dimension::stress, 0, any_value,
-         "axial stress at failure; 0: left out; negative: curve over the rate"),
-    real("sigtau", dimension::stress, 0, any_value, "shear stress at failure; 0 and negative as SIGAX"),
+    strength_or_curve("sigax", dimension::stress, 0,
+                      "axial stress at failure; 0: left out; negative: curve over the rate"),
+    strength_or_curve("sigtau", dimension::stress, 0, "shear stress at failure; 0 and negative as SIGAX"),
     unused(),
     unused(),
     unused(),
@@ -116,17 +121,29 @@ constexpr Field whole = integer("asff", 0, between(0, 1), "1: the first brick to
 constexpr Field correction =
     integer("ttopt", 0, between(0, 2), "form of the TRUE_T correction; here as 2, free of the numbering");
 
-const Card failure_card{{
-    rupture,
-    real("opt", dimension::number, 0, any_value, "failure function: -2 -1 0 1 3 4 5 6 7 10 11"),
+/// What FVAL is depends on OPT, so does its unit and how it moves with an include.
+Card failure_card_of(Field fval) {
+  return {{
+      rupture,
+      real("opt", dimension::number, 0, any_value, "failure function: -2 -1 0 1 3 4 5 6 7 10 11"),
+      fval,
+      true_thickness,
+      whole,
+      real("beta", dimension::number, 0, at_least(0), "decay of the damaged stress; 0: linear"),
+      unused(),
+      real("dmgopt", dimension::number, 0, any_value, "damage: 0 1 2 10 11 12; -1: given on the next card"),
+  }};
+}
+const Card failure_card = failure_card_of(
     real("fval", dimension::number, 0, any_value,
-         "OPT 3 4 5: stress at failure; 6: cycles; 10: *DEFINE_SPOTWELD_FAILURE"),
-    true_thickness,
-    whole,
-    real("beta", dimension::number, 0, at_least(0), "decay of the damaged stress; 0: linear"),
-    unused(),
-    real("dmgopt", dimension::number, 0, any_value, "damage: 0 1 2 10 11 12; -1: given on the next card"),
-}};
+         "OPT 3 4 5: stress at failure; 6: cycles; 7 10: *DEFINE_SPOTWELD_FAILURE_RESULTANTS, _FAILURE"));
+const Card failure_by_stress = failure_card_of(real("fval", dimension::stress, 0, any_value, "stress at failure"));
+const Card failure_by_table = failure_card_of(id("fval", IdSpace::define, 0, "table of strengths"));
+
+const Card& failure_card_for(int option) {
+  if (option >= 3 && option <= 5) return failure_by_stress;
+  return option == 7 || option == 10 ? failure_by_table : failure_card;
+}
 
 const Card damage_card{{
     real("dmgopt", dimension::number, 0, any_value, "damage: 0 1 2 10 11 12"),
@@ -200,18 +217,18 @@ Row look_ahead(const Builder& b, const Block& block, const Options& options) {
   return ahead.read(failure_card);
 }
 
-/// The curve that the negative value of a field for numbers names, its id moved with its include.
-Index curve_of(Builder& b, const Row& row, std::string_view field, long offset) {
-  const int id = static_cast<int>(std::lround(-row.real(field)) + offset);
+/// The curve that the negative value of a field for numbers names.
+Index curve_of(Builder& b, const Row& row, std::string_view field) {
+  const int id = static_cast<int>(std::lround(-row.real(field)));
   const Index curve = b.curves.find(id);
   if (curve == none) refuse(b, row, field, fmt::format("curve {} is not defined", id), "define it, or give a number");
   return curve;
 }
 
 /// A strength: 0 and 1e20 leave it out, a negative value is a curve over the strain rate.
-RateValue strength(Builder& b, const Row& row, std::string_view field, long offset) {
+RateValue strength(Builder& b, const Row& row, std::string_view field) {
   if (row.real(field) >= 0.0) return {failure_value(row.real(field)), {}};
-  const Index curve = curve_of(b, row, field, offset);
+  const Index curve = curve_of(b, row, field);
   if (curve == none) return {};
   return {1.0, b.model.curves[static_cast<std::size_t>(curve)]};
 }
@@ -230,19 +247,18 @@ void expect_positive(Builder& b, const Row& row, std::string_view field, std::st
 }
 
 /// The strengths of the second card, as `law.option` has them.
-void set_strengths(Builder& b, WeldLaw& law, const Row& row, long offset) {
+void set_strengths(Builder& b, WeldLaw& law, const Row& row) {
   switch (law.option) {
     case -2:
     case -1:
     case 0: {
       std::size_t i = 0;
-      for (const auto* field : {"nrr", "nrs", "nrt", "mrr", "mss", "mtt"})
-        law.strength[i++] = strength(b, row, field, offset);
+      for (const auto* field : {"nrr", "nrs", "nrt", "mrr", "mss", "mtt"}) law.strength[i++] = strength(b, row, field);
       break;
     }
     case 1:
-      law.normal_stress = strength(b, row, "sigax", offset);
-      law.shear_stress = strength(b, row, "sigtau", offset);
+      law.normal_stress = strength(b, row, "sigax");
+      law.shear_stress = strength(b, row, "sigtau");
       break;
     case 3:
       expect_positive(b, row, "zrrad", "the radius of the notch");
@@ -286,7 +302,7 @@ void warn_of_no_failure(Builder& b, const WeldLaw& law, const kernel::Spotweld& 
 /// The only one of some tables, or the one with the id in FVAL.
 template <class Tables>
 Index table_of(Builder& b, const Row& row, const Ids& ids, const Tables& tables, std::string_view keyword) {
-  const int id = static_cast<int>(row.real("fval"));
+  const int id = row.integer("fval");
   if (id == 0 && tables.size() == 1) return 0;
   const Index table = ids.find(id);
   if (table == none)
@@ -297,8 +313,8 @@ Index table_of(Builder& b, const Row& row, const Ids& ids, const Tables& tables,
   return table;
 }
 
-/// What FVAL is depends on OPT.
-void set_limit(Builder& b, WeldLaw& law, const Row& row) {
+/// What FVAL is depends on OPT. `length`: unit factor, for the stress intensity of OPT 4 (stress times root of length).
+void set_limit(Builder& b, WeldLaw& law, const Row& row, double length) {
   switch (law.option) {
     case 0:
       refuse_nonzero(b, row, "fval", "a failure function of one's own (*DEFINE_FUNCTION) is not supported",
@@ -308,7 +324,7 @@ void set_limit(Builder& b, WeldLaw& law, const Row& row) {
     case 4:
     case 5:
       expect_positive(b, row, "fval", law.option == 4 ? "the stress intensity at failure" : "the stress at failure");
-      law.limit = row.real("fval");
+      law.limit = row.real("fval") * (law.option == 4 ? std::sqrt(length) : 1.0);
       break;
     case 6:
       law.cycles = std::max(1, static_cast<int>(row.real("fval")));
@@ -346,6 +362,11 @@ void check_correction(Builder& b, const Row& row) {
                  "write 0 or 2");
 }
 
+/// RS is a time with DMGOPT 2 and 12, so its card cannot tell its unit.
+void scale_rupture(const Block& block, WeldDamage& damage) {
+  if (block.transform && damage.option % 10 == 2) damage.rupture *= block.transform->factor(dimension::time);
+}
+
 /// What the third card and the one after it say; `failure_strain`: EFAIL.
 void read_damage(Builder& b, Cursor& cursor, WeldLaw& law, const Row& row, double failure_strain) {
   WeldDamage& damage = law.damage;
@@ -354,9 +375,13 @@ void read_damage(Builder& b, Cursor& cursor, WeldLaw& law, const Row& row, doubl
   damage.whole = row.integer("asff") == 1;
   damage.beta = row.real("beta");
   damage.option = static_cast<int>(row.real("dmgopt"));
-  if (damage.option != -1) return check_damage(b, row, row, damage, failure_strain);
+  if (damage.option != -1) {
+    scale_rupture(cursor.block(), damage);
+    return check_damage(b, row, row, damage, failure_strain);
+  }
   const Row more = cursor.read(damage_card);
   damage.option = static_cast<int>(more.real("dmgopt"));
+  scale_rupture(cursor.block(), damage);
   damage.mode = more.real("fmode");
   damage.cap = more.real("ffcap");
   check_correction(b, more);
@@ -382,9 +407,9 @@ void let_the_weld_fade(WeldDamage& damage, kernel::Spotweld& law) {
 }
 
 /// SIGY < 0: a yield curve over plastic strain, or a table of them over the strain rate.
-void set_yield_curve(Builder& b, const Row& row, long offset, kernel::Spotweld& law) {
+void set_yield_curve(Builder& b, const Row& row, kernel::Spotweld& law) {
   if (row.real("sigy") >= 0.0) return;
-  const int id = static_cast<int>(std::lround(-row.real("sigy")) + offset);
+  const int id = static_cast<int>(std::lround(-row.real("sigy")));
   YieldTable table = yield_table(b, row, "sigy", id, false);
   law.yield_curves = std::move(table.curves);
   law.rates = std::move(table.rates);
@@ -414,10 +439,6 @@ bool is_uniaxial(Builder& b, const Row& row, const Options& options) {
   return row.real("e") < 0.0 || options.contains("UNIAXIAL");
 }
 
-long function_offset(const Block& block) {
-  return block.transform ? block.transform->id_offset[static_cast<std::size_t>(IdSpace::function)] : 0;
-}
-
 /// *MAT_SPOTWELD, with the failure card if `with_failure`.
 void read_weld(Builder& b, const Block& block, const Options& options, bool with_failure) {
   int option = 0;
@@ -444,7 +465,7 @@ void read_weld(Builder& b, const Block& block, const Options& options, bool with
   weld.filter = option == 5 ? 0 : second.integer("nf");
   std::optional<Row> failure;
   if (with_failure) {
-    failure = cursor.read(failure_card);
+    failure = cursor.read(failure_card_for(option));
     read_damage(b, cursor, weld, *failure, law.failure_strain);
     law.damage = point_damage(weld.damage);
     let_the_weld_fade(weld.damage, law);
@@ -454,12 +475,13 @@ void read_weld(Builder& b, const Block& block, const Options& options, bool with
                                law, std::move(weld));
   // Curves and tables may be defined later in the deck.
   const std::size_t material = b.model.materials.size() - 1;
-  b.later(Phase::parts, [material, index, row, second, failure, offset = function_offset(block)](Builder& later) {
+  b.later(Phase::parts, [material, index, row, second, failure,
+                         length = block.transform ? block.transform->length : 1.0](Builder& later) {
     WeldLaw& built = later.model.weld_laws[static_cast<std::size_t>(index)];
-    set_yield_curve(later, row, offset, std::get<kernel::Spotweld>(later.model.materials[material].law));
-    set_strengths(later, built, second, offset);
+    set_yield_curve(later, row, std::get<kernel::Spotweld>(later.model.materials[material].law));
+    set_strengths(later, built, second);
     if (!failure) return;
-    set_limit(later, built, *failure);
+    set_limit(later, built, *failure, length);
     warn_of_no_failure(later, built, std::get<kernel::Spotweld>(later.model.materials[material].law), second);
   });
 }

@@ -197,8 +197,9 @@ TEST(Mesh, InertiaElementInLocalAxes) {
 TEST(Mesh, LumpedMassesAddUpToThePart) {
   const Built b(cube_deck("*ELEMENT_SHELL\n1,1,1,2,3,4\n2,1,5,6,7\n*ELEMENT_BEAM\n4,3,5,9\n"));
   double sheet = 0.0, weld = 0.0;
-  for (const NodeMass& n : lumped_mass(b.model, 0)) sheet += n.mass;
-  for (const NodeMass& n : lumped_mass(b.model, 2)) weld += n.mass;
+  const auto by_part = lumped_masses(b.model);
+  for (const NodeMass& n : by_part[0]) sheet += n.mass;
+  for (const NodeMass& n : by_part[2]) weld += n.mass;
   EXPECT_NEAR(sheet, 7.85e-9 * 1.25 * 1.5, 1e-20);
   EXPECT_NEAR(weld, 7.85e-9 * 3.14159265358979 * 9.0 * 2.0, 1e-18);
 }
