@@ -327,11 +327,11 @@ class Axes(CommandTest):
             self.assertEqual(s["total_mass"], [0.0])
 
     def test_abstat_of_an_adiabatic_gas(self):
-        """p = PSF (P0 (V0/V)^GAMMA - PE); energy PSF P0 (V0/V)^GAMMA V / (GAMMA - 1); the mass stays. VSCA doubles volume,
+        """p = PSF ((P0 + PE) (V0/V)^GAMMA - PE); energy PSF (P0 + PE) (V0/V)^GAMMA V / (GAMMA - 1); the mass stays. VSCA doubles volume,
         energy and mass. Sabotage: the pressure on the faces in the energy."""
         gas = 1.4
         states = self.chamber("*AIRBAG_ADIABATIC_GAS_MODEL_ID\n", card(7), card(1, 0, 0, 2.0),
-                              card(0.9, 0, gas, 0.3, 0.1, 1.2e-12))
+                              card(0.9, 0, gas, 0.2, 0.1, 1.2e-12))
         for s in states:
             h = 5.0 + 5e3 * s["time"][0]
             absolute = 0.9 * 0.3 * (5.0 / h) ** gas
@@ -340,6 +340,25 @@ class Axes(CommandTest):
             self.assertAlmostEqual(s["internal_energy"][0], absolute * 200.0 * h / (gas - 1.0), delta=1e-3)
             self.assertAlmostEqual(s["density"][0] * s["volume"][0], 1.2e-9, delta=1e-14)
             self.assertAlmostEqual(s["total_mass"][0], 1.2e-9, delta=1e-14)
+
+    def test_abstat_of_a_gas_that_flows(self):
+        """Air flows in at 400 K and out by LOU, mass by mass; p V = m R T, E = m cv T. Sabotage: the outflow's column 0."""
+        cv, cp, ambient, density = 717.5e6, 1004.5e6, 0.1, 1.2e-12
+        states = self.chamber("*AIRBAG_SIMPLE_AIRBAG_MODEL_ID\n", card(7), card(1),
+                              card(cv, cp, 400.0, 8, 0, 0, ambient, density), card(9),
+                              curve(8, (0.0, 5e-6), (1.0, 5e-6)), curve(9, (-1.0, 1e-6), (9.0, 1e-6)))
+        first = states[0]
+        self.assertAlmostEqual(first["gas_temp"][0], ambient / density / (cp - cv), delta=1e-3)
+        for s in states[1:]:
+            t, v, m = s["time"][0], s["volume"][0], s["total_mass"][0]
+            self.assertAlmostEqual(s["dm_dt_in"][0], 5e-6, delta=1e-11)
+            self.assertAlmostEqual(s["dm_dt_out"][0], 1e-6, delta=1e-11)
+            self.assertAlmostEqual(m, density * 500.0 + 4e-6 * t, delta=1e-5 * m)
+            self.assertAlmostEqual(s["density"][0], m / v, delta=1e-5 * m / v)
+            temperature = (s["pressure"][0] + ambient) * v / (m * (cp - cv))
+            self.assertAlmostEqual(s["gas_temp"][0], temperature, delta=1e-4 * temperature)
+            energy = m * cv * temperature
+            self.assertAlmostEqual(s["internal_energy"][0], energy, delta=1e-4 * energy)
 
     # ---- damping and relaxation ----
 

@@ -223,11 +223,7 @@ void read_erosion(Builder& b, const Block& block, const Options& options) {
   cards.fourth = cursor.read(fourth_card);
   cursor.read(fifth_card);
   expect_end(b, cursor);
-  if (const double sigvm = cards.second.real("sigvm"); sigvm < 0.0) {
-    cards.stress_curve = static_cast<int>(-sigvm);
-    if (block.transform)
-      cards.stress_curve += static_cast<int>(block.transform->id_offset[static_cast<std::size_t>(IdSpace::function)]);
-  }
+  cards.stress_curve = curve_below_zero(block, cards.second, "sigvm", dimension::stress);
   // After the laws have their curves.
   b.later(Phase::systems, [cards](Builder& later) { add_erosion(later, cards); });
 }

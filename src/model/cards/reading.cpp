@@ -2,6 +2,7 @@
 #include "model/cards/reading.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nugget::model {
 
@@ -36,6 +37,15 @@ Vec3d position(const deck::Block& block, const deck::Row& row, std::string_view 
   const auto& m = block.transform->matrix;
   return {m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3], m[4] * p.x + m[5] * p.y + m[6] * p.z + m[7],
           m[8] * p.x + m[9] * p.y + m[10] * p.z + m[11]};
+}
+
+int curve_below_zero(const deck::Block& block, const deck::Row& row, std::string_view field,
+                     const Dimension& dimension) {
+  const double value = row.real(field);
+  if (!(value < 0.0)) return 0;
+  if (block.transform == nullptr) return static_cast<int>(std::lround(-value));
+  return static_cast<int>(std::lround(-value / block.transform->factor(dimension)) +
+                          block.transform->id_offset[static_cast<std::size_t>(IdSpace::function)]);
 }
 
 double death_time(double written) {

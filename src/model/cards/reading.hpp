@@ -33,6 +33,11 @@ Vec3d direction(const deck::Block& block, const deck::Row& row, std::string_view
 /// A death time as it acts: 0 and the deck's various large numbers mean for ever.
 double death_time(double written);
 
+/// The id of a curve that a field below 0 gives with its sign turned; 0 from 0 on. `dimension` is the field's own on
+/// its card: the unit factor that the row has applied is taken back.
+int curve_below_zero(const deck::Block& block, const deck::Row& row, std::string_view field,
+                     const Dimension& dimension = {});
+
 /// A field that is obeyed at one value only.
 struct Obeyed {
   std::string_view field;
