@@ -345,7 +345,7 @@ class Axes(CommandTest):
         """Air flows in at 400 K and out by LOU, mass by mass; p V = m R T, E = m cv T. Sabotage: the outflow's column 0."""
         cv, cp, ambient, density = 717.5e6, 1004.5e6, 0.1, 1.2e-12
         states = self.chamber("*AIRBAG_SIMPLE_AIRBAG_MODEL_ID\n", card(7), card(1),
-                              card(cv, cp, 400.0, 8, 0, 0, ambient, density), card(9),
+                              card("717.5e6", "1004.5e6", 400.0, 8, 0, 0, ambient, density), card(9),
                               curve(8, (0.0, 5e-6), (1.0, 5e-6)), curve(9, (-1.0, 1e-6), (9.0, 1e-6)))
         first = states[0]
         self.assertAlmostEqual(first["gas_temp"][0], ambient / density / (cp - cv), delta=1e-3)
