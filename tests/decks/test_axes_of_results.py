@@ -360,6 +360,29 @@ class Axes(CommandTest):
             energy = m * cv * temperature
             self.assertAlmostEqual(s["internal_energy"][0], energy, delta=1e-4 * energy)
 
+    def included(self, *text):
+        """*INCLUDE_TRANSFORM of a file in kg, m, s into t, mm, s; its curves get 100 more."""
+        self.write("".join(("*KEYWORD\n", *text, "*END\n")), "included.k")
+        return "".join(("*INCLUDE_TRANSFORM\nincluded.k\n", card(0, 0, 0, 0, 0, 100), "\n", card(1e-3, 1, 1e3), "\n"))
+
+    def test_gas_in_other_units(self):
+        """The ids of curves below 0 are not lengths to the second power. Sabotage: the factor on them stays."""
+        vent = curve(108, (0.0, 20.0), (9.0, 20.0)), curve(107, (0.0, 5e-6), (1.0, 5e-6))
+        here = self.chamber("*AIRBAG_SIMPLE_AIRBAG_MODEL_ID\n", card(7), card(1),
+                            card("717.5e6", "1004.5e6", 400.0, 107, 0.7, -108, 0.1, 1.2e-12), card(0), *vent)
+        there = self.chamber(self.included("*AIRBAG_SIMPLE_AIRBAG_MODEL_ID\n", card(7), card(1),
+                                           card(717.5, 1004.5, 400.0, 7, 0.7, -8, 1e5, 1.2), card(0)), *vent)
+        self.assertGreater(here[-1]["dm_dt_out"][0], 1e-7)
+        for a, b in zip(here, there):
+            for name in ("pressure", "dm_dt_out", "gas_temp", "internal_energy"):
+                self.assertAlmostEqual(a[name][0], b[name][0], delta=1e-6 * abs(a[name][0]))
+
+    def test_erosion_curve_in_other_units(self):
+        """SIGVM below 0 is the id of a curve, whatever the unit of stress. Sabotage: as test_gas_in_other_units."""
+        erosion = self.included("*MAT_ADD_EROSION\n", card(1), card(0.0, 0.0, -8))
+        self.run_deck(nodes(CORNERS), BRICK, part(1), SOLID, "*MAT_ELASTIC\n", card(1, 7.8e-9, 1000.0, 0.0), erosion,
+                      curve(108, (0.0, 20.0), (9.0, 20.0)), "*CONTROL_TERMINATION\n", card(1e-6))
+
     # ---- damping and relaxation ----
 
     def test_stiffness_damping_carries_nothing_in_steady_turn(self):
