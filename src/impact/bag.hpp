@@ -29,7 +29,7 @@ struct Bag {
 /// Gas at the ambient pressure.
 Bag bag_at_start(const model::ControlVolume& source, double volume);
 
-/// Takes the gas over a step of length `dt` to `time`, when it has `volume`. `inflow`: mass over time, over time, 0
+/// Takes the gas over a step of length `dt` to `time`, when it has `volume`. `inflow`: mass flow over time, 0
 /// outside the curve; null: none. `open`: gas may leave. Implicit trapezoidal rule by a fixed number of passes, so that
 /// the work on the walls is that of the central differences; what flows in is the integral of its curve, whatever the
 /// steps. A volume that is not above 0 leaves the gas as it is.

@@ -23,10 +23,10 @@ struct FlowingGas {
   double heat = 0.0, heat_slope = 0.0;          ///< CP and 0, or A / MW and B / MW
   double temperature = 0.0, density = 0.0;      ///< at the start, at the ambient pressure; 0: vacuum
   double inflow_temperature = 0.0;              ///< T
-  Index inflow_curve = none;                    ///< LCID: mass over time, over time
+  Index inflow_curve = none;                    ///< LCID: mass flow over time
   double shape = 0.0, area = 0.0;               ///< of the vent: MU, AREA
   Index shape_curve = none, area_curve = none;  ///< in the place of these, over the absolute pressure
-  Index outflow_curve = none;  ///< LOU: mass over time, over the gauge pressure; in the place of the vent
+  Index outflow_curve = none;                   ///< LOU: mass flow over the gauge pressure; in the place of the vent
 };
 
 /// Gas behind faces (*AIRBAG_...): its pressure follows from the volume that they enclose.

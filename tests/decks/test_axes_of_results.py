@@ -385,6 +385,22 @@ class Axes(CommandTest):
 
     # ---- damping and relaxation ----
 
+    def test_springback_of_a_strip(self):
+        """Stresses of -100 at the bottom to 100 at the top bend a strip towards its top, curvature 200 / (E t); what they
+        give is no reason to doubt the run. Sabotage: a share of kinetic plus internal energy, which is 0 (it was inf %)."""
+        last = 9
+        places = [(2.5 * (i % last), 2.5 * (i // last), 0.0) for i in range(2 * last)]
+        shells = "".join("".join(f"{n:8}" for n in (e, 1, e, e + 1, e + last + 1, e + last)) + "\n" for e in range(1, last))
+        stress = "".join(card(e, 1, 2) + card(-1.0, -100.0) + card(1.0, 100.0) for e in range(1, last))
+        out = self.run_deck(nodes(places), "*ELEMENT_SHELL\n", shells, part(1), "*SECTION_SHELL\n", card(1, 16, 1.0, 5),
+                            card(1.0, 1.0, 1.0, 1.0), "*MAT_ELASTIC\n", card(1, 7.8e-9, 2.1e5, 0.0), "*SET_NODE_LIST\n",
+                            card(1), card(1, last + 1), "*BOUNDARY_SPC_SET\n", card(1, 0, 1, 1, 1, 1, 1, 1),
+                            "*DAMPING_GLOBAL\n", card(0, 5000.0), "*CONTROL_TERMINATION\n", card(5e-3),
+                            "*DATABASE_NODOUT\n", card(5e-3, 3), "*DATABASE_HISTORY_NODE\n", card(last),
+                            "*INITIAL_STRESS_SHELL\n", stress)
+        self.assertNotIn("warning", out.stdout + out.stderr)
+        self.assertAlmostEqual(self.states("nodout")[-1]["z_displacement"][0], 200.0 / 2.1e5 * 400.0 / 2.0, delta=2e-4)
+
     def test_stiffness_damping_carries_nothing_in_steady_turn(self):
         """A brick with its masses at the corners, once its vibration is damped out: sigma = rho a^2 w^2 / 4, a the side as it
         is then. Sabotage: K v at the places of the end of the step, 20 % off."""

@@ -47,7 +47,7 @@ const Card heat_card{{
     real("cv", specific_heat, 0, at_least(0), "heat capacity at constant volume; 0: of A, B, MW and GASC"),
     real("cp", specific_heat, 0, at_least(0), "heat capacity at constant pressure"),
     real("t", dimension::number, 0, at_least(0), "absolute temperature of the gas that flows in"),
-    id("lcid", IdSpace::function, 0, "curve of the mass that flows in over time, over time"),
+    id("lcid", IdSpace::function, 0, "curve over time of the mass flow into the volume"),
     real("mu", dimension::number, 0, any_value,
          "shape factor of the vent; below 0: -MU is a curve of it over the absolute pressure"),
     real("area", dimension::area, 0, any_value,
@@ -56,7 +56,8 @@ const Card heat_card{{
     real("ro", dimension::density, 0, at_least(0), "ambient density, that of the gas at the start"),
 }};
 const Card outflow_card{{
-    id("lou", IdSpace::function, 0, "curve of the mass that flows out over time, over the pressure above PE"),
+    id("lou", IdSpace::function, 0,
+       "curve over the pressure above PE of the mass flow out of it, in the place of the vent"),
     real("text", dimension::number, 0, at_least(0), "with CV 0: absolute temperature of the gas at the start"),
     real("a", molar_heat, 0, any_value, "with CV 0: heat capacity of a mole at constant pressure, at temperature 0"),
     real("b", molar_heat, 0, any_value, "with CV 0: what it grows by, per temperature"),
