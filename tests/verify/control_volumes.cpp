@@ -273,10 +273,12 @@ TEST(FlowingGas, ABoxIsEmptiedThroughAVent) {
   reference.run(filled, time, 2000);
   expect_reference("flowing gas", "filling and choked discharge, Runge-Kutta: pressure [MPa]", half.pressure,
                    reference.p(), 1e-3);
-  const double until = time + 0.3 * (end - time);
+  const double until = time + 3e-3;
   Chamber shorter(until, true, true);
   shorter.specimen.text(curve(7, {{0.0, q}, {filled, q}, {filled + 1e-9, 0.0}, {1.0, 0.0}}) + air(7, mu, vent));
   reference.run(time, until, 2000);
+  EXPECT_LT(reference.p(), 1.7 * ambient);
+  EXPECT_GT(reference.p(), 1.05 * ambient);
   expect_reference("flowing gas", "discharge below the critical ratio: pressure [MPa]", gas_of(shorter).pressure,
                    reference.p(), 1e-3);
   expect_reference("flowing gas", "the box empty: pressure [MPa]", gas.pressure, ambient, 1e-6);
