@@ -33,7 +33,7 @@ void Loads::Pressure::archive(Archive& a) {
 }
 
 void Loads::Volume::archive(Archive& a) {
-  a(at_start, volume, pressure, relative_pressure, work, preload_over, last);
+  a(at_start, volume, pressure, relative_pressure, work, preload_over, bag, last);
   a.built(source);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "impact/bag.hpp"
 #include "system/system.hpp"
 
 // What the deck imposes on nodes: held and driven degrees of freedom, and loads. The work of each is booked so that it
@@ -109,6 +110,7 @@ class Loads {
     double relative_pressure = 1.0;       ///< of an adiabatic gas: absolute pressure over that at the start
     double work = 0.0;                    ///< done on the faces so far
     bool preload_over = false;
+    Bag bag;                  ///< of a gas that flows
     std::vector<Vec3d> last;  ///< as of a pressure
     void archive(Archive& a);
   };
@@ -139,7 +141,7 @@ class Loads {
   void apply(Nodal& nodal, system::State& state, double dt);
   void apply(Pressure& pressure, system::State& state, double dt);
   void apply(Volume& volume, system::State& state, double dt);
-  double pressure(Volume& volume, const system::State& state) const;
+  double pressure(Volume& volume, const system::State& state, double dt) const;
   /// `pressure` on faces; `last` holds the forces on their corners.
   void press(const std::vector<model::Segment>& segments, const std::vector<model::CornerShares>& share,
              double pressure, std::vector<Vec3d>& last, system::State& state, double dt);

@@ -340,7 +340,16 @@ output::AbstatState abstat_state(const Snapshot& now) {
     ++number;
     row.volume = volume.volume;
     row.pressure = volume.pressure;
-    if (source.gas == model::ControlVolume::Gas::adiabatic) {
+    using Gas = model::ControlVolume::Gas;
+    if (source.gas == Gas::flowing) {
+      const Bag& bag = volume.bag;
+      row.internal_energy = bag.energy;
+      row.inflow = bag.inflow;
+      row.outflow = bag.outflow;
+      row.density = bag.mass / bag.volume;
+      row.total_mass = bag.mass;
+      row.temperature = bag.temperature;
+    } else if (source.gas == Gas::adiabatic) {
       const double absolute = source.pressure_scale * source.beta * source.absolute * volume.relative_pressure;
       row.internal_energy = absolute * volume.volume / (source.gamma - 1.0);
       row.total_mass = source.density * volume.at_start;

@@ -40,7 +40,8 @@ Loads::Loads(const system::System& system) : system_(system) {
   for (const model::ControlVolume& volume : model.control_volumes) {
     const double v = volume.volume_scale * enclosed_volume(volume.segments, volume.openings,
                                                            [&](model::Index n) { return model.nodes.x[at(n)]; });
-    volumes_.push_back({&volume, v, v, 0.0, 1.0, 0.0, false, std::vector<Vec3d>(4 * volume.segments.size())});
+    volumes_.push_back({&volume, v, v, 0.0, 1.0, 0.0, false, {}, std::vector<Vec3d>(4 * volume.segments.size())});
+    if (volume.gas == model::ControlVolume::Gas::flowing) volumes_.back().bag = bag_at_start(volume, v);
   }
   for (const model::BodyLoad& load : model.body_loads)
     body_.push_back({&load, {}, {}, 0.0, std::vector<Vec3d>(load.centrifugal ? system.all_nodes() : 0)});
@@ -209,21 +210,27 @@ void Loads::apply(Volume& volume, system::State& state, double dt) {
   volume.volume = source.volume_scale * enclosed_volume(source.segments, source.openings, [&](model::Index n) {
                     return vec(state.x[at(system_.node_of[at(n)])]);
                   });
-  volume.pressure = source.pressure_scale * pressure(volume, state);
+  volume.pressure = source.pressure_scale * pressure(volume, state, dt);
   const double before = work_;
   press(source.segments, source.share, -volume.pressure, volume.last, state, dt);
   volume.work += work_ - before;
 }
 
-double Loads::pressure(Volume& volume, const system::State& state) const {
+double Loads::pressure(Volume& volume, const system::State& state, double dt) const {
   using Gas = model::ControlVolume::Gas;
   const model::ControlVolume& gas = *volume.source;
   const double relative = volume.volume / volume.at_start;
   if (!(relative > 0.0)) return 0.0;
+  if (gas.gas == Gas::flowing) {
+    const model::Index c = gas.flowing.inflow_curve;
+    const Curve* inflow = c != model::none && in_force(curve(system_, c), state) ? &curve(system_, c) : nullptr;
+    advance(volume.bag, gas, system_.model.curves, volume.volume, inflow, !state.relaxing, state.time, dt);
+    return volume.bag.pressure - gas.ambient;
+  }
   if (gas.gas == Gas::adiabatic) {
     if (gas.preload_curve != model::none && !volume.preload_over) {
       volume.preload_over = curve(system_, gas.preload_curve).clamped(state.time) != 0.0;
-      if (!volume.preload_over) return gas.beta * gas.absolute;
+      if (!volume.preload_over) return gas.beta * (gas.absolute - gas.ambient);
     }
     volume.relative_pressure = std::pow(relative, -gas.gamma);
     return gas.beta * (gas.absolute * volume.relative_pressure - gas.ambient);

@@ -16,6 +16,19 @@ struct Opening {
   std::vector<Index> nodes;  ///< of the border, ascending
 };
 
+/// An ideal gas that flows in and out (*AIRBAG_SIMPLE_AIRBAG_MODEL). Its heat capacity at constant pressure is
+/// cp = heat + heat_slope T, that at constant volume cp - constant, all per mass.
+struct FlowingGas {
+  double constant = 0.0;                        ///< R, pressure / (density temperature)
+  double heat = 0.0, heat_slope = 0.0;          ///< CP and 0, or A / MW and B / MW
+  double temperature = 0.0, density = 0.0;      ///< at the start, at the ambient pressure; 0: vacuum
+  double inflow_temperature = 0.0;              ///< T
+  Index inflow_curve = none;                    ///< LCID: mass flow over time
+  double shape = 0.0, area = 0.0;               ///< of the vent: MU, AREA
+  Index shape_curve = none, area_curve = none;  ///< in the place of these, over the absolute pressure
+  Index outflow_curve = none;                   ///< LOU: mass flow over the gauge pressure; in the place of the vent
+};
+
 /// Gas behind faces (*AIRBAG_...): its pressure follows from the volume that they enclose.
 struct ControlVolume {
   int id = 0;
@@ -28,7 +41,8 @@ struct ControlVolume {
   enum class Gas {
     coefficient,  ///< SIMPLE_PRESSURE_VOLUME: p = beta CN / (V/V0)
     curve,        ///< the same with LCID: p(V/V0)
-    adiabatic     ///< ADIABATIC_GAS_MODEL: p = PSF (P0 (V/V0)^-gamma - PE)
+    adiabatic,    ///< ADIABATIC_GAS_MODEL: p = PSF ((P0 + PE) (V/V0)^-gamma - PE)
+    flowing       ///< SIMPLE_AIRBAG_MODEL: an ideal gas with inflow and outflow, p - PE
   };
   Gas gas = Gas::coefficient;
   Index curve = none;              ///< of `curve`
@@ -36,9 +50,10 @@ struct ControlVolume {
   Index relaxation_curve = none;   ///< CN over time in dynamic relaxation; none: as in the run
   double coefficient = 0.0;        ///< beta CN; with `coefficient_curve` or `relaxation_curve`: see `beta`
   double beta = 1.0;
-  double gamma = 0.0, absolute = 0.0, ambient = 0.0;  ///< GAMMA, P0, PE
+  double gamma = 0.0, absolute = 0.0, ambient = 0.0;  ///< GAMMA, P0 + PE, PE
   double density = 0.0;                               ///< RO, at the start; 0: not known
   Index preload_curve = none;  ///< adiabatic: until its first value above 0 the pressure is PSF P0
+  FlowingGas flowing;          ///< of `flowing`
   Place place;
 };
 

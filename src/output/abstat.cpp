@@ -12,8 +12,9 @@ void Abstat::write(const AbstatState& state) {
       "total mass gas temp. surface area   reaction\n");
   for (const AbstatRow& r : state.rows)
     file_.print("{:12.5E}{:8}{:15.4E}{:15.4E}{:15.4E}{:15.4E}{:15.4E}{:11.3E}{:11.3E}{:11.3E}{:11.3E}{:11.3E}\n",
-                column(state.time), r.id, column(r.volume), column(r.pressure), column(r.internal_energy), 0.0,
-                column(r.density), 0.0, column(r.total_mass), 0.0, column(r.surface_area), 0.0);
+                column(state.time), r.id, column(r.volume), column(r.pressure), column(r.internal_energy),
+                column(r.inflow), column(r.density), column(r.outflow), column(r.total_mass), column(r.temperature),
+                column(r.surface_area), 0.0);
   file_.end_state();
 }
 

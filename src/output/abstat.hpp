@@ -7,15 +7,17 @@
 
 namespace nugget::output {
 
-/// Gas in one control volume (*AIRBAG_...). The format's flows of mass, temperature and reaction are 0: no gas that
-/// has them is built.
+/// Gas in one control volume (*AIRBAG_...). The format's reaction is 0.
 struct AbstatRow {
   int id = 0;                    ///< ID of *AIRBAG_..._ID, or the place in the deck from 1
   double volume = 0.0;           ///< [length^3]
   double pressure = 0.0;         ///< on the faces [force/length^2]
   double internal_energy = 0.0;  ///< [force length]
+  double inflow = 0.0;           ///< [mass/time]
   double density = 0.0;          ///< [mass/length^3]
+  double outflow = 0.0;          ///< [mass/time]
   double total_mass = 0.0;       ///< of the gas
+  double temperature = 0.0;      ///< absolute
   double surface_area = 0.0;     ///< of the faces [length^2]
 };
 

@@ -208,8 +208,10 @@ void Binout::write(const AbstatState& s) {
   put("density", &AbstatRow::density);
   put("total_mass", &AbstatRow::total_mass);
   put("surface_area", &AbstatRow::surface_area);
-  for (const char* name : {"dm_dt_in", "dm_dt_out", "gas_temp", "reaction"})
-    reals(name, std::vector<double>(s.rows.size(), 0.0));
+  put("dm_dt_in", &AbstatRow::inflow);
+  put("dm_dt_out", &AbstatRow::outflow);
+  put("gas_temp", &AbstatRow::temperature);
+  reals("reaction", std::vector<double>(s.rows.size(), 0.0));
   end_state();
 }
 

@@ -161,7 +161,7 @@ class RefusedDecks(CommandTest):
         self.write(lap_joint())
         self.nugget("check", "model.k", "-o", "sound")
         sound = self.read("sound/welds.csv")
-        self.write(lap_joint(("*PART\nlower sheet", "*AIRBAG_SIMPLE_AIRBAG_MODEL\n1\n*PART\nlower sheet")))
+        self.write(lap_joint(("*PART\nlower sheet", "*AIRBAG_WANG_NEFSKE\n1\n*PART\nlower sheet")))
         run, welds, found = self.refused("model.k")
         self.assertEqual(self.read("audit/welds.csv"), sound)
         self.assertEqual((len(welds), welds[0]["tied"], welds[0]["sheet1"], welds[0]["sheet2"]), (1, "yes", "1", "2"))
@@ -195,7 +195,7 @@ class RefusedDecks(CommandTest):
                   "       0.0         6       0.0\n*DEFINE_SPOTWELD_RUPTURE_STRESS\n         3     500.0     300.0\n")
         for refuse, expect in ((False, 0), (True, 1)):
             with self.subTest(refuse=refuse):
-                more = [("*PART\nlower sheet", "*AIRBAG_SIMPLE_AIRBAG_MODEL\n1\n*PART\nlower sheet")] if refuse else []
+                more = [("*PART\nlower sheet", "*AIRBAG_WANG_NEFSKE\n1\n*PART\nlower sheet")] if refuse else []
                 self.write(lap_joint(change, *more))
                 _, _, found = self.refused("model.k", expect)
                 told = [f["text"] for f in found if "OPT 6, but neither sheet" in f["text"]]

@@ -225,7 +225,7 @@ void read_erosion(Builder& b, const Block& block, const Options& options) {
   cards.fourth = cursor.read(fourth_card);
   cursor.read(fifth_card);
   expect_end(b, cursor);
-  if (const double sigvm = cards.second.real("sigvm"); sigvm < 0.0) cards.stress_curve = static_cast<int>(-sigvm);
+  cards.stress_curve = curve_below_zero(cards.second, "sigvm");
   // After the laws have their curves.
   b.later(Phase::systems, [cards](Builder& later) { add_erosion(later, cards); });
 }

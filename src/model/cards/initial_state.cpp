@@ -42,8 +42,12 @@ const Card solid_card{{
 const Card strain_card{{
     id("eid", IdSpace::element, required, "shell"),
     integer("nplane", 1, at_least(1), "number of in-plane points"),
-    integer("nthick", 1, at_least(1), "number of points through the thickness"),
+    integer("nthick", 2, at_least(1), "number of points through the thickness; blank: the lower and the upper"),
     integer("large", 0, between(0, 1), "1: fields of 16 columns, five a line"),
+    unused(),
+    unused(),
+    unused(),
+    integer("ilocal", 0, only(0), "strains in the axes of the element"),
 }};
 
 const Field place_field = real("t", dimension::number, 0, between(-1, 1), "place through the thickness");
@@ -81,7 +85,12 @@ struct PointCards {
       : normal(cards_of(fields, false)), large(cards_of(fields, true)) {}
   const std::vector<Card>& of(bool wants_large) const { return wants_large ? large : normal; }
 };
-const PointCards shell_point_cards(shell_point), solid_point_cards(solid_point), strain_point_cards(strain_point);
+const PointCards shell_point_cards(shell_point), strain_point_cards(strain_point);
+const PointCards solid_point_cards = [] {
+  PointCards cards(solid_point);
+  for (int history = 0; history < 3; ++history) cards.large.back().fields.push_back(wide(unused(), 16));
+  return cards;
+}();
 
 /// The numbers of one point, by the names of its fields.
 class Point {
@@ -125,6 +134,26 @@ std::optional<int> points_of(Builder& builder, const Cursor& cursor, const Row& 
   return std::nullopt;
 }
 
+void refuse_short(Builder& builder, const Row& row, bool in_layers, int announced, int found) {
+  refuse(builder, row, in_layers ? "nthick" : "nint",
+         fmt::format("{} points are announced, but the keyword ends after {}", announced, found),
+         "see the number of points, or whether lines are missing");
+}
+
+/// Points of one place are averaged: where places are missing, the bending is lost.
+void expect_places(Builder& builder, const Row& row, const std::vector<InitialPoint>& points) {
+  std::vector<double> places;
+  for (const InitialPoint& p : points) places.push_back(p.zeta);
+  std::sort(places.begin(), places.end());
+  const auto different = std::unique(places.begin(), places.end()) - places.begin();
+  if (different != row.integer("nthick"))
+    row.complain(builder.findings, Severity::warning, "nthick",
+                 fmt::format("the points are at {} different place{} T through the thickness, and those of one place "
+                             "are averaged",
+                             different, different == 1 ? "" : "s"),
+                 "give each of the NTHICK places its T, from -1 at the bottom to 1");
+}
+
 template <bool shell>
 void read_stress(Builder& builder, const Block& block, const Options&) {
   if (turned(builder, block)) return;
@@ -135,16 +164,19 @@ void read_stress(Builder& builder, const Block& block, const Options&) {
     const bool large = row.integer("large") == 1;
     const std::optional<int> points = points_of(builder, cursor, row, shell);
     if (!points) return;
-    const int per_line = large ? 5 : 8, history = row.integer("nhisv");
+    // With LARGE the history of bricks begins on the line on which their tensor ends, in its last three fields.
+    const int per_line = large ? 5 : 8, history = std::max(0, row.integer("nhisv") - (!shell && large ? 3 : 0));
     const int history_lines = history / per_line + (history % per_line > 0 ? 1 : 0);
     InitialStress stress;
     stress.place = row.place();
     for (int i = 0; i < *points; ++i) {
+      if (!cursor.more()) return refuse_short(builder, row, shell, *points, i);
       const Point point(cursor, (shell ? shell_point_cards : solid_point_cards).of(large));
       for (int line = 0; line < history_lines && cursor.more(); ++line) cursor.skip();
       stress.points.push_back({point["t"], point.tensor(), point["eps"]});
     }
-    if (history_lines > 0 && !told) {
+    if (shell) expect_places(builder, row, stress.points);
+    if (row.integer("nhisv") > 0 && !told) {
       told = true;
       row.complain(builder.findings, Severity::warning, "nhisv",
                    "history variables of another program's laws are not taken over; stress and plastic strain are");
@@ -168,9 +200,12 @@ void read_strain(Builder& builder, const Block& block, const Options&) {
     InitialStrain strain;
     double lowest = 2.0, highest = -2.0;
     for (int i = 0; i < *points; ++i) {
+      if (!cursor.more()) return refuse_short(builder, row, true, *points, i);
       const Point point(cursor, strain_point_cards.of(row.integer("large") == 1));
       if (point["t"] < lowest) lowest = point["t"], strain.lower = point.tensor();
       if (point["t"] > highest) highest = point["t"], strain.upper = point.tensor();
+      // Without places the last point is the upper one.
+      if (i + 1 == *points && lowest == highest) strain.upper = point.tensor();
     }
     builder.later(Phase::conditions, [row, strain](Builder& b) mutable {
       strain.shell = b.shell(row, "eid");

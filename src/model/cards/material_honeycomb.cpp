@@ -62,8 +62,9 @@ const Card core_card{{
     real("gabu", dimension::stress, required, above_zero(), "shear modulus ab of the uncrushed core"),
     real("gbcu", dimension::stress, required, above_zero(), "the same of bc"),
     real("gcau", dimension::stress, required, above_zero(), "the same of ca"),
-    real("aopt", dimension::number, 0, any_value,
-         "material axes: 0 by nodes, 2 by vectors a and d, 3 by v x normal, -id by a coordinate system"),
+    or_negative(real("aopt", dimension::number, 0, any_value,
+                     "material axes: 0 by nodes, 2 by vectors a and d, 3 by v x normal, -id by a coordinate system"),
+                IdSpace::define),
     integer("macf", 1, between(0, 1), "exchange of axes: 1, none"),
 }};
 
@@ -231,7 +232,7 @@ void set_honeycomb(Builder& b, Index material, const HoneycombCards& cards) {
   b.model.materials[static_cast<std::size_t>(material)].law = compound(std::move(law));
 }
 
-void add_honeycomb(Builder& b, const Block& block, HoneycombCards cards, std::string title, std::string_view name) {
+void add_honeycomb(Builder& b, HoneycombCards cards, std::string title, std::string_view name) {
   const double vf = cards.dense.real("vf");
   if (!(vf > 0.0 && vf < 1.0))
     refuse(b, cards.dense, "vf", "the relative volume of the compacted material lies between 0 and 1", "e.g. 0.2");
@@ -253,7 +254,7 @@ void read_honeycomb(Builder& b, const Block& block, const Options& options) {
   cards.vectors = cursor.read(vectors_card);
   expect_end(b, cursor);
   cards.axes = read_axes(b, block, cards.core, point, cards.vectors, cards.vectors);
-  add_honeycomb(b, block, std::move(cards), std::move(title), "MAT_HONEYCOMB");
+  add_honeycomb(b, std::move(cards), std::move(title), "MAT_HONEYCOMB");
 }
 
 void read_modified_honeycomb(Builder& b, const Block& block, const Options& options) {
@@ -277,7 +278,7 @@ void read_modified_honeycomb(Builder& b, const Block& block, const Options& opti
   const Row v = aopt == 3.0 || aopt == 4.0 ? cursor.read(cross_card) : Row();
   expect_end(b, cursor);
   cards.axes = read_axes(b, block, cards.core, point, v, cards.vectors);
-  add_honeycomb(b, block, std::move(cards), std::move(title), "MAT_MODIFIED_HONEYCOMB");
+  add_honeycomb(b, std::move(cards), std::move(title), "MAT_MODIFIED_HONEYCOMB");
 }
 
 }  // namespace

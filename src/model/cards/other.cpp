@@ -69,7 +69,9 @@ Rows other_solutions() {
 /// Fluids, fields, particles.
 Rows other_physics() {
   return {
-      refused("AIRBAG_*", "airbags are not built; the gas of _SIMPLE_PRESSURE_VOLUME and _ADIABATIC_GAS_MODEL is"),
+      refused("AIRBAG_*",
+              "this gas of airbags is not built; _SIMPLE_AIRBAG_MODEL, _SIMPLE_PRESSURE_VOLUME and "
+              "_ADIABATIC_GAS_MODEL are"),
       refused("ALE_*", "fluids and large distortions by ALE are not built"),
       refused("CONTROL_ALE", "fluids and large distortions by ALE are not built"),
       refused("INITIAL_VOLUME_FRACTION*", "fluids and large distortions by ALE are not built"),

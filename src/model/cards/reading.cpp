@@ -2,6 +2,7 @@
 #include "model/cards/reading.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nugget::model {
 
@@ -57,6 +58,10 @@ void warn_of_global_axis(Builder& builder, const deck::Block& block, const deck:
     row.complain(builder.findings, Severity::warning, field,
                  "acts along the global axes, also where *INCLUDE_TRANSFORM turns the file",
                  std::string(global_codes_remedy));
+}
+
+int curve_below_zero(const deck::Row& row, std::string_view field) {
+  return static_cast<int>(std::max(0.0, -row.real(field)));
 }
 
 double death_time(double written) {

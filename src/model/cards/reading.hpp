@@ -48,6 +48,9 @@ void warn_of_global_axis(Builder& builder, const deck::Block& block, const deck:
 /// A death time as it acts: 0 and the deck's various large numbers mean for ever.
 double death_time(double written);
 
+/// The id of a curve that a field below 0 (or_negative) gives with its sign turned; 0 from 0 on.
+int curve_below_zero(const deck::Row& row, std::string_view field);
+
 /// A field that is obeyed at one value only.
 struct Obeyed {
   std::string_view field;

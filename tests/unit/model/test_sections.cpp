@@ -145,6 +145,72 @@ TEST(InitialStress, OfShellsInBothFormats) {
   EXPECT_EQ(shells[1].points[0].plastic_strain, 0.25);
 }
 
+// With LARGE the history of a brick begins behind its plastic strain. Sabotage: on a line of its own, as that of
+// shells, which loses every second brick (as it was).
+TEST(InitialStress, OfBricksWithHistory) {
+  std::string text = R"(*PART
+block
+        90        90         1
+*SECTION_SOLID
+        90         1
+*NODE
+     101             0.0             0.0             0.0
+     102             1.0             0.0             0.0
+     103             1.0             1.0             0.0
+     104             0.0             1.0             0.0
+     105             0.0             0.0             1.0
+     106             1.0             0.0             1.0
+     107             1.0             1.0             1.0
+     108             0.0             1.0             1.0
+*ELEMENT_SOLID
+      91      90     101     102     103     104     105     106     107     108
+*INITIAL_STRESS_SOLID
+)";
+  for (const int history : {2, 3, 8}) {
+    text += "        91         1" + std::string(9, ' ') + std::to_string(history) + "         1\n";
+    for (int value = 1; value <= 7 + history; ++value) {
+      text += std::string(15, ' ') + std::to_string(value % 10);
+      if (value % 5 == 0 || value == 7 + history) text += '\n';
+    }
+  }
+  const Built built(small_deck(text));
+  ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
+  EXPECT_FALSE(built.warning("stands behind")) << built.all_findings();
+  EXPECT_TRUE(built.warning("not taken over", "nhisv"));
+  ASSERT_EQ(built.model.initial_state.solids.size(), 3u);
+  for (const InitialStress& stress : built.model.initial_state.solids) {
+    EXPECT_THAT(stress.points.at(0).stress, ElementsAre(1, 2, 3, 4, 5, 6));
+    EXPECT_EQ(stress.points[0].plastic_strain, 7.0);
+  }
+}
+
+// Sabotage: points that are not there as zeros, places that are not given without a word (both as it was).
+TEST(InitialStress, PointsAndPlacesThatAreMissing) {
+  const std::string card = "*INITIAL_STRESS_SHELL\n         1         1         2\n";
+  EXPECT_TRUE(Built(small_deck(card + "      -0.5      10.0\n")).error("the keyword ends after 1", "nthick"));
+  EXPECT_TRUE(Built(small_deck(card + "                10.0\n                20.0\n"))
+                  .warning("at 1 different place T", "nthick"));
+  const std::string strain = "*INITIAL_STRAIN_SHELL\n";
+  EXPECT_TRUE(Built(small_deck(strain + "         1         1         3\n       0.1\n       0.2\n"))
+                  .error("the keyword ends after 2", "nthick"));
+  EXPECT_TRUE(Built(small_deck(strain + "         1" + std::string(68, ' ') + "1\n       0.1\n"))
+                  .error("strains in the axes of the element", "ilocal"));
+}
+
+// The card without counts, and without places: the lower and the upper point. Sabotage: the second as another shell,
+// the first as both (as it was).
+TEST(InitialStrain, OfTheLowerAndTheUpperPoint) {
+  for (const char* counts : {"         1", "         1         1         2"}) {
+    const Built built(
+        small_deck(std::string("*INITIAL_STRAIN_SHELL\n") + counts + "\n       0.1\n       0.2       0.3\n"));
+    ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
+    ASSERT_EQ(built.model.initial_state.shell_strains.size(), 1u);
+    const InitialStrain& strain = built.model.initial_state.shell_strains[0];
+    EXPECT_THAT(strain.lower, ElementsAre(0.1, 0, 0, 0, 0, 0));
+    EXPECT_THAT(strain.upper, ElementsAre(0.2, 0.3, 0, 0, 0, 0));
+  }
+}
+
 TEST(InitialStress, OfASectionNeedsTheSection) {
   EXPECT_TRUE(Built(small_deck("*INITIAL_STRESS_SECTION\n         1        12         7\n"))
                   .error("cross section 12 is not defined", "csid"));

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "base/archive.hpp"
+#include "base/curve.hpp"
+#include "model/control_volume.hpp"
+
+namespace nugget::impact {
+
+/// The gas of *AIRBAG_SIMPLE_AIRBAG_MODEL: one ideal gas of uniform pressure and temperature, in walls that take no
+/// heat. Its mass and internal energy E follow
+///     dm/dt = q_in - q_out,   dE/dt = q_in h(T_in) - q_out h(T) - p dV/dt,
+/// h the integral of cp from absolute zero, E / m = h - R T, p = m R T / V (LS-DYNA Theory Manual, Airbags: the control
+/// volume of Wang and Nefske, SAE 880654, 1988).
+struct Bag {
+  double volume = 0.0;  ///< [length^3]
+  double mass = 0.0;
+  double energy = 0.0;       ///< internal, from absolute zero [force length]
+  double pressure = 0.0;     ///< absolute
+  double temperature = 0.0;  ///< absolute
+  double inflow = 0.0;       ///< of now [mass/time]
+  double outflow = 0.0;      ///< mean over the last step [mass/time]
+
+  void archive(Archive& a) { a(volume, mass, energy, pressure, temperature, inflow, outflow); }
+};
+
+/// Gas at the ambient pressure.
+Bag bag_at_start(const model::ControlVolume& source, double volume);
+
+/// Takes the gas over a step of length `dt` to `time`, when it has `volume`. `inflow`: mass flow over time, 0
+/// outside the curve; null: none. `open`: gas may leave. Implicit trapezoidal rule by a fixed number of passes, so that
+/// the work on the walls is that of the central differences; what flows in is the integral of its curve, whatever the
+/// steps. A volume that is not above 0 leaves the gas as it is.
+void advance(Bag& bag, const model::ControlVolume& source, const std::vector<Curve>& curves, double volume,
+             const Curve* inflow, bool open, double time, double dt);
+
+/// Mass flow through the vent [mass/time] from a gas at `pressure` and `temperature`, by the isentropic flow through a
+/// nozzle, which is choked below the critical ratio of pressures; or that of LOU. None where the pressure is not above
+/// the ambient one.
+double outflow(const model::ControlVolume& source, const std::vector<Curve>& curves, double pressure,
+               double temperature);
+
+}  // namespace nugget::impact
