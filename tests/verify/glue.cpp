@@ -269,20 +269,21 @@ TEST(Glue, SlidesAndHoldsAlongTheNormal) {
 // OPTION 1, 3: the plate comes down over a gap and sticks; 3 fails at its strength, 1 never does. Sabotage: what
 // touches later does not stick; what has failed sticks again.
 TEST(Glue, WhatTouchesLaterSticks) {
-  const Leg down{1e-3, 0.0, -201.0};
-  const Parting holds = part(tiebreak({1}), {down, {2e-3, 200.0, 200.0}}, {0.2});
+  // It touches slowly: what sticks starts with the pressure of the touch, and a tool that is driven presses hard.
+  const Leg down{1e-3, 0.0, -198.8}, touch{2e-3, 0.0, -0.3};
+  const Parting holds = part(tiebreak({1}), {down, touch, {3e-3, 200.0, 200.0}}, {0.2});
   EXPECT_EQ(holds.start, 0);
   EXPECT_EQ(holds.later, 9);
   EXPECT_EQ(holds.failed, 0);
-  // It touched 0.001 mm before the end of the first leg, and a hundredth of the second is spent to turn round: 0.198 mm
-  // up from there, and 0.199 mm along.
-  expect_reference("glue", "OPTION 1, tension 0.197 mm off [N]", holds.tension, stiffness * 0.197 * area, 0.01);
+  // A hundredth of each leg is spent to come to its speed: it touches 0.0001 mm before it turns round, and goes 0.199
+  // mm up from there, and along.
+  expect_reference("glue", "OPTION 1, tension 0.1989 mm off [N]", holds.tension, stiffness * 0.1989 * area, 0.01);
   expect_reference("glue", "OPTION 1, shear 0.199 mm off [N]", holds.shear, stiffness * 0.199 * area, 0.01);
   const std::string fails = tiebreak({3, strength, shear_strength});
-  const Parting up = part(fails, {down, {3e-3, 0.0, 50.0}}, {0.2});
+  const Parting up = part(fails, {down, touch, {4e-3, 0.0, 50.0}}, {0.2});
   EXPECT_EQ(up.failed, 9);
   expect_reference("glue", "OPTION 3, largest tension after it came to touch [N]", up.tension, strength * area, 0.01);
-  const Parting along = part(fails, {down, {2e-3, 100.0, 0.0}, {2.1e-3, 0.0, -10.0}}, {0.2});
+  const Parting along = part(fails, {down, touch, {4e-3, 50.0, 0.0}, {4.1e-3, 0.0, -10.0}}, {0.2});
   EXPECT_EQ(along.failed, 9);
   EXPECT_EQ(along.later, 9);
   expect_reference("glue", "OPTION 3, largest shear after it came to touch [N]", along.shear, shear_strength * area,
