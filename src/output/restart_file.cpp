@@ -156,6 +156,7 @@ RestartReader::RestartReader(fs::path path) : Archive(true), path_(std::move(pat
 
 void RestartReader::bytes(void* data, std::size_t size) {
   if (size > end_ - next_) refuse("the state ends too early");
+  if (size == 0) return;  // an empty vector has no place to copy to
   std::memcpy(data, text_.view().data() + next_, size);
   next_ += size;
 }
