@@ -26,10 +26,12 @@ NodalForces::NodalForces(std::vector<int> nodes) : nodes_(std::move(nodes)) {
 void NodalForces::next_cycle() {
   std::swap(now_, before_);
   std::swap(touched_now_, touched_before_);
-  for (std::vector<int>& touched : touched_now_) {
-    for (int place : touched) now_[place] = Row{};
-    touched.clear();
-  }
+  parallel_for(touched_now_.size(), 1, [this](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      for (int place : touched_now_[p]) now_[place] = Row{};
+      touched_now_[p].clear();
+    }
+  });
   ++cycle_;
 }
 
