@@ -218,17 +218,20 @@ class Surfaces {
   std::map<Key, std::size_t> place_;
 };
 
-/// Where friction goes by parts, the mean of that of the elements at each node of the system.
+/// Where friction goes by parts, the mean of that of the shells at each node of the system; where there are none, of
+/// the bricks, and else of the beams.
 std::vector<kernel::Friction> friction_at_nodes(const system::System& system, const model::Contact& card) {
   const model::Model& model = system.model;
   std::vector<kernel::Friction> sum(system.all_nodes());
   if (!card.friction_by_part) return sum;
   std::vector<double> count(sum.size(), 0.0);
   const auto add_elements = [&](const auto& elements, std::size_t corners) {
+    const std::vector<double> before = count;
     for (std::size_t e = 0; e < elements.size(); ++e) {
       const kernel::Friction own = friction(model, model.parts[at(elements.part[e])], card.friction);
       for (std::size_t a = 0; a < corners; ++a) {
         const std::size_t n = at(system.node_of[at(elements.node[e][a])]);
+        if (before[n] > 0.0) continue;
         kernel::Friction& f = sum[n];
         f = {f.at_rest + own.at_rest, f.sliding + own.sliding, f.decay + own.decay,
              f.shear_strength + own.shear_strength};

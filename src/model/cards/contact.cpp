@@ -448,12 +448,13 @@ void read_mpp(Builder& builder, Cursor& cursor, const Options& options, Contact&
   if (!options.contains("MPP")) return;
   const Row row = cursor.read(mpp_card1);
   take_cparm8(builder, row, contact);
-  const int ignore = row.integer("ignore");
-  if (ignore == 1 || ignore == 2)
-    contact.ignore = ignore;
-  else if (contact.slides())
-    expect(builder, row, Severity::warning,
-           {{"ignore", 0, "not built: IGNORE of card C or of *CONTROL_CONTACT holds"}});
+  if (contact.slides()) {
+    if (const int ignore = row.integer("ignore"); ignore == 1 || ignore == 2)
+      contact.ignore = ignore;
+    else
+      expect(builder, row, Severity::warning,
+             {{"ignore", 0, "not built: IGNORE of card C or of *CONTROL_CONTACT holds"}});
+  }
   if (!cursor.peek().starts_with('&')) return;
   const Row second = cursor.read(mpp_card2);
   if (contact.slides())
