@@ -38,9 +38,10 @@ inline bool bare(const Segment& s, std::span<const unsigned char> element_alive)
 /// A node that must not pass through the segments.
 struct TrackedNode {
   int node = 0;
-  double thickness = 0.0;  ///< contact thickness: the mean of the adjoining segments' [length]
-  unsigned against = 1;    ///< the sides whose segments press it, by the bits of Segment::side
-  bool stays = false;      ///< it is pressed even when all its segments are gone
+  double thickness = 0.0;       ///< contact thickness: the mean of the adjoining segments' [length]
+  unsigned against = 1;         ///< the sides whose segments press it, by the bits of Segment::side
+  bool stays = false;           ///< it is pressed even when all its segments are gone
+  kernel::Friction friction{};  ///< of its parts, where no segment of the contact is at it
 };
 
 /// The nodes of the segments of `side`, ascending, each with the mean thickness of these segments; to be pressed by

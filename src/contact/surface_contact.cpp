@@ -50,7 +50,7 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
     node_stiffness_.push_back(around.empty() ? Box::infinity : sum / static_cast<double>(around.size()));
     node_mass_.push_back(around.empty() ? 0.0 : mass / static_cast<double>(around.size()));
     pressing_ |= t.against;
-    node_friction_.push_back(friction_at(around, setup_.segments));
+    node_friction_.push_back(around.empty() ? t.friction : friction_at(around, setup_.segments));
     if (t.stays) stays_[t.node] = 1;
   }
   book_sides(forces_, around_, setup_.segments);

@@ -218,21 +218,58 @@ class Surfaces {
   std::map<Key, std::size_t> place_;
 };
 
-/// The nodes of a node set, each as thick as the shells at it.
-std::vector<contact::TrackedNode> listed_nodes(const system::System& system, const model::Contact& card) {
+/// Where friction goes by parts, the mean of that of the shells at each node of the system; where there are none, of
+/// the bricks, and else of the beams.
+std::vector<kernel::Friction> friction_at_nodes(const system::System& system, const model::Contact& card) {
   const model::Model& model = system.model;
+  std::vector<kernel::Friction> sum(system.all_nodes());
+  if (!card.friction_by_part) return sum;
+  std::vector<double> count(sum.size(), 0.0);
+  const auto add_elements = [&](const auto& elements, std::size_t corners) {
+    const std::vector<double> before = count;
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      const kernel::Friction own = friction(model, model.parts[at(elements.part[e])], card.friction);
+      for (std::size_t a = 0; a < corners; ++a) {
+        const std::size_t n = at(system.node_of[at(elements.node[e][a])]);
+        if (before[n] > 0.0) continue;
+        kernel::Friction& f = sum[n];
+        f = {f.at_rest + own.at_rest, f.sliding + own.sliding, f.decay + own.decay,
+             f.shear_strength + own.shear_strength};
+        count[n] += 1.0;
+      }
+    }
+  };
+  add_elements(model.shells, 4);
+  add_elements(model.solids, 8);
+  add_elements(model.beams, 2);
+  for (std::size_t n = 0; n < sum.size(); ++n)
+    if (const double c = count[n]; c > 0.0)
+      sum[n] = {sum[n].at_rest / c, sum[n].sliding / c, sum[n].decay / c, sum[n].shear_strength / c};
+  return sum;
+}
+
+/// The nodes of a node set, each as thick as the shells at it, and as rough as the elements.
+std::vector<contact::TrackedNode> listed_nodes(const system::System& system, const model::Contact& card) {
+  if (card.a.nodes.empty()) return {};
+  const model::Model& model = system.model;
+  const std::vector<kernel::Friction> rough = friction_at_nodes(system, card);
+  const std::vector<char> thinned = shells_near_welds(system);
   std::vector<double> sum(model.nodes.size(), 0.0);
   std::vector<int> count(model.nodes.size(), 0);
-  for (std::size_t e = 0; e < model.shells.size(); ++e)
+  for (std::size_t e = 0; e < model.shells.size(); ++e) {
+    const model::Part& part = model.parts[at(model.shells.part[e])];
+    const double own = contact_thickness(card, part, model.shells.thickness[e], true);
     for (int a = 0; a < (model.shells.triangle(e) ? 3 : 4); ++a) {
-      sum[at(model.shells.node[e][at(a)])] += model.shells.thickness[e];
+      sum[at(model.shells.node[e][at(a)])] += thinned[e] ? own * model.control.weld_thinning : own;
       ++count[at(model.shells.node[e][at(a)])];
     }
+  }
   std::vector<contact::TrackedNode> nodes;
   for (model::Index n : card.a.nodes) {
     if (!card.a.holds(system.ties.x[at(n)])) continue;
-    const double own = count[at(n)] > 0 ? sum[at(n)] / count[at(n)] : 0.0;
-    nodes.push_back({system.node_of[at(n)], contact_thickness(card, {}, own, true), reference});
+    const double thickness = count[at(n)] > 0 ? sum[at(n)] / count[at(n)] : contact_thickness(card, {}, 0.0, true);
+    const int node = system.node_of[at(n)];
+    nodes.push_back({node, thickness, reference, false, rough[at(node)]});
   }
   return nodes;
 }
@@ -242,8 +279,9 @@ std::vector<contact::TrackedNode> ends_of_bars(const system::System& system, con
                                                unsigned against) {
   std::vector<contact::TrackedNode> nodes;
   if (!tracks_beams(card)) return nodes;
+  const std::vector<kernel::Friction> rough = friction_at_nodes(system, card);
   for (const contact::Edge& bar : bars(system, card, false))
-    for (int n : bar.node) nodes.push_back({n, bar.thickness, against});
+    for (int n : bar.node) nodes.push_back({n, bar.thickness, against, false, rough[at(n)]});
   return nodes;
 }
 

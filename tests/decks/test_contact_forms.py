@@ -267,6 +267,98 @@ class ContactForms(CommandTest):
         self.run_deck(plates(sliding(fs=0.2), motion, 1.0e-4))
         self.assertEqual(of_parts, self.rows())
 
+    def test_a_node_set_has_the_thickness_and_the_friction_of_its_parts(self):
+        """The same plates with SURFA as part and as node set. Sabotage: OPTT left out (1.0 thick: they touch at 1.0, not
+        at 1.2); a node without segments without friction (half of the mean)."""
+        def nodes(fs):
+            def write(d):
+                d.node_set(9, range(101, 126))
+                d.keyword("CONTACT_AUTOMATIC_NODES_TO_SURFACE")
+                d.card(surfa=9, surfb=LOWER, surfatyp=4, surfbtyp=3)
+                d.card(fs=fs, fd=fs)
+                d.card(sfsa=1.0, sfsb=1.0)
+            return write
+        card = {"fs": 0.2, "fd": 0.2, "dc": 0.0, "vc": 0.0, "optt": 1.2, "sft": 1.0, "ssf": 1.0}
+        self.run_deck(plates(nodes(-1.0), {3: -1.0e4}, 1.0e-4, gap=1.5, parts="PART_CONTACT", options=(card,)))
+        began = next(row[0] for row in self.rows() if row[3] > 0.0)
+        self.assertAlmostEqual(1.5 - 1.0e4 * began, 1.2, delta=0.03)
+        found = []
+        for fs in (-1.0, 0.2):
+            self.run_deck(plates(nodes(fs), {3: -20.0, 1: 200.0}, 1.0e-4, gap=1.2, parts="PART_CONTACT", options=(card,)))
+            found.append(self.rows())
+        self.assertGreater(-found[0][-1][1], 0.1 * found[0][-1][3])
+        self.assertEqual(*found)
+
+    def test_ignore_of_the_mpp_card(self):
+        """Keeps plates that overlap where they are, as on card C; other values are told. Sabotage: read past."""
+        def contact(ignore, scale=1.0):
+            def write(d):
+                d.keyword("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MPP")
+                d.card(ignore=ignore, bckt=200)
+                d.text(f"&                  0{scale:10.1f}")
+                d.card(surfa=UPPER, surfb=LOWER, surfatyp=3, surfbtyp=3)
+                d.card(fs=0.0)
+                d.card(sfsa=1.0)
+            return write
+        def said(*card):
+            self.write(plates(contact(*card), {3: -20.0}, 1.0e-5, gap=0.9))
+            return self.nugget("check", "model.k").stderr
+        self.assertIn("moved out (IGNORE = 0)", said(0))
+        self.assertIn("kept and gives no force (IGNORE = 1)", said(1))
+        self.assertIn("kept and gives no force (IGNORE = 2)", said(2))
+        self.assertIn("ignore = 3: not built", said(3))
+        self.assertNotIn("pensf", said(1))
+        self.assertIn("pensf = 2.0: not built", said(1, 2.0))
+
+    def test_attributes_of_sets_are_told_where_a_contact_would_use_them(self):
+        """DA1, DA2: glue; DA3, DA4: friction; A1 of a _COLUMN. Sabotage: no warning."""
+        def contact(attributes, glue, column=()):
+            def write(d):
+                d.keyword("SET_NODE_COLUMN")
+                d.text("".join(f"{v:>10}" for v in (9, *attributes)))
+                for node in range(101, 126):
+                    d.text("".join(f"{v:>10}" for v in (node, *column)))
+                d.keyword("CONTACT_" + ("TIEBREAK" if glue else "AUTOMATIC") + "_NODES_TO_SURFACE")
+                d.card(surfa=9, surfb=LOWER, surfatyp=4, surfbtyp=3)
+                d.card(fs=0.0)
+                d.card(sfsa=1.0)
+                if glue:
+                    d.card(nflf=10.0, sflf=10.0, nen=2.0, mes=2.0)
+            return write
+        for attributes, glue, column, told in (((), True, (), False), ((5.0,), True, (), True), ((5.0,), False, (), False),
+                                               ((0, 0, 2.0), False, (), True), ((), True, (7.0,), True)):
+            self.write(plates(contact(attributes, glue, column), {3: -20.0}, 1.0e-5))
+            self.assertEqual("of set 9 (strengths, scales of friction) are not obeyed" in
+                             self.nugget("check", "model.k").stderr, told, (attributes, glue, column))
+
+    def test_a_contact_acts_from_its_birth_to_its_death(self):
+        """A plate that is driven at 20 mm/s: k depth from BT on, where what overlaps by then is an offset; and what its
+        spring holds at DT stays in the sliding energy. Sabotage: BT + DT; no warning where it never acts."""
+        def contact(birth, death):
+            def write(d):
+                d.keyword("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE")
+                d.card(surfa=UPPER, surfb=LOWER, surfatyp=3, surfbtyp=3)
+                d.card(fs=0.0, fd=0.0, dc=0.0, vc=0.0, vdc=0.0, penchk=0, bt=birth, dt=death)
+                d.card(sfsa=0.001, sfsb=0.001)
+            return write
+        end, speed = 1.0e-4, 20.0
+        self.run_deck(plates(contact(0.0, 0.0), {3: -speed}, end))
+        whole = self.rows()
+        k = whole[-1][3] / (speed * end)  # mm/s against the plate at rest: its shells hardly move
+        birth, death = 0.3 * end, 0.7 * end
+        self.run_deck(plates(contact(birth, death), {3: -speed}, end))
+        for time, _, _, force in self.rows():
+            if time < birth or time > death:
+                self.assertEqual(force, 0.0, time)
+            elif birth + 0.1 * end < time < death - 0.05 * end:
+                self.assertAlmostEqual(force / (k * speed * (time - birth)), 1.0, delta=0.1)
+        held = 0.5 * k * (speed * (death - birth)) ** 2
+        sliding_energy = re.findall(r"sliding interface energy\.* +(\S+)", self.read("glstat"))
+        self.assertAlmostEqual(float(sliding_energy[-1]) / held, 1.0, delta=0.1)
+        for times, told in (((1.0, 0.0), "is after the end of the run"), ((5e-5, 2e-5), "is not before DT = 2e-05")):
+            self.write(plates(contact(*times), {3: -speed}, end))
+            self.assertIn(told, self.nugget("check", "model.k").stderr)
+
     def test_contact_thickness(self):
         """Where two plates come to touch: at half of both thicknesses. SFSAT leaves SAST as it is, SFT scales the true
         thickness alone. Sabotage: all of them multiplied."""
@@ -330,6 +422,32 @@ class ContactForms(CommandTest):
         self.write(plates(sliding(), {3: -20.0}, 1.0e-5, parts="PART_CONTACT", options=(
             {"fs": 0.0, "fd": 0.0, "dc": 0.0, "vc": 0.0, "optt": 0.0, "sft": 1.0, "ssf": 1.0, "cparm8": 1},)))
         self.assertRegex(self.nugget("check", "model.k").stderr, "warning: .* cparm8 = 1: not obeyed")
+
+    def test_fields_of_cards_a_and_c_and_of_transducers_that_are_not_obeyed(self):
+        """Each by name, at values that differ from the default. Sabotage: no warning."""
+        def cards(name="AUTOMATIC_SURFACE_TO_SURFACE", birth=0.0, **given):
+            def write(d):
+                d.keyword("CONTACT_" + name)
+                d.card(surfa=UPPER, surfb=LOWER, surfatyp=3, surfbtyp=3)
+                d.card(fs=0.0, fd=0.0, dc=0.0, vc=0.0, vdc=0.0, penchk=0, bt=birth, dt=0.0)
+                d.card(sfsa=1.0)
+                field = {"maxpar": 1.025, "frcfrq": 1, "igap": 1, "dprfac": 0.0, **given}
+                d.card(soft=0, sofscl=0.1, lcidab=0, maxpar=field["maxpar"], sbopt=2, depth=2, bsort=0,
+                       frcfrq=field["frcfrq"])
+                d.card(penmax=0.0)
+                d.card(igap=field["igap"], ignore=0, dprfac=field["dprfac"])
+            return write
+        def said(*name, **given):
+            self.write(plates(cards(*name, **given), {3: -20.0}, 1.0e-5))
+            return self.nugget("check", "model.k").stderr
+        self.assertEqual(said(), "")
+        for field, value, expected in (("maxpar", 1.05, "note: .* maxpar = 1.05: "), ("frcfrq", 10, "note: .* frcfrq = 10: "),
+                                       ("dprfac", 0.01, "warning: .* dprfac = 0.01: not built")):
+            self.assertRegex(said(**{field: value}), expected)
+        self.assertNotIn("igap", said(igap=2))
+        self.assertRegex(said("AUTOMATIC_SURFACE_TO_SURFACE_MORTAR", igap=2), "warning: .* igap = 2: not built")
+        self.assertNotIn("bt = ", said("FORCE_TRANSDUCER_PENALTY"))
+        self.assertRegex(said("FORCE_TRANSDUCER_PENALTY", birth=1e-6), "warning: .* bt = 1e-06: not obeyed")
 
     def test_only_what_lies_in_the_box(self):
         """A box around a quarter of the upper plate: a quarter of the force, about. Sabotage: the box not looked at."""

@@ -236,6 +236,18 @@ class Moves(CommandTest):
         self.assertIn("shells have their normals on the other side", self.deck("MIRROR,0,0,0,1,0,0"))
         self.assertNotIn("mirrors", self.deck("ROTATE,0,0,1,0,0,0,180"))
 
+    def test_the_node_at_the_centre_of_mass_is_moved_first(self):
+        """NODEID of *PART_INERTIA, whose part stands before the *NODE_TRANSFORM. Sabotage: where the node was before."""
+        self.write("*KEYWORD\n*CONTROL_TERMINATION\n1e-5\n*CONTROL_TIMESTEP\n1e-6\n*DATABASE_RBDOUT\n1e-5\n"
+                   "*PART_INERTIA\nbody\n1,1,1\n0,0,0,1.0,0,5\n1.0,0,0,1.0,0,1.0\n0,0,0\n"
+                   "*SECTION_SHELL\n1,2\n1,1,1,1\n*MAT_RIGID\n1,7.85e-9,210000.,0.3\n\n\n"
+                   "*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0.5,0.5,2.0\n*ELEMENT_SHELL\n1,1,1,2,3,4\n"
+                   "*SET_NODE_GENERAL\n1\nALL\n*NODE_TRANSFORM\n1,1\n"
+                   "*DEFINE_TRANSFORMATION\n1\nTRANSL,10.0,20.0,30.0\n*END\n")
+        self.nugget("run", "model.k", "--quiet")
+        place = [float(x) for x in re.search(r"coordinates: +(\S+) +(\S+) +(\S+)", self.read("rbdout")).groups()]
+        self.assertEqual(place, [10.5, 20.5, 32.0])
+
     def test_an_angle_of_zero_about_an_axis_through_the_origin(self):
         for axis in ("0,0,1", "1,0,0", "0,1,0", "0,-1,1"):
             self.assertEqual(self.deck(f"ROTATE,{axis},0,0,0,0"), "")

@@ -16,7 +16,7 @@ using deck::Row;
 using Kind = Contact::Kind;
 
 const Card mpp_card1{{
-    integer("ignore", 0, any_value, "initial penetrations"),
+    integer("ignore", 0, any_value, "1, 2: as on card C, where that is 0; others are not built"),
     integer("bckt", 200, any_value, "search interval"),
     integer("lcbckt", 0, any_value, "curve of that interval"),
     integer("ns2trk", 3, any_value, "contacts tracked a node"),
@@ -98,7 +98,7 @@ const Card card_c{{
     integer("igap", 1, any_value, "convergence of implicit runs"),
     integer("ignore", 0, between(0, 2),
             "initial penetrations: 0 by the control card, 1 tracked, 2 tracked and reported"),
-    real("dprfac", dimension::number, 0, any_value, "depth of reports"),
+    real("dprfac", dimension::number, 0, any_value, "soft 2: initial overlap that is given up with time"),
     real("dtstif", dimension::time, 0, any_value,
          "step for which soft 1 and 2 find their stiffness; 0: that of the run"),
     real("edgek", dimension::number, 0, any_value, "stiffness of edges"),
@@ -108,7 +108,7 @@ const Card card_c{{
 }};
 const Card card_d{{
     integer("q2tri", 0, any_value, "quadrilaterals as triangles"),
-    real("dtpchk", dimension::length, 0, any_value, "time step check"),
+    real("dtpchk", dimension::time, 0, any_value, "time between reports of penetration"),
     real("sfnbr", dimension::number, 0, any_value, "scale of neighbours"),
     real("fnlscl", dimension::number, 0, any_value, "scale of a nonlinear force"),
     real("dnlscl", dimension::number, 0, any_value, "distance of that force"),
@@ -164,15 +164,36 @@ void take_all_but(const Builder& builder, const std::vector<Index>& exempt, Surf
       surface.parts.push_back(static_cast<Index>(p));
 }
 
+/// Attributes of sets (of memory: DA1 and DA2 are strengths of glue, DA3 and DA4 scales of friction) are not heeded.
+template <class Set>
+void tell_of_attributes(Builder& builder, const Row& row, std::string_view field, const Contact& contact,
+                        const Set& set) {
+  const std::array<double, 4>& a = set.attributes;
+  if (!contact.slides() || (a[2] == 0.0 && a[3] == 0.0 && (!contact.glue || (a[0] == 0.0 && a[1] == 0.0)))) return;
+  row.complain(
+      builder.findings, Severity::warning, field,
+      fmt::format("attributes {:g}, {:g}, {:g}, {:g} of set {} (strengths, scales of friction) are not obeyed: "
+                  "those of the contact's cards hold",
+                  a[0], a[1], a[2], a[3], set.id),
+      "give a contact of its own to what has other strengths or friction");
+}
+
 /// What a side's id and type stand for. Nothing but findings where the id is unknown.
-Surface surface_of(Builder& builder, const Row& row, std::string_view field, std::string_view type_field) {
+Surface surface_of(Builder& builder, const Row& row, std::string_view field, std::string_view type_field,
+                   const Contact& contact) {
   Surface surface;
   switch (row.integer(type_field)) {
     case 0:
-      if (const auto* set = builder.segment_set(row, field)) surface.segments = set->members;
+      if (const auto* set = builder.segment_set(row, field)) {
+        surface.segments = set->members;
+        tell_of_attributes(builder, row, field, contact, *set);
+      }
       break;
     case 1:
-      if (const auto* set = builder.shell_set(row, field)) add_shells(builder.model, set->members, surface);
+      if (const auto* set = builder.shell_set(row, field)) {
+        add_shells(builder.model, set->members, surface);
+        tell_of_attributes(builder, row, field, contact, *set);
+      }
       break;
     case 2:
       if (row.integer(field) == 0)
@@ -184,7 +205,10 @@ Surface surface_of(Builder& builder, const Row& row, std::string_view field, std
       if (const Index part = builder.part(row, field); part != none) surface.parts = {part};
       break;
     case 4:
-      if (const auto* set = builder.node_set(row, field)) surface.nodes = set->members;
+      if (const auto* set = builder.node_set(row, field)) {
+        surface.nodes = set->members;
+        tell_of_attributes(builder, row, field, contact, *set);
+      }
       break;
     case 5: surface.everything = true; break;
     case 6:
@@ -222,7 +246,7 @@ void take_single_surface(Builder& builder, const Row& row, Contact& contact) {
   if (row.integer("surfa") == 0)
     contact.a.everything = true;
   else
-    contact.a = surface_of(builder, row, "surfa", "surfatyp");
+    contact.a = surface_of(builder, row, "surfa", "surfatyp", contact);
 }
 
 void refuse_missing_sides(Builder& builder, const Row& row, const char* advice) {
@@ -240,13 +264,13 @@ void take_two_sides(Builder& builder, const Row& row, Contact& contact) {
     refuse(builder, row, "surfbtyp", "the reference side needs segments", "name parts, shells or a segment set");
   refuse_missing_sides(builder, row,
                        "name both sides; *CONTACT_AUTOMATIC_SINGLE_SURFACE with SURFA 0 is for all parts and all");
-  contact.a = surface_of(builder, row, "surfa", "surfatyp");
-  contact.b = surface_of(builder, row, "surfb", "surfbtyp");
+  contact.a = surface_of(builder, row, "surfa", "surfatyp", contact);
+  contact.b = surface_of(builder, row, "surfb", "surfbtyp", contact);
 }
 
 void take_transducer(Builder& builder, const Row& row, Contact& contact) {
-  contact.a = surface_of(builder, row, "surfa", "surfatyp");
-  if (row.integer("surfb") != 0) contact.b = surface_of(builder, row, "surfb", "surfbtyp");
+  contact.a = surface_of(builder, row, "surfa", "surfatyp", contact);
+  if (row.integer("surfb") != 0) contact.b = surface_of(builder, row, "surfb", "surfbtyp", contact);
 }
 
 void take_tie(Builder& builder, const Row& row, Contact& contact) {
@@ -254,8 +278,8 @@ void take_tie(Builder& builder, const Row& row, Contact& contact) {
     return refuse(builder, row, "surfbtyp", "the reference side of a tie needs segments",
                   "name parts, shells or a segment set");
   refuse_missing_sides(builder, row, "name what is tied, and to what");
-  contact.a = surface_of(builder, row, "surfa", "surfatyp");
-  contact.b = surface_of(builder, row, "surfb", "surfbtyp");
+  contact.a = surface_of(builder, row, "surfa", "surfatyp", contact);
+  contact.b = surface_of(builder, row, "surfb", "surfbtyp", contact);
 }
 
 // ---- the cards that always stand
@@ -280,6 +304,9 @@ void take_friction(Builder& builder, const Row& row, Contact& contact) {
   contact.damping = row.real("vdc");
   contact.birth = row.real("bt");
   contact.death = death_time(row.real("dt"));
+  if (contact.kind == Kind::transducer && (contact.birth > 0.0 || contact.death < forever))
+    row.complain(builder.findings, Severity::warning, contact.birth > 0.0 ? "bt" : "dt",
+                 "not obeyed: a transducer sums up the forces of the whole run", "leave BT and DT 0");
   if (contact.tie_by_springs())
     expect(builder, row, Severity::warning, {{"vdc", 0, "the springs of a tie have no damping here"}});
 }
@@ -308,6 +335,8 @@ void take_a(Builder& builder, const Row& row, Contact& contact) {
   contact.soft_scale = row.real("sofscl");
   contact.search_interval = std::max(0, row.integer("bsort"));
   if (contact.tie()) return;  // of these fields none acts on a constraint
+  expect(builder, row, Severity::note,
+         {{"maxpar", 1.025, "segments are extended as with 1.025"}, {"frcfrq", 1, "forces are found in each cycle"}});
   contact.depth = row.integer("depth");
   if (contact.soft == 2 && contact.keyword.find("NODES_TO_SURFACE") != std::string::npos) {
     row.complain(builder.findings, Severity::warning, "soft",
@@ -333,14 +362,18 @@ void take_b(Builder& builder, const Row& row, Contact& contact) {
 }
 
 void take_c(Builder& builder, const Row& row, Contact& contact) {
-  contact.ignore = row.integer("ignore");
+  if (const int ignore = row.integer("ignore"); ignore != 0) contact.ignore = ignore;
   if (contact.tie()) return;
+  if (contact.keyword.find("MORTAR") != std::string::npos) expect(builder, row, Severity::warning, {{"igap", 1, left}});
   contact.soft_step = row.real("dtstif");
   if (contact.soft_step < 0.0)
     refuse(builder, row, "dtstif", "a step by a curve or by a running mean is not built; expected 0 or a step",
            "leave it 0 for the step of the run, or give the step");
   expect(builder, row, Severity::warning,
-         {{"edgek", 0, left}, {"flangl", 0, left}, {"cid_rcf", 0, "forces are written in global axes"}});
+         {{"dprfac", 0, "not built: what overlaps at the start keeps its offset, as with 0"},
+          {"edgek", 0, left},
+          {"flangl", 0, left},
+          {"cid_rcf", 0, "forces are written in global axes"}});
 }
 
 void take_d(Builder& builder, const Row& row, const Contact& contact) {
@@ -409,12 +442,23 @@ void take_optional_cards(Builder& builder, Cursor& cursor, Contact& contact) {
 // ---- reader
 // --------------------------------------------------------------------------------------------------------------------
 
-/// Of the cards of the distributed-memory version only CPARM8 counts, which says what the contact holds
-/// (docs/book/decks.md, the bolted connection).
+/// Of the cards of the distributed-memory version those fields count that say what the contact is: CPARM8 (what it
+/// holds; docs/book/decks.md, the bolted connection) and IGNORE. The others tune its search.
 void read_mpp(Builder& builder, Cursor& cursor, const Options& options, Contact& contact) {
   if (!options.contains("MPP")) return;
-  take_cparm8(builder, cursor.read(mpp_card1), contact);
-  if (cursor.peek().starts_with('&')) cursor.read(mpp_card2);
+  const Row row = cursor.read(mpp_card1);
+  take_cparm8(builder, row, contact);
+  if (contact.slides()) {
+    if (const int ignore = row.integer("ignore"); ignore == 1 || ignore == 2)
+      contact.ignore = ignore;
+    else
+      expect(builder, row, Severity::warning,
+             {{"ignore", 0, "not built: IGNORE of card C or of *CONTROL_CONTACT holds"}});
+  }
+  if (!cursor.peek().starts_with('&')) return;
+  const Row second = cursor.read(mpp_card2);
+  if (contact.slides())
+    expect(builder, second, Severity::warning, {{"pensf", 1, "not built: an initial overlap is kept as it is"}});
 }
 
 /// The forms of a tie that its keyword names.
@@ -489,6 +533,19 @@ void tell_of_same_id(Builder& builder, const Contact& contact) {
           "give each an id of its own, with _ID");
 }
 
+/// A contact that is born too late acts never.
+void tell_of_late_birth(Builder& builder, const Contact& contact) {
+  const double end = builder.model.control.end_time;
+  const bool outlived = end > 0.0 && contact.birth >= end;
+  if (!contact.slides() || !(outlived || contact.birth >= contact.death)) return;
+  builder.findings.warning(
+      contact.place, '*' + contact.keyword,
+      outlived
+          ? fmt::format("BT = {:g} is after the end of the run ({:g}): this contact never acts", contact.birth, end)
+          : fmt::format("BT = {:g} is not before DT = {:g}: this contact never acts", contact.birth, contact.death),
+      "give BT 0 if it is to act from the start");
+}
+
 template <Kind kind>
 void read_contact(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
@@ -529,6 +586,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
     if (contact.ignore == 0 && contact.glue && contact.glue->without_thickness) contact.ignore = 1;
     if (contact.id == 0) contact.id = static_cast<int>(b.model.contacts.size()) + 1;
     tell_of_same_id(b, contact);
+    tell_of_late_birth(b, contact);
     judge_skins(b, contact);
     b.model.contacts.push_back(std::move(contact));
   });
@@ -539,7 +597,7 @@ Keyword contact_keyword(std::string_view name, std::vector<std::string_view> for
   forms.insert(forms.end(), {"ID", "TITLE", "MPP"});
   const bool glued = std::find(forms.begin(), forms.end(), "TIEBREAK") != forms.end();
   std::vector<LayoutCard> layout{{"with _ID or _TITLE", &heading_card},
-                                 {"with _MPP; read past", &mpp_card1},
+                                 {"with _MPP; IGNORE and CPARM8 count", &mpp_card1},
                                  {"with _MPP, if it begins with &; read past", &mpp_card2},
                                  {{}, &sides_of_sets},
                                  {{}, &friction_card},

@@ -110,8 +110,11 @@ void read_inertia(Builder& b, Cursor& cursor, Index part) {
     RigidBody::Inertia given;
     given.mass = centre.real("tm");
     given.center = place;
+    // Behind what moves nodes in this phase.
     if (const Index n = later.node(centre, "nodeid"); n != none)
-      given.center = later.model.nodes.x[static_cast<std::size_t>(n)];
+      later.later(Phase::sets, [part, n](Builder& last) {
+        last.part_inertia[part].center = last.model.nodes.x[static_cast<std::size_t>(n)];
+      });
     given.inertia = {tensor.real("ixx"), tensor.real("ixy"), tensor.real("ixz"),
                      tensor.real("iyy"), tensor.real("iyz"), tensor.real("izz")};
     Frame3d frame;

@@ -260,7 +260,7 @@ void read_members(Cursor& cursor, const KindCards& cards, const Card& card, Sour
     step.ids = ids_of(row, count);
     step.place = row.place();
     if (step.ids.empty()) continue;
-    if (&card == &part_column) step.attributes = own_attributes(row, recipe.attributes);
+    if (&card == cards.column) step.attributes = own_attributes(row, recipe.attributes);
     steps.push_back(std::move(step));
   }
 }
@@ -296,6 +296,11 @@ void read_set(Builder& b, const Block& block, const Options& options, const Kind
   } else {
     read_members(cursor, cards, options.contains("COLUMN") ? *cards.column : *cards.ids, Source::members, Action::add,
                  recipe);
+    // Attributes of single nodes, shells and segments are told where they would count, never used: one stands for all.
+    if (cards.kind != SetKind::part)
+      for (SetStep& step : steps)
+        for (std::size_t i = 0; i < 4; ++i)
+          if (double& of_set = recipe.attributes[i]; of_set == 0.0) of_set = step.attributes[i];
   }
   b.set_recipes.push_back(std::move(recipe));
 }
