@@ -102,7 +102,8 @@ class Conditions(CommandTest):
         self.assertAlmostEqual(work / kinetic, 1.0, delta=1e-3)
 
     def test_a_body_driven_along_its_own_axis_while_it_turns(self):
-        """DOF -4 in the body's axes: v = 1 along its x, nothing across, while it turns by 90 degrees."""
+        """DOF -4 in the body's axes: v = 1 along its x, nothing across, while it turns by 90 degrees (1.6 in a step, half of
+        which its axes lag behind)."""
         cards = "*DEFINE_VECTOR\n" + card(9, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
         cards += "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n" + card(50, 7, 0, 1, math.pi / 2 / END)
         cards += "*BOUNDARY_PRESCRIBED_MOTION_RIGID_LOCAL\n" + card(50, -4, 0, 1, 1.0, 9)
@@ -110,7 +111,7 @@ class Conditions(CommandTest):
         text = self.read("out/rbdout")
         moved = re.findall(rf"displacements:\s+({NUMBER})\s+({NUMBER})", text)[-2]
         radius = 1.0 / (math.pi / 2 / END)
-        self.assert_near([float(v) for v in moved], [radius, radius], 1e-3 * radius * 10)
+        self.assert_near([float(v) for v in moved], [radius, radius], 0.01 * radius)
         velocity = re.findall(rf"velocities:\s+({NUMBER})\s+({NUMBER})", text)[-2]
         self.assert_near([float(v) for v in velocity], [0.0, 1.0], 0.02)
 
