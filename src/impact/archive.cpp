@@ -14,7 +14,7 @@ void Supports::Held::archive(Archive& a) {
 void Supports::Driven::archive(Archive& a) {
   Held::archive(a);
   a(left, rate);
-  a.built(motion, body, hold_others);
+  a.built(motion, body, hold_others, at_start, oblique_to);
 }
 
 void Supports::archive(Archive& a) {

@@ -67,7 +67,9 @@ class Supports {
   struct Driven : Held {
     const model::PrescribedMotion* motion = nullptr;
     int body = -1;
-    bool hold_others = false;  ///< across the direction that is driven; of a circle: the radius
+    bool hold_others = false;             ///< across the direction that is driven; of a circle: the radius
+    Vec3d at_start;                       ///< the axis at time 0: a body's own axes turn with it
+    std::vector<std::size_t> oblique_to;  ///< places in held_: supports of its node neither along nor across it
     // Of a circle, whose directions turn:
     Vec3d left;         ///< velocity of the node after the last prescribe
     double rate = 0.0;  ///< angular velocity, where the curve is its rate [1/time]
@@ -77,6 +79,8 @@ class Supports {
   double circular_target(Driven& driven, const system::State& state, double old_velocity, double kick) const;
   void set_component(Held& held, double target, int body, system::State& state, double kick,
                      std::span<system::RigidBody> bodies, std::vector<Reaction>& reactions);
+  /// Drives a node that supports hold in oblique directions: both are met, and both have their reactions.
+  void drive_beside_supports(Driven& driven, double target, system::State& state, double kick);
 
   const system::System& system_;
   std::vector<Held> held_;

@@ -67,6 +67,54 @@ void give_way(std::vector<Item>& items, const std::vector<Driven>& motions, cons
   items = std::move(left);
 }
 
+/// Directions of one node that are neither parallel nor at right angles.
+bool oblique(const Vec3d& a, const Vec3d& b) {
+  const double cosine = std::abs(dot(a, b));
+  return cosine > 1e-9 && cosine < 1.0 - 1e-9;
+}
+
+/// Where supports hold a node in directions that are oblique to each other (the planes of a sector meet there), the
+/// velocities would not all be 0 after one is met behind the other. So what is held at one time is put at right
+/// angles, in the order of the cards (Gram and Schmidt); what adds no direction is left out.
+template <class Item>
+void put_at_right_angles(std::vector<Item>& items) {
+  std::map<std::pair<int, bool>, std::vector<std::size_t>> of_node;
+  for (std::size_t i = 0; i < items.size(); ++i) of_node[{items[i].node, items[i].rotation}].push_back(i);
+  std::vector<char> replaced(items.size(), 0);
+  std::vector<Item> made;
+  for (const auto& [place, members] : of_node) {
+    bool any = false;
+    for (const std::size_t i : members)
+      for (const std::size_t j : members) any = any || oblique(items[i].axis, items[j].axis);
+    if (!any) continue;
+    std::vector<double> times;
+    for (const std::size_t i : members) {
+      replaced[i] = 1;
+      times.insert(times.end(), {items[i].birth, items[i].death});
+    }
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    for (std::size_t t = 0; t + 1 < times.size(); ++t) {
+      const std::size_t first = made.size();
+      for (const std::size_t i : members) {
+        Item item = items[i];
+        if (item.birth > times[t] || item.death < times[t + 1]) continue;
+        for (std::size_t k = first; k < made.size(); ++k) item.axis -= dot(made[k].axis, item.axis) * made[k].axis;
+        if (norm(item.axis) < 1e-6) continue;
+        item.axis = unit(item.axis);
+        item.birth = times[t];
+        item.death = times[t + 1];
+        made.push_back(item);
+      }
+    }
+  }
+  std::vector<Item> all;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (replaced[i] == 0) all.push_back(items[i]);
+  all.insert(all.end(), made.begin(), made.end());
+  items = std::move(all);
+}
+
 /// Time on the curve at which the step begins; a motion born within it has its curve from there on.
 double begin_of_step(bool active, double t) {
   return active ? t : std::min(t, 0.0);
@@ -107,6 +155,7 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
         driven.motion = &motion;
         driven.body = body;
         driven.hold_others = d > 0;
+        driven.at_start = directions[d];
         driven_.push_back(driven);
       }
       motion_.push_back({node, static_cast<model::Index>(k), 0, {}, {}, 0.0});
@@ -136,6 +185,20 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
            [this](std::size_t one, std::size_t other) {
              return one < other && !driven_[one].hold_others && driven_[one].motion != driven_[other].motion;
            });
+  put_at_right_angles(held_);
+  // Several motions of a node beside an oblique support may ask for too much: the motions are obeyed then.
+  std::map<std::pair<int, bool>, int> motions;
+  std::map<std::pair<int, bool>, std::vector<std::size_t>> held_at;
+  for (const Driven& d : driven_) ++motions[{d.node, d.rotation}];
+  if (!driven_.empty())
+    for (std::size_t h = 0; h < held_.size(); ++h) held_at[{held_[h].node, held_[h].rotation}].push_back(h);
+  for (Driven& d : driven_) {
+    if (d.body >= 0 || d.motion->circular || motions[{d.node, d.rotation}] > 1) continue;
+    const auto beside = held_at.find({d.node, d.rotation});
+    if (beside == held_at.end()) continue;
+    for (const std::size_t h : beside->second)
+      if (oblique(held_[h].axis, d.axis)) d.oblique_to.push_back(h);
+  }
 }
 
 void Supports::hold_at_start(system::State& state) {
@@ -191,6 +254,39 @@ double Supports::circular_target(Driven& driven, const system::State& state, dou
   // Where the radius is free, the velocity outwards stays, and the angle is met at the place where that leads.
   if (motion.radius_held) return place.radius * std::sin(turned) / dt;
   return (place.radius + dt * dot(place.outwards, vec(state.v[node]))) * std::tan(turned) / dt;
+}
+
+void Supports::drive_beside_supports(Driven& driven, double target, system::State& state, double kick) {
+  // A push along what the supports leave free; it is the motion's along its direction, and theirs across.
+  Vec3d free = driven.axis;
+  for (const std::size_t h : driven.oblique_to)
+    if (held_[h].active) free -= dot(held_[h].axis, driven.axis) * held_[h].axis;
+  const double share = norm(free);
+  // Held all round, it follows the motion.
+  if (share < 1e-3) return set_component(driven, target, driven.body, state, kick, {}, motion_);
+  const Vec3d direction = driven.axis;
+  driven.axis = (1.0 / share) * free;
+  std::vector<Reaction> along(1);
+  const std::size_t reaction = driven.reaction;
+  const double before = driven.velocity;
+  driven.reaction = 0;
+  driven.velocity = before / share;
+  set_component(driven, target / share, driven.body, state, kick, {}, along);
+  driven.reaction = reaction;
+  driven.axis = direction;
+  driven.force /= share;
+  driven.before = before;
+  driven.velocity = target;
+  Reaction& own = motion_[reaction];
+  (driven.rotation ? own.moment : own.force) += driven.force * direction;
+  own.energy += along.front().energy;
+  for (const std::size_t h : driven.oblique_to) {
+    if (!held_[h].active) continue;
+    const double force = -driven.force * dot(held_[h].axis, direction);
+    held_[h].force += force;
+    Reaction& other = spc_[held_[h].reaction];
+    (driven.rotation ? other.moment : other.force) += force * held_[h].axis;
+  }
 }
 
 void Supports::set_component(Held& held, double target, int body, system::State& state, double kick,
@@ -263,7 +359,7 @@ void Supports::prescribe(system::State& state, double kick, std::span<system::Ri
     if (d.motion->target == model::PrescribedMotion::Target::rigid_body_local && d.body >= 0) {
       // The body's axes at time 0 were the global ones.
       const Frame3d& axes = bodies[static_cast<std::size_t>(d.body)].axes;
-      if (!d.hold_others) d.axis = axes.global(d.motion->direction);
+      d.axis = axes.global(d.at_start);
     }
     if (d.motion->circular) {
       const model::PlaceOnCircle place = model::place_on_circle(*d.motion, vec(state.x[at(d.node)]));
@@ -277,7 +373,10 @@ void Supports::prescribe(system::State& state, double kick, std::span<system::Ri
     if (!d.active && state.cycle == 0) d.velocity = component(d);
     const double wanted = target(d, state, d.velocity, kick);
     d.active = true;
-    set_component(d, wanted, d.body, state, kick, bodies, motion_);
+    if (d.oblique_to.empty())
+      set_component(d, wanted, d.body, state, kick, bodies, motion_);
+    else
+      drive_beside_supports(d, wanted, state, kick);
   }
   for (Driven& d : driven_)
     if (d.motion->circular) d.left = vec(state.v[at(d.node)]);

@@ -68,6 +68,14 @@ void leave_out_rigid(Builder& builder, const Row& row, std::string_view field, S
   std::erase_if(nodes, [&](Index node) { return body_of(node) != none; });
 }
 
+/// A card whose time ends before it begins does nothing, which is told.
+void warn_of_no_time(Builder& builder, const Row& row, double birth, double death) {
+  if (birth < death) return;
+  row.complain(builder.findings, Severity::warning, "death",
+               fmt::format("it ends before it begins (birth {}): the card does nothing", birth),
+               "give a death later than the birth, or 0 for none");
+}
+
 /// The nodes of a card for one node or a set.
 template <bool set>
 std::vector<Index> nodes_of(Builder& builder, const Row& row) {
@@ -91,6 +99,7 @@ void read_spc(Builder& builder, const Block& block, const Options& options) {
       const Row times = cursor.read(birth_death_card);
       spc.birth = times.real("birth");
       spc.death = death_time(times.real("death"));
+      warn_of_no_time(builder, times, spc.birth, spc.death);
     }
     spc.fixed = fixed_bits(row);
     if (row.integer("cid") == 0) warn_of_turned_codes(builder, block, row, set ? "nsid" : "nid", spc.fixed);
@@ -309,6 +318,7 @@ void read_motion(Builder& builder, const Block& block, const Options& options) {
     motion.scale = row.real("sf");
     motion.birth = row.real("birth");
     motion.death = death_time(row.real("death"));
+    warn_of_no_time(builder, row, motion.birth, motion.death);
     // A motion that is refused may have a second card, which would be taken for the next definition.
     if (!take_degree_of_freedom(builder, row, motion)) return;
     if (!motion.circular && !takes_vector(row.integer("dof")) && row.integer("vid") >= 0 &&

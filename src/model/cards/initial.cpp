@@ -74,7 +74,8 @@ const Card generation_of_part = generation_card(IdSpace::part);
 /// `y`, `z`: NY and NZ, components of the axis or, with NX -999, nodes on it.
 Card axis_card(Field y, Field z) {
   return {{
-      real("xc", dimension::length, 0, any_value, "point on the axis of rotation, x"),
+      real("xc", dimension::length, 0, any_value,
+           "point on the axis of rotation, x; with nx -999 the node ny takes its place"),
       real("yc", dimension::length, 0, any_value, "y"),
       real("zc", dimension::length, 0, any_value, "z"),
       real("nx", dimension::number, 0, any_value,
@@ -310,7 +311,10 @@ void generate(Builder& builder, const Block& block, const Row& row1, const Row& 
     if (norm(axis) == 0.0)
       return refuse(builder, row2, "nx", "the axis of rotation has no length", "give its direction, or two nodes");
     motion.spin = omega * unit(axis);
-    motion.center = position(block, row2, "xc", "yc", "zc");
+    // The axis goes through the first of its two nodes; XC, YC, ZC are for the other form.
+    const Index first = row2.real("nx") == -999.0 ? builder.node(row2, "ny") : none;
+    motion.center = first == none ? position(block, row2, "xc", "yc", "zc")
+                                  : builder.model.nodes.x[static_cast<std::size_t>(first)];
     motion.turns = true;
   }
   const bool overwrites = row2.integer("irigid") == 1;

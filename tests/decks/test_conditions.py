@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Supports, motions and initial velocities of masses and a rigid box, against closed forms."""
+import math
+import re
+import unittest
+
+from few_elements import CORNERS, card, curve, nodes, part
+from nugget_command import CommandTest
+
+STEP, END, MASS = 0.001, 0.1, 2.0
+NUMBER = r"[-+]?\d\.\d+E[-+]\d+"
+
+
+def masses(places, cards, box=False):
+    """Free masses, steps of one length, an elastic cube far away that gives the model an element; a rigid box 4 x 2 x 1 as
+    part 50 with its own axes, if asked for."""
+    far = [(100 + x, 100 + y, 100 + z) for x, y, z in CORNERS]
+    text = "*KEYWORD\n*CONTROL_TERMINATION\n" + card(END)
+    text += "*CONTROL_TIMESTEP\n" + card(0.0, 0.6, 0, 0.0, 0.0, 99) + curve(99, (0, STEP), (1000, STEP))
+    text += curve(1, (0, 1), (1, 1)) + curve(2, (0, 0), (1, 0))
+    text += nodes(far, 1001) + nodes(places)
+    text += f"*ELEMENT_SOLID\n{1:8}{900:8}\n" + "".join(f"{1001 + i:8}" for i in range(8)) + "\n"
+    text += part(900, 900, 900) + "*SECTION_SOLID\n" + card(900, 1) + "*MAT_ELASTIC\n" + card(900, 1.0, 1.0, 0.3)
+    text += "*ELEMENT_MASS\n" + "".join(f"{i + 1:8}{i + 1:8}{MASS:16}\n" for i in range(len(places)))
+    shown = list(range(1, len(places) + 1))
+    if box:
+        text += nodes([(4 * x, 2 * y, z) for x, y, z in CORNERS], 2001)
+        text += f"*ELEMENT_SOLID\n{50:8}{50:8}\n" + "".join(f"{2001 + i:8}" for i in range(8)) + "\n"
+        text += part(50, 900, 50) + "*MAT_RIGID\n" + card(50, 1.0, 1.0, 0.3) + "\n" + card(8)
+        text += "*DEFINE_COORDINATE_VECTOR\n" + card(8, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
+        shown.append(2001)
+    for name in ("NODOUT", "SPCFORC", "BNDOUT", "GLSTAT", "RBDOUT"):
+        text += f"*DATABASE_{name}\n" + card(0.02, 1)
+    return text + "*DATABASE_HISTORY_NODE\n" + card(*shown) + cards + "*END\n"
+
+
+def system(identity, degrees):
+    """Axes turned about z."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return "*DEFINE_COORDINATE_VECTOR\n" + card(identity, f"{c:.7f}", f"{s:.7f}", 0.0, f"{-s:.7f}", f"{c:.7f}", 0.0)
+
+
+class Conditions(CommandTest):
+    def run_deck(self, *arguments, **options):
+        self.write(masses(*arguments, **options))
+        return self.nugget("run", "model.k", "-o", "out", "--quiet").stderr
+
+    def nodout(self):
+        """[{node: displacement and velocity}]"""
+        states = []
+        for line in self.read("out/nodout").splitlines():
+            if "nodal point" in line:
+                states.append({})
+            match = re.match(rf"\s*(\d+)((?:\s*{NUMBER})+)", line)
+            if match:
+                states[-1][int(match[1])] = [float(x) for x in re.findall(NUMBER, match[2])][:6]
+        return states
+
+    def assert_near(self, found, expected, delta):
+        for one, other in zip(found, expected, strict=True):
+            self.assertAlmostEqual(one, other, delta=delta)
+
+    def energies(self):
+        last = self.glstat("out/glstat")[-1]
+        return last["external work"], last["kinetic energy"]
+
+    def test_oblique_supports_hold_together(self):
+        """Two planes of a sector of 10 degrees meet in node 1; node 2 gets its second support between 0.0295 and
+        0.0595, so it moves before and after."""
+        cards = system(7, 10.0)
+        cards += "*BOUNDARY_SPC_NODE\n" + card(1, 0, 0, 1) + card(1, 7, 0, 1) + card(2, 0, 0, 1)
+        cards += "*BOUNDARY_SPC_NODE_BIRTH_DEATH\n" + card(2, 7, 0, 1) + card(0.0295, 0.0595)
+        cards += "*LOAD_NODE_POINT\n" + "".join(card(n, d, 1, f) for n in (1, 2) for d, f in ((1, 3.0), (2, 7.0)))
+        self.run_deck([(0, 0, 0), (1, 0, 0)], cards)
+        states = self.nodout()
+        self.assert_near(states[-1][1], [0.0] * 6, 1e-12)
+        self.assertGreater(states[1][2][3], 0.0)
+        self.assert_near(states[2][2][3:], [0.0] * 3, 1e-9)
+        self.assertGreater(states[-1][2][3], 0.0)
+        self.assert_near([s[2][4] for s in states], [0.0] * len(states), 1e-9)
+        # What both hold is the load.
+        forces = re.findall(rf"force resultants\s*=\s*({NUMBER})\s+({NUMBER})", self.read("out/spcforc"))
+        self.assert_near([float(f) for f in forces[2]], [-6.0, -14.0], 1e-3)
+        work, kinetic = self.energies()
+        self.assertAlmostEqual(work / kinetic, 1.0, delta=1e-3)
+
+    def test_a_motion_beside_an_oblique_support(self):
+        """A slider on a plane inclined by 30 degrees is driven along x: it follows the plane. The force for the
+        acceleration a = 10 along x is m a (1 + tan^2) along x."""
+        cards = system(7, 30.0) + "*BOUNDARY_SPC_NODE\n" + card(1, 7, 0, 1)
+        cards += "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + card(1, 1, 1, 1, 10.0)
+        self.run_deck([(0, 0, 0)], cards)
+        slope = math.tan(math.radians(30.0))
+        x, y, _, vx, vy, _ = self.nodout()[-1][1]
+        self.assertAlmostEqual(x, 0.5 * 10 * END**2, delta=1e-9)
+        self.assertAlmostEqual(y / x, slope, delta=1e-5)
+        self.assertAlmostEqual(vy / vx, slope, delta=1e-5)
+        force = float(re.findall(rf"nd#\s+1\s+xforce=\s*({NUMBER})", self.read("out/bndout"))[-1])
+        self.assertAlmostEqual(force, MASS * 10 * (1 + slope**2), delta=1e-3)
+        work, kinetic = self.energies()
+        self.assertAlmostEqual(work, 0.5 * MASS * (10 * END) ** 2 * (1 + slope**2), delta=1e-4)
+        self.assertAlmostEqual(work / kinetic, 1.0, delta=1e-3)
+
+    def test_a_body_driven_along_its_own_axis_while_it_turns(self):
+        """DOF -4 in the body's axes: v = 1 along its x, nothing across, while it turns by 90 degrees (1.6 in a step, half of
+        which its axes lag behind)."""
+        cards = "*DEFINE_VECTOR\n" + card(9, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
+        cards += "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n" + card(50, 7, 0, 1, math.pi / 2 / END)
+        cards += "*BOUNDARY_PRESCRIBED_MOTION_RIGID_LOCAL\n" + card(50, -4, 0, 1, 1.0, 9)
+        self.run_deck([(0, 50, 0)], cards, box=True)
+        text = self.read("out/rbdout")
+        moved = re.findall(rf"displacements:\s+({NUMBER})\s+({NUMBER})", text)[-2]
+        radius = 1.0 / (math.pi / 2 / END)
+        self.assert_near([float(v) for v in moved], [radius, radius], 0.01 * radius)
+        velocity = re.findall(rf"velocities:\s+({NUMBER})\s+({NUMBER})", text)[-2]
+        self.assert_near([float(v) for v in velocity], [0.0, 1.0], 0.02)
+
+    def test_spin_about_an_axis_through_two_nodes(self):
+        """The first of the two nodes is on the axis, whatever XC, YC, ZC say."""
+        cards = "*SET_NODE_LIST\n" + card(1) + card(1, 2)
+        cards += "*INITIAL_VELOCITY_GENERATION\n" + card(1, 3, 10.0, 0.0, 0.0, 1.0)
+        cards += card(7.0, 7.0, 0.0, -999.0, 3, 4)
+        self.run_deck([(0, 0, 0), (3, 2, 0), (3, 0, 0), (3, 0, 2)], cards)
+        start = self.nodout()[0]
+        self.assert_near(start[1][3:], [0.0, -30.0, 1.0], 1e-9)
+        self.assert_near(start[2][3:], [-20.0, 0.0, 1.0], 1e-9)
+
+    def test_what_ends_before_it_begins_is_told(self):
+        cards = "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + card(1, 1, 0, 1, 1.0, 0, 0.01, 0.05)
+        cards += "*BOUNDARY_SPC_NODE_BIRTH_DEATH\n" + card(1, 0, 0, 1) + card(0.05, 0.02)
+        told = self.run_deck([(0, 0, 0)], cards)
+        self.assertEqual(told.count("it ends before it begins (birth 0.05): the card does nothing"), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
