@@ -32,6 +32,8 @@ void Relaxation::damp(system::System& system, system::State& state) const {
 }
 
 void Relaxation::watch(const system::System& system, const system::State& state) {
+  cycles_ = state.cycle;
+  time_ = state.time;
   // The energy is that of a vibration: ten looks between two checks find its largest value well enough.
   const long between = std::max(1, control_.check_cycles / 10);
   const bool check = state.cycle % control_.check_cycles == 0;
@@ -41,8 +43,6 @@ void Relaxation::watch(const system::System& system, const system::State& state)
   largest_ = std::max(largest_, recent_);
   unrest_ = largest_ > 0.0 ? recent_ / largest_ : 0.0;
   at_rest_ = unrest_ < control_.tolerance;
-  cycles_ = state.cycle;
-  time_ = state.time;
   recent_ = 0.0;
 }
 

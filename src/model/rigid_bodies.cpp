@@ -165,9 +165,34 @@ class Maker {
     if (!into.given && merged.given)
       refuse(b_, row, "pidc", "its given mass would have to be added to one that follows from elements: not built",
              "give the mass of both for the lead body");
+    tell_what_ends(row, into, merged);
     into.parts.insert(into.parts.end(), merged.parts.begin(), merged.parts.end());
     into.nodes.insert(into.nodes.end(), merged.nodes.begin(), merged.nodes.end());
     lead_[static_cast<std::size_t>(from)] = to;
+  }
+
+  /// The lead body's supports and motion are those of both.
+  void tell_what_ends(const Row& row, const RigidBody& into, const RigidBody& merged) {
+    if (merged.fixed != 0 && !held_alike(into, merged))
+      row.complain(b_.findings, Severity::warning, "pidc",
+                   fmt::format("{} is held, which ends with the merger: both move as {} is held", name_of(merged),
+                               name_of(into)),
+                   "hold the lead body (CMO of its *MAT_RIGID, _SPC of a nodal rigid body)");
+    if (!merged.given) return;
+    const auto &v = merged.inertia.velocity, &w = merged.inertia.spin;
+    const bool same = into.given && norm(into.inertia.velocity - v) == 0.0 && norm(into.inertia.spin - w) == 0.0;
+    if (norm(v) + norm(w) > 0.0 && !same)
+      row.complain(b_.findings, Severity::warning, "pidc",
+                   fmt::format("the initial velocity of {} does not count: both have that of {}", name_of(merged),
+                               name_of(into)),
+                   "give the velocity with the lead body");
+  }
+
+  static bool held_alike(const RigidBody& a, const RigidBody& b) { return a.fixed == b.fixed && same_axes(a, b); }
+
+  static bool same_axes(const RigidBody& a, const RigidBody& b) {
+    const Frame3d &f = a.fixed_axes, &g = b.fixed_axes;
+    return norm(f.e1 - g.e1) + norm(f.e2 - g.e2) < 1e-9;
   }
 
   /// Two rigid parts with three common nodes that are not in a line cannot but move as one.
@@ -205,9 +230,21 @@ class Maker {
         merged.place, "*PART",
         fmt::format("{} shares nodes with {}, and moves with it as one", name_of(merged), name_of(into)),
         "say so with *CONSTRAINED_RIGID_BODIES");
+    hold_both(into, merged);
     into.parts.insert(into.parts.end(), merged.parts.begin(), merged.parts.end());
     into.nodes.insert(into.nodes.end(), merged.nodes.begin(), merged.nodes.end());
     lead_[static_cast<std::size_t>(from)] = to;
+  }
+
+  /// No card says which of them leads, so what holds either of them holds both.
+  void hold_both(RigidBody& into, const RigidBody& merged) {
+    if (into.fixed == 0) into.fixed_axes = merged.fixed_axes;
+    if (merged.fixed != 0 && !same_axes(into, merged))
+      b_.findings.error(
+          merged.place, "*PART",
+          fmt::format("{} and {} share nodes, and are held in different axes", name_of(merged), name_of(into)),
+          "merge them with *CONSTRAINED_RIGID_BODIES, and hold the lead body");
+    into.fixed |= merged.fixed;
   }
 
   bool span_a_plane(const std::vector<Index>& nodes) const {

@@ -354,6 +354,9 @@ State System::initial_state() {
     set(state.w[k], spin);
     body.angular_momentum = body.momentum(spin, body.axes);
   }
+  // A step of no length and no force takes out the velocities that a body is held against.
+  for (RigidBody& body : bodies)
+    if (body.fixed != 0) body.advance(0.0, 0.0, state);
   for (const TieSpring& s : springs) {
     const weld::Tie& tie = ties.ties[s.tie];
     set(state.x[at(s.anchor)], tie.lever ? ties.x[at(tie.node)] : tie.point);

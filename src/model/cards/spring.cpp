@@ -274,17 +274,26 @@ void fill_nonlinear(Builder& b, const Row& row, kernel::Spring& spring) {
   spring.law = law;
 }
 
+/// A rate at which the force has the other sign: a point of the curve, or one beyond, where its end slopes go on.
+std::optional<double> driving_rate(const Curve& curve, const kernel::ForceCurve& force) {
+  if (curve.empty()) return std::nullopt;
+  for (const double v : curve.x)
+    if (v * force(v) < 0.0) return v;
+  for (const double end : {curve.x.front(), curve.x.back()}) {
+    const double slope = force.slope(end), least = end - force(end) / slope;
+    if (end != 0.0 && slope < 0.0) return least + 0.01 * end;
+  }
+  return std::nullopt;
+}
+
 void fill_nonlinear_viscous(Builder& b, const Row& row, kernel::Spring& spring) {
   kernel::DiscreteSpring law;
   law.damper = force_curve(b, row, "lcdr");
   complain_of_leap(b, row, "lcdr", law.damper);
-  for (const double v : curve_of(b, row, "lcdr").x)
-    if (v * law.damper(v) < 0.0) {
-      row.complain(b.findings, Severity::warning, "lcdr",
-                   fmt::format("at a rate of {:g} the force drives the motion: the damper makes energy", v),
-                   "give forces of the sign of their rate");
-      break;
-    }
+  if (const std::optional<double> rate = driving_rate(curve_of(b, row, "lcdr"), law.damper); rate)
+    row.complain(b.findings, Severity::warning, "lcdr",
+                 fmt::format("at a rate of {:g} the force drives the motion: the damper makes energy", *rate),
+                 "give forces of the sign of their rate, and end slopes that do not lead to the other sign");
   spring.law = law;
 }
 
