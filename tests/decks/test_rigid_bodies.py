@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rigid bodies that are held, merged or share nodes; what a damper's curve does beyond its end; relaxation by DRTERM."""
+"""Bodies held, merged or sharing nodes; dampers beyond their curve; relaxation by DRTERM; bricks turned inside out."""
+import math
+import re
 import unittest
 
 from few_elements import CORNERS, SOLID, card, curve, nodes, part
@@ -90,6 +92,38 @@ class SpringsAndRelaxation(CommandTest):
         # Steps of 0.01 * 2 / sqrt(k/m).
         self.assertEqual(told["cycles"], 32)
         self.assertFalse(told["at_rest"])
+
+
+class CrushedBricks(CommandTest):
+    # A corner of a unit brick of ELFORM 2 is driven by d (1, 1, 1) towards the opposite one, all other nodes are held. At
+    # the Gauss point next to it, a = (1 + 1/sqrt(3))/2 along each axis, det J = 1 - 3 a^2 d; of the whole brick 1 - 3/4 d
+    # of the volume is left.
+    TIME = 1.0 / (3.0 * (0.5 + 0.5 / math.sqrt(3.0)) ** 2) / 1000.0
+
+    def crushed(self, extra, expect):
+        held = "*BOUNDARY_SPC_SET\n" + card(1, 0, 1, 1, 1) + "*SET_NODE_LIST\n" + card(1) + card(1, 2, 3, 4, 5, 6, 8)
+        drive = curve(1, (0, -1000.0), (1, -1000.0)) + "".join(
+            "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + card(7, axis, 0, 1, 1.0) for axis in (1, 2, 3))
+        self.write("*KEYWORD\n*CONTROL_TERMINATION\n" + card(8e-4) + "*DATABASE_GLSTAT\n" + card(1e-5) + part(1) +
+                   "*SECTION_SOLID\n" + card(1, 2) + "*MAT_ELASTIC\n" + card(1, 7.8e-9, 2000.0, 0.3) +
+                   nodes(CORNERS) + "*ELEMENT_SOLID\n" + "".join(f"{i:8}" for i in (1, 1, *range(1, 9))) + "\n" +
+                   held + drive + "*SET_PART_LIST\n" + card(3) + card(1) + extra + "*END\n")
+        return self.nugget("run", "model.k", "-o", ".", "--threads", 1, expect=expect).stderr
+
+    def assert_time(self, text, pattern):
+        found = re.search(pattern, text)
+        self.assertTrue(found, text)
+        self.assertAlmostEqual(float(found[1]), self.TIME, delta=2e-6)
+
+    def test_a_point_inside_out_ends_the_run(self):
+        self.assert_time(self.crushed("", 3), r"negative volume in solid 1 of part 1 at time (\S+),")
+
+    def test_a_point_inside_out_deletes_the_brick(self):
+        for extra in ("*CONTROL_TIMESTEP\n" + card(0.0, 0.5, 0, 0.0, 0.0, 0, 1),
+                      "*CONTROL_TIMESTEP\n" + card(0.0, 0.5) + "*CONTROL_SOLID\n" + card(0, 0, 0, 0, 3)):
+            self.crushed(extra, 0)
+            self.assert_time(self.read("run.log"), r"time (\S+): solid 1 of part 1 is deleted, its volume is negative")
+            self.assertAlmostEqual(self.glstat()[-1]["total energy / initial energy"], 1.0, delta=1e-4)
 
 
 if __name__ == "__main__":
