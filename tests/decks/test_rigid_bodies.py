@@ -50,15 +50,15 @@ class RigidBodies(CommandTest):
     def test_what_ends_with_a_merger_is_told(self):
         self.run_deck(STEP, FALL, part(1), part(2, 1, 2), SOLID, rigid(1), rigid(2, 1, 7, 7), cube(1, 0.0),
                       cube(2, 3.0), MERGE)
-        self.assertEqual(self.warnings(), ["rigid part 2 is held, which ends with the merger: both move as rigid part 1 "
-                                           "is held"])
+        self.assertEqual(self.warnings(), ["rigid part 2 is held, which ends with the merger: both move as rigid "
+                                           "part 1 is held"])
         self.assertAlmostEqual(self.glstat()[-1]["global z velocity"], -1.0, delta=0.011)
 
     def test_the_same_supports_and_the_leads_motion(self):
         self.run_deck(STEP, inertia(1, 1.0), inertia(2, 2.0), SOLID, rigid(1, 1, 2, 7), rigid(2, 1, 2, 7),
                       cube(1, 0.0), cube(2, 3.0), MERGE)
-        self.assertEqual(self.warnings(), ["the initial velocity of rigid part 2 does not count: both have that of rigid "
-                                           "part 1"])
+        self.assertEqual(self.warnings(), ["the initial velocity of rigid part 2 does not count: both have that of "
+                                           "rigid part 1"])
 
     def test_neighbours_are_held_by_what_holds_either(self):
         shared = (2, 9, 10, 3, 6, 11, 12, 7)
@@ -95,9 +95,9 @@ class SpringsAndRelaxation(CommandTest):
 
 
 class CrushedBricks(CommandTest):
-    # A corner of a unit brick of ELFORM 2 is driven by d (1, 1, 1) towards the opposite one, all other nodes are held. At
-    # the Gauss point next to it, a = (1 + 1/sqrt(3))/2 along each axis, det J = 1 - 3 a^2 d; of the whole brick 1 - 3/4 d
-    # of the volume is left.
+    # A corner of a unit brick of ELFORM 2 is driven by d (1, 1, 1) towards the opposite one, all others are held. At the
+    # Gauss point next to it, a = (1 + 1/sqrt(3))/2 along each axis, det J = 1 - 3 a^2 d; of the brick's volume
+    # 1 - 3/4 d is left.
     TIME = 1.0 / (3.0 * (0.5 + 0.5 / math.sqrt(3.0)) ** 2) / 1000.0
 
     def crushed(self, extra, expect):
