@@ -95,8 +95,8 @@ class SpringsAndRelaxation(CommandTest):
 
 
 class CrushedBricks(CommandTest):
-    # A corner of a unit brick of ELFORM 2 is driven by d (1, 1, 1) towards the opposite one, all others are held. At the
-    # Gauss point next to it, a = (1 + 1/sqrt(3))/2 along each axis, det J = 1 - 3 a^2 d; of the brick's volume
+    # A corner of a unit brick of ELFORM 2 is driven by d (1, 1, 1) towards the opposite one, all others are held. At
+    # the Gauss point next to it, a = (1 + 1/sqrt(3))/2 along each axis, det J = 1 - 3 a^2 d; of the brick's volume
     # 1 - 3/4 d is left.
     TIME = 1.0 / (3.0 * (0.5 + 0.5 / math.sqrt(3.0)) ** 2) / 1000.0
 
