@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rigid bodies that are held, merged or share nodes; what a damper's curve does beyond its end; relaxation by DRTERM."""
+"""Bodies held, merged or sharing nodes; dampers beyond their curve; relaxation by DRTERM; bricks turned inside out."""
+import math
+import re
 import unittest
 
 from few_elements import CORNERS, SOLID, card, curve, nodes, part
@@ -48,15 +50,15 @@ class RigidBodies(CommandTest):
     def test_what_ends_with_a_merger_is_told(self):
         self.run_deck(STEP, FALL, part(1), part(2, 1, 2), SOLID, rigid(1), rigid(2, 1, 7, 7), cube(1, 0.0),
                       cube(2, 3.0), MERGE)
-        self.assertEqual(self.warnings(), ["rigid part 2 is held, which ends with the merger: both move as rigid part 1 "
-                                           "is held"])
+        self.assertEqual(self.warnings(), ["rigid part 2 is held, which ends with the merger: both move as rigid "
+                                           "part 1 is held"])
         self.assertAlmostEqual(self.glstat()[-1]["global z velocity"], -1.0, delta=0.011)
 
     def test_the_same_supports_and_the_leads_motion(self):
         self.run_deck(STEP, inertia(1, 1.0), inertia(2, 2.0), SOLID, rigid(1, 1, 2, 7), rigid(2, 1, 2, 7),
                       cube(1, 0.0), cube(2, 3.0), MERGE)
-        self.assertEqual(self.warnings(), ["the initial velocity of rigid part 2 does not count: both have that of rigid "
-                                           "part 1"])
+        self.assertEqual(self.warnings(), ["the initial velocity of rigid part 2 does not count: both have that of "
+                                           "rigid part 1"])
 
     def test_neighbours_are_held_by_what_holds_either(self):
         shared = (2, 9, 10, 3, 6, 11, 12, 7)
@@ -90,6 +92,38 @@ class SpringsAndRelaxation(CommandTest):
         # Steps of 0.01 * 2 / sqrt(k/m).
         self.assertEqual(told["cycles"], 32)
         self.assertFalse(told["at_rest"])
+
+
+class CrushedBricks(CommandTest):
+    # A corner of a unit brick of ELFORM 2 is driven by d (1, 1, 1) towards the opposite one, all others are held. At
+    # the Gauss point next to it, a = (1 + 1/sqrt(3))/2 along each axis, det J = 1 - 3 a^2 d; of the brick's volume
+    # 1 - 3/4 d is left.
+    TIME = 1.0 / (3.0 * (0.5 + 0.5 / math.sqrt(3.0)) ** 2) / 1000.0
+
+    def crushed(self, extra, expect):
+        held = "*BOUNDARY_SPC_SET\n" + card(1, 0, 1, 1, 1) + "*SET_NODE_LIST\n" + card(1) + card(1, 2, 3, 4, 5, 6, 8)
+        drive = curve(1, (0, -1000.0), (1, -1000.0)) + "".join(
+            "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + card(7, axis, 0, 1, 1.0) for axis in (1, 2, 3))
+        self.write("*KEYWORD\n*CONTROL_TERMINATION\n" + card(8e-4) + "*DATABASE_GLSTAT\n" + card(1e-5) + part(1) +
+                   "*SECTION_SOLID\n" + card(1, 2) + "*MAT_ELASTIC\n" + card(1, 7.8e-9, 2000.0, 0.3) +
+                   nodes(CORNERS) + "*ELEMENT_SOLID\n" + "".join(f"{i:8}" for i in (1, 1, *range(1, 9))) + "\n" +
+                   held + drive + "*SET_PART_LIST\n" + card(3) + card(1) + extra + "*END\n")
+        return self.nugget("run", "model.k", "-o", ".", "--threads", 1, expect=expect).stderr
+
+    def assert_time(self, text, pattern):
+        found = re.search(pattern, text)
+        self.assertTrue(found, text)
+        self.assertAlmostEqual(float(found[1]), self.TIME, delta=2e-6)
+
+    def test_a_point_inside_out_ends_the_run(self):
+        self.assert_time(self.crushed("", 3), r"negative volume in solid 1 of part 1 at time (\S+),")
+
+    def test_a_point_inside_out_deletes_the_brick(self):
+        for extra in ("*CONTROL_TIMESTEP\n" + card(0.0, 0.5, 0, 0.0, 0.0, 0, 1),
+                      "*CONTROL_TIMESTEP\n" + card(0.0, 0.5) + "*CONTROL_SOLID\n" + card(0, 0, 0, 0, 3)):
+            self.crushed(extra, 0)
+            self.assert_time(self.read("run.log"), r"time (\S+): solid 1 of part 1 is deleted, its volume is negative")
+            self.assertAlmostEqual(self.glstat()[-1]["total energy / initial energy"], 1.0, delta=1e-4)
 
 
 if __name__ == "__main__":

@@ -165,9 +165,10 @@ template <class R, class Law, class FieldOn>
   // Mean pressure at the end; the points keep their deviators.
   const auto field = field_on(end);
   field.volumes(part);
-  R end_volume = none, mean = none;
+  R end_volume = none, mean = none, least = part[0];
   for (int p = 0; p < points; ++p) {
     end_volume += part[p];
+    least = select(part[p] < least, part[p], least);
     mean += part[p] * (third * (stress[p].xx + stress[p].yy + stress[p].zz));
   }
   mean = mean / end_volume;
@@ -194,7 +195,13 @@ template <class R, class Law, class FieldOn>
   if (any(!alive))
     for (Vec3<R>& a : out.f) a = select(alive, a, Vec3<R>{});
   out.stable_step = select(alive, bulk.step, R(std::numeric_limits<double>::infinity()));
-  out.volume = select(alive, end_volume, R(1.0));
+  out.volume = select(alive, least, R(1.0));
+  // A point that is inside out has strains without meaning, long before the volume of the whole is negative.
+  const auto inside_out = alive && least <= none;
+  if (any(inside_out)) {
+    for (Vec3<R>& a : out.f) a = select(inside_out, Vec3<R>{}, a);
+    out.stable_step = select(inside_out, none, out.stable_step);
+  }
   return out;
 }
 
