@@ -49,8 +49,9 @@ struct SolidMotion {
   Vec3<R> x[8], v[8];
 };
 
-/// Internal forces on eight nodes, m a = f_ext - f; stable time step on the end geometry before TSSFAC; volume, which
-/// must be above zero (the caller stops the run, or deletes the element, if it is not).
+/// Internal forces on eight nodes, m a = f_ext - f; stable time step on the end geometry before TSSFAC; volume, of
+/// several points that of the least, which must be above zero (the caller stops the run, or deletes the element, if it
+/// is not).
 template <class R>
 struct SolidForces {
   Vec3<R> f[8];
