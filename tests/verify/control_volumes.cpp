@@ -16,7 +16,6 @@ namespace {
 
 constexpr double side = 100.0, height = 50.0, area = side * side, pressure = 0.2, density = 7.85e-9, thickness = 2.0;
 constexpr double mass = density * thickness * area;
-constexpr int gap = 100;  // between the ids of the bottom's nodes and those of the lid above them
 
 /// A lid of 4 x 4 rigid shells over a fixed bottom; the walls between them are faces without elements.
 struct Chamber {
