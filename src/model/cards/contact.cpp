@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "model/cards/contact_glue.hpp"
+#include "model/cards/contact_interior.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
 #include "model/contact_form.hpp"
@@ -619,43 +620,6 @@ Keyword refused(std::string_view name, std::string_view why) {
   return {name, {}, {"ID", "TITLE", "MPP"}, Verdict::refused, why, {}, nullptr};
 }
 
-const Card interior_card{{
-    id("psid", IdSpace::set, required,
-       "set of parts; attributes DA1 = PSF (1), DA2 = Fa (0.1), DA3 = ED, DA4 = TYPE (1, 2: the same here), by part in "
-       "*SET_PART_COLUMN"),
-}};
-
-void read_interior(Builder& builder, const Block& block, const Options& options) {
-  Cursor cursor(builder.deck, block, builder.findings);
-  const Heading heading = read_heading(cursor, options.contains("ID") || options.contains("TITLE"));
-  const Row row = cursor.read(interior_card);
-  expect_end(builder, cursor);
-  builder.later(Phase::conditions, [row, heading, place = block.place](Builder& b) {
-    const auto* set = b.part_set(row, "psid");
-    if (!set) return;
-    InteriorContact contact;
-    for (const Index index : set->members) {
-      const auto [scale, activation, modulus, type] = set->attributes_of(index);
-      if (scale < 0.0 || activation < 0.0 || activation >= 1.0 || modulus < 0.0 || type < 0.0 || type > 2.0)
-        return refuse(
-            b, row, "psid",
-            fmt::format("attributes {:g}, {:g}, {:g}, {:g} of part {} in part set {}: expected PSF and ED of "
-                        "0 or more, Fa below 1, TYPE 0 to 2",
-                        scale, activation, modulus, type, b.model.parts[static_cast<std::size_t>(index)].id, set->id),
-            "set DA1 to DA4 of the set, or A1 to A4 of the part");
-      InteriorPart part{.part = index, .modulus = modulus};
-      if (scale > 0.0) part.scale = scale;
-      if (activation > 0.0) part.activation = activation;
-      contact.parts.push_back(part);
-    }
-    contact.id =
-        heading.id != 0 ? heading.id : static_cast<int>(b.model.contacts.size() + b.model.interiors.size()) + 1;
-    contact.title = heading.text;
-    contact.place = place;
-    b.model.interiors.push_back(std::move(contact));
-  });
-}
-
 constexpr const char* other_tie_of_translations =
     "this form is not built; ties of translations only have _OFFSET and _CONSTRAINED_OFFSET (_BEAM_OFFSET is for shell "
     "edges and spot welds; ties that fail are not built)";
@@ -706,13 +670,7 @@ std::vector<Keyword> contact_keywords() {
               "glue is built between two surfaces; use *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
       refused("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_*", "this form is not built; use it without the last word"),
       refused("CONTACT_FORCE_TRANSDUCER_*", "this transducer is not built; *CONTACT_FORCE_TRANSDUCER_PENALTY is"),
-      {"CONTACT_INTERIOR",
-       {},
-       {"ID", "TITLE"},
-       Verdict::used,
-       {},
-       {{"with _ID or _TITLE", &heading_card}, {{}, &interior_card}},
-       read_interior},
+      interior_keyword(),
       refused("CONTACT_ERODING_*",
               "this form is not built; *CONTACT_ERODING_SINGLE_SURFACE, _SURFACE_TO_SURFACE and _NODES_TO_SURFACE "
               "are"),
