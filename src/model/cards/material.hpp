@@ -41,6 +41,27 @@ std::optional<kernel::PlasticDamage> plastic_damage(Builder& builder, const deck
 /// The id of a coordinate system that stands in a field for real numbers, with the offset of its include.
 int system_id(const deck::Block& block, double written);
 
+/// Fields of AOPT, which many materials have in other places of their cards.
+namespace aopt {
+inline constexpr Field option =
+    or_negative(real("aopt", dimension::number, 0, any_value,
+                     "material axes: 0 by nodes, 2 by vectors a and d, 3 by v x normal, -id by a coordinate system"),
+                IdSpace::define);
+inline constexpr Field xp = real("xp", dimension::length, 0, any_value, "point of AOPT 1 and 4, which are not built");
+inline constexpr Field yp = real("yp", dimension::length, 0, any_value, "the same");
+inline constexpr Field zp = real("zp", dimension::length, 0, any_value, "the same");
+inline constexpr Field a1 = real("a1", dimension::number, 0, any_value, "vector a of AOPT 2, x");
+inline constexpr Field a2 = real("a2", dimension::number, 0, any_value, "y");
+inline constexpr Field a3 = real("a3", dimension::number, 0, any_value, "z");
+inline constexpr Field d1 = real("d1", dimension::number, 0, any_value, "vector d of AOPT 2, x");
+inline constexpr Field d2 = real("d2", dimension::number, 0, any_value, "y");
+inline constexpr Field d3 = real("d3", dimension::number, 0, any_value, "z");
+inline constexpr Field v1 = real("v1", dimension::number, 0, any_value, "vector v of AOPT 3, x");
+inline constexpr Field v2 = real("v2", dimension::number, 0, any_value, "y");
+inline constexpr Field v3 = real("v3", dimension::number, 0, any_value, "z");
+inline constexpr Field macf = integer("macf", 1, between(0, 1), "exchange of axes: 1, none");
+}  // namespace aopt
+
 /// Material axes by AOPT of a row, with a1 to a3, v1 to v3 and d1 to d3 of three, which turn with
 /// *INCLUDE_TRANSFORM; a finding where they are not built.
 /// Those of a coordinate system (AOPT below 0) come later, by take_axes_of_system.

@@ -29,29 +29,34 @@ const Card dense_card{{
     integer("bulk", 0, between(0, 1), "0: viscosity MU; 1: bulk viscosity instead, by the compacted sound speed"),
 }};
 
+constexpr Field curve_bb = id("lcb", IdSpace::function, 0, "the same of bb; 0: LCA");
+constexpr Field curve_cc = id("lcc", IdSpace::function, 0, "the same of cc; 0: LCA");
+constexpr Field curve_ab = id("lcab", IdSpace::function, 0, "the same of ab; 0: LCS");
+constexpr Field curve_bc = id("lcbc", IdSpace::function, 0, "the same of bc; 0: LCS");
+constexpr Field curve_ca = id("lcca", IdSpace::function, 0, "the same of ca; 0: LCS");
 constexpr Field rate_curve = id("lcsr", IdSpace::function, 0, "curve: factor on the largest stresses over the rate");
 
 const Card curves_card{{
     id("lca", IdSpace::function, required,
        "curve: largest stress aa over relative volume (begins above 0) or volumetric strain (at or below 0)"),
-    id("lcb", IdSpace::function, 0, "the same of bb; 0: LCA"),
-    id("lcc", IdSpace::function, 0, "the same of cc; 0: LCA"),
+    curve_bb,
+    curve_cc,
     id("lcs", IdSpace::function, 0, "the same of the shears; 0: LCA"),
-    id("lcab", IdSpace::function, 0, "the same of ab; 0: LCS"),
-    id("lcbc", IdSpace::function, 0, "the same of bc; 0: LCS"),
-    id("lcca", IdSpace::function, 0, "the same of ca; 0: LCS"),
+    curve_ab,
+    curve_bc,
+    curve_ca,
     rate_curve,
 }};
 
 const Card own_curves_card{{
     id("lca", IdSpace::function, required,
        "curve: largest stress aa over the strain aa, compression positive; below 0, another yield surface: not built"),
-    id("lcb", IdSpace::function, 0, "the same of bb; 0: LCA"),
-    id("lcc", IdSpace::function, 0, "the same of cc; 0: LCA"),
+    curve_bb,
+    curve_cc,
     id("lcs", IdSpace::function, 0, "the same of the shears, over gamma of either sign; 0: LCA"),
-    id("lcab", IdSpace::function, 0, "the same of ab; 0: LCS"),
-    id("lcbc", IdSpace::function, 0, "the same of bc; 0: LCS"),
-    id("lcca", IdSpace::function, 0, "the same of ca; 0: LCS"),
+    curve_ab,
+    curve_bc,
+    curve_ca,
     id("lcsr", IdSpace::function, 0, "curve: factor on the largest stresses over the rate; -1: not built"),
 }};
 
@@ -62,28 +67,26 @@ const Card core_card{{
     real("gabu", dimension::stress, required, above_zero(), "shear modulus ab of the uncrushed core"),
     real("gbcu", dimension::stress, required, above_zero(), "the same of bc"),
     real("gcau", dimension::stress, required, above_zero(), "the same of ca"),
-    or_negative(real("aopt", dimension::number, 0, any_value,
-                     "material axes: 0 by nodes, 2 by vectors a and d, 3 by v x normal, -id by a coordinate system"),
-                IdSpace::define),
-    integer("macf", 1, between(0, 1), "exchange of axes: 1, none"),
+    aopt::option,
+    aopt::macf,
 }};
 
 const Card point_card{{
-    real("xp", dimension::length, 0, any_value, "point of AOPT 1 and 4, which are not built"),
-    real("yp", dimension::length, 0, any_value, "the same"),
-    real("zp", dimension::length, 0, any_value, "the same"),
-    real("a1", dimension::number, 0, any_value, "vector a of AOPT 2, x"),
-    real("a2", dimension::number, 0, any_value, "y"),
-    real("a3", dimension::number, 0, any_value, "z"),
+    aopt::xp,
+    aopt::yp,
+    aopt::zp,
+    aopt::a1,
+    aopt::a2,
+    aopt::a3,
 }};
 
 const Card own_point_card{{
-    real("xp", dimension::length, 0, any_value, "point of AOPT 1 and 4, which are not built"),
-    real("yp", dimension::length, 0, any_value, "the same"),
-    real("zp", dimension::length, 0, any_value, "the same"),
-    real("a1", dimension::number, 0, any_value, "vector a of AOPT 2, x"),
-    real("a2", dimension::number, 0, any_value, "y"),
-    real("a3", dimension::number, 0, any_value, "z"),
+    aopt::xp,
+    aopt::yp,
+    aopt::zp,
+    aopt::a1,
+    aopt::a2,
+    aopt::a3,
     real("rfac", dimension::number, 0, only(0), "filter of the strain rate"),
     integer("pru", 0, only(0), "Poisson effect before compaction"),
 }};
@@ -93,20 +96,20 @@ constexpr Field tensile =
 constexpr Field shearing = real("ssef", dimension::number, 0, at_least(0), "gamma ab, bc or ca that deletes; 0: none");
 
 const Card vectors_card{{
-    real("d1", dimension::number, 0, any_value, "vector d of AOPT 2, x"),
-    real("d2", dimension::number, 0, any_value, "y"),
-    real("d3", dimension::number, 0, any_value, "z"),
+    aopt::d1,
+    aopt::d2,
+    aopt::d3,
     tensile,
     shearing,
-    real("v1", dimension::number, 0, any_value, "vector v of AOPT 3, x"),
-    real("v2", dimension::number, 0, any_value, "y"),
-    real("v3", dimension::number, 0, any_value, "z"),
+    aopt::v1,
+    aopt::v2,
+    aopt::v3,
 }};
 
 const Card own_vectors_card{{
-    real("d1", dimension::number, 0, any_value, "vector d of AOPT 2, x"),
-    real("d2", dimension::number, 0, any_value, "y"),
-    real("d3", dimension::number, 0, any_value, "z"),
+    aopt::d1,
+    aopt::d2,
+    aopt::d3,
     tensile,
     shearing,
     real("vref", dimension::number, 0, only(0), "relative volume from which the element is a spring"),
@@ -115,9 +118,9 @@ const Card own_vectors_card{{
 }};
 
 const Card cross_card{{
-    real("v1", dimension::number, 0, any_value, "vector v of AOPT 3, x"),
-    real("v2", dimension::number, 0, any_value, "y"),
-    real("v3", dimension::number, 0, any_value, "z"),
+    aopt::v1,
+    aopt::v2,
+    aopt::v3,
 }};
 
 constexpr std::string_view limit_fields[] = {"lca", "lcb", "lcc", "lcab", "lcbc", "lcca"};
