@@ -202,8 +202,8 @@ void check_beam_law(Builder& b, const Part& part, const deck::Row& row) {
              fmt::format("resultant beams (ELFORM 2) are elastic here, but the part has *{}", material.keyword),
              "write ELFORM 1 with the dimensions of the section");
     else if (const auto* compound = std::get_if<kernel::Compound>(&material.law);
-             compound && compound->made_of->erosion)
-      refuse(b, row, "mid", "*MAT_ADD_EROSION is not built for beams",
+             compound && (compound->made_of->erosion || compound->made_of->gissmo))
+      refuse(b, row, "mid", "*MAT_ADD_EROSION and *MAT_ADD_DAMAGE_GISSMO are not built for beams",
              "take it away, or write the failure strain of *MAT_003 or 024");
     else if (!is_moved && !is_elastic && !is_plastic)
       refuse(b, row, "mid", fmt::format("*{} is not built for beams", material.keyword),

@@ -125,23 +125,6 @@ struct Table {
   std::vector<Index> curve;
 };
 
-/// A table with its curves, linear between its values; all ends hold.
-struct CurveTable {
-  int id = 0;
-  std::vector<double> value;  ///< ascending, one per curve; of a single curve 0
-  std::vector<Curve> curve;   ///< empty: not given
-
-  bool given() const { return !curve.empty(); }
-  double at(double v, double x) const {
-    const auto upper = static_cast<std::size_t>(std::upper_bound(value.begin(), value.end(), v) - value.begin());
-    if (upper == 0) return curve.front().clamped(x);
-    const double below = curve[upper - 1].clamped(x);
-    if (upper == value.size()) return below;
-    const double share = (v - value[upper - 1]) / (value[upper] - value[upper - 1]);
-    return below + share * (curve[upper].clamped(x) - below);
-  }
-};
-
 /// *DEFINE_COORDINATE_...; the rows of the triad are the local axes.
 struct CoordinateSystem {
   /// Of *DEFINE_COORDINATE_NODES.

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <type_traits>
 
 #include "kernel/element/full_hexahedron.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
+#include "system/element_size.hpp"
 #include "system/imposed_stress.hpp"
 #include "system/material_axes.hpp"
 #include "system/point_integrity.hpp"
@@ -32,10 +34,11 @@ struct BrickElement {
 
   void start(double* state, int lane, model::Index, const Places& x) const {
     kernel::start_hexahedron(layout(), x, state, native_width, lane);
-    start_axes(state + Layout::first_history * native_width + lane, x);
+    start_point(state + Layout::first_history * native_width + lane, x);
   }
-  /// Material axes of the point whose history begins at `history`, of laws that have them.
-  void start_axes(double* history, const Places& x) const {
+  /// Size and material axes of the point whose history begins at `history`, of laws that have them.
+  void start_point(double* history, const Places& x) const {
+    start_size(law, history, native_width, std::cbrt(kernel::hexahedron_volume(x)));
     if (const kernel::MaterialAxes* axes = material_axes(law))
       kernel::start_solid_axes(history, native_width,
                                axes->in_brick(x[1] - x[0], x[3] - x[0], kernel::MaterialAxes::midway_normal(x)));
@@ -116,7 +119,7 @@ struct FullBrickElement : BrickElement<Law> {
 
   void start(double* state, int lane, model::Index, const Places& x) const {
     kernel::start_full_hexahedron(layout(), state, native_width, lane);
-    for (int p = 0; p < Layout::points; ++p) this->start_axes(state + layout().history_of(p) * native_width + lane, x);
+    for (int p = 0; p < Layout::points; ++p) this->start_point(state + layout().history_of(p) * native_width + lane, x);
   }
   template <class R>
   kernel::SolidForces<R> cycle(const Motion<R>& motion, double dt, double* state) const {

@@ -20,11 +20,10 @@ struct QuadraticTetrahedronElement : TetrahedronPoints<Law, QuadraticTetrahedron
 
   void start(double* state, int lane, model::Index, const Places& x) const {
     kernel::start_quadratic_tetrahedron(layout(), x, state, native_width, lane);
-    this->start_axes(state, lane, x);
+    this->start_points(state, lane, x);
   }
-  double mass(model::Index, const Places& x) const {
-    return this->solid.density * kernel::quadratic_tetrahedron_volume(x);
-  }
+  static double volume(const Places& x) { return kernel::quadratic_tetrahedron_volume(x); }
+  double mass(model::Index, const Places& x) const { return this->solid.density * volume(x); }
   double nodal_inertia(model::Index, const Places&) const { return 0.0; }
   static double mass_share(int node) { return kernel::quadratic_tetrahedron_mass_share(node); }
 

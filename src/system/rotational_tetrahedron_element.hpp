@@ -21,9 +21,10 @@ struct RotationalTetrahedronElement : TetrahedronPoints<Law, RotationalTetrahedr
 
   void start(double* state, int lane, model::Index, const Places& x) const {
     kernel::start_rotational_tetrahedron(layout(), x, state, native_width, lane);
-    this->start_axes(state, lane, x);
+    this->start_points(state, lane, x);
   }
-  double mass(model::Index, const Places& x) const { return this->solid.density * kernel::tetrahedron_volume(x); }
+  static double volume(const Places& x) { return kernel::tetrahedron_volume(x); }
+  double mass(model::Index, const Places& x) const { return this->solid.density * volume(x); }
   double nodal_inertia(model::Index, const Places& x) const {
     return kernel::rotational_tetrahedron_inertia(x, this->solid.density);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "kernel/element/belytschko_tsay.hpp"
 #include "kernel/element/c0_triangle.hpp"
@@ -9,6 +10,7 @@
 #include "kernel/element/kirchhoff_triangle.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
+#include "system/element_size.hpp"
 #include "system/material_axes.hpp"
 
 // The shells as BatchGroup wants them; see there.
@@ -65,13 +67,22 @@ struct ShellElement {
 
   void start(double* state, int lane, model::Index e, const Places& x) const {
     kernel::start_shell(layout(), shells.thickness[static_cast<std::size_t>(e)], state, native_width, lane);
+    const auto each_point = [&](const auto& begin) {
+      for (int column = 0; column < columns; ++column)
+        for (int k = 0; k < layers(); ++k) begin(state + layout().history_of(k, column) * native_width + lane);
+    };
+    each_point([&](double* history) { start_size(law, history, native_width, std::sqrt(area(x))); });
     const kernel::MaterialAxes* axes = material_axes(law);
     if (!axes) return;
     const Frame3d frame = frame_of(x);
     const Vec3d a = unit(frame.local(axes->in_shell(x[1] - x[0], frame.e3, shells.own_angle(e))));
-    for (int column = 0; column < columns; ++column)
-      for (int k = 0; k < layers(); ++k)
-        kernel::start_layer_axes(state + layout().history_of(k, column) * native_width + lane, native_width, a.x, a.y);
+    each_point([&](double* history) { kernel::start_layer_axes(history, native_width, a.x, a.y); });
+  }
+  static double area(const Places& x) {
+    if constexpr (corners == 4)
+      return kernel::shell_area(x);
+    else
+      return kernel::triangle_area(x);
   }
   kernel::NodalMass nodal_mass(model::Index e, const Places& x) const {
     const double t = shells.thickness[static_cast<std::size_t>(e)];

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <memory>
 
 #include "kernel/element/tetrahedron.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
+#include "system/element_size.hpp"
 #include "system/imposed_stress.hpp"
 #include "system/material_axes.hpp"
 #include "system/nodal_pressure.hpp"
@@ -33,9 +35,10 @@ struct TetrahedronElement {
 
   void start(double* state, int lane, model::Index, const Places& x) const {
     kernel::start_tetrahedron(layout(), state, native_width, lane);
+    double* history = state + Layout::first_history * native_width + lane;
+    start_size(law, history, native_width, std::cbrt(kernel::tetrahedron_volume(x)));
     if (const kernel::MaterialAxes* axes = material_axes(law))
-      kernel::start_solid_axes(state + Layout::first_history * native_width + lane, native_width,
-                               axes->in_brick(x[1] - x[0], x[3] - x[0]));
+      kernel::start_solid_axes(history, native_width, axes->in_brick(x[1] - x[0], x[3] - x[0]));
   }
   double mass(model::Index, const Places& x) const { return solid.density * kernel::tetrahedron_volume(x); }
   double nodal_inertia(model::Index, const Places&) const { return 0.0; }

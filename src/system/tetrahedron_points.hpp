@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "kernel/element/hexahedron.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
+#include "system/element_size.hpp"
 #include "system/imposed_stress.hpp"
 #include "system/material_axes.hpp"
 
@@ -70,14 +72,17 @@ struct TetrahedronPoints {
   }
 
  protected:
-  /// Material axes of all points, of laws that have them; x: the corners.
+  /// Size and material axes of all points, of laws that have them; x: the nodes, corners first.
   template <class Places>
-  void start_axes(double* state, int lane, const Places& x) const {
+  void start_points(double* state, int lane, const Places& x) const {
     const auto layout = self().layout();
-    if (const kernel::MaterialAxes* axes = material_axes(law))
-      for (int p = 0; p < layout.points; ++p)
-        kernel::start_solid_axes(state + layout.history_of(p) * native_width + lane, native_width,
-                                 axes->in_brick(x[1] - x[0], x[3] - x[0]));
+    const double size = std::cbrt(self().volume(x));
+    for (int p = 0; p < layout.points; ++p) {
+      double* history = state + layout.history_of(p) * native_width + lane;
+      start_size(law, history, native_width, size);
+      if (const kernel::MaterialAxes* axes = material_axes(law))
+        kernel::start_solid_axes(history, native_width, axes->in_brick(x[1] - x[0], x[3] - x[0]));
+    }
   }
 
  private:

@@ -2,6 +2,8 @@
 """Cards of material laws and springs that cannot mean what they say are refused or warned of by their field; criteria of erosion and stops
 act as they are documented."""
 import json
+import math
+import re
 import unittest
 
 import lsda
@@ -32,6 +34,32 @@ class LawCards(CommandTest):
         return ("*KEYWORD\n" + material + "*SECTION_SOLID\n" + card(1, 1) + "*PART\n\n" + card(1, 1, 1) + "*NODE\n" + nodes
                 + "*ELEMENT_SOLID\n" + "".join(f"{i:8}" for i in (1, 1, *range(1, 9))) + "\n" + motion
                 + "*CONTROL_TERMINATION\n" + card(1e-5) + "*DATABASE_GLSTAT\n" + card(1e-6, 2) + extra + "*END\n")
+
+    @staticmethod
+    def work_to_fracture(fracture, steps=10000):
+        """Of a volume pulled to this plastic strain: 250 MPa, less the share that is lost from 0.1 on, growth and fading 2."""
+        critical, work = (0.1 / fracture) ** 2, 250.0 ** 2 / (2 * 210000.0)
+        for i in range(steps):
+            damage = ((i + 0.5) / steps) ** 2
+            work += 250.0 * fracture / steps * (1.0 - (max(damage - critical, 0.0) / (1.0 - critical)) ** 2)
+        return work
+
+    def specimens(self, material):
+        """Squares of 4 and 8 mm of shells and a cube of 2 mm, pulled along x at 1000 of their lengths a second, free across."""
+        nodes, elements, held, moved, first = "", {"SHELL": "", "SOLID": ""}, "", "", 1
+        for kind, number, part, size, corners in (("SHELL", 1, 1, 4, 4), ("SHELL", 2, 1, 8, 4), ("SOLID", 1, 2, 2, 8)):
+            for i, (x, y, z) in enumerate(CORNERS[:corners]):
+                nodes += f"{first + i:8}{20 * first + size * x:16}{size * y:16}{size * z:16}\n"
+                flat = corners == 4
+                held += card(first + i, 0, int(not x), int(not y), int(flat or not z), *[int(flat)] * 3)
+                moved += card(first + i, 1, 0, 99, 1000.0 * size) if x else ""
+            elements[kind] += "".join(f"{i:8}" for i in (number, part, *range(first, first + corners))) + "\n"
+            first += corners
+        return ("*KEYWORD\n" + material + "*SECTION_SHELL\n" + card(1, 2, "", 3) + card(*[1.0] * 4) + "*SECTION_SOLID\n" + card(2, 1)
+                + "*PART\n\n" + card(1, 1, 1) + "*PART\n\n" + card(2, 2, 1) + "*NODE\n" + nodes + "*ELEMENT_SHELL\n" + elements["SHELL"]
+                + "*ELEMENT_SOLID\n" + elements["SOLID"] + "*BOUNDARY_SPC_NODE\n" + held + curve(99, (0, 1), (1, 1))
+                + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + moved + "*CONTROL_TERMINATION\n" + card(4e-4) + "*CONTROL_SHELL\n"
+                + card("", "", "", 1) + "*DATABASE_GLSTAT\n" + card(1e-6, 1) + "*END\n")
 
     def spring(self, material, section="", extra=""):
         return ("*KEYWORD\n" + material + "*SECTION_DISCRETE\n" + card(1, 0) + section + "\n" * (not section) + "*PART\n\n" + card(1, 1, 1)
@@ -114,6 +142,45 @@ class LawCards(CommandTest):
                 records = lsda.read(self.folder / "binout0000")
                 last = max(name for name in records if name.startswith("elout/solid/d") and name.endswith("/sig_xx"))
                 self.assertAlmostEqual(records[last][0], stress, delta=0.02 * modulus * 1e-3)  # the last step goes beyond the end
+
+    def test_gissmo(self):
+        """Shells of 4 and 8 mm and a brick of 2 mm lose their stress from 0.1 on and go at the plastic strain that
+        the curve over their size leaves of 0.3 (1 at 2 mm, 0.8 at 4 mm, 0.4 at 8 mm); both keywords. Sabotage: all elements of one size."""
+        metal = "*MAT_024\n" + card(1, 7.85e-9, 210000.0, 0.3, 250.0) + "\n\n\n"
+        curves = curve(11, (-0.33, 0.9), (0, 0.6), (1 / 3, 0.3), (0.66, 0.5)) + curve(12, (2, 1), (4, 0.8), (8, 0.4))
+        new = "*MAT_ADD_DAMAGE_GISSMO\n" + card(1, "", 1) + card(11, 0.1, 2.0, "", 2.0, 12) + card("")
+        old = "*MAT_ADD_EROSION\n" + card(1) + "\n" + card(1, 1, 11, 0.1, 2.0, "", 2.0, 12) + "\n" * 3
+        for keyword in (new, old):
+            with self.subTest(keyword=keyword.split()[0]):
+                deck = self.specimens(metal + keyword + curves)
+                self.assertEqual(self.findings(deck), [])
+                self.nugget("run", "model.k", "--quiet")
+                history = [(state["time"], state["eroded internal energy"]) for state in self.glstat()]
+                for share, volume in ((0.4, 64.0), (0.8, 16.0), (1.0, 8.0)):
+                    # Pulled alone, the plastic strain is the logarithmic strain less the elastic one.
+                    end = (math.exp(0.3 * share + 250.0 / 210000.0) - 1.0) / 1000.0
+                    before, after = ([energy for time, energy in history if abs(time - end - shift) < 0.6e-6][0] for shift in (-2e-6, 2e-6))
+                    self.assertAlmostEqual(after - before, self.work_to_fracture(0.3 * share) * volume, delta=0.01 * (after - before))
+
+    def test_cards_of_gissmo(self):
+        metal = "*MAT_024\n" + card(1, 7.85e-9, 210000.0, 0.3, 250.0) + "\n\n\n"
+
+        def damage(first=("", 1), law=(11,), scales=("",)):
+            return self.brick(metal + "*MAT_ADD_DAMAGE_GISSMO\n" + card(1, "", *first[1:]) + card(*law) + card(*scales)
+                              + curve(11, (0, 0.3), (1, 0.3)) + curve(12, (0, 0), (1, 1)))
+        for deck, field, words in ((damage(law=(10,)), "lcsdg", "curve 10 is not defined"),
+                                   (damage(law=("",)), "lcsdg", "expected a curve"),
+                                   (damage(law=(12,)), "lcsdg", "0 or below"),
+                                   (damage(law=(11, -13)), "ecrit", "curve 13"),
+                                   (damage(("", 11)), "dtyp", "another variable"),
+                                   (damage(scales=("", -0.5)), "shrf", "below 0"),
+                                   (damage(scales=("", "", "", "", 1)), "midfail", "mid-plane"),
+                                   (self.brick(STEEL + "*MAT_ADD_DAMAGE_GISSMO\n" + card(1) + card(11) + card("") + curve(11, (0, 1), (1, 1))),
+                                    "mid", "plastic strain")):
+            with self.subTest(words=words):
+                self.expect(deck, field, words, refused=True)
+        self.expect(damage(("", 0)), "dtyp", "takes no stress")
+        self.expect(damage(scales=("", 0.5)), "shrf", "without LCREGD")
 
     def test_springs(self):
         self.expect(self.spring("*MAT_S04\n" + card(1, 5) + curve(5, (0, 10), (1, 20))), "lcd", "leaps from -10 to 10")

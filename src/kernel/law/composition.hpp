@@ -10,6 +10,7 @@
 #include "kernel/law/equation_of_state.hpp"
 #include "kernel/law/fluid.hpp"
 #include "kernel/law/foam.hpp"
+#include "kernel/law/gissmo.hpp"
 #include "kernel/law/honeycomb.hpp"
 #include "kernel/law/johnson_cook.hpp"
 #include "kernel/law/orthotropic.hpp"
@@ -35,6 +36,7 @@ struct Composition {
   std::optional<PlasticDamage> damage{};  ///< takes (1 - w) of all stresses, over the effective plastic strain
   std::optional<PlasticDamage> directional_damage{};  ///< of layers, see Cracks
   std::optional<JohnsonCookFracture> fracture{};
+  std::optional<Gissmo> gissmo{};
   StrainLimits limits{};
   std::optional<Erosion> erosion{};
   std::optional<EquationOfState> state{};  ///< of bricks: gives the mean stress instead of the flow's bulk modulus

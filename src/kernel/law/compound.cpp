@@ -305,6 +305,11 @@ const MaterialAxes* Prepared<Compound>::axes() const {
       parts_->flow);
 }
 
+int Prepared<Compound>::size_field() const {
+  const int field = parts_->failure.size_field();
+  return field > 0 ? lost_ + field : 0;
+}
+
 template <class R>
 R Prepared<Compound>::stiffness_share(const double* history) const {
   const auto* honeycomb = std::get_if<Prepared<Honeycomb>>(&parts_->flow);

@@ -103,11 +103,13 @@ PointFailure::PointFailure(const Composition& law)
       damage_(law.damage),
       cracks_(law.directional_damage),
       fracture_(law.fracture),
+      gissmo_(law.gissmo),
       erosion_(law.erosion),
       limits_(law.limits),
       bounds_(law.erosion.value_or(Erosion{}), law.limits),
       cracked_(add(cracks_.has_value(), Cracks::history)),
       fractured_(add(fracture_.has_value(), 1)),
+      damaged_(add(gissmo_.has_value(), Gissmo::history)),
       thinned_(add(limits_.plastic_thinning > 0.0, 1)),
       strain_(add(erosion_.has_value() || limits_.major > 0.0, SolidTensor<double>::size)),
       impulse_(add(erosion_ && erosion_->impulse, 1)),
@@ -117,8 +119,10 @@ PointFailure::PointFailure(const Composition& law)
       active_(tears_ || failure_strain_ > 0.0 || !failure_strain_over_rate_.empty() || damage_ || size_ > 1),
       by_plastic_strain_only_(!tears_ && failure_strain_ > 0.0 && failure_strain_over_rate_.empty() && !damage_ &&
                               size_ == 1),
-      bounded_(failure_strain_over_rate_.empty() && !damage_ && !cracks_ && !fracture_ &&
-               !(erosion_ && (erosion_->impulse || !erosion_->effective_stress_over_rate.empty()))) {}
+      bounded_(failure_strain_over_rate_.empty() && !damage_ && !cracks_ && !fracture_ && !gissmo_ &&
+               !(erosion_ && (erosion_->impulse || !erosion_->effective_stress_over_rate.empty()))),
+      needs_plastic_flow_(!tears_ && !(failure_strain_ > 0.0) && failure_strain_over_rate_.empty() && !damage_ &&
+                          !(limits_.major > 0.0) && !erosion_) {}
 
 double PointFailure::fracture_strain(double triaxiality, double rate, double heating) const {
   const JohnsonCookFracture& f = *fracture_;
@@ -212,6 +216,7 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
   if (age_ > 0) grow(age_, R(step.dt));
   if (thinned_ > 0) grow(thinned_, step.plastic_thinning);
   if (bounded_ && !any(carries && may_fail(step, history))) return;
+  if (needs_plastic_flow_ && !any(carries && step.plastic_increment > 0.0)) return;
 
   const auto at = [&](int field, int l) -> double& { return history[field * lanes<R> + l]; };
   for (int l = 0; l < lanes<R>; ++l) {
@@ -221,6 +226,10 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
     if (damage_) lost = std::max(lost, damage_->at(strain));
     const SolidTensor<double> rate = lane_of(step.rate, l);
     const SolidTensor<double> sound = lane_of(step.stress, l);
+    if (gissmo_) {
+      lost = std::max(lost, gissmo_->advance(sound, increment, step.dt, &at(damaged_, l), lanes<R>));
+      if (lost >= 1.0) continue;
+    }
     Now now{(1.0 - lost) * sound, {}, effective_rate(rate), 0.0, 0.0, step.layer};
     bool ruptured = false;
     if (cracks_) {

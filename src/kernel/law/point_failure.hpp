@@ -45,7 +45,10 @@ class PointFailure {
   template <class R>
   void advance(const PointStep<R>& step, double* history) const;
 
-  bool softens() const { return damage_ || cracks_; }
+  /// Where the history holds the size of the element, which is set before the first step; 0: nowhere.
+  int size_field() const { return damaged_; }
+
+  bool softens() const { return damage_ || cracks_ || gissmo_; }
   /// The sound point's stress from that handed out, and what is left of it. A point that has nothing left has stress 0.
   template <class R>
   void make_whole(LayerTensor<R>& s, const double* history) const;
@@ -96,12 +99,15 @@ class PointFailure {
   std::optional<PlasticDamage> damage_;
   std::optional<Cracks> cracks_;
   std::optional<JohnsonCookFracture> fracture_;
+  std::optional<Gissmo> gissmo_;
   std::optional<Erosion> erosion_;
   StrainLimits limits_;
   Bounds bounds_;
   int size_ = 1;
-  int cracked_, fractured_, thinned_, strain_, impulse_, age_;  ///< places in the history; 0: not kept
-  bool tears_, active_, by_plastic_strain_only_, bounded_;      ///< bounded_: may_fail() can be asked
+  int cracked_, fractured_, damaged_, thinned_, strain_, impulse_, age_;  ///< places in the history; 0: not kept
+  bool tears_, active_, by_plastic_strain_only_;
+  bool bounded_;             ///< may_fail() can be asked
+  bool needs_plastic_flow_;  ///< a point that has not failed only can in a step with plastic strain
 };
 
 }  // namespace nugget::kernel

@@ -29,6 +29,9 @@ class Prepared<Compound> {
   double points_to_delete() const { return points_to_delete_; }
   /// Where the history of a point has material axes, how these lie at the start; null: there are none.
   const MaterialAxes* axes() const;
+  /// Where the history of a point holds the size of its element, which is set before the first step: the root of a
+  /// shell's area, the cube root of a solid's volume [length]; 0: nowhere.
+  int size_field() const;
   template <class R>
   MaskOf<R> failed(const double* history) const {
     return load_field<R>(history, lost_) >= R(1.0);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/law/composition.hpp"
+#include "model/cards/added_law.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
 
@@ -43,14 +43,26 @@ const Card second_card{{
 }};
 
 const Card third_card{{
-    integer("idam", 0, only(0), "damage model; GISSMO and DIEM are not built"),
-    unused(),
-    unused(),
-    unused(),
-    unused(),
-    unused(),
-    unused(),
-    integer("lcregd", 0, any_value, "regularization, for IDAM only"),
+    integer("idam", 0, between(0, 1), "1: damage of GISSMO; DIEM (below 0) is not built"),
+    real("dmgtyp", dimension::number, 0, any_value,
+         "1: what is damaged loses stress and fails; 0: damage is only summed"),
+    gissmo_field::lcsdg,
+    gissmo_field::ecrit,
+    gissmo_field::dmgexp,
+    gissmo_field::dcrit,
+    gissmo_field::fadexp,
+    gissmo_field::lcregd,
+}};
+
+const Card damage_card{{
+    integer("sizflg", 0, only(0), "size of an element: 0, that of the start"),
+    gissmo_field::refsz,
+    integer("nahsv", 0, any_value, "history variables to be written; these are none of the deck's here"),
+    gissmo_field::lcsrs,
+    gissmo_field::shrf,
+    gissmo_field::biaxf,
+    gissmo_field::lcdlim,
+    gissmo_field::midfail,
 }};
 
 const Card fourth_card{{
@@ -72,8 +84,9 @@ const Card fifth_card{{
 }};
 
 struct Cards {
-  Row first, second, fourth;
-  int stress_curve;  ///< SIGVM below 0: id of the curve
+  Row first, second, third, fourth;
+  std::optional<Row> damage;  ///< with IDAM 1
+  int stress_curve;           ///< SIGVM below 0: id of the curve
 };
 
 /// The value of a criterion, if it counts. A zero in the first card never does.
@@ -115,30 +128,6 @@ kernel::Erosion criteria(Builder& b, const Cards& cards) {
   return e;
 }
 
-/// Failed points that delete an element, as in kernel::Composition.
-double points_to_delete(double numfip) {
-  return numfip < -100.0 ? -numfip - 100.0 : numfip;
-}
-
-/// The law as one put together at run time; nullopt for those that erosion cannot be added to.
-std::optional<kernel::Composition> composition_of(const Law& law) {
-  if (const auto* elastic = std::get_if<kernel::Elastic>(&law)) return kernel::Composition{*elastic};
-  if (const auto* kinematic = std::get_if<kernel::PlasticKinematic>(&law)) {
-    kernel::PlasticKinematic flow = *kinematic;
-    const double failure = std::exchange(flow.failure_strain, 0.0);
-    return kernel::Composition{flow, failure};
-  }
-  if (const auto* curves = std::get_if<kernel::PiecewiseLinear>(&law)) {
-    kernel::PiecewiseLinear flow = *curves;
-    kernel::Composition made{kernel::Elastic{}, std::exchange(flow.failure_strain, 0.0)};
-    made.deletion_step = std::exchange(flow.tdel, 0.0);
-    made.flow = std::move(flow);
-    return made;
-  }
-  if (const auto* compound = std::get_if<kernel::Compound>(&law)) return *compound->made_of;
-  return std::nullopt;
-}
-
 /// How many criteria count.
 int number_of(const kernel::Erosion& e) {
   int n = !e.effective_stress_over_rate.empty();
@@ -147,13 +136,6 @@ int number_of(const kernel::Erosion& e) {
         &e.most_stress, &e.effective_stress, &e.shear_strain, &e.impulse, &e.time, &e.thinning})
     n += one->has_value();
   return n;
-}
-
-/// Whether a point of this flow has a plastic strain.
-bool has_plastic_strain(const kernel::Flow& flow) {
-  return std::holds_alternative<kernel::PlasticKinematic>(flow) ||
-         std::holds_alternative<kernel::PiecewiseLinear>(flow) || std::holds_alternative<kernel::JohnsonCook>(flow) ||
-         std::holds_alternative<kernel::PowerLaw>(flow);
 }
 
 /// Warns of criteria that can never be met, and of those that hold at rest.
@@ -184,9 +166,9 @@ void complain_of_idle(Builder& b, const Cards& cards, const kernel::Composition&
     warn(cards.first, "effeps", "below 0 it is a plastic strain, which this material does not have",
          "write it above 0 for the effective strain");
   const int count = number_of(e);
-  if (count == 0 && !by_plastic_strain)
+  if (count == 0 && !by_plastic_strain && !law.gissmo)
     warn(cards.first, "mid", "none of the criteria counts: nothing is eroded", "give one, or remove the keyword");
-  else if (e.needed > count && !by_plastic_strain)
+  else if (count > 0 && e.needed > count && !by_plastic_strain)
     warn(cards.first, "ncs",
          fmt::format("{} criteria must hold at once, but {} are given: nothing is eroded", e.needed, count),
          "lower NCS");
@@ -205,6 +187,10 @@ void add_erosion(Builder& b, const Cards& cards) {
   if (law->erosion)
     return refuse(b, cards.first, "mid", fmt::format("material {} has criteria of erosion already", material.id),
                   "write all criteria on one *MAT_ADD_EROSION");
+  if (cards.damage) {
+    law->gissmo = gissmo(b, {cards.third, cards.third, *cards.damage, "dmgtyp"}, law->flow);
+    if (!law->gissmo) return;
+  }
   law->erosion = criteria(b, cards);
   if (const auto strain = criterion(cards, cards.first, "effeps", false); strain && *strain < 0.0) {
     if (law->erosion->needed > 1)
@@ -213,6 +199,7 @@ void add_erosion(Builder& b, const Cards& cards) {
     law->failure_strain = law->failure_strain > 0.0 ? std::min(law->failure_strain, -*strain) : -*strain;
   }
   complain_of_idle(b, cards, *law);
+  if (law->gissmo && number_of(*law->erosion) == 0) law->erosion.reset();
   law->points_to_delete = points_to_delete(cards.first.real("numfip"));
   material.law = compound(std::move(*law));
 }
@@ -220,8 +207,13 @@ void add_erosion(Builder& b, const Cards& cards) {
 void read_erosion(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  Cards cards{cursor.read(first_card), cursor.read(second_card), {}, 0};
-  cursor.read(third_card);
+  Cards cards{cursor.read(first_card), cursor.read(second_card), cursor.read(third_card), {}, {}, 0};
+  if (cards.third.integer("idam") == 1) {
+    cards.damage = cursor.read(damage_card);
+    expect(b, *cards.damage, Severity::note,
+           {{"refsz", 0, "damage for another element size is not written"},
+            {"nahsv", 0, "history variables of damage are not written"}});
+  }
   cards.fourth = cursor.read(fourth_card);
   cursor.read(fifth_card);
   expect_end(b, cursor);
@@ -236,7 +228,12 @@ std::vector<Keyword> erosion_keywords() {
   return {
       {.name = "MAT_ADD_EROSION",
        .options = {"TITLE"},
-       .layout = {{"", &first_card}, {"", &second_card}, {"", &third_card}, {"", &fourth_card}, {"", &fifth_card}},
+       .layout = {{"", &first_card},
+                  {"", &second_card},
+                  {"", &third_card},
+                  {"if IDAM = 1", &damage_card},
+                  {"", &fourth_card},
+                  {"", &fifth_card}},
        .read = read_erosion},
   };
 }

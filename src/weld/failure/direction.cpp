@@ -16,7 +16,7 @@ class Direction final : public Function {
   Value operator()(const Load& load) override {
     const Resultants& r = load.resultants;
     const bool pulls = r.axial >= 0.0;
-    const model::CurveTable& strength = pulls ? tension_ : compression_;
+    const CurveTable& strength = pulls ? tension_ : compression_;
     Value f;
     if (!strength.given()) return f;
     const double angle = std::atan2(std::abs(r.axial), r.shear()) * 180.0 / std::numbers::pi;
@@ -29,7 +29,7 @@ class Direction final : public Function {
   void archive(Archive& a) override { a.built(tension_, compression_); }
 
  private:
-  model::CurveTable tension_, compression_;
+  CurveTable tension_, compression_;
 };
 
 }  // namespace

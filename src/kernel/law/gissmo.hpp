@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/curve.hpp"
+#include "kernel/law/stress_space.hpp"
+
+namespace nugget::kernel {
+
+/// Damage of ductile metals over any path of stress (GISSMO: F. Neukamm, M. Feucht, A. Haufe, Considering damage
+/// history in crashworthiness simulations, 7th European LS-DYNA Conference 2009; *MAT_ADD_DAMAGE_GISSMO of the keyword
+/// manual). Damage D and instability F grow with the plastic strain p,
+///   dD = n / ef D^(1 - 1/n) dp,   dF = n / ec F^(1 - 1/n) dp,
+/// ef and ec those of the moment's stress. A point bears its whole stress until F is 1, then
+///   1 - ((D - Dc) / (1 - Dc))^m
+/// of it, Dc the damage at which F became 1; it has failed when D is 1.
+///
+/// D^(1/n) is the sum of dp / ef whatever the path, so that is what is summed, without an error of the step.
+struct Gissmo {
+  CurveTable fracture;           ///< LCSDG: ef over triaxiality; of a table one curve for each Lode parameter [1]
+  CurveTable instability{};      ///< ECRIT: ec in the same way; not given: `threshold` holds instead [1]
+  double threshold = 0.0;        ///< DCRIT: damage from which on stress is lost [1]
+  double growth = 1.0;           ///< DMGEXP: n
+  CurveTable fading{};           ///< FADEXP: m over element size [length]; of a table one curve for each triaxiality
+  CurveTable mesh{};             ///< LCREGD: factor on ef, in the same way; not given: 1
+  double shear = 0.0;            ///< SHRF: share of the effect of `mesh` that is missing at triaxiality 0 and below
+  double biaxial = 0.0;          ///< BIAXF: the same at 2/3 and above
+  double shear_end = 1.0 / 3.0;  ///< RGTR1: triaxiality up to which some is missing
+  double biaxial_start = 1.0 / 3.0;  ///< RGTR2: triaxiality from which on some is missing
+  Curve rate{};                      ///< LCSRS: factor on ef over the plastic strain rate; empty: 1
+  bool log_rates = false;            ///< its abscissae are natural logarithms
+  bool rate_of_instability = false;  ///< the factor is on ec too
+  bool weakens = true;               ///< DTYP: false: damage is summed and has no effect
+
+  /// Numbers of a point's history: size of its element, D^(1/n), F^(1/n), Dc (0 until F is 1).
+  static constexpr int history = 4;
+
+  /// Adds a step's plastic strain; the share of its stress that the point has lost, 1 once it has failed. `stress`:
+  /// that of the sound point; `h`: its history, a number every `stride`.
+  double advance(const SolidTensor<double>& stress, double increment, double dt, double* h, int stride) const;
+
+ private:
+  double mesh_factor(double triaxiality, double size) const;
+  double rate_factor(double rate) const;
+};
+
+}  // namespace nugget::kernel
