@@ -27,8 +27,8 @@ void SurfaceContact::archive(Archive& a) {
   a.section("contact of surfaces");
   a(forces_, live_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, moved_, living_, blocks_,
     busy_, energy_, resultant_, touching_, deepest_);
-  a.built(setup_, around_, segment_stiffness_, inner_, node_stiffness_, node_mass_, node_friction_, held_, stays_,
-          thickest_segment_, pressing_, margin_, boxes_, tree_);
+  a.built(setup_, around_, segment_stiffness_, inner_, node_stiffness_, node_mass_, held_, stays_, thickest_segment_,
+          pressing_, margin_, boxes_, tree_);
 }
 
 void EdgeContact::Block::archive(Archive& a) {

@@ -129,6 +129,7 @@ std::vector<Edge> edges_of(const std::vector<Segment>& segments, std::span<const
       edge.mass += s.mass;
       edge.scale = edge.elements.empty() ? s.scale : edge.scale + s.scale;
       edge.side = edge.elements.empty() ? s.side : edge.side | s.side;
+      edge.kind = edge.elements.empty() ? s.kind : std::min(edge.kind, s.kind);
       edge.elements.push_back(s.element);
       edge.of_surface = true;
       if (!brick) {
@@ -523,22 +524,21 @@ Vec3d EdgeContact::direction(const Pair& pair, const Pair& before, const Vec3d& 
 
 /// Friction on the first edge; see SurfaceContact. The slip is the way of the closest point over the second edge less
 /// that over the first.
-Vec3d EdgeContact::friction(const Pair& pair, const Pair& before, double stiffness, double normal_force,
-                            const Step& step) const {
+Vec3d EdgeContact::friction(const kernel::Friction& law, const Pair& pair, const Pair& before, double stiffness,
+                            double normal_force, const Step& step) const {
   // Two crossing bars touch in a patch as wide as both.
   const double area = setup_.edges[pair.a].thickness * setup_.edges[pair.b].thickness;
   if (!before.touching) {
     const Vec3d velocity =
         at(setup_.edges[pair.a], pair.feet.s, step.v) - at(setup_.edges[pair.b], pair.feet.t, step.v);
-    return kernel::touch_friction(setup_.law.friction,
-                                  {velocity, pair.direction, pair.depth, stiffness, normal_force, area});
+    return kernel::touch_friction(law, {velocity, pair.direction, pair.depth, stiffness, normal_force, area});
   }
   const Vec3d over_a = pair.feet.a - at(setup_.edges[before.a], before.feet.s, step.x);
   const Vec3d over_b = pair.feet.b - at(setup_.edges[before.b], before.feet.t, step.x);
   const auto tangential = [&pair](const Vec3d& a) { return a - dot(a, pair.direction) * pair.direction; };
   const Vec3d slip = tangential(over_b - over_a);
   const double speed = step.dt > 0.0 ? norm(slip) / step.dt : 0.0;
-  const double bound = setup_.law.friction.bound(normal_force, speed, area);
+  const double bound = law.bound(normal_force, speed, area);
   return kernel::sliding_spring(tangential(before.friction), stiffness, slip, bound);
 }
 
@@ -591,7 +591,8 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   const double size = kernel::pair_force(setup_.law, pair.memory, stiffness, inverse_mass, inverse_own_mass, pair.depth,
                                          approach, step.dt);
   if (size > 0.0) {
-    if (setup_.law.friction.any()) pair.friction = friction(pair, before, stiffness, size, step);
+    if (const kernel::Friction& law = setup_.law.friction.between(e.kind, f.kind); law.any())
+      pair.friction = friction(law, pair, before, stiffness, size, step);
     pair.force = size * pair.direction + pair.friction;
     for (int end = 0; end < 2; ++end) {
       forces_.add(e.node[end], weight[end] * pair.force);

@@ -27,6 +27,7 @@ struct Edge {
   double stiffness = 0.0;     ///< penalty stiffness before scaling [force/length]
   double mass = 0.0;          ///< of the segments that it bounds, or of the beam; counts with SOFT = 2
   double scale = 1.0;         ///< of the stiffness by masses
+  int kind = 0;               ///< of friction, as of Segment
   unsigned side = 1;          ///< as of Segment
   int part = -1;              ///< edges of one part, if it is not -1, never press each other
   std::vector<int> elements;  ///< the shells or bricks that have it, or the beam, as indices in `alive`
@@ -158,7 +159,8 @@ class EdgeContact {
   bool closer(int a, int b, const Candidate& than) const;
   Pair predecessor(const Candidate& candidate);
   Vec3d direction(const Pair& pair, const Pair& before, const Vec3d& was_at, std::span<const Row> x) const;
-  Vec3d friction(const Pair& pair, const Pair& before, double stiffness, double normal_force, const Step& step) const;
+  Vec3d friction(const kernel::Friction& law, const Pair& pair, const Pair& before, double stiffness,
+                 double normal_force, const Step& step) const;
   void press(const Candidate& candidate, const Step& step);
   void balance(const Pair& pair, const Step& step);
 

@@ -50,6 +50,7 @@ Glue::Glue(const SurfaceContactSetup& setup, model::Glue card, std::span<const R
   book_sides(forces_, around_, setup_.segments);
   for (const Segment& s : setup_.segments)
     segment_stiffness_.push_back(setup_.stiffness_scale * penalty_stiffness(s, x));
+  set_kinds(setup_.nodes, around_, setup_.segments);
   for (const TrackedNode& node : setup_.nodes) {
     double sum = 0.0;
     for (int s : around_.at(node.node)) {
@@ -194,9 +195,7 @@ Vec3d Glue::sliding_pull(Bond& bond, const kernel::CohesiveStiffness& k, const S
   const Vec3d slip = along(foot.point - was);
   double bound = card_.slip_stress * bond.area;
   if (!(bound > 0.0)) {
-    const kernel::Friction law = setup_.friction_by_part
-                                     ? kernel::mean(s.friction, friction_at(around_.at(node.node), setup_.segments))
-                                     : setup_.law.friction;
+    const kernel::Friction& law = setup_.law.friction.between(s.kind, node.kind);
     const double speed = step.dt > 0.0 ? norm(slip) / step.dt : 0.0;
     bound = law.bound(std::max(0.0, -stress) * bond.area, speed, bond.area);
   }

@@ -58,13 +58,19 @@ Vec3d interpolate(const Segment& s, const std::array<double, 4>& weight, std::sp
   return sum;
 }
 
-kernel::Friction friction_at(std::span<const int> around, const std::vector<Segment>& segments) {
-  kernel::Friction friction;
-  for (std::size_t i = 0; i < around.size(); ++i) {
-    const kernel::Friction& own = segments[around[i]].friction;
-    friction = i == 0 ? own : kernel::mean(friction, own);
+int commonest(std::span<int> kinds) {
+  std::sort(kinds.begin(), kinds.end());
+  int best = 0;
+  std::ptrdiff_t most = 0;
+  for (auto first = kinds.begin(); first != kinds.end();) {
+    const auto last = std::upper_bound(first, kinds.end(), *first);
+    if (last - first > most) {
+      most = last - first;
+      best = *first;
+    }
+    first = last;
   }
-  return friction;
+  return best;
 }
 
 double penalty_stiffness(const Segment& segment, std::span<const Row> x) {
@@ -87,6 +93,15 @@ int same_side(const Segment& a, const Segment& b) {
     }
   }
   return 0;
+}
+
+void set_kinds(std::vector<TrackedNode>& nodes, const NodeSegments& around, const std::vector<Segment>& segments) {
+  std::vector<int> kinds;
+  for (TrackedNode& node : nodes) {
+    kinds.clear();
+    for (const int s : around.at(node.node)) kinds.push_back(segments[s].kind);
+    if (!kinds.empty()) node.kind = commonest(kinds);
+  }
 }
 
 }  // namespace nugget::contact

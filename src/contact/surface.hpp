@@ -21,7 +21,7 @@ struct Segment {
   double scale = 1.0;         ///< what bulk_modulus is scaled by, for the stiffness that does not come from it
   int element = -1;           ///< whose death ends the segment, as an index in `element_alive`; -1: it never dies
   int covered_by = -1;        ///< the brick on the other side of the face: only its death lays the segment bare
-  kernel::Friction friction;  ///< of its part; counts where SurfaceContactSetup::friction_by_part
+  int kind = 0;               ///< of its part, in the contact's kernel::FrictionTable
   unsigned side = 1;          ///< of the contact: bit 0 the tracked side (SURFA), bit 1 the reference side (SURFB)
 
   bool triangle() const { return node[3] == node[2]; }
@@ -38,10 +38,10 @@ inline bool bare(const Segment& s, std::span<const unsigned char> element_alive)
 /// A node that must not pass through the segments.
 struct TrackedNode {
   int node = 0;
-  double thickness = 0.0;       ///< contact thickness: the mean of the adjoining segments' [length]
-  unsigned against = 1;         ///< the sides whose segments press it, by the bits of Segment::side
-  bool stays = false;           ///< it is pressed even when all its segments are gone
-  kernel::Friction friction{};  ///< of its parts, where no segment of the contact is at it
+  double thickness = 0.0;  ///< contact thickness: the mean of the adjoining segments' [length]
+  unsigned against = 1;    ///< the sides whose segments press it, by the bits of Segment::side
+  bool stays = false;      ///< it is pressed even when all its segments are gone
+  int kind = 0;            ///< as of Segment, where no segment of the contact is at it
 };
 
 /// The nodes of the segments of `side`, ascending, each with the mean thickness of these segments; to be pressed by
@@ -59,9 +59,8 @@ double penalty_stiffness(const Segment& segment, std::span<const Row> x);
 /// -1 if on opposite sides, 0 if they share no edge.
 int same_side(const Segment& a, const Segment& b);
 
-/// Friction of a node by those of the segments at it.
-kernel::Friction friction_at(std::span<const int> around, const std::vector<Segment>& segments);
-
+/// The kind that most of these are, the lowest of equally many; 0 of none. Sorts them.
+int commonest(std::span<int> kinds);
 /// Which segments stand at a node.
 class NodeSegments {
  public:
@@ -76,5 +75,8 @@ class NodeSegments {
  private:
   std::vector<int> first_, segment_;
 };
+
+/// Gives each node with segments at it the kind of most of these.
+void set_kinds(std::vector<TrackedNode>& nodes, const NodeSegments& around, const std::vector<Segment>& segments);
 
 }  // namespace nugget::contact

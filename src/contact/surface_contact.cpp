@@ -38,6 +38,7 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
     inner_.push_back(s.volume > 0.0 && a > 0.0 ? pressing_depth * s.volume / a : 0.0);
     thickest_segment_ = std::max(thickest_segment_, s.thickness);
   }
+  set_kinds(setup_.nodes, around_, setup_.segments);
   stays_.assign(forces_.nodes().empty() ? 0 : forces_.nodes().back() + 1, 0);
   for (const TrackedNode& t : setup_.nodes) {
     const std::span<const int> around = around_.at(t.node);
@@ -50,7 +51,6 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
     node_stiffness_.push_back(around.empty() ? Box::infinity : sum / static_cast<double>(around.size()));
     node_mass_.push_back(around.empty() ? 0.0 : mass / static_cast<double>(around.size()));
     pressing_ |= t.against;
-    node_friction_.push_back(around.empty() ? t.friction : friction_at(around, setup_.segments));
     if (t.stays) stays_[t.node] = 1;
   }
   book_sides(forces_, around_, setup_.segments);
@@ -409,7 +409,7 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
                                          pair.depth, approach, step.dt);
   if (!(size > 0.0)) return;
   Vec3d force = size * direction;
-  const kernel::Friction rough = friction_law(candidate, tracked);
+  const kernel::Friction& rough = setup_.law.friction.between(segment.kind, setup_.nodes[tracked].kind);
   if (rough.any()) {
     const kernel::Touch touch{velocity, direction, pair.depth, stiffness, size, area(segment, step.x)};
     pair.friction = before != nullptr ? friction(rough, candidate, before, direction, stiffness, size, step)
@@ -435,12 +435,6 @@ bool SurfaceContact::too_deep(double overlap, int segment) const {
   const Segment& s = setup_.segments[segment];
   return setup_.deepest > 0.0 &&
          overlap > setup_.deepest * (s.volume > 0.0 ? inner_[segment] / pressing_depth : s.thickness);
-}
-
-/// The law of the pair: the contact's, or the mean of the parts' on either side.
-kernel::Friction SurfaceContact::friction_law(const Candidate& candidate, int tracked) const {
-  if (!setup_.friction_by_part) return setup_.law.friction;
-  return kernel::mean(setup_.segments[candidate.pair->segment].friction, node_friction_[tracked]);
 }
 
 /// Friction on the node; `before`: the pair that it touched a cycle ago, this one or the one from which it came.

@@ -21,7 +21,6 @@ struct SurfaceContactSetup {
   std::vector<TrackedNode> nodes;  ///< see nodes_of(); nodes left out do not push
   double stiffness_scale = 0.1;    ///< SLSFAC
   kernel::PenaltyLaw law;          ///< SOFT, SOFSCL, VDC, friction
-  bool friction_by_part = false;   ///< FS = -1: not law.friction, but the mean of those of node and segment
   double deepest = 0.0;            ///< PENMAX: a node deeper than so many thicknesses is let go; 0: none
   bool edges_meet = false;         ///< an EdgeContact presses the free edges of shells apart
   double birth = 0.0, death = 1e20;
@@ -224,7 +223,6 @@ class SurfaceContact {
   Vec3d friction(const kernel::Friction& law, const Candidate& candidate, const Pair* before, const Vec3d& direction,
                  double stiffness, double normal_force, const Step& step) const;
   bool too_deep(double overlap, int segment) const;
-  kernel::Friction friction_law(const Candidate& candidate, int tracked) const;
   void press(Block& block, Candidate& candidate, int tracked, const Step& step) const;
   void add_forces(const Step& step, std::span<Row> force);
   void account(double dt, std::span<const Row> v);
@@ -232,11 +230,10 @@ class SurfaceContact {
 
   SurfaceContactSetup setup_;
   NodeSegments around_;
-  std::vector<double> segment_stiffness_;        // scaled
-  std::vector<double> inner_;                    // how deep inside its brick a segment still presses; 0: a shell
-  std::vector<double> node_stiffness_;           // scaled, by tracked node
-  std::vector<double> node_mass_;                // mean of its segments', by tracked node
-  std::vector<kernel::Friction> node_friction_;  // by tracked node, if by part
+  std::vector<double> segment_stiffness_;  // scaled
+  std::vector<double> inner_;              // how deep inside its brick a segment still presses; 0: a shell
+  std::vector<double> node_stiffness_;     // scaled, by tracked node
+  std::vector<double> node_mass_;          // mean of its segments', by tracked node
   const std::vector<unsigned char>* held_ = nullptr;
   std::vector<char> stays_;  // by node: TrackedNode::stays
   double thickest_segment_ = 0.0;

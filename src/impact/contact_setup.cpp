@@ -8,6 +8,7 @@
 #include "base/index.hpp"
 #include "impact/edge_setup.hpp"
 #include "impact/element_alive.hpp"
+#include "impact/friction_kinds.hpp"
 #include "kernel/element/tetrahedron.hpp"
 #include "model/contact_form.hpp"
 #include "model/segments.hpp"
@@ -31,13 +32,6 @@ double volume(const std::array<model::Index, 8>& n, const std::vector<Vec3d>& x)
     v += dot(0.25 * (a + b + c + d) - middle, 0.5 * cross(c - a, d - b)) / 3.0;
   }
   return std::abs(v);
-}
-
-/// Friction of a part, or where it gives none, of *CONTROL_CONTACT; times the factors of the contact.
-kernel::Friction friction(const model::Model& model, const model::Part& part, const kernel::Friction& factor) {
-  const kernel::Friction& own = part.friction.any() ? part.friction : model.control.part_friction;
-  return {factor.at_rest * own.at_rest, factor.sliding * own.sliding, own.decay,
-          factor.shear_strength * own.shear_strength};
 }
 
 /// The directions in which a body is held.
@@ -92,8 +86,8 @@ std::vector<char> shells_near_welds(const system::System& system) {
 /// Gathers the segments of the two sides of a contact; one that belongs to both stands once.
 class Surfaces {
  public:
-  Surfaces(const system::System& system, const model::Contact& card)
-      : system_(system), model_(system.model), card_(card), thinned_(shells_near_welds(system)) {}
+  Surfaces(const system::System& system, const model::Contact& card, const FrictionKinds& rough)
+      : system_(system), model_(system.model), card_(card), rough_(rough), thinned_(shells_near_welds(system)) {}
 
   void add(const model::Surface& surface, unsigned side) {
     surface_ = &surface;
@@ -149,7 +143,7 @@ class Surfaces {
     s.scale = stiffness_scale(side) * part.stiffness_scale;
     s.bulk_modulus = stiffness_scale(side) * bulk_modulus(model_, part);
     s.mass = density(part) * area(model_.shells.node[e]) * model_.shells.thickness[e];
-    s.friction = friction(model_, part, card_.friction);
+    s.kind = rough_.of_part[at(model_.shells.part[e])];
     s.element = static_cast<int>(e);
     add_segment(key_of(model_.shells.node[e]), s, side);
   }
@@ -186,7 +180,7 @@ class Surfaces {
     const model::Part& part = model_.parts[at(model_.solids.part[solid])];
     s.scale = stiffness_scale(side) * part.stiffness_scale;
     s.bulk_modulus = stiffness_scale(side) * bulk_modulus(model_, part);
-    s.friction = friction(model_, part, card_.friction);
+    s.kind = rough_.of_part[at(model_.solids.part[solid])];
     // Each of the four triangles of a six-node face has its share of the solid behind it.
     s.volume = volume(model_.solids.node[solid], system_.ties.x) * (model_.solids.quadratic(solid) ? 0.25 : 1.0);
     s.mass = 0.5 * density(part) * s.volume;
@@ -212,47 +206,40 @@ class Surfaces {
   const system::System& system_;
   const model::Model& model_;
   const model::Contact& card_;
+  const FrictionKinds& rough_;
   const model::Surface* surface_ = nullptr;  // being added
   std::vector<char> thinned_;                // shells near welds
   std::vector<contact::Segment> segments_;
   std::map<Key, std::size_t> place_;
 };
 
-/// Where friction goes by parts, the mean of that of the shells at each node of the system; where there are none, of
-/// the bricks, and else of the beams.
-std::vector<kernel::Friction> friction_at_nodes(const system::System& system, const model::Contact& card) {
+/// The kind of friction of each node of the system: of most of the shells at it; where there are none, of the bricks,
+/// and else of the beams.
+std::vector<int> kind_of_nodes(const system::System& system, const FrictionKinds& rough) {
   const model::Model& model = system.model;
-  std::vector<kernel::Friction> sum(system.all_nodes());
-  if (!card.friction_by_part) return sum;
-  std::vector<double> count(sum.size(), 0.0);
+  std::vector<std::vector<int>> kinds(system.all_nodes());
   const auto add_elements = [&](const auto& elements, std::size_t corners) {
-    const std::vector<double> before = count;
-    for (std::size_t e = 0; e < elements.size(); ++e) {
-      const kernel::Friction own = friction(model, model.parts[at(elements.part[e])], card.friction);
-      for (std::size_t a = 0; a < corners; ++a) {
-        const std::size_t n = at(system.node_of[at(elements.node[e][a])]);
-        if (before[n] > 0.0) continue;
-        kernel::Friction& f = sum[n];
-        f = {f.at_rest + own.at_rest, f.sliding + own.sliding, f.decay + own.decay,
-             f.shear_strength + own.shear_strength};
-        count[n] += 1.0;
-      }
-    }
+    std::vector<char> taken(kinds.size());
+    for (std::size_t n = 0; n < kinds.size(); ++n) taken[n] = !kinds[n].empty();
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      for (std::size_t a = 0; a < corners; ++a)
+        if (const std::size_t n = at(system.node_of[at(elements.node[e][a])]); !taken[n])
+          kinds[n].push_back(rough.of_part[at(elements.part[e])]);
   };
   add_elements(model.shells, 4);
   add_elements(model.solids, 8);
   add_elements(model.beams, 2);
-  for (std::size_t n = 0; n < sum.size(); ++n)
-    if (const double c = count[n]; c > 0.0)
-      sum[n] = {sum[n].at_rest / c, sum[n].sliding / c, sum[n].decay / c, sum[n].shear_strength / c};
-  return sum;
+  std::vector<int> of_node;
+  for (std::vector<int>& at_node : kinds) of_node.push_back(contact::commonest(at_node));
+  return of_node;
 }
 
 /// The nodes of a node set, each as thick as the shells at it, and as rough as the elements.
-std::vector<contact::TrackedNode> listed_nodes(const system::System& system, const model::Contact& card) {
+std::vector<contact::TrackedNode> listed_nodes(const system::System& system, const model::Contact& card,
+                                               const FrictionKinds& rough) {
   if (card.a.nodes.empty()) return {};
   const model::Model& model = system.model;
-  const std::vector<kernel::Friction> rough = friction_at_nodes(system, card);
+  const std::vector<int> kind = kind_of_nodes(system, rough);
   const std::vector<char> thinned = shells_near_welds(system);
   std::vector<double> sum(model.nodes.size(), 0.0);
   std::vector<int> count(model.nodes.size(), 0);
@@ -269,7 +256,7 @@ std::vector<contact::TrackedNode> listed_nodes(const system::System& system, con
     if (!card.a.holds(system.ties.x[at(n)])) continue;
     const double thickness = count[at(n)] > 0 ? sum[at(n)] / count[at(n)] : contact_thickness(card, {}, 0.0, true);
     const int node = system.node_of[at(n)];
-    nodes.push_back({node, thickness, reference, false, rough[at(node)]});
+    nodes.push_back({node, thickness, reference, false, kind[at(node)]});
   }
   return nodes;
 }
@@ -279,9 +266,8 @@ std::vector<contact::TrackedNode> ends_of_bars(const system::System& system, con
                                                unsigned against) {
   std::vector<contact::TrackedNode> nodes;
   if (!tracks_beams(card)) return nodes;
-  const std::vector<kernel::Friction> rough = friction_at_nodes(system, card);
   for (const contact::Edge& bar : bars(system, card, false))
-    for (int n : bar.node) nodes.push_back({n, bar.thickness, against, false, rough[at(n)]});
+    for (int n : bar.node) nodes.push_back({n, bar.thickness, against, false, bar.kind});
   return nodes;
 }
 
@@ -366,7 +352,7 @@ double bulk_modulus(const model::Model& model, const model::Part& part) {
 }
 
 /// The penalty law that the card asks for.
-static kernel::PenaltyLaw law_of(const model::Contact& card) {
+static kernel::PenaltyLaw law_of(const model::Contact& card, const FrictionKinds& rough) {
   kernel::PenaltyLaw law;
   if (card.soft == 1) law.stiffness = kernel::PenaltyStiffness::node_masses;
   if (card.soft == 2) law.stiffness = kernel::PenaltyStiffness::segment_masses;
@@ -374,13 +360,14 @@ static kernel::PenaltyLaw law_of(const model::Contact& card) {
   law.soft_step = card.soft_step;
   law.damping = card.damping;
   law.balances_friction = card.balances_friction;
-  if (!card.friction_by_part) law.friction = card.friction;
+  law.friction = rough.table;
   return law;
 }
 
 contact::SurfaceContactSetup contact_setup(const system::System& system, const model::Contact& card) {
   contact::SurfaceContactSetup setup;
-  Surfaces surfaces(system, card);
+  const FrictionKinds rough(system.model, card);
+  Surfaces surfaces(system, card, rough);
   surfaces.add(card.a, tracked);
   const bool single = card.kind == model::Contact::Kind::single_surface;
   if (!single) surfaces.add(card.b, reference);
@@ -390,7 +377,7 @@ contact::SurfaceContactSetup contact_setup(const system::System& system, const m
     setup.nodes = contact::nodes_of(setup.segments);
   } else {
     setup.nodes = contact::nodes_of(setup.segments, tracked, reference);
-    const auto listed = listed_nodes(system, card);
+    const auto listed = listed_nodes(system, card, rough);
     setup.nodes.insert(setup.nodes.end(), listed.begin(), listed.end());
     if (card.kind == model::Contact::Kind::two_surfaces) {
       const auto others = contact::nodes_of(setup.segments, reference, tracked);
@@ -402,10 +389,9 @@ contact::SurfaceContactSetup contact_setup(const system::System& system, const m
   setup.nodes = merged(std::move(setup.nodes));
   if (erodes(card)) let_stay(system, setup.nodes);
   setup.stiffness_scale = system.model.control.penalty_scale;
-  setup.friction_by_part = card.friction_by_part;
   setup.deepest = card.deepest;
   setup.edges_meet = checks_edges(card);
-  setup.law = law_of(card);
+  setup.law = law_of(card, rough);
   setup.birth = card.birth;
   setup.death = card.death;
   return setup;

@@ -8,6 +8,7 @@
 #include "base/index.hpp"
 #include "impact/contact_setup.hpp"
 #include "impact/element_alive.hpp"
+#include "impact/friction_kinds.hpp"
 #include "model/contact_form.hpp"
 #include "weld/welds.hpp"
 
@@ -33,6 +34,7 @@ std::vector<contact::Edge> bars(const system::System& system, const model::Conta
   const model::Model& model = system.model;
   std::vector<char> in(model.parts.size(), card.a.everything ? 1 : 0);
   for (model::Index p : card.a.parts) in[at(p)] = 1;
+  const FrictionKinds rough(model, card);
   std::vector<contact::Edge> edges;
   for (std::size_t b = 0; b < model.beams.size(); ++b) {
     const model::Part& part = model.parts[at(model.beams.part[b])];
@@ -48,6 +50,7 @@ std::vector<contact::Edge> bars(const system::System& system, const model::Conta
     edge.mass = model.materials[at(part.material)].density * 0.25 * std::numbers::pi * own * own * length;
     edge.scale = card.stiffness_scale_a * part.stiffness_scale;
     edge.elements = {ElementAlive::place(model, model::ElementKind::beam, static_cast<model::Index>(b))};
+    edge.kind = rough.of_part[at(model.beams.part[b])];
     if (card.parts_apart) edge.part = model.beams.part[b];
     edges.push_back(std::move(edge));
   }

@@ -109,7 +109,7 @@ class Builder {
   std::vector<std::pair<Index, deck::Row>> part_rows;  ///< by part: the card that names section, material and hourglass
 
   Ids nodes, shells, solids, beams, discretes, parts, shell_sections, solid_sections, beam_sections, discrete_sections,
-      materials, hourglass, curves, tables, systems, vectors, boxes, spring_orientations;
+      materials, hourglass, curves, tables, systems, vectors, boxes, spring_orientations, part_friction;
   Ids pair_strengths, load_rate_strengths, connections;  ///< of Model's arrays of these names
   Ids node_sets, part_sets, segment_sets, shell_sets, solid_sets, beam_sets, branches;
 

@@ -40,6 +40,17 @@ struct Glue {
 };
 
 /// *CONTACT_...: the cards, in words. Penalty contacts and ties alike; `kind` says what is done with it.
+/// *DEFINE_FRICTION: friction between parts.
+struct PartFriction {
+  struct Pair {
+    std::vector<Index> one, other;  ///< parts
+    kernel::Friction friction;
+  };
+  int id = 0;
+  kernel::Friction otherwise;  ///< of parts that no pair has
+  std::vector<Pair> pairs;     ///< the last one counts of those that parts have
+};
+
 struct Contact {
   /// A surface against itself; two surfaces, each node against the other side; nodes of `a` against segments of `b`; a
   /// transducer, which sums up the forces of other contacts; ties.
@@ -71,6 +82,7 @@ struct Contact {
   Surface a;                          ///< tracked (SURFA, slave)
   Surface b;                          ///< reference (SURFB, master)
   kernel::Friction friction;
+  Index friction_table = none;     ///< FS = -2: in Model::part_friction; `friction` holds the factors on it
   bool friction_by_part = false;   ///< FS = -1: of *PART_CONTACT; `friction` holds the factors on it
   bool balances_friction = false;  ///< FTORQ
   double damping = 0.0;            ///< VDC, percent of critical

@@ -26,6 +26,7 @@ std::vector<Keyword> all_families() {
            equation_of_state_keywords,
            erosion_keywords,
            gissmo_keywords,
+           friction_keywords,
            orthotropic_material_keywords,
            rubber_material_keywords,
            foam_material_keywords,

@@ -194,6 +194,7 @@ struct Model {
 
   std::vector<Curve> curves;  ///< offsets and scales applied
   std::vector<Table> tables;
+  std::vector<PartFriction> part_friction;
   std::vector<CoordinateSystem> systems;
   std::vector<SpringOrientation> spring_orientations;
   Sets sets;

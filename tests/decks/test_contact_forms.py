@@ -267,6 +267,59 @@ class ContactForms(CommandTest):
         self.run_deck(plates(sliding(fs=0.2), motion, 1.0e-4))
         self.assertEqual(of_parts, self.rows())
 
+    def test_friction_between_pairs_of_parts(self):
+        """FS = -2: of the pair, in whatever order it stands, else the default; the table that FD names, or the first. The same bits as FS
+        itself. Sabotage: the default for all; the first part alone counts."""
+        motion = {3: -20.0, 1: 200.0}
+        self.run_deck(plates(sliding(fs=0.2), motion, 1.0e-4))
+        expected = self.rows()
+        self.assertLess(expected[-1][1], -0.15 * expected[-1][3])
+
+        def tables(*lines, number=0):
+            def write(d):
+                d.text("*SET_PART_LIST\n8\n1")
+                for line in lines:
+                    d.text(line)
+                sliding(fs=0.2)(d)
+                at = d.lines.index("       0.2       0.2")
+                d.lines[at] = f"{-2.0:10}{number:10}"
+            return write
+        pair, other = "2,8,0.2,0.2,0.0,0.0,PART,PSET", "2,2,0.9,0.9"
+        for name, card in {"pair": tables("*DEFINE_FRICTION", "5,0.6,0.6", other, pair),
+                           "the other way round": tables("*DEFINE_FRICTION_TITLE", "rubs", "5,0.6,0.6", "1,2,0.2,0.2", other),
+                           "default": tables("*DEFINE_FRICTION", "5,0.2,0.2", other),
+                           "absent parts": tables("*DEFINE_FRICTION", "5,0.2,0.2,0.0,0.0,1", "7,2,0.9,0.9", "9,1,0.9,0.9,0.0,0.0,PSET"),
+                           "by number": tables("*DEFINE_FRICTION", "5,0.6,0.6", "*DEFINE_FRICTION", "6,0.2,0.2", number=6)}.items():
+            with self.subTest(name=name):
+                self.run_deck(plates(card, motion, 1.0e-4))
+                self.assertEqual(self.rows(), expected)
+        for card, words in ((tables("*DEFINE_FRICTION", "5,0.6,0.6", number=6), "*DEFINE_FRICTION 6 is not defined"),
+                            (tables(), "there is no *DEFINE_FRICTION"),
+                            (tables("*DEFINE_FRICTION", "5,0.6,0.6", "7,2,0.9,0.9"), "part 7 is not defined"),
+                            (tables("*DEFINE_FRICTION", "5,0.6,0.6", "1,2,0.9,0.9,0.0,0.0,SET"), "expected PART or PSET")):
+            with self.subTest(words=words):
+                self.write(plates(card, motion, 1.0e-4))
+                self.assertIn(words, self.nugget("check", "model.k", expect=1).stderr)
+
+    def test_friction_of_parts_acts_between_edges(self):
+        """Crossing bars of two parts that meet obliquely: FS = -1 and -2 as FS. Sabotage: edges without a kind."""
+        lines = ["*KEYWORD", "*CONTROL_TERMINATION", "3.0e-4", "*DATABASE_GLSTAT", "1.0e-5", "*MAT_ELASTIC", "1,7.85e-9,210000.0,0.3",
+                 "*SECTION_BEAM", "1,1,1.0,2,1", "4.0,4.0,0.0,0.0", "*NODE"]
+        places = [(-10, 0, 0), (0.5, 0, 0), (10, 0, 0), (0, -10, 4.2), (0, 0.5, 4.2), (0, 10, 4.2), (50, 50, 50)]
+        lines += [f"{i},{x},{y},{z}" for i, (x, y, z) in enumerate(places, 1)]
+        lines += ["*ELEMENT_BEAM", "1,1,1,2,7", "2,1,2,3,7", "3,2,4,5,7", "4,2,5,6,7", "*INITIAL_VELOCITY_NODE"]
+        lines += [f"{n},4000.0,0.0,-4000.0" for n in (4, 5, 6)]
+        parts = ["*PART", "", "1,1,1", "*PART", "", "2,1,1"]
+        by_part = ["*PART_CONTACT", "", "1,1,1", "0.1,0.1", "*PART_CONTACT", "", "2,1,1", "0.3,0.3"]
+        found = []
+        for part, friction, more in ((parts, "0.2,0.2", []), (by_part, "-1.0", []), (parts, "-2.0", ["*DEFINE_FRICTION", "1,0.5,0.5", "1,2,0.2,0.2"]),
+                                     (parts, "0.0", [])):
+            self.run_deck("\n".join([*lines, *part, *more, "*CONTACT_AUTOMATIC_GENERAL", "0", friction, "0", "*END"]) + "\n")
+            found.append(self.glstat())
+        self.assertEqual(found[0], found[1])
+        self.assertEqual(found[0], found[2])
+        self.assertNotEqual(found[0], found[3])
+
     def test_a_node_set_has_the_thickness_and_the_friction_of_its_parts(self):
         """The same plates with SURFA as part and as node set. Sabotage: OPTT left out (1.0 thick: they touch at 1.0, not
         at 1.2); a node without segments without friction (half of the mean)."""

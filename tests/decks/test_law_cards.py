@@ -176,7 +176,9 @@ class LawCards(CommandTest):
                                    (damage(scales=("", -0.5)), "shrf", "below 0"),
                                    (damage(scales=("", "", "", "", 1)), "midfail", "mid-plane"),
                                    (self.brick(STEEL + "*MAT_ADD_DAMAGE_GISSMO\n" + card(1) + card(11) + card("") + curve(11, (0, 1), (1, 1))),
-                                    "mid", "plastic strain")):
+                                    "lcsdg", "plastic strain"),
+                                   (self.brick(STEEL + "*MAT_ADD_EROSION\n" + card(1) + "\n" + card(1, 1, 11) + "\n" + curve(11, (0, 1), (1, 1))),
+                                    "lcsdg", "plastic strain")):
             with self.subTest(words=words):
                 self.expect(deck, field, words, refused=True)
         self.expect(damage(("", 0)), "dtyp", "takes no stress")

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "base/vec3.hpp"
 
@@ -30,6 +33,21 @@ inline Friction mean(const Friction& a, const Friction& b) {
   return {0.5 * (a.at_rest + b.at_rest), 0.5 * (a.sliding + b.sliding), 0.5 * (a.decay + b.decay),
           0.5 * (a.shear_strength + b.shear_strength)};
 }
+
+/// Friction of surfaces of several kinds: by their parts.
+class FrictionTable {
+ public:
+  FrictionTable() = default;
+  explicit FrictionTable(const Friction& everywhere) : of_pairs_{everywhere} {}
+  /// `of_pairs`: by the first kind, then the second.
+  FrictionTable(int kinds, std::vector<Friction> of_pairs) : kinds_(kinds), of_pairs_(std::move(of_pairs)) {}
+
+  const Friction& between(int a, int b) const { return of_pairs_[static_cast<std::size_t>(a * kinds_ + b)]; }
+
+ private:
+  int kinds_ = 1;
+  std::vector<Friction> of_pairs_{Friction{}};
+};
 
 /// Force on a node that slides over a surface: a spring that had the force `before` is drawn out by `slip`, and slips
 /// at `bound`.

@@ -32,7 +32,7 @@ struct PenaltyLaw {
   double soft_scale = 0.1;  ///< SOFSCL, for SOFT = 1
   double soft_step = 0.0;   ///< DTSTIF: the step that a stiffness by masses is for; 0: that of the run [time]
   double damping = 0.0;     ///< VDC, percent of critical; see damping_force()
-  Friction friction;
+  FrictionTable friction;
 
   /// The step that a stiffness by masses is for, in a run whose steps are `dt` [time].
   double step(double dt) const { return soft_step > 0.0 ? soft_step : dt; }

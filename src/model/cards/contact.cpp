@@ -55,8 +55,9 @@ const Card sides_set_part = sides_card(IdSpace::set, IdSpace::part);
 const Card sides_of_parts = sides_card(IdSpace::part, IdSpace::part);
 
 const Card friction_card{{
-    real("fs", dimension::number, 0, any_value, "static friction; -1: of *PART_CONTACT; ties have none"),
-    real("fd", dimension::number, 0, any_value, "dynamic friction"),
+    real("fs", dimension::number, 0, any_value,
+         "static friction; -1: of *PART_CONTACT; -2: of *DEFINE_FRICTION; ties have none"),
+    real("fd", dimension::number, 0, any_value, "dynamic friction; with FS -2: id of *DEFINE_FRICTION, 0: the first"),
     real("dc", {0, -1, 1}, 0, any_value, "decay from the static to the dynamic coefficient"),
     real("vc", dimension::stress, 0, any_value, "viscous friction"),
     real("vdc", dimension::number, 0, at_least(0), "damping, percent of critical"),
@@ -286,22 +287,32 @@ void take_tie(Builder& builder, const Row& row, Contact& contact) {
 // ---- the cards that always stand
 // --------------------------------------------------------------------------------------------
 
+/// The *DEFINE_FRICTION that FD names; 0: the first.
+Index friction_table(Builder& builder, const Row& row) {
+  const int id = static_cast<int>(std::lround(row.real("fd")));
+  const Index found = id != 0 ? builder.part_friction.find(id) : builder.model.part_friction.empty() ? none : 0;
+  if (found == none)
+    refuse(builder, row, id != 0 ? "fd" : "fs",
+           id != 0 ? fmt::format("*DEFINE_FRICTION {} is not defined", id) : "there is no *DEFINE_FRICTION in the deck",
+           "define it");
+  return found;
+}
+
 void take_friction(Builder& builder, const Row& row, Contact& contact) {
   contact.friction_by_part = contact.slides() && row.real("fs") == -1.0;
-  if (contact.slides() && !contact.friction_by_part)
+  const bool by_table = contact.slides() && row.real("fs") == -2.0;
+  if (by_table) contact.friction_table = friction_table(builder, row);
+  if (contact.slides() && !contact.friction_by_part && !by_table)
     for (const std::string_view field : {"fs", "fd", "dc", "vc"})
       if (row.real(field) < 0.0)
-        refuse(builder, row, field, "friction by table or function is not built; expected 0 or more, or FS = -1",
-               "give the coefficients here, or in *PART_CONTACT with FS = -1");
+        refuse(builder, row, field,
+               "friction by a curve or function is not built; expected 0 or more, or FS = -1 or -2",
+               "give the coefficients here, in *PART_CONTACT with FS = -1, or in *DEFINE_FRICTION with FS = -2");
   if (contact.slides() && row.real("fs") == 2.0)
     row.complain(builder.findings, Severity::warning, "fs",
                  "is taken as a coefficient; LS-DYNA reads 2 as friction from a table", "give 1.99 or 2.01");
   contact.friction = {row.real("fs"), row.real("fd"), row.real("dc"), row.real("vc")};
-  if (contact.friction_by_part) contact.friction = {1.0, 1.0, 0.0, 1.0};
-  if (contact.friction_by_part && checks_edges(contact))
-    row.complain(builder.findings, Severity::warning, "fs",
-                 "friction of the parts acts on nodes against segments; edges slide on each other without",
-                 "give FS and FD here if edges are to rub");
+  if (contact.friction_by_part || by_table) contact.friction = {1.0, 1.0, 0.0, 1.0};
   contact.damping = row.real("vdc");
   contact.birth = row.real("bt");
   contact.death = death_time(row.real("dt"));

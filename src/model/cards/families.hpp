@@ -21,6 +21,7 @@ std::vector<Keyword> honeycomb_material_keywords();    ///< *MAT_..._HONEYCOMB
 std::vector<Keyword> foam_material_keywords();         ///< *MAT_... of foam
 std::vector<Keyword> erosion_keywords();               ///< *MAT_ADD_EROSION
 std::vector<Keyword> gissmo_keywords();                ///< *MAT_ADD_DAMAGE_GISSMO
+std::vector<Keyword> friction_keywords();              ///< *DEFINE_FRICTION
 std::vector<Keyword> plastic_material_keywords();      ///< *MAT_... of metals beside 003 and 024
 std::vector<Keyword> johnson_cook_keywords();          ///< *MAT_... of Johnson and Cook
 std::vector<Keyword> weld_material_keywords();         ///< *MAT_SPOTWELD

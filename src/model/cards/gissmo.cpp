@@ -135,7 +135,7 @@ std::optional<kernel::Gissmo> gissmo(Builder& b, const GissmoRows& rows, const k
   const int errors = b.findings.errors();
   const auto& [type, law, scales, type_field] = rows;
   if (!has_plastic_strain(flow)) {
-    refuse(b, type, "mid", "damage grows with the plastic strain, which this material does not have",
+    refuse(b, law, "lcsdg", "damage grows with the plastic strain, which this material does not have",
            "give it to a plastic material");
     return {};
   }

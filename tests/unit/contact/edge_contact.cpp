@@ -188,7 +188,7 @@ TEST(EdgeContact, ALineDoesNotFightItself) {
 
 TEST(EdgeContact, FrictionStopsAtItsBound) {
   Crossing s(0.0, 0.0, -1e-3);
-  s.setup.law.friction = {0.3, 0.3, 0.0, 0.0};
+  s.setup.law.friction = kernel::FrictionTable({0.3, 0.3, 0.0, 0.0});
   for (double& m : s.mass) m = 1e10;
   EdgeContact contact = s.contact();
   s.evaluate(contact, 1e-7);

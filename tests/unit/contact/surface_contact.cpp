@@ -528,7 +528,7 @@ struct PressedNode : PlateAndNode {
   static constexpr double press = 10.0, m = 1e-5;
   double pull = 0.0;
   explicit PressedNode(double coefficient) : PlateAndNode({2.0, 2.0, 0.0}, {}, m) {
-    setup.law.friction = {coefficient, coefficient, 0.0, 0.0};
+    setup.law.friction = kernel::FrictionTable({coefficient, coefficient, 0.0, 0.0});
     const double stiffness = 0.1 * bulk * 25.0 / (5.0 * std::sqrt(2.0));
     x[node].z = 1.0 - press / stiffness;
     load = [this](Scene& s) { nugget::add(s.force[node], {pull, 0.0, -press}); };

@@ -452,7 +452,7 @@ TEST(Contacts, WhatCannotBeObeyedIsRefused) {
   const std::string nodes = "*CONTACT_AUTOMATIC_NODES_TO_SURFACE\n         1         3         3         3\n\n\n";
   EXPECT_TRUE(Built(small_deck(nodes + "         2\n")).warning("as with soft = 1", "soft"));
   EXPECT_TRUE(single("         0         0         0         0\n\n\n         3\n").error("0, 1 or 2", "soft"));
-  EXPECT_TRUE(single("         0         0         0         0\n      -3.0\n").error("by table", "fs"));
+  EXPECT_TRUE(single("         0         0         0         0\n      -3.0\n").error("by a curve", "fs"));
   EXPECT_TRUE(single("         1         0         4         0\n").error("node set", "surfatyp"));
   EXPECT_TRUE(single("         0         0         0         0         5\n").error("box", "saboxid"));
   EXPECT_TRUE(single("        77         0         2         0\n").error("part set 77 is not defined", "surfa"));

@@ -259,7 +259,7 @@ TEST(PlasticMaterials, ErosionFaults) {
   const std::string material = "*MAT_001\n4,7.85e-9,210000.0,0.3\n", erosion = "*MAT_ADD_EROSION\n4,,,,0.3\n\n";
   EXPECT_TRUE(built(erosion).error("material 4 is not defined", "mid"));
   EXPECT_TRUE(built(material + erosion + erosion).error("already", "mid"));
-  EXPECT_TRUE(built(material + erosion + "1\n").error("only 0 is supported", "idam"));
+  EXPECT_TRUE(built(material + erosion + "-1\n").error("DIEM", "idam"));
   EXPECT_TRUE(built(material + erosion + "\n3\n").error("only 0 is supported", "lcfld"));
   EXPECT_TRUE(built(material + "*MAT_ADD_EROSION\n4\n,,,-3.0\n").error("curve over the strain rate", "mxeps"));
   EXPECT_TRUE(built("*MAT_020\n4,7.85e-9,210000.0,0.3\n" + erosion).error("cannot be added", "mid"));
