@@ -134,7 +134,8 @@ Damping::Damping(system::System& system) : system_(system), deforming_of_(system
 std::vector<Damping::Member> Damping::everything() const {
   std::vector<Member> members;
   for (std::size_t k = 0; k < system_.nodes; ++k)
-    if (system_.mass[k] > 0.0) members.push_back({k, system_.mass[k], system_.inertia[k], -1});
+    if (system_.mass[k] > 0.0 || system_.inertia[k] > 0.0)
+      members.push_back({k, system_.mass[k], system_.inertia[k], -1});
   for (std::size_t b = 0; b < system_.bodies.size(); ++b)
     members.push_back({at(system_.bodies[b].node), system_.bodies[b].mass, 0.0, static_cast<int>(b)});
   return members;

@@ -71,11 +71,16 @@ struct Carrier {
         sum.by_inertia += t.weight * one.by_inertia;
         sum.momentum += t.weight * one.momentum;
       }
+      if (!system.map.rotations(node)) sum.by_inertia = by_own_spin(k);
       return sum;
     }
-    const Vec3d before = vec(v_before[k]), after = vec(state.v[k]), spin = vec(w_before[k]);
-    return {1.0, 0.5 * dot(before, between(before, after, share)),
-            0.5 * dot(spin, between(spin, vec(state.w[k]), share)), between(before, after, 0.5 * share)};
+    const Vec3d before = vec(v_before[k]), after = vec(state.v[k]);
+    return {1.0, 0.5 * dot(before, between(before, after, share)), by_own_spin(k), between(before, after, 0.5 * share)};
+  }
+
+  double by_own_spin(std::size_t k) const {
+    const Vec3d spin = vec(w_before[k]);
+    return 0.5 * dot(spin, between(spin, vec(state.w[k]), share));
   }
 
   void carry(PartEnergy& part, int node, double m, double inertia) const {

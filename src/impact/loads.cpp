@@ -115,10 +115,25 @@ void Loads::take_parts(Body& body) const {
         mass[nodes[static_cast<std::size_t>(a)]] += weight * group->nodal_mass(e, a);
     }
   }
-  // Rigid parts, and what else has mass without a kernel.
-  for (const system::System::Lump& lump : system_.lumps())
-    if (wanted(lump.part))
+  // Rigid parts, and what else has mass without a kernel. A body of given mass weighs that, not what its mesh would.
+  struct Mesh {
+    double wanted = 0.0, all = 0.0;
+  };
+  std::map<model::Index, Mesh> meshes;
+  for (const system::System::Lump& lump : system_.lumps()) {
+    const model::Index source = system_.model.parts[at(lump.part)].rigid_body;
+    const bool given = source != model::none && system_.model.rigid_bodies[at(source)].given;
+    if (given) {
+      meshes[source].all += lump.mass;
+      if (wanted(lump.part)) meshes[source].wanted += lump.mass;
+    } else if (wanted(lump.part)) {
       for (int a = 0; a < lump.corners; ++a) mass[lump.node[static_cast<std::size_t>(a)]] += lump.nodal_mass(a);
+    }
+  }
+  for (const auto& [source, mesh] : meshes) {
+    const system::RigidBody& rigid = system_.bodies[at(system_.body_of[at(source)])];
+    if (mesh.wanted > 0.0) mass[rigid.node] += mesh.wanted / mesh.all * rigid.mass;
+  }
   for (const auto& [node, m] : mass) {
     body.nodes.push_back(node);
     body.mass.push_back(m);

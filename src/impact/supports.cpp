@@ -127,17 +127,19 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
   for (std::size_t s = 0; s < model.spcs.size(); ++s) {
     const model::SinglePointConstraint& spc = model.spcs[s];
     const int node = system.node_of[static_cast<std::size_t>(spc.node)];
-    if (system.map.dependent(node)) {
+    // A node that is tied by its translations alone has its own rotations.
+    const unsigned own = !system.map.dependent(node) ? 63u : system.map.rotations(node) ? 0u : 56u;
+    const unsigned obeyed = spc.fixed & own;
+    if (obeyed != spc.fixed)
       findings.warning({model.deck, 0, 0}, "*BOUNDARY_SPC",
                        "node " + std::to_string(model.nodes.id[static_cast<std::size_t>(spc.node)]) +
                            " is held by an SPC, but it moves with " + system.holder(node) +
-                           "; the SPC does nothing there",
+                           (obeyed == 0 ? "; the SPC does nothing there" : "; the SPC holds its rotations only"),
                        "constrain what it moves with: the nodes of the segment it is tied to, or the rigid body "
                        "(MAT_RIGID CMO, *CONSTRAINED_NODAL_RIGID_BODY_SPC)");
-      continue;
-    }
+    if (obeyed == 0) continue;
     for (int i = 0; i < 6; ++i) {
-      if (!(spc.fixed >> i & 1u)) continue;
+      if (!(obeyed >> i & 1u)) continue;
       held_.push_back({spc_.size(), node, axis(model, spc.system, i % 3), i >= 3, spc.birth, spc.death});
     }
     spc_.push_back({node, static_cast<model::Index>(s), spc.set_id, {}, {}, 0.0});

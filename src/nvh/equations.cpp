@@ -113,16 +113,19 @@ Supports supports_of(const system::System& system, Findings& findings) {
     const model::SinglePointConstraint& spc = model.spcs[s];
     if (spc.birth > 0.0) continue;
     const int node = system.node_of[at(spc.node)];
-    if (system.map.dependent(node)) {
-      findings.warning({model.deck, 0, 0}, "*BOUNDARY_SPC",
-                       fmt::format("node {} is held by an SPC, but it moves with a rigid body or a tie; the SPC does "
-                                   "nothing there",
-                                   model.nodes.id[at(spc.node)]),
-                       "constrain the rigid body (MAT_RIGID CMO, *CONSTRAINED_NODAL_RIGID_BODY_SPC) instead");
-      continue;
-    }
+    // A node that is tied by its translations alone has its own rotations.
+    const unsigned own = !system.map.dependent(node) ? 63u : system.map.rotations(node) ? 0u : 56u;
+    const unsigned obeyed = spc.fixed & own;
+    if (obeyed != spc.fixed)
+      findings.warning(
+          {model.deck, 0, 0}, "*BOUNDARY_SPC",
+          fmt::format("node {} is held by an SPC, but it moves with a rigid body or a tie; the SPC {} "
+                      "there",
+                      model.nodes.id[at(spc.node)], obeyed == 0 ? "does nothing" : "holds its rotations only"),
+          "constrain the rigid body (MAT_RIGID CMO, *CONSTRAINED_NODAL_RIGID_BODY_SPC) instead");
+    if (obeyed == 0) continue;
     for (int i = 0; i < 6; ++i) {
-      if (!(spc.fixed >> i & 1u)) continue;
+      if (!(obeyed >> i & 1u)) continue;
       const Frame3d local =
           spc.system == model::none ? Frame3d{axes[0], axes[1], axes[2]} : model.systems[at(spc.system)].axes;
       const Vec3d axis = i % 3 == 0 ? local.e1 : i % 3 == 1 ? local.e2 : local.e3;

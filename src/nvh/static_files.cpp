@@ -73,7 +73,7 @@ class States {
     for (std::size_t i = 0; i < model_.spcs.size(); ++i) {
       const model::SinglePointConstraint& spc = model_.spcs[i];
       const int node = m_.system.node_of[at(spc.node)];
-      if (spc.birth > 0.0 || m_.system.map.dependent(node)) continue;
+      if (spc.birth > 0.0 || (m_.system.map.dependent(node) && m_.system.map.rotations(node))) continue;
       const Six force = held_by(Equations::Support::Source::spc, i, node);
       const Frame3d axes =
           spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model_.systems[at(spc.system)].axes;

@@ -130,6 +130,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       if constexpr (can_take_stress) {
         if (!imposed_.empty()) impose(b, motion, out);
       }
+      if constexpr (requires { out.volume; }) let_go_of_inverted(out);
       if (any(real_load<R>(state(b * width) + Element::Layout::alive * width) < lived)) ++deaths;
 
       // Work over the step: trapezoid of the forces before and after, times the velocities in between.
@@ -332,11 +333,28 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       x[static_cast<std::size_t>(a)] = vec(now.x[static_cast<std::size_t>(nodes_[node_index(e, a)])]);
     return x;
   }
-  /// Remembers the first living element whose volume is no longer positive.
+  /// What is inside out has strains without meaning: it acts with no forces in the cycle that ends the run or deletes
+  /// it, and has no step, whatever its kernel makes of its shape.
+  template <class Forces>
+  static void let_go_of_inverted(Forces& out) {
+    const R none(0.0);
+    const auto sound = out.volume > none;
+    if (!any(!sound)) return;
+    for (int a = 0; a < corners; ++a) {
+      out.f[a] = kernel::select(sound, out.f[a], Vec3<R>{});
+      if constexpr (Element::rotational) out.m[a] = kernel::select(sound, out.m[a], Vec3<R>{});
+    }
+    out.stable_step = select(sound, out.stable_step, none);
+  }
+  /// Remembers the first living element whose volume is no longer positive, whichever thread finds it.
   void note_inverted(std::size_t b, const R& volume) {
     for (int l = 0; l < width; ++l) {
-      const std::size_t e = b * width + static_cast<std::size_t>(l);
-      if (e < size() && !(nugget::lane(volume, l) > 0.0) && alive(e)) inverted = static_cast<int>(e);
+      const int e = static_cast<int>(b * width) + l;
+      if (static_cast<std::size_t>(e) >= size() || nugget::lane(volume, l) > 0.0 || !alive(static_cast<std::size_t>(e)))
+        continue;
+      int first = inverted;
+      while ((first < 0 || e < first) && !inverted.compare_exchange_weak(first, e)) {
+      }
     }
   }
   void find_block_step(std::size_t b) {

@@ -230,9 +230,10 @@ void ConstraintMap::hand_over(std::span<double> mass, std::span<double> inertia,
     for (int i = row->begin; i < row->end; ++i) {
       const Term& t = terms_[at(i)];
       mass[at(t.node)] += t.weight * mass[d];
-      inertia[at(t.node)] += t.weight * (inertia[d] + mass[d] * dot(t.arm, t.arm));
+      inertia[at(t.node)] += t.weight * ((row->rotations ? inertia[d] : 0.0) + mass[d] * dot(t.arm, t.arm));
     }
-    mass[d] = inertia[d] = 0.0;
+    mass[d] = 0.0;
+    if (row->rotations) inertia[d] = 0.0;
   }
 }
 

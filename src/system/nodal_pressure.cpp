@@ -42,7 +42,8 @@ const std::vector<double>& NodalPressure::update(const State& now, const std::fu
     for (std::size_t e = begin; e < end; ++e) {
       std::array<Vec3d, 4> place;
       for (std::size_t a = 0; a < 4; ++a) place[a] = vec(now.x[at(corners_[e][a])]);
-      volume_[e] = alive(e) ? kernel::tetrahedron_volume(place) : 0.0;
+      // What is inside out is deleted, or ends the run: its neighbours go on without it.
+      volume_[e] = alive(e) ? std::max(0.0, kernel::tetrahedron_volume(place)) : 0.0;
     }
   });
   parallel_for(at_node_.size(), 1024, [&](std::size_t begin, std::size_t end) {

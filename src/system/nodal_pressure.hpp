@@ -29,7 +29,7 @@ class NodalPressure {
   double bulk_modulus_;
   std::vector<std::array<int, 4>> corners_;  ///< system nodes
   std::vector<std::array<int, 4>> local_;    ///< the same, counted among the nodes of the group
-  std::vector<double> at_start_, volume_;    ///< of elements; 0 once dead
+  std::vector<double> at_start_, volume_;    ///< of elements; 0 once dead or inside out
   std::vector<std::size_t> first_;           ///< of each node, in `around_`
   std::vector<int> around_;                  ///< elements at the nodes, node by node, ascending
   std::vector<double> at_node_;              ///< mean stress

@@ -299,8 +299,11 @@ void System::hand_over_mass() {
   map.hand_over(carried_mass_, carried_inertia_, static_cast<int>(nodes));
   mass.assign(carried_mass_.begin(), carried_mass_.begin() + static_cast<std::ptrdiff_t>(nodes));
   inertia.assign(carried_inertia_.begin(), carried_inertia_.begin() + static_cast<std::ptrdiff_t>(nodes));
-  for (std::size_t d = 0; d < nodes; ++d)
-    if (map.dependent(static_cast<int>(d))) mass[d] = inertia[d] = 0.0;
+  for (std::size_t d = 0; d < nodes; ++d) {
+    if (!map.dependent(static_cast<int>(d))) continue;
+    mass[d] = 0.0;
+    if (map.rotations(static_cast<int>(d))) inertia[d] = 0.0;
+  }
 }
 
 State System::initial_state() {

@@ -348,7 +348,10 @@ void report_rigid_tracked_nodes(const model::Model& model, const model::Contact&
       contact.place, name_contact(contact),
       fmt::format("{} tracked nodes belong to rigid bodies and stay with them, untied; first {}, of {}", nodes.size(),
                   name_node(model, nodes.front()), name_body(model.rigid_bodies[around.rigid_body[nodes.front()]])),
-      "take them off the tracked side (SURFA)");
+      contact.kind == model::Contact::Kind::spotweld ? "take them off the tracked side (SURFA)"
+                                                     : "take them off the tracked side (SURFA), make it the side of "
+                                                       "the deformable sheet, or use the _OFFSET form, "
+                                                       "whose springs hold bodies");
 }
 
 void report_second_tie(const model::Model& model, Index node, Index first, Index second, Findings& findings) {

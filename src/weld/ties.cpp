@@ -204,7 +204,9 @@ std::vector<Tracked> Tying::tracked_nodes(Index contact) {
   std::vector<Index> rigid;
   std::vector<Tracked> tracked;
   for (Index node : nodes_on_side_a(model_, c, around_)) {
-    if (around_.rigid_body[node] != none && !c.penalty_fallback) {
+    // Springs hold bodies too. The end of a weld on a body is held already.
+    const bool by_springs = c.penalty_fallback || (c.tie_by_springs() && c.kind != model::Contact::Kind::spotweld);
+    if (around_.rigid_body[node] != none && !by_springs) {
       rigid.push_back(node);
       continue;
     }

@@ -195,14 +195,9 @@ template <class R, class Law, class FieldOn>
   if (any(!alive))
     for (Vec3<R>& a : out.f) a = select(alive, a, Vec3<R>{});
   out.stable_step = select(alive, bulk.step, R(std::numeric_limits<double>::infinity()));
+  // A point is inside out long before the volume of the whole is negative. With assumed strains each stands for an
+  // eighth of the whole.
   out.volume = select(alive, least, R(1.0));
-  // A point that is inside out has strains without meaning, long before the volume of the whole is negative. With
-  // assumed strains each stands for an eighth of the whole.
-  const auto inside_out = alive && least <= none;
-  if (any(inside_out)) {
-    for (Vec3<R>& a : out.f) a = select(inside_out, Vec3<R>{}, a);
-    out.stable_step = select(inside_out, none, out.stable_step);
-  }
   return out;
 }
 

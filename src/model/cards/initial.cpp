@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // *INITIAL_VELOCITY...: a velocity and a spin for each node. Definitions act in the order of the deck, the last one
-// wins; then *INITIAL_VELOCITY_RIGID_BODY. The velocity of a body with *PART_INERTIA or _INERTIA is its own unless
-// IRIGID says otherwise.
+// wins; then *INITIAL_VELOCITY_NODE (manual vol. I, *INITIAL_VELOCITY, remark 2), then *INITIAL_VELOCITY_RIGID_BODY.
+// The velocity of a body with *PART_INERTIA or _INERTIA is its own unless IRIGID says otherwise.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,8 @@ const Card velocity_card1{{
      {},
      0,
      at_least(-2),
-     "part set of bodies with given inertia that get this velocity too; -1, -2: all of them",
+     "part set of bodies with given inertia that get this velocity too, whatever nsid; -1: all of them, with a box "
+     "those whose centre is in it (so of a set); -2: all, whatever the box",
      IdSpace::set},
     id("icid", IdSpace::define, 0, "coordinate system of the velocities; 0: global axes"),
 }};
@@ -64,7 +65,9 @@ Card generation_card(IdSpace space) {
       real("vx", dimension::velocity, 0, any_value, "velocity along x"),
       real("vy", dimension::velocity, 0, any_value, "velocity along y"),
       real("vz", dimension::velocity, 0, any_value, "velocity along z"),
-      integer("ivatn", 0, between(0, 1), "constrained nodes; a rigid body moves as one with either value"),
+      integer("ivatn", 0, between(0, 1),
+              "1: also all nodes of rigid bodies of which the parts have nodes; with 0 such a body starts with the "
+              "momentum of its nodes, a rigid part moves as one with either"),
       id("icid", IdSpace::define, 0, "coordinate system of velocity and axis; 0: global axes"),
   }};
 }
@@ -127,7 +130,7 @@ class Starter {
     for (const Index body : own) report(body, motion);
   }
 
- private:
+  /// A body of given inertia.
   void restart(Index index, const Motion& motion) {
     RigidBody& body = b_.model.rigid_bodies[static_cast<std::size_t>(index)];
     body.inertia.velocity = motion.at(body.inertia.center);
@@ -135,6 +138,7 @@ class Starter {
     set_motion(b_.model, body, body.inertia.center, body.inertia.velocity, body.inertia.spin);
   }
 
+ private:
   /// LS-DYNA keeps the body's own velocity without a word; decks that forget this start with a part at rest.
   void report(Index index, const Motion& motion) {
     const RigidBody& body = b_.model.rigid_bodies[static_cast<std::size_t>(index)];
@@ -172,14 +176,23 @@ std::vector<Index> all_nodes(const Model& model) {
 // ---- *INITIAL_VELOCITY
 // ---------------------------------------------------------------------------------------------------
 
-/// Does IRIGID name this body: by a part set, or all?
-bool named_by_irigid(Builder& builder, const Row& row, Index body) {
+/// The bodies of given inertia that IRIGID names: by a part set or all of them, of which the box, except with -2, takes
+/// those whose centre it holds (manual vol. I, *INITIAL_VELOCITY).
+std::vector<Index> named_by_irigid(Builder& builder, const Row& row, const Box* box) {
   const int irigid = row.integer("irigid");
-  if (irigid <= 0) return irigid < 0;
-  const auto* parts = builder.part_set(row, "irigid");
-  return parts && std::any_of(parts->members.begin(), parts->members.end(), [&](Index p) {
-           return builder.model.parts[static_cast<std::size_t>(p)].rigid_body == body;
-         });
+  const auto& bodies = builder.model.rigid_bodies;
+  std::vector<Index> named;
+  if (irigid < 0)
+    for (std::size_t i = 0; i < bodies.size(); ++i) named.push_back(static_cast<Index>(i));
+  else if (const auto* parts = builder.part_set(row, "irigid"))
+    for (const Index p : parts->members) named.push_back(builder.model.parts[static_cast<std::size_t>(p)].rigid_body);
+  make_unique(named);
+  const auto left_out = [&](Index i) {
+    if (i == none || !bodies[static_cast<std::size_t>(i)].given) return true;
+    return irigid != -2 && box && !box->holds(bodies[static_cast<std::size_t>(i)].inertia.center);
+  };
+  named.erase(std::remove_if(named.begin(), named.end(), left_out), named.end());
+  return named;
 }
 
 void start_set(Builder& builder, const Row& row, const Motion& motion, const Motion& exempt) {
@@ -198,8 +211,10 @@ void start_set(Builder& builder, const Row& row, const Motion& motion, const Mot
   nodes.erase(std::remove_if(nodes.begin(), nodes.end(), left_out), nodes.end());
 
   Starter starter(builder, row, "nsid");
-  const auto overwrites = [&](Index body) { return named_by_irigid(builder, row, body); };
+  const std::vector<Index> named = named_by_irigid(builder, row, box);
+  const auto overwrites = [&](Index body) { return std::binary_search(named.begin(), named.end(), body); };
   starter.start(nodes, motion, overwrites);
+  for (const Index body : named) starter.restart(body, motion);
   starter.start(exempted, exempt, overwrites);
 }
 
@@ -233,16 +248,21 @@ Motion motion_of(const Block& block, const Row& row) {
       velocity_of(block, row, local, "vx", "vy", "vz"), velocity_of(block, row, local, "vxr", "vyr", "vzr"), {}, false};
 }
 
+void start_node(Builder& builder, const Row& row, Motion motion) {
+  const Index node = builder.node(row, "nid");
+  if (node == none) return;
+  motion.velocity = in_global(builder, row, motion.velocity);
+  motion.spin = in_global(builder, row, motion.spin);
+  Starter(builder, row, "nid").start({node}, motion, [](Index) { return false; });
+}
+
 void read_node_velocity(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     const Row row = cursor.read(node_card);
-    builder.later(Phase::conditions, [row, motion = motion_of(block, row)](Builder& b) mutable {
-      const Index node = b.node(row, "nid");
-      if (node == none) return;
-      motion.velocity = in_global(b, row, motion.velocity);
-      motion.spin = in_global(b, row, motion.spin);
-      Starter(b, row, "nid").start({node}, motion, [](Index) { return false; });
+    // Left behind once more, so that it comes after all sets of nodes.
+    builder.later(Phase::conditions, [row, motion = motion_of(block, row)](Builder& b) {
+      b.later(Phase::conditions, [row, motion](Builder& last) { start_node(last, row, motion); });
     });
   }
 }
@@ -261,9 +281,11 @@ void read_body_velocity(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     const Row row = cursor.read(body_card);
-    // Left behind once more, so that it comes after all other initial velocities.
+    // Left behind twice more, so that it comes after those of nodes too.
     builder.later(Phase::conditions, [row, motion = motion_of(block, row)](Builder& b) {
-      b.later(Phase::conditions, [row, motion](Builder& last) { start_body(last, row, motion); });
+      b.later(Phase::conditions, [row, motion](Builder& nodes) {
+        nodes.later(Phase::conditions, [row, motion](Builder& last) { start_body(last, row, motion); });
+      });
     });
   }
 }
@@ -291,6 +313,17 @@ std::vector<Index> generation_nodes(Builder& builder, const Row& row) {
       nodes.insert(nodes.end(), carried.begin(), carried.end());
     }
   make_unique(nodes);
+  if (row.integer("ivatn") == 1) {
+    std::vector<Index> bodies;
+    for (const Index node : nodes) bodies.push_back(builder.body_of_node[static_cast<std::size_t>(node)]);
+    make_unique(bodies);
+    for (const Index body : bodies)
+      if (body != none) {
+        const auto& carried = builder.model.rigid_bodies[static_cast<std::size_t>(body)].nodes;
+        nodes.insert(nodes.end(), carried.begin(), carried.end());
+      }
+    make_unique(nodes);
+  }
   return nodes;
 }
 
@@ -327,10 +360,11 @@ void warn_of_mixture(Builder& builder, const Block& block) {
     return other.keyword == "INITIAL_VELOCITY" || other.keyword == "INITIAL_VELOCITY_NODE";
   });
   if (mixed)
-    builder.findings.warning(
-        block.place, block.starred(),
-        "LS-DYNA forbids it together with *INITIAL_VELOCITY and *INITIAL_VELOCITY_NODE; the last in the deck holds",
-        "use one kind");
+    builder.findings.warning(block.place, block.starred(),
+                             "LS-DYNA forbids it together with *INITIAL_VELOCITY and *INITIAL_VELOCITY_NODE; the last "
+                             "in the deck holds, and "
+                             "*INITIAL_VELOCITY_NODE before all",
+                             "use one kind");
 }
 
 void read_generation(Builder& builder, const Block& block, const Options&) {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // *LOAD_...: forces and moments on nodes and bodies, base accelerations, pressures.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
-#include <optional>
+#include <memory>
+#include <vector>
 
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
@@ -44,6 +48,50 @@ void resolve_follower(Builder& builder, const Row& row, NodalLoad& load) {
       refuse(builder, row, fields[i], "a load with dof 4 or 8 follows the normal of three nodes; this one is missing");
     load.follow[i] = builder.node(row, fields[i]);
   }
+  if (std::find(load.follow.begin(), load.follow.end(), none) != load.follow.end()) return;
+  const auto place = [&](std::size_t i) { return builder.model.nodes.x[static_cast<std::size_t>(load.follow[i])]; };
+  const Vec3d first = place(1) - place(0), second = place(2) - place(0);
+  if (norm(cross(first, second)) <= 1e-6 * norm(first) * norm(second))
+    refuse(builder, row, "m1", "the three nodes are on a line at the start: they have no normal",
+           "name three nodes that span a plane");
+}
+
+/// Nodes that can turn: of shells, beams, springs, rigid bodies, bricks with rotations, and those with an inertia.
+std::vector<char> nodes_that_turn(const Builder& b) {
+  const Model& m = b.model;
+  std::vector<char> turns(m.nodes.size(), 0);
+  const auto take = [&](Index n) {
+    if (n != none) turns[static_cast<std::size_t>(n)] = 1;
+  };
+  for (std::size_t n = 0; n < turns.size(); ++n)
+    if (b.body_of_node[n] != none) turns[n] = 1;
+  for (std::size_t e = 0; e < m.shells.size(); ++e)
+    for (const Index n : m.shells.nodes(e)) take(n);
+  for (std::size_t e = 0; e < m.beams.size(); ++e)
+    for (const Index n : m.beams.nodes(e)) take(n);
+  for (std::size_t e = 0; e < m.solids.size(); ++e) {
+    const Index section = m.solids.part[e] == none ? none : m.parts[static_cast<std::size_t>(m.solids.part[e])].section;
+    if (section != none && m.solid_sections[static_cast<std::size_t>(section)].elform == 4)
+      for (const Index n : m.solids.nodes(e)) take(n);
+  }
+  for (const Discrete& d : m.discretes)
+    for (const Index n : d.node) take(n);
+  for (const PointInertia& inertia : m.inertias) take(inertia.node);
+  for (const Interpolation& i : m.interpolations)
+    if (i.rotations) take(i.node);
+  return turns;
+}
+
+/// A moment on a node of bricks alone finds no rotation to act on.
+void warn_of_lost_moments(Builder& b, const Row& row, const std::vector<Index>& nodes, const std::vector<char>& turns) {
+  const auto stands = [&](Index n) { return turns[static_cast<std::size_t>(n)] == 0; };
+  const auto count = std::count_if(nodes.begin(), nodes.end(), stands);
+  if (count == 0) return;
+  const int first = b.model.nodes.id[static_cast<std::size_t>(*std::find_if(nodes.begin(), nodes.end(), stands))];
+  row.complain(b.findings, Severity::warning, "dof",
+               fmt::format("{} of {} nodes (the first is {}) have no rotation: the moment has no effect there", count,
+                           nodes.size(), first),
+               "give the moment as forces, or put it on a *CONSTRAINED_NODAL_RIGID_BODY of nodes around");
 }
 
 void resolve_fixed_direction(Builder& builder, const Row& row, NodalLoad& load) {
@@ -69,10 +117,11 @@ void resolve_target(Builder& builder, const Row& row, NodalLoad& load) {
 template <On on>
 void read_force(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
+  const auto turns = std::make_shared<std::vector<char>>();  // found for the first moment of the block
   while (!at_end(cursor)) {
     const Row row = cursor.read(on == On::node ? force_node_card : on == On::set ? force_set_card : force_body_card);
     if (row.integer("dof") % 4 != 0 && row.integer("cid") == 0) warn_of_global_axis(builder, block, row, "dof");
-    builder.later(Phase::conditions, [row](Builder& b) {
+    builder.later(Phase::conditions, [row, turns](Builder& b) {
       NodalLoad load;
       const int dof = row.integer("dof");
       load.moment = dof >= 5;
@@ -83,6 +132,11 @@ void read_force(Builder& builder, const Block& block, const Options&) {
       else
         resolve_fixed_direction(b, row, load);
       resolve_target<on>(b, row, load);
+      if (load.moment)
+        b.later(Phase::checks, [row, turns, nodes = load.nodes](Builder& all) {
+          if (turns->empty()) *turns = nodes_that_turn(all);
+          warn_of_lost_moments(all, row, nodes, *turns);
+        });
       b.model.nodal_loads.push_back(std::move(load));
     });
   }

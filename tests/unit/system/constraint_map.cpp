@@ -171,6 +171,16 @@ TEST(ConstraintMap, MassIsHandedOverWholeButBodiesNodesKeepTheirs) {
   EXPECT_EQ(inertia, (std::vector<double>{0.5 * (0.25 + 4.0), 0.75 * 0.625, 0.25 * 0.625, 0, 0, 0}));
 }
 
+TEST(ConstraintMap, ANodeOfTranslationsAloneKeepsItsRotaryInertia) {
+  ConstraintMap map;
+  map.add(2, false, std::vector<Term>{{0, 0.25, {}}, {1, 0.75, {0, 2, 0}}});
+  map.close(3);
+  std::vector<double> mass{1, 1, 2}, inertia{0, 0, 0.5};
+  map.hand_over(mass, inertia, 3);
+  EXPECT_EQ(mass, (std::vector<double>{1.5, 2.5, 0}));
+  EXPECT_EQ(inertia, (std::vector<double>{0, 0.75 * 2.0 * 4.0, 0.5}));
+}
+
 TEST(ConstraintMap, ARemovedRowLetsItsNodeGo) {
   Random random;
   std::vector<Vec3d> x;
