@@ -159,6 +159,8 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
   if (ask.d3plot.asked()) {
     output::D3plotGeometry geometry = output::d3plot_geometry(system);
     geometry.strains = ask.strains;
+    geometry.solid_histories = ask.solid_histories;
+    geometry.shell_histories = ask.shell_histories;
     auto file = std::make_shared<output::D3plot>(directory, std::move(geometry), header.opening);
     channels_.push_back({&ask.d3plot, [file](const Snapshot& now) { file->write(d3plot_state(now)); },
                          [file](Archive& a) { a(*file); }, first_mark(ask.d3plot, model_.curves)});

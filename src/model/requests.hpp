@@ -44,11 +44,12 @@ struct Requests {
   std::vector<NodalForceGroup> nodal_force_groups;  ///< of nodfor
 
   // *DATABASE_EXTENT_BINARY
-  int layers = 3;                 ///< MAXINT
-  bool strains = false;           ///< STRFLG
-  bool one_state_a_file = false;  ///< IEVERP
-  int beam_points = 0;            ///< BEAMIP
-  bool material_axes = false;     ///< CMPFLG: stresses and strains where a material has axes a, b, c in these
+  int layers = 3;                                ///< MAXINT
+  bool strains = false;                          ///< STRFLG
+  int solid_histories = 0, shell_histories = 0;  ///< NEIPH, NEIPS
+  bool one_state_a_file = false;                 ///< IEVERP
+  int beam_points = 0;                           ///< BEAMIP
+  bool material_axes = false;  ///< CMPFLG: stresses and strains where a material has axes a, b, c in these
 
   /// EOCS of *CONTROL_OUTPUT: axes of shells in elout.
   enum class ShellAxes {

@@ -71,16 +71,19 @@ class Words {
 
 /// Words of one record of each kind.
 int solid_words(const D3plotGeometry& g) {
-  return layer_words + (g.strains ? 6 : 0);
+  return layer_words + g.solid_histories + (g.strains ? 6 : 0);
+}
+int words_of_layers(const D3plotGeometry& g) {
+  return g.layers * (layer_words + g.shell_histories);
 }
 int beam_words(const D3plotGeometry& g) {
   return 6 + 5 * g.beam_points;
 }
 int shell_words(const D3plotGeometry& g) {
-  return g.layers * layer_words + 8 + 4 + (g.strains ? 12 : 0);
+  return words_of_layers(g) + 8 + 4 + (g.strains ? 12 : 0);
 }
 int thick_shell_words(const D3plotGeometry& g) {
-  return g.layers * layer_words + 1 + (g.strains ? 12 : 0);
+  return words_of_layers(g) + 1 + (g.strains ? 12 : 0);
 }
 int global_words(const D3plotGeometry& g) {
   return 6 + 7 * (static_cast<int>(g.parts.size()) + g.nodal_rigid_bodies) + g.rigid_walls;
@@ -131,10 +134,10 @@ void control(Words& out, const D3plotGeometry& g) {
   out.integer(static_cast<std::int64_t>(g.shells.size()));
   out.integer(shell_parts);
   out.integer(shell_words(g));
-  out.integer(g.strains ? 6 : 0);  // NEIPH: extra words of solids
-  out.integer(0);                  // NEIPS
-  out.integer(-10000 - g.layers);  // MAXINT, with the element deletion table
-  out.integer(0), out.integer(0);  // NMSPH, NGPSPH
+  out.integer(g.solid_histories + (g.strains ? 6 : 0));  // NEIPH: extra words of solids, strains last
+  out.integer(g.shell_histories);                        // NEIPS
+  out.integer(-10000 - g.layers);                        // MAXINT, with the element deletion table
+  out.integer(0), out.integer(0);                        // NMSPH, NGPSPH
   out.integer(numbering_words(g));
   out.integer(0), out.integer(0);  // NELT, NUMMATT
   out.integer(thick_shell_words(g));
@@ -268,14 +271,16 @@ void globals(Words& out, const D3plotState& s) {
   for (const double force : s.wall_forces) out.real(force);
 }
 
-void stress(Words& out, const StressRecord& record) {
+void stress(Words& out, const StressRecord& record, int histories) {
   out.reals(record.stress);
   out.real(record.plastic_strain);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(histories); ++i)
+    out.real(i < record.history.size() ? record.history[i] : 0.0);
 }
 
 void solids(Words& out, const D3plotGeometry& g, const D3plotState& s) {
   for (const SolidRecord& record : s.solids) {
-    stress(out, record);
+    stress(out, record, g.solid_histories);
     if (g.strains) out.reals(record.strain);
   }
 }
@@ -292,7 +297,7 @@ void beams(Words& out, const D3plotGeometry& g, const D3plotState& s) {
 void shells(Words& out, const D3plotGeometry& g, const D3plotState& s) {
   const StressRecord* layer = s.shell_layers.data();
   for (const ShellRecord& r : s.shells) {
-    for (int i = 0; i < g.layers; ++i, ++layer) stress(out, *layer);
+    for (int i = 0; i < g.layers; ++i, ++layer) stress(out, *layer, g.shell_histories);
     out.reals({r.mx, r.my, r.mxy, r.qx, r.qy, r.nx, r.ny, r.nxy, r.thickness});
     out.reals({0.0, 0.0});  // two words that depend on the element formulation
     if (g.strains) {
@@ -327,6 +332,7 @@ void shell_layers(std::span<const StressRecord> points, std::span<StressRecord> 
   const StressRecord &a = points[(n - 1) / 2], &b = points[n / 2];
   for (std::size_t i = 0; i < 6; ++i) layers[0].stress[i] = 0.5 * (a.stress[i] + b.stress[i]);
   layers[0].plastic_strain = 0.5 * (a.plastic_strain + b.plastic_strain);
+  for (std::size_t i = 0; i < a.history.size(); ++i) layers[0].history[i] = 0.5 * (a.history[i] + b.history[i]);
   layers[1] = points.front();
   layers[2] = points.back();
 }

@@ -43,6 +43,8 @@ struct D3plotGeometry {
   int layers = 3;                 ///< MAXINT: records through the thickness of a shell, see shell_layers()
   int beam_points = 0;            ///< BEAMIP: integration points of beams
   bool strains = false;           ///< STRFLG
+  int solid_histories = 0;        ///< NEIPH: numbers of StressRecord::history, and zeros beyond them
+  int shell_histories = 0;        ///< NEIPS: the same, of each layer
   bool one_state_a_file = false;  ///< IEVERP
   /// What the files hold, and are called. The time of a state of d3eigv and d3ssd is a frequency; modes have
   /// coordinates only (no velocities, accelerations).
@@ -61,6 +63,7 @@ struct D3plotPartState {
 struct StressRecord {
   std::array<double, 6> stress{};
   double plastic_strain = 0.0;
+  std::array<double, 3> history{};  ///< as far as NEIPH or NEIPS ask for it
 };
 
 struct SolidRecord : StressRecord {

@@ -14,7 +14,7 @@ using Seat = system::System::Seat;
 StressRecord record(const model::Model& model, const system::ElementGroup& group, const Seat& seat, int point,
                     const system::State& state) {
   const system::ElementGroup::Layer layer = group.layer(at(seat.element), point, state);
-  return {by_cmpflg(model, group, at(seat.element), point, state, layer.stress), layer.plastic_strain};
+  return {by_cmpflg(model, group, at(seat.element), point, state, layer.stress), layer.plastic_strain, layer.damage};
 }
 
 /// Mx My Mxy Qx Qy Nx Ny Nxy along axes that lie by an angle, given by cosine and sine, from their own.

@@ -8,10 +8,10 @@
 #include "kernel/element/full_hexahedron.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
-#include "system/element_size.hpp"
 #include "system/imposed_stress.hpp"
 #include "system/material_axes.hpp"
 #include "system/point_integrity.hpp"
+#include "system/point_numbers.hpp"
 
 namespace nugget::system {
 
@@ -69,6 +69,7 @@ struct BrickElement {
     const double left = field(Layout::integrity);
     for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] = left * field(Layout::stress + i);
     if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = field(Layout::first_history);
+    l.damage = damage_of(law, [&](int i) { return field(Layout::first_history + i); });
     return l;
   }
   template <class Field>
@@ -130,8 +131,13 @@ struct FullBrickElement : BrickElement<Law> {
   }
   template <class Field>
   double plastic_strain(const Field& field, int) const {
+    return mean_of_points(field, 0);
+  }
+  /// The i-th number of the history.
+  template <class Field>
+  double mean_of_points(const Field& field, int i) const {
     double mean = 0.0;
-    for (int p = 0; p < Layout::points; ++p) mean += field(layout().history_of(p)) / Layout::points;
+    for (int p = 0; p < Layout::points; ++p) mean += field(layout().history_of(p) + i) / Layout::points;
     return mean;
   }
   template <class Field>
@@ -166,7 +172,8 @@ struct FullBrickElement : BrickElement<Law> {
     ElementGroup::Layer l;
     for (int p = 0; p < Layout::points; ++p)
       for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] += share * field(layout().point(p) + i);
-    if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = plastic_strain(field, 0);
+    if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = mean_of_points(field, 0);
+    l.damage = damage_of(this->law, [&](int i) { return mean_of_points(field, i); });
     return l;
   }
 };

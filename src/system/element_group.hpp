@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "kernel/law/point_damage.hpp"
 #include "model/lumped_mass.hpp"
 #include "system/state.hpp"
 
@@ -113,6 +114,7 @@ class ElementGroup {
   struct Layer {
     std::array<double, 6> stress{};  ///< xx yy zz xy yz zx
     double plastic_strain = 0.0;
+    kernel::DamageNumbers damage{};
   };
   virtual int layers() const { return 0; }
   virtual Layer layer(std::size_t, int, const State&) const { return {}; }

@@ -10,8 +10,8 @@
 #include "kernel/element/kirchhoff_triangle.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
-#include "system/element_size.hpp"
 #include "system/material_axes.hpp"
+#include "system/point_numbers.hpp"
 
 // The shells as BatchGroup wants them; see there.
 namespace nugget::system {
@@ -136,7 +136,8 @@ struct ShellElement {
     std::array<double, 5> s;
     for (int c = 0; c < 5; ++c) s[static_cast<std::size_t>(c)] = component(field, k, c);
     return {global_stress(frame, s[0], s[1], s[2], s[3], s[4]),
-            kernel::Prepared<Law>::has_plastic_strain ? component(field, k, 5) : 0.0};
+            kernel::Prepared<Law>::has_plastic_strain ? component(field, k, 5) : 0.0,
+            damage_of(law, [&](int i) { return component(field, k, layout().history_of(0) - layout().layer(0) + i); })};
   }
   /// The other way round: all columns get the same stress.
   template <class Put>

@@ -8,10 +8,10 @@
 #include "kernel/element/tetrahedron.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
-#include "system/element_size.hpp"
 #include "system/imposed_stress.hpp"
 #include "system/material_axes.hpp"
 #include "system/nodal_pressure.hpp"
+#include "system/point_numbers.hpp"
 
 namespace nugget::system {
 
@@ -61,6 +61,7 @@ struct TetrahedronElement {
     ElementGroup::Layer l;
     for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] = field(Layout::stress + i);
     if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = field(Layout::first_history);
+    l.damage = damage_of(law, [&](int i) { return field(Layout::first_history + i); });
     return l;
   }
   template <class Field>

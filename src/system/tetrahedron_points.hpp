@@ -8,9 +8,9 @@
 #include "kernel/element/hexahedron.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
-#include "system/element_size.hpp"
 #include "system/imposed_stress.hpp"
 #include "system/material_axes.hpp"
+#include "system/point_numbers.hpp"
 
 namespace nugget::system {
 
@@ -41,6 +41,11 @@ struct TetrahedronPoints {
       for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] += share * field(layout.point(p) + i);
       if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain += share * field(layout.history_of(p));
     }
+    l.damage = damage_of(law, [&](int i) {
+      double mean = 0.0;
+      for (int p = 0; p < layout.points; ++p) mean += share * field(layout.history_of(p) + i);
+      return mean;
+    });
     return l;
   }
   template <class Field, class Places>

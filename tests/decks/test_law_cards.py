@@ -162,6 +162,29 @@ class LawCards(CommandTest):
                     before, after = ([energy for time, energy in history if abs(time - end - shift) < 0.6e-6][0] for shift in (-2e-6, 2e-6))
                     self.assertAlmostEqual(after - before, self.work_to_fracture(0.3 * share) * volume, delta=0.01 * (after - before))
 
+    def test_damage_in_d3plot(self):
+        """NEIPH, NEIPS: the lost share of the stress, D and F, of bricks and of each layer of shells, and zeros beyond; strains of bricks
+        stay the last six. Sabotage: NEIPS left out of the words of a layer; the roots of D and F in place of D and F."""
+        metal = "*MAT_024\n" + card(1, 7.85e-9, 210000.0, 0.3, 250.0) + "\n\n\n"
+        damage = "*MAT_ADD_DAMAGE_GISSMO\n" + card(1, "", 1) + card(11, 0.2, 2.0, "", 1.0) + card("") + curve(11, (0, 0.4), (1, 0.4))
+        written = "*DATABASE_BINARY_D3PLOT\n" + card(1e-4) + "*DATABASE_EXTENT_BINARY\n" + card(4, 4, 3, 1)
+        deck = self.specimens(metal + damage + written)
+        self.assertEqual(self.findings(deck), [])
+        self.nugget("run", "model.k", "--quiet")
+        states = self.d3plot()["states"][1:]
+        self.assertEqual([len(state["blocks"]) for state in states], [2] * 4)
+        for block in (block for state in states for block in state["blocks"]):
+            arrays = block["cell_arrays"]
+            for place in ("", "InnerSurf", "OuterSurf")[:3 if "Thickness" in arrays else 1]:
+                for strain, stress, numbers in zip(*(arrays[name + place] for name in ("EffPlastStrn", "Stress", "IntPtData"))):
+                    damage, unstable = (strain[0] / 0.4) ** 2, min((strain[0] / 0.2) ** 2, 1.0)
+                    lost = max(0.0, damage - 0.25) / 0.75  # D is 0.25 at the plastic strain 0.2
+                    for number, expected in zip(numbers, (lost, damage, unstable, 0.0)):
+                        self.assertAlmostEqual(number, expected, delta=2e-3)  # the step in which it became unstable
+                    self.assertAlmostEqual(stress[0], 250.0 * (1.0 - numbers[0]), delta=0.1)
+            if "Strain" in arrays:
+                self.assertAlmostEqual(arrays["Strain"][0][0], arrays["EffPlastStrn"][0][0] + 250.0 / 210000.0, delta=1e-5)
+
     def test_cards_of_gissmo(self):
         metal = "*MAT_024\n" + card(1, 7.85e-9, 210000.0, 0.3, 250.0) + "\n\n\n"
 

@@ -310,6 +310,11 @@ int Prepared<Compound>::size_field() const {
   return field > 0 ? lost_ + field : 0;
 }
 
+DamageNumbers Prepared<Compound>::damage(const std::function<double(int)>& history) const {
+  if (!can_fail_) return {};
+  return parts_->failure.damage([&](int i) { return history(lost_ + i); });
+}
+
 template <class R>
 R Prepared<Compound>::stiffness_share(const double* history) const {
   const auto* honeycomb = std::get_if<Prepared<Honeycomb>>(&parts_->flow);

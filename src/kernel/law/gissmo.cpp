@@ -40,6 +40,10 @@ double Gissmo::rate_factor(double plastic_rate) const {
   return rate.clamped(log_rates ? std::log(plastic_rate) : plastic_rate);
 }
 
+double Gissmo::grown(double root) const {
+  return std::pow(std::min(root, 1.0), growth);
+}
+
 double Gissmo::advance(const SolidTensor<double>& stress, double increment, double dt, double* h, int stride) const {
   const double size = h[0];
   double &damage = h[stride], &unstable = h[2 * stride], &onset = h[3 * stride];

@@ -34,6 +34,9 @@ struct Gissmo {
   /// Numbers of a point's history: size of its element, D^(1/n), F^(1/n), Dc (0 until F is 1).
   static constexpr int history = 4;
 
+  /// D and F of a point whose history holds these roots, at most 1.
+  double grown(double root) const;
+
   /// Adds a step's plastic strain; the share of its stress that the point has lost, 1 once it has failed. `stress`:
   /// that of the sound point; `h`: its history, a number every `stride`.
   double advance(const SolidTensor<double>& stress, double increment, double dt, double* h, int stride) const;

@@ -2,12 +2,17 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "base/curve.hpp"
 
 // What makes a point of a compound law lose its stress, beside a limit of its plastic strain.
 namespace nugget::kernel {
+
+/// What results tell of the damage of a point: the share of its stress that it has lost, and of GISSMO D and F, of
+/// Johnson and Cook's fracture the sum of plastic strains over those at fracture; 0 to 1.
+using DamageNumbers = std::array<double, 3>;
 
 /// Damage w that grows with a plastic strain; at 1 the point has failed.
 struct PlasticDamage {

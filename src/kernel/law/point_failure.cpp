@@ -172,6 +172,17 @@ bool PointFailure::beyond_strain_limits(const Now& now, double thinning) const {
   return (now.layer ? major_in_plane(now.strain) : principal_values(now.strain)[2]) >= limits_.major;
 }
 
+DamageNumbers PointFailure::damage(const std::function<double(int)>& history) const {
+  DamageNumbers d{history(0)};
+  if (gissmo_) {
+    d[1] = gissmo_->grown(history(damaged_ + 1));
+    d[2] = gissmo_->grown(history(damaged_ + 2));
+  } else if (fracture_) {
+    d[1] = std::min(history(fractured_), 1.0);
+  }
+  return d;
+}
+
 template <class R>
 MaskOf<R> PointFailure::may_fail(const PointStep<R>& step, const double* history) const {
   constexpr double more = 1.0 + 1e-12;

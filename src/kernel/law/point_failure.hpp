@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 
 #include "base/batch.hpp"
@@ -47,6 +48,9 @@ class PointFailure {
 
   /// Where the history holds the size of the element, which is set before the first step; 0: nowhere.
   int size_field() const { return damaged_; }
+
+  /// `history(i)`: the i-th number of the point's history.
+  DamageNumbers damage(const std::function<double(int)>& history) const;
 
   bool softens() const { return damage_ || cracks_ || gissmo_; }
   /// The sound point's stress from that handed out, and what is left of it. A point that has nothing left has stress 0.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "base/batch.hpp"
 #include "kernel/law/compound.hpp"
 #include "kernel/law/orthotropic.hpp"
+#include "kernel/law/point_damage.hpp"
 #include "kernel/law/prepared.hpp"
 
 namespace nugget::kernel {
@@ -32,6 +34,8 @@ class Prepared<Compound> {
   /// Where the history of a point holds the size of its element, which is set before the first step: the root of a
   /// shell's area, the cube root of a solid's volume [length]; 0: nowhere.
   int size_field() const;
+  /// `history(i)`: the i-th number of a point's history.
+  DamageNumbers damage(const std::function<double(int)>& history) const;
   template <class R>
   MaskOf<R> failed(const double* history) const {
     return load_field<R>(history, lost_) >= R(1.0);

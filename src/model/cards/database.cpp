@@ -50,8 +50,8 @@ const Card format_card{{
 }};
 
 const Card extent_card1{{
-    integer("neiph", 0, any_value, "extra history variables of solids"),
-    integer("neips", 0, any_value, "extra history variables of shells"),
+    integer("neiph", 0, at_least(0), "extra history variables of solids"),
+    integer("neips", 0, at_least(0), "extra history variables of shells"),
     integer("maxint", 3, any_value,
             "3: middle, bottom and top of a shell; another number: so many layers from the bottom"),
     integer("strflg", 0, between(0, 111), "last digit 1: strains are written; the other digits: not built"),
@@ -191,12 +191,13 @@ void read_extent_binary(Builder& builder, const Block& block, const Options&) {
   if (row1.integer("strflg") > 1)
     row1.complain(builder.findings, Severity::warning, "strflg",
                   "plastic and thermal strain tensors are not written: only its last digit, 0 or 1, is obeyed");
-  others(row1, {{"neiph", 0, absent},
-                {"neips", 0, absent},
-                {"sigflg", 1, present},
-                {"epsflg", 1, present},
-                {"rltflg", 1, present},
-                {"engflg", 1, present}});
+  requests.solid_histories = row1.integer("neiph");
+  requests.shell_histories = row1.integer("neips");
+  for (const std::string_view field : {"neiph", "neips"})
+    if (row1.integer(field) > 3)
+      row1.complain(builder.findings, Severity::note, field,
+                    "1 is the lost share of the stress, 2 and 3 are damage and instability; zeros follow");
+  others(row1, {{"sigflg", 1, present}, {"epsflg", 1, present}, {"rltflg", 1, present}, {"engflg", 1, present}});
 
   if (!cursor.more()) return;
   const Row row2 = cursor.read(extent_card2);

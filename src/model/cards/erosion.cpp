@@ -57,7 +57,7 @@ const Card third_card{{
 const Card damage_card{{
     integer("sizflg", 0, only(0), "size of an element: 0, that of the start"),
     gissmo_field::refsz,
-    integer("nahsv", 0, any_value, "history variables to be written; these are none of the deck's here"),
+    integer("nahsv", 0, any_value, "history variables of damage; NEIPH and NEIPS count here"),
     gissmo_field::lcsrs,
     gissmo_field::shrf,
     gissmo_field::biaxf,
@@ -212,7 +212,7 @@ void read_erosion(Builder& b, const Block& block, const Options& options) {
     cards.damage = cursor.read(damage_card);
     expect(b, *cards.damage, Severity::note,
            {{"refsz", 0, "damage for another element size is not written"},
-            {"nahsv", 0, "history variables of damage are not written"}});
+            {"nahsv", 0, "NEIPH, NEIPS say how many history variables are written"}});
   }
   cards.fourth = cursor.read(fourth_card);
   cursor.read(fifth_card);
