@@ -19,6 +19,7 @@ std::vector<Keyword> orthotropic_material_keywords();  ///< *MAT_ORTHOTROPIC_ELA
 std::vector<Keyword> rubber_material_keywords();       ///< *MAT_... of rubber
 std::vector<Keyword> honeycomb_material_keywords();    ///< *MAT_..._HONEYCOMB
 std::vector<Keyword> foam_material_keywords();         ///< *MAT_... of foam
+std::vector<Keyword> cohesive_material_keywords();     ///< *MAT_COHESIVE_...
 std::vector<Keyword> erosion_keywords();               ///< *MAT_ADD_EROSION
 std::vector<Keyword> plastic_material_keywords();      ///< *MAT_... of metals beside 003 and 024
 std::vector<Keyword> johnson_cook_keywords();          ///< *MAT_... of Johnson and Cook
