@@ -120,6 +120,16 @@ void check_bonds(Builder& b) {
                 m.solids.id[e], midway.height, midway.aslant, midway.shortest);
           },
           "number N1 to N4 on one sheet, N5 to N8 over them on the other");
+    const bool apart = midway.height > 1e-6 * midway.shortest;
+    if (apart && !bond_between_shells(m, e) &&
+        std::ranges::all_of(m.solids.node[e], [&](Index n) { return turned[static_cast<std::size_t>(n)] == 1; }))
+      loose.add(
+          m.solids.place[e],
+          [&] {
+            return fmt::format("adhesive brick {} of ELFORM 19 joins shells {:.4g} apart, whose spins it does not see",
+                               m.solids.id[e], midway.height);
+          },
+          "write ELFORM 20");
     const auto has_no_shell = [&](Index n) { return turned[static_cast<std::size_t>(n)] == 0; };
     const auto& nodes = m.solids.node[e];
     if (!tied && bond_between_shells(m, e) && std::any_of(nodes.begin(), nodes.end(), has_no_shell))

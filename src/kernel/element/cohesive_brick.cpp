@@ -168,7 +168,7 @@ NodalForces<R, 8> cohesive_brick_cycle(const CohesiveBrickProperties& brick, con
   }
 
   const R lives = load_field<R>(state, L::alive);
-  R failed(0.0), share[4], spread(0.0);
+  R failed(0.0), share[4]{}, spread(0.0);
   Vec3<R> force[4], moment{};  // on the upper corners; on the axes
   for (int p = 0; p < 4; ++p) {
     double* point = state + L::point(p) * lanes<R>;

@@ -135,7 +135,8 @@ std::optional<kernel::Composition> composition_of(const Law& law) {
     made.flow = std::move(flow);
     return made;
   }
-  if (const auto* compound = std::get_if<kernel::Compound>(&law)) return *compound->made_of;
+  if (const auto* compound = std::get_if<kernel::Compound>(&law); compound && !compound->made_of->bond)
+    return *compound->made_of;
   return std::nullopt;
 }
 
@@ -201,7 +202,7 @@ void add_erosion(Builder& b, const Cards& cards) {
   std::optional<kernel::Composition> law = composition_of(material.law);
   if (!law)
     return refuse(b, cards.first, "mid", fmt::format("erosion cannot be added to *{}", material.keyword),
-                  "welds and discrete beams have failure criteria of their own");
+                  "welds, discrete beams and adhesive have failure criteria of their own");
   if (law->erosion)
     return refuse(b, cards.first, "mid", fmt::format("material {} has criteria of erosion already", material.id),
                   "write all criteria on one *MAT_ADD_EROSION");
