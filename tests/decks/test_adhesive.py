@@ -41,7 +41,7 @@ def pulled(end=2e-4, reach=0.11, direction=3):
     held = "".join(card(n, 0, 1, 1, 1) for n in range(1, 5)) + "".join(card(n, 0, *(int(direction != d) for d in (1, 2, 3))) for n in range(5, 9))
     return ("*BOUNDARY_SPC_NODE\n" + held + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + "".join(card(n, direction, 2, 90) for n in range(5, 9))
             + curve(90, (0.0, 0.0), (end, reach)) + "*CONTROL_TERMINATION\n" + card(end) + "*CONTROL_ENERGY\n" + card(2, 2, 2, 2)
-            + "*DATABASE_GLSTAT\n" + card(f"{end / 100.0:.3e}", 1) + "*DATABASE_ELOUT\n" + card(f"{end / 1000.0:.3e}", 2)
+            + "*DATABASE_GLSTAT\n" + card(f"{end / 100.0:.3e}", 1) + "*DATABASE_ELOUT\n" + card(f"{end / 400.0:.3e}", 2)
             + "*DATABASE_HISTORY_SOLID\n" + card(1))
 
 
@@ -136,8 +136,12 @@ class Pulled(CommandTest):
     def test_mass_scaling(self):
         states, plain = self.run_single(single(mixed()), pulled())
         states, scaled = self.run_single(single(mixed()), pulled(), "*CONTROL_TIMESTEP\n" + card("", 0.9, "", "", "-5.e-7"))
-        self.assertAlmostEqual(scaled["time_step"]["smallest"], 0.9 * 5e-7, delta=1e-9)
-        self.assertGreater(scaled["mass"]["added"], plain["mass"]["physical"])
+        self.assertAlmostEqual(scaled["time_step"]["first"], 0.9 * 5e-7, delta=1e-12)
+        # Two faces of half the mass each on EN and the area, four points apart: sqrt(2 m / (k A)), m and A of a node.
+        own = math.sqrt(2.0 * 3e-10 / 8.0 / (EN / 4.0))
+        self.assertAlmostEqual(plain["time_step"]["first"], 0.9 * own, delta=1e-3 * own)
+        added = plain["mass"]["physical"] * ((5e-7 / own) ** 2 - 1.0)
+        self.assertAlmostEqual(scaled["mass"]["added"], added, delta=1e-6 * added)
         self.assertAlmostEqual(scaled["energy"]["eroded"], GIC * 25.0, delta=3e-3 * GIC * 25.0)
 
     def test_units_of_an_included_file(self):
