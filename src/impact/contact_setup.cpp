@@ -10,6 +10,7 @@
 #include "impact/element_alive.hpp"
 #include "impact/friction_kinds.hpp"
 #include "kernel/element/tetrahedron.hpp"
+#include "model/bond.hpp"
 #include "model/contact_form.hpp"
 #include "model/segments.hpp"
 #include "weld/welds.hpp"
@@ -158,6 +159,8 @@ class Surfaces {
     };
     std::map<Key, std::vector<Face>> found;
     for (std::size_t e = 0; e < model_.solids.size(); ++e) {
+      // The sheets touch, not the adhesive between them.
+      if (model::bond_of(model_, model_.parts[at(model_.solids.part[e])])) continue;
       for (const model::Segment& node : model::faces_of(model_.solids, e)) {
         const Key key = key_of(node);
         const auto set = wanted.find(key);
@@ -301,7 +304,8 @@ std::vector<contact::SqueezedBrick> bricks_of(const system::System& system, cons
   const model::Model& model = system.model;
   std::vector<const model::InteriorPart*> in(model.parts.size(), nullptr);
   for (const model::InteriorPart& p : contact.parts)
-    if (model.parts[at(p.part)].rigid_body == model::none && !weld::of_weld_material(model, p.part))
+    if (model.parts[at(p.part)].rigid_body == model::none && !weld::of_weld_material(model, p.part) &&
+        !model::bond_of(model, model.parts[at(p.part)]))
       in[at(p.part)] = &p;
   std::vector<contact::SqueezedBrick> bricks;
   for (std::size_t e = 0; e < model.solids.size(); ++e) {

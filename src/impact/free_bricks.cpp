@@ -9,6 +9,7 @@
 
 #include "base/index.hpp"
 #include "kernel/element/hexahedron.hpp"
+#include "model/bond.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -41,7 +42,8 @@ std::vector<double> free_masses(const system::System& system) {
 std::vector<Brick> bricks_of_rows(const system::System& system, const std::vector<double>& mass) {
   const auto each_brick = [&](const auto& with) {
     for (const auto& group : system.groups)
-      if (group->kind == model::ElementKind::solid && group->nodes_per_element == 8)
+      if (group->kind == model::ElementKind::solid && group->nodes_per_element == 8 &&
+          !model::bond_of(system.model, system.model.parts[at(group->part)]))
         for (std::size_t e = 0; e < group->size(); ++e) with(*group, e, group->nodes(e));
   };
   std::vector<int> users(system.all_nodes(), 0);

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 
 #include "base/index.hpp"
 #include "impact/conditions.hpp"
+#include "model/bond.hpp"
 #include "model/lumped_mass.hpp"
 #include "system/shell_elements.hpp"
 
@@ -52,6 +54,13 @@ std::map<double, Layer> by_place(const std::vector<model::InitialPoint>& points)
 bool takes_stress(const system::ElementGroup& group) {
   const auto* takes = dynamic_cast<const system::TakesStress*>(&group);
   return takes && takes->takes_stress();
+}
+
+std::string why_no_stress(const model::Model& model, model::Index solid) {
+  const bool bond = model::bond_of(model, model.parts[at(model.solids.part[at(solid)])]) != nullptr;
+  return fmt::format("solid {} takes no stress: {}", model.solids.id[at(solid)],
+                     bond ? "it is adhesive, which begins without tractions"
+                          : "in tetrahedra of ELFORM 13 the nodes have the pressure");
 }
 
 /// Where the size of the curve's values falls for the first time, or its end.
@@ -110,9 +119,7 @@ Preloads::Preloads(system::System& system, Findings& findings) : system_(system)
     for (const model::Index solid : card.solids) {
       const system::System::Seat seat = system.solid_seat[at(solid)];
       if (seat.group >= 0 && !prescribe(p, seat, {0, card.normal, 1.0, others}))
-        findings.error(card.place, "*INITIAL_STRESS_SECTION",
-                       fmt::format("solid {} takes no stress: in tetrahedra of ELFORM 13 the nodes have the pressure",
-                                   model.solids.id[at(solid)]),
+        findings.error(card.place, "*INITIAL_STRESS_SECTION", why_no_stress(model, solid),
                        "use tetrahedra of ELFORM 10, or cut through bricks");
     }
     if (p.elements.empty())
@@ -122,11 +129,9 @@ Preloads::Preloads(system::System& system, Findings& findings) : system_(system)
   }
   for (const model::InitialStress& s : model.initial_state.solids) {
     const system::System::Seat seat = system.solid_seat[at(s.element)];
-    if (seat.group >= 0 && !takes_stress(*system.groups[at(seat.group)]))
-      findings.error(s.place, "*INITIAL_STRESS_SOLID",
-                     fmt::format("solid {} takes no stress: in tetrahedra of ELFORM 13 the nodes have the pressure",
-                                 model.solids.id[at(s.element)]),
-                     "use tetrahedra of ELFORM 10");
+    if (seat.group < 0 || takes_stress(*system.groups[at(seat.group)])) continue;
+    findings.error(s.place, "*INITIAL_STRESS_SOLID", why_no_stress(model, s.element),
+                   "take it out, or use tetrahedra of ELFORM 10");
   }
   for (const Prescribed& p : prescribed_)
     for (const auto& [group, stress] : p.elements) groups_.push_back(group);

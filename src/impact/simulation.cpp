@@ -15,6 +15,7 @@
 #include "impact/contact_setup.hpp"
 #include "impact/edge_setup.hpp"
 #include "impact/initial_penetrations.hpp"
+#include "model/bond.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -132,6 +133,20 @@ std::vector<std::string> Simulation::glue_events() const {
                           system_.model.nodes.id[at(system_.model_node[at(glue->first_node())])], glue->first_time(),
                           glue->last_time());
     lines.push_back(std::move(line));
+  }
+  for (const auto& group : system_.groups) {
+    const model::Part& part = system_.model.parts[at(group->part)];
+    if (!model::bond_of(system_.model, part)) continue;
+    std::size_t failed = 0;
+    double damage = 0.0;
+    for (std::size_t e = 0; e < group->size(); ++e) {
+      if (group->alive(e))
+        damage = std::max(damage, group->layer(e, 0, state_).plastic_strain);
+      else
+        ++failed;
+    }
+    lines.push_back(fmt::format("adhesive of part {}: {} of {} bricks deleted", part.id, failed, group->size()));
+    if (failed < group->size()) lines.back() += fmt::format(", largest damage of the others {:.3f}", damage);
   }
   return lines;
 }

@@ -11,6 +11,7 @@
 #include "kernel/element/kirchhoff_triangle.hpp"
 #include "kernel/element/quadratic_tetrahedron.hpp"
 #include "model/axes.hpp"
+#include "model/bond.hpp"
 #include "system/shell_elements.hpp"
 
 namespace nugget::impact {
@@ -154,6 +155,7 @@ void Strains::advance_solid(std::size_t e, const system::State& state) {
   if (seat.group < 0) return;
   const system::ElementGroup& group = *system_.groups[at(seat.group)];
   if (!group.alive(at(seat.element))) return;
+  if (model::bond_of(system_.model, system_.model.parts[at(group.part)])) return;  // separations, not strains
   const auto nodes = group.nodes(at(seat.element));
   std::array<Vec3d, 10> x, v;
   const std::size_t last = at(group.nodes_per_element) - 1;  // a tetrahedron repeats its fourth node

@@ -31,6 +31,7 @@ std::vector<Keyword> all_families() {
            rubber_material_keywords,
            foam_material_keywords,
            honeycomb_material_keywords,
+           cohesive_material_keywords,
            weld_material_keywords,
            weld_table_keywords,
            weld_brick_keywords,

@@ -7,6 +7,7 @@
 
 #include "kernel/element/quadratic_tetrahedron.hpp"
 #include "kernel/element/tetrahedron.hpp"
+#include "model/bond.hpp"
 
 namespace nugget::model {
 
@@ -103,8 +104,9 @@ std::vector<std::vector<NodeMass>> lumped_masses(const Model& m) {
     share(out, std::span(m.shells.node[e]).first(m.shells.triangle(e) ? 3 : 4),
           (density * m.shells.thickness[e] + shell->extra_mass) * shell_area(m, e));
   });
-  each(m.solids, ElementKind::solid, [&](std::size_t e, const Part&, double density, std::vector<NodeMass>& out) {
-    share(out, m.solids.different_nodes(e), density * solid_volume(m, e));
+  each(m.solids, ElementKind::solid, [&](std::size_t e, const Part& p, double density, std::vector<NodeMass>& out) {
+    const kernel::CohesiveBond* bond = bond_of(m, p);
+    share(out, m.solids.different_nodes(e), bond ? bond_mass(m, e, *bond) : density * solid_volume(m, e));
   });
   each(m.beams, ElementKind::beam, [&](std::size_t e, const Part& p, double density, std::vector<NodeMass>& out) {
     const SectionBeam* beam = section_of(m.beam_sections, p);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "kernel/element/quadratic_tetrahedron.hpp"
+#include "model/bond.hpp"
 #include "model/lumped_mass.hpp"
 #include "model/passes.hpp"
 
@@ -130,6 +131,7 @@ void check_solids(Builder& b) {
   Tally misshapen(b.findings, Severity::error, "*ELEMENT_SOLID"), order(b.findings, Severity::error, "*ELEMENT_SOLID");
   for (std::size_t e = 0; e < m.solids.size(); ++e) {
     const int id = m.solids.id[e];
+    if (bond_of(m, m.parts[static_cast<std::size_t>(m.solids.part[e])])) continue;  // check_bonds
     const double volume = m.solids.quadratic(e) ? least_volume(m, e) : solid_volume(m, e);
     if (!(volume > 0.0))
       negative.add(
@@ -243,6 +245,7 @@ void count_free_nodes(Builder& b) {
 void check_mesh(Builder& b) {
   check_shells(b);
   check_solids(b);
+  check_bonds(b);
   check_beams(b);
   count_free_nodes(b);
 }

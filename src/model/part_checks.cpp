@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kernel/law/composition.hpp"
+#include "model/bond.hpp"
 #include "model/cards/equation_of_state.hpp"
 #include "model/passes.hpp"
 
@@ -70,9 +71,37 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
       "write 16, or 2 with an hourglass control of type 4 for stiffness against hourglassing");
 }
 
+/// Adhesive has a law of its own, and the law only such bricks.
+void check_bond_formulation(Builder& b, const Part& part, std::vector<char>& told) {
+  const auto s = static_cast<std::size_t>(part.section);
+  const int elform = b.model.solid_sections[s].elform;
+  const deck::Row& row = b.solid_section_rows[s];
+  const bool is_bond = bond_of(b.model, part) != nullptr;
+  if (is<kernel::Rigid>(b.model, part) || (is_bond && is_cohesive(elform) && told[s])) return;
+  if (!is_bond)
+    return refuse(b, row, "elform",
+                  fmt::format("solid formulation {} is adhesive, but the material of part {} is no law of adhesive",
+                              elform, part.id),
+                  "give the part *MAT_138 or 184, or the section ELFORM 1");
+  if (!is_cohesive(elform))
+    return refuse(b, row, "elform",
+                  fmt::format("part {} has a law of adhesive, which bricks of ELFORM {} do not", part.id, elform),
+                  "write 19, or 20 where its nodes are those of shells");
+  told[s] = 1;
+  if (row.real("cohoff") != 0.0)
+    refuse(b, row, "cohoff", "adhesive elsewhere than midway between its nodes is not built", "leave it 0");
+  if (row.real("gaskett") != 0.0) refuse(b, row, "gaskett", "gaskets are not built", "leave it 0");
+  if (elform > 20)
+    row.complain(b.findings, Severity::warning, "elform",
+                 fmt::format("adhesive wedges are computed as bricks of {} whose nodes 3 and 4, 7 and 8 are one, with "
+                             "four points, not three",
+                             elform - 2));
+}
+
 void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& told) {
   const auto s = static_cast<std::size_t>(part.section);
   int& elform = b.model.solid_sections[s].elform;
+  if (is_cohesive(elform) || bond_of(b.model, part)) return check_bond_formulation(b, part, told);
   // In linear analyses the one-point brick with its physical stabilisation stands for 18 (nvh::linear_model).
   const bool linear = elform == 18 && b.model.implicit.active;
   const bool is_weld = is<kernel::Spotweld>(b.model, part),
@@ -134,14 +163,13 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
     return;
   }
   const bool is_brick_that_bends = elform == 18 || is_weld;
-  refuse(
-      b, b.solid_section_rows[s], "elform",
-      fmt::format("solid formulation {} is not built{}; built are 1 (constant stress), 2 (fully integrated), -1, -2 "
-                  "and 3 (without locking in bending) and, not for welds, 4, 10 and 13 (tetrahedra), 15 (wedge) and 16 "
-                  "(tetrahedron of ten nodes)",
-                  elform, is_weld ? " for welds" : ""),
-      is_brick_that_bends ? "write -1, a brick of eight points that bends without locking"
-                          : "write 1, with an hourglass control of type 2 or 3");
+  refuse(b, b.solid_section_rows[s], "elform",
+         fmt::format("solid formulation {} is not built{}; built are 1 (constant stress), 2 (fully integrated), -1, -2 "
+                     "and 3 (without locking in bending) and, not for welds, 4, 10 and 13 (tetrahedra), 15 (wedge), 16 "
+                     "(tetrahedron of ten nodes) and 19 to 22 (adhesive)",
+                     elform, is_weld ? " for welds" : ""),
+         is_brick_that_bends ? "write -1, a brick of eight points that bends without locking"
+                             : "write 1, with an hourglass control of type 2 or 3");
 }
 
 /// A spring needs a mass to have a time step.

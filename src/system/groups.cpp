@@ -9,10 +9,12 @@
 #include "base/index.hpp"
 #include "kernel/law/composition.hpp"
 #include "kernel/law/prepared_compound.hpp"
+#include "model/bond.hpp"
 #include "model/lumped_mass.hpp"
 #include "system/batch_group.hpp"
 #include "system/beam_elements.hpp"
 #include "system/brick_element.hpp"
+#include "system/cohesive_brick_element.hpp"
 #include "system/discrete_beam_element.hpp"
 #include "system/order.hpp"
 #include "system/quadratic_tetrahedron_element.hpp"
@@ -316,6 +318,16 @@ void System::make_bricks() {
     const model::Material& material = model.materials[at(part.material)];
     const model::Hourglass& hourglass = hourglass_of(part);
     const auto* compound = std::get_if<kernel::Compound>(&material.law);
+    if (compound != nullptr && compound->made_of->bond) {
+      const Members m = members(model.solids, sorted[p]);
+      if (model::is_between_shells(model.solid_sections[at(part.section)].elform))
+        add_group(CohesiveBrickElement<true>{material.density, compound->made_of->bond}, model::ElementKind::solid, p,
+                  m, solid_seat);
+      else
+        add_group(CohesiveBrickElement<false>{material.density, compound->made_of->bond}, model::ElementKind::solid, p,
+                  m, solid_seat);
+      continue;
+    }
     const bool viscous = compound == nullptr || compound->made_of->bulk_viscosity;
     // Without a card: viscous on the patterns orthogonal to linear fields (docs/decisions/0007).
     const kernel::HexahedronProperties brick{material.density, hourglass.type == 0 ? 2 : hourglass.type,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/bond.hpp"
 #include "weld/presumed.hpp"
 #include "weld/welds.hpp"
 
@@ -42,6 +43,9 @@ Surroundings::Surroundings(const model::Model& model)
   for (std::size_t e = 0; e < model.solids.size(); ++e)
     if (of_weld_material(model, model.solids.part[e]))
       for (Index n : model.solids.node[e]) of_weld[n] = 1;
+  for (std::size_t e = 0; e < model.solids.size(); ++e)
+    if (model::bond_between_shells(model, e))
+      for (Index n : model.solids.node[e]) rotates[n] = 1;
   for (Index e : presumed_beams(model))
     for (Index n : model.beams.node[e]) of_weld[n] = 1;
   for (Index e : presumed_bricks(model))

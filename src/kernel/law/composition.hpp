@@ -23,6 +23,8 @@
 
 namespace nugget::kernel {
 
+struct CohesiveBond;  // law/cohesive_bond.hpp
+
 /// How a point flows.
 using Flow = std::variant<Elastic, PlasticKinematic, PiecewiseLinear, JohnsonCook, PowerLaw, BlatzKo, MooneyRivlin,
                           Ogden, PolynomialRubber, LowDensityFoam, CrushableFoam, RateFoam, Viscoelastic, Orthotropic,
@@ -47,6 +49,8 @@ struct Composition {
   double deletion_step = 0.0;     ///< an element whose stable time step falls below is deleted [time]; 0: never
   bool for_shells = true, for_bricks = true;  ///< elements that may have the law
   bool bulk_viscosity = true;                 ///< whether bricks have it
+  /// Of cohesive bricks, which have no strains and for which nothing else of this holds; null: of other elements.
+  std::shared_ptr<const CohesiveBond> bond{};
 };
 
 inline Compound compound(Composition made_of) {

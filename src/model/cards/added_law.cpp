@@ -20,7 +20,8 @@ std::optional<kernel::Composition> composition_of(const Law& law) {
     made.flow = std::move(flow);
     return made;
   }
-  if (const auto* compound = std::get_if<kernel::Compound>(&law)) return *compound->made_of;
+  if (const auto* compound = std::get_if<kernel::Compound>(&law); compound && !compound->made_of->bond)
+    return *compound->made_of;
   return std::nullopt;
 }
 

@@ -183,7 +183,7 @@ void add_erosion(Builder& b, const Cards& cards) {
   std::optional<kernel::Composition> law = composition_of(material.law);
   if (!law)
     return refuse(b, cards.first, "mid", fmt::format("erosion cannot be added to *{}", material.keyword),
-                  "welds and discrete beams have failure criteria of their own");
+                  "welds, discrete beams and adhesive have failure criteria of their own");
   if (law->erosion)
     return refuse(b, cards.first, "mid", fmt::format("material {} has criteria of erosion already", material.id),
                   "write all criteria on one *MAT_ADD_EROSION");

@@ -19,6 +19,7 @@ std::vector<Keyword> orthotropic_material_keywords();  ///< *MAT_ORTHOTROPIC_ELA
 std::vector<Keyword> rubber_material_keywords();       ///< *MAT_... of rubber
 std::vector<Keyword> honeycomb_material_keywords();    ///< *MAT_..._HONEYCOMB
 std::vector<Keyword> foam_material_keywords();         ///< *MAT_... of foam
+std::vector<Keyword> cohesive_material_keywords();     ///< *MAT_COHESIVE_...
 std::vector<Keyword> erosion_keywords();               ///< *MAT_ADD_EROSION
 std::vector<Keyword> gissmo_keywords();                ///< *MAT_ADD_DAMAGE_GISSMO
 std::vector<Keyword> friction_keywords();              ///< *DEFINE_FRICTION

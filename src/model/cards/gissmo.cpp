@@ -98,7 +98,7 @@ void add_damage(Builder& b, const Row& main, const Row& law_row, const Row& scal
   std::optional<kernel::Composition> law = composition_of(material.law);
   if (!law)
     return refuse(b, main, "mid", fmt::format("damage cannot be added to *{}", material.keyword),
-                  "welds and discrete beams have damage of their own");
+                  "welds, discrete beams and adhesive have damage of their own");
   if (law->gissmo)
     return refuse(b, main, "mid", fmt::format("material {} has damage of GISSMO already", material.id),
                   "write one card for each material");

@@ -66,7 +66,7 @@ constexpr Field solid_formulation() {
       "elform", 1, any_value,
       "formulation: 1 constant stress, 2 fully integrated, -1, -2 and 3 the same without locking in bending, "
       "tetrahedra 4 with nodal rotations, 10, 13 with pressure by nodes, 16 of ten nodes (also for 17), 15 wedge "
-      "(as a collapsed 2); 0 is computed as 1");
+      "(as a collapsed 2), adhesive 19 and between shells 20 (their wedges 21, 22); 0 is computed as 1");
   f.zero_is_default = false;
   return f;
 }
@@ -78,7 +78,7 @@ const Card solid_card{{
     unused(),
     unused(),
     unused(),
-    real("cohoff", dimension::number, 0, any_value, "for cohesive elements only"),
+    real("cohoff", dimension::number, 0, any_value, "of ELFORM 20: place of the adhesive; only 0, midway, is built"),
     real("gaskett", dimension::number, 0, any_value, "for gaskets only"),
 }};
 

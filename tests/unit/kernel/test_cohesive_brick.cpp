@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "kernel/element/cohesive_brick.hpp"
+#include "motion.hpp"
+
+namespace nugget::kernel {
+namespace {
+
+using L = CohesiveBrickLayout;
+using Corners = std::array<Vec3d, 8>;
+
+CohesiveBond elastic(int points_to_delete = 1) {
+  CohesiveBond bond;
+  bond.stiffness = {8000.0, 3000.0};
+  bond.points_to_delete = points_to_delete;
+  return bond;
+}
+
+Corners distorted(Random& random, double height, double size = 0.5) {
+  Corners x{Vec3d{0, 0, 0}, {5, 0, 0}, {5, 4, 0}, {0, 4, 0}, {0, 0, 0}, {5, 0, 0}, {5, 4, 0}, {0, 4, 0}};
+  for (std::size_t a = 0; a < 4; ++a) {
+    const Vec3d off = random.vector(size);
+    x[a] += off;
+    x[a + 4] += off + Vec3d{0, 0, height} + random.vector(0.2 * height);
+  }
+  return x;
+}
+
+struct Driven {
+  CohesiveBrickProperties brick;
+  CohesiveBond bond;
+  NodalMotion<double, 8> nodes{};
+  std::array<double, L::count> state{};
+
+  Driven(bool between_shells, const CohesiveBond& law, const Corners& x) : brick{1.2e-9, between_shells}, bond(law) {
+    start_cohesive_brick(brick, bond, x, state.data(), 1, 0);
+    std::copy(x.begin(), x.end(), nodes.x);
+  }
+  /// Moves on by a step with these velocities and spins.
+  NodalForces<double, 8> step(const std::array<Vec3d, 8>& v, const std::array<Vec3d, 8>& w, double dt) {
+    for (std::size_t a = 0; a < 8; ++a) {
+      nodes.v[a] = v[a];
+      nodes.w[a] = w[a];
+      nodes.x[a] += dt * v[a];
+    }
+    return cohesive_brick_cycle(brick, bond, nodes, dt, state.data());
+  }
+};
+
+double greatest(const NodalForces<double, 8>& out) {
+  double most = 0.0;
+  for (const Vec3d* of : {out.f, out.m})
+    for (int a = 0; a < 8; ++a) most = std::max(most, norm(of[a]));
+  return most;
+}
+
+TEST(CohesiveBrick, ForcesHaveNeitherResultantNorMoment) {
+  Random random;
+  for (const bool between_shells : {false, true})
+    for (const double height : {0.0, 1.5}) {
+      Driven d(between_shells, elastic(), distorted(random, height));
+      NodalForces<double, 8> out;
+      for (int n = 0; n < 5; ++n) {
+        std::array<Vec3d, 8> v, w;
+        for (std::size_t a = 0; a < 8; ++a) v[a] = random.vector(1.0), w[a] = random.vector(1.0);
+        out = d.step(v, w, 0.05);
+      }
+      Vec3d sum{}, moment{};
+      for (int a = 0; a < 8; ++a) {
+        sum += out.f[a];
+        moment += cross(d.nodes.x[a], out.f[a]);
+        if (between_shells) moment += out.m[a];
+      }
+      const double size = greatest(out);
+      EXPECT_GT(size, 100.0);
+      EXPECT_LT(norm(sum), 1e-12 * size);
+      EXPECT_LT(norm(moment), 1e-11 * size);
+    }
+}
+
+TEST(CohesiveBrick, PowerOfTheForcesIsThatOfTheTractions) {
+  Random random;
+  for (const bool between_shells : {false, true}) {
+    Driven d(between_shells, elastic(), distorted(random, 1.5));
+    std::array<Vec3d, 8> v, w;
+    const auto draw = [&] {
+      for (std::size_t a = 0; a < 8; ++a) v[a] = random.vector(1.0), w[a] = random.vector(1.0);
+    };
+    draw();
+    const auto out = d.step(v, w, 0.1);
+    draw();
+    double power = 0.0, of_tractions = 0.0;
+    for (std::size_t a = 0; a < 8; ++a) power += dot(out.f[a], v[a]) + (between_shells ? dot(out.m[a], w[a]) : 0.0);
+    const auto before = d.state;
+    const double dt = 1e-7;
+    d.step(v, w, dt);
+    for (int p = 0; p < L::points; ++p)
+      for (int i = 0; i < 3; ++i) {
+        const auto at = static_cast<std::size_t>(L::point(p));
+        of_tractions += before[at] * before[at + L::traction + i] *
+                        (d.state[at + L::separation + i] - before[at + L::separation + i]) / dt;
+      }
+    EXPECT_NEAR(power, of_tractions, 1e-5 * std::abs(of_tractions));
+  }
+}
+
+TEST(CohesiveBrick, RotationAsARigidBodyMakesNoForce) {
+  Random random;
+  const Vec3d axis = unit(Vec3d{0.3, -0.5, 0.8});
+  for (const bool between_shells : {false, true}) {
+    const Corners start = distorted(random, 1.5);
+    Driven d(between_shells, elastic(), start);
+    // First a separation, to see that its traction turns with the brick.
+    std::array<Vec3d, 8> v{}, w{};
+    for (std::size_t a = 4; a < 8; ++a) v[a] = {0.3, -0.2, 0.5};
+    const double before = greatest(d.step(v, w, 0.01));
+    const std::array<double, L::count> held = d.state;
+    const Corners opened = [&] {
+      Corners x;
+      std::copy_n(d.nodes.x, 8, x.begin());
+      return x;
+    }();
+    const int steps = 100;
+    const double angle = 5.0, dt = 0.01;
+    NodalForces<double, 8> out;
+    for (int n = 1; n <= steps; ++n) {
+      for (std::size_t a = 0; a < 8; ++a) {
+        v[a] = (1.0 / dt) * (turned(axis, angle * n / steps, opened[a]) - d.nodes.x[a]);
+        w[a] = (angle / steps / dt) * axis;
+      }
+      out = d.step(v, w, dt);
+    }
+    for (int p = 0; p < L::points; ++p)
+      for (int i = 0; i < 3; ++i) {
+        const auto at = static_cast<std::size_t>(L::point(p) + L::separation + i);
+        EXPECT_NEAR(d.state[at], held[at], 1e-8);
+      }
+    EXPECT_NEAR(greatest(out), before, 1e-5 * before);
+  }
+}
+
+/// Highest frequency of the brick with its own masses, by the power method on its stiffness.
+double highest_frequency(bool between_shells, const CohesiveBond& bond, const Corners& x) {
+  const Driven rest(between_shells, bond, x);
+  const std::size_t freedoms = between_shells ? 48 : 24;
+  const auto apply = [&](const std::vector<double>& u) {
+    Driven d = rest;
+    std::array<Vec3d, 8> v{}, w{};
+    for (std::size_t a = 0; a < 8; ++a) {
+      v[a] = {u[3 * a], u[3 * a + 1], u[3 * a + 2]};
+      if (between_shells) w[a] = {u[24 + 3 * a], u[25 + 3 * a], u[26 + 3 * a]};
+    }
+    const double tiny = 0x1p-100;
+    const auto out = d.step(v, w, tiny);
+    std::vector<double> r(freedoms);
+    for (std::size_t a = 0; a < 8; ++a) {
+      const double m = rest.state[L::nodal_mass] * tiny, j = rest.state[L::nodal_inertia] * tiny;
+      r[3 * a] = out.f[a].x / m, r[3 * a + 1] = out.f[a].y / m, r[3 * a + 2] = out.f[a].z / m;
+      if (between_shells)
+        r[24 + 3 * a] = out.m[a].x / j, r[25 + 3 * a] = out.m[a].y / j, r[26 + 3 * a] = out.m[a].z / j;
+    }
+    return r;
+  };
+  Random random;
+  std::vector<double> u(freedoms);
+  for (double& c : u) c = random();
+  double square = 0.0;
+  for (int n = 0; n < 3000; ++n) {
+    const std::vector<double> r = apply(u);
+    double size = 0.0;
+    for (const double c : r) size = std::max(size, std::abs(c));
+    square = size;
+    for (std::size_t i = 0; i < freedoms; ++i) u[i] = r[i] / size;
+  }
+  return std::sqrt(square);
+}
+
+TEST(CohesiveBrick, StableStepBoundsTheHighestFrequencyClosely) {
+  Random random;
+  for (const bool between_shells : {false, true})
+    for (const double height : {0.3, 1.5, 6.0})
+      for (const CohesiveBond& bond : {elastic(), elastic(0)}) {
+        for (int n = 0; n < 5; ++n) {
+          const Corners x = distorted(random, height, n == 0 ? 0.0 : 1.2);
+          Driven d(between_shells, bond, x);
+          const double step = d.step({}, {}, 0x1p-100).stable_step;
+          const double critical = 2.0 / highest_frequency(between_shells, bond, x);
+          EXPECT_LE(step, critical * (1.0 + 1e-9)) << between_shells << height;
+          EXPECT_GT(step, (height < 2.0 ? 0.5 : 0.35) * critical) << between_shells << height;
+        }
+      }
+}
+
+TEST(CohesiveBrick, BatchGivesTheBitsOfDouble) {
+  CohesiveBond bond = elastic(2);
+  bond.glue.softening = Cohesion::Softening::by_energy;
+  bond.glue.normal_strength = 30.0;
+  bond.glue.shear_strength = 20.0;
+  bond.glue.normal_energy = 1.0;
+  bond.glue.shear_energy = 3.0;
+  bond.glue.exponent = 1.5;
+  constexpr int width = native_width;
+  for (const bool between_shells : {false, true}) {
+    Random random;
+    std::vector<Driven> single;
+    std::vector<double> state(static_cast<std::size_t>(L::count * width));
+    NodalMotion<NativeBatch, 8> batch{};
+    for (int l = 0; l < width; ++l) {
+      const Corners x = distorted(random, 0.8);
+      single.emplace_back(between_shells, bond, x);
+      start_cohesive_brick(single.back().brick, bond, x, state.data(), width, l);
+    }
+    int dead = 0;
+    for (int n = 0; n < 60; ++n) {
+      std::vector<NodalForces<double, 8>> expected;
+      for (int l = 0; l < width; ++l) {
+        std::array<Vec3d, 8> v, w;
+        for (std::size_t a = 0; a < 8; ++a) {
+          v[a] = random.vector(1.0);
+          if (a > 3) v[a] += Vec3d{0.3, 0.2, 0.4};
+          w[a] = random.vector(0.1);
+        }
+        expected.push_back(single[static_cast<std::size_t>(l)].step(v, w, 0.005));
+        for (std::size_t a = 0; a < 8; ++a) {
+          const auto& nodes = single[static_cast<std::size_t>(l)].nodes;
+          const auto put = [l](Vec3<NativeBatch>& to, const Vec3d& from) {
+            set_lane(to.x, l, from.x), set_lane(to.y, l, from.y), set_lane(to.z, l, from.z);
+          };
+          put(batch.x[a], nodes.x[a]), put(batch.v[a], nodes.v[a]), put(batch.w[a], nodes.w[a]);
+        }
+      }
+      const auto out = cohesive_brick_cycle(single[0].brick, bond, batch, 0.005, state.data());
+      dead = 0;
+      for (int l = 0; l < width; ++l) {
+        const auto& e = expected[static_cast<std::size_t>(l)];
+        EXPECT_EQ(lane(out.stable_step, l), e.stable_step);
+        dead += std::isinf(e.stable_step);
+        for (int a = 0; a < 8; ++a) {
+          EXPECT_EQ(lane(out.f[a].x, l), e.f[a].x);
+          EXPECT_EQ(lane(out.f[a].z, l), e.f[a].z);
+          EXPECT_EQ(lane(out.m[a].y, l), e.m[a].y);
+        }
+      }
+    }
+    EXPECT_EQ(dead, width);
+  }
+}
+
+/// Work of a straight way to failure, by the trapezoidal rule.
+double energy_of(const CohesiveBond& bond, const Vec3d& direction, double& last) {
+  CohesiveState state;
+  double work = 0.0, size = 0.0;
+  const double step = 1e-6;
+  Vec3d before{};
+  while (state.damage < 1.0) {
+    size += step;
+    const Vec3d t = bond_traction(bond, size * direction, state);
+    work += 0.5 * step * dot(t + before, direction);
+    before = t;
+  }
+  last = size;
+  return work;
+}
+
+TEST(CohesiveBrick, EnergyOfMixedModesIsThatOfTheCriteria) {
+  CohesiveBond bond;
+  bond.stiffness = {1e4, 4e3};
+  bond.glue.softening = Cohesion::Softening::by_energy;
+  bond.glue.normal_strength = 40.0;
+  bond.glue.shear_strength = 30.0;
+  bond.glue.normal_energy = 2.0;
+  bond.glue.shear_energy = 6.0;
+  for (const double degrees : {0.0, 25.0, 60.0, 90.0}) {
+    const double c = std::cos(degrees * std::acos(-1.0) / 180.0), s = std::sin(degrees * std::acos(-1.0) / 180.0);
+    const Vec3d direction{0.6 * s, 0.8 * s, c};
+    // Energies of the modes are in a constant ratio on the way.
+    const double tension = 1e4 * c * c, shear = 4e3 * s * s, share = shear / (tension + shear);
+    for (const double xmu : {1.0, 1.7, -1.5}) {
+      bond.glue.exponent = xmu;
+      bond.stiffness_exponent = 1.0;
+      const double expected =
+          xmu > 0.0 ? std::pow(std::pow((1.0 - share) / 2.0, xmu) + std::pow(share / 6.0, xmu), -1.0 / xmu)
+                    : 2.0 + 4.0 * std::pow(share, -xmu);
+      double last = 0.0;
+      EXPECT_NEAR(energy_of(bond, direction, last), expected, 1e-3 * expected) << degrees << ' ' << xmu;
+    }
+    // GAMMA: the separation at failure of the manual's formula.
+    bond.glue.exponent = -1.5;
+    bond.stiffness_exponent = 2.0;
+    const double onset = 1.0 / std::hypot(1e4 * c / 40.0, 4e3 * s / 30.0);
+    const double mean = std::sqrt(c * c * 1e8 + s * s * 1.6e7);
+    double last = 0.0;
+    energy_of(bond, direction, last);
+    EXPECT_NEAR(last, 2.0 / (onset * mean) * (2.0 + 4.0 * std::pow(share, 1.5)), 2e-6);
+  }
+}
+
+}  // namespace
+}  // namespace nugget::kernel
