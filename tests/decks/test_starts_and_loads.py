@@ -63,6 +63,14 @@ class Starts(MassesTest):
             found = self.velocities(of_mass(masses([(0, 0, 0)], cards, box=True), 100.0, (0.0, 9.0, 0.0)))
             self.assert_near(found[2001], [1.0, 0.0, 0.0] if taken else [0.0, 9.0, 0.0], 1e-12)
 
+    def test_phase_beside_dynamic_relaxation(self):
+        for phase, times in ((0, 1), (1, 0)):
+            cards = "*INITIAL_VELOCITY_GENERATION\n" + card(0, 3, 0.0, 1.0) + card(0, 0, 0, 0, 0, 1, phase)
+            cards += "*CONTROL_DYNAMIC_RELAXATION\n" + card(250, 0.001, 0.995, 0.0, 0.0, 0, 0.0, 1)
+            self.write(masses([(0, 0, 0)], cards))
+            told = self.nugget("check", "model.k")
+            self.assertEqual((told.stdout + told.stderr).count("the velocity begins after dynamic relaxation"), times)
+
 
 class Loads(MassesTest):
     def test_a_part_of_given_mass_weighs_that(self):
