@@ -162,6 +162,15 @@ class InsideOut(CommandTest):
                 self.assertIn("negative volume in solid 1 of part 1", told)
                 self.assertAlmostEqual(self.glstat()[-1]["total energy / initial energy"], 1.0, delta=1e-6)
 
+    def test_mass_scaling_leaves_it_alone(self):
+        """DT2MS gives no mass to what has no step: that of the start stays, and the last state can be written."""
+        self.write(self.deck(*SOLIDS[4], "*CONTROL_TIMESTEP\n" + card(0, 0.9, 0, 0, -0.02)))
+        self.nugget("run", "model.k", "-o", ".", "--threads", 1, expect=3)
+        first, last = self.glstat()[0], self.glstat()[-1]
+        self.assertAlmostEqual(last["time"], 0.9 * 0.02, delta=1e-6)
+        self.assertEqual(last["added mass"], first["added mass"])
+        self.assertAlmostEqual(last["total energy / initial energy"], 1.0, delta=1e-6)
+
     def test_neighbours_by_nodal_pressure_go_on(self):
         """ELFORM 13: of two tetrahedra on one face that is held, one is driven inside out; the other, at rest, stays so."""
         places = TETRAHEDRON + [(0, 0, -1)]
