@@ -527,8 +527,8 @@ bool System::scale_mass(bool at_start) {
       if (!exactly && !(group->block_step[b] < target * (1.0 - 1e-9))) continue;
       for (std::size_t e = b * width; e < std::min(group->size(), (b + 1) * width); ++e) {
         const double step = group->stable_step(e);
-        // What is inside out has no step, and goes.
-        if (!group->alive(e) || !(step > 0.0) || (!exactly && !(step < target * (1.0 - 1e-9)))) continue;
+        // What is inside out has no step, and no mass would give it one.
+        if (!group->alive(e) || step == 0.0 || (!exactly && !(step < target * (1.0 - 1e-9)))) continue;
         set_mass_scale(*group, e, group->mass_scale(e) * (target / step) * (target / step));
         changed = true;
       }

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What starts first among initial velocities, what loads weigh and turn, and solids that are turned inside out."""
+"""Which initial velocity counts, what loads weigh, turn and follow, and solids that are turned inside out."""
+import math
+import re
 import unittest
 
 from few_elements import card, curve, nodes, part
-from masses import END, MassesTest, masses
+from masses import END, NUMBER, MassesTest, masses
 from nugget_command import CommandTest
 
 CENTER = (2.0, 1.0, 0.5)  # of the rigid box of 4 x 2 x 1 of masses.py
@@ -61,6 +63,14 @@ class Starts(MassesTest):
             found = self.velocities(of_mass(masses([(0, 0, 0)], cards, box=True), 100.0, (0.0, 9.0, 0.0)))
             self.assert_near(found[2001], [1.0, 0.0, 0.0] if taken else [0.0, 9.0, 0.0], 1e-12)
 
+    def test_phase_beside_dynamic_relaxation(self):
+        for phase, times in ((0, 1), (1, 0)):
+            cards = "*INITIAL_VELOCITY_GENERATION\n" + card(0, 3, 0.0, 1.0) + card(0, 0, 0, 0, 0, 1, phase)
+            cards += "*CONTROL_DYNAMIC_RELAXATION\n" + card(250, 0.001, 0.995, 0.0, 0.0, 0, 0.0, 1)
+            self.write(masses([(0, 0, 0)], cards))
+            told = self.nugget("check", "model.k")
+            self.assertEqual((told.stdout + told.stderr).count("the velocity begins after dynamic relaxation"), times)
+
 
 class Loads(MassesTest):
     def test_a_part_of_given_mass_weighs_that(self):
@@ -85,6 +95,36 @@ class Loads(MassesTest):
         told = self.nugget("check", "model.k").stderr
         self.assertIn("*LOAD_NODE_SET dof = 5: 2 of 3 nodes (the first is 1) have no rotation", told)
         self.assertEqual(told.count("have no rotation"), 1)
+
+
+    def test_a_curve_over_the_displacement_is_refused(self):
+        """LCID below 0 was read as its size: the force over time."""
+        for load in ("*LOAD_RIGID_BODY\n" + card(50, 3, -1, 3.0), "*LOAD_NODE_POINT\n" + card(1, 3, -1, 3.0),
+                     "*LOAD_BODY_Z\n" + card(-1, 3.0), "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + card(1, 3, 0, -1)):
+            self.write(masses([(0, 0, 0)], load, box=True))
+            self.assertIn("lcid = -1: expected 1 or more", self.nugget("check", "model.k", expect=1).stderr)
+
+    def test_a_segment_that_crosses_itself_is_told(self):
+        self.write(masses([(0, 0, 0)], "*LOAD_SEGMENT\n" + card(1, 1.0, 0.0, 1001, 1003, 1002, 1004)))
+        told = self.nugget("check", "model.k").stderr
+        self.assertIn("1 of 1 segments (the first begins with node 1001) have no area: no pressure acts there", told)
+
+    def test_a_pressure_arrives_and_a_follower_turns_with_its_body(self):
+        """A pressure of 1 on the bottom of the box, of area 8, from 0.05 on; a force of 80 along the box's own z while it
+        spins about x: v_y = -F/(m w) (1 - cos w t), v_z = F/(m w) sin w t."""
+        cards = "*SET_SEGMENT\n" + card(5) + card(2001, 2002, 2003, 2004) + "*LOAD_SEGMENT_SET\n" + card(5, 1, 1.0, 0.05)
+        self.run_deck([(0, 50, 0)], cards, box=True)
+        self.assertAlmostEqual(self.nodout()[-1][2001][5], -8.0 * (END - 0.05) / 8.0, delta=1e-3)
+        spin = 30.0
+        cards = "*INITIAL_VELOCITY_RIGID_BODY\n" + card(50, 0.0, 0.0, 0.0, spin)
+        cards += "*LOAD_RIGID_BODY\n" + card(50, 4, 1, 80.0, 0, 2001, 2002, 2004)
+        self.run_deck([(0, 50, 0)], cards, box=True)
+        velocity = re.findall(rf"velocities:\s+{NUMBER}\s+({NUMBER})\s+({NUMBER})", self.read("out/rbdout"))[-2]
+        scale = 80.0 / (8.0 * spin)
+        self.assert_near([float(v) for v in velocity],
+                         [-scale * (1.0 - math.cos(spin * END)), scale * math.sin(spin * END)], 1e-3 * scale)
+        work, kinetic = self.energies()
+        self.assertAlmostEqual(work + 0.5 * 10.0 * spin**2, kinetic, delta=1e-3 * kinetic)
 
 
 class InsideOut(CommandTest):
@@ -121,6 +161,15 @@ class InsideOut(CommandTest):
                 told = self.nugget("run", "model.k", "-o", ".", "--threads", 1, expect=3).stderr
                 self.assertIn("negative volume in solid 1 of part 1", told)
                 self.assertAlmostEqual(self.glstat()[-1]["total energy / initial energy"], 1.0, delta=1e-6)
+
+    def test_mass_scaling_leaves_it_alone(self):
+        """DT2MS gives no mass to what has no step: that of the start stays, and the last state can be written."""
+        self.write(self.deck(*SOLIDS[4], "*CONTROL_TIMESTEP\n" + card(0, 0.9, 0, 0, -0.02)))
+        self.nugget("run", "model.k", "-o", ".", "--threads", 1, expect=3)
+        first, last = self.glstat()[0], self.glstat()[-1]
+        self.assertAlmostEqual(last["time"], 0.9 * 0.02, delta=1e-6)
+        self.assertEqual(last["added mass"], first["added mass"])
+        self.assertAlmostEqual(last["total energy / initial energy"], 1.0, delta=1e-6)
 
     def test_neighbours_by_nodal_pressure_go_on(self):
         """ELFORM 13: of two tetrahedra on one face that is held, one is driven inside out; the other, at rest, stays so."""

@@ -187,7 +187,7 @@ Card motion_card(Field target) {
               "rotation about x, y, z; 8 about the vector; -8 the same, rotation normal to it held; nodes only: 9, 10, "
               "11 around an axis along x, y, z through the offsets; -9, -10, -11 the same, the radius free"),
       integer("vad", 0, any_value, "0 velocity, 1 acceleration, 2 displacement"),
-      id("lcid", IdSpace::function, required, "curve of the motion over time"),
+      {"lcid", Kind::integer, {}, required, at_least(1), "curve of the motion over time", IdSpace::function},
       real("sf", dimension::number, 1, any_value, "scale of the curve"),
       id("vid", IdSpace::define, 0, "vector of dof 4, -4, 8, -8; below 0: coordinate system of dof 1 to 3, 5 to 7"),
       real("death", dimension::time, 1e28, at_least(0), "the motion ends at this time"),

@@ -16,7 +16,7 @@ Card region_card(Field first, Field second) {
   return {{
       first,
       second,
-      id("lcid", IdSpace::function, required, "curve of the base acceleration over time"),
+      {"lcid", Kind::integer, {}, required, at_least(1), "curve of the base acceleration over time", IdSpace::function},
       id("drlcid", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2"),
       real("xc", dimension::length, 0, any_value, "centre of rotation, for angular motion"),
       real("yc", dimension::length, 0, any_value, "the same"),

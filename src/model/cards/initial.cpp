@@ -374,6 +374,13 @@ void read_generation(Builder& builder, const Block& block, const Options&) {
     const Row row1 = cursor.read(cursor.peek_number(1) == 2.0 ? generation_of_part : generation_of_set);
     const Row row2 = cursor.read(cursor.peek_number(3) == -999.0 ? generation_by_nodes : generation_card2);
     builder.later(Phase::conditions, [&block, row1, row2](Builder& b) { generate(b, block, row1, row2); });
+    if (row2.integer("phase") == 0)
+      builder.later(Phase::checks, [row2](Builder& b) {
+        if (b.model.control.relaxation.on())
+          row2.complain(
+              b.findings, Severity::note, "phase",
+              "the velocity begins after dynamic relaxation, as with 1; LS-DYNA has it in the relaxation too");
+      });
   }
 }
 

@@ -28,7 +28,13 @@ Card force_card(Field target) {
       integer("dof", required, between(1, 8),
               "1, 2, 3 force along x, y, z; 4 along the normal of m1, m2, m3; 5, 6, 7 moment about x, y, z; 8 about "
               "that normal"),
-      id("lcid", IdSpace::function, required, "curve of the load over time"),
+      {"lcid",
+       Kind::integer,
+       {},
+       required,
+       at_least(1),
+       "curve of the load over time; below 0, over the displacement: not built",
+       IdSpace::function},
       real("sf", dimension::number, 1, any_value, "scale of the curve"),
       id("cid", IdSpace::define, 0, "coordinate system of the direction; 0: global axes"),
       id("m1", IdSpace::node, 0, "first of the nodes whose normal the load follows"),
@@ -146,8 +152,13 @@ void read_force(Builder& builder, const Block& block, const Options&) {
 // -------------------------------------------------------------------------------------------------
 
 const Card body_load_card{{
-    id("lcid", IdSpace::function, required,
-       "curve over time of the base acceleration (positive in z pulls down), or of the angular velocity (RX, RY, RZ)"),
+    {"lcid",
+     Kind::integer,
+     {},
+     required,
+     at_least(1),
+     "curve over time of the base acceleration (positive in z pulls down), or of the angular velocity (RX, RY, RZ)",
+     IdSpace::function},
     real("sf", dimension::number, 1, any_value, "scale of the curve"),
     id("lciddr", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2"),
     real("xc", dimension::length, 0, any_value, "centre of rotation, for the rotational forms"),
@@ -191,7 +202,7 @@ Card gravity_card(Field target) {
   return {{
       target,
       integer("dof", required, between(1, 3), "1, 2, 3: along x, y, z"),
-      id("lc", IdSpace::function, 0, "curve of a factor over time; 0: 1"),
+      {"lc", Kind::integer, {}, 0, at_least(0), "curve of a factor over time; 0: 1", IdSpace::function},
       real("accel", dimension::acceleration, 0, any_value, "base acceleration; positive in z pulls down"),
       id("lcdr", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2"),
       integer("stga", 0, only(0), "construction stage at which the part is added"),
@@ -298,6 +309,22 @@ const Card shell_card =
 const Card shell_set_card =
     pressure_card(id("esid", IdSpace::set, required, "shell set; positive pressure pushes against the normals"));
 
+/// Nodes in the wrong order, around a segment that crosses itself, span no area.
+void warn_of_no_area(Builder& b, const Row& row, const std::vector<Segment>& segments) {
+  const auto place = [&](Index n) { return b.model.nodes.x[static_cast<std::size_t>(n)]; };
+  const auto is_none = [&](const Segment& s) {
+    const Vec3d one = place(s[2]) - place(s[0]), other = place(s[3]) - place(s[1]);
+    return norm(cross(one, other)) <= 1e-6 * (dot(one, one) + dot(other, other));
+  };
+  const auto count = std::count_if(segments.begin(), segments.end(), is_none);
+  if (count == 0) return;
+  const Segment& first = *std::find_if(segments.begin(), segments.end(), is_none);
+  row.complain(b.findings, Severity::warning, "lcid",
+               fmt::format("{} of {} segments (the first begins with node {}) have no area: no pressure acts there",
+                           count, segments.size(), b.model.nodes.id[static_cast<std::size_t>(first[0])]),
+               "give the nodes in their order around the segment");
+}
+
 /// Makes a pressure load of what `segments` returns, in its phase.
 template <class Segments>
 void leave_pressure(Builder& builder, const Row& row, Segments segments) {
@@ -310,6 +337,7 @@ void leave_pressure(Builder& builder, const Row& row, Segments segments) {
     load.scale = row.real("sf");
     load.arrival = row.real("at");
     load.segments = segments(b, row);
+    warn_of_no_area(b, row, load.segments);
     load.share = share_pressure(b.model, load.segments);
     if (!load.segments.empty()) b.model.pressure_loads.push_back(std::move(load));
   });

@@ -120,7 +120,7 @@ TEST(Database, WhatIsNotWrittenIsSaid) {
 )"));
   EXPECT_EQ(built.findings.errors(), 0) << built.all_findings();
   EXPECT_TRUE(built.warning("sbtout"));
-  EXPECT_TRUE(built.warning("not written", "neiph"));
+  EXPECT_TRUE(built.find(Severity::note, "zeros follow", "neiph"));
   EXPECT_TRUE(built.warning("not written", "option1"));
   EXPECT_TRUE(built.warning("the mean over a shell's in-plane points", "maxint"));
   EXPECT_EQ(built.model.requests.layers, 3);
