@@ -120,7 +120,8 @@ double points_to_delete(double numfip) {
   return numfip < -100.0 ? -numfip - 100.0 : numfip;
 }
 
-/// The law as one put together at run time; nullopt for those that erosion cannot be added to.
+}  // namespace
+
 std::optional<kernel::Composition> composition_of(const Law& law) {
   if (const auto* elastic = std::get_if<kernel::Elastic>(&law)) return kernel::Composition{*elastic};
   if (const auto* kinematic = std::get_if<kernel::PlasticKinematic>(&law)) {
@@ -138,6 +139,8 @@ std::optional<kernel::Composition> composition_of(const Law& law) {
   if (const auto* compound = std::get_if<kernel::Compound>(&law)) return *compound->made_of;
   return std::nullopt;
 }
+
+namespace {
 
 /// How many criteria count.
 int number_of(const kernel::Erosion& e) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "kernel/law/composition.hpp"
 #include "kernel/law/orthotropic.hpp"
 #include "kernel/law/point_damage.hpp"
 #include "model/builder.hpp"
@@ -37,6 +38,10 @@ double plastic_strain_at_failure(double written);
 /// leaves open which counts. Without an onset all is lost at the rupture at once.
 std::optional<kernel::PlasticDamage> plastic_damage(Builder& builder, const deck::Row& onset_row,
                                                     std::string_view onset_field, const deck::Row& row);
+
+/// The law as one put together at run time; nothing for those that cannot be: rigid and null materials, welds, springs
+/// and discrete beams.
+std::optional<kernel::Composition> composition_of(const Law& law);
 
 /// The id of a coordinate system that stands in a field for real numbers, with the offset of its include.
 int system_id(const deck::Block& block, double written);
