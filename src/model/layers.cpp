@@ -75,7 +75,7 @@ void judge_layer(Builder& b, const LayerCard& layer, const kernel::Compound& law
                        fmt::format("material {}: the first point of the layer that fails deletes the shell with all "
                                    "its layers, as NUMFIP or NUMINT of 1 says",
                                    material.id),
-                       "write -100 there: when all layers of the material have failed");
+                       "write -100 there: it then goes with the last layer that can fail");
 }
 
 /// Points of one a layer bend as if each layer were thin: told where that matters.

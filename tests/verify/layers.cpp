@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/law/composition.hpp"
 #include "linear.hpp"
 #include "nvh/statics.hpp"
 #include "specimen.hpp"
@@ -122,7 +123,7 @@ TEST(Layers, UnlikeLayersInTensionBend) {
 // sandwich theory, G_core d^2 / c (Allen, Analysis and Design of Structural Sandwich Panels, 2.3; thin faces: to about
 // half a percent here). Sabotage: shear factors of 1; a centre of stiffness not found.
 TEST(Layers, SandwichUnderAnEndForce) {
-  const std::vector<double> E{0.0, 70e3, 70.0};
+  const std::vector<double> E{0.0, 70e3, 20.0};
   const std::vector<Ply> plies{{1, 1.0}, {2, 8.0}, {1, 1.0}};
   const Section s = section_of(plies, E);
   const double P = 1.0, L = 200.0, bending = P * L * L * L / (3.0 * s.D);
@@ -289,8 +290,7 @@ std::vector<double> bits_of(const std::string& part) {
   Experiment run(s.deck());
   run_to_end(run, [](const impact::Snapshot&) {});
   std::vector<double> x;
-  for (const Row& r : run.simulation().state().x)
-    for (const double c : r) x.push_back(c);
+  for (const Row& r : run.simulation().state().x) x.insert(x.end(), {r.x, r.y, r.z});
   for (const double m : run.system().own_mass) x.push_back(m);
   return x;
 }
@@ -314,7 +314,7 @@ TEST(Layers, OfOneMaterialAreTheOrdinaryShell) {
 /// Highest frequency times the stable step, over 2, of a single free shell: by its stiffness matrix and its masses.
 double step_over_bound(const std::string& cards, double width, bool triangle) {
   Specimen s;
-  s.text(cards).card("CONTROL_TERMINATION", {1e-9});
+  s.text(cards).card("CONTROL_TERMINATION", {1e-9}).card("CONTROL_HOURGLASS", {4});
   if (triangle) {
     const int a = s.node({0, 0, 0}), b = s.node({width, 0, 0}), c = s.node({0.2 * width, 0.9 * width, 0});
     s.shell(1, {a, b, c, c});
@@ -338,24 +338,23 @@ double step_over_bound(const std::string& cards, double width, bool triangle) {
   return step * std::sqrt(highest) / 2.0;
 }
 
-// The step of a shell bears what its layers do, also where these make it an eccentric or a sandwich: 0.9 of it is below
-// 2 / w of the single free shell, Poisson's ratio 0.2, as for one material. Sabotage: rotary inertia of one material.
+// A single free shell swells and shrinks in both directions at sqrt(1 + nu) times the frequency of its step L/c, and
+// its rotary inertia is raised to bear 1/0.93 of what that leaves (docs/book/elements.md): no more for layers that make
+// it a sandwich or put the centre of its stiffness off the nodes. Sabotage: rotary inertia of one material.
 TEST(Layers, StepOfASingleShell) {
   const std::string cards = elastic(1, 2.5e-9, 70e3, 0.2) + elastic(2, 1.1e-9, 3e3, 0.2) + elastic(3, 1e-10, 30.0, 0.2);
-  const std::vector<std::vector<Ply>> stacks{{{1, 5.0}, {1, 5.0}},
-                                             {{1, 1.0}, {3, 8.0}, {1, 1.0}},
+  const std::vector<std::vector<Ply>> stacks{{{1, 1.0}, {3, 8.0}, {1, 1.0}},
                                              {{1, 2.0}, {2, 8.0}},
                                              {{2, 7.0}, {3, 2.0}, {1, 1.0}},
                                              {{1, 4.2}, {2, 1.6}, {1, 4.2}}};
-  for (const auto& stack : stacks)
-    for (const double elform : {2.0, 16.0, 4.0})
-      for (const double width : {50.0, 12.0})
-        for (const double nloc : {0.0, 1.0}) {
-          const double share =
-              step_over_bound(cards + composite(1, elform, stack, 5.0 / 6.0, nloc), width, elform == 4.0);
-          EXPECT_LT(0.9 * share, 1.0) << "stack of " << stack.size() << ", first " << stack[0].thickness << ", ELFORM "
-                                      << elform << ", width " << width << ", NLOC " << nloc;
-        }
+  for (const double elform : {2.0, 16.0, 4.0})
+    for (const double width : {50.0, 12.0})
+      for (const auto& stack : stacks)
+        for (const double nloc : {-1.0, 0.0, 1.0})
+          EXPECT_LT(step_over_bound(cards + composite(1, elform, stack, 5.0 / 6.0, nloc), width, elform == 4.0),
+                    std::sqrt(1.2) / 0.93)
+              << stack.size() << " layers, the first " << stack[0].thickness << ", ELFORM " << elform << ", width "
+              << width << ", NLOC " << nloc;
 }
 
 }  // namespace

@@ -113,8 +113,9 @@ MaskOf<R> worn_out(const Prepared<Law>& law, const ShellLayout& layout, const do
   return points >= R(limit > 0.0 && limit < all ? limit : all);
 }
 
-/// Of a laminate. A law's number of points (or percentage of layers) is one of its own layers, and one that these do
-/// not have counts for nothing; without such numbers an element goes with the last point of the layers that can fail.
+/// Of a laminate. A law's number of points is one of its own layers, and one that these do not have counts for nothing;
+/// its percentage is that of all layers which have its law and failed. In any case an element goes with the last point
+/// of the layers that can fail.
 template <class R>
 MaskOf<R> worn_out(const Prepared<Laminate>& law, const ShellLayout& layout, const double* state) {
   const R none = R(0.0), one = R(1.0);
@@ -128,7 +129,7 @@ MaskOf<R> worn_out(const Prepared<Laminate>& law, const ShellLayout& layout, con
     }
     if (law.of(first).first_alike != first) continue;
     R points = none, failed_layers = none;
-    int layers = 0;
+    int all = 0;
     for (int k = first; k < layout.layers; ++k) {
       if (law.of(k).first_alike != first) continue;
       R here = none;
@@ -136,11 +137,11 @@ MaskOf<R> worn_out(const Prepared<Laminate>& law, const ShellLayout& layout, con
         here += select(own.template failed<R>(state + layout.history_of(k, c) * lanes<R>), one, none);
       points += here;
       failed_layers += min(here, one);
-      ++layers;
+      all += layout.columns;
     }
-    const double limit = own.points_to_delete(), all = layers * layout.columns;
+    const double limit = own.points_to_delete();
     sound += R(all) - points;
-    if (limit < 0.0) gone = gone || R(100.0) * failed_layers >= R(-limit * layers);
+    if (limit < 0.0) gone = gone || R(100.0) * failed_layers >= R(-limit * layout.layers);
     if (limit > 0.0 && limit <= all) gone = gone || points >= R(limit);
   }
   return gone || sound < R(0.5);
