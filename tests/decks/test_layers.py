@@ -24,13 +24,13 @@ def windshield(layers=pane(), end=3e-3, speed=6e3, control="", extra=""):
     places = [(i * SIZE, j * SIZE, 0.0) for j in range(NY + 1) for i in range(NX + 1)]
     at = {(i, j): 1 + j * (NX + 1) + i for j in range(NY + 1) for i in range(NX + 1)}
     shells = [(1, [at[i, j], at[i + 1, j], at[i + 1, j + 1], at[i, j + 1]]) for j in range(NY) for i in range(NX)]
-    # The frame: a strip of one row under the border, its own nodes 4 mm lower.
+    # The frame: a strip of one row under the border, its own nodes 3.5 mm lower.
     frame = {}
     border = [(i, j) for j in range(NY) for i in range(NX) if i in (0, NX - 1) or j in (0, NY - 1)]
     for i, j in border:
         for x, y in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
             if (x, y) not in frame:
-                places.append((x * SIZE, y * SIZE, -4.0))
+                places.append((x * SIZE, y * SIZE, -3.5))
                 frame[x, y] = len(places)
         shells.append((2, [frame[i, j], frame[i + 1, j], frame[i + 1, j + 1], frame[i, j + 1]]))
     # The ball: the lower half of a sphere of 80 mm.
