@@ -25,12 +25,12 @@ struct Laminate {
     double place = 0.0, share = 1.0;  ///< from -1 (bottom) to 1 (top); share of the thickness
     double angle = 0.0;        ///< B: turns the material axes of laws that have them about the shell's normal [rad]
     double shear_scale = 1.0;  ///< SHRFAC, on what its transverse shear stress bears [1]
-    double shear = 1.0;        ///< transverse shear strain of the layer over the element's [1]; see laminated_shear
+    double shear = 1.0;        ///< transverse shear strain of the layer over the element's [1]; see use_laminated_shear
   };
   double E = 0.0;                  ///< [stress]
   double nu = 0.0;                 ///< [1]
   double density = 0.0;            ///< mean [mass/volume]
-  double shear_factor = 0.0;       ///< kappa of laminated_shear, in the place of SHRF; 0: there is none
+  double shear_factor = 0.0;       ///< kappa of use_laminated_shear, in the place of SHRF; 0: there is none
   bool outlived_by_sound = false;  ///< FAILOPT 1: layers whose law knows no failure keep the element alive
   ThicknessProfile profile;
   std::shared_ptr<const std::vector<Layer>> layers;  ///< from the bottom up
