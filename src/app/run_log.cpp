@@ -114,8 +114,10 @@ std::string log_model(const model::Model& model) {
   s += fmt::format(" {:>8}  {:>9}  {:<40}  {:<34}  {}\n", "part", "elements", "section", "material", "title");
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     const model::Part& part = model.parts[p];
-    const std::string material =
-        part.material == model::none ? "none" : '*' + model.materials[at(part.material)].keyword;
+    std::string material = part.material == model::none ? "none" : '*' + model.materials[at(part.material)].keyword;
+    if (part.material != model::none &&
+        std::holds_alternative<kernel::Laminate>(model.materials[at(part.material)].law))
+      material += fmt::format(" of {}", model.materials[at(part.material)].title);  // the layers' materials
     s += fmt::format(" {:>8}  {:>9}  {:<40}  {:<34}  {}\n", part.id, count[p], section_name(model, part), material,
                      part.title);
   }

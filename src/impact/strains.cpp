@@ -188,8 +188,10 @@ Strains::Tensor Strains::global(const InPlane& strain, std::size_t e, int layer,
   const model::Material& material = system_.model.materials[at(system_.model.parts[at(group.part)].material)];
   const auto stress = group.layer(at(seat.element), layer, now).stress;
   const double in_plane = stress[0] + stress[1] + stress[2];
-  const double zz = -(strain[0] + strain[1]) +
-                    (material.young() > 0.0 ? (1.0 - 2.0 * material.poisson()) / material.young() * in_plane : 0.0);
+  const auto* layers = std::get_if<kernel::Laminate>(&material.law);
+  const double E = layers ? (*layers->layers)[at(layer)].law.E : material.young(),
+               nu = layers ? (*layers->layers)[at(layer)].law.nu : material.poisson();
+  const double zz = -(strain[0] + strain[1]) + (E > 0.0 ? (1.0 - 2.0 * nu) / E * in_plane : 0.0);
   const auto [g0, g1, g2, g3, g4, g5] = model::to_global({strain[0], strain[2], strain[4], strain[1], strain[3], zz},
                                                          frame_of(x, group.nodes_per_element));
   return {g0, g3, g5, g1, g4, g2};

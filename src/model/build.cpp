@@ -92,6 +92,7 @@ Model build(const deck::Deck& deck, Findings& findings, bool skip_unsupported) {
   for (const auto& [keyword, place] : deck.consumed) ledger.add(keyword, Verdict::used, {}, place);
 
   b.later(Phase::mesh, make_mesh);
+  b.later(Phase::sets, make_layers);
   b.later(Phase::sets, resolve_sets);
   b.later(Phase::bodies, make_rigid_bodies);
   // Behind what the conditions leave for that phase.

@@ -15,6 +15,7 @@
 
 #include "deck/deck.hpp"
 #include "model/body_cards.hpp"
+#include "model/layers.hpp"
 #include "model/model.hpp"
 #include "model/set_recipe.hpp"
 
@@ -99,14 +100,20 @@ class Builder {
   std::vector<Vec3d> vector_list;                              ///< by index of `vectors`; not normalized
   std::vector<Vec3d> vector_tails;                             ///< of the same: points
   std::vector<SetRecipe> set_recipes;
-  std::map<int, std::vector<std::array<double, 2>>>
-      layer_rules;  ///< *INTEGRATION_SHELL by IRID; see SectionShell::rule
+  std::map<int, LayerStack> layer_rules;     ///< *INTEGRATION_SHELL by IRID
+  std::map<Index, LayerStack> layer_stacks;  ///< by shell section: layers that cards give; known after Phase::curves
   BodyCards body_cards;
 
   Ids bodies;  ///< rigid bodies by id of part (merged ones too) or nodal body; known after Phase::bodies
   std::vector<Index> body_of_node;  ///< by node: the rigid body that carries it, or none; known after Phase::bodies
   std::vector<deck::Row> shell_section_rows, solid_section_rows, beam_section_rows;  ///< by section: first card
   std::vector<std::pair<Index, deck::Row>> part_rows;  ///< by part: the card that names section, material and hourglass
+  /// *PART_COMPOSITE: its section and the card that names its hourglass control.
+  struct CompositePart {
+    Index part = none, section = none;
+    deck::Row row;
+  };
+  std::vector<CompositePart> composite_parts;
 
   Ids nodes, shells, solids, beams, discretes, parts, shell_sections, solid_sections, beam_sections, discrete_sections,
       materials, hourglass, curves, tables, systems, vectors, boxes, spring_orientations, part_friction;

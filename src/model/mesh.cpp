@@ -504,6 +504,14 @@ void make_mesh(Builder& b) {
     demand_section_and_material(part, row, bare);
     part.hourglass = b.find(b.hourglass, "hourglass control", row, "hgid");
   }
+  for (const auto& [index, section, row] : b.composite_parts) {
+    Part& part = b.model.parts[static_cast<std::size_t>(index)];
+    if (part.kind == ElementKind::shell) part.section = section;
+    if (part.kind != ElementKind::shell && part.kind != ElementKind::nothing)
+      refuse(b, row, "pid", fmt::format("*PART_COMPOSITE is of shells; the part has {} elements", name_of(part.kind)),
+             "use *PART with their *SECTION_...");
+    part.hourglass = b.find(b.hourglass, "hourglass control", row, "hgid");
+  }
   fold_tetrahedra(b.model);
   set_thickness(b, shell_rows);
   check_beam_diameters(b, beam_rows);

@@ -292,7 +292,8 @@ void check_cross_axes(Builder& b, const Part& part, const deck::Row& row, const 
 }
 
 /// Material axes that the elements of a part cannot have.
-void check_material_axes(Builder& b, const Part& part, const deck::Row& row, const kernel::MaterialAxes& axes) {
+void check_material_axes(Builder& b, const Part& part, const deck::Row& row, std::string_view field,
+                         const kernel::MaterialAxes& axes) {
   using By = kernel::MaterialAxes::By;
   const Model& m = b.model;
   if (part.kind == ElementKind::solid) {
@@ -304,7 +305,7 @@ void check_material_axes(Builder& b, const Part& part, const deck::Row& row, con
     return;
   }
   if (has_option(b, "ELEMENT_SHELL", "_MCID"))
-    refuse(b, row, "mid", "axes of single shells by coordinate system (_MCID) are not built",
+    refuse(b, row, field, "axes of single shells by coordinate system (_MCID) are not built",
            "use BETA of *ELEMENT_SHELL_BETA, or AOPT 2 of the material");
   const auto index = static_cast<Index>(&part - m.parts.data());
   for (std::size_t e = 0; e < m.shells.size(); ++e) {
@@ -316,10 +317,20 @@ void check_material_axes(Builder& b, const Part& part, const deck::Row& row, con
     const Vec3d seen = axes.in_shell(x[1] - x[0], unit(normal), {});
     if (norm(seen) > 1e-6 * (axes.by == By::nodes ? norm(x[1] - x[0]) : norm(axes.a))) continue;
     return refuse(
-        b, row, "mid",
+        b, row, field,
         fmt::format("shell {}: the vector of AOPT stands so that it gives no direction in its plane", m.shells.id[e]),
         "give another vector, or AOPT 0");
   }
+}
+
+/// Axes of the materials of a part's layers.
+void check_layers(Builder& b, const Part& part) {
+  if (part.kind != ElementKind::shell || part.material == none || !is<kernel::Laminate>(b.model, part)) return;
+  const auto& law = std::get<kernel::Laminate>(b.model.materials[static_cast<std::size_t>(part.material)].law);
+  const auto& cards = b.layer_stacks.at(part.section).layers;
+  for (std::size_t k = 0; k < cards.size(); ++k)
+    if (const auto* flow = std::get_if<kernel::Orthotropic>(&(*law.layers)[k].law.made_of->flow))
+      check_material_axes(b, part, cards[k].row, cards[k].field, flow->axes);
 }
 
 /// The brick of formulation 0 has curves over engineering strains; of bending formulations the law makes no sense.
@@ -371,12 +382,12 @@ void check_compound(Builder& b, const Part& part, const deck::Row& row) {
         "limit the plastic strain or the major strain");
   if (takes_equation_of_state(material) && material.keyword != "MAT_NULL") check_equation_of_state(b, part, row, *law);
   if (const auto* flow = std::get_if<kernel::Orthotropic>(&law->made_of->flow))
-    check_material_axes(b, part, row, flow->axes);
+    check_material_axes(b, part, row, "mid", flow->axes);
   if (part.kind == ElementKind::shell && !law->made_of->for_shells)
     refuse(b, row, "mid", fmt::format("*{} is a law of solids, but the part has shells", material.keyword),
            "give it the law of a sheet");
   if (const auto* flow = std::get_if<kernel::Honeycomb>(&law->made_of->flow); flow && part.kind == ElementKind::solid) {
-    check_material_axes(b, part, row, flow->axes);
+    check_material_axes(b, part, row, "mid", flow->axes);
     check_honeycomb(b, part, row, *flow);
   }
 }
@@ -516,11 +527,20 @@ void check_triangles(Builder& b) {
 void check_parts(Builder& b) {
   std::vector<char> told_shell(b.model.shell_sections.size(), 0), told_solid(b.model.solid_sections.size(), 0),
       told_beam(b.model.beam_sections.size(), 0);
-  for (const auto& [index, row] : b.part_rows) {
-    const Part& part = b.model.parts[static_cast<std::size_t>(index)];
+  const auto warn_of_none = [&](const Part& part, Index index, const deck::Row& row) {
     const bool is_twin = b.parts.find(part.id) != index;  // its id is another part's already; told
     if (part.kind == ElementKind::nothing && part.rigid_body == none && !is_twin)
       b.findings.warning(part.place, row.keyword(), fmt::format("part {} has no elements", part.id));
+  };
+  for (const auto& [index, section, row] : b.composite_parts) {
+    const Part& part = b.model.parts[static_cast<std::size_t>(index)];
+    warn_of_none(part, index, row);
+    if (part.section != none) check_shell_formulation(b, part, told_shell);
+  }
+  for (const Part& part : b.model.parts) check_layers(b, part);
+  for (const auto& [index, row] : b.part_rows) {
+    const Part& part = b.model.parts[static_cast<std::size_t>(index)];
+    warn_of_none(part, index, row);
     check_law(b, part, row);
     if (part.section == none) continue;
     if (part.kind == ElementKind::shell) check_shell_formulation(b, part, told_shell);

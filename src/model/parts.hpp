@@ -16,6 +16,7 @@
 #include "kernel/law/compound.hpp"
 #include "kernel/law/discrete_beam.hpp"
 #include "kernel/law/elastic.hpp"
+#include "kernel/law/laminate.hpp"
 #include "kernel/law/null.hpp"
 #include "kernel/law/piecewise_linear.hpp"
 #include "kernel/law/plastic_kinematic.hpp"
@@ -28,8 +29,9 @@ namespace nugget::model {
 using Index = int;
 inline constexpr Index none = -1;
 
-using Law = std::variant<kernel::Elastic, kernel::PlasticKinematic, kernel::PiecewiseLinear, kernel::Null,
-                         kernel::Rigid, kernel::Spotweld, kernel::DiscreteBeam, kernel::Spring, kernel::Compound>;
+using Law =
+    std::variant<kernel::Elastic, kernel::PlasticKinematic, kernel::PiecewiseLinear, kernel::Null, kernel::Rigid,
+                 kernel::Spotweld, kernel::DiscreteBeam, kernel::Spring, kernel::Compound, kernel::Laminate>;
 
 struct Material {
   int id = 0;

@@ -31,7 +31,8 @@ bool fits(const Material& m, const UnitSystem& u) {
 
 /// Whether its modulus and density tell the units: those of rubber, foam and the like reach over decades.
 bool is_elastic_plastic(const Material& m) {
-  const bool is_fluid_or_moved = m.keyword == "MAT_NULL" || std::holds_alternative<kernel::Rigid>(m.law);
+  const bool is_fluid_or_moved = m.keyword == "MAT_NULL" || std::holds_alternative<kernel::Rigid>(m.law) ||
+                                 std::holds_alternative<kernel::Laminate>(m.law);  // its layers' materials are judged
   const auto* law = std::get_if<kernel::Compound>(&m.law);
   const bool is_soft = law != nullptr && !law->made_of->for_shells;
   return !is_fluid_or_moved && !is_soft && m.density > 0.0 && m.young() > 0.0;

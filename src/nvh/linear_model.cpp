@@ -109,17 +109,23 @@ void integrate_shells_fully(model::Model& m, Findings& findings) {
 
 /// A viscous stress that goes by the step, of foams and honeycomb, would count as stiffness.
 void take_viscosity_out(model::Model& m) {
-  for (model::Material& material : m.materials) {
-    auto* law = std::get_if<kernel::Compound>(&material.law);
-    if (law == nullptr) continue;
-    kernel::Composition made = *law->made_of;
+  const auto take_out = [](kernel::Compound& law) {
+    kernel::Composition made = *law.made_of;
     std::visit(
         [](auto& flow) {
           if constexpr (requires { flow.damping; }) flow.damping = 0.0;
           if constexpr (requires { flow.viscosity; }) flow.viscosity = 0.0;
         },
         made.flow);
-    *law = kernel::compound(std::move(made));
+    law = kernel::compound(std::move(made));
+  };
+  for (model::Material& material : m.materials) {
+    if (auto* law = std::get_if<kernel::Compound>(&material.law)) take_out(*law);
+    if (auto* laminate = std::get_if<kernel::Laminate>(&material.law)) {
+      std::vector<kernel::Laminate::Layer> layers = *laminate->layers;
+      for (kernel::Laminate::Layer& layer : layers) take_out(layer.law);
+      laminate->layers = std::make_shared<const std::vector<kernel::Laminate::Layer>>(std::move(layers));
+    }
   }
 }
 

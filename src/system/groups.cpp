@@ -9,6 +9,7 @@
 #include "base/index.hpp"
 #include "kernel/law/composition.hpp"
 #include "kernel/law/prepared_compound.hpp"
+#include "kernel/law/prepared_laminate.hpp"
 #include "model/bond.hpp"
 #include "model/lumped_mass.hpp"
 #include "system/batch_group.hpp"
@@ -112,6 +113,16 @@ bool with_law(const model::Law& law, const With& with) {
       law);
 }
 
+/// The same of shells, which may have layers.
+template <class With>
+bool with_shell_law(const model::Law& law, const With& with) {
+  if (const auto* laminate = std::get_if<kernel::Laminate>(&law)) {
+    with(*laminate);
+    return true;
+  }
+  return with_law(law, with);
+}
+
 double bulk_modulus(const kernel::ElasticConstants& e) {
   return e.E / (3.0 * (1.0 - 2.0 * e.nu));
 }
@@ -154,6 +165,11 @@ kernel::ShellProperties shell_properties(const model::Part& part, const model::S
   shell.length = control.length_basis == 2   ? kernel::ShellLength::bar
                  : control.length_basis == 1 ? kernel::ShellLength::area_over_diagonal
                                              : kernel::ShellLength::area_over_side;
+  if (const auto* laminate = std::get_if<kernel::Laminate>(&material.law)) {
+    shell.profile = laminate->profile;
+    if (laminate->shear_factor > 0.0) shell.shear_factor = laminate->shear_factor;
+    if (shell.hourglass >= 4) shell.bending_hourglass *= shell.profile.stiffness_spread;
+  }
   if (control.bulk_viscosity_type < 0) {
     shell.bulk_quadratic = hourglass.bulk_quadratic;
     shell.bulk_linear = hourglass.bulk_linear;
@@ -260,7 +276,7 @@ void System::add_shells(std::size_t p, const std::vector<model::Index>& chosen) 
   const kernel::ShellProperties shell = shell_properties(part, section, material, hourglass_of(part), model.control);
   const Members m = members(model.shells, chosen);
   constexpr int corners = ShellElement<kernel::Elastic, Kind>::corners;
-  const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
+  const bool computed = with_shell_law(material.law, [&]<class Law>(const Law& law) {
     add_group(ShellElement<Law, Kind>{shell, kernel::Prepared<Law>(law), model.shells, section.extra_mass},
               model::ElementKind::shell, p, m, shell_seat);
   });

@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "kernel/element/belytschko_tsay.hpp"
 #include "kernel/element/c0_triangle.hpp"
 #include "kernel/element/full_shell.hpp"
 #include "kernel/element/kirchhoff_triangle.hpp"
+#include "kernel/law/prepared_laminate.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
 #include "system/material_axes.hpp"
@@ -62,21 +64,38 @@ struct ShellElement {
     else
       return kernel::shell_layout(shell, law);
   }
+  /// By how much a layer's material axes are turned against those of its material [rad].
+  double angle_of(int k) const {
+    if constexpr (std::is_same_v<Law, kernel::Laminate>) return law.of(k).angle;
+    return 0.0;
+  }
+  /// What a layer's transverse shear stress bears.
+  double shear_force(int k) const {
+    if constexpr (std::is_same_v<Law, kernel::Laminate>) return shell.shear_factor * law.of(k).shear_force;
+    return shell.shear_factor;
+  }
   int state_size() const { return layout().size(); }
   int layers() const { return shell.layers.count; }
 
   void start(double* state, int lane, model::Index e, const Places& x) const {
     kernel::start_shell(layout(), shells.thickness[static_cast<std::size_t>(e)], state, native_width, lane);
-    const auto each_point = [&](const auto& begin) {
-      for (int column = 0; column < columns; ++column)
-        for (int k = 0; k < layers(); ++k) begin(state + layout().history_of(k, column) * native_width + lane);
-    };
-    each_point([&](double* history) { start_size(law, history, native_width, std::sqrt(area(x))); });
-    const kernel::MaterialAxes* axes = material_axes(law);
-    if (!axes) return;
     const Frame3d frame = frame_of(x);
-    const Vec3d a = unit(frame.local(axes->in_shell(x[1] - x[0], frame.e3, shells.own_angle(e))));
-    each_point([&](double* history) { kernel::start_layer_axes(history, native_width, a.x, a.y); });
+    const double size = std::sqrt(area(x));
+    for (int k = 0; k < layers(); ++k) {
+      const auto& own = kernel::law_of(law, k);
+      const auto each_point = [&](const auto& begin) {
+        for (int column = 0; column < columns; ++column)
+          begin(state + layout().history_of(k, column) * native_width + lane);
+      };
+      each_point([&](double* history) { start_size(own, history, native_width, size); });
+      const kernel::MaterialAxes* axes = material_axes(own);
+      if (!axes) continue;
+      const Vec3d a = unit(frame.local(axes->in_shell(x[1] - x[0], frame.e3, shells.own_angle(e))));
+      const double angle = angle_of(k), c = std::cos(angle), s = std::sin(angle);
+      each_point([&](double* history) {
+        kernel::start_layer_axes(history, native_width, c * a.x - s * a.y, c * a.y + s * a.x);
+      });
+    }
   }
   static double area(const Places& x) {
     if constexpr (corners == 4)
@@ -88,11 +107,11 @@ struct ShellElement {
     const double t = shells.thickness[static_cast<std::size_t>(e)];
     const double shear_share = shell.shear_factor * law.elastic().shear / law.elastic().plane;
     if constexpr (corners == 4)
-      return kernel::shell_nodal_mass(x, t, shell.density, shell.offset, mass_per_area, shear_share);
+      return kernel::shell_nodal_mass(x, t, shell.density, shell.offset, mass_per_area, shear_share, shell.profile);
     else if constexpr (Kind == ShellKind::kirchhoff)
-      return kernel::kirchhoff_nodal_mass(x, t, shell.density, shell.offset, mass_per_area);
+      return kernel::kirchhoff_nodal_mass(x, t, shell.density, shell.offset, mass_per_area, shell.profile);
     else
-      return kernel::triangle_nodal_mass(x, t, shell.density, shell.offset, mass_per_area, shear_share);
+      return kernel::triangle_nodal_mass(x, t, shell.density, shell.offset, mass_per_area, shear_share, shell.profile);
   }
   double mass(model::Index e, const Places& x) const { return corners * nodal_mass(e, x).mass; }
   double nodal_inertia(model::Index e, const Places& x) const { return nodal_mass(e, x).inertia; }
@@ -124,7 +143,7 @@ struct ShellElement {
   }
   template <class Field>
   std::optional<Frame3d> material_axes_of(const Field& field, int k, const Places& x) const {
-    if (material_axes(law) == nullptr) return {};
+    if (material_axes(kernel::law_of(law, k)) == nullptr) return {};
     const int i = layout().history_of(k) + first_material_axis;
     const Frame3d frame = frame_of(x);
     const Vec3d a = field(i) * frame.e1 + field(i + 1) * frame.e2;
@@ -137,7 +156,8 @@ struct ShellElement {
     for (int c = 0; c < 5; ++c) s[static_cast<std::size_t>(c)] = component(field, k, c);
     return {global_stress(frame, s[0], s[1], s[2], s[3], s[4]),
             kernel::Prepared<Law>::has_plastic_strain ? component(field, k, 5) : 0.0,
-            damage_of(law, [&](int i) { return component(field, k, layout().history_of(0) - layout().layer(0) + i); })};
+            damage_of(kernel::law_of(law, k),
+                      [&](int i) { return component(field, k, layout().history_of(0) - layout().layer(0) + i); })};
   }
   /// The other way round: all columns get the same stress.
   template <class Put>
@@ -169,8 +189,7 @@ struct ShellElement {
       const auto point = static_cast<std::size_t>(k);
       const double w = t * shell.layers.weight[point], z = 0.5 * t * (shell.layers.zeta[point] - shell.offset);
       for (int c = 0; c < 3; ++c) r[static_cast<std::size_t>(c)] += w * z * component(field, k, c);
-      for (int c = 0; c < 2; ++c)
-        r[static_cast<std::size_t>(3 + c)] += shell.shear_factor * w * component(field, k, 3 + c);
+      for (int c = 0; c < 2; ++c) r[static_cast<std::size_t>(3 + c)] += shear_force(k) * w * component(field, k, 3 + c);
       for (int c = 0; c < 3; ++c) r[static_cast<std::size_t>(5 + c)] += w * component(field, k, c);
     }
     return r;

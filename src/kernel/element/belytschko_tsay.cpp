@@ -4,7 +4,7 @@
 #include "kernel/element/gyration.hpp"
 #include "kernel/element/quadrilateral.hpp"
 #include "kernel/element/shell_layers.hpp"
-#include "kernel/law/prepared_compound.hpp"
+#include "kernel/law/prepared_laminate.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -79,13 +79,13 @@ template <class R>
 /// Share of the hourglass stiffness in the plane and in bending that is left: 1 while no layer has yielded. Afterwards
 /// the material resists with its tangent, in steel that flows about a hundredth of Young's modulus. Twist is resisted
 /// by transverse shear, which does not yield. LS-DYNA's results of type 4 in crash ask for that (docs/decisions/0006).
+/// What failed layers of a laminate bore is gone, in twist too.
 template <class R, class Law>
-R tangent_share(const ShellProperties& shell, const Prepared<Law>& law, const double* state) {
+R tangent_share(const Prepared<Law>& law, const ShellLayout& layout, const double* state) {
   if constexpr (!Prepared<Law>::has_plastic_strain) return R(1.0);
-  const ShellLayout layout = shell_layout(shell, law);
   R strain = R(0.0);
   for (int k = 0; k < layout.layers; ++k) strain = max(strain, load_field<R>(state, layout.history_of(k)));
-  return select(strain > 0.0, R(0.01), R(1.0));
+  return select(strain > 0.0, R(0.01), R(1.0)) * living_share<R>(law, layout, state);
 }
 
 /// Hourglass forces at the end of the step (element-theory 3.4); stored, and their work added up, in the state.
@@ -95,7 +95,8 @@ R tangent_share(const ShellProperties& shell, const Prepared<Law>& law, const do
 template <class R>
 [[gnu::always_inline]] inline Hourglass<R> resist_hourglass(const ShellProperties& shell, const ElasticConstants& e,
                                                             const Quadrilateral<R>& g, const Hourglass<R>& rate,
-                                                            double dt, const R& tangent_share, double* state) {
+                                                            double dt, const R& tangent_share, const R& living,
+                                                            double* state) {
   using L = ShellLayout;
   const R t = load_field<R>(state, L::thickness), t2 = t * t;
   const Hourglass<R> old{load_field<R>(state, L::hourglass), load_field<R>(state, L::hourglass + 1),
@@ -107,7 +108,7 @@ template <class R>
     const R step = dt * t, in_plane = tangent_share * (0.125 * e.E) * step * g.area * bb;
     const R membrane = shell.membrane_hourglass * in_plane;
     const R bending = (shell.bending_hourglass / 24.0) * t2 * in_plane;
-    const R warping = (shell.warping_hourglass * shell.shear_factor * e.shear / 12.0) * step * t2 * bb;
+    const R warping = living * ((shell.warping_hourglass * shell.shear_factor * e.shear / 12.0) * step * t2 * bb);
     now = {old.x + membrane * rate.x, old.y + membrane * rate.y, old.z + warping * rate.z, old.rx + bending * rate.rx,
            old.ry + bending * rate.ry};
   } else {
@@ -128,17 +129,21 @@ template <class R>
   return now;
 }
 
-/// A shell that yields for the first time loses the hourglass forces that its stiffness no longer bears.
+/// A shell that yields for the first time, and one of whose layers fail, loses the hourglass forces that its stiffness
+/// no longer bears. `twist`: what is left of those in twist.
 template <class R>
-void soften_at_first_yield(const R& share_before, const R& share_now, Hourglass<R>& q, double* state) {
-  const auto yields = share_now < share_before;
-  if (!any(yields)) return;
-  q.x = select(yields, share_now * q.x, q.x);
-  q.y = select(yields, share_now * q.y, q.y);
-  q.rx = select(yields, share_now * q.rx, q.rx);
-  q.ry = select(yields, share_now * q.ry, q.ry);
+void soften(const R& share_before, const R& share_now, const R& twist, Hourglass<R>& q, double* state) {
+  const auto softens = share_now < share_before;
+  if (!any(softens)) return;
+  const R left = select(softens, share_now / share_before, R(1.0));
+  q.x = left * q.x;
+  q.y = left * q.y;
+  q.z = select(softens, twist, R(1.0)) * q.z;
+  q.rx = left * q.rx;
+  q.ry = left * q.ry;
   store_field(state, ShellLayout::hourglass, q.x);
   store_field(state, ShellLayout::hourglass + 1, q.y);
+  store_field(state, ShellLayout::hourglass + 2, q.z);
   store_field(state, ShellLayout::hourglass + 3, q.rx);
   store_field(state, ShellLayout::hourglass + 4, q.ry);
 }
@@ -203,10 +208,12 @@ NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const Prepared<Law>&
     rates.q = {select(alive, rates.q.x, R(0.0)), select(alive, rates.q.y, R(0.0)), select(alive, rates.q.z, R(0.0)),
                select(alive, rates.q.rx, R(0.0)), select(alive, rates.q.ry, R(0.0))};
   }
-  const R share = tangent_share<R>(shell, law, state);
-  Hourglass<R> q = resist_hourglass(shell, e, mid, rates.q, dt, share, state);
+  const ShellLayout layout = shell_layout(shell, law);
+  const R share = tangent_share<R>(law, layout, state), living = living_share<R>(law, layout, state);
+  Hourglass<R> q = resist_hourglass(shell, e, mid, rates.q, dt, share, living, state);
   ShellResultants<R> n = advance_layers(shell, law, rates.d, dt, state, alive);
-  if (shell.hourglass >= 4) soften_at_first_yield(share, tangent_share<R>(shell, law, state), q, state);
+  if (shell.hourglass >= 4)
+    soften(share, tangent_share<R>(law, layout, state), living_share<R>(law, layout, state) / living, q, state);
   if (shell.bulk_quadratic != 0.0 || shell.bulk_linear != 0.0) {
     const R viscous = viscous_membrane(shell, law, rates.d.xx + rates.d.yy, end.area, state);
     n.nxx -= viscous;
@@ -246,13 +253,13 @@ double shell_stable_step(const std::array<Vec3d, 4>& x, ShellLength length, doub
 }
 
 NodalMass shell_nodal_mass(const std::array<Vec3d, 4>& x, double thickness, double density, double offset,
-                           double mass_per_area, double shear_share) {
-  const double area = shell_area(x), arm = 0.5 * offset * thickness;
+                           double mass_per_area, double shear_share, const ThicknessProfile& profile) {
+  const double area = shell_area(x), arm = 0.5 * (profile.mass_centre - offset) * thickness;
   const double mass = 0.25 * area * (density * thickness + mass_per_area);
   const double section2 = thickness * thickness / 12.0;
-  double gyration2 = section2 + area / 12.0 + arm * arm;
+  double gyration2 = profile.mass_spread * section2 + area / 12.0 + arm * arm;
   if (shear_share > 0.0) {
-    gyration2 = std::max(gyration2, eccentric_gyration2(arm, section2));
+    gyration2 = std::max(gyration2, elastic_gyration2(profile, offset, thickness, section2));
     if (const double spin = 4.0 / (borne_step * borne_step) - 4.0 * shear_share; spin > 0.0) {
       const Vec3d nodes[4] = {x[0], x[1], x[2], x[3]};
       const double side2 = length2(nodes, area, ShellLength::area_over_side, 0.0);
@@ -275,6 +282,8 @@ template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const P
 template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const Prepared<PiecewiseLinear>&,
                                                  const NodalMotion<NativeBatch, 4>&, double, double*);
 template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const Prepared<Compound>&,
+                                                 const NodalMotion<NativeBatch, 4>&, double, double*);
+template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const Prepared<Laminate>&,
                                                  const NodalMotion<NativeBatch, 4>&, double, double*);
 template NodalForces<Dual<24>, 4> shell_cycle(const ShellProperties&, const Prepared<Elastic>&,
                                               const NodalMotion<Dual<24>, 4>&, double, double*);

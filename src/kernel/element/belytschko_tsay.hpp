@@ -44,6 +44,6 @@ double shell_stable_step(const std::array<Vec3d, 4>& x, ShellLength length, doub
 /// raised to what a step of 0.93 L/c bears (ours), and likewise where the nodes are off the mid-surface. Without a
 /// share (bodies, masses) it is not raised.
 NodalMass shell_nodal_mass(const std::array<Vec3d, 4>& x, double thickness, double density, double offset = 0.0,
-                           double mass_per_area = 0.0, double shear_share = 0.0);
+                           double mass_per_area = 0.0, double shear_share = 0.0, const ThicknessProfile& profile = {});
 
 }  // namespace nugget::kernel

@@ -6,7 +6,7 @@
 
 #include "kernel/element/gyration.hpp"
 #include "kernel/element/triangle.hpp"
-#include "kernel/law/prepared_compound.hpp"
+#include "kernel/law/prepared_laminate.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -134,13 +134,13 @@ double triangle_stable_step(const std::array<Vec3d, 3>& x, ShellLength length, d
 }
 
 NodalMass triangle_nodal_mass(const std::array<Vec3d, 3>& x, double thickness, double density, double offset,
-                              double mass_per_area, double shear_share) {
-  const double area = triangle_area(x), arm = 0.5 * offset * thickness;
+                              double mass_per_area, double shear_share, const ThicknessProfile& profile) {
+  const double area = triangle_area(x), arm = 0.5 * (profile.mass_centre - offset) * thickness;
   const double mass = area * (density * thickness + mass_per_area) / 3.0;
   const double section2 = thickness * thickness / 12.0;
-  double gyration2 = std::max(section2, area / 8.0) + arm * arm;
+  double gyration2 = std::max(profile.mass_spread * section2, area / 8.0) + arm * arm;
   if (shear_share > 0.0) {
-    gyration2 = std::max(gyration2, eccentric_gyration2(arm, section2));
+    gyration2 = std::max(gyration2, elastic_gyration2(profile, offset, thickness, section2));
     const auto [by_motion, by_spin] = greatest_shear(x);
     const Vec3d nodes[3] = {x[0], x[1], x[2]};
     const double altitude2 = length2(nodes, area, ShellLength::area_over_side, 0.0);
@@ -164,6 +164,8 @@ template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, cons
 template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const Prepared<PiecewiseLinear>&,
                                                     const NodalMotion<NativeBatch, 3>&, double, double*);
 template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const Prepared<Compound>&,
+                                                    const NodalMotion<NativeBatch, 3>&, double, double*);
+template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const Prepared<Laminate>&,
                                                     const NodalMotion<NativeBatch, 3>&, double, double*);
 template NodalForces<Dual<18>, 3> triangle_cycle(const ShellProperties&, const Prepared<Elastic>&,
                                                  const NodalMotion<Dual<18>, 3>&, double, double*);

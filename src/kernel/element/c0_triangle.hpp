@@ -33,6 +33,7 @@ double triangle_stable_step(const std::array<Vec3d, 3>& x, ShellLength length, d
 /// shell_nodal_mass where `shear_share` is given: shear that bends and spins the section, and nodes off the
 /// mid-surface.
 NodalMass triangle_nodal_mass(const std::array<Vec3d, 3>& x, double thickness, double density, double offset = 0.0,
-                              double mass_per_area = 0.0, double shear_share = 0.0);
+                              double mass_per_area = 0.0, double shear_share = 0.0,
+                              const ThicknessProfile& profile = {});
 
 }  // namespace nugget::kernel

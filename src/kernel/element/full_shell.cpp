@@ -3,7 +3,7 @@
 
 #include "kernel/element/quadrilateral.hpp"
 #include "kernel/element/shell_layers.hpp"
-#include "kernel/law/prepared_compound.hpp"
+#include "kernel/law/prepared_laminate.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -333,6 +333,8 @@ template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, co
 template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const Prepared<PiecewiseLinear>&,
                                                       const NodalMotion<NativeBatch, 4>&, double, double*);
 template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const Prepared<Compound>&,
+                                                      const NodalMotion<NativeBatch, 4>&, double, double*);
+template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const Prepared<Laminate>&,
                                                       const NodalMotion<NativeBatch, 4>&, double, double*);
 template NodalForces<Dual<24>, 4> full_shell_cycle(const ShellProperties&, const Prepared<Elastic>&,
                                                    const NodalMotion<Dual<24>, 4>&, double, double*);

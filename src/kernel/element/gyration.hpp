@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "kernel/law/laminate.hpp"
+
 namespace nugget::kernel {
 
 /// Steps, over the length of an element by the speed of sound, that rotary inertia is raised to bear (ours).
@@ -15,6 +17,13 @@ inline double eccentric_gyration2(double arm, double section) {
   if (arm == 0.0) return 0.0;
   const double q = 1.0 / (borne_step * borne_step);
   return arm * arm / (q - 1.0) + section / q;
+}
+
+/// The same for a shell whose nodes lie at offset * t / 2 from the mid-surface, also where they lie in the centre of
+/// its stiffness. `section`: of one material.
+inline double elastic_gyration2(const ThicknessProfile& profile, double offset, double thickness, double section) {
+  const double arm = 0.5 * (profile.stiffness_centre - offset) * thickness, own = profile.stiffness_spread * section;
+  return arm == 0.0 ? borne_step * borne_step * own : eccentric_gyration2(arm, own);
 }
 
 }  // namespace nugget::kernel

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernel/element/kirchhoff_triangle.hpp"
 
+#include <algorithm>
+
 #include "kernel/element/gyration.hpp"
 #include "kernel/element/triangle.hpp"
-#include "kernel/law/prepared_compound.hpp"
+#include "kernel/law/prepared_laminate.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -65,18 +67,25 @@ struct Bubbles {
   }
 };
 
+/// Square of the thickness of one material that is as stiff in bending for what it is in its plane, or as hard to turn
+/// for its mass, whichever is more.
+template <class R>
+R depth2(const ThicknessProfile& profile, const R& t) {
+  return std::max(profile.mass_spread, profile.stiffness_spread) * (t * t);
+}
+
 /// Square of the radius of gyration of a node's share of the element, without offset.
 template <class R>
-R gyration2(const R& t, const R& area, const R& altitude2) {
-  return max(max(R(1.0 / 12.0) * (t * t), 0.125 * area), 0.5 * area * (t * t) / altitude2);
+R gyration2(const R& t2, const R& area, const R& altitude2) {
+  return max(max(R(1.0 / 12.0) * t2, 0.125 * area), 0.5 * area * t2 / altitude2);
 }
 
 /// Square of the length over the wave speed that bending bears: of motions across the plane h^2/t, of spins the same
 /// with their inertia.
 template <class R>
-R bending_length2(const R& t, const R& area, const R& altitude2) {
-  const R spins = 0.4 * area / gyration2(t, area, altitude2);
-  return altitude2 * altitude2 / (t * t * (1.0 + spins));
+R bending_length2(const R& t2, const R& area, const R& altitude2) {
+  const R spins = 0.4 * area / gyration2(t2, area, altitude2);
+  return altitude2 * altitude2 / (t2 * (1.0 + spins));
 }
 
 }  // namespace
@@ -139,7 +148,8 @@ NodalForces<R, 3> kirchhoff_triangle_cycle(const ShellProperties& shell, const P
 
   const R scale = load_field<R>(state, L::density_scale) * (shell.density / e.plane);
   const R altitude2 = length2(nodes.x, end.area, ShellLength::area_over_side, e.nu);
-  const R shortest2 = min(length2(nodes.x, end.area, shell.length, e.nu), bending_length2(now, end.area, altitude2));
+  const R shortest2 = min(length2(nodes.x, end.area, shell.length, e.nu),
+                          bending_length2(depth2(shell.profile, now), end.area, altitude2));
   const R step = sqrt(shortest2 * scale);
   if (law.deletion_step() > 0.0) alive = alive && step >= law.deletion_step();
   if (law.can_fail() || law.deletion_step() > 0.0) store_field(state, L::alive, select(alive, R(1.0), R(0.0)));
@@ -164,13 +174,14 @@ std::array<double, 3> kirchhoff_mean_bending(const std::array<Vec3d, 3>& x, cons
 }
 
 NodalMass kirchhoff_nodal_mass(const std::array<Vec3d, 3>& x, double thickness, double density, double offset,
-                               double mass_per_area) {
+                               double mass_per_area, const ThicknessProfile& profile) {
   const Vec3d nodes[3] = {x[0], x[1], x[2]};
-  const double area = Triangle<double>(nodes).area, arm = 0.5 * offset * thickness;
+  const double area = Triangle<double>(nodes).area, arm = 0.5 * (profile.mass_centre - offset) * thickness;
   const double mass = area * (density * thickness + mass_per_area) / 3.0;
   const double altitude2 = length2(nodes, area, ShellLength::area_over_side, 0.0);
-  const double own2 = gyration2(thickness, area, altitude2);
-  return {mass, mass * std::max(own2 + arm * arm, eccentric_gyration2(arm, own2))};
+  const double own2 = gyration2(depth2(profile, thickness), area, altitude2);
+  const double elastic_arm = 0.5 * (profile.stiffness_centre - offset) * thickness;
+  return {mass, mass * std::max(own2 + arm * arm, eccentric_gyration2(elastic_arm, own2))};
 }
 
 template NodalForces<double, 3> kirchhoff_triangle_cycle(const ShellProperties&, const Prepared<Elastic>&,
@@ -186,6 +197,8 @@ template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellPropert
 template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellProperties&, const Prepared<PiecewiseLinear>&,
                                                               const NodalMotion<NativeBatch, 3>&, double, double*);
 template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellProperties&, const Prepared<Compound>&,
+                                                              const NodalMotion<NativeBatch, 3>&, double, double*);
+template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellProperties&, const Prepared<Laminate>&,
                                                               const NodalMotion<NativeBatch, 3>&, double, double*);
 template NodalForces<Dual<18>, 3> kirchhoff_triangle_cycle(const ShellProperties&, const Prepared<Elastic>&,
                                                            const NodalMotion<Dual<18>, 3>&, double, double*);

@@ -46,6 +46,6 @@ std::array<double, 3> kirchhoff_mean_bending(const std::array<Vec3d, 3>& x, cons
 /// that of the offset. The last is more than the others where t > h/2 and spares such an element the larger part of
 /// what its bending would take off its step (ours).
 NodalMass kirchhoff_nodal_mass(const std::array<Vec3d, 3>& x, double thickness, double density, double offset = 0.0,
-                               double mass_per_area = 0.0);
+                               double mass_per_area = 0.0, const ThicknessProfile& profile = {});
 
 }  // namespace nugget::kernel

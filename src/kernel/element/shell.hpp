@@ -3,12 +3,13 @@
 
 #include <array>
 
+#include "kernel/law/laminate.hpp"
 #include "kernel/law/prepared.hpp"
 
 // What the four-node and the three-node shell share: section, state, and how nodal motion and forces are handed over.
 namespace nugget::kernel {
 
-inline constexpr int most_layers = 10;
+inline constexpr int most_layers = 32;  ///< Gauss and Lobatto rules: 10
 
 /// Integration points through the thickness: zeta in -1 (bottom) .. 1 (top), weights of sum 1.
 struct LayerRule {
@@ -33,7 +34,8 @@ struct ShellProperties {
   LayerRule layers;
   double shear_factor = 5.0 / 6.0;  ///< SHRF [1]
   double offset = 0.0;  ///< NLOC: the nodes lie at offset * thickness / 2 from the mid-surface, up positive [1]
-  int hourglass = 4;    ///< IHQ 1-3 viscous, 4-5 stiffness
+  ThicknessProfile profile;
+  int hourglass = 4;  ///< IHQ 1-3 viscous, 4-5 stiffness
   double membrane_hourglass = 0.1, bending_hourglass = 0.1, warping_hourglass = 0.1;  ///< QM, QB, QW [1]
   ThicknessUpdate thickness_update = ThicknessUpdate::none;
   bool warping_stiffness = false;  ///< BWC 1; of the fully integrated shell IHQ 8

@@ -3,8 +3,10 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "kernel/element/shell.hpp"
+#include "kernel/law/prepared_laminate.hpp"
 
 // The walk through the layers, common to the shells. Included by their .cpp files only.
 namespace nugget::kernel {
@@ -48,8 +50,12 @@ template <class R, class Law>
     double* stress = first + k * stride;
     double* history = stress + LayerTensor<R>::size * lanes<R>;
     LayerTensor<R> s = load_layer<R>(stress);
-    const ThicknessStrain<R> e =
-        law.layer(s, LayerTensor<R>{d.xx + z * d.kxx, d.yy + z * d.kyy, d.xy + z * d.kxy, d.xz, d.yz}, dt, history);
+    LayerTensor<R> rate{d.xx + z * d.kxx, d.yy + z * d.kyy, d.xy + z * d.kxy, d.xz, d.yz};
+    if constexpr (std::is_same_v<Law, Laminate>) {
+      rate.xz *= R(law.of(k).shear_strain);
+      rate.yz *= R(law.of(k).shear_strain);
+    }
+    const ThicknessStrain<R> e = law_of(law, k).layer(s, rate, dt, history);
     store_layer(stress, s);
     c.thinning.total += weight * e.total;
     c.thinning.plastic += weight * e.plastic;
@@ -60,8 +66,13 @@ template <class R, class Law>
     n.mxx += zeta * xx;
     n.myy += zeta * yy;
     n.mxy += zeta * xy;
-    n.qx += weight * s.xz;
-    n.qy += weight * s.yz;
+    if constexpr (std::is_same_v<Law, Laminate>) {
+      n.qx += (weight * law.of(k).shear_force) * s.xz;
+      n.qy += (weight * law.of(k).shear_force) * s.yz;
+    } else {
+      n.qx += weight * s.xz;
+      n.qy += weight * s.yz;
+    }
   }
   return c;
 }
@@ -100,6 +111,55 @@ MaskOf<R> worn_out(const Prepared<Law>& law, const ShellLayout& layout, const do
   const int all = layout.layers * layout.columns;
   if (limit < 0.0) return R(100.0) * failed_layers >= R(-limit * layout.layers);
   return points >= R(limit > 0.0 && limit < all ? limit : all);
+}
+
+/// Of a laminate. A law's number of points is one of its own layers, and one that these do not have counts for nothing;
+/// its percentage is that of all layers which have its law and failed. In any case an element goes with the last point
+/// of the layers that can fail.
+template <class R>
+MaskOf<R> worn_out(const Prepared<Laminate>& law, const ShellLayout& layout, const double* state) {
+  const R none = R(0.0), one = R(1.0);
+  auto gone = none > one;
+  R sound = none;
+  for (int first = 0; first < layout.layers; ++first) {
+    const Prepared<Compound>& own = law.of(first).law;
+    if (!own.can_fail()) {
+      if (law.outlived_by_sound()) sound += one;
+      continue;
+    }
+    if (law.of(first).first_alike != first) continue;
+    R points = none, failed_layers = none;
+    int all = 0;
+    for (int k = first; k < layout.layers; ++k) {
+      if (law.of(k).first_alike != first) continue;
+      R here = none;
+      for (int c = 0; c < layout.columns; ++c)
+        here += select(own.template failed<R>(state + layout.history_of(k, c) * lanes<R>), one, none);
+      points += here;
+      failed_layers += min(here, one);
+      all += layout.columns;
+    }
+    const double limit = own.points_to_delete();
+    sound += R(all) - points;
+    if (limit < 0.0) gone = gone || R(100.0) * failed_layers >= R(-limit * layout.layers);
+    if (limit > 0.0 && limit <= all) gone = gone || points >= R(limit);
+  }
+  return gone || sound < R(0.5);
+}
+
+/// What failed layers have left of an element's stiffness in the plane [1]; of one law 1, the element goes with it.
+template <class R, class Law>
+R living_share(const Prepared<Law>& law, const ShellLayout& layout, const double* state) {
+  if constexpr (std::is_same_v<Law, Laminate>) {
+    R lost = R(0.0);
+    for (int k = 0; k < layout.layers; ++k)
+      if (law.of(k).law.can_fail())
+        lost += select(law.of(k).law.template failed<R>(state + layout.history_of(k) * lanes<R>),
+                       R(law.of(k).stiffness), R(0.0));
+    return max(R(1.0) - lost, R(0.0));
+  } else {
+    return R(1.0);
+  }
 }
 
 /// Advances all layers of a shell with one column by a step and adds them up on the new thickness. Elements that are

@@ -31,8 +31,12 @@ bool has_plastic_strain(const kernel::Flow& flow) {
          std::holds_alternative<kernel::PowerLaw>(flow);
 }
 
-double points_to_delete(double numfip) {
-  return numfip < -100.0 ? -numfip - 100.0 : numfip;
+void take_points_to_delete(Builder& b, const deck::Row& row, kernel::Composition& law, bool said_before) {
+  const double numfip = row.real("numfip"), points = numfip < -100.0 ? -numfip - 100.0 : numfip;
+  if (said_before && law.points_to_delete != points)
+    refuse(b, row, "numfip", "differs between *MAT_ADD_EROSION and *MAT_ADD_DAMAGE_GISSMO of the material",
+           "write the same number on both");
+  law.points_to_delete = points;
 }
 
 }  // namespace nugget::model

@@ -9,14 +9,15 @@
 // What *MAT_ADD_... cards add to a law.
 namespace nugget::model {
 
-/// The law as one put together at run time; nullopt for those that nothing can be added to.
+/// The law as one put together at run time; nothing for those that cannot be: rigid and null materials, welds, springs,
+/// discrete beams and adhesive.
 std::optional<kernel::Composition> composition_of(const Law& law);
 
 /// Whether a point of this flow has a plastic strain.
 bool has_plastic_strain(const kernel::Flow& flow);
 
-/// NUMFIP as kernel::Composition::points_to_delete.
-double points_to_delete(double numfip);
+/// Takes NUMFIP of a row into the law; an error where it differs from what another card has said, if one has.
+void take_points_to_delete(Builder& builder, const deck::Row& row, kernel::Composition& law, bool said_before);
 
 /// Fields of GISSMO on the cards of two keywords.
 namespace gissmo_field {

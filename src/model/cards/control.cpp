@@ -171,7 +171,9 @@ const Card shell_card_1{{
 const Card shell_card_2{{
     real("rotascl", dimension::number, 1, only(1), "factor on rotary masses"),
     integer("intgrd", 0, between(0, 1), "layers: 0 Gauss, 1 Lobatto"),
-    integer("lamsht", 0, only(0), "laminated shells"),
+    integer(
+        "lamsht", 0, between(0, 5),
+        "1, 3, 5: transverse shear of layers that cards give by laminated shell theory; 4: thick shells, no effect"),
     flag("cstyp6", "for formulation 6, no effect"),
     flag("thshel", "thermal, no effect"),
     integer("nfail1", 0, at_least(0), "as on the fourth card: where LS-DYNA 971 had it"),
@@ -431,6 +433,10 @@ void read_shell(Builder& b, const Block& block, const Options&) {
         "compare with BWC = 2 where warped shells matter");
   c.rotary_mass_scale = two.real("rotascl");
   c.lobatto = two.integer("intgrd") == 1;
+  if (const int lamsht = two.integer("lamsht"); lamsht == 2)
+    refuse(b, two, "lamsht", "not a documented value", "write 1 for laminated shell theory, 0 without it");
+  else
+    c.laminated_shear = lamsht != 0 && lamsht != 4;
   const auto failing = [&](std::string_view field) {
     return four.integer(field) != 0 ? four.integer(field) : two.integer(field);
   };

@@ -187,6 +187,10 @@ void add_erosion(Builder& b, const Cards& cards) {
   if (law->erosion)
     return refuse(b, cards.first, "mid", fmt::format("material {} has criteria of erosion already", material.id),
                   "write all criteria on one *MAT_ADD_EROSION");
+  take_points_to_delete(b, cards.first, *law, law->gissmo.has_value());
+  if (cards.damage && law->gissmo)
+    return refuse(b, cards.third, "idam", fmt::format("material {} has damage of GISSMO already", material.id),
+                  "write one card for each material");
   if (cards.damage) {
     law->gissmo = gissmo(b, {cards.third, cards.third, *cards.damage, "dmgtyp"}, law->flow);
     if (!law->gissmo) return;
@@ -200,7 +204,6 @@ void add_erosion(Builder& b, const Cards& cards) {
   }
   complain_of_idle(b, cards, *law);
   if (law->gissmo && number_of(*law->erosion) == 0) law->erosion.reset();
-  law->points_to_delete = points_to_delete(cards.first.real("numfip"));
   material.law = compound(std::move(*law));
 }
 

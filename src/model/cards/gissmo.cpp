@@ -110,10 +110,7 @@ void add_damage(Builder& b, const Row& main, const Row& law_row, const Row& scal
     law->gissmo->shear_end = tub->real("rgtr1");
     law->gissmo->biaxial_start = tub->real("rgtr2");
   }
-  const double points = points_to_delete(main.real("numfip"));
-  if (law->erosion && law->points_to_delete != points)
-    return refuse(b, main, "numfip", "not that of the material's *MAT_ADD_EROSION", "write the same number on both");
-  law->points_to_delete = points;
+  take_points_to_delete(b, main, *law, law->erosion.has_value());
   material.law = compound(std::move(*law));
 }
 
@@ -125,8 +122,8 @@ void read_damage(Builder& b, const Block& block, const Options& options) {
   if (cursor.more()) tub = cursor.read(tub_card);
   expect_end(b, cursor);
   expect(b, main, Severity::note, {{"refsz", 0, "damage for another element size is not written"}});
-  // After the laws have their curves, and after *MAT_ADD_EROSION.
-  b.later(Phase::sets, [=](Builder& later) { add_damage(later, main, law, scales, tub); });
+  // After the laws have their curves.
+  b.later(Phase::systems, [=](Builder& later) { add_damage(later, main, law, scales, tub); });
 }
 
 }  // namespace

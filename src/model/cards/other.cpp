@@ -110,7 +110,7 @@ Rows other_elements() {
       refused("ELEMENT_*", "this element is not built; shells, bricks, beams, springs and masses are"),
       refused("SECTION_*", "this section is not built; *SECTION_SHELL, _SOLID, _BEAM and _DISCRETE are"),
       refused("INTEGRATION_*", "this integration rule of the user is not built; *INTEGRATION_SHELL is"),
-      refused("PART_COMPOSITE*", "layered composites are not built"),
+      refused("PART_COMPOSITE_*", "this form of *PART_COMPOSITE is not built; LONG and CONTACT are"),
       refused("PART_*", "this form of *PART is not built; INERTIA and CONTACT are"),
       refused("NODE_*", "this form of *NODE is not built"),
       refused("COMPONENT_*", "dummies are not built"),

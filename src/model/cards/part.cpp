@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "kernel/element/shell.hpp"
 #include "model/axes.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
@@ -75,6 +80,37 @@ const Card contact_card{{
     integer("cparm8", 0, any_value, "beams of the part in _GENERAL: of the contact's own CPARM8 alone"),
 }};
 
+const Card composite_card{{
+    id("pid", IdSpace::part, required, "part id"),
+    integer("elform", 0, any_value, "formulation of the shells, as in *SECTION_SHELL"),
+    real("shrf", dimension::number, 1, above_zero(), "shear correction factor; not used with LAMSHT of *CONTROL_SHELL"),
+    real("nloc", dimension::number, 0, any_value, "nodes on the top (1), mid (0) or bottom (-1) surface"),
+    real("marea", dimension::mass_per_area, 0, at_least(0), "non-structural mass per area"),
+    id("hgid", IdSpace::other, 0, "*HOURGLASS; 0: *CONTROL_HOURGLASS"),
+    integer("adpopt", 0, any_value, "adaptive meshing; without *CONTROL_ADAPTIVE no effect"),
+    integer("thshel", 0, any_value, "thermal shells; no effect on mechanics"),
+}};
+
+const Card layers_card{{
+    id("mid1", IdSpace::material, 0, "material of the layer; the first layer is the lowest"),
+    real("thick1", dimension::length, 0, at_least(0), "its thickness; the shell's is the sum of all"),
+    real("b1", dimension::number, 0, any_value, "angle in degrees that turns its material axes about the normal"),
+    id("tmid1", IdSpace::material, 0, "thermal material; no effect on mechanics"),
+    id("mid2", IdSpace::material, 0, "material of the layer above it"),
+    real("thick2", dimension::length, 0, at_least(0), "its thickness"),
+    real("b2", dimension::number, 0, any_value, "its angle"),
+    id("tmid2", IdSpace::material, 0, "thermal material; no effect on mechanics"),
+}};
+
+const Card long_layer_card{{
+    id("mid1", IdSpace::material, 0, "material of the layer; the first layer is the lowest"),
+    real("thick1", dimension::length, 0, at_least(0), "its thickness; the shell's is the sum of all"),
+    real("b1", dimension::number, 0, any_value, "angle in degrees that turns its material axes about the normal"),
+    id("tmid1", IdSpace::material, 0, "thermal material; no effect on mechanics"),
+    integer("plyid", 0, any_value, "number of the ply for postprocessors; no effect"),
+    real("shrfac", dimension::number, 1, above_zero(), "scale of the transverse shear stress that the layer bears"),
+}};
+
 const Card print_card{{integer("prbf", 0, any_value, "which listings show the part: not obeyed, all do")}};
 
 /// The local axes of _INERTIA with IRCS = 1.
@@ -141,6 +177,81 @@ void read_contact(Builder& b, Cursor& cursor, Part& part) {
   part.friction = {row.real("fs"), row.real("fd"), row.real("dc"), row.real("vc")};
 }
 
+/// The layers of *PART_COMPOSITE with their thicknesses as shares. Nothing, and findings, where there are none.
+std::vector<LayerCard> read_layers(Builder& b, Cursor& cursor, bool one_a_line) {
+  std::vector<LayerCard> layers;
+  const Block& block = cursor.block();
+  bool blank = false, told = false;
+  const auto take = [&](const Row& row, std::string_view mid, std::string_view thick, std::string_view angle) {
+    const bool has_material = row.integer(mid) != 0, has_thickness = row.real(thick) > 0.0;
+    if (!has_material && !has_thickness) {
+      blank = true;
+      return;
+    }
+    if (!has_material || !has_thickness)
+      refuse(b, row, has_material ? thick : mid,
+             has_material ? "a layer without a thickness" : "a layer without a material",
+             "give each layer both, or leave it blank");
+    else if (blank && !told)
+      refuse(b, row, mid, "a layer above a blank one", "write the layers one after the other");
+    told = told || blank || !has_material || !has_thickness;
+    LayerCard layer{0.0, row.real(thick), row, mid, LayerCard::Names::material};
+    layer.angle = row.real(angle) * (std::numbers::pi / 180.0);
+    if (one_a_line) layer.shear_scale = row.real("shrfac");
+    layers.push_back(std::move(layer));
+  };
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(one_a_line ? long_layer_card : layers_card);
+    take(row, "mid1", "thick1", "b1");
+    if (!one_a_line) take(row, "mid2", "thick2", "b2");
+  }
+  if (layers.empty() && !told) {
+    b.findings.error(block.place, block.starred(), "the part has no layers", "give MID1, THICK1 and so on");
+  } else if (layers.size() > static_cast<std::size_t>(kernel::most_layers)) {
+    b.findings.error(block.place, block.starred(),
+                     fmt::format("{} layers; up to {} are built", layers.size(), kernel::most_layers),
+                     "join neighbours of the same material");
+    told = true;
+  }
+  if (told) layers.clear();
+  return layers;
+}
+
+/// *PART_COMPOSITE: a part with a section of its own, whose thickness and rule are those of its layers.
+void read_composite(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  Part part;
+  part.title = cursor.read_text();
+  const Row row = cursor.read(composite_card);
+  part.id = row.integer("pid");
+  part.place = row.place();
+  if (options.contains("CONTACT")) read_contact(b, cursor, part);
+  LayerStack stack{read_layers(b, cursor, options.contains("LONG"))};
+  SectionShell section;
+  section.elform = row.integer("elform");
+  section.shear_factor = row.real("shrf");
+  section.nloc = row.real("nloc");
+  section.extra_mass = row.real("marea");
+  section.place = part.place;
+  section.layers = static_cast<int>(stack.layers.size());
+  for (const LayerCard& layer : stack.layers) section.thickness += layer.share;
+  double below = 0.0;
+  for (LayerCard& layer : stack.layers) {
+    const double thickness = layer.share;
+    layer.place = (2.0 * below + thickness) / section.thickness - 1.0;
+    layer.share = thickness / section.thickness;
+    below += thickness;
+    section.rule.push_back({layer.place, layer.share});
+  }
+  const auto index = static_cast<Index>(b.model.parts.size()), own = static_cast<Index>(b.model.shell_sections.size());
+  b.parts.add(part.id, index, part.place, block.starred(), "part", b.findings);
+  b.model.parts.push_back(std::move(part));
+  b.model.shell_sections.push_back(std::move(section));
+  b.shell_section_rows.push_back(row);
+  b.composite_parts.push_back({index, own, row});
+  b.layer_stacks[own] = std::move(stack);
+}
+
 void read_part(Builder& b, const Block& block, const Options& options) {
   for (const auto* option : {"REPOSITION", "ATTACHMENT_NODES"})
     if (options.contains(option)) {
@@ -180,6 +291,14 @@ std::vector<Keyword> part_keywords() {
                   {"with _CONTACT", &contact_card},
                   {"with _PRINT", &print_card}},
        .read = read_part},
+      {.name = "PART_COMPOSITE",
+       .options = {"LONG", "CONTACT"},
+       .layout = {{"", &heading_line},
+                  {"", &composite_card},
+                  {"with _CONTACT", &contact_card},
+                  {"for every two layers", &layers_card},
+                  {"with _LONG, for every layer", &long_layer_card}},
+       .read = read_composite},
   };
 }
 

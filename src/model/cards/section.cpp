@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
+#include "kernel/element/shell.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
 
@@ -39,14 +41,15 @@ const Card shell_card{{
 
 const Card rule_card{{
     id("irid", IdSpace::other, required, "id of the rule, which QR/IRID of *SECTION_SHELL gives with a minus"),
-    integer("nip", required, between(1, 10), "layers through the thickness"),
+    integer("nip", required, between(1, kernel::most_layers), "layers through the thickness"),
     integer("esop", 0, between(0, 1), "0: a card for each layer follows; 1: layers of equal thickness"),
-    integer("failopt", 0, between(0, 1), "where only some layers can fail; no effect, all are of one material"),
+    integer("failopt", 0, between(0, 1),
+            "where only some layers can fail: 0 the shell goes with the last of these, 1 it stays"),
 }};
 const Card rule_layer_card{{
     real("s", dimension::number, 0, between(-1, 1), "place of the layer: -1 bottom, 1 top"),
     real("wf", dimension::number, required, above_zero(), "its share of the thickness"),
-    id("pid", IdSpace::part, 0, "part whose material the layer has"),
+    id("pid", IdSpace::part, 0, "part whose material the layer has; 0: that of the shells' own part"),
 }};
 
 const Card shell_thickness_card{{
@@ -181,7 +184,9 @@ void take_rule(Builder& b, const Row& row) {
       return refuse(builder, row, "qr_irid", fmt::format("rule {} is not defined", id),
                     "define it with *INTEGRATION_SHELL, or write 0 or 1");
     SectionShell& section = builder.model.shell_sections[index];
-    section.rule = found->second;
+    builder.layer_stacks[static_cast<Index>(index)] = found->second;
+    section.rule.clear();
+    for (const LayerCard& layer : found->second.layers) section.rule.push_back({layer.place, layer.share});
     section.layers = static_cast<int>(section.rule.size());
     if (row.integer("nip") != section.layers)
       row.complain(builder.findings, Severity::warning, "nip",
@@ -214,21 +219,24 @@ void read_rule(Builder& b, const Block& block, const Options&) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     const Row row = cursor.read(rule_card);
     const int count = row.integer("nip");
-    if (count < 1 || count > 10) return;  // refused by its range
-    std::vector<std::array<double, 2>> rule;
+    if (count < 1 || count > kernel::most_layers) return;  // refused by its range
+    LayerStack rule;
+    rule.outlived_by_sound = row.integer("failopt") == 1;
+    const bool equal = row.integer("esop") == 1;
     for (int k = 0; k < count; ++k) {
-      if (row.integer("esop") == 1) {
-        rule.push_back({(2.0 * k + 1.0) / count - 1.0, 1.0 / count});
+      if (equal) {
+        rule.layers.push_back({(2.0 * k + 1.0) / count - 1.0, 1.0 / count, row, "irid"});
         continue;
       }
       const Row layer = cursor.read(rule_layer_card);
-      rule.push_back({layer.real("s"), layer.real("wf")});
-      if (layer.integer("pid") != 0)
-        refuse(b, layer, "pid", "layers of several materials are not built", "leave it 0: the material of the part");
+      const auto names = layer.integer("pid") == 0 ? LayerCard::Names::nothing : LayerCard::Names::part;
+      rule.layers.push_back({layer.real("s"), layer.real("wf"), layer, "pid", names});
     }
-    std::sort(rule.begin(), rule.end());
+    std::stable_sort(rule.layers.begin(), rule.layers.end(), [](const LayerCard& one, const LayerCard& other) {
+      return std::pair(one.place, one.share) < std::pair(other.place, other.share);
+    });
     double sum = 0.0, moment = 0.0;
-    for (const auto& [s, weight] : rule) sum += weight, moment += s * weight;
+    for (const LayerCard& layer : rule.layers) sum += layer.share, moment += layer.share * layer.place;
     if (std::abs(sum - 1.0) > 1e-3 || std::abs(moment) > 1e-3)
       row.complain(b.findings, Severity::warning, "irid",
                    fmt::format("the layers' shares sum up to {:.4g} and lie about {:.4g} of half the thickness", sum,

@@ -163,7 +163,6 @@ TEST(Sections, LayersOfTheUser) {
   EXPECT_TRUE(b.warning("there are 3 layers, as rule 7", "nip"));
   EXPECT_THAT(b.model.shell_sections[1].rule, testing::ElementsAre(Layer{-0.5, 0.5}, Layer{0.5, 0.5}));
   EXPECT_TRUE(built("*SECTION_SHELL\n3,2,,2,,-7\n1.0\n").error("rule 7 is not defined", "qr_irid"));
-  EXPECT_TRUE(built("*INTEGRATION_SHELL\n7,1\n0.0,1.0,4\n").error("layers of several materials", "pid"));
   EXPECT_TRUE(built("*INTEGRATION_SHELL\n7,2\n0.0,0.6\n1.0,0.6\n").warning("shares sum up to 1.2", "irid"));
   EXPECT_TRUE(built("*INTEGRATION_SHELL\n7,1\n1.5,1.0\n").error("expected -1 to 1", "s"));
 }
