@@ -1,27 +1,29 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the neutral benchmark decks and prints ns per element-cycle beside the figures of another code.
+"""Runs the neutral benchmark decks and prints ns per element-cycle, with --radioss beside OpenRadioss on the same machine.
 
     python3 bench/run_decks.py [--nugget build/nugget] [--shared ../shared] [--kernels kernels.json] [DECK ...]
+    python3 bench/run_decks.py --radioss STARTER ENGINE [--nugget ...] [--until SHARE] [--repeat 2] [DECK ...]
 
 The decks come from SHARED/bench/gen_impact.py and SHARED/decks (car6), which are not part of this repository; without them
 there is nothing to run and the program says so. One thread (and tube3 on two), one deck after the other: run nothing else meanwhile. KERNELS is the JSON output of
 nugget_bench; its STREAM and FMA peaks are printed with the table, because a figure means little without its machine.
+
+--radioss: both programs in one run, in turn, REPEAT times, one thread each, to SHARE of each deck's end time; printed is user time by element-cycle, and in
+the whole, as the programs' steps differ. Of OpenRadioss it is the engine's alone, without animations; of Nugget it is all. RAD_CFG_PATH and LD_LIBRARY_PATH
+are OpenRadioss's own and are taken from the environment. car6 is left out: OpenRadioss's reader refuses it.
 """
 import argparse
 import json
+import os
 import pathlib
 import re
+import resource
+import shutil
 import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DECKS = ("tube3", "tube5", "tube5_cp", "tube5_table", "tube5c", "hex_ihq2", "hex_ihq6", "weld", "car6")
-
-
-def figures_of_openradioss(readme):
-    """{deck: ns per element-cycle}, from the list `tube3 676, tube5 782, ...` in the README beside the generators."""
-    match = re.search(r"Measured with OpenRadioss.*", readme.read_text(encoding="utf-8")) if readme.is_file() else None
-    return {name: float(ns) for name, ns in re.findall(r"\b(\w+) (\d+)\b", match.group(0))} if match else {}
 
 
 def with_rates(deck):
@@ -54,6 +56,57 @@ def run(nugget, deck, results, threads):
     return json.loads(summary.read_text(encoding="utf-8")), ""
 
 
+def user_time(command, folder, log):
+    """Seconds of user time of a command, run in a folder with its output in a file there; a command that fails ends the program."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / log, "wb") as file:
+        process = subprocess.Popen([str(c) for c in command], cwd=folder, stdin=subprocess.DEVNULL, stdout=file, stderr=subprocess.STDOUT)
+        _, status, usage = os.wait4(process.pid, 0)
+    if status != 0:
+        sys.exit(f"{' '.join(str(c) for c in command)}: status {status}, see {folder / log}")
+    return usage.ru_utime
+
+
+def end_time(deck):
+    found = re.search(r"\*CONTROL_TERMINATION[^\n]*\n(?:\$[^\n]*\n)*([^\n]{1,10})", deck.read_text(encoding="utf-8"))
+    return float(found.group(1))
+
+
+def run_radioss(starter, engine, deck, folder, until):
+    """(user seconds of the engine, cycles) of a deck read by OpenRadioss's own reader."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    shutil.copy(deck, folder)
+    user_time([starter, "-i", deck.name, "-np", "1"], folder, "starter.log")
+    commands = folder / f"{deck.stem}_0001.rad"
+    blocks = re.split(r"\n(?=/)", commands.read_text(encoding="utf-8"))  # what the starter wrote for the engine, without its animations
+    kept = [b for b in blocks if not b.startswith(("/ANIM", "/RUN", "/H3D"))]
+    commands.write_text(f"/RUN/{deck.stem}/1\n{until:.10g}\n" + "\n".join(kept) + "\n", encoding="utf-8")
+    seconds = user_time([engine, "-i", commands.name, "-nt", "1"], folder, "engine.log")
+    listing = (folder / f"{deck.stem}_0001.out").read_text(encoding="utf-8", errors="replace")
+    return seconds, int(re.search(r"TOTAL NUMBER OF CYCLES\s*:\s*(\d+)", listing).group(1))
+
+
+def side_by_side(arguments, names):
+    """Nugget and OpenRadioss in turn on each deck."""
+    soft = resource.getrlimit(resource.RLIMIT_STACK)[1]
+    resource.setrlimit(resource.RLIMIT_STACK, (soft, soft))  # its engine keeps element groups on the stack
+    starter, engine = arguments.radioss
+    print(f"{'deck':<12}{'cycles':>16}{'user s':>18}{'ns':>18}{'ratio by ns':>14}{'in the whole':>14}   (Nugget, OpenRadioss)")
+    for name in names:
+        deck = arguments.work / f"{name}.k"
+        until = arguments.until * end_time(deck)
+        for _ in range(arguments.repeat):
+            results = arguments.work / name
+            ours = user_time([arguments.nugget, "run", deck, "-o", results, "-j1", "--quiet", "--until", until], results, "run.log")
+            summary = json.loads((results / "summary.json").read_text(encoding="utf-8"))
+            cycles, elements = summary["cycles"], sum(summary["elements"].values())
+            theirs, steps = run_radioss(starter, engine, deck, arguments.work / f"{name}_radioss", until)
+            a, b = 1e9 * ours / cycles / elements, 1e9 * theirs / steps / elements
+            print(f"{name:<12}{cycles:>8}{steps:>8}{ours:>9.2f}{theirs:>9.2f}{a:>9.0f}{b:>9.0f}{b / a:>14.1f}{theirs / ours:>14.1f}", flush=True)
+    return 0
+
+
 def peaks(path):
     """Lines on the machine: the results in nugget_bench's output whose names speak of STREAM or FMA."""
     if not path or not path.is_file():
@@ -74,6 +127,10 @@ def main():
     parser.add_argument("--shared", type=pathlib.Path, default=ROOT.parent / "shared")
     parser.add_argument("--kernels", type=pathlib.Path)
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build-bench" / "decks", help="where decks and results go")
+    parser.add_argument("--radioss", nargs=2, type=pathlib.Path, metavar=("STARTER", "ENGINE"),
+                        help="run OpenRadioss on the same decks, in turn with Nugget")
+    parser.add_argument("--until", type=float, default=1.0, metavar="SHARE", help="with --radioss: of each deck's end time (1)")
+    parser.add_argument("--repeat", type=int, default=2, help="with --radioss: how often (2)")
     parser.add_argument("decks", nargs="*", metavar="DECK", help=f"of {', '.join(DECKS)} (all)")
     arguments = parser.parse_args()
     generator = arguments.shared / "bench" / "gen_impact.py"
@@ -86,11 +143,13 @@ def main():
     arguments.work.mkdir(parents=True, exist_ok=True)
     subprocess.run([sys.executable, str(generator), str(arguments.work)], check=True)
     with_rates(arguments.work / "tube5.k")
-    other = figures_of_openradioss(arguments.shared / "bench" / "README.md")
-    other.setdefault("car6", 1075.0)  # the README's sentence on car6
+    if arguments.radioss:
+        arguments.radioss = [program.resolve() for program in arguments.radioss]
+        arguments.nugget, arguments.work = arguments.nugget.resolve(), arguments.work.resolve()
+        return side_by_side(arguments, [name for name in arguments.decks or DECKS if name != "car6"])
 
     failures = 0
-    print(f"{'deck':<12}{'cycles':>10}{'seconds':>10}{'ns':>10}{'OpenRadioss ns':>16}{'ratio':>8}   (ns per element-cycle, one thread)")
+    print(f"{'deck':<12}{'cycles':>10}{'seconds':>10}{'ns':>10}   (ns per element-cycle, one thread)")
     runs = [(name, 1) for name in arguments.decks or DECKS]
     if ("tube3", 1) in runs:
         runs.append(("tube3", 2))
@@ -104,10 +163,7 @@ def main():
             failures += 1
             print(f"{label:<12}  {reason}")
             continue
-        ns = summary["ns_per_element_cycle"]
-        reference = other.get(name) if threads == 1 else None
-        print(f"{label:<12}{summary['cycles']:>10}{summary['seconds']['solve']:>10.1f}{ns:>10.1f}"
-              + (f"{reference:>16.0f}{reference / ns if ns else 0.0:>8.1f}" if reference else ""), flush=True)
+        print(f"{label:<12}{summary['cycles']:>10}{summary['seconds']['solve']:>10.1f}{summary['ns_per_element_cycle']:>10.1f}", flush=True)
     for line in peaks(arguments.kernels):
         print(line)
     return 1 if failures else 0
