@@ -75,7 +75,7 @@ class Cards(CommandTest):
         self.assert_refused("whole number", single(mixed(intfail=1.5)))
         self.assertEqual(self.assert_refused("too small", single(layer(0.4, tension=(0.03, "", "", 20.0)), 0.4))["field"], "g1c_0")
         self.assertIn("THICK", self.assert_refused("its strain rates follow", single(layer(""), 0.0))["remedy"])
-        self.assertEqual(self.assert_refused("only 0 is supported", single(layer(0.4, more=card(0.5)), 0.4))["field"], "rfiltf")
+        self.assertIn("rfiltf", [f["field"] for f in self.findings(single(layer(0.4, more=card(0.5)), 0.4))])
 
     def test_laws_and_bricks_that_do_not_go_together(self):
         self.assert_refused("is no law of adhesive", single("*MAT_ELASTIC\n" + card(1, "7.8e-9", 2.1e5, 0.3), 0.3))
