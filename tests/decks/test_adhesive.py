@@ -246,6 +246,15 @@ class Tied(CommandTest):
 
 
 class Linear(CommandTest):
+    def test_two_free_sheets_bonded_by_tied_bricks_have_six_rigid_motions(self):
+        for elform, contact in ((19, "TIED_NODES_TO_SURFACE"), (20, "TIED_SHELL_EDGE_TO_SURFACE")):
+            free = sheets(contact, elform, 3).split("*BOUNDARY_SPC_NODE")[0]
+            self.write(free + "*CONTROL_IMPLICIT_GENERAL\n" + card(1, 1.0) + "*CONTROL_IMPLICIT_EIGENVALUE\n" + card(8)
+                       + "*CONTROL_TERMINATION\n" + card(1.0) + "*END\n")
+            self.nugget("modes", "model.k", "--quiet", "-o", "free")
+            found = [m["frequency_hz"] for m in self.json("free/summary.json")["modes"]]
+            self.assertLess(max(found[:6]), 1e-3 * found[6], elform)
+
     def test_two_masses_on_the_bond(self):
         """sqrt(k / (m / 2)) of the tension, and of both shears. Sabotage: ET for EN."""
         mass = 1.0e-6
