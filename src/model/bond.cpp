@@ -83,6 +83,8 @@ Fault fault_of(const Model& model, std::size_t solid, const kernel::CohesiveBond
   if (m.height < -1e-6 * m.shortest)
     return {fmt::format("is upside down: by its numbering the face N5-N8 lies {:.4g} below N1-N4", -m.height),
             "exchange the two faces, or turn the sense of both: seen from N5-N8, N1 to N4 run counterclockwise"};
+  if (bond.yields() && !(bond.thickness_in(std::max(0.0, m.height)) > 1e-9 * m.shortest))
+    return {"has no thickness, from which its stiffness and its strain rates follow", "give THICK of its material"};
   if (!(bond_mass(model, solid, bond) > 0.0))
     return {"has no thickness, so with a density per volume no mass and no time step",
             "give the density per area and ROFLG = 1"};

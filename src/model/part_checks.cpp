@@ -82,7 +82,7 @@ void check_bond_formulation(Builder& b, const Part& part, std::vector<char>& tol
     return refuse(b, row, "elform",
                   fmt::format("solid formulation {} is adhesive, but the material of part {} is no law of adhesive",
                               elform, part.id),
-                  "give the part *MAT_138 or 184, or the section ELFORM 1");
+                  "give the part *MAT_138, 184 or 240, or the section ELFORM 1");
   if (!is_cohesive(elform))
     return refuse(b, row, "elform",
                   fmt::format("part {} has a law of adhesive, which bricks of ELFORM {} do not", part.id, elform),

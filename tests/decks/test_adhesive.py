@@ -18,6 +18,10 @@ def elastic(ro="3.e-10", roflg=1, intfail=1, et=ET, en=EN, fn="", ft=""):
     return "*MAT_COHESIVE_ELASTIC\n" + card(1, ro, roflg, intfail, et, en, fn, ft)
 
 
+def layer(thick, emod=2000.0, gmod=800.0, tension=(2.0, "", "", 20.0, "", "", 0.3), shear=(6.0, "", "", 15.0, "", "", 0.4), more=""):
+    return ("*MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE\n" + card(1, "1.e-9", 0, 1, emod, gmod, thick, "") + card(*tension) + card(*shear) + more)
+
+
 def row(*ids):
     return "".join(f"{n:8}" for n in ids) + "\n"
 
@@ -69,6 +73,9 @@ class Cards(CommandTest):
         self.assert_refused("either the highest traction", single(mixed(t="")))
         self.assert_refused("must be given", single(mixed(xmu="0.0")))
         self.assert_refused("whole number", single(mixed(intfail=1.5)))
+        self.assertEqual(self.assert_refused("too small", single(layer(0.4, tension=(0.03, "", "", 20.0)), 0.4))["field"], "g1c_0")
+        self.assertIn("THICK", self.assert_refused("its strain rates follow", single(layer(""), 0.0))["remedy"])
+        self.assertIn("rfiltf", [f["field"] for f in self.findings(single(layer(0.4, more=card(0.5)), 0.4))])
 
     def test_laws_and_bricks_that_do_not_go_together(self):
         self.assert_refused("is no law of adhesive", single("*MAT_ELASTIC\n" + card(1, "7.8e-9", 2.1e5, 0.3), 0.3))
@@ -132,6 +139,28 @@ class Pulled(CommandTest):
     def test_a_wedge_has_the_energy_of_its_area(self):
         _, summary = self.run_single(single(mixed(), elform=21, corners=(1, 2, 3, 3, 5, 6, 7, 7)), pulled())
         self.assertAlmostEqual(summary["energy"]["eroded"], GIC * 12.5, delta=2e-3 * GIC * 12.5)
+
+    def test_layer_that_yields(self):
+        """*MAT_240: trapezoids of the energies; stiffness by THICK, or where it is blank by the brick's own 0.4."""
+        for thick, direction, strength, energy in ((0.4, 3, 20.0, 2.0), ("", 3, 20.0, 2.0), (0.4, 1, 15.0, 6.0)):
+            states, summary = self.run_single(single(layer(thick), height=0.4), pulled(reach=0.8, direction=direction))
+            sizes = [math.sqrt(s["sig_xx"][0] ** 2 + s["sig_yy"][0] ** 2 + s["sig_zz"][0] ** 2) for s in states]
+            self.assertAlmostEqual(max(sizes), strength, delta=1e-6 * strength)
+            self.assertAlmostEqual(summary["energy"]["eroded"], energy * 25.0, delta=3e-3 * energy * 25.0)
+            # The plateau: its share of the energy over the traction.
+            share = 0.3 if direction == 3 else 0.4
+            flat = sum(size > 0.999999 * strength for size in sizes) / len(sizes) * 0.8
+            self.assertAlmostEqual(flat, share * energy / strength, delta=0.8 / 150.0)
+
+    def test_layer_that_hardens_with_its_rate(self):
+        """T = |T0| + |T1| ln(rate/EDOT_T) at the steady rate 0.8/2e-4/0.4."""
+        tension = (-2.0, 4.0, 1000.0, -20.0, -3.0, 1.0, 0.3)
+        states, summary = self.run_single(single(layer(0.4, tension=tension), height=0.4), pulled(reach=0.8))
+        rate = 0.8 / 2e-4 / 0.4
+        strength = 20.0 + 3.0 * math.log(rate)
+        energy = 2.0 + 2.0 * math.exp(-1000.0 / rate)
+        self.assertAlmostEqual(max(s["sig_zz"][0] for s in states), strength, delta=1e-3 * strength)
+        self.assertAlmostEqual(summary["energy"]["eroded"], energy * 25.0, delta=5e-3 * energy * 25.0)
 
     def test_mass_scaling(self):
         states, plain = self.run_single(single(mixed()), pulled())
@@ -217,6 +246,15 @@ class Tied(CommandTest):
 
 
 class Linear(CommandTest):
+    def test_two_free_sheets_bonded_by_tied_bricks_have_six_rigid_motions(self):
+        for elform, contact in ((19, "TIED_NODES_TO_SURFACE"), (20, "TIED_SHELL_EDGE_TO_SURFACE")):
+            free = sheets(contact, elform, 3).split("*BOUNDARY_SPC_NODE")[0]
+            self.write(free + "*CONTROL_IMPLICIT_GENERAL\n" + card(1, 1.0) + "*CONTROL_IMPLICIT_EIGENVALUE\n" + card(8)
+                       + "*CONTROL_TERMINATION\n" + card(1.0) + "*END\n")
+            self.nugget("modes", "model.k", "--quiet", "-o", "free")
+            found = [m["frequency_hz"] for m in self.json("free/summary.json")["modes"]]
+            self.assertLess(max(found[:6]), 1e-3 * found[6], elform)
+
     def test_two_masses_on_the_bond(self):
         """sqrt(k / (m / 2)) of the tension, and of both shears. Sabotage: ET for EN."""
         mass = 1.0e-6

@@ -137,7 +137,11 @@ void start_cohesive_brick(const CohesiveBrickProperties& brick, const CohesiveBo
   put(L::nodal_inertia, cohesive_brick_nodal_inertia(brick, bond, x));
   const std::array<Vec3d, 4> m = midway(x);
   const double place = shapes_of(bond).place;
-  for (int p = 0; p < 4; ++p) put(L::point(p) + L::area, area_at(m, place * xi[p], place * eta[p]));
+  put(L::thickness, cohesive_brick_thickness(x));
+  for (int p = 0; p < 4; ++p) {
+    put(L::point(p) + L::area, area_at(m, place * xi[p], place * eta[p]));
+    put(L::point(p) + L::rate_at_yield, -1.0);
+  }
 }
 
 template <class R>
@@ -167,7 +171,7 @@ NodalForces<R, 8> cohesive_brick_cycle(const CohesiveBrickProperties& brick, con
     parting[a] = mid_axes.local(apart - cross(turning, gap_mid));
   }
 
-  const R lives = load_field<R>(state, L::alive);
+  const R lives = load_field<R>(state, L::alive), thickness = load_field<R>(state, L::thickness);
   R failed(0.0), share[4]{}, spread(0.0);
   Vec3<R> force[4], moment{};  // on the upper corners; on the axes
   for (int p = 0; p < 4; ++p) {
@@ -183,16 +187,25 @@ NodalForces<R, 8> cohesive_brick_cycle(const CohesiveBrickProperties& brick, con
     const Vec3<R> separation = load_vector<R>(point, L::separation) + R(dt) * grows;
     R damage = load_field<R>(point, L::damage);
     Vec3<R> traction;
+    Vec3<R> plastic = load_vector<R>(point, L::plastic);
+    R yielded = load_field<R>(point, L::rate_at_yield);
     for (int l = 0; l < lanes<R>; ++l) {
       if (!(lane(lives, l) > 0.5)) continue;
-      CohesiveState now;
-      now.damage = lane(damage, l);
-      const Vec3d t = bond_traction(bond, {lane(separation.x, l), lane(separation.y, l), lane(separation.z, l)}, now);
-      set_lane(traction.x, l, t.x);
-      set_lane(traction.y, l, t.y);
-      set_lane(traction.z, l, t.z);
+      const auto lane_of = [l](const Vec3<R>& a) { return Vec3d{lane(a.x, l), lane(a.y, l), lane(a.z, l)}; };
+      CohesiveState now{lane(damage, l), 0.0, lane_of(plastic), lane(yielded, l)};
+      const Vec3d t = bond_traction(bond, lane(thickness, l), lane_of(separation), lane_of(grows), now);
+      const auto put = [l](Vec3<R>& to, const Vec3d& from) {
+        set_lane(to.x, l, from.x);
+        set_lane(to.y, l, from.y);
+        set_lane(to.z, l, from.z);
+      };
+      put(traction, t);
+      put(plastic, now.plastic);
       set_lane(damage, l, now.damage);
+      set_lane(yielded, l, now.rate_at_yield);
     }
+    store_vector(point, L::plastic, plastic);
+    store_field(point, L::rate_at_yield, yielded);
     store_vector(point, L::separation, separation);
     store_vector(point, L::traction, traction);
     store_field(point, L::damage, damage);
@@ -241,8 +254,13 @@ NodalForces<R, 8> cohesive_brick_cycle(const CohesiveBrickProperties& brick, con
     }
     reach += (R(0.5) * (dot(end.g1, end.g1) + dot(end.g2, end.g2)) / dot(normal, normal)) * spread;
   }
-  out.stable_step =
-      select(alive, R(2.0) * sqrt(mass / (R(bond.stiffest()) * reach)), R(std::numeric_limits<double>::infinity()));
+  const R stiffest = map(
+      [&bond](double t) {
+        const CohesiveStiffness k = bond.stiffness_in(t);
+        return std::max(k.tension, k.shear);
+      },
+      thickness);
+  out.stable_step = select(alive, R(2.0) * sqrt(mass / (stiffest * reach)), R(std::numeric_limits<double>::infinity()));
   return out;
 }
 

@@ -21,14 +21,17 @@ struct CohesiveBrickLayout {
   static constexpr int hourglass_energy = -1;
   static constexpr int nodal_mass = 2;     ///< before mass scaling [mass]
   static constexpr int nodal_inertia = 3;  ///< likewise [mass length^2]
-  static constexpr int first_point = 4;
+  static constexpr int thickness = 4;      ///< mean distance of the faces at the start [length]
+  static constexpr int first_point = 5;
   static constexpr int points = 4;
   // Of a point:
   static constexpr int area = 0;        ///< of the undeformed surface midway [length^2]
   static constexpr int separation = 1;  ///< along e1 and e2 of the surface midway, and normal to it [length]
   static constexpr int traction = 4;    ///< of the upper face on the lower one, the same axes [stress]
   static constexpr int damage = 7;
-  static constexpr int point_size = 8;
+  static constexpr int plastic = 8;         ///< separation left without traction, of laws that yield [length]
+  static constexpr int rate_at_yield = 11;  ///< strain rate when the point first yielded; negative: it has not [1/time]
+  static constexpr int point_size = 12;
 
   static constexpr int count = first_point + points * point_size;
   static constexpr int point(int p) { return first_point + p * point_size; }

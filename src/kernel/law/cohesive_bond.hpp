@@ -11,14 +11,22 @@ namespace nugget::kernel {
 /// The law of cohesive bricks: tractions over the separation of two faces, per area of the surface midway.
 struct CohesiveBond {
   /// *MAT_COHESIVE_ELASTIC has `glue.softening` none: a point fails at once where its tension exceeds the normal or its
-  /// shear the shear strength, each by itself; 0: it does not. *MAT_COHESIVE_MIXED_MODE has by_energy.
+  /// shear the shear strength, each by itself; 0: it does not. *MAT_COHESIVE_MIXED_MODE has by_energy, _MIXED_MODE_
+  /// ELASTOPLASTIC_RATE elastoplastic, and `glue.thickness` of the layer; 0: that of each brick.
   Cohesion glue;
-  CohesiveStiffness stiffness;      ///< EN, ET [stress/length]
+  CohesiveStiffness stiffness;      ///< EN, ET [stress/length]; of a layer that yields EMOD, GMOD [stress]
   double stiffness_exponent = 1.0;  ///< GAMMA, of the mean of EN and ET in the law of Benzeggagh and Kenane
   int points_to_delete = 1;         ///< INTFAIL; 0: the brick is never deleted, and its points lie at its corners
   bool density_by_area = false;     ///< ROFLG = 1
 
-  double stiffest() const { return std::max(stiffness.tension, stiffness.shear); }
+  bool yields() const { return glue.softening == Cohesion::Softening::elastoplastic; }
+  /// Of the layer in a brick of this thickness.
+  double thickness_in(double brick) const { return glue.thickness > 0.0 ? glue.thickness : brick; }
+  CohesiveStiffness stiffness_in(double brick) const {
+    if (!yields()) return stiffness;
+    const double over = 1.0 / thickness_in(brick);
+    return {over * stiffness.tension, over * stiffness.shear};
+  }
 };
 
 namespace detail {
@@ -58,7 +66,16 @@ inline double damage_of_bond(const CohesiveBond& bond, const Opening& opening, d
 /// Traction at `opening`: x and y along the surface midway, z apart, negative where the faces approach each other
 /// [length]; and what the point remembers from then on. Loading, softening and unloading to the origin by one damage
 /// for all directions, which never falls. Pressure is EN times the approach, whatever the damage. Damage 1: it failed.
-inline Vec3d bond_traction(const CohesiveBond& bond, const Vec3d& opening, CohesiveState& state) {
+///
+/// A layer that yields keeps a part of its separation; see elastoplastic_stress. Its strain rate is that of `speed`,
+/// the rate of the separation, over the thickness, shear counted half. `brick`: thickness at the start.
+inline Vec3d bond_traction(const CohesiveBond& bond, double brick, const Vec3d& opening, const Vec3d& speed,
+                           CohesiveState& state) {
+  if (bond.yields()) {
+    const double rate = std::sqrt(speed.z * speed.z + 0.25 * (speed.x * speed.x + speed.y * speed.y));
+    return detail::elastoplastic_stress(bond.glue, bond.stiffness_in(brick), opening, rate / bond.thickness_in(brick),
+                                        state);
+  }
   const detail::Opening open{std::max(0.0, opening.z), std::hypot(opening.x, opening.y)};
   state.damage = detail::damage_of_bond(bond, open, state.damage);
   const CohesiveStiffness& k = bond.stiffness;

@@ -9,6 +9,54 @@
 #include "model/cards/reading.hpp"
 
 namespace nugget::model {
+Card elastoplastic_mode_card(std::string_view energy, std::string_view fast_energy, std::string_view energy_rate,
+                             std::string_view yield, std::string_view growth, std::string_view yield_rate,
+                             std::string_view plateau, std::string_view curve) {
+  constexpr Dimension energy_per_area{1, 0, -2}, rate{0, 0, -1};
+  return {{
+      real(energy, energy_per_area, 0, any_value, "energy per area; negative: at low rates"),
+      real(fast_energy, energy_per_area, 0, any_value, "at high rates, where that is negative"),
+      real(energy_rate, rate, 0, at_least(0), "rate that parts low from high"),
+      real(yield, dimension::stress, 0, any_value, "yield stress; negative: at low rates"),
+      real(growth, dimension::stress, 0, any_value,
+           "its growth with the square of the logarithm of the rate; negative: with the logarithm"),
+      real(yield_rate, rate, 0, at_least(0), "rate from which on it grows"),
+      real(plateau, dimension::number, 0, any_value,
+           "share of the plateau in the energy; negative: in the opening beyond the yield point"),
+      integer(curve, 0, any_value, "curve of the energy over the thickness"),
+  }};
+}
+kernel::ElastoplasticMode elastoplastic_mode(Builder& builder, const deck::Row& row,
+                                             const std::array<std::string_view, 8>& field) {
+  const auto value = [&](std::size_t i) { return row.real(field[i]); };
+  const auto required = [&](std::size_t i, const char* why) {
+    if (value(i) == 0.0) refuse(builder, row, field[i], why, "give it");
+  };
+  kernel::ElastoplasticMode mode;
+  required(0, "must be given");
+  required(3, "must be given");
+  mode.energy = std::abs(value(0));
+  mode.yield = std::abs(value(3));
+  mode.plateau = value(6);
+  if (value(0) < 0.0) {
+    required(1, "must be given where the energy depends on the rate");
+    required(2, "must be given where the energy depends on the rate");
+    mode.fast_energy = std::abs(value(1));
+    mode.energy_rate = value(2);
+  }
+  if (value(3) < 0.0) {
+    required(5, "must be given where the yield stress depends on the rate");
+    mode.yield_growth = value(4);
+    mode.yield_rate = value(5);
+  }
+  if (!(std::abs(mode.plateau) < 1.0))
+    refuse(builder, row, field[6], "expected a share, between -1 and 1", "0 is glue without a plateau");
+  if (row.integer(field[7]) != 0)
+    refuse(builder, row, field[7], "an energy by the thickness of the layer is not built; expected 0",
+           "read the energy off the curve at the thickness of the layer");
+  return mode;
+}
+
 namespace {
 
 using deck::Cursor;
@@ -46,28 +94,10 @@ const Card tiebreak_by_length = tiebreak_card_of(shear_strength(), dimension::le
 const Card tiebreak_by_curve =
     tiebreak_card_of(id("sfls", IdSpace::function, 0, "curve: factor on NFLS over the opening"), dimension::number);
 
-/// One mode of OPTION 13 and 14, in the words of *MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE.
-Card tiebreak_mode_card(std::string_view energy, std::string_view fast_energy, std::string_view energy_rate,
-                        std::string_view yield, std::string_view growth, std::string_view yield_rate,
-                        std::string_view plateau, std::string_view curve) {
-  constexpr Dimension energy_per_area{1, 0, -2}, rate{0, 0, -1};
-  return {{
-      real(energy, energy_per_area, 0, any_value, "energy per area; negative: at low rates"),
-      real(fast_energy, energy_per_area, 0, any_value, "at high rates, where that is negative"),
-      real(energy_rate, rate, 0, at_least(0), "rate that parts low from high"),
-      real(yield, dimension::stress, 0, any_value, "yield stress; negative: at low rates"),
-      real(growth, dimension::stress, 0, any_value,
-           "its growth with the square of the logarithm of the rate; negative: with the logarithm"),
-      real(yield_rate, rate, 0, at_least(0), "rate from which on it grows"),
-      real(plateau, dimension::number, 0, any_value,
-           "share of the plateau in the energy; negative: in the opening beyond the yield point"),
-      integer(curve, 0, any_value, "curve of the energy over the thickness"),
-  }};
-}
 const Card tiebreak_tension_card =
-    tiebreak_mode_card("g1c_0", "g1c_inf", "edot_g1", "t0", "t1", "edot_t", "fg1", "lcg1c");
+    elastoplastic_mode_card("g1c_0", "g1c_inf", "edot_g1", "t0", "t1", "edot_t", "fg1", "lcg1c");
 const Card tiebreak_shear_card =
-    tiebreak_mode_card("g2c_0", "g2c_inf", "edot_g2", "s0", "s1", "edot_s", "fg2", "lcg2c");
+    elastoplastic_mode_card("g2c_0", "g2c_inf", "edot_g2", "s0", "s1", "edot_s", "fg2", "lcg2c");
 
 /// The card of the older *CONTACT_TIEBREAK_NODES_...
 const Card tiebreak_nodes_card{{
@@ -175,36 +205,6 @@ void take_energies(Builder& builder, const Row& row, Contact& contact) {
   law.exponent = row.real("param");
   law.normal_stiffness = row.real("cn");
   law.shear_ratio = row.real("ct2cn");
-}
-
-kernel::ElastoplasticMode elastoplastic_mode(Builder& builder, const Row& row, std::array<std::string_view, 8> field) {
-  const auto value = [&](std::size_t i) { return row.real(field[i]); };
-  const auto required = [&](std::size_t i, const char* why) {
-    if (value(i) == 0.0) refuse(builder, row, field[i], why, "give it");
-  };
-  kernel::ElastoplasticMode mode;
-  required(0, "must be given with OPTION 13 and 14");
-  required(3, "must be given with OPTION 13 and 14");
-  mode.energy = std::abs(value(0));
-  mode.yield = std::abs(value(3));
-  mode.plateau = value(6);
-  if (value(0) < 0.0) {
-    required(1, "must be given where the energy depends on the rate");
-    required(2, "must be given where the energy depends on the rate");
-    mode.fast_energy = std::abs(value(1));
-    mode.energy_rate = value(2);
-  }
-  if (value(3) < 0.0) {
-    required(5, "must be given where the yield stress depends on the rate");
-    mode.yield_growth = value(4);
-    mode.yield_rate = value(5);
-  }
-  if (!(std::abs(mode.plateau) < 1.0))
-    refuse(builder, row, field[6], "expected a share, between -1 and 1", "0 is glue without a plateau");
-  if (row.integer(field[7]) != 0)
-    refuse(builder, row, field[7], "an energy by the thickness of the layer is not built; expected 0",
-           "read the energy off the curve at the thickness that PARAM gives");
-  return mode;
 }
 
 /// OPTION 13, 14.

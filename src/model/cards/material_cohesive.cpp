@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "kernel/law/cohesive_bond.hpp"
 #include "kernel/law/composition.hpp"
+#include "model/cards/contact_glue.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/material.hpp"
 #include "model/cards/reading.hpp"
@@ -69,14 +71,47 @@ Card elastic_card_of(Field ro) {
 const Card elastic_card = elastic_card_of(density);
 const Card elastic_card_by_area = elastic_card_of(density_per_area);
 
+Card layer_card_of(Field ro) {
+  return {{
+      material_id,
+      std::move(ro),
+      roflg,
+      intfail,
+      real("emod", dimension::stress, required, above_zero(), "Young's modulus of the layer"),
+      real("gmod", dimension::stress, required, above_zero(), "shear modulus of the layer"),
+      real("thick", dimension::length, 0, any_value, "thickness of the layer; 0 or less: that of each brick"),
+      real("inicrt", dimension::number, 0, only(0), "criterion of yield: 0, an ellipse of the tractions"),
+  }};
+}
+const Card layer_card = layer_card_of(density);
+const Card layer_card_by_area = layer_card_of(density_per_area);
+constexpr std::array<std::string_view, 8> tension_fields{"g1c_0", "g1c_inf", "edot_g1", "t0",
+                                                         "t1",    "edot_t",  "fg1",     "lcg1c"};
+constexpr std::array<std::string_view, 8> shear_fields{"g2c_0", "g2c_inf", "edot_g2", "s0",
+                                                       "s1",    "edot_s",  "fg2",     "lcg2c"};
+Card mode_card(const std::array<std::string_view, 8>& f) {
+  return elastoplastic_mode_card(f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7]);
+}
+const Card tension_card = mode_card(tension_fields);
+const Card shear_card = mode_card(shear_fields);
+const Card layer_options_card{{
+    real("rfiltf", dimension::number, 0, only(0), "filter of the strain rate"),
+    real("compy", dimension::number, 0, only(0), "1: yields under pressure"),
+    real("smolim", dimension::number, 0, any_value, "smoother limits of the modes, no effect: they are smooth"),
+    real("xmu", dimension::number, 1, only(1), "exponent of the energies at failure"),
+    unused(),
+    integer("usrfail", 0, only(0), "failure by the user's subroutine"),
+}};
+
 bool by_area(const Cursor& cursor) {
   return cursor.peek_number(2) == 1.0;
 }
 
 /// What the first card of each law has.
-kernel::CohesiveBond bond_of_row(Builder& b, const Row& row) {
+kernel::CohesiveBond bond_of_row(Builder& b, const Row& row, std::string_view normal = "en",
+                                 std::string_view tangential = "et") {
   kernel::CohesiveBond bond;
-  bond.stiffness = {row.real("en"), row.real("et")};
+  bond.stiffness = {row.real(normal), row.real(tangential)};
   bond.density_by_area = row.integer("roflg") == 1;
   const double points = row.real("intfail");
   if (points != std::floor(points)) refuse(b, row, "intfail", "expected a whole number of points", "write 1");
@@ -157,6 +192,30 @@ void read_elastic_bond(Builder& b, const Block& block, const Options& options) {
   add_bond(b, row, std::move(title), "MAT_COHESIVE_ELASTIC", std::move(bond));
 }
 
+void read_layer(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(by_area(cursor) ? layer_card_by_area : layer_card);
+  const Row tension = cursor.read(tension_card), shear = cursor.read(shear_card);
+  if (!at_end(cursor)) cursor.read(layer_options_card);
+  expect_end(b, cursor);
+  kernel::CohesiveBond bond = bond_of_row(b, row, "emod", "gmod");
+  kernel::Cohesion& glue = bond.glue;
+  glue.softening = kernel::Cohesion::Softening::elastoplastic;
+  glue.thickness = std::max(0.0, row.real("thick"));
+  glue.tension = elastoplastic_mode(b, tension, tension_fields);
+  glue.shear = elastoplastic_mode(b, shear, shear_fields);
+  if (glue.thickness > 0.0) {
+    const kernel::CohesiveStiffness k = bond.stiffness_in(0.0);
+    const auto beyond_plateau = [](const kernel::ElastoplasticMode& m) {
+      return m.energy * (1.0 - std::max(0.0, m.plateau));
+    };
+    check_energy(b, tension, "g1c_0", beyond_plateau(glue.tension), glue.tension.yield, k.tension);
+    check_energy(b, shear, "g2c_0", beyond_plateau(glue.shear), glue.shear.yield, k.shear);
+  }
+  add_bond(b, row, std::move(title), "MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE", std::move(bond));
+}
+
 }  // namespace
 
 std::vector<Keyword> cohesive_material_keywords() {
@@ -169,7 +228,12 @@ std::vector<Keyword> cohesive_material_keywords() {
            .aliases = {"MAT_184"},
            .options = {"TITLE"},
            .layout = {{"", &elastic_card}},
-           .read = read_elastic_bond}};
+           .read = read_elastic_bond},
+          {.name = "MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE",
+           .aliases = {"MAT_240"},
+           .options = {"TITLE"},
+           .layout = {{"", &layer_card}, {"", &tension_card}, {"", &shear_card}, {"", &layer_options_card}},
+           .read = read_layer}};
 }
 
 }  // namespace nugget::model

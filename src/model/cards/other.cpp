@@ -124,7 +124,8 @@ Rows other_laws() {
   constexpr std::string_view discrete_beam_laws =
       "this law of discrete beams is not built; *MAT_066, 067, 068, 074, 119, 121 and 196 are";
   constexpr std::string_view cohesive_laws =
-      "this law of adhesive is not built; *MAT_138 and 184 are, in bricks of ELFORM 19 and 20, and glue between two "
+      "this law of adhesive is not built; *MAT_138, 184 and 240 are, in bricks of ELFORM 19 and 20, and glue between "
+      "two "
       "surfaces is *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK";
   return {
       refused("MAT_SPOTWELD_*", weld_forms),

@@ -260,7 +260,7 @@ double energy_of(const CohesiveBond& bond, const Vec3d& direction, double& last)
   Vec3d before{};
   while (state.damage < 1.0) {
     size += step;
-    const Vec3d t = bond_traction(bond, size * direction, state);
+    const Vec3d t = bond_traction(bond, 0.0, size * direction, {}, state);
     work += 0.5 * step * dot(t + before, direction);
     before = t;
   }
