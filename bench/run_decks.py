@@ -84,13 +84,16 @@ def run_radioss(starter, engine, deck, folder, until):
     commands.write_text(f"/RUN/{deck.stem}/1\n{until:.10g}\n" + "\n".join(kept) + "\n", encoding="utf-8")
     seconds = user_time([engine, "-i", commands.name, "-nt", "1"], folder, "engine.log")
     listing = (folder / f"{deck.stem}_0001.out").read_text(encoding="utf-8", errors="replace")
-    return seconds, int(re.search(r"TOTAL NUMBER OF CYCLES\s*:\s*(\d+)", listing).group(1))
+    cycles = re.search(r"TOTAL NUMBER OF CYCLES\s*:\s*(\d+)", listing)
+    if not cycles or "NORMAL TERMINATION" not in listing:
+        sys.exit(f"{deck.stem}: OpenRadioss did not come to its end, see {folder / 'engine.log'}")
+    return seconds, int(cycles.group(1))
 
 
 def side_by_side(arguments, names):
     """Nugget and OpenRadioss in turn on each deck."""
-    soft = resource.getrlimit(resource.RLIMIT_STACK)[1]
-    resource.setrlimit(resource.RLIMIT_STACK, (soft, soft))  # its engine keeps element groups on the stack
+    most = resource.getrlimit(resource.RLIMIT_STACK)[1]
+    resource.setrlimit(resource.RLIMIT_STACK, (most, most))  # its engine keeps element groups on the stack
     starter, engine = arguments.radioss
     print(f"{'deck':<12}{'cycles':>16}{'user s':>18}{'ns':>18}{'ratio by ns':>14}{'in the whole':>14}   (Nugget, OpenRadioss)")
     for name in names:
@@ -98,7 +101,7 @@ def side_by_side(arguments, names):
         until = arguments.until * end_time(deck)
         for _ in range(arguments.repeat):
             results = arguments.work / name
-            ours = user_time([arguments.nugget, "run", deck, "-o", results, "-j1", "--quiet", "--until", until], results, "run.log")
+            ours = user_time([arguments.nugget, "run", deck, "-o", results, "-j1", "--quiet", "--until", until], results, "nugget.out")
             summary = json.loads((results / "summary.json").read_text(encoding="utf-8"))
             cycles, elements = summary["cycles"], sum(summary["elements"].values())
             theirs, steps = run_radioss(starter, engine, deck, arguments.work / f"{name}_radioss", until)
