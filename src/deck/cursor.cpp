@@ -229,6 +229,9 @@ void Cursor::fill(Row& row, std::size_t i, std::string_view text) {
     if (needed) complain({with_meaning(field, "must be given, and 0 is not a value here"), "write its value there"});
   } else if (!field.range.holds(value.number)) {
     complain({with_meaning(field, expected(field)), {}});
+  } else if (value.number < 0.0 && field.id != IdSpace::none && field.negative == IdSpace::none &&
+             field.range.low == any_value.low) {  // a range of its own says which signs it has
+    complain({with_meaning(field, "expected an id, which is above 0: a sign means nothing here"), {}});
   } else if (const bool names = value.number < 0.0 && field.negative != IdSpace::none;
              names || field.kind == Kind::integer) {
     cell.value = transformed_id(value.number, names ? field.negative : field.id);

@@ -68,16 +68,23 @@ FrictionKinds::FrictionKinds(const model::Model& model, const model::Contact& ca
     for (const model::Index p : given.pairs[i].one) sides[at(p)].push_back(2 * i);
     for (const model::Index p : given.pairs[i].other) sides[at(p)].push_back(2 * i + 1);
   }
-  for (auto& s : sides) std::sort(s.begin(), s.end());
-  const auto stands = [&](std::size_t part, std::size_t side) {
-    return std::binary_search(sides[part].begin(), sides[part].end(), side);
+  const std::size_t count = sort_into_kinds(sides, of_part).size();
+  std::vector<Friction> of_pairs(count * count, scaled(given.otherwise, card.friction));
+  const auto kinds_of = [&](const std::vector<model::Index>& parts) {
+    std::vector<std::size_t> kinds;
+    for (const model::Index p : parts) kinds.push_back(static_cast<std::size_t>(of_part[at(p)]));
+    std::sort(kinds.begin(), kinds.end());
+    kinds.erase(std::unique(kinds.begin(), kinds.end()), kinds.end());
+    return kinds;
   };
-  table = table_of(sort_into_kinds(sides, of_part), [&](std::size_t a, std::size_t b) {
-    for (std::size_t i = given.pairs.size(); i-- > 0;)
-      if ((stands(a, 2 * i) && stands(b, 2 * i + 1)) || (stands(b, 2 * i) && stands(a, 2 * i + 1)))
-        return scaled(given.pairs[i].friction, card.friction);
-    return scaled(given.otherwise, card.friction);
-  });
+  // The last of several pairs holds.
+  for (const model::PartFriction::Pair& pair : given.pairs) {
+    const Friction friction = scaled(pair.friction, card.friction);
+    const std::vector<std::size_t> others = kinds_of(pair.other);
+    for (const std::size_t a : kinds_of(pair.one))
+      for (const std::size_t b : others) of_pairs[a * count + b] = of_pairs[b * count + a] = friction;
+  }
+  table = {static_cast<int>(count), std::move(of_pairs)};
 }
 
 }  // namespace nugget::impact

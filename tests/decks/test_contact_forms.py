@@ -3,6 +3,7 @@
 eroding bricks, edges; sleout; and what is refused."""
 import math
 import re
+import resource
 import sys
 import unittest
 
@@ -300,6 +301,29 @@ class ContactForms(CommandTest):
             with self.subTest(words=words):
                 self.write(plates(card, motion, 1.0e-4))
                 self.assertIn(words, self.nugget("check", "model.k", expect=1).stderr)
+
+    def test_friction_of_pairs_in_any_order_and_in_an_included_file(self):
+        """*DEFINE_FRICTION may follow its contact, and FD moves with IDDOFF as the table does; 1000 parts and 300 pairs of part sets
+        are no work. Sabotage: FD looked up while the contact is read; without the offset; all pairs asked for each two parts."""
+        nodes, shells, parts = [], [], []
+        for k in range(1000):
+            x, y = 5.0 * (k % 40), 5.0 * (k // 40)
+            nodes += [f"{4 * k + i},{x + a},{y + b},0.0" for i, (a, b) in enumerate(((0, 0), (4, 0), (4, 4), (0, 4)), 1)]
+            shells.append(f"{k + 1},{k + 1},{4 * k + 1},{4 * k + 2},{4 * k + 3},{4 * k + 4}")
+            parts += ["*PART", "", f"{k + 1},1,1"]
+        sets, pairs = [], []
+        for i in range(300):
+            sets += ["*SET_PART_LIST", f"{i + 1}"] + [",".join(str((i * 7 + j * (i % 11 + 3)) % 1000 + 1) for j in range(row, row + 8)) for row in range(0, 80, 8)]
+            pairs.append(f"{i + 1},{i * 13 % 1000 + 1},0.1,0.1,0.0,0.0,PSET,PART")
+        inner = "\n".join(["*KEYWORD", "*MAT_ELASTIC", "1,7.85e-9,210000.0,0.3", "*SECTION_SHELL", "1,2", "1.0,1.0,1.0,1.0", *parts, "*NODE", *nodes,
+                           "*ELEMENT_SHELL", *shells, *sets, "*CONTACT_AUTOMATIC_SINGLE_SURFACE", "0", "-2.0,5", "0",
+                           "*DEFINE_FRICTION", "5,0.2,0.2", *pairs, "*END"]) + "\n"
+        self.write(inner, "inner.k")
+        self.write("*KEYWORD\n*CONTROL_TERMINATION\n1.0e-7\n*INCLUDE_TRANSFORM\ninner.k\n" + "".join(f"{10000:10}" for _ in range(7))
+                   + f"\n{10000:10}\n\n\n*END\n")
+        began = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        self.nugget("run", "model.k", "--quiet")
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - began, 10.0)
 
     def test_friction_of_parts_acts_between_edges(self):
         """Crossing bars of two parts that meet obliquely: FS = -1 and -2 as FS. Sabotage: edges without a kind."""

@@ -205,7 +205,27 @@ class LawCards(CommandTest):
             with self.subTest(words=words):
                 self.expect(deck, field, words, refused=True)
         self.expect(damage(("", 0)), "dtyp", "takes no stress")
+        percent = damage(law=(13,)).replace("*END", curve(13, (-0.3, 90), (0.3, 30)) + "*END")
+        self.expect(percent, "lcsdg", "nothing will fail")
+        self.assertEqual(self.findings(percent.replace("  30\n", " 0.3\n")), [])  # only pressed metal never fails
         self.expect(damage(scales=("", 0.5)), "shrf", "without LCREGD")
+
+    def test_a_sign_that_means_nothing(self):
+        """An id below 0 where no manual gives it a meaning was read without its sign. Sabotage: the test of the sign left out."""
+        metal = "*MAT_024\n" + card(1, 7.85e-9, 210000.0, 0.3, 250.0) + "{}\n\n"
+        for lines, field in ((metal.format(card("", "", -11).rstrip("\n")), "lcss"), (metal.format("") + "*CONTROL_TIMESTEP\n" + card("", "", "", "", "", -11), "lctm"),
+                             (metal.format("") + "*DAMPING_PART_MASS\n" + card(1, -11), "lcid"),
+                             (metal.format("") + "*DAMPING_PART_MASS\n" + card(-1, 11), "pid"),
+                             (metal.format("") + "*SET_PART_LIST\n" + card(2) + card(1) + "*SET_PART_ADD\n" + card(3) + card(2, -2), "id2")):
+            with self.subTest(field=field):
+                self.expect(self.brick(lines, extra=curve(11, (0, 250), (1, 260))), field, "expected an id", refused=True)
+        self.assertEqual(self.findings(self.brick(metal.format(""), extra="*CONTACT_AUTOMATIC_SINGLE_SURFACE\n" + card(1, "", 3) + card(0.1)
+                                                  + card("", "", "", "", "", "", 1.0))), [])
+        for place, field in ((6, "fsf"), (7, "vsf")):
+            scales = [""] * 8
+            scales[place] = -1.0
+            self.expect(self.brick(metal.format(""), extra="*CONTACT_AUTOMATIC_SINGLE_SURFACE\n" + card(0) + card(0.1) + card(*scales)), field,
+                        "0 or more", refused=True)
 
     def test_springs(self):
         self.expect(self.spring("*MAT_S04\n" + card(1, 5) + curve(5, (0, 10), (1, 20))), "lcd", "leaps from -10 to 10")

@@ -189,7 +189,9 @@ Card motion_card(Field target) {
       integer("vad", 0, any_value, "0 velocity, 1 acceleration, 2 displacement"),
       {"lcid", Kind::integer, {}, required, at_least(1), "curve of the motion over time", IdSpace::function},
       real("sf", dimension::number, 1, any_value, "scale of the curve"),
-      id("vid", IdSpace::define, 0, "vector of dof 4, -4, 8, -8; below 0: coordinate system of dof 1 to 3, 5 to 7"),
+      or_negative(
+          id("vid", IdSpace::define, 0, "vector of dof 4, -4, 8, -8; below 0: coordinate system of dof 1 to 3, 5 to 7"),
+          IdSpace::define),
       real("death", dimension::time, 1e28, at_least(0), "the motion ends at this time"),
       real("birth", dimension::time, 0, at_least(0), "and begins at this time; the curve starts then"),
   }};

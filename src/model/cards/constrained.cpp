@@ -20,7 +20,7 @@ const Card nodal_card{{
     id("pid", IdSpace::part, required, "number of the body, as of a part"),
     id("cid", IdSpace::define, 0, "coordinate system of local motions"),
     id("nsid", IdSpace::set, 0, "node set; 0: the one numbered as the body"),
-    id("pnode", IdSpace::node, 0, "node at which the body is drawn"),
+    or_negative(id("pnode", IdSpace::node, 0, "node at which the body is drawn"), IdSpace::node),
     integer("iprt", 0, between(0, 2), "output in rbdout"),
     integer("drflag", 0, only(0), "released translations: not built"),
     integer("rrflag", 0, only(0), "released rotations: not built"),

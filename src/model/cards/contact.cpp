@@ -43,8 +43,10 @@ Card sides_card(IdSpace a, IdSpace b) {
               "0 segment set, 1 shell set, 2 part set, 3 part, 4 node set, 5 all, 6 all but a part set, 7 branch of "
               "parts (*SET_PART_TREE)"),
       integer("surfbtyp", 0, between(0, 7), "the same, without 4"),
-      id("saboxid", IdSpace::define, 0, "only what lies in this box, of the tracked side"),
-      id("sbboxid", IdSpace::define, 0, "only what lies in this box, of the reference side"),
+      or_negative(id("saboxid", IdSpace::define, 0, "only what lies in this box, of the tracked side"),
+                  IdSpace::define),
+      or_negative(id("sbboxid", IdSpace::define, 0, "only what lies in this box, of the reference side"),
+                  IdSpace::define),
       integer("sapr", 0, any_value, "forces of the tracked side in ncforc and intfor"),
       integer("sbpr", 0, any_value, "forces of the reference side in ncforc and intfor"),
   }};
@@ -73,8 +75,8 @@ const Card scale_card{{
     real("sbst", dimension::length, 0, any_value, "thickness of the reference side (MST)"),
     real("sfsat", dimension::number, 1, at_least(0), "scale of the tracked side's thickness (SFST)"),
     real("sfsbt", dimension::number, 1, at_least(0), "scale of the reference side's thickness (SFMT)"),
-    real("fsf", dimension::number, 1, any_value, "scale of friction"),
-    real("vsf", dimension::number, 1, any_value, "scale of viscous friction"),
+    real("fsf", dimension::number, 1, at_least(0), "scale of friction"),
+    real("vsf", dimension::number, 1, at_least(0), "scale of viscous friction"),
 }};
 const Card card_a{{
     integer("soft", 0, any_value, "0 penalty by material, 1 by nodal masses and step, 2 by segment masses and step"),
@@ -287,9 +289,15 @@ void take_tie(Builder& builder, const Row& row, Contact& contact) {
 // ---- the cards that always stand
 // --------------------------------------------------------------------------------------------
 
-/// The *DEFINE_FRICTION that FD names; 0: the first.
-Index friction_table(Builder& builder, const Row& row) {
-  const int id = static_cast<int>(std::lround(row.real("fd")));
+bool slides_by_table(const Contact& contact, const Row& row) {
+  return contact.slides() && row.real("fs") == -2.0;
+}
+
+/// The *DEFINE_FRICTION that FD names; 0: the first. FD is a number in the card's table, so its offset as an id is
+/// applied here.
+Index friction_table(Builder& builder, const Row& row, long offset) {
+  const long written = std::lround(row.real("fd"));
+  const int id = static_cast<int>(written != 0 ? written + offset : 0);
   const Index found = id != 0 ? builder.part_friction.find(id) : builder.model.part_friction.empty() ? none : 0;
   if (found == none)
     refuse(builder, row, id != 0 ? "fd" : "fs",
@@ -300,8 +308,7 @@ Index friction_table(Builder& builder, const Row& row) {
 
 void take_friction(Builder& builder, const Row& row, Contact& contact) {
   contact.friction_by_part = contact.slides() && row.real("fs") == -1.0;
-  const bool by_table = contact.slides() && row.real("fs") == -2.0;
-  if (by_table) contact.friction_table = friction_table(builder, row);
+  const bool by_table = slides_by_table(contact, row);
   if (contact.slides() && !contact.friction_by_part && !by_table)
     for (const std::string_view field : {"fs", "fd", "dc", "vc"})
       if (row.real(field) < 0.0)
@@ -577,12 +584,15 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
     expect(builder, sides, Severity::error,
            {{"saboxid", 0, "a box around a side of a tie or a transducer is not built"},
             {"sbboxid", 0, "a box around a side of a tie or a transducer is not built"}});
-  take_friction(builder, cursor.read(friction_card), contact);
+  const Row friction = cursor.read(friction_card);
+  take_friction(builder, friction, contact);
   take_scales(builder, cursor.read(scale_card), contact);
   if (erodes(contact) && cursor.more()) cursor.read(eroding_card);
   const std::optional<Row> glue = read_glue(builder, cursor, options, contact);
   take_optional_cards(builder, cursor, contact);
-  builder.later(Phase::conditions, [sides, glue, contact = std::move(contact)](Builder& b) mutable {
+  const long offset = block.transform ? block.transform->id_offset[static_cast<std::size_t>(IdSpace::define)] : 0;
+  builder.later(Phase::conditions, [sides, friction, offset, glue, contact = std::move(contact)](Builder& b) mutable {
+    if (slides_by_table(contact, friction)) contact.friction_table = friction_table(b, friction, offset);
     if (kind == Kind::single_surface)
       take_single_surface(b, sides, contact);
     else if (contact.slides())

@@ -17,7 +17,8 @@ using deck::Cursor;
 using deck::Row;
 
 const Card global_card{{
-    id("lcid", IdSpace::function, 0, "curve of the damping constant over time, instead of valdmp"),
+    or_negative(id("lcid", IdSpace::function, 0, "curve of the damping constant over time, instead of valdmp"),
+                IdSpace::function),
     real("valdmp", dimension::rate, 0, at_least(0), "damping constant D of the force -D m v; critical: 2 w"),
     real("stx", dimension::number, 0, any_value, "scale of the force along x; all six 0: all 1"),
     real("sty", dimension::number, 0, any_value, "along y"),

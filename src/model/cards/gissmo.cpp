@@ -77,7 +77,15 @@ CurveTable curves_of(Builder& b, const Row& row, std::string_view field, int id,
   return found;
 }
 
-/// The same of a field whose value stands for itself from 0 on, and for an id below.
+/// Strains at fracture of which none is one that sheet steel reaches. Single ones are: in compression decks write any
+/// large number.
+bool looks_like_percent(const CurveTable& fracture) {
+  return fracture.given() && std::all_of(fracture.curve.begin(), fracture.curve.end(), [](const Curve& curve) {
+           return std::all_of(curve.y.begin(), curve.y.end(), [](double strain) { return strain >= 3.0; });
+         });
+}
+
+/// The curves of a field whose value stands for itself from 0 on, and for an id below.
 CurveTable number_or_curves(Builder& b, const Row& row, std::string_view field) {
   const double value = row.real(field);
   return value < 0.0 ? curves_of(b, row, field, curve_below_zero(row, field), true)
@@ -137,11 +145,15 @@ std::optional<kernel::Gissmo> gissmo(Builder& b, const GissmoRows& rows, const k
     return {};
   }
   kernel::Gissmo g;
-  if (law.integer("lcsdg") > 0)
+  if (law.integer("lcsdg") > 0) {
     g.fracture = curves_of(b, law, "lcsdg", law.integer("lcsdg"), true);
-  else
+    if (looks_like_percent(g.fracture))
+      law.complain(b.findings, Severity::warning, "lcsdg",
+                   "no strain at fracture is below 3 (300 %): nothing will fail", "give strains, not percentages");
+  } else {
     refuse(b, law, "lcsdg", "expected a curve or a table; a function is not built",
            "give the plastic strain at fracture over triaxiality");
+  }
   if (law.real("ecrit") != 0.0) g.instability = number_or_curves(b, law, "ecrit");
   g.threshold = law.real("dcrit");
   g.growth = law.real("dmgexp");

@@ -38,9 +38,12 @@ const Card general_card{{
 }};
 
 const Card eigenvalue_card{{
-    integer("neig", 0, any_value,
+    or_negative(
+        integer(
+            "neig", 0, any_value,
             "at most so many modes; below 0: -neig is a curve, number of modes over time, and modes are those of the "
             "structure under its static loads at ENDTIM"),
+        IdSpace::function),
     real("center", dimension::rate, 0, at_least(0), "modes nearest to this frequency [cycles/time]; 0: the lowest"),
     integer("lflag", 0, between(0, 1), "1: no modes below lftend; without rflag and center the first above it"),
     real("lftend", dimension::rate, -1e29, any_value, "lower end of the interval [cycles/time]"),

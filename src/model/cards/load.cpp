@@ -286,7 +286,7 @@ void read_body_parts(Builder& builder, const Block& block, const Options&) {
 // ----------------------------------------------------------------------------------------------------------
 
 const Card segment_card{{
-    id("lcid", IdSpace::function, required, "curve of the pressure over time"),
+    or_negative(id("lcid", IdSpace::function, required, "curve of the pressure over time"), IdSpace::function),
     real("sf", dimension::number, 1, any_value, "scale of the curve"),
     real("at", dimension::time, 0, at_least(0), "arrival time: the curve starts then"),
     id("n1", IdSpace::node, required, "corner of the segment; positive pressure pushes against the right-hand normal"),
@@ -298,7 +298,7 @@ const Card segment_card{{
 Card pressure_card(Field target) {
   return {{
       target,
-      id("lcid", IdSpace::function, required, "curve of the pressure over time"),
+      or_negative(id("lcid", IdSpace::function, required, "curve of the pressure over time"), IdSpace::function),
       real("sf", dimension::number, 1, any_value, "scale of the curve"),
       real("at", dimension::time, 0, at_least(0), "arrival time: the curve starts then"),
   }};

@@ -49,15 +49,18 @@ const Card curves_card{{
 }};
 
 const Card own_curves_card{{
-    id("lca", IdSpace::function, required,
-       "curve: largest stress aa over the strain aa, compression positive; below 0, another yield surface: not built"),
+    or_negative(id("lca", IdSpace::function, required,
+                   "curve: largest stress aa over the strain aa, compression positive; below 0, another yield surface: "
+                   "not built"),
+                IdSpace::function),
     curve_bb,
     curve_cc,
     id("lcs", IdSpace::function, 0, "the same of the shears, over gamma of either sign; 0: LCA"),
     curve_ab,
     curve_bc,
     curve_ca,
-    id("lcsr", IdSpace::function, 0, "curve: factor on the largest stresses over the rate; -1: not built"),
+    or_negative(id("lcsr", IdSpace::function, 0, "curve: factor on the largest stresses over the rate; -1: not built"),
+                IdSpace::function),
 }};
 
 const Card core_card{{

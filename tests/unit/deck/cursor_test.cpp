@@ -230,10 +230,11 @@ TEST(Cards, PeekSkipAndTexts) {
 
 TEST(Cards, ListsOfIds) {
   Reading r("*KEYWORD\n*SET_NODE_LIST\n         1         2         0         3\n\n4,5,,-6\n        xx         7\n");
-  EXPECT_THAT(r.cursor("SET_NODE_LIST").read_ids(IdSpace::node), testing::ElementsAre(1, 2, 3, 4, 5, -6, 7));
-  ASSERT_EQ(r.findings.errors(), 1) << listed(r.findings);
-  EXPECT_EQ(r.findings.all()[0].place.line, 6);
-  EXPECT_EQ(r.findings.all()[0].place.column, 9);
+  EXPECT_THAT(r.cursor("SET_NODE_LIST").read_ids(IdSpace::node), testing::ElementsAre(1, 2, 3, 4, 5, 7));
+  ASSERT_EQ(r.findings.errors(), 2) << listed(r.findings);
+  EXPECT_EQ(r.findings.all()[0].place.line, 5);  // a sign before an id
+  EXPECT_EQ(r.findings.all()[1].place.line, 6);
+  EXPECT_EQ(r.findings.all()[1].place.column, 9);
 }
 
 TEST(Cards, ComplainingAboutAField) {

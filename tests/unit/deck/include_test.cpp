@@ -166,7 +166,8 @@ TEST(Include, OtherFormsAreRefusedByName) {
 // ---- *INCLUDE_TRANSFORM
 // ----------------------------------------------------------------------------------------------
 
-const Card sheet{{id("secid", IdSpace::other, required, "section"), id("lcid", IdSpace::function, 0, "curve"),
+const Card sheet{{id("secid", IdSpace::other, required, "section"),
+                  or_negative(id("lcid", IdSpace::function, 0, "curve"), IdSpace::function),
                   real("t", dimension::length, 2.0, any_value, "thickness"),
                   real("ro", dimension::density, 0.0, any_value, "density"), id("psid", IdSpace::set, 0, "set"),
                   integer("n", 0, any_value, "count")}};
