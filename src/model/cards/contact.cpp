@@ -5,6 +5,7 @@
 #include "model/cards/contact_glue.hpp"
 #include "model/cards/contact_interior.hpp"
 #include "model/cards/families.hpp"
+#include "model/cards/friction.hpp"
 #include "model/cards/reading.hpp"
 #include "model/contact_form.hpp"
 
@@ -291,19 +292,6 @@ void take_tie(Builder& builder, const Row& row, Contact& contact) {
 
 bool slides_by_table(const Contact& contact, const Row& row) {
   return contact.slides() && row.real("fs") == -2.0;
-}
-
-/// The *DEFINE_FRICTION that FD names; 0: the first. FD is a number in the card's table, so its offset as an id is
-/// applied here.
-Index friction_table(Builder& builder, const Row& row, long offset) {
-  const long written = std::lround(row.real("fd"));
-  const int id = static_cast<int>(written != 0 ? written + offset : 0);
-  const Index found = id != 0 ? builder.part_friction.find(id) : builder.model.part_friction.empty() ? none : 0;
-  if (found == none)
-    refuse(builder, row, id != 0 ? "fd" : "fs",
-           id != 0 ? fmt::format("*DEFINE_FRICTION {} is not defined", id) : "there is no *DEFINE_FRICTION in the deck",
-           "define it");
-  return found;
 }
 
 void take_friction(Builder& builder, const Row& row, Contact& contact) {

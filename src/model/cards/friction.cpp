@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "model/cards/friction.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
 
@@ -93,6 +99,17 @@ void read_friction(Builder& b, const Block& block, const Options& options) {
 }
 
 }  // namespace
+
+Index friction_table(Builder& builder, const Row& row, long offset) {
+  const long written = std::lround(row.real("fd"));
+  const int id = static_cast<int>(written != 0 ? written + offset : 0);
+  const Index found = id != 0 ? builder.part_friction.find(id) : builder.model.part_friction.empty() ? none : 0;
+  if (found == none)
+    refuse(builder, row, id != 0 ? "fd" : "fs",
+           id != 0 ? fmt::format("*DEFINE_FRICTION {} is not defined", id) : "there is no *DEFINE_FRICTION in the deck",
+           "define it");
+  return found;
+}
 
 std::vector<Keyword> friction_keywords() {
   return {
