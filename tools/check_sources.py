@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks what every source file must have: a licence line, `#pragma once` in headers, no path of one machine.
+"""Checks what every source file must have: a licence line, `#pragma once` in headers, no path of one machine. And that git
+keeps no generated file: no deck but the seeds of fuzzing, nothing of more than 500 kB.
 
     python3 tools/check_sources.py [ROOT]
 
@@ -8,6 +9,7 @@ Prints `file:line: what is wrong` for each breach and exits with 1, or with 0 wh
 """
 import pathlib
 import re
+import subprocess
 import sys
 
 FOLDERS = ("src", "tests", "bench", "examples", "tools", ".ci")
@@ -15,6 +17,9 @@ TOP_FILES = ("CMakeLists.txt", "dev")
 SUFFIXES = {".cpp", ".hpp", ".h", ".inl", ".py", ".sh", ".cmake"}
 LICENCE = "SPDX-License-Identifier: Apache-2.0"
 LONG = 700
+DECKS = {".k", ".key", ".dyn", ".rad"}
+SEEDS = "tests/fuzz/"
+LARGE = 500_000  # bytes
 
 # Folders that are another thing on the next machine. System programs (/usr/bin) and devices (/dev) are not.
 MACHINE_PATH = re.compile(r"(?<![\w./)}>-])/(?:home|root|work|tmp|mnt|opt|data|farm|media|Users)/")
@@ -28,6 +33,16 @@ def sources(root):
         for path in sorted((root / folder).rglob("*")):
             if path.is_file() and (path.suffix in SUFFIXES or path.name in ("CMakeLists.txt", "run")):
                 yield path
+
+
+def generated(root):
+    """What git keeps and no hand has written; nothing where root is no repository."""
+    listed = subprocess.run(["git", "-C", str(root), "ls-files", "-z", "--", "."], capture_output=True)
+    for name in listed.stdout.decode("utf-8").split("\0"):
+        path = root / name
+        is_deck = path.suffix in DECKS and not name.startswith(SEEDS)
+        if name and path.is_file() and (is_deck or path.stat().st_size > LARGE):
+            yield name
 
 
 def breaches(root):
@@ -46,6 +61,8 @@ def breaches(root):
                 errors.append(f"{place}:{number}: a path of one machine; make it relative, or take it as an argument")
         if len(lines) > LONG:
             warnings.append(f"{place}:{LONG}: {len(lines)} lines; is there a second file in it?")
+    for name in generated(root):
+        errors.append(f"{name}:1: git keeps a deck or a file of more than {LARGE} bytes; take it out, and write what makes it")
     return errors, warnings
 
 

@@ -104,6 +104,20 @@ class Sources(CheckCase):
         self.assertIn("701 lines", output)
 
 
+    def test_a_generated_file(self):
+        self.write("src/base/a.cpp", LICENCE)
+        subprocess.run(["git", "init", "-q", str(self.root)], check=True)
+        for name, text in (("--help/tube.k", "*KEYWORD\n"), ("docs/large.svg", "x" * 500_001)):
+            with self.subTest(name=name):
+                self.write(name, text)
+                self.assertEqual(self.run_check("check_sources.py"), (0, ""))  # only what git keeps counts
+                subprocess.run(["git", "-C", str(self.root), "add", "--", f"./{name}"], check=True)
+                code, output = self.run_check("check_sources.py")
+                self.assertEqual(code, 1)
+                self.assertIn(f"{name}:1: ", output)
+                (self.root / name).unlink()
+
+
 class Archives(CheckCase):
     """A class that forgets a member, a derived one that forgets all, a pointer that would be kept as bytes."""
 
