@@ -266,10 +266,13 @@ void SurfaceContact::look_at(Block& block, int tracked, const Step& step) const 
   const int node = setup_.nodes[tracked].node;
   if (step.dt > 0.0) leave_out_strays(block, node, step);
   const auto close = [](const Candidate& c) { return c.gap < c.reach; };
-  if (std::none_of(block.candidates.begin(), block.candidates.end(), close)) return;
+  const auto matters = [&close](const Candidate& c) { return close(c) || c.before.pressed(); };
+  if (std::none_of(block.candidates.begin(), block.candidates.end(), matters)) return;
   if (!node_alive(node, step.element_alive)) return;
   for (Candidate& candidate : block.candidates)
     if (close(candidate) && presses(block, candidate, node, step)) press(block, candidate, tracked, step);
+  for (const Candidate& candidate : block.candidates)
+    if (!close(candidate) && has_parted(block, candidate)) part(block, candidate, tracked, step);
 }
 
 void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& step) const {
@@ -321,7 +324,7 @@ void SurfaceContact::add_candidates(Block& block, std::span<Pair* const> near, i
     Pair& pair = *near[l];
     const Segment& segment = setup_.segments[pair.segment];
     const double far = widest(tracked) + inner_[pair.segment], least = lane(clear, static_cast<int>(l));
-    if (least >= far) {
+    if (least >= far && !pair.pressed()) {
       pair.let_go();
       pair.wake = travelled_ + (least - far);
       first_wake = std::min(first_wake, pair.wake);
@@ -335,7 +338,7 @@ void SurfaceContact::add_candidates(Block& block, std::span<Pair* const> near, i
     pair.eta = foot.eta;
     pair.wake = travelled_ + (foot.distance - far);
     first_wake = std::min(first_wake, pair.wake);
-    if (pair.wake > travelled_) continue;
+    if (pair.wake > travelled_ && !before.pressed()) continue;
     Candidate& c = block.candidates.emplace_back();
     c.pair = &pair;
     c.before = before;
@@ -352,6 +355,33 @@ void SurfaceContact::add_candidates(Block& block, std::span<Pair* const> near, i
     }
     if (inner_[pair.segment] > 0.0) go_inside(c, p, step);
   }
+}
+
+/// Stiffness of the pair where its foot is.
+SurfaceContact::Spring SurfaceContact::spring(const Candidate& candidate, int tracked, const Step& step) const {
+  const Segment& segment = setup_.segments[candidate.pair->segment];
+  std::array<double, 4> corner_mass{};
+  for (int c = 0; c < segment.corners(); ++c) corner_mass[c] = step.mass[segment.node[c]];
+  const double inverse_mass =
+      kernel::inverse_pair_mass(step.mass[setup_.nodes[tracked].node], candidate.foot.weight, corner_mass);
+  const double full = penalty(candidate.pair->segment, tracked, step);
+  return {inverse_mass, kernel::pair_stiffness(setup_.law, full, inverse_mass, step.bearable)};
+}
+
+/// The pair came apart, along the normal of a brick's face: that from an edge that is level with the node leads anywhere.
+void SurfaceContact::part(Block& block, const Candidate& candidate, int tracked, const Step& step) const {
+  const Segment& segment = setup_.segments[candidate.pair->segment];
+  const Vec3d direction = segment.volume > 0.0 ? candidate.foot.normal : candidate.away;
+  const Vec3d velocity =
+      vec(step.v[setup_.nodes[tracked].node]) - interpolate(segment, candidate.foot.weight, step.v);
+  const auto [inverse_mass, stiffness] = spring(candidate, tracked, step);
+  const double size = kernel::parting_force(candidate.before.memory, stiffness, inverse_mass,
+                                            -dot(velocity, direction), step.dt);
+  if (!(size > 0.0)) return;
+  Vec3d force = size * direction;
+  const kernel::Friction& rough = setup_.law.friction.between(segment.kind, setup_.nodes[tracked].kind);
+  if (rough.any()) force += friction(rough, candidate, &candidate.before, direction, stiffness, size, step);
+  block.hits.push_back({tracked, candidate.pair->segment, candidate.foot.weight, force, 0.0});
 }
 
 void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, const Step& step) const {
@@ -398,11 +428,7 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   pair.offset = std::min(offset, overlap);
   pair.depth = overlap - pair.offset;
 
-  std::array<double, 4> corner_mass{};
-  for (int c = 0; c < segment.corners(); ++c) corner_mass[c] = step.mass[segment.node[c]];
-  const double inverse_mass = kernel::inverse_pair_mass(step.mass[node], candidate.foot.weight, corner_mass);
-  const double stiffness =
-      kernel::pair_stiffness(setup_.law, penalty(pair.segment, tracked, step), inverse_mass, step.bearable);
+  const auto [inverse_mass, stiffness] = spring(candidate, tracked, step);
   if (before != nullptr) pair.memory = before->memory;
   const double inverse_node_mass = step.mass[node] > 0.0 ? 1.0 / step.mass[node] : 0.0;
   const double size = kernel::pair_force(setup_.law, pair.memory, stiffness, inverse_mass, inverse_node_mass,

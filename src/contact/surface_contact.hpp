@@ -146,6 +146,8 @@ class SurfaceContact {
     kernel::PairMemory memory;
     double wake = 0.0;  ///< before `travelled_` gets here the two cannot touch [length]
 
+    bool pressed() const { return touching && memory.force > 0.0; }
+
     void let_go() {
       touching = false;
       side = 0;
@@ -223,7 +225,14 @@ class SurfaceContact {
   Vec3d friction(const kernel::Friction& law, const Candidate& candidate, const Pair* before, const Vec3d& direction,
                  double stiffness, double normal_force, const Step& step) const;
   bool too_deep(double overlap, int segment) const;
+  struct Spring {
+    double inverse_mass = 0.0;  ///< of the mass that the pair moves
+    double stiffness = 0.0;     ///< [force/length]
+  };
+  Spring spring(const Candidate& candidate, int tracked, const Step& step) const;
   void press(Block& block, Candidate& candidate, int tracked, const Step& step) const;
+  bool has_parted(const Block& block, const Candidate& candidate) const;
+  void part(Block& block, const Candidate& candidate, int tracked, const Step& step) const;
   void add_forces(const Step& step, std::span<Row> force);
   void account(double dt, std::span<const Row> v);
   void next_cycle();

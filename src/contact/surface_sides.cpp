@@ -130,6 +130,15 @@ bool SurfaceContact::presses(const Block& block, const Candidate& candidate, int
          !at_home(candidate, node, step.element_alive);
 }
 
+/// The pair pressed in the cycle before, and none that it is one stretch of surface with does now.
+bool SurfaceContact::has_parted(const Block& block, const Candidate& candidate) const {
+  const Segment& segment = setup_.segments[candidate.pair->segment];
+  return candidate.before.pressed() &&
+         std::none_of(block.candidates.begin(), block.candidates.end(), [&](const Candidate& other) {
+           return other.pair->touching && share_a_node(setup_.segments[other.pair->segment], segment);
+         });
+}
+
 /// The closest point lies on an edge or corner of the node's own segments: along the surface there is a way down to
 /// distance 0, so this is no contact of one part of the surface with another.
 bool SurfaceContact::at_home(const Candidate& candidate, int node, std::span<const unsigned char> element_alive) const {

@@ -81,6 +81,18 @@ inline double measured_give(const PairMemory& before, double alone, double appro
   return before.pressed > 0.0 ? std::max(alone, (before.approach - approach) * dt / before.pressed) : alone;
 }
 
+/// Force with which a pair that does not touch any more gives back what its spring still has: the last step of the touch
+/// led out of it somewhere [force]. For one cycle, within the way of which the two came apart; 0 where they did not move
+/// apart along the direction of the force. Never more than the spring had at the distance of that way. `before`: the
+/// cycle before, in which they touched; the other arguments as in spring_force().
+inline double parting_force(const PairMemory& before, double stiffness, double inverse_mass, double approach,
+                            double dt) {
+  const double way = -approach * dt, left = before.stored - 0.5 * before.force * way;
+  if (!(before.force > 0.0) || !(way > 0.0) || !(left > 0.0)) return 0.0;
+  const double give = 2.0 * inverse_mass * dt * dt;  // as of two pairs: see spring_force()
+  return std::min(stiffness * way, 2.0 * left / (way + std::sqrt(way * way + 2.0 * give * left)));
+}
+
 /// Force of the spring of a pair, k depth but in its first and its last cycle [force]. The pair came to the `depth`
 /// (how far the surfaces overlap [length]) in a step `dt`, in which the two closed in with the velocity `approach`.
 ///
@@ -94,7 +106,7 @@ inline double spring_force(PairMemory& memory, double stiffness, double inverse_
                            double dt) {
   const PairMemory before = memory;
   memory = {};
-  if (!(depth > 0.0)) return 0.0;
+  if (!(depth > 0.0)) return parting_force(before, stiffness, inverse_mass, approach, dt);
   double force = stiffness * depth;
   const double way = approach * dt;             // in the step; that in the next one is way - give force
   const double alone = inverse_mass * dt * dt;  // give of the pair alone
@@ -140,7 +152,7 @@ inline double pair_force(const PenaltyLaw& law, PairMemory& memory, double stiff
                          double inverse_node_mass, double depth, double approach, double dt) {
   const PairMemory before = memory;
   const double spring = spring_force(memory, stiffness, inverse_mass, depth, approach, dt);
-  if (!(spring > 0.0)) return 0.0;
+  if (!(spring > 0.0) || !(depth > 0.0)) return spring;
   const double damping = damping_force(law, stiffness, inverse_mass, inverse_node_mass, spring, before, approach, dt);
   memory.pressed = std::max(0.0, spring + damping);
   return memory.pressed;
