@@ -368,15 +368,15 @@ SurfaceContact::Spring SurfaceContact::spring(const Candidate& candidate, int tr
   return {inverse_mass, kernel::pair_stiffness(setup_.law, full, inverse_mass, step.bearable)};
 }
 
-/// The pair came apart, along the normal of a brick's face: that from an edge that is level with the node leads anywhere.
+/// The pair came apart, along the normal of a brick's face: that from an edge that is level with the node leads
+/// anywhere.
 void SurfaceContact::part(Block& block, const Candidate& candidate, int tracked, const Step& step) const {
   const Segment& segment = setup_.segments[candidate.pair->segment];
   const Vec3d direction = segment.volume > 0.0 ? candidate.foot.normal : candidate.away;
-  const Vec3d velocity =
-      vec(step.v[setup_.nodes[tracked].node]) - interpolate(segment, candidate.foot.weight, step.v);
+  const Vec3d velocity = vec(step.v[setup_.nodes[tracked].node]) - interpolate(segment, candidate.foot.weight, step.v);
   const auto [inverse_mass, stiffness] = spring(candidate, tracked, step);
-  const double size = kernel::parting_force(candidate.before.memory, stiffness, inverse_mass,
-                                            -dot(velocity, direction), step.dt);
+  const double size =
+      kernel::parting_force(candidate.before.memory, stiffness, inverse_mass, -dot(velocity, direction), step.dt);
   if (!(size > 0.0)) return;
   Vec3d force = size * direction;
   const kernel::Friction& rough = setup_.law.friction.between(segment.kind, setup_.nodes[tracked].kind);

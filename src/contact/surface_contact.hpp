@@ -164,7 +164,9 @@ class SurfaceContact {
     Vec3d away;                 ///< unit vector along which the node would leave
     double gap = 0.0;           ///< from the foot to the node, negative inside a brick [length]
     bool extended = false;      ///< behind the extension of a brick's face beyond its border
-    bool came_through = false;  ///< came through the brick's face in this step, from clearly before it
+    bool to_an_edge = false;    ///< inside a brick, and an edge of the face is the closest way out
+    double came_from = 0.0;     ///< height above the brick's face at the start of the step [length]
+    bool came_through = false;  ///< came through the brick's face in this step, from clearly before it, or under it
     double reach = 0.0;         ///< distance at which the two touch
   };
   /// A fixed group of tracked nodes: what one thread works on at a time.
@@ -213,6 +215,8 @@ class SurfaceContact {
   void gather_candidates(Block& block, int tracked, const Step& step) const;
   void add_candidates(Block& block, std::span<Pair* const> near, int tracked, const Step& step) const;
   void leave_out_strays(Block& block, int node, const Step& step) const;
+  void run_over(Block& block, int node, const Step& step) const;
+  double faces(int node, const Vec3d& normal, const Step& step) const;
   void go_inside(Candidate& candidate, const Vec3d& p, const Step& step) const;
   bool before_a_neighbour(const Candidate& candidate, const Vec3d& p, const Step& step) const;
   bool presses(const Block& block, const Candidate& candidate, int node, const Step& step) const;

@@ -12,6 +12,7 @@ namespace {
 constexpr double extension = 0.025;   // of a brick's face beyond its border, in sides
 constexpr double round_off = 1e-6;    // in sides or thicknesses: no farther from a border is on it
 constexpr double level = 0.1;         // sine below which the way from an edge to a node lies in the face
+constexpr double clearly_more = 0.5;  // between the cosines of two faces
 constexpr double on_the_face = 1e-6;  // of the depth down to which a brick presses: what round-off makes of 0
 
 /// Changes the weights of the corners as little as can be so that their point moves by `way`, in the plane with
@@ -60,18 +61,57 @@ bool has_boundary_at(const Segment& segment, unsigned boundary, int node) {
 /// A node inside a brick is near several of its faces. It belongs to those that it touched before, slid onto, or came
 /// through in this step; the others are no business of its.
 void SurfaceContact::leave_out_strays(Block& block, int node, const Step& step) const {
+  bool any = false;
   for (Candidate& candidate : block.candidates) {
     if (candidate.gap >= 0.0 || candidate.before.touching) continue;
     const Segment& segment = setup_.segments[candidate.pair->segment];
     const Vec3d velocity = vec(step.v[node]) - interpolate(segment, candidate.foot.weight, step.v);
-    const Vec3d was_at = vec(step.x[node]) - candidate.foot.point - step.dt * velocity;
-    const double height = dot(was_at, candidate.foot.normal), none = on_the_face * inner_[candidate.pair->segment];
-    candidate.came_through = height > none;
+    candidate.came_from = dot(vec(step.x[node]) - candidate.foot.point - step.dt * velocity, candidate.foot.normal);
+    candidate.came_through = candidate.came_from > on_the_face * inner_[candidate.pair->segment];
+    any = any || candidate.came_through;
+  }
+  if (any) run_over(block, node, step);
+  for (Candidate& candidate : block.candidates) {
+    if (candidate.gap >= 0.0 || candidate.before.touching) continue;
+    const bool level = candidate.came_from >= -on_the_face * inner_[candidate.pair->segment];
     const Candidate* from = predecessor(block, candidate);
     // Level with a face it came through that only if no other has it.
-    if (!candidate.extended && (candidate.came_through || (from == nullptr && height >= -none))) continue;
-    if (from == nullptr || dot(from->away, candidate.away) <= 0.5) candidate.gap = Box::infinity;
+    if (!candidate.extended && (candidate.came_through || (from == nullptr && level))) continue;
+    if (from == nullptr || dot(from->foot.normal, candidate.foot.normal) <= 0.5) candidate.gap = Box::infinity;
   }
+}
+
+/// A body that is pressed onto another one and slides runs over its nodes: they come in through a face at its side, a
+/// little above the one with which it lies on them. They belong to the latter, which their own surface faces.
+void SurfaceContact::run_over(Block& block, int node, const Step& step) const {
+  for (Candidate& side : block.candidates) {
+    if (!side.came_through) continue;
+    const double facing = faces(node, side.foot.normal, step);
+    const auto is_below = [&](const Candidate& other) {
+      return other.gap < 0.0 &&
+             share_a_node(setup_.segments[other.pair->segment], setup_.segments[side.pair->segment]) &&
+             faces(node, other.foot.normal, step) < facing - clearly_more;
+    };
+    const auto below = std::find_if(block.candidates.begin(), block.candidates.end(), is_below);
+    if (below == block.candidates.end()) continue;
+    side.came_through = false;
+    side.gap = Box::infinity;
+    below->came_through = !below->before.touching;
+  }
+}
+
+/// How much the surface of a node faces a face with the `normal`: the least cosine between that and the normals of its
+/// own faces; -1 where the two lie on each other, 1 for a node without faces.
+double SurfaceContact::faces(int node, const Vec3d& normal, const Step& step) const {
+  double least = 1.0;
+  for (const int s : around_.at(node)) {
+    if (!alive(s, step.element_alive)) continue;
+    const kernel::Corners k = corners_of(setup_.segments[s], step.x);
+    const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
+    const double size = norm(n), cosine = size > 0.0 ? dot(n, normal) / size : 1.0;
+    least = std::min(least, setup_.segments[s].volume > 0.0 ? cosine : -std::abs(cosine));
+  }
+  return least;
 }
 
 /// Where p lies behind the face of a brick, its gap and the way out. If the foot is on an edge or corner: behind all
@@ -95,13 +135,15 @@ void SurfaceContact::go_inside(Candidate& candidate, const Vec3d& p, const Step&
       const kernel::Corners k = corners_of(other, step.x);
       const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
       const double off = dot(r, n), size = std::sqrt(0.5 * norm(n)) * norm(n);
-      if (off > allowed * size) return;
+      const bool alike = dot(n, candidate.foot.normal) > 0.5 * norm(n);
+      if (off > (alike ? 0.0 : allowed * size)) return;
       if (off > 0.0) beyond = std::max(beyond, off / size);
     }
   }
   candidate.extended = beyond > round_off;
   if (candidate.foot.boundary != 0 && !candidate.extended && height > -level * distance) return;
   const bool normal = beyond > 0.0 || candidate.foot.boundary == 0 || distance == 0.0;
+  candidate.to_an_edge = !normal;
   candidate.gap = normal ? height : -distance;
   candidate.away = normal ? candidate.foot.normal : -candidate.away;
   if (beyond > 0.0)
@@ -163,7 +205,8 @@ bool SurfaceContact::hidden_by(const Candidate& other, const Candidate& candidat
   if (other.foot.distance == candidate.foot.distance && other.pair->segment > candidate.pair->segment) return false;
   const Segment &a = setup_.segments[other.pair->segment], &b = setup_.segments[candidate.pair->segment];
   const bool alike = dot(other.away, candidate.away) > 0.5;
-  if (has_boundary(a, b, candidate.foot.boundary)) return candidate.gap >= 0.0 || alike || !candidate.before.touching;
+  if (has_boundary(a, b, candidate.foot.boundary))
+    return candidate.gap >= 0.0 || alike || candidate.to_an_edge || !candidate.before.touching;
   if (candidate.gap < 0.0 && !candidate.before.touching && share_a_node(a, b)) return true;
   // Of a node that came through a sheet above an edge, the one may know it and the other not.
   const bool same_place = norm(other.foot.point - candidate.foot.point) <= round_off * candidate.reach;

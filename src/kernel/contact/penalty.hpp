@@ -81,10 +81,10 @@ inline double measured_give(const PairMemory& before, double alone, double appro
   return before.pressed > 0.0 ? std::max(alone, (before.approach - approach) * dt / before.pressed) : alone;
 }
 
-/// Force with which a pair that does not touch any more gives back what its spring still has: the last step of the touch
-/// led out of it somewhere [force]. For one cycle, within the way of which the two came apart; 0 where they did not move
-/// apart along the direction of the force. Never more than the spring had at the distance of that way. `before`: the
-/// cycle before, in which they touched; the other arguments as in spring_force().
+/// Force with which a pair that does not touch any more gives back what its spring still has: the last step of the
+/// touch led out of it somewhere [force]. For one cycle, within the way of which the two came apart; 0 where they did
+/// not move apart along the direction of the force. Never more than the spring had at the distance of that way.
+/// `before`: the cycle before, in which they touched; the other arguments as in spring_force().
 inline double parting_force(const PairMemory& before, double stiffness, double inverse_mass, double approach,
                             double dt) {
   const double way = -approach * dt, left = before.stored - 0.5 * before.force * way;
