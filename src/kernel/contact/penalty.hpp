@@ -89,7 +89,7 @@ inline double parting_force(const PairMemory& before, double stiffness, double i
                             double dt) {
   const double way = -approach * dt, left = before.stored - 0.5 * before.force * way;
   if (!(before.force > 0.0) || !(way > 0.0) || !(left > 0.0)) return 0.0;
-  const double give = 2.0 * inverse_mass * dt * dt;  // as of two pairs: see spring_force()
+  const double give = 3.0 * inverse_mass * dt * dt;  // as of three pairs: see damping_force()
   return std::min(stiffness * way, 2.0 * left / (way + std::sqrt(way * way + 2.0 * give * left)));
 }
 
