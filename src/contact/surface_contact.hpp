@@ -54,8 +54,8 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 /// does not fight itself.
 ///
 /// Bricks. The face of a brick has no skin; a node behind it is inside, down to 0.3 of the brick's depth, and is
-/// pressed out along the normal. Of the faces around an edge the closest counts; of a node that a brick's side ran over,
-/// the one that its own surface faces.
+/// pressed out along the normal. Of the faces around an edge the closest counts; for a node that came in through a
+/// body's side, being run over, the one that its own surface faces; see run_over().
 ///
 /// Edges. Where edges are checked against each other, a node of a free edge that comes to the free edge of another
 /// sheet across it is left to these edges.

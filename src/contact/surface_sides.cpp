@@ -82,15 +82,18 @@ void SurfaceContact::leave_out_strays(Block& block, int node, const Step& step) 
 }
 
 /// A body that is pressed onto another one and slides runs over its nodes: they come in through a face at its side, a
-/// little above the one with which it lies on them. They belong to the latter, which their own surface faces.
+/// little above the one with which it lies on them. They belong to the latter, if their own surface faces that more, or
+/// if it is so little that the sides of two bodies would catch each other where these are level.
 void SurfaceContact::run_over(Block& block, int node, const Step& step) const {
   for (Candidate& side : block.candidates) {
     if (!side.came_through) continue;
     const double facing = faces(node, side.foot.normal, step);
     const auto is_below = [&](const Candidate& other) {
-      return other.gap < 0.0 &&
-             share_a_node(setup_.segments[other.pair->segment], setup_.segments[side.pair->segment]) &&
-             faces(node, other.foot.normal, step) < facing - clearly_more;
+      const Segment& segment = setup_.segments[other.pair->segment];
+      if (other.gap >= 0.0 || !share_a_node(segment, setup_.segments[side.pair->segment])) return false;
+      const bool shallow =
+          dot(other.foot.normal, side.foot.normal) < 0.5 && -other.gap < extension * std::sqrt(area(segment, step.x));
+      return faces(node, other.foot.normal, step) < (shallow ? -0.5 : facing - clearly_more);
     };
     const auto below = std::find_if(block.candidates.begin(), block.candidates.end(), is_below);
     if (below == block.candidates.end()) continue;
