@@ -77,8 +77,9 @@ class Conditions(MassesTest):
 
     def test_a_curve_that_ends_with_the_run_is_followed_to_its_end(self):
         """Masses driven by velocity and by displacement, one on a circle, and a wall that pushes one: the last row, whose
-        velocities are halfway into a step that is not taken, is like those before. Sabotage: zero beyond the curve."""
-        cards = curve(3, (0, 2), (END, 2)) + curve(4, (0, 0), (END, 2 * END)) + curve(5, (0, -7), (1, -7))
+        velocities are halfway into a step that is not taken, is like those before; the load ends a round-off before it.
+        Sabotage: zero beyond the curve."""
+        cards = curve(3, (0, 2), (END, 2)) + curve(4, (0, 0), (END, 2 * END)) + curve(5, (0, -7), (0.09999999999999, -7))
         cards += "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + card(1, 1, 0, 3) + card(2, 1, 2, 4)
         cards += card(3, 11, 0, 3) + card(0.0, 0.0) + card(4, 11, 2, 4) + card(0.0, 0.0)
         cards += "*LOAD_NODE_POINT\n" + "".join(card(n, 1, 5) for n in (1, 2, 5, 6))

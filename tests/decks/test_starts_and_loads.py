@@ -218,6 +218,19 @@ class Deletion(CommandTest):
         _, log = self.squeezed(cards + "*CONTROL_SOLID\n" + card(0, 0, 0, 0, 7), dtmin=0.3)
         self.assertRegex(log, r"time 0\.070\d*: solid 1 of part 1 is deleted, its step fell below DTMIN")
 
+    def test_a_weld_that_erosion_takes_has_not_failed_by_strain(self):
+        """A weld beam that is pressed together, elastic or with EFAIL. Sabotage: dead elements mean plastic strain."""
+        beam = nodes([(0, 0, 0), (0, 0, 1), (9, 9, 9)]) + f"*ELEMENT_BEAM\n{1:8}{1:8}{1:8}{2:8}{0:8}\n" + part(1, 1, 2)
+        beam += "*SECTION_BEAM\n" + card(1, 9, 1.0, 2, 1) + card(1.0, 1.0) + f"*ELEMENT_MASS\n{1:8}{3:8}{1.0:16}\n"
+        beam += "*BOUNDARY_SPC_NODE\n" + card(1, 0, *6 * [1]) + card(2, 0, 1, 1, 0, 1, 1, 1)
+        beam += "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + card(2, 3, 0, 1) + "*CONTROL_TERMINATION\n" + card(0.08, 0, 0.5)
+        beam += "*CONTROL_TIMESTEP\n" + card(0.0, 0.5, 0, 0.0, 0.0, 0, 100)
+        for stress, strain, mode in (("1e9", 0.0, "distortion"), ("1e9", 0.05, "distortion"), ("1e3", 0.05, "plastic strain")):
+            law = "*MAT_SPOTWELD\n" + card(2, 1.0, 1.0e6, 0.0, stress, 0.0) + card(strain)
+            self.run_of(law, beam, 0.08)
+            weld = self.json("out/summary.json")["weld"][0]
+            self.assertEqual((weld["failed"], weld["failure_mode"]), (True, mode), (stress, strain))
+
     def crossed(self, card_4, expect=0):
         """A corner moves by (-5, -5) s along the diagonal of the unit shell, s = 1, 0.9, 0.8: it is on the other diagonal at
         0.05, 0.0556 and 0.0625."""
