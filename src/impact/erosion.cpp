@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/index.hpp"
 
@@ -20,13 +21,36 @@ bool inside_out(const std::array<Vec3d, 4>& x) {
   return false;
 }
 
+/// Share of the first step that stands for DTMIN where elements are to be deleted and the deck gives none. A solid that
+/// is squeezed flat takes the step to nothing, and time to a standstill, before its volume turns negative.
+constexpr double smallest_share = 1e-6;
+
+/// NFAIL1, NFAIL4 above 2: so many failed shells end the run, whatever made them fail (keyword manual). Why it is to
+/// end, or empty.
+std::string too_many_failed(const system::System& system, double time) {
+  const model::Control& control = system.model.control;
+  for (const auto& [field, limit] :
+       {std::pair{"NFAIL1", control.distorted_shells}, std::pair{"NFAIL4", control.distorted_full_shells}}) {
+    if (limit <= 2) continue;
+    int failed = 0;
+    for (const auto& group : system.groups)
+      for (std::size_t e = 0; group->kind == ElementKind::shell && e < group->size(); ++e) failed += !group->alive(e);
+    if (failed >= limit)
+      return fmt::format("{} shells have failed by time {:.6g}: {} = {} ends the run there", failed, time, field,
+                         limit);
+  }
+  return {};
+}
+
 }  // namespace
 
 Erosion::Erosion(system::System& system) : system_(system) {}
 
 bool Erosion::wants_small_steps(ElementKind kind) const {
   const model::Control& control = system_.model.control;
-  if (control.smallest_step <= 0.0 || kind == ElementKind::discrete) return false;
+  if (kind == ElementKind::discrete) return false;
+  // PSFAIL is about negative volumes; small steps it lets all solids be deleted for (keyword manual).
+  if (kind == ElementKind::solid && !control.eroding_parts.empty()) return true;
   const int place = kind == ElementKind::solid ? 1 : kind == ElementKind::shell ? 10 : 100;
   return control.erode_small_steps / place % 10 == 1;
 }
@@ -49,12 +73,14 @@ int Erosion::distortion_rule(const system::ElementGroup& group) const {
 }
 
 void Erosion::update(const system::State& state, double first_step) {
+  const double dtmin = system_.model.control.smallest_step;
   for (const auto& group : system_.groups) {
     if (group->inverted >= 0 && wants_negative_volume(*group)) delete_negative_volumes(*group, state.time);
     if (wants_small_steps(group->kind))
-      delete_small_steps(*group, system_.model.control.smallest_step * first_step, state.time);
+      delete_small_steps(*group, (dtmin > 0.0 ? dtmin : smallest_share) * first_step, state.time);
     if (const int rule = distortion_rule(*group); rule > 0) check_distortion(*group, rule, state);
   }
+  if (stop_.empty()) stop_ = too_many_failed(system_, state.time);
 }
 
 void Erosion::remove(system::ElementGroup& group, std::size_t e, double time, std::string_view why) {
@@ -88,7 +114,8 @@ void Erosion::delete_small_steps(system::ElementGroup& group, double limit, doub
     const std::size_t end = std::min(group.size(), (b + 1) * group.block_width());
     for (std::size_t e = b * group.block_width(); e < end; ++e) {
       if (!group.alive(e) || !(share * group.stable_step(e) < limit)) continue;
-      remove(group, e, time, "its step fell below DTMIN");
+      remove(group, e, time,
+             system_.model.control.smallest_step > 0.0 ? "its step fell below DTMIN" : "its step fell to nothing");
       group.release_step(e);
       ++deleted_.small_step;
     }
@@ -103,12 +130,12 @@ void Erosion::check_distortion(system::ElementGroup& group, int rule, const syst
     for (std::size_t a = 0; a < 4; ++a) x[a] = vec(state.x[at(nodes[a])]);
     if (!inside_out(x)) continue;
     if (rule == 2) {
-      stop_ = fmt::format("shell {} of part {} is distorted: its sides cross at time {:.6g} (NFAIL1, NFAIL4 = 2)",
-                          system_.model.shells.id[at(group.element[e])], system_.model.parts[at(group.part)].id,
-                          state.time);
+      stop_ = fmt::format(
+          "shell {} of part {} is distorted: a corner of it has turned inside out at time {:.6g} (NFAIL1, NFAIL4 = 2)",
+          system_.model.shells.id[at(group.element[e])], system_.model.parts[at(group.part)].id, state.time);
       return;
     }
-    remove(group, e, state.time, "its sides cross");
+    remove(group, e, state.time, "a corner of it has turned inside out");
     ++deleted_.distorted;
   }
 }

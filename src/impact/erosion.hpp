@@ -10,9 +10,9 @@
 
 namespace nugget::impact {
 
-/// Deletes elements that would stop the run: bricks of negative volume and elements whose step falls below DTMIN times
-/// the first one, where ERODE (1 bricks, 10 shells, 100 beams, or sums of them) or PSFAIL says so, and shells that turn
-/// inside out, where NFAIL1 and NFAIL4 do. What the deck does not name stays, and the run stops there.
+/// Deletes elements that would stop the run: bricks of negative volume and elements whose step falls below DTMIN (or a
+/// millionth) times the first one, where ERODE (1 bricks, 10 shells, 100 beams, or their sums) or PSFAIL says so, and
+/// shells that turn inside out, where NFAIL1 and NFAIL4 do. What the deck does not name stays: the run stops there.
 class Erosion {
  public:
   explicit Erosion(system::System& system);
@@ -27,7 +27,7 @@ class Erosion {
   const Count& deleted() const { return deleted_; }
   /// What was deleted, when and why, for run.log.
   const std::vector<std::string>& events() const { return events_; }
-  /// NFAIL1 or NFAIL4 = 2: why the run is to stop; else empty.
+  /// NFAIL1 or NFAIL4 = 2, or as many failed shells as they say: why the run is to stop; else empty.
   const std::string& reason_to_stop() const { return stop_; }
 
   void archive(Archive& a);

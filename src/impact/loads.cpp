@@ -13,9 +13,12 @@ const Curve& curve(const system::System& s, model::Index c) {
   return s.model.curves[static_cast<std::size_t>(c)];
 }
 
-/// The curve's value at `time`, zero in a phase that it is not for.
+/// The curve's value at `time`, zero in a phase that it is not for. A time that round-off puts behind the last point
+/// (an end time by an expression) is there: the last row of a run has its loads.
 double value(const Curve& c, double time, const system::State& state) {
-  return in_force(c, state) ? c.zero_outside(time) : 0.0;
+  if (!in_force(c, state)) return 0.0;
+  const double end = c.x.back();
+  return c.zero_outside(time > end && time - end <= 1e-9 * time ? end : time);
 }
 
 /// Area vector of a segment, along its right-hand normal.

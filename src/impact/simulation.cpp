@@ -496,8 +496,17 @@ void Simulation::accelerate() {
 }
 
 void Simulation::constrain_by_walls() {
-  for (contact::RigidWall& wall : walls_) {
-    wall.constrain(state_.time, state_.dt, state_.dt_previous, state_.x, state_.v, state_.f, system_.mass, dependent_);
+  const model::Model& model = system_.model;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    contact::RigidWall& wall = walls_[w];
+    const model::RigidWall& card = model.walls[w];
+    double time = state_.time;
+    // The step at the end of the run is not taken, but the wall's force then is that of half of it. A motion whose
+    // curve ends there goes on as in the step before.
+    if (card.motion_curve != model::none && model.control.end_time > 0.0 && time >= model.control.end_time &&
+        std::abs(model.curves[at(card.motion_curve)].x.back() + card.birth - time) <= 1e-6 * state_.dt)
+      time -= state_.dt;
+    wall.constrain(time, state_.dt, state_.dt_previous, state_.x, state_.v, state_.f, system_.mass, dependent_);
     power_on_change_ += wall.power_on_change();
   }
 }

@@ -120,6 +120,25 @@ double begin_of_step(bool active, double t) {
   return active ? t : std::min(t, 0.0);
 }
 
+/// Whether the run ends at this state and, there too, the curve. The step that would follow is not taken, but
+/// velocities, accelerations and reactions at the end are halfway into it, where the curve has nothing to say any more.
+bool ends_with_run(const Curve& curve, const system::System& system, const system::State& state, double t) {
+  const double end = system.model.control.end_time;
+  return end > 0.0 && !state.relaxing && state.time >= end && std::abs(curve.x.back() - t) <= 1e-6 * state.dt;
+}
+
+/// Mean velocity of the step that begins at `t` on the curve: that of its middle.
+double velocity_of_step(const Curve& curve, const system::System& system, const system::State& state, double t) {
+  return ends_with_run(curve, system, state, t) ? curve.y.back() : curve.zero_outside(t + 0.5 * state.dt);
+}
+
+/// Way in that step. Beyond its last point a displacement holds its value: the node stays where it was brought.
+double way_of_step(const Curve& curve, const system::System& system, const system::State& state, double t,
+                   bool active) {
+  if (ends_with_run(curve, system, state, t)) return curve.y.back() - curve.clamped(t - state.dt);
+  return curve.clamped(t + state.dt) - curve.clamped(begin_of_step(active, t));
+}
+
 }  // namespace
 
 Supports::Supports(const system::System& system, Findings& findings) : system_(system) {
@@ -218,13 +237,12 @@ double Supports::target(Driven& driven, const system::State& state, double old_v
   const Curve& curve = system_.model.curves[static_cast<std::size_t>(motion.curve)];
   const double t = state.time - motion.birth;
   switch (motion.quantity) {
-    case model::PrescribedMotion::Quantity::velocity: return motion.scale * curve.zero_outside(t + 0.5 * state.dt);
+    case model::PrescribedMotion::Quantity::velocity: return motion.scale * velocity_of_step(curve, system_, state, t);
     case model::PrescribedMotion::Quantity::acceleration:
       return old_velocity + motion.scale * curve.zero_outside(t) * kick;
     case model::PrescribedMotion::Quantity::displacement: {
       if (state.dt <= 0.0) return 0.0;
-      // Beyond its last point a displacement curve holds its value: the node stays where it was brought.
-      return motion.scale * (curve.clamped(t + state.dt) - curve.clamped(begin_of_step(driven.active, t))) / state.dt;
+      return motion.scale * way_of_step(curve, system_, state, t, driven.active) / state.dt;
     }
   }
   return 0.0;
@@ -245,9 +263,9 @@ double Supports::circular_target(Driven& driven, const system::State& state, dou
   using Quantity = model::PrescribedMotion::Quantity;
   double turned = 0.0;  // angle of the step to come
   if (motion.quantity == Quantity::velocity) {
-    turned = motion.scale * curve.zero_outside(t + 0.5 * dt) * dt;
+    turned = motion.scale * velocity_of_step(curve, system_, state, t) * dt;
   } else if (motion.quantity == Quantity::displacement) {
-    turned = motion.scale * (curve.clamped(t + dt) - curve.clamped(begin_of_step(driven.active, t)));
+    turned = motion.scale * way_of_step(curve, system_, state, t, driven.active);
   } else {
     if (!driven.active) driven.rate = place.radius > 0.0 ? old_velocity / place.radius : 0.0;
     driven.rate += motion.scale * curve.zero_outside(t) * kick;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "base/index.hpp"
 #include "weld/welds.hpp"
@@ -141,7 +142,18 @@ weld::FailureMode Welds::end_of_elements(std::size_t i, const system::State& sta
   std::size_t living = 0;
   each_element(i, [&](const system::ElementGroup& group, std::size_t e) { living += group.alive(e); });
   // ASFF = 1: the first brick to fail takes its assembly with it.
-  if (living == 0 || (law.damage.whole && living < count)) return weld::FailureMode::plastic_strain;
+  if (living == 0 || (law.damage.whole && living < count)) {
+    // What erosion took (ERODE, PSFAIL) has not reached the strain at which its points fail or their damage begins.
+    const model::Part& part = system_.model.parts[at(system_.ties.welds[i].part)];
+    const auto* points = std::get_if<kernel::Spotweld>(&system_.model.materials[at(part.material)].law);
+    bool strained = points == nullptr;
+    each_element(i, [&](const system::ElementGroup& group, std::size_t e) {
+      for (int k = 0; points != nullptr && k < group.layers(); ++k)
+        strained |= (points->failure_strain > 0.0 || points->damage.rupture > 0.0) &&
+                    group.plastic_strain(e, k) >= points->failure_strain;
+    });
+    return strained ? weld::FailureMode::plastic_strain : weld::FailureMode::distortion;
+  }
   if (law.connection && bricks_[i] && bricks_[i]->least_jacobian(system_, state) < law.jacobian_limit)
     return weld::FailureMode::distortion;
   return weld::FailureMode::intact;

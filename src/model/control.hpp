@@ -80,7 +80,7 @@ struct Control {
   bool lobatto = false;                   ///< INTGRD = 1
   bool laminated_shear = false;           ///< LAMSHT: layers given by cards have transverse shear strains of their own
   double rotary_mass_scale = 1.0;         ///< ROTASCL
-  int distorted_shells = 0;               ///< NFAIL1, of shells with one in-plane point; see DistortedShells
+  int distorted_shells = 0;               ///< NFAIL1, of shells with one in-plane point; see impact::Erosion
   int distorted_full_shells = 0;          ///< NFAIL4, of fully integrated shells
   std::vector<Index> parts_of_distorted;  ///< PSNFAIL: parts that these are about; empty: all
 

@@ -4,7 +4,7 @@ import math
 import re
 import unittest
 
-from few_elements import card
+from few_elements import card, curve
 from masses import END, MASS, NUMBER, MassesTest
 
 def system(identity, degrees):
@@ -74,6 +74,35 @@ class Conditions(MassesTest):
         start = self.nodout()[0]
         self.assert_near(start[1][3:], [0.0, -30.0, 1.0], 1e-9)
         self.assert_near(start[2][3:], [-20.0, 0.0, 1.0], 1e-9)
+
+    def test_a_curve_that_ends_with_the_run_is_followed_to_its_end(self):
+        """Masses driven by velocity and by displacement, one on a circle, and a wall that pushes one: the last row, whose
+        velocities are halfway into a step that is not taken, is like those before; the load ends a round-off before it.
+        Sabotage: zero beyond the curve."""
+        cards = curve(3, (0, 2), (END, 2)) + curve(4, (0, 0), (END, 2 * END)) + curve(5, (0, -7), (0.09999999999999, -7))
+        cards += "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + card(1, 1, 0, 3) + card(2, 1, 2, 4)
+        cards += card(3, 11, 0, 3) + card(0.0, 0.0) + card(4, 11, 2, 4) + card(0.0, 0.0)
+        cards += "*LOAD_NODE_POINT\n" + "".join(card(n, 1, 5) for n in (1, 2, 5, 6))
+        for wall, (y, quantity, motion) in enumerate(((30, 0, 3), (40, 1, 4)), 1):
+            cards += f"*SET_NODE_LIST\n{wall:10}\n{4 + wall:10}\n*RIGIDWALL_GEOMETRIC_FLAT_MOTION_ID\n" + card(wall, "") + card(wall)
+            cards += card(0.0, y, 0.0, 1.0, y, 0.0) + card(0.0, y + 1, 0.0, 0.0, 0.0)
+            cards += card(motion, quantity, 1.0, 0.0, 0.0)
+        cards += "*DATABASE_RWFORC\n" + card(0.02, 1)
+        places = [(0, 0, 0), (0, 10, 0), (5, 0, 0), (5, 0, 9), (0, 30, 0), (0, 40, 0)]
+        self.run_deck(places, cards)
+        before, last = self.nodout()[-2:]
+        for node in (1, 2, 5, 6):
+            self.assert_near(last[node], [2 * END, 0.0, 0.0, 2.0, 0.0, 0.0], 1e-6)
+        for node in (3, 4):
+            self.assertAlmostEqual(math.hypot(*last[node][3:5]), 10.0, delta=1e-3)
+            self.assertAlmostEqual(math.hypot(*before[node][3:5]), 10.0, delta=1e-3)
+        # Motions and walls bear the load of 7 against the way.
+        forces = re.findall(rf"nd#\s+([12])\s+xforce=\s*({NUMBER})", self.read("out/bndout"))
+        self.assert_near([float(f) for _, f in forces[-2:]], [7.0, 7.0], 1e-6)
+        walls = re.findall(rf"^\s*{NUMBER}\s+\d+\s+({NUMBER})", self.read("out/rwforc"), re.MULTILINE)
+        self.assert_near([float(f) for f in walls[-2:]], [7.0, 7.0], 1e-6)
+        kinetic = [state["kinetic energy"] for state in self.glstat("out/glstat")]
+        self.assertAlmostEqual(kinetic[-1], kinetic[-2], delta=1e-3)
 
     def test_what_ends_before_it_begins_is_told(self):
         cards = "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + card(1, 1, 0, 1, 1.0, 0, 0.01, 0.05)

@@ -2,6 +2,7 @@
 """Result files of decks of a few elements against closed forms, as an engineer checks them: d3plot by VTK's reader, binout
 and the ASCII files."""
 import math
+import re
 import unittest
 
 import lsda
@@ -90,6 +91,17 @@ class Outputs(CommandTest):
         for axis, places in (("x", (.4, .5)), ("y", (.5, .5)), ("z", (.5, .5))):
             for seen, exact in zip(state[f"{axis}_centroid"], places):
                 self.assertAlmostEqual(seen, exact, 9)
+
+    def test_a_section_without_elements_keeps_its_place(self):
+        """Three planes without ids, the second beside the cube: rows 1 to 3 and the third one's area. Sabotage: sections
+        without elements are left out."""
+        planes = "*DATABASE_CROSS_SECTION_PLANE\n"
+        planes += "".join(card(0, x, 0.5, 0.5, x + 1, 0.5, 0.5, r) + "\n" for x, r in ((0.5, 0.0), (9.0, 0.0), (0.25, 0.0)))
+        self.run_deck(nodes(CORNERS), BRICK, part(1), SOLID, ELASTIC, "*CONTROL_TERMINATION\n", card(1e-7),
+                      "*DATABASE_SECFORC\n", card(1e-7, 3), planes)
+        self.assertEqual(self.states("secforc")[0]["area"], [1.0, 0.0, 1.0])
+        self.assertEqual(re.findall(r"^ *([123]) ", self.read("secforc"), re.MULTILINE)[:3], ["1", "2", "3"])
+        self.assertIn(("xct", "cross section 2 has no elements: its forces are 0"), self.warnings())
 
     def test_fall_of_what_has_more_mass(self):
         """Mass that DT2MS adds weighs by its share EMSCL, with *LOAD_BODY, its _PARTS and *LOAD_GRAVITY_PART: with 1 all

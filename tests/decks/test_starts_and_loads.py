@@ -182,5 +182,88 @@ class InsideOut(CommandTest):
         self.assertAlmostEqual(self.glstat()[-1]["internal energy"], 0.0, delta=1e-12)
 
 
+class Deletion(CommandTest):
+    """A brick that is squeezed flat in 0.1, and shells of which a corner each is driven across a diagonal in turn."""
+
+    def run_of(self, cards, elements, end, expect=0):
+        text = "*KEYWORD\n" + curve(1, (0, -10), (1, -10)) + "*MAT_ELASTIC\n" + card(1, 1.0, 1.0e6, 0.0)
+        self.write(text + cards + elements + "*END\n")
+        self.nugget("run", "model.k", "-o", "out", "--quiet", expect=expect)
+        return self.json("out/summary.json")["message"], self.read("out/run.log")
+
+    def squeezed(self, cards, dtmin=0.0, expect=0):
+        brick = nodes([(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))])
+        brick += f"*ELEMENT_SOLID\n{1:8}{1:8}" + "".join(f"{n:8}" for n in range(1, 9)) + "\n" + part(1)
+        brick += "*SECTION_SOLID\n" + card(1, 1) + "*SET_NODE_LIST\n" + card(1) + card(1, 2, 3, 4)
+        brick += "*SET_NODE_LIST\n" + card(2) + card(5, 6, 7, 8) + "*BOUNDARY_SPC_SET\n" + card(1, 0, 1, 1, 1)
+        brick += card(2, 0, 1, 1) + "*BOUNDARY_PRESCRIBED_MOTION_SET\n" + card(2, 3, 0, 1)
+        # A mass that goes on when the brick has gone.
+        brick += nodes([(9, 9, 9)], 9) + f"*ELEMENT_MASS\n{1:8}{9:8}{1.0:16}\n"
+        brick += "*CONTROL_BULK_VISCOSITY\n" + card(1e-9, 1e-9)
+        return self.run_of(cards, brick + "*CONTROL_TERMINATION\n" + card(0.12, 0, dtmin), 0.12, expect)
+
+    def test_a_brick_squeezed_flat_is_deleted_before_time_stands_still(self):
+        """Its step goes with its height, so its volume never becomes negative. Without DTMIN it goes when nothing is left of
+        the step. Sabotage: no limit without DTMIN (the run ends in error)."""
+        step = "*CONTROL_TIMESTEP\n" + card(0.0, 0.5, 0, 0.0, 0.0, 0)[:-1]
+        message, _ = self.squeezed(step + "\n", expect=3)
+        self.assertIn("too small to go on", message)
+        message, log = self.squeezed(step + card(1))
+        self.assertRegex(log, r"time 0\.09999\d*: solid 1 of part 1 is deleted, its step fell to nothing")
+
+    def test_psfail_lets_solids_go_below_dtmin(self):
+        """Documented: the criterion of the step is for all solids, that of the volume for the parts of PSFAIL. The step goes
+        with the height: at 0.3 of it, time 0.07. Sabotage: ERODE alone counts (the run ends in error)."""
+        cards = "*CONTROL_TIMESTEP\n" + card(0.0, 0.1) + "*SET_PART_LIST\n" + card(7) + card(1)
+        _, log = self.squeezed(cards + "*CONTROL_SOLID\n" + card(0, 0, 0, 0, 7), dtmin=0.3)
+        self.assertRegex(log, r"time 0\.070\d*: solid 1 of part 1 is deleted, its step fell below DTMIN")
+
+    def test_a_weld_that_erosion_takes_has_not_failed_by_strain(self):
+        """A weld beam that is pressed together, elastic or with EFAIL. Sabotage: dead elements mean plastic strain."""
+        beam = nodes([(0, 0, 0), (0, 0, 1), (9, 9, 9)]) + f"*ELEMENT_BEAM\n{1:8}{1:8}{1:8}{2:8}{0:8}\n" + part(1, 1, 2)
+        beam += "*SECTION_BEAM\n" + card(1, 9, 1.0, 2, 1) + card(1.0, 1.0) + f"*ELEMENT_MASS\n{1:8}{3:8}{1.0:16}\n"
+        beam += "*BOUNDARY_SPC_NODE\n" + card(1, 0, *6 * [1]) + card(2, 0, 1, 1, 0, 1, 1, 1)
+        beam += "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + card(2, 3, 0, 1) + "*CONTROL_TERMINATION\n" + card(0.08, 0, 0.5)
+        beam += "*CONTROL_TIMESTEP\n" + card(0.0, 0.5, 0, 0.0, 0.0, 0, 100)
+        for stress, strain, mode in (("1e9", 0.0, "distortion"), ("1e9", 0.05, "distortion"), ("1e3", 0.05, "plastic strain")):
+            law = "*MAT_SPOTWELD\n" + card(2, 1.0, 1.0e6, 0.0, stress, 0.0) + card(strain)
+            self.run_of(law, beam, 0.08)
+            weld = self.json("out/summary.json")["weld"][0]
+            self.assertEqual((weld["failed"], weld["failure_mode"]), (True, mode), (stress, strain))
+
+    def crossed(self, card_4, expect=0):
+        """A corner moves by (-5, -5) s along the diagonal of the unit shell, s = 1, 0.9, 0.8: it is on the other diagonal at
+        0.05, 0.0556 and 0.0625."""
+        text = "*CONTROL_TERMINATION\n" + card(0.07) + "*CONTROL_TIMESTEP\n" + card(0.0, 0.2)
+        text += "*SECTION_SHELL\n" + card(1, 16 if card_4.startswith(10 * " ") else 2) + card(*4 * [0.1]) + part(1)
+        text += "*CONTROL_SHELL\n" + card(20.0) + "\n\n" + card_4
+        for k in range(3):
+            first = 4 * k + 1
+            text += nodes([(0, 3 * k, 0), (1, 3 * k, 0), (1, 3 * k + 1, 0), (0, 3 * k + 1, 0)], first)
+            text += f"*ELEMENT_SHELL\n{k + 1:8}{1:8}" + "".join(f"{first + i:8}" for i in range(4)) + "\n"
+            text += "*BOUNDARY_SPC_NODE\n" + "".join(card(first + i, 0, *6 * [1]) for i in (0, 1, 3))
+            text += card(first + 2, 0, 0, 0, 1, 1, 1, 1) + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n"
+            text += "".join(card(first + 2, dof, 0, 1, 1.0 - 0.1 * k) for dof in (1, 2))
+        return self.run_of("", text, 0.07, expect)
+
+    def test_so_many_failed_shells_end_the_run(self):
+        """Documented: NFAIL1, NFAIL4 above 2 delete, and end the run when so many have failed. Sabotage: 3 as 1."""
+        for name, field in (("NFAIL1", lambda n: card(n)), ("NFAIL4", lambda n: card("", n))):
+            message, log = self.crossed(field(3), expect=3)
+            self.assertIn(f"3 shells have failed by time 0.0625", message)
+            self.assertIn(f"{name} = 3 ends the run", message)
+            self.assertEqual(log.count("is deleted, a corner of it has turned inside out"), 3)
+            for other in (1, 4):
+                message, log = self.crossed(field(other))
+                self.assertEqual(message, "")
+                self.assertEqual(log.count("is deleted, a corner of it has turned inside out"), 3)
+
+    def test_kinds_to_erode(self):
+        for kinds, refused in ((0, False), (11, False), (101, False), (2, True), (7, True), (20, True), (1111, True)):
+            self.write("*KEYWORD\n*CONTROL_TIMESTEP\n" + card(0.0, 0.9, 0, 0.0, 0.0, 0, kinds) + "*END\n")
+            told = self.nugget("check", "model.k", expect=1).stderr
+            self.assertEqual(f"erode = {kinds}: expected 1 (solids), 10 (shells)" in told, refused, told)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -304,8 +304,8 @@ void take_friction(Builder& builder, const Row& row, Contact& contact) {
                "friction by a curve or function is not built; expected 0 or more, or FS = -1 or -2",
                "give the coefficients here, in *PART_CONTACT with FS = -1, or in *DEFINE_FRICTION with FS = -2");
   if (contact.slides() && row.real("fs") == 2.0)
-    row.complain(builder.findings, Severity::warning, "fs",
-                 "is taken as a coefficient; LS-DYNA reads 2 as friction from a table", "give 1.99 or 2.01");
+    refuse(builder, row, "fs", "2 asks for friction by a table (its id in FD), which is not built",
+           "give the coefficients, 1.99 or 2.01 where 2 is one");
   contact.friction = {row.real("fs"), row.real("fd"), row.real("dc"), row.real("vc")};
   if (contact.friction_by_part || by_table) contact.friction = {1.0, 1.0, 0.0, 1.0};
   contact.damping = row.real("vdc");

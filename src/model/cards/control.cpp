@@ -193,11 +193,13 @@ const Card shell_card_3{{
 }};
 
 const Card shell_card_4{{
-    integer("nfail1", 0, at_least(0),
-            "1, 3: shells of one in-plane point whose sides cross are deleted; 2: they stop the run"),
+    integer(
+        "nfail1", 0, at_least(0),
+        "1: shells of one in-plane point with a corner inside out are deleted; 2: they stop the run; above 2: they are "
+        "deleted, and so many failed shells stop it"),
     integer("nfail4", 0, at_least(0), "the same for fully integrated shells"),
     id("psnfail", IdSpace::set, 0, "part set that NFAIL1 and NFAIL4 are about; 0: all shells"),
-    flag("keepcs", "contact of nodes of deleted shells of NFAIL, no effect"),
+    flag("keepcs", "1: contact segments of failed shells stay, not obeyed"),
     integer("delfr", 0, any_value, "1: free shells are deleted"),
     id("drcpsid", IdSpace::set, 0, "part set with stiffness against drilling rotations, of formulation 16 or 4"),
     real("drcprm", dimension::number, 1, at_least(0), "factor on that stiffness; 1: a tenth of G t^3 a shell"),
@@ -329,6 +331,9 @@ void read_time_step(Builder& b, const Block& block, const Options&) {
   c.length_basis = row.integer("isdo");
   c.mass_step = row.real("dt2ms");
   c.erode_small_steps = row.integer("erode");
+  if (const int kinds = c.erode_small_steps; kinds % 10 > 1 || kinds / 10 % 10 > 1 || kinds / 100 > 1)
+    refuse(b, row, "erode", "expected 1 (solids), 10 (shells), 100 (beams), a sum of these, or 0",
+           "write the sum of the kinds that are to be deleted");
   c.mass_scaling_at_start_only = row.integer("ms1st") == 1;
   c.weight_of_added_mass = second.real("emscl");
   c.tied_rotary_mass = third.real("rmavg");
@@ -418,7 +423,9 @@ void read_shell(Builder& b, const Block& block, const Options&) {
     expect(b, one, Severity::warning, {{"proj", 0, "not obeyed: drill projection is used, as with 0"}});
   expect(b, three, Severity::warning,
          {{"cntco", 0, "not obeyed: contact surfaces lie about the mid-surface, as with 0"}});
-  expect(b, four, Severity::warning, {{"delfr", 0, "not obeyed: shells that have come loose stay"}});
+  expect(b, four, Severity::warning,
+         {{"delfr", 0, "not obeyed: shells that have come loose stay"},
+          {"keepcs", 0, "not obeyed: the contact segments of failed shells go with them"}});
   if (four.integer("drcpsid") != 0) b.later(Phase::checks, [four](Builder& later) { resist_drilling(later, four); });
   Control& c = b.model.control;
   c.warp_warning = one.real("wrpang");

@@ -88,10 +88,11 @@ int section_id(const Builder& builder, int given) {
 }
 
 void add_section(Builder& builder, const Row& row, std::string_view field, CrossSection section) {
+  // It stays: sections without an id are numbered by their place in the deck.
   if (section.facets.empty())
-    return row.complain(builder.findings, Severity::warning, field,
-                        fmt::format("cross section {} has no elements: its forces are 0", section.id),
-                        "check the sets, or where the plane lies");
+    row.complain(builder.findings, Severity::warning, field,
+                 fmt::format("cross section {} has no elements: its forces are 0", section.id),
+                 "check the sets, or where the plane lies");
   builder.model.requests.cross_sections.push_back(std::move(section));
 }
 

@@ -28,6 +28,7 @@ Rows without_effect() {
       ignored("CONTROL_REQUIRE_REVISION", "a demand on the release of LS-DYNA"),
       ignored("CONTROL_NONLOCAL", "storage for nonlocal laws, which are not built"),
       ignored("ELEMENT_PLOTEL", "lines for pictures only"),
+      ignored("SET_DISCRETE*", "no card that is obeyed takes a set of springs and dampers; deforc has each of them"),
       ignored("SENSOR_DEFINE_*", "measures something that only *SENSOR_SWITCH and *SENSOR_CONTROL act upon"),
       ignored("INTERFACE_SPRINGBACK_*", "asks for a file of the final state (dynain); d3plot holds it"),
   };

@@ -453,6 +453,7 @@ TEST(Contacts, WhatCannotBeObeyedIsRefused) {
   EXPECT_TRUE(Built(small_deck(nodes + "         2\n")).warning("as with soft = 1", "soft"));
   EXPECT_TRUE(single("         0         0         0         0\n\n\n         3\n").error("0, 1 or 2", "soft"));
   EXPECT_TRUE(single("         0         0         0         0\n      -3.0\n").error("by a curve", "fs"));
+  EXPECT_TRUE(single("         0         0         0         0\n       2.0\n").error("by a table", "fs"));
   EXPECT_TRUE(single("         1         0         4         0\n").error("node set", "surfatyp"));
   EXPECT_TRUE(single("         0         0         0         0         5\n").error("box", "saboxid"));
   EXPECT_TRUE(single("        77         0         2         0\n").error("part set 77 is not defined", "surfa"));
