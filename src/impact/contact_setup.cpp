@@ -410,7 +410,8 @@ contact::SurfaceContactSetup contact_setup(const system::System& system, const m
     setup.nodes = contact::nodes_of(setup.segments, tracked, reference);
     const auto listed = listed_nodes(system, card, rough);
     setup.nodes.insert(setup.nodes.end(), listed.begin(), listed.end());
-    if (card.glue && !card.a.nodes.empty()) setup.faces_at_nodes = faces_at_listed_nodes(system, card, rough);
+    if (card.glue && !card.glue->by_force && !card.a.nodes.empty())
+      setup.faces_at_nodes = faces_at_listed_nodes(system, card, rough);
     if (card.kind == model::Contact::Kind::two_surfaces) {
       const auto others = contact::nodes_of(setup.segments, reference, tracked);
       setup.nodes.insert(setup.nodes.end(), others.begin(), others.end());
