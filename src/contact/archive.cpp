@@ -46,7 +46,7 @@ void EdgeContact::archive(Archive& a) {
 void Glue::archive(Archive& a) {
   a.section("glue");
   a(bonds_, held_, spent_, forces_, energy_, resultant_, failed_, first_node_, first_time_, last_time_);
-  a.built(setup_, card_, around_, segment_stiffness_, node_area_, at_start_);
+  a.built(setup_, card_, around_, around_listed_, segment_stiffness_, at_start_);
 }
 
 void PenaltyContact::archive(Archive& a) {

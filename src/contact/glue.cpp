@@ -14,6 +14,7 @@ namespace {
 constexpr double tolerance = 0.05;
 constexpr double in_the_middle = 1e-6;  // of the thickness: what round-off makes of no gap
 constexpr double facing = 1e-6;         // weight of what a segment looks past a node, against its distance
+constexpr double on_edge = 0.1;         // share of the surface around a node below which it stands on edge
 constexpr unsigned reference = 2;       // bit of Segment::side
 
 /// Unit axes of a segment: along its first pair of edges, across, and its normal.
@@ -44,6 +45,7 @@ Glue::Glue(const SurfaceContactSetup& setup, model::Glue card, std::span<const R
     : setup_(setup),
       card_(std::move(card)),
       around_(setup_.segments),
+      around_listed_(setup_.faces_at_nodes),
       held_(setup.nodes.size(), card_.alone ? 1 : 0),
       spent_(setup.nodes.size(), 0),
       forces_(surface_nodes(setup)) {
@@ -51,14 +53,6 @@ Glue::Glue(const SurfaceContactSetup& setup, model::Glue card, std::span<const R
   for (const Segment& s : setup_.segments)
     segment_stiffness_.push_back(setup_.stiffness_scale * penalty_stiffness(s, x));
   set_kinds(setup_.nodes, around_, setup_.segments);
-  for (const TrackedNode& node : setup_.nodes) {
-    double sum = 0.0;
-    for (int s : around_.at(node.node)) {
-      const Segment& own = setup_.segments[s];
-      if (own.covered_by < 0) sum += area(own, x) / own.corners();
-    }
-    node_area_.push_back(sum);
-  }
   glue_together(x);
 }
 
@@ -93,12 +87,32 @@ void Glue::glue_together(std::span<const Row> x) {
     const BoxTree::Nearest nearest = tree.nearest(p, Box::infinity, distance);
     if (nearest.item < 0 || !std::isfinite(nearest.distance)) continue;
     const Segment& s = setup_.segments[nearest.item];
-    Bond made = bond(static_cast<int>(t), nearest.item, kernel::closest_point(corners_of(s, x), s.triangle(), p), x);
-    if (s.volume == 0.0 && nearest.distance <= in_the_middle * (node.thickness + s.thickness)) made.outward = 0.0;
     held_[t] = spent_[t] = 1;
-    bonds_.push_back(made);
+    bonds_.push_back(
+        bond(static_cast<int>(t), nearest.item, kernel::closest_point(corners_of(s, x), s.triangle(), p), x));
   }
   at_start_ = static_cast<int>(bonds_.size());
+}
+
+/// The area of its own surface that a node stands for, as the segment sees it: along `normal`, from the side `outward`
+/// (0: either). Faces of a brick that look elsewhere are no part of the joint: those around the rim of a glued block
+/// would make it half as strong again. A sheet that stands on edge shows nothing; it has all that is around the node.
+/// 0: no surface of its own.
+double Glue::joined_area(int node, const Vec3d& normal, double outward, std::span<const Row> x) const {
+  double all = 0.0, sheets = 0.0;
+  std::array<double, 2> faces{};  // of bricks that look along the normal, and against it
+  const auto own_faces = around_.at(node);
+  const auto& of = own_faces.empty() ? setup_.faces_at_nodes : setup_.segments;
+  for (const int s : own_faces.empty() ? around_listed_.at(node) : own_faces) {
+    const Segment& own = of[s];
+    if (own.covered_by >= 0) continue;
+    const double share = area(own, x) / own.corners(), cosine = dot(axes_of(own, x).normal, normal);
+    all += share;
+    (own.volume == 0.0 ? sheets : faces[cosine < 0.0 ? 1 : 0]) += std::abs(cosine) * share;
+  }
+  const double towards = outward == 0.0 ? std::max(faces[0], faces[1]) : faces[outward > 0.0 ? 1 : 0];
+  const double seen = sheets + towards;
+  return seen > on_edge * all ? seen : all;
 }
 
 /// A bond that is without stress in this place.
@@ -108,10 +122,14 @@ Glue::Bond Glue::bond(int tracked, int segment, const kernel::Foot& foot, std::s
   bond.tracked = tracked;
   bond.segment = segment;
   bond.weight = foot.weight;
-  bond.place = axes_of(s, x).local(vec(x[setup_.nodes[tracked].node]) - foot.point);
+  const Axes axes = axes_of(s, x);
+  bond.place = axes.local(vec(x[setup_.nodes[tracked].node]) - foot.point);
   bond.outward = s.volume == 0.0 && bond.place.z < 0.0 ? -1.0 : 1.0;
+  if (s.volume == 0.0 && foot.distance <= in_the_middle * (setup_.nodes[tracked].thickness + s.thickness))
+    bond.outward = 0.0;
   const double whole = area(s, x);
-  bond.area = node_area_[tracked] > 0.0 ? node_area_[tracked] : whole;
+  const double own = joined_area(setup_.nodes[tracked].node, axes.normal, bond.outward, x);
+  bond.area = own > 0.0 ? own : whole;
   bond.stiffness = segment_stiffness_[segment];
   // As stiff per area everywhere, so that surfaces that part evenly are stressed evenly.
   if (whole > 0.0) bond.stiffness *= bond.area / whole;

@@ -77,6 +77,7 @@ class Glue {
 
   double limit(const TrackedNode& node, const Segment& s, std::span<const Row> x) const;
   void glue_together(std::span<const Row> x);
+  double joined_area(int node, const Vec3d& normal, double outward, std::span<const Row> x) const;
   Bond bond(int tracked, int segment, const kernel::Foot& foot, std::span<const Row> x) const;
   kernel::CohesiveStiffness stiffness(const Bond& bond, const Step& step) const;
   Vec3d pull(Bond& bond, const kernel::CohesiveStiffness& k, const Step& step) const;
@@ -86,8 +87,8 @@ class Glue {
   SurfaceContactSetup setup_;
   model::Glue card_;
   NodeSegments around_;
+  NodeSegments around_listed_;             // of the setup's faces_at_nodes
   std::vector<double> segment_stiffness_;  // scaled, at the start
-  std::vector<double> node_area_;          // by tracked node, at the start; 0: without segments of its own
   std::vector<Bond> bonds_;
   std::vector<unsigned char> held_;
   std::vector<unsigned char> spent_;  // by tracked node: it has been glued

@@ -19,10 +19,12 @@ namespace nugget::contact {
 struct SurfaceContactSetup {
   std::vector<Segment> segments;
   std::vector<TrackedNode> nodes;  ///< see nodes_of(); nodes left out do not push
-  double stiffness_scale = 0.1;    ///< SLSFAC
-  kernel::PenaltyLaw law;          ///< SOFT, SOFSCL, VDC, friction
-  double deepest = 0.0;            ///< PENMAX: a node deeper than so many thicknesses is let go; 0: none
-  bool edges_meet = false;         ///< an EdgeContact presses the free edges of shells apart
+  /// Faces at nodes that are listed as such (a node set); they press nothing, glue takes the nodes' areas from them.
+  std::vector<Segment> faces_at_nodes;
+  double stiffness_scale = 0.1;  ///< SLSFAC
+  kernel::PenaltyLaw law;        ///< SOFT, SOFSCL, VDC, friction
+  double deepest = 0.0;          ///< PENMAX: a node deeper than so many thicknesses is let go; 0: none
+  bool edges_meet = false;       ///< an EdgeContact presses the free edges of shells apart
   double birth = 0.0, death = 1e20;
 };
 

@@ -264,6 +264,33 @@ std::vector<contact::TrackedNode> listed_nodes(const system::System& system, con
   return nodes;
 }
 
+/// The faces of shells and bricks that have a node of the node set.
+std::vector<contact::Segment> faces_at_listed_nodes(const system::System& system, const model::Contact& card,
+                                                    const FrictionKinds& rough) {
+  const model::Model& model = system.model;
+  std::vector<char> listed(model.nodes.size(), 0), in(model.parts.size(), 0);
+  for (model::Index n : card.a.nodes) listed[at(n)] = 1;
+  const auto is_listed = [&](model::Index n) { return listed[at(n)] != 0; };
+  const auto look_at = [&](const auto& elements) {
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      if (std::any_of(elements.node[e].begin(), elements.node[e].end(), is_listed)) in[at(elements.part[e])] = 1;
+  };
+  look_at(model.shells);
+  look_at(model.solids);
+  model::Surface around;
+  for (std::size_t p = 0; p < in.size(); ++p)
+    if (in[p]) around.parts.push_back(static_cast<model::Index>(p));
+  Surfaces surfaces(system, card, rough);
+  surfaces.add(around, tracked);
+  std::vector<contact::Segment> shown = surfaces.take();
+  std::vector<char> of_system(system.all_nodes(), 0);
+  for (model::Index n : card.a.nodes) of_system[at(system.node_of[at(n)])] = 1;
+  std::erase_if(shown, [&](const contact::Segment& s) {
+    return std::none_of(s.node.begin(), s.node.end(), [&](int n) { return of_system[at(n)] != 0; });
+  });
+  return shown;
+}
+
 /// The nodes of the beams of a contact that looks at these; to be pressed by the segments of the side `against`.
 std::vector<contact::TrackedNode> ends_of_bars(const system::System& system, const model::Contact& card,
                                                unsigned against) {
@@ -383,6 +410,8 @@ contact::SurfaceContactSetup contact_setup(const system::System& system, const m
     setup.nodes = contact::nodes_of(setup.segments, tracked, reference);
     const auto listed = listed_nodes(system, card, rough);
     setup.nodes.insert(setup.nodes.end(), listed.begin(), listed.end());
+    if (card.glue && !card.glue->by_force && !card.a.nodes.empty())
+      setup.faces_at_nodes = faces_at_listed_nodes(system, card, rough);
     if (card.kind == model::Contact::Kind::two_surfaces) {
       const auto others = contact::nodes_of(setup.segments, reference, tracked);
       setup.nodes.insert(setup.nodes.end(), others.begin(), others.end());

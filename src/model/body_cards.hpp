@@ -16,7 +16,7 @@ struct BodyCards {
   struct Nodal {
     std::string title;
     deck::Row row;                 ///< PID CID NSID PNODE IPRT DRFLAG RRFLAG
-    std::optional<deck::Row> spc;  ///< with _SPC
+    std::optional<deck::Row> spc;  ///< _SPC with CMO -1: held in axes that are found later
     unsigned fixed = 0;            ///< what that card holds
     bool given = false;            ///< with _INERTIA
     RigidBody::Inertia inertia;

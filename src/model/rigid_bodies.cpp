@@ -89,18 +89,22 @@ class Maker {
 
   void hold(RigidBody& body, const RigidCard& card) {
     if (card.cmo == 1) body.fixed = bits_of_code(card.con1) | bits_of_code(card.con2) << 3;
-    if (card.cmo != -1) return;
-    const Index system = b_.system(card.row, "con1");
+    if (card.cmo == -1) hold_along_axes(body, card.row);
+  }
+
+  /// CMO -1: CON1 is a coordinate system, CON2 has the digits of what is held.
+  void hold_along_axes(RigidBody& body, const Row& card) {
+    const Index system = b_.system(card, "con1");
     if (system == none) {
-      if (card.con1 == 0)
-        refuse(b_, card.row, "con1", "CMO -1 needs the coordinate system of its directions", "give its id");
+      if (card.integer("con1") == 0)
+        refuse(b_, card, "con1", "CMO -1 needs the coordinate system of its directions", "give its id");
       return;
     }
     body.fixed_axes = model_.systems[static_cast<std::size_t>(system)].axes;
     // Digits x y z rx ry rz, leading zeros may be missing.
-    int digits = card.con2;
+    auto digits = static_cast<int>(card.real("con2"));
     for (int i = 5; i >= 0; --i, digits /= 10) {
-      if (digits % 10 > 1) return refuse(b_, card.row, "con2", "expected six digits, each 0 or 1, e.g. 110111");
+      if (digits % 10 > 1) return refuse(b_, card, "con2", "expected six digits, each 0 or 1, e.g. 110111");
       if (digits % 10 == 1) body.fixed |= 1u << i;
     }
   }
@@ -112,6 +116,7 @@ class Maker {
     body.title = card.title;
     body.place = card.row.place();
     body.fixed = card.fixed;
+    if (card.spc) hold_along_axes(body, *card.spc);
     if (const Index system = b_.system(card.row, "cid"); system != none)
       body.own_axes = model_.systems[static_cast<std::size_t>(system)].axes;
     if (const Set<Index>* nodes = b_.node_set(card.row, card.row.integer("nsid") == 0 ? "pid" : "nsid"))

@@ -115,6 +115,51 @@ class ContactForms(CommandTest):
         events = self.read("run.log").split("Events")[1]
         self.assertRegex(events, r"glue of contact 1: 25 nodes at the start, 0 later; 25 failed, node \d+ first at time=\S+, the last at")
 
+    def glued_block(self, side, form="AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK_ID"):
+        """A block of 10 x 10 x 5 (bricks of 2.5) on a plate of 6 x 6 shells, glued with 20 MPa that fall to nothing over
+        0.05 mm, and drawn off slowly: the energy that the glue takes up."""
+        text = "*KEYWORD\n*CONTROL_TERMINATION\n    1.0E-3\n*CONTROL_TIMESTEP\n                 0.6\n"
+        text += "*PART\nblock\n         1         1         1\n*PART\nplate\n         2         2         1\n"
+        text += "*SECTION_SOLID\n         1         2\n*SECTION_SHELL\n         2         2\n       1.0\n"
+        text += "*MAT_ELASTIC\n         1  7.85E-09  210000.0       0.3\n*NODE\n"
+        at = {}
+        for k in range(3):
+            for j in range(5):
+                for i in range(5):
+                    at[i, j, k] = len(at) + 1
+                    text += f"{len(at):8}{2.5 * i:16}{2.5 * j:16}{0.5 + 2.5 * k:16}\n"
+        for j in range(7):
+            for i in range(7):
+                text += f"{101 + 7 * j + i:8}{-5 + 20 * i / 6:16.9f}{-5 + 20 * j / 6:16.9f}{0.0:16}\n"
+        text += "*ELEMENT_SOLID\n"
+        for e in range(32):
+            i, j, k = e % 4, e // 4 % 4, e // 16
+            corners = [at[i + a, j + b, k + c] for c in (0, 1) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+            text += "".join(f"{n:8}" for n in (e + 1, 1, *corners)) + "\n"
+        text += "*ELEMENT_SHELL\n"
+        for e in range(36):
+            a = 101 + 7 * (e // 6) + e % 6
+            text += "".join(f"{n:8}" for n in (101 + e, 2, a, a + 1, a + 8, a + 7)) + "\n"
+        text += "*SET_NODE_GENERAL\n         1\nPART               2\n*BOUNDARY_SPC_SET\n         1         0"
+        text += 6 * "         1" + "\n*SET_NODE_LIST_GENERATE\n         2\n        51        75\n"
+        text += "*SET_NODE_LIST_GENERATE\n         3\n         1        25\n"
+        text += "*BOUNDARY_SPC_SET\n         2         0         1         1\n"
+        text += "*BOUNDARY_PRESCRIBED_MOTION_SET\n         2         3         0         1     100.0\n"
+        text += "*DEFINE_CURVE\n         1\n0.,0.\n1e-4,1.\n1.,1.\n"
+        text += f"*CONTACT_{form}\n         1glue\n{side}\n\n\n         6      20.0      15.0      0.05\n*END\n"
+        self.write(text)
+        self.nugget("run", "model.k", "-o", ".", "--quiet")
+        return self.json("summary.json")["energy"]["contact"]
+
+    def test_glue_of_a_block_counts_the_face_that_is_glued_alone(self):
+        # 1/2 20 0.05 100 = 50: the sides of the block, which meet the face at its rim, are no part of the joint.
+        self.assertAlmostEqual(self.glued_block("         1         2         3         3"), 50.0, delta=0.5)
+
+    def test_glued_nodes_of_a_set_stand_for_their_own_face(self):
+        # Not for the plate's segments, 11.1 each, in the place of 4 at the mean.
+        form = "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK_ID"
+        self.assertAlmostEqual(self.glued_block("         3         2         4         3", form), 50.0, delta=0.5)
+
     def test_cards_of_glue(self):
         """What is refused, by field. Sabotage: a curve that begins with anything is taken as a factor."""
         glued = "AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"

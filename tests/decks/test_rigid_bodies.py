@@ -68,6 +68,37 @@ class RigidBodies(CommandTest):
                           cube(2, 1.0, shared))
             self.assertEqual(self.glstat()[-1]["kinetic energy"], 0.0)
 
+    # A cube may slide along a, 30 degrees up from x in the plane of x and z, and nothing else: CMO -1. It falls.
+    AXES = "*DEFINE_COORDINATE_VECTOR\n" + card(7, 0.8660254, 0.0, 0.5, 0.0, 1.0, 0.0)
+
+    def assert_slides_along_the_axis(self):
+        last = self.glstat()[-1]
+        speed = -100.0 * 0.5 * 0.01
+        for axis, share in (("x", 0.75 ** 0.5), ("y", 0.0), ("z", 0.5)):
+            self.assertAlmostEqual(last[f"global {axis} velocity"], speed * share, delta=0.011)
+
+    def test_a_nodal_body_is_held_in_local_axes(self):
+        body = "*CONSTRAINED_NODAL_RIGID_BODY_SPC_INERTIA\n" + card(9, 0, 3) + card(-1.0, 7, "011111") + \
+            card(0.5, 0.5, 0.5, 1.0) + card(0.5, 0.0, 0.0, 0.5, 0.0, 0.5) + card(0.0)
+        members = "*SET_NODE_LIST\n" + card(3) + card(*range(1, 9))
+        elastic = "*MAT_ELASTIC\n" + card(1, 1.0, 2e5, 0.3)
+        self.run_deck(STEP, FALL, part(1), SOLID, elastic, cube(1, 0.0), self.AXES, body, members)
+        # Mass 1, 100 sin 30 along the axis for 0.01. Free along z it would have four times as much, along x nothing.
+        self.assertAlmostEqual(self.glstat()[-1]["kinetic energy"], 0.5 * 0.5**2, delta=2e-3)
+
+    def test_the_axes_of_supports_have_the_offset_of_their_include(self):
+        held = part(1) + SOLID + rigid(1, -1, 7, "011111") + cube(1, 0.0) + self.AXES
+        self.write("*KEYWORD\n" + held + "*END\n", "held.k")
+        self.run_deck(STEP, FALL, "*INCLUDE_TRANSFORM\nheld.k\n" + card(0, 0, 0, 0, 0, 0, 100) + "\n\n\n")
+        self.assert_slides_along_the_axis()
+
+    def test_what_local_supports_need(self):
+        self.write(RUN + part(1) + SOLID + rigid(1, -1, 0, 111111) + cube(1, 0.0) + "*END\n")
+        self.assertIn("con1 = 0: CMO -1 needs the coordinate system of its directions",
+                      self.nugget("run", "model.k", "-o", ".", expect=1).stderr)
+        self.write(RUN + part(1) + SOLID + rigid(1, -1, 7, 21111) + self.AXES + cube(1, 0.0) + "*END\n")
+        self.assertIn("expected six digits, each 0 or 1", self.nugget("run", "model.k", "-o", ".", expect=1).stderr)
+
 
 class SpringsAndRelaxation(CommandTest):
     MASS = (nodes([(0, 0, 0), (1, 0, 0)]) + "*BOUNDARY_SPC_NODE\n" + card(1, 0, 1, 1, 1, 1, 1, 1) +

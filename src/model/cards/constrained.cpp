@@ -8,6 +8,7 @@
 #include "model/axes.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
+#include "model/cards/rigid_hold.hpp"
 
 namespace nugget::model {
 namespace {
@@ -24,15 +25,6 @@ const Card nodal_card{{
     integer("iprt", 0, between(0, 2), "output in rbdout"),
     integer("drflag", 0, only(0), "released translations: not built"),
     integer("rrflag", 0, only(0), "released rotations: not built"),
-}};
-const Card nodal_spc_card{{
-    real("cmo", dimension::number, 0, between(-1, 1), "1: the codes hold the centre in global axes"),
-    integer("con1", 0, between(0, 7), "translations that are held: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz"),
-    integer("con2", 0, between(0, 7), "rotations that are held, by the same codes"),
-    id("spcnid", IdSpace::node, 0, "node at which the body is held"),
-    real("xspc", dimension::length, 0, any_value, "point at which it is held: x"),
-    real("yspc", dimension::length, 0, any_value, "y"),
-    real("zspc", dimension::length, 0, any_value, "z"),
 }};
 const Card inertia_card1{{
     real("xc", dimension::length, 0, any_value, "centre of mass: x"),
@@ -159,12 +151,10 @@ const Card interpolation_node = independent_card(IdSpace::node), interpolation_s
 // ----------------------------------------------------------------------------------------------------
 
 void read_spc(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
-  const Row row = cursor.read(nodal_spc_card);
-  if (row.real("cmo") == 1.0) {
-    body.fixed = bits_of_code(row.integer("con1")) | bits_of_code(row.integer("con2")) << 3;
-    warn_of_turned_codes(builder, cursor.block(), row, "con1", body.fixed);
-  } else if (row.real("cmo") != 0.0)
-    refuse(builder, row, "cmo", "constraints in local axes are not built", "use 1 with codes in global axes");
+  const RigidCard hold = read_rigid_hold(builder, cursor);
+  const Row& row = hold.row;
+  if (hold.cmo == 1) body.fixed = bits_of_code(hold.con1) | bits_of_code(hold.con2) << 3;
+  if (hold.cmo == -1) body.spc = row;
   for (const std::string_view field : {"spcnid", "xspc", "yspc", "zspc"})
     refuse_nonzero(builder, row, field, "a body is held at its centre of mass; another point is not built",
                    "leave it blank");
@@ -438,7 +428,8 @@ std::vector<Keyword> constrained_keywords() {
        {},
        {{"with _TITLE", &title_card},
         {{}, &nodal_card},
-        {"with _SPC", &nodal_spc_card},
+        {"with _SPC, if CMO is 0 or 1", &rigid_hold_card},
+        {"with _SPC, if CMO is -1", &rigid_hold_local_card},
         {"with _INERTIA", &inertia_card1},
         {"with _INERTIA", &inertia_card2},
         {"with _INERTIA", &inertia_card3},

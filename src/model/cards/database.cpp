@@ -50,8 +50,8 @@ const Card format_card{{
 }};
 
 const Card extent_card1{{
-    integer("neiph", 0, between(0, 200), "extra history variables of solids"),
-    integer("neips", 0, between(0, 200), "extra history variables of shells"),
+    integer("neiph", 0, between(0, 1000), "extra history variables of solids"),
+    integer("neips", 0, between(0, 1000), "extra history variables of shells"),
     integer("maxint", 3, any_value,
             "3: middle, bottom and top of a shell; another number: so many layers from the bottom"),
     integer("strflg", 0, between(0, 111), "last digit 1: strains are written; the other digits: not built"),

@@ -7,6 +7,7 @@
 #include "model/cards/families.hpp"
 #include "model/cards/material.hpp"
 #include "model/cards/reading.hpp"
+#include "model/cards/rigid_hold.hpp"
 #include "model/cards/yield_curves.hpp"
 
 // *MAT_... Each law: its cards, and how they become the parameters of its kernel.
@@ -67,16 +68,6 @@ const Card rigid_card{{
     real("couple", dimension::number, 0, only(0), "coupling with MADYMO or CAL3D"),
     real("m", dimension::number, 0, only(0), "coupling with MADYMO or CAL3D"),
     text("alias", 10, "name for MADYMO, no effect"),
-}};
-
-const Card rigid_hold_card{{
-    real("cmo", dimension::number, 0, between(-1, 1), "held: 0 nothing, 1 in global axes, -1 in local axes"),
-    real("con1", dimension::number, 0, at_least(0), "cmo 1: translations 0..7; cmo -1: coordinate system"),
-    real("con2", dimension::number, 0, at_least(0), "cmo 1: rotations 0..7; cmo -1: digits x y z rx ry rz"),
-    integer("spcnid", 0, any_value, "for cmo 2 only"),
-    real("xspc", dimension::length, 0, any_value, "for cmo 2 only"),
-    real("yspc", dimension::length, 0, any_value, "for cmo 2 only"),
-    real("zspc", dimension::length, 0, any_value, "for cmo 2 only"),
 }};
 
 const Card rigid_output_card{{
@@ -155,20 +146,6 @@ void read_null(Builder& b, const Block& block, const Options& options) {
                             row.real("terod") > 0.0 || row.real("cerod") > 0.0});
 }
 
-RigidCard rigid_hold(Builder& b, const Block& block, const Row& row) {
-  RigidCard hold;
-  hold.cmo = static_cast<int>(row.real("cmo"));
-  hold.con1 = hold.cmo == -1 ? system_id(block, row.real("con1")) : static_cast<int>(row.real("con1"));
-  hold.con2 = static_cast<int>(row.real("con2"));
-  hold.row = row;
-  if (hold.cmo == 1)
-    warn_of_turned_codes(b, block, row, "con1", bits_of_code(hold.con1) | bits_of_code(hold.con2) << 3);
-  if (hold.cmo == 1)
-    for (const auto* code : {"con1", "con2"})
-      if (row.real(code) > 7.0) refuse(b, row, code, "expected a code from 0 to 7");
-  return hold;
-}
-
 /// The third card: LCO, the coordinate system of local motions and output, or two vectors a and v that give the axes of
 /// output a, c = a x v and b = c x a.
 void take_local_axes(Builder& b, const Block& block, const Row& row, RigidCard& hold) {
@@ -188,7 +165,7 @@ void read_rigid(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
   const Row row = cursor.read(rigid_card);
-  RigidCard hold = rigid_hold(b, block, cursor.read(rigid_hold_card));
+  RigidCard hold = read_rigid_hold(b, cursor);
   take_local_axes(b, block, cursor.read(rigid_output_card), hold);
   expect_end(b, cursor);
   const Index material =
@@ -267,6 +244,45 @@ std::optional<kernel::PlasticDamage> plastic_damage(Builder& b, const Row& onset
   return std::nullopt;
 }
 
+namespace {
+
+constexpr Field point_of_hold(std::string_view name) {
+  return real(name, dimension::length, 0, any_value, "for cmo 2 only, which is not built");
+}
+
+}  // namespace
+
+const Card rigid_hold_card{{
+    real("cmo", dimension::number, 0, between(-1, 1), "held: 0 nothing, 1 in global axes"),
+    real("con1", dimension::number, 0, between(0, 7), "held translations: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz"),
+    real("con2", dimension::number, 0, between(0, 7), "held rotations, by the same codes"),
+    integer("spcnid", 0, any_value, "for cmo 2 only, which is not built"),
+    point_of_hold("xspc"),
+    point_of_hold("yspc"),
+    point_of_hold("zspc"),
+}};
+const Card rigid_hold_local_card{{
+    real("cmo", dimension::number, 0, between(-1, 1), "-1: held in local axes"),
+    id("con1", IdSpace::define, 0, "coordinate system"),
+    real("con2", dimension::number, 0, between(0, 111111), "six digits, 1: held along x, y, z, about x, y, z"),
+    integer("spcnid", 0, any_value, "for cmo 2 only, which is not built"),
+    point_of_hold("xspc"),
+    point_of_hold("yspc"),
+    point_of_hold("zspc"),
+}};
+
+RigidCard read_rigid_hold(Builder& b, Cursor& cursor) {
+  const bool local = cursor.more() && cursor.peek_number(0) == -1.0;
+  RigidCard hold;
+  hold.row = cursor.read(local ? rigid_hold_local_card : rigid_hold_card);
+  hold.cmo = static_cast<int>(hold.row.real("cmo"));
+  hold.con2 = static_cast<int>(hold.row.real("con2"));
+  hold.con1 = local ? hold.row.integer("con1") : static_cast<int>(hold.row.real("con1"));
+  if (hold.cmo == 1)
+    warn_of_turned_codes(b, cursor.block(), hold.row, "con1", bits_of_code(hold.con1) | bits_of_code(hold.con2) << 3);
+  return hold;
+}
+
 int system_id(const Block& block, double written) {
   const int id = static_cast<int>(written);
   if (id == 0 || !block.transform) return id;
@@ -301,7 +317,10 @@ std::vector<Keyword> material_keywords() {
       {.name = "MAT_RIGID",
        .aliases = {"MAT_020"},
        .options = {"TITLE"},
-       .layout = {{"", &rigid_card}, {"", &rigid_hold_card}, {"", &rigid_output_card}},
+       .layout = {{"", &rigid_card},
+                  {"if CMO is 0 or 1", &rigid_hold_card},
+                  {"if CMO is -1", &rigid_hold_local_card},
+                  {"", &rigid_output_card}},
        .read = read_rigid},
       {.name = "MAT_PIECEWISE_LINEAR_PLASTICITY",
        .aliases = {"MAT_024"},

@@ -39,8 +39,9 @@ TEST(CrossSection, ByAPlaneCutsDeformableElementsAndTakesTheNodesBeyond) {
 )"));
   ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
   const auto& sections = built.model.requests.cross_sections;
-  ASSERT_EQ(sections.size(), 1u);
+  ASSERT_EQ(sections.size(), 2u);
   EXPECT_EQ(sections[0].id, 1) << "without _ID sections are numbered";
+  EXPECT_TRUE(sections[1].facets.empty());
   EXPECT_THAT(sections[0].nodes, ElementsAre(1, 2));
   ASSERT_EQ(sections[0].facets[0].corners.size(), 2u);
   EXPECT_DOUBLE_EQ(sections[0].facets[0].corners[0].share, 0.25);
