@@ -75,6 +75,21 @@ TEST(Layers, FaultsOfAComposite) {
                   .find(Severity::note, "deletes the shell with all its layers", "mid1"));
 }
 
+// Formulation 17 has no transverse shear for LAMSHT to act on: a sandwich in it has 5.4 times the frequency.
+TEST(Layers, LaminatedShearInTriangles) {
+  const std::string soft = "*MAT_ELASTIC\n5,5e-11,50.0,0.1\n", third = "*ELEMENT_SHELL\n2,1,1,2,3,3\n",
+                    shear = "*CONTROL_SHELL\n\n,,1\n", sorted = "*CONTROL_SHELL\n,2\n,,1\n";
+  const auto told = [&](const std::string& layers, const std::string& control, const std::string& more) {
+    return composite(layers, soft + control + more).warning("no effect in its 1 triangles of formulation 17");
+  };
+  const std::string core = "1,0.8,,,5,10.0\n5,10.0,,,1,0.8\n";
+  EXPECT_TRUE(told(core, sorted, third));
+  EXPECT_FALSE(told(core, shear, third));                   // formulation 4, or a collapsed quad
+  EXPECT_FALSE(told(core, sorted, ""));                     // no triangles
+  EXPECT_FALSE(told(core, "*CONTROL_SHELL\n,2\n", third));  // not asked for
+  EXPECT_FALSE(told("1,0.8,,,1,10.0\n", sorted, third));    // one material
+}
+
 TEST(Layers, OfParts) {
   const std::string section = "*SECTION_SHELL\n1,2,,3,,-7\n5.0\n*PART\npane\n1,1,1\n*PART\nfilm\n8,1,2\n";
   const auto b = built(section + "*INTEGRATION_SHELL\n7,3,0,1\n-0.6,0.4\n0.0,0.2,8\n0.6,0.4\n");
