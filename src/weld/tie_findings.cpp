@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "model/bond.hpp"
 #include "weld/welds.hpp"
 
 namespace nugget::weld {
@@ -162,6 +163,16 @@ void report_end(const model::Model& model, const Weld& weld, const Projection& p
   }
 }
 
+/// Nodes that turn with nothing but adhesive between shells.
+std::vector<char> turned_by_adhesive(const model::Model& model, const Surroundings& around) {
+  std::vector<char> by_adhesive(around.rotates.size(), 0);
+  for (std::size_t e = 0; e < model.solids.size(); ++e)
+    if (model::bond_between_shells(model, e))
+      for (const Index n : model.solids.node[e])
+        if (around.shell[n] == none) by_adhesive[n] = 1;
+  return by_adhesive;
+}
+
 /// Nodes that could turn their segment but hand over translations only.
 void report_hinges(const model::Model& model, const Surroundings& around, const std::vector<Tie>& ties,
                    Findings& findings) {
@@ -169,10 +180,11 @@ void report_hinges(const model::Model& model, const Surroundings& around, const 
     int count = 0;
     const Tie* first = nullptr;
   };
-  std::vector<Hinges> of_welds(model.contacts.size()), of_others(model.contacts.size());
+  const std::vector<char> by_adhesive = turned_by_adhesive(model, around);
+  std::vector<Hinges> of_welds(model.contacts.size()), of_adhesive(of_welds), of_others(of_welds);
   for (const Tie& tie : ties) {
     if (tie.rotations || tie.rigid_body != none || !around.rotates[tie.node]) continue;
-    Hinges& h = (around.of_weld[tie.node] ? of_welds : of_others)[tie.contact];
+    Hinges& h = (around.of_weld[tie.node] ? of_welds : by_adhesive[tie.node] ? of_adhesive : of_others)[tie.contact];
     if (h.count++ == 0) h.first = &tie;
   }
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
@@ -186,6 +198,10 @@ void report_hinges(const model::Model& model, const Surroundings& around, const 
     if (of_welds[c].count > 0)
       findings.warning(contact.place, name_contact(contact), text(of_welds[c]),
                        "tie weld beams to shells with *CONTACT_SPOTWELD; bricks as welds need no rotations");
+    if (of_adhesive[c].count > 0)
+      findings.warning(contact.place, name_contact(contact),
+                       text(of_adhesive[c]) + ": adhesive of ELFORM 20 turns away from shear, which finds no hold",
+                       "tie it with *CONTACT_TIED_SHELL_EDGE_TO_SURFACE, or write ELFORM 19");
     if (of_others[c].count > 0)
       findings.note(contact.place, name_contact(contact), text(of_others[c]),
                     "*CONTACT_TIED_SHELL_EDGE_TO_SURFACE hands moments over to shells, ..._TO_SOLID to bricks");

@@ -230,9 +230,14 @@ class Tied(CommandTest):
         self.expect_energy("TIED_NODES_TO_SURFACE", 19, 1, 400.0 * GIIC)
 
     def test_hinges_are_warned_of(self):
-        self.write(sheets("TIED_NODES_TO_SURFACE", 20, 3))
-        run = self.nugget("check", "model.k")
-        self.assertIn("translations only", run.stderr)
+        """ELFORM 20 on hinges gives way to shear. Sabotage: told as of any other hinged node, by a note that `run` does not show."""
+        for contact, elform, told in (("TIED_NODES_TO_SURFACE", 20, True), ("TIED_NODES_TO_SURFACE", 19, False),
+                                      ("TIED_SHELL_EDGE_TO_SURFACE", 20, False)):
+            self.write(sheets(contact, elform, 3))
+            self.nugget("check", "model.k", "-o", "audit")
+            found = [f["text"] for f in self.json("audit/findings.json") if f["severity"] == "warning" and "translations only" in f["text"]]
+            self.assertEqual(len(found), int(told), (contact, elform))
+            self.assertEqual(["72 nodes" in text and "finds no hold" in text for text in found], [True] * told)
 
     def test_any_number_of_threads_gives_the_same_and_d3plot_has_the_tractions(self):
         self.write(sheets("TIED_SHELL_EDGE_TO_SURFACE", 20, 3))
