@@ -162,6 +162,28 @@ class LawCards(CommandTest):
                     before, after = ([energy for time, energy in history if abs(time - end - shift) < 0.6e-6][0] for shift in (-2e-6, 2e-6))
                     self.assertAlmostEqual(after - before, self.work_to_fracture(0.3 * share) * volume, delta=0.01 * (after - before))
 
+    def test_curves_of_gissmo_in_an_include(self):
+        """All ids of curves and tables move by IDFOFF, those above 0 too: the same run, and the main deck's curves of the old ids are not looked
+        at. Sabotage: LCREGD and LCSRS read as numbers that only below 0 are ids."""
+        metal = "*MAT_024\n" + card(1, 7.85e-9, 210000.0, 0.3, 250.0) + "\n\n\n"
+        law = card(11, -14, 2.0, "", -15, "{}") + card("{}") + curve(11, (0, 0.6), (1 / 3, 0.3))
+        others = curve(14, (0, 0.2), (1, 0.1)) + curve(15, (2, 1.0), (8, 3.0)) + curve(12, (2, 1), (8, 0.4)) + curve(13, (0, 1), (1000, 1.5))
+        table = "*DEFINE_TABLE\n" + card(16) + f"{0.0:20}\n{1.0:20}\n" + curve(1601, (2, 1), (8, 0.4)) + curve(1602, (2, 1), (8, 0.2))
+        wrong = "".join(curve(n, (0, 9.0), (1, 9.0)) for n in range(11, 17))
+        for regularization, rate in ((12, 13), (-16, -13)):
+            body = metal + "*MAT_ADD_DAMAGE_GISSMO\n" + card(1, "", 1) + law.replace("        {}", "{:10}").format(regularization, rate) + others + table
+            whole = self.specimens(body)
+            self.write(whole)
+            self.nugget("run", "model.k", "--quiet", "-o", "whole")
+            inner = whole[:whole.index("*CONTROL_TERMINATION")] + "*END\n"
+            self.write(inner, "body.k")
+            self.write("*KEYWORD\n*INCLUDE_TRANSFORM\nbody.k\n" + card(*[200] * 7) + "\n" * 3 + wrong + whole[whole.index("*CONTROL_TERMINATION"):])
+            self.nugget("run", "model.k", "--quiet", "-o", "included")
+            with self.subTest(regularization=regularization):
+                one, other = ([s["eroded internal energy"] for s in self.glstat(f"{name}/glstat")] for name in ("whole", "included"))
+                self.assertGreater(one[-1], 0.0)
+                self.assertEqual(one, other)
+
     def test_damage_in_d3plot(self):
         """NEIPH, NEIPS: the lost share of the stress, D and F, of bricks and of each layer of shells, and zeros beyond; strains of bricks
         stay the last six. Sabotage: NEIPS left out of the words of a layer; the roots of D and F in place of D and F."""
