@@ -547,11 +547,15 @@ void check_laminated_triangles(Builder& b) {
 }  // namespace
 
 void check_parts(Builder& b) {
+  std::set<int> of_layers;  // parts that only give layers their materials have no elements
+  for (const auto& [section, stack] : b.layer_stacks)
+    for (const LayerCard& layer : stack.layers)
+      if (layer.names == LayerCard::Names::part) of_layers.insert(layer.row.integer(layer.field));
   std::vector<char> told_shell(b.model.shell_sections.size(), 0), told_solid(b.model.solid_sections.size(), 0),
       told_beam(b.model.beam_sections.size(), 0);
   const auto warn_of_none = [&](const Part& part, Index index, const deck::Row& row) {
     const bool is_twin = b.parts.find(part.id) != index;  // its id is another part's already; told
-    if (part.kind == ElementKind::nothing && part.rigid_body == none && !is_twin)
+    if (part.kind == ElementKind::nothing && part.rigid_body == none && !is_twin && !of_layers.contains(part.id))
       b.findings.warning(part.place, row.keyword(), fmt::format("part {} has no elements", part.id));
   };
   for (const auto& [index, section, row] : b.composite_parts) {
