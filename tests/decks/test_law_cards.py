@@ -158,6 +158,8 @@ class LawCards(CommandTest):
                 self.assertEqual(self.findings(deck), [])
                 self.nugget("run", "model.k", "--quiet")
                 history = [(state["time"], state["eroded internal energy"]) for state in self.glstat()]
+                for line in (" part 1: 2 of 2 elements deleted\n", " part 2: 1 of 1 elements deleted\n"):
+                    self.assertIn(line, self.read("run.log"))
                 for share, volume in ((0.4, 64.0), (0.8, 16.0), (1.0, 8.0)):
                     # Pulled alone, the plastic strain is the logarithmic strain less the elastic one.
                     end = (math.exp(0.3 * share + 250.0 / 210000.0) - 1.0) / 1000.0
