@@ -80,7 +80,7 @@ class Examples(unittest.TestCase):
                 self.assertLessEqual(len(line), 80, f"line {number}")
 
     def test_the_same_bytes_each_time(self):
-        for name in ("double_hat", "weld_placement", "tube_crush", "hat_crush"):
+        for name in ("double_hat", "weld_placement", "tube_crush", "hat_crush", "weld_bond"):
             self.assertEqual(generate(name), generate(name))
 
     def test_double_hat(self):
@@ -138,7 +138,7 @@ class Runs(unittest.TestCase):
         return run.stderr
 
     def test_no_deck_gives_a_warning(self):
-        for name in ("double_hat", "weld_placement", "tube_crush", "hat_crush"):
+        for name in ("double_hat", "weld_placement", "tube_crush", "hat_crush", "weld_bond"):
             for case, text in generate(name).items():
                 deck = self.folder / f"{case}.k"
                 deck.write_text(text, encoding="ascii")
@@ -175,6 +175,16 @@ class Runs(unittest.TestCase):
         self.assertTrue(95.0 <= share["centre"] <= 105.0, table)
         self.assertTrue(share["corner"] < share["edge"] - 10.0 < share["centre"] - 20.0, table)
 
+    def test_a_bonded_lap_bears_its_strength_times_its_area(self):
+        """20 MPa on 14 x 38 mm while the adhesive yields, 2 % more by what the overlap bends; then it parts."""
+        subprocess.run([sys.executable, str(HERE / "weld_bond" / "make.py"), str(self.folder)], check=True)
+        sys.path.insert(0, str(HERE / "weld_bond"))
+        import study
+        self.nugget("run", self.folder / "lap_bonded.k", "-o", self.folder / "bonded", "--quiet")
+        points = study.forces(self.folder / "bonded")
+        self.assertAlmostEqual(max(force for _, force in points) / (20e-3 * 14.0 * 38.0), 1.0, delta=0.03)
+        self.assertLess(max(force for pull, force in points if pull > 1.5), 1.0)
+        self.nugget("check", self.folder / "modes" / "hat_both.k", "-o", self.folder / "hat")
 
     def test_the_weld_can_be_placed_by_the_program(self):
         make = HERE / "weld_placement" / "make.py"

@@ -69,6 +69,13 @@ class Deck:
         self.text("$#   eid     pid      n1      n2      n3      n4")
         self.lines += [f"{e:8d}{p:8d}" + "".join(f"{n:8d}" for n in c) for e, (p, c) in shells.items()]
 
+    def solids(self, solids):
+        """{id: (part, (n1, ..., n8))}"""
+        self.keyword("ELEMENT_SOLID")
+        self.text("$#   eid     pid")
+        for e, (p, c) in solids.items():
+            self.lines += [f"{e:8d}{p:8d}", "".join(f"{n:8d}" for n in c)]
+
     def beams(self, beams):
         """{id: (part, (n1, n2))}; a weld beam needs no third node"""
         self.keyword("ELEMENT_BEAM")

@@ -190,7 +190,7 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
   for (const auto* list : {&run.welds().events(), &run.rigid_welds().events(), &run.rivets().events(),
                            &run.connectors().events(), &run.tie_ends().events(), &run.erosion().events()})
     for (const std::string& event : *list) events += ' ' + event + '\n';
-  for (const std::string& event : run.glue_events()) events += ' ' + event + '\n';
+  for (const std::string& event : run.events()) events += ' ' + event + '\n';
   if (run.joints().size() > 0) {
     s += "Joints: largest distance between the points that they hold together\n\n";
     for (std::size_t i = 0; i < run.joints().size(); ++i)

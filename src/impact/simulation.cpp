@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "base/index.hpp"
@@ -16,6 +18,7 @@
 #include "impact/edge_setup.hpp"
 #include "impact/initial_penetrations.hpp"
 #include "model/bond.hpp"
+#include "weld/welds.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -118,7 +121,7 @@ Simulation::Simulation(system::System& system, Findings& findings)
   }
 }
 
-std::vector<std::string> Simulation::glue_events() const {
+std::vector<std::string> Simulation::events() const {
   std::vector<std::string> lines;
   std::size_t next = 0;
   for (const model::Contact& card : system_.model.contacts) {
@@ -134,10 +137,17 @@ std::vector<std::string> Simulation::glue_events() const {
                           glue->last_time());
     lines.push_back(std::move(line));
   }
+  std::map<model::Index, std::array<std::size_t, 2>> of_part;  // deleted, and all elements
   for (const auto& group : system_.groups) {
     const model::Part& part = system_.model.parts[at(group->part)];
-    if (!model::bond_of(system_.model, part)) continue;
+    if (weld::of_weld_material(system_.model, group->part)) continue;
     std::size_t failed = 0;
+    if (!model::bond_of(system_.model, part)) {
+      for (std::size_t e = 0; e < group->size(); ++e) failed += !group->alive(e);
+      std::array<std::size_t, 2>& sum = of_part[group->part];
+      sum = {sum[0] + failed, sum[1] + group->size()};
+      continue;
+    }
     double damage = 0.0;
     for (std::size_t e = 0; e < group->size(); ++e) {
       if (group->alive(e))
@@ -148,6 +158,10 @@ std::vector<std::string> Simulation::glue_events() const {
     lines.push_back(fmt::format("adhesive of part {}: {} of {} bricks deleted", part.id, failed, group->size()));
     if (failed < group->size()) lines.back() += fmt::format(", largest damage of the others {:.3f}", damage);
   }
+  for (const auto& [part, count] : of_part)
+    if (count[0] > 0)
+      lines.push_back(
+          fmt::format("part {}: {} of {} elements deleted", system_.model.parts[at(part)].id, count[0], count[1]));
   return lines;
 }
 

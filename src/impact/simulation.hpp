@@ -45,8 +45,9 @@ class Simulation {
   const Connectors& connectors() const { return connectors_; }
   const Erosion& erosion() const { return erosion_; }
   const Relaxation& relaxation() const { return relaxation_; }
-  /// How many nodes the glue of each contact held and lost, a line each, for run.log.
-  std::vector<std::string> glue_events() const;
+  /// How many nodes the glue of each contact held and lost, and how many elements of each part are deleted (of adhesive
+  /// also where none is; welds have their own account), a line each, for run.log.
+  std::vector<std::string> events() const;
   double first_step() const { return first_step_; }
   double smallest_step() const { return smallest_step_; }
   const std::string& smallest_by() const { return smallest_by_; }

@@ -60,6 +60,34 @@ class Laws {
   std::map<Index, kernel::Compound> laws_;
 };
 
+/// Material axes of a law at the start; null: it has none.
+const kernel::MaterialAxes* axes_of(const Law& law) {
+  const auto* compound = std::get_if<kernel::Compound>(&law);
+  const auto* flow = compound ? std::get_if<kernel::Orthotropic>(&compound->made_of->flow) : nullptr;
+  return flow ? &flow->axes : nullptr;
+}
+
+bool same(const kernel::MaterialAxes& one, const kernel::MaterialAxes& other) {
+  return one.by == other.by && one.angle == other.angle && norm(one.a - other.a) == 0.0 && norm(one.d - other.d) == 0.0;
+}
+
+/// The law of another part's material with the axes of the shells' own part, where both have axes: the other part gives
+/// constants only (remarks of *INTEGRATION_SHELL).
+kernel::Compound turned_as_own(Builder& b, const Part& part, const LayerCard& layer, const Material& material,
+                               const kernel::Compound& law) {
+  const kernel::MaterialAxes* given = axes_of(law);
+  const kernel::MaterialAxes* own = part.material == none ? nullptr : axes_of(material_at(b, part.material).law);
+  if (layer.names != LayerCard::Names::part || given == nullptr || own == nullptr || same(*given, *own)) return law;
+  layer.row.complain(b.findings, Severity::warning, layer.field,
+                     fmt::format("AOPT and BETA of material {} are not looked at: a layer's axes are those of material "
+                                 "{}, of the shells' own part",
+                                 material.id, material_at(b, part.material).id),
+                     "turn layers by B of *PART_COMPOSITE, or write the same axes in both materials");
+  kernel::Composition turned = *law.made_of;
+  std::get<kernel::Orthotropic>(turned.flow).axes = *own;
+  return kernel::compound(std::move(turned));
+}
+
 /// What of a layer's card has no effect, or none that is built.
 void judge_layer(Builder& b, const LayerCard& layer, const kernel::Compound& law, const Material& material) {
   const bool has_axes = std::holds_alternative<kernel::Orthotropic>(law.made_of->flow);
@@ -107,14 +135,17 @@ void tell_failure(Builder& b, const Part& part, const std::vector<kernel::Lamina
 void make_layers_of(Builder& b, Laws& laws, Part& part, const LayerStack& stack) {
   std::vector<kernel::Laminate::Layer> layers;
   std::vector<int> ids;
+  std::map<Index, kernel::Compound> turned;  // layers of one material share their law
   for (const LayerCard& card : stack.layers) {
     const Index material = material_of(b, card, part);
     if (material == none) continue;  // told
-    const auto law = laws.find(material, card);
-    if (!law) continue;
+    const auto found = laws.find(material, card);
+    if (!found) continue;
     const Material& m = material_at(b, material);
-    judge_layer(b, card, *law, m);
-    layers.push_back({*law, m.density, card.place, card.share, card.angle, card.shear_scale});
+    if (!turned.contains(material)) turned.emplace(material, turned_as_own(b, part, card, m, *found));
+    const kernel::Compound& law = turned.at(material);
+    judge_layer(b, card, law, m);
+    layers.push_back({law, m.density, card.place, card.share, card.angle, card.shear_scale});
     ids.push_back(m.id);
   }
   if (layers.size() < stack.layers.size()) return;

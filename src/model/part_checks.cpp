@@ -522,14 +522,40 @@ void check_triangles(Builder& b) {
   }
 }
 
+/// Triangles of discrete Kirchhoff theory have no transverse shear, which a soft core under LAMSHT lives on.
+void check_laminated_triangles(Builder& b) {
+  const Model& m = b.model;
+  if (!m.control.laminated_shear) return;
+  std::vector<int> triangles(m.parts.size(), 0);
+  for (std::size_t e = 0; e < m.shells.size(); ++e)
+    if (m.shells.triangle(e)) ++triangles[static_cast<std::size_t>(m.shells.part[e])];
+  for (std::size_t p = 0; p < m.parts.size(); ++p) {
+    const Part& part = m.parts[p];
+    if (triangles[p] == 0 || part.section == none || part.material == none) continue;
+    const auto* made = std::get_if<kernel::Laminate>(&m.materials[static_cast<std::size_t>(part.material)].law);
+    const int elform = m.shell_sections[static_cast<std::size_t>(part.section)].elform;
+    const bool kirchhoff = elform == 17 || (elform != 4 && m.control.sort_triangles == SortTriangles::kirchhoff);
+    if (made == nullptr || !kirchhoff || made->shear_factor > 0.8) continue;  // of one material 5/6
+    b.findings.warning(part.place, "*PART",
+                       fmt::format("part {}: LAMSHT of *CONTROL_SHELL has no effect in its {} triangles of formulation "
+                                   "17, which have no transverse shear: with a soft core they are far too stiff",
+                                   part.id, triangles[p]),
+                       "write ELFORM 4, or ESORT 1 of *CONTROL_SHELL");
+  }
+}
+
 }  // namespace
 
 void check_parts(Builder& b) {
+  std::set<int> of_layers;  // parts that only give layers their materials have no elements
+  for (const auto& [section, stack] : b.layer_stacks)
+    for (const LayerCard& layer : stack.layers)
+      if (layer.names == LayerCard::Names::part) of_layers.insert(layer.row.integer(layer.field));
   std::vector<char> told_shell(b.model.shell_sections.size(), 0), told_solid(b.model.solid_sections.size(), 0),
       told_beam(b.model.beam_sections.size(), 0);
   const auto warn_of_none = [&](const Part& part, Index index, const deck::Row& row) {
     const bool is_twin = b.parts.find(part.id) != index;  // its id is another part's already; told
-    if (part.kind == ElementKind::nothing && part.rigid_body == none && !is_twin)
+    if (part.kind == ElementKind::nothing && part.rigid_body == none && !is_twin && !of_layers.contains(part.id))
       b.findings.warning(part.place, row.keyword(), fmt::format("part {} has no elements", part.id));
   };
   for (const auto& [index, section, row] : b.composite_parts) {
@@ -551,6 +577,7 @@ void check_parts(Builder& b) {
   check_weld_hourglass(b);
   check_weld_options(b);
   check_triangles(b);
+  check_laminated_triangles(b);
   const bool response = b.model.frequency_response || b.model.steady_state;
   const bool timeless = b.model.implicit.active && (b.model.implicit.modes != 0 || response);
   if (!timeless && !(b.model.control.end_time > 0.0))

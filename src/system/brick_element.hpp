@@ -69,7 +69,7 @@ struct BrickElement {
     const double left = field(Layout::integrity);
     for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] = left * field(Layout::stress + i);
     if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = field(Layout::first_history);
-    l.damage = damage_of(law, [&](int i) { return field(Layout::first_history + i); });
+    l.damage = damage_of(law, field, 1, [](int) { return Layout::first_history; });
     return l;
   }
   template <class Field>
@@ -173,7 +173,7 @@ struct FullBrickElement : BrickElement<Law> {
     for (int p = 0; p < Layout::points; ++p)
       for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] += share * field(layout().point(p) + i);
     if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = mean_of_points(field, 0);
-    l.damage = damage_of(this->law, [&](int i) { return mean_of_points(field, i); });
+    l.damage = damage_of(this->law, field, Layout::points, [this](int p) { return layout().history_of(p); });
     return l;
   }
 };

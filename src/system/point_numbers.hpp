@@ -13,13 +13,18 @@ void start_size(const kernel::Prepared<Law>& law, double* history, int stride, d
     if (const int field = law.size_field(); field > 0) history[field * stride] = size;
 }
 
-/// Damage, of laws that have it; `history(i)`: the i-th number, in the mean of several points.
-template <class Law, class History>
-kernel::DamageNumbers damage_of(const kernel::Prepared<Law>& law, const History& history) {
-  if constexpr (requires { law.damage(history); })
-    return law.damage(history);
-  else
-    return {};
+/// Damage, of laws that have it: the mean over points, the history of point p from `place(p)` on. `field(i)`: the i-th
+/// number of the element's state.
+template <class Law, class Field, class Place>
+kernel::DamageNumbers damage_of(const kernel::Prepared<Law>& law, const Field& field, int points, const Place& place) {
+  kernel::DamageNumbers mean{};
+  if constexpr (requires { law.damage([](int) { return 0.0; }); }) {
+    for (int p = 0; p < points; ++p) {
+      const kernel::DamageNumbers d = law.damage([&](int i) { return field(place(p) + i); });
+      for (std::size_t n = 0; n < mean.size(); ++n) mean[n] += d[n] / points;
+    }
+  }
+  return mean;
 }
 
 }  // namespace nugget::system

@@ -154,10 +154,10 @@ struct ShellElement {
     const Frame3d frame = frame_of(x);
     std::array<double, 5> s;
     for (int c = 0; c < 5; ++c) s[static_cast<std::size_t>(c)] = component(field, k, c);
-    return {global_stress(frame, s[0], s[1], s[2], s[3], s[4]),
-            kernel::Prepared<Law>::has_plastic_strain ? component(field, k, 5) : 0.0,
-            damage_of(kernel::law_of(law, k),
-                      [&](int i) { return component(field, k, layout().history_of(0) - layout().layer(0) + i); })};
+    return {
+        global_stress(frame, s[0], s[1], s[2], s[3], s[4]),
+        kernel::Prepared<Law>::has_plastic_strain ? component(field, k, 5) : 0.0,
+        damage_of(kernel::law_of(law, k), field, columns, [&](int column) { return layout().history_of(k, column); })};
   }
   /// The other way round: all columns get the same stress.
   template <class Put>

@@ -61,7 +61,7 @@ struct TetrahedronElement {
     ElementGroup::Layer l;
     for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] = field(Layout::stress + i);
     if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = field(Layout::first_history);
-    l.damage = damage_of(law, [&](int i) { return field(Layout::first_history + i); });
+    l.damage = damage_of(law, field, 1, [](int) { return Layout::first_history; });
     return l;
   }
   template <class Field>

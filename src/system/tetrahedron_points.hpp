@@ -41,11 +41,7 @@ struct TetrahedronPoints {
       for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] += share * field(layout.point(p) + i);
       if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain += share * field(layout.history_of(p));
     }
-    l.damage = damage_of(law, [&](int i) {
-      double mean = 0.0;
-      for (int p = 0; p < layout.points; ++p) mean += share * field(layout.history_of(p) + i);
-      return mean;
-    });
+    l.damage = damage_of(law, field, layout.points, [&](int p) { return layout.history_of(p); });
     return l;
   }
   template <class Field, class Places>

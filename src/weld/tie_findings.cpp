@@ -7,7 +7,10 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
+#include "kernel/law/cohesive_bond.hpp"
+#include "model/bond.hpp"
 #include "weld/welds.hpp"
 
 namespace nugget::weld {
@@ -162,6 +165,16 @@ void report_end(const model::Model& model, const Weld& weld, const Projection& p
   }
 }
 
+/// Nodes that turn with nothing but adhesive between shells.
+std::vector<char> turned_by_adhesive(const model::Model& model, const Surroundings& around) {
+  std::vector<char> by_adhesive(around.rotates.size(), 0);
+  for (std::size_t e = 0; e < model.solids.size(); ++e)
+    if (model::bond_between_shells(model, e))
+      for (const Index n : model.solids.node[e])
+        if (around.shell[n] == none) by_adhesive[n] = 1;
+  return by_adhesive;
+}
+
 /// Nodes that could turn their segment but hand over translations only.
 void report_hinges(const model::Model& model, const Surroundings& around, const std::vector<Tie>& ties,
                    Findings& findings) {
@@ -169,10 +182,11 @@ void report_hinges(const model::Model& model, const Surroundings& around, const 
     int count = 0;
     const Tie* first = nullptr;
   };
-  std::vector<Hinges> of_welds(model.contacts.size()), of_others(model.contacts.size());
+  const std::vector<char> by_adhesive = turned_by_adhesive(model, around);
+  std::vector<Hinges> of_welds(model.contacts.size()), of_adhesive(of_welds), of_others(of_welds);
   for (const Tie& tie : ties) {
     if (tie.rotations || tie.rigid_body != none || !around.rotates[tie.node]) continue;
-    Hinges& h = (around.of_weld[tie.node] ? of_welds : of_others)[tie.contact];
+    Hinges& h = (around.of_weld[tie.node] ? of_welds : by_adhesive[tie.node] ? of_adhesive : of_others)[tie.contact];
     if (h.count++ == 0) h.first = &tie;
   }
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
@@ -186,9 +200,67 @@ void report_hinges(const model::Model& model, const Surroundings& around, const 
     if (of_welds[c].count > 0)
       findings.warning(contact.place, name_contact(contact), text(of_welds[c]),
                        "tie weld beams to shells with *CONTACT_SPOTWELD; bricks as welds need no rotations");
+    if (of_adhesive[c].count > 0)
+      findings.warning(contact.place, name_contact(contact),
+                       text(of_adhesive[c]) + ": adhesive of ELFORM 20 turns away from shear, which finds no hold",
+                       "tie it with *CONTACT_TIED_SHELL_EDGE_TO_SURFACE, or write ELFORM 19");
     if (of_others[c].count > 0)
       findings.note(contact.place, name_contact(contact), text(of_others[c]),
                     "*CONTACT_TIED_SHELL_EDGE_TO_SURFACE hands moments over to shells, ..._TO_SOLID to bricks");
+  }
+}
+
+/// Adhesive tied by springs, whose light nodes allow soft ones only; and bricks whose thickness is another one since
+/// the ties have moved their nodes.
+void report_tied_adhesive(const model::Model& model, const std::vector<Tie>& ties, Findings& findings) {
+  std::vector<const Tie*> tie_of(model.nodes.size(), nullptr);
+  for (const Tie& tie : ties) tie_of[static_cast<std::size_t>(tie.node)] = &tie;
+  struct Told {
+    int sprung = 0, bricks = 0;
+    double before = 0.0, after = 0.0;  // thickness of the first brick
+    bool matters = false;
+  };
+  std::vector<Told> told(model.contacts.size());
+  std::vector<char> seen(model.nodes.size(), 0);
+  for (std::size_t e = 0; e < model.solids.size(); ++e) {
+    const kernel::CohesiveBond* bond = model::bond_of(model, model.parts[model.solids.part[e]]);
+    if (bond == nullptr) continue;
+    Vec3d before{}, after{};  // from face to face
+    const Tie* moved = nullptr;
+    for (std::size_t i = 0; i < 8; ++i) {
+      const Index n = model.solids.node[e][i];
+      const Tie* tie = tie_of[static_cast<std::size_t>(n)];
+      const double side = i < 4 ? -0.25 : 0.25;
+      before += side * model.nodes.x[static_cast<std::size_t>(n)];
+      after += side * (tie && tie->moved > 0.0 ? tie->point : model.nodes.x[static_cast<std::size_t>(n)]);
+      if (tie && tie->moved > 0.0) moved = tie;
+      if (tie && tie->spring && !std::exchange(seen[static_cast<std::size_t>(n)], 1)) ++told[tie->contact].sprung;
+    }
+    if (moved == nullptr || std::abs(norm(after) - norm(before)) <= 0.1 * std::max(norm(after), norm(before))) continue;
+    Told& t = told[moved->contact];
+    if (t.bricks++ == 0) t.before = norm(before), t.after = norm(after);
+    t.matters = t.matters || (bond->yields() && bond->glue.thickness == 0.0);
+  }
+  for (std::size_t c = 0; c < told.size(); ++c) {
+    const model::Contact& contact = model.contacts[c];
+    const Told& t = told[c];
+    if (t.sprung > 0)
+      findings.warning(
+          contact.place, name_contact(contact),
+          fmt::format("{} nodes of adhesive are tied by springs: those that such light nodes and their time step allow "
+                      "are softer than the bond, of whose stiffness an eighth to a third is left in impact",
+                      t.sprung),
+          "tie it by constraint: the form without _OFFSET, or _CONSTRAINED_OFFSET to keep its thickness");
+    if (t.bricks == 0) continue;
+    const std::string text = fmt::format(
+        "{} bricks of adhesive have another thickness since their nodes were moved onto "
+        "the mid-surfaces, the first {:.3g} in place of {:.3g}",
+        t.bricks, t.after, t.before);
+    if (t.matters)
+      findings.warning(contact.place, name_contact(contact), text + ": EN = EMOD/THICK and ET follow it",
+                       "give THICK of *MAT_240, or tie with _CONSTRAINED_OFFSET");
+    else
+      findings.note(contact.place, name_contact(contact), text, "_CONSTRAINED_OFFSET keeps it");
   }
 }
 
@@ -378,6 +450,7 @@ void check_segments(const model::Model& model, const Surroundings& around, std::
     if (!ties[t].spring) tie_of[ties[t].node] = static_cast<Index>(t);
   fall_back_on_springs(model, around, ties, tie_of, findings);
   report_hinges(model, around, ties, findings);
+  report_tied_adhesive(model, ties, findings);
   note_rigid_sheets(model, around, ties, findings);
   warn_of_constrained_segments(model, around, ties, tie_of, findings);
   refuse_circles(model, ties, tie_of, findings);

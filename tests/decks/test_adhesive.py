@@ -184,8 +184,9 @@ class Pulled(CommandTest):
         self.assertAlmostEqual(summary["mass"]["physical"], 25.0 * 3e-10, delta=1e-14)
 
 
-def sheets(contact, elform, direction, end=4e-4, reach=0.5):
-    """Two sheets of 30 x 30, 3 x 3 shells, 1.6 mm apart; between them 20 x 20 of adhesive, 5 x 5 bricks with nodes of their own."""
+def sheets(contact, elform, direction, end=4e-4, reach=0.5, law=None, at=(0.0, 1.6)):
+    """Two sheets of 30 x 30, 3 x 3 shells, 1.6 mm apart; between them 20 x 20 of adhesive, 5 x 5 bricks with nodes of their own
+    `at` these heights."""
     places, shells, bricks = [], "", ""
 
     def grid(count, low, high, z):
@@ -196,7 +197,7 @@ def sheets(contact, elform, direction, end=4e-4, reach=0.5):
 
     square = ((0, 0), (1, 0), (1, 1), (0, 1))
     plates = [grid(3, 0.0, 30.0, z) for z in (0.0, 1.6)]
-    faces = [grid(5, 4.0, 24.0, z) for z in (0.0, 1.6)]
+    faces = [grid(5, 4.0, 24.0, z) for z in at]
     for k, plate in enumerate(plates):
         shells += "".join(row(100 * (k + 1) + 3 * j + i, 2 + k, *(plate(i + x, j + y) for x, y in square)) for j in range(3) for i in range(3))
     for j in range(5):
@@ -204,7 +205,7 @@ def sheets(contact, elform, direction, end=4e-4, reach=0.5):
             bricks += element(1 + 5 * j + i, [face(i + x, j + y) for face in faces for x, y in square])
     held = "".join(card(n, 0, 1, 1, 1, 1, 1, 1) for n in range(1, 17))
     held += "".join(card(n, 0, *(int(direction != d) for d in (1, 2, 3)), 1, 1, 1) for n in range(17, 33))
-    return deck(mixed(), section(elform), "*PART\nadhesive\n" + card(1, 1, 1), "*MAT_ELASTIC\n" + card(2, "7.8e-9", 2.1e5, 0.3),
+    return deck(law or mixed(), section(elform), "*PART\nadhesive\n" + card(1, 1, 1), "*MAT_ELASTIC\n" + card(2, "7.8e-9", 2.1e5, 0.3),
                 "*SECTION_SHELL\n" + card(2, 2) + card(1.0, 1.0, 1.0, 1.0), "*PART\nlower\n" + card(2, 2, 2), "*PART\nupper\n" + card(3, 2, 2),
                 nodes(places), "*ELEMENT_SOLID\n" + bricks, "*ELEMENT_SHELL\n" + shells,
                 "*SET_PART_LIST\n" + card(1) + card(2, 3), f"*CONTACT_{contact}\n" + card(1, 1, 3, 2) + "\n\n",
@@ -230,9 +231,37 @@ class Tied(CommandTest):
         self.expect_energy("TIED_NODES_TO_SURFACE", 19, 1, 400.0 * GIIC)
 
     def test_hinges_are_warned_of(self):
-        self.write(sheets("TIED_NODES_TO_SURFACE", 20, 3))
-        run = self.nugget("check", "model.k")
-        self.assertIn("translations only", run.stderr)
+        """ELFORM 20 on hinges gives way to shear. Sabotage: told as of any other hinged node, by a note that `run` does not show."""
+        for contact, elform, told in (("TIED_NODES_TO_SURFACE", 20, True), ("TIED_NODES_TO_SURFACE", 19, False),
+                                      ("TIED_SHELL_EDGE_TO_SURFACE", 20, False)):
+            self.write(sheets(contact, elform, 3))
+            self.nugget("check", "model.k", "-o", "audit")
+            found = [f["text"] for f in self.json("audit/findings.json") if f["severity"] == "warning" and "translations only" in f["text"]]
+            self.assertEqual(len(found), int(told), (contact, elform))
+            self.assertEqual(["72 nodes" in text and "finds no hold" in text for text in found], [True] * told)
+
+    def told(self, *arguments, **options):
+        self.write(sheets(*arguments, **options))
+        self.nugget("check", "model.k", "-o", "audit")
+        return [(f["severity"], f["text"]) for f in self.json("audit/findings.json") if "of adhesive" in f["text"]]
+
+    def test_springs_are_warned_of(self):
+        """They leave a sixth of EN here. Sabotage: ties by constraint counted too."""
+        for contact, elform in (("TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET", 20), ("TIED_NODES_TO_SURFACE_OFFSET", 19)):
+            ((severity, text),) = self.told(contact, elform, 3)
+            self.assertEqual((severity, text.split(":")[0]), ("warning", "72 nodes of adhesive are tied by springs"))
+        for contact in ("TIED_SHELL_EDGE_TO_SURFACE", "TIED_SHELL_EDGE_TO_SURFACE_CONSTRAINED_OFFSET"):
+            self.assertEqual(self.told(contact, 20, 3), [])
+
+    def test_a_thickness_that_ties_change_is_told(self):
+        """Drawn between the faces of the sheets, 0.6 thick, moved onto their mid-surfaces, 1.6 apart. Sabotage: a note where EMOD/THICK follows."""
+        between = {"at": (0.5, 1.1)}
+        for law, severities in ((layer(""), ["warning"]), (layer(0.6), ["note"]), (mixed(), ["note"])):
+            found = self.told("TIED_SHELL_EDGE_TO_SURFACE", 20, 3, law=law, **between)
+            self.assertEqual([severity for severity, _ in found], severities)
+            self.assertIn("25 bricks of adhesive", found[0][1])
+            self.assertIn("1.6 in place of 0.6", found[0][1])
+        self.assertEqual(self.told("TIED_SHELL_EDGE_TO_SURFACE_CONSTRAINED_OFFSET", 20, 3, law=layer(""), **between), [])
 
     def test_any_number_of_threads_gives_the_same_and_d3plot_has_the_tractions(self):
         self.write(sheets("TIED_SHELL_EDGE_TO_SURFACE", 20, 3))

@@ -7,6 +7,7 @@ import re
 import unittest
 
 import lsda
+from few_elements import nodes
 from nugget_command import CommandTest
 
 CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
@@ -20,6 +21,7 @@ def curve(number, *points):
     return "*DEFINE_CURVE\n" + card(number) + "".join(f"{x:20}{y:20}\n" for x, y in points)
 
 
+GAUSS = (0.5 - math.sqrt(1.0 / 12.0), 0.5 + math.sqrt(1.0 / 12.0))
 FOAM = ((0, 0), (0.05, 0.1), (0.5, 0.15), (0.9, 0.95))
 STEEL = "*MAT_001\n" + card(1, 7.85e-9, 210000.0, 0.3)
 
@@ -156,11 +158,35 @@ class LawCards(CommandTest):
                 self.assertEqual(self.findings(deck), [])
                 self.nugget("run", "model.k", "--quiet")
                 history = [(state["time"], state["eroded internal energy"]) for state in self.glstat()]
+                for line in (" part 1: 2 of 2 elements deleted\n", " part 2: 1 of 1 elements deleted\n"):
+                    self.assertIn(line, self.read("run.log"))
                 for share, volume in ((0.4, 64.0), (0.8, 16.0), (1.0, 8.0)):
                     # Pulled alone, the plastic strain is the logarithmic strain less the elastic one.
                     end = (math.exp(0.3 * share + 250.0 / 210000.0) - 1.0) / 1000.0
                     before, after = ([energy for time, energy in history if abs(time - end - shift) < 0.6e-6][0] for shift in (-2e-6, 2e-6))
                     self.assertAlmostEqual(after - before, self.work_to_fracture(0.3 * share) * volume, delta=0.01 * (after - before))
+
+    def test_curves_of_gissmo_in_an_include(self):
+        """All ids of curves and tables move by IDFOFF, those above 0 too: the same run, and the main deck's curves of the old ids are not looked
+        at. Sabotage: LCREGD and LCSRS read as numbers that only below 0 are ids."""
+        metal = "*MAT_024\n" + card(1, 7.85e-9, 210000.0, 0.3, 250.0) + "\n\n\n"
+        law = card(11, -14, 2.0, "", -15, "{}") + card("{}") + curve(11, (0, 0.6), (1 / 3, 0.3))
+        others = curve(14, (0, 0.2), (1, 0.1)) + curve(15, (2, 1.0), (8, 3.0)) + curve(12, (2, 1), (8, 0.4)) + curve(13, (0, 1), (1000, 1.5))
+        table = "*DEFINE_TABLE\n" + card(16) + f"{0.0:20}\n{1.0:20}\n" + curve(1601, (2, 1), (8, 0.4)) + curve(1602, (2, 1), (8, 0.2))
+        wrong = "".join(curve(n, (0, 9.0), (1, 9.0)) for n in range(11, 17))
+        for regularization, rate in ((12, 13), (-16, -13)):
+            body = metal + "*MAT_ADD_DAMAGE_GISSMO\n" + card(1, "", 1) + law.replace("        {}", "{:10}").format(regularization, rate) + others + table
+            whole = self.specimens(body)
+            self.write(whole)
+            self.nugget("run", "model.k", "--quiet", "-o", "whole")
+            inner = whole[:whole.index("*CONTROL_TERMINATION")] + "*END\n"
+            self.write(inner, "body.k")
+            self.write("*KEYWORD\n*INCLUDE_TRANSFORM\nbody.k\n" + card(*[200] * 7) + "\n" * 3 + wrong + whole[whole.index("*CONTROL_TERMINATION"):])
+            self.nugget("run", "model.k", "--quiet", "-o", "included")
+            with self.subTest(regularization=regularization):
+                one, other = ([s["eroded internal energy"] for s in self.glstat(f"{name}/glstat")] for name in ("whole", "included"))
+                self.assertGreater(one[-1], 0.0)
+                self.assertEqual(one, other)
 
     def test_damage_in_d3plot(self):
         """NEIPH, NEIPS: the lost share of the stress, D and F, of bricks and of each layer of shells, and zeros beyond; strains of bricks
@@ -184,6 +210,32 @@ class LawCards(CommandTest):
                     self.assertAlmostEqual(stress[0], 250.0 * (1.0 - numbers[0]), delta=0.1)
             if "Strain" in arrays:
                 self.assertAlmostEqual(arrays["Strain"][0][0], arrays["EffPlastStrn"][0][0] + 250.0 / 210000.0, delta=1e-5)
+
+    def test_mean_damage_of_points_that_differ(self):
+        """Displacement u = 0.05 x y / 10 along x alone, D = (p / 0.2)^2: the mean of D over the points 1/2 -+ sqrt(1/12)
+        is more than the mean strain has. ELFORM 16 and bricks of ELFORM 2. Sabotage: D of the mean history."""
+        metal = "*MAT_024\n" + card(1, 7.85e-9, 210000.0, 0.3, 50.0) + "\n\n\n"
+        damage = "*MAT_ADD_DAMAGE_GISSMO\n" + card(1, "", 1) + card(11, 0.9, 2.0) + card("") + curve(11, (0, 0.2), (1, 0.2))
+        places = nodes([(10 * x, 10 * y, z) for z in (0, 10) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))] + [(x + 50, y, 0) for x, y in ((0, 0), (10, 0), (10, 10), (0, 10))])
+        pulled = "".join(card(n, 1, 2, 99, 0.5) for n in (3, 7, 11))
+        held = "".join(card(n, 0, int(n not in (3, 7, 11)), 1, 1, 1, 1, 1) for n in range(1, 13))
+        self.write("*KEYWORD\n" + metal + damage + "*SECTION_SHELL\n" + card(2, 16, "", 2) + card(*[1.0] * 4) + "*SECTION_SOLID\n" + card(1, 2)
+                   + "*PART\n\n" + card(1, 1, 1) + "*PART\n\n" + card(2, 2, 1) + places + "*ELEMENT_SOLID\n" + "".join(f"{n:8}" for n in (1, 1, *range(1, 9)))
+                   + "\n*ELEMENT_SHELL\n" + "".join(f"{n:8}" for n in (1, 2, *range(9, 13))) + "\n*BOUNDARY_SPC_NODE\n" + held
+                   + curve(99, (0, 0), (1e-4, 1)) + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + pulled + "*CONTROL_TERMINATION\n" + card(1e-4)
+                   + "*DATABASE_BINARY_D3PLOT\n" + card(1e-4) + "*DATABASE_EXTENT_BINARY\n" + card(3, 3, 2) + "\n*END\n")
+        self.nugget("run", "model.k", "--quiet")
+        for block in self.d3plot()["states"][-1]["blocks"]:
+            arrays = block["cell_arrays"]
+            strain, number = ((arrays[name] if name in arrays else arrays[name + "InnerSurf"])[0] for name in ("EffPlastStrn", "IntPtData"))
+            ratio = number[1] / (strain[0] / 0.2) ** 2
+            if "Thickness" in arrays:  # whose strains in the plane are not those of the displacements alone
+                self.assertGreater(ratio, 1.1)
+                continue
+            squares = [4.0 / 9.0 * x * x + y * y / 3.0 for x in GAUSS for y in GAUSS]
+            mean = sum(map(math.sqrt, squares)) / 4.0
+            self.assertAlmostEqual(strain[0], 0.05 * mean, delta=0.05 * 0.05 * mean)
+            self.assertAlmostEqual(ratio, sum(squares) / 4.0 / mean ** 2, delta=0.03)
 
     def test_cards_of_gissmo(self):
         metal = "*MAT_024\n" + card(1, 7.85e-9, 210000.0, 0.3, 250.0) + "\n\n\n"

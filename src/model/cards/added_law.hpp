@@ -35,14 +35,14 @@ inline constexpr Field fadexp =
                      "exponent of the loss of stress; below 0: curve over element size, or table of triaxialities"),
                 IdSpace::function);
 inline constexpr Field lcregd =
-    or_negative(real("lcregd", dimension::number, 0, any_value,
-                     "curve: factor on the strain at fracture over element size; below 0: table of triaxialities"),
+    or_negative(id("lcregd", IdSpace::function, 0,
+                   "curve: factor on the strain at fracture over element size; below 0: table of triaxialities"),
                 IdSpace::function);
 inline constexpr Field refsz =
     real("refsz", dimension::length, 0, any_value, "element size of a further output, which is not written");
 inline constexpr Field lcsrs = or_negative(
-    real("lcsrs", dimension::number, 0, any_value,
-         "curve: factor on the strain at fracture and at instability over the rate; below 0: of fracture only"),
+    id("lcsrs", IdSpace::function, 0,
+       "curve: factor on the strain at fracture and at instability over the rate; below 0: of fracture only"),
     IdSpace::function);
 inline constexpr Field shrf =
     real("shrf", dimension::number, 0, any_value, "share of the effect of LCREGD that is missing in shear");

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
 
 #include "model/cards/added_law.hpp"
 #include "model/cards/families.hpp"
@@ -158,18 +158,18 @@ std::optional<kernel::Gissmo> gissmo(Builder& b, const GissmoRows& rows, const k
   g.threshold = law.real("dcrit");
   g.growth = law.real("dmgexp");
   g.fading = number_or_curves(b, law, "fadexp");
-  if (const double regularization = law.real("lcregd"); regularization != 0.0)
-    g.mesh = curves_of(b, law, "lcregd", static_cast<int>(std::lround(std::abs(regularization))), regularization < 0.0);
+  if (const int regularization = law.integer("lcregd"); regularization != 0)
+    g.mesh = curves_of(b, law, "lcregd", std::abs(regularization), regularization < 0);
   g.shear = share(b, scales, "shrf");
   g.biaxial = share(b, scales, "biaxf");
   if (!g.mesh.given() && (g.shear != 0.0 || g.biaxial != 0.0))
     scales.complain(b.findings, Severity::warning, g.shear != 0.0 ? "shrf" : "biaxf", "has no effect without LCREGD",
                     "give LCREGD");
-  if (const double rate = scales.real("lcsrs"); rate != 0.0) {
-    const CurveTable found = curves_of(b, scales, "lcsrs", static_cast<int>(std::lround(std::abs(rate))), false);
+  if (const int rate = scales.integer("lcsrs"); rate != 0) {
+    const CurveTable found = curves_of(b, scales, "lcsrs", std::abs(rate), false);
     if (found.given()) g.rate = found.curve.front();
     g.log_rates = !g.rate.empty() && g.rate.x.front() < 0.0;
-    g.rate_of_instability = rate > 0.0;
+    g.rate_of_instability = rate > 0;
   }
   const int kind = static_cast<int>(type.real(type_field));
   if (kind != 0 && kind != 1)

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "kernel/law/composition.hpp"
 #include "small_model.hpp"
 
 // Layers of shells: *PART_COMPOSITE, *INTEGRATION_SHELL with parts.
@@ -75,6 +76,21 @@ TEST(Layers, FaultsOfAComposite) {
                   .find(Severity::note, "deletes the shell with all its layers", "mid1"));
 }
 
+// Formulation 17 has no transverse shear for LAMSHT to act on: a sandwich in it has 5.4 times the frequency.
+TEST(Layers, LaminatedShearInTriangles) {
+  const std::string soft = "*MAT_ELASTIC\n5,5e-11,50.0,0.1\n", third = "*ELEMENT_SHELL\n2,1,1,2,3,3\n",
+                    shear = "*CONTROL_SHELL\n\n,,1\n", sorted = "*CONTROL_SHELL\n,2\n,,1\n";
+  const auto told = [&](const std::string& layers, const std::string& control, const std::string& more) {
+    return composite(layers, soft + control + more).warning("no effect in its 1 triangles of formulation 17");
+  };
+  const std::string core = "1,0.8,,,5,10.0\n5,10.0,,,1,0.8\n";
+  EXPECT_TRUE(told(core, sorted, third));
+  EXPECT_FALSE(told(core, shear, third));                   // formulation 4, or a collapsed quad
+  EXPECT_FALSE(told(core, sorted, ""));                     // no triangles
+  EXPECT_FALSE(told(core, "*CONTROL_SHELL\n,2\n", third));  // not asked for
+  EXPECT_FALSE(told("1,0.8,,,1,10.0\n", sorted, third));    // one material
+}
+
 TEST(Layers, OfParts) {
   const std::string section = "*SECTION_SHELL\n1,2,,3,,-7\n5.0\n*PART\npane\n1,1,1\n*PART\nfilm\n8,1,2\n";
   const auto b = built(section + "*INTEGRATION_SHELL\n7,3,0,1\n-0.6,0.4\n0.0,0.2,8\n0.6,0.4\n");
@@ -85,6 +101,7 @@ TEST(Layers, OfParts) {
   ASSERT_EQ(law.layers->size(), 3u);
   EXPECT_DOUBLE_EQ((*law.layers)[1].law.E, 500.0);
   EXPECT_TRUE(built(section + "*INTEGRATION_SHELL\n7,1\n0.0,1.0,9\n").error("part 9 is not defined", "pid"));
+  EXPECT_FALSE(b.warning("has no elements")) << b.all_findings();
   // Without parts the shell keeps its own law; with LAMSHT it has layers.
   const std::string plain = section + "*INTEGRATION_SHELL\n7,3,1\n";
   const auto own = [](const Built& of) {
@@ -93,6 +110,36 @@ TEST(Layers, OfParts) {
   };
   EXPECT_TRUE(own(built(plain)));
   EXPECT_FALSE(own(built(plain + "*CONTROL_SHELL\n\n,,1\n")));
+}
+
+// "... constants with local material axes and orientation angles taken from the PID referenced on the element card"
+// (*INTEGRATION_SHELL, PID): material 6 has its axis a along y, material 5 of the shells' own part along x.
+TEST(Layers, AxesAreThoseOfTheShellsOwnPart) {
+  const auto fibres = [](int mid, const char* modulus, const char* along) {
+    return "*MAT_ORTHOTROPIC_ELASTIC\n" + std::to_string(mid) + ",1.5e-9," + modulus +
+           ",9000.,9000.,0.02,0.02,0.3\n5000.,3000.,5000.,2\n,,," + along + "\n,,,0,0,1\n";
+  };
+  const auto stacked = [&](const char* along, int own) {
+    return built(fibres(5, "150000.", "1,0,0") + fibres(6, "90000.", along) +
+                 "*SECTION_SHELL\n1,2,,2,,-7\n5.0\n*PART\npane\n1,1," + std::to_string(own) +
+                 "\n*PART\nply\n8,1,6\n*INTEGRATION_SHELL\n7,2\n-0.5,0.5\n0.5,0.5,8\n");
+  };
+  const auto layer = [](const Built& b) {
+    const auto& law =
+        std::get<kernel::Laminate>(b.model.materials.at(static_cast<std::size_t>(b.model.parts.at(0).material)).law);
+    return std::get<kernel::Orthotropic>((*law.layers)[1].law.made_of->flow);
+  };
+  const auto crossed = stacked("0,1,0", 5);
+  EXPECT_EQ(crossed.findings.errors(), 0) << crossed.all_findings();
+  EXPECT_TRUE(crossed.warning("material 6 are not looked at", "pid")) << crossed.all_findings();
+  EXPECT_DOUBLE_EQ(layer(crossed).axes.a.x, 1.0);
+  EXPECT_DOUBLE_EQ(layer(crossed).axes.a.y, 0.0);
+  EXPECT_NEAR(layer(crossed).E, 90000.0, 0.1 * 90000.0);  // its constants are its own
+  const auto alike = stacked("1,0,0", 5);
+  EXPECT_FALSE(alike.warning("not looked at")) << alike.all_findings();
+  const auto isotropic = stacked("0,1,0", 1);  // glass has no axes to give
+  EXPECT_FALSE(isotropic.warning("not looked at")) << isotropic.all_findings();
+  EXPECT_DOUBLE_EQ(layer(isotropic).axes.a.y, 1.0);
 }
 
 }  // namespace
