@@ -368,8 +368,8 @@ SurfaceContact::Spring SurfaceContact::spring(const Candidate& candidate, int tr
   return {inverse_mass, kernel::pair_stiffness(setup_.law, full, inverse_mass, step.bearable)};
 }
 
-/// The pair came apart, along the normal of a brick's face: that from an edge that is level with the node leads
-/// anywhere.
+/// Gives back what a pair that came apart still holds, along the normal of a brick's face: the way from an edge that is
+/// level with the node leads anywhere.
 void SurfaceContact::part(Block& block, const Candidate& candidate, int tracked, const Step& step) const {
   const Segment& segment = setup_.segments[candidate.pair->segment];
   const Vec3d direction = segment.volume > 0.0 ? candidate.foot.normal : candidate.away;

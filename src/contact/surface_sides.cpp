@@ -73,10 +73,10 @@ void SurfaceContact::leave_out_strays(Block& block, int node, const Step& step) 
   if (any) run_over(block, node, step);
   for (Candidate& candidate : block.candidates) {
     if (candidate.gap >= 0.0 || candidate.before.touching) continue;
-    const bool level = candidate.came_from >= -on_the_face * inner_[candidate.pair->segment];
+    const bool is_level = candidate.came_from >= -on_the_face * inner_[candidate.pair->segment];
     const Candidate* from = predecessor(block, candidate);
     // Level with a face it came through that only if no other has it.
-    if (!candidate.extended && (candidate.came_through || (from == nullptr && level))) continue;
+    if (!candidate.extended && (candidate.came_through || (from == nullptr && is_level))) continue;
     if (from == nullptr || dot(from->foot.normal, candidate.foot.normal) <= 0.5) candidate.gap = Box::infinity;
   }
 }
