@@ -78,15 +78,10 @@ output::D3plotState d3plot_state(const Snapshot& now) {
   s.kinetic = now.energy.kinetic;
   s.internal = now.energy.internal;
   s.total = now.energy.total();
-  Vec3d momentum{};
-  double mass = 0.0;
-  for (const PartEnergy& p : now.parts) {
+  for (const PartEnergy& p : now.parts)
     s.parts.push_back(
         {p.internal, p.kinetic, p.hourglass, p.mass, p.mass > 0.0 ? (1.0 / p.mass) * p.momentum : Vec3d{}});
-    momentum += p.momentum;
-    mass += p.mass;
-  }
-  if (mass > 0.0) s.velocity = (1.0 / mass) * momentum;
+  s.velocity = mean_velocity(now.energy, now.parts);
   for (const contact::RigidWall& w : now.walls) s.wall_forces.push_back(w.normal_force());
 
   s.x.resize(model.nodes.size());

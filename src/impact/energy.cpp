@@ -173,7 +173,8 @@ double kinetic_energy(const system::System& system, const system::State& state, 
 void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before, Energy& energy,
                       std::vector<PartEnergy>& parts) {
-  energy.internal = energy.hourglass = energy.eroded = energy.lumped = 0.0;
+  energy.internal = energy.hourglass = energy.eroded = 0.0;
+  energy.lumped = {};
   parts.assign(system.model.parts.size(), {});
   const Carrier carrier(system, state, v_before, w_before);
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
@@ -183,11 +184,7 @@ void element_energies(const system::System& system, const system::State& state, 
     const Vec3d v = vec(v_before[at(body.node)]), after = vec(state.v[at(body.node)]);
     const double kinetic = 0.5 * body.mass * dot(v, between(v, after, carrier.share)) +
                            turning(body, state, vec(w_before[at(body.node)]), momentum_before[b], carrier.share);
-    if (source.parts.empty()) {
-      energy.lumped += kinetic;
-      continue;
-    }
-    PartEnergy& part = parts[at(source.parts.front())];
+    PartEnergy& part = source.parts.empty() ? energy.lumped : parts[at(source.parts.front())];
     part.kinetic += kinetic;
     part.mass += body.mass;
     part.momentum += body.mass * between(v, after, 0.5 * carrier.share);
@@ -212,7 +209,13 @@ void element_energies(const system::System& system, const system::State& state, 
   PartEnergy points;
   for (const model::PointMass& m : system.model.masses) carrier.carry(points, system.node_of[at(m.node)], m.mass, 0.0);
   for (const model::PointInertia& p : system.model.inertias) carrier.carry(points, p);
-  energy.lumped += points.kinetic;
+  energy.lumped += points;
+}
+
+Vec3d mean_velocity(const Energy& energy, const std::vector<PartEnergy>& parts) {
+  PartEnergy all = energy.lumped;
+  for (const PartEnergy& part : parts) all += part;
+  return all.mass > 0.0 ? (1.0 / all.mass) * all.momentum : Vec3d{};
 }
 
 }  // namespace nugget::impact

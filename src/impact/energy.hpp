@@ -8,6 +8,14 @@
 
 namespace nugget::impact {
 
+/// Energies and momentum of one part. Kinetic energy contains that of spins.
+struct PartEnergy {
+  double internal = 0.0, kinetic = 0.0, hourglass = 0.0, eroded = 0.0, mass = 0.0;
+  Vec3d momentum;
+
+  PartEnergy& operator+=(const PartEnergy& other);
+};
+
 /// The energy balance at one time. The total changes only by external work; `ratio` is total over (initial + external
 /// work).
 struct Energy {
@@ -17,12 +25,12 @@ struct Energy {
   double wall = 0.0;     ///< taken out by rigid walls (stonewall energy)
   double damping = 0.0;
   double eroded = 0.0;    ///< internal and hourglass energy of deleted elements
-  double lumped = 0.0;    ///< share of `kinetic` that belongs to no part
   double external = 0.0;  ///< work of loads and supports
   double initial = 0.0;   ///< total at time 0
   /// What the kinetic energy lost because the time step changed (docs/decisions/0021); no work, and 0 at a constant
   /// step.
   double step_change = 0.0;
+  PartEnergy lumped;  ///< mass, momentum and share of `kinetic` that belong to no part
 
   double total() const { return kinetic + internal + hourglass + contact + wall + damping + eroded + step_change; }
   double ratio() const { return over_input(total()); }
@@ -39,14 +47,6 @@ struct Energy {
 /// Share of the time from t(n-1/2) to t(n+1/2) that lies before t(n): 1/2 at a constant step, 0 at the start.
 double share_before_now(const system::State& state);
 
-/// Energies and momentum of one part. Kinetic energy contains that of spins.
-struct PartEnergy {
-  double internal = 0.0, kinetic = 0.0, hourglass = 0.0, eroded = 0.0, mass = 0.0;
-  Vec3d momentum;
-
-  PartEnergy& operator+=(const PartEnergy& other);
-};
-
 /// Kinetic energy at t(n) as the discrete balance wants it, 1/2 m v(n-1/2) . v(n+1/2) (docs/decisions/0002): `before`
 /// are the velocities and spins at t(n-1/2), those in `state` stand at t(n+1/2).
 double kinetic_energy(const system::System& system, const system::State& state, std::span<const Row> v_before,
@@ -54,10 +54,13 @@ double kinetic_energy(const system::System& system, const system::State& state, 
 
 /// Adds up the elements' energies: internal, hourglass, eroded of `energy`, and all of `parts` (size: number of parts).
 /// A part whose body's mass is given (*PART_INERTIA) has the kinetic energy and the momentum of the body. Point masses
-/// and nodal rigid bodies with masses of their own belong to no part: `lumped` is their kinetic energy, so that the
-/// parts' and it are `kinetic_energy`.
+/// and nodal rigid bodies with masses of their own belong to no part: they are `lumped`, so that the parts' kinetic
+/// energy and theirs are `kinetic_energy`.
 void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before, Energy& energy,
                       std::vector<PartEnergy>& parts);
+
+/// Momentum over mass of all `parts` and of what belongs to none [velocity]; 0 where there is no mass.
+Vec3d mean_velocity(const Energy& energy, const std::vector<PartEnergy>& parts);
 
 }  // namespace nugget::impact

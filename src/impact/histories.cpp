@@ -74,13 +74,7 @@ output::GlstatState glstat_state(const Snapshot& now) {
   s.ratio = e.ratio();
   const double base = e.initial + e.external;
   s.ratio_without_eroded = base != 0.0 ? (e.total() - e.eroded) / base : 1.0;
-  Vec3d momentum{};
-  double mass = 0.0;
-  for (const PartEnergy& p : now.parts) {
-    momentum += p.momentum;
-    mass += p.mass;
-  }
-  if (mass > 0.0) s.velocity = (1.0 / mass) * momentum;
+  s.velocity = mean_velocity(e, now.parts);
   if (now.masses.added != 0.0) {
     s.added_mass = now.masses.added;
     s.percent_increase = 100.0 * now.masses.added / now.masses.physical;
@@ -94,7 +88,7 @@ output::MatsumState matsum_state(const Snapshot& now) {
   const model::Model& model = now.system.model;
   const bool given_nodal =
       std::ranges::any_of(model.rigid_bodies, [](const model::RigidBody& b) { return b.given && b.parts.empty(); });
-  if (!model.masses.empty() || !model.inertias.empty() || given_nodal) s.lumped_kinetic = now.energy.lumped;
+  if (!model.masses.empty() || !model.inertias.empty() || given_nodal) s.lumped_kinetic = now.energy.lumped.kinetic;
   for (std::size_t p = 0; p < now.parts.size(); ++p) {
     const PartEnergy& part = now.parts[p];
     output::MatsumRow row;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -401,27 +402,51 @@ void set_thickness(Builder& b, const std::vector<std::size_t>& rows) {
   }
 }
 
-/// Diameters of single beams (_THICKNESS) that differ from their section's cannot be obeyed.
-void check_beam_diameters(Builder& b, const std::vector<std::size_t>& rows) {
+/// A value of *ELEMENT_BEAM_THICKNESS by its name in the section, and what the section has there.
+struct SectionValue {
+  std::string_view name;
+  double value = 0.0;
+};
+
+/// PARM1 to PARM5 by formulation; nameless where a formulation has no use for one.
+std::array<SectionValue, 5> values_of(const SectionBeam& s, const Model& m) {
+  switch (s.elform) {
+    case 2:
+      return {
+          {{"A", s.area}, {"ISS", s.moment_s}, {"ITT", s.moment_t}, {"J", s.torsion_constant}, {"SA", s.shear_area}}};
+    case 3: return {{{"A", s.area}}};
+    case 6:
+      return {{{"VOL", s.volume},
+               {"INER", s.inertia},
+               {"CID", s.system == none ? 0.0 : m.systems[static_cast<std::size_t>(s.system)].id}}};
+    default: return {{{"TS1", s.outer[0]}, {"TS2", s.outer[1]}, {"TT1", s.inner[0]}, {"TT2", s.inner[1]}}};
+  }
+}
+
+/// Cross-sections of single beams (_THICKNESS) that differ from their section's cannot be obeyed.
+void check_single_sections(Builder& b, const std::vector<std::size_t>& rows) {
   const auto& table = b.beam_table;
   if (table.section.empty()) return;
   Tally differing(b.findings, Severity::error, "*ELEMENT_BEAM_THICKNESS");
+  const auto differs = [](double value, double own) { return std::abs(value - own) > 1e-6 * std::abs(own); };
   for (std::size_t e = 0; e < rows.size(); ++e) {
     const Part& part = b.model.parts[static_cast<std::size_t>(b.model.beams.part[e])];
     if (part.section == none) continue;
     const SectionBeam& s = b.model.beam_sections[static_cast<std::size_t>(part.section)];
-    const std::array<double, 4> own{s.outer[0], s.outer[1], s.inner[0], s.inner[1]};
-    for (std::size_t i = 0; i < 4; ++i) {
+    const std::array<SectionValue, 5> own = values_of(s, b.model);
+    for (std::size_t i = 0; i < own.size(); ++i) {
       const double value = table.section[rows[e]][i];
-      if (!given(value) || value == own[i]) continue;
+      if (own[i].name.empty() || !given(value) || !differs(value, own[i].value)) continue;
       differing.add(
           b.model.beams.place[e],
           [&] {
             return fmt::format(
-                "beam {}: parm{} = {:g} differs from {:g} of its section; diameters of single beams are not supported",
-                b.model.beams.id[e], i + 1, value, own[i]);
+                "beam {}: parm{} = {:g} differs from {} = {:g} of section {}; cross-sections of single beams are not "
+                "supported",
+                b.model.beams.id[e], i + 1, value, own[i].name, own[i].value, s.id);
           },
-          "give the welds of each diameter a part and a section of their own");
+          s.elform == 9 ? "give the welds of each diameter a part and a section of their own"
+                        : "give the beams of each cross-section a part and a section of their own");
       break;
     }
   }
@@ -514,7 +539,7 @@ void make_mesh(Builder& b) {
   }
   fold_tetrahedra(b.model);
   set_thickness(b, shell_rows);
-  check_beam_diameters(b, beam_rows);
+  b.later(Phase::bodies, [beam_rows](Builder& late) { check_single_sections(late, beam_rows); });
 }
 
 }  // namespace nugget::model

@@ -84,7 +84,23 @@ class RigidBodies(CommandTest):
         elastic = "*MAT_ELASTIC\n" + card(1, 1.0, 2e5, 0.3)
         self.run_deck(STEP, FALL, part(1), SOLID, elastic, cube(1, 0.0), self.AXES, body, members)
         # Mass 1, 100 sin 30 along the axis for 0.01. Free along z it would have four times as much, along x nothing.
-        self.assertAlmostEqual(self.glstat()[-1]["kinetic energy"], 0.5 * 0.5**2, delta=2e-3)
+        last = self.glstat()[-1]
+        self.assertAlmostEqual(last["kinetic energy"], 0.5 * 0.5**2, delta=2e-3)
+        self.assertAlmostEqual(last["global x velocity"], -0.5 * 0.75**0.5, delta=0.011)
+
+    def test_the_global_velocity_counts_what_belongs_to_no_part(self):
+        """Masses 1, 3 and 4 with momenta 8 along x, 12 along y and 8 along z. Sabotage: the parts alone."""
+        body = "*CONSTRAINED_NODAL_RIGID_BODY_INERTIA\n" + card(9, 0, 3) + card(0.5, 0.5, 0.5, 1.0) + \
+            card(0.5, 0.0, 0.0, 0.5, 0.0, 0.5) + card(8.0)
+        members = "*SET_NODE_LIST\n" + card(3) + card(*range(1, 9))
+        elastic = "*MAT_ELASTIC\n" + card(1, 1.0, 2e5, 0.3)
+        point = "*NODE\n" + f"{99:8}{9.0:16}{9.0:16}{9.0:16}\n" + f"*ELEMENT_MASS\n{7:8}{99:8}{4.0:16}\n" + \
+            "*INITIAL_VELOCITY_NODE\n" + card(99, 0.0, 0.0, 2.0)
+        self.run_deck(STEP, part(1), SOLID, elastic, cube(1, 0.0), body, members, inertia(2, 0.0, 4.0), rigid(2),
+                      cube(2, 3.0), point)
+        for state in self.glstat():
+            for axis, speed in zip("xyz", (1.0, 1.5, 1.0)):
+                self.assertAlmostEqual(state[f"global {axis} velocity"], speed, delta=1e-5)
 
     def test_the_axes_of_supports_have_the_offset_of_their_include(self):
         held = part(1) + SOLID + rigid(1, -1, 7, "011111") + cube(1, 0.0) + self.AXES

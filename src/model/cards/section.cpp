@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "deck/text.hpp"
 #include "kernel/element/shell.hpp"
 #include "model/cards/families.hpp"
 #include "model/cards/reading.hpp"
@@ -312,6 +313,18 @@ void read_integrated(Builder& b, const Row& row, const Row& size, SectionBeam& s
     refuse(b, size, "nsloc", "nodes off the axis of a tube are not built", "leave it 0");
 }
 
+/// True (and a finding) where the next card names a shape (STYPE, SECTION_01 to SECTION_22) in place of an area.
+bool refuse_shape(Builder& b, Cursor& cursor, const Row& row) {
+  const std::string line = deck::upper(cursor.peek());
+  const std::string shape(deck::trimmed(line.substr(0, std::min<std::size_t>(10, line.find(',')))));
+  if (!shape.starts_with("SECTION_")) return false;
+  b.findings.add({Severity::error, cursor.place(), row.keyword(), "stype", shape,
+                  "cross-sections by the name of their shape, with D1 to D6, are not built",
+                  row.integer("elform") == 2 ? "write A, ISS, ITT, J and SA of the shape" : "write A of the shape"});
+  cursor.skip();
+  return true;
+}
+
 void read_resultant(const Row& size, SectionBeam& s) {
   s.area = size.real("a");
   s.moment_s = size.real("iss");
@@ -335,6 +348,8 @@ void read_beam(Builder& b, const Block& block, const Options& options) {
       read_discrete(b, row, cursor.read(discrete_card), s);
     else if (row.integer("elform") == 1)
       read_integrated(b, row, cursor.read(integrated_card), s);
+    else if ((row.integer("elform") == 2 || row.integer("elform") == 3) && refuse_shape(b, cursor, row))
+      s.area = std::numeric_limits<double>::quiet_NaN();  // told; the section exists for the parts that use it
     else if (row.integer("elform") == 2)
       read_resultant(cursor.read(resultant_card), s);
     else if (row.integer("elform") == 3)

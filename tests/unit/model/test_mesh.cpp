@@ -142,7 +142,7 @@ TEST(Mesh, ElementsThatAreNotBuiltAreRefused) {
       cube_deck("*ELEMENT_BEAM_OFFSET\n1,3,5,9\n0.0,1.0,0.0,0.0,1.0,0.0\n*ELEMENT_BEAM_THICKNESS\n2,3,1,5\n7.0\n"
                 "*ELEMENT_SHELL_COMPOSITE\n1,1,1,2,3,4\n"));
   EXPECT_TRUE(b.error("only 0 is supported", "wy1")) << b.all_findings();
-  EXPECT_TRUE(b.error("diameters of single beams are not supported"));
+  EXPECT_TRUE(b.error("parm1 = 7 differs from TS1"));
   EXPECT_TRUE(b.error("this form of *ELEMENT_SHELL is not supported") || b.error("not built")) << b.all_findings();
 }
 

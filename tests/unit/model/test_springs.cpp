@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cards of springs, joints, beams and sensors.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -89,7 +90,35 @@ TEST(Beams, SectionsOfTheStructure) {
   EXPECT_TRUE(beam("1,1,,2,2\n0.2,,0.1\n", elastic).error("cross-sections of the user", "cst"));
   EXPECT_TRUE(beam("1,2\n0.5,0.1\n", plastic).error("elastic here", "mid"));
   EXPECT_TRUE(beam("1,3\n\n", elastic).error("must be given", "a"));
+  const Built shape = beam("1,2\nsection_11,0.2,0.1\n", elastic);
+  EXPECT_TRUE(shape.error("cross-sections by the name of their shape", "stype")) << shape.all_findings();
+  EXPECT_EQ(shape.findings.errors(), 1) << shape.all_findings();
+  EXPECT_EQ(beam("1,3\nSECTION_08       0.2\n", elastic).findings.errors(), 1);
   EXPECT_TRUE(beam("1,4\n0.2\n", elastic).error("beam formulation 4 is not built", "elform"));
+}
+
+/// One beam with a _THICKNESS card of its own, in fields of 16.
+Built single(const std::string& section, const std::string& material, std::initializer_list<double> values) {
+  std::string card;
+  for (const double v : values) card += fmt::format("{:16}", v);
+  return beam(section, material + "*DEFINE_COORDINATE_VECTOR\n7,1.0,0.0,0.0,0.0,1.0,0.0\n" +
+                           "*ELEMENT_BEAM_THICKNESS\n2,1,2,4,3\n" + card + "\n");
+}
+
+TEST(Beams, CrossSectionsOfSingleBeams) {
+  const std::string elastic = "*MAT_ELASTIC\n1,1.0,1.0,0.3\n", square = "1,2\n0.5,0.1,0.2,0.3,0.4\n";
+  const auto errors = [](const Built& b) { return b.findings.errors(); };
+  EXPECT_EQ(errors(single(square, elastic, {0.5, 0.1, 0.2, 0.3, 0.4})), 0);
+  EXPECT_EQ(errors(single(square, elastic, {0.5})), 0);
+  const Built torsion = single(square, elastic, {0.5, 0.1, 0.2, 0.31, 0.4});
+  EXPECT_TRUE(torsion.error("beam 2: parm4 = 0.31 differs from J = 0.3 of section 1")) << torsion.all_findings();
+  EXPECT_TRUE(single(square, elastic, {0.5, 0.1, 0.2, 0.3, 0.5}).error("parm5 = 0.5 differs from SA = 0.4"));
+  EXPECT_EQ(errors(single("1,3\n0.5\n", elastic, {0.5, 9.0})), 0);  // nothing else is used of a truss
+  EXPECT_TRUE(single("1,3\n0.5\n", elastic, {0.6}).error("parm1 = 0.6 differs from A = 0.5"));
+  EXPECT_TRUE(single("1,1\n0.2,,0.1\n", elastic, {0.2, 0.2, 0.15}).error("parm3 = 0.15 differs from TT1 = 0.1"));
+  const std::string linear = "*MAT_LINEAR_ELASTIC_DISCRETE_BEAM\n1,1.0,1.0,1.0,1.0,1.0,1.0,1.0\n\n";
+  EXPECT_EQ(errors(single("1,6\n0.5,0.1,7\n", linear, {0.5, 0.1, 7.0})), 0);
+  EXPECT_TRUE(single("1,6\n0.5,0.1\n", linear, {0.5, 0.1, 7.0}).error("parm3 = 7 differs from CID = 0"));
 }
 
 }  // namespace
