@@ -56,7 +56,7 @@ Vec3d bounce(const Body& body, const Vec3d& arm, const Vec3d& n, double mu = 0.0
 struct Result {
   Motion end;
   Vec3d impulse;  ///< of the wall on the body
-  double ratio = 0.0, wall_velocity = 0.0, wall_energy = 0.0;
+  double ratio = 0.0, wall_velocity = 0.0, wall_energy = 0.0, initial = 0.0;
   int touching = 0;
 };
 
@@ -90,6 +90,7 @@ Result run(const Body& body, const std::string& wall, const Vec3d& seen = below)
     result.impulse = now.walls[0].impulse();
     result.wall_velocity = now.walls[0].velocity();
     result.wall_energy = now.energy.wall;
+    result.initial = now.energy.initial;
     result.touching = now.walls[0].touching();
     if (now.energy.initial > 0.0) result.ratio = std::max(result.ratio, std::abs(now.energy.ratio() - 1.0));
   });
@@ -117,6 +118,11 @@ TEST(RigidBodiesOnWalls, ComesBackAsItCame) {
     body.scale = scale;
     expect_motion(fmt::format("block flat on a plane, RWPNAL {}", scale), body, run(body, plane(0)),
                   struck(body, below, bounce(body, below, up)));
+  }
+  for (const double moved : {0.0, 0.2, 0.4, 0.6, 0.8}) {  // of a step: where the body enters the spring
+    body.start.v = (1.0 + 0.1 * moved) * Vec3d{0, 0, -speed};
+    expect_motion(fmt::format("one node, RWPNAL 5, velocity {}", -body.start.v.z), body, run(body, plane(1)),
+                  struck(body, below, bounce(body, below, up)), 1e-3);
   }
   body = {.start = {{0.5 * speed, 0.2 * speed, -speed}, {}}};
   expect_motion("oblique", body, run(body, plane(0)), struck(body, below, bounce(body, below, up)));
@@ -161,9 +167,10 @@ TEST(RigidBodiesOnWalls, WallsThatMove) {
   expect_motion("wall of half the mass", body, r, {2.0 * common * up - body.start.v, {}});
   expect_reference("RWPNAL", "wall of half the mass: momentum", mass * r.end.v.z + wall_mass * r.wall_velocity,
                    wall_mass * v0 - mass * speed, 1e-9);
-  const std::string driven = "*RIGIDWALL_GEOMETRIC_FLAT_MOTION\n" + fields({0}) +
+  const std::string driven = "*RIGIDWALL_GEOMETRIC_FLAT_MOTION\n" + fields({1}) +
                              fields({0, 0, below.z - gap, 0, 0, 100}) + fields({100, 0, below.z - gap, 0, 0}) +
                              fields({5, 0, 0, 0, 1}) + constant_curve(5, 300.0);
+  body.scale = 5.0;
   expect_motion("driven wall", body, run(body, driven), {(speed + 600.0) * up, {}});
 }
 
@@ -176,7 +183,7 @@ TEST(RigidBodiesOnWalls, OfAllForms) {
   const Vec3d axis = below - gap * up - radius * n;
   const Vec3d expected = body.start.v - 2.0 * dot(body.start.v, n) * n;
   const auto form = [&](const std::string& name, const Vec3d& tail, const Vec3d& head, const std::string& card) {
-    expect_motion(name, body,
+    expect_motion("oblique on _" + name, body,
                   run(body, "*RIGIDWALL_GEOMETRIC_" + name + "\n" + fields({1}) +
                                 fields({tail.x, tail.y, tail.z, head.x, head.y, head.z}) + card),
                   {expected, {}});
@@ -187,6 +194,36 @@ TEST(RigidBodiesOnWalls, OfAllForms) {
   const Vec3d l = tail + Vec3d{0.8, 0, -0.6};
   form("FLAT", tail, head, fields({l.x, l.y, l.z, 80, 40}));
   form("PRISM", tail, head, fields({l.x, l.y, l.z, 80, 40, 30}));
+}
+
+// A block tumbles on a plane under a load, over its edges and corners, without friction: its energy is what it was.
+// Sabotage to be caught: springs that give back more or less than they took.
+TEST(RigidBodiesOnWalls, TumbleWithoutLoss) {
+  Body body{.start = {{0, 0, -speed}, {30, 50, 20}}, .duration = 8e-3};
+  const double load = 2e6;
+  body.more = constant_curve(2) + "*LOAD_BODY_Z\n" + fields({2, load});
+  const Result r = run(body, plane(0));
+  EXPECT_GT(r.impulse.z, 10 * mass * speed);
+  expect_reference("RWPNAL", "block that tumbles: energy left in the wall, of the first", r.wall_energy / r.initial,
+                   0.0, 0.01, 1.0);
+  expect_reference("RWPNAL", "block that tumbles: energy ratio", 1.0 + r.ratio, 1.0, 1e-3);
+}
+
+// A body that is driven goes its way, one that is held along the normal stays; the wall's force is a load. Sabotage to
+// be caught: wall before motion.
+TEST(RigidBodiesOnWalls, DrivenAndHeld) {
+  Body body{.duration = 1e-4};
+  body.more = constant_curve(2) + "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n" + fields({1, 3, 0, 2, -speed});
+  const Result driven = run(body, plane(0));
+  EXPECT_NEAR(driven.end.v.z, -speed, 1e-9);
+  EXPECT_GT(driven.impulse.z, mass * speed);
+  EXPECT_LT(driven.ratio, 1e-3);
+  // A wall with mass comes back from a body that cannot move along its normal.
+  body = {};
+  body.more = "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n" + fields({1, 3, 0, 2}) + constant_curve(2, 0.0);
+  const Result held = run(body, plane(0, 0, "_MOVING") + fields({0.1 * mass, speed}));
+  EXPECT_NEAR(held.end.v.z, 0.0, 1e-9);
+  expect_reference("RWPNAL", "wall with mass against a held body: velocity", held.wall_velocity, -speed, 0.01);
 }
 
 // Under its weight the block comes to rest on an incline whose friction bears it; the force is its weight. Sabotage to
