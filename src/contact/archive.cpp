@@ -4,6 +4,7 @@
 #include "contact/interior_contact.hpp"
 #include "contact/penalty_contact.hpp"
 #include "contact/rigid_wall.hpp"
+#include "contact/wall_penalty.hpp"
 
 // What of contacts and walls goes into restart files: their search lists too, since a pair remembers on which side it
 // stands, and a search at another cycle would give other last digits.
@@ -62,10 +63,16 @@ void InteriorContact::archive(Archive& a) {
   a.built(bricks_, threshold_, stiffness_, squeezed_);
 }
 
+void WallPenalty::archive(Archive& a) {
+  a(touches_, force_, normal_force_, energy_, touching_);
+  a.built(system_, scale_, friction_, inverse_wall_mass_, touching_of_);
+}
+
 void RigidWall::archive(Archive& a) {
   a.section("wall");
   a(origin_, velocity_, tracked_, started_, force_, impulse_, normal_force_, normal_impulse_, energy_, due_,
-    power_on_change_, touching_);
+    power_on_change_, touching_, wall_velocity_);
+  if (bodies_) a(*bodies_);
   a.built(shape_, normal_, friction_, weld_velocity_, mass_, motion_, motion_is_displacement_, motion_direction_,
           birth_, death_, sums_);
 }

@@ -12,8 +12,7 @@ namespace {
 constexpr std::size_t group_size = 1024;
 constexpr std::size_t nodes_ahead = 16;
 
-std::variant<kernel::PlaneWall, kernel::CylinderWall, kernel::SphereWall, kernel::PrismWall> shape_of(
-    const model::RigidWall& wall) {
+kernel::WallShape shape_of(const model::RigidWall& wall) {
   switch (wall.shape) {
     case model::RigidWall::Shape::cylinder: return kernel::CylinderWall{wall.normal, wall.radius, wall.length};
     case model::RigidWall::Shape::sphere: return kernel::SphereWall{wall.radius};
@@ -27,7 +26,8 @@ std::variant<kernel::PlaneWall, kernel::CylinderWall, kernel::SphereWall, kernel
 
 }  // namespace
 
-RigidWall::RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const Curve* motion)
+RigidWall::RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const Curve* motion,
+                     std::optional<WallPenalty> bodies)
     : shape_(shape_of(wall)),
       origin_(wall.origin),
       normal_(wall.normal),
@@ -38,7 +38,8 @@ RigidWall::RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const
       motion_is_displacement_(wall.motion_is_displacement),
       motion_direction_(wall.motion_direction),
       birth_(wall.birth),
-      death_(wall.death) {
+      death_(wall.death),
+      bodies_(std::move(bodies)) {
   if (motion != nullptr) motion_ = *motion;
   for (int n : nodes) tracked_.push_back({n, kernel::Hold::none, {}});
   sums_.resize((tracked_.size() + group_size - 1) / group_size);
@@ -54,6 +55,14 @@ Vec3d RigidWall::prescribed_velocity(double time, double dt) const {
   return (way / dt) * motion_direction_;
 }
 
+void RigidWall::press(const contact::Step& step, std::span<Row> f) {
+  if (!bodies_) return;
+  if (acts(step.time))
+    bodies_->apply(step, shape_, origin_, wall_velocity_, f);
+  else
+    bodies_->release();
+}
+
 void RigidWall::constrain(double time, double dt, double dt_previous, std::span<const Row> x, std::span<Row> v,
                           std::span<const Row> f, std::span<const double> mass, std::span<const unsigned char> skip) {
   force_ = {};
@@ -61,8 +70,10 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
   touching_ = 0;
   due_ = power_on_change_ = 0.0;
   Step step{dt, x, v, f, mass, skip, prescribed_velocity(time, dt)};
-  const bool active = time >= birth_ && time < death_;
+  const double between_middles = 0.5 * (dt + dt_previous);
+  const bool active = acts(time);
   if (mass_ > 0.0 && time >= birth_) {
+    if (bodies_) velocity_ -= between_middles / mass_ * dot(bodies_->force(), normal_);
     if (active) std::visit([&](const auto& shape) { collide(shape, step); }, shape_);
     step.wall_velocity = velocity_ * normal_;
   }
@@ -77,7 +88,6 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
       all.power_on_change += sum.power_on_change;
       all.touching += sum.touching;
     }
-    const double between_middles = 0.5 * (dt + dt_previous);
     force_ = (1.0 / between_middles) * all.impulse;
     normal_force_ = all.normal / between_middles;
     impulse_ += all.impulse;
@@ -88,7 +98,15 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
     touching_ = all.touching;
     power_on_change_ = all.power_on_change;
   }
+  if (bodies_) {
+    force_ += bodies_->force();
+    normal_force_ += bodies_->normal_force();
+    impulse_ += between_middles * bodies_->force();
+    normal_impulse_ += between_middles * bodies_->normal_force();
+    touching_ += bodies_->touching();
+  }
   started_ = active;
+  wall_velocity_ = step.wall_velocity;
   origin_ += dt * step.wall_velocity;
 }
 

@@ -3,12 +3,13 @@
 
 #include <optional>
 #include <span>
-#include <variant>
 #include <vector>
 
 #include "base/archive.hpp"
 #include "base/curve.hpp"
 #include "base/row.hpp"
+#include "contact/step.hpp"
+#include "contact/wall_penalty.hpp"
 #include "kernel/contact/wall.hpp"
 #include "model/loads.hpp"
 
@@ -29,12 +30,18 @@ namespace nugget::contact {
 ///
 /// Motion: a plane with `mass` moves along its normal, its velocity following from the momentum of the nodes (plastic
 /// collision: the total is kept to round-off); any wall with a motion curve moves as the curve says; others stand.
-/// None moves before its birth, from which the curve counts. Results are the same bits for any number of threads.
+/// None moves before its birth, from which the curve counts. Nodes of rigid bodies are stopped by penalty, if at all:
+/// WallPenalty, whose forces, work and push on a wall with mass count with those of the other nodes. Results are the
+/// same bits for any number of threads.
 class RigidWall {
  public:
   /// `nodes`: the tracked nodes, numbered as in the arrays of `constrain`. `motion`: the curve that
-  /// `wall.motion_curve` names, or null.
-  RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const Curve* motion = nullptr);
+  /// `wall.motion_curve` names, or null. `bodies`: stops the nodes of rigid bodies.
+  RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const Curve* motion = nullptr,
+            std::optional<WallPenalty> bodies = {});
+
+  /// Adds the forces on nodes of rigid bodies at the end of the step to `f`.
+  void press(const contact::Step& step, std::span<Row> f);
 
   /// Call when the velocities of the middle of the step are known, v(t + dt/2), and before nodes move to x(t + dt). `x`
   /// at `time`. `dt_previous`: the step that led to `time`; forces are impulses over the time between the two middles,
@@ -55,11 +62,11 @@ class RigidWall {
   /// exactly its loss of kinetic energy; with other forces at work it is what is missing when each of them, too, is
   /// accounted with f . (v_before + v_after)/2 dt, so that the total closes. Includes what a moving wall gained as
   /// kinetic energy.
-  double energy() const { return energy_; }
+  double energy() const { return energy_ + (bodies_ ? bodies_->energy() : 0.0); }
   /// The same up to `time` of the last `constrain`, which stands between the two middles: the impulses of that step
   /// only with the share of their work that the kinetic energy at `time` contains (impact::kinetic_energy;
   /// docs/decisions/0002).
-  double energy_until_now() const { return energy_ - due_; }
+  double energy_until_now() const { return energy() - due_; }
   /// Kinetic energy of a wall with mass, 0 for others.
   double kinetic_energy() const { return 0.5 * mass_ * velocity_ * velocity_; }
 
@@ -105,18 +112,22 @@ class RigidWall {
   void stop(const Shape& shape, Tracked& tracked, const Step& step, Sum& sum) const;
   Vec3d friction(const Vec3d& slip, double normal_change) const;
 
-  std::variant<kernel::PlaneWall, kernel::CylinderWall, kernel::SphereWall, kernel::PrismWall> shape_;
+  bool acts(double time) const { return time >= birth_ && time < death_; }
+
+  kernel::WallShape shape_;
   Vec3d origin_, normal_;
   double friction_ = 0.0, weld_velocity_ = 0.0;
   double mass_ = 0.0, velocity_ = 0.0;
   std::optional<Curve> motion_;
   bool motion_is_displacement_ = false;
   Vec3d motion_direction_;
+  Vec3d wall_velocity_;  // in the last step
   double birth_ = 0.0, death_ = 0.0;
 
   std::vector<Tracked> tracked_;
   std::vector<Sum> sums_;  // by group of tracked nodes
   bool started_ = false;   // `last` holds
+  std::optional<WallPenalty> bodies_;
 
   Vec3d force_, impulse_;
   double normal_force_ = 0.0, normal_impulse_ = 0.0, energy_ = 0.0, due_ = 0.0, power_on_change_ = 0.0;

@@ -34,15 +34,17 @@ void tell_of_glue(const model::Contact& card, const contact::Glue& glue, Finding
                      "check the sides, and the gap between them against the thicknesses (SFSAT, SFSBT, SAST, SBST)");
 }
 
-/// A wall leaves alone what is tied or belongs to a rigid body.
+/// A wall leaves alone what is tied, and what belongs to a rigid body unless RWPNAL has it stopped by penalty.
 void tell_of_held_nodes(const model::RigidWall& wall, const std::vector<int>& nodes, const system::System& system,
                         Findings& findings) {
-  const auto held = std::count_if(nodes.begin(), nodes.end(), [&](int n) { return system.map.dependent(n); });
+  const bool by_penalty = system.model.control.wall_penalty > 0.0;
+  const auto held = std::count_if(nodes.begin(), nodes.end(), [&](int n) {
+    return system.map.dependent(n) && !(by_penalty && system.carrying_body(n) >= 0);
+  });
   if (held > 0)
     findings.note(wall.place, "*RIGIDWALL",
-                  fmt::format("{} of the nodes of wall {} are tied or belong to nodal rigid bodies: the wall stops "
-                              "what they hang on, not them",
-                              held, wall.id));
+                  fmt::format("{} of the nodes of wall {} are tied{}: the wall stops what they hang on, not them", held,
+                              wall.id, by_penalty ? "" : " or belong to nodal rigid bodies"));
 }
 
 /// What a node of a rigid part brings to a contact is its share of the body's mass, whatever the density of its mesh;
@@ -117,7 +119,15 @@ Simulation::Simulation(system::System& system, Findings& findings)
     for (model::Index n : wall.nodes) nodes.push_back(system.node_of[at(n)]);
     tell_of_held_nodes(wall, nodes, system, findings);
     const Curve* curve = wall.motion_curve == model::none ? nullptr : &model.curves[at(wall.motion_curve)];
-    walls_.emplace_back(wall, std::move(nodes), curve);
+    std::optional<contact::WallPenalty> bodies;
+    if (const double scale = model.control.wall_penalty; scale > 0.0) bodies.emplace(system, wall, nodes, scale);
+    if (bodies && !bodies->empty() && wall.friction >= 2.0)
+      findings.warning(wall.place, "*RIGIDWALL",
+                       fmt::format("FRIC {:g}: nodes of rigid bodies stay on wall {} only as long as they are pressed "
+                                   "on it, {}",
+                                   wall.friction, wall.id, wall.friction == 2.0 ? "without friction" : "and stick"),
+                       "hold such bodies by a constraint if they are to stay there");
+    walls_.emplace_back(wall, std::move(nodes), curve, std::move(bodies));
   }
 }
 
@@ -548,6 +558,7 @@ void Simulation::contact_forces() {
                            state_.x,    state_.v,  contact_mass_,  element_alive_.all()};
   for (contact::PenaltyContact& c : contacts_) c.apply(step, state_.f);
   for (contact::InteriorContact& c : interiors_) c.apply(step, state_.f);
+  for (contact::RigidWall& w : walls_) w.press(step, state_.f);
 }
 
 void Simulation::applied_forces() {

@@ -97,6 +97,7 @@ struct Control {
   int nodes_of_dead = 0;              ///< ENMASS: 1 nodes of dead bricks stay in the contact, 2 of shells too
   kernel::Friction part_friction;     ///< SFRIC, DFRIC, EDC, VFC: of parts that give none
   bool list_ties = false;             ///< OUTSEG
+  double wall_penalty = 0.0;          ///< RWPNAL, its size: rigid walls against rigid bodies; 0: they do not touch
   int untied_weld = 0;                ///< SPOTSTP
   Place untied_weld_place;            ///< where it stands; no line: nowhere
   int weld_of_deleted_shell = 0;      ///< SPOTDEL

@@ -571,6 +571,12 @@ System::Masses System::masses() const {
   return m;
 }
 
+int System::carrying_body(int node) const {
+  if (!map.dependent(node)) return -1;
+  const std::size_t leader = at(map.terms(node).front().node);
+  return leader >= nodes && leader - nodes < bodies.size() ? static_cast<int>(leader - nodes) : -1;
+}
+
 double System::part_mass(model::Index part) const {
   double sum = 0.0;
   for (const auto& group : groups)

@@ -141,6 +141,8 @@ class System {
   Masses masses() const;
   /// Physical mass of a part (its elements and point masses assigned to it).
   double part_mass(model::Index part) const;
+  /// The rigid body that a node hangs on, in `bodies`; -1: none.
+  int carrying_body(int node) const;
 
   void archive(Archive& a);
 

@@ -34,6 +34,27 @@ class Conditions(MassesTest):
         work, kinetic = self.energies()
         self.assertAlmostEqual(work / kinetic, 1.0, delta=1e-3)
 
+    def test_rigid_bodies_come_back_from_a_wall(self):
+        """A rigid box of 8 and a nodal rigid body of four masses of 2 meet a wall with 10: RWPNAL decides whether they
+        come back. The wall's impulse is twice their momentum."""
+        places = [(10 + x, y, 0) for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))]
+        cards = "*SET_NODE_LIST\n" + card(3) + card(1, 2, 3, 4) + "*CONSTRAINED_NODAL_RIGID_BODY\n" + card(70, 0, 3)
+        cards += "*INITIAL_VELOCITY\n" + card(0) + card(0.0, 0.0, -10.0)
+        cards += "*RIGIDWALL_PLANAR\n" + card(0) + card(0.0, 0.0, -0.204, 0.0, 0.0, 1.0)
+        cards += "*DATABASE_RWFORC\n" + card(STEP, 1)
+        for penalty, factor, told in ((0.0, 1.0, "RWPNAL 1"), (1.0, -1.0, None), (-1.0, -1.0, "give the positive number")):
+            with self.subTest(penalty):
+                told_now = self.run_deck(places, cards + "*CONTROL_CONTACT\n" + card(0.1, penalty), box=True)
+                if told:
+                    self.assertIn(told, told_now)
+                else:
+                    self.assertNotIn("rwpnal", told_now.lower())
+                last = self.nodout()[-1]
+                for node in (1, 2, 3, 4, 2001):
+                    self.assert_near(last[node][3:], [0.0, 0.0, -10.0 * factor], 0.1)
+                forces = re.findall(rf"^\s*{NUMBER}\s+\d+\s+({NUMBER})", self.read("out/rwforc"), re.MULTILINE)
+                self.assertAlmostEqual(sum(map(float, forces)) * STEP, 160.0 * (1.0 - factor), delta=3.2)
+
     def test_a_motion_beside_an_oblique_support(self):
         """A slider on a plane inclined by 30 degrees is driven along x: it follows the plane. The force for the
         acceleration a = 10 along x is m a (1 + tan^2) along x."""

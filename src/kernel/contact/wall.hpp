@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "base/vec3.hpp"
 
@@ -136,6 +137,8 @@ inline WallPush push(const PrismWall& wall, const Vec3d& from, const Vec3d& to, 
   if (hold != Hold::welded && end >= level) return {};
   return {true, through->normal, level - end};
 }
+
+using WallShape = std::variant<PlaneWall, CylinderWall, SphereWall, PrismWall>;
 
 /// Change of the sliding velocity `slip` that friction makes in a step in which the wall changes the normal velocity by
 /// `normal_change` >= 0: against the slip, at most `coefficient` times that (Coulomb), never more than the slip itself.

@@ -79,7 +79,7 @@ const Card relaxation_card{{
 
 const Card contact_card_1{{
     real("slsfac", dimension::number, 0.1, above_zero(), "penalty factor"),
-    factor("rwpnal", 0, "rigid walls against rigid bodies by penalty"),
+    factor("rwpnal", 0, "0: rigid walls do not stop rigid bodies; above: by penalty, with this scale"),
     flag("islchk", "check of initial penetration, no effect"),
     flag("shlthk", "for contacts that are not automatic, no effect"),
     integer("penopt", 1, any_value, "choice of the penalty stiffness: 1"),
@@ -340,11 +340,12 @@ void read_time_step(Builder& b, const Block& block, const Options&) {
   b.later(Phase::conditions, [row](Builder& later) { later.model.control.step_curve = later.curve(row, "lctm"); });
 }
 
-/// Rigid walls stop nodes of rigid bodies by penalty if RWPNAL says so, else not at all.
 void check_wall_penalty(Builder& b, const Row& row) {
-  if (row.real("rwpnal") == 0.0 || b.model.walls.empty() || b.model.rigid_bodies.empty()) return;
+  if (!(row.real("rwpnal") < 0.0) || b.model.walls.empty()) return;
   row.complain(b.findings, Severity::warning, "rwpnal",
-               "nodes of rigid bodies are not stopped by rigid walls by penalty");
+               "below 0, all nodes by penalty, is not obeyed: rigid walls stop nodes of rigid bodies by penalty, with "
+               "its size as the scale, all others by constraint",
+               "give the positive number");
 }
 
 /// TH, TH_SF, PEN_SF: what *PART_CONTACT says of a part is left as it is.
@@ -377,6 +378,7 @@ void read_contact(Builder& b, const Block& block, const Options&) {
   b.later(Phase::conditions, [three](Builder& later) { set_part_defaults(later, three); });
   Control& c = b.model.control;
   c.penalty_scale = one.real("slsfac");
+  c.wall_penalty = std::abs(one.real("rwpnal"));
   c.keep_tied_gap = two.integer("tiedprj") == 1;
   c.nodes_of_dead = one.integer("enmass");
   c.part_friction = {three.real("sfric"), three.real("dfric"), three.real("edc"), three.real("vfc")};

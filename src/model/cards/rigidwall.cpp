@@ -221,27 +221,28 @@ void tell_of_nodes_behind(Builder& builder, const Row& row, const RigidWall& wal
 }
 
 /// The nodes that the wall stops: NSID or all, in the box, near enough, without NSIDEX and, as in LS-DYNA, without
-/// rigid parts.
+/// rigid parts where RWPNAL is 0.
 void take_nodes(Builder& builder, const Row& row, double reach, RigidWall& wall) {
   std::vector<Index> left_out;
   if (const auto* set = builder.node_set(row, "nsidex")) left_out = set->members;
   make_unique(left_out);
   const Box* box = builder.box(row, "boxid");
+  const bool by_penalty = builder.model.control.wall_penalty > 0.0;
   std::size_t rigid = 0;
   for (const Index node : candidates(builder, row)) {
     const Vec3d& x = builder.model.nodes.x[static_cast<std::size_t>(node)];
     if (std::binary_search(left_out.begin(), left_out.end(), node) || (box && !box->holds(x))) continue;
     if (reach > 0.0 && dot(x - wall.origin, wall.normal) > reach) continue;
-    if (on_rigid_part(builder, node))
-      ++rigid;
-    else
-      wall.nodes.push_back(node);
+    const bool on_rigid = on_rigid_part(builder, node);
+    rigid += on_rigid;
+    if (!on_rigid || by_penalty) wall.nodes.push_back(node);
   }
   make_unique(wall.nodes);
-  if (rigid > 0)
+  if (rigid > 0 && !by_penalty)
     row.complain(
         builder.findings, Severity::warning, "nsid",
-        fmt::format("{} nodes of rigid parts pass through the wall: it stops deformable ones (RWPNAL = 0)", rigid));
+        fmt::format("{} nodes of rigid parts pass through the wall: it stops deformable ones (RWPNAL = 0)", rigid),
+        "give RWPNAL 1 on *CONTROL_CONTACT to have them stopped by penalty");
   if (wall.nodes.empty()) row.complain(builder.findings, Severity::warning, "nsid", "the wall stops no node");
   if (wall.birth == 0.0) tell_of_nodes_behind(builder, row, wall);
 }

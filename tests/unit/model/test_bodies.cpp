@@ -213,6 +213,23 @@ TEST(RigidBodies, FaultsOfRigidWelds) {
 // ---- rigid walls
 // -------------------------------------------------------------------------------------------------------------
 
+// RWPNAL: nodes of rigid parts are the wall's too.
+TEST(RigidWalls, TakeRigidPartsByPenalty) {
+  const auto nodes_with = [](const std::string& contact) {
+    return Built(small_deck(contact + "*RIGIDWALL_PLANAR\n         0\n" +
+                            "       0.0       0.0      -1.0       0.0       0.0       1.0\n"));
+  };
+  const Built without = nodes_with(""), with = nodes_with("*CONTROL_CONTACT\n       0.1       1.0\n"),
+              negative = nodes_with("*CONTROL_CONTACT\n       0.1      -2.0\n");
+  EXPECT_TRUE(without.warning("rigid parts pass through", "nsid"));
+  EXPECT_FALSE(with.warning("rigid parts pass through", "nsid"));
+  EXPECT_GT(with.model.walls.at(0).nodes.size(), without.model.walls.at(0).nodes.size());
+  EXPECT_EQ(with.model.control.wall_penalty, 1.0);
+  EXPECT_FALSE(with.warning("not obeyed", "rwpnal"));
+  EXPECT_TRUE(negative.warning("not obeyed", "rwpnal"));
+  EXPECT_EQ(negative.model.control.wall_penalty, 2.0);
+}
+
 TEST(RigidWalls, PlanarWithAllItsCards) {
   const Built built(small_deck(R"(*RIGIDWALL_PLANAR_FINITE_MOVING_FORCES_ID
          8barrier
