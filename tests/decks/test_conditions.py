@@ -5,7 +5,7 @@ import re
 import unittest
 
 from few_elements import card, curve
-from masses import END, MASS, NUMBER, MassesTest
+from masses import END, MASS, NUMBER, STEP, MassesTest
 
 def system(identity, degrees):
     """Axes turned about z."""
