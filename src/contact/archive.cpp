@@ -27,7 +27,7 @@ void SurfaceContact::Block::archive(Archive& a) {
 void SurfaceContact::archive(Archive& a) {
   a.section("contact of surfaces");
   a(forces_, live_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, moved_, living_, blocks_,
-    busy_, energy_, resultant_, touching_, deepest_);
+    busy_, energy_, resultant_, touching_, deepest_, frictions_, friction_energy_);
   a.built(setup_, around_, segment_stiffness_, inner_, node_stiffness_, node_mass_, held_, stays_, thickest_segment_,
           pressing_, margin_, boxes_, tree_);
 }
@@ -40,13 +40,14 @@ void EdgeContact::Block::archive(Archive& a) {
 void EdgeContact::archive(Archive& a) {
   a.section("contact of edges");
   a(approach_, searched_, searches_, active_, blocks_, touches_, touched_before_, forces_, energy_, resultant_,
-    deepest_);
+    deepest_, frictions_, friction_energy_);
   a.built(setup_, first_at_, edge_at_, margin_, close_);
 }
 
 void Glue::archive(Archive& a) {
   a.section("glue");
-  a(bonds_, held_, spent_, forces_, energy_, resultant_, failed_, first_node_, first_time_, last_time_);
+  a(bonds_, held_, spent_, forces_, energy_, resultant_, failed_, first_node_, first_time_, last_time_, frictions_,
+    friction_energy_);
   a.built(setup_, card_, around_, around_listed_, segment_stiffness_, at_start_);
 }
 

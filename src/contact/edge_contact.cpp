@@ -156,7 +156,9 @@ std::vector<Edge> edges_of(const std::vector<Segment>& segments, std::span<const
 }
 
 EdgeContact::EdgeContact(EdgeContactSetup setup, std::span<const Row> x)
-    : setup_(std::move(setup)), forces_(all_nodes(setup_.edges)) {
+    : setup_(std::move(setup)),
+      forces_(all_nodes(setup_.edges)),
+      frictions_(setup_.law.friction.any() ? forces_.nodes() : std::vector<int>{}) {
   const std::vector<Edge>& edges = setup_.edges;
   first_at_.assign(forces_.nodes().empty() ? 1 : forces_.nodes().back() + 2, 0);
   double length = 0.0;
@@ -181,6 +183,7 @@ EdgeContact::EdgeContact(EdgeContactSetup setup, std::span<const Row> x)
 
 void EdgeContact::apply(const Step& step, std::span<Row> force) {
   forces_.next_cycle();
+  frictions_.next_cycle();
   std::swap(touches_, touched_before_);
   touches_.clear();
   resultant_ = {};
@@ -203,6 +206,7 @@ void EdgeContact::apply(const Step& step, std::span<Row> force) {
   }
   const std::array<double, 2> work = forces_.work(step.dt, step.v);
   for (int side = 0; side < 2; ++side) energy_[side] -= work[side];
+  if (setup_.law.friction.any()) friction_energy_ -= frictions_.work(step.dt, step.v)[0];
 }
 
 // ----------------------------------------------------------------------------------------------------------------
@@ -595,8 +599,8 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
       pair.friction = friction(law, pair, before, stiffness, size, step);
     pair.force = size * pair.direction + pair.friction;
     for (int end = 0; end < 2; ++end) {
-      forces_.add(e.node[end], weight[end] * pair.force);
-      forces_.add(f.node[end], -weight[2 + end] * pair.force);
+      add(e.node[end], weight[end] * pair.force, weight[end] * pair.friction);
+      add(f.node[end], -weight[2 + end] * pair.force, -weight[2 + end] * pair.friction);
     }
     if (setup_.law.balances_friction) balance(pair, step);
     if (setup_.two_sides) resultant_ += (e.side & 1u) ? pair.force : -pair.force;
@@ -620,9 +624,14 @@ void EdgeContact::balance(const Pair& pair, const Step& step) {
   const std::array<Vec3d, 4> on_e = couple(e.node, -cross(lever, along_p), step.x),
                              on_f = couple(f.node, -cross(lever, along_q), step.x);
   for (std::size_t end = 0; end < 2; ++end) {
-    forces_.add(e.node[end], on_e[end]);
-    forces_.add(f.node[end], on_f[end]);
+    add(e.node[end], on_e[end], on_e[end]);
+    add(f.node[end], on_f[end], on_f[end]);
   }
+}
+
+void EdgeContact::add(int node, const Vec3d& force, const Vec3d& friction) {
+  forces_.add(node, force);
+  if (setup_.law.friction.any()) frictions_.add(node, friction);
 }
 
 Vec3d EdgeContact::force_between(const TwoBodies& bodies) const {

@@ -97,6 +97,7 @@ class EdgeContact {
 
   double energy() const { return energy_[0] + energy_[1]; }  ///< as SurfaceContact::energy()
   const std::array<double, 2>& energy_of_sides() const { return energy_; }
+  double friction_energy() const { return friction_energy_; }  ///< as SurfaceContact::friction_energy()
   /// Force on the tracked side as a whole; zero where there are not two sides [force].
   const Vec3d& resultant() const { return resultant_; }
   Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
@@ -163,6 +164,7 @@ class EdgeContact {
                  double normal_force, const Step& step) const;
   void press(const Candidate& candidate, const Step& step);
   void balance(const Pair& pair, const Step& step);
+  void add(int node, const Vec3d& force, const Vec3d& friction);
 
   EdgeContactSetup setup_;
   std::vector<int> first_at_, edge_at_;  // edges at each node
@@ -174,8 +176,9 @@ class EdgeContact {
   std::vector<Block> blocks_;
   std::vector<const Candidate*> close_;         // of all blocks, by a, then b
   std::vector<Pair> touches_, touched_before_;  // pairs that touch, in this order
-  NodalForces forces_;
+  NodalForces forces_, frictions_;              // frictions_ as in SurfaceContact
   std::array<double, 2> energy_{};
+  double friction_energy_ = 0.0;
   Vec3d resultant_;
   double deepest_ = 0.0;
 };

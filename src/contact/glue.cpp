@@ -48,7 +48,8 @@ Glue::Glue(const SurfaceContactSetup& setup, model::Glue card, std::span<const R
       around_listed_(setup_.faces_at_nodes),
       held_(setup.nodes.size(), card_.alone ? 1 : 0),
       spent_(setup.nodes.size(), 0),
-      forces_(surface_nodes(setup)) {
+      forces_(surface_nodes(setup)),
+      frictions_(setup.law.friction.any() ? forces_.nodes() : std::vector<int>{}) {
   book_sides(forces_, around_, setup_.segments);
   for (const Segment& s : setup_.segments)
     segment_stiffness_.push_back(setup_.stiffness_scale * penalty_stiffness(s, x));
@@ -234,6 +235,7 @@ void Glue::let_go(Bond& bond, double time) {
 
 void Glue::apply(const Step& step, std::span<Row> force) {
   forces_.next_cycle();
+  frictions_.next_cycle();
   resultant_ = {};
   for (Bond& bond : bonds_) {
     bond.force = {};
@@ -246,20 +248,27 @@ void Glue::apply(const Step& step, std::span<Row> force) {
       continue;
     }
     bond.force = -f;
-    const Segment& s = setup_.segments[bond.segment];
-    forces_.add(setup_.nodes[bond.tracked].node, bond.force);
-    for (int c = 0; c < s.corners(); ++c) forces_.add(s.node[c], bond.weight[c] * f);
-    if (card_.moments) {
-      const Vec3d lever = vec(step.x[setup_.nodes[bond.tracked].node]) - interpolate(s, bond.weight, step.x);
-      const std::array<Vec3d, 4> back =
-          couple({s.node.data(), static_cast<std::size_t>(s.corners())}, cross(lever, f), step.x);
-      for (int c = 0; c < s.corners(); ++c) forces_.add(s.node[c], back[c]);
-    }
-    resultant_ += s.side == 1 ? f : -f;
+    spread(bond, bond.force, step.x, forces_);
+    if (setup_.law.friction.any()) spread(bond, bond.friction, step.x, frictions_);
+    resultant_ += setup_.segments[bond.segment].side == 1 ? f : -f;
   }
   forces_.add_to(force);
   const std::array<double, 2> work = forces_.work(step.dt, step.v);
   for (int side = 0; side < 2; ++side) energy_[side] -= work[side];
+  if (setup_.law.friction.any()) friction_energy_ -= frictions_.work(step.dt, step.v)[0];
+}
+
+/// A force on the bond's node, and back on its segment.
+void Glue::spread(const Bond& bond, const Vec3d& force, std::span<const Row> x, NodalForces& forces) const {
+  const Segment& s = setup_.segments[bond.segment];
+  const int node = setup_.nodes[bond.tracked].node;
+  forces.add(node, force);
+  for (int c = 0; c < s.corners(); ++c) forces.add(s.node[c], -bond.weight[c] * force);
+  if (!card_.moments) return;
+  const Vec3d lever = vec(x[node]) - interpolate(s, bond.weight, x);
+  const std::array<Vec3d, 4> back =
+      couple({s.node.data(), static_cast<std::size_t>(s.corners())}, -cross(lever, force), x);
+  for (int c = 0; c < s.corners(); ++c) forces.add(s.node[c], back[c]);
 }
 
 void Glue::stick(const SurfaceContact& surface, const Step& step) {

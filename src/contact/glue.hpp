@@ -53,7 +53,8 @@ class Glue {
   double last_time() const { return last_time_; }  ///< when the last one was let go
 
   const std::array<double, 2>& energy_of_sides() const { return energy_; }
-  const Vec3d& resultant() const { return resultant_; }  ///< force on the tracked side [force]
+  double friction_energy() const { return friction_energy_; }  ///< as SurfaceContact::friction_energy()
+  const Vec3d& resultant() const { return resultant_; }        ///< force on the tracked side [force]
   Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
   /// As SurfaceContact::force_between.
   Vec3d force_between(const TwoBodies& bodies) const;
@@ -83,6 +84,7 @@ class Glue {
   Vec3d pull(Bond& bond, const kernel::CohesiveStiffness& k, const Step& step) const;
   Vec3d sliding_pull(Bond& bond, const kernel::CohesiveStiffness& k, const Step& step) const;
   void let_go(Bond& bond, double time);
+  void spread(const Bond& bond, const Vec3d& force, std::span<const Row> x, NodalForces& forces) const;
 
   SurfaceContactSetup setup_;
   model::Glue card_;
@@ -92,8 +94,9 @@ class Glue {
   std::vector<Bond> bonds_;
   std::vector<unsigned char> held_;
   std::vector<unsigned char> spent_;  // by tracked node: it has been glued
-  NodalForces forces_;
+  NodalForces forces_, frictions_;    // frictions_ as in SurfaceContact
   std::array<double, 2> energy_{};
+  double friction_energy_ = 0.0;
   Vec3d resultant_;
   int at_start_ = 0, failed_ = 0;
   int first_node_ = -1;

@@ -43,6 +43,11 @@ std::array<double, 2> PenaltyContact::energy_of_sides() const {
   return energy;
 }
 
+double PenaltyContact::friction_energy() const {
+  return surface_.friction_energy() + (edges_ ? edges_->friction_energy() : 0.0) +
+         (glue_ ? glue_->friction_energy() : 0.0);
+}
+
 Vec3d PenaltyContact::resultant() const {
   Vec3d sum = surface_.resultant();
   if (edges_) sum += edges_->resultant();

@@ -31,7 +31,10 @@ double mean_edge(const std::vector<Segment>& segments, std::span<const Row> x) {
 }  // namespace
 
 SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x)
-    : setup_(std::move(setup)), around_(setup_.segments), forces_(surface_nodes(setup_)) {
+    : setup_(std::move(setup)),
+      around_(setup_.segments),
+      forces_(surface_nodes(setup_)),
+      frictions_(setup_.law.friction.any() ? forces_.nodes() : std::vector<int>{}) {
   for (const Segment& s : setup_.segments) {
     segment_stiffness_.push_back(setup_.stiffness_scale * penalty_stiffness(s, x));
     const double a = area(s, x);
@@ -378,10 +381,11 @@ void SurfaceContact::part(Block& block, const Candidate& candidate, int tracked,
   const double size =
       kernel::parting_force(candidate.before.memory, stiffness, inverse_mass, -dot(velocity, direction), step.dt);
   if (!(size > 0.0)) return;
-  Vec3d force = size * direction;
+  Vec3d along;
   const kernel::Friction& rough = setup_.law.friction.between(segment.kind, setup_.nodes[tracked].kind);
-  if (rough.any()) force += friction(rough, candidate, &candidate.before, direction, stiffness, size, step);
-  block.hits.push_back({tracked, candidate.pair->segment, candidate.foot.weight, force, 0.0});
+  if (rough.any()) along = friction(rough, candidate, &candidate.before, direction, stiffness, size, step);
+  const Vec3d force = size * direction + along;
+  block.hits.push_back({tracked, candidate.pair->segment, candidate.foot.weight, force, along, 0.0});
 }
 
 void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, const Step& step) const {
@@ -442,7 +446,7 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
                                       : kernel::touch_friction(rough, touch);
     force += pair.friction;
   }
-  block.hits.push_back({tracked, pair.segment, candidate.foot.weight, force, pair.depth});
+  block.hits.push_back({tracked, pair.segment, candidate.foot.weight, force, pair.friction, pair.depth});
 }
 
 /// Stiffness of the pair before the step bounds it. What has no mass of its own, as a node without segments or a side
@@ -479,6 +483,7 @@ Vec3d SurfaceContact::friction(const kernel::Friction& law, const Candidate& can
 
 void SurfaceContact::next_cycle() {
   forces_.next_cycle();
+  frictions_.next_cycle();
   resultant_ = {};
   touching_ = 0;
   deepest_ = 0.0;
@@ -491,28 +496,34 @@ void SurfaceContact::add_forces(const Step& step, std::span<Row> force) {
     deepest_ = std::max(deepest_, block.deepest);
     touching_ += static_cast<int>(block.hits.size());
   }
-  forces_.add_by_parts([this, &step](NodalForces::Part& part) {
-    for (const int b : busy_) {
-      const Block& block = blocks_[b];
-      if (!part.meets(block.lowest, block.highest)) continue;
-      for (const Hit& hit : block.hits) {
-        const Segment& segment = setup_.segments[hit.segment];
-        part.add(setup_.nodes[hit.tracked].node, hit.force);
-        for (int c = 0; c < segment.corners(); ++c) part.add(segment.node[c], -hit.weight[c] * hit.force);
-        if (!setup_.law.balances_friction) continue;
-        const Vec3d lever = vec(step.x[setup_.nodes[hit.tracked].node]) - interpolate(segment, hit.weight, step.x);
-        const std::array<Vec3d, 4> back = couple({segment.node.data(), static_cast<std::size_t>(segment.corners())},
-                                                 -cross(lever, hit.force), step.x);
-        for (int c = 0; c < segment.corners(); ++c) part.add(segment.node[c], back[c]);
+  const auto spread = [this, &step](Vec3d Hit::*which) {
+    return [this, &step, which](NodalForces::Part& part) {
+      for (const int b : busy_) {
+        const Block& block = blocks_[b];
+        if (!part.meets(block.lowest, block.highest)) continue;
+        for (const Hit& hit : block.hits) {
+          const Segment& segment = setup_.segments[hit.segment];
+          const Vec3d& of_hit = hit.*which;
+          part.add(setup_.nodes[hit.tracked].node, of_hit);
+          for (int c = 0; c < segment.corners(); ++c) part.add(segment.node[c], -hit.weight[c] * of_hit);
+          if (!setup_.law.balances_friction) continue;
+          const Vec3d lever = vec(step.x[setup_.nodes[hit.tracked].node]) - interpolate(segment, hit.weight, step.x);
+          const std::array<Vec3d, 4> back =
+              couple({segment.node.data(), static_cast<std::size_t>(segment.corners())}, -cross(lever, of_hit), step.x);
+          for (int c = 0; c < segment.corners(); ++c) part.add(segment.node[c], back[c]);
+        }
       }
-    }
-  });
+    };
+  };
+  forces_.add_by_parts(spread(&Hit::force));
+  if (setup_.law.friction.any()) frictions_.add_by_parts(spread(&Hit::friction));
   forces_.add_to(force);
 }
 
 void SurfaceContact::account(double dt, std::span<const Row> v) {
   const std::array<double, 2> work = forces_.work(dt, v);
   for (int side = 0; side < 2; ++side) energy_[side] -= work[side];
+  if (setup_.law.friction.any()) friction_energy_ -= frictions_.work(dt, v)[0];
 }
 
 // ---- initial penetrations

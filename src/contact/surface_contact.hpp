@@ -93,6 +93,7 @@ class SurfaceContact {
     int tracked = 0, segment = 0;    ///< places in the setup
     std::array<double, 4> weight{};  ///< of the segment's corners, at the foot
     Vec3d force;                     ///< on the node
+    Vec3d friction;                  ///< its share
     double depth = 0.0;
   };
 
@@ -115,6 +116,8 @@ class SurfaceContact {
   /// Its shares: what the tracked side (SURFA) and what the reference side gave. In a single surface contact all is of
   /// the first.
   const std::array<double, 2>& energy_of_sides() const { return energy_; }
+  /// What of it friction has taken: minus the work of its forces [energy].
+  double friction_energy() const { return friction_energy_; }
   /// Force on the tracked side (SURFA) as a whole. In a single surface contact, where that is zero: the sum over the
   /// tracked nodes as such, without the reactions on segments [force].
   const Vec3d& resultant() const { return resultant_; }
@@ -257,6 +260,7 @@ class SurfaceContact {
   double margin_ = 0.0;
 
   NodalForces forces_;            // on all nodes of segments and all tracked nodes
+  NodalForces frictions_;         // what of them is friction, if there is any
   std::vector<int> live_;         // those of them with living segments at the last search
   std::vector<Row> searched_at_;  // coordinates of live_ then
   bool searched_ = false;
@@ -272,6 +276,7 @@ class SurfaceContact {
   std::vector<int> busy_;  // blocks that have pairs
 
   std::array<double, 2> energy_{};
+  double friction_energy_ = 0.0;
   Vec3d resultant_;
   int touching_ = 0;
   double deepest_ = 0.0;

@@ -480,11 +480,13 @@ output::SleoutState sleout_state(const Snapshot& now) {
   std::size_t c = 0;
   for (const model::Contact& card : now.system.model.contacts) {
     if (!card.slides()) continue;
-    const std::array<double, 2> energy = now.contacts[c++].energy_of_sides();
-    s.rows.push_back({card.id, energy[0], energy[1], card.kind == model::Contact::Kind::single_surface});
+    const contact::PenaltyContact& contact = now.contacts[c++];
+    const std::array<double, 2> energy = contact.energy_of_sides();
+    const bool single = card.kind == model::Contact::Kind::single_surface;
+    s.rows.push_back({card.id, energy[0], energy[1], single, contact.friction_energy()});
   }
   for (std::size_t i = 0; i < now.interiors.size(); ++i)
-    s.rows.push_back({now.system.model.interiors[i].id, now.interiors[i].energy(), 0.0, true});
+    s.rows.push_back({now.system.model.interiors[i].id, now.interiors[i].energy(), 0.0, true, 0.0});
   return s;
 }
 

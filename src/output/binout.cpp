@@ -391,9 +391,11 @@ void Binout::write(const SleoutState& s) {
   integer("cycle", s.cycle);
   reals("slave", collect(s.rows, [](const SleoutRow& r) { return r.tracked; }));
   reals("master", collect(s.rows, [](const SleoutRow& r) { return r.reference; }));
+  reals("friction_energy", collect(s.rows, [](const SleoutRow& r) { return r.friction; }));
   real("total_slave", s.total_tracked());
   real("total_master", s.total_reference());
   real("total_energy", s.total_tracked() + s.total_reference());
+  real("total_friction", s.total_friction());
   end_state();
 }
 

@@ -12,6 +12,7 @@ struct SleoutRow {
   int contact = 0;                        ///< user id
   double tracked = 0.0, reference = 0.0;  ///< LS-DYNA's slave and master side [energy]
   bool single_surface = false;            ///< it has no second side
+  double friction = 0.0;                  ///< what of it friction has taken [energy]
 };
 
 struct SleoutState {
@@ -21,6 +22,7 @@ struct SleoutState {
 
   double total_tracked() const;
   double total_reference() const;
+  double total_friction() const;
 };
 
 /// The ASCII file `sleout`; the legend holds the titles of *CONTACT_..._TITLE.

@@ -42,6 +42,9 @@ class FrictionTable {
   /// `of_pairs`: by the first kind, then the second.
   FrictionTable(int kinds, std::vector<Friction> of_pairs) : kinds_(kinds), of_pairs_(std::move(of_pairs)) {}
 
+  bool any() const {
+    return std::any_of(of_pairs_.begin(), of_pairs_.end(), [](const Friction& f) { return f.any(); });
+  }
   const Friction& between(int a, int b) const { return of_pairs_[static_cast<std::size_t>(a * kinds_ + b)]; }
 
  private:

@@ -114,7 +114,7 @@ const Card contact_card_3{{
 
 const Card contact_card_4{{
     integer("ignore", 0, between(0, 2), "initial penetration: 0 nodes are moved, 1 2 it is kept"),
-    flag("frceng", "separate friction energy, no effect"),
+    flag("frceng", "friction in the file of contact surfaces, which is not written; sleout has it, no effect"),
     flag("skiprwg", "pictures of rigid walls, no effect"),
     integer("outseg", 0, between(0, 1), "1: list weld nodes and their segments"),
     integer("spotstp", 0, between(0, 3), "weld without a sheet: 0 warn, 1 stop, 2 delete it, 3 keep it"),

@@ -333,17 +333,20 @@ TEST(Rcforc, NamesBothSides) {
           "  master          3 time 5.00000E-01  x -1.00000E+00  y -2.00000E+00  z -3.00000E+00 mass  5.00000E+00\n");
 }
 
-TEST(Sleout, AddsUpTheSides) {
+TEST(Sleout, AddsUpTheSidesAndFriction) {
   Scratch scratch;
-  Sleout(scratch / "sleout", header).write({0.5, 7, {{3, 2.0, 0.0, true}, {4, 5.0, -1.0, false}}});
-  EXPECT_EQ(content(scratch / "sleout"), head + "\n\n\n" +
-                                             " contact interface energy file, time= 5.0000000E-01\n"
-                                             "    #            slave       master        cycle=             7\n\n"
-                                             "         3   2.0000E+00   0.0000E+00\n"
-                                             "         4   5.0000E+00  -1.0000E+00\n\n"
-                                             " summary   total slave side= 7.0000000E+00\n"
-                                             "           total mastr side=-1.0000000E+00\n"
-                                             "           total energy    = 6.0000000E+00\n\n");
+  Sleout(scratch / "sleout", header).write({0.5, 7, {{3, 2.0, 0.0, true, 1.5}, {4, 5.0, -1.0, false, 0.25}}});
+  EXPECT_EQ(content(scratch / "sleout"),
+            head +
+                "\n\n\n"
+                " contact interface energy file, time= 5.0000000E-01\n"
+                "    #             slave       master       cycle=             7    frictional\n\n"
+                "         3   2.0000E+00   0.0000E+00                               1.5000E+00\n"
+                "         4   5.0000E+00  -1.0000E+00                               2.5000E-01\n\n"
+                " summary   total slave side= 7.0000000E+00\n"
+                "           total mastr side=-1.0000000E+00\n"
+                "           total energy    = 6.0000000E+00\n"
+                "           friction energy = 1.7500000E+00\n\n");
 }
 
 }  // namespace

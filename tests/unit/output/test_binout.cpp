@@ -151,13 +151,15 @@ TEST(Binout, HoldsPartsNodesWallsAndContacts) {
 TEST(Binout, HoldsTheEnergiesOfContacts) {
   Scratch scratch;
   Binout file(scratch.path(), header);
-  file.write(SleoutState{0.5, 7, {{3, 2.0, 0.0, true}, {4, 5.0, -1.0, false}}});
+  file.write(SleoutState{0.5, 7, {{3, 2.0, 0.0, true, 1.5}, {4, 5.0, -1.0, false, 0.25}}});
   const Lsda lsda(content(scratch / "binout0000"));
   EXPECT_THAT(lsda.integers("/sleout/metadata/ids"), ElementsAre(3, 4));
   EXPECT_THAT(lsda.integers("/sleout/metadata/single_sided"), ElementsAre(1, 0));
   EXPECT_THAT(lsda.reals("/sleout/d000001/slave"), ElementsAre(2.0, 5.0));
   EXPECT_THAT(lsda.reals("/sleout/d000001/master"), ElementsAre(0.0, -1.0));
   EXPECT_THAT(lsda.reals("/sleout/d000001/total_energy"), ElementsAre(6.0));
+  EXPECT_THAT(lsda.reals("/sleout/d000001/friction_energy"), ElementsAre(1.5, 0.25));
+  EXPECT_THAT(lsda.reals("/sleout/d000001/total_friction"), ElementsAre(1.75));
 }
 
 TEST(Binout, HoldsSupportsAndRigidBodies) {
