@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "output/result_file.hpp"
 #include "report/plot.hpp"
@@ -79,6 +82,49 @@ std::string head(const Json& s) {
                                      std::pair{"time_step", "Time step"}, std::pair{"energy", "Energy at the end"}})
     if (told(s, key)) out += fmt::format("<h2>{}</h2>\n{}", heading, values(s[key], key));
   return out;
+}
+
+// ---- soundness
+// --------------------------------------------------------------------------------------------------------------
+
+/// The smallest and the largest value of an energy: over glstat's times, and at the end.
+std::pair<double, double> range(const RunData& run, std::string_view curve, std::string_view key) {
+  const double at_end = run.summary["energy"].value(key, 0.0);
+  std::pair<double, double> range{at_end, at_end};
+  for (const auto& [name, values] : run.energies)
+    if (name == curve)
+      for (const double value : values) range = {std::min(range.first, value), std::max(range.second, value)};
+  return range;
+}
+
+/// What an expert asks of a run before its results: each share beside the one up to which it passes unasked.
+std::string soundness(const RunData& run) {
+  const Json &energy = run.summary["energy"], &mass = run.summary["mass"];
+  struct Check {
+    std::string_view id, what;
+    double share, limit;
+  };
+  std::vector<Check> checks{
+      {"energy", "total energy made or lost, of what came in", std::abs(energy.value("ratio", 1.0) - 1.0), 0.02}};
+  if (const double internal = range(run, "internal energy", "internal").second; internal > 0.0) {
+    checks.push_back({"hourglass", "largest hourglass energy, of the largest internal energy",
+                      range(run, "hourglass energy", "hourglass").second / internal, 0.05});
+    checks.push_back({"contact", "energy that contact gave, of the largest internal energy",
+                      std::max(0.0, -range(run, "sliding interface energy", "contact").first) / internal, 0.01});
+  }
+  if (const double physical = mass.value("physical", 0.0); physical > 0.0)
+    checks.push_back({"mass", "mass added for the time step, of the mass", mass.value("added", 0.0) / physical, 0.05});
+  std::string s =
+      "<table id=\"checks\"><tr><th class=\"text\">looked at</th><th>found</th><th>passes up to</th><th "
+      "class=\"text\"></th></tr>\n";
+  for (const Check& c : checks) {
+    const bool good = c.share <= c.limit;
+    s += fmt::format(
+        "<tr class=\"check\"><td class=\"text\">{}</td><td>{:.3g} %</td><td>{:g} %</td><td class=\"text {}\" "
+        "id=\"check-{}\">{}</td></tr>\n",
+        c.what, 100.0 * c.share, 100.0 * c.limit, good ? "holds" : "near", c.id, good ? "in order" : "look at it");
+  }
+  return s + "</table>\n";
 }
 
 std::string energy_curves(const RunData& run) {
@@ -201,7 +247,8 @@ std::string page(const RunData& run) {
   if (of_linear_analysis(run.summary))
     s += modes_part(run) + responses_part(run);
   else
-    s += "<h2>Energies over time</h2>\n" + energy_curves(run) + "<h2>Welds</h2>\n" + weld_table(run);
+    s += "<h2>Is the run sound?</h2>\n" + soundness(run) + "<h2>Energies over time</h2>\n" + energy_curves(run) +
+         "<h2>Welds</h2>\n" + weld_table(run);
   s += "<h2>Findings</h2>\n" + finding_list(run.findings);
   return s + "</body>\n</html>\n";
 }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """report.html: one file that needs no other, with the numbers of summary.json."""
 import html.parser
+import json
 import re
 import unittest
 
@@ -98,6 +99,37 @@ class Report(CommandTest):
         self.assertTrue(failed["failed"])
         self.assertEqual(weld[0][4], f"failed at {failed['failure_time']:.6g} by {failed['failure_mode']}")
         self.assertIn("2 welds: 1 failed, 1 holds", page.by_id["weld-tally"])
+
+    def test_what_is_not_sound_is_told(self):
+        """The shares of the checks, by hand, from a summary without glstat; and the verdict on either side of each limit."""
+        self.write(deck())
+        self.nugget("run", "model.k", "--quiet")
+        page, _ = self.page()
+        verdicts = {name: page.by_id[f"check-{name}"] for name in ("energy", "hourglass", "contact", "mass")}
+        self.assertEqual(set(verdicts.values()), {"in order"})
+        (self.folder / "glstat").unlink()
+        summary = self.json("summary.json")
+        for share, word in ((0.9, "in order"), (1.1, "look at it")):
+            summary["energy"].update(internal=200.0, hourglass=10.0 * share, contact=-2.0 * share, ratio=1.0 - 0.02 * share)
+            summary["mass"].update(physical=4.0, added=0.2 * share)
+            (self.folder / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
+            self.nugget("report", ".")
+            page, _ = self.page()
+            rows = [row for row, kind in zip(page.rows, page.classes) if kind == "check"]
+            self.assertEqual([row[3] for row in rows], [word] * 4)
+            found = [float(row[1].split()[0]) for row in rows]
+            for value, limit in zip(found, (2.0, 5.0, 1.0, 5.0)):
+                self.assertAlmostEqual(value, limit * share, delta=1e-3 * limit)
+
+    def test_hourglass_energy_that_went_is_seen(self):
+        """The largest share over the times of glstat counts, not what is left at the end."""
+        self.write(deck(("*CONTROL_TIMESTEP\n", "*CONTROL_ENERGY\n         2\n*CONTROL_TIMESTEP\n")))
+        self.nugget("run", "model.k", "--quiet")
+        text, count = re.subn(r"(hourglass energy \.+ *)\S+", r"\g<1> 1.00000E+99", self.read("glstat"), count=1)
+        self.assertEqual(count, 1)
+        (self.folder / "glstat").write_text(text, encoding="utf-8")
+        self.nugget("report", ".")
+        self.assertEqual(self.page()[0].by_id["check-hourglass"], "look at it")
 
     def test_the_command_makes_it_again(self):
         self.write(deck())
