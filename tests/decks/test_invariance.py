@@ -289,6 +289,30 @@ class Invariance(CommandTest):
         self.compare(reference, self.histories_of_mechanism("other", case, included(case)))
         self.compare(reference, self.histories_of_mechanism("other", Case(first=123456)))
 
+    def test_first_corner_of_a_brick_weld_on_warped_sheets(self):
+        found = []
+        for first in range(4):
+            cards = Cards(Case())
+            steel = (7.85e-9, 210000, 0.3)
+            cards.add("SECTION_SHELL", (1, 2, 0.8333, 3), [1.0] * 4)
+            cards.add("MAT_ELASTIC", (1, *steel))
+            for part, z, warp in ((1, 0.0, 0.75), (2, 2.0, -0.5)):
+                cards.append(f"*PART\nsheet\n{part},1,1")
+                corners = [cards.node(p) for p in ((0, 0, z + warp), (12, 0, z), (12, 10, z + warp), (0, 10, z))]
+                cards.add("ELEMENT_SHELL", (part, part, *corners))
+                cards.add("SET_NODE_LIST", (part,), corners)
+            faces = [[cards.node((x, y, z)) for x, y in ((3, 3), (8, 3), (8, 7), (3, 7))] for z in (0.5, 1.75)]
+            cards.add("SECTION_SOLID", (3, 1))
+            cards.add("MAT_SPOTWELD", (3, *steel, 400, 1000), ())
+            cards.append("*PART\nweld\n3,3,3,0,3\n*HOURGLASS\n3,6,1.0")
+            cards.add("ELEMENT_SOLID", (1, 3, *(face[(first + k) % 4] for face in faces for k in range(4))))
+            cards.add("SET_PART_LIST", (1,), (1, 2))
+            cards.add("CONTACT_SPOTWELD", (3, 1, 3, 2), (), ())
+            cards.add("INITIAL_VELOCITY", (2,), (500, 0, 2000))
+            found.append(lsda.states(self.run_deck(f"weld{first}", cards.text(1e-6, "SWFORC")), "swforc")[0]["length"][0])
+        for length in found[1:]:
+            self.assertAlmostEqual(length, found[0], 10)
+
     def test_rubber(self):
         found = []
         for case in (Case(), Case(turn=oblique())):
