@@ -21,8 +21,9 @@ namespace nugget::contact {
 /// stand if the wall had stopped it, as kernel::push() has it for all shapes. The manual names no stiffness; ours:
 ///     k_i = c M/dt^2 w_i/(1 + R),   c = RWPNAL/10, at most 1/2,
 /// M the mass of the body, w_i shares of the nodes that the wall sees, with sum 1: by their own masses, but between a
-/// tenth and all of the mean one. R bounds how much more the springs turn the body than they shift it: the largest sum
-/// of a row of M I^-1 sum w_i (r_i^2 1 - r_i r_i^t). So all springs together have w^2 dt^2 <= c, whatever is touching;
+/// tenth and all of the mean one. R bounds how much more the springs turn the body than they shift it: a bound of the
+/// largest eigenvalue of M I^-1 sum w_i (r_i^2 1 - r_i r_i^t), system::Mobility::largest(), the same however the body
+/// lies in the global axes. So all springs together have w^2 dt^2 <= c, whatever is touching;
 /// central differences bear 4. A wall with mass adds (M of all bodies)/(mass of the wall) to 1 + R. A node keeps its
 /// stiffness as long as it touches. The springs give back what they took: kernel::spring_force(), with the mass that
 /// the body shows at that point, 1/m = 1/M + (r x n) I^-1 (r x n).

@@ -31,9 +31,12 @@ Mobility::Matrix inverse_inertia(const RigidBody& body) {
 }
 
 double Mobility::largest(const Matrix& m) {
-  double most = 0.0;
-  for (const auto& row : m) most = std::max(most, std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2]));
-  return most;
+  // From the first entry, so that a multiple of the unit matrix gives just that.
+  const double mean = m[0][0] + ((m[1][1] - m[0][0]) + (m[2][2] - m[0][0])) / 3.0;
+  double spread = 0.0;  // trace of (m - mean)^2
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) spread += (m[i][j] - (i == j ? mean : 0.0)) * (m[j][i] - (i == j ? mean : 0.0));
+  return mean + std::sqrt(2.0 / 3.0 * std::max(spread, 0.0));
 }
 
 Mobility mobility(const System& system, int node) {

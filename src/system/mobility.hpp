@@ -22,7 +22,9 @@ struct Mobility {
       for (std::size_t j = 0; j < 3; ++j) sum += v[i] * m[i][j] * v[j];
     return sum;
   }
-  /// An upper bound of the largest eigenvalue: the largest sum of magnitudes of a row.
+  /// An upper bound of the largest eigenvalue of a matrix of which all are real, the same in all axes: mean + sqrt(2)
+  /// times the standard deviation of the three (Wolkowicz and Styan, Linear Algebra Appl. 29, 1980); the eigenvalue
+  /// itself where the other two are equal.
   static double largest(const Matrix& m);
 };
 

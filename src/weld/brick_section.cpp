@@ -62,10 +62,12 @@ BrickSection::Shape BrickSection::shape(std::span<const Vec3d> x) const {
   for (std::size_t end = 0; end < 2; ++end) {
     double sum = 0.0;
     Vec3d corners;
+    // Cut along both diagonals, so that the centre of a warped face does not depend on where its numbering begins.
     for (const auto& c : facets_[end])
-      for (const auto& [i, j] : {std::pair{c[1], c[2]}, std::pair{c[2], c[3]}}) {
-        const double area = dot(r, cross(x[i] - x[c[0]], x[j] - x[c[0]]));
-        shape.centre[end] += (area / 3.0) * (x[c[0]] + x[i] + x[j]);
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::size_t i = c[k], j = c[(k + 1) % 4], l = c[(k + 2) % 4];
+        const double area = dot(r, cross(x[j] - x[i], x[l] - x[i]));
+        shape.centre[end] += (area / 3.0) * (x[i] + x[j] + x[l]);
         sum += area;
       }
     for (const auto& c : facets_[end])

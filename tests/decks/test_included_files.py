@@ -5,6 +5,7 @@ import math
 import re
 import unittest
 
+import lsda
 from few_elements import card, curve
 from nugget_command import CommandTest
 
@@ -143,6 +144,23 @@ class IncludedFiles(CommandTest):
         cross = [axis[1] * n[2] - axis[2] * n[1], axis[2] * n[0] - axis[0] * n[2], axis[0] * n[1] - axis[1] * n[0]]
         for i in range(3):
             self.assertAlmostEqual(velocity[i], 100.0 * (c * n[i] + s * cross[i] + (1 - c) * dot * axis[i]), 3)
+
+    def test_axes_of_cross_sections_move_by_their_kind(self):
+        nodes = "".join(f"{10 * j + i + 1},{10.0 * i},{10.0 * j},0\n" for j in range(2) for i in range(3))
+        strip = ("*PART\nstrip\n3,1,1\n*SECTION_SHELL\n1,2,0.8333,3\n1.0\n*MAT_ELASTIC\n1,7.85e-9,210000.,0.3\n"
+                 f"*NODE\n{nodes}*ELEMENT_SHELL\n1,3,1,2,12,11\n2,3,2,3,13,12\n*SET_PART_LIST\n1\n3\n"
+                 "*DEFINE_COORDINATE_VECTOR\n9,0.,1.,0.,-1.,0.,0.\n*SET_NODE_LIST\n2\n3,13\n*INITIAL_VELOCITY\n2\n5000.,0.,0.\n")
+        plane = "*DATABASE_CROSS_SECTION_PLANE_ID\n1,plane\n1,15.,-5.,-5.,16.,-5.,-5.\n,,,,,9,2\n"
+        by_set = ("*SET_SHELL_LIST\n5\n2\n*SET_NODE_LIST\n6\n2,12\n"
+                  "*DATABASE_CROSS_SECTION_SET_ID\n1,set\n6,0,0,5,0,0,9,2\n")
+        for name, section in (("plane", plane), ("set", by_set)):
+            with self.subTest(name):
+                self.deck(strip + section, OFFSETS, transformation=1, more="*DATABASE_SECFORC\n1e-6,2\n")
+                self.nugget("run", "model.k", "--quiet")
+                state = lsda.states(lsda.read(self.folder / "binout0000"), "secforc")[-1]
+                # Pulled along the strip, which is the second axis of the system with its sign turned.
+                self.assertGreater(abs(state["y_force"][0]), 1.0)
+                self.assertLess(abs(state["x_force"][0]) + abs(state["z_force"][0]), 1e-3 * abs(state["y_force"][0]))
 
     def test_a_scale_does_not_speed_up(self):
         self.write("*KEYWORD\n" + NODAL.replace("0,0,0,10.,20.,40.", "100.,0,0") + "*END\n", "inner.k")

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What must not matter: where a model lies, how it is turned, which hand it has, its units and its numbers. Two sheets of rate-dependent
-steel, joined by weld beams and a brick, of which one end is thrown up, are hit by a third and run into a wall; the same deck written
-otherwise must give the same energies and weld forces."""
+"""What must not matter: where a model lies, how it is turned, which hand it has, its units, its numbers, and whether *INCLUDE_TRANSFORM does
+all that. Two sheets of rate-dependent steel, joined by weld beams and a brick, of which one end is thrown up, are hit by a third and run into
+a wall; two rigid bars on a joint tumble on a wall beside springs and damped strips, and a block of rubber is thrown. The same deck written otherwise must give
+the same energies and forces."""
+import math
 import unittest
 
 import lsda
@@ -25,6 +27,10 @@ class Case:
         self.energy = self.force * self.length
         self.stress = self.force / self.length**2
         self.velocity = self.length / self.time
+
+    def of(self, value, mass=0, length=0, time=0):
+        """A value in t, mm, s of a dimension."""
+        return f"{value * self.mass**mass * self.length**length * self.time**time:.16g}"
 
     def place(self, p):
         return ",".join(f"{self.length * (a + b):.16g}" for a, b in zip(product(self.turn, p), self.shift))
@@ -85,11 +91,129 @@ def deck(c):
     return "\n".join(cards) + "\n"
 
 
+# Fields whose dimension another field, or the size of the number, decides: constants of torsional springs (DRO 1), SIGY of 018 (a strain up to
+# 0.02), COEF of damping by stiffness (a time below 0). And bounds from tensors, which must not know the global axes: of what turns a body on a
+# wall, of the stretch of rubber.
+LAWS = {31: ("SPRING_ELASTIC", lambda c, l: [c.of(500 * l * l, 1, 2 if l > 1 else 0, -2)]),
+        32: ("DAMPER_VISCOUS", lambda c, l: [c.of(0.02 * l * l, 1, 2 if l > 1 else 0, -1)]),
+        33: ("SPRING_ELASTOPLASTIC", lambda c, l: [c.of(500 * l * l, 1, 2 if l > 1 else 0, -2), c.of(50 * l * l, 1, 2 if l > 1 else 0, -2),
+                                                   c.of(2 * l, 1, 2 if l > 1 else 1, -2)]),
+        34: ("SPRING_MAXWELL", lambda c, l: [c.of(500 * l * l, 1, 2 if l > 1 else 0, -2), c.of(100 * l * l, 1, 2 if l > 1 else 0, -2),
+                                             c.of(20000, 0, 0, -1)])}
+
+
+class Cards(list):
+    """Keywords of a deck, and its nodes."""
+
+    def __init__(self, case):
+        self.case, self.nodes = case, []
+
+    def node(self, p):
+        self.nodes.append(f"{self.case.first + len(self.nodes)},{self.case.place(p)}")
+        return self.case.first + len(self.nodes) - 1
+
+    def add(self, keyword, *lines):
+        self.append("\n".join([f"*{keyword}", *(",".join(map(str, line)) + "," for line in lines)]))
+
+    def text(self, end, *databases):
+        self.add("CONTROL_TERMINATION", (self.case.of(end, 0, 0, 1),))
+        self.add("CONTROL_ENERGY", (2, 2, 2, 2))
+        for name in databases:
+            self.add(f"DATABASE_{name}", (self.case.of(end / 10, 0, 0, 1), 2))
+        return "\n".join(["*KEYWORD", *self, "*NODE", *self.nodes, "*END"]) + "\n"
+
+
+def mechanism(c):
+    cards = Cards(c)
+    node, add = cards.node, cards.add
+    steel = (c.of(7.85e-9, 1, -3), c.of(210000, 1, -1, -2), 0.3)
+    add("SECTION_SOLID", (1, 1))
+    add("MAT_RIGID", (1, *steel), (), ())
+    bars = []
+    for part, (x, y, z) in ((1, (0.0, 0.0, 0.5)), (2, (12.0, 1.0, 0.75))):
+        corners = [(x + a, y + b, z + d) for d in (0.0, 3.0) for a, b in ((0.0, 0.0), (10.0, 0.5), (9.0, 5.0), (0.0, 4.0))]
+        bars.append([node(p) for p in corners])
+        cards.append(f"*PART\nbar\n{part},1,1")
+        add("ELEMENT_SOLID", (c.first + part, part, *bars[-1]))
+        joined = node((11.0, 2.0, 2.0))
+        add("CONSTRAINED_EXTRA_NODES_NODE", (part, joined))
+    add("CONSTRAINED_JOINT_SPHERICAL", (bars[0][-1] + 1, bars[1][-1] + 1))
+    add("INITIAL_VELOCITY_RIGID_BODY", (1, c.vector((2000.0, 500.0, -20000.0), c.velocity)), (2, c.vector((2000.0, 500.0, -20000.0), c.velocity)))
+    add("RIGIDWALL_PLANAR", (0,), (c.place((0, 0, 0)), c.place((0, 0, 10)), 0.3))
+    add("CONTROL_CONTACT", (0.1, 1.0))
+
+    # Pairs of beams end to end, a spring between them, one of each pair thrown and spun.
+    add("SECTION_BEAM", (3, 2), (c.of(9, 0, 2), c.of(7, 0, 4), c.of(8, 0, 4), c.of(12, 0, 4)))
+    add("MAT_ELASTIC", (3, *steel))
+    cards.append("*PART\nbeams\n3,3,3")
+    third, springs = node((0.0, 500.0, 300.0)), []
+    for dro in (0, 1):
+        add("SECTION_DISCRETE", (40 + dro, dro, 0.2, c.of(3000.0, 0, 0 if dro else 1, -1)), ())
+        for law, (name, fields) in LAWS.items():
+            number = 10 * dro + law
+            add(f"MAT_{name}", (number, *fields(c, 5.0 if dro else 1.0)))
+            cards.append(f"*PART\nspring\n{number},{40 + dro},{number}")
+            y = 20.0 * len(springs)
+            a, b, d, e = (node((x, 50.0 + y, z)) for x, z in ((0.0, 0.0), (8.0, 1.0), (11.0, 3.0), (20.0, 2.0)))
+            n = c.first + 100 + len(springs)
+            add("ELEMENT_BEAM", (n, 3, a, b, third), (n + 50, 3, d, e, third))
+            springs.append((n + 100, number, b, d))
+            add("ELEMENT_DISCRETE", (n + 100, number, b, d, 0, 1, 0, c.of(0.1, 0, 0 if dro else 1)))
+            add("INITIAL_VELOCITY_NODE", (e, c.vector((1500.0, 1000.0, -800.0), c.velocity), c.vector((300.0, -200.0, 100.0), 1 / c.time)))
+
+    add("SECTION_SHELL", (5, 2, 0.8333, 3), [c.of(1.25, 0, 1)] * 4)
+    for part, yield_strain in ((5, 0.001), (6, c.of(300, 1, -1, -2))):
+        add("MAT_POWER_LAW_PLASTICITY", (part, *steel, c.of(600, 1, -1, -2), 0.2), (yield_strain,))
+        cards.append(f"*PART\nstrip\n{part},5,{part}")
+        grid = [[node((SIZE * i, 60.0 * part + SIZE * j, 0.25 * i * j)) for i in range(5)] for j in range(4)]
+        add("ELEMENT_SHELL", *((c.first + 50 * part + 10 * j + i, part, grid[j][i], grid[j][i + 1], grid[j + 1][i + 1], grid[j + 1][i])
+                               for j in range(3) for i in range(4)))
+        add("SET_NODE_LIST", (part,), grid[2], grid[3])
+        add("INITIAL_VELOCITY", (part,), (c.vector((5000.0, 3000.0, 20000.0), c.velocity),))
+        add("DAMPING_PART_STIFFNESS", (part, f"-{c.of(1e-7, 0, 0, 1)}"))
+    return cards.text(1e-4, "GLSTAT", "MATSUM", "DEFORC")
+
+
+def rubber(c):
+    """A block whose time step follows from its largest stretch."""
+    cards = Cards(c)
+    cards.add("SECTION_SOLID", (1, 1))
+    cards.add("MAT_BLATZ-KO_RUBBER", (1, c.of(1.2e-9, 1, -3), c.of(20, 1, -1, -2)))
+    cards.append("*PART\nrubber\n1,1,1")
+    block = [[cards.node((x + 0.4 * z, y + 0.1 * x, z)) for x, y in ((0.0, 0.0), (4.0, 0.0), (4.0, 5.0), (0.0, 5.0))] for z in (0.0, 5.0, 10.5)]
+    cards.add("ELEMENT_SOLID", *((c.first + i, 1, *below, *above) for i, (below, above) in enumerate(zip(block, block[1:]))))
+    cards.add("SET_NODE_LIST", (1,), block[2])
+    cards.add("INITIAL_VELOCITY", (1,), (c.vector((20000.0, 5000.0, 15000.0), c.velocity),))
+    cards.add("CONTROL_TIMESTEP", (0, 0.6))
+    return cards.text(2e-4, "GLSTAT")
+
+
+AXIS, COSINE, SINE = (1 / 3, 2 / 3, 2 / 3), 0.6, 0.8  # the angle is math.atan2(SINE, COSINE)
+
+
+def oblique():
+    n, k, s = AXIS, COSINE, SINE
+    cross = ((0, -n[2], n[1]), (n[2], 0, -n[0]), (-n[1], n[0], 0))
+    return tuple(tuple((i == j) * k + (1 - k) * n[i] * n[j] + s * cross[i][j] for j in range(3)) for i in range(3))
+
+
+def included(c):
+    """A deck that brings inner.k, written in t, mm and s, to the turn, shift and units of a case."""
+    move = ",".join(c.of(a, 0, 1) for a in c.shift)
+    turn = ",".join(f"{a:.16g}" for a in AXIS)
+    return (f"*KEYWORD\n*INCLUDE_TRANSFORM\ninner.k\n1000,2000,300,400,500,600,700\n800,\n"
+            f"{c.mass:.16g},{c.time:.16g},{c.length:.16g}\n1,\n*DEFINE_TRANSFORMATION\n1,\nTRANSL,{move}\n"
+            f"ROTATE,{turn},0,0,0,{math.degrees(math.atan2(SINE, COSINE)):.16g}\n*END\n")
+
+
 class Invariance(CommandTest):
-    def histories(self, name, case):
+    def run_deck(self, name, text):
+        self.nugget("run", self.write(text, f"{name}.k").name, "-o", name, "-j1", "--quiet")
+        return lsda.read(self.folder / name / "binout0000")
+
+    def histories(self, name, case, text=None):
         """{quantity: one number a state} in mm, t, s."""
-        self.nugget("run", self.write(deck(case), f"{name}.k").name, "-o", name, "-j1", "--quiet")
-        found = lsda.read(self.folder / name / "binout0000")
+        found = self.run_deck(name, text or deck(case))
         states = lsda.states(found, "glstat")
         self.assertEqual(len(states), STATES + 1)
         values = {q: [s[q][0] / case.energy for s in states]
@@ -99,19 +223,36 @@ class Invariance(CommandTest):
                 values[f"{q} of weld {weld}"] = [s[q][weld] / case.force for s in lsda.states(found, "swforc")]
         return values
 
-    def expect_same(self, case):
-        reference, found = self.histories("reference", Case()), self.histories("other", case)
+    def histories_of_mechanism(self, name, case, text=None):
+        found = self.run_deck(name, text or mechanism(case))
+        values = {q: [state[q][0] / case.energy for state in lsda.states(found, "glstat")]
+                  for q in ("kinetic_energy", "internal_energy", "stonewall_energy", "spring_and_damper_energy", "total_energy")}
+        for q in ("internal_energy", "kinetic_energy"):
+            for i in range(12):
+                series = [state[q][i] / case.energy for state in lsda.states(found, "matsum")]
+                if max(map(abs, series)) > 0.0:
+                    values[f"{q} of part {i}"] = series
+        # torsional ones give moments
+        kinds, states = found["deforc/metadata/irot"], lsda.states(found, "deforc")
+        for i, turns in enumerate(kinds):
+            values[f"spring {i}"] = [state["resultant_force"][i] / (case.energy if turns else case.force) for state in states]
+            values[f"elongation {i}"] = [state["displacement"][i] / (1.0 if turns else case.length) for state in states]
+        return values
+
+    def compare(self, reference, found):
+        self.assertEqual(reference.keys(), found.keys())
         for quantity, expected in reference.items():
             size = max(map(abs, expected))
             self.assertGreater(size, 0.0, quantity)
+            self.assertEqual(len(expected), len(found[quantity]), quantity)
             for a, b in zip(expected, found[quantity]):
                 self.assertAlmostEqual(b / size, a / size, delta=1e-7, msg=quantity)
 
+    def expect_same(self, case):
+        self.compare(self.histories("reference", Case()), self.histories("other", case))
+
     def test_turned(self):
-        # About (1, 2, 2)/3 by the angle of cosine 0.6 and sine 0.8.
-        n, k, s = (1 / 3, 2 / 3, 2 / 3), 0.6, 0.8
-        cross = ((0, -n[2], n[1]), (n[2], 0, -n[0]), (-n[1], n[0], 0))
-        self.expect_same(Case(turn=tuple(tuple((i == j) * k + (1 - k) * n[i] * n[j] + s * cross[i][j] for j in range(3)) for i in range(3))))
+        self.expect_same(Case(turn=oblique()))
 
     def test_mirrored(self):
         self.expect_same(Case(turn=((-1, 0, 0), (0, 1, 0), (0, 0, 1)), mirrored=True))
@@ -126,6 +267,58 @@ class Invariance(CommandTest):
 
     def test_with_other_numbers(self):
         self.expect_same(Case(first=1234567))
+
+    def test_included(self):
+        self.write(deck(Case()), "inner.k")
+        reference = self.histories("reference", Case())
+        for units in ({}, {"mass": 1e-3, "length": 1e3}, {"mass": 1e-6, "length": 10.0, "time": 1e-6}):
+            case = Case(turn=oblique(), shift=(64.0, -32.0, 16.0), **units)
+            self.compare(reference, self.histories("other", case, included(case)))
+
+    def test_mechanism(self):
+        reference = self.histories_of_mechanism("reference", Case())
+        self.write(mechanism(Case()), "inner.k")
+        # as 018 reads a stress of up to 0.02 as a strain, none of these units has such a one
+        for units in ({}, {"mass": 1e-3, "length": 1e3}, {"mass": 1e-3, "time": 1e-3}):
+            case = Case(turn=oblique(), shift=(64.0, -32.0, 16.0), **units)
+            for name, text in (("written", None), ("included", included(case))):
+                with self.subTest(name, **units):
+                    self.compare(reference, self.histories_of_mechanism("other", case, text))
+        # in an included file its own number counts
+        case = Case(turn=oblique(), mass=1e-6, length=10.0, time=1e-6)
+        self.compare(reference, self.histories_of_mechanism("other", case, included(case)))
+        self.compare(reference, self.histories_of_mechanism("other", Case(first=123456)))
+
+    def test_first_corner_of_a_brick_weld_on_warped_sheets(self):
+        found = []
+        for first in range(4):
+            cards = Cards(Case())
+            steel = (7.85e-9, 210000, 0.3)
+            cards.add("SECTION_SHELL", (1, 2, 0.8333, 3), [1.0] * 4)
+            cards.add("MAT_ELASTIC", (1, *steel))
+            for part, z, warp in ((1, 0.0, 0.75), (2, 2.0, -0.5)):
+                cards.append(f"*PART\nsheet\n{part},1,1")
+                corners = [cards.node(p) for p in ((0, 0, z + warp), (12, 0, z), (12, 10, z + warp), (0, 10, z))]
+                cards.add("ELEMENT_SHELL", (part, part, *corners))
+                cards.add("SET_NODE_LIST", (part,), corners)
+            faces = [[cards.node((x, y, z)) for x, y in ((3, 3), (8, 3), (8, 7), (3, 7))] for z in (0.5, 1.75)]
+            cards.add("SECTION_SOLID", (3, 1))
+            cards.add("MAT_SPOTWELD", (3, *steel, 400, 1000), ())
+            cards.append("*PART\nweld\n3,3,3,0,3\n*HOURGLASS\n3,6,1.0")
+            cards.add("ELEMENT_SOLID", (1, 3, *(face[(first + k) % 4] for face in faces for k in range(4))))
+            cards.add("SET_PART_LIST", (1,), (1, 2))
+            cards.add("CONTACT_SPOTWELD", (3, 1, 3, 2), (), ())
+            cards.add("INITIAL_VELOCITY", (2,), (500, 0, 2000))
+            found.append(lsda.states(self.run_deck(f"weld{first}", cards.text(1e-6, "SWFORC")), "swforc")[0]["length"][0])
+        for length in found[1:]:
+            self.assertAlmostEqual(length, found[0], 10)
+
+    def test_rubber(self):
+        found = []
+        for case in (Case(), Case(turn=oblique())):
+            states = lsda.states(self.run_deck("rubber", rubber(case)), "glstat")
+            found.append({q: [s[q][0] for s in states] for q in ("kinetic_energy", "internal_energy", "time_step")})
+        self.compare(*found)
 
 
 if __name__ == "__main__":

@@ -61,9 +61,8 @@ PointUpdate BlatzKoPoint::update(const Tensor&, const Tensor& d, double dt, std:
   if (small(e)) return linear(E_, nu_, e);
   const Tensor b = plus(e, 1.0);
   const double J = std::sqrt(determinant(b)), volume = std::pow(J, -power_);
-  // The greatest principal value of b is at most a sum of a row.
-  const double xy = std::abs(b.xy), yz = std::abs(b.yz), zx = std::abs(b.zx);
-  const double greatest = std::max({b.xx + xy + zx, b.yy + xy + yz, b.zz + yz + zx});
+  // A bound of the greatest principal value of b that is the same in all axes: mean + sqrt(2) standard deviations.
+  const double greatest = trace(b) / 3.0 + std::sqrt(2.0 / 3.0 * square(deviator(b)));
   return {shear_ / J * plus(b, -volume), shear_ / J * (greatest + (power_ + 1.0) * volume)};
 }
 

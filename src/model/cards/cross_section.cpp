@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "base/index.hpp"
 #include "model/cards/families.hpp"
@@ -16,17 +17,35 @@ using deck::Block;
 using deck::Cursor;
 using deck::Row;
 
-const Card set_card{{
-    id("nsid", IdSpace::set, required, "node set: the nodes of the section"),
-    id("hsid", IdSpace::set, 0, "solid set: bricks on one side of these nodes"),
-    id("bsid", IdSpace::set, 0, "beam set"),
-    id("ssid", IdSpace::set, 0, "shell set"),
-    id("tsid", IdSpace::set, 0, "set of thick shells"),
-    id("dsid", IdSpace::set, 0, "set of discrete elements"),
-    id("id", IdSpace::none, 0,
-       "rigid body, accelerometer or coordinate system in whose axes the result is written; 0: global axes"),
-    integer("itype", 0, between(0, 2), "what id is: 0 a rigid body, 1 an accelerometer, 2 a coordinate system"),
-}};
+/// ID and ITYPE. The id belongs to the name space that ITYPE says.
+Field axes_id(IdSpace space) {
+  return id("id", space, 0,
+            "rigid body, accelerometer or coordinate system in whose axes the result is written; 0: global axes");
+}
+const Field axes_kind =
+    integer("itype", 0, between(0, 2), "what id is: 0 a rigid body, 1 an accelerometer, 2 a coordinate system");
+
+/// One card for each ITYPE.
+std::array<Card, 3> for_each_kind(Card (*card)(IdSpace)) {
+  return {card(IdSpace::part), card(IdSpace::element), card(IdSpace::define)};
+}
+const Card& card_for(const std::array<Card, 3>& cards, double kind) {
+  return cards[kind == 1.0 ? 1 : kind == 2.0 ? 2 : 0];
+}
+
+Card set_card_of(IdSpace axes) {
+  return {{
+      id("nsid", IdSpace::set, required, "node set: the nodes of the section"),
+      id("hsid", IdSpace::set, 0, "solid set: bricks on one side of these nodes"),
+      id("bsid", IdSpace::set, 0, "beam set"),
+      id("ssid", IdSpace::set, 0, "shell set"),
+      id("tsid", IdSpace::set, 0, "set of thick shells"),
+      id("dsid", IdSpace::set, 0, "set of discrete elements"),
+      axes_id(axes),
+      axes_kind,
+  }};
+}
+const std::array<Card, 3> set_cards = for_each_kind(set_card_of);
 
 const Card plane_card1{{
     id("psid", IdSpace::set, 0, "part set whose elements are cut; 0: all parts"),
@@ -38,16 +57,18 @@ const Card plane_card1{{
     real("zch", dimension::length, 0, any_value, "z"),
     real("radius", dimension::length, 0, at_least(0), "radius of a circle about the point; 0: no circle"),
 }};
-const Card plane_card2{{
-    real("xhev", dimension::length, 0, any_value, "head of the edge L, whose tail is the point, x"),
-    real("yhev", dimension::length, 0, any_value, "y"),
-    real("zhev", dimension::length, 0, any_value, "z"),
-    real("lenl", dimension::length, 0, at_least(0), "length along the edge L; 0: infinite"),
-    real("lenm", dimension::length, 0, at_least(0), "length along the edge M = normal x L; 0: infinite"),
-    id("id", IdSpace::none, 0,
-       "rigid body, accelerometer or coordinate system in whose axes the result is written; 0: global axes"),
-    integer("itype", 0, between(0, 2), "what id is: 0 a rigid body, 1 an accelerometer, 2 a coordinate system"),
-}};
+Card plane_card2_of(IdSpace axes) {
+  return {{
+      real("xhev", dimension::length, 0, any_value, "head of the edge L, whose tail is the point, x"),
+      real("yhev", dimension::length, 0, any_value, "y"),
+      real("zhev", dimension::length, 0, any_value, "z"),
+      real("lenl", dimension::length, 0, at_least(0), "length along the edge L; 0: infinite"),
+      real("lenm", dimension::length, 0, at_least(0), "length along the edge M = normal x L; 0: infinite"),
+      axes_id(axes),
+      axes_kind,
+  }};
+}
+const std::array<Card, 3> plane_cards2 = for_each_kind(plane_card2_of);
 
 const Card group_card{{
     id("nsid", IdSpace::set, required, "node set"),
@@ -56,7 +77,6 @@ const Card group_card{{
 
 // ---- axes ----------------------------------------------------------------------------------------------------------
 
-/// ID and ITYPE. The id belongs to the name space that ITYPE says, which *INCLUDE_TRANSFORM does not know.
 void resolve_axes(Builder& builder, const Row& row, CrossSection& section) {
   if (row.integer("id") == 0) return;
   switch (row.integer("itype")) {
@@ -141,7 +161,7 @@ void read_set(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     const CrossSection section = headed(cursor, options);
-    const Row row = cursor.read(set_card);
+    const Row row = cursor.read(card_for(set_cards, cursor.peek_number(7)));
     refuse_nonzero(builder, row, "tsid", "thick shells are not built", "leave it 0");
     refuse_nonzero(builder, row, "dsid", "discrete elements carry no section force", "leave it 0; deforc holds theirs");
     builder.later(Phase::conditions, [row, section](Builder& b) { resolve_set(b, row, section); });
@@ -196,7 +216,7 @@ void read_plane(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     const CrossSection section = headed(cursor, options);
-    const Row row1 = cursor.read(plane_card1), row2 = cursor.read(plane_card2);
+    const Row row1 = cursor.read(plane_card1), row2 = cursor.read(card_for(plane_cards2, cursor.peek_number(6)));
     CuttingPlane plane;
     if (!plane_of(builder, block, row1, row2, plane)) continue;
     builder.later(Phase::conditions,
@@ -228,14 +248,14 @@ std::vector<Keyword> cross_section_keywords() {
        {"ID"},
        Verdict::used,
        {},
-       {{"with _ID", &heading_card}, {{}, &set_card}},
+       {{"with _ID", &heading_card}, {{}, &set_cards[0]}},
        read_set},
       {"DATABASE_CROSS_SECTION_PLANE",
        {},
        {"ID"},
        Verdict::used,
        {},
-       {{"with _ID", &heading_card}, {{}, &plane_card1}, {{}, &plane_card2}},
+       {{"with _ID", &heading_card}, {{}, &plane_card1}, {{}, &plane_cards2[0]}},
        read_plane},
       {"DATABASE_NODAL_FORCE_GROUP", {}, {}, Verdict::used, {}, {{{}, &group_card}}, read_group},
   };

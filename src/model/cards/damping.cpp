@@ -142,7 +142,9 @@ void read_part_stiffness(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     const Row row = cursor.read(set ? part_stiffness_set : part_stiffness);
-    const double coefficient = row.real("coef");
+    double coefficient = row.real("coef");
+    // A share or, below 0, a time: the table cannot tell which.
+    if (coefficient < 0.0 && block.transform) coefficient *= block.transform->factor(dimension::time);
     if (coefficient > 1.0)
       refuse(builder, row, "coef", "more than critical damping at the highest frequency",
              "give 0.01 to 0.25, or a negative value for Rayleigh's beta");

@@ -63,16 +63,17 @@ const Card power_law_card{{
 }};
 
 const Card power_law_yield_card{{
-    real("sigy", dimension::stress, 0, at_least(0),
-         "first yield; 0: where E e = K e^N; up to 0.02 the strain at first yield, else its stress"),
+    real("sigy", dimension::number, 0, at_least(0),
+         "first yield; 0: where E e = K e^N; up to 0.02 the strain at first yield, else its stress, as written"),
     vp,
     real("epsf", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none"),
 }};
 
-/// Elastic strain at first yield.
-double yield_strain(Builder& b, const Row& row, const Row& yield) {
+/// Elastic strain at first yield. `stress`: factor of stresses by *INCLUDE_TRANSFORM; the number that stands in the
+/// deck says whether it is one.
+double yield_strain(Builder& b, const Row& row, const Row& yield, double stress) {
   const double k = row.real("k"), n = row.real("n"), sigy = yield.real("sigy");
-  if (sigy > 0.02) return std::pow(sigy / k, 1.0 / n);
+  if (sigy > 0.02) return std::pow(sigy * stress / k, 1.0 / n);
   if (sigy > 0.0) return sigy;
   if (n >= 1.0) {
     refuse(b, row, "n", "with an exponent of 1 or more the line E e does not meet the curve K e^N", "give SIGY");
@@ -88,7 +89,9 @@ void read_power_law(Builder& b, const Block& block, const Options& options) {
   const Row yield = cursor.read(power_law_yield_card);
   expect_end(b, cursor);
   warn_of_half_a_rate(b, row, "src", "srp");
-  kernel::PowerLaw flow{row.real("e"), row.real("pr"), row.real("k"), row.real("n"), yield_strain(b, row, yield)};
+  kernel::PowerLaw flow{
+      row.real("e"), row.real("pr"), row.real("k"), row.real("n"),
+      yield_strain(b, row, yield, block.transform ? block.transform->factor(dimension::stress) : 1.0)};
   if (row.real("src") > 0.0 && row.real("srp") > 0.0) {
     flow.rate_c = row.real("src");
     flow.rate_p = row.real("srp");

@@ -125,10 +125,13 @@ void add_element(Builder& b, const Row& row) {
 }
 
 /// A line to act along: that of the nodes, unless there is none.
-void link_orientation(Builder& b, const Row& row) {
+void link_orientation(Builder& b, const Row& row, double length) {
   const Index e = b.discretes.find(row.integer("eid"));
   if (e == none || static_cast<std::size_t>(e) >= b.model.discretes.size()) return;
   Discrete& d = b.model.discretes[static_cast<std::size_t>(e)];
+  const Part& part = b.model.parts[static_cast<std::size_t>(d.part)];
+  if (part.section != none && b.model.discrete_sections[static_cast<std::size_t>(part.section)].torsional)
+    d.offset /= length;  // an angle, which the table has for a length
   d.orientation = b.find(b.spring_orientations, "orientation", row, "vid");
   if (row.integer("vid") != 0) return;
   const auto at = [&](Index n) { return b.model.nodes.x[static_cast<std::size_t>(n)]; };
@@ -143,7 +146,9 @@ void read_elements(Builder& b, const Block& block, const Options&) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     const Row row = cursor.read(element_card);
     b.discrete_rows.push_back(row);
-    b.later(Phase::systems, [row](Builder& later) { link_orientation(later, row); });
+    b.later(Phase::systems, [row, length = block.transform ? block.transform->length : 1.0](Builder& later) {
+      link_orientation(later, row, length);
+    });
   }
 }
 
@@ -155,13 +160,15 @@ void read_section(Builder& b, const Block& block, const Options& options) {
     s.id = row.integer("secid");
     s.place = row.place();
     s.torsional = row.integer("dro") == 1;
-    s.clearance = row.real("cl");
-    s.failure = row.real("fd");
+    // The table has lengths; of a torsional spring they are angles.
+    const double lever = s.torsional && block.transform ? block.transform->length : 1.0;
+    s.clearance = row.real("cl") / lever;
+    s.failure = row.real("fd") / lever;
     s.most_compression = std::abs(limits.real("cdl"));
     s.most_elongation = std::abs(limits.real("tdl"));
     if (row.real("kd") > 0.0) {
       if (row.real("v0") > 0.0)
-        s.magnification = row.real("kd") / row.real("v0");
+        s.magnification = row.real("kd") / (row.real("v0") / lever);
       else
         refuse(b, row, "v0", "KD needs the velocity that it refers to", "give V0");
     }
@@ -214,7 +221,10 @@ void read_orientation(Builder& b, const Block& block, const Options& options) {
 // ---- laws
 // ------------------------------------------------------------------------------------------------------------
 
-using Fill = std::function<void(Builder&, const Row&, kernel::Spring&)>;
+/// What fills a law from its row. The card's table gives the constants of a line, force and length; `lever` is the
+/// length by which those of a twist, moment and angle, are converted besides: FCTLEN where the spring is torsional.
+/// Curves stay, see *DEFINE_CURVE.
+using Fill = void (*)(Builder&, const Row&, double lever, kernel::Spring&);
 
 Curve curve_of(Builder& b, const Row& row, std::string_view field) {
   const Index c = b.curve(row, field);
@@ -228,21 +238,22 @@ kernel::ForceCurve force_curve(Builder& b, const Row& row, std::string_view fiel
 
 using Kind = kernel::DiscreteSpring::Kind;
 
-void fill_elastic(Builder&, const Row& row, kernel::Spring& spring) {
+void fill_elastic(Builder&, const Row& row, double lever, kernel::Spring& spring) {
   kernel::DiscreteSpring law;
   law.kind = Kind::linear;
-  law.stiffness = row.real("k");
+  law.stiffness = row.real("k") * lever * lever;
   spring.law = law;
 }
 
-void fill_viscous(Builder&, const Row& row, kernel::Spring& spring) {
+void fill_viscous(Builder&, const Row& row, double lever, kernel::Spring& spring) {
   kernel::DiscreteSpring law;
-  law.damping = row.real("dc");
+  law.damping = row.real("dc") * lever * lever;
   spring.law = law;
 }
 
-void fill_elastoplastic(Builder& b, const Row& row, kernel::Spring& spring) {
-  const double k = row.real("k"), tangent = row.real("kt"), yield = row.real("fy");
+void fill_elastoplastic(Builder& b, const Row& row, double lever, kernel::Spring& spring) {
+  const double k = row.real("k") * lever * lever, tangent = row.real("kt") * lever * lever;
+  const double yield = row.real("fy") * lever;
   if (!(tangent < k))
     return refuse(b, row, "kt", "the tangent stiffness must be less than the elastic one",
                   "*MAT_SPRING_ELASTIC needs none");
@@ -265,7 +276,7 @@ void complain_of_leap(Builder& b, const Row& row, std::string_view field, const 
                "let the curve begin at 0, 0, or give both sides");
 }
 
-void fill_nonlinear(Builder& b, const Row& row, kernel::Spring& spring) {
+void fill_nonlinear(Builder& b, const Row& row, double, kernel::Spring& spring) {
   kernel::DiscreteSpring law;
   law.kind = Kind::elastic;
   law.load = force_curve(b, row, "lcd");
@@ -286,7 +297,7 @@ std::optional<double> driving_rate(const Curve& curve, const kernel::ForceCurve&
   return std::nullopt;
 }
 
-void fill_nonlinear_viscous(Builder& b, const Row& row, kernel::Spring& spring) {
+void fill_nonlinear_viscous(Builder& b, const Row& row, double, kernel::Spring& spring) {
   kernel::DiscreteSpring law;
   law.damper = force_curve(b, row, "lcdr");
   complain_of_leap(b, row, "lcdr", law.damper);
@@ -309,12 +320,12 @@ std::optional<double> too_soft_unloading(const kernel::ReversingSpring& law) {
   return std::nullopt;
 }
 
-void fill_reversing(Builder& b, const Row& row, kernel::Spring& spring) {
+void fill_reversing(Builder& b, const Row& row, double lever, kernel::Spring& spring) {
   kernel::ReversingSpring law;
   law.load = curve_of(b, row, "lcdl");
   law.unload = curve_of(b, row, "lcdu");
-  law.tension_yield = row.real("tyi");
-  law.compression_yield = row.real("cyi");
+  law.tension_yield = row.real("tyi") * lever;
+  law.compression_yield = row.real("cyi") * lever;
   law.isotropic = row.real("beta") == 1.0;
   spring.law = law;
   if (law.load.empty() || law.unload.empty()) return;
@@ -338,21 +349,21 @@ void fill_reversing(Builder& b, const Row& row, kernel::Spring& spring) {
                  "make the unloading curve at least as steep as the loading curve");
 }
 
-void fill_maxwell(Builder& b, const Row& row, kernel::Spring& spring) {
+void fill_maxwell(Builder& b, const Row& row, double lever, kernel::Spring& spring) {
   kernel::MaxwellSpring law;
-  law.early = row.real("k0");
-  law.late = row.real("ki");
+  law.early = row.real("k0") * lever * lever;
+  law.late = row.real("ki") * lever * lever;
   law.decay = row.real("beta");
   law.cut_off = row.real("tc");
-  law.last_force = row.real("fc");
+  law.last_force = row.real("fc") * lever;
   spring.law = law;
   if (law.cut_off < 1e20 && law.last_force >= 1e20) refuse(b, row, "fc", "TC needs the force that follows", "give FC");
 }
 
-void fill_inelastic(Builder& b, const Row& row, kernel::Spring& spring) {
+void fill_inelastic(Builder& b, const Row& row, double lever, kernel::Spring& spring) {
   kernel::InelasticSpring law;
   law.load = force_curve(b, row, "lcfd");
-  law.unloading = std::max(row.real("ku"), law.load.steepest());
+  law.unloading = std::max(row.real("ku") * lever * lever, law.load.steepest());
   law.tension = row.real("ctf") == -1.0;
   if (std::abs(row.real("ctf")) != 1.0) refuse(b, row, "ctf", "expected -1 or 1");
   spring.law = law;
@@ -363,7 +374,24 @@ void fill_inelastic(Builder& b, const Row& row, kernel::Spring& spring) {
     refuse(b, row, "ku", "a curve of constant force needs a stiffness of unloading", "give KU");
 }
 
-template <const Card& card, void (*fill)(Builder&, const Row&, kernel::Spring&)>
+double length_factor(const Block& block) {
+  return block.transform ? block.transform->length : 1.0;
+}
+
+/// The length factor where the springs of this law turn, 1 where they act along a line.
+double lever_of(Builder& b, const Row& row, std::size_t material, double length) {
+  if (length == 1.0) return 1.0;
+  std::array<bool, 2> used{};
+  for (const Part& part : b.model.parts)
+    if (part.kind == ElementKind::discrete && part.material == static_cast<Index>(material) && part.section != none)
+      used[b.model.discrete_sections[static_cast<std::size_t>(part.section)].torsional] = true;
+  if (used[0] && used[1])
+    refuse(b, row, "mid", "springs along a line and torsional ones share this law, which FCTLEN makes two of",
+           "give the torsional springs a law of their own");
+  return used[1] ? length : 1.0;
+}
+
+template <const Card& card, Fill fill>
 void read_law(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     std::string title = read_title(cursor, options);
@@ -374,14 +402,15 @@ void read_law(Builder& b, const Block& block, const Options& options) {
     Material m{row.integer("mid"), std::move(title), std::move(name), 0.0, kernel::Spring{}, row.place()};
     b.materials.add(m.id, static_cast<Index>(index), m.place, row.keyword(), "material", b.findings);
     b.model.materials.push_back(std::move(m));
-    // Curves may be defined later in the deck.
-    b.later(Phase::parts, [row, index](Builder& later) {
-      fill(later, row, std::get<kernel::Spring>(later.model.materials[index].law));
+    // Curves may be defined later in the deck, and which springs turn is known when parts have their sections.
+    b.later(Phase::systems, [row, index, length = length_factor(block)](Builder& later) {
+      const double lever = lever_of(later, row, index, length);
+      fill(later, row, lever, std::get<kernel::Spring>(later.model.materials[index].law));
     });
   }
 }
 
-template <const Card& card, void (*fill)(Builder&, const Row&, kernel::Spring&)>
+template <const Card& card, Fill fill>
 Keyword law(std::string_view name, std::string_view number) {
   return {
       .name = name, .aliases = {number}, .options = {"TITLE"}, .layout = {{"", &card}}, .read = read_law<card, fill>};
