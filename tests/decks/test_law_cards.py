@@ -145,6 +145,15 @@ class LawCards(CommandTest):
                 last = max(name for name in records if name.startswith("elout/solid/d") and name.endswith("/sig_xx"))
                 self.assertAlmostEqual(records[last][0], stress, delta=0.02 * modulus * 1e-3)  # the last step goes beyond the end
 
+    def test_no_failure_time(self):
+        """FAILTM left blank, as in decks older than the field, is no failure time, whatever EXCL is. Sabotage: 0 counts as a time."""
+        erosion = "*MAT_ADD_EROSION\n" + card(1, 888) + card(888, 888, 888, 0.5, 888, 888, 888)
+        self.assertEqual(self.findings(self.brick(STEEL + erosion, 100.0)), [])
+        self.nugget("run", "model.k", "--quiet")
+        last = self.glstat()[-1]
+        self.assertEqual(last["eroded internal energy"], 0.0)
+        self.assertGreater(last["internal energy"], 0.0)
+
     def test_gissmo(self):
         """Shells of 4 and 8 mm and a brick of 2 mm lose their stress from 0.1 on and go at the plastic strain that
         the curve over their size leaves of 0.3 (1 at 2 mm, 0.8 at 4 mm, 0.4 at 8 mm); both keywords. Sabotage: all elements of one size."""
