@@ -43,6 +43,7 @@ struct Carrier {
   std::span<const Row> v_before, w_before;
   double share;
   std::vector<char> weightless;  ///< by node: its body's mass is given
+  std::vector<char> bare;        ///< by node: has lost all its elements; empty if none was lost
   std::vector<Carried> carried;  ///< by node
 
   Carrier(const system::System& s, const system::State& now, std::span<const Row> v, std::span<const Row> w)
@@ -56,6 +57,29 @@ struct Carrier {
     parallel_for(carried.size(), sums_of, [this](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) carried[k] = carried_by(static_cast<int>(k));
     });
+    find_bare_nodes();
+  }
+
+  /// Nodes that follow others, tied ones and those of rigid bodies, go on with them and are not bare; nor are those
+  /// with a mass of their own.
+  void find_bare_nodes() {
+    const auto lost = [](const std::unique_ptr<system::ElementGroup>& group) {
+      for (std::size_t e = 0; e < group->size(); ++e)
+        if (!group->alive(e)) return true;
+      return false;
+    };
+    if (std::ranges::none_of(system.groups, lost)) return;
+    bare.assign(system.all_nodes(), 1);
+    for (const auto& group : system.groups)
+      for (std::size_t e = 0; e < group->size(); ++e)
+        if (group->alive(e))
+          for (const int node : group->nodes(e)) bare[at(node)] = 0;
+    for (const system::System::Lump& lump : system.lumps())
+      for (int a = 0; a < lump.corners; ++a) bare[at(lump.node[at(a)])] = 0;
+    for (const model::PointMass& m : system.model.masses) bare[at(system.node_of[at(m.node)])] = 0;
+    for (const model::PointInertia& p : system.model.inertias) bare[at(system.node_of[at(p.node)])] = 0;
+    for (std::size_t k = 0; k < bare.size(); ++k)
+      if (system.map.dependent(static_cast<int>(k))) bare[k] = 0;
   }
 
   /// A tied node's mass is, as in the equations of motion, that of the nodes which it follows.
@@ -85,7 +109,7 @@ struct Carrier {
 
   void carry(PartEnergy& part, int node, double m, double inertia) const {
     const Carried& by = carried[at(node)];
-    part.kinetic += m * by.by_mass + inertia * by.by_inertia;
+    (bare.empty() || !bare[at(node)] ? part.kinetic : part.eroded_kinetic) += m * by.by_mass + inertia * by.by_inertia;
     part.momentum += m * by.momentum;
     part.mass += m * by.mass;
   }
@@ -142,6 +166,7 @@ PartEnergy& PartEnergy::operator+=(const PartEnergy& other) {
   kinetic += other.kinetic;
   hourglass += other.hourglass;
   eroded += other.eroded;
+  eroded_kinetic += other.eroded_kinetic;
   mass += other.mass;
   momentum += other.momentum;
   return *this;
@@ -173,7 +198,7 @@ double kinetic_energy(const system::System& system, const system::State& state, 
 void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before, Energy& energy,
                       std::vector<PartEnergy>& parts) {
-  energy.internal = energy.hourglass = energy.eroded = 0.0;
+  energy.internal = energy.hourglass = energy.eroded = energy.eroded_kinetic = 0.0;
   energy.lumped = {};
   parts.assign(system.model.parts.size(), {});
   const Carrier carrier(system, state, v_before, w_before);
@@ -201,6 +226,7 @@ void element_energies(const system::System& system, const system::State& state, 
     energy.internal += s.found.internal;
     energy.hourglass += s.found.hourglass;
     energy.eroded += s.found.eroded;
+    energy.eroded_kinetic += s.found.eroded_kinetic;
   }
   for (const system::System::Lump& lump : system.lumps())
     for (int a = 0; a < lump.corners; ++a)

@@ -8,9 +8,10 @@
 
 namespace nugget::impact {
 
-/// Energies and momentum of one part. Kinetic energy contains that of spins.
+/// Energies and momentum of one part. Kinetic energy contains that of spins. `kinetic` is of nodes that have a living
+/// element, or never had one of their own; `eroded_kinetic` of those that have lost all of theirs.
 struct PartEnergy {
-  double internal = 0.0, kinetic = 0.0, hourglass = 0.0, eroded = 0.0, mass = 0.0;
+  double internal = 0.0, kinetic = 0.0, hourglass = 0.0, eroded = 0.0, eroded_kinetic = 0.0, mass = 0.0;
   Vec3d momentum;
 
   PartEnergy& operator+=(const PartEnergy& other);
@@ -24,15 +25,18 @@ struct Energy {
                          ///< interface energy)
   double wall = 0.0;     ///< taken out by rigid walls (stonewall energy)
   double damping = 0.0;
-  double eroded = 0.0;    ///< internal and hourglass energy of deleted elements
-  double external = 0.0;  ///< work of loads and supports
-  double initial = 0.0;   ///< total at time 0
+  double eroded = 0.0;          ///< internal and hourglass energy of deleted elements
+  double eroded_kinetic = 0.0;  ///< of nodes that have lost all their elements; not in `kinetic`
+  double external = 0.0;        ///< work of loads and supports
+  double initial = 0.0;         ///< total at time 0
   /// What the kinetic energy lost because the time step changed (docs/decisions/0021); no work, and 0 at a constant
   /// step.
   double step_change = 0.0;
   PartEnergy lumped;  ///< mass, momentum and share of `kinetic` that belong to no part
 
-  double total() const { return kinetic + internal + hourglass + contact + wall + damping + eroded + step_change; }
+  double total() const {
+    return kinetic + internal + hourglass + contact + wall + damping + eroded + eroded_kinetic + step_change;
+  }
   double ratio() const { return over_input(total()); }
   /// The same without the account of a changing step: what ENDENG judges, since an unstable step shows in it.
   double bare_ratio() const { return over_input(total() - step_change); }
@@ -47,15 +51,15 @@ struct Energy {
 /// Share of the time from t(n-1/2) to t(n+1/2) that lies before t(n): 1/2 at a constant step, 0 at the start.
 double share_before_now(const system::State& state);
 
-/// Kinetic energy at t(n) as the discrete balance wants it, 1/2 m v(n-1/2) . v(n+1/2) (docs/decisions/0002): `before`
-/// are the velocities and spins at t(n-1/2), those in `state` stand at t(n+1/2).
+/// Kinetic energy of all nodes at t(n) as the discrete balance wants it, 1/2 m v(n-1/2) . v(n+1/2)
+/// (docs/decisions/0002): `before` are the velocities and spins at t(n-1/2), those in `state` stand at t(n+1/2).
 double kinetic_energy(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before);
 
-/// Adds up the elements' energies: internal, hourglass, eroded of `energy`, and all of `parts` (size: number of parts).
-/// A part whose body's mass is given (*PART_INERTIA) has the kinetic energy and the momentum of the body. Point masses
-/// and nodal rigid bodies with masses of their own belong to no part: they are `lumped`, so that the parts' kinetic
-/// energy and theirs are `kinetic_energy`.
+/// Adds up the elements' energies: internal, hourglass, eroded and eroded kinetic of `energy`, and all of `parts`
+/// (size: number of parts). A part whose body's mass is given (*PART_INERTIA) has the kinetic energy and the momentum
+/// of the body. Point masses and nodal rigid bodies with masses of their own belong to no part: they are `lumped`, so
+/// that the parts' kinetic energies, eroded ones too, and theirs are `kinetic_energy`.
 void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before, Energy& energy,
                       std::vector<PartEnergy>& parts);

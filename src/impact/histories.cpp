@@ -67,13 +67,13 @@ output::GlstatState glstat_state(const Snapshot& now) {
   s.system_damping = e.damping;
   s.sliding_interface = e.contact;
   s.external_work = e.external;
-  s.eroded_kinetic = 0.0;
+  s.eroded_kinetic = e.eroded_kinetic;
   s.eroded_internal = e.eroded;
   s.eroded_hourglass = 0.0;
   s.total = e.total();
   s.ratio = e.ratio();
   const double base = e.initial + e.external;
-  s.ratio_without_eroded = base != 0.0 ? (e.total() - e.eroded) / base : 1.0;
+  s.ratio_without_eroded = base != 0.0 ? (e.total() - e.eroded - e.eroded_kinetic) / base : 1.0;
   s.velocity = mean_velocity(e, now.parts);
   if (now.masses.added != 0.0) {
     s.added_mass = now.masses.added;
@@ -97,6 +97,7 @@ output::MatsumState matsum_state(const Snapshot& now) {
     row.kinetic = part.kinetic;
     row.hourglass = part.hourglass;
     row.eroded_internal = part.eroded;
+    row.eroded_kinetic = part.eroded_kinetic;
     row.added_mass = now.masses.added_by_part[p];
     row.momentum = part.momentum;
     if (part.mass > 0.0) row.velocity = (1.0 / part.mass) * part.momentum;

@@ -586,7 +586,7 @@ void Simulation::collect() {
 void Simulation::account() {
   const Energy before = energy_;
   element_energies(system_, state_, v_before_, w_before_, momentum_before_, energy_, parts_);
-  energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_);
+  energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_) - energy_.eroded_kinetic;
   energy_.internal += joints_.energy();
   energy_.contact = tie_forces_.energy();
   for (const contact::PenaltyContact& c : contacts_) energy_.contact += c.energy();

@@ -48,7 +48,11 @@ Ruling judge(const std::string& keyword) {
     ruling.verdict = ruling.row->verdict;
     ruling.why = ruling.row->why;
   } else if (const Keyword* base = nearest_keyword(keyword)) {
-    ruling.why = fmt::format("this form of *{} is not supported", base->name);
+    ruling.why =
+        keyword.starts_with("MAT_")  // *MAT_ELASTIC_PLASTIC_HYDRO is no form of *MAT_ELASTIC
+            ? fmt::format("this material, or this form of *{}, is not built; `nugget keywords` lists those that are",
+                          base->name)
+            : fmt::format("this form of *{} is not supported", base->name);
   } else {
     ruling.why = ruling.harmless ? "this output is not written" : "not a keyword that this program knows";
   }

@@ -63,6 +63,11 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
     section.warping_stiffness = true;
     return;
   }
+  if (section.elform >= 12 && section.elform <= 15)
+    return refuse(b, b.shell_section_rows[s], "elform",
+                  fmt::format("formulation {} is {}; models in two dimensions are not built", section.elform,
+                              section.elform < 14 ? "a plane element" : "an axisymmetric solid"),
+                  "model it in three dimensions: a layer of bricks, or a sector of the body");
   refuse(
       b, b.shell_section_rows[s], "elform",
       fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay), 4 and 17 (triangles), 10 (2 with "

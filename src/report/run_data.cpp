@@ -115,8 +115,9 @@ void read_energies(const fs::path& path, RunData& data) {
     std::vector<double>& column = columns[name];
     if (column.size() + 1 == data.times.size()) column.push_back(value);  // of several walls the first one counts
   }
-  for (const char* name : {"kinetic energy", "internal energy", "hourglass energy", "sliding interface energy",
-                           "stonewall energy", "eroded internal energy", "external work", "total energy"}) {
+  for (const char* name :
+       {"kinetic energy", "internal energy", "hourglass energy", "sliding interface energy", "stonewall energy",
+        "eroded kinetic energy", "eroded internal energy", "external work", "total energy"}) {
     const auto found = columns.find(name);
     if (found == columns.end() || found->second.size() != data.times.size()) continue;
     for (const double value : found->second)

@@ -145,6 +145,34 @@ class LawCards(CommandTest):
                 last = max(name for name in records if name.startswith("elout/solid/d") and name.endswith("/sig_xx"))
                 self.assertAlmostEqual(records[last][0], stress, delta=0.02 * modulus * 1e-3)  # the last step goes beyond the end
 
+    def test_no_failure_time(self):
+        """FAILTM left blank, as in decks older than the field, is no failure time, whatever EXCL is. Sabotage: 0 counts as a time."""
+        erosion = "*MAT_ADD_EROSION\n" + card(1, 888) + card(888, 888, 888, 0.5, 888, 888, 888)
+        self.assertEqual(self.findings(self.brick(STEEL + erosion, 100.0)), [])
+        self.nugget("run", "model.k", "--quiet")
+        last = self.glstat()[-1]
+        self.assertEqual(last["eroded internal energy"], 0.0)
+        self.assertGreater(last["internal energy"], 0.0)
+
+    def test_energy_of_debris(self):
+        """Two cubes in a row fly; the second one is deleted. Its four nodes without an element take their kinetic energy, a quarter of all, to
+        the eroded one, as in LS-DYNA's d3plot of its projectile (docs/book/decks.md). Sabotage: nodes that another cube has count too."""
+        nodes = "".join(f"{i + 1:8}{x:16}{y:16}{z:16}\n" for i, (x, y, z) in enumerate((x, y, z) for x in range(3) for y in (0, 1) for z in (0, 1)))
+        cubes = "".join("".join(f"{n:8}" for n in (e, e, *(4 * (e - 1) + c for c in (1, 5, 7, 3, 2, 6, 8, 4)))) + "\n" for e in (1, 2))
+        parts = "".join("*PART\n\n" + card(p, 1, p) for p in (1, 2))
+        erosion = "*MAT_ADD_EROSION\n" + card(2) + card(*[""] * 7, 5e-6)
+        deck = ("*KEYWORD\n" + STEEL + "*MAT_001\n" + card(2, 7.85e-9, 210000.0, 0.3) + erosion + "*SECTION_SOLID\n" + card(1, 1) + parts
+                + "*NODE\n" + nodes + "*ELEMENT_SOLID\n" + cubes + "*INITIAL_VELOCITY\n" + card(0) + card(1e4)
+                + "*CONTROL_TERMINATION\n" + card(1e-5) + "*DATABASE_GLSTAT\n" + card(1e-6, 2) + "*END\n")
+        self.assertEqual(self.findings(deck), [])
+        self.nugget("run", "model.k", "--quiet")
+        whole = 0.5 * 2 * 7.85e-9 * 1e8
+        first, last = self.glstat()[0], self.glstat()[-1]
+        for state, debris in ((first, 0.0), (last, 0.25)):
+            self.assertAlmostEqual(state["kinetic energy"], (1.0 - debris) * whole, delta=1e-5 * whole)
+            self.assertAlmostEqual(state["eroded kinetic energy"], debris * whole, delta=1e-5 * whole)
+            self.assertAlmostEqual(state["total energy"], whole, delta=1e-5 * whole)
+
     def test_gissmo(self):
         """Shells of 4 and 8 mm and a brick of 2 mm lose their stress from 0.1 on and go at the plastic strain that
         the curve over their size leaves of 0.3 (1 at 2 mm, 0.8 at 4 mm, 0.4 at 8 mm); both keywords. Sabotage: all elements of one size."""

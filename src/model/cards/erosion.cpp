@@ -113,7 +113,7 @@ kernel::Erosion criteria(Builder& b, const Cards& cards) {
     e.impulse = impulse;
     e.threshold = cards.second.real("sigth");
   }
-  if (const auto time = two("failtm")) e.time = std::abs(*time);
+  if (const auto time = two("failtm"); time && *time != 0.0) e.time = std::abs(*time);
   if (cards.fourth.real("epsthin") > 0.0) e.thinning = cards.fourth.real("epsthin");
   if (const auto stress = two("sigvm"); stress && *stress >= 0.0) {
     e.effective_stress = stress;
@@ -156,7 +156,6 @@ void complain_of_idle(Builder& b, const Cards& cards, const kernel::Composition&
   at_rest(cards.second, "sigp1", e.most_stress && *e.most_stress < 0.0);
   at_rest(cards.second, "epssh", e.shear_strain && *e.shear_strain < 0.0);
   at_rest(cards.second, "impulse", e.impulse && *e.impulse < 0.0);
-  at_rest(cards.second, "failtm", e.time && *e.time == 0.0);
   if (const double threshold = cards.second.real("sigth");
       threshold != 0.0 && threshold != cards.first.real("excl") && !e.impulse)
     warn(cards.second, "sigth", "a threshold without IMPULSE has no effect", "give IMPULSE");

@@ -187,7 +187,11 @@ std::vector<Keyword> frame_keywords() {
        .layout = {{"", &points_card}, {"", &plane_point_card}},
        .read = read_points},
       {.name = "DEFINE_COORDINATE_VECTOR", .options = {"TITLE"}, .layout = {{"", &vectors_card}}, .read = read_vectors},
-      {.name = "DEFINE_COORDINATE_NODES", .options = {"TITLE"}, .layout = {{"", &nodes_card}}, .read = read_nodes},
+      {.name = "DEFINE_COORDINATE_NODES",
+       .aliases = {"DEFINE_COORDINATE_NODE"},
+       .options = {"TITLE"},
+       .layout = {{"", &nodes_card}},
+       .read = read_nodes},
       {.name = "DEFINE_VECTOR", .options = {"TITLE"}, .layout = {{"", &vector_card}}, .read = read_vector},
       {.name = "DEFINE_BOX", .options = {"TITLE"}, .layout = {{"", &box_card}}, .read = read_box},
   };

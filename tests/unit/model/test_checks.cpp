@@ -84,6 +84,8 @@ TEST(Checks, FormulationsAreRefusedByName) {
   ASSERT_NE(shell, nullptr) << b.all_findings();
   EXPECT_EQ(shell->value, "5");
   EXPECT_TRUE(b.error("solid formulation 5 is not built", "elform"));
+  const Built plane(sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12,15\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"));
+  EXPECT_TRUE(plane.error("formulation 15 is an axisymmetric solid; models in two dimensions", "elform"));
   EXPECT_TRUE(b.error("not a law of discrete beams (ELFORM 6)", "mid"));
 }
 

@@ -107,6 +107,12 @@ TEST(Frames, ThreeWaysToTheSameAxes) {
   EXPECT_DOUBLE_EQ(b.model.systems[0].origin.x, 1.0);
 }
 
+TEST(Frames, InTheSpellingOfAnExampleOfLstc) {
+  const auto b = built(std::string(three_nodes) + "*DEFINE_COORDINATE_NODE\n3,1,2,3\n");
+  ASSERT_EQ(b.model.systems.size(), 1u) << b.all_findings();
+  expect_axes(b.model.systems[0], {0, 1, 0}, {-1, 0, 0});
+}
+
 TEST(Frames, SecondNodeOnAnotherAxis) {
   const auto b = built(std::string(three_nodes) + "*DEFINE_COORDINATE_NODES\n1,1,2,3,,Y\n2,1,2,3,,Z\n");
   ASSERT_EQ(b.model.systems.size(), 2u) << b.all_findings();
