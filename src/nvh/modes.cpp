@@ -78,7 +78,12 @@ double small_shift(const Matrices& m) {
     if (group->kind != model::ElementKind::shell) continue;
     for (std::size_t e = 0; e < group->size(); ++e) thickness = std::min(thickness, group->thickness(e));
   }
-  if (!(size > 0.0) || !(speed2 > 0.0)) return 1.0;
+  if (!(size > 0.0) || !(speed2 > 0.0)) {  // springs or adhesive alone
+    double highest = 0.0;
+    for (std::size_t i = 0; i < m.size(); ++i)
+      if (m.mass.diagonal(i) > 0.0) highest = std::max(highest, m.stiffness.diagonal(i) / m.mass.diagonal(i));
+    return highest > 0.0 ? 1e-6 * highest : 1.0;
+  }
   for (const double side : {high.x - low.x, high.y - low.y, high.z - low.z})
     if (side > 1e-6 * size) thickness = std::min(thickness, side);
   const double slenderness = std::max(thickness / size, 1e-4);

@@ -110,7 +110,7 @@ class Report(CommandTest):
         (self.folder / "glstat").unlink()
         summary = self.json("summary.json")
         for share, word in ((0.9, "in order"), (1.1, "look at it")):
-            summary["energy"].update(internal=200.0, hourglass=10.0 * share, contact=-2.0 * share, ratio=1.0 - 0.02 * share)
+            summary["energy"].update(internal=150.0, eroded=50.0, hourglass=10.0 * share, contact=-2.0 * share, ratio=1.0 - 0.02 * share)
             summary["mass"].update(physical=4.0, added=0.2 * share)
             (self.folder / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
             self.nugget("report", ".")
