@@ -99,8 +99,7 @@ std::pair<double, double> range(const RunData& run, std::string_view curve, std:
 
 /// The largest internal energy, that of the elements that had been deleted by then included.
 double largest_internal(const RunData& run) {
-  const Json& energy = run.summary["energy"];
-  double largest = energy.value("internal", 0.0) + energy.value("eroded", 0.0);
+  double largest = run.summary["energy"].value("internal", 0.0);
   std::vector<double> sum(run.times.size(), 0.0);
   for (const auto& [name, values] : run.energies)
     if (name == "internal energy" || name == "eroded internal energy")

@@ -110,7 +110,7 @@ class Report(CommandTest):
         (self.folder / "glstat").unlink()
         summary = self.json("summary.json")
         for share, word in ((0.9, "in order"), (1.1, "look at it")):
-            summary["energy"].update(internal=150.0, eroded=50.0, hourglass=10.0 * share, contact=-2.0 * share, ratio=1.0 - 0.02 * share)
+            summary["energy"].update(internal=200.0, hourglass=10.0 * share, contact=-2.0 * share, ratio=1.0 - 0.02 * share)
             summary["mass"].update(physical=4.0, added=0.2 * share)
             (self.folder / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
             self.nugget("report", ".")
@@ -122,7 +122,7 @@ class Report(CommandTest):
                 self.assertAlmostEqual(value, limit * share, delta=1e-3 * limit)
 
     def test_hourglass_energy_that_went_is_seen(self):
-        """The largest share over the times of glstat counts, not what is left at the end."""
+        """The largest share over the times of glstat counts, not what is left at the end; beside internal energy that went with elements."""
         self.write(deck(("*CONTROL_TIMESTEP\n", "*CONTROL_ENERGY\n         2\n*CONTROL_TIMESTEP\n")))
         self.nugget("run", "model.k", "--quiet")
         text, count = re.subn(r"(hourglass energy \.+ *)\S+", r"\g<1> 1.00000E+99", self.read("glstat"), count=1)
@@ -130,6 +130,11 @@ class Report(CommandTest):
         (self.folder / "glstat").write_text(text, encoding="utf-8")
         self.nugget("report", ".")
         self.assertEqual(self.page()[0].by_id["check-hourglass"], "look at it")
+        text, count = re.subn(r"(eroded internal energy\.+ *)\S+", r"\g<1> 3.00000E+99", text, count=1)
+        self.assertEqual(count, 1)
+        (self.folder / "glstat").write_text(text.replace("1.00000E+99", "1.40000E+98"), encoding="utf-8")
+        self.nugget("report", ".")
+        self.assertEqual(self.page()[0].by_id["check-hourglass"], "in order")
 
     def test_the_command_makes_it_again(self):
         self.write(deck())
