@@ -46,6 +46,24 @@ Vec3d RigidBody::spin(const Vec3d& momentum, const Frame3d& at) const {
   return at.global(solve(inertia, at.local(momentum)));
 }
 
+Vec3d RigidBody::held_spin(const Vec3d& momentum, const Frame3d& at) const {
+  if (!(fixed >> 3)) return spin(momentum, at);
+  const std::array<Vec3d, 3> e{fixed_axes.e1, fixed_axes.e2, fixed_axes.e3};
+  // I w = L about the axes that are free; w = 0 about the others, whose supports take what moment it needs.
+  constexpr int place[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+  std::array<double, 3> b{};
+  Inertia a{};
+  for (int i = 0; i < 3; ++i) {
+    const Vec3d turning = RigidBody::momentum(e[static_cast<std::size_t>(i)], at);
+    for (int j = 0; j <= i; ++j) {
+      const bool held = i != j && ((fixed >> (3 + i) & 1u) || (fixed >> (3 + j) & 1u));
+      a[static_cast<std::size_t>(place[i][j])] = held ? 0.0 : dot(e[static_cast<std::size_t>(j)], turning);
+    }
+    b[static_cast<std::size_t>(i)] = (fixed >> (3 + i) & 1u) ? 0.0 : dot(e[static_cast<std::size_t>(i)], momentum);
+  }
+  return fixed_axes.global(solve(a, {b[0], b[1], b[2]}));
+}
+
 Vec3d RigidBody::momentum(const Vec3d& spin, const Frame3d& at) const {
   return at.global(times(inertia, at.local(spin)));
 }
@@ -61,8 +79,7 @@ double RigidBody::advance(double kick, double dt, State& state) {
   angular_momentum += kick * moment;
   Vec3d w = w_before;
   for (int i = 0; i < 50; ++i) {
-    Vec3d next = spin(angular_momentum, turned_axes(axes, (0.5 * dt) * w));
-    hold(next, fixed >> 3, fixed_axes);
+    const Vec3d next = held_spin(angular_momentum, turned_axes(axes, (0.5 * dt) * w));
     const Vec3d change = next - w;
     w = next;
     if (dot(change, change) <= 1e-30 * dot(w, w)) break;

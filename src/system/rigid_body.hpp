@@ -32,6 +32,9 @@ struct RigidBody {
   /// Spin that belongs to an angular momentum with the axes given.
   Vec3d spin(const Vec3d& momentum, const Frame3d& at) const;
   Vec3d momentum(const Vec3d& spin, const Frame3d& at) const;
+  /// The same where the body cannot turn about some axes: those of them that are not its own ask for a moment of the
+  /// supports, which does no work.
+  Vec3d held_spin(const Vec3d& momentum, const Frame3d& at) const;
 
   /// From t(n-1/2) to t(n+1/2): momentum by force and torque over `kick`, then the spin that turns the body over `dt`.
   /// The spin satisfies the midpoint rule w = I(t+dt/2)^-1 L with I at the half-turned axes (fixed-point iteration to

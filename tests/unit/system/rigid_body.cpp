@@ -77,6 +77,47 @@ TEST(RigidBody, ForceAndTorque) {
   EXPECT_EQ(top.spin().y, 0.0);
 }
 
+// A bar in the plane of x and y at 45 degrees to both, held against turning about y, z or both: about x it turns as
+// T/I_xx, whatever products of inertia it has, and the work of the torque is its kinetic energy. Sabotage: the free
+// spin I^-1 L, of which the held components are then taken away.
+TEST(RigidBody, HeldAboutAnAxisThatIsNotItsOwn) {
+  const Inertia bar{2.0, -1.9, 0.0, 2.0, 0.0, 4.0};
+  const double dt = 1e-6;
+  for (const unsigned held : {1u << 4, 1u << 4 | 1u << 5, 1u << 5}) {
+    Top top(bar, {});
+    top.body.fixed = held;
+    set(top.state.m[0], {3.0, 0.0, 0.0});
+    double work = 0.0;
+    for (int i = 0; i < 100; ++i) {
+      const Vec3d before = top.spin();
+      top.body.advance(dt, dt, top.state);  // the axes stay: its angles are next to nothing
+      work += 0.5 * dt * dot({3.0, 0.0, 0.0}, before + top.spin());
+    }
+    const Vec3d w = top.spin();
+    if (held & 1u << 4) {
+      EXPECT_NEAR(w.x, 100.0 * dt * 3.0 / 2.0, 1e-12);
+      EXPECT_EQ(w.y, 0.0);
+    } else {  // (I_xx I_xy; I_xy I_yy) w = (T t, 0)
+      EXPECT_NEAR(w.x, 100.0 * dt * 3.0 * 2.0 / (4.0 - 1.9 * 1.9), 1e-12);
+      EXPECT_NEAR(w.y, 100.0 * dt * 3.0 * 1.9 / (4.0 - 1.9 * 1.9), 1e-12);
+    }
+    EXPECT_NEAR(w.z, 0.0, 1e-12);
+    EXPECT_NEAR(0.5 * dot(w, top.body.momentum(w, top.body.axes)) / work, 1.0, 1e-9);
+  }
+}
+
+// The same about an axis across the global ones, with the axes of the support turned by a third of a turn.
+TEST(RigidBody, HeldInAxesOfItsOwn) {
+  Top top({2.0, -1.9, 0.0, 2.0, 0.0, 4.0}, {});
+  top.body.fixed_axes = {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
+  top.body.fixed = 1u << 3 | 1u << 4;  // about y and z
+  set(top.state.m[0], {3.0, 5.0, 7.0});
+  top.body.advance(1e-6, 1e-6, top.state);
+  EXPECT_NEAR(top.spin().x, 1e-6 * 3.0 / 2.0, 1e-14);
+  EXPECT_EQ(top.spin().y, 0.0);
+  EXPECT_EQ(top.spin().z, 0.0);
+}
+
 TEST(RigidBody, PointMassesGiveTheInertiaOfADumbbell) {
   Inertia i{};
   add_point(i, 3.0, 0.0, {0, 0, 2});
