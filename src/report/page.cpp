@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -87,9 +88,16 @@ std::string head(const Json& s) {
 // ---- soundness
 // --------------------------------------------------------------------------------------------------------------
 
+/// A number of summary.json; 0 where there is none, not a number where a run that diverged left null.
+double number_of(const Json& object, std::string_view key) {
+  const auto found = object.find(key);
+  if (found == object.end()) return 0.0;
+  return found->is_number() ? found->get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
 /// The smallest and the largest value of an energy: over glstat's times, and at the end.
 std::pair<double, double> range(const RunData& run, std::string_view curve, std::string_view key) {
-  const double at_end = run.summary["energy"].value(key, 0.0);
+  const double at_end = number_of(run.summary["energy"], key);
   std::pair<double, double> range{at_end, at_end};
   for (const auto& [name, values] : run.energies)
     if (name == curve)
@@ -99,7 +107,7 @@ std::pair<double, double> range(const RunData& run, std::string_view curve, std:
 
 /// The largest internal energy, that of the elements that had been deleted by then included.
 double largest_internal(const RunData& run) {
-  double largest = run.summary["energy"].value("internal", 0.0);
+  double largest = number_of(run.summary["energy"], "internal");
   std::vector<double> sum(run.times.size(), 0.0);
   for (const auto& [name, values] : run.energies)
     if (name == "internal energy" || name == "eroded internal energy")
@@ -110,21 +118,22 @@ double largest_internal(const RunData& run) {
 
 /// What an expert asks of a run before its results: each share beside the one up to which it passes unasked.
 std::string soundness(const RunData& run) {
+  if (!run.summary.contains("energy") || !run.summary.contains("mass")) return "<p>summary.json does not say.</p>\n";
   const Json &energy = run.summary["energy"], &mass = run.summary["mass"];
   struct Check {
     std::string_view id, what;
     double share, limit;
   };
   std::vector<Check> checks{
-      {"energy", "total energy made or lost, of what came in", std::abs(energy.value("ratio", 1.0) - 1.0), 0.02}};
-  if (const double internal = largest_internal(run); internal > 0.0) {
+      {"energy", "total energy made or lost, of what came in", std::abs(number_of(energy, "ratio") - 1.0), 0.02}};
+  if (const double internal = largest_internal(run); internal != 0.0) {
     checks.push_back({"hourglass", "largest hourglass energy, of the largest internal energy",
                       range(run, "hourglass energy", "hourglass").second / internal, 0.05});
     checks.push_back({"contact", "energy that contact gave, of the largest internal energy",
                       std::max(0.0, -range(run, "sliding interface energy", "contact").first) / internal, 0.01});
   }
-  if (const double physical = mass.value("physical", 0.0); physical > 0.0)
-    checks.push_back({"mass", "mass added for the time step, of the mass", mass.value("added", 0.0) / physical, 0.05});
+  if (const double physical = number_of(mass, "physical"); physical > 0.0)
+    checks.push_back({"mass", "mass added for the time step, of the mass", number_of(mass, "added") / physical, 0.05});
   std::string s =
       "<table id=\"checks\"><tr><th class=\"text\">looked at</th><th>found</th><th>passes up to</th><th "
       "class=\"text\"></th></tr>\n";

@@ -121,6 +121,22 @@ class Report(CommandTest):
             for value, limit in zip(found, (2.0, 5.0, 1.0, 5.0)):
                 self.assertAlmostEqual(value, limit * share, delta=1e-3 * limit)
 
+    def test_a_run_that_diverged_has_a_report(self):
+        """Its energies are null in summary.json. Sabotage: null read as a number, which ends the command."""
+        self.write(deck())
+        self.nugget("run", "model.k", "--quiet")
+        (self.folder / "glstat").unlink()
+        summary = self.json("summary.json")
+        summary["energy"].update(internal=None, hourglass=None, contact=None, ratio=None)
+        (self.folder / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
+        self.nugget("report", ".")
+        page, _ = self.page()
+        self.assertEqual([page.by_id[f"check-{name}"] for name in ("energy", "hourglass", "contact")], ["look at it"] * 3)
+        summary.pop("mass")
+        (self.folder / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
+        self.nugget("report", ".")
+        self.assertNotIn("check-energy", self.page()[0].by_id)
+
     def test_hourglass_energy_that_went_is_seen(self):
         """The largest share over the times of glstat counts, not what is left at the end; beside internal energy that went with elements."""
         self.write(deck(("*CONTROL_TIMESTEP\n", "*CONTROL_ENERGY\n         2\n*CONTROL_TIMESTEP\n")))
