@@ -199,16 +199,21 @@ void Contact::archive(Archive& a) {
 
 class VerificationTable(CheckCase):
     ROW = "A-39\trod | wall: force [N]\t32481.4\t32494.1\t0.000392\t0.01\n"
+    PAGE = "# Page\n<!-- sources: waves -->\n<!-- table: begin -->\nold\n<!-- table: end -->\nafter\n"
+    OTHERS = PAGE.replace("waves", "*")
 
-    def fill(self, rows, page="# Page\n<!-- table: begin -->\nold\n<!-- table: end -->\nafter\n"):
+    def fill(self, rows, page=PAGE, others=OTHERS):
         self.write("rows.tsv", rows)
-        self.write("page.md", page)
+        self.write("pages/page.md", page)
+        self.write("pages/others.md", others)
+        self.write("tests/waves.cpp", 'expect_reference("A-39"); expect_reference("A-04"); expect_reference("speed");')
         run = subprocess.run([sys.executable, str(TOOLS / "verification_table.py"), str(self.root / "rows.tsv"),
-                              str(self.root / "page.md")], capture_output=True, text=True)
-        return run.returncode, (self.root / "page.md").read_text(encoding="utf-8"), run.stderr
+                              str(self.root / "pages"), str(self.root / "tests")], capture_output=True, text=True)
+        pages = [(self.root / "pages" / name).read_text(encoding="utf-8") for name in ("page.md", "others.md")]
+        return run.returncode, pages, run.stderr
 
     def test_rows_replace_what_stands_between_the_marks_in_the_order_of_the_cases(self):
-        code, page, _ = self.fill("speed\tb\t1\t1\t0\t0.1\n" + self.ROW + "A-04\ta\t1\t1.2\t0.2\t0.1\n")
+        code, (page, _), _ = self.fill("speed\tb\t1\t1\t0\t0.1\n" + self.ROW + "A-04\ta\t1\t1.2\t0.2\t0.1\n")
         self.assertEqual(code, 0)
         self.assertNotIn("old", page)
         self.assertTrue(page.endswith("after\n"))
@@ -216,11 +221,23 @@ class VerificationTable(CheckCase):
                       "| A-39 | rod \\| wall: force [N] | 32481.4 | 32494.1 | 0.039 % | 1 % |\n"
                       "| speed | b |", page)
 
+    def test_a_case_that_no_page_names_a_source_of_goes_to_the_page_of_the_others(self):
+        code, (page, others), _ = self.fill(self.ROW + "new\tx\t1\t1\t0\t0.1\n")
+        self.assertEqual(code, 0)
+        self.assertNotIn("| new |", page)
+        self.assertIn("| new | x |", others)
+        self.assertNotIn("A-39", others)
+
     def test_broken_input_changes_nothing(self):
-        for rows, page in [("", None), ("A-1\ta\t1\n", None), ("A-1\ta\tx\t1\t0\t1\n", None), (self.ROW, "no marks")]:
-            code, after, error = self.fill(rows, page) if page else self.fill(rows)
-            self.assertEqual(code, 1, rows)
-            self.assertTrue("old" in after or after == "no marks")
+        for rows, page, others in [("", self.PAGE, self.OTHERS), ("A-1\ta\t1\n", self.PAGE, self.OTHERS),
+                                   ("A-1\ta\tx\t1\t0\t1\n", self.PAGE, self.OTHERS),
+                                   (self.ROW, "old <!-- sources: waves -->", self.OTHERS),
+                                   (self.ROW, self.PAGE.replace("waves", "gone"), self.OTHERS),
+                                   (self.ROW, self.PAGE.replace("<!-- sources: waves -->", ""), self.OTHERS),
+                                   (self.ROW, self.PAGE, self.PAGE), (self.ROW, self.OTHERS, self.OTHERS)]:
+            code, pages, error = self.fill(rows, page, others)
+            self.assertEqual(code, 1, (rows, page))
+            self.assertEqual(pages, [page, others])
             self.assertIn("rows.tsv: ", error)
 
 

@@ -1,17 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the table of docs/book/verification.md from the rows that the verification tests leave.
+"""Writes the tables of docs/verification from the rows that the verification tests leave.
 
     NUGGET_VERIFICATION_ROWS=ROWS test_verify
-    python3 tools/verification_table.py ROWS docs/book/verification.md
+    python3 tools/verification_table.py ROWS docs/verification tests/verify
 
-A row is: case, what, reference, value, error, gate, separated by tabs. Between the page's two marks everything is replaced. Exits with 1
-where there are no rows, a row is broken, or a mark is missing.
+A row is: case, what, reference, value, error, gate, separated by tabs. Each page of the folder that has the two marks of a
+table names the test sources whose cases it shows, `<!-- sources: shells layers -->`; a case belongs to the sources that
+name it. `<!-- sources: * -->` marks the page of all other cases. Between a page's two marks everything is replaced.
+Exits with 1, and changes nothing, where there are no rows, a row is broken, a mark is missing, a page names a source that
+is not there, or no page or two pages take the other cases.
 """
 import pathlib
 import re
 import sys
 
 BEGIN, END = "<!-- table: begin -->", "<!-- table: end -->"
+SOURCES = re.compile(r"<!-- sources: (.*?) -->")
+OTHERS = "*"
 
 
 def read_rows(text):
@@ -32,7 +37,7 @@ def read_rows(text):
 
 
 def order(case):
-    """Numbered cases of the validation suite by number, then the others by name."""
+    """Numbered cases by number, then the others by name."""
     numbered = re.fullmatch(r"A-(\d+)(\w*)", case)
     return (0, int(numbered[1]), numbered[2]) if numbered else (1, 0, case)
 
@@ -57,20 +62,62 @@ def with_table(page, rows):
     _, end, after = rest.partition(END)
     if not begin or not end:
         raise ValueError(f"the page has no {BEGIN} ... {END}")
-    return f"{before}{BEGIN}\n\n{table(rows)}\n\n{END}{after}"
+    return f"{before}{BEGIN}\n\n{table(rows)}\n\n{END}{after}" if rows else f"{before}{BEGIN}\n\n{END}{after}"
+
+
+def read_sources(folder):
+    """Text of each test source by its name, without test_ and suffix."""
+    return {path.stem.removeprefix("test_"): path.read_text(encoding="utf-8") for path in sorted(folder.glob("*.cpp"))}
+
+
+def read_pages(folder, sources):
+    """Path -> (text, names of its sources) of the pages with a table. Raises ValueError that names a page."""
+    pages = {}
+    for path in sorted(folder.glob("*.md")):
+        text = path.read_text(encoding="utf-8")
+        if named := SOURCES.search(text):
+            pages[path] = (text, named[1].split())
+        elif BEGIN in text:
+            raise ValueError(f"{path.name}: no <!-- sources: ... --> says whose cases the table has")
+    for path, (_, names) in pages.items():
+        for name in names:
+            if name != OTHERS and name not in sources:
+                raise ValueError(f"{path.name}: there is no test source {name}")
+    if sum(OTHERS in names for _, names in pages.values()) != 1:
+        raise ValueError(f"expected one page with <!-- sources: {OTHERS} -->")
+    return pages
+
+
+def page_of(case, pages, sources):
+    """The first page one of whose sources names the case, else that of all others."""
+    for path, (_, names) in pages.items():
+        if any(f'"{case}"' in sources[name] for name in names if name != OTHERS):
+            return path
+    return next(path for path, (_, names) in pages.items() if OTHERS in names)
+
+
+def written(rows, pages, sources):
+    """Path -> new text of each page."""
+    shown = {path: [] for path in pages}
+    page_by_case = {case: page_of(case, pages, sources) for case in {row[0] for row in rows}}
+    for row in rows:
+        shown[page_by_case[row[0]]].append(row)
+    return {path: with_table(text, shown[path]) for path, (text, _) in pages.items()}
 
 
 def main(arguments):
-    if len(arguments) != 2:
+    if len(arguments) != 3:
         print(__doc__, file=sys.stderr)
         return 2
-    rows, page = map(pathlib.Path, arguments)
+    rows, folder, tests = map(pathlib.Path, arguments)
     try:
-        text = with_table(page.read_text(encoding="utf-8"), read_rows(rows.read_text(encoding="utf-8")))
+        sources = read_sources(tests)
+        texts = written(read_rows(rows.read_text(encoding="utf-8")), read_pages(folder, sources), sources)
     except (OSError, ValueError) as error:
         print(f"{rows}: {error}", file=sys.stderr)
         return 1
-    page.write_text(text, encoding="utf-8")
+    for path, text in texts.items():
+        path.write_text(text, encoding="utf-8")
     return 0
 
 

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Makes the web site of the documentation: docs/ and the keyword reference of the program itself.
+
+    python3 tools/site.py NUGGET SITE
+
+Works in a folder beside SITE, so that nothing generated stands in the source tree: docs/ is copied, a page for each family
+of keywords is written from `NUGGET keywords` and `NUGGET keywords NAME`, folders in the navigation of docs/mkdocs.yml are
+replaced by their pages, MkDocs builds the site (--strict), and KaTeX is copied into it, so that formulas need no network.
+Then every link with a #place is looked up. Exits with 1 where a link leads nowhere.
+"""
+import html.parser
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import urllib.parse
+
+import yaml
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+KATEX = pathlib.Path("/usr/share/javascript/katex")
+KEYWORDS = "manual/keywords"  # folder of the generated pages
+
+
+def cell(text):
+    return text.strip().replace("|", "\\|").replace("*", "\\*").replace("<", "&lt;").replace("_", "\\_")
+
+
+def anchor(name):
+    return name.lower().replace("-", "").replace("*", "")
+
+
+def read_keywords(listing):
+    """(name, verdict, options, note) of each row of `nugget keywords`; columns start where those of the headline do."""
+    head, *rows = listing.splitlines()
+    starts = [head.index(word) for word in ("keyword", "verdict", "options", "note")]
+    for row in rows:
+        if row.startswith("*"):
+            yield tuple(row[a:b].strip() for a, b in zip(starts, starts[1:] + [None]))
+
+
+def card_table(lines):
+    """The table of one card: the headline's words say where its columns start."""
+    head = lines[0]
+    words = re.findall(r"\S+", head)
+    starts = [0] + [head.index(word) for word in words[1:]]
+    rows = [[line[a:b].strip() for a, b in zip(starts, starts[1:] + [None])] for line in lines]
+    out = ["| " + " | ".join(rows[0]) + " |", "|" + "---|" * len(rows[0])]
+    for row in rows[1:]:
+        row = [cell(value) for value in row]
+        row[1] = f"**{row[1].upper()}**"
+        out.append("| " + " | ".join(row) + " |")
+    return "\n".join(out)
+
+
+def keyword_section(name, text):
+    """One keyword: what the program says of it, cards as tables."""
+    out = [f"## \\{name} {{: #{anchor(name)} }}".replace("_", "\\_", 0)]
+    block = []
+
+    def close():
+        if block:
+            out.append(card_table(block))
+            block.clear()
+
+    for line in text.splitlines()[1:]:
+        if line.startswith("  ") and (block or line.split()[0] == "columns"):
+            block.append(line)
+            continue
+        close()
+        if line.startswith("card "):
+            out.append(f"**{cell(line.strip())}**")
+        elif line.strip():
+            out.append(cell(line.strip()))
+    close()
+    return "\n\n".join(out)
+
+
+def write_keyword_pages(nugget, folder):
+    folder.mkdir(parents=True)
+
+    def ask(*name):
+        return subprocess.run([nugget, "keywords", *name], check=True, capture_output=True, text=True).stdout
+
+    families = {}
+    for row in read_keywords(ask()):
+        families.setdefault(re.match(r"\*([A-Z0-9]+)", row[0])[1], []).append(row)
+    small = {family for family, rows in families.items() if len(rows) < 3}
+    pages = {family: rows for family, rows in families.items() if family not in small}
+    pages["OTHERS"] = [row for family in sorted(small) for row in families[family]]
+    index = ["# Keyword reference", "Written by the program itself, `nugget keywords`: reader, checks, messages and these pages "
+             "use the same tables. What the verdicts mean: [keywords](../keywords.md).", "| family | used | ignored | refused |\n|---|---|---|---|\n"]
+    for family, rows in pages.items():
+        title = "Other keywords" if family == "OTHERS" else f"*{family}"
+        out = [f"# {cell(title)}", "| keyword | verdict | options | note |\n|---|---|---|---|\n" + "\n".join(
+            f"| {f'[{cell(name)}](#{anchor(name)})' if verdict == 'used' else cell(name)} | {verdict} | {cell(options)} | {cell(note)} |"
+            for name, verdict, options, note in rows)]
+        out += [keyword_section(name, ask(name[1:])) for name, verdict, _, _ in rows if verdict == "used"]
+        (folder / f"{family.lower()}.md").write_text("\n\n".join(out) + "\n", encoding="utf-8")
+        count = {verdict: sum(row[1] == verdict for row in rows) for verdict in ("used", "ignored", "refused")}
+        index[-1] += f"| [{cell(title)}]({family.lower()}.md) | {count['used']} | {count['ignored']} | {count['refused']} |\n"
+    (folder / "index.md").write_text("\n\n".join(index), encoding="utf-8")
+
+
+def title(page):
+    return next(line[2:].strip() for line in page.read_text(encoding="utf-8").splitlines() if line.startswith("# "))
+
+
+def with_folders(entry, docs):
+    """A navigation in which `folder/` stands for its pages: index.md first, the others by name."""
+    if isinstance(entry, list):
+        return [with_folders(each, docs) for each in entry]
+    if isinstance(entry, dict):
+        return {key: with_folders(value, docs) for key, value in entry.items()}
+    if not entry.endswith("/"):
+        return entry
+    pages = sorted((docs / entry).glob("*.md"), key=lambda page: (page.name != "index.md", page.name))
+    return [{title(page).replace("\\", ""): page.relative_to(docs).as_posix()} for page in pages]
+
+
+class Links(html.parser.HTMLParser):
+    def __init__(self, page):
+        super().__init__()
+        self.ids, self.links = set(), []
+        self.feed(page.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        self.ids.update(attributes[key] for key in ("id", "name") if attributes.get(key))
+        if tag == "a" and attributes.get("href"):
+            self.links.append(attributes["href"])
+
+
+def broken_links(site):
+    """Links within the site whose page or place is not there."""
+    pages = {page: Links(page) for page in sorted(site.rglob("*.html")) if page.name != "404.html"}
+    for page, parsed in pages.items():
+        for link in parsed.links:
+            path, place = urllib.parse.urldefrag(link)
+            if ":" in path.split("/")[0]:
+                continue
+            target = pathlib.Path(os.path.normpath(page.parent / urllib.parse.unquote(path))) if path else page
+            if target.is_dir():
+                target /= "index.html"
+            if not target.exists() or (place and target in pages and urllib.parse.unquote(place) not in pages[target].ids):
+                yield f"{page.relative_to(site)}: {link}"
+
+
+def main(arguments):
+    if len(arguments) != 2:
+        print(__doc__, file=sys.stderr)
+        return 2
+    nugget, site = map(pathlib.Path, arguments)
+    work = site.resolve().parent / (site.name + "_source")
+    shutil.rmtree(work, ignore_errors=True)
+    shutil.rmtree(site, ignore_errors=True)
+    shutil.copytree(ROOT / "docs", work / "docs")
+    config = yaml.safe_load((work / "docs" / "mkdocs.yml").read_text(encoding="utf-8"))
+    (work / "docs" / "mkdocs.yml").unlink()
+    write_keyword_pages(nugget.resolve(), work / "docs" / KEYWORDS)
+    config["nav"] = with_folders(config["nav"], work / "docs")
+    (work / "mkdocs.yml").write_text(yaml.safe_dump(config, allow_unicode=True, sort_keys=False), encoding="utf-8")
+    build = subprocess.run(["/usr/bin/mkdocs", "build", "--quiet", "--strict", "--config-file", work / "mkdocs.yml",
+                            "--site-dir", site.resolve()])
+    if build.returncode:
+        return 1
+    shutil.copytree(KATEX, site / "katex", symlinks=False)
+    broken = list(broken_links(site))
+    for line in broken:
+        print(f"broken link in {line}", file=sys.stderr)
+    return 1 if broken else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
