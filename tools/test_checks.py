@@ -36,7 +36,10 @@ class Layers(CheckCase):
             ("base", '#include "base/vec3.hpp"'),
             ("deck", '#include "base/card.hpp"'),
             ("kernel", '#include "kernel/law/j2.hpp"'),
-            ("model", '#include "deck/deck.hpp"'),
+            ("reading", '#include "deck/deck.hpp"'),
+            ("nvh/eigen", '#include "nvh/matrices/sparse.hpp"'),
+            ("reading", '#include "reading/cards/families.hpp"'),
+            ("app", '#include "reading/build.hpp"'),
             ("weld", '#include "model/model.hpp"'),
             ("impact", '#include "contact/contact.hpp"'),
             ("impact", '#include "output/recorder.hpp"'),
@@ -54,6 +57,11 @@ class Layers(CheckCase):
             ("contact", '#include "output/recorder.hpp"'),
             ("output", '#include "contact/contact.hpp"'),
             ("impact", '#include "nvh/modes.hpp"'),
+            ("model", '#include "deck/deck.hpp"'),
+            ("impact", '#include "reading/build.hpp"'),
+            ("nvh/matrices", '#include "nvh/eigen/modes.hpp"'),
+            ("reading/cards", '#include "reading/keywords.hpp"'),
+            ("nvh/other", "#include <vector>"),
             ("model", "#include <system/system.hpp>"),
             ("weld", '  #  include "app/main.hpp"'),
             ("system", '#include "../contact/contact.hpp"'),
@@ -66,6 +74,19 @@ class Layers(CheckCase):
                 self.assertEqual(code, 1, output)
                 self.assertRegex(output, rf"^src/{room}/a\.cpp:[13]: ")
                 (self.root / f"src/{room}/a.cpp").unlink()
+
+    def test_a_room_that_is_linked_otherwise(self):
+        self.write("CMakeLists.txt", "nugget_room(model nugget_deck nugget_kernel)\n")
+        code, output = self.run_check("check_layers.py")
+        self.assertEqual((code, output.split(": ")[0]), (1, "CMakeLists.txt:1"))
+
+    def test_a_picture_that_is_not_that_of_today(self):
+        self.write("CONTRIBUTING.md", "<!-- house: begin (tools/check_layers.py --draw) -->\n<!-- house: end -->\n")
+        code, output = self.run_check("check_layers.py")
+        self.assertEqual((code, output.split(": ")[0]), (1, "CONTRIBUTING.md:1"))
+        drawing = [sys.executable, str(TOOLS / "check_layers.py"), "--draw", str(self.root)]
+        subprocess.run(drawing, check=True)
+        self.assertEqual(self.run_check("check_layers.py"), (0, ""))
 
 
 class Sources(CheckCase):

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "linear.hpp"
-#include "nvh/statics.hpp"
+#include "nvh/statics/statics.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {

@@ -9,7 +9,7 @@
 #include "brick_decks.hpp"
 #include "experiment.hpp"
 #include "linear.hpp"
-#include "nvh/statics.hpp"
+#include "nvh/statics/statics.hpp"
 
 namespace nugget::verify {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "brick_decks.hpp"
 #include "experiment.hpp"
-#include "model/brick_clusters.hpp"
+#include "reading/mesh/brick_clusters.hpp"
 
 namespace nugget::verify {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "experiment.hpp"
 #include "linear.hpp"
-#include "nvh/statics.hpp"
+#include "nvh/statics/statics.hpp"
 
 namespace nugget::verify {
 namespace {

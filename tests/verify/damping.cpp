@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "impact/damping.hpp"
+#include "impact/conditions/damping.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {

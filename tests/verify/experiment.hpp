@@ -5,10 +5,10 @@
 #include <memory>
 #include <string>
 
-#include "impact/simulation.hpp"
+#include "impact/simulation/simulation.hpp"
 #include "model/model.hpp"
 #include "system/system.hpp"
-#include "weld/ties.hpp"
+#include "weld/tie/ties.hpp"
 
 // A deck, run inside a test and looked at in every cycle.
 namespace nugget::verify {

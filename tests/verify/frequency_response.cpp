@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Transfer functions by modal superposition.
-#include "nvh/frequency_response.hpp"
+#include "nvh/response/frequency_response.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "impact/cross_sections.hpp"
-#include "impact/element_histories.hpp"
-#include "impact/histories.hpp"
+#include "impact/recording/cross_sections.hpp"
+#include "impact/recording/element_histories.hpp"
+#include "impact/recording/histories.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {

@@ -7,9 +7,9 @@
 
 #include "joint_decks.hpp"
 #include "linear.hpp"
-#include "nvh/frequency_response.hpp"
-#include "nvh/statics.hpp"
-#include "nvh/steady_state.hpp"
+#include "nvh/response/frequency_response.hpp"
+#include "nvh/response/steady_state.hpp"
+#include "nvh/statics/statics.hpp"
 
 namespace nugget::verify {
 namespace {

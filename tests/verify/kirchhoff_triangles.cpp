@@ -11,8 +11,8 @@
 
 #include "base/index.hpp"
 #include "linear.hpp"
-#include "nvh/statics.hpp"
-#include "nvh/stresses.hpp"
+#include "nvh/matrices/stresses.hpp"
+#include "nvh/statics/statics.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {

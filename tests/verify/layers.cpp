@@ -13,7 +13,7 @@
 
 #include "kernel/law/composition.hpp"
 #include "linear.hpp"
-#include "nvh/statics.hpp"
+#include "nvh/statics/statics.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "linear.hpp"
-#include "nvh/statics.hpp"
-#include "nvh/stresses.hpp"
+#include "nvh/matrices/stresses.hpp"
+#include "nvh/statics/statics.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "impact/cross_sections.hpp"
+#include "impact/recording/cross_sections.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {

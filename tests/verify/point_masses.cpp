@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "impact/histories.hpp"
+#include "impact/recording/histories.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {

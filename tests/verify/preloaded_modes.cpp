@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "linear.hpp"
-#include "nvh/prestress.hpp"
+#include "nvh/matrices/prestress.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {

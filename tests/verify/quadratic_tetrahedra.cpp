@@ -13,7 +13,7 @@
 
 #include "linear.hpp"
 #include "model/segments.hpp"
-#include "nvh/statics.hpp"
+#include "nvh/statics/statics.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {

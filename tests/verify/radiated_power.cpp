@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // *FREQUENCY_DOMAIN_SSD_ERP: equivalent radiated power, against pistons and integrals on paper.
-#include "nvh/radiated_power.hpp"
+#include "nvh/response/radiated_power.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "nvh/steady_state.hpp"
+#include "nvh/response/steady_state.hpp"
 #include "responses.hpp"
 
 namespace nugget::verify {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
-#include "nvh/frequencies.hpp"
-#include "nvh/response_states.hpp"
+#include "nvh/response/frequencies.hpp"
+#include "nvh/response/response_states.hpp"
 #include "responses.hpp"
 
 namespace nugget::verify {

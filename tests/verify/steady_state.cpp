@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // *FREQUENCY_DOMAIN_SSD: loads with amplitude and phase over frequency, against one mass on a spring.
-#include "nvh/steady_state.hpp"
+#include "nvh/response/steady_state.hpp"
 
-#include "nvh/response_states.hpp"
+#include "nvh/response/response_states.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

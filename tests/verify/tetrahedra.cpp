@@ -8,9 +8,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "impact/element_histories.hpp"
+#include "impact/recording/element_histories.hpp"
 #include "linear.hpp"
-#include "nvh/statics.hpp"
+#include "nvh/statics/statics.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "linear.hpp"
-#include "nvh/weld_drop.hpp"
+#include "nvh/eigen/weld_drop.hpp"
 #include "weld_decks.hpp"
 
 namespace nugget::verify {

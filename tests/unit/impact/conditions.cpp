@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "impact/conditions.hpp"
+#include "impact/conditions/conditions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 
 #include "base/index.hpp"
 #include "deck/deck.hpp"
-#include "impact/simulation.hpp"
-#include "model/builder.hpp"
+#include "impact/simulation/simulation.hpp"
+#include "reading/build.hpp"
 
 // Supports and loads on single masses, where every number has a closed form.
 namespace nugget::impact {
@@ -26,7 +26,7 @@ class Trial : public Recorder {
     const deck::Deck read = deck::read_text(
         "*KEYWORD\n*CONTROL_TIMESTEP\n0,0.9,0,0,0,90\n*DEFINE_CURVE\n90\n0.0,1e-3\n100.0,1e-3\n" + deck + "*END\n",
         findings);
-    model = std::make_unique<model::Model>(model::build(read, findings));
+    model = std::make_unique<model::Model>(reading::build(read, findings));
     ties = std::make_unique<weld::Ties>(weld::tie(*model, findings));
     system = std::make_unique<system::System>(*model, *ties, findings);
     simulation = std::make_unique<Simulation>(*system, findings);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "impact/result_files.hpp"
+#include "impact/recording/result_files.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 
 #include "base/parallel.hpp"
 #include "deck/deck.hpp"
-#include "impact/simulation.hpp"
-#include "model/builder.hpp"
+#include "impact/simulation/simulation.hpp"
+#include "reading/build.hpp"
 #include "unit/output/scratch.hpp"
 
 namespace nugget::impact {
@@ -31,7 +31,7 @@ int count(const std::string& text, const std::string& what) {
 /// Reads, ties, runs, writes into `folder`.
 void run(const std::string& text, const std::filesystem::path& folder) {
   Findings findings;
-  const model::Model model = model::build(deck::read_text(text, findings), findings);
+  const model::Model model = reading::build(deck::read_text(text, findings), findings);
   const weld::Ties ties = weld::tie(model, findings);
   system::System system(model, ties, findings);
   Simulation simulation(system, findings);

@@ -9,9 +9,9 @@
 #include "deck/deck.hpp"
 #include "kernel/element/hexahedron.hpp"
 #include "kernel/element/weld_beam.hpp"
-#include "model/builder.hpp"
-#include "nvh/linear_model.hpp"
-#include "nvh/matrices.hpp"
+#include "nvh/matrices/linear_model.hpp"
+#include "nvh/matrices/matrices.hpp"
+#include "reading/build.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -64,7 +64,7 @@ struct Assembled {
   Matrices matrices;
 
   explicit Assembled(const char* text)
-      : model(model::build(deck::read_text(text, findings), findings)),
+      : model(reading::build(deck::read_text(text, findings), findings)),
         ties(weld::tie(model, findings)),
         linear(linear_model(model, findings)),
         system(linear, ties, findings),

@@ -8,7 +8,7 @@
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "deck/deck.hpp"
-#include "model/builder.hpp"
+#include "reading/build.hpp"
 
 namespace nugget::system {
 namespace {
@@ -52,7 +52,7 @@ struct Assembled {
   weld::Ties ties;
   System system;
   Assembled()
-      : model(model::build(deck::read_text(text(), findings), findings)),
+      : model(reading::build(deck::read_text(text(), findings), findings)),
         ties(weld::tie(model, findings)),
         system(model, ties, findings) {
     for (const Finding& f : findings.all()) EXPECT_NE(f.severity, Severity::error) << to_string(f);

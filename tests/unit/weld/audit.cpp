@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "weld/audit.hpp"
+#include "weld/audit/audit.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "assembly.hpp"
-#include "weld/brick_section.hpp"
-#include "weld/ties.hpp"
+#include "weld/failure/brick_section.hpp"
+#include "weld/tie/ties.hpp"
 
 namespace nugget::weld {
 namespace {

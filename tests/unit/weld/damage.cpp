@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Damage of a weld as a whole, and what *DEFINE_CONNECTION_PROPERTIES says of one, by given loads (spotweld-theory 4.6,
 // 4.7).
-#include "weld/damage.hpp"
+#include "weld/failure/damage.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "weld/connection.hpp"
+#include "weld/failure/connection.hpp"
 #include "weld/failure/function.hpp"
 
 namespace nugget::weld {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "weld/failure.hpp"
+#include "weld/failure/failure.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "weld/placement.hpp"
+#include "weld/placement/placement.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@
 
 #include "model/weld_section.hpp"
 #include "unit/weld/assembly.hpp"
-#include "weld/placement_deck.hpp"
+#include "weld/placement/placement_deck.hpp"
 
 namespace nugget::weld {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "weld/segment.hpp"
+#include "weld/tie/segment.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "weld/ties.hpp"
-#include "weld/welds.hpp"
+#include "weld/tie/ties.hpp"
+#include "weld/tie/welds.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 #include "base/parallel.hpp"
 #include "unit/weld/assembly.hpp"
-#include "weld/segment.hpp"
+#include "weld/tie/segment.hpp"
 
 namespace nugget::weld {
 namespace {
