@@ -4,13 +4,14 @@
     NUGGET_VERIFICATION_ROWS=ROWS test_verify
     python3 tools/verification_table.py ROWS docs/book/verification.md
 
-A row is: case, what, reference, value, error, gate, separated by tabs. Between the page's two marks everything is replaced. Exits with 1
-where there are no rows, a row is broken, or a mark is missing.
+A row is: case, what, reference, value, error, gate, separated by tabs. Between the page's two marks everything is replaced, in the order
+in which docs/verification/cases.md explains the cases. Exits with 1 where there are no rows, a row is broken, or a mark is missing.
 """
 import pathlib
 import re
 import sys
 
+CASES = pathlib.Path(__file__).parent.parent / "docs/verification/cases.md"
 BEGIN, END = "<!-- table: begin -->", "<!-- table: end -->"
 
 
@@ -31,20 +32,24 @@ def read_rows(text):
     return rows
 
 
-def order(case):
-    """Numbered cases of the validation suite by number, then the others by name."""
-    numbered = re.fullmatch(r"A-(\d+)(\w*)", case)
-    return (0, int(numbered[1]), numbered[2]) if numbered else (1, 0, case)
+def headings(page):
+    """Names of the cases that a page explains, in its order."""
+    return re.findall(r"^### (.+)$", page, re.MULTILINE)
+
+
+def order(case, explained):
+    """Cases that have an explanation in the order of these, then the others by name."""
+    return (0, explained.index(case), case) if case in explained else (1, 0, case)
 
 
 def share(cell):
     return f"{100.0 * float(cell):.2g} %"
 
 
-def table(rows):
+def table(rows, explained):
     lines = ["| case | what | reference | Nugget | error | gate |", "|---|---|---|---|---|---|"]
     last = None
-    for case, what, reference, value, error, gate in sorted(rows, key=lambda row: order(row[0])):
+    for case, what, reference, value, error, gate in sorted(rows, key=lambda row: order(row[0], explained)):
         verdict = share(error) if float(error) <= float(gate) else f"**{share(error)}**"
         what = what.replace("|", "\\|")
         lines.append(f"| {case if case != last else ''} | {what} | {reference} | {value} | {verdict} | {share(gate)} |")
@@ -52,12 +57,12 @@ def table(rows):
     return "\n".join(lines)
 
 
-def with_table(page, rows):
+def with_table(page, rows, explained):
     before, begin, rest = page.partition(BEGIN)
     _, end, after = rest.partition(END)
     if not begin or not end:
         raise ValueError(f"the page has no {BEGIN} ... {END}")
-    return f"{before}{BEGIN}\n\n{table(rows)}\n\n{END}{after}"
+    return f"{before}{BEGIN}\n\n{table(rows, explained)}\n\n{END}{after}"
 
 
 def main(arguments):
@@ -66,7 +71,8 @@ def main(arguments):
         return 2
     rows, page = map(pathlib.Path, arguments)
     try:
-        text = with_table(page.read_text(encoding="utf-8"), read_rows(rows.read_text(encoding="utf-8")))
+        explained = headings(CASES.read_text(encoding="utf-8"))
+        text = with_table(page.read_text(encoding="utf-8"), read_rows(rows.read_text(encoding="utf-8")), explained)
     except (OSError, ValueError) as error:
         print(f"{rows}: {error}", file=sys.stderr)
         return 1
