@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The coupons of examples/coupons against three-dimensional models of solids: cases A-66 and A-67 of the validation suite. On elements as
+"""The coupons of examples/coupons against three-dimensional models of solids. On elements as
 large as the weld: tests/verify/coupons.cpp.
 
 Sabotage that this catches: a weld that hands over no moment (peel goes soft), bricks of another cross-section than the beam they replace,

@@ -56,7 +56,7 @@ nvh::Six static_motion(Specimen s, int node) {
   return statics.motion[static_cast<std::size_t>(experiment.system().node_of[n])];
 }
 
-// n one-point beams: P L^3 / (3 E I) (1 - 1 / (4 n^2)) + P L / (kappa G A), and an end moment exactly.
+// Bending of n one-point beams: P L^3 / (3 E I) (1 - 1 / (4 n^2)) + P L / (kappa G A), and an end moment exactly.
 // Sabotage: the lever of the shear force in the end moments left out; s and t exchanged.
 TEST(Beams, CantileversOfOnePointBeams) {
   const double length = 200.0, a = 6.0, b = 10.0, load = 10.0, G = young / (2.0 * (1.0 + nu));
@@ -74,7 +74,7 @@ TEST(Beams, CantileversOfOnePointBeams) {
       const nvh::Six u = static_motion(s, nodes.back());
       const double expected =
           load * length * length * length / (3.0 * young * I) * (1.0 - 0.25 / (n * n)) + load * length / GA;
-      expect_reference("A-13",
+      expect_reference("bending of one-point elements",
                        fmt::format("ELFORM 1, cantilever of {} beams, bent about {} [mm]", n, about_t ? 't' : 's'),
                        u[about_t ? 1 : 2], expected, 1e-6);
     }
@@ -104,16 +104,16 @@ TEST(Beams, ResultantCantileverIsExact) {
     };
     const double cube = length * length * length / (3.0 * young), shear = length / (5.0 / 6.0 * G * A);
     const std::string name = fmt::format("ELFORM 2, cantilever of {} beams: ", n);
-    expect_reference("A-13", name + "along s [mm]", part(loaded(side, false), side, 0), load * (cube / itt + shear),
-                     1e-8);
-    expect_reference("A-13", name + "along t [mm]", part(loaded(third, false), third, 0), load * (cube / iss + shear),
-                     1e-8);
-    expect_reference("A-13", name + "stretch [mm]", part(loaded(along, false), along, 0), load * length / (young * A),
-                     1e-8);
-    expect_reference("A-13", name + "twist [rad]", part(loaded(along, true), along, 3),
+    expect_reference("bending of one-point elements", name + "along s [mm]", part(loaded(side, false), side, 0),
+                     load * (cube / itt + shear), 1e-8);
+    expect_reference("bending of one-point elements", name + "along t [mm]", part(loaded(third, false), third, 0),
+                     load * (cube / iss + shear), 1e-8);
+    expect_reference("bending of one-point elements", name + "stretch [mm]", part(loaded(along, false), along, 0),
+                     load * length / (young * A), 1e-8);
+    expect_reference("bending of one-point elements", name + "twist [rad]", part(loaded(along, true), along, 3),
                      load * length / (G * (iss + itt)), 1e-8);
-    expect_reference("A-13", name + "end moment, rotation [rad]", part(loaded(side, true), side, 3),
-                     load * length / (young * iss), 1e-8);
+    expect_reference("bending of one-point elements", name + "end moment, rotation [rad]",
+                     part(loaded(side, true), side, 3), load * length / (young * iss), 1e-8);
   }
 }
 
@@ -189,7 +189,8 @@ TEST(Beams, ExplicitCantileverSwings) {
     const double bending =
         load * length * length * length / (3.0 * young * I) * (elform == 1 ? 1.0 - 0.25 / 64.0 : 1.0);
     const double shear = load * length / (5.0 / 6.0 * young / 2.6 * a * a);
-    expect_reference("A-13", fmt::format("explicit cantilever of 8 beams, ELFORM {} [mm]", elform), tip.value(),
+    expect_reference("bending of one-point elements",
+                     fmt::format("explicit cantilever of 8 beams, ELFORM {} [mm]", elform), tip.value(),
                      bending + shear, 5e-3);
     EXPECT_NEAR(drift, 0.0, 1e-3);
   }

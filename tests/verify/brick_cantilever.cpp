@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A-14 by linear statics: hourglass type 6 with QM = 1 carries the bending of a beam one brick deep. The tangent of the
-// kernel that runs in impact (brick_welds.cpp runs it there) at the suite's full load.
+// The brick cantilever by linear statics: hourglass type 6 with QM = 1 carries the bending of a beam one brick deep.
+// The tangent of the kernel that runs in impact (brick_welds.cpp runs it there) at the full load.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ double tip_deflection(int n, double couple, double force, Root root, double coef
   return w;
 }
 
-/// The table of A-14 by a formulation of bricks.
+/// The table of the brick cantilever by a formulation of bricks.
 void expect_table(const char* name, int elform) {
   struct Row {
     int bricks;
@@ -60,25 +60,27 @@ void expect_table(const char* name, int elform) {
     const auto deflection = [&](double couple, double force, Root root) {
       return tip_deflection(r.bricks, couple, force, root, 1.0, elform);
     };
-    expect_reference("A-14", what("couple of 1e5 N mm"), deflection(1e5, 0.0, Root::simple), 2.857143, 2e-3);
-    expect_reference("A-14", what("shear force of 1000 N"), deflection(0.0, 1000.0, Root::simple), r.shear, 1e-2);
-    expect_reference("A-14", what("clamped root, couple of 1e5 N mm"), deflection(1e5, 0.0, Root::clamped),
-                     r.clamped_couple, 2e-2);
-    expect_reference("A-14", what("clamped root, shear force of 1000 N"), deflection(0.0, 1000.0, Root::clamped),
-                     r.clamped_shear, 2e-2);
+    expect_reference("brick cantilever with hourglass type 6", what("couple of 1e5 N mm"),
+                     deflection(1e5, 0.0, Root::simple), 2.857143, 2e-3);
+    expect_reference("brick cantilever with hourglass type 6", what("shear force of 1000 N"),
+                     deflection(0.0, 1000.0, Root::simple), r.shear, 1e-2);
+    expect_reference("brick cantilever with hourglass type 6", what("clamped root, couple of 1e5 N mm"),
+                     deflection(1e5, 0.0, Root::clamped), r.clamped_couple, 2e-2);
+    expect_reference("brick cantilever with hourglass type 6", what("clamped root, shear force of 1000 N"),
+                     deflection(0.0, 1000.0, Root::clamped), r.clamped_shear, 2e-2);
   }
 }
 
 // Sabotage to be caught: the stabilisation of element-theory 5.4 with QM left out; a factor on one of its four modes.
-TEST(BrickCantilever, A14ByStatics) {
+TEST(BrickCantilever, PhysicalStabilizationByStatics) {
   expect_table("statics", one_point);
-  expect_reference("A-14", "statics, deflection at QM = 0.1 over that at QM = 1, couple, 5 bricks",
-                   tip_deflection(5, 1e5, 0.0, Root::simple, 0.1) / tip_deflection(5, 1e5, 0.0, Root::simple), 10.0,
-                   5e-2);
+  expect_reference(
+      "brick cantilever with hourglass type 6", "statics, deflection at QM = 0.1 over that at QM = 1, couple, 5 bricks",
+      tip_deflection(5, 1e5, 0.0, Root::simple, 0.1) / tip_deflection(5, 1e5, 0.0, Root::simple), 10.0, 5e-2);
 }
 
 // ELFORM -1: eight points, and no locking at sides of 1:1 to 10:1. Sabotage: BendingStrains without thinning.
-TEST(BrickCantilever, A14ByAssumedStrains) {
+TEST(BrickCantilever, AssumedStrainsByStatics) {
   expect_table("ELFORM -1, statics", assumed_strain);
 }
 

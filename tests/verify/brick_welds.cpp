@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Welds of bricks: of the validation suite, resultants against the reactions of the supports, axes
-// under rotation, failure against its closed forms.
+// Welds of bricks: bending by hourglass forces, stiffness of one and four bricks, resultants against the reactions of
+// the supports, axes under rotation, failure against its closed forms.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -94,19 +94,22 @@ double free_stiffness(const Prism& prism, const WeldData& weld, double pull) {
 
 // Sabotage to be caught: plane strain left in the free weld; forces of one face only counted twice; the radius for the
 // diameter.
-TEST(BrickWeld, A20AxialStiffness) {
+TEST(BrickWeld, AxialStiffness) {
   const WeldData w = strong();
   const Prism prism = square_prism(side, w.length);
   const double pull = 1e-4;
-  expect_reference("A-20", "N/u, lateral faces free [N/mm]", free_stiffness(prism, w, pull), 3.9584e6, 2e-3);
+  expect_reference("brick weld: axial stiffness", "N/u, lateral faces free [N/mm]", free_stiffness(prism, w, pull),
+                   3.9584e6, 2e-3);
   Clamped clamped(
       prism, w,
       [=](const Vec3d&, double s) {
         return Vec3d{0, 0, pull * smooth(s)};
       },
       3000);
-  expect_reference("A-20", "N/u, lateral motion blocked [N/mm]", clamped.last().axial / pull, 5.32862e6, 2e-3);
-  expect_reference("A-20", "equivalent diameter [mm]", clamped.experiment().ties().welds[0].diameter, 6.0, 2e-3);
+  expect_reference("brick weld: axial stiffness", "N/u, lateral motion blocked [N/mm]", clamped.last().axial / pull,
+                   5.32862e6, 2e-3);
+  expect_reference("brick weld: axial stiffness", "equivalent diameter [mm]",
+                   clamped.experiment().ties().welds[0].diameter, 6.0, 2e-3);
 }
 
 /// A square prism of n x n bricks bent by a couple of +-theta on its end faces, that are free to move in their planes.
@@ -129,16 +132,16 @@ double bending_stiffness(int n, double theta) {
 
 // Sabotage to be caught: bricks of an assembly counted once; moments about the brick's own centre; the hourglass forces
 // left out of the moment (a single brick then has none).
-TEST(BrickWeld, A21FourBricks) {
+TEST(BrickWeld, FourBricks) {
   const WeldData w = strong();
   const Prism one = square_prism(side, w.length), four = square_prism(side, w.length, 2);
-  expect_reference("A-21", "axial stiffness, four bricks over one",
+  expect_reference("weld of four bricks: stiffness", "axial stiffness, four bricks over one",
                    free_stiffness(four, w, 1e-4) / free_stiffness(one, w, 1e-4), 1.0, 5e-3);
   const double exact = 210000.0 * 66.618 / w.length;
-  expect_reference("A-21", "bending stiffness, one brick, IHQ 6, QM 1 [N mm/rad]", bending_stiffness(1, 1e-4), exact,
-                   3e-2);
-  expect_reference("A-21", "bending stiffness, four bricks, IHQ 6, QM 1 [N mm/rad]", bending_stiffness(2, 1e-4), exact,
-                   3e-2);
+  expect_reference("weld of four bricks: stiffness", "bending stiffness, one brick, IHQ 6, QM 1 [N mm/rad]",
+                   bending_stiffness(1, 1e-4), exact, 3e-2);
+  expect_reference("weld of four bricks: stiffness", "bending stiffness, four bricks, IHQ 6, QM 1 [N mm/rad]",
+                   bending_stiffness(2, 1e-4), exact, 3e-2);
 }
 
 /// A cantilever of n bricks of 10 x 10 x 100/n along z; tip deflection along x under a couple or a shear force at the
@@ -168,18 +171,22 @@ double tip_deflection(int n, double couple, double force, double coefficient) {
   return w;
 }
 
-// The couple is a tenth of the suite's: its answer is the linear one, and at 1e5 the turning of the tip costs 0.3 %.
-// Sabotage to be caught: the stabilisation of element-theory 5.4 with QM left out; a factor on one of its four modes.
-TEST(BrickWeld, A14BendingByHourglassForces) {
+// The couple is a tenth of that by statics: its answer is the linear one, and at 1e5 the turning of the tip costs 0.3
+// %. Sabotage to be caught: the stabilisation of element-theory 5.4 with QM left out; a factor on one of its four
+// modes.
+TEST(BrickWeld, BendingByHourglassForces) {
   const double shear[3][2] = {{1, 1.44095}, {2, 1.79809}, {5, 1.89810}};
   for (const auto& [n, w] : shear) {
     const int count = static_cast<int>(n);
-    expect_reference("A-14", fmt::format("tip deflection under the couple, {} bricks [mm]", count),
+    expect_reference("brick cantilever with hourglass type 6",
+                     fmt::format("tip deflection under the couple, {} bricks [mm]", count),
                      10.0 * tip_deflection(count, 1e4, 0.0, 1.0), 2.857143, 2e-3);
-    expect_reference("A-14", fmt::format("tip deflection under the shear force, {} bricks [mm]", count),
+    expect_reference("brick cantilever with hourglass type 6",
+                     fmt::format("tip deflection under the shear force, {} bricks [mm]", count),
                      tip_deflection(count, 0.0, 1000.0, 1.0), w, 1e-2);
   }
-  expect_reference("A-14", "deflection at QM = 0.1 over that at QM = 1, couple, 5 bricks",
+  expect_reference("brick cantilever with hourglass type 6",
+                   "deflection at QM = 0.1 over that at QM = 1, couple, 5 bricks",
                    tip_deflection(5, 1e4, 0.0, 0.1) / tip_deflection(5, 1e4, 0.0, 1.0), 10.0, 5e-2);
 }
 
@@ -197,18 +204,18 @@ TEST(BrickWeld, ResultantsAgainstReactions) {
     const std::string what = n == 1 ? "one brick" : "four bricks";
     const double force = norm(run.reaction()), moment = norm(run.moment());
     // Axes: r = z; s = x by the brick's edges and by the rule of beams; t = y.
-    expect_reference("theory 3.2", what + ": N_rr over the support's force", middle.axial / force,
+    expect_reference("brick weld: resultants", what + ": N_rr over the support's force", middle.axial / force,
                      -run.reaction().z / force, 1e-3, 1.0);
-    expect_reference("theory 3.2", what + ": N_rs over the support's force", middle.shear_s / force,
+    expect_reference("brick weld: resultants", what + ": N_rs over the support's force", middle.shear_s / force,
                      -run.reaction().x / force, 1e-3, 1.0);
-    expect_reference("theory 3.2", what + ": N_rt over the support's force", middle.shear_t / force,
+    expect_reference("brick weld: resultants", what + ": N_rt over the support's force", middle.shear_t / force,
                      -run.reaction().y / force, 1e-3, 1.0);
-    expect_reference("theory 3.2", what + ": M_rr at the first end over the support's moment", ends[0].x / moment,
-                     -run.moment().z / moment, 1e-3, 1.0);
-    expect_reference("theory 3.2", what + ": M_ss at the first end over the support's moment", ends[0].y / moment,
-                     -run.moment().x / moment, 1e-3, 1.0);
-    expect_reference("theory 3.2", what + ": M_tt at the first end over the support's moment", ends[0].z / moment,
-                     -run.moment().y / moment, 1e-3, 1.0);
+    expect_reference("brick weld: resultants", what + ": M_rr at the first end over the support's moment",
+                     ends[0].x / moment, -run.moment().z / moment, 1e-3, 1.0);
+    expect_reference("brick weld: resultants", what + ": M_ss at the first end over the support's moment",
+                     ends[0].y / moment, -run.moment().x / moment, 1e-3, 1.0);
+    expect_reference("brick weld: resultants", what + ": M_tt at the first end over the support's moment",
+                     ends[0].z / moment, -run.moment().y / moment, 1e-3, 1.0);
     EXPECT_NEAR(middle.moment_s, 0.5 * (ends[0].y + ends[1].y), 1e-9 * moment);
   }
 }
@@ -249,9 +256,10 @@ TEST(BrickWeld, ResultantsTurnWithTheWeld) {
                     std::abs(r.moment_s - start.moment_s) / moment, std::abs(r.moment_t - start.moment_t) / moment});
     });
     const std::string what = n == 1 ? "one brick" : "four bricks";
-    expect_reference("theory 9.4", what + " turned by 360 degrees: change of its forces", worst_force, 0.0, 1e-6, 1.0);
-    expect_reference("theory 9.4", what + " turned by 360 degrees: change of its moments", worst_moment, 0.0, 1e-6,
-                     1.0);
+    expect_reference("welds turned by a full circle", what + " turned by 360 degrees: change of its forces",
+                     worst_force, 0.0, 1e-6, 1.0);
+    expect_reference("welds turned by a full circle", what + " turned by 360 degrees: change of its moments",
+                     worst_moment, 0.0, 1e-6, 1.0);
   }
 }
 
@@ -300,21 +308,21 @@ TEST(BrickWeldFailure, ResultantSurface) {
       EXPECT_TRUE(f.failed) << what;
       return f;
     };
-    expect_reference("theory 4.3", what + ": tension at failure, NRR = 8000 [N]", with({8000}, {.pull = 3e-3}).tension,
-                     8000.0, 5e-3);
-    expect_reference("theory 4.3", what + ": shear at failure, NRS = 6000 [N]",
+    expect_reference("weld failure by resultants", what + ": tension at failure, NRR = 8000 [N]",
+                     with({8000}, {.pull = 3e-3}).tension, 8000.0, 5e-3);
+    expect_reference("weld failure by resultants", what + ": shear at failure, NRS = 6000 [N]",
                      with({0, 6000}, {.shear_s = 8e-3}).shear, 6000.0, 5e-3);
-    expect_reference("theory 4.3", what + ": shear at failure, NRT = 6000 [N]",
+    expect_reference("weld failure by resultants", what + ": shear at failure, NRT = 6000 [N]",
                      with({0, 0, 6000}, {.shear_t = 8e-3}).shear, 6000.0, 5e-3);
-    expect_reference("theory 4.3", what + ": torsion at failure, MRR = 9000 [N mm]",
+    expect_reference("weld failure by resultants", what + ": torsion at failure, MRR = 9000 [N mm]",
                      with({0, 0, 0, 9000}, {.twist = 4e-3}).torsion, 9000.0, 5e-3);
-    expect_reference("theory 4.3", what + ": bending at failure, MSS = 7000 [N mm]",
+    expect_reference("weld failure by resultants", what + ": bending at failure, MSS = 7000 [N mm]",
                      with({0, 0, 0, 0, 7000}, {.bend_s = 2e-3}).bending, 7000.0, 5e-3);
-    expect_reference("theory 4.3", what + ": bending at failure, MTT = 7000 [N mm]",
+    expect_reference("weld failure by resultants", what + ": bending at failure, MTT = 7000 [N mm]",
                      with({0, 0, 0, 0, 0, 7000}, {.bend_t = 2e-3}).bending, 7000.0, 5e-3);
     const AtFailure all = with({8000, 6000, 6000, 9000}, {1e-3, 3e-3, 2e-3, 1e-3});
     const auto square = [](double a) { return a * a; };
-    expect_reference("theory 4.3", what + ": f of the support's forces at failure, N, V and T together",
+    expect_reference("weld failure by resultants", what + ": f of the support's forces at failure, N, V and T together",
                      square(all.tension / 8000.0) + square(all.shear / 6000.0) + square(all.torsion / 9000.0), 1.0,
                      1e-2);
   }
@@ -326,7 +334,7 @@ TEST(BrickWeldFailure, ResultantSurface) {
     w.true_thickness = true_t;
     const AtFailure f = at_failure(square_prism(side, h), w, {.shear_s = 8e-3});
     const double ratio = 0.5 * (true_t > 0.0 ? true_t : h) / 7000.0;
-    expect_reference("theory 3.3",
+    expect_reference("brick weld: moments at the sheets",
                      fmt::format("one brick: shear at failure with moments at the sheets, TRUE_T = {} [N]", true_t),
                      f.shear, 1.0 / std::hypot(1.0 / 6000.0, ratio), 5e-3);
   }
@@ -346,17 +354,17 @@ TEST(BrickWeldFailure, BeamStresses) {
     w.strength = {500, 300};
     w.true_thickness = 1e-6;  // moments as at mid-length
     if (cluster) w.true_thickness = 0.0;
-    expect_reference("theory 4.4", what + ": tension at failure, SIGAX = 500 [N]",
+    expect_reference("weld failure by stresses", what + ": tension at failure, SIGAX = 500 [N]",
                      at_failure(prism, w, {.pull = 6e-3}).tension, 500 * 28.2743, 5e-3);
-    expect_reference("theory 4.4", what + ": bending at failure, SIGAX = 500 [N mm]",
+    expect_reference("weld failure by stresses", what + ": bending at failure, SIGAX = 500 [N mm]",
                      at_failure(prism, w, {.bend_t = 4e-3}).bending, 500 * 21.2058, 5e-3);
-    expect_reference("theory 4.4", what + ": torsion at failure, SIGTAU = 300 [N mm]",
+    expect_reference("weld failure by stresses", what + ": torsion at failure, SIGTAU = 300 [N mm]",
                      at_failure(prism, w, {.twist = 8e-3}).torsion, 300 * 42.4115, 5e-3);
     w.strength = {0, 300};  // else the moments of shear at a cluster's ends count too
-    expect_reference("theory 4.4", what + ": shear at failure, SIGTAU = 300 [N]",
+    expect_reference("weld failure by stresses", what + ": shear at failure, SIGTAU = 300 [N]",
                      at_failure(prism, w, {.shear_s = 1e-2}).shear, 300 * 28.2743, 5e-3);
     const AtFailure all = at_failure(prism, w, {1e-3, 3e-3, 2e-3, 1e-3});
-    expect_reference("theory 4.4", what + ": shear stress at failure, shear and torsion together [MPa]",
+    expect_reference("weld failure by stresses", what + ": shear stress at failure, shear and torsion together [MPa]",
                      all.shear / 28.2743 + all.torsion / 42.4115, 300.0, 5e-3);
   }
 }

@@ -91,10 +91,12 @@ void expect_failure(double degrees, double xmu, double gamma = 1.0) {
   const auto what = [&](const char* text) {
     return fmt::format("{}, {:g} degrees, XMU {:g}, GAMMA {:g}", text, degrees, xmu, gamma);
   };
-  expect_reference("COH-1", what("highest traction [MPa]"), highest, onset * std::hypot(EN * c, ET * s), 5e-3);
-  expect_reference("COH-1", what("separation at failure [mm]"), last, failure, 1e-3);
+  expect_reference("adhesive: traction and failure", what("highest traction [MPa]"), highest,
+                   onset * std::hypot(EN * c, ET * s), 5e-3);
+  expect_reference("adhesive: traction and failure", what("separation at failure [mm]"), last, failure, 1e-3);
   // The triangle under the traction along the way.
-  expect_reference("COH-1", what("energy [mJ]"), seen.back().work, 25.0 * 0.5 * k * onset * failure, 1e-3);
+  expect_reference("adhesive: traction and failure", what("energy [mJ]"), seen.back().work,
+                   25.0 * 0.5 * k * onset * failure, 1e-3);
 }
 
 TEST(CohesiveBricks, FailAtTheEnergyOfTheirMode) {
@@ -119,14 +121,17 @@ TEST(CohesiveBricks, UnloadToTheOriginBearPressureAndDoNotHeal) {
     return *std::find_if(seen.begin(), seen.end(), [time](const Seen& s) { return s.time >= time; });
   };
   const Seen back = at(1.5e-3), pressed = at(2.5e-3), sheared = at(4.5e-3), end = seen.back();
-  expect_reference("COH-2", "traction halfway back [MPa]", back.tension, (1.0 - damage) * EN * back.apart.z, 1e-6);
-  expect_reference("COH-2", "pressure of the damaged bond [MPa]", pressed.tension, EN * pressed.apart.z, 1e-6);
+  expect_reference("adhesive: unloading", "traction halfway back [MPa]", back.tension,
+                   (1.0 - damage) * EN * back.apart.z, 1e-6);
+  expect_reference("adhesive: unloading", "pressure of the damaged bond [MPa]", pressed.tension, EN * pressed.apart.z,
+                   1e-6);
   // This shear alone would make less damage than tension has made.
-  expect_reference("COH-2", "shear after tension [MPa]", sheared.shear, (1.0 - damage) * ET * sheared.apart.x, 1e-6);
+  expect_reference("adhesive: unloading", "shear after tension [MPa]", sheared.shear,
+                   (1.0 - damage) * ET * sheared.apart.x, 1e-6);
   // What is left after the way there and back is what the damage took: the triangle less the unloading.
   const double up = 0.5 * T * onset + 0.5 * (T + (1.0 - damage) * EN * wide) * (wide - onset);
-  expect_reference("COH-2", "energy that is lost [mJ]", end.work, 25.0 * (up - 0.5 * (1.0 - damage) * EN * wide * wide),
-                   2e-3);
+  expect_reference("adhesive: unloading", "energy that is lost [mJ]", end.work,
+                   25.0 * (up - 0.5 * (1.0 - damage) * EN * wide * wide), 2e-3);
 }
 
 TEST(CohesiveBricks, FreeOnesKeepMomentaAndEnergy) {
@@ -163,10 +168,11 @@ TEST(CohesiveBricks, FreeOnesKeepMomentaAndEnergy) {
       turned = std::max(turned, std::acos(std::clamp(dot(side, side_at_start), -1.0, 1.0)));
     });
     EXPECT_GT(turned, 0.5) << elform;  // rad
-    expect_reference("COH-3", fmt::format("drift of the momentum, ELFORM {}", elform), drift, 0.0, 1e-9, 1.0);
-    expect_reference("COH-3", fmt::format("drift of the angular momentum, ELFORM {}", elform), turning_drift, 0.0, 1e-9,
-                     1.0);
-    expect_reference("COH-3", fmt::format("energy ratio, ELFORM {}", elform), ratio, 0.0, 1e-2, 1.0);
+    expect_reference("adhesive: free assembly", fmt::format("drift of the momentum, ELFORM {}", elform), drift, 0.0,
+                     1e-9, 1.0);
+    expect_reference("adhesive: free assembly", fmt::format("drift of the angular momentum, ELFORM {}", elform),
+                     turning_drift, 0.0, 1e-9, 1.0);
+    expect_reference("adhesive: free assembly", fmt::format("energy ratio, ELFORM {}", elform), ratio, 0.0, 1e-2, 1.0);
   }
 }
 
@@ -192,8 +198,8 @@ TEST(CohesiveBricks, TwoMassesSwingOnTheBond) {
       time_before = now.state.time;
     });
     const double each = 4.0 * mass + 0.5 * density * side * side, k = (direction == 3 ? en : et) * side * side;
-    expect_reference("COH-4", fmt::format("frequency of two masses, direction {} [Hz]", direction), 0.5 / half,
-                     std::sqrt(k / (0.5 * each)) / (2.0 * std::numbers::pi), 2e-3);
+    expect_reference("adhesive: frequency", fmt::format("frequency of two masses, direction {} [Hz]", direction),
+                     0.5 / half, std::sqrt(k / (0.5 * each)) / (2.0 * std::numbers::pi), 2e-3);
   }
 }
 
@@ -275,9 +281,10 @@ TEST(CohesiveBricks, VolkersensLapJoint) {
   };
   const double w = std::sqrt(2.0 * et / (E * t)), half = 0.5 * length;
   const auto exact = [&](double x) { return 0.5 * load * w * std::cosh(w * (x - half)) / std::sinh(w * half); };
-  expect_reference("COH-5", "shear at the ends of a lap joint (Volkersen) [MPa]", shear(80), exact(length), 5e-3);
-  expect_reference("COH-5", "shear at its other end [MPa]", shear(0), exact(0.0), 5e-3);
-  expect_reference("COH-5", "shear in its middle [MPa]", shear(40), exact(half), 5e-3);
+  expect_reference("adhesive: lap joint", "shear at the ends of a lap joint (Volkersen) [MPa]", shear(80),
+                   exact(length), 5e-3);
+  expect_reference("adhesive: lap joint", "shear at its other end [MPa]", shear(0), exact(0.0), 5e-3);
+  expect_reference("adhesive: lap joint", "shear in its middle [MPa]", shear(40), exact(half), 5e-3);
 }
 
 TEST(CohesiveBricks, BondedSheetsBendAsOne) {
@@ -296,7 +303,8 @@ TEST(CohesiveBricks, BondedSheetsBendAsOne) {
     const double inertia = 8.0 * t * t * t / 12.0 + (elform == 19 ? stiff * t * t / 12.0 / E : 0.0);
     const double exact =
         load * length * length * length / (3.0 * E * inertia) + load * length / (5.0 / 6.0 * 0.5 * E * 2.0 * t);
-    expect_reference("COH-6", fmt::format("tip of two sheets bonded to one, ELFORM {} [mm]", elform),
+    expect_reference("adhesive: bonded sheets in bending",
+                     fmt::format("tip of two sheets bonded to one, ELFORM {} [mm]", elform),
                      solved.displacement(Pair::node(0, 50, 0), 2), exact, 5e-3);
   }
 }
@@ -333,8 +341,9 @@ TEST(CohesiveBricks, DoubleCantileverBeam) {
     // length.
     const double stiffness = E * t * t * t / 12.0;
     const double exact = std::pow(energy * stiffness, 0.75) * std::sqrt(2.0 / (3.0 * stiffness)) * 1.0;
-    expect_reference("COH-7", fmt::format("double cantilever, force times root of opening, ELFORM {}", elform),
-                     sum / count, exact, 0.05);
+    expect_reference("adhesive: double cantilever",
+                     fmt::format("double cantilever, force times root of opening, ELFORM {}", elform), sum / count,
+                     exact, 0.05);
     EXPECT_LT(ratio, 0.02);
   }
 }

@@ -99,17 +99,20 @@ const Sample& at_failure(const std::vector<Sample>& samples) {
 TEST(ConnectionBricks, DamageOverStrainAndOnTheSurface) {
   Connection c{.dgtyp = 1, .yield = 300, .tangent = tangent(2000), .normal = 400, .rupture = 0.1};
   const auto fading = run(c.text(), up(0.2), nowhere);
-  expect_reference("theory 4.7", "DGTYP 1: N at the onset [N]", at_strain(fading, 0.0499).axial, 400 * area, 5e-3);
+  expect_reference("weld strengths by sheet", "DGTYP 1: N at the onset [N]", at_strain(fading, 0.0499).axial,
+                   400 * area, 5e-3);
   for (const double p : {0.065, 0.08})
-    expect_reference("theory 4.7", fmt::format("DGTYP 1: N at plastic strain {} [N]", p), at_strain(fading, p).axial,
-                     (1.0 - (p - 0.05) / 0.05) * (300 + 2000 * p) * area, 1e-2);
-  expect_reference("theory 4.7", "DGTYP 1: plastic strain at failure", at_failure(fading).plastic_strain, 0.1, 1e-2);
+    expect_reference("weld strengths by sheet", fmt::format("DGTYP 1: N at plastic strain {} [N]", p),
+                     at_strain(fading, p).axial, (1.0 - (p - 0.05) / 0.05) * (300 + 2000 * p) * area, 1e-2);
+  expect_reference("weld strengths by sheet", "DGTYP 1: plastic strain at failure", at_failure(fading).plastic_strain,
+                   0.1, 1e-2);
   c.dgtyp = 2;
   const auto kept = run(c.text(), up(0.2), nowhere);
   for (const double p : {0.06, 0.09})
-    expect_reference("theory 4.7", fmt::format("DGTYP 2: N at plastic strain {} [N]", p), at_strain(kept, p).axial,
-                     400 * area, 5e-3);
-  expect_reference("theory 4.7", "DGTYP 2: plastic strain at failure", at_failure(kept).plastic_strain, 0.1, 1e-2);
+    expect_reference("weld strengths by sheet", fmt::format("DGTYP 2: N at plastic strain {} [N]", p),
+                     at_strain(kept, p).axial, 400 * area, 5e-3);
+  expect_reference("weld strengths by sheet", "DGTYP 2: plastic strain at failure", at_failure(kept).plastic_strain,
+                   0.1, 1e-2);
 }
 
 // Yield sqrt(3) 100, H = 300, sheared by u: tau = 100 + H p / sqrt 3, p = (u/L - tau/G)/sqrt 3. With MOARFL = 0 the
@@ -125,7 +128,7 @@ TEST(ConnectionBricks, AreaFallsWithShear) {
       const double tau = (100 + H / 3.0 * g) / (1.0 + H / (3.0 * G));
       (tau * (moarfl == 0 ? std::hypot(1.0, g) : 1.0) < SS ? low : high) = g;
     }
-    expect_reference("theory 4.7", fmt::format("shear angle at failure, MOARFL {}", moarfl),
+    expect_reference("weld strengths by sheet", fmt::format("shear angle at failure, MOARFL {}", moarfl),
                      at_failure(run(c.text(), aside(u), nowhere)).s * u / length, low, 5e-3);
   }
 }
@@ -134,7 +137,7 @@ TEST(ConnectionBricks, AreaFallsWithShear) {
 TEST(ConnectionBricks, DistortionLimit) {
   const Connection c{.yield = 300, .jtol = 0.7};
   const auto samples = run(c.text(), up(-0.75), nowhere);
-  expect_reference("theory 4.7", "height at failure over that of the start, JTOL 0.7",
+  expect_reference("weld strengths by sheet", "height at failure over that of the start, JTOL 0.7",
                    1.0 - at_failure(samples).s * 0.75 / length, 0.7, 5e-3);
   EXPECT_EQ(samples.back().mode, weld::FailureMode::distortion);
 }
@@ -144,7 +147,7 @@ TEST(ConnectionBricks, ShearBendsTheThickWeld) {
   for (const double true_t : {0.0, 0.3}) {
     const Connection c{.bending = 400, .shear = 300, .true_thickness = true_t};
     const double h = true_t > 0.0 ? true_t : length;
-    expect_reference("theory 3.3", fmt::format("_DA, TRUE_T = {}: shear at failure [N]", true_t),
+    expect_reference("brick weld: moments at the sheets", fmt::format("_DA, TRUE_T = {}: shear at failure [N]", true_t),
                      at_failure(run(c.text(), aside(8e-3), nowhere)).shear,
                      1.0 / (1.0 / (area * 300) + 0.5 * h / (modulus * 400)), 5e-3);
   }
@@ -165,10 +168,10 @@ TEST(ConnectionBricks, AsffWithDamageOfPoints) {
                              half(1.0), half(-1.0), 2);
     std::size_t first = 0;
     while (first + 1 < samples.size() && samples[first].living == 4) ++first;
-    expect_reference("theory 4.6", fmt::format("ASFF {}: path when the first bricks fail", asff), samples[first].s,
-                     stretch / (p + q * side / 4.0), 1e-2);
-    expect_reference("theory 4.6", fmt::format("ASFF {}: path when the weld fails", asff), at_failure(samples).s,
-                     stretch / (p + (asff == 1 ? 1.0 : -1.0) * q * side / 4.0), 1e-2);
+    expect_reference("weld damage options", fmt::format("ASFF {}: path when the first bricks fail", asff),
+                     samples[first].s, stretch / (p + q * side / 4.0), 1e-2);
+    expect_reference("weld damage options", fmt::format("ASFF {}: path when the weld fails", asff),
+                     at_failure(samples).s, stretch / (p + (asff == 1 ? 1.0 : -1.0) * q * side / 4.0), 1e-2);
     EXPECT_EQ(samples.back().mode, weld::FailureMode::plastic_strain);
   }
 }

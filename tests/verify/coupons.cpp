@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The three coupons in which spot welds are tested: elastic stiffness by linear statics, and forces and work in
-// large plastic deformation by explicit runs, against models of 20-node bricks in CalculiX. With the weld as
-// bricks, on other meshes and over edges and nodes: examples/coupons.
+// The three coupons in which spot welds are tested: elastic stiffness by linear statics, and forces and work in large
+// plastic deformation by explicit runs, against models of 20-node bricks in CalculiX. With the weld as bricks, on other
+// meshes and over edges and nodes: examples/coupons.
 #include "coupons.hpp"
 
 #include <fmt/format.h>
@@ -147,7 +147,7 @@ Coupon Coupon::cross_tension(int cells) {
 
 namespace {
 
-// ---- elastic, by linear statics -------------------------------------------------------------------------------
+// ---- elastic, by linear statics -------------------------------------------------------------------------------
 
 void expect_stiffness(const Coupon& coupon, const std::string& what, double expected, double gate, bool axial) {
   constexpr double u = 0.01;
@@ -167,7 +167,7 @@ void expect_stiffness(const Coupon& coupon, const std::string& what, double expe
   for (std::size_t k = 0; k < supports.size(); ++k)
     if (supports[k].source == nvh::Equations::Support::Source::motion && !supports[k].rotation)
       force += s.support_force[k] * (coupon.pull() == 1 ? supports[k].taken.x : supports[k].taken.z);
-  expect_reference("A-66", what, force / u, expected, gate);
+  expect_reference("coupons: elastic stiffness", what, force / u, expected, gate);
   // All of it goes through the one weld.
   ASSERT_TRUE(s.weld[0].has_value());
   const weld::Resultants& r = s.weld[0]->resultants;
@@ -188,7 +188,7 @@ TEST(ElasticCoupons, CrossTension) {
                    true);
 }
 
-// ---- plastic, explicit ----------------------------------------------------------------------------------------
+// ---- plastic, explicit ----------------------------------------------------------------------------------------
 
 /// Force in the grip over its displacement, pulled to `stroke` within `duration`.
 class Pull {
@@ -247,38 +247,41 @@ WeldData strong_weld() {
 
 // On elements as large as the weld the force is too high up to 0.75 mm (docs/book/coupons.md).
 // Sabotage: a weld that hands over no moment; shells whose thickness does not follow.
-TEST(PlasticCoupons, A67LapShear) {
+TEST(PlasticCoupons, LapShear) {
   const Pull nine(Coupon::lap_shear(9), 2.0, 0.01, strong_weld()),
       seven(Coupon::lap_shear(7), 2.0, 0.01, strong_weld());
   for (const auto& [u, force] :
        {std::pair{0.3, 9132.0}, {0.5, 10203.0}, {0.75, 11050.0}, {1.0, 11704.0}, {1.5, 12669.0}, {1.98, 13305.0}}) {
-    expect_reference("A-67", fmt::format("lap shear, 9 shells across, force at {} mm [N]", u), nine.force(u), force,
-                     0.1);
+    expect_reference("coupons: plastic forces", fmt::format("lap shear, 9 shells across, force at {} mm [N]", u),
+                     nine.force(u), force, 0.1);
     if (u >= 1.0)
-      expect_reference("A-67", fmt::format("lap shear, 7 shells across, force at {} mm [N]", u), seven.force(u), force,
-                       0.1);
+      expect_reference("coupons: plastic forces", fmt::format("lap shear, 7 shells across, force at {} mm [N]", u),
+                       seven.force(u), force, 0.1);
   }
-  expect_reference("A-67", "lap shear, 9 shells across, work to 2 mm [N mm]", nine.work(2.0), 21982.0, 0.08);
-  expect_reference("A-67", "lap shear, 7 shells across, work to 2 mm [N mm]", seven.work(2.0), 21982.0, 0.08);
+  expect_reference("coupons: plastic forces", "lap shear, 9 shells across, work to 2 mm [N mm]", nine.work(2.0),
+                   21982.0, 0.08);
+  expect_reference("coupons: plastic forces", "lap shear, 7 shells across, work to 2 mm [N mm]", seven.work(2.0),
+                   21982.0, 0.08);
 }
 
-TEST(PlasticCoupons, A67CoachPeelAndCrossTension) {
-  expect_reference("A-67", "coach peel, 7 shells across, work to 12 mm [N mm]",
+TEST(PlasticCoupons, CoachPeelAndCrossTension) {
+  expect_reference("coupons: plastic forces", "coach peel, 7 shells across, work to 12 mm [N mm]",
                    Pull(Coupon::coach_peel(7), 12.0, 0.03, strong_weld()).work(12.0), 10810.0, 0.2);
-  expect_reference("A-67", "cross tension, 7 shells across, work to 8 mm [N mm]",
+  expect_reference("coupons: plastic forces", "cross tension, 7 shells across, work to 8 mm [N mm]",
                    Pull(Coupon::cross_tension(7), 8.0, 0.02, strong_weld()).work(8.0), 14365.0, 0.2);
 }
 
 // Sabotage: a failure function that sees the grip's force; moments that fail a weld without MSS.
-TEST(PlasticCoupons, A67FailureByTheForceInTheGrip) {
+TEST(PlasticCoupons, FailureByTheForceInTheGrip) {
   WeldData in_shear = strong_weld(), in_tension = strong_weld();
   in_shear.strength = {0, 9000, 9000, 0, 0, 0};
   in_tension.strength = {800, 0, 0, 0, 0, 0};
   const Pull lap(Coupon::lap_shear(7), 1.0, 0.005, in_shear), peel(Coupon::coach_peel(7), 6.0, 0.015, in_tension);
   EXPECT_TRUE(lap.failed() && peel.failed());
-  expect_reference("A-67", "lap shear, NRS = NRT = 9000: force in the grip at failure [N]", lap.last_force(), 9000.0,
-                   0.05);
-  expect_reference("A-67", "coach peel, NRR = 800: force in the grip at failure [N]", peel.last_force(), 800.0, 0.05);
+  expect_reference("coupons: plastic forces", "lap shear, NRS = NRT = 9000: force in the grip at failure [N]",
+                   lap.last_force(), 9000.0, 0.05);
+  expect_reference("coupons: plastic forces", "coach peel, NRR = 800: force in the grip at failure [N]",
+                   peel.last_force(), 800.0, 0.05);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ struct Decay {
   }
 };
 
-/// The strip of A-54, 200 x 20 x 2, clamped at x = 0 and started in its first mode.
+/// The cantilever strip, 200 x 20 x 2, clamped at x = 0 and started in its first mode.
 struct Cantilever {
   static constexpr double length = 200.0, first = 41.776;  ///< Hz, Euler
   Specimen specimen;
@@ -103,10 +103,12 @@ TEST(Damping, MassProportionalGivesTheLogDecrement) {
   strip.specimen.card("DAMPING_GLOBAL", {0, alpha});
   double balance = 0.0;
   const Decay decay = strip.run(&balance);
-  expect_reference("A-62", "cantilever, *DAMPING_GLOBAL 10/s: share of critical alpha/(2 w)", decay.share,
-                   alpha / (2.0 * decay.omega), 2e-2);
-  expect_reference("A-62", "the same: first frequency [Hz]", decay.omega / (2.0 * pi), Cantilever::first, 1e-2);
-  expect_reference("A-62", "the same: energy balance, of the kinetic energy", balance, 0.0, 1e-6, 1.0);
+  expect_reference("damped cantilever strip", "cantilever, *DAMPING_GLOBAL 10/s: share of critical alpha/(2 w)",
+                   decay.share, alpha / (2.0 * decay.omega), 2e-2);
+  expect_reference("damped cantilever strip", "the same: first frequency [Hz]", decay.omega / (2.0 * pi),
+                   Cantilever::first, 1e-2);
+  expect_reference("damped cantilever strip", "the same: energy balance, of the kinetic energy", balance, 0.0, 1e-6,
+                   1.0);
 }
 
 TEST(Damping, OfAPartIsThatOfTheWholeWhereItIsAllThereIs) {
@@ -114,7 +116,7 @@ TEST(Damping, OfAPartIsThatOfTheWholeWhereItIsAllThereIs) {
   Cantilever strip;
   strip.specimen.text(constant_curve(1)).card("DAMPING_PART_MASS", {1, 1, alpha});
   const Decay decay = strip.run();
-  expect_reference("A-62", "cantilever, *DAMPING_PART_MASS 10/s: share of critical", decay.share,
+  expect_reference("damped cantilever strip", "cantilever, *DAMPING_PART_MASS 10/s: share of critical", decay.share,
                    alpha / (2.0 * decay.omega), 2e-2);
 }
 
@@ -219,7 +221,7 @@ TEST(Damping, FiltersOfDeformationAreFlatOverTheirRange) {
   }
 }
 
-/// The chain of A-12, clamped and free, in its mode `mode`, with the damping that a card gives.
+/// The bar of lumped masses, clamped and free, in its mode `mode`, with the damping that a card gives.
 Decay chain(int mode, const std::function<void(Specimen&)>& damp) {
   constexpr int n = 10;
   Specimen specimen;

@@ -41,7 +41,8 @@ TEST(FrequencyResponse, CantileverTip) {
   const LinearExperiment cantilever(s.deck());
   const nvh::Modes modes = cantilever.modes(5);
   const auto row = [&](double frequency, const char* name, double expected) {
-    expect_reference("A-60", fmt::format("cantilever strip, 80 x 8 shells, tip over tip at {} [mm/N]", name),
+    expect_reference("response of the cantilever strip",
+                     fmt::format("cantilever strip, 80 x 8 shells, tip over tip at {} [mm/N]", name),
                      std::abs(response_at(cantilever, modes, frequency)[0]), expected, half_decibel);
   };
   row(0.0, "0 Hz", 0.952305);
@@ -75,13 +76,14 @@ TEST(FrequencyResponse, PlateUnderHarmonicPressure) {
   const nvh::Modes modes = plate.modes(4);
   const double expected[] = {2.377, 5.961, 5.961, 9.483};
   for (std::size_t i = 0; i < 4; ++i)
-    expect_reference("A-61", fmt::format("NAFEMS 13H, 20 x 20 shells: mode {} [Hz]", i + 1), modes.frequency(i),
-                     expected[i], 2e-2);
+    expect_reference("plate under harmonic pressure (13H)",
+                     fmt::format("NAFEMS 13H, 20 x 20 shells: mode {} [Hz]", i + 1), modes.frequency(i), expected[i],
+                     2e-2);
   const auto centre = [&](double f) { return 100.0 * 1000.0 * response_at(plate, modes, f)[0]; };  // 100 Pa, mm
-  expect_reference("A-61", "NAFEMS 13H: amplitude of the centre at its mode 1 [mm]",
+  expect_reference("plate under harmonic pressure (13H)", "NAFEMS 13H: amplitude of the centre at its mode 1 [mm]",
                    std::abs(centre(modes.frequency(0))), 45.42, 2e-2);
-  expect_reference("A-61", "NAFEMS 13H: amplitude of the centre at 2.377 Hz [mm]", std::abs(centre(2.377)), 45.42,
-                   2e-2);
+  expect_reference("plate under harmonic pressure (13H)", "NAFEMS 13H: amplitude of the centre at 2.377 Hz [mm]",
+                   std::abs(centre(2.377)), 45.42, 2e-2);
   // Against the normal, and a quarter of a period behind.
   EXPECT_NEAR(std::arg(-centre(modes.frequency(0))), -0.5 * std::numbers::pi, 0.02);
 }

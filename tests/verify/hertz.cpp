@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// an elastic sphere against a rigid wall, by Hertz.
+// An elastic sphere against a rigid wall, by Hertz.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,11 +68,12 @@ TEST(Hertz, SphereOnARigidWall) {
   const double stiffness = 4.0 / 3.0 * E / (1.0 - nu * nu) * std::sqrt(radius);
   const double m = density * 4.0 / 3.0 * pi * radius * radius * radius;
   const double depth = std::pow(1.25 * m * speed * speed / stiffness, 0.4);
-  expect_reference("A-42", "mass of the ball [t]", 4.0 * mass, m, 0.02);
-  expect_reference("A-42", "sphere on a rigid wall: greatest force [N]", largest, 2309.8, 0.07);
-  expect_reference("A-42", "the same by the formulas of Hertz", largest, stiffness * std::pow(depth, 1.5), 0.07);
-  expect_reference("A-42", "approach of its centre [mm]", deepest, 0.017795, 0.07);
-  expect_reference("A-42", "time of contact [s]", last_touch, 5.2376e-5, 0.07);
+  expect_reference("sphere on a rigid wall", "mass of the ball [t]", 4.0 * mass, m, 0.02);
+  expect_reference("sphere on a rigid wall", "sphere on a rigid wall: greatest force [N]", largest, 2309.8, 0.07);
+  expect_reference("sphere on a rigid wall", "the same by the formulas of Hertz", largest,
+                   stiffness * std::pow(depth, 1.5), 0.07);
+  expect_reference("sphere on a rigid wall", "approach of its centre [mm]", deepest, 0.017795, 0.07);
+  expect_reference("sphere on a rigid wall", "time of contact [s]", last_touch, 5.2376e-5, 0.07);
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// A-37 on a hinge: a uniform rod released from the horizontal. The hinge's reaction at the bottom is m g (1 + 3/2), and
-// it has no moment about its axis. Sabotage: the hinge's damper about its own axis.
+// The pendulum on a hinge: a uniform rod released from the horizontal. The hinge's reaction at the bottom is m g (1 +
+// 3/2), and it has no moment about its axis. Sabotage: the hinge's damper about its own axis.
 void pendulum(bool by_points) {
   const double length = 400.0, g = 9810.0, m = 2e-3, across = m * length * length / 12.0;
   Specimen s;
@@ -43,8 +43,8 @@ void pendulum(bool by_points) {
     twist = std::max(twist, std::abs(now.joints.moment(0).y));
     drift = std::max(drift, std::abs(now.energy.total() - now.energy.external));
   });
-  expect_reference("A-37", "rod on a hinge: period [s]", period, 1.222748, 5e-3);
-  expect_reference("A-37", "rod on a hinge: spin at the bottom [rad/s]", fastest, 8.57759, 5e-3);
+  expect_reference("pendulum", "rod on a hinge: period [s]", period, 1.222748, 5e-3);
+  expect_reference("pendulum", "rod on a hinge: spin at the bottom [rad/s]", fastest, 8.57759, 5e-3);
   expect_reference("joints", "rod on a hinge: reaction at the bottom [N]", reaction, 2.5 * m * g, 5e-3);
   expect_reference("joints", "rod on a hinge: moment about its axis, of m g L", twist, 0.0, 1e-9, m * g * length);
   EXPECT_NEAR(drift, 0.0, 1e-4 * m * g * length);

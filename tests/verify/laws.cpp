@@ -111,17 +111,19 @@ std::string mat(const std::string& name, std::initializer_list<std::initializer_
   return text;
 }
 
-// Sabotage: the exponent P instead of 1/P.
+// Cowper-Symonds rate effect. Sabotage: the exponent P instead of 1/P.
 TEST(Laws, CowperSymonds) {
   const double factor = 1.0 + std::pow(100.0 / 40.4, 0.2);
   EXPECT_NEAR(factor, 2.19874, 1e-5);
   for (const double vp : {0.0, 1.0}) {
     const std::string kind = vp == 0.0 ? "VP 0" : "VP 1";
     expect_law(
-        "A-49", "MAT_024 " + kind, mat("024", {{1, 7.85e-9, E, 0.3, 250.0}, {40.4, 5.0, 0, 0, vp}, {}, {}}), 0.05,
-        100.0, [&](double) { return 250.0 * factor; }, 0.01);
+        "Cowper-Symonds rate effect", "MAT_024 " + kind,
+        mat("024", {{1, 7.85e-9, E, 0.3, 250.0}, {40.4, 5.0, 0, 0, vp}, {}, {}}), 0.05, 100.0,
+        [&](double) { return 250.0 * factor; }, 0.01);
     expect_law(
-        "A-49", "MAT_003 " + kind, mat("003", {{1, 7.85e-9, E, 0.3, 250.0, 0.0, 1.0}, {40.4, 5.0, 0, vp}}), 0.05, 100.0,
+        "Cowper-Symonds rate effect", "MAT_003 " + kind,
+        mat("003", {{1, 7.85e-9, E, 0.3, 250.0, 0.0, 1.0}, {40.4, 5.0, 0, vp}}), 0.05, 100.0,
         [&](double) { return 250.0 * factor; }, 0.01);
   }
 }

@@ -52,9 +52,10 @@ TEST(ShellFactors, BySizeOnBeamsAndOnBricksForBeams) {
   for (const int bricks : {0, 1, 8}) {
     const std::string control = curve(70, {{8.0, 2.0}, {10.0, 0.5}}) + curve(71, {{8.0, 4.0}, {10.0, 4.0}}) +
                                 "*CONTROL_SPOTWELD_BEAM\n" + fields({70, 71, 0, 0, 0, double(bricks)});
-    expect_reference("theory 4.9", fmt::format("RPBHX {}: N at failure, LCT 0.5 at the worse end [N]", bricks),
+    expect_reference("weld strength by place on the shells",
+                     fmt::format("RPBHX {}: N at failure, LCT 0.5 at the worse end [N]", bricks),
                      force_at_failure(control, true), 8000 * std::sqrt(0.5), 5e-3);
-    expect_reference("theory 4.9", fmt::format("RPBHX {}: V at failure, LCS 4 [N]", bricks),
+    expect_reference("weld strength by place on the shells", fmt::format("RPBHX {}: V at failure, LCS 4 [N]", bricks),
                      force_at_failure(control, false), 2 * 4000, 5e-3);
   }
 }
@@ -75,13 +76,13 @@ TEST(ShellFactors, ByThePlaceOfABeamOnItsShells) {
   const double angle = std::atan(1.0 / 3.0) * 180.0 / std::numbers::pi;
   const double tension = 1.0 + 0.75 * (0.5 + 0.25 * angle / 45.0 - 1.0),
                shear = (1.0 + 3.0 * 0.6) * (1.0 - angle / 90.0);
-  expect_reference("theory 4.9", "N at failure, T_ORT at place 0.75, angle 18.4 [N]",
+  expect_reference("weld strength by place on the shells", "N at failure, T_ORT at place 0.75, angle 18.4 [N]",
                    force_at_failure(control(90), true, 3, 1), 8000 * std::sqrt(tension), 5e-3);
-  expect_reference("theory 4.9", "V at failure, T_ORS at place 0.6, angle 18.4 [N]",
+  expect_reference("weld strength by place on the shells", "V at failure, T_ORS at place 0.6, angle 18.4 [N]",
                    force_at_failure(control(90), false, 3, 1), 4000 * std::sqrt(shear), 5e-3);
-  expect_reference("theory 4.9", "V at failure, T_ORT for shear too (T_ORS 0) [N]",
+  expect_reference("weld strength by place on the shells", "V at failure, T_ORT for shear too (T_ORS 0) [N]",
                    force_at_failure(control(0), false, 3, 1), 4000 * std::sqrt(tension), 5e-3);
-  expect_reference("theory 4.9", "N at failure, T_ORT in the middle of the shells [N]",
+  expect_reference("weld strength by place on the shells", "N at failure, T_ORT in the middle of the shells [N]",
                    force_at_failure(control(90), true), 8000, 5e-3);
 }
 

@@ -35,7 +35,7 @@ struct Strip {
   }
 };
 
-// a beam of n equal one-point elements is off by a known share. The load comes within 20 periods of the lowest
+// A beam of n equal one-point elements is off by a known share. The load comes within 20 periods of the lowest
 // mode; what oscillation is left is averaged out over one more.
 struct SlowlyLoaded {
   double rise, end;
@@ -58,7 +58,8 @@ TEST(Shells, CantileverStripUnderAnEndLoad) {
     Strip strip(100.0, 10.0, 4.0, n, 1, 0.0, 5.0 / 6.0);
     const SlowlyLoaded load(strip);
     strip.specimen.card("BOUNDARY_SPC_SET", {1, 0, 1, 1, 1, 1, 1, 1}).card("LOAD_NODE_SET", {2, 3, 1, 10.0});
-    expect_reference("A-13", fmt::format("cantilever strip of {} shells, end load: deflection [mm]", n),
+    expect_reference("bending of one-point elements",
+                     fmt::format("cantilever strip of {} shells, end load: deflection [mm]", n),
                      load.deflection(strip, strip.grid(n, 0)), expected, 2e-3);
   }
 }
@@ -69,7 +70,7 @@ TEST(Shells, CantileverStripUnderAnEndMoment) {
   const SlowlyLoaded load(strip);
   constexpr double moment = 1000.0;
   strip.specimen.card("BOUNDARY_SPC_SET", {1, 0, 1, 1, 1, 1, 1, 1}).card("LOAD_NODE_SET", {2, 6, 1, 0.5 * moment});
-  expect_reference("A-13", "cantilever strip of 4 shells, end moment: deflection [mm]",
+  expect_reference("bending of one-point elements", "cantilever strip of 4 shells, end moment: deflection [mm]",
                    load.deflection(strip, strip.grid(4, 0)), moment * 1e4 / (2.0 * modulus * strip.inertia()), 2e-3);
 }
 
@@ -83,14 +84,14 @@ TEST(Shells, SimplySupportedStripUnderACentreLoad) {
       .card("LOAD_NODE_SET", {4, 3, 1, 10.0});
   const double bending = 20.0 * 1e6 / (48.0 * modulus * strip.inertia()) * (1.0 - 1.0 / 16.0);
   const double shear = 20.0 * 100.0 / (4.0 * 5.0 / 6.0 * 0.5 * modulus * 40.0);
-  expect_reference("A-13", "simply supported strip of 4 shells, centre load: deflection [mm]",
+  expect_reference("bending of one-point elements", "simply supported strip of 4 shells, centre load: deflection [mm]",
                    load.deflection(strip, strip.grid(2, 0)), bending + shear, 2e-3);
 }
 
-// A-22, on the deck's mesh but with strains of 1e-7 instead of 1e-3, so that the change of geometry stays below the
-// gate. The edge moves at constant velocities that are linear in space; if the patch test is passed, no forces arise
-// inside and the inner nodes, which start with the velocities of that field, keep to it. Sabotage: one of the
-// four entries of the gradient operator 0.1 % too large.
+// The membrane patch, on the deck's mesh but with strains of 1e-7 instead of 1e-3, so that the change of geometry stays
+// below the gate. The edge moves at constant velocities that are linear in space; if the patch test is passed, no
+// forces arise inside and the inner nodes, which start with the velocities of that field, keep to it. Sabotage: one of
+// the four entries of the gradient operator 0.1 % too large.
 TEST(Shells, MembranePatchTest) {
   constexpr double rate = 1e-5, end = 1e-2, scale = rate * end / 1e-3;
   const double x[8][2] = {{0, 0}, {.24, 0}, {.24, .12}, {0, .12}, {.04, .02}, {.18, .03}, {.16, .08}, {.08, .08}};
@@ -133,22 +134,22 @@ TEST(Shells, MembranePatchTest) {
       if (std::abs(one[component] / scale - reference) > std::abs(value - reference)) value = one[component] / scale;
     return value;
   };
-  expect_reference("A-22", "membrane patch, worst xx stress per unit of the case", worst(0, 1333.3333333), 1333.3333333,
-                   1e-6);
-  expect_reference("A-22", "membrane patch, worst yy stress", worst(1, 1333.3333333), 1333.3333333, 1e-6);
-  expect_reference("A-22", "membrane patch, worst xy stress", worst(3, 400.0), 400.0, 1e-6);
+  expect_reference("membrane patch", "membrane patch, worst xx stress per unit of the case", worst(0, 1333.3333333),
+                   1333.3333333, 1e-6);
+  expect_reference("membrane patch", "membrane patch, worst yy stress", worst(1, 1333.3333333), 1333.3333333, 1e-6);
+  expect_reference("membrane patch", "membrane patch, worst xy stress", worst(3, 400.0), 400.0, 1e-6);
   double astray = 0.0;
   for (int i = 4; i < 8; ++i) {
     const Vec3d d = (1.0 / scale) * moved[static_cast<std::size_t>(i - 4)], expected{1e-3 * u(i), 1e-3 * v(i), 0.0};
     astray = std::max(astray, norm(d - expected) / norm(expected));
   }
-  expect_reference("A-22", "membrane patch, worst inner node, off the linear field by its share", astray, 0.0, 1e-6,
-                   1.0);
+  expect_reference("membrane patch", "membrane patch, worst inner node, off the linear field by its share", astray, 0.0,
+                   1e-6, 1.0);
 }
 
-// the moment grows within 20 periods of the straight strip, which leaves a slow wave of its own; the tip is
-// looked at when the moment has come and averaged over a period. The strip moves in its plane only. Sabotage: the
-// factor 1/4 of the spins in the transverse shear strain taken as 1/2.
+// The cantilever that is rolled up: the moment grows within 20 periods of the straight strip, which leaves a slow wave
+// of its own; the tip is looked at when the moment has come and averaged over a period. The strip moves in its plane
+// only. Sabotage: the factor 1/4 of the spins in the transverse shear strain taken as 1/2.
 TEST(Shells, CantileverRolledByAnEndMoment) {
   struct Case {
     double turns, u, w;
@@ -172,12 +173,13 @@ TEST(Shells, CantileverRolledByAnEndMoment) {
       w.add(d.z / strip.length, now.state.dt);
     });
     const std::string name = fmt::format("cantilever rolled by {} turns, ELFORM {}: ", c.turns, c.elform);
-    expect_reference("A-34", name + "u/L of the tip", u.value(), c.u, 0.01, 1.0);
-    expect_reference("A-34", name + "w/L of the tip", w.value(), c.w, 0.01, 1.0);
+    expect_reference("cantilever rolled up", name + "u/L of the tip", u.value(), c.u, 0.01, 1.0);
+    expect_reference("cantilever rolled up", name + "w/L of the tip", w.value(), c.w, 0.01, 1.0);
   }
 }
 
-// A-35, in the same way. Sabotage: the resultants laid on the geometry at the beginning of the step.
+// The elastica under an end load, in the same way. Sabotage: the resultants laid on the geometry at the beginning of
+// the step.
 TEST(Shells, Elastica) {
   for (const int elform : {2, 16}) {
     Strip strip(100.0, 10.0, 1.0, 20, 1, 0.0, 1.0, elform);
@@ -196,12 +198,12 @@ TEST(Shells, Elastica) {
       w.add(d.z / strip.length, now.state.dt);
     });
     const std::string name = fmt::format("elastica, P L^2 / E I = 5, ELFORM {}: ", elform);
-    expect_reference("A-35", name + "w/L of the tip", w.value(), 0.713792, 0.01, 1.0);
-    expect_reference("A-35", name + "u/L of the tip", u.value(), 0.387628, 0.01, 1.0);
+    expect_reference("elastica under an end load", name + "w/L of the tip", w.value(), 0.713792, 0.01, 1.0);
+    expect_reference("elastica under an end load", name + "u/L of the tip", u.value(), 0.387628, 0.01, 1.0);
   }
 }
 
-// A-54 in time: pushed off in the shape of its first mode, the strip passes zero every half period.
+// The cantilever strip in time: pushed off in the shape of its first mode, the strip passes zero every half period.
 // Sabotage: a nodal mass of a third of the element's.
 void vibrate(int elform) {
   Strip strip(200.0, 20.0, 2.0, 20, 2, 0.3, 5.0 / 6.0, elform);
@@ -235,7 +237,7 @@ void vibrate(int elform) {
   });
   ASSERT_GE(zeros.size(), 4u);
   const double period = 2.0 * (zeros.back() - zeros.front()) / static_cast<double>(zeros.size() - 1);
-  expect_reference("A-54",
+  expect_reference("cantilever strip",
                    fmt::format("cantilever strip 200 x 20 x 2, 20 x 2 shells, ELFORM {}: first frequency [Hz]", elform),
                    1.0 / period, 41.776, 0.01);
   EXPECT_LT(drift, 1e-3);

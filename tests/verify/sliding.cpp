@@ -56,15 +56,16 @@ TEST(Sliding, TwoBarsCollide) {
     if (now.state.cycle == 0) before = after_left;
     if (std::abs(now.energy.ratio() - 1.0) > std::abs(worst - 1.0)) worst = now.energy.ratio();
   });
-  expect_reference("A-40", "coaxial bars, contact force [N]", plateau.value(), 0.5 * density * c * speed * area, 0.02);
-  expect_reference("A-40", "coaxial bars, time in contact [s]", end - begin, 400.0 / c, 0.02);
-  expect_reference("A-40", "coaxial bars, momentum left in the short bar, of its first", after_left / before, 0.0, 0.02,
-                   1.0);
-  expect_reference("A-40", "coaxial bars, mean velocity of the long bar [mm/s]", after_right / (density * area * 400.0),
-                   0.5 * speed, 0.02);
-  expect_reference("A-40", "coaxial bars, sum of momenta at the end, of the first", (after_left + after_right) / before,
-                   1.0, 1e-12);
-  expect_reference("A-40", "coaxial bars, worst energy ratio", worst, 1.0, 1e-3);
+  expect_reference("impact of two rods", "coaxial bars, contact force [N]", plateau.value(),
+                   0.5 * density * c * speed * area, 0.02);
+  expect_reference("impact of two rods", "coaxial bars, time in contact [s]", end - begin, 400.0 / c, 0.02);
+  expect_reference("impact of two rods", "coaxial bars, momentum left in the short bar, of its first",
+                   after_left / before, 0.0, 0.02, 1.0);
+  expect_reference("impact of two rods", "coaxial bars, mean velocity of the long bar [mm/s]",
+                   after_right / (density * area * 400.0), 0.5 * speed, 0.02);
+  expect_reference("impact of two rods", "coaxial bars, sum of momenta at the end, of the first",
+                   (after_left + after_right) / before, 1.0, 1e-12);
+  expect_reference("impact of two rods", "coaxial bars, worst energy ratio", worst, 1.0, 1e-3);
 }
 
 // The same with the stiffness of segment-based contact. Sabotage: no stiffness, as of faces without mass.
@@ -80,13 +81,13 @@ TEST(Sliding, TwoBarsCollideBySegmentMasses) {
     if (now.state.cycle == 0) before = after_left;
     if (std::abs(now.energy.ratio() - 1.0) > std::abs(worst - 1.0)) worst = now.energy.ratio();
   });
-  expect_reference("A-40", "coaxial bars, SOFT 2, contact force [N]", plateau.value(),
+  expect_reference("impact of two rods", "coaxial bars, SOFT 2, contact force [N]", plateau.value(),
                    0.5 * density * Bars::c * Bars::speed * Bars::area, 0.02);
-  expect_reference("A-40", "coaxial bars, SOFT 2, momentum left in the short bar, of its first", after_left / before,
-                   0.0, 0.02, 1.0);
-  expect_reference("A-40", "coaxial bars, SOFT 2, sum of momenta at the end, of the first",
+  expect_reference("impact of two rods", "coaxial bars, SOFT 2, momentum left in the short bar, of its first",
+                   after_left / before, 0.0, 0.02, 1.0);
+  expect_reference("impact of two rods", "coaxial bars, SOFT 2, sum of momenta at the end, of the first",
                    (after_left + after_right) / before, 1.0, 1e-12);
-  expect_reference("A-40", "coaxial bars, SOFT 2, worst energy ratio", worst, 1.0, 1e-3);
+  expect_reference("impact of two rods", "coaxial bars, SOFT 2, worst energy ratio", worst, 1.0, 1e-3);
 }
 
 // The end of the run cuts its last step to a tenth. The stiffness of the contact, m/dt^2, is that of the step before
@@ -107,7 +108,8 @@ TEST(Sliding, AShortLastStepDoesNotStiffenContact) {
     force = -now.contacts[0].resultant().x;
   });
   ASSERT_NEAR(last_step, 0.1 * step, 0.01 * step);
-  expect_reference("A-40", "coaxial bars, contact force after a last step of a tenth [N]", force, plateau, 0.03);
+  expect_reference("impact of two rods", "coaxial bars, contact force after a last step of a tenth [N]", force, plateau,
+                   0.03);
 }
 
 // Sabotage: friction in proportion to depth instead of force, or a coefficient of the wrong side.
@@ -137,9 +139,9 @@ TEST(Sliding, ABlockComesToRest) {
     way = std::max(way, experiment.displacement(now, corner).x);
   });
   ASSERT_TRUE(slow.seen());
-  expect_reference("A-43", "Coulomb block, way to rest [mm]", way, 1.019368, 0.02);
-  expect_reference("A-43", "Coulomb block, time to a hundredth of its speed [s]", slow.time(), 0.99 * 1.019368e-3,
-                   0.02);
+  expect_reference("block sliding to rest", "Coulomb block, way to rest [mm]", way, 1.019368, 0.02);
+  expect_reference("block sliding to rest", "Coulomb block, time to a hundredth of its speed [s]", slow.time(),
+                   0.99 * 1.019368e-3, 0.02);
 }
 
 }  // namespace

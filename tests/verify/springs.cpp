@@ -117,7 +117,8 @@ TEST(Springs, DampedOscillator) {
   EXPECT_NEAR(ratio, 1.0, 1e-6);
 }
 
-// a mass falls by a height onto a spring, which a clearance stands for. Sabotage: a clearance that pulls as well.
+// Ball on a spring: a mass falls by a height onto a spring, which a clearance stands for. Sabotage: a clearance that
+// pulls as well.
 TEST(Springs, BallOnSpring) {
   const double m = 0.5, k = 1973.92, h = 1.0, g = 386.0;
   Specimen s;
@@ -141,11 +142,11 @@ TEST(Springs, BallOnSpring) {
     deepest = std::min(deepest, z);
     drift = std::max(drift, std::abs(now.energy.total() - now.energy.external));
   });
-  expect_reference("A-44", "ball on spring: impact [s]", touch.time(), 0.071982, 1e-3);
-  expect_reference("A-44", "velocity at impact [in/s]", speed, -27.785, 1e-3);
-  expect_reference("A-44", "kinetic energy at impact [lbf in]", energy, 193.0, 2e-3);
+  expect_reference("ball on a spring", "ball on spring: impact [s]", touch.time(), 0.071982, 1e-3);
+  expect_reference("ball on a spring", "velocity at impact [in/s]", speed, -27.785, 1e-3);
+  expect_reference("ball on a spring", "kinetic energy at impact [lbf in]", energy, 193.0, 2e-3);
   const double weight = m * g;
-  expect_reference("A-44", "deepest point [in]", deepest,
+  expect_reference("ball on a spring", "deepest point [in]", deepest,
                    -h - weight / k * (1.0 + std::sqrt(1.0 + 2.0 * k * h / weight)), 1e-3);
   EXPECT_NEAR(drift, 0.0, 1e-3 * 193.0);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// of the validation suite; torsion, offsets and springs of ties; ties that end in a run.
+// Offset moment, weld group between rigid plates, rigid boss in a disc; torsion, offsets and springs of ties; ties that
+// end in a run.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -38,7 +39,7 @@ std::string contact(const std::string& form, int weld_part, int sheet_part) {
   return '*' + form + '\n' + fields({double(weld_part), double(sheet_part), 3, 3}) + fields({0}) + fields({1, 1});
 }
 
-// ----
+// ---- Tie: offset moment
 // --------------------------------------------------------------------------------------------------------------------
 
 /// A plate of one shell, 40 x 40 x 1, all its nodes clamped; a weld beam of 6 mm stands `gap` above its centre, its far
@@ -81,19 +82,19 @@ Path sideways(double u, double length) {
 }
 
 // Sabotage to be caught: the moment at the tied node dropped; its sign; the tied node's moment and the arm's both.
-TEST(TieForms, A18OffsetMoment) {
+TEST(TieForms, OffsetMoment) {
   OnAPlate s("CONTACT_SPOTWELD", 0.0, sideways(1e-3, 6.0), 1e-4, 2e-4);
   s.go();
   const double v = s.end.force.x;
   ASSERT_GT(v, 10.0);
-  expect_reference("A-18", "sum of the plate's reactions over V", norm(s.plate.force) / v, 1.0, 1e-6);
-  expect_reference("A-18", "moment about the plate's centre over V x 6", std::abs(s.plate.moment.y) / (6.0 * v), 1.0,
-                   1e-6);
-  expect_reference("A-18", "moments of plate and load together over V x 6", norm(s.plate.moment + s.end.moment), 0.0,
-                   1e-9, 6.0 * v);
+  expect_reference("tie: offset moment", "sum of the plate's reactions over V", norm(s.plate.force) / v, 1.0, 1e-6);
+  expect_reference("tie: offset moment", "moment about the plate's centre over V x 6",
+                   std::abs(s.plate.moment.y) / (6.0 * v), 1.0, 1e-6);
+  expect_reference("tie: offset moment", "moments of plate and load together over V x 6",
+                   norm(s.plate.moment + s.end.moment), 0.0, 1e-9, 6.0 * v);
 }
 
-TEST(TieForms, A18TranslationsOnlyAreFlagged) {
+TEST(TieForms, TranslationsOnlyAreFlagged) {
   OnAPlate s("CONTACT_TIED_NODES_TO_SURFACE", 0.0, sideways(1e-3, 6.0), 1e-4, 2e-4);
   EXPECT_THAT(text(s.run.findings()),
               HasSubstr("1 nodes with rotations are tied by translations only, as by hinges: no "
@@ -381,7 +382,7 @@ TEST(TieEnds, DeathTimeEndsATie) {
   EXPECT_FALSE(run.simulation().welds().history(0)->failed());
 }
 
-// ----
+// ---- Weld group between rigid plates
 // --------------------------------------------------------------------------------------------------------------------
 
 /// Two rigid plates, four welds W1 at (+-30, +-20) tied to them, a force (0, F, 0) at (80, 0) in mid-height on the
@@ -411,7 +412,7 @@ std::string weld_group(double end_time, const std::string& load_curve, const std
 }
 
 // Sabotage: extra nodes without the lever of their place; torsion of welds on rigid sheets left out.
-TEST(WeldGroup, A19Forces) {
+TEST(WeldGroup, Forces) {
   std::string smooth = "*DEFINE_CURVE\n" + fields({1});
   const double end = 1e-3;
   for (int i = 0; i <= 200; ++i)
@@ -441,26 +442,30 @@ TEST(WeldGroup, A19Forces) {
   for (int i = 0; i < 4; ++i) {
     const Sum& s = sums[at(i)];
     const double shear = std::hypot(s.x, s.y) / count;
-    expect_reference("A-19", fmt::format("shear of weld {} [N]", i + 1), shear, std::hypot(2453.05, y[i]), 5e-3);
-    expect_reference("A-19", fmt::format("torsion of weld {} [N mm]", i + 1), std::abs(s.torsion / count), 551.94,
-                     5e-3);
+    expect_reference("weld group between rigid plates", fmt::format("shear of weld {} [N]", i + 1), shear,
+                     std::hypot(2453.05, y[i]), 5e-3);
+    expect_reference("weld group between rigid plates", fmt::format("torsion of weld {} [N mm]", i + 1),
+                     std::abs(s.torsion / count), 551.94, 5e-3);
   }
-  expect_reference("A-19", "rotation of the plate [rad]", std::abs(turn / count), 8.05617e-5, 5e-3);
+  expect_reference("weld group between rigid plates", "rotation of the plate [rad]", std::abs(turn / count), 8.05617e-5,
+                   5e-3);
 }
 
-TEST(WeldGroup, A19FirstFailure) {
+TEST(WeldGroup, FirstFailure) {
   const double end = 2e-3;
   Experiment run(weld_group(end, curve(1, {{0, 0}, {end, 8000}}), {8000, 6000, 6000, 9000, 7000, 7000}));
   run.run([](const impact::Snapshot&) {});
   std::vector<double> times;
   for (std::size_t i = 0; i < 4; ++i) times.push_back(run.simulation().welds().history(i)->failure_time());
   ASSERT_TRUE(run.simulation().welds().history(0)->failed() && run.simulation().welds().history(1)->failed());
-  expect_reference("A-19", "load at the first failure, weld (30, 20) [N]", 8000.0 * times[0] / end, 7744.9, 1e-2);
-  expect_reference("A-19", "load at the first failure, weld (30, -20) [N]", 8000.0 * times[1] / end, 7744.9, 1e-2);
+  expect_reference("weld group between rigid plates", "load at the first failure, weld (30, 20) [N]",
+                   8000.0 * times[0] / end, 7744.9, 1e-2);
+  expect_reference("weld group between rigid plates", "load at the first failure, weld (30, -20) [N]",
+                   8000.0 * times[1] / end, 7744.9, 1e-2);
   EXPECT_EQ(run.simulation().welds().failed(), 4) << "the other two follow";
 }
 
-// ----
+// ---- Rigid boss in a clamped disc
 // --------------------------------------------------------------------------------------------------------------------
 
 constexpr double outer = 25.0, boss = 3.0, thickness = 1.5;
@@ -505,11 +510,15 @@ double boss_stiffness(int dof, double amount, double end = 1e-3) {
 }
 
 // Sabotage: an NRB without the levers of its nodes; a shell without transverse shear (7221 and 710053).
-TEST(RigidBoss, A33LocalStiffness) {
-  expect_reference("A-33", "normal stiffness of the boss [N/mm]", boss_stiffness(3, 1e-3), 7050.8, 0.02);
-  expect_reference("A-33", "tilting stiffness of the boss [N mm/rad]", boss_stiffness(5, 1e-4), 672303.0, 0.02);
-  expect_reference("A-33", "in-plane stiffness of the boss [N/mm]", boss_stiffness(1, 1e-4), 595113.0, 0.02);
-  expect_reference("A-33", "drilling stiffness of the boss [N mm/rad]", boss_stiffness(7, 1e-5), 1.39024e7, 0.02);
+TEST(RigidBoss, LocalStiffness) {
+  expect_reference("rigid boss in a clamped disc", "normal stiffness of the boss [N/mm]", boss_stiffness(3, 1e-3),
+                   7050.8, 0.02);
+  expect_reference("rigid boss in a clamped disc", "tilting stiffness of the boss [N mm/rad]", boss_stiffness(5, 1e-4),
+                   672303.0, 0.02);
+  expect_reference("rigid boss in a clamped disc", "in-plane stiffness of the boss [N/mm]", boss_stiffness(1, 1e-4),
+                   595113.0, 0.02);
+  expect_reference("rigid boss in a clamped disc", "drilling stiffness of the boss [N mm/rad]", boss_stiffness(7, 1e-5),
+                   1.39024e7, 0.02);
 }
 
 /// Normal stiffness of a boss of radius b: the thin-plate formula, and what shear adds (fitted to nothing: the plate's
@@ -556,14 +565,15 @@ double equivalent_radius(int n) {
 
 // Not a gate but a report: the patch that a weld over the centre of a shell holds grows with the shell. The book gives
 // the numbers.
-TEST(RigidBoss, A33EquivalentRadiusOfASingleNode) {
+TEST(RigidBoss, EquivalentRadiusOfASingleNode) {
   EXPECT_NEAR(normal_stiffness(boss), 7050.8, 0.01 * 7050.8);
   double before = 1e9;
   for (int n : {7, 11, 17}) {
     const double size = 2.0 * outer / n, radius = equivalent_radius(n);
     RecordProperty(fmt::format("radius_at_{:.1f}_mm", size), fmt::format("{:.3f}", radius));
     fmt::print(
-        "A-33: shells of {:.2f} mm: a single weld node acts like a boss of radius {:.3f} mm, {:.3f} of the size\n",
+        "rigid boss: shells of {:.2f} mm: a single weld node acts like a boss of radius {:.3f} mm, {:.3f} of the "
+        "size\n",
         size, radius, radius / size);
     EXPECT_LT(radius, before);
     EXPECT_LT(radius, size);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// of the validation suite, the eight projection cases of S. Bala's talk as whole decks, and what a free
-// welded assembly must conserve.
+// Shares of force and mass, tolerance and free rotation of ties, the eight projection cases of S. Bala's talk as whole
+// decks, and what a free welded assembly must conserve.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ std::string text(const Findings& findings) {
   return all;
 }
 
-// ----
+// ---- Tie: shares of force and mass
 // --------------------------------------------------------------------------------------------------------------------
 
 /// One held shell of 10 x 8, nodes 1 to 4; the weld's node 5 is tied to it at `place`, its node 6, 20 mm above, is
@@ -82,37 +82,37 @@ void expect_split(const std::string& test_case, const Vec3d& place, const std::a
 }
 
 // Sabotage to be caught: N2 and N3 exchanged; N_i squared; the moment at the tied node dropped.
-TEST(Tie, A15ForceSplit) {
-  expect_split("A-15", {7, 2, 0}, {0.225, 0.525, 0.175, 0.075});
-  expect_split("A-15", {5, 4, 0}, {0.25, 0.25, 0.25, 0.25});
-  expect_split("A-15", {10, 8, 0}, {0.0, 0.0, 1.0, 0.0});
+TEST(Tie, ForceSplit) {
+  expect_split("tie: shares of force and mass", {7, 2, 0}, {0.225, 0.525, 0.175, 0.075});
+  expect_split("tie: shares of force and mass", {5, 4, 0}, {0.25, 0.25, 0.25, 0.25});
+  expect_split("tie: shares of force and mass", {10, 8, 0}, {0.0, 0.0, 1.0, 0.0});
 }
 
 // spotweld-theory.md, section 9, item 5.
 TEST(Tie, ForceSplitOfTheTiePatch) {
-  expect_split("theory 9.5", {6.5, 3.2, 0}, {0.21, 0.39, 0.26, 0.14});
+  expect_split("tie: shares of force and mass", {6.5, 3.2, 0}, {0.21, 0.39, 0.26, 0.14});
 }
 
 // Sabotage to be caught: mass N_i^2 m, or the mass left on the tied node as well. Also spotweld-theory.md, section 9,
 // item 7.
-TEST(Tie, A15MassSplit) {
+TEST(Tie, MassSplit) {
   OneSegment s({7, 2, 0});
   const system::System& system = s.run.system();
   const double weld_mass = 7.8e-9 * WeldData{}.area() * 20.0;  // length 20 after projection
   const double weight[4] = {0.225, 0.525, 0.175, 0.075};
   for (int i = 0; i < 4; ++i) {
     const std::size_t k = s.run.node(corners[i]);
-    expect_reference("A-15", fmt::format("share of the mass at corner {}", i + 1),
+    expect_reference("tie: shares of force and mass", fmt::format("share of the mass at corner {}", i + 1),
                      (system.mass[k] - system.own_mass[k]) / (0.5 * weld_mass), weight[i], 1e-10, 1.0);
   }
   EXPECT_EQ(system.mass[s.run.node(5)], 0.0);
   double after = 0.0;
   for (double m : system.mass) after += m;
-  expect_reference("theory 9.7", "sum of nodal masses after tying over that of the parts", after,
+  expect_reference("tie: shares of force and mass", "sum of nodal masses after tying over that of the parts", after,
                    7.85e-9 * 1.2 * 80.0 + weld_mass, 1e-12);
 }
 
-// ----
+// ---- Tie: tolerance
 // --------------------------------------------------------------------------------------------------------------------
 
 /// t_s = 1.0 (a beam of that diameter), t_m = 1.2, segment 10 x 8: tolerance 1.32.
@@ -133,7 +133,7 @@ double largest_gap(double sheet, double diameter, double sast = 0.0, double sbst
 }
 
 // Sabotage to be caught: 0.5 in place of 0.6; the sum in place of the larger tolerance; SAST taken with its sign.
-TEST(Tie, A16Tolerance) {
+TEST(Tie, Tolerance) {
   const Experiment near = gap_deck(1.31);
   ASSERT_EQ(near.ties().ties.size(), 1u);
   EXPECT_THAT(text(near.findings()), HasSubstr("1 of them moved onto the mid-surface, at most by 1.31"));
@@ -148,11 +148,12 @@ TEST(Tie, A16Tolerance) {
       HasSubstr(
           "node 5 at (5, 4, 1.33): no segment in reach: the closest, shell 1 of part 1, is 1.33 away, tolerance 1.32"));
 
-  expect_reference("A-16", "largest gap that is tied, 0.6 (t_s + t_m) [mm]", largest_gap(1.2, 1.0), 1.32, 1e-6);
-  expect_reference("A-16", "largest gap that is tied, 0.05 of the shorter diagonal [mm]", largest_gap(0.1, 0.1),
-                   0.05 * std::hypot(10.0, 8.0), 1e-6);
-  expect_reference("A-16", "largest gap that is tied, SAST = SBST = -1.2 [mm]", largest_gap(1.2, 1.0, -1.2, -1.2), 1.44,
+  expect_reference("tie: tolerance", "largest gap that is tied, 0.6 (t_s + t_m) [mm]", largest_gap(1.2, 1.0), 1.32,
                    1e-6);
+  expect_reference("tie: tolerance", "largest gap that is tied, 0.05 of the shorter diagonal [mm]",
+                   largest_gap(0.1, 0.1), 0.05 * std::hypot(10.0, 8.0), 1e-6);
+  expect_reference("tie: tolerance", "largest gap that is tied, SAST = SBST = -1.2 [mm]",
+                   largest_gap(1.2, 1.0, -1.2, -1.2), 1.44, 1e-6);
   EXPECT_EQ(gap_deck(1.43, -1.2, -1.2).ties().ties.size(), 1u);  // 0.6 (1.2 + 1.2) = 1.44
   EXPECT_TRUE(gap_deck(1.45, -1.2, -1.2).ties().ties.empty());
   EXPECT_TRUE(gap_deck(1.21, -1.0, -1.0).ties().ties.empty());  // downward too
@@ -354,13 +355,13 @@ TEST(FreeAssembly, KeepsMomentumAndEnergyToRoundOff) {
   expect_reference("free assembly", "energy balance in 20,000 cycles, weld broken", worst / scale, 0.0, 1e-10, 1.0);
 }
 
-// Two sheets, each with its centre of mass 0.5 mm off the common one, do load their weld: a force m a, with a the
-// acceleration of a sheet's centre in torque-free motion of a symmetric top, h (-w_p^2 e3 + (I3 / I1) w_3 w_p), w_p the
-// spin across the normal e3. That is 0.09 N axially and 0.24 N in shear at 200 rad/s: more than the suite's gate of
-// 1e-6 NRR = 0.008 N, so the gate is put on what the weld carries beyond it, averaged over the vibration that the
+// Welded sheets in free rotation. Two sheets, each with its centre of mass 0.5 mm off the common one, do load their
+// weld: a force m a, with a the acceleration of a sheet's centre in torque-free motion of a symmetric top, h (-w_p^2 e3
+// + (I3 / I1) w_3 w_p), w_p the spin across the normal e3. That is 0.09 N axially and 0.24 N in shear at 200 rad/s:
+// more than 1e-6 NRR = 0.008 N, so the gate is on what the weld carries beyond it, averaged over the vibration that the
 // sudden start leaves. Growth would show as a difference between the halves. Sabotage to be caught: rates on the
 // geometry of the end of the step; a weld frame that does not follow the spin.
-TEST(FreeAssembly, A17SpinningSheets) {
+TEST(FreeAssembly, SpinningSheets) {
   const double omega = 200.0, end = 2.0 * 2.0 * 3.14159265358979 / omega;
   Experiment run("*KEYWORD\n" + termination(end) +
                  two_sheets(4, {.length = 1.0, .strength = {8000, 6000, 6000, 9000, 7000, 7000}}, 20.0, 20.0) +
@@ -405,22 +406,23 @@ TEST(FreeAssembly, A17SpinningSheets) {
   const double gate = 1e-6 * 8000.0;
   for (int i = 0; i < 2; ++i) {
     const char* revolution = i == 0 ? "first" : "second";
-    expect_reference("A-17",
+    expect_reference("welded sheets in free rotation",
                      fmt::format("mean N_rr over the {} revolution, physical value as reference [N]", revolution),
                      halves[i].axial / halves[i].count, axial, gate, 1.0);
-    expect_reference("A-17",
+    expect_reference("welded sheets in free rotation",
                      fmt::format("mean shear over the {} revolution, physical value as reference [N]", revolution),
                      halves[i].shear / halves[i].count, shear, gate, 1.0);
   }
   EXPECT_LE(peak[1], peak[0]);
-  expect_reference("A-17", "peak force in the second revolution, physical value as reference [N]", peak[1],
+  expect_reference("welded sheets in free rotation",
+                   "peak force in the second revolution, physical value as reference [N]", peak[1],
                    std::hypot(axial, shear), gate, 1.0);
-  expect_reference("A-17", "largest moment of the weld over 1e-6 MSS",
+  expect_reference("welded sheets in free rotation", "largest moment of the weld over 1e-6 MSS",
                    std::max(moment_peak[0], moment_peak[1]) / (1e-6 * 7000.0), 0.0, 1.0, 1.0);
-  expect_reference("A-17", "drift of the linear momentum", linear, 0.0, 1e-10, 1.0);
-  expect_reference("A-17", "drift of the angular momentum", angular, 0.0, 1e-4, 1.0);
-  expect_reference("A-17", "drift of the kinetic energy", kinetic, 0.0, 1e-4, 1.0);
-  expect_reference("A-17", "centre of mass off its straight path", path, 0.0, 1e-10, 1.0);
+  expect_reference("welded sheets in free rotation", "drift of the linear momentum", linear, 0.0, 1e-10, 1.0);
+  expect_reference("welded sheets in free rotation", "drift of the angular momentum", angular, 0.0, 1e-4, 1.0);
+  expect_reference("welded sheets in free rotation", "drift of the kinetic energy", kinetic, 0.0, 1e-4, 1.0);
+  expect_reference("welded sheets in free rotation", "centre of mass off its straight path", path, 0.0, 1e-10, 1.0);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// stable steps and mass scaling.
+// Stable steps and mass scaling.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -50,39 +50,39 @@ std::string brick_part() {
 }
 
 // Sabotage to be caught: the bar velocity taken from the bulk modulus, or the mean of two lengths for the length.
-TEST(TimeSteps, A01WeldBeam) {
-  expect_reference("A-01", "step of a 0.5 mm weld, kernel [s]", kernel::weld_beam_stable_step(0.5, 210000.0, 7.89e-9),
-                   9.69168e-8, 1e-4);
+TEST(TimeSteps, StepOfAWeldBeam) {
+  expect_reference("step of a weld beam", "step of a 0.5 mm weld, kernel [s]",
+                   kernel::weld_beam_stable_step(0.5, 210000.0, 7.89e-9), 9.69168e-8, 1e-4);
   WeldData weld{.length = 0.5, .density = 7.89e-9};
-  expect_reference("A-01", "step of a 0.5 mm weld, run / TSSFAC [s]", first_step(lone_weld(weld)) / 0.9, 9.69168e-8,
-                   1e-4);
+  expect_reference("step of a weld beam", "step of a 0.5 mm weld, run / TSSFAC [s]", first_step(lone_weld(weld)) / 0.9,
+                   9.69168e-8, 1e-4);
   weld = {.length = 1.5, .density = 7.8e-9};
-  expect_reference("A-01", "step of a 1.5 mm weld, run / TSSFAC [s]", first_step(lone_weld(weld)) / 0.9, 2.89087e-7,
-                   1e-4);
+  expect_reference("step of a weld beam", "step of a 1.5 mm weld, run / TSSFAC [s]", first_step(lone_weld(weld)) / 0.9,
+                   2.89087e-7, 1e-4);
 }
 
 // Sabotage to be caught: the bar velocity in place of the plate's; the shorter side divided by the longer.
-TEST(TimeSteps, A02Shell) {
+TEST(TimeSteps, StepOfAShell) {
   const std::array<Vec3d, 4> square{{{0, 0, 0}, {5, 0, 0}, {5, 5, 0}, {0, 5, 0}}};
-  expect_reference("A-02", "step of a 5 x 5 shell, kernel [s]",
+  expect_reference("step of a shell", "step of a 5 x 5 shell, kernel [s]",
                    kernel::shell_stable_step(square, kernel::ShellLength::area_over_side, 210000.0, 0.3, 7.85e-9),
                    9.22180e-7, 1e-4);
-  expect_reference("A-02", "step of a 5 x 5 shell with TSSFAC 0.9, run [s]", first_step(lone_shell(5, 5)),
+  expect_reference("step of a shell", "step of a 5 x 5 shell with TSSFAC 0.9, run [s]", first_step(lone_shell(5, 5)),
                    0.9 * 9.22180e-7, 1e-4);
-  expect_reference("A-02", "step of a 4 x 6 shell with TSSFAC 0.9, run [s]", first_step(lone_shell(4, 6)),
+  expect_reference("step of a shell", "step of a 4 x 6 shell with TSSFAC 0.9, run [s]", first_step(lone_shell(4, 6)),
                    0.9 * 7.37744e-7, 1e-4);
 }
 
 // The kernel function knows no viscosity; the run's step contains the linear one, as LS-DYNA's first step does
 // (single_hex). Sabotage to be caught: the cube root of the volume for the length; Q2 left out of the run's step.
-TEST(TimeSteps, A03Brick) {
+TEST(TimeSteps, StepOfABrick) {
   std::array<Vec3d, 8> x{
       {{0, 0, 0}, {5, 0, 0}, {5, 5, 0}, {0, 5, 0}, {0, 0, 1.5}, {5, 0, 1.5}, {5, 5, 1.5}, {0, 5, 1.5}}};
-  expect_reference("A-03", "step of a 5 x 5 x 1.5 brick, kernel [s]",
+  expect_reference("step of a brick", "step of a 5 x 5 x 1.5 brick, kernel [s]",
                    kernel::hexahedron_stable_step(x, 210000.0, 0.3, 7.85e-9), 2.49959e-7, 1e-4);
   // Q = Q2 c = 0.06 c: L / (Q + sqrt(Q^2 + c^2)).
   const double with_viscosity = 2.49959e-7 / (0.06 + std::sqrt(1.0 + 0.06 * 0.06));
-  expect_reference("A-03", "step of a 5 x 5 x 1.5 brick with Q2, run / TSSFAC [s]",
+  expect_reference("step of a brick", "step of a 5 x 5 x 1.5 brick with Q2, run / TSSFAC [s]",
                    first_step(brick_part() + box_nodes(5, 5, 1.5)) / 0.9, with_viscosity, 1e-4);
 }
 
@@ -94,8 +94,8 @@ TEST(TimeSteps, SingleHexStartsWithTheStepOfLsDyna) {
   text << file.rdbuf();
   Experiment run(text.str());
   run.run([](const impact::Snapshot&) {}, 1e-3);
-  expect_reference("A-03", "first step of single_hex, LS-DYNA R14.1 [ms]", run.simulation().first_step(), 1.40796e-4,
-                   1e-4);
+  expect_reference("step of a brick", "first step of single_hex, LS-DYNA R14.1 [ms]", run.simulation().first_step(),
+                   1.40796e-4, 1e-4);
 }
 
 /// Largest kinetic energy of the last tenth of `cycles` cycles of free vibration over that of the first tenth.
@@ -129,9 +129,9 @@ std::string velocity(int node, double x, double y = 0.0, double z = 0.0) {
 
 // The axial mode of a free weld beam is the fastest there is: its limit is L / c exactly.
 // Sabotage to be caught: a nodal mass of rho A L / 3; a force on the geometry of a step too late.
-TEST(TimeSteps, A03StabilityLimitOfAWeldBeamIsExact) {
+TEST(TimeSteps, StabilityLimitOfAWeldBeamIsExact) {
   const std::string model = lone_weld({.yield = 1e9}) + velocity(1, -1e-3) + velocity(2, 1e-3);
-  expect_reference("A-03", "free weld beam at 0.95 of the limit, 1e5 steps: growth of the energy",
+  expect_reference("step of a brick", "free weld beam at 0.95 of the limit, 1e5 steps: growth of the energy",
                    growth(model, 0.95, 100000), 1.0, 1e-2);
   EXPECT_GT(growth(model, 1.05, 30), 1e6);
 }
@@ -145,7 +145,7 @@ std::string kicks(int first, int nodes) {
 }
 
 // Sabotage to be caught: an estimate above the true limit (the longest side for the length, Q2 with the wrong sign).
-TEST(TimeSteps, A03BrickAndSheetStayBoundedAt95Percent) {
+TEST(TimeSteps, BrickAndSheetStayBoundedAt95Percent) {
   EXPECT_LT(growth(brick_part() + box_nodes(5, 5, 1.5) + kicks(1, 8), 0.95, 100000), 1.01);
   SheetMesh sheet;
   sheet.along = {5, 0, 0};
@@ -155,9 +155,9 @@ TEST(TimeSteps, A03BrickAndSheetStayBoundedAt95Percent) {
 }
 
 // A lone square shell has a mode that a mesh has not: it gets larger all round, against E / (1 - nu). Its limit is
-// L sqrt(rho (1 - nu) / E), 1 / sqrt(1 + nu) = 0.877 of the step that everybody uses. So TSSFAC = 0.9 does not
+// L sqrt(rho (1 - nu) / E), 1 / sqrt(1 + nu) = 0.877 of the step that everybody uses. So TSSFAC = 0.9 does not
 // do there.
-TEST(TimeSteps, A02LimitOfALoneShellIsThatOfItsDilatation) {
+TEST(TimeSteps, LimitOfALoneShellIsThatOfItsDilatation) {
   const std::string model = lone_shell(5, 5) + kicks(1, 4);
   EXPECT_LT(growth(model, 0.99 / std::sqrt(1.3), 20000), 1.01);
   EXPECT_GT(growth(model, 1.02 / std::sqrt(1.3), 60), 1e3);
@@ -192,37 +192,41 @@ double nodal_mass(const system::System& system) {
 
 // The shells' own step is below DT too (9.2e-7): they must not be touched.
 // Sabotage to be caught: the factor DT / dt instead of its square; DT obeyed by all elements.
-TEST(TimeSteps, A04WeldsOwnDt) {
+TEST(TimeSteps, WeldsOwnDt) {
   WeldData weld;
   weld.mass_step = 1e-6;
   Experiment run("*KEYWORD\n" + termination(1e-5) + welded_pair(weld, 5.0) + "*END\n");
   const double before = nodal_mass(run.system());
   run.run([](const impact::Snapshot&) {});
   const system::System::Masses masses = run.system().masses();
-  expect_reference("A-04", "mass added by DT to a weld [t]", masses.added_to_welds, 3.627597e-6, 1e-3);
-  expect_reference("A-04", "mass added by DT, from the nodes [t]", nodal_mass(run.system()) - before, 3.627597e-6,
+  expect_reference("mass scaling of a weld", "mass added by DT to a weld [t]", masses.added_to_welds, 3.627597e-6,
                    1e-3);
+  expect_reference("mass scaling of a weld", "mass added by DT, from the nodes [t]", nodal_mass(run.system()) - before,
+                   3.627597e-6, 1e-3);
   const system::System::Seat seat = run.system().beam_seat[0];
   const auto& group = *run.system().groups[static_cast<std::size_t>(seat.group)];
-  expect_reference("A-04", "density factor", group.mass_scale(0), 11.9658, 1e-4);
-  expect_reference("A-04", "modulus that would give DT without mass [MPa]", 210000.0 / group.mass_scale(0), 17550.0,
-                   1e-4);
+  expect_reference("mass scaling of a weld", "density factor", group.mass_scale(0), 11.9658, 1e-4);
+  expect_reference("mass scaling of a weld", "modulus that would give DT without mass [MPa]",
+                   210000.0 / group.mass_scale(0), 17550.0, 1e-4);
   EXPECT_EQ(masses.added, 0.0);  // it counts as physical
   EXPECT_EQ(added_to_shells(run.system()), 0.0);
-  expect_reference("A-04", "the run's step is the shells' [s]", run.simulation().first_step(), 0.9 * 9.22180e-7, 1e-4);
+  expect_reference("mass scaling of a weld", "the run's step is the shells' [s]", run.simulation().first_step(),
+                   0.9 * 9.22180e-7, 1e-4);
 }
 
 // DT = 0: welds go to |DT2MS TSSFAC|; shells of 10 mm (1.84e-6 s) need nothing.
 // Sabotage to be caught: TSSFAC left out of the welds' target, or taken twice.
-TEST(TimeSteps, A04Dt2ms) {
+TEST(TimeSteps, Dt2ms) {
   Experiment run("*KEYWORD\n" + termination(1e-5, 0.9, -1e-6) + welded_pair({}, 10.0) + "*END\n");
   run.run([](const impact::Snapshot&) {});
   const system::System::Masses masses = run.system().masses();
   const double factor = (9e-7 / 2.89087e-7) * (9e-7 / 2.89087e-7);
-  expect_reference("A-04", "mass added by DT2MS to a weld [t]", masses.added, 3.308097e-7 * (factor - 1.0), 1e-3);
+  expect_reference("mass scaling of a weld", "mass added by DT2MS to a weld [t]", masses.added,
+                   3.308097e-7 * (factor - 1.0), 1e-3);
   EXPECT_EQ(masses.added, masses.added_to_welds);
   EXPECT_EQ(added_to_shells(run.system()), 0.0);
-  expect_reference("A-04", "step with DT2MS = -1e-6 and TSSFAC = 0.9 [s]", run.simulation().first_step(), 9e-7, 1e-4);
+  expect_reference("mass scaling of a weld", "step with DT2MS = -1e-6 and TSSFAC = 0.9 [s]",
+                   run.simulation().first_step(), 9e-7, 1e-4);
 }
 
 // Without lateral contraction transverse shear and spin are faster than a wave across a square with inertia m A/8: all

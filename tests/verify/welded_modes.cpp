@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modes of spot-welded sheets against three-dimensional models by CalculiX (validation suite, section 13).
+// Modes of spot-welded sheets against three-dimensional models by CalculiX (docs/verification/cases.md).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -54,24 +54,26 @@ TEST(WeldedModes, TwoStripsOnTheGuidelineMesh) {
   const LinearExperiment experiment(strips(45, 3));
   const std::vector<double> f = experiment.elastic_frequencies(8);
   for (const double expected : {167.60, 410.77, 713.82})
-    expect_reference("A-64", fmt::format("two strips, 5 welds in the middle of shells, bending at {} [Hz]", expected),
+    expect_reference("two welded strips",
+                     fmt::format("two strips, 5 welds in the middle of shells, bending at {} [Hz]", expected),
                      closest_to(expected, f), expected, 1.5e-2);
-  expect_reference("A-64", "two strips, 5 welds in the middle of shells, torsion [Hz]", closest_to(813.94, f), 813.94,
-                   5e-2);
+  expect_reference("two welded strips", "two strips, 5 welds in the middle of shells, torsion [Hz]",
+                   closest_to(813.94, f), 813.94, 5e-2);
 }
 
 // A weld on a node holds fewer shells and is softer; shells wider than the weld make it stiffer.
 TEST(WeldedModes, TwoStripsOnOtherMeshes) {
   const double on_a_node = closest_to(161.4, LinearExperiment(strips(30, 2)).elastic_frequencies(4));
   const double wide = closest_to(170.5, LinearExperiment(strips(15, 1)).elastic_frequencies(4));
-  expect_reference("A-64", "two strips, welds on nodes, h = 10: bending at 167.6 [Hz]", on_a_node, 167.60, 0.1);
-  expect_reference("A-64", "two strips, welds in the middle of shells, h = 20: bending at 167.6 [Hz]", wide, 167.60,
+  expect_reference("two welded strips", "two strips, welds on nodes, h = 10: bending at 167.6 [Hz]", on_a_node, 167.60,
                    0.1);
+  expect_reference("two welded strips", "two strips, welds in the middle of shells, h = 20: bending at 167.6 [Hz]",
+                   wide, 167.60, 0.1);
   EXPECT_LT(on_a_node, 167.60);
   EXPECT_GT(wide, 167.60);
 }
 
-/// Hat and closing plate of the suite with shells of 6 mm; welds at every `step`-th place.
+/// Hat and closing plate with shells of 6 mm; welds at every `step`-th place.
 std::string hat(int step) {
   std::string deck = "*KEYWORD\n" + std::string(solution) + sheet_part(1, 1.2) + sheet_part(2, 1.2);
   WeldData weld;
@@ -124,11 +126,13 @@ TEST(WeldedModes, HatWithClosingPlate) {
   const std::vector<double> all = whole.elastic_frequencies(10), fewer = half.elastic_frequencies(4);
   const double expected[] = {428.96, 438.86, 723.84, 752.36, 801.33, 845.20, 890.64, 918.26, 932.54, 963.68};
   for (std::size_t i = 0; i < 10; ++i)
-    expect_reference("A-65", fmt::format("hat and plate, 30 welds, shells of 6 mm: mode {} [Hz]", i + 1), all[i],
-                     expected[i], 5e-2);
+    expect_reference("hat and closing plate",
+                     fmt::format("hat and plate, 30 welds, shells of 6 mm: mode {} [Hz]", i + 1), all[i], expected[i],
+                     5e-2);
   const double shift[] = {408.31 / 428.96 - 1.0, 411.17 / 438.86 - 1.0};
   for (std::size_t i = 0; i < 2; ++i)
-    expect_reference("A-65b", fmt::format("the same with every second weld: shift of mode {} [%]", i + 1),
+    expect_reference("hat and closing plate, every second weld",
+                     fmt::format("the same with every second weld: shift of mode {} [%]", i + 1),
                      100.0 * (fewer[i] / all[i] - 1.0), 100.0 * shift[i], 2.0, 1.0);
 }
 
@@ -143,7 +147,8 @@ TEST(WeldedModes, HatWithoutHalfOfItsWelds) {
   const double shift[] = {408.31 / 428.96 - 1.0, 411.17 / 438.86 - 1.0};
   for (std::size_t i = 6; i < 8; ++i) {
     const double estimate = std::sqrt(drop.eigenvalue[i] / modes.eigenvalue[i]) - 1.0;
-    expect_reference("A-65b", fmt::format("the same from one solution: shift of mode {} [%]", i - 5), 100.0 * estimate,
+    expect_reference("hat and closing plate, every second weld",
+                     fmt::format("the same from one solution: shift of mode {} [%]", i - 5), 100.0 * estimate,
                      100.0 * shift[i - 6], 2.0, 1.0);
     EXPECT_NEAR(drop.eigenvalue[i] / fewer.eigenvalue[i], 1.0, 1e-5);
     EXPECT_GT(drop.likeness[i], 0.99);

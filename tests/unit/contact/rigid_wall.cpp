@@ -126,7 +126,7 @@ TEST(RigidWall, BirthAndDeath) {
   EXPECT_EQ(touching, (std::vector<int>{0, 0, 0, 1, 1, 0}));
 }
 
-// Validation A-43: mu = 0.2, 1000 g press the block on, v = 2000 mm/s: stops after 1.019368 mm at 1.019368e-3 s.
+// Block sliding to rest: mu = 0.2, 1000 g press the block on, v = 2000 mm/s: stops after 1.019368 mm at 1.019368e-3 s.
 TEST(RigidWall, CoulombBlockStopsAsInClosedForm) {
   model::RigidWall card = floor_wall();
   card.friction = 0.2;

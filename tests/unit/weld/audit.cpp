@@ -333,7 +333,7 @@ TEST(Audit, SeveralSpotweldContactsWhereOneWouldDo) {
               HasSubstr("2 *CONTACT_SPOTWELD contacts, first *CONTACT_SPOTWELD 1; one is enough"));
 }
 
-// Validation: d = 6, L = 1.5, rho = 7.8e-9, DT = 1e-6.
+// Step and mass scaling of a weld: d = 6, L = 1.5, rho = 7.8e-9, DT = 1e-6.
 TEST(Audit, TimeStepAndPriceOfABeam) {
   Flange a(6.0, 8.0, 1.5);
   for (Index n = 25; n < 50; ++n) a.model.nodes.x[n].z = 1.5;
@@ -353,8 +353,8 @@ TEST(Audit, TimeStepAndPriceOfABeam) {
   EXPECT_NEAR(report.mass_by_dt2ms, 3.308097e-7 * (std::pow(9e-7 / 2.89087e-7, 2) - 1.0), 1e-11);
 }
 
-// Validation A-04 and spotweld-theory 6: E = 210000, rho = 7.89e-9, d = 5, L = 0.5 takes 106.46 times the mass, or the
-// E of the talk, 1972 MPa, for a microsecond.
+// Mass scaling of a weld, spotweld-theory 6: E = 210000, rho = 7.89e-9, d = 5, L = 0.5 takes 106.46 times the mass, or
+// the E of the talk, 1972 MPa, for a microsecond.
 TEST(Audit, TwoWaysToATargetStep) {
   Price weld;
   weld.young = 210000.0;
@@ -368,7 +368,7 @@ TEST(Audit, TwoWaysToATargetStep) {
   EXPECT_EQ(reach(weld, 5e-8).young, 210000.0);
 }
 
-// Validation A-03: 5 x 5 x 1.5, steel.
+// Step of a brick: 5 x 5 x 1.5, steel.
 TEST(Audit, TimeStepOfABrick) {
   Flange a;
   const Index bricks = a.solid_part();

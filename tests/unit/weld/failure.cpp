@@ -68,7 +68,7 @@ TEST(ResultantSurface, StrengthsFollowTheStrainRate) {
 
 // ---- OPT 1, 6, 7 ----
 
-TEST(BeamStress, A09) {
+TEST(BeamStress, FourResultantsTogether) {
   const auto f = failure::beam_stress({320.0, {}}, {190.0, {}}, failure::disc(6.0));
   const Value v = (*f)(load({4000, 2500, 0, 2000, 3000, 0}));
   EXPECT_NEAR(v.value, 1.29097, 2e-5);

@@ -207,7 +207,7 @@ TEST(ProjectionCase7, WhereSheetsCutEachOtherTheWeldWouldBeCrushed) {
   EXPECT_TRUE(ties.ties.empty());
 }
 
-// Validation A-15, through the whole tie. Sabotage: exchange N2 and N3.
+// Shares of a tie's force and mass, through the whole tie. Sabotage: exchange N2 and N3.
 TEST(Ties, WeightsOfTheValidationExample) {
   Assembly a;
   Findings findings;
@@ -224,7 +224,7 @@ TEST(Ties, WeightsOfTheValidationExample) {
             "node 5 on segment 1 2 3 4 (shell 1 of part 1), xi 0.400000 eta -0.500000, moved 0.5");
 }
 
-/// Validation A-16: t_s = 1.0, t_m = 1.2 on a segment of 10 x 8.
+/// Tolerance of a tie: t_s = 1.0, t_m = 1.2 on a segment of 10 x 8.
 bool tied_at(double gap, double sast, double sbst, double size = 10.0) {
   Assembly a;
   Findings findings;
