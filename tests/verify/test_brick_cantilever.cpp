@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The brick cantilever by linear statics: hourglass type 6 with QM = 1 carries the bending of a beam one brick deep.
-// The tangent of the kernel that runs in impact (brick_welds.cpp runs it there) at the full load.
+// The tangent of the kernel that runs in impact (test_brick_welds.cpp runs it there) at the full load.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -330,7 +330,7 @@ TEST(WeldFailure, AllComponents) {
                    failure_factor(w, {4000, 3000, 0, 4000, 3000, 0}), 1.06527, 5e-3);
 }
 
-// Sabotage to be caught: a filter applied twice. (Its first values: tests/unit/weld/failure.cpp.)
+// Sabotage to be caught: a filter applied twice. (Its first values: tests/unit/weld/test_failure.cpp.)
 TEST(WeldFailure, FilterOnlyDelays) {
   const int cycles = 6000;
   for (const Six& load : {Six{8000}, Six{0, 6000}, Six{4000, 3000, 0, 4000, 3000, 0}}) {

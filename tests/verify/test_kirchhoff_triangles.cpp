@@ -160,8 +160,8 @@ TEST(KirchhoffTriangles, FreeSquarePlate) {
                      expected[i], 1e-2);
 }
 
-// The Balmer-Witmer beam as in plasticity.cpp, of triangles. Sabotage: the forces of one side left out of its nodes'
-// moments.
+// The Balmer-Witmer beam as in test_plasticity.cpp, of triangles. Sabotage: the forces of one side left out of its
+// nodes' moments.
 TEST(KirchhoffTriangles, BalmerWitmerBeam) {
   constexpr int cells = 50;
   Plate beam(17, 5.0, 0.6, 0.125, cells, 3,
