@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
-#include "weld/ties.hpp"
+#include "weld/tie/ties.hpp"
 
 // Ties of a large car body: 1e5 weld nodes on 1e6 segments. Aim: seconds.
 namespace {

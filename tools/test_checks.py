@@ -36,7 +36,10 @@ class Layers(CheckCase):
             ("base", '#include "base/vec3.hpp"'),
             ("deck", '#include "base/card.hpp"'),
             ("kernel", '#include "kernel/law/j2.hpp"'),
-            ("model", '#include "deck/deck.hpp"'),
+            ("reading", '#include "deck/deck.hpp"'),
+            ("nvh/eigen", '#include "nvh/matrices/sparse.hpp"'),
+            ("reading", '#include "reading/cards/families.hpp"'),
+            ("app", '#include "reading/build.hpp"'),
             ("weld", '#include "model/model.hpp"'),
             ("impact", '#include "contact/contact.hpp"'),
             ("impact", '#include "output/recorder.hpp"'),
@@ -54,6 +57,11 @@ class Layers(CheckCase):
             ("contact", '#include "output/recorder.hpp"'),
             ("output", '#include "contact/contact.hpp"'),
             ("impact", '#include "nvh/modes.hpp"'),
+            ("model", '#include "deck/deck.hpp"'),
+            ("impact", '#include "reading/build.hpp"'),
+            ("nvh/matrices", '#include "nvh/eigen/modes.hpp"'),
+            ("reading/cards", '#include "reading/keywords.hpp"'),
+            ("nvh/other", "#include <vector>"),
             ("model", "#include <system/system.hpp>"),
             ("weld", '  #  include "app/main.hpp"'),
             ("system", '#include "../contact/contact.hpp"'),
@@ -66,6 +74,19 @@ class Layers(CheckCase):
                 self.assertEqual(code, 1, output)
                 self.assertRegex(output, rf"^src/{room}/a\.cpp:[13]: ")
                 (self.root / f"src/{room}/a.cpp").unlink()
+
+    def test_a_room_that_is_linked_otherwise(self):
+        self.write("CMakeLists.txt", "nugget_room(model nugget_deck nugget_kernel)\n")
+        code, output = self.run_check("check_layers.py")
+        self.assertEqual((code, output.split(": ")[0]), (1, "CMakeLists.txt:1"))
+
+    def test_a_picture_that_is_not_that_of_today(self):
+        self.write("CONTRIBUTING.md", "<!-- house: begin (tools/check_layers.py --draw) -->\n<!-- house: end -->\n")
+        code, output = self.run_check("check_layers.py")
+        self.assertEqual((code, output.split(": ")[0]), (1, "CONTRIBUTING.md:1"))
+        drawing = [sys.executable, str(TOOLS / "check_layers.py"), "--draw", str(self.root)]
+        subprocess.run(drawing, check=True)
+        self.assertEqual(self.run_check("check_layers.py"), (0, ""))
 
 
 class Sources(CheckCase):
@@ -197,8 +218,68 @@ void Contact::archive(Archive& a) {
                 self.assertIn("is kept with Contact::Block::pairs, but is no plain value", output)
 
 
+class Decisions(CheckCase):
+    PAGE = ("# 0001 Title\n\nStatus: accepted · Date: 2026-11-21\n\n## Context\n\na\n\n## Decision\n\nb\n\n"
+            "## Not taken\n\nc\n\n## Consequences\n\nd\n")
+    INDEX = "# Decisions\n\n| number | title | status | date | what follows |\n|---|---|---|---|---|\n"
+    ROW = "| [0001](0001-title.md) | Title | accepted | 2026-11-21 | e |\n"
+
+    def decisions(self, page=PAGE, index=INDEX + ROW, name="0001-title.md"):
+        self.write(f"docs/decisions/{name}", page)
+        self.write("docs/decisions/README.md", index)
+        return self.run_check("check_decisions.py")
+
+    def test_the_form_passes(self):
+        self.write("src/base/a.cpp", "// decision 0001\n")
+        self.assertEqual(self.decisions(), (0, ""))
+
+    def test_a_page_out_of_form(self):
+        for old, new, text in [
+            ("# 0001 Title", "# 0001: Title", ":1: expected `# 0001 Title`"),
+            ("# 0001 Title", "# 0002 Title", ":1: expected `# 0001 Title`"),
+            ("accepted · Date", "taken · Date", ":3: expected `Status: accepted"),
+            ("2026-11-21", "21.11.2026", ":3: expected `Status: accepted"),
+            ("accepted", "superseded by 0007", ":3: there is no decision 0007"),
+            ("## Decision", "## Choice", ":9: expected one of the headings"),
+            ("## Decision", "**Decision.**", ":1: has no ## Decision"),
+            ("## Not taken", "## Context", ":13: ## Context does not come after ## Decision"),
+            ("\nb\n", "\n" + 121 * "b" + "\n", ":11: 121 columns, at most 120"),
+            ("\nb\n", "\nDesign decision 6 says so\n", ":11: cites what is not in the repository"),
+        ]:
+            with self.subTest(new):
+                code, output = self.decisions(self.PAGE.replace(old, new, 1))
+                self.assertEqual(code, 1)
+                self.assertIn(f"docs/decisions/0001-title.md{text}", output)
+
+    def test_an_index_that_does_not_agree(self):
+        for old, new, text in [
+            (self.ROW, "", ":1: 0001-title.md is missing"),
+            (self.ROW, self.ROW + self.ROW, ":6: 0001 stands here twice"),
+            (self.ROW, self.ROW + self.ROW.replace("0001", "0002"), ":6: 0002 has no page"),
+            ("| Title |", "| Titel |", ":5: title of 0001 is Title"),
+            ("| accepted |", "| superseded by 0002 |", ":5: status of 0001 is accepted"),
+            ("2026-11-21", "2026-11-22", ":5: date of 0001 is 2026-11-21"),
+            ("0001-title.md", "0001-name.md", ":5: file of 0001 is 0001-title.md"),
+            (" | e |", "", ":5: expected | [NNNN](file) |"),
+        ]:
+            with self.subTest(text):
+                code, output = self.decisions(index=(self.INDEX + self.ROW).replace(old, new))
+                self.assertEqual(code, 1)
+                self.assertIn(f"docs/decisions/README.md{text}", output)
+
+    def test_names_numbers_and_mentions(self):
+        self.write("tests/a.py", "# docs/decisions/0003\n")
+        self.write("docs/decisions/0001-again.md", self.PAGE)
+        self.write("docs/decisions/second.md", self.PAGE)
+        code, output = self.decisions()
+        self.assertEqual(code, 1)
+        for text in ("tests/a.py:1: there is no decision 0003", "0001-title.md:1: 0001 is the number of 0001-again.md",
+                     "second.md:1: expected a name like"):
+            self.assertIn(text, output)
+
+
 class VerificationTable(CheckCase):
-    ROW = "A-39\trod | wall: force [N]\t32481.4\t32494.1\t0.000392\t0.01\n"
+    ROW = "rod on a rigid wall\trod | wall: force [N]\t32481.4\t32494.1\t0.000392\t0.01\n"
     PAGE = "# Page\n<!-- sources: waves -->\n<!-- table: begin -->\nold\n<!-- table: end -->\nafter\n"
     OTHERS = PAGE.replace("waves", "*")
 
@@ -206,19 +287,20 @@ class VerificationTable(CheckCase):
         self.write("rows.tsv", rows)
         self.write("pages/page.md", page)
         self.write("pages/others.md", others)
-        self.write("tests/waves.cpp", 'expect_reference("A-39"); expect_reference("A-04"); expect_reference("speed");')
+        self.write("pages/cases.md", "# Cases\n### mass scaling of a weld\n### rod on a rigid wall\n")
+        self.write("tests/test_waves.cpp", '"rod on a rigid wall" "mass scaling of a weld" "speed"')
         run = subprocess.run([sys.executable, str(TOOLS / "verification_table.py"), str(self.root / "rows.tsv"),
                               str(self.root / "pages"), str(self.root / "tests")], capture_output=True, text=True)
         pages = [(self.root / "pages" / name).read_text(encoding="utf-8") for name in ("page.md", "others.md")]
         return run.returncode, pages, run.stderr
 
     def test_rows_replace_what_stands_between_the_marks_in_the_order_of_the_cases(self):
-        code, (page, _), _ = self.fill("speed\tb\t1\t1\t0\t0.1\n" + self.ROW + "A-04\ta\t1\t1.2\t0.2\t0.1\n")
+        code, (page, _), _ = self.fill("speed\tb\t1\t1\t0\t0.1\n" + self.ROW + "mass scaling of a weld\ta\t1\t1.2\t0.2\t0.1\n")
         self.assertEqual(code, 0)
         self.assertNotIn("old", page)
         self.assertTrue(page.endswith("after\n"))
-        self.assertIn("| A-04 | a | 1 | 1.2 | **20 %** | 10 % |\n"
-                      "| A-39 | rod \\| wall: force [N] | 32481.4 | 32494.1 | 0.039 % | 1 % |\n"
+        self.assertIn("| mass scaling of a weld | a | 1 | 1.2 | **20 %** | 10 % |\n"
+                      "| rod on a rigid wall | rod \\| wall: force [N] | 32481.4 | 32494.1 | 0.039 % | 1 % |\n"
                       "| speed | b |", page)
 
     def test_a_case_that_no_page_names_a_source_of_goes_to_the_page_of_the_others(self):
@@ -226,7 +308,7 @@ class VerificationTable(CheckCase):
         self.assertEqual(code, 0)
         self.assertNotIn("| new |", page)
         self.assertIn("| new | x |", others)
-        self.assertNotIn("A-39", others)
+        self.assertNotIn("rod on a rigid wall", others)
 
     def test_broken_input_changes_nothing(self):
         for rows, page, others in [("", self.PAGE, self.OTHERS), ("A-1\ta\t1\n", self.PAGE, self.OTHERS),

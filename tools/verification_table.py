@@ -36,20 +36,24 @@ def read_rows(text):
     return rows
 
 
-def order(case):
-    """Numbered cases by number, then the others by name."""
-    numbered = re.fullmatch(r"A-(\d+)(\w*)", case)
-    return (0, int(numbered[1]), numbered[2]) if numbered else (1, 0, case)
+def headings(page):
+    """Names of the cases that a page explains, in its order."""
+    return re.findall(r"^### (.+)$", page, re.MULTILINE)
+
+
+def order(case, explained):
+    """Cases that have an explanation in the order of these, then the others by name."""
+    return (0, explained.index(case), case) if case in explained else (1, 0, case)
 
 
 def share(cell):
     return f"{100.0 * float(cell):.2g} %"
 
 
-def table(rows):
+def table(rows, explained):
     lines = ["| case | what | reference | Nugget | error | gate |", "|---|---|---|---|---|---|"]
     last = None
-    for case, what, reference, value, error, gate in sorted(rows, key=lambda row: order(row[0])):
+    for case, what, reference, value, error, gate in sorted(rows, key=lambda row: order(row[0], explained)):
         verdict = share(error) if float(error) <= float(gate) else f"**{share(error)}**"
         what = what.replace("|", "\\|")
         lines.append(f"| {case if case != last else ''} | {what} | {reference} | {value} | {verdict} | {share(gate)} |")
@@ -57,12 +61,12 @@ def table(rows):
     return "\n".join(lines)
 
 
-def with_table(page, rows):
+def with_table(page, rows, explained):
     before, begin, rest = page.partition(BEGIN)
     _, end, after = rest.partition(END)
     if not begin or not end:
         raise ValueError(f"the page has no {BEGIN} ... {END}")
-    return f"{before}{BEGIN}\n\n{table(rows)}\n\n{END}{after}" if rows else f"{before}{BEGIN}\n\n{END}{after}"
+    return f"{before}{BEGIN}\n\n{table(rows, explained)}\n\n{END}{after}" if rows else f"{before}{BEGIN}\n\n{END}{after}"
 
 
 def read_sources(folder):
@@ -96,13 +100,13 @@ def page_of(case, pages, sources):
     return next(path for path, (_, names) in pages.items() if OTHERS in names)
 
 
-def written(rows, pages, sources):
+def written(rows, pages, sources, explained):
     """Path -> new text of each page."""
     shown = {path: [] for path in pages}
     page_by_case = {case: page_of(case, pages, sources) for case in {row[0] for row in rows}}
     for row in rows:
         shown[page_by_case[row[0]]].append(row)
-    return {path: with_table(text, shown[path]) for path, (text, _) in pages.items()}
+    return {path: with_table(text, shown[path], explained) for path, (text, _) in pages.items()}
 
 
 def main(arguments):
@@ -112,7 +116,8 @@ def main(arguments):
     rows, folder, tests = map(pathlib.Path, arguments)
     try:
         sources = read_sources(tests)
-        texts = written(read_rows(rows.read_text(encoding="utf-8")), read_pages(folder, sources), sources)
+        explained = headings((folder / "cases.md").read_text(encoding="utf-8"))
+        texts = written(read_rows(rows.read_text(encoding="utf-8")), read_pages(folder, sources), sources, explained)
     except (OSError, ValueError) as error:
         print(f"{rows}: {error}", file=sys.stderr)
         return 1

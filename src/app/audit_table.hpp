@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "weld/audit.hpp"
-#include "weld/ties.hpp"
+#include "weld/audit/audit.hpp"
+#include "weld/tie/ties.hpp"
 
 // The audit of the welds as text: short for 5 welds and for 5,000.
 namespace nugget::app {

@@ -6,7 +6,7 @@
 #include "app/audit_table.hpp"
 #include "app/command.hpp"
 #include "app/run_log.hpp"
-#include "impact/simulation.hpp"
+#include "impact/simulation/simulation.hpp"
 
 namespace nugget::app {
 namespace {

@@ -9,8 +9,8 @@
 #include "app/finding_list.hpp"
 #include "app/run_log.hpp"
 #include "base/parallel.hpp"
-#include "model/describe.hpp"
-#include "nvh/ranks.hpp"
+#include "nvh/matrices/ranks.hpp"
+#include "reading/describe.hpp"
 
 namespace nugget::app {
 
@@ -21,7 +21,7 @@ void Log::read() {
 
 void start_log(Log& log, const RunArguments& arguments, const Prepared& p, const Findings& findings) {
   log.add(log_head(NUGGET_VERSION, arguments.deck, threads(), nvh::ranks()));
-  log.add(model::ledger_table(p.model));
+  log.add(reading::ledger_table(p.model));
   log.add(log_findings(findings));
 }
 

@@ -23,12 +23,12 @@
 #include "app/statics.hpp"
 #include "base/index.hpp"
 #include "base/parallel.hpp"
-#include "impact/free_bricks.hpp"
-#include "impact/result_files.hpp"
-#include "impact/simulation.hpp"
-#include "model/describe.hpp"
-#include "nvh/ranks.hpp"
+#include "impact/recording/result_files.hpp"
+#include "impact/simulation/free_bricks.hpp"
+#include "impact/simulation/simulation.hpp"
+#include "nvh/matrices/ranks.hpp"
 #include "output/results.hpp"
+#include "reading/describe.hpp"
 #include "report/page.hpp"
 
 namespace nugget::app {
@@ -413,7 +413,7 @@ ExitCode run(const RunArguments& arguments) {
 }
 
 ExitCode keywords(const std::string& name) {
-  fmt::print("{}", name.empty() ? model::describe_keywords() : model::describe_keyword(name));
+  fmt::print("{}", name.empty() ? reading::describe_keywords() : reading::describe_keyword(name));
   return ExitCode::normal;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "weld/placement_deck.hpp"
+#include "weld/placement/placement_deck.hpp"
 
 // The verbs of the `nugget` command. Findings and progress go to standard error, results to files.
 namespace nugget::app {

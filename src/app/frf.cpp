@@ -11,8 +11,8 @@
 #include "app/modes.hpp"
 #include "app/preload.hpp"
 #include "app/status.hpp"
-#include "nvh/radiated_power.hpp"
-#include "nvh/response_states.hpp"
+#include "nvh/response/radiated_power.hpp"
+#include "nvh/response/response_states.hpp"
 #include "output/results.hpp"
 #include "report/page.hpp"
 

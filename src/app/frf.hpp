@@ -6,7 +6,7 @@
 
 #include "app/commands.hpp"
 #include "app/prepared.hpp"
-#include "nvh/modes.hpp"
+#include "nvh/eigen/modes.hpp"
 #include "output/ascii.hpp"
 #include "output/summary.hpp"
 

@@ -7,8 +7,8 @@
 #include "app/run_log.hpp"
 #include "base/index.hpp"
 #include "base/parallel.hpp"
-#include "nvh/linear_model.hpp"
-#include "nvh/ranks.hpp"
+#include "nvh/matrices/linear_model.hpp"
+#include "nvh/matrices/ranks.hpp"
 
 namespace nugget::app {
 namespace {

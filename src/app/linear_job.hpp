@@ -7,9 +7,9 @@
 
 #include "app/clock.hpp"
 #include "app/command.hpp"
-#include "impact/options.hpp"
-#include "nvh/factorization.hpp"
-#include "nvh/matrices.hpp"
+#include "impact/simulation/options.hpp"
+#include "nvh/matrices/factorization.hpp"
+#include "nvh/matrices/matrices.hpp"
 #include "output/ascii.hpp"
 #include "output/summary.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "nvh/mode_comparison.hpp"
+#include "nvh/eigen/mode_comparison.hpp"
 
 namespace nugget::app {
 

@@ -14,8 +14,8 @@
 #include "app/run_log.hpp"
 #include "app/status.hpp"
 #include "app/weld_study.hpp"
-#include "nvh/mode_files.hpp"
-#include "nvh/ranks.hpp"
+#include "nvh/eigen/mode_files.hpp"
+#include "nvh/matrices/ranks.hpp"
 #include "output/results.hpp"
 #include "report/page.hpp"
 

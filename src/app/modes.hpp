@@ -6,8 +6,8 @@
 
 #include "app/commands.hpp"
 #include "app/prepared.hpp"
-#include "impact/simulation.hpp"
-#include "nvh/shape_file.hpp"
+#include "impact/simulation/simulation.hpp"
+#include "nvh/eigen/shape_file.hpp"
 
 namespace nugget::app {
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "nvh/prestress.hpp"
+#include "nvh/matrices/prestress.hpp"
 
 namespace nugget::app {
 
@@ -39,7 +39,7 @@ std::string stiffen_by_preload(nvh::Matrices& m, const impact::Simulation* after
   if (model.implicit.modes < 0 && !model.implicit.after_run) {
     Findings told;  // by check_preload
     const nvh::Statics statics = nvh::solve_statics(m, told);
-    prestress->add(statics);
+    prestress->add(statics.motion);
     double largest = 0.0;
     for (const nvh::Six& u : statics.motion) largest = std::max(largest, norm(Vec3d{u[0], u[1], u[2]}));
     text += fmt::format(" linear statics at time {:.6g}: largest displacement {:.6g}, out of balance {:.2g}\n",

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "base/finding.hpp"
-#include "impact/simulation.hpp"
-#include "nvh/matrices.hpp"
+#include "impact/simulation/simulation.hpp"
+#include "nvh/matrices/matrices.hpp"
 
 namespace nugget::app {
 

@@ -10,10 +10,10 @@
 #include "app/weld_account.hpp"
 #include "base/index.hpp"
 #include "deck/checksum.hpp"
-#include "model/builder.hpp"
+#include "reading/build.hpp"
 #include "weld/failure/missing_data.hpp"
-#include "weld/presumed.hpp"
-#include "weld/welds.hpp"
+#include "weld/tie/presumed.hpp"
+#include "weld/tie/welds.hpp"
 
 namespace nugget::app {
 namespace {
@@ -79,7 +79,7 @@ Prepared prepare(const RunArguments& arguments, Findings& findings) {
   p.has_text = deck.bytes > 0;
   p.deck_checksum = deck::checksum(deck);
   if (findings.errors() > 0 && deck.blocks.empty()) return p;  // nothing was read; no more is to be said about it
-  p.model = model::build(deck, findings, arguments.skip_unsupported);
+  p.model = reading::build(deck, findings, arguments.skip_unsupported);
   p.read_seconds = clock.seconds();
   if (findings.errors() > 0) return p;
   tie_and_audit(p, findings);

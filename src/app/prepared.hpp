@@ -7,8 +7,8 @@
 #include "app/commands.hpp"
 #include "base/finding.hpp"
 #include "output/summary.hpp"
-#include "weld/audit.hpp"
-#include "weld/ties.hpp"
+#include "weld/audit/audit.hpp"
+#include "weld/tie/ties.hpp"
 
 namespace nugget::app {
 

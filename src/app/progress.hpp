@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "impact/options.hpp"
+#include "impact/simulation/options.hpp"
 
 namespace nugget::app {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/commands.hpp"
-#include "impact/options.hpp"
+#include "impact/simulation/options.hpp"
 #include "output/restart_file.hpp"
 
 namespace nugget::app {

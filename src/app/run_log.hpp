@@ -6,11 +6,11 @@
 #include <string>
 
 #include "base/finding.hpp"
-#include "impact/simulation.hpp"
+#include "impact/simulation/simulation.hpp"
 #include "output/restart_file.hpp"
 #include "output/summary.hpp"
 #include "system/system.hpp"
-#include "weld/ties.hpp"
+#include "weld/tie/ties.hpp"
 
 // The parts of run.log, each a text. What a person wants to read after a run, in the order of the run.
 namespace nugget::app {

@@ -7,7 +7,7 @@
 
 #include "app/linear_job.hpp"
 #include "base/index.hpp"
-#include "nvh/static_files.hpp"
+#include "nvh/statics/static_files.hpp"
 
 namespace nugget::app {
 namespace {

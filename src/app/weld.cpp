@@ -7,8 +7,8 @@
 #include "app/command.hpp"
 #include "deck/deck.hpp"
 #include "deck/numbers.hpp"
-#include "model/builder.hpp"
-#include "weld/placement_deck.hpp"
+#include "reading/build.hpp"
+#include "weld/placement/placement_deck.hpp"
 
 namespace nugget::app {
 namespace {
@@ -49,7 +49,7 @@ ExitCode place_welds(const WeldArguments& arguments, const std::map<std::string,
   Findings findings;
   const deck::Deck deck = deck::read(arguments.deck, findings);
   if (findings.errors() > 0) return refuse(findings);
-  const model::Model model = model::build(deck, findings, arguments.skip_unsupported);
+  const model::Model model = reading::build(deck, findings, arguments.skip_unsupported);
   if (findings.errors() > 0) return refuse(findings);
   Findings own;  // what the model's findings are, `nugget check` tells
   const std::vector<weld::SpotPoint> points = weld::read_spots(arguments.points, model, own);

@@ -10,9 +10,9 @@
 
 #include "app/audit_table.hpp"
 #include "base/index.hpp"
-#include "weld/presumed.hpp"
-#include "weld/tie_findings.hpp"
-#include "weld/welds.hpp"
+#include "weld/tie/presumed.hpp"
+#include "weld/tie/tie_findings.hpp"
+#include "weld/tie/welds.hpp"
 
 namespace nugget::app {
 namespace {

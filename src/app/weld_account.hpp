@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/finding.hpp"
-#include "weld/ties.hpp"
+#include "weld/tie/ties.hpp"
 
 namespace nugget::app {
 

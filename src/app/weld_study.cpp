@@ -11,7 +11,7 @@
 
 #include "app/preload.hpp"
 #include "base/index.hpp"
-#include "nvh/mode_files.hpp"
+#include "nvh/eigen/mode_files.hpp"
 #include "output/result_file.hpp"
 
 namespace nugget::app {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "nvh/weld_drop.hpp"
+#include "nvh/eigen/weld_drop.hpp"
 #include "output/summary.hpp"
 
 // `nugget modes --drop-weld`: what each weld is worth to each mode.

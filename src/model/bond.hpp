@@ -9,8 +9,6 @@
 // Adhesive: parts of cohesive bricks.
 namespace nugget::model {
 
-class Builder;
-
 /// The law of cohesive bricks that a material has; null: it has another.
 const kernel::CohesiveBond* bond_of(const Material& material);
 /// The same of a part of solids.
@@ -27,8 +25,8 @@ inline bool is_between_shells(int elform) {
 /// Whether a solid is a cohesive brick whose nodes turn.
 bool bond_between_shells(const Model& model, std::size_t solid);
 
-/// Findings on the shapes of cohesive bricks, and on what their parts are asked to do that they cannot.
-void check_bonds(Builder& builder);
+/// Places of the eight corners of a solid at the start [length].
+std::array<Vec3d, 8> corners_of(const Model& model, std::size_t solid);
 
 /// Mass of a cohesive brick [mass].
 double bond_mass(const Model& model, std::size_t solid, const kernel::CohesiveBond& bond);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "kernel/contact/cohesive.hpp"
 #include "kernel/contact/friction.hpp"
+#include "kernel/law/cohesive.hpp"
 #include "model/loads.hpp"
 
 namespace nugget::model {

@@ -13,6 +13,17 @@ double Material::poisson() const {
   return std::visit([](const auto& l) { return l.nu; }, law);
 }
 
+std::vector<Index> Solids::corners(std::size_t e) const {
+  std::vector<Index> different;
+  for (const Index n : node[e])
+    if (std::find(different.begin(), different.end(), n) == different.end()) different.push_back(n);
+  return different;
+}
+
+std::vector<Index> Solids::different_nodes(std::size_t e) const {
+  return quadratic(e) ? std::vector<Index>(ten(e).begin(), ten(e).end()) : corners(e);
+}
+
 Index Model::node_index(int id) const {
   const auto at = std::lower_bound(nodes.id.begin(), nodes.id.end(), id);
   return at == nodes.id.end() || *at != id ? none : static_cast<Index>(at - nodes.id.begin());

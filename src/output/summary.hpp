@@ -91,8 +91,8 @@ struct WeldDropReport {
   std::optional<double> solved;                              ///< without them, solved anew
 };
 
-/// What summary.json says of a run; keys as the contract has them. Quantities in the deck's units, seconds of the
-/// clock.
+/// What summary.json says of a run; keys as docs/reference/contract.md has them. Quantities in the deck's units,
+/// seconds of the clock.
 struct Summary {
   std::string version, deck;
   std::string termination = "normal";  ///< normal, error, interrupted

@@ -25,8 +25,8 @@
 #include "system/system.hpp"
 #include "system/tetrahedron_element.hpp"
 #include "system/weld_beam_element.hpp"
-#include "weld/connection.hpp"
-#include "weld/welds.hpp"
+#include "weld/failure/connection.hpp"
+#include "weld/tie/welds.hpp"
 
 // Which kernel runs which element: one group a part and formulation.
 namespace nugget::system {

@@ -12,7 +12,7 @@
 #include "system/before_cycle.hpp"
 #include "system/order.hpp"
 #include "system/spring_group.hpp"
-#include "weld/tie_findings.hpp"
+#include "weld/tie/tie_findings.hpp"
 
 namespace nugget::system {
 namespace {

@@ -17,7 +17,7 @@
 #include "system/element_group.hpp"
 #include "system/rigid_body.hpp"
 #include "system/state.hpp"
-#include "weld/ties.hpp"
+#include "weld/tie/ties.hpp"
 
 namespace nugget::system {
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The coupons of examples/coupons against three-dimensional models of solids: cases A-66 and A-67 of the validation suite. On elements as
-large as the weld: tests/verify/coupons.cpp.
+"""The coupons of examples/coupons against three-dimensional models of solids. On elements as
+large as the weld: tests/verify/test_coupons.cpp.
 
 Sabotage that this catches: a weld that hands over no moment (peel goes soft), bricks of another cross-section than the beam they replace,
 a failure function that sees the grip's force instead of the weld's, shells that yield at another force than solids do.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Each exit code of the contract, by a run that really ends that way, and what it leaves behind."""
+"""Each exit code of docs/reference/contract.md, by a run that really ends that way, and what it leaves behind."""
 import os
 import re
 import resource

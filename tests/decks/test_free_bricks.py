@@ -49,7 +49,7 @@ class FreeBricks(CommandTest):
     def test_a_row(self):
         told = self.stderr_of(row(6, 0.9), 3)
         advice = float(re.search(r"write TSSFAC (\S+) or less", told)[1])
-        self.assertTrue(0.75 < advice < 0.85, advice)  # 0.83 by the suite's formula, less the share of the viscosity
+        self.assertTrue(0.75 < advice < 0.85, advice)  # 0.83 by the closed form, less the share of the viscosity
         self.assertNotIn("stands alone", self.stderr_of(row(6, advice), 0))
 
     def test_where_the_formula_is_right_nothing_is_said(self):

@@ -10,7 +10,7 @@ from test_mode_studies import strips
 
 
 def cantilever(along=40, across=4):
-    """A-54: a strip 200 x 20 x 2 of steel, held at one end; node 1 + (along + 1) j + i."""
+    """The cantilever strip: 200 x 20 x 2 of steel, held at one end; node 1 + (along + 1) j + i."""
     nodes, shells, row = ["*NODE"], ["*ELEMENT_SHELL"], along + 1
     for j in range(across + 1):
         nodes += [f"{1 + row * j + i:8d}{200.0 * i / along:16.6f}{20.0 * j / across:16.6f}{0.0:16.6f}" for i in range(row)]
@@ -100,11 +100,11 @@ class FreeVibration(CommandTest):
         self.agree(strips(along=45, across=5), [7], 1000, 1023, 5e-3)
 
     def test_cantilever(self):
-        """A-62: the bending modes of A-54; gate .3 %."""
+        """The bending modes of the cantilever strip; gate .3 %."""
         self.agree(cantilever(), [1, 2], 123, 83, 3e-3)
 
     def test_impulse_on_a_cantilever(self):
-        """A-62: the third bending mode in the spectrum of a damped explicit response, gate .3 %, and its decay, 2 %."""
+        """The third bending mode in the spectrum of a damped explicit response, gate .3 %, and its decay, 2 %."""
         alpha, pulse, window, later = 100.0, 1e-3, 0.012, 0.006
         along, across = 60, 6
         tip, deck = (along + 1) * (across // 2 + 1), cantilever(along, across)

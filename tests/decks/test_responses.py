@@ -39,7 +39,7 @@ def sheet(length, width, thickness, along, across, young, nu, density, cards, su
 
 
 def strip(cards, along=80, across=8):
-    """The cantilever of A-54; its tip is the node in the middle of the free edge."""
+    """The cantilever strip; its tip is the node in the middle of the free edge."""
     clamped = [1 + (along + 1) * j for j in range(across + 1)]
     tip = 1 + (along + 1) * (across // 2) + along
     return sheet(200.0, 20.0, 2.0, along, across, 210000.0, 0.3, 7.85e-9, cards(tip), [((1,) * 6, clamped)])
@@ -58,7 +58,7 @@ class Responses(CommandTest):
         return {float(row["frequency"]): float(row["amplitude"]) for row in self.rows(name)}
 
     def test_tip_of_a_cantilever(self):
-        """A-60: eight modes of Euler's beam; half a decibel."""
+        """Eight modes of Euler's beam; half a decibel."""
         def over(*frequencies):
             return strip(lambda tip: "*CONTROL_IMPLICIT_EIGENVALUE\n" + fields(5) +
                          frf((tip, 0, 3, 3), (0.02,), (tip, 0, 3, 2), frequencies))
@@ -111,7 +111,7 @@ class Responses(CommandTest):
                      [((1, 1, 1, 0, 1, 1), across), ((1, 1, 1, 1, 0, 1), along)])
 
     def test_plate_under_harmonic_pressure(self):
-        """A-61 (NAFEMS 13H): 2.377 Hz, 45.42 mm in the centre."""
+        """NAFEMS 13H: 2.377 Hz, 45.42 mm in the centre."""
         self.write(self.plate((2.377, 9.0, 2)))
         self.nugget("run", "model.k", "--quiet")
         modes = [mode["frequency_hz"] for mode in self.json("summary.json")["modes"]]

@@ -29,7 +29,7 @@ SUMMARY = {
 
 
 def misfits(value, shape, where="summary"):
-    """Where a value of summary.json is not as the contract says; keys beyond it are allowed."""
+    """Where a value of summary.json is not as docs/reference/contract.md says; keys beyond it are allowed."""
     if isinstance(shape, dict):
         if not isinstance(value, dict):
             return [f"{where} is no object"]
@@ -225,7 +225,7 @@ class RunFiles(CommandTest):
         self.assertIn(" diameter  d / 5 sqrt(t)", self.read("other/run.log"))
 
     def test_what_a_weld_takes_for_a_target_step(self):
-        """L = 1.2, d = 6: step 2.320e-7; for 1e-6 the mass times 18.58, or E' = L^2 rho / DT^2 (validation A-04)."""
+        """L = 1.2, d = 6: step 2.320e-7; for 1e-6 the mass times 18.58, or E' = L^2 rho / DT^2."""
         self.write(deck())
         run = self.nugget("check", "model.k", "--target-step", "1e-6")
         self.assertRegex(run.stdout, r"Time step 1e-06: 1 of 1 welds have a smaller one")

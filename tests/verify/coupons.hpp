@@ -8,7 +8,7 @@
 
 namespace nugget::verify {
 
-/// One of the coupons of: two sheets of 1.5 mm, parts 1 and 2, one weld beam of 6 mm, part 3, over the
+/// One of the coupons: two sheets of 1.5 mm, parts 1 and 2, one weld beam of 6 mm, part 3, over the
 /// centre of an element at the origin. The grip of part 1 is held, that of part 2 moves along `pull`.
 class Coupon {
  public:

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "deck/deck.hpp"
-#include "model/builder.hpp"
+#include "reading/build.hpp"
 
 namespace nugget::verify {
 namespace {
@@ -69,7 +69,7 @@ void stop_on_errors(const Findings& findings) {
 
 Experiment::Experiment(const std::string& text) : text_(text) {
   const deck::Deck deck = deck::read_text(text, findings_);
-  model_ = std::make_unique<model::Model>(model::build(deck, findings_));
+  model_ = std::make_unique<model::Model>(reading::build(deck, findings_));
   stop_on_errors(findings_);
   ties_ = std::make_unique<weld::Ties>(weld::tie(*model_, findings_));
   stop_on_errors(findings_);

@@ -5,10 +5,10 @@
 #include <memory>
 #include <string>
 
-#include "impact/simulation.hpp"
+#include "impact/simulation/simulation.hpp"
 #include "model/model.hpp"
 #include "system/system.hpp"
-#include "weld/ties.hpp"
+#include "weld/tie/ties.hpp"
 
 // A deck, run inside a test and looked at in every cycle.
 namespace nugget::verify {
@@ -54,9 +54,9 @@ class Experiment {
   std::unique_ptr<impact::Simulation> simulation_;
 };
 
-/// Compares a value with its reference from outside and writes a row for the book's table: case (as in the validation
-/// suite, e.g. `A-05`), what was measured, and the gate as a share of the reference (of `scale` where that is given,
-/// for references near 0). A failure is a test failure.
+/// Compares a value with its reference from outside and writes a row for the book's table: case (a heading of
+/// docs/verification/cases.md), what was measured, and the gate as a share of the reference (of `scale` where that is
+/// given, for references near 0). A failure is a test failure.
 void expect_reference(const std::string& test_case, const std::string& what, double value, double reference,
                       double gate, double scale = 0.0);
 

@@ -6,14 +6,14 @@
 #include "base/index.hpp"
 #include "deck/deck.hpp"
 #include "experiment.hpp"
-#include "model/builder.hpp"
-#include "nvh/linear_model.hpp"
+#include "nvh/matrices/linear_model.hpp"
+#include "reading/build.hpp"
 
 namespace nugget::verify {
 
 LinearExperiment::LinearExperiment(const std::string& text) {
   const deck::Deck deck = deck::read_text(text, findings_);
-  model_ = std::make_unique<model::Model>(model::build(deck, findings_));
+  model_ = std::make_unique<model::Model>(reading::build(deck, findings_));
   stop_on_errors(findings_);
   ties_ = std::make_unique<weld::Ties>(weld::tie(*model_, findings_));
   stop_on_errors(findings_);

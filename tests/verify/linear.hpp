@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "nvh/modes.hpp"
+#include "nvh/eigen/modes.hpp"
 
 // A deck in a linear analysis inside a test.
 namespace nugget::verify {

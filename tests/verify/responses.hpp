@@ -7,7 +7,7 @@
 #include <string>
 
 #include "linear.hpp"
-#include "nvh/frequency_response.hpp"
+#include "nvh/response/frequency_response.hpp"
 #include "specimen.hpp"
 
 // Decks of responses over frequency, and closed forms for them.

@@ -10,7 +10,7 @@
 // Deck text of small models with weld beams. Units mm, t, s, N, MPa.
 namespace nugget::verify {
 
-/// Weld W1 of the validation suite and its variations.
+/// Weld W1 (docs/verification/cases.md) and its variations.
 struct WeldData {
   double diameter = 6.0, length = 1.5;
   double E = 210000.0, nu = 0.3, density = 7.8e-9, yield = 400.0, hardening = 1000.0;

@@ -9,7 +9,7 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/programs/started_ranks.hpp"
-#include "nvh/ranks.hpp"
+#include "nvh/matrices/ranks.hpp"
 
 // `nugget-mpi`: the same program with MPI. The first rank does what the command line asks for, the others answer its
 // calls of the solver.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/contact/cohesive.hpp"
+#include "kernel/law/cohesive.hpp"
 
 namespace nugget::kernel {
 

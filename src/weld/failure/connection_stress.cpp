@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "weld/connection.hpp"
+#include "weld/failure/connection.hpp"
 #include "weld/failure/function.hpp"
 
 namespace nugget::weld::failure {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "weld/connection.hpp"
-#include "weld/welds.hpp"
+#include "weld/failure/connection.hpp"
+#include "weld/tie/welds.hpp"
 
 namespace nugget::weld::failure {
 namespace {

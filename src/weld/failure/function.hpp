@@ -7,9 +7,9 @@
 #include "base/archive.hpp"
 #include "base/finding.hpp"
 #include "model/model.hpp"
-#include "weld/failure_mode.hpp"
-#include "weld/resultants.hpp"
-#include "weld/ties.hpp"
+#include "weld/failure/failure_mode.hpp"
+#include "weld/failure/resultants.hpp"
+#include "weld/tie/ties.hpp"
 
 // The failure functions of MAT_100, one file for each kind. Formulas and what is known of their source:
 // ../shared/reference/spotweld-theory.md sections 4.3 to 4.5, and the book's page on weld failure.

@@ -2,7 +2,7 @@
 #include "weld/failure/missing_data.hpp"
 
 #include "weld/failure/function.hpp"
-#include "weld/welds.hpp"
+#include "weld/tie/welds.hpp"
 
 namespace nugget::weld::failure {
 

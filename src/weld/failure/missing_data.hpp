@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/finding.hpp"
-#include "weld/ties.hpp"
+#include "weld/tie/ties.hpp"
 
 namespace nugget::weld::failure {
 

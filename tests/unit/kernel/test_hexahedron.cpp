@@ -206,7 +206,7 @@ TEST(Hexahedron, ForcesDoTheWorkOfTheStresses) {
   }
 }
 
-TEST(Hexahedron, StableStep) {
+TEST(Hexahedron, StableStep) {
   const Corners x = box(5, 5, 1.5);
   EXPECT_NEAR(hexahedron_stable_step(x, steel_E, steel_nu, steel_density), 2.49959e-7, 2.5e-11);
   HexahedronProperties inviscid = brick(2);
@@ -321,8 +321,8 @@ TEST(Hexahedron, UniaxialWeldTurnsWithItsFaces) {
   }
 }
 
-// A-10 for a brick. Its transverse strain is free in the law only: with sides held, a uniaxial weld follows the closed
-// form of the beam.
+// Weld damage after EFAIL for a brick. Its transverse strain is free in the law only: with sides held, a uniaxial weld
+// follows the closed form of the beam.
 TEST(Hexahedron, WeldBrickDamagesOverPlasticStrain) {
   WeldBrick d(uniaxial_weld(damaged_weld()));
   double hourglass = 0.0;
@@ -400,7 +400,7 @@ std::vector<double> solved(Dense a, std::vector<double> b) {
   return b;
 }
 
-/// Tip deflection of the cantilever of A-14 with n bricks: end couple of 100000 N mm, or end shear of 1000 N.
+/// Tip deflection of the brick cantilever with n bricks: end couple of 100000 N mm, or end shear of 1000 N.
 double tip(int n, double coefficient, bool couple) {
   const std::size_t size = 12 * (static_cast<std::size_t>(n) + 1);
   Dense K(size, std::vector<double>(size));
@@ -430,7 +430,7 @@ double tip(int n, double coefficient, bool couple) {
   return 0.25 * (u[size - 1] + u[size - 4] + u[size - 7] + u[size - 10]);
 }
 
-TEST(Hexahedron, PhysicalHourglassControlBendsABeam) {
+TEST(Hexahedron, PhysicalHourglassControlBendsABeam) {
   const double G = steel_E / 2.6;
   for (const int n : {1, 2, 5}) {
     EXPECT_NEAR(std::abs(tip(n, 1.0, true)), 2.857143, 0.002 * 2.857) << n;

@@ -130,7 +130,7 @@ TEST(Laws, PlaneStressAgreesWithTheSolid) {
   EXPECT_GT(layer.plastic_strain(), 0.005);
 }
 
-TEST(Laws, CowperSymonds) {  // rate 100 1/s, C = 40.4, P = 5: factor 2.19874
+TEST(Laws, CowperSymonds) {  // rate 100 1/s, C = 40.4, P = 5: factor 2.19874
   PiecewiseLinear law = bilinear(250.0, 0.0);
   law.rate_c = 40.4;
   law.rate_p = 5.0;

@@ -159,7 +159,7 @@ TEST(Shell, OffsetCouplesMembraneAndBending) {
   EXPECT_NEAR(d.force.f[1].x + d.force.f[2].x, -0.6e-5 * steel_E * 1.2 * 5.0, 1e-7);
 }
 
-TEST(Shell, StableStep) {
+TEST(Shell, StableStep) {
   EXPECT_NEAR(shell_stable_step(positions(square()), ShellLength::area_over_side, steel_E, steel_nu, steel_density),
               9.22180e-7, 9.2e-11);
   Motion rectangle = square(4.0);

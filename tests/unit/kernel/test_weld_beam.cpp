@@ -22,7 +22,7 @@ Spotweld weld(double yield = 400.0, double hardening = 1000.0) {
   return law;
 }
 
-/// Weld W1 of the validation suite along z, node 1 held.
+/// Weld W1 (docs/verification/cases.md) along z, node 1 held.
 template <class Law = Spotweld>
 struct Driven {
   WeldBeamProperties beam;
@@ -56,7 +56,7 @@ struct Driven {
 
 enum : int { Nrr, Nrs, Nrt, Mrr, Mss, Mtt };
 
-TEST(WeldBeam, ElasticStiffness) {  // A-05; here r = z, s = x, t = y
+TEST(WeldBeam, ElasticStiffness) {  // here r = z, s = x, t = y
   const double u = 1e-7;
   for (const int quadrature : {2, 3, 4}) {
     Driven<> axial(weld(), quadrature), shear(weld(), quadrature), twist(weld(), quadrature), bend(weld(), quadrature);
@@ -96,7 +96,7 @@ TEST(WeldBeam, ShearFactorAndNoTorsion) {
   EXPECT_EQ(norm(free.force.m[1]), 0.0);
 }
 
-TEST(WeldBeam, AxialPlasticity) {
+TEST(WeldBeam, AxialPlasticity) {
   Driven<> d(weld());
   const double table[][3] = {{0.01, 11592.5, 0.018036},
                              {0.02, 11875.2, 0.033366},
@@ -121,7 +121,7 @@ TEST(WeldBeam, AxialPlasticity) {  // A-06
   }
 }
 
-TEST(WeldBeam, ShearPlasticity) {
+TEST(WeldBeam, ShearPlasticity) {
   Driven<> d(weld());
   d.nodes.v[1].x = 1e-6;
   int cycle = 0;
@@ -133,7 +133,7 @@ TEST(WeldBeam, ShearPlasticity) {  // A-07
   EXPECT_NEAR(cycle * 1e-6 / length, 0.020251, 2e-4);
 }
 
-TEST(WeldBeam, LimitMoments) {  // A-07, and the table of spotweld-theory 2.3
+TEST(WeldBeam, LimitMoments) {  // the table of spotweld-theory 2.3
   const double torque[] = {13852.0, 13059.4 * 1.011, 13059.4 * 1.004};
   const double moment[] = {16965.0, 14400.0 * 1.037, 14400.0 * 1.010};
   for (const int i : {0, 1, 2}) {
@@ -311,7 +311,8 @@ TEST(WeldBeam, BatchGivesTheBitsOfDouble) {
     batch_gives_the_bits_of_double(law);
 }
 
-// Sabotage to be caught: the return on the damaged stress (yields late, the line bends); damage from 0 strain on.
+// Weld damage after EFAIL. Sabotage to be caught: the return on the damaged stress (yields late, the line bends);
+// damage from 0 strain on.
 TEST(WeldBeam, DamagesOverPlasticStrain) {
   Driven<> d(damaging(PointDamage::Growth::strain, 0.3));
   d.nodes.v[1].z = 1e-5;
@@ -441,7 +442,7 @@ TEST(WeldBeam, PointsFailOneByOne) {
   EXPECT_EQ(d.at(L::alive), 0.0);
 }
 
-TEST(WeldBeam, StableStep) {
+TEST(WeldBeam, StableStep) {
   EXPECT_NEAR(weld_beam_stable_step(0.5, E, 7.89e-9), 9.69168e-8, 9.7e-12);
   EXPECT_NEAR(weld_beam_stable_step(1.5, E, 7.8e-9), 2.89087e-7, 2.9e-11);
   Driven<> d(weld());
@@ -450,7 +451,7 @@ TEST(WeldBeam, StableStep) {  // A-01
   EXPECT_NEAR(d.step(0.0).stable_step, 2 * 2.89087e-7, 6e-11);
 }
 
-TEST(WeldBeam, Mass) {  // unscaled mass 3.308097e-7, half of it a node
+TEST(WeldBeam, Mass) {  // unscaled mass 3.308097e-7, half of it a node
   const WeldBeamProperties beam{7.8e-9, disc_fibres(diameter, 0.0, 2)};
   const NodalMass m = weld_beam_nodal_mass(beam, length, 7.8e-9, nu);
   EXPECT_NEAR(m.mass, 0.5 * 3.308097e-7, 1e-13);

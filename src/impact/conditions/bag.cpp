@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/conditions/bag.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/index.hpp"
+
+namespace nugget::impact {
+namespace {
+
+using model::ControlVolume;
+using model::FlowingGas;
+
+/// Per mass.
+double enthalpy(const FlowingGas& gas, double temperature) {
+  return (gas.heat + 0.5 * gas.heat_slope * temperature) * temperature;
+}
+
+double heat_ratio(const FlowingGas& gas, double temperature) {
+  const double cp = gas.heat + gas.heat_slope * temperature;
+  return cp / (cp - gas.constant);
+}
+
+/// Temperature and pressure by mass, energy and volume.
+void settle(Bag& bag, const FlowingGas& gas) {
+  const double energy = bag.mass > 0.0 ? std::max(0.0, bag.energy / bag.mass) : 0.0;
+  const double cv = gas.heat - gas.constant;
+  bag.temperature = 2.0 * energy / (cv + std::sqrt(cv * cv + 2.0 * gas.heat_slope * energy));
+  bag.pressure = bag.mass * gas.constant * bag.temperature / bag.volume;
+}
+
+/// Of the curve, which is 0 outside its range.
+double integral(const Curve& curve, double from, double to) {
+  double sum = 0.0;
+  auto i = static_cast<std::size_t>(std::upper_bound(curve.x.begin(), curve.x.end(), from) - curve.x.begin());
+  for (i = std::max<std::size_t>(i, 1); i < curve.x.size() && curve.x[i - 1] < to; ++i) {
+    const double a = std::max(from, curve.x[i - 1]), b = std::min(to, curve.x[i]);
+    const double slope = (curve.y[i] - curve.y[i - 1]) / (curve.x[i] - curve.x[i - 1]);
+    sum += (b - a) * (curve.y[i - 1] + slope * (0.5 * (a + b) - curve.x[i - 1]));
+  }
+  return sum;
+}
+
+}  // namespace
+
+Bag bag_at_start(const ControlVolume& source, double volume) {
+  const FlowingGas& gas = source.flowing;
+  Bag bag;
+  bag.volume = volume;
+  bag.mass = gas.density * volume;
+  bag.energy = bag.mass * (enthalpy(gas, gas.temperature) - gas.constant * gas.temperature);
+  settle(bag, gas);
+  return bag;
+}
+
+double outflow(const ControlVolume& source, const std::vector<Curve>& curves, double pressure, double temperature) {
+  const FlowingGas& gas = source.flowing;
+  if (!(pressure > source.ambient)) return 0.0;
+  if (gas.outflow_curve != model::none) return curves[at(gas.outflow_curve)].clamped(pressure - source.ambient);
+  const auto by_pressure = [&](double value, model::Index curve) {
+    return curve == model::none ? value : curves[at(curve)].clamped(pressure);
+  };
+  const double opening = by_pressure(gas.shape, gas.shape_curve) * by_pressure(gas.area, gas.area_curve);
+  if (opening == 0.0) return 0.0;
+  const double k = heat_ratio(gas, temperature);
+  const double ratio = std::max(source.ambient / pressure, std::pow(2.0 / (k + 1.0), k / (k - 1.0)));
+  const double density = pressure / (gas.constant * temperature);
+  const double flow = k / (k - 1.0) * (std::pow(ratio, 2.0 / k) - std::pow(ratio, (k + 1.0) / k));
+  return opening * std::sqrt(2.0 * pressure * density * flow);
+}
+
+void advance(Bag& bag, const ControlVolume& source, const std::vector<Curve>& curves, double volume,
+             const Curve* inflow, bool open, double time, double dt) {
+  if (!(volume > 0.0)) return;
+  const FlowingGas& gas = source.flowing;
+  const Bag before = bag;
+  const double in = inflow ? integral(*inflow, time - dt, time) : 0.0;
+  bag.volume = volume;
+  bag.inflow = inflow ? inflow->zero_outside(time) : 0.0;
+  double out = 0.0;
+  // Each pass is nearer by the share of the gas that moves within the step.
+  constexpr int passes = 4;
+  for (int pass = 0; pass < passes; ++pass) {
+    const double pressure = 0.5 * (before.pressure + bag.pressure);
+    const double temperature = 0.5 * (before.temperature + bag.temperature);
+    bag.mass = before.mass + in;
+    bag.energy = before.energy + in * enthalpy(gas, gas.inflow_temperature) - pressure * (volume - before.volume);
+    settle(bag, gas);
+    if (!open || !(bag.pressure > source.ambient)) {
+      out = 0.0;
+      continue;
+    }
+    // No more than what is above the ambient pressure: a small volume with a large vent.
+    const double left = std::pow(source.ambient / bag.pressure, 1.0 / heat_ratio(gas, bag.temperature));
+    out = std::min(dt * impact::outflow(source, curves, pressure, temperature), bag.mass * (1.0 - left));
+    bag.mass -= out;
+    bag.energy -= out * enthalpy(gas, temperature);
+    settle(bag, gas);
+  }
+  bag.outflow = dt > 0.0 ? out / dt : 0.0;
+}
+
+}  // namespace nugget::impact

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/connections/joints.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/index.hpp"
+#include "impact/conditions/axes_now.hpp"
+#include "impact/connections/body_points.hpp"
+
+namespace nugget::impact {
+namespace {
+
+constexpr double stiffness_share = 0.25, largest_share = 0.5, damping_ratio = 0.1;
+
+using Kind = model::Joint::Kind;
+
+/// Bound of the inverse mass that the rate of a ratio meets in one of its bodies. `point`, `turning`: traces of the
+/// inverse mass at the body's point and of its inverse inertia. A force and a moment on one body meet at most twice the
+/// sum of what each meets.
+double transmitted(const model::Joint& joint, std::size_t side, double point, double turning) {
+  const double squared = joint.ratio * joint.ratio;
+  if (joint.kind == Kind::screw) return 2.0 * (point + squared * turning);
+  if (joint.kind == Kind::rack_and_pinion) return side == 0 ? 2.0 * (point + squared * turning) : point;
+  return side == 0 ? turning / squared : turning;
+}
+
+}  // namespace
+
+Joints::Joints(const system::System& system) : system_(system), springs_(system) {
+  for (const model::Joint& source : system.model.joints) {
+    Joint j;
+    j.source = &source;
+    const auto place = [&](std::size_t i) { return source.point[i]; };
+    // The pairs stand at one place but for the last digits of their coordinates: A's place counts.
+    for (std::size_t side = 0; side < 2; ++side) {
+      j.body[side] = &system.bodies[at(system.body_of[at(source.body[side])])];
+      j.arm[side] = place(0) - j.body[side]->center0;
+    }
+    if (source.kind != Kind::spherical) j.axis = unit(place(2) - place(0));
+    if (source.transmits()) {
+      j.arm[1] = place(1) - j.body[1]->center0;
+      j.other = unit(place(3) - place(1));
+      joints_.push_back(std::move(j));
+      continue;
+    }
+    if (source.kind == Kind::universal)
+      j.directions.push_back({j.axis, unit(place(3) - place(1)), true});
+    else if (source.kind != Kind::spherical)
+      j.directions.push_back({j.axis, j.axis});
+    if (source.kind == Kind::translational || source.kind == Kind::locking) {
+      const Vec3d off = place(4) - place(0), across = unit(off - dot(off, j.axis) * j.axis);
+      j.directions.push_back({across, across});
+    }
+    if (source.kind == Kind::cylindrical || source.kind == Kind::translational) j.held = Held::across;
+    if (source.kind == Kind::planar) j.held = Held::along;
+    joints_.push_back(std::move(j));
+  }
+  find_bounds();
+}
+
+Vec3d Joints::met_at(const Joint& j, std::size_t side) {
+  return side == 0 && j.source->kind == Kind::screw ? j.source->point[1] - j.body[0]->center0 : j.arm[side];
+}
+
+void Joints::find_bounds() {
+  std::vector<int> pieces(system_.bodies.size(), 0);
+  const auto count = [&](const system::RigidBody* body) -> int& { return pieces[at(body->node) - system_.nodes]; };
+  for (const Joint& j : joints_)
+    for (const system::RigidBody* body : j.body) count(body) += 1 + static_cast<int>(j.directions.size());
+  const auto over = [](double a, double sum) { return sum > 0.0 ? a / sum : 0.0; };
+  for (Joint& j : joints_) {
+    // Traces: row sums in body axes would change as bodies turn. They bound the largest eigenvalue.
+    double shared = 0.0, rotary_shared = 0.0, own = 0.0, rotary_own = 0.0;
+    for (const std::size_t side : {0u, 1u}) {
+      const system::RigidBody& body = *j.body[side];
+      const system::Mobility::Matrix inverse = system::inverse_inertia(body);
+      const double point = trace(inverse_mass_at(body, inverse, met_at(j, side))), turning = trace(inverse);
+      if (j.source->transmits()) {
+        const double met = transmitted(*j.source, side, point, turning);
+        own += met;
+        shared += count(&body) * met;
+        continue;
+      }
+      own += point;
+      rotary_own += turning;
+      shared += count(&body) * point;
+      rotary_shared += count(&body) * turning;
+    }
+    const double share = std::min(stiffness_share * j.source->stiffness_scale, largest_share);
+    j.bound = over(share, shared);
+    j.rotary_bound = over(share, rotary_shared);
+    // c = 2 xi sqrt(k m) with the mean mass of the relative motion.
+    const double ratio = 2.0 * damping_ratio * j.source->damping;
+    j.damping = ratio * std::sqrt(j.bound * over(j.source->transmits() ? 1.0 : 3.0, own));
+    j.rotary_damping = ratio * std::sqrt(j.rotary_bound * over(3.0, rotary_own));
+  }
+}
+
+void Joints::apply(system::State& state) {
+  longest_step_ = std::max(longest_step_, state.dt);
+  springs_.apply(state);
+  if (!(longest_step_ > 0.0)) return;
+  for (Joint& j : joints_)
+    if (!j.failed) apply(j, state, longest_step_);
+}
+
+bool Joints::fails(const Joint& j, const system::State& state) const {
+  if (!j.source->failure) return false;
+  const model::Joint::Failure& failure = *j.source->failure;
+  if (failure.time > 0.0 && state.time >= failure.time) return true;
+  const auto share = [&](const Vec3d& load, const std::array<double, 3>& limit) {
+    const Vec3d l = failure.system == model::none ? load : axes_now(system_, state, failure.system).local(load);
+    const std::array<double, 3> part{l.x, l.y, l.z};
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (limit[i] > 0.0) sum += part[i] / limit[i] * (part[i] / limit[i]);
+    return sum;
+  };
+  const double of_force = share(j.force, failure.force), of_moment = share(j.moment, failure.moment);
+  return failure.together ? of_force + of_moment >= 1.0 : of_force >= 1.0 || of_moment >= 1.0;
+}
+
+std::array<Joints::Load, 2> Joints::hold(Joint& j, const Motion& m, double longest_step) {
+  const double k = j.bound / (longest_step * longest_step), rotary = j.rotary_bound / (longest_step * longest_step);
+  const double c = j.damping / longest_step, rotary_c = j.rotary_damping / longest_step;
+  const auto held = [&](const Vec3d& v) {
+    const Vec3d along = dot(v, m.axis) * m.axis;
+    return j.held == Held::all ? v : j.held == Held::along ? along : v - along;
+  };
+  const Vec3d open = held(m.gap);
+  j.opening = norm(open);
+  j.force = -k * open - c * held(m.sliding);
+  j.moment = {};
+  for (const Directions& d : j.directions) {
+    const Vec3d a = j.body[0]->axes.global(d.a), b = j.body[1]->axes.global(d.b), normal = cross(a, b);
+    const double cosine = dot(a, b);
+    j.moment += (d.perpendicular ? rotary * cosine : -rotary * cosine) * normal;
+    // What turns the directions against each other: about their normal where they are to be perpendicular, across
+    // them where they are to be parallel.
+    const Vec3d rate = d.perpendicular ? dot(m.turning, normal) * normal : m.turning - dot(m.turning, a) * a;
+    j.moment -= rotary_c * rate;
+  }
+  return {Load{-j.force, -j.moment - cross(m.arm[0] + m.gap, j.force)},
+          Load{j.force, j.moment + cross(m.arm[1], j.force)}};
+}
+
+std::array<Joints::Load, 2> Joints::transmit(Joint& j, const Motion& m, double longest_step, double dt) {
+  const double ratio = j.source->ratio;
+  const Vec3d &a = m.axis, b = j.body[1]->axes.global(j.other);
+  // g = way . (motion of B's point against A's) + turn[0] . w_A + turn[1] . w_B
+  Vec3d way, moving, lever = m.arm[0];
+  std::array<Vec3d, 2> turn{};
+  if (j.source->kind == Kind::screw) {
+    way = a;
+    moving = m.sliding;
+    lever += m.gap;
+    turn = {-ratio * a, ratio * a};
+  } else if (j.source->kind == Kind::rack_and_pinion) {
+    way = b;
+    moving = m.velocity[1] - m.velocity[0];
+    turn[0] = -ratio * a;
+  } else {
+    const double sign = (j.source->kind == Kind::gears ? 1.0 : -1.0) * (dot(a, b) < 0.0 ? -1.0 : 1.0);
+    turn = {sign / ratio * a, b};
+  }
+  const double rate = dot(way, moving) + dot(turn[0], m.spin[0]) + dot(turn[1], m.spin[1]);
+  j.slip += dt * rate;
+  j.opening = std::abs(j.slip);
+  const double load = j.bound / (longest_step * longest_step) * j.slip + j.damping / longest_step * rate;
+  const Vec3d force = -load * way;
+  j.moment = -load * turn[1];
+  j.force = force;
+  if (j.source->radius > 0.0) {
+    // The force of the teeth, or in the belt, that goes with the moment; bearings are no part of the joint.
+    const Vec3d between = m.point[0] - m.point[1], across = between - dot(between, b) * b;
+    if (norm(across) > 0.0) j.force = -load / (ratio * j.source->radius) * cross(b, unit(across));
+  }
+  return {Load{-force, -load * turn[0] - cross(lever, force)}, Load{force, j.moment + cross(m.arm[1], force)}};
+}
+
+void Joints::apply(Joint& j, system::State& state, double longest_step) {
+  Motion m;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const system::RigidBody& body = *j.body[side];
+    const std::size_t n = at(body.node);
+    m.arm[side] = body.axes.global(j.arm[side]);
+    m.point[side] = vec(state.x[n]) + m.arm[side];
+    m.spin[side] = vec(state.w[n]);
+    m.velocity[side] = vec(state.v[n]) + cross(m.spin[side], m.arm[side]);
+  }
+  m.axis = j.body[0]->axes.global(j.axis);
+  m.gap = m.point[1] - m.point[0];
+  // B's point meets that point of A which is where it is.
+  m.sliding = m.velocity[1] - m.velocity[0] - cross(m.spin[0], m.gap);
+  m.turning = m.spin[1] - m.spin[0];
+
+  const std::array<Load, 2> before = j.load;
+  j.load = j.source->transmits() ? transmit(j, m, longest_step, state.dt) : hold(j, m, longest_step);
+  if (fails(j, state)) {
+    j.failed = true;
+    j.failure_time = state.time;
+    j.force = j.moment = {};
+    j.load = {};
+  }
+  j.largest_opening = std::max(j.largest_opening, j.opening);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const std::size_t n = at(j.body[side]->node);
+    add(state.f[n], j.load[side].force);
+    add(state.m[n], j.load[side].moment);
+    j.energy -= 0.5 * state.dt *
+                (dot(before[side].force + j.load[side].force, vec(state.v[n])) +
+                 dot(before[side].moment + j.load[side].moment, m.spin[side]));
+  }
+}
+
+double Joints::energy() const {
+  double sum = springs_.energy();
+  for (const Joint& j : joints_) sum += j.energy;
+  return sum;
+}
+
+}  // namespace nugget::impact

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/archive.hpp"
+#include "system/system.hpp"
+#include "weld/failure/rigid_weld.hpp"
+
+namespace nugget::impact {
+
+/// The rigid welds while the model moves. A weld's force on one of its nodes is what that node's acceleration wants and
+/// its load does not give,
+///     f_i = m_i a_i - f_i(applied),   a_i = a_c + alpha x r_i + omega x (omega x r_i),
+/// with the mass of the node itself (spotweld-theory.md section 7). When a weld fails its nodes go on as free ones with
+/// that mass and the velocity they have; of a spot of more than two nodes the outermost node is let go first.
+/// Welds limit no time step.
+class RigidWelds {
+ public:
+  /// The system must outlive it. A weld that can fail, but on whose nodes ties hang, is an error.
+  RigidWelds(system::System& system, Findings& findings);
+
+  /// Before the loads of dependent nodes are collected: remembers them.
+  void take_loads(const system::State& state);
+  /// After that: forces of the welds at this time; releases what fails. True if any node was released.
+  bool update(system::State& state);
+
+  std::size_t size() const { return welds_.size(); }
+  const model::RigidWeld& weld(std::size_t i) const { return *welds_[i].source; }
+  /// Of the joint that governs: the one that has failed or is nearer to it.
+  const weld::RigidWeldHistory& history(std::size_t i) const;
+  /// The same by index in Model::rigid_bodies; null where that body is no weld.
+  const weld::RigidWeldHistory* history_of_body(model::Index body) const;
+  /// Distance of the outermost nodes [length].
+  double length(std::size_t i, const system::State& state) const;
+  int failed() const { return failed_; }
+  const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
+
+  void archive(Archive& a);
+
+ private:
+  struct Load {
+    Vec3d force, moment;
+  };
+  struct Neighbour {
+    int group;
+    std::size_t element;
+  };
+  struct Weld {
+    const model::RigidWeld* source;
+    std::size_t body;                            ///< in System::bodies
+    std::vector<int> nodes;                      ///< system nodes still held, in the weld's order
+    std::vector<Load> loads;                     ///< on these nodes
+    std::vector<std::vector<Neighbour>> around;  ///< elements at these nodes; only where plastic strain matters
+    Vec3d axis;                                  ///< given one, in body axes; zero: the line of the outermost nodes
+    std::vector<weld::RigidWeldHistory> joints;  ///< at the first node; with more than two nodes, at the last one too
+    void archive(Archive& a);
+  };
+
+  void find_neighbours();
+  void refuse_ties_on_failing_welds(Findings& findings) const;
+  weld::RigidWeldLoad joint_load(const Weld& weld, bool last, const system::State& state) const;
+  double plastic_strain(const Weld& weld, bool last, const system::State& state) const;
+  void release(Weld& weld, bool first, bool last, system::State& state);
+  void report(const Weld& weld, const weld::RigidWeldHistory& joint, int node, const system::State& state);
+
+  system::System& system_;
+  std::vector<Weld> welds_;
+  int failed_ = 0;
+  std::vector<std::string> events_;
+};
+
+}  // namespace nugget::impact

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/connections/tie_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/index.hpp"
+#include "kernel/contact/penalty.hpp"
+#include "model/segments.hpp"
+#include "system/mobility.hpp"
+
+namespace nugget::impact {
+namespace {
+
+using Matrix3 = system::Mobility::Matrix;
+using Block = system::ConstraintMap::Block;
+
+/// How a node moves with independent ones; itself where it is independent.
+std::vector<Block> motion_of(const system::System& system, int node) {
+  if (system.map.dependent(node)) {
+    std::vector<Block> blocks = system.map.blocks(node);
+    return blocks;
+  }
+  Block own{node, {}};
+  for (std::size_t i = 0; i < 6; ++i) own.of[i][i] = 1.0;
+  return {own};
+}
+
+/// Of a spring's node less its anchor.
+std::map<int, Block> relative_motion(const system::System& system, int node, int anchor) {
+  std::map<int, Block> sum;
+  const auto add = [&](int of, double sign) {
+    for (const Block& b : motion_of(system, of)) {
+      Block& s = sum.try_emplace(b.node, Block{b.node, {}}).first->second;
+      for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j < 6; ++j) s.of[i][j] += sign * b.of[i][j];
+    }
+  };
+  add(node, 1.0);
+  add(anchor, -1.0);
+  return sum;
+}
+
+double volume(const std::array<Vec3d, 8>& x) {
+  constexpr int faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  double v = 0.0;
+  for (const auto& f : faces) {
+    const Vec3d &a = x[at(f[0])], &b = x[at(f[1])], &c = x[at(f[2])], &d = x[at(f[3])];
+    v += dot(0.25 * (a + b + c + d) - x[0], 0.5 * cross(c - a, d - b)) / 3.0;
+  }
+  return std::abs(v);
+}
+
+/// Volume of the brick behind a face; 0 if there is none.
+double volume_behind(const model::Model& model, const std::vector<Vec3d>& x, const model::Segment& face,
+                     model::Index part) {
+  for (std::size_t e = 0; e < model.solids.size(); ++e) {
+    if (model.solids.part[e] != part) continue;
+    const auto& n = model.solids.node[e];
+    const std::span<const model::Index> all = model.solids.nodes(e);
+    const auto has = [&](model::Index k) { return std::ranges::find(all, k) != all.end(); };
+    if (!std::all_of(face.begin(), face.end(), has)) continue;
+    std::array<Vec3d, 8> place;
+    for (std::size_t a = 0; a < 8; ++a) place[a] = x[at(n[a])];
+    return volume(place);
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+TieForces::TieForces(const system::System& system) : system_(system) {
+  for (const system::System::TieSpring& s : system.springs) {
+    const weld::Tie& tie = system.ties.ties[s.tie];
+    Spring spring;
+    spring.tie = s.tie;
+    spring.node = s.node;
+    spring.anchor = s.anchor;
+    spring.rotary = tie.rotations;
+    if (!tie.lever) spring.gap = system.ties.x[at(tie.node)] - tie.point;
+    set_stiffness(spring);
+    springs_.push_back(spring);
+  }
+}
+
+void TieForces::set_stiffness(Spring& spring) const {
+  const model::Model& model = system_.model;
+  const weld::Tie& tie = system_.ties.ties[spring.tie];
+  const std::vector<Vec3d>& x = system_.ties.x;
+  const auto corner = [&](std::size_t i) { return x[at(tie.segment[i])]; };
+  const Vec3d d1 = corner(2) - corner(0), d2 = corner(3) - corner(1);
+  const double area = 0.5 * norm(cross(d1, d2));
+  double bulk_modulus = 0.0;
+  if (tie.part != model::none) {
+    const model::Material& material = model.materials[at(model.parts[at(tie.part)].material)];
+    bulk_modulus = material.young() / (3.0 * (1.0 - 2.0 * std::min(material.poisson(), 0.49)));
+  }
+  const double behind = tie.shell == model::none ? volume_behind(model, x, tie.segment, tie.part) : 0.0;
+  double diagonal = std::max(norm(d1), norm(d2));
+  if (tie.segment[3] == tie.segment[2])  // of a triangle: its longest side
+    diagonal = std::max({norm(d1), norm(d2), norm(corner(1) - corner(0))});
+  const double k = behind > 0.0 ? kernel::solid_penalty(bulk_modulus, area, behind)
+                                : kernel::shell_penalty(bulk_modulus, area, diagonal);
+  spring.stiffness = model.contacts[at(tie.contact)].stiffness_scale_a * k;
+  spring.rotary_stiffness = spring.stiffness * area;
+}
+
+void TieForces::find_bounds() {
+  if (springs_.empty()) return;
+  std::vector<std::map<int, Block>> motion;
+  std::vector<int> springs_at(system_.all_nodes(), 0);
+  for (const Spring& s : springs_) {
+    motion.push_back(relative_motion(system_, s.node, s.anchor));
+    for (const auto& [node, block] : motion.back()) ++springs_at[at(node)];
+  }
+  const double scale = system_.model.control.step_scale;
+  const double bearable = std::min(0.5, 3.0 * std::max(1.0 - scale * scale, 0.02));
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    Matrix3 g{}, rotary{};
+    for (const auto& [node, block] : motion[i]) {
+      const double share = springs_at[at(node)];
+      double inverse_mass = 0.0;
+      Matrix3 inverse_inertia{};
+      if (at(node) < system_.nodes) {
+        const double m = system_.mass[at(node)], j = system_.inertia[at(node)];
+        if (m > 0.0) inverse_mass = share / m;
+        for (std::size_t k = 0; k < 3; ++k)
+          if (j > 0.0) inverse_inertia[k][k] = share / j;
+      } else {
+        const system::RigidBody& body = system_.bodies[at(node) - system_.nodes];
+        if (body.mass > 0.0) inverse_mass = share / body.mass;
+        inverse_inertia = system::inverse_inertia(body);
+        for (auto& row : inverse_inertia)
+          for (double& c : row) c *= share;
+      }
+      system::add_inverse_mass(g, block, 0, inverse_mass, inverse_inertia);
+      system::add_inverse_mass(rotary, block, 3, inverse_mass, inverse_inertia);
+    }
+    Spring& s = springs_[i];
+    const double part = s.rotary ? 0.5 * bearable : bearable;
+    s.bound = system::Mobility::largest(g) > 0.0 ? part / system::Mobility::largest(g) : 0.0;
+    s.rotary_bound =
+        s.rotary && system::Mobility::largest(rotary) > 0.0 ? part / system::Mobility::largest(rotary) : 0.0;
+  }
+}
+
+void TieForces::apply(system::State& state) {
+  const double dt = state.dt;
+  longest_step_ = std::max(longest_step_, dt);
+  for (Spring& s : springs_) {
+    if (s.released) continue;
+    const std::size_t n = at(s.node), a = at(s.anchor);
+    const Vec3d rate = vec(state.v[n]) - vec(state.v[a]), turning = vec(state.w[n]) - vec(state.w[a]);
+    const Vec3d force_before = s.force, moment_before = s.moment;
+    const auto limited = [&](double stiffness, double bound) {
+      return longest_step_ > 0.0 ? std::min(stiffness, bound / (longest_step_ * longest_step_)) : stiffness;
+    };
+    s.force = -limited(s.stiffness, s.bound) * (vec(state.x[n]) - vec(state.x[a]) - s.gap);
+    if (s.rotary) {
+      s.angle = system::turned(s.angle, (0.5 * dt) * (vec(state.w[n]) + vec(state.w[a]))) + dt * turning;
+      s.moment = -limited(s.rotary_stiffness, s.rotary_bound) * s.angle;
+      add(state.m[n], s.moment);
+      add(state.m[a], -s.moment);
+    }
+    add(state.f[n], s.force);
+    add(state.f[a], -s.force);
+    energy_ -= 0.5 * dt * (dot(force_before + s.force, rate) + dot(moment_before + s.moment, turning));
+  }
+}
+
+void TieForces::release(std::size_t tie) {
+  for (Spring& s : springs_)
+    if (s.tie == tie && !s.released) {
+      s.released = true;
+      s.force = s.moment = {};
+    }
+}
+
+Vec3d TieForces::resultant(model::Index contact) const {
+  Vec3d sum{};
+  for (const Spring& s : springs_)
+    if (system_.ties.ties[s.tie].contact == contact) sum += s.force;
+  return sum;
+}
+
+}  // namespace nugget::impact

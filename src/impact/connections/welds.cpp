@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/connections/welds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+
+#include "base/index.hpp"
+#include "weld/tie/welds.hpp"
+
+namespace nugget::impact {
+namespace {
+
+/// Triple products of the edges at the corners of a brick.
+std::array<double, 8> corner_jacobians(const std::array<Vec3d, 8>& x) {
+  constexpr std::size_t along[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
+                                       {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
+  std::array<double, 8> j;
+  for (std::size_t a = 0; a < 8; ++a)
+    j[a] = dot(x[along[a][0]] - x[a], cross(x[along[a][1]] - x[a], x[along[a][2]] - x[a]));
+  return j;
+}
+
+}  // namespace
+
+Welds::Bricks::Bricks(const system::System& system, const weld::Weld& weld) : section(weld, system.ties.x) {
+  const std::vector<model::Index>& at_ends = section.nodes();
+  for (model::Index n : at_ends) nodes.push_back(system.node_of[at(n)]);
+  for (model::Index e : weld.elements) {
+    const system::System::Seat seat = system.seat_of(weld, e);
+    const system::ElementNodes of_brick = system.groups[at(seat.group)]->nodes(at(seat.element));
+    std::array<Vec3d, 8> place;
+    for (std::size_t a = 0; a < 8; ++a) {
+      place[a] = system.ties.x[at(system.model_node[at(of_brick[a])])];
+      const auto n = std::find(nodes.begin(), nodes.end(), of_brick[a]);
+      if (n != nodes.end()) corners.push_back({seat, static_cast<int>(a), static_cast<std::size_t>(n - nodes.begin())});
+    }
+    seats.push_back(seat);
+    jacobian.push_back(corner_jacobians(place));
+  }
+  x.resize(nodes.size());
+  force.resize(nodes.size());
+}
+
+double Welds::Bricks::least_jacobian(const system::System& system, const system::State& state) const {
+  double least = 1.0;
+  for (std::size_t b = 0; b < seats.size(); ++b) {
+    const system::ElementNodes node = system.groups[at(seats[b].group)]->nodes(at(seats[b].element));
+    std::array<Vec3d, 8> place;
+    for (std::size_t a = 0; a < 8; ++a) place[a] = vec(state.x[at(node[a])]);
+    const std::array<double, 8> now = corner_jacobians(place);
+    // Corners of wedges that were flat from the start say nothing.
+    for (std::size_t a = 0; a < 8; ++a)
+      if (jacobian[b][a] > 0.0) least = std::min(least, now[a] / jacobian[b][a]);
+  }
+  return least;
+}
+
+void Welds::Bricks::gather(const system::System& system, const system::State& state) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) x[i] = vec(state.x[at(nodes[i])]);
+  std::fill(force.begin(), force.end(), Vec3d{});
+  for (const Corner& c : corners) force[c.node] += system.nodal_force(c.seat, c.corner);
+}
+
+Welds::Welds(system::System& system, Findings& findings) : system_(system) {
+  for (const weld::Weld& w : system.ties.welds) {
+    histories_.emplace_back();
+    bricks_.emplace_back();
+    if (w.kind == weld::Weld::Kind::rigid || w.kind == weld::Weld::Kind::connector || w.deleted) continue;
+    const model::Material& material = system.model.materials[at(system.model.parts[at(w.part)].material)];
+    const model::WeldLaw& law = system.model.weld_laws[at(material.weld)];
+    histories_.back() = std::make_unique<weld::History>(
+        law,
+        weld::failure::make_function(system.model, law, weld::failure::geometry_of(system.model, w), w.place, findings),
+        weld::damage_law(system.model, w));
+    if (w.of_bricks()) bricks_.back() = std::make_unique<Bricks>(system, w);
+  }
+}
+
+void Welds::update(const system::State& state) {
+  for (std::size_t i = 0; i < histories_.size(); ++i) {
+    weld::History* history = histories_[i].get();
+    if (history == nullptr || history->failed()) continue;
+    if (const weld::FailureMode end = end_of_elements(i, state); end != weld::FailureMode::intact) {
+      history->fail(state.time, end);
+      remove(i);
+      report(i, state);
+      continue;
+    }
+    const bool was_sound = !history->damage().begun();
+    if (history->update(load(i, state))) {
+      remove(i);
+      report(i, state);
+    } else if (history->damage().begun()) {
+      spread_damage(i, was_sound, state);
+    }
+  }
+}
+
+template <class With>
+void Welds::each_element(std::size_t i, const With& with) const {
+  const weld::Weld& w = system_.ties.welds[i];
+  for (model::Index e : w.elements) {
+    const system::System::Seat seat = system_.seat_of(w, e);
+    with(*system_.groups[at(seat.group)], at(seat.element));
+  }
+}
+
+weld::failure::Load Welds::load(std::size_t i, const system::State& state) {
+  weld::failure::Load load{resultants(i, state), 0.0, state.time};
+  if (bricks_[i]) load.area = bricks_[i]->area;
+  int elements = 0, points = 0;
+  each_element(i, [&](const system::ElementGroup& group, std::size_t e) {
+    load.energy += group.internal_energy(e) + group.hourglass_energy(e);
+    if (!group.alive(e)) return;
+    load.rate += group.strain_rate(e);
+    ++elements;
+    for (int k = 0; k < group.layers(); ++k) load.plastic_strain += group.plastic_strain(e, k);
+    points += group.layers();
+  });
+  if (elements > 0) load.rate /= elements;
+  if (points > 0) load.plastic_strain /= points;
+  return load;
+}
+
+void Welds::spread_damage(std::size_t i, bool begins, const system::State& state) {
+  const weld::Damage& damage = histories_[i]->damage();
+  each_element(i, [&](system::ElementGroup& group, std::size_t e) {
+    if (begins && damage.law().holds_yield) group.hold_yield(e);
+    group.set_integrity(e, damage.integrity());
+  });
+  if (!begins) return;
+  const weld::Weld& w = system_.ties.welds[i];
+  events_.push_back(fmt::format("spotweld {} begins to be damaged  id={:8d} time={:12.5E} cycle={}",
+                                weld::to_string(w.kind), w.id, state.time, state.cycle));
+}
+
+weld::FailureMode Welds::end_of_elements(std::size_t i, const system::State& state) const {
+  const model::WeldLaw& law = weld::law_of(system_.model, system_.ties.welds[i]);
+  const std::size_t count = system_.ties.welds[i].elements.size();
+  std::size_t living = 0;
+  each_element(i, [&](const system::ElementGroup& group, std::size_t e) { living += group.alive(e); });
+  // ASFF = 1: the first brick to fail takes its assembly with it.
+  if (living == 0 || (law.damage.whole && living < count)) {
+    // What erosion took (ERODE, PSFAIL) has not reached the strain at which its points fail or their damage begins.
+    const model::Part& part = system_.model.parts[at(system_.ties.welds[i].part)];
+    const auto* points = std::get_if<kernel::Spotweld>(&system_.model.materials[at(part.material)].law);
+    bool strained = points == nullptr;
+    each_element(i, [&](const system::ElementGroup& group, std::size_t e) {
+      for (int k = 0; points != nullptr && k < group.layers(); ++k)
+        strained |= (points->failure_strain > 0.0 || points->damage.rupture > 0.0) &&
+                    group.plastic_strain(e, k) >= points->failure_strain;
+    });
+    return strained ? weld::FailureMode::plastic_strain : weld::FailureMode::distortion;
+  }
+  if (law.connection && bricks_[i] && bricks_[i]->least_jacobian(system_, state) < law.jacobian_limit)
+    return weld::FailureMode::distortion;
+  return weld::FailureMode::intact;
+}
+
+weld::Resultants Welds::resultants(std::size_t i, const system::State& state) {
+  if (Bricks* bricks = bricks_[i].get()) {
+    bricks->gather(system_, state);
+    const weld::BrickSection::Shape shape = bricks->section.shape(bricks->x);
+    bricks->load = bricks->section.load(shape, bricks->x, bricks->force);
+    // A sheared weld is longer along the line of its centres than along r, and has the same volume.
+    bricks->area = shape.area * shape.length / norm(shape.centre[1] - shape.centre[0]);
+    return bricks->load.middle;
+  }
+  const weld::Weld& w = system_.ties.welds[i];
+  const system::System::Seat seat = system_.seat_of(w, w.element);
+  const std::array<double, 8> r = system_.groups[at(seat.group)]->resultants(at(seat.element));
+  return {r[0], r[1], r[2], r[3], r[4], r[5]};
+}
+
+const weld::BrickSection::Load* Welds::brick_load(std::size_t i) const {
+  return bricks_[i] ? &bricks_[i]->load : nullptr;
+}
+
+double Welds::length(std::size_t i, const system::State& state) const {
+  if (const Bricks* bricks = bricks_[i].get()) {
+    std::vector<Vec3d> x;
+    for (int n : bricks->nodes) x.push_back(vec(state.x[at(n)]));
+    return bricks->section.shape(x).length;
+  }
+  const weld::Weld& w = system_.ties.welds[i];
+  const system::System::Seat seat = system_.seat_of(w, w.element);
+  return system_.groups[at(seat.group)]->thickness(at(seat.element));
+}
+
+void Welds::remove(std::size_t i) {
+  each_element(i, [](system::ElementGroup& group, std::size_t e) { group.remove(e); });
+}
+
+void Welds::lose_sheet(std::size_t i, const system::State& state) {
+  weld::History* history = histories_[i].get();
+  if (history == nullptr || history->failed()) return;
+  remove(i);
+  history->fail(state.time, weld::FailureMode::sheet_deleted);
+  report(i, state);
+}
+
+void Welds::report(std::size_t i, const system::State& state) {
+  ++failed_;
+  const weld::Weld& w = system_.ties.welds[i];
+  events_.push_back(fmt::format("spotweld {} failed  id={:8d} time={:12.5E} cycle={} by {}", weld::to_string(w.kind),
+                                w.id, state.time, state.cycle, weld::to_string(histories_[i]->mode())));
+}
+
+}  // namespace nugget::impact

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/archive.hpp"
+#include "system/system.hpp"
+#include "weld/failure/brick_section.hpp"
+#include "weld/failure/failure.hpp"
+
+namespace nugget::impact {
+
+/// The welds while the model moves: takes their resultants in every cycle, asks their histories whether they fail, and
+/// removes the elements of those that did. Indices are those of Ties::welds.
+class Welds {
+ public:
+  /// The system must outlive it. Findings: what a weld lacks for the failure function that its material asks for.
+  Welds(system::System& system, Findings& findings);
+
+  /// To be called once a cycle, after the forces of the elements.
+  void update(const system::State& state);
+
+  /// Deletes weld i, if it still stands, because the shells that held one of its ends are gone (SPOTDEL = 1).
+  void lose_sheet(std::size_t i, const system::State& state);
+
+  std::size_t size() const { return histories_.size(); }
+  /// What happened to weld i; null where a weld has no history (deleted by SPOTSTP, rigid).
+  const weld::History* history(std::size_t i) const { return histories_[i].get(); }
+  /// Length of weld i now; after it has failed, of what is left between its ends [length].
+  double length(std::size_t i, const system::State& state) const;
+  /// Of a weld of bricks as it is loaded now, not filtered; null for others and for those without a history.
+  const weld::BrickSection::Load* brick_load(std::size_t i) const;
+  int failed() const { return failed_; }
+  const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
+
+  void archive(Archive& a);
+
+ private:
+  /// What a weld of bricks needs beside its history.
+  struct Bricks {
+    Bricks(const system::System& system, const weld::Weld& weld);
+    /// Smallest Jacobian at a corner of a brick over what it was at the start.
+    double least_jacobian(const system::System& system, const system::State& state) const;
+    void gather(const system::System& system, const system::State& state);
+    weld::BrickSection section;
+    struct Corner {
+      system::System::Seat seat;
+      int corner;
+      std::size_t node;  ///< of the section
+    };
+    std::vector<Corner> corners;  ///< of all its bricks, those at its ends
+    std::vector<int> nodes;       ///< of the section, in the system's order
+    std::vector<Vec3d> x, force;  ///< of the section's nodes now
+    weld::BrickSection::Load load;
+    double area = 0.0;                            ///< of the cross-section now
+    std::vector<std::array<double, 8>> jacobian;  ///< at the start, by brick and corner
+    std::vector<system::System::Seat> seats;      ///< of its bricks
+    void archive(Archive& a);
+  };
+  weld::Resultants resultants(std::size_t i, const system::State& state);
+  weld::failure::Load load(std::size_t i, const system::State& state);
+  /// Calls `with(group, e)` for every element of weld i.
+  template <class With>
+  void each_element(std::size_t i, const With& with) const;
+  void spread_damage(std::size_t i, bool begins, const system::State& state);
+  /// Why weld i is gone for a reason of its elements; intact: it is not.
+  weld::FailureMode end_of_elements(std::size_t i, const system::State& state) const;
+  void remove(std::size_t i);
+  void report(std::size_t i, const system::State& state);
+
+  system::System& system_;
+  std::vector<std::unique_ptr<weld::History>> histories_;
+  std::vector<std::unique_ptr<Bricks>> bricks_;  ///< null for other welds
+  int failed_ = 0;
+  std::vector<std::string> events_;
+};
+
+}  // namespace nugget::impact

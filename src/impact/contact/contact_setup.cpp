@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/contact/contact_setup.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "base/bvh.hpp"
+#include "base/index.hpp"
+#include "impact/contact/edge_setup.hpp"
+#include "impact/contact/element_alive.hpp"
+#include "impact/contact/friction_kinds.hpp"
+#include "kernel/element/tetrahedron.hpp"
+#include "model/bond.hpp"
+#include "model/contact_form.hpp"
+#include "model/segments.hpp"
+#include "weld/tie/welds.hpp"
+
+namespace nugget::impact {
+namespace {
+
+constexpr unsigned tracked = 1, reference = 2;  // bits of contact::Segment::side
+
+/// Corners of the six faces of a brick, outward.
+constexpr int faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+
+double volume(const std::array<model::Index, 8>& n, const std::vector<Vec3d>& x) {
+  if (n[3] == n[4]) return std::abs(kernel::tetrahedron_volume({x[at(n[0])], x[at(n[1])], x[at(n[2])], x[at(n[3])]}));
+  Vec3d middle{};
+  for (model::Index k : n) middle += 0.125 * x[at(k)];
+  double v = 0.0;
+  for (const auto& f : faces) {
+    const Vec3d a = x[at(n[at(f[0])])], b = x[at(n[at(f[1])])], c = x[at(n[at(f[2])])], d = x[at(n[at(f[3])])];
+    v += dot(0.25 * (a + b + c + d) - middle, 0.5 * cross(c - a, d - b)) / 3.0;
+  }
+  return std::abs(v);
+}
+
+/// The directions in which a body is held.
+struct Directions {
+  std::array<Vec3d, 3> rows{};  // of the sum of n n^t
+
+  void add(const Vec3d& n) {
+    rows[0] += n.x * n;
+    rows[1] += n.y * n;
+    rows[2] += n.z * n;
+  }
+  bool all() const { return dot(rows[0], cross(rows[1], rows[2])) > 1e-6; }
+};
+
+/// A segment by its nodes, in whatever order they stand.
+using Key = std::array<model::Index, 4>;
+Key key_of(Key nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  const auto end = std::unique(nodes.begin(), nodes.end());
+  std::fill(end, nodes.end(), model::none);  // a triangle, wherever it repeats a node
+  return nodes;
+}
+
+/// The shells whose contact thickness SPOTHIN scales: those that a weld is tied to, and with SWRADF those of its sheets
+/// whose centre is within so many radii of an end of the weld.
+std::vector<char> shells_near_welds(const system::System& system) {
+  const model::Model& model = system.model;
+  std::vector<char> near(model.shells.size(), 0);
+  if (model.control.weld_thinning <= 0.0 || model.control.weld_thinning >= 1.0) return near;
+  std::vector<Box> centres(model.shells.size());
+  for (std::size_t e = 0; e < model.shells.size(); ++e) {
+    Vec3d centre{};
+    for (model::Index n : model.shells.node[e]) centre += 0.25 * system.ties.x[at(n)];
+    centres[e].add(centre);
+  }
+  const BoxTree tree(centres);
+  for (const weld::Weld& w : system.ties.welds) {
+    const double radius = 0.5 * w.diameter * model.control.weld_thinning_radius;
+    for (const weld::Projection& p : w.ends) {
+      if (!p.tied || p.kase == 0 || p.tie.shell == model::none) continue;
+      near[at(p.tie.shell)] = 1;
+      if (radius <= 0.0) continue;
+      const Vec3d& x = p.tie.point;
+      tree.overlapping(Box{x, x}.grown(radius), [&](int e) {
+        if (model.shells.part[at(e)] == p.tie.part && norm(centres[at(e)].low - x) <= radius) near[at(e)] = 1;
+      });
+    }
+  }
+  return near;
+}
+
+/// Gathers the segments of the two sides of a contact; one that belongs to both stands once.
+class Surfaces {
+ public:
+  Surfaces(const system::System& system, const model::Contact& card, const FrictionKinds& rough)
+      : system_(system), model_(system.model), card_(card), rough_(rough), thinned_(shells_near_welds(system)) {}
+
+  void add(const model::Surface& surface, unsigned side) {
+    surface_ = &surface;
+    std::vector<bool> in(model_.parts.size(), surface.everything);
+    for (model::Index p : surface.parts) in[at(p)] = true;
+    for (std::size_t p = 0; p < in.size(); ++p)
+      if (weld::of_weld_material(model_, static_cast<model::Index>(p))) in[p] = false;
+    std::map<Key, bool> wanted;
+    for (const model::Segment& s : surface.segments) wanted.emplace(key_of(s), false);
+    for (std::size_t e = 0; e < model_.shells.size(); ++e) {
+      const auto found = wanted.find(key_of(model_.shells.node[e]));
+      if ((in[at(model_.shells.part[e])] || found != wanted.end()) && in_box(model_.shells.node[e])) add_shell(e, side);
+      if (found != wanted.end()) found->second = true;
+    }
+    add_faces(in, wanted, side);
+  }
+
+  std::vector<contact::Segment> take() { return std::move(segments_); }
+
+ private:
+  bool in_box(const Key& nodes) const {
+    return std::all_of(nodes.begin(), nodes.end(),
+                       [this](model::Index n) { return surface_->holds(system_.ties.x[at(n)]); });
+  }
+
+  /// 0 of a rigid part that is held.
+  double density(const model::Part& part) const {
+    const bool held = part.rigid_body != model::none && held_for_good(model_, part.rigid_body);
+    return held ? 0.0 : model_.materials[at(part.material)].density;
+  }
+
+  double area(const Key& nodes) const {
+    const auto& x = system_.ties.x;
+    return 0.5 * norm(cross(x[at(nodes[2])] - x[at(nodes[0])], x[at(nodes[3])] - x[at(nodes[1])]));
+  }
+
+  double stiffness_scale(unsigned side) const {
+    return side == tracked ? card_.stiffness_scale_a : card_.stiffness_scale_b;
+  }
+
+  void add_segment(const Key& key, const contact::Segment& segment, unsigned side) {
+    const auto [place, is_new] = place_.emplace(key, segments_.size());
+    if (is_new) segments_.push_back(segment);
+    segments_[place->second].side = is_new ? side : segments_[place->second].side | side;
+  }
+
+  void add_shell(std::size_t e, unsigned side) {
+    const model::Part& part = model_.parts[at(model_.shells.part[e])];
+    contact::Segment s;
+    for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[at(model_.shells.node[e][a])];
+    s.thickness = contact_thickness(card_, part, model_.shells.thickness[e], side == tracked);
+    if (thinned_[e]) s.thickness *= model_.control.weld_thinning;
+    s.scale = stiffness_scale(side) * part.stiffness_scale;
+    s.bulk_modulus = stiffness_scale(side) * bulk_modulus(model_, part);
+    s.mass = density(part) * area(model_.shells.node[e]) * model_.shells.thickness[e];
+    s.kind = rough_.of_part[at(model_.shells.part[e])];
+    s.element = static_cast<int>(e);
+    add_segment(key_of(model_.shells.node[e]), s, side);
+  }
+
+  /// Faces that one brick alone has, among those of the parts; those of a segment set that no shell is; and of an
+  /// eroding contact those between two bricks, once for each: it is bare when the other has died.
+  void add_faces(const std::vector<bool>& in, const std::map<Key, bool>& wanted, unsigned side) {
+    struct Face {
+      Key node;
+      std::size_t solid;
+      bool listed;
+    };
+    std::map<Key, std::vector<Face>> found;
+    for (std::size_t e = 0; e < model_.solids.size(); ++e) {
+      // The sheets touch, not the adhesive between them.
+      if (model::bond_of(model_, model_.parts[at(model_.solids.part[e])])) continue;
+      for (const model::Segment& node : model::faces_of(model_.solids, e)) {
+        const Key key = key_of(node);
+        const auto set = wanted.find(key);
+        const bool listed = set != wanted.end() && !set->second;
+        if (!in_box(node)) continue;
+        if (in[at(model_.solids.part[e])] || listed) found[key].push_back({node, e, listed});
+      }
+    }
+    for (const auto& [key, of] : found) {
+      if (of.size() == 1 || of.front().listed) add_face(key, of.front().node, of.front().solid, side);
+      if (!erodes(card_) || of.size() != 2 || of.front().listed) continue;
+      add_covered_face(of[0].node, of[0].solid, of[1].solid, side);
+      add_covered_face(of[1].node, of[1].solid, of[0].solid, side);
+    }
+  }
+
+  contact::Segment face(const Key& node, std::size_t solid, unsigned side) const {
+    contact::Segment s;
+    for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[at(node[a])];
+    const model::Part& part = model_.parts[at(model_.solids.part[solid])];
+    s.scale = stiffness_scale(side) * part.stiffness_scale;
+    s.bulk_modulus = stiffness_scale(side) * bulk_modulus(model_, part);
+    s.kind = rough_.of_part[at(model_.solids.part[solid])];
+    // Each of the four triangles of a six-node face has its share of the solid behind it.
+    s.volume = volume(model_.solids.node[solid], system_.ties.x) * (model_.solids.quadratic(solid) ? 0.25 : 1.0);
+    s.mass = 0.5 * density(part) * s.volume;
+    s.element = place_of(solid);
+    return s;
+  }
+
+  int place_of(std::size_t solid) const {
+    return ElementAlive::place(model_, model::ElementKind::solid, static_cast<model::Index>(solid));
+  }
+
+  void add_face(const Key& key, const Key& node, std::size_t solid, unsigned side) {
+    add_segment(key, face(node, solid, side), side);
+  }
+
+  void add_covered_face(const Key& node, std::size_t solid, std::size_t other, unsigned side) {
+    contact::Segment s = face(node, solid, side);
+    s.covered_by = place_of(other);
+    s.side = side;
+    segments_.push_back(s);
+  }
+
+  const system::System& system_;
+  const model::Model& model_;
+  const model::Contact& card_;
+  const FrictionKinds& rough_;
+  const model::Surface* surface_ = nullptr;  // being added
+  std::vector<char> thinned_;                // shells near welds
+  std::vector<contact::Segment> segments_;
+  std::map<Key, std::size_t> place_;
+};
+
+/// The kind of friction of each node of the system: of most of the shells at it; where there are none, of the bricks,
+/// and else of the beams.
+std::vector<int> kind_of_nodes(const system::System& system, const FrictionKinds& rough) {
+  const model::Model& model = system.model;
+  std::vector<std::vector<int>> kinds(system.all_nodes());
+  const auto add_elements = [&](const auto& elements, std::size_t corners) {
+    std::vector<char> taken(kinds.size());
+    for (std::size_t n = 0; n < kinds.size(); ++n) taken[n] = !kinds[n].empty();
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      for (std::size_t a = 0; a < corners; ++a)
+        if (const std::size_t n = at(system.node_of[at(elements.node[e][a])]); !taken[n])
+          kinds[n].push_back(rough.of_part[at(elements.part[e])]);
+  };
+  add_elements(model.shells, 4);
+  add_elements(model.solids, 8);
+  add_elements(model.beams, 2);
+  std::vector<int> of_node;
+  for (std::vector<int>& at_node : kinds) of_node.push_back(contact::commonest(at_node));
+  return of_node;
+}
+
+/// The nodes of a node set, each as thick as the shells at it, and as rough as the elements.
+std::vector<contact::TrackedNode> listed_nodes(const system::System& system, const model::Contact& card,
+                                               const FrictionKinds& rough) {
+  if (card.a.nodes.empty()) return {};
+  const model::Model& model = system.model;
+  const std::vector<int> kind = kind_of_nodes(system, rough);
+  const std::vector<char> thinned = shells_near_welds(system);
+  std::vector<double> sum(model.nodes.size(), 0.0);
+  std::vector<int> count(model.nodes.size(), 0);
+  for (std::size_t e = 0; e < model.shells.size(); ++e) {
+    const model::Part& part = model.parts[at(model.shells.part[e])];
+    const double own = contact_thickness(card, part, model.shells.thickness[e], true);
+    for (int a = 0; a < (model.shells.triangle(e) ? 3 : 4); ++a) {
+      sum[at(model.shells.node[e][at(a)])] += thinned[e] ? own * model.control.weld_thinning : own;
+      ++count[at(model.shells.node[e][at(a)])];
+    }
+  }
+  std::vector<contact::TrackedNode> nodes;
+  for (model::Index n : card.a.nodes) {
+    if (!card.a.holds(system.ties.x[at(n)])) continue;
+    const double thickness = count[at(n)] > 0 ? sum[at(n)] / count[at(n)] : contact_thickness(card, {}, 0.0, true);
+    const int node = system.node_of[at(n)];
+    nodes.push_back({node, thickness, reference, false, kind[at(node)]});
+  }
+  return nodes;
+}
+
+/// The faces of shells and bricks that have a node of the node set.
+std::vector<contact::Segment> faces_at_listed_nodes(const system::System& system, const model::Contact& card,
+                                                    const FrictionKinds& rough) {
+  const model::Model& model = system.model;
+  std::vector<char> listed(model.nodes.size(), 0), in(model.parts.size(), 0);
+  for (model::Index n : card.a.nodes) listed[at(n)] = 1;
+  const auto is_listed = [&](model::Index n) { return listed[at(n)] != 0; };
+  const auto look_at = [&](const auto& elements) {
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      if (std::any_of(elements.node[e].begin(), elements.node[e].end(), is_listed)) in[at(elements.part[e])] = 1;
+  };
+  look_at(model.shells);
+  look_at(model.solids);
+  model::Surface around;
+  for (std::size_t p = 0; p < in.size(); ++p)
+    if (in[p]) around.parts.push_back(static_cast<model::Index>(p));
+  Surfaces surfaces(system, card, rough);
+  surfaces.add(around, tracked);
+  std::vector<contact::Segment> shown = surfaces.take();
+  std::vector<char> of_system(system.all_nodes(), 0);
+  for (model::Index n : card.a.nodes) of_system[at(system.node_of[at(n)])] = 1;
+  std::erase_if(shown, [&](const contact::Segment& s) {
+    return std::none_of(s.node.begin(), s.node.end(), [&](int n) { return of_system[at(n)] != 0; });
+  });
+  return shown;
+}
+
+/// The nodes of the beams of a contact that looks at these; to be pressed by the segments of the side `against`.
+std::vector<contact::TrackedNode> ends_of_bars(const system::System& system, const model::Contact& card,
+                                               unsigned against) {
+  std::vector<contact::TrackedNode> nodes;
+  if (!tracks_beams(card)) return nodes;
+  for (const contact::Edge& bar : bars(system, card, false))
+    for (int n : bar.node) nodes.push_back({n, bar.thickness, against, false, bar.kind});
+  return nodes;
+}
+
+/// ENMASS: which nodes an eroding contact keeps when all their elements have died.
+void let_stay(const system::System& system, std::vector<contact::TrackedNode>& nodes) {
+  const model::Model& model = system.model;
+  std::vector<char> of_shell(system.all_nodes(), 0);
+  for (const auto& shell : model.shells.node)
+    for (model::Index n : shell) of_shell[at(system.node_of[at(n)])] = 1;
+  const int keep = model.control.nodes_of_dead;
+  for (contact::TrackedNode& n : nodes) n.stays = keep == 2 || (keep == 1 && !of_shell[at(n.node)]);
+}
+
+/// Both sides' nodes in one list, by node; one on both sides is against both.
+std::vector<contact::TrackedNode> merged(std::vector<contact::TrackedNode> nodes) {
+  const auto by_node = [](const auto& a, const auto& b) { return a.node < b.node; };
+  std::stable_sort(nodes.begin(), nodes.end(), by_node);
+  std::vector<contact::TrackedNode> once;
+  for (const contact::TrackedNode& n : nodes) {
+    if (once.empty() || once.back().node != n.node)
+      once.push_back(n);
+    else
+      once.back().against |= n.against;
+  }
+  return once;
+}
+
+}  // namespace
+
+std::vector<contact::SqueezedBrick> bricks_of(const system::System& system, const model::InteriorContact& contact) {
+  const model::Model& model = system.model;
+  std::vector<const model::InteriorPart*> in(model.parts.size(), nullptr);
+  for (const model::InteriorPart& p : contact.parts)
+    if (model.parts[at(p.part)].rigid_body == model::none && !weld::of_weld_material(model, p.part) &&
+        !model::bond_of(model, model.parts[at(p.part)]))
+      in[at(p.part)] = &p;
+  std::vector<contact::SqueezedBrick> bricks;
+  for (std::size_t e = 0; e < model.solids.size(); ++e) {
+    const model::Part& part = model.parts[at(model.solids.part[e])];
+    const model::InteriorPart* attributes = in[at(model.solids.part[e])];
+    if (!attributes) continue;
+    contact::SqueezedBrick brick;
+    for (std::size_t a = 0; a < 8; ++a) brick.node[a] = system.node_of[at(model.solids.node[e][a])];
+    brick.element = ElementAlive::place(model, model::ElementKind::solid, static_cast<model::Index>(e));
+    brick.activation = attributes->activation;
+    brick.modulus = attributes->modulus > 0.0
+                        ? attributes->modulus
+                        : model.control.penalty_scale * attributes->scale * model.materials[at(part.material)].young();
+    bricks.push_back(brick);
+  }
+  return bricks;
+}
+
+bool held_for_good(const model::Model& model, model::Index rigid_body) {
+  const model::RigidBody& body = model.rigid_bodies[at(rigid_body)];
+  std::array<Directions, 2> held;  // of translations, of rotations
+  const Frame3d& axes = body.fixed_axes;
+  const std::array<Vec3d, 3> own{axes.e1, axes.e2, axes.e3};
+  for (std::size_t i = 0; i < 6; ++i)
+    if (body.fixed >> i & 1u) held[i / 3].add(own[i % 3]);
+  for (const model::PrescribedMotion& motion : model.motions) {
+    const bool for_good =
+        motion.birth <= 0.0 && motion.death >= model.control.end_time && model.curves[at(motion.curve)].in_run;
+    if (motion.rigid_body != rigid_body || !for_good) continue;
+    Directions& driven = held[motion.rotation ? 1 : 0];
+    driven.add(motion.direction);
+    if (!motion.only_direction)
+      for (const Vec3d& n : own) driven.add(n);
+  }
+  return held[0].all() && held[1].all();
+}
+
+double contact_thickness(const model::Contact& contact, const model::Part& part, double own, bool of_a) {
+  const double given = of_a ? contact.thickness_a : contact.thickness_b;
+  const double scale = of_a ? contact.thickness_scale_a : contact.thickness_scale_b;
+  if (given > 0.0) return contact.keyword.find("MORTAR") != std::string::npos ? given * scale : given;
+  return (part.contact_thickness > 0.0 ? part.contact_thickness : own * part.contact_scale) * scale;
+}
+
+double bulk_modulus(const model::Model& model, const model::Part& part) {
+  const model::Material& material = model.materials[at(part.material)];
+  return part.stiffness_scale * material.young() / (3.0 * (1.0 - 2.0 * std::min(material.poisson(), 0.49)));
+}
+
+/// The penalty law that the card asks for.
+static kernel::PenaltyLaw law_of(const model::Contact& card, const FrictionKinds& rough) {
+  kernel::PenaltyLaw law;
+  if (card.soft == 1) law.stiffness = kernel::PenaltyStiffness::node_masses;
+  if (card.soft == 2) law.stiffness = kernel::PenaltyStiffness::segment_masses;
+  law.soft_scale = card.soft_scale;
+  law.soft_step = card.soft_step;
+  law.damping = card.damping;
+  law.balances_friction = card.balances_friction;
+  law.friction = rough.table;
+  return law;
+}
+
+contact::SurfaceContactSetup contact_setup(const system::System& system, const model::Contact& card) {
+  contact::SurfaceContactSetup setup;
+  const FrictionKinds rough(system.model, card);
+  Surfaces surfaces(system, card, rough);
+  surfaces.add(card.a, tracked);
+  const bool single = card.kind == model::Contact::Kind::single_surface;
+  if (!single) surfaces.add(card.b, reference);
+  setup.segments = surfaces.take();
+
+  if (single) {
+    setup.nodes = contact::nodes_of(setup.segments);
+  } else {
+    setup.nodes = contact::nodes_of(setup.segments, tracked, reference);
+    const auto listed = listed_nodes(system, card, rough);
+    setup.nodes.insert(setup.nodes.end(), listed.begin(), listed.end());
+    if (card.glue && !card.glue->by_force && !card.a.nodes.empty())
+      setup.faces_at_nodes = faces_at_listed_nodes(system, card, rough);
+    if (card.kind == model::Contact::Kind::two_surfaces) {
+      const auto others = contact::nodes_of(setup.segments, reference, tracked);
+      setup.nodes.insert(setup.nodes.end(), others.begin(), others.end());
+    }
+  }
+  const auto ends = ends_of_bars(system, card, single ? tracked : reference);
+  setup.nodes.insert(setup.nodes.end(), ends.begin(), ends.end());
+  setup.nodes = merged(std::move(setup.nodes));
+  if (erodes(card)) let_stay(system, setup.nodes);
+  setup.stiffness_scale = system.model.control.penalty_scale;
+  setup.deepest = card.deepest;
+  setup.edges_meet = checks_edges(card);
+  setup.law = law_of(card, rough);
+  setup.birth = card.birth;
+  setup.death = card.death;
+  return setup;
+}
+
+}  // namespace nugget::impact

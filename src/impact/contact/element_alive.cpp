@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/contact/element_alive.hpp"
+
+#include "base/index.hpp"
+
+namespace nugget::impact {
+
+ElementAlive::ElementAlive(const model::Model& model)
+    : alive_(model.shells.size() + model.solids.size() + model.beams.size(), 1) {}
+
+int ElementAlive::place(const model::Model& model, model::ElementKind kind, model::Index element) {
+  std::size_t first = 0;
+  if (kind != model::ElementKind::shell) first += model.shells.size();
+  if (kind == model::ElementKind::beam) first += model.solids.size();
+  return static_cast<int>(first) + element;
+}
+
+ElementAlive::Deaths ElementAlive::update(const system::System& system) {
+  int deaths = 0, of_shells = 0;
+  for (const auto& group : system.groups) {
+    deaths += group->deaths;
+    if (group->kind == model::ElementKind::shell) of_shells += group->deaths;
+  }
+  const Deaths news{deaths != deaths_, of_shells != shell_deaths_};
+  deaths_ = deaths;
+  shell_deaths_ = of_shells;
+  if (!news.any) return news;
+  for (const auto& group : system.groups) {
+    if (group->kind == model::ElementKind::discrete) continue;  // springs are on no surface
+    for (std::size_t e = 0; e < group->size(); ++e)
+      if (!group->alive(e)) alive_[at(place(system.model, group->kind, group->element[e]))] = 0;
+  }
+  return news;
+}
+
+}  // namespace nugget::impact

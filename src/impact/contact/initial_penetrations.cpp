@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/contact/initial_penetrations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/index.hpp"
+
+namespace nugget::impact {
+namespace {
+
+constexpr std::size_t proposals = 5;  // with IGNORE = 2: coordinates of the deepest nodes only
+
+int node_id(const system::System& system, int node) {
+  return system.model.nodes.id[at(system.model_node[at(node)])];
+}
+
+std::string element_name(const model::Model& model, const contact::Segment& segment) {
+  const auto shells = static_cast<int>(model.shells.size());
+  if (segment.element < shells) return fmt::format("shell {}", model.shells.id[at(segment.element)]);
+  return fmt::format("solid {}", model.solids.id[at(segment.element - shells)]);
+}
+
+std::string proposal(const system::System& system, const contact::Penetration& p, std::span<const Row> x) {
+  const Vec3d out = vec(x[at(p.node)]) + p.depth * p.direction;
+  return fmt::format("node {} to ({:.6g}, {:.6g}, {:.6g})", node_id(system, p.node), out.x, out.y, out.z);
+}
+
+}  // namespace
+
+void treat_initial_penetrations(const system::System& system, const model::Contact& card,
+                                const contact::SurfaceContactSetup& setup, std::span<Row> x, Findings& findings) {
+  std::vector<contact::Penetration> found =
+      card.ignore == 0 ? contact::remove_penetrations(setup, x) : contact::find_penetrations(setup, x);
+  // What round-off makes of sheets or bricks that just touch is none.
+  std::erase_if(found, [&setup](const contact::Penetration& p) {
+    const contact::Segment& s = setup.segments[at(p.segment)];
+    return p.depth <= 1e-6 * (s.volume > 0.0 ? std::cbrt(s.volume) : s.thickness);
+  });
+  if (found.empty()) return;
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
+  std::vector<int> nodes;
+  for (const contact::Penetration& p : found) nodes.push_back(p.node);
+  std::sort(nodes.begin(), nodes.end());
+  const auto count = std::unique(nodes.begin(), nodes.end()) - nodes.begin();
+  const contact::Penetration& worst = found.front();
+  const std::string what = fmt::format(
+      "{} nodes stand in the thickness of a sheet or in a brick at the start; the deepest is node {}, "
+      "{:.4g} deep in {}",
+      count, node_id(system, worst.node), worst.depth, element_name(system.model, setup.segments[at(worst.segment)]));
+  const std::string keyword = '*' + card.keyword;
+  if (card.ignore == 0)
+    return findings.warning(card.place, keyword, what + "; they were moved out (IGNORE = 0)",
+                            "IGNORE = 1 keeps the coordinates and tracks the initial penetration");
+  if (card.ignore == 1)
+    return findings.note(card.place, keyword, what + "; the overlap is kept and gives no force (IGNORE = 1)");
+  std::string advice = "move";
+  for (std::size_t i = 0; i < std::min(proposals, found.size()); ++i)
+    advice += (i == 0 ? " " : "; ") + proposal(system, found[i], x);
+  findings.warning(card.place, keyword, what + "; the overlap is kept and gives no force (IGNORE = 2)", advice);
+}
+
+}  // namespace nugget::impact

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/recording/element_histories.hpp"
+
+#include <string_view>
+#include <utility>
+
+#include "base/index.hpp"
+#include "output/element_stresses.hpp"
+
+namespace nugget::impact {
+namespace {
+
+/// The group that holds an element, and its place there; null where the element has no kernel.
+std::pair<const system::ElementGroup*, std::size_t> find(const Snapshot& now,
+                                                         const std::vector<system::System::Seat>& seats,
+                                                         model::Index element) {
+  const system::System::Seat seat = seats[at(element)];
+  if (seat.group < 0) return {nullptr, 0};
+  return {now.system.groups[at(seat.group)].get(), at(seat.element)};
+}
+
+output::EloutPoint point(const system::ElementGroup& group, std::size_t e, int layer, const Snapshot& now) {
+  if (!group.alive(e)) return {};
+  const system::ElementGroup::Layer l = group.layer(e, layer, now.state);
+  return {l.stress, l.plastic_strain};
+}
+
+output::EloutSolid solid(const Snapshot& now, model::Index index, const system::ElementGroup& group, std::size_t e) {
+  const model::Model& model = now.system.model;
+  const auto turned = [&](const output::Tensor& t) { return output::by_cmpflg(model, group, e, 0, now.state, t); };
+  output::EloutSolid row{model.solids.id[at(index)], model.parts[at(group.part)].id, point(group, e, 0, now),
+                         turned(now.strains.solid(at(index)))};
+  row.point.stress = turned(row.point.stress);
+  return row;
+}
+
+/// Axes of a layer of a shell as EOCS wants them; nothing: the global ones.
+std::optional<Frame3d> axes_of_layer(const Snapshot& now, const system::ElementGroup& group, std::size_t e, int layer) {
+  using enum model::Requests::ShellAxes;
+  const model::Requests& ask = now.system.model.requests;
+  if (ask.shell_axes == global) return {};
+  if (ask.shell_axes == standard && ask.material_axes)
+    if (const auto axes = group.material_axes(e, layer, now.state)) return axes;
+  return output::shell_axes(now.system, group, e, now.state);
+}
+
+output::EloutShell shell(const Snapshot& now, model::Index index, const system::ElementGroup& group, std::size_t e) {
+  const model::Model& model = now.system.model;
+  output::EloutShell row;
+  row.id = model.shells.id[at(index)];
+  row.part = model.parts[at(group.part)].id;
+  const auto turn = [&](output::Tensor& tensor, int layer) {
+    if (const auto axes = axes_of_layer(now, group, e, layer)) tensor = output::along(*axes, tensor);
+  };
+  for (int k = 0; k < group.layers(); ++k) {
+    row.layers.push_back(point(group, e, k, now));
+    turn(row.layers.back().stress, k);
+  }
+  const Strains::Faces faces = now.strains.shell(at(index), now.state);
+  row.lower_strain = faces.lower;
+  row.upper_strain = faces.upper;
+  turn(row.lower_strain, 0);
+  turn(row.upper_strain, group.layers() - 1);
+  return row;
+}
+
+/// LS-DYNA's number of the laws that beams can have; 0 where this table does not know it.
+int material_type(const model::Material& material) {
+  static constexpr std::pair<std::string_view, int> numbers[] = {{"MAT_SPOTWELD", 100},
+                                                                 {"MAT_LINEAR_ELASTIC_DISCRETE_BEAM", 66},
+                                                                 {"MAT_NONLINEAR_ELASTIC_DISCRETE_BEAM", 67},
+                                                                 {"MAT_NONLINEAR_PLASTIC_DISCRETE_BEAM", 68},
+                                                                 {"MAT_ELASTIC_SPRING_DISCRETE_BEAM", 74},
+                                                                 {"MAT_GENERAL_NONLINEAR_6DOF_DISCRETE_BEAM", 119},
+                                                                 {"MAT_GENERAL_NONLINEAR_1DOF_DISCRETE_BEAM", 121},
+                                                                 {"MAT_GENERAL_SPRING_DISCRETE_BEAM", 196},
+                                                                 {"MAT_ELASTIC", 1},
+                                                                 {"MAT_PLASTIC_KINEMATIC", 3},
+                                                                 {"MAT_PIECEWISE_LINEAR_PLASTICITY", 24}};
+  for (const auto& [keyword, number] : numbers)
+    if (material.keyword.starts_with(keyword)) return number;
+  return 0;
+}
+
+output::EloutBeam beam(const Snapshot& now, model::Index index, const system::ElementGroup& group, std::size_t e) {
+  const model::Model& model = now.system.model;
+  const model::Part& part = model.parts[at(group.part)];
+  output::EloutBeam row;
+  row.id = model.beams.id[at(index)];
+  row.part = part.id;
+  row.material_type = material_type(model.materials[at(part.material)]);
+  if (group.alive(e)) {
+    const std::array<double, 8> r = group.resultants(e);
+    row.axial = r[0];
+    row.shear_s = r[1];
+    row.shear_t = r[2];
+    row.torsion = r[3];
+    row.moment_s = r[4];
+    row.moment_t = r[5];
+  }
+  for (int k = 0; k < std::min(model.requests.beam_points, group.layers()); ++k) {
+    const output::EloutPoint p = point(group, e, k, now);
+    row.points.push_back({p.stress[0], p.stress[3], p.stress[5], p.plastic_strain});
+  }
+  return row;
+}
+
+}  // namespace
+
+output::EloutState elout_state(const Snapshot& now) {
+  const model::Model& model = now.system.model;
+  output::EloutState s;
+  s.cycle = now.state.cycle + 1;  // LS-DYNA counts from 1
+  s.time = now.state.time;
+  s.strains = model.requests.strains;
+  s.local_shells = model.requests.shell_axes != model::Requests::ShellAxes::global;
+  for (const model::NamedEntity& entity : model.requests.history_solids) {
+    const auto [group, e] = find(now, now.system.solid_seat, entity.index);
+    if (group == nullptr) continue;
+    s.solids.push_back(solid(now, entity.index, *group, e));
+  }
+  for (const model::NamedEntity& entity : model.requests.history_beams) {
+    const auto [group, e] = find(now, now.system.beam_seat, entity.index);
+    if (group != nullptr) s.beams.push_back(beam(now, entity.index, *group, e));
+  }
+  for (const model::NamedEntity& entity : model.requests.history_shells) {
+    const auto [group, e] = find(now, now.system.shell_seat, entity.index);
+    if (group == nullptr) continue;
+    s.shells.push_back(shell(now, entity.index, *group, e));
+  }
+  return s;
+}
+
+}  // namespace nugget::impact

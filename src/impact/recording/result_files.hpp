@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "impact/simulation/snapshot.hpp"
+#include "output/ascii.hpp"
+#include "output/binout.hpp"
+#include "output/d3plot.hpp"
+
+namespace nugget::impact {
+
+/// Writes the files that the deck's *DATABASE_ cards ask for, each at its own interval: ASCII histories, binout0000,
+/// d3plot; and glstat as text in any case, since the report draws the energies from it. Throws output::WriteError when
+/// the disk is full or may not be written.
+class ResultFiles : public Recorder {
+ public:
+  ResultFiles(const system::System& system, const std::filesystem::path& directory, const output::Header& header);
+
+  bool due(const system::State& state) override;
+  void write(const Snapshot& now, bool last) override;
+  /// Sizes of the files and when they are next due. Reading, what was written later is cut off.
+  void archive(Archive& a) override;
+
+ private:
+  /// One file with its rhythm.
+  struct Channel {
+    const model::Request* request;
+    std::function<void(const Snapshot&)> write;
+    std::function<void(Archive&)> archive_file;
+    double next = 0.0;
+    void archive(Archive& a);
+  };
+  bool due(const Channel& channel, const system::State& state) const;
+  /// A channel for an ASCII file, for binout, or for both, as the request says.
+  template <class File, class MakeState>
+  void add(const model::Request& request, const char* name, MakeState make_state,
+           std::vector<output::LegendEntry> legend = {});
+  void add_elout();
+  output::Binout& binout();  ///< made where it is asked for first
+
+  const model::Model& model_;
+  std::filesystem::path directory_;
+  output::Header header_;
+  model::Request energies_;  ///< of glstat
+  std::shared_ptr<output::Binout> binout_;
+  std::vector<Channel> channels_;
+};
+
+}  // namespace nugget::impact

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/simulation/energy.hpp"
+
+#include <algorithm>
+
+#include "base/index.hpp"
+#include "base/parallel.hpp"
+#include "model/axes.hpp"
+
+namespace nugget::impact {
+namespace {
+
+constexpr std::size_t sums_of = 1024;  // elements or nodes: fixed, so that sums do not depend on the number of threads
+
+/// Share of the way from t(n-1/2) to t(n+1/2) at which the second velocity of the product v(n-1/2) . v stands, so that
+/// the energy fits the work booked until t(n), 1/2 F . v(n-1/2) dt(n-1): 1 at a constant step, 0 at the start.
+double share_of_kick(const system::State& state) {
+  return 2.0 * share_before_now(state);
+}
+
+Vec3d between(const Vec3d& before, const Vec3d& after, double share) {
+  return before + share * (after - before);
+}
+
+/// Kinetic energy of a body's turning; `w` and `momentum` at t(n-1/2), those of `state` and `body` at t(n+1/2).
+double turning(const system::RigidBody& body, const system::State& state, const Vec3d& w, const Vec3d& momentum,
+               double share) {
+  return 0.25 * (dot(w, between(momentum, body.angular_momentum, share)) +
+                 dot(momentum, between(w, vec(state.w[at(body.node)]), share)));
+}
+
+/// Kinetic energy and momentum of mass and rotary inertia put at one node, by unit of each.
+struct Carried {
+  double mass = 0.0;  ///< share of the mass that counts: none where a body's mass is given
+  double by_mass = 0.0, by_inertia = 0.0;
+  Vec3d momentum;
+};
+
+/// What hands nodal masses to parts: kinetic energy and momentum.
+struct Carrier {
+  const system::System& system;
+  const system::State& state;
+  std::span<const Row> v_before, w_before;
+  double share;
+  std::vector<char> weightless;  ///< by node: its body's mass is given
+  std::vector<char> bare;        ///< by node: has lost all its elements; empty if none was lost
+  std::vector<Carried> carried;  ///< by node
+
+  Carrier(const system::System& s, const system::State& now, std::span<const Row> v, std::span<const Row> w)
+      : system(s), state(now), v_before(v), w_before(w), share(share_of_kick(now)), weightless(s.all_nodes(), 0) {
+    for (const system::RigidBody& body : s.bodies) {
+      const model::RigidBody& source = s.model.rigid_bodies[at(body.source)];
+      if (!source.given) continue;
+      for (const model::Index n : source.nodes) weightless[at(s.node_of[at(n)])] = 1;
+    }
+    carried.resize(s.all_nodes());
+    parallel_for(carried.size(), sums_of, [this](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) carried[k] = carried_by(static_cast<int>(k));
+    });
+    find_bare_nodes();
+  }
+
+  /// Nodes that follow others, tied ones and those of rigid bodies, go on with them and are not bare; nor are those
+  /// with a mass of their own.
+  void find_bare_nodes() {
+    const auto lost = [](const std::unique_ptr<system::ElementGroup>& group) {
+      for (std::size_t e = 0; e < group->size(); ++e)
+        if (!group->alive(e)) return true;
+      return false;
+    };
+    if (std::ranges::none_of(system.groups, lost)) return;
+    bare.assign(system.all_nodes(), 1);
+    for (const auto& group : system.groups)
+      for (std::size_t e = 0; e < group->size(); ++e)
+        if (group->alive(e))
+          for (const int node : group->nodes(e)) bare[at(node)] = 0;
+    for (const system::System::Lump& lump : system.lumps())
+      for (int a = 0; a < lump.corners; ++a) bare[at(lump.node[at(a)])] = 0;
+    for (const model::PointMass& m : system.model.masses) bare[at(system.node_of[at(m.node)])] = 0;
+    for (const model::PointInertia& p : system.model.inertias) bare[at(system.node_of[at(p.node)])] = 0;
+    for (std::size_t k = 0; k < bare.size(); ++k)
+      if (system.map.dependent(static_cast<int>(k))) bare[k] = 0;
+  }
+
+  /// A tied node's mass is, as in the equations of motion, that of the nodes which it follows.
+  Carried carried_by(int node) const {
+    const auto k = at(node);
+    if (weightless[k]) return {};
+    if (system.map.dependent(node) && at(system.map.terms(node).front().node) < system.nodes) {
+      Carried sum;
+      for (const system::ConstraintMap::Term& t : system.map.terms(node)) {
+        const Carried one = carried_by(t.node);
+        sum.mass += t.weight * one.mass;
+        sum.by_mass += t.weight * (one.by_mass + dot(t.arm, t.arm) * one.by_inertia);
+        sum.by_inertia += t.weight * one.by_inertia;
+        sum.momentum += t.weight * one.momentum;
+      }
+      if (!system.map.rotations(node)) sum.by_inertia = by_own_spin(k);
+      return sum;
+    }
+    const Vec3d before = vec(v_before[k]), after = vec(state.v[k]);
+    return {1.0, 0.5 * dot(before, between(before, after, share)), by_own_spin(k), between(before, after, 0.5 * share)};
+  }
+
+  double by_own_spin(std::size_t k) const {
+    const Vec3d spin = vec(w_before[k]);
+    return 0.5 * dot(spin, between(spin, vec(state.w[k]), share));
+  }
+
+  void carry(PartEnergy& part, int node, double m, double inertia) const {
+    const Carried& by = carried[at(node)];
+    (bare.empty() || !bare[at(node)] ? part.kinetic : part.eroded_kinetic) += m * by.by_mass + inertia * by.by_inertia;
+    part.momentum += m * by.momentum;
+    part.mass += m * by.mass;
+  }
+
+  /// What elements [begin, end) of a group add to its part.
+  PartEnergy sum(const system::ElementGroup& group, std::size_t begin, std::size_t end) const {
+    PartEnergy part;
+    for (std::size_t e = begin; e < end; ++e) {
+      const double internal = group.internal_energy(e), hourglass = group.hourglass_energy(e);
+      if (group.alive(e)) {
+        part.internal += internal;
+        part.hourglass += hourglass;
+      } else {
+        part.eroded += internal + hourglass;
+      }
+      const auto nodes = group.nodes(e);
+      const double scale = group.mass_scale(e), inertia = scale * group.nodal_inertia(e);
+      for (int a = 0; a < group.nodes_per_element; ++a)
+        carry(part, nodes[at(a)], scale * group.nodal_mass(e, a), inertia);
+    }
+    return part;
+  }
+
+  /// Of a node the mean of the tensor counts, of a body's node all of it.
+  void carry(PartEnergy& part, const model::PointInertia& point) const {
+    const int node = system.node_of[at(point.node)];
+    const double mean = (point.inertia[0] + point.inertia[3] + point.inertia[5]) / 3.0;
+    carry(part, node, point.mass, mean);
+    if (weightless[at(node)] || !system.map.dependent(node)) return;
+    const auto body = at(system.map.terms(node).front().node);
+    if (body < system.nodes) return;
+    system::Inertia tensor = point.inertia;
+    for (const std::size_t i : {0u, 3u, 5u}) tensor[i] -= mean;
+    const Frame3d& axes = system.bodies[body - system.nodes].axes;
+    const Vec3d w = axes.local(vec(w_before[body])), after = axes.local(vec(state.w[body]));
+    const Vec3d x{tensor[0], tensor[1], tensor[2]}, y{tensor[1], tensor[3], tensor[4]},
+        z{tensor[2], tensor[4], tensor[5]};
+    const Vec3d mixed = between(w, after, share);
+    part.kinetic += 0.5 * dot(w, Vec3d{dot(x, mixed), dot(y, mixed), dot(z, mixed)});
+  }
+};
+
+/// What some elements of a group add to its part.
+struct GroupSum {
+  const system::ElementGroup* group;
+  std::size_t begin, end;
+  PartEnergy found;
+};
+
+}  // namespace
+
+PartEnergy& PartEnergy::operator+=(const PartEnergy& other) {
+  internal += other.internal;
+  kinetic += other.kinetic;
+  hourglass += other.hourglass;
+  eroded += other.eroded;
+  eroded_kinetic += other.eroded_kinetic;
+  mass += other.mass;
+  momentum += other.momentum;
+  return *this;
+}
+
+double share_before_now(const system::State& state) {
+  const double both = state.dt_previous + state.dt;
+  return both > 0.0 ? state.dt_previous / both : 0.5;
+}
+
+double kinetic_energy(const system::System& system, const system::State& state, std::span<const Row> v_before,
+                      std::span<const Row> w_before, std::span<const Vec3d> momentum_before) {
+  const double share = share_of_kick(state);
+  double sum = ordered_sum(system.nodes, [&](std::size_t k) {
+    const Vec3d v = vec(v_before[k]), w = vec(w_before[k]);
+    return 0.5 * system.mass[k] * dot(v, between(v, vec(state.v[k]), share)) +
+           0.5 * system.inertia[k] * dot(w, between(w, vec(state.w[k]), share));
+  });
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const system::RigidBody& body = system.bodies[b];
+    const auto k = static_cast<std::size_t>(body.node);
+    const Vec3d v = vec(v_before[k]);
+    sum += 0.5 * body.mass * dot(v, between(v, vec(state.v[k]), share)) +
+           turning(body, state, vec(w_before[k]), momentum_before[b], share);
+  }
+  return sum;
+}
+
+void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
+                      std::span<const Row> w_before, std::span<const Vec3d> momentum_before, Energy& energy,
+                      std::vector<PartEnergy>& parts) {
+  energy.internal = energy.hourglass = energy.eroded = energy.eroded_kinetic = 0.0;
+  energy.lumped = {};
+  parts.assign(system.model.parts.size(), {});
+  const Carrier carrier(system, state, v_before, w_before);
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const system::RigidBody& body = system.bodies[b];
+    const model::RigidBody& source = system.model.rigid_bodies[at(body.source)];
+    if (!source.given) continue;
+    const Vec3d v = vec(v_before[at(body.node)]), after = vec(state.v[at(body.node)]);
+    const double kinetic = 0.5 * body.mass * dot(v, between(v, after, carrier.share)) +
+                           turning(body, state, vec(w_before[at(body.node)]), momentum_before[b], carrier.share);
+    PartEnergy& part = source.parts.empty() ? energy.lumped : parts[at(source.parts.front())];
+    part.kinetic += kinetic;
+    part.mass += body.mass;
+    part.momentum += body.mass * between(v, after, 0.5 * carrier.share);
+  }
+  std::vector<GroupSum> sums;
+  for (const auto& group : system.groups)
+    for (std::size_t begin = 0; begin < group->size(); begin += sums_of)
+      sums.push_back({group.get(), begin, std::min(group->size(), begin + sums_of), {}});
+  parallel_for(sums.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (GroupSum& s : std::span(sums).subspan(begin, end - begin)) s.found = carrier.sum(*s.group, s.begin, s.end);
+  });
+  for (const GroupSum& s : sums) {
+    parts[at(s.group->part)] += s.found;
+    energy.internal += s.found.internal;
+    energy.hourglass += s.found.hourglass;
+    energy.eroded += s.found.eroded;
+    energy.eroded_kinetic += s.found.eroded_kinetic;
+  }
+  for (const system::System::Lump& lump : system.lumps())
+    for (int a = 0; a < lump.corners; ++a)
+      carrier.carry(parts[static_cast<std::size_t>(lump.part)], lump.node[static_cast<std::size_t>(a)],
+                    lump.nodal_mass(a), lump.nodal_inertia);
+  PartEnergy points;
+  for (const model::PointMass& m : system.model.masses) carrier.carry(points, system.node_of[at(m.node)], m.mass, 0.0);
+  for (const model::PointInertia& p : system.model.inertias) carrier.carry(points, p);
+  energy.lumped += points;
+}
+
+Vec3d mean_velocity(const Energy& energy, const std::vector<PartEnergy>& parts) {
+  PartEnergy all = energy.lumped;
+  for (const PartEnergy& part : parts) all += part;
+  return all.mass > 0.0 ? (1.0 / all.mass) * all.momentum : Vec3d{};
+}
+
+}  // namespace nugget::impact

@@ -1,0 +1,606 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/simulation/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "base/index.hpp"
+#include "base/parallel.hpp"
+#include "impact/contact/contact_setup.hpp"
+#include "impact/contact/edge_setup.hpp"
+#include "impact/contact/initial_penetrations.hpp"
+#include "model/bond.hpp"
+#include "weld/tie/welds.hpp"
+
+namespace nugget::impact {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void tell_of_glue(const model::Contact& card, const contact::Glue& glue, Findings& findings) {
+  if (glue.at_start() > 0)
+    findings.note(card.place, '*' + card.keyword,
+                  fmt::format("{} nodes of SURFA are glued to SURFB at the start", glue.at_start()));
+  else if (!card.glue->sticks_later)
+    findings.warning(card.place, '*' + card.keyword, "no node of SURFA touches SURFB at the start: nothing is glued",
+                     "check the sides, and the gap between them against the thicknesses (SFSAT, SFSBT, SAST, SBST)");
+}
+
+/// A wall leaves alone what is tied, and what belongs to a rigid body unless RWPNAL has it stopped by penalty.
+void tell_of_held_nodes(const model::RigidWall& wall, const std::vector<int>& nodes, const system::System& system,
+                        Findings& findings) {
+  const bool by_penalty = system.model.control.wall_penalty > 0.0;
+  const auto held = std::count_if(nodes.begin(), nodes.end(), [&](int n) {
+    return system.map.dependent(n) && !(by_penalty && system.carrying_body(n) >= 0);
+  });
+  if (held > 0)
+    findings.note(wall.place, "*RIGIDWALL",
+                  fmt::format("{} of the nodes of wall {} are tied{}: the wall stops what they hang on, not them", held,
+                              wall.id, by_penalty ? "" : " or belong to nodal rigid bodies"));
+}
+
+/// What a node of a rigid part brings to a contact is its share of the body's mass, whatever the density of its mesh;
+/// of a body that nothing can move, none, which counts as held.
+void weigh_rigid_parts(const system::System& system, std::vector<double>& contact_mass) {
+  for (const system::RigidBody& body : system.bodies) {
+    const model::RigidBody& source = system.model.rigid_bodies[at(body.source)];
+    const bool held = held_for_good(system.model, body.source);
+    if (source.origin != model::RigidBody::Origin::part || !(held || source.given)) continue;
+    double mesh = 0.0;
+    for (const model::Index n : source.nodes) mesh += system.own_mass[at(system.node_of[at(n)])];
+    const double share = held || !(mesh > 0.0) ? 0.0 : body.mass / mesh;
+    for (const model::Index n : source.nodes) {
+      const std::size_t k = at(system.node_of[at(n)]);
+      contact_mass[k] = share * system.own_mass[k];
+    }
+  }
+}
+
+}  // namespace
+
+void Simulation::interrupt() {
+  interrupted = 1;
+}
+
+Simulation::Simulation(system::System& system, Findings& findings)
+    : system_(system),
+      state_(system.initial_state()),
+      supports_(system, findings),
+      loads_(system),
+      element_alive_(system.model),
+      welds_(system, findings),
+      rigid_welds_(system, findings),
+      rivets_(system, findings),
+      connectors_(system),
+      tie_forces_(system),
+      joints_(system),
+      tie_ends_(system, welds_, tie_forces_),
+      damping_(system),
+      preloads_(system, findings),
+      erosion_(system),
+      strains_(system, system.model.requests.strains),
+      nodal_forces_(system),
+      accelerometers_(system) {
+  const model::Model& model = system.model;
+  history_rotation_.resize(model.requests.history_nodes.size() + system.bodies.size());
+  for (const model::Contact& card : model.contacts) {
+    if (!card.slides()) continue;
+    contact::SurfaceContactSetup setup = contact_setup(system, card);
+    if (!setup.segments.empty()) treat_initial_penetrations(system, card, setup, state_.x, findings);
+    auto edges = edge_setup(system, card, setup, state_.x);
+    if (setup.segments.empty() && !(edges && !edges->edges.empty())) {
+      findings.error(card.place, '*' + card.keyword,
+                     "the contact has no segments: none of its parts has shells or bricks",
+                     "check SURFA and SURFATYP; beams alone are pressed by _GENERAL");
+      continue;
+    }
+    contacts_.emplace_back(std::move(setup), std::move(edges), card.glue, state_.x);
+    if (card.glue) tell_of_glue(card, *contacts_.back().glue(), findings);
+  }
+  for (const model::InteriorContact& card : model.interiors) {
+    auto bricks = bricks_of(system, card);
+    if (bricks.empty())
+      findings.warning(card.place, "*CONTACT_INTERIOR", "none of its parts has deformable bricks: it does nothing");
+    interiors_.emplace_back(std::move(bricks), state_.x);
+  }
+  for (const auto& group : system.groups)
+    if (auto* springs = dynamic_cast<system::SpringGroup*>(group.get()); springs && springs->has_stops())
+      stopped_springs_.push_back(springs);
+  for (const model::RigidWall& wall : model.walls) {
+    std::vector<int> nodes;
+    for (model::Index n : wall.nodes) nodes.push_back(system.node_of[at(n)]);
+    tell_of_held_nodes(wall, nodes, system, findings);
+    const Curve* curve = wall.motion_curve == model::none ? nullptr : &model.curves[at(wall.motion_curve)];
+    std::optional<contact::WallPenalty> bodies;
+    if (const double scale = model.control.wall_penalty; scale > 0.0) bodies.emplace(system, wall, nodes, scale);
+    if (bodies && !bodies->empty() && wall.friction >= 2.0)
+      findings.warning(wall.place, "*RIGIDWALL",
+                       fmt::format("FRIC {:g}: nodes of rigid bodies stay on wall {} only as long as they are pressed "
+                                   "on it, {}",
+                                   wall.friction, wall.id, wall.friction == 2.0 ? "without friction" : "and stick"),
+                       "hold such bodies by a constraint if they are to stay there");
+    walls_.emplace_back(wall, std::move(nodes), curve, std::move(bodies));
+  }
+}
+
+std::vector<std::string> Simulation::events() const {
+  std::vector<std::string> lines;
+  std::size_t next = 0;
+  for (const model::Contact& card : system_.model.contacts) {
+    if (!card.slides()) continue;
+    const contact::Glue* glue = contacts_[next++].glue();
+    if (glue == nullptr) continue;
+    std::string line = fmt::format("glue of contact {}: {} nodes at the start", card.id, glue->at_start());
+    if (card.glue->sticks_later) line += fmt::format(", {} later", glue->later());
+    line += fmt::format("; {} failed", glue->failed());
+    if (glue->failed() > 0)
+      line += fmt::format(", node {} first at time={:.5E}, the last at time={:.5E}",
+                          system_.model.nodes.id[at(system_.model_node[at(glue->first_node())])], glue->first_time(),
+                          glue->last_time());
+    lines.push_back(std::move(line));
+  }
+  std::map<model::Index, std::array<std::size_t, 2>> of_part;  // deleted, and all elements
+  for (const auto& group : system_.groups) {
+    const model::Part& part = system_.model.parts[at(group->part)];
+    if (weld::of_weld_material(system_.model, group->part)) continue;
+    std::size_t failed = 0;
+    if (!model::bond_of(system_.model, part)) {
+      for (std::size_t e = 0; e < group->size(); ++e) failed += !group->alive(e);
+      std::array<std::size_t, 2>& sum = of_part[group->part];
+      sum = {sum[0] + failed, sum[1] + group->size()};
+      continue;
+    }
+    double damage = 0.0;
+    for (std::size_t e = 0; e < group->size(); ++e) {
+      if (group->alive(e))
+        damage = std::max(damage, group->layer(e, 0, state_).plastic_strain);
+      else
+        ++failed;
+    }
+    lines.push_back(fmt::format("adhesive of part {}: {} of {} bricks deleted", part.id, failed, group->size()));
+    if (failed < group->size()) lines.back() += fmt::format(", largest damage of the others {:.3f}", damage);
+  }
+  for (const auto& [part, count] : of_part)
+    if (count[0] > 0)
+      lines.push_back(
+          fmt::format("part {}: {} of {} elements deleted", system_.model.parts[at(part)].id, count[0], count[1]));
+  return lines;
+}
+
+double Simulation::elapsed() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+void Simulation::charge(Phase phase) {
+  const auto now = std::chrono::steady_clock::now();
+  seconds_[phase] += std::chrono::duration<double>(now - charged_).count();
+  charged_ = now;
+}
+
+Outcome Simulation::run(const Options& options, Recorder& recorder, const ProgressCallback& progress) {
+  interrupted = 0;
+  begin_ = charged_ = std::chrono::steady_clock::now();
+  const double end_time = options.until > 0.0 ? options.until : system_.model.control.end_time;
+  Outcome outcome;
+  double next_report = 0.0;
+
+  start();
+  if (options.restore) {
+    options.restore();
+    begin_ -=
+        std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(solve_seconds_));
+  }
+  kept_cycle_ = state_.cycle;
+  kept_time_ = state_.time;
+  kept_seconds_ = solve_seconds_;
+  charge(elements);
+  const Outcome relaxed = options.restore ? Outcome{} : relax(options, progress);
+  for (bool last = false; !last;) {
+    if (!relaxed.stops()) keep(options);
+    choose_step(end_time);
+    const Outcome stop = relaxed.stops() ? relaxed : reason_to_stop(options, end_time);
+    last = stop.stops() || state_.time >= end_time;
+    if (last) outcome = stop;
+    const bool record = last || recorder.due(state_);
+    const bool known = record || state_.cycle % 100 == 0;
+    if (known) {
+      v_before_ = state_.v;
+      w_before_ = state_.w;
+      for (std::size_t b = 0; b < system_.bodies.size(); ++b) momentum_before_[b] = system_.bodies[b].angular_momentum;
+    }
+    kick();
+    if (known) {
+      // Dependent nodes follow at the start of the step, which turns the arms of their rows: here those of a copy.
+      system::ConstraintMap(system_.map).follow(state_.dt, state_.v, state_.w);
+      account();
+    }
+    // Numbers that are none would only spoil files that are good up to here.
+    if (record && !diverged_) {
+      masses_ = system_.masses();
+      const Snapshot now{
+          system_,   state_,  v_before_, w_before_,     energy_,           parts_,         controlling_, masses_,
+          supports_, loads_,  walls_,    contacts_,     interiors_,        tie_forces_,    welds_,       rigid_welds_,
+          rivets_,   joints_, strains_,  nodal_forces_, history_rotation_, accelerometers_};
+      recorder.write(now, last);
+    }
+    if (progress && elapsed() >= next_report) {
+      progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()),
+                failed_welds(), elapsed()});
+      next_report = elapsed() + 0.2;
+    }
+    charge(output);
+    if (!last) step();
+  }
+  solve_seconds_ = elapsed();
+  if (progress)
+    progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()),
+              failed_welds(), elapsed()});
+  return outcome;
+}
+
+void Simulation::keep(const Options& options) {
+  // Asked once a cycle: the run ends in the cycle that begins with the restart file.
+  stop_asked_ = interrupted != 0;
+  if (!options.keep || diverged_) return;
+  solve_seconds_ = elapsed();
+  const Checkpoints& every = options.checkpoints;
+  const auto passed = [](double before, double now, double interval) {
+    return interval > 0.0 && std::floor(now / interval) > std::floor(before / interval);
+  };
+  const bool due = (every.cycles > 0 && state_.cycle > kept_cycle_ && state_.cycle % every.cycles == 0) ||
+                   passed(kept_time_, state_.time, every.time) ||
+                   passed(kept_seconds_, solve_seconds_, 60.0 * every.minutes);
+  if (!due && !stop_asked_) return;
+  options.keep();
+  kept_cycle_ = state_.cycle;
+  kept_time_ = state_.time;
+  kept_seconds_ = solve_seconds_;
+}
+
+void Simulation::kick() {
+  rivets_.hold(state_, 0.5 * (state_.dt + state_.dt_previous), inverse_mass_);
+  accelerate();
+  supports_.prescribe(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
+  power_on_change_ += supports_.power_on_change();
+  for (system::SpringGroup* springs : stopped_springs_) springs->stop(state_, system_.mass);
+  constrain_by_walls();
+  charge(motion);
+}
+
+void Simulation::step() {
+  // The forces' work is booked with each velocity over its own step, 1/2 F . (v dt before + v dt after), while the
+  // kinetic energy changes by F . (v before + v after) (dt before + dt after) / 4 (docs/decisions/0021).
+  step_change_ += 0.25 * (state_.dt - state_.dt_previous) * power_on_change_;
+  supports_.open_step(state_.dt);
+  system_.map.follow(state_.dt, state_.v, state_.w);
+  accelerometers_.add_step(state_);
+  charge(constraints);
+  move();
+  charge(motion);
+  preloads_.apply(state_);
+  system_.internal_force(state_);
+  erosion_.update(state_, first_step_);
+  strains_.update(state_);
+  nodal_forces_.update(state_);
+  welds_.update(state_);
+  connectors_.update(state_);
+  bury();
+  charge(elements);
+  contact_forces();
+  charge(contacts);
+  applied_forces();
+  charge(loads);
+  collect();
+  if (system_.scale_mass(false)) update_inverse_mass();
+  charge(constraints);
+}
+
+void Simulation::start() {
+  v_before_ = state_.v;
+  w_before_ = state_.w;
+  momentum_before_.resize(system_.bodies.size());
+  supports_.hold_at_start(state_);
+  system_.map.follow(0.0, state_.v, state_.w);
+
+  // Stable steps of the undeformed mesh: one pass without a step, then mass scaling, then a second pass with the new
+  // masses.
+  preloads_.start(state_);
+  strains_.start(state_);
+  accelerometers_.start(state_);
+  internal_force_at_rest();
+  system_.scale_mass(true);
+  masses_changed();
+  contact_forces();
+  applied_forces();
+  collect();
+  masses_ = system_.masses();
+
+  controlling_ = system_.controlling();
+  first_step_ = controlling_.step;
+  smallest_step_ = std::numeric_limits<double>::infinity();
+}
+
+void Simulation::internal_force_at_rest() {
+  state_.dt = 0.0;
+  std::vector<Row> v(state_.v.size()), w(state_.w.size());
+  v.swap(state_.v);
+  w.swap(state_.w);
+  preloads_.apply(state_);
+  system_.internal_force(state_);
+  v.swap(state_.v);
+  w.swap(state_.w);
+}
+
+Outcome Simulation::relax(const Options& options, const ProgressCallback& progress) {
+  const model::Relaxation& control = system_.model.control.relaxation;
+  if (!control.on()) return {};
+  const std::vector<Row> v(state_.v), w(state_.w);
+  std::vector<Vec3d> momentum;
+  for (system::RigidBody& body : system_.bodies) momentum.push_back(std::exchange(body.angular_momentum, {}));
+  std::fill(state_.v.begin(), state_.v.end(), Row{});
+  std::fill(state_.w.begin(), state_.w.end(), Row{});
+  const auto begin_anew = [&](bool relaxing) {
+    state_.relaxing = relaxing;
+    state_.time = 0.0;
+    state_.cycle = 0;
+    internal_force_at_rest();
+    damping_.begin_anew();
+    contact_forces();
+    applied_forces();
+    collect();
+  };
+
+  begin_anew(true);
+  Outcome stop;
+  relaxation_ = Relaxation(control);
+  const double end_time = control.end_time > 0.0 ? control.end_time : std::numeric_limits<double>::infinity();
+  for (double next_report = 0.0; !relaxation_.at_rest() && state_.time < end_time;) {
+    choose_step(end_time);
+    stop_asked_ = interrupted != 0;
+    if (stop = reason_to_stop(options, end_time); stop.stops()) break;
+    relaxation_.damp(system_, state_);
+    kick();
+    step();
+    relaxation_.watch(system_, state_);
+    if (progress && elapsed() >= next_report) {
+      Progress p{state_.time, 0.0, state_.dt, state_.cycle, 1.0, 0, 0, elapsed()};
+      p.unrest = relaxation_.unrest();
+      progress(p);
+      next_report = elapsed() + 0.2;
+    }
+  }
+  if (stop.stops()) {
+    stop.message = "in the dynamic relaxation: " + stop.message;
+    return stop;
+  }
+
+  state_.v = v;
+  state_.w = w;
+  for (std::size_t b = 0; b < momentum.size(); ++b) system_.bodies[b].angular_momentum = momentum[b];
+  begin_anew(false);
+  accelerometers_.start(state_);
+  supports_.forget_work();
+  loads_.forget_work();
+  nodal_forces_.forget_work();
+  step_change_ = 0.0;
+  smallest_step_ = std::numeric_limits<double>::infinity();
+  return {};
+}
+
+void Simulation::masses_changed() {
+  update_inverse_mass();
+  tie_forces_.find_bounds();
+  system::bound_springs(system_);
+}
+
+void Simulation::update_inverse_mass() {
+  dependent_.resize(system_.all_nodes());
+  for (std::size_t k = 0; k < system_.all_nodes(); ++k) dependent_[k] = system_.map.dependent(static_cast<int>(k));
+  inverse_mass_.assign(system_.nodes, 0.0);
+  inverse_inertia_.assign(system_.nodes, 0.0);
+  contact_mass_.assign(system_.all_nodes(), 0.0);
+  for (std::size_t k = 0; k < system_.nodes; ++k) {
+    if (system_.mass[k] > 0.0) inverse_mass_[k] = 1.0 / system_.mass[k];
+    if (system_.inertia[k] > 0.0) inverse_inertia_[k] = 1.0 / system_.inertia[k];
+    contact_mass_[k] = dependent_[k] ? system_.own_mass[k] : system_.mass[k];
+  }
+  weigh_rigid_parts(system_, contact_mass_);
+  loads_.weigh();
+}
+
+void Simulation::choose_step(double end_time) {
+  const model::Control& control = system_.model.control;
+  controlling_ = system_.controlling();
+  state_.dt_previous = state_.cycle == 0 ? 0.0 : state_.dt;
+  double dt = controlling_.step;
+  if (control.mass_step < 0.0 || control.mass_step > 0.0) {
+    // Mass scaling keeps every element at the wanted step; the run takes it and not more.
+    dt = std::min(dt, std::max(std::abs(control.mass_step) * control.step_scale, 0.0));
+    if (controlling_.step > dt && control.mass_step < 0.0) dt = controlling_.step;
+  }
+  if (state_.relaxing && control.relaxation.step_scale > 0.0) dt *= control.relaxation.step_scale / control.step_scale;
+  if (control.step_curve != model::none)
+    dt = std::min(dt, system_.model.curves[at(control.step_curve)].clamped(state_.time));
+  const double of_joints = control.step_scale * joints_.stable_step();
+  const bool by_joints = of_joints < dt;
+  if (by_joints) dt = of_joints;
+  if (!std::isfinite(dt) && !std::isnan(dt))  // rigid bodies only
+    dt = end_time > 0.0 && std::isfinite(end_time) ? 1e-3 * end_time : 1.0;
+  bearable_step_ = dt;
+  if (state_.cycle == 0 && control.first_step > 0.0) dt = std::min(dt, control.first_step);
+  if (dt < smallest_step_) {
+    smallest_step_ = dt;
+    smallest_by_ = by_joints ? "the stiffness of a joint" : controlling_.describe(system_);
+  }
+  // A rest of less than a millionth of a step, which round-off leaves, belongs to this step: over a step of nothing no
+  // acceleration and no reaction has a meaning.
+  if (state_.time < end_time && state_.time + (1.0 + 1e-6) * dt > end_time) dt = end_time - state_.time;
+  state_.dt = dt;
+}
+
+Outcome Simulation::reason_to_stop(const Options& options, double end_time) const {
+  const model::Control& control = system_.model.control;
+  const auto error = [](std::string why) { return Outcome{Termination::error, std::move(why)}; };
+  if (stop_asked_)
+    return {Termination::interrupted,
+            fmt::format("interrupted by the user at time {:.6g}, cycle {}; results up to there are kept", state_.time,
+                        state_.cycle)};
+  for (const auto& group : system_.groups) {
+    if (group->inverted < 0) continue;
+    const model::Index e = group->element[at(group->inverted)];
+    return error(fmt::format("negative volume in solid {} of part {} at time {:.6g}, cycle {}",
+                             system_.model.solids.id[at(e)], system_.model.parts[at(group->part)].id, state_.time,
+                             state_.cycle));
+  }
+  if (state_.time < end_time && state_.time + state_.dt == state_.time)
+    return error(fmt::format("the time step {:.4g} of {} is too small to go on from time {:.6g}, cycle {}", state_.dt,
+                             controlling_.describe(system_), state_.time, state_.cycle));
+  if (diverged_)
+    return error(
+        fmt::format("the solution diverged: its energy is no number that results can hold at time {:.6g}, cycle {}",
+                    state_.time, state_.cycle));
+  if (!erosion_.reason_to_stop().empty()) return error(erosion_.reason_to_stop());
+  if (std::isnan(state_.dt))
+    return error(
+        fmt::format("the solution diverged: {} has no stable time step (not a number) at time {:.6g}, cycle {}",
+                    controlling_.describe(system_), state_.time, state_.cycle));
+  if (control.smallest_step > 0.0 && controlling_.step < control.smallest_step * first_step_ && state_.time < end_time)
+    return error(fmt::format("the time step {:.4g} of {} fell below DTMIN times the first step, {:.4g}",
+                             controlling_.step, controlling_.describe(system_), control.smallest_step * first_step_));
+  if (control.energy_limit > 0.0 && std::abs(energy_.bare_ratio() - 1.0) > 0.01 * control.energy_limit &&
+      state_.cycle > 0)
+    return error(fmt::format("the energy ratio {:.4g} left the limit ENDENG = {:.4g} %", energy_.bare_ratio(),
+                             control.energy_limit));
+  if (masses_.physical > 0.0 && 100.0 * masses_.added / masses_.physical > control.added_mass_limit)
+    return error(fmt::format("the added mass, {:.4g} % of the physical one, exceeds ENDMAS = {:.4g} %",
+                             100.0 * masses_.added / masses_.physical, control.added_mass_limit));
+  if (state_.cycle % 50 == 0) {
+    for (std::size_t k = 0; k < system_.nodes; ++k) {
+      const Row& v = state_.v[k];
+      if (std::isfinite(v.x + v.y + v.z)) continue;
+      return error(
+          fmt::format("the solution diverged: the velocity of node {} is not a number at time {:.6g}, cycle {}",
+                      system_.model.nodes.id[at(system_.model_node[k])], state_.time, state_.cycle));
+    }
+  }
+  const long most = options.max_cycles > 0 ? options.max_cycles : control.end_cycle;
+  if (most > 0 && state_.cycle >= most) return {Termination::normal, fmt::format("stopped after {} cycles", most)};
+  return {};
+}
+
+void Simulation::accelerate() {
+  const double kick = 0.5 * (state_.dt + state_.dt_previous);
+  constexpr std::size_t block = 1024;
+  block_power_.resize((system_.nodes + block - 1) / block);
+  parallel_for(block_power_.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      double power = 0.0;
+      for (std::size_t k = i * block; k < std::min(system_.nodes, (i + 1) * block); ++k) {
+        const double a = kick * inverse_mass_[k], b = kick * inverse_inertia_[k];
+        Row &v = state_.v[k], &w = state_.w[k];
+        const Row &f = state_.f[k], &m = state_.m[k];
+        v = {v.x + a * f.x, v.y + a * f.y, v.z + a * f.z, 0.0};
+        w = {w.x + b * m.x, w.y + b * m.y, w.z + b * m.z, 0.0};
+        power += a * (f.x * f.x + f.y * f.y + f.z * f.z) + b * (m.x * m.x + m.y * m.y + m.z * m.z);
+      }
+      block_power_[i] = power;
+    }
+  });
+  power_on_change_ = 0.0;
+  for (double power : block_power_) power_on_change_ += power;
+  for (system::RigidBody& body : system_.bodies) power_on_change_ += body.advance(kick, state_.dt, state_);
+}
+
+void Simulation::constrain_by_walls() {
+  const model::Model& model = system_.model;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    contact::RigidWall& wall = walls_[w];
+    const model::RigidWall& card = model.walls[w];
+    double time = state_.time;
+    // The step at the end of the run is not taken, but the wall's force then is that of half of it. A motion whose
+    // curve ends there goes on as in the step before.
+    if (card.motion_curve != model::none && model.control.end_time > 0.0 && time >= model.control.end_time &&
+        std::abs(model.curves[at(card.motion_curve)].x.back() + card.birth - time) <= 1e-6 * state_.dt)
+      time -= state_.dt;
+    wall.constrain(time, state_.dt, state_.dt_previous, state_.x, state_.v, state_.f, system_.mass, dependent_);
+    power_on_change_ += wall.power_on_change();
+  }
+}
+
+void Simulation::move() {
+  parallel_for(system_.all_nodes(), 2048, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      Row& x = state_.x[k];
+      const Row& v = state_.v[k];
+      x = {x.x + state_.dt * v.x, x.y + state_.dt * v.y, x.z + state_.dt * v.z, 0.0};
+    }
+  });
+  for (system::RigidBody& body : system_.bodies) body.turn(state_.dt, state_);
+  const auto turn = [&](std::size_t i, std::size_t k) { history_rotation_[i] += state_.dt * vec(state_.w[k]); };
+  const std::vector<model::NamedEntity>& asked = system_.model.requests.history_nodes;
+  for (std::size_t i = 0; i < asked.size(); ++i) turn(i, at(system_.node_of[at(asked[i].index)]));
+  for (std::size_t b = 0; b < system_.bodies.size(); ++b) turn(asked.size() + b, at(system_.bodies[b].node));
+  state_.time += state_.dt;
+  ++state_.cycle;
+}
+
+void Simulation::contact_forces() {
+  longest_step_ = std::max(longest_step_, bearable_step_);
+  const contact::Step step{state_.time, state_.dt, bearable_step_, longest_step_,
+                           state_.x,    state_.v,  contact_mass_,  element_alive_.all()};
+  for (contact::PenaltyContact& c : contacts_) c.apply(step, state_.f);
+  for (contact::InteriorContact& c : interiors_) c.apply(step, state_.f);
+  for (contact::RigidWall& w : walls_) w.press(step, state_.f);
+}
+
+void Simulation::applied_forces() {
+  tie_forces_.apply(state_);
+  joints_.apply(state_);
+  loads_.apply(state_, state_.dt);
+  damping_.apply(state_, state_.dt);
+}
+
+void Simulation::bury() {
+  const ElementAlive::Deaths deaths = element_alive_.update(system_);
+  if (deaths.any)
+    for (contact::PenaltyContact& c : contacts_) c.surface_changed();
+  if (!tie_ends_.update(state_, element_alive_.all(), deaths.shells)) return;
+  masses_changed();
+}
+
+void Simulation::collect() {
+  rigid_welds_.take_loads(state_);
+  system_.map.collect(state_.f, state_.m);
+  if (!rigid_welds_.update(state_)) return;
+  masses_changed();
+}
+
+void Simulation::account() {
+  const Energy before = energy_;
+  element_energies(system_, state_, v_before_, w_before_, momentum_before_, energy_, parts_);
+  energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_) - energy_.eroded_kinetic;
+  energy_.internal += joints_.energy();
+  energy_.contact = tie_forces_.energy();
+  for (const contact::PenaltyContact& c : contacts_) energy_.contact += c.energy();
+  for (const contact::InteriorContact& c : interiors_) energy_.contact += c.energy();
+  energy_.wall = 0.0;
+  for (const contact::RigidWall& w : walls_) energy_.wall += w.energy_until_now();
+  energy_.external = supports_.work() + loads_.work();
+  energy_.damping = damping_.energy();
+  energy_.step_change = step_change_;
+  if (state_.cycle == 0) energy_.initial = energy_.total();
+  // Beyond what the result files' words hold a number is none either.
+  if (std::abs(energy_.total()) < std::numeric_limits<float>::max()) return;
+  diverged_ = true;
+  energy_ = before;
+}
+
+}  // namespace nugget::impact

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "impact/conditions/damping.hpp"
+#include "impact/conditions/preloads.hpp"
+#include "impact/connections/connectors.hpp"
+#include "impact/connections/joints.hpp"
+#include "impact/connections/rigid_welds.hpp"
+#include "impact/connections/rivets.hpp"
+#include "impact/connections/tie_ends.hpp"
+#include "impact/contact/element_alive.hpp"
+#include "impact/simulation/erosion.hpp"
+#include "impact/simulation/options.hpp"
+#include "impact/simulation/relaxation.hpp"
+#include "impact/simulation/snapshot.hpp"
+#include "system/spring_group.hpp"
+
+namespace nugget::impact {
+
+/// Explicit dynamics by central differences. The loop reads as the method: accelerate, prescribe, follow, move, forces.
+class Simulation {
+ public:
+  /// Builds contacts, walls, supports and loads; faults of the input become findings. The system must outlive it.
+  Simulation(system::System& system, Findings& findings);
+
+  /// Runs to the end. Never throws for a run that diverges: the outcome says why it stopped.
+  Outcome run(const Options& options, Recorder& recorder, const ProgressCallback& progress);
+
+  // What the summary wants to know afterwards.
+  const system::System& system() const { return system_; }
+  const system::State& state() const { return state_; }
+  const Energy& energy() const { return energy_; }
+  const Welds& welds() const { return welds_; }
+  const TieForces& tie_forces() const { return tie_forces_; }
+  const TieEnds& tie_ends() const { return tie_ends_; }
+  const RigidWelds& rigid_welds() const { return rigid_welds_; }
+  const Rivets& rivets() const { return rivets_; }
+  const Joints& joints() const { return joints_; }
+  const Connectors& connectors() const { return connectors_; }
+  const Erosion& erosion() const { return erosion_; }
+  const Relaxation& relaxation() const { return relaxation_; }
+  /// How many nodes the glue of each contact held and lost, and how many elements of each part are deleted (of adhesive
+  /// also where none is; welds have their own account), a line each, for run.log.
+  std::vector<std::string> events() const;
+  double first_step() const { return first_step_; }
+  double smallest_step() const { return smallest_step_; }
+  const std::string& smallest_by() const { return smallest_by_; }
+
+  enum Phase { elements, contacts, loads, constraints, motion, output, phases };
+  static constexpr std::array<std::string_view, phases> phase_names{"elements",    "contact", "loads",
+                                                                    "constraints", "motion",  "output"};
+  const std::array<double, phases>& seconds() const { return seconds_; }
+  double solve_seconds() const { return solve_seconds_; }
+
+  /// Asks a running simulation to stop after the current cycle (from a signal handler).
+  static void interrupt();
+
+  void archive(Archive& a);
+
+ private:
+  void start();
+  /// Internal forces of what is there, without a step.
+  void internal_force_at_rest();
+  /// Dynamic relaxation, where the deck asks for it. Afterwards the run begins at time 0 with the stresses and places
+  /// that are reached and the initial velocities. Gives a reason to stop the run, if there is one.
+  Outcome relax(const Options& options, const ProgressCallback& progress);
+  /// Velocities from t(n-1/2) to t(n+1/2), with supports and walls.
+  void kick();
+  /// The step from t(n) to t(n+1), up to the forces there.
+  void step();
+  void choose_step(double end_time);
+  /// Gives the free nodes and bodies their velocities at t(n+1/2); `power_on_change_` begins anew.
+  void accelerate();
+  void constrain_by_walls();
+  void move();
+  void contact_forces();
+  void applied_forces();  // of ties with springs, joints, loads and damping
+  /// Contacts and ties lose the elements that were deleted.
+  void bury();
+  /// Loads of dependent nodes go to the independent ones; rigid welds that they overload open.
+  void collect();
+  /// Welds of every kind that have failed so far.
+  int failed_welds() const { return welds_.failed() + rigid_welds_.failed() + rivets_.failed() + connectors_.failed(); }
+  void update_inverse_mass();
+  /// At the start, and where nodes were let go: bounds that follow from nodal masses.
+  void masses_changed();
+  /// Energies of the moment; they stay those of before where the solution has become no number.
+  void account();
+  /// Between two cycles: writes a restart file if one is due, or the run was interrupted.
+  void keep(const Options& options);
+  Outcome reason_to_stop(const Options& options, double end_time) const;
+  /// Charges the time since the last call to a phase.
+  void charge(Phase phase);
+  double elapsed() const;  ///< seconds since the run began, without those between a restart file and going on with it
+
+  system::System& system_;
+  system::State state_;
+  Supports supports_;
+  Loads loads_;
+  std::vector<contact::PenaltyContact> contacts_;
+  std::vector<contact::InteriorContact> interiors_;
+  std::vector<contact::RigidWall> walls_;
+  std::vector<system::SpringGroup*> stopped_springs_;  ///< those with stops
+  std::vector<double> contact_mass_;                   ///< by node, dependent nodes with what they had of their own
+  std::vector<unsigned char> dependent_;               ///< by node
+  ElementAlive element_alive_;
+  std::vector<double> inverse_mass_, inverse_inertia_;
+  std::vector<Row> v_before_, w_before_;
+  std::vector<Vec3d> momentum_before_;
+  std::vector<Vec3d> history_rotation_;
+  Welds welds_;
+  RigidWelds rigid_welds_;
+  Rivets rivets_;
+  Connectors connectors_;
+  TieForces tie_forces_;
+  Joints joints_;
+  TieEnds tie_ends_;
+  Damping damping_;
+  Preloads preloads_;
+  Erosion erosion_;
+  Strains strains_;
+  NodalForceGroups nodal_forces_;
+  Accelerometers accelerometers_;
+  bool stop_asked_ = false;  ///< the run was interrupted before this cycle
+  long kept_cycle_ = 0;      ///< of the last restart file; its time, and the clock then
+  double kept_time_ = 0.0, kept_seconds_ = 0.0;
+  bool diverged_ = false;
+  Relaxation relaxation_;
+  double step_change_ = 0.0;         ///< Energy::step_change so far
+  double power_on_change_ = 0.0;     ///< forces at t(n) times the change of velocity from t(n-1/2) to t(n+1/2)
+  std::vector<double> block_power_;  ///< the nodes' part of it, by block
+
+  Energy energy_;
+  std::vector<PartEnergy> parts_;
+  system::System::Controlling controlling_;
+  system::System::Masses masses_;
+  double first_step_ = 0.0, smallest_step_ = 0.0;
+  double bearable_step_ = 0.0;  ///< of this step, before DTINIT or the end of the run cut it; 0 at the start
+  double longest_step_ = 0.0;   ///< of those
+  std::string smallest_by_;
+  std::array<double, phases> seconds_{};
+  std::chrono::steady_clock::time_point begin_, charged_;
+  double solve_seconds_ = 0.0;
+};
+
+}  // namespace nugget::impact

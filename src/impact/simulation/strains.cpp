@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/simulation/strains.hpp"
+
+#include <algorithm>
+
+#include "base/index.hpp"
+#include "base/parallel.hpp"
+#include "impact/conditions/preloads.hpp"
+#include "kernel/element/belytschko_tsay.hpp"
+#include "kernel/element/c0_triangle.hpp"
+#include "kernel/element/kirchhoff_triangle.hpp"
+#include "kernel/element/quadratic_tetrahedron.hpp"
+#include "model/axes.hpp"
+#include "model/bond.hpp"
+#include "system/shell_elements.hpp"
+
+namespace nugget::impact {
+namespace {
+
+Frame3d frame_of(const std::array<Vec3d, 4>& x, int corners) {
+  return corners == 4 ? kernel::shell_frame(x) : kernel::triangle_frame({x[0], x[1], x[2]});
+}
+
+std::array<Vec3d, 8> first_eight(const std::array<Vec3d, 10>& x) {
+  std::array<Vec3d, 8> eight;
+  std::copy_n(x.begin(), 8, eight.begin());
+  return eight;
+}
+
+/// Velocity gradient of a brick at its centre: rows are the gradients of the velocity's components.
+std::array<Vec3d, 3> velocity_gradient(const std::array<Vec3d, 8>& x, const std::array<Vec3d, 8>& v) {
+  static constexpr double xi[8] = {-1, 1, 1, -1, -1, 1, 1, -1}, eta[8] = {-1, -1, 1, 1, -1, -1, 1, 1},
+                          zeta[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
+  std::array<Vec3d, 3> along{}, rate{};  // derivatives of place and velocity by xi, eta, zeta
+  for (std::size_t a = 0; a < 8; ++a) {
+    const double d[3] = {0.125 * xi[a], 0.125 * eta[a], 0.125 * zeta[a]};
+    for (std::size_t i = 0; i < 3; ++i) {
+      along[i] += d[i] * x[a];
+      rate[i] += d[i] * v[a];
+    }
+  }
+  const double volume = dot(along[0], cross(along[1], along[2]));
+  if (!(volume > 0.0)) return {};
+  const std::array<Vec3d, 3> dual{(1.0 / volume) * cross(along[1], along[2]),
+                                  (1.0 / volume) * cross(along[2], along[0]),
+                                  (1.0 / volume) * cross(along[0], along[1])};
+  std::array<Vec3d, 3> gradient{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    gradient[0] += rate[i].x * dual[i];
+    gradient[1] += rate[i].y * dual[i];
+    gradient[2] += rate[i].z * dual[i];
+  }
+  return gradient;
+}
+
+}  // namespace
+
+Strains::Strains(const system::System& system, bool wanted) : system_(system) {
+  if (!wanted) return;
+  const model::Model& model = system.model;
+  shells_.resize(model.shells.size());
+  solids_.resize(model.solids.size());
+  zeta_.resize(model.shells.size());
+  for (std::size_t e = 0; e < zeta_.size(); ++e) {
+    const system::System::Seat seat = system.shell_seat[e];
+    if (seat.group < 0) continue;
+    const std::vector<double> places = layer_places(model, *system.groups[at(seat.group)]);
+    zeta_[e] = {places.front(), places.back()};
+  }
+}
+
+void Strains::start(const system::State& state) {
+  if (shells_.empty()) return;
+  for (const model::InitialStrain& initial : system_.model.initial_state.shell_strains) {
+    const system::System::Seat seat = system_.shell_seat[at(initial.shell)];
+    if (seat.group < 0) continue;
+    const system::ElementGroup& group = *system_.groups[at(seat.group)];
+    const auto nodes = group.nodes(at(seat.element));
+    std::array<Vec3d, 4> x{};
+    for (std::size_t a = 0; a < at(group.nodes_per_element); ++a) x[a] = vec(state.x[at(nodes[a])]);
+    const Frame3d frame = frame_of(x, group.nodes_per_element);
+    const auto local = [&](const Tensor& t) -> InPlane {
+      const auto [xx, yy, xy, xz, yz] = system::local_stress(frame, t);
+      return {xx, yy, xy, yz, xz};
+    };
+    shells_[at(initial.shell)] = {local(initial.lower), local(initial.upper)};
+  }
+}
+
+void Strains::update(const system::State& state) {
+  parallel_for(shells_.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) advance_shell(e, state);
+  });
+  parallel_for(solids_.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) advance_solid(e, state);
+  });
+}
+
+void Strains::advance_shell(std::size_t e, const system::State& state) {
+  const system::System::Seat seat = system_.shell_seat[e];
+  if (seat.group < 0) return;
+  const system::ElementGroup& group = *system_.groups[at(seat.group)];
+  if (!group.alive(at(seat.element))) return;
+  const int corners = group.nodes_per_element;
+  const auto nodes = group.nodes(at(seat.element));
+  std::array<Vec3d, 4> x{}, v{}, w{};
+  for (std::size_t a = 0; a < at(corners); ++a) {
+    const auto k = at(nodes[a]);
+    x[a] = vec(state.x[k]) - 0.5 * state.dt * vec(state.v[k]);
+  }
+  const Frame3d frame = frame_of(x, corners);
+  for (std::size_t a = 0; a < at(corners); ++a) {
+    const auto k = at(nodes[a]);
+    x[a] = frame.local(x[a]);
+    v[a] = frame.local(vec(state.v[k]));
+    w[a] = frame.local(vec(state.w[k]));
+  }
+  // Gradients at the centre, b_x = (y(next) - y(before)) / 2A, of a triangle as of a quadrilateral.
+  double twice_area = 0.0;
+  Vec3d v_x{}, v_y{}, w_x{}, w_y{}, spin{};
+  for (std::size_t a = 0; a < at(corners); ++a) {
+    const Vec3d &next = x[(a + 1) % at(corners)], &before = x[(a + at(corners) - 1) % at(corners)];
+    const double bx = next.y - before.y, by = before.x - next.x;
+    twice_area += x[a].x * bx;
+    v_x += bx * v[a];
+    v_y += by * v[a];
+    w_x += bx * w[a];
+    w_y += by * w[a];
+    spin += (1.0 / corners) * w[a];
+  }
+  const double scale = state.dt / twice_area;
+  std::array<double, 3> bent{scale * w_x.y, -scale * w_y.x, scale * (w_y.y - w_x.x)};
+  std::array<double, 2> shear{scale * v_y.z - state.dt * spin.x, scale * v_x.z + state.dt * spin.y};
+  const model::Model& model = system_.model;
+  const model::SectionShell& section = model.shell_sections[at(model.parts[at(group.part)].section)];
+  if (corners == 3 && system::triangle_formulation(section, model.control) == 17) {
+    const auto more = kernel::kirchhoff_mean_bending({x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]});
+    for (std::size_t c = 0; c < 3; ++c) bent[c] += state.dt * more[c];
+    shear = {};
+  }
+  const auto add = [&](InPlane& strain, double zeta) {
+    const double z = system_.model.shells.offset[e] + 0.5 * zeta * group.thickness(at(seat.element));
+    strain[0] += scale * v_x.x + z * bent[0];
+    strain[1] += scale * v_y.y + z * bent[1];
+    strain[2] += 0.5 * (scale * (v_y.x + v_x.y) + z * bent[2]);
+    strain[3] += 0.5 * shear[0];
+    strain[4] += 0.5 * shear[1];
+  };
+  add(shells_[e].lower, zeta_[e][0]);
+  add(shells_[e].upper, zeta_[e][1]);
+}
+
+void Strains::advance_solid(std::size_t e, const system::State& state) {
+  const system::System::Seat seat = system_.solid_seat[e];
+  if (seat.group < 0) return;
+  const system::ElementGroup& group = *system_.groups[at(seat.group)];
+  if (!group.alive(at(seat.element))) return;
+  if (model::bond_of(system_.model, system_.model.parts[at(group.part)])) return;  // separations, not strains
+  const auto nodes = group.nodes(at(seat.element));
+  std::array<Vec3d, 10> x, v;
+  const std::size_t last = at(group.nodes_per_element) - 1;  // a tetrahedron repeats its fourth node
+  for (std::size_t a = 0; a < 10; ++a) {
+    const auto k = at(nodes[std::min(a, last)]);
+    v[a] = vec(state.v[k]);
+    x[a] = vec(state.x[k]) - 0.5 * state.dt * v[a];
+  }
+  const auto g = group.nodes_per_element == 10 ? kernel::quadratic_tetrahedron_gradient(x, v)
+                                               : velocity_gradient(first_eight(x), first_eight(v));
+  const double dt = state.dt;
+  // Half the curl; the strain so far turns with the element (Jaumann).
+  const double wz = 0.5 * dt * (g[1].x - g[0].y), wx = 0.5 * dt * (g[2].y - g[1].z), wy = 0.5 * dt * (g[0].z - g[2].x);
+  Tensor& s = solids_[e];
+  const auto [xx, yy, zz, xy, yz, zx] = s;
+  s[0] += dt * g[0].x + 2.0 * (wy * zx - wz * xy);
+  s[1] += dt * g[1].y + 2.0 * (wz * xy - wx * yz);
+  s[2] += dt * g[2].z + 2.0 * (wx * yz - wy * zx);
+  s[3] += 0.5 * dt * (g[0].y + g[1].x) + wz * (xx - yy) + wy * yz - wx * zx;
+  s[4] += 0.5 * dt * (g[1].z + g[2].y) + wx * (yy - zz) + wz * zx - wy * xy;
+  s[5] += 0.5 * dt * (g[2].x + g[0].z) + wy * (zz - xx) + wx * xy - wz * yz;
+}
+
+Strains::Tensor Strains::global(const InPlane& strain, std::size_t e, int layer, const system::State& now) const {
+  const system::System::Seat seat = system_.shell_seat[e];
+  const system::ElementGroup& group = *system_.groups[at(seat.group)];
+  const auto nodes = group.nodes(at(seat.element));
+  std::array<Vec3d, 4> x{};
+  for (std::size_t a = 0; a < at(group.nodes_per_element); ++a) x[a] = vec(now.x[at(nodes[a])]);
+  const model::Material& material = system_.model.materials[at(system_.model.parts[at(group.part)].material)];
+  const auto stress = group.layer(at(seat.element), layer, now).stress;
+  const double in_plane = stress[0] + stress[1] + stress[2];
+  const auto* layers = std::get_if<kernel::Laminate>(&material.law);
+  const double E = layers ? (*layers->layers)[at(layer)].law.E : material.young(),
+               nu = layers ? (*layers->layers)[at(layer)].law.nu : material.poisson();
+  const double zz = -(strain[0] + strain[1]) + (E > 0.0 ? (1.0 - 2.0 * nu) / E * in_plane : 0.0);
+  const auto [g0, g1, g2, g3, g4, g5] = model::to_global({strain[0], strain[2], strain[4], strain[1], strain[3], zz},
+                                                         frame_of(x, group.nodes_per_element));
+  return {g0, g3, g5, g1, g4, g2};
+}
+
+Strains::Faces Strains::shell(std::size_t e, const system::State& now) const {
+  const system::System::Seat seat = system_.shell_seat[e];
+  if (shells_.empty() || seat.group < 0) return {};
+  const int layers = system_.groups[at(seat.group)]->layers();
+  return {global(shells_[e].lower, e, 0, now), global(shells_[e].upper, e, layers - 1, now)};
+}
+
+Strains::Tensor Strains::solid(std::size_t e) const {
+  return solids_.empty() ? Tensor{} : solids_[e];
+}
+
+}  // namespace nugget::impact

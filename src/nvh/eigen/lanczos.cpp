@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nvh/eigen/lanczos.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/index.hpp"
+#include "nvh/matrices/dense.hpp"
+
+namespace nugget::nvh {
+namespace {
+
+constexpr double tolerance = 1e-7;
+
+/// The growing basis V, orthonormal in M, and the projection T = V^t M A^-1 M V.
+class Basis {
+ public:
+  Basis(const Matrices& m, std::size_t most) : m_(m), v_(m.size(), 0), t_(most, most) {
+    v_.value.reserve(m.size() * most);  // memory is not touched before it is used
+  }
+
+  std::size_t size() const { return size_; }
+  /// Makes w, A^-1 M times the last block, orthonormal to the basis and in itself, in the inner product of M, and drops
+  /// directions that are dependent. Returns R and H with w_before = V H + w R, and M w.
+  struct Orthonormal {
+    Columns h, r, mass;
+  };
+  Orthonormal orthonormalize(Columns& w) const {
+    Orthonormal o{Columns(size_, w.count), Columns(w.count, w.count), Columns(w.rows, w.count)};
+    for (std::size_t i = 0; i < w.count; ++i) o.r[i][i] = 1.0;
+    // First what the recurrence knows of, then the whole basis against round-off.
+    for (const std::size_t first : {coupled_, std::size_t{0}}) {
+      multiply(m_.mass, w, o.mass);
+      const Columns h = inner(v_, size_ - first, o.mass, first);
+      add_product(-1.0, v_, size_ - first, h, 1.0, w, first);
+      for (std::size_t j = 0; j < o.r.count; ++j)
+        for (std::size_t k = 0; k < h.count; ++k)
+          for (std::size_t i = 0; i < h.rows; ++i) o.h[j][first + i] += h[k][i] * o.r[j][k];
+      scale(w, o);
+    }
+    multiply(m_.mass, w, o.mass);
+    return o;
+  }
+  void append(const Columns& w) {
+    v_.value.insert(v_.value.end(), w.value.begin(), w.value.end());
+    v_.count += w.count;
+    coupled_ = std::exchange(last_, size_);
+    size_ += w.count;
+  }
+  /// Column block of T from `first` on, and by symmetry its rows.
+  void project(std::size_t first, const Columns& h) {
+    for (std::size_t j = 0; j < h.count; ++j)
+      for (std::size_t i = 0; i < h.rows; ++i) t_[first + j][i] = t_[i][first + j] = h[j][i];
+  }
+  /// Eigenpairs of T.
+  std::vector<double> ritz(Columns& y) const {
+    y = Columns(size_, size_);
+    for (std::size_t j = 0; j < size_; ++j)
+      for (std::size_t i = 0; i < size_; ++i) y[j][i] = 0.5 * (t_[j][i] + t_[i][j]);
+    return diagonalize(y);
+  }
+  Columns vectors(const Columns& y) const {
+    Columns x(v_.rows, y.count);
+    add_product(1.0, v_, size_, y, 0.0, x);
+    return x;
+  }
+  /// Keeps the Ritz vectors y with their values.
+  void restart(const Columns& y, const std::vector<double>& theta) {
+    Columns x = vectors(y);
+    v_.value.assign(x.value.begin(), x.value.end());
+    v_.count = size_ = y.count;
+    last_ = 0;
+    std::fill(t_.value.begin(), t_.value.end(), 0.0);
+    for (std::size_t i = 0; i < size_; ++i) t_[i][i] = theta[i];
+  }
+
+ private:
+  /// Orthonormal in itself: w := w G D^-1/2 with w^t M w = G D G^t, so w_before = w_after (D^1/2 G^t); the largest
+  /// first.
+  void scale(Columns& w, Orthonormal& o) const {
+    if (w.count == 0) return;
+    multiply(m_.mass, w, o.mass);
+    Columns g = inner(w, w.count, o.mass);
+    const std::vector<double> d = diagonalize(g);
+    const double least = 1e-28 * std::max(d.back(), 1e-300);
+    std::vector<std::size_t> kept;
+    for (std::size_t i = d.size(); i-- > 0;)
+      if (d[i] > least) kept.push_back(i);
+    Columns turn(w.count, kept.size()), back(kept.size(), w.count);
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      for (std::size_t i = 0; i < w.count; ++i) {
+        turn[k][i] = g[kept[k]][i] / std::sqrt(d[kept[k]]);
+        back[i][k] = g[kept[k]][i] * std::sqrt(d[kept[k]]);
+      }
+    Columns next(w.rows, kept.size()), r(kept.size(), o.r.count);
+    add_product(1.0, w, w.count, turn, 0.0, next);
+    add_product(1.0, back, back.count, o.r, 0.0, r);
+    w = std::move(next);
+    o.r = std::move(r);
+    if (o.mass.count != w.count) o.mass = Columns(w.rows, w.count);
+  }
+
+  const Matrices& m_;
+  Columns v_, t_;
+  std::size_t size_ = 0;
+  std::size_t last_ = 0, coupled_ = 0;  ///< where the last block begins, and that before: A^-1 M of the last needs both
+};
+
+/// The same numbers on every machine.
+void fill_at_random(Columns& x) {
+  std::uint64_t s = 0x9e3779b97f4a7c15u;
+  for (double& v : x.value) {
+    s ^= s << 13;
+    s ^= s >> 7;
+    s ^= s << 17;
+    v = static_cast<double>(s >> 11) * 0x1p-53 - 0.5;
+  }
+}
+
+struct Ritz {
+  std::vector<std::size_t> order;  ///< by |theta|, the largest first
+  std::vector<double> theta;
+  Columns y;
+  std::vector<double> residual;  ///< relative to theta
+};
+
+Ritz ritz_pairs(const Basis& basis, const Columns& r) {
+  Ritz p;
+  p.theta = basis.ritz(p.y);
+  p.order.resize(p.theta.size());
+  std::iota(p.order.begin(), p.order.end(), std::size_t{0});
+  std::sort(p.order.begin(), p.order.end(),
+            [&](std::size_t a, std::size_t b) { return std::abs(p.theta[a]) > std::abs(p.theta[b]); });
+  // A^-1 M V y - theta V y = w (r y_last): its length in M is that of r y_last.
+  const std::size_t first = basis.size() - r.count;
+  for (std::size_t j = 0; j < p.theta.size(); ++j) {
+    double square = 0.0;
+    for (std::size_t i = 0; i < r.rows; ++i) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < r.count; ++k) sum += r[k][i] * p.y[j][first + k];
+      square += sum * sum;
+    }
+    p.residual.push_back(std::sqrt(square) / std::max(std::abs(p.theta[j]), 1e-300));
+  }
+  return p;
+}
+
+Columns chosen(const Columns& y, const std::vector<std::size_t>& order, std::size_t count) {
+  Columns c(y.rows, count);
+  for (std::size_t j = 0; j < count; ++j) std::copy(y[order[j]].begin(), y[order[j]].end(), c[j].begin());
+  return c;
+}
+
+}  // namespace
+
+Eigenpairs nearest(const Matrices& m, const Factorization& a, int wanted, const std::function<void(int)>& progress) {
+  const std::size_t n = m.size(), want = std::min(at(wanted), n);
+  const std::size_t width = std::min<std::size_t>({n, 8, std::max<std::size_t>(want, 2)});
+  const std::size_t most = std::min(n, 2 * want + 8 * width);
+  Basis basis(m, most + width);
+  Eigenpairs found;
+
+  Columns w(n, width);
+  fill_at_random(w);
+  const auto applied = [&](Columns x) {  // A^-1 (M w), where x holds M w
+    a.solve(x);
+    found.solves += static_cast<int>(x.count);
+    return x;
+  };
+  {
+    Columns mass(n, width);
+    multiply(m.mass, w, mass);
+    w = applied(std::move(mass));
+  }
+  Basis::Orthonormal o = basis.orthonormalize(w);
+  Ritz p;
+  for (int restarts = 0;;) {
+    const std::size_t first = basis.size();
+    basis.append(w);
+    w = applied(std::move(o.mass));
+    o = basis.orthonormalize(w);
+    basis.project(first, o.h);
+    p = ritz_pairs(basis, o.r);
+    std::size_t converged = 0;
+    while (converged < std::min(want, p.order.size()) && p.residual[p.order[converged]] < tolerance) ++converged;
+    if (progress) progress(static_cast<int>(converged));
+    const bool exhausted = w.count == 0 || basis.size() >= n;
+    if (converged == want || exhausted) break;
+    if (basis.size() + w.count > most) {
+      if (++restarts > 60) {
+        found.converged = false;
+        break;
+      }
+      const std::size_t keep = std::min(p.order.size(), want + 2 * width);
+      std::vector<double> theta;
+      for (std::size_t j = 0; j < keep; ++j) theta.push_back(p.theta[p.order[j]]);
+      basis.restart(chosen(p.y, p.order, keep), theta);
+    }
+  }
+  p.order.resize(std::min(want, p.order.size()));
+  const auto lambda = [&](std::size_t i) { return 1.0 / p.theta[i] - a.shift(); };
+  std::sort(p.order.begin(), p.order.end(), [&](std::size_t i, std::size_t j) { return lambda(i) < lambda(j); });
+  found.vector = basis.vectors(chosen(p.y, p.order, p.order.size()));
+  for (const std::size_t i : p.order) found.value.push_back(lambda(i));
+  return found;
+}
+
+}  // namespace nugget::nvh

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nvh/matrices/equations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/index.hpp"
+#include "model/circular_motion.hpp"
+
+namespace nugget::nvh {
+namespace {
+
+constexpr Vec3d axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+/// Directions of one node that are held: orthonormal, none to three.
+struct Held {
+  std::vector<Vec3d> direction;
+
+  /// The unit direction that `d` takes away of what was left; zero: none.
+  Vec3d add(Vec3d d) {
+    for (const Vec3d& h : direction) d -= dot(h, d) * h;
+    if (!(dot(d, d) > 1e-12)) return {};
+    direction.push_back(unit(d));
+    return direction.back();
+  }
+  /// Directions that are left: the global axes where those will do, completed otherwise.
+  std::vector<Vec3d> free() const {
+    Held taken = *this;
+    std::vector<Vec3d> rest;
+    while (taken.direction.size() < 3) {
+      Vec3d best{};
+      for (Vec3d d : axes) {
+        for (const Vec3d& h : taken.direction) d -= dot(h, d) * h;
+        if (dot(d, d) > dot(best, best) + 1e-9) best = d;
+      }
+      rest.push_back(unit(best));
+      taken.direction.push_back(rest.back());
+    }
+    return rest;
+  }
+};
+
+/// What acts on each node: something that needs its translations, its rotations.
+struct Needs {
+  std::vector<char> translation, rotation;
+};
+
+Needs needs_of(const system::System& system) {
+  Needs needs{std::vector<char>(system.all_nodes(), 0), std::vector<char>(system.all_nodes(), 0)};
+  for (const auto& group : system.groups)
+    for (std::size_t e = 0; e < group->size(); ++e) {
+      if (!group->alive(e)) continue;
+      const system::ElementNodes node = group->nodes(e);
+      for (std::size_t a = 0; a < at(group->nodes_per_element); ++a) {
+        needs.translation[at(node[a])] = 1;
+        needs.rotation[at(node[a])] |= group->rotational;
+      }
+    }
+  for (const system::System::Lump& lump : system.lumps())
+    for (int a = 0; a < lump.corners; ++a) needs.translation[at(lump.node[at(a)])] = 1;
+  for (const model::PointMass& m : system.model.masses) needs.translation[at(system.node_of[at(m.node)])] = 1;
+  for (const model::PointInertia& p : system.model.inertias) {
+    needs.translation[at(system.node_of[at(p.node)])] = 1;
+    needs.rotation[at(system.node_of[at(p.node)])] = 1;
+  }
+  for (const system::RigidBody& body : system.bodies)
+    needs.translation[at(body.node)] = needs.rotation[at(body.node)] = 1;
+  // A dependent node hands its needs on; arms make rotations of them.
+  for (std::size_t d = 0; d < system.nodes; ++d) {
+    if (!system.map.dependent(static_cast<int>(d))) continue;
+    for (const system::ConstraintMap::Block& b : system.map.blocks(static_cast<int>(d)))
+      for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j < 6; ++j) {
+          const bool needed = i < 3 ? needs.translation[d] : needs.rotation[d];
+          if (needed && b.of[i][j] != 0.0) (j < 3 ? needs.translation : needs.rotation)[at(b.node)] = 1;
+        }
+  }
+  return needs;
+}
+
+struct Supports {
+  std::vector<Held> translation, rotation;
+  std::vector<Equations::Support> list;
+
+  void add(Equations::Support support) {
+    support.taken = (support.rotation ? rotation : translation)[at(support.node)].add(support.direction);
+    list.push_back(support);
+  }
+};
+
+/// SPCs that are not in force all the time: what is made of them.
+void tell_passing_spcs(const model::Model& model, Findings& findings) {
+  int late = 0, early = 0;
+  for (const model::SinglePointConstraint& spc : model.spcs) {
+    late += spc.birth > 0.0;
+    early += spc.birth <= 0.0 && spc.death < std::max(model.control.end_time, 0.0);
+  }
+  if (late + early > 0)
+    findings.warning({model.deck, 0, 0}, "*BOUNDARY_SPC",
+                     fmt::format("SPCs that are born later hold nothing in a linear analysis ({} nodes), those that "
+                                 "die during the run hold ({} nodes): what is in force at time 0 counts",
+                                 late, early),
+                     "write BIRTH 0 and no DEATH for what holds, take out what does not");
+}
+
+Supports supports_of(const system::System& system, Findings& findings) {
+  const model::Model& model = system.model;
+  Supports held{std::vector<Held>(system.all_nodes()), std::vector<Held>(system.all_nodes()), {}};
+  tell_passing_spcs(model, findings);
+  for (std::size_t s = 0; s < model.spcs.size(); ++s) {
+    const model::SinglePointConstraint& spc = model.spcs[s];
+    if (spc.birth > 0.0) continue;
+    const int node = system.node_of[at(spc.node)];
+    // A node that is tied by its translations alone has its own rotations.
+    const unsigned own = !system.map.dependent(node) ? 63u : system.map.rotations(node) ? 0u : 56u;
+    const unsigned obeyed = spc.fixed & own;
+    if (obeyed != spc.fixed)
+      findings.warning(
+          {model.deck, 0, 0}, "*BOUNDARY_SPC",
+          fmt::format("node {} is held by an SPC, but it moves with a rigid body or a tie; the SPC {} "
+                      "there",
+                      model.nodes.id[at(spc.node)], obeyed == 0 ? "does nothing" : "holds its rotations only"),
+          "constrain the rigid body (MAT_RIGID CMO, *CONSTRAINED_NODAL_RIGID_BODY_SPC) instead");
+    if (obeyed == 0) continue;
+    for (int i = 0; i < 6; ++i) {
+      if (!(obeyed >> i & 1u)) continue;
+      const Frame3d local =
+          spc.system == model::none ? Frame3d{axes[0], axes[1], axes[2]} : model.systems[at(spc.system)].axes;
+      const Vec3d axis = i % 3 == 0 ? local.e1 : i % 3 == 1 ? local.e2 : local.e3;
+      held.add({Equations::Support::Source::spc, s, node, i >= 3, axis, {}});
+    }
+  }
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    for (int i = 0; i < 6; ++i) {
+      const Frame3d& own = system.bodies[b].fixed_axes;
+      const Vec3d axis = i % 3 == 0 ? own.e1 : i % 3 == 1 ? own.e2 : own.e3;
+      if (system.bodies[b].fixed >> i & 1u)
+        held.add({Equations::Support::Source::body, b, system.bodies[b].node, i >= 3, axis, {}});
+    }
+  for (std::size_t m = 0; m < model.motions.size(); ++m) {
+    const model::PrescribedMotion& motion = model.motions[m];
+    const auto hold = [&](int node) {
+      constexpr auto source = Equations::Support::Source::motion;
+      if (motion.circular) {
+        const model::PlaceOnCircle place =
+            model::place_on_circle(motion, system.ties.x[at(system.model_node[at(node)])]);
+        if (place.radius > 0.0 || motion.radius_held) held.add({source, m, node, false, place.around, {}, true});
+        if (motion.radius_held) held.add({source, m, node, false, place.outwards, {}});
+        return;
+      }
+      held.add({source, m, node, motion.rotation, motion.direction, {}, true});
+      if (motion.only_direction) return;
+      for (const Vec3d& axis : axes) {
+        const Vec3d across = axis - dot(axis, motion.direction) * motion.direction;
+        if (dot(across, across) > 1e-12) held.add({source, m, node, motion.rotation, unit(across), {}});
+      }
+    };
+    if (motion.target != model::PrescribedMotion::Target::nodes) {
+      hold(system.bodies[at(system.body_of[at(motion.rigid_body)])].node);
+      continue;
+    }
+    for (model::Index n : motion.nodes) {
+      const int node = system.node_of[at(n)];
+      if (system.map.dependent(node))
+        findings.error(motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
+                       fmt::format("node {} moves with {} and cannot be driven on its own", model.nodes.id[at(n)],
+                                   system.holder(node)),
+                       "drive the rigid body with *BOUNDARY_PRESCRIBED_MOTION_RIGID, or nodes of the sheet");
+      else
+        hold(node);
+    }
+  }
+  return held;
+}
+
+}  // namespace
+
+Equations::Equations(const system::System& system, Findings& findings) {
+  const Needs needs = needs_of(system);
+  Supports held = supports_of(system, findings);
+  supports_ = std::move(held.list);
+  const std::size_t nodes = system.all_nodes();
+
+  // Unknowns of each node: directions of translation and rotation.
+  std::vector<std::vector<Term>> own(6 * nodes);
+  const auto number = [&](std::size_t node, int first, const Held& h) {
+    for (const Vec3d& d : h.free()) {
+      const double component[3] = {d.x, d.y, d.z};
+      for (int i = 0; i < 3; ++i)
+        if (component[i] != 0.0) own[6 * node + at(first + i)].push_back({size_, component[i]});
+      owner_.push_back(static_cast<int>(node));
+      ++size_;
+    }
+  };
+  const auto dependent = [&](std::size_t k) { return k < system.nodes && system.map.dependent(static_cast<int>(k)); };
+  for (std::size_t k = 0; k < nodes; ++k) {
+    if (needs.translation[k] && !dependent(k)) number(k, 0, held.translation[k]);
+    const bool own_rotation = !dependent(k) || !system.map.rotations(static_cast<int>(k));
+    if (needs.rotation[k] && own_rotation) number(k, 3, held.rotation[k]);
+  }
+
+  // Rows of dependent nodes, in independent ones.
+  for (std::size_t d = 0; d < system.nodes; ++d) {
+    if (!dependent(d)) continue;
+    const auto put = [&](int i, int node, int j, double factor) {
+      if (factor == 0.0) return;
+      std::vector<Term>& row = own[6 * d + at(i)];
+      for (const Term& t : own[6 * at(node) + at(j)]) {
+        const auto same = std::find_if(row.begin(), row.end(), [&](const Term& r) { return r.equation == t.equation; });
+        if (same != row.end())
+          same->factor += factor * t.factor;
+        else
+          row.push_back({t.equation, factor * t.factor});
+      }
+    };
+    for (const system::ConstraintMap::Block& b : system.map.blocks(static_cast<int>(d)))
+      for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < 6; ++j) put(i, b.node, j, b.of[at(i)][at(j)]);
+  }
+
+  start_.reserve(own.size() + 1);
+  start_.push_back(0);
+  for (const std::vector<Term>& row : own) {
+    terms_.insert(terms_.end(), row.begin(), row.end());
+    start_.push_back(terms_.size());
+  }
+}
+
+void Equations::hold(const std::vector<char>& marked) {
+  std::vector<int> number(at(size_), -1), owner;
+  for (std::size_t i = 0; i < marked.size(); ++i) {
+    if (marked[i]) continue;
+    number[i] = static_cast<int>(owner.size());
+    owner.push_back(owner_[i]);
+  }
+  std::vector<Term> kept;
+  std::vector<std::size_t> start{0};
+  for (std::size_t row = 0; row + 1 < start_.size(); ++row) {
+    for (std::size_t t = start_[row]; t < start_[row + 1]; ++t)
+      if (const int n = number[at(terms_[t].equation)]; n >= 0) kept.push_back({n, terms_[t].factor});
+    start.push_back(kept.size());
+  }
+  size_ = static_cast<int>(owner.size());
+  owner_ = std::move(owner);
+  terms_ = std::move(kept);
+  start_ = std::move(start);
+}
+
+Six Equations::motion(int node, std::span<const double> q) const {
+  Six u{};
+  for (int i = 0; i < 6; ++i)
+    for (const Term& t : terms(node, i)) u[at(i)] += t.factor * q[at(t.equation)];
+  return u;
+}
+
+void Equations::add_load(int node, const Six& load, std::span<double> f) const {
+  for (int i = 0; i < 6; ++i)
+    for (const Term& t : terms(node, i)) f[at(t.equation)] += t.factor * load[at(i)];
+}
+
+}  // namespace nugget::nvh

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nvh/matrices/linear_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+
+#include "base/index.hpp"
+#include "kernel/law/composition.hpp"
+
+namespace nugget::nvh {
+namespace {
+
+/// Formulations of bricks; tetrahedra and wedges have others.
+bool of_bricks(int elform) {
+  return elform == 0 || elform == 1 || elform == 2 || elform == 3 || elform == 18 || elform == -1 || elform == -2;
+}
+
+/// ISOLID of *CONTROL_IMPLICIT_EIGENVALUE.
+void change_bricks(model::Model& m, Findings& findings) {
+  if (m.implicit.solid_form == 0) return;
+  std::vector<int> changed;
+  for (model::Part& part : m.parts) {
+    if (part.kind != model::ElementKind::solid || part.section == model::none || part.material == model::none) continue;
+    model::SectionSolid section = m.solid_sections[at(part.section)];
+    if (std::holds_alternative<kernel::Spotweld>(m.materials[at(part.material)].law) || !of_bricks(section.elform) ||
+        section.elform == m.implicit.solid_form)
+      continue;
+    changed.push_back(part.id);
+    section.elform = m.implicit.solid_form;
+    part.section = static_cast<model::Index>(m.solid_sections.size());
+    m.solid_sections.push_back(section);
+  }
+  if (!changed.empty())
+    findings.note({m.deck, 0, 0}, "*CONTROL_IMPLICIT_EIGENVALUE",
+                  fmt::format("bricks of part{} {}: formulation {} (ISOLID)", changed.size() == 1 ? "" : "s",
+                              fmt::join(changed, " "), m.implicit.solid_form));
+}
+
+/// Tetrahedra whose nodes share a pressure (13) have no stiffness element by element; those of formulation 10 do.
+void separate_pressures(model::Model& m, Findings& findings) {
+  for (const model::Part& part : m.parts)
+    if (part.kind == model::ElementKind::solid && part.section != model::none &&
+        m.solid_sections[at(part.section)].elform == 13)
+      findings.warning(
+          part.place, "*PART",
+          fmt::format("part {}: tetrahedra of ELFORM 13 are computed as 10 in linear analyses: each has its "
+                      "own pressure, the nodes do not share one",
+                      part.id),
+          "use ELFORM 16 where Poisson's ratio is near 0.5");
+  for (model::SectionSolid& section : m.solid_sections)
+    if (section.elform == 13) section.elform = 10;
+}
+
+void stabilize_bricks(model::Model& m, Findings& findings) {
+  std::vector<int> changed;
+  for (model::Part& part : m.parts) {
+    if (part.kind != model::ElementKind::solid || part.section == model::none) continue;
+    const int form = m.solid_sections[at(part.section)].elform;
+    const bool rigid = part.material != model::none &&
+                       std::holds_alternative<kernel::Rigid>(m.materials[at(part.material)].law),
+               one_point = !rigid && (form == 0 || form == 1 || form == 18);
+    const model::Hourglass& now = part.hourglass == model::none ? m.control.hourglass : m.hourglass[at(part.hourglass)];
+    model::Hourglass bindeman = now;
+    const int elform = m.solid_sections[at(part.section)].elform;
+    const bool ten_nodes = elform == 16 || elform == 17;  // they have no hourglass modes
+    if (now.type != 6 && !ten_nodes) {
+      bindeman.type = 6;
+      bindeman.membrane = 1.0;
+      if (one_point) changed.push_back(part.id);
+    }
+    bindeman.bulk_linear = bindeman.bulk_quadratic = 0.0;
+    part.hourglass = static_cast<model::Index>(m.hourglass.size());
+    m.hourglass.push_back(bindeman);
+  }
+  if (!changed.empty())
+    findings.note(
+        {m.deck, 0, 0}, "*CONTROL_IMPLICIT_GENERAL",
+        fmt::format("bricks of part{} {}: linear analyses use hourglass type 6 with QM = 1, which is exact in "
+                    "bending of rectangular bricks",
+                    changed.size() == 1 ? "" : "s", fmt::join(changed, " ")));
+}
+
+/// Shells run fully integrated, with stiffness against drilling and against the spins of warped corners.
+void integrate_shells_fully(model::Model& m, Findings& findings) {
+  std::vector<int> changed;
+  for (model::Part& part : m.parts) {
+    if (part.kind != model::ElementKind::shell || part.section == model::none) continue;
+    part.drilling = std::max(part.drilling, 1.0);
+    model::Hourglass warping = part.hourglass == model::none ? m.control.hourglass : m.hourglass[at(part.hourglass)];
+    model::SectionShell section = m.shell_sections[at(part.section)];
+    if (section.elform == 4 || section.elform == 17) continue;
+    if (section.elform != 16) changed.push_back(part.id);
+    section.elform = 16;
+    warping.type = 8;
+    part.section = static_cast<model::Index>(m.shell_sections.size());
+    m.shell_sections.push_back(section);
+    part.hourglass = static_cast<model::Index>(m.hourglass.size());
+    m.hourglass.push_back(warping);
+  }
+  if (m.control.sort_triangles == model::SortTriangles::no) m.control.sort_triangles = model::SortTriangles::c0;
+  if (!changed.empty())
+    findings.note({m.deck, 0, 0}, "*CONTROL_IMPLICIT_GENERAL",
+                  fmt::format("shells of part{} {}: linear analyses use formulation 16 instead of a one-point shell, "
+                              "which has motions without stiffness",
+                              changed.size() == 1 ? "" : "s", fmt::join(changed, " ")));
+}
+
+/// A viscous stress that goes by the step, of foams and honeycomb, would count as stiffness.
+void take_viscosity_out(model::Model& m) {
+  const auto take_out = [](kernel::Compound& law) {
+    kernel::Composition made = *law.made_of;
+    std::visit(
+        [](auto& flow) {
+          if constexpr (requires { flow.damping; }) flow.damping = 0.0;
+          if constexpr (requires { flow.viscosity; }) flow.viscosity = 0.0;
+        },
+        made.flow);
+    law = kernel::compound(std::move(made));
+  };
+  for (model::Material& material : m.materials) {
+    if (auto* law = std::get_if<kernel::Compound>(&material.law)) take_out(*law);
+    if (auto* laminate = std::get_if<kernel::Laminate>(&material.law)) {
+      std::vector<kernel::Laminate::Layer> layers = *laminate->layers;
+      for (kernel::Laminate::Layer& layer : layers) take_out(layer.law);
+      laminate->layers = std::make_shared<const std::vector<kernel::Laminate::Layer>>(std::move(layers));
+    }
+  }
+}
+
+/// Nothing resists their change of shape, so they would have motions without stiffness.
+void refuse_fluids(const model::Model& m, Findings& findings) {
+  for (const model::Part& part : m.parts)
+    if (part.kind == model::ElementKind::solid && part.material != model::none &&
+        m.materials[at(part.material)].keyword == "MAT_NULL")
+      findings.error(part.place, "*PART", fmt::format("part {} is a fluid, which linear analyses do not have", part.id),
+                     "take it out, or put its mass on the structure (*ELEMENT_MASS)");
+}
+
+/// Nodes that a response over frequency drives are held in its modes, like those of prescribed motions.
+void hold_driven_nodes(model::Model& m) {
+  const auto hold = [&](const model::FrequencyResponse::Excitation& e) {
+    if (e.kind != model::FrequencyResponse::Excitation::Kind::enforced) return;
+    model::PrescribedMotion motion;
+    motion.nodes = e.nodes;
+    motion.direction = e.direction;
+    motion.place = e.place;
+    m.motions.push_back(std::move(motion));
+  };
+  if (m.frequency_response)
+    for (const model::FrequencyResponse::Case& c : m.frequency_response->cases) hold(c.excitation);
+  if (m.steady_state)
+    for (const model::SteadyState::Case& c : m.steady_state->cases)
+      for (const model::SteadyState::Load& load : c.loads) hold(load.excitation);
+}
+
+}  // namespace
+
+model::Model linear_model(const model::Model& model, Findings& findings) {
+  model::Model m = model;
+  m.control.mass_step = 0.0;
+  take_viscosity_out(m);
+  m.control.bulk_viscosity_type = 1;  // none in shells
+  for (const model::RigidWeld& weld : m.rigid_welds)
+    if (weld.kind == model::RigidWeld::Kind::rivet)
+      findings.error(weld.place, "*CONSTRAINED_RIVET", "rivets are not built in linear analyses",
+                     "weld the two nodes with *CONSTRAINED_SPOTWELD");
+  for (const model::ControlVolume& gas : m.control_volumes)
+    findings.warning(gas.place, "*" + gas.keyword,
+                     "the gas takes no part in linear analyses: it has no stiffness there");
+  refuse_fluids(m, findings);
+  hold_driven_nodes(m);
+  change_bricks(m, findings);
+  separate_pressures(m, findings);
+  stabilize_bricks(m, findings);
+  integrate_shells_fully(m, findings);
+  return m;
+}
+
+weld::Ties linear_ties(const weld::Ties& ties, Findings& findings) {
+  weld::Ties rigid = ties;
+  std::size_t springs = 0;
+  for (weld::Tie& tie : rigid.ties) {
+    springs += tie.spring;
+    tie.spring = false;
+    tie.lever = true;
+  }
+  if (springs > 0)
+    findings.note(
+        {}, "*CONTACT_TIED",
+        fmt::format("{} nodes are tied by springs: linear analyses tie them by constraint, gaps as levers", springs));
+  return rigid;
+}
+
+}  // namespace nugget::nvh

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nvh/matrices/prestress.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/index.hpp"
+#include "kernel/element/quadratic_tetrahedron.hpp"
+#include "nvh/matrices/assembly.hpp"
+#include "nvh/matrices/stresses.hpp"
+#include "system/shell_elements.hpp"
+
+namespace nugget::nvh {
+namespace {
+
+using Tensor = std::array<double, 6>;  // xx yy zz xy yz zx
+using Seat = system::System::Seat;
+using Gradient = std::array<double, 3>;  ///< of a shape function in up to three natural coordinates
+
+void add_to(Tensor& sum, double factor, const Tensor& t) {
+  for (std::size_t c = 0; c < 6; ++c) sum[c] += factor * t[c];
+}
+
+Tensor along(const Vec3d& n) {
+  return {n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.z * n.x};
+}
+
+Vec3d product(const Tensor& s, const Vec3d& v) {
+  return {s[0] * v.x + s[3] * v.y + s[5] * v.z, s[3] * v.x + s[1] * v.y + s[4] * v.z,
+          s[5] * v.x + s[4] * v.y + s[2] * v.z};
+}
+
+/// Mean through the thickness of stresses given at places -1 .. 1, on straight lines between them; beyond the outermost
+/// they are theirs. The points of one place count as their mean.
+Tensor mean_through(const std::vector<model::InitialPoint>& points) {
+  std::map<double, std::pair<Tensor, int>> at_place;
+  for (const model::InitialPoint& p : points) {
+    auto& [sum, count] = at_place[p.zeta];
+    add_to(sum, 1.0, p.stress);
+    ++count;
+  }
+  Tensor mean{};
+  double from = -1.0;
+  for (auto it = at_place.begin(); it != at_place.end(); ++it) {
+    const auto next = std::next(it);
+    const double to = next == at_place.end() ? 1.0 : 0.5 * (it->first + next->first);
+    add_to(mean, 0.5 * (to - from) / it->second.second, it->second.first);
+    from = to;
+  }
+  return mean;
+}
+
+/// Points of integration of an element by its number of natural coordinates: shape gradients and weight.
+struct Point {
+  std::vector<Gradient> gradient;
+  double weight;
+};
+
+/// Those of kernel::quadratic_tetrahedron_cycle, by the area coordinates of nodes 2 to 4.
+std::vector<Point> points_of_quadratic_tetrahedron() {
+  constexpr double near = 0.58541019662496845446, far = 0.13819660112501051518;
+  constexpr std::array<Gradient, 4> slope{{{-1, -1, -1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  std::vector<Point> points;
+  for (std::size_t p = 0; p < 4; ++p) {
+    std::array<double, 4> l{far, far, far, far};
+    l[p] = near;
+    Point point{{}, 1.0 / 24.0};
+    for (std::size_t a = 0; a < 4; ++a) {
+      const double f = 4.0 * l[a] - 1.0;
+      point.gradient.push_back({f * slope[a][0], f * slope[a][1], f * slope[a][2]});
+    }
+    for (const auto& edge : kernel::quadratic_tetrahedron_edge) {
+      const std::size_t i = at(edge[0]), j = at(edge[1]);
+      Gradient g{};
+      for (std::size_t c = 0; c < 3; ++c) g[c] = 4.0 * (l[i] * slope[j][c] + l[j] * slope[i][c]);
+      point.gradient.push_back(g);
+    }
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
+std::vector<Point> points_of(std::size_t corners, int dimension) {
+  if (dimension == 1) return {{{{-0.5}, {0.5}}, 2.0}};
+  if (corners == 3) return {{{{-1, -1}, {1, 0}, {0, 1}}, 0.5}};
+  if (dimension == 3 && corners == 4) return {{{{-1, -1, -1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 1.0 / 6.0}};
+  if (corners == 10) return points_of_quadratic_tetrahedron();
+  constexpr std::array<Gradient, 8> corner{
+      {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
+  const double g = 1.0 / std::sqrt(3.0);
+  std::vector<Point> points;
+  for (std::size_t p = 0; p < corners; ++p) {
+    Point point{{}, 1.0};
+    for (std::size_t a = 0; a < corners; ++a) {
+      Gradient d{};
+      for (std::size_t i = 0; i < at(dimension); ++i) {
+        d[i] = corner[a][i] / std::pow(2.0, dimension);
+        for (std::size_t j = 0; j < at(dimension); ++j)
+          if (j != i) d[i] *= 1.0 + g * corner[p][j] * corner[a][j];
+      }
+      point.gradient.push_back(d);
+    }
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
+/// Gradients of the shape functions on a line, a surface or a body in space, and the measure; 0 where it is degenerate.
+double gradients(const Point& point, int dimension, const std::vector<Vec3d>& x, std::vector<Vec3d>& gradient) {
+  Vec3d t[3]{};
+  for (std::size_t a = 0; a < x.size(); ++a)
+    for (std::size_t i = 0; i < at(dimension); ++i) t[i] += point.gradient[a][i] * x[a];
+  // Completed by unit normals, three vectors whose reciprocal base carries the gradients.
+  if (dimension == 1) {
+    const Vec3d least = std::abs(t[0].x) < 0.6 * norm(t[0]) ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
+    const Vec3d across = cross(t[0], least);
+    if (!(norm(across) > 0.0)) return 0.0;
+    t[1] = unit(across);
+  }
+  if (dimension < 3) {
+    const Vec3d normal = cross(t[0], t[1]);
+    if (!(norm(normal) > 0.0)) return 0.0;
+    t[2] = unit(normal);
+  }
+  const double measure = dot(t[0], cross(t[1], t[2]));
+  if (!(measure > 0.0)) return 0.0;
+  const Vec3d reciprocal[3] = {(1.0 / measure) * cross(t[1], t[2]), (1.0 / measure) * cross(t[2], t[0]),
+                               (1.0 / measure) * cross(t[0], t[1])};
+  gradient.assign(x.size(), {});
+  for (std::size_t a = 0; a < x.size(); ++a)
+    for (std::size_t i = 0; i < at(dimension); ++i) gradient[a] += point.gradient[a][i] * reciprocal[i];
+  return measure;
+}
+
+int dimension_of(const system::ElementGroup& group) {
+  return group.nodes_per_element == 2 ? 1 : group.kind == model::ElementKind::shell ? 2 : 3;
+}
+
+/// K_s of an element in its freedoms, row-major. Along a line only motions across it count: the element's own law says
+/// what a stretch does to its force, and the force may be large beside its stiffness.
+std::vector<double> element_stiffness(const system::ElementGroup& group, const std::vector<Vec3d>& x,
+                                      const std::vector<Point>& points, const Tensor& s) {
+  const std::size_t per_node = at(group.freedoms()), n = x.size() * per_node;
+  double share[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  if (dimension_of(group) == 1) {
+    const Vec3d r = unit(x[1] - x[0]);
+    const double component[3] = {r.x, r.y, r.z};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) share[i][j] -= component[i] * component[j];
+  }
+  std::vector<double> k(n * n, 0.0);
+  std::vector<Vec3d> gradient;
+  for (const Point& p : points) {
+    const double measure = p.weight * gradients(p, dimension_of(group), x, gradient);
+    if (measure == 0.0) continue;
+    for (std::size_t a = 0; a < x.size(); ++a)
+      for (std::size_t b = 0; b < x.size(); ++b) {
+        const double work = measure * dot(gradient[a], product(s, gradient[b]));
+        for (std::size_t i = 0; i < 3; ++i)
+          for (std::size_t j = 0; j < 3; ++j) k[(a * per_node + i) * n + b * per_node + j] += work * share[i][j];
+      }
+  }
+  return k;
+}
+
+std::vector<Vec3d> places_of(const system::ElementGroup& group, std::size_t e, const system::State& rest) {
+  const system::ElementNodes nodes = group.nodes(e);
+  std::vector<Vec3d> x;
+  for (const int node : element_nodes(group, nodes)) x.push_back(vec(rest.x[at(node)]));
+  return x;
+}
+
+bool any(const Tensor& t) {
+  return std::any_of(t.begin(), t.end(), [](double c) { return c != 0.0; });
+}
+
+}  // namespace
+
+Prestress::Prestress(const Matrices& m) : system_(m.system), rest_(m.rest) {
+  for (const auto& group : m.system.groups) tensor_.emplace_back(group->size(), Tensor{});
+}
+
+Tensor& Prestress::of(const Seat& seat) {
+  return tensor_[at(seat.group)][at(seat.element)];
+}
+
+void Prestress::add_initial() {
+  const system::System& system = system_;
+  const model::InitialState& initial = system.model.initial_state;
+  for (const model::InitialStress& s : initial.shells) {
+    const Seat seat = system.shell_seat[at(s.element)];
+    if (seat.group >= 0)
+      add_to(of(seat), system.groups[at(seat.group)]->thickness(at(seat.element)), mean_through(s.points));
+  }
+  for (const model::InitialStress& s : initial.solids)
+    if (const Seat seat = system.solid_seat[at(s.element)]; seat.group >= 0)
+      for (const model::InitialPoint& p : s.points)
+        add_to(of(seat), 1.0 / static_cast<double>(s.points.size()), p.stress);
+  for (const model::SectionStress& s : initial.section_stresses)
+    for (const model::Index solid : s.solids)
+      if (const Seat seat = system.solid_seat[at(solid)]; seat.group >= 0)
+        add_to(of(seat), system.model.curves[at(s.curve)].clamped(0.0), along(s.normal));
+  for (const model::AxialForce& f : initial.axial_forces)
+    for (const model::Index beam : f.beams) {
+      const Seat seat = system.beam_seat[at(beam)];
+      if (seat.group < 0) continue;
+      const system::ElementNodes node = system.groups[at(seat.group)]->nodes(at(seat.element));
+      const Vec3d line = vec(rest_.x[at(node[1])]) - vec(rest_.x[at(node[0])]);
+      if (norm(line) > 0.0)
+        add_to(of(seat), f.scale * system.model.curves[at(f.curve)].clamped(0.0), along(unit(line)));
+    }
+}
+
+void Prestress::add(const std::vector<Six>& motion) {
+  const ElasticStresses elastic(system_, motion);
+  for (std::size_t g = 0; g < tensor_.size(); ++g) {
+    const system::ElementGroup& group = *system_.groups[g];
+    const int layers = group.layers();
+    const kernel::LayerRule rule =
+        dimension_of(group) == 2 ? system::layer_rule(system_.model, group.part) : kernel::LayerRule{};
+    for (std::size_t e = 0; e < group.size(); ++e) {
+      if (!group.alive(e)) continue;
+      const Seat seat{static_cast<int>(g), static_cast<int>(e)};
+      if (dimension_of(group) == 3) add_to(of(seat), 1.0, elastic.stress(seat, 0));
+      if (dimension_of(group) == 2)
+        for (int k = 0; k < layers; ++k)
+          add_to(of(seat), group.thickness(e) * rule.weight[at(k)], elastic.stress(seat, k));
+      if (dimension_of(group) > 1) continue;
+      // Along a line: the force at its second end.
+      const std::size_t per_node = at(group.freedoms()), n = 2 * per_node;
+      std::vector<double> k(n * n);
+      group.stiffness(e, rest_, k);
+      const system::ElementNodes node = group.nodes(e);
+      const Vec3d line = vec(rest_.x[at(node[1])]) - vec(rest_.x[at(node[0])]);
+      if (!(norm(line) > 0.0)) continue;
+      double force[3] = {0.0, 0.0, 0.0};
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+          force[i] += k[(per_node + i) * n + j] * motion[at(node[j / per_node])][j % per_node];
+      add_to(of(seat), dot(unit(line), Vec3d{force[0], force[1], force[2]}), along(unit(line)));
+    }
+  }
+}
+
+void Prestress::add(const system::System& run, const system::State& now) {
+  const auto carry = [&](const std::vector<Seat>& from, const std::vector<Seat>& to) {
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      if (from[i].group < 0 || to[i].group < 0) continue;
+      const system::ElementGroup& group = *run.groups[at(from[i].group)];
+      const std::size_t e = at(from[i].element);
+      if (!group.alive(e)) continue;
+      if (dimension_of(group) == 1) {
+        const system::ElementNodes node = group.nodes(e);
+        const Vec3d line = vec(now.x[at(node[1])]) - vec(now.x[at(node[0])]);
+        if (norm(line) > 0.0) add_to(of(to[i]), dot(unit(line), run.nodal_force(from[i], 1)), along(unit(line)));
+        continue;
+      }
+      const int layers = group.layers();
+      const kernel::LayerRule rule =
+          dimension_of(group) == 2 ? system::layer_rule(run.model, group.part) : kernel::LayerRule{};
+      for (int k = 0; k < layers; ++k)
+        add_to(of(to[i]), dimension_of(group) == 2 ? group.thickness(e) * rule.weight[at(k)] : 1.0 / layers,
+               group.layer(e, k, now).stress);
+    }
+  };
+  carry(run.shell_seat, system_.shell_seat);
+  carry(run.solid_seat, system_.solid_seat);
+  carry(run.beam_seat, system_.beam_seat);
+  carry(run.discrete_seat, system_.discrete_seat);
+}
+
+std::size_t Prestress::elements() const {
+  std::size_t count = 0;
+  for (const std::vector<Tensor>& group : tensor_)
+    count += static_cast<std::size_t>(std::count_if(group.begin(), group.end(), any));
+  return count;
+}
+
+Symmetric Prestress::stiffness(const Equations& equations) const {
+  struct Piece {
+    Reach reach;
+    std::vector<double> k;
+  };
+  std::vector<Piece> pieces;
+  std::vector<std::vector<int>> lists;
+  for (std::size_t g = 0; g < tensor_.size(); ++g) {
+    const system::ElementGroup& group = *system_.groups[g];
+    const std::vector<Point> points = points_of(at(group.nodes_per_element), dimension_of(group));
+    for (std::size_t e = 0; e < group.size(); ++e) {
+      if (!group.alive(e) || !any(tensor_[g][e])) continue;
+      const system::ElementNodes node = group.nodes(e);
+      pieces.push_back({Reach(equations, element_nodes(group, node), group.freedoms()),
+                        element_stiffness(group, places_of(group, e, rest_), points, tensor_[g][e])});
+      lists.push_back(pieces.back().reach.equations());
+    }
+  }
+  Symmetric k(pattern(at(equations.size()), lists));
+  for (const Piece& p : pieces) scatter(p.reach, p.k, k);
+  return k;
+}
+
+void Prestress::add_element_stiffness(const system::ElementGroup& group, std::size_t e, std::span<double> k) const {
+  const auto own =
+      std::find_if(system_.groups.begin(), system_.groups.end(), [&](const auto& g) { return g.get() == &group; });
+  const Tensor& tensor = tensor_[static_cast<std::size_t>(own - system_.groups.begin())][e];
+  if (!any(tensor)) return;
+  const std::vector<double> more = element_stiffness(
+      group, places_of(group, e, rest_), points_of(at(group.nodes_per_element), dimension_of(group)), tensor);
+  for (std::size_t i = 0; i < more.size(); ++i) k[i] += more[i];
+}
+
+}  // namespace nugget::nvh

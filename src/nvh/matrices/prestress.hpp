@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "nvh/matrices/matrices.hpp"
+
+namespace nugget::nvh {
+
+/// Stresses that a structure carries at rest, as far as they stiffen it (or weaken it, where they press).
+///
+/// A motion u does the work 1/2 sum_k grad u_k . s grad u_k of second order against a stress s (Green and Lagrange's
+/// strain, e.g. Zienkiewicz and Taylor, The Finite Element Method for Solid and Structural Mechanics, initial stress
+/// matrix). Over a brick s is the stress, over the middle surface of a shell the membrane force, along a beam or spring
+/// the axial force; displacements go by the nodes' shape functions. Stresses of bending do no such work to first order.
+class Prestress {
+ public:
+  explicit Prestress(const Matrices& matrices);
+
+  /// *INITIAL_STRESS_SHELL, _SOLID, _SECTION and *INITIAL_AXIAL_FORCE_BEAM at time 0.
+  void add_initial();
+  /// Those of a linear solution, by the motion of each system node.
+  void add(const std::vector<Six>& motion);
+  /// Those that another system of the same deck carries, one that has been run; axes are the global ones of then.
+  void add(const system::System& run, const system::State& now);
+
+  /// Number of elements that have any.
+  std::size_t elements() const;
+  /// K_s over the unknowns.
+  Symmetric stiffness(const Equations& equations) const;
+  /// Adds that of one element, in its freedoms, row-major.
+  void add_element_stiffness(const system::ElementGroup& group, std::size_t e, std::span<double> k) const;
+
+ private:
+  /// Stress, membrane force or axial force: xx yy zz xy yz zx, global axes.
+  using Tensor = std::array<double, 6>;
+  Tensor& of(const system::System::Seat& seat);
+  const system::System& system_;
+  const system::State& rest_;
+  std::vector<std::vector<Tensor>> tensor_;  ///< by group and element
+};
+
+/// K := K + K_s, of the matrices that the prestress was made for, which must outlive it. Unknowns that had no stiffness
+/// but for K_s, such as the motion of a string across its line, come back: the unknowns are counted anew.
+void stiffen(Matrices& matrices, std::shared_ptr<const Prestress> prestress);
+
+}  // namespace nugget::nvh

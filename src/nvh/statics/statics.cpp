@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "nvh/statics/statics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/index.hpp"
+#include "model/circular_motion.hpp"
+#include "nvh/matrices/nodal.hpp"
+#include "weld/failure/brick_section.hpp"
+#include "weld/failure/failure.hpp"
+#include "weld/tie/welds.hpp"
+
+namespace nugget::nvh {
+namespace {
+
+double product(const Nodal& a, const Nodal& b) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    for (std::size_t i = 0; i < 6; ++i) sum += a[k][i] * b[k][i];
+  return sum;
+}
+
+double largest(std::span<const double> v) {
+  double most = 0.0;
+  for (const double x : v) most = std::max(most, std::abs(x));
+  return most;
+}
+
+/// What the deck's load cards put on the nodes at a time.
+class Loads {
+ public:
+  Loads(const Matrices& matrices, double time) : m_(matrices), time_(time), load_(matrices.system.all_nodes()) {
+    const model::Model& model = m_.system.model;
+    for (const model::NodalLoad& load : model.nodal_loads) add(load);
+    for (const model::PressureLoad& load : model.pressure_loads) add(load);
+    for (const model::BodyLoad& load : model.body_loads) add(load);
+  }
+  const Nodal& nodal() const { return load_; }
+
+ private:
+  double level(model::Index curve, double time) const {
+    const Curve& c = m_.system.model.curves[at(curve)];
+    return c.in_run ? c.zero_outside(time) : 0.0;
+  }
+  int node(model::Index n) const { return m_.system.node_of[at(n)]; }
+  Vec3d place(model::Index n) const { return m_.system.ties.x[at(n)]; }
+
+  void add(const model::NodalLoad& load) {
+    const std::array<model::Index, 3>& f = load.follow;
+    const Vec3d direction =
+        f[0] == model::none ? load.direction : unit(cross(place(f[1]) - place(f[0]), place(f[2]) - place(f[0])));
+    const Vec3d force = load.scale * level(load.curve, time_) * direction;
+    for (const model::Index n : load.nodes) add_to(load_[at(node(n))], load.moment, force);
+    if (load.rigid_body == model::none) return;
+    const system::RigidBody& body = m_.system.bodies[at(m_.system.body_of[at(load.rigid_body)])];
+    add_to(load_[at(body.node)], load.moment, force);
+  }
+  void add(const model::PressureLoad& load) {
+    const double time = time_ - load.arrival;
+    const double p = time >= 0.0 ? load.scale * level(load.curve, time) : 0.0;
+    for (std::size_t i = 0; i < load.segments.size(); ++i) {
+      const model::Segment& s = load.segments[i];
+      const Vec3d force = p * force_of_pressure(m_, s);
+      for (std::size_t a = 0; a < 4; ++a) add_to(load_[at(node(s[a]))], false, load.share[i][a] * force);
+    }
+  }
+  void add(const model::BodyLoad& load) {
+    const double a = -load.scale * level(load.curve, time_);
+    for (std::size_t k = 0; k < load_.size(); ++k) add_to(load_[k], false, a * m_.nodal_mass[k].mass * load.direction);
+  }
+
+  const Matrices& m_;
+  double time_;
+  Nodal load_;
+};
+
+/// Motions that supports prescribe, and those of the nodes that follow them.
+Nodal prescribed(const Matrices& m, double time, Findings& findings) {
+  const model::Model& model = m.system.model;
+  Nodal u(m.system.all_nodes());
+  for (const Equations::Support& s : m.equations.supports()) {
+    double value = 0.0;
+    if (s.moves) {
+      const model::PrescribedMotion& motion = model.motions[s.index];
+      value = motion.scale * model.curves[at(motion.curve)].clamped(time - motion.birth);
+      // The way along the circle, to first order in the angle.
+      if (motion.circular)
+        value *= model::place_on_circle(motion, m.system.ties.x[at(m.system.model_node[at(s.node)])]).radius;
+    }
+    Six& node = u[at(s.node)];
+    const double missing = value - dot(s.direction, part_of(node, s.rotation));
+    const double share = dot(s.direction, s.taken);
+    if (share > 0.0)
+      add_to(node, s.rotation, (missing / share) * s.taken);
+    else if (s.moves && std::abs(missing) > 1e-9 * std::abs(value))
+      findings.error(model.motions[s.index].place, "*BOUNDARY_PRESCRIBED_MOTION",
+                     "it drives a node in a direction that an SPC or another motion prescribes otherwise",
+                     "take one of them out");
+  }
+  follow(m.system, u);
+  return u;
+}
+
+/// Internal forces K_e u_e of one element, in its freedoms.
+std::vector<double> element_force(const Matrices& m, const system::ElementGroup& group, std::size_t e, const Nodal& u) {
+  const std::vector<double> k = element_stiffness(m, group, e);
+  const system::ElementNodes node = group.nodes(e);
+  const std::size_t per_node = at(group.freedoms()), n = at(group.nodes_per_element) * per_node;
+  std::vector<double> f(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) f[i] += k[i * n + j] * u[at(node[j / per_node])][j % per_node];
+  return f;
+}
+
+/// Of a weld beam, by equilibrium from the forces at its second end: moments about its middle.
+weld::Resultants of_beam(const Matrices& m, const system::ElementGroup& group, std::size_t e, const Nodal& u) {
+  const std::vector<double> f = element_force(m, group, e, u);
+  const system::ElementNodes node = group.nodes(e);
+  const Vec3d line = vec(m.rest.x[at(node[1])]) - vec(m.rest.x[at(node[0])]);
+  const Vec3d r = unit(line), force{f[6], f[7], f[8]};
+  const Vec3d moment = Vec3d{f[9], f[10], f[11]} + cross(0.5 * line, force);
+  // s and t: any two normals of the axis; only magnitudes in that plane are told.
+  const Vec3d least = std::abs(r.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
+  const Vec3d s = unit(least - dot(least, r) * r), t = cross(r, s);
+  return {dot(r, force), dot(s, force), dot(t, force), dot(r, moment), dot(s, moment), dot(t, moment)};
+}
+
+weld::Resultants of_bricks(const Matrices& m, const weld::Weld& weld, const Nodal& u, double& area) {
+  const weld::BrickSection section(weld, m.system.ties.x);
+  std::vector<Vec3d> x, force(section.nodes().size());
+  for (const model::Index n : section.nodes()) x.push_back(m.system.ties.x[at(n)]);
+  for (const model::Index element : weld.elements) {
+    const system::System::Seat seat = m.system.seat_of(weld, element);
+    const system::ElementGroup& group = *m.system.groups[at(seat.group)];
+    const std::vector<double> f = element_force(m, group, at(seat.element), u);
+    const system::ElementNodes node = group.nodes(at(seat.element));
+    for (std::size_t a = 0; a < 8; ++a)
+      for (std::size_t i = 0; i < x.size(); ++i)
+        if (m.system.node_of[at(section.nodes()[i])] == node[a])
+          force[i] += Vec3d{f[3 * a], f[3 * a + 1], f[3 * a + 2]};
+  }
+  const weld::BrickSection::Shape shape = section.shape(x);
+  area = shape.area;
+  return section.load(shape, x, force).middle;
+}
+
+std::optional<WeldForce> weld_force(const Matrices& m, const weld::Weld& weld, const Nodal& u, Findings& findings) {
+  using Kind = weld::Weld::Kind;
+  if (weld.kind == Kind::rigid || weld.kind == Kind::connector || weld.deleted) return {};
+  const system::System::Seat seat = m.system.seat_of(weld, weld.element);
+  if (seat.group < 0) return {};
+  const model::Model& model = m.system.model;
+  weld::failure::Load load;
+  load.time = model.control.end_time;
+  load.resultants = weld.of_bricks() ? of_bricks(m, weld, u, load.area)
+                                     : of_beam(m, *m.system.groups[at(seat.group)], at(seat.element), u);
+  const auto function = weld::failure::make_function(model, weld::law_of(model, weld),
+                                                     weld::failure::geometry_of(model, weld), weld.place, findings);
+  return WeldForce{load.resultants, (*function)(load).value};
+}
+
+}  // namespace
+
+void check_statics(const model::Model& model, Findings& findings) {
+  const char* const keyword = "*CONTROL_IMPLICIT_GENERAL";
+  const Place deck{model.deck, 0, 0};
+  for (const model::PrescribedMotion& motion : model.motions) {
+    if (motion.quantity != model::PrescribedMotion::Quantity::displacement)
+      findings.error(motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
+                     "linear statics takes prescribed displacements; velocities and accelerations are not built",
+                     "write VAD 2 with the displacement at ENDTIM");
+    if (motion.birth > 0.0 || motion.death < model.control.end_time)
+      findings.error(motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
+                     "a motion that is not there from time 0 to ENDTIM is not built in linear statics",
+                     "leave BIRTH and DEATH empty");
+  }
+  for (const model::BodyLoad& load : model.body_loads)
+    if (!load.parts.empty() || !load.nodes.empty())
+      findings.error(deck, "*LOAD_BODY", "body loads on some parts or nodes only are not built in linear statics",
+                     "load all parts, or put nodal forces on these");
+  const auto sliding =
+      std::count_if(model.contacts.begin(), model.contacts.end(), [](const model::Contact& c) { return c.slides(); });
+  if (sliding > 0 || !model.walls.empty())
+    findings.warning(deck, keyword,
+                     fmt::format("{} contacts and {} rigid walls take no part in linear statics; ties do", sliding,
+                                 model.walls.size()));
+  if (!model.initial_velocity.empty() || !model.initial_spin.empty())
+    findings.warning(deck, keyword, "initial velocities take no part in linear statics");
+  findings.note(deck, keyword, "linear statics: materials are elastic, welds do not fail, geometry is that of time 0");
+}
+
+Statics solve_statics(const Matrices& m, Findings& findings) {
+  const double time = m.system.model.control.end_time;
+  const Nodal load = Loads(m, time).nodal();
+  Statics s;
+  s.motion = prescribed(m, time, findings);
+  const Nodal driving = internal_forces(m, s.motion).force;
+
+  Columns q(m.size(), 1);
+  const auto add_load = [&](const Nodal& f, double factor) {
+    for (std::size_t k = 0; k < f.size(); ++k) {
+      Six scaled = f[k];
+      for (double& component : scaled) component *= factor;
+      m.equations.add_load(static_cast<int>(k), scaled, q[0]);
+    }
+  };
+  add_load(load, 1.0);
+  add_load(driving, -1.0);
+  const std::vector<double> right(q.value);
+  const double most = largest(right);
+  if (m.size() > 0) {
+    const Factorization factor(m, 0.0);
+    if (factor.negative() > 0)
+      throw Factorization::SolverError{fmt::format(
+          "the stiffness matrix has {} negative eigenvalues: the structure is not held; hold it so that it cannot move "
+          "as a rigid body (*BOUNDARY_SPC_..., *MAT_RIGID), or ask for its modes (NEIG)",
+          factor.negative())};
+    factor.solve(q);
+    s.cost = factor.cost();
+  }
+  std::vector<double> back(m.size());
+  m.stiffness.multiply(q[0], back);
+  for (std::size_t i = 0; i < back.size(); ++i) back[i] -= right[i];
+  s.residual = most > 0.0 ? largest(back) / most : 0.0;
+  if (!(s.residual < 1e-6))
+    throw Factorization::SolverError{fmt::format(
+        "forces are out of balance by {:.2g} of the largest: something can move without stiffness; hold the structure "
+        "so that it cannot move as a rigid body",
+        s.residual)};
+
+  for (std::size_t k = 0; k < s.motion.size(); ++k) {
+    const Six more = m.equations.motion(static_cast<int>(k), q[0]);
+    for (std::size_t i = 0; i < 6; ++i) s.motion[k][i] += more[i];
+  }
+  Internal internal = internal_forces(m, s.motion);
+  s.part_energy = std::move(internal.part_energy);
+  for (const double e : s.part_energy) s.energy += e;
+  s.energy += internal.link_energy;
+  for (const BodyLink& link : m.links) s.joint.push_back(link.on_second(motion_of(link, s.motion)));
+  s.reaction = std::move(internal.force);
+  for (std::size_t k = 0; k < load.size(); ++k)
+    for (std::size_t i = 0; i < 6; ++i) s.reaction[k][i] -= load[k][i];
+  collect(m.system, s.reaction);
+  s.external = 0.5 * product(load, s.motion);
+  for (const Equations::Support& support : m.equations.supports()) {
+    const double force = dot(support.taken, part_of(s.reaction[at(support.node)], support.rotation));
+    s.support_force.push_back(force);
+    s.external += 0.5 * force * dot(support.taken, part_of(s.motion[at(support.node)], support.rotation));
+  }
+  for (const weld::Weld& weld : m.system.ties.welds) s.weld.push_back(weld_force(m, weld, s.motion, findings));
+  return s;
+}
+
+}  // namespace nugget::nvh

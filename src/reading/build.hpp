@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/finding.hpp"
+#include "deck/deck.hpp"
+#include "model/model.hpp"
+
+namespace nugget::reading {
+
+/// Turns a deck into a model. Unknown and refused keywords are errors (with `skip_unsupported`: warnings, their cards
+/// left out); unknown *DATABASE_ requests are warnings. All findings come at once; the model is usable only if there
+/// are no errors.
+model::Model build(const deck::Deck& deck, Findings& findings, bool skip_unsupported = false);
+
+}  // namespace nugget::reading

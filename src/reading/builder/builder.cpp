@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reading/builder/builder.hpp"
+#include "model/lumped_mass.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nugget::reading {
+
+namespace {
+
+std::string text_of(const Place& place) {
+  return place.line > 0 ? fmt::format("{}:{}", place.file, place.line) : place.file;
+}
+
+/// The id that stands in a field, whatever its sign says.
+int id_of(const deck::Row& row, std::string_view field) {
+  return std::abs(row.integer(field));
+}
+
+template <class Member>
+const Set<Member>* find_set(Builder& b, const Ids& ids, const std::vector<Set<Member>>& sets, std::string_view what,
+                            const deck::Row& row, std::string_view field) {
+  const Index i = b.find(ids, what, row, field);
+  return i == none ? nullptr : &sets[static_cast<std::size_t>(i)];
+}
+
+}  // namespace
+
+bool Ids::add(int id, Index index, const Place& place, std::string_view keyword, std::string_view what,
+              Findings& findings) {
+  const auto [at, is_new] = entries_.try_emplace(id, Entry{index, place});
+  if (is_new) return true;
+  findings.error(place, std::string(keyword),
+                 fmt::format("{} {} is defined twice; first at {}", what, id, text_of(at->second.place)),
+                 "give one of them another id");
+  return false;
+}
+
+void Ids::assign(const std::vector<int>& ascending) {
+  ascending_ = ascending;
+  by_id_.clear();
+  if (ascending_.empty()) return;
+  const auto span = static_cast<std::size_t>(static_cast<long>(ascending_.back()) - ascending_.front() + 1);
+  // A table costs four bytes an id of the range; with large gaps the binary search is the better bargain.
+  if (span > 8 * ascending_.size() + 1024) return;
+  by_id_.assign(span, none);
+  for (std::size_t i = 0; i < ascending_.size(); ++i)
+    by_id_[static_cast<std::size_t>(ascending_[i] - ascending_.front())] = static_cast<Index>(i);
+}
+
+Index Ids::find(int id) const {
+  if (!by_id_.empty()) {
+    const long at = static_cast<long>(id) - ascending_.front();
+    return at < 0 || at >= static_cast<long>(by_id_.size()) ? none : by_id_[static_cast<std::size_t>(at)];
+  }
+  if (!ascending_.empty()) {
+    const auto at = std::lower_bound(ascending_.begin(), ascending_.end(), id);
+    return at == ascending_.end() || *at != id ? none : static_cast<Index>(at - ascending_.begin());
+  }
+  const auto at = entries_.find(id);
+  return at == entries_.end() ? none : at->second.index;
+}
+
+const std::string* Ids::left_out(int id) const {
+  const auto at = left_out_.find(id);
+  return at == left_out_.end() ? nullptr : &at->second;
+}
+
+unsigned bits_of_code(int code) {
+  static constexpr std::array<unsigned, 8> bits{0b000, 0b001, 0b010, 0b100, 0b011, 0b110, 0b101, 0b111};
+  return code < 0 || code > 7 ? 0 : bits[static_cast<std::size_t>(code)];
+}
+
+const std::vector<double>& Builder::nodal_mass() {
+  if (nodal_mass_.empty()) nodal_mass_ = nodal_masses(model);
+  return nodal_mass_;
+}
+
+void Builder::run(Phase phase) {
+  // By index: a closure may leave another one for its own phase.
+  auto& work = work_[static_cast<std::size_t>(phase)];
+  for (std::size_t i = 0; i < work.size(); ++i) {
+    const auto task = std::move(work[i]);
+    task(*this);
+  }
+  work.clear();
+}
+
+Index Builder::find(const Ids& ids, std::string_view what, const deck::Row& row, std::string_view field) {
+  const int id = id_of(row, field);
+  if (id == 0) return none;
+  const Index found = ids.find(id);
+  if (found == none) report_missing(ids, what, row, field);
+  return found;
+}
+
+void Builder::report_missing(const Ids& ids, std::string_view what, const deck::Row& row, std::string_view field) {
+  const int id = id_of(row, field);
+  const std::string* const refused = ids.left_out(id);
+  if (refused == nullptr)
+    row.complain(findings, Severity::error, field, fmt::format("{} {} is not defined", what, id));
+  else if (skip_unsupported)
+    row.complain(findings, Severity::error, field,
+                 fmt::format("{} {} is left out, as {} is not supported", what, id, *refused),
+                 "define it by a supported keyword, or remove what needs it");
+}
+
+CurveTable Builder::whole_table(Index table) const {
+  if (table == none) return {};
+  const Table& t = model.tables[static_cast<std::size_t>(table)];
+  if (t.curve.size() != t.value.size()) return {};
+  CurveTable whole{t.id, t.value, {}};
+  for (const Index c : t.curve) whole.curve.push_back(model.curves[static_cast<std::size_t>(c)]);
+  return whole;
+}
+
+void Builder::leave_out(const deck::Block& block) {
+  struct Family {
+    std::string_view beginning;
+    IdSpace space;
+    std::vector<Ids*> ids;
+  };
+  const Family families[] = {
+      {"MAT_", IdSpace::material, {&materials}},
+      {"SECTION_", IdSpace::other, {&shell_sections, &solid_sections, &beam_sections, &discrete_sections}},
+      {"SET_NODE", IdSpace::set, {&node_sets}},
+      {"SET_PART_TREE", IdSpace::set, {&branches}},
+      {"SET_PART", IdSpace::set, {&part_sets}},
+      {"SET_SEGMENT", IdSpace::set, {&segment_sets}},
+      {"SET_SHELL", IdSpace::set, {&shell_sets}},
+      {"SET_SOLID", IdSpace::set, {&solid_sets}},
+      {"SET_BEAM", IdSpace::set, {&beam_sets}},
+      {"DEFINE_CURVE", IdSpace::define, {&curves}},
+      {"DEFINE_TABLE", IdSpace::define, {&curves}},
+      {"DEFINE_COORDINATE", IdSpace::define, {&systems}},
+  };
+  for (const Family& family : families) {
+    if (!block.keyword.starts_with(family.beginning)) continue;
+    deck::Cursor cursor(deck, block, findings);
+    if (block.keyword.ends_with("_TITLE") && cursor.more()) cursor.skip();
+    if (!cursor.more()) return;
+    const long offset = block.transform ? block.transform->id_offset[static_cast<std::size_t>(family.space)] : 0;
+    const double id = cursor.peek_number(0) + static_cast<double>(offset);
+    if (!(std::abs(id) < std::numeric_limits<int>::max())) return;
+    for (Ids* ids : family.ids) ids->leave_out(static_cast<int>(id), block.starred());
+    return;
+  }
+}
+
+Index Builder::node(const deck::Row& row, std::string_view field) {
+  return find(nodes, "node", row, field);
+}
+Index Builder::part(const deck::Row& row, std::string_view field) {
+  return find(parts, "part", row, field);
+}
+Index Builder::curve(const deck::Row& row, std::string_view field) {
+  return find(curves, "curve", row, field);
+}
+Index Builder::shell(const deck::Row& row, std::string_view field) {
+  return find(shells, "shell", row, field);
+}
+Index Builder::solid(const deck::Row& row, std::string_view field) {
+  return find(solids, "solid", row, field);
+}
+Index Builder::beam(const deck::Row& row, std::string_view field) {
+  return find(beams, "beam", row, field);
+}
+Index Builder::system(const deck::Row& row, std::string_view field) {
+  const Index found = turning_or_fixed_system(row, field);
+  if (found == none || !model.systems[static_cast<std::size_t>(found)].turning) return found;
+  refuse(
+      *this, row, field,
+      fmt::format("coordinate system {} turns with its nodes (FLAG 1); fixed axes are built here", id_of(row, field)),
+      "define one with FLAG 0");
+  return none;
+}
+Index Builder::system_of_directions(const deck::Row& row, std::string_view field) {
+  const Index found = system(row, field);
+  if (const auto curved = curved_systems.find(std::abs(row.integer(field)));
+      found != none && curved != curved_systems.end())
+    refuse(*this, row, field,
+           fmt::format("coordinate system {} is {}: directions that differ from node to node are not built",
+                       curved->first, curved->second == 1 ? "cylindrical" : "spherical"),
+           "write TYPE 0, and a Cartesian system for each direction");
+  return found;
+}
+
+Index Builder::turning_or_fixed_system(const deck::Row& row, std::string_view field) {
+  return find(systems, "coordinate system", row, field);
+}
+
+const Vec3d* Builder::vector(const deck::Row& row, std::string_view field) {
+  const Index i = find(vectors, "vector", row, field);
+  return i == none ? nullptr : &vector_list[static_cast<std::size_t>(i)];
+}
+const Vec3d* Builder::vector_tail(const deck::Row& row, std::string_view field) {
+  const Index i = find(vectors, "vector", row, field);
+  return i == none ? nullptr : &vector_tails[static_cast<std::size_t>(i)];
+}
+const Box* Builder::box(const deck::Row& row, std::string_view field) {
+  const Index i = find(boxes, "box", row, field);
+  return i == none ? nullptr : &box_list[static_cast<std::size_t>(i)];
+}
+
+const Set<Index>* Builder::node_set(const deck::Row& row, std::string_view field) {
+  return find_set(*this, node_sets, model.sets.nodes, "node set", row, field);
+}
+const Set<Index>* Builder::part_set(const deck::Row& row, std::string_view field) {
+  return find_set(*this, part_sets, model.sets.parts, "part set", row, field);
+}
+const Set<Index>* Builder::shell_set(const deck::Row& row, std::string_view field) {
+  return find_set(*this, shell_sets, model.sets.shells, "shell set", row, field);
+}
+const Set<Index>* Builder::solid_set(const deck::Row& row, std::string_view field) {
+  return find_set(*this, solid_sets, model.sets.solids, "solid set", row, field);
+}
+const Set<Index>* Builder::beam_set(const deck::Row& row, std::string_view field) {
+  return find_set(*this, beam_sets, model.sets.beams, "beam set", row, field);
+}
+const Set<Index>* Builder::branch(const deck::Row& row, std::string_view field) {
+  return find_set(*this, branches, model.sets.branches, "branch of parts", row, field);
+}
+const Set<Segment>* Builder::segment_set(const deck::Row& row, std::string_view field) {
+  return find_set(*this, segment_sets, model.sets.segments, "segment set", row, field);
+}
+
+bool at_end(const deck::Cursor& cursor) {
+  return !cursor.more();
+}
+
+void expect_end(Builder& builder, const deck::Cursor& cursor) {
+  if (at_end(cursor)) return;
+  builder.findings.error(cursor.place(), cursor.block().starred(), "more data lines than this keyword has cards",
+                         "remove them, or give the next definition its own keyword line");
+}
+
+std::string read_title(deck::Cursor& cursor, const Options& options) {
+  return options.contains("TITLE") ? cursor.read_text() : std::string{};
+}
+
+void refuse(Builder& builder, const deck::Row& row, std::string_view field, std::string text, std::string remedy) {
+  row.complain(builder.findings, Severity::error, field, std::move(text), std::move(remedy));
+}
+
+void refuse_nonzero(Builder& builder, const deck::Row& row, std::string_view field, std::string text,
+                    std::string remedy) {
+  if (!row.blank(field) && row.real(field) != 0.0) refuse(builder, row, field, std::move(text), std::move(remedy));
+}
+
+void Tally::finish() {
+  if (count_ <= limit_) return;
+  findings_.add({severity_, last_, keyword_, {}, {}, fmt::format("and {} more of this kind", count_ - limit_), {}});
+}
+
+}  // namespace nugget::reading

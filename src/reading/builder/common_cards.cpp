@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reading/builder/common_cards.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nugget::reading {
+
+const Card heading_card{{
+    id("id", IdSpace::other, 0, "number of this definition in results and messages"),
+    text("heading", 70, "its name"),
+}};
+
+const Card title_card{{text("title", 80, "its name")}};
+
+Heading read_heading(deck::Cursor& cursor, bool present) {
+  if (!present) return {};
+  const deck::Row row = cursor.read(heading_card);
+  return {row.integer("id"), row.text("heading")};
+}
+
+Vec3d triple(const deck::Row& row, std::string_view x, std::string_view y, std::string_view z) {
+  return {row.real(x), row.real(y), row.real(z)};
+}
+
+Vec3d direction(const deck::Block& block, const deck::Row& row, std::string_view x, std::string_view y,
+                std::string_view z) {
+  const Vec3d d = triple(row, x, y, z);
+  return block.transform ? block.transform->direction(d) : d;
+}
+
+Vec3d position(const deck::Block& block, const deck::Row& row, std::string_view x, std::string_view y,
+               std::string_view z) {
+  const Vec3d p = triple(row, x, y, z);
+  if (!block.transform) return p;
+  return block.transform->moved(p);
+}
+
+Frame3d axes_of_include(const deck::Block& block) {
+  const auto axis = [&](const Vec3d& e) { return block.transform ? block.transform->direction(e) : e; };
+  return {axis({1, 0, 0}), axis({0, 1, 0}), axis({0, 0, 1})};
+}
+
+bool depends_on_axes(unsigned fixed) {
+  const unsigned translations = fixed & 7u, rotations = fixed >> 3;
+  return (translations != 0 && translations != 7u) || (rotations != 0 && rotations != 7u);
+}
+
+void warn_of_turned_codes(Builder& builder, const deck::Block& block, const deck::Row& row, std::string_view field,
+                          unsigned fixed) {
+  if (block.transform && block.transform->turns() && depends_on_axes(fixed))
+    row.complain(builder.findings, Severity::warning, field, std::string(global_codes_text),
+                 std::string(global_codes_remedy));
+}
+
+void warn_of_global_axis(Builder& builder, const deck::Block& block, const deck::Row& row, std::string_view field) {
+  if (block.transform && block.transform->turns())
+    row.complain(builder.findings, Severity::warning, field,
+                 "acts along the global axes, also where *INCLUDE_TRANSFORM turns the file",
+                 std::string(global_codes_remedy));
+}
+
+int curve_below_zero(const deck::Row& row, std::string_view field) {
+  return static_cast<int>(std::max(0.0, -row.real(field)));
+}
+
+double death_time(double written) {
+  return written <= 0.0 || written >= forever ? forever : written;
+}
+
+void expect(Builder& builder, const deck::Row& row, Severity severity, std::initializer_list<Obeyed> fields) {
+  for (const Obeyed& f : fields)
+    if (row.real(f.field) != f.value) row.complain(builder.findings, severity, f.field, std::string(f.otherwise));
+}
+
+void make_unique(std::vector<Index>& indices) {
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+}
+
+std::vector<Index> nodes_of_parts(const Model& model, const std::vector<Index>& parts) {
+  std::vector<char> wanted(model.parts.size(), 0), used(model.nodes.size(), 0);
+  for (const Index p : parts) wanted[static_cast<std::size_t>(p)] = 1;
+  const auto collect = [&](const auto& elements) {
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      if (elements.part[e] == none || !wanted[static_cast<std::size_t>(elements.part[e])]) continue;
+      for (const Index n : elements.nodes(e))
+        if (n != none) used[static_cast<std::size_t>(n)] = 1;
+    }
+  };
+  collect(model.shells);
+  collect(model.solids);
+  collect(model.beams);
+  std::vector<Index> nodes;
+  for (std::size_t n = 0; n < used.size(); ++n)
+    if (used[n]) nodes.push_back(static_cast<Index>(n));
+  return nodes;
+}
+
+}  // namespace nugget::reading

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "deck/deck.hpp"
+
+// Layers of shells as cards give them: *PART_COMPOSITE, *INTEGRATION_SHELL.
+namespace nugget::reading {
+
+/// One layer, which is one integration point.
+struct LayerCard {
+  enum class Names { nothing, part, material };
+  double place = 0.0, share = 1.0;  ///< from -1 (bottom) to 1 (top); share of the thickness
+  deck::Row row;
+  std::string_view field;        ///< of the row, for findings too
+  Names names = Names::nothing;  ///< what the field's id is; nothing: the layer has the material of the shells' part
+  double angle = 0.0;            ///< B [rad]
+  double shear_scale = 1.0;      ///< SHRFAC
+};
+
+struct LayerStack {
+  std::vector<LayerCard> layers;   ///< from the bottom up
+  bool outlived_by_sound = false;  ///< FAILOPT
+};
+
+}  // namespace nugget::reading

@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: Apache-2.0
+// *BOUNDARY_... and *CONSTRAINED_GLOBAL: nodes held, and motions prescribed.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "reading/bodies/rigid_bodies.hpp"
+#include "reading/builder/common_cards.hpp"
+#include "reading/cards/families.hpp"
+
+namespace nugget::reading {
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+// ---- single point constraints
+// ----------------------------------------------------------------------------------------
+
+constexpr std::array<std::string_view, 6> spc_fields{"dofx", "dofy", "dofz", "dofrx", "dofry", "dofrz"};
+
+Card spc_card(Field target) {
+  return {{
+      target,
+      id("cid", IdSpace::define, 0, "coordinate system of the constraint; 0: global axes"),
+      integer("dofx", 0, between(0, 1), "1: no translation along x"),
+      integer("dofy", 0, between(0, 1), "1: no translation along y"),
+      integer("dofz", 0, between(0, 1), "1: no translation along z"),
+      integer("dofrx", 0, between(0, 1), "1: no rotation about x"),
+      integer("dofry", 0, between(0, 1), "1: no rotation about y"),
+      integer("dofrz", 0, between(0, 1), "1: no rotation about z"),
+  }};
+}
+const Card spc_node_card = spc_card(id("nid", IdSpace::node, required, "node"));
+const Card spc_set_card = spc_card(id("nsid", IdSpace::set, required, "node set"));
+
+const Card birth_death_card{{
+    real("birth", dimension::time, 0, at_least(0), "the constraint acts from this time on"),
+    real("death", dimension::time, forever, at_least(0), "until this time"),
+}};
+
+unsigned fixed_bits(const Row& row) {
+  unsigned bits = 0;
+  for (std::size_t i = 0; i < spc_fields.size(); ++i)
+    if (row.integer(spc_fields[i]) == 1) bits |= 1U << i;
+  return bits;
+}
+
+/// A rigid body moves as one, so nothing can be prescribed to one of its nodes: they are taken out of `nodes`, with a
+/// finding.
+void leave_out_rigid(Builder& builder, const Row& row, std::string_view field, Severity severity,
+                     std::vector<Index>& nodes, std::string_view remedy) {
+  const auto body_of = [&](Index node) { return builder.body_of_node[static_cast<std::size_t>(node)]; };
+  const auto first = std::find_if(nodes.begin(), nodes.end(), [&](Index node) { return body_of(node) != none; });
+  if (first == nodes.end()) return;
+  const auto count = std::count_if(nodes.begin(), nodes.end(), [&](Index node) { return body_of(node) != none; });
+  row.complain(
+      builder.findings, severity, field,
+      fmt::format("node {} belongs to rigid body {}, which moves as one: nothing is prescribed to it ({} such node{})",
+                  builder.model.nodes.id[static_cast<std::size_t>(*first)],
+                  builder.model.rigid_bodies[static_cast<std::size_t>(body_of(*first))].id, count,
+                  count == 1 ? "" : "s"),
+      std::string(remedy));
+  std::erase_if(nodes, [&](Index node) { return body_of(node) != none; });
+}
+
+/// A card whose time ends before it begins does nothing, which is told.
+void warn_of_no_time(Builder& builder, const Row& row, double birth, double death) {
+  if (birth < death) return;
+  row.complain(builder.findings, Severity::warning, "death",
+               fmt::format("it ends before it begins (birth {}): the card does nothing", birth),
+               "give a death later than the birth, or 0 for none");
+}
+
+/// The nodes of a card for one node or a set.
+template <bool set>
+std::vector<Index> nodes_of(Builder& builder, const Row& row) {
+  if constexpr (set) {
+    const auto* nodes = builder.node_set(row, "nsid");
+    return nodes ? nodes->members : std::vector<Index>{};
+  } else {
+    const Index node = builder.node(row, "nid");
+    return node == none ? std::vector<Index>{} : std::vector<Index>{node};
+  }
+}
+
+template <bool set>
+void read_spc(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    SinglePointConstraint spc;
+    spc.id = read_heading(cursor, options.contains("ID")).id;
+    const Row row = cursor.read(set ? spc_set_card : spc_node_card);
+    if (options.contains("BIRTH_DEATH")) {
+      const Row times = cursor.read(birth_death_card);
+      spc.birth = times.real("birth");
+      spc.death = death_time(times.real("death"));
+      warn_of_no_time(builder, times, spc.birth, spc.death);
+    }
+    spc.fixed = fixed_bits(row);
+    if (row.integer("cid") == 0) warn_of_turned_codes(builder, block, row, set ? "nsid" : "nid", spc.fixed);
+    builder.later(Phase::conditions, [row, spc](Builder& b) mutable {
+      spc.system = b.system(row, "cid");
+      if constexpr (set) spc.set_id = row.integer("nsid");
+      auto nodes = nodes_of<set>(b, row);
+      hold_bodies(b, row, set ? "nsid" : "nid", spc, nodes);
+      for (const Index node : nodes) {
+        spc.node = node;
+        b.model.spcs.push_back(spc);
+      }
+    });
+  }
+}
+
+// ---- planes of nodes held
+// ----------------------------------------------------------------------------------------------
+
+const Card plane_card{{
+    integer("tc", 0, between(0, 7), "translations that are held: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz"),
+    integer("rc", 0, between(0, 7), "rotations that are held, by the same codes"),
+    integer("dir", 0, between(0, 3), "normal of the plane: 1 x, 2 y, 3 z; 0: the card does nothing"),
+    real("x", dimension::length, 0, any_value, "a point of the plane: x"),
+    real("y", dimension::length, 0, any_value, "y"),
+    real("z", dimension::length, 0, any_value, "z"),
+    real("tol", dimension::length, 0, at_least(0),
+         "nodes so near to the plane are held; 0: a millionth of the model's diagonal"),
+}};
+
+double component(const Vec3d& v, int direction) {
+  return direction == 1 ? v.x : direction == 2 ? v.y : v.z;
+}
+
+double diagonal(const std::vector<Vec3d>& x) {
+  Vec3d low = x.front(), high = low;
+  for (const Vec3d& p : x) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return norm(high - low);
+}
+
+/// *CONSTRAINED_GLOBAL: the nodes in a plane across a global axis, by their places at the start.
+void read_planes(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(plane_card);
+    const int normal = row.integer("dir");
+    if (normal == 0) {
+      row.complain(builder.findings, Severity::warning, "dir", "no plane is named, so nothing is held",
+                   "write 1, 2 or 3");
+      continue;
+    }
+    warn_of_global_axis(builder, block, row, "dir");
+    const double at = component(position(block, row, "x", "y", "z"), normal);
+    SinglePointConstraint spc{.fixed = bits_of_code(row.integer("tc")) | bits_of_code(row.integer("rc")) << 3};
+    builder.later(Phase::conditions, [row, spc, normal, at](Builder& b) mutable {
+      const std::vector<Vec3d>& x = b.model.nodes.x;
+      if (x.empty()) return;
+      const double tolerance = row.real("tol") > 0.0 ? row.real("tol") : 1e-6 * diagonal(x);
+      std::vector<Index> nodes;
+      for (std::size_t n = 0; n < x.size(); ++n)
+        if (std::abs(component(x[n], normal) - at) <= tolerance) nodes.push_back(static_cast<Index>(n));
+      if (nodes.empty())
+        row.complain(b.findings, Severity::warning, "dir", "no node lies in this plane",
+                     "correct the point, or give TOL");
+      hold_bodies(b, row, "tc", spc, nodes);
+      for (const Index node : nodes) {
+        spc.node = node;
+        b.model.spcs.push_back(spc);
+      }
+    });
+  }
+}
+
+// ---- prescribed motions
+// ----------------------------------------------------------------------------------------------
+
+Card motion_card(Field target) {
+  return {{
+      target,
+      integer("dof", required, any_value,
+              "1, 2, 3 translation along x, y, z; 4 along the vector; -4 the same, motion normal to it held; 5, 6, 7 "
+              "rotation about x, y, z; 8 about the vector; -8 the same, rotation normal to it held; nodes only: 9, 10, "
+              "11 around an axis along x, y, z through the offsets; -9, -10, -11 the same, the radius free"),
+      integer("vad", 0, any_value, "0 velocity, 1 acceleration, 2 displacement"),
+      {"lcid", Kind::integer, {}, required, at_least(1), "curve of the motion over time", IdSpace::function},
+      real("sf", dimension::number, 1, any_value, "scale of the curve"),
+      or_negative(
+          id("vid", IdSpace::define, 0, "vector of dof 4, -4, 8, -8; below 0: coordinate system of dof 1 to 3, 5 to 7"),
+          IdSpace::define),
+      real("death", dimension::time, 1e28, at_least(0), "the motion ends at this time"),
+      real("birth", dimension::time, 0, at_least(0), "and begins at this time; the curve starts then"),
+  }};
+}
+const Card motion_node_card = motion_card(id("nid", IdSpace::node, required, "node"));
+const Card motion_set_card = motion_card(id("nsid", IdSpace::set, required, "node set"));
+const Card motion_body_card =
+    motion_card(id("pid", IdSpace::part, required, "part of *MAT_RIGID, or nodal rigid body"));
+
+const Card motion_axis_card{{
+    real("offset1", dimension::length, 0, any_value, "where the axis is: y (dof 9), z (10), x (11)"),
+    real("offset2", dimension::length, 0, any_value, "where the axis is: z (dof 9), x (10), y (11)"),
+    id("lrb", IdSpace::part, 0, "leading rigid body of vad 4, which is not built"),
+    id("node1", IdSpace::node, 0, "orientation of vad 4, which is not built"),
+    id("node2", IdSpace::node, 0, "orientation of vad 4, which is not built"),
+}};
+
+using Target = PrescribedMotion::Target;
+
+bool is_circular(int dof) {
+  return std::abs(dof) >= 9 && std::abs(dof) <= 11;
+}
+
+bool takes_vector(int dof) {
+  return std::abs(dof) == 4 || std::abs(dof) == 8;
+}
+
+/// LS-DYNA's degree of freedom and kind of motion; false (and findings) for those that are not built.
+bool take_degree_of_freedom(Builder& builder, const Row& row, PrescribedMotion& motion) {
+  const int dof = row.integer("dof"), vad = row.integer("vad");
+  if (dof == 0) return false;  // missing: the row has said so
+  const bool of_nodes = motion.target == Target::nodes, circular = is_circular(dof);
+  const bool known = (dof >= 1 && dof <= 8) || dof == -4 || dof == -8 || (circular && of_nodes);
+  if (circular && !of_nodes)
+    refuse(builder, row, "dof", "dof 9 to 11 drive nodes, not rigid bodies",
+           "drive the body's rotation with dof 5 to 8, and its centre with 1 to 4");
+  else if (!known)
+    refuse(builder, row, "dof",
+           fmt::format("this degree of freedom is not built; expected 1 to 8, -4 or -8{}",
+                       of_nodes ? ", or 9 to 11, -9 to -11" : ""));
+  const bool quantity = vad >= 0 && vad <= 2;
+  if (!quantity) refuse(builder, row, "vad", "expected 0 (velocity), 1 (acceleration) or 2 (displacement)");
+  if (!known || !quantity) return false;
+  motion.rotation = std::abs(dof) >= 5 && !circular;
+  motion.only_direction = dof > 0 || circular;
+  motion.circular = circular;
+  motion.radius_held = dof > 0;
+  motion.quantity = static_cast<PrescribedMotion::Quantity>(vad);
+  return true;
+}
+
+Vec3d axis(int dof) {
+  const int k = is_circular(dof) ? std::abs(dof) - 9 : (dof - 1) % 4;
+  return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0};
+}
+
+/// VID < 0: the motion is along, or about, an axis of a coordinate system as it is at the start.
+bool turn_into_system(Builder& builder, const Row& row, PrescribedMotion& motion) {
+  if (motion.circular || motion.target == Target::rigid_body_local) {
+    refuse(builder, row, "vid", "a coordinate system beside axes of the body or an axis by offsets is not built",
+           "leave VID empty");
+    return false;
+  }
+  const Index system = builder.system_of_directions(row, "vid");
+  if (system == none) return false;
+  motion.direction = builder.model.systems[static_cast<std::size_t>(system)].axes.global(motion.direction);
+  return true;
+}
+
+/// The unit vector of the motion, or nothing and a finding.
+bool resolve_direction(Builder& builder, const Row& row, PrescribedMotion& motion) {
+  const int dof = row.integer("dof");
+  if (!takes_vector(dof)) {
+    motion.direction = axis(dof);
+    return row.integer("vid") >= 0 || turn_into_system(builder, row, motion);
+  }
+  if (row.integer("vid") <= 0) {
+    refuse(builder, row, "vid", fmt::format("dof {} needs a vector", dof), "name a *DEFINE_VECTOR");
+    return false;
+  }
+  const Vec3d* vector = builder.vector(row, "vid");
+  if (!vector) return false;
+  if (norm(*vector) == 0.0) {
+    refuse(builder, row, "vid", "the vector has no length");
+    return false;
+  }
+  motion.direction = unit(*vector);
+  return true;
+}
+
+void resolve_body(Builder& builder, const Row& row, PrescribedMotion& motion) {
+  motion.rigid_body = find_body(builder, row, "pid");
+  if (motion.rigid_body == none || motion.target != Target::rigid_body_local) return;
+  const Frame3d* axes = body_axes(builder, row.integer("pid"));
+  if (!axes) {
+    refuse(builder, row, "pid", "local axes of this body are not known: its principal axes are not used",
+           "name a coordinate system in LCO of *MAT_RIGID, or in CID of *CONSTRAINED_NODAL_RIGID_BODY");
+    return;
+  }
+  motion.direction = axes->global(motion.direction);
+}
+
+/// Where the axis of a circular motion is.
+void take_axis(Builder& builder, const Block& block, const Row& row, int dof, PrescribedMotion& motion) {
+  if (block.transform && block.transform->matrix != deck::Transform{}.matrix)
+    refuse(builder, row, "offset1", "an axis by offsets in an include that is turned or moved is not built",
+           "write the motion in the main file");
+  expect(builder, row, Severity::warning,
+         {{"lrb", 0, "belongs to VAD 4: it does nothing here"},
+          {"node1", 0, "belongs to VAD 4: it does nothing here"},
+          {"node2", 0, "belongs to VAD 4: it does nothing here"}});
+  const double first = row.real("offset1"), second = row.real("offset2");
+  const int k = std::abs(dof) - 9;
+  motion.center = k == 0 ? Vec3d{0, first, second} : k == 1 ? Vec3d{second, 0, first} : Vec3d{first, second, 0};
+}
+
+template <Target target, bool set>
+void read_motion(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    PrescribedMotion motion;
+    motion.id = read_heading(cursor, options.contains("ID")).id;
+    motion.place = cursor.place();
+    const Row row = cursor.read(target != Target::nodes ? motion_body_card : set ? motion_set_card : motion_node_card);
+    motion.target = target;
+    motion.scale = row.real("sf");
+    motion.birth = row.real("birth");
+    motion.death = death_time(row.real("death"));
+    warn_of_no_time(builder, row, motion.birth, motion.death);
+    // A motion that is refused may have a second card, which would be taken for the next definition.
+    if (!take_degree_of_freedom(builder, row, motion)) return;
+    if (!motion.circular && !takes_vector(row.integer("dof")) && row.integer("vid") >= 0 &&
+        target != Target::rigid_body_local)
+      warn_of_global_axis(builder, block, row, "dof");
+    if (motion.circular) take_axis(builder, block, cursor.read(motion_axis_card), row.integer("dof"), motion);
+    builder.later(Phase::conditions, [row, motion](Builder& b) mutable {
+      motion.curve = b.curve(row, "lcid");
+      if (!resolve_direction(b, row, motion)) return;
+      if constexpr (target == Target::nodes) {
+        motion.nodes = nodes_of<set>(b, row);
+        leave_out_rigid(b, row, set ? "nsid" : "nid", Severity::error, motion.nodes,
+                        "use *BOUNDARY_PRESCRIBED_MOTION_RIGID");
+      } else {
+        resolve_body(b, row, motion);
+      }
+      b.model.motions.push_back(std::move(motion));
+    });
+  }
+}
+
+template <Target target, bool set = false>
+Keyword motion_keyword(std::string_view name, const Card& card) {
+  std::vector<LayoutCard> layout{{"with _ID", &heading_card}, {{}, &card}};
+  if (target == Target::nodes) layout.push_back({"if |DOF| is 9, 10 or 11", &motion_axis_card});
+  return {name, {}, {"ID"}, Verdict::used, {}, std::move(layout), read_motion<target, set>};
+}
+
+}  // namespace
+
+std::vector<Keyword> boundary_keywords() {
+  const std::vector<std::string_view> spc_options{"ID", "BIRTH_DEATH"};
+  return {
+      {"BOUNDARY_SPC_NODE",
+       {},
+       spc_options,
+       Verdict::used,
+       {},
+       {{"with _ID", &heading_card}, {{}, &spc_node_card}, {"with _BIRTH_DEATH", &birth_death_card}},
+       read_spc<false>},
+      {"BOUNDARY_SPC_SET",
+       {},
+       spc_options,
+       Verdict::used,
+       {},
+       {{"with _ID", &heading_card}, {{}, &spc_set_card}, {"with _BIRTH_DEATH", &birth_death_card}},
+       read_spc<true>},
+      {.name = "CONSTRAINED_GLOBAL", .layout = {{"", &plane_card}}, .read = read_planes},
+      motion_keyword<Target::nodes, false>("BOUNDARY_PRESCRIBED_MOTION_NODE", motion_node_card),
+      motion_keyword<Target::nodes, true>("BOUNDARY_PRESCRIBED_MOTION_SET", motion_set_card),
+      motion_keyword<Target::rigid_body>("BOUNDARY_PRESCRIBED_MOTION_RIGID", motion_body_card),
+      motion_keyword<Target::rigid_body_local>("BOUNDARY_PRESCRIBED_MOTION_RIGID_LOCAL", motion_body_card),
+  };
+}
+
+}  // namespace nugget::reading

@@ -1,0 +1,501 @@
+// SPDX-License-Identifier: Apache-2.0
+// *CONSTRAINED_...: rigid bodies out of nodes and parts. The cards wait in Builder::body_cards; rigid_bodies.cpp makes
+// the bodies.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/axes.hpp"
+#include "reading/builder/common_cards.hpp"
+#include "reading/cards/families.hpp"
+#include "reading/cards/rigid_hold.hpp"
+
+namespace nugget::reading {
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+const Card nodal_card{{
+    id("pid", IdSpace::part, required, "number of the body, as of a part"),
+    id("cid", IdSpace::define, 0, "coordinate system of local motions"),
+    id("nsid", IdSpace::set, 0, "node set; 0: the one numbered as the body"),
+    or_negative(id("pnode", IdSpace::node, 0, "node at which the body is drawn"), IdSpace::node),
+    integer("iprt", 0, between(0, 2), "output in rbdout"),
+    integer("drflag", 0, only(0), "released translations: not built"),
+    integer("rrflag", 0, only(0), "released rotations: not built"),
+}};
+const Card inertia_card1{{
+    real("xc", dimension::length, 0, any_value, "centre of mass: x"),
+    real("yc", dimension::length, 0, any_value, "y"),
+    real("zc", dimension::length, 0, any_value, "z"),
+    real("tm", dimension::mass, required, above_zero(), "mass"),
+    integer("ircs", 0, between(0, 1), "1: the tensor is in local axes"),
+    id("nodeid", IdSpace::node, 0, "node at the centre of mass, instead of its coordinates"),
+}};
+const Card inertia_card2{{
+    real("ixx", dimension::inertia, required, at_least(0), "tensor of inertia about the centre: xx"),
+    real("ixy", dimension::inertia, 0, any_value, "xy"),
+    real("ixz", dimension::inertia, 0, any_value, "xz"),
+    real("iyy", dimension::inertia, required, at_least(0), "yy"),
+    real("iyz", dimension::inertia, 0, any_value, "yz"),
+    real("izz", dimension::inertia, required, at_least(0), "zz"),
+}};
+const Card inertia_card3{{
+    real("vtx", dimension::velocity, 0, any_value, "initial velocity along x"),
+    real("vty", dimension::velocity, 0, any_value, "along y"),
+    real("vtz", dimension::velocity, 0, any_value, "along z"),
+    real("vrx", dimension::rate, 0, any_value, "initial spin about x"),
+    real("vry", dimension::rate, 0, any_value, "about y"),
+    real("vrz", dimension::rate, 0, any_value, "about z"),
+}};
+const Card inertia_card4{{
+    real("xl", dimension::number, 0, any_value, "local x axis: x"),
+    real("yl", dimension::number, 0, any_value, "y"),
+    real("zl", dimension::number, 0, any_value, "z"),
+    real("xlip", dimension::number, 0, any_value, "vector in the local xy plane: x"),
+    real("ylip", dimension::number, 0, any_value, "y"),
+    real("zlip", dimension::number, 0, any_value, "z"),
+    id("cid", IdSpace::define, 0, "coordinate system, instead of these"),
+}};
+const Card extra_node_card{{
+    id("pid", IdSpace::part, required, "part of *MAT_RIGID"),
+    id("nid", IdSpace::node, required, "node that goes with it"),
+    integer("iflag", 0, any_value, "mass of the node with a given inertia"),
+}};
+const Card extra_set_card{{
+    id("pid", IdSpace::part, required, "part of *MAT_RIGID"),
+    id("nsid", IdSpace::set, required, "nodes that go with it"),
+    integer("iflag", 0, any_value, "mass of the nodes with a given inertia"),
+}};
+const Card merge_card{{
+    id("pidl", IdSpace::part, required, "lead body"),
+    id("pidc", IdSpace::part, required, "body that is merged into it"),
+    integer("iflag", 0, any_value, "0: a given inertia of the lead body holds for both"),
+}};
+Card switched_card(IdSpace space) {
+  return {{
+      id("pid", space, required, "part, or set of parts, that is rigid from the start"),
+      id("lrb", IdSpace::part, 0, "lead body into which it is merged: not built, 0"),
+      text("ptype", 10, "PART or PSET: what pid is; blank: PART"),
+  }};
+}
+const Card switched_part_card = switched_card(IdSpace::part), switched_set_card = switched_card(IdSpace::set);
+const Card weld_id_card{{id("wid", IdSpace::other, 0, "number of the weld")}};
+constexpr Field normal_strength = real("sn", dimension::force, 0, at_least(0), "normal force at failure; 0: left out");
+constexpr Field shear_strength = real("ss", dimension::force, 0, at_least(0), "shear force at failure; 0: left out");
+constexpr Field normal_exponent = real("n", dimension::number, 0, at_least(0), "exponent of the normal force");
+constexpr Field shear_exponent = real("m", dimension::number, 0, at_least(0), "exponent of the shear force");
+const Card weld_card1{{
+    id("nsid", IdSpace::set, required, "nodes that are welded together, in their order along the weld"),
+    id("cid", IdSpace::define, 0, "coordinate system whose z is the normal direction; 0: first node to last"),
+    integer("filter", 0, at_least(0), "force vectors that are averaged for failure; up to 1: none"),
+    real("window", dimension::time, 0, at_least(0), "time window of that average; 0: all FILTER vectors"),
+    integer("npr", 0, any_value, "pairs of nodes for output"),
+    integer("nprt", 0, any_value, "output in rbdout"),
+}};
+const Card weld_card2{{
+    real("tfail", dimension::time, forever, at_least(0), "time of failure"),
+    real("epsf", dimension::number, 0, at_least(0), "plastic strain of the adjoining elements at failure; 0: none"),
+    normal_strength,
+    shear_strength,
+    normal_exponent,
+    shear_exponent,
+}};
+const Card spotweld_card{{
+    id("n1", IdSpace::node, required, "node 1"),
+    id("n2", IdSpace::node, required, "node 2, at another place"),
+    normal_strength,
+    shear_strength,
+    normal_exponent,
+    shear_exponent,
+    real("tf", dimension::time, forever, at_least(0), "time of failure"),
+    real("ep", dimension::number, forever, at_least(0), "plastic strain of the adjoining elements at failure"),
+}};
+const Card spotweld_filter_card{{
+    integer("nf", 0, at_least(0), "force vectors that are averaged for failure; up to 1: none"),
+    real("tw", dimension::time, 0, at_least(0), "time window of that average; 0: all NF vectors"),
+}};
+const Card rivet_card{{
+    id("n1", IdSpace::node, required, "node 1"),
+    id("n2", IdSpace::node, required, "node 2, at another place"),
+    real("tf", dimension::time, forever, at_least(0), "time of failure; 0: none"),
+}};
+
+const Card interpolation_card1{{
+    id("icid", IdSpace::other, 0, "number of the interpolation"),
+    id("dnid", IdSpace::node, required, "dependent node"),
+    integer("ddof", 123456, between(123, 123456), "its dependent degrees of freedom: 123456, or 123 (translations)"),
+    unused(),
+    integer("ityp", 0, between(0, 1), "INID is 0 a node, 1 a node set"),
+    integer("idnsw", 1, only(1), "switch of the explicit solution"),
+    integer("fgm", 0, any_value, "output of the weights, no effect"),
+}};
+/// The name space of INID depends on ITYP of the first card.
+Card independent_card(IdSpace space) {
+  return {{
+      {"inid", Kind::integer, {}, required, at_least(1), "independent node, or set", space},
+      integer("idof", 0, any_value, "its degrees of freedom: 123; rotations are not built"),
+      real("twghtx", dimension::number, 1, above_zero(), "weight of its translation"),
+      real("twghty", dimension::number, 0, at_least(0), "along y; 0: as along x, and nothing else"),
+      real("twghtz", dimension::number, 0, at_least(0), "along z; 0: as along x, and nothing else"),
+      real("rwghtx", dimension::number, 0, only(0), "weight of its rotation: not built"),
+      real("rwghty", dimension::number, 0, only(0), "not built"),
+      real("rwghtz", dimension::number, 0, only(0), "not built"),
+  }};
+}
+const Card interpolation_node = independent_card(IdSpace::node), interpolation_set = independent_card(IdSpace::set);
+
+// ---- nodal rigid bodies
+// ----------------------------------------------------------------------------------------------------
+
+void read_spc(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
+  const RigidCard hold = read_rigid_hold(builder, cursor);
+  const Row& row = hold.row;
+  if (hold.cmo == 1) body.fixed = bits_of_code(hold.con1) | bits_of_code(hold.con2) << 3;
+  if (hold.cmo == -1) body.spc = row;
+  for (const std::string_view field : {"spcnid", "xspc", "yspc", "zspc"})
+    refuse_nonzero(builder, row, field, "a body is held at its centre of mass; another point is not built",
+                   "leave it blank");
+}
+
+/// The local axes of the tensor as vectors on the card; a coordinate system is looked up when the bodies are made.
+void take_axes(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
+  const Row row = cursor.read(inertia_card4);
+  if (row.integer("cid") != 0) {
+    body.axes_row = row;
+    return;
+  }
+  Frame3d axes;
+  const Block& block = cursor.block();
+  if (!frame_from(direction(block, row, "xl", "yl", "zl"), direction(block, row, "xlip", "ylip", "zlip"), axes))
+    return refuse(builder, row, "xl", "the two vectors of the local axes are parallel or have no length",
+                  "give a local x axis and another vector");
+  body.inertia.inertia = to_global(body.inertia.inertia, axes);
+}
+
+void read_inertia(Builder& builder, const Block& block, Cursor& cursor, BodyCards::Nodal& body) {
+  body.given = true;
+  const Row row1 = cursor.read(inertia_card1);
+  body.inertia_row = row1;
+  body.inertia.center = position(block, row1, "xc", "yc", "zc");
+  body.inertia.mass = row1.real("tm");
+  const Row row2 = cursor.read(inertia_card2);
+  body.inertia.inertia = {row2.real("ixx"), row2.real("ixy"), row2.real("ixz"),
+                          row2.real("iyy"), row2.real("iyz"), row2.real("izz")};
+  const Row row3 = cursor.read(inertia_card3);
+  body.inertia.velocity = direction(block, row3, "vtx", "vty", "vtz");
+  body.inertia.spin = direction(block, row3, "vrx", "vry", "vrz");
+  if (row1.integer("ircs") == 1)
+    take_axes(builder, cursor, body);
+  else
+    body.inertia.inertia = to_global(body.inertia.inertia, axes_of_include(block));
+}
+
+void read_nodal_body(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    BodyCards::Nodal body;
+    body.title = read_title(cursor, options);
+    body.row = cursor.read(nodal_card);
+    if (body.row.integer("iprt") == 2)
+      body.row.complain(builder.findings, Severity::warning, "iprt", "rbdout lists this body all the same");
+    if (options.contains("SPC")) read_spc(builder, cursor, body);
+    if (options.contains("INERTIA")) read_inertia(builder, block, cursor, body);
+    builder.body_cards.nodal.push_back(std::move(body));
+  }
+}
+
+// ---- others
+// ------------------------------------------------------------------------------------------------------------------
+
+template <bool set>
+void read_extra_nodes(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor))
+    builder.body_cards.extra_nodes.push_back({set, cursor.read(set ? extra_set_card : extra_node_card)});
+}
+
+void read_mergers(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) builder.body_cards.merges.push_back(cursor.read(merge_card));
+}
+
+/// Before the rigid bodies are made: from there on the part is one of *MAT_RIGID with its own density and moduli.
+void make_rigid(Builder& b, const Row& row, Index p) {
+  Part& part = b.model.parts[static_cast<std::size_t>(p)];
+  if (part.material == none) return;
+  Material rigid = b.model.materials[static_cast<std::size_t>(part.material)];
+  if (std::holds_alternative<kernel::Spotweld>(rigid.law) || part.kind == ElementKind::discrete)
+    return refuse(b, row, "pid", fmt::format("part {} has welds or springs, which cannot be rigid", part.id),
+                  "take it out");
+  if (std::holds_alternative<kernel::Rigid>(rigid.law)) return;
+  rigid.law = kernel::Rigid{rigid.young(), rigid.poisson()};
+  rigid.keyword = "MAT_RIGID";
+  part.material = static_cast<Index>(b.model.materials.size());
+  b.model.materials.push_back(std::move(rigid));
+}
+
+void read_switched(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    const bool set = cursor.peek().find("PSET") != std::string::npos;
+    const Row row = cursor.read(set ? switched_set_card : switched_part_card);
+    if (const std::string& type = row.text("ptype"); !set && !type.empty() && type != "PART")
+      refuse(builder, row, "ptype", "expected PART or PSET", "leave it blank for a part");
+    refuse_nonzero(builder, row, "lrb", "merging into a lead body here is not built", "use *CONSTRAINED_RIGID_BODIES");
+    builder.later(Phase::sets, [row, set](Builder& b) {
+      if (!set) {
+        if (const Index part = b.part(row, "pid"); part != none) make_rigid(b, row, part);
+      } else if (const Set<Index>* parts = b.part_set(row, "pid")) {
+        for (const Index part : parts->members) make_rigid(b, row, part);
+      }
+    });
+  }
+}
+
+// ---- rigid welds
+// -------------------------------------------------------------------------------------------------------------
+
+/// SN SS N M. A strength without an exponent would be reached at once.
+void take_strength(Builder& builder, const Row& row, RigidWeld& weld) {
+  const auto take = [&](std::string_view force, std::string_view exponent, double& strength, double& power) {
+    if (row.real(force) <= 0.0 || row.real(force) >= forever) return;
+    strength = row.real(force);
+    power = row.real(exponent);
+    if (!(power > 0.0))
+      refuse(builder, row, exponent, fmt::format("the exponent that goes with {} must be more than 0", force),
+             "give 1 for a straight and 2 for a round failure curve");
+  };
+  take("sn", "n", weld.normal_strength, weld.normal_exponent);
+  take("ss", "m", weld.shear_strength, weld.shear_exponent);
+}
+
+/// LS-DYNA's 0 and 1e20 both mean that there is no such failure; ours is 0.
+double failure_value(const Row& row, std::string_view field) {
+  return row.real(field) >= forever ? 0.0 : row.real(field);
+}
+
+void keep_weld(Builder& builder, BodyCards::Weld weld) {
+  weld.weld.place = weld.row.place();
+  if (weld.weld.id == 0) weld.weld.id = static_cast<int>(builder.body_cards.welds.size()) + 1;
+  builder.body_cards.welds.push_back(std::move(weld));
+}
+
+void read_weld_spot(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    BodyCards::Weld weld;
+    weld.weld.kind = RigidWeld::Kind::generalized;
+    if (options.contains("ID")) weld.weld.id = cursor.read(weld_id_card).integer("wid");
+    weld.row = cursor.read(weld_card1);
+    weld.weld.filter = weld.row.integer("filter");
+    weld.weld.window = weld.row.real("window");
+    const Row failure = cursor.read(weld_card2);
+    weld.weld.failure_time = failure_value(failure, "tfail");
+    weld.weld.failure_strain = failure_value(failure, "epsf");
+    take_strength(builder, failure, weld.weld);
+    keep_weld(builder, std::move(weld));
+  }
+}
+
+void read_spotweld(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    BodyCards::Weld weld;
+    weld.weld.kind = RigidWeld::Kind::spotweld;
+    if (options.contains("ID")) weld.weld.id = cursor.read(weld_id_card).integer("wid");
+    weld.row = cursor.read(spotweld_card);
+    weld.weld.failure_time = failure_value(weld.row, "tf");
+    weld.weld.failure_strain = failure_value(weld.row, "ep");
+    take_strength(builder, weld.row, weld.weld);
+    if (options.contains("FILTERED_FORCE")) {
+      const Row filter = cursor.read(spotweld_filter_card);
+      weld.weld.filter = filter.integer("nf");
+      weld.weld.window = filter.real("tw");
+    }
+    keep_weld(builder, std::move(weld));
+  }
+}
+
+void make_rivet(Builder& b, const Row& row, int id) {
+  RigidWeld rivet;
+  rivet.kind = RigidWeld::Kind::rivet;
+  rivet.nodes = {b.node(row, "n1"), b.node(row, "n2")};
+  rivet.failure_time = failure_value(row, "tf");
+  rivet.place = row.place();
+  const auto is_rivet = [](const RigidWeld& w) { return w.kind == RigidWeld::Kind::rivet; };
+  const auto& welds = b.model.rigid_welds;
+  rivet.id = id != 0 ? id : static_cast<int>(std::count_if(welds.begin(), welds.end(), is_rivet)) + 1;
+  if (rivet.nodes[0] == none || rivet.nodes[1] == none) return;
+  const auto place = [&](std::size_t end) { return b.model.nodes.x[static_cast<std::size_t>(rivet.nodes[end])]; };
+  if (norm(place(1) - place(0)) == 0.0)
+    return refuse(b, row, "n2", "both nodes are at one place, so the rivet has no direction",
+                  "move one of them, or use *CONSTRAINED_GENERALIZED_WELD_SPOT for such nodes");
+  b.model.rigid_welds.push_back(std::move(rivet));
+}
+
+void read_rivet(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    const int id = options.contains("ID") ? cursor.read(weld_id_card).integer("wid") : 0;
+    const Row row = cursor.read(rivet_card);
+    builder.later(Phase::conditions, [row, id](Builder& later) { make_rivet(later, row, id); });
+  }
+}
+
+// ---- interpolation
+// -------------------------------------------------------------------------------------------------------------
+
+/// The nodes of one row, with their weight.
+void take_independent(Builder& b, const Row& head, const Row& row, Interpolation& out) {
+  for (const std::string_view field : {"twghty", "twghtz"})
+    if (row.real(field) != 0.0 && row.real(field) != row.real("twghtx"))
+      refuse(b, row, field, "weights that differ between the directions are not built", "leave it blank");
+  if (row.integer("idof") > 123)
+    refuse(b, row, "idof", "rotations of the independent nodes have no part in this average", "write 123");
+  const auto add = [&](Index node) {
+    out.independent.push_back(node);
+    out.weight.push_back(row.real("twghtx"));
+  };
+  if (head.integer("ityp") == 1) {
+    if (const Set<Index>* set = b.node_set(row, "inid")) std::for_each(set->members.begin(), set->members.end(), add);
+  } else if (const Index node = b.node(row, "inid"); node != none) {
+    add(node);
+  }
+}
+
+/// Whether the nodes tell a rotation: they must not lie on a line.
+bool on_a_line(const Model& model, const Interpolation& i) {
+  Vec3d centre;
+  const auto place = [&](std::size_t k) { return model.nodes.x[static_cast<std::size_t>(i.independent[k])]; };
+  for (std::size_t k = 0; k < i.weight.size(); ++k) centre += i.weight[k] * place(k);
+  double across = 0.0, size = 0.0;
+  for (std::size_t k = 0; k < i.weight.size(); ++k)
+    for (std::size_t l = 0; l < k; ++l) {
+      const Vec3d a = place(k) - centre, b = place(l) - centre;
+      across = std::max(across, norm(cross(a, b)));
+      size = std::max({size, dot(a, a), dot(b, b)});
+    }
+  return !(across > 1e-6 * size);
+}
+
+void make_interpolation(Builder& b, const Row& head, const std::vector<Row>& rows) {
+  Interpolation out;
+  out.id = head.integer("icid");
+  out.node = b.node(head, "dnid");
+  out.place = head.place();
+  const int ddof = head.integer("ddof");
+  out.rotations = ddof == 123456;
+  if (ddof != 123 && ddof != 123456)
+    refuse(b, head, "ddof", "some degrees of freedom of a node cannot be interpolated without the others",
+           "write 123456, or 123 for its translations");
+  const int errors = b.findings.errors();
+  for (const Row& row : rows) take_independent(b, head, row, out);
+  if (out.node == none || b.findings.errors() > errors) return;
+  double sum = 0.0;
+  for (const double w : out.weight) sum += w;
+  for (double& w : out.weight) w /= sum;
+  if (std::find(out.independent.begin(), out.independent.end(), out.node) != out.independent.end())
+    return refuse(b, head, "dnid", "is among its own independent nodes", "take it out of them");
+  if (out.weight.size() < 3 || on_a_line(b.model, out))
+    return refuse(b, head, "icid", "the independent nodes lie on a line, so they do not tell a rotation",
+                  "give three or more that do not");
+  b.model.interpolations.push_back(std::move(out));
+}
+
+void read_interpolation(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  const Row head = cursor.read(interpolation_card1);
+  std::vector<Row> rows;
+  while (!at_end(cursor))
+    rows.push_back(cursor.read(head.integer("ityp") == 1 ? interpolation_set : interpolation_node));
+  builder.later(Phase::conditions, [head, rows](Builder& later) { make_interpolation(later, head, rows); });
+}
+
+}  // namespace
+
+std::vector<Keyword> constrained_keywords() {
+  const auto refused = [](std::string_view name, std::string_view why) {
+    return Keyword{name, {}, {"ID", "TITLE", "LOCAL", "FILTERED_FORCE"}, Verdict::refused, why, {}, nullptr};
+  };
+  return {
+      {"CONSTRAINED_NODAL_RIGID_BODY",
+       {},
+       {"SPC", "INERTIA", "TITLE"},
+       Verdict::used,
+       {},
+       {{"with _TITLE", &title_card},
+        {{}, &nodal_card},
+        {"with _SPC, if CMO is 0 or 1", &rigid_hold_card},
+        {"with _SPC, if CMO is -1", &rigid_hold_local_card},
+        {"with _INERTIA", &inertia_card1},
+        {"with _INERTIA", &inertia_card2},
+        {"with _INERTIA", &inertia_card3},
+        {"with _INERTIA, if IRCS = 1", &inertia_card4}},
+       read_nodal_body},
+      {"CONSTRAINED_EXTRA_NODES_NODE", {}, {}, Verdict::used, {}, {{{}, &extra_node_card}}, read_extra_nodes<false>},
+      {"CONSTRAINED_EXTRA_NODES_SET", {}, {}, Verdict::used, {}, {{{}, &extra_set_card}}, read_extra_nodes<true>},
+      {"CONSTRAINED_RIGID_BODIES", {}, {}, Verdict::used, {}, {{{}, &merge_card}}, read_mergers},
+      {"DEFORMABLE_TO_RIGID", {}, {}, Verdict::used, {}, {{{}, &switched_part_card}}, read_switched},
+      {"CONSTRAINED_GENERALIZED_WELD_SPOT",
+       {},
+       {"ID"},
+       Verdict::used,
+       {},
+       {{"with _ID", &weld_id_card}, {{}, &weld_card1}, {{}, &weld_card2}},
+       read_weld_spot},
+      {"CONSTRAINED_INTERPOLATION",
+       {},
+       {},
+       Verdict::used,
+       {},
+       {{{}, &interpolation_card1}, {"for each independent node or set", &interpolation_node}},
+       read_interpolation},
+      {"CONSTRAINED_SPOTWELD",
+       {},
+       {"ID", "FILTERED_FORCE"},
+       Verdict::used,
+       {},
+       {{"with _ID", &weld_id_card}, {{}, &spotweld_card}, {"with _FILTERED_FORCE", &spotweld_filter_card}},
+       read_spotweld},
+      {"CONSTRAINED_RIVET",
+       {},
+       {"ID"},
+       Verdict::used,
+       {},
+       {{"with _ID", &weld_id_card}, {{}, &rivet_card}},
+       read_rivet},
+
+      refused("CONSTRAINED_GENERALIZED_WELD_*",
+              "fillet, butt, cross and combined welds are not built: their cards are not documented to this project; "
+              "spots (*CONSTRAINED_GENERALIZED_WELD_SPOT) are"),
+      refused(
+          "CONSTRAINED_INTERPOLATION_SPOTWELD",
+          "welds without elements between sheets (SPR4, the nonnodal rows of swforc) are not built: their law is not "
+          "documented to this project; use *MAT_SPOTWELD elements with *CONTACT_SPOTWELD"),
+      refused("CONSTRAINED_INTERPOLATION_LOCAL",
+              "weights in local axes are not built; give weights that are the same in all directions"),
+      refused("CONSTRAINED_TIE_BREAK", "tied nodes that break are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
+      refused("CONSTRAINED_TIED_NODES_FAILURE",
+              "tied nodes that break are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
+      refused("CONSTRAINED_NODE_SET",
+              "nodes that share a motion are not built; *CONSTRAINED_NODAL_RIGID_BODY joins all their motions"),
+      refused("CONSTRAINED_NODE_INTERPOLATION", "nodes that hang on others are not built"),
+      refused("CONSTRAINED_LINEAR_*", "linear equations between nodal motions are not built"),
+      refused("CONSTRAINED_SHELL_TO_SOLID",
+              "fibres of solid nodes tied to a shell's edge are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
+      refused("CONSTRAINED_BEAM_IN_SOLID", "beams inside solids are not built"),
+      refused("CONSTRAINED_LAGRANGE_IN_SOLID", "coupling to fluids is not built"),
+      refused("CONSTRAINED_RIGID_BODY_STOPPERS", "stops of rigid bodies are not built"),
+      refused("CONSTRAINED_SPR*",
+              "self-piercing rivets without elements (the nonnodal rows of swforc) are not built; use *MAT_SPOTWELD "
+              "elements with *CONTACT_SPOTWELD"),
+      refused("CONSTRAINED_*",
+              "this constraint is not built; nodal rigid bodies, extra nodes, merged rigid bodies, spotwelds and "
+              "generalized weld spots are"),
+  };
+}
+
+}  // namespace nugget::reading

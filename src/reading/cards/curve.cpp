@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "reading/builder/common_cards.hpp"
+#include "reading/cards/families.hpp"
+
+// *DEFINE_CURVE, *DEFINE_TABLE and their forms. Curves and tables share one name space.
+namespace nugget::reading {
+
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+const Card curve_card{{
+    id("lcid", IdSpace::function, required, "curve id"),
+    integer("sidr", 0, between(0, 2), "loads follow the curve 0 in the run, 1 in dynamic relaxation, 2 in both"),
+    real("sfa", dimension::number, 1, any_value, "factor on the abscissae"),
+    real("sfo", dimension::number, 1, any_value, "factor on the ordinates"),
+    real("offa", dimension::number, 0, any_value, "offset of the abscissae, before the factor"),
+    real("offo", dimension::number, 0, any_value, "offset of the ordinates, before the factor"),
+    integer("dattyp", 0, any_value, "kind of data, no effect"),
+    integer("lcint", 0, any_value, "points of LS-DYNA's resampling; curves are evaluated as they are"),
+}};
+
+const Card point_card{{
+    wide(real("a", dimension::number, 0, any_value, "abscissa"), 20),
+    wide(real("o", dimension::number, 0, any_value, "ordinate"), 20),
+}};
+
+const Card smooth_card{{
+    id("lcid", IdSpace::function, required, "curve id"),
+    integer("sidr", 0, between(0, 2), "loads follow the curve 0 in the run, 1 in dynamic relaxation, 2 in both"),
+    real("dist", dimension::number, required, any_value, "distance to go: the area under the curve"),
+    real("tstart", dimension::number, 0, at_least(0), "time at which it rises"),
+    real("tend", dimension::number, 0, at_least(0), "time at which it is back at 0; 0: by VMAX"),
+    real("trise", dimension::number, required, above_zero(), "time of the rise, and of the fall"),
+    real("vmax", dimension::number, 0, any_value, "velocity in between; used where TEND is 0"),
+}};
+
+const Card copy_card{{
+    id("lcid", IdSpace::function, required, "curve id"),
+    id("rlcid", IdSpace::function, required, "curve to be copied"),
+    real("sfa", dimension::number, 1, any_value, "factor on the abscissae"),
+    real("sfo", dimension::number, 1, any_value, "factor on the ordinates"),
+    real("offa", dimension::number, 0, any_value, "offset of the abscissae, before the factor"),
+    real("offo", dimension::number, 0, any_value, "offset of the ordinates, before the factor"),
+}};
+
+const Card table_card{{
+    id("tbid", IdSpace::function, required, "table id"),
+    real("sfa", dimension::number, 1, any_value, "factor on the values"),
+    real("offa", dimension::number, 0, any_value, "offset of the values, before the factor"),
+}};
+
+const Card value_card{{wide(real("value", dimension::number, 0, any_value, "value; its curve follows the table"), 20)}};
+
+const Card value_2d_card{{
+    wide(real("value", dimension::number, 0, any_value, "value"), 20),
+    wide(id("curveid", IdSpace::function, required, "its curve"), 20),
+}};
+
+/// A unit factor would have to know what the numbers of a curve are; the curve itself does not tell.
+void refuse_unit_factors(Builder& b, const Block& block) {
+  const auto* t = block.transform;
+  if (!t || (t->mass == 1.0 && t->length == 1.0 && t->time == 1.0)) return;
+  b.findings.error(block.place, block.starred(), "the unit factors of *INCLUDE_TRANSFORM cannot be applied to a curve",
+                   "write the curve in the units of the main deck, outside this include");
+}
+
+/// Scales and offsets as *DEFINE_CURVE means them: factor (value + offset).
+void rescale(Curve& curve, const Row& row) {
+  for (double& x : curve.x) x = row.real("sfa") * (x + row.real("offa"));
+  for (double& y : curve.y) y = row.real("sfo") * (y + row.real("offo"));
+  if (row.real("sfa") < 0.0) {
+    std::reverse(curve.x.begin(), curve.x.end());
+    std::reverse(curve.y.begin(), curve.y.end());
+  }
+}
+
+void add_curve(Builder& b, const Row& row, Curve curve) {
+  const std::string keyword = row.keyword();
+  if (curve.empty()) b.findings.error(row.place(), keyword, fmt::format("curve {} has no points", curve.id));
+  const auto index = static_cast<Index>(b.model.curves.size());
+  if (b.tables.find(curve.id) != none)
+    b.findings.error(row.place(), keyword, fmt::format("{} is already the id of a table", curve.id),
+                     "curves and tables share their ids; give one of them another id");
+  b.curves.add(curve.id, index, row.place(), keyword, "curve", b.findings);
+  b.model.curves.push_back(std::move(curve));
+}
+
+/// The points up to the end of the keyword. Each abscissa must be larger than the one before.
+Curve read_points(Builder& b, Cursor& cursor, int id) {
+  Curve curve;
+  curve.id = id;
+  bool is_told = false;
+  while (!at_end(cursor)) {
+    const Row point = cursor.read(point_card);
+    const double a = point.real("a");
+    if (!curve.empty() && a <= curve.x.back() && !is_told) {
+      refuse(b, point, "a", fmt::format("expected more than {:g}: abscissae must ascend", curve.x.back()),
+             "sort the points; a step needs two abscissae a little apart");
+      is_told = true;
+    }
+    curve.x.push_back(a);
+    curve.y.push_back(point.real("o"));
+  }
+  return curve;
+}
+
+void read_curve(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
+  const Row row = cursor.read(curve_card);
+  refuse_unit_factors(b, block);
+  Curve curve = read_points(b, cursor, row.integer("lcid"));
+  curve.in_run = row.integer("sidr") != 1;
+  curve.in_relaxation = row.integer("sidr") != 0;
+  if (curve.in_relaxation) b.model.control.relaxation.asked = true;
+  rescale(curve, row);
+  add_curve(b, row, std::move(curve));
+}
+
+/// Velocity that rises and falls along half a wave of a cosine each, by chords whose area is that of the wave.
+Curve smooth_curve(int id, double start, double end, double rise, double velocity) {
+  constexpr int chords = 32;
+  Curve curve;
+  curve.id = id;
+  const auto add = [&](double x, double y) {
+    if (!curve.empty() && !(x > curve.x.back())) return;
+    curve.x.push_back(x);
+    curve.y.push_back(y);
+  };
+  const auto wave = [](int i) { return 0.5 * (1.0 - std::cos(std::numbers::pi * i / chords)); };
+  add(0.0, 0.0);
+  for (int i = 0; i <= chords; ++i) add(start + rise * i / chords, velocity * wave(i));
+  for (int i = chords; i >= 0; --i) add(end - rise * i / chords, velocity * wave(i));
+  return curve;
+}
+
+void read_smooth(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
+  const Row row = cursor.read(smooth_card);
+  expect_end(b, cursor);
+  refuse_unit_factors(b, block);
+  const double distance = row.real("dist"), start = row.real("tstart"), rise = row.real("trise");
+  double end = row.real("tend"), velocity = row.real("vmax");
+  if (!(rise > 0.0)) return;  // refused by its range
+  if (end == 0.0 && velocity == 0.0)
+    return refuse(b, row, "vmax", "neither TEND nor VMAX is given", "give one of them; DIST gives the other");
+  if (end == 0.0)
+    end = start + distance / velocity + rise;
+  else
+    velocity = distance / (end - start - rise);
+  if (const double given = row.real("vmax"); given != 0.0 && std::abs(given - velocity) > 1e-3 * std::abs(given))
+    row.complain(b.findings, Severity::warning, "vmax", fmt::format("not obeyed: DIST and TEND give {:.6g}", velocity),
+                 "leave one of TEND and VMAX 0");
+  if (!(end - start >= 2.0 * rise) || !std::isfinite(velocity))
+    return refuse(b, row, "trise",
+                  fmt::format("from TSTART to TEND, {:.6g}, there is no room for a rise and a fall", end - start),
+                  "give a shorter TRISE, or a smaller VMAX");
+  Curve curve = smooth_curve(row.integer("lcid"), start, end, rise, velocity);
+  curve.in_run = row.integer("sidr") != 1;
+  curve.in_relaxation = row.integer("sidr") != 0;
+  if (curve.in_relaxation) b.model.control.relaxation.asked = true;
+  add_curve(b, row, std::move(curve));
+}
+
+void read_copy(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
+  const Row row = cursor.read(copy_card);
+  expect_end(b, cursor);
+  b.later(Phase::curves, [row](Builder& later) {
+    const Index original = later.curve(row, "rlcid");
+    if (original == none) return;
+    Curve curve = later.model.curves[static_cast<std::size_t>(original)];
+    curve.id = row.integer("lcid");
+    rescale(curve, row);
+    add_curve(later, row, std::move(curve));
+  });
+}
+
+/// Adds a table under its id, its values checked and scaled.
+Index add_table(Builder& b, const Row& row, std::vector<double> values) {
+  Table table;
+  table.id = row.integer("tbid");
+  for (double& v : values) v = row.real("sfa") * (v + row.real("offa"));
+  if (values.empty() || !std::is_sorted(values.begin(), values.end(), std::less_equal<>{}))
+    b.findings.error(row.place(), row.keyword(), fmt::format("the values of table {} must ascend", table.id),
+                     "sort the values, and their curves with them");
+  table.value = std::move(values);
+  const auto index = static_cast<Index>(b.model.tables.size());
+  if (b.curves.find(table.id) != none)
+    b.findings.error(row.place(), row.keyword(), fmt::format("{} is already the id of a curve", table.id),
+                     "curves and tables share their ids; give one of them another id");
+  b.tables.add(table.id, index, row.place(), row.keyword(), "table", b.findings);
+  b.model.tables.push_back(std::move(table));
+  return index;
+}
+
+/// *DEFINE_TABLE: one *DEFINE_CURVE a value follows, in the same order.
+void read_table(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
+  const Row row = cursor.read(table_card);
+  refuse_unit_factors(b, block);
+  std::vector<double> values;
+  while (!at_end(cursor)) values.push_back(cursor.read(value_card).real("value"));
+  const std::size_t count = values.size();
+  const Index table = add_table(b, row, std::move(values));
+  const std::size_t first = b.model.curves.size();
+  b.later(Phase::curves, [=](Builder& later) {
+    auto& curves = later.model.tables[static_cast<std::size_t>(table)].curve;
+    for (std::size_t i = first; i < std::min(first + count, later.model.curves.size()); ++i)
+      curves.push_back(static_cast<Index>(i));
+    if (curves.size() == count) return;
+    later.findings.error(row.place(), row.keyword(),
+                         fmt::format("{} values, but {} curves follow", count, curves.size()),
+                         "let one *DEFINE_CURVE follow for each value, or use *DEFINE_TABLE_2D");
+  });
+}
+
+void read_table_2d(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
+  const Row row = cursor.read(table_card);
+  refuse_unit_factors(b, block);
+  std::vector<double> values;
+  std::vector<Row> rows;
+  while (!at_end(cursor)) {
+    rows.push_back(cursor.read(value_2d_card));
+    values.push_back(rows.back().real("value"));
+  }
+  const Index table = add_table(b, row, std::move(values));
+  b.later(Phase::curves, [table, rows](Builder& later) {
+    for (const Row& line : rows)
+      if (const Index curve = later.curve(line, "curveid"); curve != none)
+        later.model.tables[static_cast<std::size_t>(table)].curve.push_back(curve);
+  });
+}
+
+}  // namespace
+
+std::vector<Keyword> curve_keywords() {
+  return {
+      {.name = "DEFINE_CURVE",
+       .options = {"TITLE"},
+       .layout = {{"", &curve_card}, {"repeated", &point_card}},
+       .read = read_curve},
+      {.name = "DEFINE_CURVE_DUPLICATE", .options = {"TITLE"}, .layout = {{"", &copy_card}}, .read = read_copy},
+      {.name = "DEFINE_CURVE_FUNCTION",
+       .options = {"TITLE"},
+       .verdict = Verdict::refused,
+       .why = "curves by formula are not supported; write its points as *DEFINE_CURVE"},
+      {.name = "DEFINE_CURVE_SMOOTH", .options = {"TITLE"}, .layout = {{"", &smooth_card}}, .read = read_smooth},
+      {.name = "DEFINE_TABLE",
+       .options = {"TITLE"},
+       .layout = {{"", &table_card}, {"repeated", &value_card}},
+       .read = read_table},
+      {.name = "DEFINE_TABLE_2D",
+       .options = {"TITLE"},
+       .layout = {{"", &table_card}, {"repeated", &value_2d_card}},
+       .read = read_table_2d},
+  };
+}
+
+}  // namespace nugget::reading

@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "base/index.hpp"
+#include "model/segments.hpp"
+#include "reading/cards/families.hpp"
+#include "reading/cards/frequency_cards.hpp"
+
+// *FREQUENCY_DOMAIN_FRF, and what it shares with *FREQUENCY_DOMAIN_SSD.
+namespace nugget::reading {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+namespace {
+
+using Excitation = FrequencyResponse::Excitation;
+using Response = FrequencyResponse::Response;
+using Quantity = FrequencyResponse::Quantity;
+
+Card with_rest(std::vector<Field> fields, std::initializer_list<Field> rest) {
+  fields.insert(fields.end(), rest);
+  return {std::move(fields)};
+}
+
+/// The name space of N1 depends on its type, which stands behind it; so with N2.
+Card excitation_card(IdSpace n1, std::initializer_list<Field> rest = {}) {
+  const std::vector<Field> fields{
+      id("n1", n1, 0, "node, node set or segment set that is loaded; base motion moves all supports instead"),
+      integer("n1typ", 0, between(0, 2),
+              "0: n1 is a node, 1: a node set, each of whose nodes is driven, 2: a segment set under pressure"),
+      integer("dof1", 0, between(0, 3),
+              "1, 2, 3: along (torque, turning base: about) x, y, z; 0: along vid1; pressure: no effect"),
+      zero_counts(integer("vad1", 3, between(0, 12),
+                          "what has amplitude 1. 0, 1, 2: base velocity, acceleration, displacement; 3: nodal force; "
+                          "4: pressure; 5, 6, 7: enforced velocity, acceleration, displacement of the nodes; 8: "
+                          "torque; 9, 10, 11: base angular velocity, acceleration, rotation; 12 is refused")),
+      id("vid1", IdSpace::define, 0, "vector of the direction, where dof1 is 0"),
+  };
+  return with_rest(fields, rest);
+}
+constexpr Field fnmax =
+    real("fnmax", dimension::rate, 0, at_least(0), "no modes above this natural frequency [cycles/time]; 0: all");
+constexpr Field mdmin = integer("mdmin", 0, at_least(0), "first mode that is used; 0: the first");
+constexpr Field mdmax = integer("mdmax", 0, at_least(0), "last mode that is used; 0: all");
+const Card excitation_of_node = excitation_card(IdSpace::node, {fnmax, mdmin, mdmax}),
+           excitation_of_set = excitation_card(IdSpace::set, {fnmax, mdmin, mdmax}),
+           case_excitation_of_node = excitation_card(IdSpace::node),
+           case_excitation_of_set = excitation_card(IdSpace::set);
+
+const Card damping_card{{
+    real("dampf", dimension::number, 0, at_least(0), "modal damping ratio of all modes, share of the critical"),
+    id("lcdam", IdSpace::function, 0, "curve of the damping ratio, instead of dampf"),
+    integer("lctyp", 0, between(0, 1), "lcdam is over 0: natural frequency [cycles/time], 1: number of the mode"),
+    real("dmpmas", dimension::rate, 0, at_least(0), "alpha of Rayleigh's damping alpha M + beta K; adds to the others"),
+    real("dmpstf", dimension::time, 0, at_least(0), "beta"),
+}};
+
+constexpr Field relatv = integer("relatv", 0, between(0, 1), "1: relative to the base");
+
+Card response_card(IdSpace n2, std::initializer_list<Field> rest = {}) {
+  const std::vector<Field> fields{
+      id("n2", n2, 0, "node or node set whose response is written, node by node"),
+      integer("n2typ", 0, between(0, 2), "0: n2 is a node, 1: a node set"),
+      integer("dof2", 0, between(0, 8),
+              "1, 2, 3: along x, y, z; 7: all three; 4, 5, 6: about x, y, z; 8: all three; 0: along vid2"),
+      zero_counts(integer("vad2", 2, between(0, 3),
+                          "0: velocity, 1: acceleration, 2: displacement, 3: force (moment) of the support that holds "
+                          "the node")),
+      id("vid2", IdSpace::define, 0, "vector of the direction, where dof2 is 0"),
+  };
+  return with_rest(fields, rest);
+}
+const Card response_of_node = response_card(IdSpace::node, {relatv}),
+           response_of_set = response_card(IdSpace::set, {relatv}),
+           case_response_of_node = response_card(IdSpace::node), case_response_of_set = response_card(IdSpace::set);
+
+const Card frf_frequencies = frequency_card({
+    integer("restrt", 0, any_value, "reuse of files of an earlier run; modes are always computed"),
+    integer("output", 0, between(0, 1), "0: files frf_amplitude and frf_angle, 1: frf_real and frf_imag"),
+});
+
+const Card cases_card{{
+    integer("ncases", required, at_least(1), "number of subcases, each a title, an excitation and a response"),
+    unused(),
+    unused(),
+    unused(),
+    relatv,
+    fnmax,
+    mdmin,
+    mdmax,
+}};
+const Card title_of_case{{text("title", 80, "of the subcase")}};
+
+const Card structural_card{{
+    real("g", dimension::number, 0, at_least(0), "loss factor: the stiffness is K (1 + i g)"),
+    id("lcid", IdSpace::function, 0, "curve of the loss factor, instead of g; end values hold outside"),
+    integer("lctyp", 0, between(0, 1), "lcid is over 0: frequency of the excitation, 1: number of the mode"),
+}};
+
+const Card control_card{{
+    integer("refgeo", 0, any_value, "of acoustics, no effect"),
+    real("mpn", dimension::mass, 0, any_value,
+         "large mass at driven nodes; no effect: their motion is enforced exactly"),
+}};
+
+constexpr Vec3d axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+/// What stands on the cards of a case.
+struct CaseRows {
+  std::string title;
+  Row excitation, response;
+};
+
+constexpr Driven of_frf[] = {{Excitation::Kind::base, Quantity::velocity},
+                             {Excitation::Kind::base, Quantity::acceleration},
+                             {Excitation::Kind::base, Quantity::displacement},
+                             {Excitation::Kind::force},
+                             {Excitation::Kind::pressure},
+                             {Excitation::Kind::enforced, Quantity::velocity},
+                             {Excitation::Kind::enforced, Quantity::acceleration},
+                             {Excitation::Kind::enforced, Quantity::displacement},
+                             {Excitation::Kind::torque},
+                             {Excitation::Kind::base, Quantity::velocity, true},
+                             {Excitation::Kind::base, Quantity::acceleration, true},
+                             {Excitation::Kind::base, Quantity::displacement, true}};
+
+Response response_of(Builder& b, const Row& row) {
+  Response r;
+  r.place = row.place();
+  if (row.integer("n2typ") == 2) {
+    refuse(b, row, "n2typ", "responses of segment sets are not built", "write 1 and give a node set");
+    return r;
+  }
+  r.nodes = nodes_of(b, row, "n2", "n2typ");
+  const int dof = row.integer("dof2");
+  r.rotation = dof == 8 || (dof >= 4 && dof <= 6);
+  if (dof > 6)
+    r.directions.assign(std::begin(axes), std::end(axes));
+  else
+    r.directions = {dof > 3 ? axes[dof - 4] : direction_of(b, row, "dof2", "vid2")};
+  r.quantity = static_cast<Quantity>(row.integer("vad2"));
+  return r;
+}
+
+FrequencyResponse::Case case_of(Builder& b, const CaseRows& rows) {
+  const int vad = rows.excitation.integer("vad1");
+  if (vad < 0 || at(vad) >= std::size(of_frf)) return {};  // refused
+  return {rows.title, excitation_of(b, rows.excitation, {"n1", "n1typ", "dof1", "vad1", "vid1"}, of_frf[at(vad)]),
+          response_of(b, rows.response)};
+}
+
+/// RELATV, on its card.
+void make_relative(Builder& b, const Row& row, FrequencyResponse& r) {
+  if (row.integer("relatv") == 0) return;
+  for (FrequencyResponse::Case& c : r.cases) {
+    c.response.relative = true;
+    if (c.excitation.kind != Excitation::Kind::base)
+      refuse(b, row, "relatv", "relative to the base means nothing where no base moves (VAD1 0, 1, 2)", "write 0");
+    else if (c.response.quantity == Quantity::force)
+      refuse(b, row, "relatv", "a force is not relative to the base", "write 0");
+  }
+}
+
+/// Subcases share their modes.
+void check_cases(Builder& b, const CaseRows& rows, const FrequencyResponse& r) {
+  for (const FrequencyResponse::Case& c : r.cases)
+    if (r.cases.size() > 1 && c.excitation.kind == Excitation::Kind::enforced)
+      return refuse(b, rows.excitation, "vad1",
+                    "subcases share their modes, and enforced nodes would be held in those of all",
+                    "make a deck for each enforced motion");
+}
+
+/// `selection`: the row with FNMAX, MDMIN, MDMAX; `relative`: that with RELATV.
+void make_frf(Builder& builder, const std::vector<CaseRows>& cases, const Row& selection, const Row& relative,
+              const Row& damping, const Row& frequencies) {
+  builder.later(Phase::conditions, [=](Builder& b) {
+    if (b.model.frequency_response)
+      return refuse(b, cases.front().excitation, "n1", "a deck has one *FREQUENCY_DOMAIN_FRF",
+                    "put the excitations under one *FREQUENCY_DOMAIN_FRF_SUBCASE");
+    FrequencyResponse r;
+    static_cast<Frequencies&>(r) = frequencies_of(b, frequencies);
+    for (const CaseRows& rows : cases) r.cases.push_back(case_of(b, rows));
+    make_relative(b, relative, r);
+    check_cases(b, cases.front(), r);
+    expect(b, frequencies, Severity::warning, {{"restrt", 0, "not obeyed: the modes are computed anew, as with 0"}});
+    r.modes = selection_of(b, selection);
+    r.damping = damping_of(b, damping);
+    r.by_parts = frequencies.integer("output") == 1;
+    b.model.frequency_response = std::move(r);
+  });
+  builder.later(Phase::checks, [=](Builder& b) {
+    check_analysis(b, selection, "mdmin", true);
+    if (b.model.frequency_response) check_damped(b, damping, b.model.frequency_response->damping);
+    if (!b.model.frequency_response || b.model.frequency_response->cases.size() != cases.size()) return;
+    for (std::size_t i = 0; i < cases.size(); ++i)
+      check_excitation(b, cases[i].excitation, "vad1", b.model.frequency_response->cases[i].excitation);
+  });
+}
+
+/// False, and an error, for torsion.
+bool no_torsion(Builder& b, const Row& excitation) {
+  if (excitation.integer("vad1") != 12) return true;
+  refuse(b, excitation, "vad1", "torsion by a pair of nodes is not built", "write 8 for a torque on a node");
+  return false;
+}
+
+void read_frf(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  const auto either = [&](const Card& of_node, const Card& of_set) -> Row {
+    return cursor.read(cursor.peek_number(1) == 0.0 ? of_node : of_set);
+  };
+  if (!options.contains("SUBCASE")) {
+    const Row excitation = either(excitation_of_node, excitation_of_set);
+    if (!no_torsion(b, excitation)) return;
+    const Row damping = cursor.read(damping_card), response = either(response_of_node, response_of_set),
+              frequencies = cursor.read(frf_frequencies);
+    expect_end(b, cursor);
+    return make_frf(b, {{"", excitation, response}}, excitation, response, damping, frequencies);
+  }
+  const Row shared = cursor.read(cases_card), damping = cursor.read(damping_card),
+            frequencies = cursor.read(frf_frequencies);
+  std::vector<CaseRows> cases;
+  for (int i = 0; i < shared.integer("ncases"); ++i) {
+    if (!cursor.more())
+      return refuse(b, shared, "ncases", fmt::format("only {} subcases are there", i),
+                    "give a title, an excitation and a response for each");
+    const std::string title = cursor.read_text();
+    const Row excitation = either(case_excitation_of_node, case_excitation_of_set);
+    if (!no_torsion(b, excitation)) return;
+    cases.push_back({title, excitation, either(case_response_of_node, case_response_of_set)});
+  }
+  expect_end(b, cursor);
+  if (!cases.empty()) make_frf(b, cases, shared, shared, damping, frequencies);
+}
+
+/// LCFREQ. The manual does not say which column holds the frequencies: a curve that leaves it open is refused.
+std::vector<double> listed_frequencies(Builder& b, const Row& row) {
+  const Index id = b.curve(row, "lcfreq");
+  if (id == none) return {};
+  const Curve& curve = b.model.curves[at(id)];
+  if (curve.empty()) return {};  // told where it is defined
+  const bool same = curve.x == curve.y,
+             constant = std::all_of(curve.y.begin(), curve.y.end(), [&](double y) { return y == curve.y.front(); });
+  if (!same && !constant)
+    refuse(b, row, "lcfreq", "it is open whether the curve's abscissae or its ordinates are the frequencies",
+           "write each frequency in both columns, or a constant in the second");
+  if (curve.x.front() < 0.0) refuse(b, row, "lcfreq", "there are frequencies below 0", "leave them out");
+  return curve.x;
+}
+
+void read_structural(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  const Row row = cursor.read(structural_card);
+  expect_end(b, cursor);
+  b.later(Phase::conditions, [row](Builder& later) {
+    if (later.model.structural_damping.given())
+      return refuse(later, row, "g", "a deck has one *DAMPING_STRUCTURAL", "take one of them out");
+    later.model.structural_damping = {row.real("g"), later.curve(row, "lcid"), row.integer("lctyp") == 1};
+  });
+  b.later(Phase::checks, [row](Builder& later) {
+    if (!later.model.frequency_response && !later.model.steady_state)
+      row.complain(later.findings, Severity::warning, "g", "no effect: it damps responses over frequency only",
+                   "damp an impact with another *DAMPING_ keyword");
+  });
+}
+
+void read_control(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  cursor.read(control_card);
+  expect_end(b, cursor);
+}
+
+}  // namespace
+
+std::vector<Index> nodes_of(Builder& b, const Row& row, std::string_view entity, std::string_view type) {
+  if (row.integer(entity) == 0) {
+    refuse(b, row, entity, "no node is given", "give a node or a node set");
+    return {};
+  }
+  if (row.integer(type) == 1) {
+    const Set<Index>* set = b.node_set(row, entity);
+    if (set == nullptr) return {};
+    if (set->members.empty()) refuse(b, row, entity, "the node set has no members", "give a set with nodes");
+    return set->members;
+  }
+  const Index node = b.node(row, entity);
+  return node != none ? std::vector<Index>{node} : std::vector<Index>{};
+}
+
+Vec3d direction_of(Builder& b, const Row& row, std::string_view axis, std::string_view vector) {
+  if (const int i = row.integer(axis); i >= 1 && i <= 3) return axes[i - 1];
+  if (row.integer(vector) == 0)
+    refuse(b, row, axis, "it means the direction of a vector, and none is given",
+           "write 1, 2 or 3, or give the vector");
+  const Vec3d* v = b.vector(row, vector);
+  return v != nullptr && dot(*v, *v) > 0.0 ? unit(*v) : Vec3d{};
+}
+
+Excitation excitation_of(Builder& b, const Row& row, const ExcitationFields& fields, const Driven& driven) {
+  Excitation e;
+  e.place = row.place();
+  e.kind = driven.kind;
+  e.quantity = driven.quantity;
+  e.turning = driven.turning;
+  const bool segments = row.integer(fields.type) == 2;
+  if (e.kind == Excitation::Kind::pressure) {
+    if (!segments)
+      refuse(b, row, fields.type, "pressure acts on segments", "write 2 and give a segment set");
+    else if (const Set<Segment>* set = b.segment_set(row, fields.entity)) {
+      e.pressed = set->members;
+      if (e.pressed.empty()) refuse(b, row, fields.entity, "the segment set has no members", "give one with segments");
+      e.share = share_pressure(b.model, e.pressed);
+    } else if (row.integer(fields.entity) == 0)
+      refuse(b, row, fields.entity, "no segment set is given", "give the set that carries the pressure");
+    return e;
+  }
+  e.direction = direction_of(b, row, fields.direction, fields.vector);
+  if (e.kind == Excitation::Kind::base) {
+    const int axis = row.integer(fields.direction);
+    const bool along_vector = e.turning && (axis < 1 || axis > 3) && row.integer(fields.vector) != 0;
+    if (const Vec3d* tail = along_vector ? b.vector_tail(row, fields.vector) : nullptr) e.axis = *tail;
+    return e;
+  }
+  if (segments)
+    refuse(b, row, fields.type, "only pressure acts on segment sets", "write 1 and give a node set");
+  else
+    e.nodes = nodes_of(b, row, fields.entity, fields.type);
+  return e;
+}
+
+Card frequency_card(std::initializer_list<Field> rest) {
+  return with_rest(
+      {
+          real("fmin", dimension::rate, 0, at_least(0), "lowest frequency [cycles/time]"),
+          real("fmax", dimension::rate, 0, at_least(0), "highest frequency [cycles/time]"),
+          integer("nfreq", 2, at_least(2), "number of frequencies, ends included"),
+          integer("fspace", 0, between(0, 3),
+                  "spacing 0: linear, 1: logarithmic, 2: gathered at the natural frequencies, 3: these alone"),
+          id("lcfreq", IdSpace::function, 0, "curve whose abscissae are the frequencies, instead of the fields before"),
+      },
+      rest);
+}
+
+Frequencies frequencies_of(Builder& b, const Row& row) {
+  if (row.integer("lcfreq") != 0) return {listed_frequencies(b, row), {}};
+  const double low = row.real("fmin"), high = row.real("fmax");
+  const int count = row.integer("nfreq"), spacing = row.integer("fspace");
+  const bool logarithmic = spacing == 1;
+  if (low >= high) refuse(b, row, "fmax", "the range of frequencies is empty", "give an FMAX above FMIN");
+  if (logarithmic && !(low > 0.0))
+    refuse(b, row, "fmin", "logarithmic spacing cannot begin at 0", "give an FMIN above 0, or FSPACE 0");
+  if (spacing > 1) return {{low, high}, spacing == 2 ? count : 0};
+  std::vector<double> f;
+  for (int i = 0; i < count; ++i) {
+    const double s = static_cast<double>(i) / static_cast<double>(count - 1);
+    f.push_back(logarithmic ? low * std::pow(high / low, s) : low + s * (high - low));
+  }
+  return {f, {}};
+}
+
+FrequencyResponse::Selection selection_of(Builder& b, const Row& row) {
+  const FrequencyResponse::Selection s{row.real("fnmax"), std::max(1, row.integer("mdmin")), row.integer("mdmax")};
+  if (s.last > 0 && s.last < s.first) refuse(b, row, "mdmax", "no mode is left", "give an MDMAX of at least MDMIN");
+  return s;
+}
+
+FrequencyResponse::Damping damping_of(Builder& b, const Row& row) {
+  return {row.real("dampf"), b.curve(row, "lcdam"), row.integer("lctyp") == 1, row.real("dmpmas"), row.real("dmpstf")};
+}
+
+void check_damped(Builder& b, const Row& row, const FrequencyResponse::Damping& d) {
+  if (d.ratio > 0.0 || d.curve != none || d.mass > 0.0 || d.stiffness > 0.0 || d.of_parts ||
+      b.model.structural_damping.given())
+    return;
+  row.complain(b.findings, Severity::warning, "dampf", "nothing damps: responses grow without bound at resonances",
+               "give DAMPF, LCDAM, DMPMAS, DMPSTF or *DAMPING_STRUCTURAL");
+}
+
+void check_analysis(Builder& b, const Row& row, std::string_view field, bool modal) {
+  const Implicit& implicit = b.model.implicit;
+  if (modal && (implicit.low || implicit.centre > 0.0))
+    refuse(b, row, field, "modes of an interval (LFLAG, CENTER) leave lower ones out of the response",
+           "drop LFLAG and CENTER in *CONTROL_IMPLICIT_EIGENVALUE; MDMIN chooses the first mode");
+  if (!implicit.active)
+    row.complain(b.findings, Severity::warning, field,
+                 "no frequency response: the run is explicit, since IMFLAG of *CONTROL_IMPLICIT_GENERAL is not 1",
+                 "write IMFLAG 1, or use `nugget frf`");
+}
+
+void check_excitation(Builder& b, const Row& row, std::string_view field, const Excitation& excitation) {
+  if (excitation.kind == Excitation::Kind::base && b.model.spcs.empty())
+    refuse(b, row, field, "base motion moves the supports, and the model has none",
+           "hold nodes with *BOUNDARY_SPC, or give a nodal force");
+  const auto enforced = [](const Excitation& e) { return e.kind == Excitation::Kind::enforced; };
+  if (enforced(excitation) && b.model.frequency_response && b.model.steady_state)
+    refuse(b, row, field, "enforced nodes are held in the modes, which two responses cannot share",
+           "make a deck for each of *FREQUENCY_DOMAIN_FRF and _SSD");
+}
+
+std::vector<Keyword> frequency_keywords() {
+  return {
+      {.name = "FREQUENCY_DOMAIN_FRF",
+       .options = {"SUBCASE"},
+       .layout = {{"without _SUBCASE", &excitation_of_node},
+                  {"with _SUBCASE", &cases_card},
+                  {"", &damping_card},
+                  {"without _SUBCASE", &response_of_node},
+                  {"", &frf_frequencies},
+                  {"with _SUBCASE, for each", &title_of_case},
+                  {"with _SUBCASE, for each", &case_excitation_of_node},
+                  {"with _SUBCASE, for each", &case_response_of_node}},
+       .read = read_frf},
+      {.name = "FREQUENCY_DOMAIN_FRF_*",
+       .verdict = Verdict::refused,
+       .why = "of the options of *FREQUENCY_DOMAIN_FRF _SUBCASE is built"},
+      {.name = "DAMPING_STRUCTURAL", .layout = {{"", &structural_card}}, .read = read_structural},
+      {.name = "CONTROL_FREQUENCY_DOMAIN", .layout = {{"", &control_card}}, .read = read_control},
+      {.name = "FREQUENCY_DOMAIN_*",
+       .verdict = Verdict::refused,
+       .why = "of the responses over frequency *FREQUENCY_DOMAIN_FRF and _SSD are built"},
+  };
+}
+
+}  // namespace nugget::reading

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// *LOAD_BODY_GENERALIZED: base accelerations of a part of the model.
+#include <algorithm>
+
+#include "reading/builder/common_cards.hpp"
+#include "reading/cards/families.hpp"
+
+namespace nugget::reading {
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+Card region_card(Field first, Field second) {
+  return {{
+      first,
+      second,
+      {"lcid", Kind::integer, {}, required, at_least(1), "curve of the base acceleration over time", IdSpace::function},
+      id("drlcid", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2"),
+      real("xc", dimension::length, 0, any_value, "centre of rotation, for angular motion"),
+      real("yc", dimension::length, 0, any_value, "the same"),
+      real("zc", dimension::length, 0, any_value, "the same"),
+  }};
+}
+const Card node_range_card = region_card(id("n1", IdSpace::node, required, "first node"),
+                                         id("n2", IdSpace::node, required, "last node: those with ids from n1 to n2"));
+const Card node_set_card = region_card(id("nsid", IdSpace::set, required, "node set"), unused());
+const Card part_set_card = region_card(id("psid", IdSpace::set, required, "part set"), unused());
+
+const Card motion_card{{
+    real("ax", dimension::number, 0, any_value,
+         "scale of the curve for the acceleration along x; the base accelerates, so positive pulls against x"),
+    real("ay", dimension::number, 0, any_value, "along y"),
+    real("az", dimension::number, 0, any_value, "along z"),
+    real("omx", dimension::number, 0, only(0), "angular motion about x: not built"),
+    real("omy", dimension::number, 0, only(0), "about y: not built"),
+    real("omz", dimension::number, 0, only(0), "about z: not built"),
+    id("cid", IdSpace::define, 0, "coordinate system of these directions; 0: global axes"),
+    text("angtyp", 10, "kind of angular motion"),
+}};
+
+enum class Region { node_range, node_set, part_set };
+
+const Card& card_of(Region region) {
+  return region == Region::node_range ? node_range_card : region == Region::node_set ? node_set_card : part_set_card;
+}
+
+std::vector<Index> nodes_in_range(Builder& builder, const Row& row) {
+  const auto& ids = builder.model.nodes.id;
+  std::vector<Index> nodes;
+  const auto first = std::lower_bound(ids.begin(), ids.end(), row.integer("n1"));
+  for (auto i = first; i != ids.end() && *i <= row.integer("n2"); ++i)
+    nodes.push_back(static_cast<Index>(i - ids.begin()));
+  if (nodes.empty()) refuse(builder, row, "n1", "there is no node from n1 to n2");
+  return nodes;
+}
+
+/// The set's members; none where it is not defined or empty, which is told there.
+std::vector<Index> members(const Set<Index>* set) {
+  return set ? set->members : std::vector<Index>{};
+}
+
+void make_load(Builder& b, Region region, const Row& row, const Row& motion, const Vec3d& scales) {
+  BodyLoad load;
+  load.own_parts = true;
+  load.direction = unit(scales);
+  load.scale = norm(scales);
+  load.curve = b.curve(row, "lcid");
+  load.relaxation_curve = b.curve(row, "drlcid");
+  if (const Index system = b.system(motion, "cid"); system != none)
+    load.direction = b.model.systems[static_cast<std::size_t>(system)].axes.global(load.direction);
+  switch (region) {
+    case Region::node_range: load.nodes = nodes_in_range(b, row); break;
+    case Region::node_set: load.nodes = members(b.node_set(row, "nsid")); break;
+    case Region::part_set: load.parts = members(b.part_set(row, "psid")); break;
+  }
+  if (!load.nodes.empty() || !load.parts.empty()) b.model.body_loads.push_back(std::move(load));
+}
+
+template <Region region>
+void read_load(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(card_of(region));
+    const Row motion = cursor.read(motion_card);
+    const bool local = motion.integer("cid") != 0;
+    const Vec3d scales = local ? triple(motion, "ax", "ay", "az") : direction(block, motion, "ax", "ay", "az");
+    if (norm(scales) > 0.0)
+      builder.later(Phase::conditions, [=](Builder& b) { make_load(b, region, row, motion, scales); });
+    else
+      refuse(builder, motion, "ax", "the load has no direction", "give the scales of the acceleration's components");
+  }
+}
+
+template <Region region>
+Keyword keyword(std::string_view name) {
+  return {name, {}, {}, Verdict::used, {}, {{{}, &card_of(region)}, {{}, &motion_card}}, read_load<region>};
+}
+
+}  // namespace
+
+std::vector<Keyword> generalized_body_load_keywords() {
+  return {
+      keyword<Region::node_range>("LOAD_BODY_GENERALIZED"),
+      keyword<Region::node_set>("LOAD_BODY_GENERALIZED_SET_NODE"),
+      keyword<Region::part_set>("LOAD_BODY_GENERALIZED_SET_PART"),
+  };
+}
+
+}  // namespace nugget::reading

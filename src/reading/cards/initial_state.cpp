@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+// *INITIAL_STRESS_SHELL, _SOLID, _SECTION, *INITIAL_STRAIN_SHELL, *INITIAL_AXIAL_FORCE_BEAM.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include "base/index.hpp"
+#include "reading/builder/common_cards.hpp"
+#include "reading/cards/families.hpp"
+
+namespace nugget::reading {
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+// ---- stresses of an earlier run ------------------------------------------------------------------------------------
+
+const Card shell_card{{
+    id("eid", IdSpace::element, required, "shell"),
+    integer("nplane", 1, at_least(1), "number of in-plane points; the mean of those at one height is taken"),
+    integer("nthick", 1, at_least(1), "number of points through the thickness"),
+    integer("nhisv", 0, at_least(0), "number of history variables of a point; they are read past"),
+    integer("ntensr", 0, only(0), "number of tensors of a point"),
+    integer("large", 0, between(0, 1), "1: fields of 16 columns, five a line"),
+    integer("nthint", 0, only(0), "thermal points"),
+    integer("nthhsv", 0, only(0), "thermal history variables"),
+}};
+const Card solid_card{{
+    id("eid", IdSpace::element, required, "brick"),
+    integer("nint", 1, at_least(1), "number of points; their mean is taken"),
+    integer("nhisv", 0, at_least(0), "number of history variables of a point; they are read past"),
+    integer("large", 0, between(0, 1), "1: fields of 16 columns, five a line"),
+    integer("iveflg", 0, only(0), "initial volume or energy"),
+    integer("ialegp", 0, any_value, "ALE group"),
+    integer("nthint", 0, only(0), "thermal points"),
+    integer("nthhsv", 0, only(0), "thermal history variables"),
+}};
+const Card strain_card{{
+    id("eid", IdSpace::element, required, "shell"),
+    integer("nplane", 1, at_least(1), "number of in-plane points"),
+    integer("nthick", 2, at_least(1), "number of points through the thickness; blank: the lower and the upper"),
+    integer("large", 0, between(0, 1), "1: fields of 16 columns, five a line"),
+    unused(),
+    unused(),
+    unused(),
+    integer("ilocal", 0, only(0), "strains in the axes of the element"),
+}};
+
+const Field place_field = real("t", dimension::number, 0, between(-1, 1), "place through the thickness");
+std::vector<Field> tensor_fields(std::string_view meaning, Dimension d) {
+  std::vector<Field> fields;
+  for (const std::string_view name : {"xx", "yy", "zz", "xy", "yz", "zx"})
+    fields.push_back(real(name, d, 0, any_value, meaning));
+  return fields;
+}
+const Field plastic_field = real("eps", dimension::number, 0, at_least(0), "effective plastic strain");
+
+std::vector<Field> joined(std::vector<Field> a, const std::vector<Field>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+const std::vector<Field> stress_fields = tensor_fields("stress, global axes", dimension::stress);
+const std::vector<Field> shell_point = joined(joined({place_field}, stress_fields), {plastic_field});
+const std::vector<Field> solid_point = joined(stress_fields, {plastic_field});
+const std::vector<Field> strain_point = joined(tensor_fields("strain, global axes", dimension::number), {place_field});
+
+/// The fields of a point as cards: one of 10 columns each, or lines of five fields of 16.
+std::vector<Card> cards_of(const std::vector<Field>& fields, bool large) {
+  if (!large) return {{fields}};
+  std::vector<Card> cards;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (i % 5 == 0) cards.emplace_back();
+    cards.back().fields.push_back(wide(fields[i], 16));
+  }
+  return cards;
+}
+/// Rows keep a pointer to their card, so the cards stay.
+struct PointCards {
+  std::vector<Card> normal, large;
+  explicit PointCards(const std::vector<Field>& fields)
+      : normal(cards_of(fields, false)), large(cards_of(fields, true)) {}
+  const std::vector<Card>& of(bool wants_large) const { return wants_large ? large : normal; }
+};
+const PointCards shell_point_cards(shell_point), strain_point_cards(strain_point);
+const PointCards solid_point_cards = [] {
+  PointCards cards(solid_point);
+  for (int history = 0; history < 3; ++history) cards.large.back().fields.push_back(wide(unused(), 16));
+  return cards;
+}();
+
+/// The numbers of one point, by the names of its fields.
+class Point {
+ public:
+  Point(Cursor& cursor, const std::vector<Card>& cards) : cards_(cards) {
+    for (const Card& card : cards) rows_.push_back(cursor.read(card));
+  }
+  double operator[](std::string_view name) const {
+    for (std::size_t c = 0; c < cards_.size(); ++c)
+      for (const Field& f : cards_[c].fields)
+        if (f.name == name) return rows_[c].real(name);
+    return 0.0;
+  }
+  std::array<double, 6> tensor() const {
+    return {(*this)["xx"], (*this)["yy"], (*this)["zz"], (*this)["xy"], (*this)["yz"], (*this)["zx"]};
+  }
+
+ private:
+  const std::vector<Card>& cards_;
+  std::vector<Row> rows_;
+};
+
+/// A stress of a deck that *INCLUDE_TRANSFORM turns would have to be turned too.
+bool turned(Builder& builder, const Block& block) {
+  if (!block.transform || block.transform->matrix == deck::Transform{}.matrix) return false;
+  builder.findings.error(block.place, block.starred(), "initial stresses and strains are not turned with their include",
+                         "give them in the deck of the assembled model");
+  return true;
+}
+
+/// Points that the row announces. Nothing and a finding where they are more than the lines of the block, of which a
+/// point takes one or more.
+std::optional<int> points_of(Builder& builder, const Cursor& cursor, const Row& row, bool in_layers) {
+  const std::int64_t announced =
+      in_layers ? std::int64_t{row.integer("nplane")} * row.integer("nthick") : std::int64_t{row.integer("nint")};
+  const std::size_t lines = cursor.block().lines.size();
+  if (announced <= static_cast<std::int64_t>(lines)) return static_cast<int>(announced);
+  refuse(builder, row, in_layers ? "nthick" : "nint",
+         fmt::format("{} points are announced, but the keyword has only {} lines", announced, lines),
+         "see the number of points, or whether lines are missing");
+  return std::nullopt;
+}
+
+void refuse_short(Builder& builder, const Row& row, bool in_layers, int announced, int found) {
+  refuse(builder, row, in_layers ? "nthick" : "nint",
+         fmt::format("{} points are announced, but the keyword ends after {}", announced, found),
+         "see the number of points, or whether lines are missing");
+}
+
+/// Points of one place are averaged: where places are missing, the bending is lost.
+void expect_places(Builder& builder, const Row& row, const std::vector<InitialPoint>& points) {
+  std::vector<double> places;
+  for (const InitialPoint& p : points) places.push_back(p.zeta);
+  std::sort(places.begin(), places.end());
+  const auto different = std::unique(places.begin(), places.end()) - places.begin();
+  if (different != row.integer("nthick"))
+    row.complain(builder.findings, Severity::warning, "nthick",
+                 fmt::format("the points are at {} different place{} T through the thickness, and those of one place "
+                             "are averaged",
+                             different, different == 1 ? "" : "s"),
+                 "give each of the NTHICK places its T, from -1 at the bottom to 1");
+}
+
+template <bool shell>
+void read_stress(Builder& builder, const Block& block, const Options&) {
+  if (turned(builder, block)) return;
+  Cursor cursor(builder.deck, block, builder.findings);
+  bool told = false;
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(shell ? shell_card : solid_card);
+    const bool large = row.integer("large") == 1;
+    const std::optional<int> points = points_of(builder, cursor, row, shell);
+    if (!points) return;
+    // With LARGE the history of bricks begins on the line on which their tensor ends, in its last three fields.
+    const int per_line = large ? 5 : 8, history = std::max(0, row.integer("nhisv") - (!shell && large ? 3 : 0));
+    const int history_lines = history / per_line + (history % per_line > 0 ? 1 : 0);
+    InitialStress stress;
+    stress.place = row.place();
+    for (int i = 0; i < *points; ++i) {
+      if (!cursor.more()) return refuse_short(builder, row, shell, *points, i);
+      const Point point(cursor, (shell ? shell_point_cards : solid_point_cards).of(large));
+      for (int line = 0; line < history_lines && cursor.more(); ++line) cursor.skip();
+      stress.points.push_back({point["t"], point.tensor(), point["eps"]});
+    }
+    if (shell) expect_places(builder, row, stress.points);
+    if (row.integer("nhisv") > 0 && !told) {
+      told = true;
+      row.complain(builder.findings, Severity::warning, "nhisv",
+                   "history variables of another program's laws are not taken over; stress and plastic strain are");
+    }
+    builder.later(Phase::conditions, [row, stress](Builder& b) mutable {
+      stress.element = shell ? b.shell(row, "eid") : b.solid(row, "eid");
+      if (stress.element == none) return;
+      InitialState& state = b.model.initial_state;
+      (shell ? state.shells : state.solids).push_back(std::move(stress));
+    });
+  }
+}
+
+void read_strain(Builder& builder, const Block& block, const Options&) {
+  if (turned(builder, block)) return;
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(strain_card);
+    const std::optional<int> points = points_of(builder, cursor, row, true);
+    if (!points) return;
+    InitialStrain strain;
+    double lowest = 2.0, highest = -2.0;
+    for (int i = 0; i < *points; ++i) {
+      if (!cursor.more()) return refuse_short(builder, row, true, *points, i);
+      const Point point(cursor, strain_point_cards.of(row.integer("large") == 1));
+      if (point["t"] < lowest) lowest = point["t"], strain.lower = point.tensor();
+      if (point["t"] > highest) highest = point["t"], strain.upper = point.tensor();
+      // Without places the last point is the upper one.
+      if (i + 1 == *points && lowest == highest) strain.upper = point.tensor();
+    }
+    builder.later(Phase::conditions, [row, strain](Builder& b) mutable {
+      strain.shell = b.shell(row, "eid");
+      if (strain.shell != none) b.model.initial_state.shell_strains.push_back(strain);
+    });
+  }
+}
+
+// ---- preloads ------------------------------------------------------------------------------------------------------
+
+const Card axial_card{{
+    id("bsid", IdSpace::set, required, "beam set"),
+    id("lcid", IdSpace::function, required, "curve of the force over time; the preload ends with the curve"),
+    real("scale", dimension::number, 1, any_value, "scale of the curve"),
+    integer("kbend", 0, between(0, 1), "0: all points of a section get the same axial stress; 1: the same mean"),
+}};
+
+void read_axial(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(axial_card);
+    builder.later(Phase::conditions, [row](Builder& b) {
+      const auto* beams = b.beam_set(row, "bsid");
+      AxialForce force{{}, b.curve(row, "lcid"), row.real("scale"), row.integer("kbend") == 1, row.place()};
+      if (!beams || force.curve == none) return;
+      force.beams = beams->members;
+      b.model.initial_state.axial_forces.push_back(std::move(force));
+    });
+  }
+}
+
+const Card section_card{{
+    id("issid", IdSpace::other, 0, "number of this preload"),
+    id("csid", IdSpace::other, required, "cross section (*DATABASE_CROSS_SECTION_..._ID)"),
+    id("lcid", IdSpace::function, required, "curve of the normal stress over time; the preload ends with the curve"),
+    id("psid", IdSpace::set, 0, "part set; 0: all parts of the section"),
+    id("vid", IdSpace::define, 0, "vector of the normal; 0: that of the plane"),
+    integer("izshear", 0, between(0, 2),
+            "0: the other stresses are 0; 1: they grow as the material says; 2: so does bending within a brick"),
+    integer("istiff", 0, only(0), "artificial stiffness during the preload"),
+}};
+
+/// The bricks of a section and, where it is a plane, its normal.
+void resolve_section_stress(Builder& builder, const Row& row) {
+  const auto& sections = builder.model.requests.cross_sections;
+  const int id = row.integer("csid");
+  const auto found =
+      std::find_if(sections.begin(), sections.end(), [id](const CrossSection& section) { return section.id == id; });
+  if (found == sections.end())
+    return refuse(builder, row, "csid", fmt::format("cross section {} is not defined", id),
+                  "define it by *DATABASE_CROSS_SECTION_PLANE_ID or _SET_ID");
+  SectionStress stress{
+      {},         found->normal, builder.curve(row, "lcid"), row.integer("izshear") > 0, row.integer("izshear") == 2,
+      row.place()};
+  if (const Vec3d* vector = builder.vector(row, "vid")) stress.normal = unit(*vector);
+  if (norm(stress.normal) == 0.0)
+    return refuse(builder, row, "vid", "a cross section by sets has no normal of its own", "name a *DEFINE_VECTOR");
+  const auto* parts = builder.part_set(row, "psid");
+  for (const CrossSection::Facet& facet : found->facets) {
+    if (facet.kind != ElementKind::solid) continue;
+    const Index part = builder.model.solids.part[at(facet.element)];
+    if (!parts || std::find(parts->members.begin(), parts->members.end(), part) != parts->members.end())
+      stress.solids.push_back(facet.element);
+  }
+  if (stress.curve != none) builder.model.initial_state.section_stresses.push_back(std::move(stress));
+}
+
+void read_section_stress(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(section_card);
+    // In the phase of the checks, when all cross sections are there.
+    builder.later(Phase::checks, [row](Builder& b) { resolve_section_stress(b, row); });
+  }
+}
+
+}  // namespace
+
+std::vector<Keyword> initial_state_keywords() {
+  const auto points = [](const Card& first, const PointCards& cards) {
+    return std::vector<LayoutCard>{{{}, &first}, {"for each point", &cards.normal.front()}};
+  };
+  return {
+      {"INITIAL_STRESS_SHELL", {}, {}, Verdict::used, {}, points(shell_card, shell_point_cards), read_stress<true>},
+      {"INITIAL_STRESS_SOLID", {}, {}, Verdict::used, {}, points(solid_card, solid_point_cards), read_stress<false>},
+      {"INITIAL_STRAIN_SHELL", {}, {}, Verdict::used, {}, points(strain_card, strain_point_cards), read_strain},
+      {"INITIAL_STRESS_SECTION", {}, {}, Verdict::used, {}, {{{}, &section_card}}, read_section_stress},
+      {"INITIAL_AXIAL_FORCE_BEAM", {}, {}, Verdict::used, {}, {{{}, &axial_card}}, read_axial},
+  };
+}
+
+}  // namespace nugget::reading

@@ -1,0 +1,503 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "model/axes.hpp"
+#include "reading/bodies/rigid_bodies.hpp"
+#include "reading/builder/common_cards.hpp"
+#include "reading/cards/families.hpp"
+
+// *CONSTRAINED_JOINT_..., *CONTROL_RIGID. Layouts: keywords.md section 9.
+namespace nugget::reading {
+
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+const Card joint_card{{
+    id("n1", IdSpace::node, required, "node of body A at the joint"),
+    id("n2", IdSpace::node, required, "node of body B at the same place"),
+    id("n3", IdSpace::node, 0, "node of body A: n1 to n3 is the joint's axis"),
+    id("n4", IdSpace::node, 0,
+       "node of body B at the place of n3; universal, gears and the like: n2 to n4 is the other axis"),
+    id("n5", IdSpace::node, 0, "node of body A off the axis (translational, locking)"),
+    id("n6", IdSpace::node, 0, "node of body B at the place of n5"),
+    real("rps", dimension::number, 1, above_zero(), "factor on the penalty stiffness; 2 is the most that is stable"),
+    real("damp", dimension::number, 1, between(0, 5), "factor on the damping; up to 0.01: none"),
+}};
+
+const Card bodies_card{{
+    id("rbid_a", IdSpace::part, required, "rigid body A: part of *MAT_RIGID, or nodal rigid body"),
+    id("rbid_b", IdSpace::part, required, "rigid body B"),
+    real("rps", dimension::number, 1, above_zero(), "factor on the penalty stiffness; 2 is the most that is stable"),
+    real("damp", dimension::number, 1, between(0, 5), "factor on the damping; up to 0.01: none"),
+    real("tmass", dimension::mass, 0, only(0), "mass shared by the first points of A and B: not built"),
+    real("rmass", dimension::inertia, 0, only(0), "rotary inertia of these points: not built"),
+    id("rbidc", IdSpace::part, 0, "rigid body C, of harmonic drives only"),
+}};
+
+Card point_card(std::string_view meaning) {
+  return {{real("x", dimension::length, 0, any_value, meaning), real("y", dimension::length, 0, any_value, meaning),
+           real("z", dimension::length, 0, any_value, meaning)}};
+}
+const std::array<Card, 6> point_cards{
+    point_card("point 1 on body A: where the joint is"),
+    point_card("point 2 on body B: taken as point 1"),
+    point_card("point 3 on body A: point 1 to 3 is the joint's axis"),
+    point_card("point 4 on body B: taken as point 3; universal: point 2 to 4 is the other axis"),
+    point_card("point 5 on body A, off the axis (translational, locking)"),
+    point_card("point 6 on body B: taken as point 5"),
+};
+
+const Card rigid_card{{
+    integer("lmf", 0, between(0, 1), "joints: 0 penalty, 1 Lagrange multipliers (not built)"),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+}};
+
+Card transmission_card(Dimension parm, std::string_view meaning) {
+  return {{
+      real("parm", parm, 0, any_value, meaning),
+      id("lcid", IdSpace::function, 0, "of motors: does nothing here"),
+      integer("type", 0, any_value, "of motors: does nothing here"),
+      real("r1", dimension::length, 0, at_least(0), "radius R1 of gears and pulleys; 0: distance of n5 from the axis"),
+      real("h_angle", dimension::number, 0, only(0), "helix angle of gears: not built"),
+  }};
+}
+const Card ratio_card = transmission_card(dimension::number, "R2/R1");
+const Card way_card =
+    transmission_card(dimension::length, "way of body B over the angle of A [1/rad]: h of a pinion, p of a screw");
+
+const Card local_card{{
+    id("raid", IdSpace::part, required, "LST 0: rigid body, LST 1: accelerometer, in the axes of which results are"),
+    integer("lst", 0, between(0, 1), "0: RAID is a rigid body, 1: an accelerometer"),
+}};
+
+const Card failure_card{{
+    id("cid", IdSpace::define, 0, "axes of the limits below; 0: global"),
+    real("tfail", dimension::time, 0, at_least(0), "time from which the joint is gone; 0: none"),
+    real("coupl", dimension::number, 0, any_value, "up to 0: forces and moments count together; above 0: apart"),
+}};
+
+const Card limits_card{{
+    real("nxx", dimension::force, 0, at_least(0), "force along x at failure; 0: not considered"),
+    real("nyy", dimension::force, 0, at_least(0), "force along y at failure"),
+    real("nzz", dimension::force, 0, at_least(0), "force along z at failure"),
+    real("mxx", dimension::moment, 0, at_least(0), "moment about x at failure"),
+    real("myy", dimension::moment, 0, at_least(0), "moment about y at failure"),
+    real("mzz", dimension::moment, 0, at_least(0), "moment about z at failure"),
+}};
+
+using Kind = Joint::Kind;
+
+const Card& card_of_ratio(Kind kind) {
+  return kind == Kind::gears || kind == Kind::pulley ? ratio_card : way_card;
+}
+
+/// How many pairs of nodes a joint has.
+std::size_t pairs(Kind kind) {
+  switch (kind) {
+    case Kind::spherical: return 1;
+    case Kind::revolute:
+    case Kind::cylindrical:
+    case Kind::planar:
+    case Kind::universal: return 2;
+    default: return 3;
+  }
+}
+
+constexpr Frame3d global_axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+constexpr std::array<std::string_view, 6> node_fields{"n1", "n2", "n3", "n4", "n5", "n6"};
+
+/// The nodes and the two rigid bodies that they belong to; false and a finding where that fails.
+bool find_bodies(Builder& b, const Row& row, Joint& joint) {
+  const std::size_t count = 2 * pairs(joint.kind);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string_view field = node_fields[i];
+    joint.node[i] = b.node(row, field);
+    if (joint.node[i] == none) {
+      if (row.integer(field) == 0)
+        refuse(b, row, field, fmt::format("this joint has {} pairs of nodes", count / 2), "give the node");
+      return false;
+    }
+    const Index body = b.body_of_node[static_cast<std::size_t>(joint.node[i])];
+    if (body == none) {
+      refuse(b, row, field, "a joint joins rigid bodies, but this node is on none",
+             "make it a node of a *MAT_RIGID part (*CONSTRAINED_EXTRA_NODES) or of a *CONSTRAINED_NODAL_RIGID_BODY");
+      return false;
+    }
+    Index& side = joint.body[i % 2];
+    if (side == none) side = body;
+    if (side != body) {
+      refuse(b, row, field, fmt::format("this node is not on the body of {}", node_fields[i % 2]),
+             "odd nodes belong to body A, even ones to body B");
+      return false;
+    }
+    joint.point[i] = b.model.nodes.x[static_cast<std::size_t>(joint.node[i])];
+  }
+  if (joint.body[0] != joint.body[1]) return true;
+  refuse(b, row, "n2", "both nodes belong to the same rigid body", "take the second node from the other body");
+  return false;
+}
+
+/// Axes of A and B, ratio and radius of a joint that transmits; `ratio_row` is its second card.
+bool check_transmission(Builder& b, const Row& row, const Row& ratio_row, Joint& joint,
+                        const std::array<std::string_view, 6>& field) {
+  joint.ratio = ratio_row.real("parm");
+  const bool turns = joint.kind == Kind::gears || joint.kind == Kind::pulley;
+  if (turns ? !(joint.ratio > 0.0) : joint.ratio == 0.0) {
+    refuse(b, ratio_row, "parm", turns ? "the ratio R2/R1 must be above 0" : "a ratio of 0 transmits nothing",
+           "give the ratio");
+    return false;
+  }
+  const Vec3d a = joint.point[2] - joint.point[0], other = joint.point[3] - joint.point[1];
+  for (const std::size_t i : {0u, 1u}) {
+    if (norm(i == 0 ? a : other) > 0.0) continue;
+    refuse(b, row, field[2 + i], "this point and the one two before it are at one place, so there is no axis",
+           "take points far apart");
+    return false;
+  }
+  const double cosine = dot(unit(a), unit(other));
+  if (joint.kind == Kind::rack_and_pinion && std::abs(cosine) > 0.02) {
+    refuse(b, row, field[3], "the rack's way (second to fourth point) must be perpendicular to the pinion's axis",
+           "see the coordinates");
+    return false;
+  }
+  if (joint.kind == Kind::screw) {
+    const Vec3d off = joint.point[1] - joint.point[0];
+    if (std::abs(cosine) < 0.9998 || norm(cross(unit(a), off)) > 0.02 * std::max(norm(a), norm(off))) {
+      refuse(b, row, field[1], "the first four points of a screw joint must lie on one axis", "see the coordinates");
+      return false;
+    }
+  }
+  if (turns) {
+    joint.radius = ratio_row.real("r1");
+    if (joint.radius == 0.0) joint.radius = norm(cross(unit(a), joint.point[4] - joint.point[0]));
+    if (!(joint.radius > 0.0)) {
+      refuse(b, row, field[4], "the fifth point lies on the axis, so the radius R1 is not known", "give R1");
+      return false;
+    }
+  }
+  return true;
+}
+
+/// `field`: of each node, or point, for findings.
+bool check_places(Builder& b, const Row& row, const Joint& joint, const std::array<std::string_view, 6>& field) {
+  const auto place = [&](std::size_t i) { return joint.point[i]; };
+  const std::size_t count = pairs(joint.kind);
+  const Vec3d axis = count > 1 ? place(2) - place(0) : Vec3d{};
+  if (count > 1 && !(norm(axis) > 0.0)) {
+    refuse(b, row, field[2], "the first and third point are at one place, so the joint has no axis",
+           "take points far apart");
+    return false;
+  }
+  // Decks write coordinates with a few digits.
+  const double near = 1e-3 * (count > 1 ? norm(axis) : 1.0);
+  const std::size_t coincident = joint.kind == Kind::universal ? 1 : count;
+  for (std::size_t p = 0; p < coincident; ++p) {
+    if (norm(place(2 * p + 1) - place(2 * p)) <= near) continue;
+    refuse(b, row, field[2 * p + 1],
+           fmt::format("{} and {} are to be at one place, but they are {:g} apart", field[2 * p], field[2 * p + 1],
+                       norm(place(2 * p + 1) - place(2 * p))),
+           "give both the same coordinates");
+    return false;
+  }
+  if (joint.kind == Kind::universal) {
+    const Vec3d other = place(3) - place(1);
+    if (!(norm(other) > 0.0) || std::abs(dot(axis, other)) > 0.02 * norm(axis) * norm(other)) {
+      refuse(b, row, field[3],
+             "the axes from the first point to the third and from the second to the fourth must be "
+             "perpendicular",
+             "see the coordinates");
+      return false;
+    }
+  }
+  if (count == 3 && !(norm(cross(axis, place(4) - place(0))) > 1e-6 * dot(axis, axis))) {
+    refuse(b, row, field[4], "the fifth point lies on the axis from the first to the third, so it holds no rotation",
+           "take one off the axis");
+    return false;
+  }
+  return true;
+}
+
+/// The cards of _LOCAL and _FAILURE.
+struct Extras {
+  std::optional<Row> local, failure, limits;
+};
+
+Extras read_extras(Builder& b, Cursor& cursor, const Options& options) {
+  Extras extras;
+  if (options.contains("LOCAL")) extras.local = cursor.read(local_card);
+  if (options.contains("FAILURE")) {
+    extras.failure = cursor.read(failure_card);
+    extras.limits = cursor.read(limits_card);
+    bool ever = extras.failure->real("tfail") > 0.0;
+    for (const std::string_view field : {"nxx", "nyy", "nzz", "mxx", "myy", "mzz"})
+      ever = ever || extras.limits->real(field) > 0.0;
+    if (!ever)
+      extras.failure->complain(b.findings, Severity::warning, "tfail",
+                               "neither a time nor a limit: this joint never fails", "give TFAIL or one of NXX to MZZ");
+  }
+  return extras;
+}
+
+/// The axes of _LOCAL; nothing and a finding where they are not to be had.
+std::optional<Joint::Output> output_axes(Builder& b, const Row& row) {
+  if (row.integer("lst") == 0) {
+    const Index body = find_body(b, row, "raid");
+    if (body == none) return std::nullopt;
+    const Frame3d* own = body_axes(b, row.integer("raid"));
+    return Joint::Output{body, own ? *own : global_axes};
+  }
+  const auto& all = b.model.accelerometers;
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Accelerometer& a) { return a.id == row.integer("raid"); });
+  if (found == all.end()) {
+    refuse(b, row, "raid", "no such *ELEMENT_SEATBELT_ACCELEROMETER is defined",
+           "name one, or a rigid body with LST 0");
+    return std::nullopt;
+  }
+  const auto at = [&](std::size_t i) { return b.model.nodes.x[static_cast<std::size_t>(found->node[i])]; };
+  const Index body = b.body_of_node[static_cast<std::size_t>(found->node[0])];
+  if (body == none) {
+    refuse(b, row, "raid", "this accelerometer is on no rigid body", "name one that is, or a rigid body with LST 0");
+    return std::nullopt;
+  }
+  Joint::Output output{body, global_axes};
+  frame_from(at(1) - at(0), at(2) - at(0), output.axes);
+  return output;
+}
+
+void take_extras(Builder& b, const Extras& extras, Joint& joint) {
+  if (extras.local) joint.output = output_axes(b, *extras.local);
+  if (!extras.failure) return;
+  Joint::Failure failure;
+  failure.time = extras.failure->real("tfail");
+  failure.system = b.turning_or_fixed_system(*extras.failure, "cid");
+  failure.together = !(extras.failure->real("coupl") > 0.0);
+  failure.force = {extras.limits->real("nxx"), extras.limits->real("nyy"), extras.limits->real("nzz")};
+  failure.moment = {extras.limits->real("mxx"), extras.limits->real("myy"), extras.limits->real("mzz")};
+  joint.failure = failure;
+}
+
+/// RPS and DAMP, and an id where there is none.
+void take_penalty(Builder& b, const Row& row, Joint& joint) {
+  joint.stiffness_scale = row.real("rps");
+  joint.damping = row.real("damp") > 0.01 ? row.real("damp") : 0.0;
+  if (joint.id == 0) joint.id = static_cast<int>(b.model.joints.size()) + 1;
+  if (joint.stiffness_scale > 2.0)
+    row.complain(b.findings, Severity::warning, "rps", "computed with 2, the most that is stable", "write 2 or less");
+}
+
+void add_joint(Builder& b, const Row& row, const Extras& extras, Joint joint) {
+  take_penalty(b, row, joint);
+  take_extras(b, extras, joint);
+  if (find_bodies(b, row, joint) && check_places(b, row, joint, node_fields))
+    b.model.joints.push_back(std::move(joint));
+}
+
+Joint begun(Cursor& cursor, const Options& options, Kind kind) {
+  Joint joint;
+  joint.kind = kind;
+  const Heading heading = read_heading(cursor, options.contains("ID") || options.contains("TITLE"));
+  joint.id = heading.id;
+  joint.title = heading.text;
+  return joint;
+}
+
+Row read_ratio(Builder& b, Cursor& cursor, Kind kind) {
+  const Row row = cursor.read(card_of_ratio(kind));
+  expect(
+      b, row, Severity::warning,
+      {{"lcid", 0, "belongs to motors: it does nothing here"}, {"type", 0, "belongs to motors: it does nothing here"}});
+  return row;
+}
+
+void add_transmission(Builder& b, const Row& row, const Row& ratio_row, const Extras& extras, Joint joint) {
+  take_penalty(b, row, joint);
+  take_extras(b, extras, joint);
+  if (find_bodies(b, row, joint) && check_transmission(b, row, ratio_row, joint, node_fields))
+    b.model.joints.push_back(std::move(joint));
+}
+
+template <Kind kind>
+void read_transmission(Builder& b, const Block& block, const Options& options) {
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    Joint joint = begun(cursor, options, kind);
+    const Row row = cursor.read(joint_card), ratio_row = read_ratio(b, cursor, kind);
+    const Extras extras = read_extras(b, cursor, options);
+    joint.place = row.place();
+    b.later(Phase::conditions, [row, ratio_row, extras, joint](Builder& later) {
+      add_transmission(later, row, ratio_row, extras, joint);
+    });
+  }
+}
+
+template <Kind kind>
+void read_joint(Builder& b, const Block& block, const Options& options) {
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    Joint joint = begun(cursor, options, kind);
+    const Row row = cursor.read(joint_card);
+    const Extras extras = read_extras(b, cursor, options);
+    joint.place = row.place();
+    b.later(Phase::conditions, [row, extras, joint](Builder& later) { add_joint(later, row, extras, joint); });
+  }
+}
+
+// ---- by points -----------------------------------------------------------------------------------------------------
+
+constexpr std::array<std::string_view, 6> of_points{"rbid_a", "rbid_a", "rbid_a", "rbid_a", "rbid_a", "rbid_a"};
+
+bool find_both(Builder& b, const Row& row, Joint& joint) {
+  take_penalty(b, row, joint);
+  joint.body = {find_body(b, row, "rbid_a"), find_body(b, row, "rbid_b")};
+  if (joint.body[0] == none || joint.body[1] == none) return false;
+  if (joint.body[0] != joint.body[1]) return true;
+  refuse(b, row, "rbid_b", "a joint joins two bodies, but this is body A", "name the other one");
+  return false;
+}
+
+void add_joint_by_points(Builder& b, const Row& row, const Extras& extras, Joint joint) {
+  take_extras(b, extras, joint);
+  if (find_both(b, row, joint) && check_places(b, row, joint, of_points)) b.model.joints.push_back(std::move(joint));
+}
+
+void add_transmission_by_points(Builder& b, const Row& row, const Row& ratio_row, const Extras& extras, Joint joint) {
+  take_extras(b, extras, joint);
+  if (find_both(b, row, joint) && check_transmission(b, row, ratio_row, joint, of_points))
+    b.model.joints.push_back(std::move(joint));
+}
+
+/// The card of the bodies and six of points.
+Row read_points(Builder& b, Cursor& cursor, const Block& block, Joint& joint) {
+  const Row row = cursor.read(bodies_card);
+  joint.place = row.place();
+  expect(b, row, Severity::warning, {{"rbidc", 0, "belongs to harmonic drives: it does nothing here"}});
+  for (std::size_t i = 0; i < point_cards.size() && !at_end(cursor); ++i) {
+    const Row point = cursor.read(point_cards[i]);
+    joint.point[i] = position(block, point, "x", "y", "z");
+  }
+  return row;
+}
+
+template <Kind kind>
+void read_joint_by_points(Builder& b, const Block& block, const Options& options) {
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    Joint joint = begun(cursor, options, kind);
+    const Row row = read_points(b, cursor, block, joint);
+    // The second point of a pair is where the first one is, whatever its card says.
+    for (std::size_t p = 0; p < pairs(kind); ++p)
+      if (p == 0 || kind != Kind::universal) joint.point[2 * p + 1] = joint.point[2 * p];
+    const Extras extras = read_extras(b, cursor, options);
+    b.later(Phase::conditions,
+            [row, extras, joint](Builder& later) { add_joint_by_points(later, row, extras, joint); });
+  }
+}
+
+template <Kind kind>
+void read_transmission_by_points(Builder& b, const Block& block, const Options& options) {
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    Joint joint = begun(cursor, options, kind);
+    const Row row = read_points(b, cursor, block, joint), ratio_row = read_ratio(b, cursor, kind);
+    const Extras extras = read_extras(b, cursor, options);
+    b.later(Phase::conditions, [row, ratio_row, extras, joint](Builder& later) {
+      add_transmission_by_points(later, row, ratio_row, extras, joint);
+    });
+  }
+}
+
+void read_control(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  const Row row = cursor.read(rigid_card);
+  b.later(Phase::checks, [row](Builder& later) {
+    if (row.integer("lmf") == 1 && !later.model.joints.empty())
+      refuse(later, row, "lmf", "joints by Lagrange multipliers are not built", "write 0: joints by penalty");
+  });
+}
+
+/// A keyword with the cards that all joints may have before and after their own.
+Keyword made(std::string_view name, std::vector<LayoutCard> own, void (*read)(Builder&, const Block&, const Options&)) {
+  std::vector<LayoutCard> layout{{"with _ID", &heading_card}};
+  layout.insert(layout.end(), own.begin(), own.end());
+  layout.push_back({"with _LOCAL", &local_card});
+  layout.push_back({"with _FAILURE", &failure_card});
+  layout.push_back({"with _FAILURE", &limits_card});
+  return {.name = name, .options = {"ID", "TITLE", "LOCAL", "FAILURE"}, .layout = std::move(layout), .read = read};
+}
+
+std::vector<LayoutCard> cards_of_points() {
+  std::vector<LayoutCard> cards{{"", &bodies_card}};
+  for (const Card& card : point_cards) cards.push_back({"", &card});
+  return cards;
+}
+
+template <Kind kind>
+Keyword joint(std::string_view name) {
+  return made(name, {{"", &joint_card}}, read_joint<kind>);
+}
+
+template <Kind kind>
+Keyword joint_by_points(std::string_view name) {
+  return made(name, cards_of_points(), read_joint_by_points<kind>);
+}
+
+template <Kind kind>
+Keyword transmission(std::string_view name) {
+  return made(name, {{"", &joint_card}, {"", &card_of_ratio(kind)}}, read_transmission<kind>);
+}
+
+template <Kind kind>
+Keyword transmission_by_points(std::string_view name) {
+  std::vector<LayoutCard> cards = cards_of_points();
+  cards.push_back({"", &card_of_ratio(kind)});
+  return made(name, std::move(cards), read_transmission_by_points<kind>);
+}
+
+}  // namespace
+
+std::vector<Keyword> joint_keywords() {
+  const auto refused = [](std::string_view name, std::string_view why) {
+    return Keyword{.name = name, .verdict = Verdict::refused, .why = why};
+  };
+  return {
+      joint<Kind::spherical>("CONSTRAINED_JOINT_SPHERICAL"),
+      joint<Kind::revolute>("CONSTRAINED_JOINT_REVOLUTE"),
+      joint<Kind::cylindrical>("CONSTRAINED_JOINT_CYLINDRICAL"),
+      joint<Kind::planar>("CONSTRAINED_JOINT_PLANAR"),
+      joint<Kind::universal>("CONSTRAINED_JOINT_UNIVERSAL"),
+      joint<Kind::translational>("CONSTRAINED_JOINT_TRANSLATIONAL"),
+      joint<Kind::locking>("CONSTRAINED_JOINT_LOCKING"),
+      joint_by_points<Kind::spherical>("CONSTRAINED_JOINT_COOR_SPHERICAL"),
+      joint_by_points<Kind::revolute>("CONSTRAINED_JOINT_COOR_REVOLUTE"),
+      joint_by_points<Kind::cylindrical>("CONSTRAINED_JOINT_COOR_CYLINDRICAL"),
+      joint_by_points<Kind::planar>("CONSTRAINED_JOINT_COOR_PLANAR"),
+      joint_by_points<Kind::universal>("CONSTRAINED_JOINT_COOR_UNIVERSAL"),
+      joint_by_points<Kind::translational>("CONSTRAINED_JOINT_COOR_TRANSLATIONAL"),
+      joint_by_points<Kind::locking>("CONSTRAINED_JOINT_COOR_LOCKING"),
+      transmission<Kind::gears>("CONSTRAINED_JOINT_GEARS"),
+      transmission<Kind::pulley>("CONSTRAINED_JOINT_PULLEY"),
+      transmission<Kind::rack_and_pinion>("CONSTRAINED_JOINT_RACK_AND_PINION"),
+      transmission<Kind::screw>("CONSTRAINED_JOINT_SCREW"),
+      transmission_by_points<Kind::gears>("CONSTRAINED_JOINT_COOR_GEARS"),
+      transmission_by_points<Kind::pulley>("CONSTRAINED_JOINT_COOR_PULLEY"),
+      transmission_by_points<Kind::rack_and_pinion>("CONSTRAINED_JOINT_COOR_RACK_AND_PINION"),
+      transmission_by_points<Kind::screw>("CONSTRAINED_JOINT_COOR_SCREW"),
+      refused("CONSTRAINED_JOINT_*",
+              "this joint is not built; SPHERICAL, REVOLUTE, CYLINDRICAL, PLANAR, UNIVERSAL, TRANSLATIONAL, LOCKING, "
+              "GEARS, PULLEY, RACK_AND_PINION and SCREW are, by nodes and by points (_COOR_)"),
+      {.name = "CONTROL_RIGID", .layout = {{"", &rigid_card}}, .read = read_control},
+  };
+}
+
+}  // namespace nugget::reading

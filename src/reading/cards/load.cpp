@@ -1,0 +1,432 @@
+// SPDX-License-Identifier: Apache-2.0
+// *LOAD_...: forces and moments on nodes and bodies, base accelerations, pressures.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "model/segments.hpp"
+#include "reading/bodies/rigid_bodies.hpp"
+#include "reading/builder/common_cards.hpp"
+#include "reading/cards/families.hpp"
+
+namespace nugget::reading {
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+// ---- forces and moments
+// ------------------------------------------------------------------------------------------------
+
+Card force_card(Field target) {
+  return {{
+      target,
+      integer("dof", required, between(1, 8),
+              "1, 2, 3 force along x, y, z; 4 along the normal of m1, m2, m3; 5, 6, 7 moment about x, y, z; 8 about "
+              "that normal"),
+      {"lcid",
+       Kind::integer,
+       {},
+       required,
+       at_least(1),
+       "curve of the load over time; below 0, over the displacement: not built",
+       IdSpace::function},
+      real("sf", dimension::number, 1, any_value, "scale of the curve"),
+      id("cid", IdSpace::define, 0, "coordinate system of the direction; 0: global axes"),
+      id("m1", IdSpace::node, 0, "first of the nodes whose normal the load follows"),
+      id("m2", IdSpace::node, 0, "second"),
+      id("m3", IdSpace::node, 0, "third"),
+  }};
+}
+const Card force_node_card = force_card(id("nid", IdSpace::node, required, "node"));
+const Card force_set_card =
+    force_card(id("nsid", IdSpace::set, required, "node set; the load acts on each of its nodes"));
+const Card force_body_card = force_card(id("pid", IdSpace::part, required, "part of *MAT_RIGID, or nodal rigid body"));
+
+void resolve_follower(Builder& builder, const Row& row, NodalLoad& load) {
+  constexpr std::array<std::string_view, 3> fields{"m1", "m2", "m3"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (row.integer(fields[i]) == 0)
+      refuse(builder, row, fields[i], "a load with dof 4 or 8 follows the normal of three nodes; this one is missing");
+    load.follow[i] = builder.node(row, fields[i]);
+  }
+  if (std::find(load.follow.begin(), load.follow.end(), none) != load.follow.end()) return;
+  const auto place = [&](std::size_t i) { return builder.model.nodes.x[static_cast<std::size_t>(load.follow[i])]; };
+  const Vec3d first = place(1) - place(0), second = place(2) - place(0);
+  if (norm(cross(first, second)) <= 1e-6 * norm(first) * norm(second))
+    refuse(builder, row, "m1", "the three nodes are on a line at the start: they have no normal",
+           "name three nodes that span a plane");
+}
+
+/// Nodes that can turn: of shells, beams, springs, rigid bodies, bricks with rotations, and those with an inertia.
+std::vector<char> nodes_that_turn(const Builder& b) {
+  const Model& m = b.model;
+  std::vector<char> turns(m.nodes.size(), 0);
+  const auto take = [&](Index n) {
+    if (n != none) turns[static_cast<std::size_t>(n)] = 1;
+  };
+  for (std::size_t n = 0; n < turns.size(); ++n)
+    if (b.body_of_node[n] != none) turns[n] = 1;
+  for (std::size_t e = 0; e < m.shells.size(); ++e)
+    for (const Index n : m.shells.nodes(e)) take(n);
+  for (std::size_t e = 0; e < m.beams.size(); ++e)
+    for (const Index n : m.beams.nodes(e)) take(n);
+  for (std::size_t e = 0; e < m.solids.size(); ++e) {
+    const Index section = m.solids.part[e] == none ? none : m.parts[static_cast<std::size_t>(m.solids.part[e])].section;
+    if (section != none && m.solid_sections[static_cast<std::size_t>(section)].elform == 4)
+      for (const Index n : m.solids.nodes(e)) take(n);
+  }
+  for (const Discrete& d : m.discretes)
+    for (const Index n : d.node) take(n);
+  for (const PointInertia& inertia : m.inertias) take(inertia.node);
+  for (const Interpolation& i : m.interpolations)
+    if (i.rotations) take(i.node);
+  return turns;
+}
+
+/// A moment on a node of bricks alone finds no rotation to act on.
+void warn_of_lost_moments(Builder& b, const Row& row, const std::vector<Index>& nodes, const std::vector<char>& turns) {
+  const auto stands = [&](Index n) { return turns[static_cast<std::size_t>(n)] == 0; };
+  const auto count = std::count_if(nodes.begin(), nodes.end(), stands);
+  if (count == 0) return;
+  const int first = b.model.nodes.id[static_cast<std::size_t>(*std::find_if(nodes.begin(), nodes.end(), stands))];
+  row.complain(b.findings, Severity::warning, "dof",
+               fmt::format("{} of {} nodes (the first is {}) have no rotation: the moment has no effect there", count,
+                           nodes.size(), first),
+               "give the moment as forces, or put it on a *CONSTRAINED_NODAL_RIGID_BODY of nodes around");
+}
+
+void resolve_fixed_direction(Builder& builder, const Row& row, NodalLoad& load) {
+  const int axis = (row.integer("dof") - 1) % 4;
+  load.direction = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+  if (const Index system = builder.system_of_directions(row, "cid"); system != none)
+    load.direction = builder.model.systems[static_cast<std::size_t>(system)].axes.global(load.direction);
+}
+
+enum class On { node, set, body };
+
+template <On on>
+void resolve_target(Builder& builder, const Row& row, NodalLoad& load) {
+  if constexpr (on == On::body) {
+    load.rigid_body = find_body(builder, row, "pid");
+  } else if constexpr (on == On::set) {
+    if (const auto* nodes = builder.node_set(row, "nsid")) load.nodes = nodes->members;
+  } else if (const Index node = builder.node(row, "nid"); node != none) {
+    load.nodes = {node};
+  }
+}
+
+template <On on>
+void read_force(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  const auto turns = std::make_shared<std::vector<char>>();  // found for the first moment of the block
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(on == On::node ? force_node_card : on == On::set ? force_set_card : force_body_card);
+    if (row.integer("dof") % 4 != 0 && row.integer("cid") == 0) warn_of_global_axis(builder, block, row, "dof");
+    builder.later(Phase::conditions, [row, turns](Builder& b) {
+      NodalLoad load;
+      const int dof = row.integer("dof");
+      load.moment = dof >= 5;
+      load.scale = row.real("sf");
+      load.curve = b.curve(row, "lcid");
+      if (dof == 4 || dof == 8)
+        resolve_follower(b, row, load);
+      else
+        resolve_fixed_direction(b, row, load);
+      resolve_target<on>(b, row, load);
+      if (load.moment)
+        b.later(Phase::checks, [row, turns, nodes = load.nodes](Builder& all) {
+          if (turns->empty()) *turns = nodes_that_turn(all);
+          warn_of_lost_moments(all, row, nodes, *turns);
+        });
+      b.model.nodal_loads.push_back(std::move(load));
+    });
+  }
+}
+
+// ---- base acceleration
+// -------------------------------------------------------------------------------------------------
+
+const Card body_load_card{{
+    {"lcid",
+     Kind::integer,
+     {},
+     required,
+     at_least(1),
+     "curve over time of the base acceleration (positive in z pulls down), or of the angular velocity (RX, RY, RZ)",
+     IdSpace::function},
+    real("sf", dimension::number, 1, any_value, "scale of the curve"),
+    id("lciddr", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2"),
+    real("xc", dimension::length, 0, any_value, "centre of rotation, for the rotational forms"),
+    real("yc", dimension::length, 0, any_value, "the same"),
+    real("zc", dimension::length, 0, any_value, "the same"),
+    id("cid", IdSpace::define, 0, "coordinate system of the direction; 0: global axes"),
+}};
+const Card body_vector_card{{
+    real("v1", dimension::number, 0, any_value, "direction of the acceleration, x component"),
+    real("v2", dimension::number, 0, any_value, "y component"),
+    real("v3", dimension::number, 0, any_value, "z component"),
+}};
+const Card body_parts_card{{id("psid", IdSpace::set, required, "part set that all *LOAD_BODY_... are restricted to")}};
+
+// ---- centrifugal force ---------------------------------------------------------------------------------------------
+
+template <int axis>
+void read_body_rotation(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  const Row row = cursor.read(body_load_card);
+  expect_end(builder, cursor);
+  const Vec3d center = position(block, row, "xc", "yc", "zc");
+  builder.later(Phase::conditions, [row, center](Builder& b) {
+    BodyLoad load;
+    load.direction = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+    load.scale = row.real("sf");
+    load.curve = b.curve(row, "lcid");
+    load.relaxation_curve = b.curve(row, "lciddr");
+    load.centrifugal = true;
+    load.center = center;
+    if (const Index system = b.system(row, "cid"); system != none)
+      load.direction = b.model.systems[static_cast<std::size_t>(system)].axes.global(load.direction);
+    b.model.body_loads.push_back(std::move(load));
+  });
+}
+
+// ---- gravity of parts
+// -----------------------------------------------------------------------------------------
+
+Card gravity_card(Field target) {
+  return {{
+      target,
+      integer("dof", required, between(1, 3), "1, 2, 3: along x, y, z"),
+      {"lc", Kind::integer, {}, 0, at_least(0), "curve of a factor over time; 0: 1", IdSpace::function},
+      real("accel", dimension::acceleration, 0, any_value, "base acceleration; positive in z pulls down"),
+      id("lcdr", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2"),
+      integer("stga", 0, only(0), "construction stage at which the part is added"),
+      integer("stgr", 0, only(0), "construction stage at which it is removed"),
+  }};
+}
+const Card gravity_part_card = gravity_card(id("pid", IdSpace::part, required, "part"));
+const Card gravity_part_set_card = gravity_card(id("psid", IdSpace::set, required, "part set"));
+
+template <bool set>
+void read_gravity(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(set ? gravity_part_set_card : gravity_part_card);
+    builder.later(Phase::conditions, [row](Builder& b) {
+      BodyLoad load;
+      if constexpr (set) {
+        if (const auto* parts = b.part_set(row, "psid")) load.parts = parts->members;
+      } else if (const Index part = b.part(row, "pid"); part != none) {
+        load.parts = {part};
+      }
+      if (load.parts.empty()) return;
+      const int axis = row.integer("dof");
+      load.direction = {axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0, axis == 3 ? 1.0 : 0.0};
+      load.scale = row.real("accel");
+      load.curve = b.curve(row, "lc");
+      load.relaxation_curve = b.curve(row, "lcdr");
+      load.own_parts = true;
+      b.model.body_loads.push_back(std::move(load));
+    });
+  }
+}
+
+void leave_body_load(Builder& builder, const Row& row, const Vec3d& local) {
+  builder.later(Phase::conditions, [row, local](Builder& b) {
+    BodyLoad load;
+    load.direction = local;
+    load.scale = row.real("sf");
+    load.curve = b.curve(row, "lcid");
+    load.relaxation_curve = b.curve(row, "lciddr");
+    if (const Index system = b.system(row, "cid"); system != none)
+      load.direction = b.model.systems[static_cast<std::size_t>(system)].axes.global(local);
+    b.model.body_loads.push_back(load);
+  });
+}
+
+template <int axis>
+void read_body_load(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  leave_body_load(builder, cursor.read(body_load_card),
+                  {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0});
+  expect_end(builder, cursor);
+}
+
+void read_body_vector(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  const Row row = cursor.read(body_load_card);
+  const Row vector = cursor.read(body_vector_card);
+  expect_end(builder, cursor);
+  const bool local = row.integer("cid") != 0;
+  const Vec3d v = local ? triple(vector, "v1", "v2", "v3") : direction(block, vector, "v1", "v2", "v3");
+  if (norm(v) == 0.0)
+    refuse(builder, vector, "v1", "the direction has no length", "give the components of the acceleration's direction");
+  else
+    leave_body_load(builder, row, unit(v));
+}
+
+void read_body_parts(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  const Row row = cursor.read(body_parts_card);
+  expect_end(builder, cursor);
+  // In the phase of the checks, when every body load is there: the restriction holds for all of them.
+  builder.later(Phase::checks, [row](Builder& b) {
+    if (const auto* parts = b.part_set(row, "psid"))
+      for (BodyLoad& load : b.model.body_loads)
+        if (!load.own_parts) load.parts = parts->members;
+  });
+}
+
+// ---- pressure
+// ----------------------------------------------------------------------------------------------------------
+
+const Card segment_card{{
+    or_negative(id("lcid", IdSpace::function, required, "curve of the pressure over time"), IdSpace::function),
+    real("sf", dimension::number, 1, any_value, "scale of the curve"),
+    real("at", dimension::time, 0, at_least(0), "arrival time: the curve starts then"),
+    id("n1", IdSpace::node, required, "corner of the segment; positive pressure pushes against the right-hand normal"),
+    id("n2", IdSpace::node, required, "second corner"),
+    id("n3", IdSpace::node, required, "third corner"),
+    id("n4", IdSpace::node, 0, "fourth corner; 0 or n3: a triangle"),
+    id("n5", IdSpace::node, 0, "mid-side node"),
+}};
+Card pressure_card(Field target) {
+  return {{
+      target,
+      or_negative(id("lcid", IdSpace::function, required, "curve of the pressure over time"), IdSpace::function),
+      real("sf", dimension::number, 1, any_value, "scale of the curve"),
+      real("at", dimension::time, 0, at_least(0), "arrival time: the curve starts then"),
+  }};
+}
+const Card segment_set_card = pressure_card(id("ssid", IdSpace::set, required, "segment set"));
+const Card shell_card =
+    pressure_card(id("eid", IdSpace::element, required, "shell; positive pressure pushes against its normal"));
+const Card shell_set_card =
+    pressure_card(id("esid", IdSpace::set, required, "shell set; positive pressure pushes against the normals"));
+
+/// Nodes in the wrong order, around a segment that crosses itself, span no area.
+void warn_of_no_area(Builder& b, const Row& row, const std::vector<Segment>& segments) {
+  const auto place = [&](Index n) { return b.model.nodes.x[static_cast<std::size_t>(n)]; };
+  const auto is_none = [&](const Segment& s) {
+    const Vec3d one = place(s[2]) - place(s[0]), other = place(s[3]) - place(s[1]);
+    return norm(cross(one, other)) <= 1e-6 * (dot(one, one) + dot(other, other));
+  };
+  const auto count = std::count_if(segments.begin(), segments.end(), is_none);
+  if (count == 0) return;
+  const Segment& first = *std::find_if(segments.begin(), segments.end(), is_none);
+  row.complain(b.findings, Severity::warning, "lcid",
+               fmt::format("{} of {} segments (the first begins with node {}) have no area: no pressure acts there",
+                           count, segments.size(), b.model.nodes.id[static_cast<std::size_t>(first[0])]),
+               "give the nodes in their order around the segment");
+}
+
+/// Makes a pressure load of what `segments` returns, in its phase.
+template <class Segments>
+void leave_pressure(Builder& builder, const Row& row, Segments segments) {
+  if (row.integer("lcid") < 0)
+    return refuse(builder, row, "lcid", "blast loads (Brode, ConWep) are not built",
+                  "give a curve of pressure over time");
+  builder.later(Phase::conditions, [row, segments](Builder& b) {
+    PressureLoad load;
+    load.curve = b.curve(row, "lcid");
+    load.scale = row.real("sf");
+    load.arrival = row.real("at");
+    load.segments = segments(b, row);
+    warn_of_no_area(b, row, load.segments);
+    load.share = share_pressure(b.model, load.segments);
+    if (!load.segments.empty()) b.model.pressure_loads.push_back(std::move(load));
+  });
+}
+
+std::vector<Segment> one_segment(Builder& builder, const Row& row) {
+  Segment segment{builder.node(row, "n1"), builder.node(row, "n2"), builder.node(row, "n3"), builder.node(row, "n4")};
+  if (row.integer("n4") == 0) segment[3] = segment[2];
+  for (const Index node : segment)
+    if (node == none) return {};
+  return {segment};
+}
+
+void read_segment(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    read_heading(cursor, options.contains("ID"));
+    const Row row = cursor.read(segment_card);
+    if (row.integer("n5") != 0)
+      return refuse(builder, row, "n5", "segments of quadratic elements are not built", "give three or four corners");
+    leave_pressure(builder, row, one_segment);
+  }
+}
+
+void read_segment_set(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    read_heading(cursor, options.contains("ID"));
+    leave_pressure(builder, cursor.read(segment_set_card), [](Builder& b, const Row& row) {
+      const auto* set = b.segment_set(row, "ssid");
+      return set ? set->members : std::vector<Segment>{};
+    });
+  }
+}
+
+template <bool set>
+void read_shell_pressure(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    read_heading(cursor, options.contains("ID"));
+    leave_pressure(builder, cursor.read(set ? shell_set_card : shell_card), [](Builder& b, const Row& row) {
+      std::vector<Segment> segments;
+      const auto add = [&](Index shell) { segments.push_back(b.model.shells.node[static_cast<std::size_t>(shell)]); };
+      if constexpr (set) {
+        if (const auto* shells = b.shell_set(row, "esid"))
+          for (const Index shell : shells->members) add(shell);
+      } else if (const Index shell = b.shell(row, "eid"); shell != none) {
+        add(shell);
+      }
+      return segments;
+    });
+  }
+}
+
+Keyword simple(std::string_view name, const Card& card, void (*read)(Builder&, const Block&, const Options&)) {
+  return {name, {}, {}, Verdict::used, {}, {{{}, &card}}, read};
+}
+Keyword with_heading(std::string_view name, const Card& card, void (*read)(Builder&, const Block&, const Options&)) {
+  return {name, {}, {"ID"}, Verdict::used, {}, {{"with _ID", &heading_card}, {{}, &card}}, read};
+}
+
+}  // namespace
+
+std::vector<Keyword> load_keywords() {
+  return {
+      simple("LOAD_NODE_POINT", force_node_card, read_force<On::node>),
+      simple("LOAD_NODE_SET", force_set_card, read_force<On::set>),
+      simple("LOAD_RIGID_BODY", force_body_card, read_force<On::body>),
+      simple("LOAD_BODY_X", body_load_card, read_body_load<0>),
+      simple("LOAD_BODY_Y", body_load_card, read_body_load<1>),
+      simple("LOAD_BODY_Z", body_load_card, read_body_load<2>),
+      simple("LOAD_BODY_RX", body_load_card, read_body_rotation<0>),
+      simple("LOAD_BODY_RY", body_load_card, read_body_rotation<1>),
+      simple("LOAD_BODY_RZ", body_load_card, read_body_rotation<2>),
+      simple("LOAD_GRAVITY_PART", gravity_part_card, read_gravity<false>),
+      simple("LOAD_GRAVITY_PART_SET", gravity_part_set_card, read_gravity<true>),
+      {"LOAD_BODY_VECTOR",
+       {},
+       {},
+       Verdict::used,
+       {},
+       {{{}, &body_load_card}, {{}, &body_vector_card}},
+       read_body_vector},
+      simple("LOAD_BODY_PARTS", body_parts_card, read_body_parts),
+      with_heading("LOAD_SEGMENT", segment_card, read_segment),
+      with_heading("LOAD_SEGMENT_SET", segment_set_card, read_segment_set),
+      with_heading("LOAD_SHELL_ELEMENT", shell_card, read_shell_pressure<false>),
+      with_heading("LOAD_SHELL_SET", shell_set_card, read_shell_pressure<true>),
+  };
+}
+
+}  // namespace nugget::reading

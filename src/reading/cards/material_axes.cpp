@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "kernel/law/composition.hpp"
+#include "reading/builder/common_cards.hpp"
+#include "reading/cards/material.hpp"
+
+// AOPT of materials.
+namespace nugget::reading {
+
+using deck::Block;
+using deck::Row;
+using By = kernel::MaterialAxes::By;
+
+kernel::MaterialAxes read_axes(Builder& b, const Block& block, const Row& option, const Row& a, const Row& v,
+                               const Row& d) {
+  kernel::MaterialAxes axes;
+  const double aopt = option.real("aopt");
+  if (aopt == 2.0) {
+    axes.by = By::vectors;
+    axes.a = direction(block, a, "a1", "a2", "a3");
+    axes.d = direction(block, d, "d1", "d2", "d3");
+    if (!(norm(axes.a) > 0.0))
+      refuse(b, a, "a1", "AOPT 2 needs the vector a", "give A1 to A3; for bricks also D1 to D3");
+  } else if (aopt == 3.0) {
+    axes.by = By::cross;
+    axes.a = direction(block, v, "v1", "v2", "v3");
+    if (!(norm(axes.a) > 0.0)) refuse(b, v, "v1", "AOPT 3 needs the vector v", "give V1 to V3");
+  } else if (aopt > 0.0) {
+    refuse(b, option, "aopt", "only 0, 2, 3 and the id of a coordinate system below 0 are built",
+           "use vectors of AOPT 2");
+  }
+  return axes;
+}
+
+void take_axes_of_system(Builder& b, const Row& option, Index material) {
+  const int id = -option.integer("aopt");
+  if (id <= 0) return;
+  b.later(Phase::sets, [=](Builder& later) {
+    const Index found = later.systems.find(id);
+    if (found == none)
+      return refuse(later, option, "aopt", fmt::format("coordinate system {} is not defined", id),
+                    "define it with *DEFINE_COORDINATE_...");
+    const CoordinateSystem& system = later.model.systems[static_cast<std::size_t>(found)];
+    if (system.turning)
+      return refuse(
+          later, option, "aopt",
+          fmt::format("coordinate system {} turns with its nodes (FLAG 1); the axes are those of the start", id),
+          "define one with FLAG 0");
+    auto* compound = std::get_if<kernel::Compound>(&later.model.materials[static_cast<std::size_t>(material)].law);
+    if (compound == nullptr) return;  // refused
+    kernel::Composition made = *compound->made_of;
+    std::visit(
+        [&](auto& flow) {
+          if constexpr (requires { flow.axes; }) {
+            flow.axes.by = By::vectors;
+            flow.axes.a = system.axes.e1;
+            flow.axes.d = system.axes.e2;
+          }
+        },
+        made.flow);
+    *compound = kernel::compound(std::move(made));
+  });
+}
+
+}  // namespace nugget::reading

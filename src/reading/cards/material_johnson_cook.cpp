@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernel/law/composition.hpp"
+#include "reading/builder/common_cards.hpp"
+#include "reading/cards/families.hpp"
+#include "reading/cards/material.hpp"
+
+// *MAT_... of Johnson and Cook.
+namespace nugget::reading {
+
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+// ---- 098, 099
+
+const Card simplified_johnson_cook_card{{material_id, density, young, poisson, vp}};
+
+const Card simplified_johnson_cook_yield_card{{
+    real("a", dimension::stress, required, above_zero(), "yield stress at rest"),
+    real("b", dimension::stress, 0, at_least(0), "hardening: factor of the power of the plastic strain"),
+    real("n", dimension::number, 0, at_least(0), "hardening: exponent of the plastic strain"),
+    real("c", dimension::number, 0, at_least(0), "factor of the logarithm of the rate; 0: no rate effect"),
+    real("psfail", dimension::number, 1e17, at_least(0), "plastic strain at failure; 0: none"),
+    real("sigmax", dimension::stress, 1e28, at_least(0), "greatest yield stress before rate effects; 0: none"),
+    real("sigsat", dimension::stress, 1e28, at_least(0), "greatest yield stress with rate effects; 0: none"),
+    real("epso", dimension::rate, 1, above_zero(), "rate up to which there is no rate effect"),
+}};
+
+const Card orthotropic_johnson_cook_card{{
+    material_id,
+    density,
+    young,
+    poisson,
+    vp,
+    real("eppfr", dimension::number, 1e16, at_least(0), "principal plastic strain at rupture"),
+    id("lcdm", IdSpace::function, 0, "curve: damage over principal plastic strain beyond PSFAIL"),
+    numint,
+}};
+
+const Card johnson_cook_card{{
+    material_id,
+    density,
+    real("g", dimension::stress, 0, at_least(0), "shear modulus, of solids with an equation of state; 0: of E and PR"),
+    real("e", dimension::stress, 0, at_least(0), "Young's modulus; solids with an equation of state need none"),
+    poisson,
+    real("dtf", dimension::time, 0, at_least(0), "smallest time step of a shell before it is deleted; 0: none"),
+    vp,
+    real("rateop", dimension::number, 0, only(0), "form of the rate effect: 0, the logarithm"),
+}};
+
+const Card johnson_cook_yield_card{{
+    real("a", dimension::stress, required, above_zero(), "yield stress at rest and cold"),
+    real("b", dimension::stress, 0, at_least(0), "hardening: factor of the power of the plastic strain"),
+    real("n", dimension::number, 0, at_least(0), "hardening: exponent of the plastic strain"),
+    real("c", dimension::number, 0, at_least(0), "factor of the logarithm of the rate; 0: no rate effect"),
+    real("m", dimension::number, 0, at_least(0), "softening: exponent of the relative temperature"),
+    real("tm", dimension::number, 0, any_value, "temperature of melting"),
+    real("tr", dimension::number, 0, any_value, "temperature at the start"),
+    real("epso", dimension::rate, 1, above_zero(), "rate up to which there is no rate effect"),
+}};
+
+const Card johnson_cook_heat_card{{
+    real("cp", {0, 2, -2}, 0, at_least(0), "heat capacity a mass and degree; 0: plastic work does not heat"),
+    real("pc", dimension::stress, 0, any_value,
+         "tension borne by solids with an equation of state, as a pressure below 0; 0: any"),
+    real("spall", dimension::number, 2, between(0, 3),
+         "at PC 1: the pressure falls no further; 2 (and 0): a point breaks by its largest principal stress, 3: by its "
+         "mean stress"),
+    real("it", dimension::number, 0, any_value, "iteration of plastic strain, for solids only"),
+    real("d1", dimension::number, 0, any_value, "strain at fracture; D1 to D5 0: none"),
+    real("d2", dimension::number, 0, any_value, "strain at fracture: factor of exp(D3 mean over effective stress)"),
+    real("d3", dimension::number, 0, any_value, "strain at fracture; below 0: less under tension"),
+    real("d4", dimension::number, 0, any_value, "strain at fracture: factor of the logarithm of the rate"),
+}};
+
+const Card johnson_cook_fracture_card{{
+    real("d5", dimension::number, 0, any_value, "strain at fracture: factor of the relative temperature"),
+    real("c2", dimension::number, 0, any_value, "for RATEOP other than 0 only"),
+    real("erod", dimension::number, 0, only(0), "0: an element that fails is deleted"),
+    real("efmin", dimension::number, 1e-6, at_least(0), "least strain at fracture"),
+    numint,
+    real("k", dimension::number, 0, any_value, "for RATEOP 5 only"),
+    real("eps1", dimension::rate, 0, any_value, "for RATEOP 5 only"),
+    real("dmodel", dimension::number, 0, only(0), "damage model: 0, of Johnson and Cook"),
+}};
+
+kernel::JohnsonCook johnson_cook(const Row& main, const Row& yield) {
+  kernel::JohnsonCook flow;
+  flow.E = main.real("e");
+  flow.nu = main.real("pr");
+  flow.yield = yield.real("a");
+  flow.hardening = yield.real("b");
+  flow.exponent = yield.real("n");
+  flow.rate_factor = yield.real("c");
+  flow.rest_rate = yield.real("epso");
+  return flow;
+}
+
+kernel::JohnsonCook simplified_johnson_cook(const Row& main, const Row& yield) {
+  kernel::JohnsonCook flow = johnson_cook(main, yield);
+  flow.most_hardened = yield.real("sigmax");
+  flow.saturation = yield.real("sigsat");
+  return flow;
+}
+
+void read_simplified_johnson_cook(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(simplified_johnson_cook_card);
+  const Row yield = cursor.read(simplified_johnson_cook_yield_card);
+  expect_end(b, cursor);
+  kernel::Composition law{simplified_johnson_cook(row, yield)};
+  law.failure_strain = plastic_strain_at_failure(yield.real("psfail"));
+  add_material(b, row, std::move(title), "MAT_SIMPLIFIED_JOHNSON_COOK", compound(std::move(law)));
+}
+
+void read_orthotropic_johnson_cook(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(orthotropic_johnson_cook_card);
+  const Row yield = cursor.read(simplified_johnson_cook_yield_card);
+  expect_end(b, cursor);
+  const Index material = add_material(b, row, std::move(title), "MAT_SIMPLIFIED_JOHNSON_COOK_ORTHOTROPIC_DAMAGE",
+                                      kernel::Elastic{row.real("e"), row.real("pr")});
+  b.later(Phase::parts, [=](Builder& later) {
+    kernel::Composition law{simplified_johnson_cook(row, yield)};
+    law.directional_damage = plastic_damage(later, yield, "psfail", row);
+    law.points_to_delete = row.real("numint");
+    law.for_bricks = false;
+    later.model.materials[static_cast<std::size_t>(material)].law = compound(std::move(law));
+  });
+}
+
+// ---- 015
+
+/// Heating by plastic work, where CP is given.
+void heat(Builder& b, const Row& main, const Row& yield, const Row& heat, kernel::JohnsonCook& flow) {
+  if (!(heat.real("cp") > 0.0)) return;
+  if (!(yield.real("tm") > yield.real("tr")))
+    return refuse(b, yield, "tm", "with CP the temperature of melting must lie above TR", "give TM and TR, or CP 0");
+  if (!(yield.real("m") > 0.0))
+    return refuse(b, yield, "m", "with CP the exponent M must be above 0", "give M, or CP 0");
+  flow.heating = 1.0 / (main.real("ro") * heat.real("cp"));
+  flow.melting_rise = yield.real("tm") - yield.real("tr");
+  flow.softening = yield.real("m");
+}
+
+void read_johnson_cook(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(johnson_cook_card);
+  const Row yield = cursor.read(johnson_cook_yield_card);
+  const Row third = cursor.read(johnson_cook_heat_card);
+  const Row fourth = cursor.read(johnson_cook_fracture_card);
+  expect_end(b, cursor);
+  kernel::JohnsonCook flow = johnson_cook(row, yield);
+  heat(b, row, yield, third, flow);
+  kernel::Composition law{flow};
+  const kernel::JohnsonCookFracture fracture{
+      third.real("d1"),     third.real("d2"),     third.real("d3"), third.real("d4"),
+      fourth.real("d5"),    fourth.real("efmin"), flow.rest_rate,   flow.heating > 0.0 ? flow.melting_rise : 0.0,
+      row.real("vp") == 1.0};
+  if (fracture.d1 != 0.0 || fracture.d2 != 0.0 || fracture.d3 != 0.0 || fracture.d4 != 0.0 || fracture.d5 != 0.0)
+    law.fracture = fracture;
+  if (fracture.d2 > 0.0 && fracture.d3 > 0.0)
+    third.complain(b.findings, Severity::warning, "d3",
+                   "tension is positive here: with D3 above 0 the strain at fracture grows with tension",
+                   "published constants have a D3 below 0");
+  law.points_to_delete = fourth.real("numint");
+  law.deletion_step = row.real("dtf");
+  law.solid_shear = row.real("g");
+  if (const double cutoff = third.real("pc"); cutoff < 0.0) {
+    const int form = static_cast<int>(third.real("spall"));
+    law.spall = kernel::Spall{static_cast<kernel::Spall::Form>(form == 0 ? 2 : form), -cutoff};
+  }
+  add_material(b, row, std::move(title), "MAT_JOHNSON_COOK", compound(std::move(law)));
+}
+
+}  // namespace
+
+std::vector<Keyword> johnson_cook_keywords() {
+  return {
+      {.name = "MAT_JOHNSON_COOK",
+       .aliases = {"MAT_015"},
+       .options = {"TITLE"},
+       .layout = {{"", &johnson_cook_card},
+                  {"", &johnson_cook_yield_card},
+                  {"", &johnson_cook_heat_card},
+                  {"", &johnson_cook_fracture_card}},
+       .read = read_johnson_cook},
+      {.name = "MAT_SIMPLIFIED_JOHNSON_COOK",
+       .aliases = {"MAT_098"},
+       .options = {"TITLE"},
+       .layout = {{"", &simplified_johnson_cook_card}, {"", &simplified_johnson_cook_yield_card}},
+       .read = read_simplified_johnson_cook},
+      {.name = "MAT_SIMPLIFIED_JOHNSON_COOK_ORTHOTROPIC_DAMAGE",
+       .aliases = {"MAT_099"},
+       .options = {"TITLE"},
+       .layout = {{"", &orthotropic_johnson_cook_card}, {"", &simplified_johnson_cook_yield_card}},
+       .read = read_orthotropic_johnson_cook},
+  };
+}
+
+}  // namespace nugget::reading

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "kernel/law/composition.hpp"
+#include "reading/builder/common_cards.hpp"
+#include "reading/cards/families.hpp"
+#include "reading/cards/material.hpp"
+#include "reading/cards/yield_curves.hpp"
+
+// *MAT_... of metals that are put together at run time (kernel::Compound), and MAT_012. Those of Johnson and Cook are
+// in material_johnson_cook.cpp.
+namespace nugget::reading {
+
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+constexpr Field tdel =
+    real("tdel", dimension::time, 0, at_least(0), "smallest time step of an element before it is deleted; 0: none");
+
+// ---- 012
+
+const Card isotropic_card{{
+    material_id,
+    density,
+    real("g", dimension::stress, required, above_zero(), "shear modulus"),
+    real("sigy", dimension::stress, required, above_zero(), "yield stress"),
+    real("etan", dimension::stress, 0, at_least(0), "plastic hardening modulus"),
+    real("bulk", dimension::stress, required, above_zero(), "bulk modulus"),
+}};
+
+void read_isotropic(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(isotropic_card);
+  expect_end(b, cursor);
+  const double G = row.real("g"), K = row.real("bulk"), yield = row.real("sigy");
+  kernel::PiecewiseLinear law;
+  law.E = 9.0 * K * G / (3.0 * K + G);
+  law.nu = (3.0 * K - 2.0 * G) / (6.0 * K + 2.0 * G);
+  if (law.nu < 0.0) refuse(b, row, "bulk", "G and BULK make a negative Poisson's ratio", "3 BULK must be above 2 G");
+  law.yield = {{0, {0.0, 1.0}, {yield, yield + row.real("etan")}}};
+  add_material(b, row, std::move(title), "MAT_ISOTROPIC_ELASTIC_PLASTIC", law);
+}
+
+// ---- 018
+
+const Card power_law_card{{
+    material_id,
+    density,
+    young,
+    poisson,
+    real("k", dimension::stress, required, above_zero(), "yield stress at an elastic and plastic strain of 1"),
+    real("n", dimension::number, required, above_zero(), "hardening: exponent of the strain"),
+    real("src", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect"),
+    real("srp", dimension::number, 0, at_least(0), "Cowper-Symonds P"),
+}};
+
+const Card power_law_yield_card{{
+    real("sigy", dimension::number, 0, at_least(0),
+         "first yield; 0: where E e = K e^N; up to 0.02 the strain at first yield, else its stress, as written"),
+    vp,
+    real("epsf", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none"),
+}};
+
+/// Elastic strain at first yield. `stress`: factor of stresses by *INCLUDE_TRANSFORM; the number that stands in the
+/// deck says whether it is one.
+double yield_strain(Builder& b, const Row& row, const Row& yield, double stress) {
+  const double k = row.real("k"), n = row.real("n"), sigy = yield.real("sigy");
+  if (sigy > 0.02) return std::pow(sigy * stress / k, 1.0 / n);
+  if (sigy > 0.0) return sigy;
+  if (n >= 1.0) {
+    refuse(b, row, "n", "with an exponent of 1 or more the line E e does not meet the curve K e^N", "give SIGY");
+    return 1.0;
+  }
+  return std::pow(row.real("e") / k, 1.0 / (n - 1.0));
+}
+
+void read_power_law(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(power_law_card);
+  const Row yield = cursor.read(power_law_yield_card);
+  expect_end(b, cursor);
+  warn_of_half_a_rate(b, row, "src", "srp");
+  kernel::PowerLaw flow{
+      row.real("e"), row.real("pr"), row.real("k"), row.real("n"),
+      yield_strain(b, row, yield, block.transform ? block.transform->factor(dimension::stress) : 1.0)};
+  if (row.real("src") > 0.0 && row.real("srp") > 0.0) {
+    flow.rate_c = row.real("src");
+    flow.rate_p = row.real("srp");
+  }
+  kernel::Composition law{flow};
+  law.failure_strain = plastic_strain_at_failure(yield.real("epsf"));
+  add_material(b, row, std::move(title), "MAT_POWER_LAW_PLASTICITY", compound(std::move(law)));
+}
+
+// ---- 019
+
+const Card rate_dependent_card{{material_id, density, young, poisson, vp}};
+
+const Card rate_dependent_curves_card{{
+    id("lc1", IdSpace::function, required, "curve: yield stress over the strain rate"),
+    real("etan", dimension::stress, 0, at_least(0), "plastic hardening modulus"),
+    integer("lc2", 0, only(0), "curve: Young's modulus over the strain rate"),
+    id("lc3", IdSpace::function, 0, "curve: tangent modulus over the strain rate, instead of ETAN"),
+    id("lc4", IdSpace::function, 0, "curve: plastic strain at failure over the strain rate"),
+    tdel,
+    real("rdef", dimension::number, 1, only(1), "what LC4 is: 1 the plastic strain at failure"),
+}};
+
+/// Yield stress and plastic modulus over the rate, each between its neighbours, as a table of straight yield curves at
+/// the rates of both.
+void set_rate_curves(Builder& b, Index material, const Row& main, const Row& row) {
+  kernel::PiecewiseLinear flow;
+  flow.E = main.real("e");
+  flow.nu = main.real("pr");
+  const Index lc1 = b.curve(row, "lc1");
+  if (lc1 == none) return;
+  const auto curve = [&b](Index c) -> const Curve& { return b.model.curves[static_cast<std::size_t>(c)]; };
+  const Curve& yield = curve(lc1);
+  for (const double y : yield.y)
+    if (!(y > 0.0)) return refuse(b, row, "lc1", "a yield stress is not above 0");
+  if (!std::is_sorted(yield.y.begin(), yield.y.end()))
+    warn_of_softening_by_rate(b, row, "lc1", fmt::format("curve {}", yield.id));
+  Curve modulus{0, {0.0}, {row.real("etan")}};
+  if (const Index tangent = b.curve(row, "lc3"); tangent != none) {
+    modulus = curve(tangent);
+    for (double& y : modulus.y) {
+      if (!(y >= 0.0 && y < flow.E)) return refuse(b, row, "lc3", "a tangent modulus is not between 0 and E");
+      y = flow.E * y / (flow.E - y);
+    }
+  }
+  std::set<double> rates{0.0};
+  for (const Curve* over_rate : std::initializer_list<const Curve*>{&yield, &modulus})
+    rates.insert(over_rate->x.begin(), over_rate->x.end());
+  rates.erase(rates.begin(), rates.find(0.0));
+  for (const double rate : rates) {
+    const double at_first_yield = yield.clamped(rate);
+    flow.rates.push_back(rate);
+    flow.yield.push_back({0, {0.0, 1.0}, {at_first_yield, at_first_yield + modulus.clamped(rate)}});
+  }
+  kernel::Composition law{flow};
+  law.deletion_step = row.real("tdel");
+  if (const Index failure = b.curve(row, "lc4"); failure != none) law.failure_strain_over_rate = curve(failure);
+  b.model.materials[static_cast<std::size_t>(material)].law = compound(std::move(law));
+}
+
+void read_rate_dependent(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(rate_dependent_card);
+  const Row curves = cursor.read(rate_dependent_curves_card);
+  expect_end(b, cursor);
+  const Index material = add_material(b, row, std::move(title), "MAT_STRAIN_RATE_DEPENDENT_PLASTICITY",
+                                      kernel::Elastic{row.real("e"), row.real("pr")});
+  b.later(Phase::parts, [=](Builder& later) { set_rate_curves(later, material, row, curves); });
+}
+
+// ---- 081, 123
+
+const Card damage_card{{
+    material_id,
+    density,
+    young,
+    poisson,
+    real("sigy", dimension::stress, 0, at_least(0), "yield stress, unless LCSS or EPS and ES are given"),
+    real("etan", dimension::stress, 0, at_least(0), "tangent modulus, below E"),
+    real("eppf", dimension::number, 1e12, at_least(0), "plastic strain at which softening begins"),
+    tdel,
+}};
+
+const Card damage_rate_card{{
+    real("c", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect"),
+    real("p", dimension::number, 0, at_least(0), "Cowper-Symonds P"),
+    id("lcss", IdSpace::function, 0, "yield stress over plastic strain: curve, or table over the strain rate"),
+    id("lcsr", IdSpace::function, 0, "curve: factor on the yield stress over the strain rate"),
+    real("eppfr", dimension::number, 1e14, at_least(0), "plastic strain at rupture"),
+    vp_of_curves,
+    id("lcdm", IdSpace::function, 0, "curve: damage over plastic strain beyond EPPF"),
+    numint,
+}};
+
+const Card modified_card{{
+    material_id,
+    density,
+    young,
+    poisson,
+    real("sigy", dimension::stress, 0, at_least(0), "yield stress, unless LCSS or EPS and ES are given"),
+    real("etan", dimension::stress, 0, at_least(0), "tangent modulus, below E"),
+    real("fail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none"),
+    tdel,
+}};
+
+const Card modified_rate_card{{
+    real("c", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect"),
+    real("p", dimension::number, 0, at_least(0), "Cowper-Symonds P"),
+    id("lcss", IdSpace::function, 0, "yield stress over plastic strain: curve, or table over the strain rate"),
+    id("lcsr", IdSpace::function, 0, "curve: factor on the yield stress over the strain rate"),
+    vp_of_curves,
+    real("epsthin", dimension::number, 0, at_least(0), "plastic thinning of a layer at failure; 0: none"),
+    real("epsmaj", dimension::number, 0, at_least(0), "major strain in the plane at failure; 0: none"),
+    numint,
+}};
+
+/// Reads the four cards; `complete` adds to the law what is the keyword's own, once curves are known.
+void read_with_curves(Builder& b, const Block& block, const Options& options, std::string_view name, const Card& main,
+                      const Card& rate, void (*complete)(Builder&, const YieldCards&, kernel::Composition&)) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const YieldCards cards{cursor.read(main), cursor.read(rate), cursor.read(yield_strain_card),
+                         cursor.read(yield_stress_card), options.contains("LOG_INTERPOLATION")};
+  expect_end(b, cursor);
+  check_tangent(b, cards.main);
+  const Index material =
+      add_material(b, cards.main, std::move(title), name, kernel::Elastic{cards.main.real("e"), cards.main.real("pr")});
+  b.later(Phase::parts, [=](Builder& later) {
+    kernel::PiecewiseLinear flow;
+    flow.E = cards.main.real("e");
+    flow.nu = cards.main.real("pr");
+    set_yield_curves(later, cards, flow);
+    if (flow.yield.empty()) return;
+    kernel::Composition law{flow};
+    law.deletion_step = cards.main.real("tdel");
+    law.points_to_delete = cards.rate.real("numint");
+    complete(later, cards, law);
+    later.model.materials[static_cast<std::size_t>(material)].law = compound(std::move(law));
+  });
+}
+
+void add_damage(Builder& b, const YieldCards& cards, kernel::Composition& law) {
+  law.damage = plastic_damage(b, cards.main, "eppf", cards.rate);
+}
+
+void add_directional_damage(Builder& b, const YieldCards& cards, kernel::Composition& law) {
+  law.directional_damage = plastic_damage(b, cards.main, "eppf", cards.rate);
+  law.for_bricks = false;
+}
+
+void add_strain_limits(Builder&, const YieldCards& cards, kernel::Composition& law) {
+  law.failure_strain = plastic_strain_at_failure(cards.main.real("fail"));
+  law.limits = {cards.rate.real("epsthin"), cards.rate.real("epsmaj")};
+}
+
+void read_damage(Builder& b, const Block& block, const Options& options) {
+  read_with_curves(b, block, options, "MAT_PLASTICITY_WITH_DAMAGE", damage_card, damage_rate_card, add_damage);
+}
+
+void read_directional_damage(Builder& b, const Block& block, const Options& options) {
+  read_with_curves(b, block, options, "MAT_PLASTICITY_WITH_DAMAGE_ORTHO", damage_card, damage_rate_card,
+                   add_directional_damage);
+}
+
+void read_modified(Builder& b, const Block& block, const Options& options) {
+  read_with_curves(b, block, options, "MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", modified_card, modified_rate_card,
+                   add_strain_limits);
+}
+
+}  // namespace
+
+std::vector<Keyword> plastic_material_keywords() {
+  return {
+      {.name = "MAT_ISOTROPIC_ELASTIC_PLASTIC",
+       .aliases = {"MAT_012"},
+       .options = {"TITLE"},
+       .layout = {{"", &isotropic_card}},
+       .read = read_isotropic},
+      {.name = "MAT_POWER_LAW_PLASTICITY",
+       .aliases = {"MAT_018"},
+       .options = {"TITLE"},
+       .layout = {{"", &power_law_card}, {"", &power_law_yield_card}},
+       .read = read_power_law},
+      {.name = "MAT_STRAIN_RATE_DEPENDENT_PLASTICITY",
+       .aliases = {"MAT_019"},
+       .options = {"TITLE"},
+       .layout = {{"", &rate_dependent_card}, {"", &rate_dependent_curves_card}},
+       .read = read_rate_dependent},
+      {.name = "MAT_PLASTICITY_WITH_DAMAGE",
+       .aliases = {"MAT_081"},
+       .options = {"TITLE"},
+       .layout = {{"", &damage_card}, {"", &damage_rate_card}, {"", &yield_strain_card}, {"", &yield_stress_card}},
+       .read = read_damage},
+      {.name = "MAT_PLASTICITY_WITH_DAMAGE_ORTHO",
+       .aliases = {"MAT_082"},
+       .options = {"TITLE"},
+       .layout = {{"", &damage_card}, {"", &damage_rate_card}, {"", &yield_strain_card}, {"", &yield_stress_card}},
+       .read = read_directional_damage},
+      {.name = "MAT_PLASTICITY_WITH_DAMAGE_ORTHO_RCDC",
+       .aliases = {"MAT_082_RCDC"},
+       .options = {"TITLE"},
+       .verdict = Verdict::refused,
+       .why = "the damage of Wilkins (Rc-Dc) is not built; the keyword without _RCDC is"},
+      {.name = "MAT_PLASTICITY_WITH_DAMAGE_ORTHO_RCDC1980",
+       .aliases = {"MAT_082_RCDC1980"},
+       .options = {"TITLE"},
+       .verdict = Verdict::refused,
+       .why = "the damage of Wilkins (Rc-Dc) is not built; the keyword without _RCDC1980 is"},
+      {.name = "MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY",
+       .aliases = {"MAT_123"},
+       .options = {"TITLE", "LOG_INTERPOLATION"},
+       .layout = {{"", &modified_card}, {"", &modified_rate_card}, {"", &yield_strain_card}, {"", &yield_stress_card}},
+       .read = read_modified},
+  };
+}
+
+}  // namespace nugget::reading

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/axes.hpp"
+#include "model/lumped_mass.hpp"
+#include "reading/builder/common_cards.hpp"
+#include "reading/cards/families.hpp"
+
+// *NODE, *ELEMENT_... Nodes and elements are only collected here; make_mesh() works them out.
+namespace nugget::reading {
+
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+const Card node_card{{
+    wide(id("nid", IdSpace::node, required, "node id"), 8),
+    wide(real("x", dimension::length, 0, any_value, "coordinate x"), 16),
+    wide(real("y", dimension::length, 0, any_value, "coordinate y"), 16),
+    wide(real("z", dimension::length, 0, any_value, "coordinate z"), 16),
+    wide(integer("tc", 0, between(0, 7), "held translations: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz"), 8),
+    wide(integer("rc", 0, between(0, 7), "held rotations, as tc"), 8),
+}};
+
+const Card shell_card{{
+    wide(id("eid", IdSpace::element, required, "element id"), 8),
+    wide(id("pid", IdSpace::part, required, "part id"), 8),
+    wide(id("n1", IdSpace::node, required, "node 1"), 8),
+    wide(id("n2", IdSpace::node, required, "node 2"), 8),
+    wide(id("n3", IdSpace::node, required, "node 3"), 8),
+    wide(id("n4", IdSpace::node, 0, "node 4; 0 or n3: a triangle"), 8),
+}};
+
+const Card shell_thickness_card{{
+    wide(real("thic1", dimension::length, 0, at_least(0), "thickness at node 1; 0: of the section"), 16),
+    wide(real("thic2", dimension::length, 0, at_least(0), "thickness at node 2"), 16),
+    wide(real("thic3", dimension::length, 0, at_least(0), "thickness at node 3"), 16),
+    wide(real("thic4", dimension::length, 0, at_least(0), "thickness at node 4"), 16),
+    wide(real("beta", dimension::number, 0, any_value,
+              "angle of the material axes instead of the material's BETA [degrees]"),
+         16),
+}};
+
+const Card shell_offset_card{{
+    wide(real("offset", dimension::length, 0, any_value, "mid-surface from the nodes, along the normal"), 16),
+}};
+
+const Card solid_card{{
+    wide(id("eid", IdSpace::element, required, "element id"), 8),
+    wide(id("pid", IdSpace::part, required, "part id"), 8),
+    wide(id("n1", IdSpace::node, required, "node 1; n1 to n8 may also stand on a line of their own"), 8),
+    wide(id("n2", IdSpace::node, required, "node 2"), 8),
+    wide(id("n3", IdSpace::node, required, "node 3"), 8),
+    wide(id("n4", IdSpace::node, required, "node 4"), 8),
+    wide(id("n5", IdSpace::node, 0, "node 5; n5 to n8 repeat for wedges and tetrahedra"), 8),
+    wide(id("n6", IdSpace::node, 0, "node 6"), 8),
+    wide(id("n7", IdSpace::node, 0, "node 7"), 8),
+    wide(id("n8", IdSpace::node, 0, "node 8"), 8),
+}};
+
+const Card beam_card{{
+    wide(id("eid", IdSpace::element, required, "element id"), 8),
+    wide(id("pid", IdSpace::part, required, "part id"), 8),
+    wide(id("n1", IdSpace::node, required, "node 1"), 8),
+    wide(id("n2", IdSpace::node, required, "node 2"), 8),
+    wide(id("n3", IdSpace::node, 0, "orientation node"), 8),
+}};
+
+const Card beam_pid_card{{
+    wide(id("pid1", IdSpace::part, 0, "part that end 1 is to be tied to"), 8),
+    wide(id("pid2", IdSpace::part, 0, "part that end 2 is to be tied to"), 8),
+}};
+
+const Card beam_orientation_card{{
+    real("vx", dimension::number, 0, any_value, "direction from node 1, instead of n3: x"),
+    real("vy", dimension::number, 0, any_value, "y"),
+    real("vz", dimension::number, 0, any_value, "z"),
+}};
+
+const Card mass_card{{
+    wide(id("eid", IdSpace::element, 0, "element id"), 8),
+    wide(id("nid", IdSpace::node, required, "node"), 8),
+    wide(real("mass", dimension::mass, 0, at_least(0), "mass"), 16),
+    wide(id("pid", IdSpace::part, 0, "part, for listings only"), 8),
+}};
+
+const Card set_mass_card{{
+    wide(id("eid", IdSpace::element, 0, "element id"), 8),
+    wide(id("nsid", IdSpace::set, required, "node set"), 8),
+    wide(real("mass", dimension::mass, 0, at_least(0), "mass, shared out evenly over the nodes of the set"), 16),
+    wide(id("pid", IdSpace::part, 0, "part, for listings only"), 8),
+}};
+
+const Card part_mass_card{{
+    wide(id("pid", IdSpace::part, required, "part"), 8),
+    wide(real("addmass", dimension::mass, 0, at_least(0), "mass to be spread over the part"), 16),
+    wide(real("finmass", dimension::mass, 0, at_least(0), "mass that the part is to have in the end"), 16),
+    wide(id("lcid", IdSpace::function, 0, "not supported"), 8),
+    wide(integer("mwd", 0, any_value, "only for part sets"), 8),
+}};
+
+const Card inertia_head_card{{
+    wide(id("eid", IdSpace::element, 0, "element id"), 8),
+    wide(id("nid", IdSpace::node, required, "node"), 8),
+    wide(id("csid", IdSpace::define, 0, "coordinate system of the tensor; 0: global"), 8),
+}};
+
+const Card inertia_card{{
+    real("ixx", dimension::inertia, 0, at_least(0), "inertia tensor about the node, xx"),
+    real("ixy", dimension::inertia, 0, any_value, "xy"),
+    real("ixz", dimension::inertia, 0, any_value, "xz"),
+    real("iyy", dimension::inertia, 0, at_least(0), "yy"),
+    real("iyz", dimension::inertia, 0, any_value, "yz"),
+    real("izz", dimension::inertia, 0, at_least(0), "zz"),
+    real("mass", dimension::mass, 0, at_least(0), "mass"),
+}};
+
+/// `igrav`: a flag or, above 1, a curve.
+Card accelerometer_card_of(IdSpace igrav) {
+  return {{
+      id("sbacid", IdSpace::element, 0, "number"),
+      id("nid1", IdSpace::node, required, "node of a rigid body whose motion nodout gives in local axes"),
+      id("nid2", IdSpace::node, required, "node 2: local x from node 1 to node 2"),
+      id("nid3", IdSpace::node, required, "node 3: local z normal to x and to the direction to node 3"),
+      {"igrav",
+       Kind::integer,
+       {},
+       0,
+       at_least(-6),
+       "accelerations of body loads are 0 contained, 1 left out, -1 x, -2 y, -3 z, -4 xy, -5 yz, -6 zx left out; "
+       "above 1: a curve of this flag over time",
+       igrav},
+      integer("intopt", 0, between(0, 1), "0: velocities turned into the local axes; 1: local accelerations summed up"),
+      real("mass", dimension::mass, 0, at_least(0), "mass added, a third to each of the nodes"),
+  }};
+}
+const Card accelerometer_card = accelerometer_card_of(IdSpace::none),
+           accelerometer_by_curve = accelerometer_card_of(IdSpace::function);
+
+void read_node(Builder& b, const Block& block, const Options&) {
+  const std::size_t before = b.node_table.id.size();
+  deck::read_nodes(b.deck, block, b.node_table, b.findings);
+  if (!block.transform || !block.transform->turns()) return;
+  for (std::size_t n = before; n < b.node_table.id.size(); ++n) {
+    const unsigned held = bits_of_code(b.node_table.tc[n]) | bits_of_code(b.node_table.rc[n]) << 3;
+    if (!depends_on_axes(held)) continue;
+    return b.findings.warning({block.place.file, b.node_table.line[n], 0}, block.starred(),
+                              std::string(global_codes_text), std::string(global_codes_remedy));
+  }
+}
+void read_shell(Builder& b, const Block& block, const Options&) {
+  deck::read_shells(b.deck, block, b.shell_table, b.findings);
+}
+void read_solid(Builder& b, const Block& block, const Options&) {
+  deck::read_solids(b.deck, block, b.solid_table, b.findings);
+}
+void read_beam(Builder& b, const Block& block, const Options&) {
+  deck::read_beams(b.deck, block, b.beam_table, b.findings);
+}
+
+/// All rows of a table-like keyword by one card.
+std::vector<Row> read_rows(Builder& b, const Block& block, const Card& card) {
+  std::vector<Row> rows;
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) rows.push_back(cursor.read(card));
+  return rows;
+}
+
+void read_mass(Builder& b, const Block& block, const Options&) {
+  b.later(Phase::mesh, [rows = read_rows(b, block, mass_card)](Builder& later) {
+    for (const Row& row : rows)
+      if (const Index n = later.node(row, "nid"); n != none)
+        later.model.masses.push_back({row.integer("eid"), n, row.real("mass")});
+  });
+}
+
+void read_set_mass(Builder& b, const Block& block, const Options&) {
+  b.later(Phase::sets, [rows = read_rows(b, block, set_mass_card)](Builder& later) {
+    for (const Row& row : rows)
+      if (const auto* set = later.node_set(row, "nsid"))
+        for (const Index n : set->members)
+          later.model.masses.push_back(
+              {row.integer("eid"), n, row.real("mass") / static_cast<double>(set->members.size())});
+  });
+}
+
+/// Spreads the added mass over the part's nodes in proportion to the mass they have of it.
+void add_part_mass(Builder& b, const Row& row, const std::vector<std::vector<NodeMass>>& by_part) {
+  refuse_nonzero(b, row, "lcid", "mass over time is not supported", "leave it blank: the mass is there from the start");
+  const Index p = b.part(row, "pid");
+  if (p == none) return;
+  const auto& shares = by_part[static_cast<std::size_t>(p)];
+  double total = 0.0;
+  for (const auto& share : shares) total += share.mass;
+  const double wanted = row.real("finmass");
+  const double added = wanted > 0.0 ? wanted - total : row.real("addmass");
+  if (!(total > 0.0)) return refuse(b, row, "pid", "the part has no mass of its own in whose proportion to spread it");
+  if (added < 0.0)
+    return refuse(b, row, "finmass", fmt::format("the part already weighs more: {:g}", total), "lower its density");
+  for (const auto& share : shares) b.model.masses.push_back({0, share.node, added * share.mass / total});
+}
+
+void read_part_mass(Builder& b, const Block& block, const Options&) {
+  if (b.part_mass_rows.empty())
+    b.later(Phase::parts, [](Builder& later) {
+      const auto by_part = lumped_masses(later.model);
+      for (const Row& row : later.part_mass_rows) add_part_mass(later, row, by_part);
+    });
+  for (const Row& row : read_rows(b, block, part_mass_card)) b.part_mass_rows.push_back(row);
+}
+
+/// The nodes of bodies take the whole tensor, others in explicit runs only its mean.
+void tell_of_mean(Builder& b, const Row& head, const std::array<double, 6>& tensor) {
+  const auto& [xx, xy, xz, yy, yz, zz] = tensor;
+  const double mean = (xx + yy + zz) / 3.0;
+  double most = 0.0;
+  for (const double off : {xx - mean, yy - mean, zz - mean, xy, xz, yz}) most = std::max(most, std::abs(off));
+  if (most > 1e-6 * mean)
+    head.complain(b.findings, Severity::warning, "nid",
+                  fmt::format("in an explicit run a node that belongs to no rigid body turns with the mean of the "
+                              "moments of inertia, {:.4g}, about every axis",
+                              mean),
+                  "make the node a *CONSTRAINED_NODAL_RIGID_BODY, which takes the tensor whole");
+}
+
+void add_inertia(Builder& b, const Row& head, const Row& row, const Frame3d& of_include) {
+  const Index n = b.node(head, "nid");
+  if (n == none) return;
+  PointInertia point{head.integer("eid"), n, row.real("mass"), {}};
+  point.inertia = {row.real("ixx"), row.real("ixy"), row.real("ixz"),
+                   row.real("iyy"), row.real("iyz"), row.real("izz")};
+  if (const Index s = b.system(head, "csid"); s != none)
+    point.inertia = to_global(point.inertia, b.model.systems[static_cast<std::size_t>(s)].axes);
+  else if (head.integer("csid") == 0)
+    point.inertia = to_global(point.inertia, of_include);
+  b.model.inertias.push_back(point);
+  b.later(Phase::checks, [head, n, tensor = point.inertia](Builder& later) {
+    if (later.body_of_node[static_cast<std::size_t>(n)] == none) tell_of_mean(later, head, tensor);
+  });
+}
+
+void read_inertia(Builder& b, const Block& block, const Options&) {
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    const Row head = cursor.read(inertia_head_card);
+    const Row row = cursor.read(inertia_card);
+    b.later(Phase::sets,
+            [head, row, axes = axes_of_include(block)](Builder& later) { add_inertia(later, head, row, axes); });
+  }
+}
+
+void add_accelerometer(Builder& b, const Row& row) {
+  Accelerometer a;
+  a.id = row.integer("sbacid");
+  a.node = {b.node(row, "nid1"), b.node(row, "nid2"), b.node(row, "nid3")};
+  if (a.node[0] == none || a.node[1] == none || a.node[2] == none) return;
+  const int gravity = row.integer("igrav");
+  a.without_gravity = gravity_left_out(gravity);
+  a.sums_local = row.integer("intopt") == 1;
+  const auto at = [&](std::size_t i) { return b.model.nodes.x[static_cast<std::size_t>(a.node[i])]; };
+  Frame3d axes;
+  if (!frame_from(at(1) - at(0), at(2) - at(0), axes))
+    return refuse(b, row, "nid2", "the three nodes lie on a line, so they span no axes", "take nodes apart");
+  if (row.real("mass") > 0.0)
+    for (const Index n : a.node) b.model.masses.push_back({a.id, n, row.real("mass") / 3.0});
+  if (gravity > 1)
+    b.later(Phase::conditions, [row, number = b.model.accelerometers.size()](Builder& later) {
+      later.model.accelerometers[number].gravity_curve = later.curve(row, "igrav");
+    });
+  b.model.accelerometers.push_back(a);
+}
+
+void read_accelerometer(Builder& b, const Block& block, const Options&) {
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    const Row row = cursor.read(cursor.peek_number(4) > 1.0 ? accelerometer_by_curve : accelerometer_card);
+    b.later(Phase::mesh, [row](Builder& later) { add_accelerometer(later, row); });
+  }
+}
+
+}  // namespace
+
+std::vector<Keyword> mesh_keywords() {
+  return {
+      {.name = "NODE", .layout = {{"", &node_card}}, .read = read_node},
+      {.name = "ELEMENT_SHELL",
+       .options = {"THICKNESS", "BETA", "MCID", "OFFSET", "DOF"},
+       .layout = {{"", &shell_card},
+                  {"with _THICKNESS, _BETA or _MCID", &shell_thickness_card},
+                  {"with _OFFSET", &shell_offset_card}},
+       .read = read_shell},
+      {.name = "ELEMENT_SOLID",
+       .options = {"ORTHO", "DOF", "TET4TOTET10"},
+       .layout = {{"", &solid_card}},
+       .read = read_solid},
+      {.name = "ELEMENT_BEAM",
+       .options = {"THICKNESS", "PID", "OFFSET", "ORIENTATION"},
+       .layout = {{"", &beam_card}, {"with _PID", &beam_pid_card}, {"with _ORIENTATION", &beam_orientation_card}},
+       .read = read_beam},
+      {.name = "ELEMENT_MASS", .layout = {{"", &mass_card}}, .read = read_mass},
+      {.name = "ELEMENT_MASS_NODE_SET", .layout = {{"", &set_mass_card}}, .read = read_set_mass},
+      {.name = "ELEMENT_MASS_PART", .layout = {{"", &part_mass_card}}, .read = read_part_mass},
+      {.name = "ELEMENT_SEATBELT_ACCELEROMETER", .layout = {{"", &accelerometer_card}}, .read = read_accelerometer},
+      {.name = "ELEMENT_INERTIA", .layout = {{"", &inertia_head_card}, {"", &inertia_card}}, .read = read_inertia},
+  };
+}
+
+}  // namespace nugget::reading

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reading/builder/common_cards.hpp"
+#include "reading/cards/families.hpp"
+
+// Cards that move nodes of the mesh before anything is computed.
+namespace nugget::reading {
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+const Card transform_card{{
+    id("trsid", IdSpace::define, required, "*DEFINE_TRANSFORMATION"),
+    id("nsid", IdSpace::set, required, "node set to be moved"),
+    integer("immed", 0, between(0, 1), "1: before other cards are looked at; the order makes no difference here"),
+}};
+const Card part_move_card{{
+    wide(id("pid", IdSpace::part, required, "part, or part set (ifset 1): the nodes of its elements move"), 8),
+    wide(real("xmov", dimension::length, 0, any_value, "by this along x"), 16),
+    wide(real("ymov", dimension::length, 0, any_value, "along y"), 16),
+    wide(real("zmov", dimension::length, 0, any_value, "along z"), 16),
+    wide(id("cid", IdSpace::define, 0, "coordinate system of these directions; 0: global axes"), 8),
+    wide(integer("ifset", 0, between(0, 1), "1: pid is a part set"), 8),
+}};
+
+/// Moves nodes to where `moved` says. Axes through nodes are known already by then.
+template <class Moved>
+void move_nodes(Builder& b, const Row& row, std::string_view field, const std::vector<Index>& nodes,
+                const Moved& moved) {
+  for (const Index n : nodes) {
+    Vec3d& x = b.model.nodes.x[static_cast<std::size_t>(n)];
+    x = moved(x);
+  }
+  for (const CoordinateSystem& system : b.model.systems) {
+    if (!system.nodes) continue;
+    for (const Index n : {system.nodes->origin, system.nodes->on_axis, system.nodes->in_plane})
+      if (std::find(nodes.begin(), nodes.end(), n) != nodes.end()) {
+        refuse(b, row, field,
+               fmt::format("moves node {}, which gives coordinate system {} its axes: not supported",
+                           b.model.nodes.id[static_cast<std::size_t>(n)], system.id),
+               "write the node where it shall be, or give the system by *DEFINE_COORDINATE_SYSTEM");
+        return;
+      }
+  }
+}
+
+bool mirrors(const deck::Transform& transform) {
+  const Vec3d origin = transform.moved({});
+  const auto image = [&](const Vec3d& e) { return transform.moved(e) - origin; };
+  return dot(cross(image({1, 0, 0}), image({0, 1, 0})), image({0, 0, 1})) < 0.0;
+}
+
+void read_node_transform(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(transform_card);
+    builder.later(Phase::sets, [row](Builder& b) {
+      const auto* nodes = b.node_set(row, "nsid");
+      const deck::Transform* transform = b.deck.transformation(row.integer("trsid"));
+      if (transform == nullptr)
+        refuse(b, row, "trsid", "no *DEFINE_TRANSFORMATION has this id", "define it");
+      else if (nodes != nullptr) {
+        if (mirrors(*transform))
+          row.complain(b.findings, Severity::warning, "trsid",
+                       "mirrors the nodes; elements keep their numbering: shells have their normals on the other side, "
+                       "and bricks are inside out",
+                       "renumber the elements of mirrored parts in the pre-processor");
+        move_nodes(b, row, "nsid", nodes->members, [&](const Vec3d& x) { return transform->moved(x); });
+      }
+    });
+  }
+}
+
+void read_part_move(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(part_move_card);
+    const bool local = row.integer("cid") != 0;
+    const Vec3d by = local ? triple(row, "xmov", "ymov", "zmov") : direction(block, row, "xmov", "ymov", "zmov");
+    builder.later(Phase::sets, [row, by](Builder& b) {
+      std::vector<Index> parts;
+      if (row.integer("ifset") == 1) {
+        if (const auto* set = b.part_set(row, "pid")) parts = set->members;
+      } else if (const Index part = b.part(row, "pid"); part != none) {
+        parts = {part};
+      }
+      Vec3d shift = by;
+      if (const Index system = b.system(row, "cid"); system != none)
+        shift = b.model.systems[static_cast<std::size_t>(system)].axes.global(by);
+      move_nodes(b, row, "pid", nodes_of_parts(b.model, parts), [&](const Vec3d& x) { return x + shift; });
+    });
+  }
+}
+
+}  // namespace
+
+std::vector<Keyword> move_keywords() {
+  return {
+      {.name = "NODE_TRANSFORM", .layout = {{"", &transform_card}}, .read = read_node_transform},
+      {.name = "PART_MOVE", .layout = {{"", &part_move_card}}, .read = read_part_move},
+  };
+}
+
+}  // namespace nugget::reading

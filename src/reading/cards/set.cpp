@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "reading/cards/families.hpp"
+
+// *SET_... in all their forms. Here they become recipes; resolve_sets() works out the members.
+namespace nugget::reading {
+
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+using Source = SetStep::Source;
+using Action = SetStep::Action;
+
+const Card head_card{{
+    id("sid", IdSpace::set, required, "id of the set"),
+    real("da1", dimension::number, 0, any_value, "default attribute; of parts: PSF of *CONTACT_INTERIOR"),
+    real("da2", dimension::number, 0, any_value, "default attribute; of parts: Fa of *CONTACT_INTERIOR"),
+    real("da3", dimension::number, 0, any_value, "default attribute; of parts: ED of *CONTACT_INTERIOR"),
+    real("da4", dimension::number, 0, any_value, "default attribute; of parts: TYPE of *CONTACT_INTERIOR"),
+    text("solver", 10, "no effect"),
+    text("its", 10, "no effect"),
+    unused(),
+}};
+
+const Card short_head_card{{
+    id("sid", IdSpace::set, required, "id of the set"),
+    text("solver", 10, "no effect"),
+}};
+
+Card eight_ids(IdSpace space, std::string_view meaning) {
+  Card card;
+  for (const auto* name : {"id1", "id2", "id3", "id4", "id5", "id6", "id7", "id8"})
+    card.fields.push_back(id(name, space, 0, meaning));
+  return card;
+}
+
+const Card node_ids = eight_ids(IdSpace::node, "node");
+const Card part_ids = eight_ids(IdSpace::part, "part");
+const Card element_ids = eight_ids(IdSpace::element, "element");
+const Card set_ids = eight_ids(IdSpace::set, "set");
+
+Card one_with_attributes(IdSpace space, std::string_view meaning = "attribute, no effect") {
+  Card card{{id("id1", space, 0, "member")}};
+  for (const auto* name : {"a1", "a2", "a3", "a4"})
+    card.fields.push_back(real(name, dimension::number, 0, any_value, meaning));
+  return card;
+}
+
+const Card node_column = one_with_attributes(IdSpace::node);
+const Card part_column = one_with_attributes(IdSpace::part, "attribute of this part; 0: da1 to da4 of the set");
+const Card element_column = one_with_attributes(IdSpace::element);
+
+const Card segment_card{{
+    id("id1", IdSpace::node, required, "node 1"),
+    id("id2", IdSpace::node, required, "node 2"),
+    id("id3", IdSpace::node, required, "node 3"),
+    id("id4", IdSpace::node, 0, "node 4; 0 or n3: a triangle"),
+    real("a1", dimension::number, 0, any_value, "attribute, no effect"),
+    real("a2", dimension::number, 0, any_value, "attribute, no effect"),
+    real("a3", dimension::number, 0, any_value, "attribute, no effect"),
+    real("a4", dimension::number, 0, any_value, "attribute, no effect"),
+}};
+
+// What the numbers are depends on the option, so their offsets are applied by `general_step`.
+const Card general_card{{
+    text("option", 10, "ALL, NODE, ELEM, PART, SEG, BOX, BRANCH, SET_... to add; with a D in front to take away"),
+    integer("id1", 0, any_value, "id"),
+    integer("id2", 0, any_value, "id"),
+    integer("id3", 0, any_value, "id"),
+    real("id4", dimension::number, 0, any_value,
+         "id; segments of parts, boxes, shells, sets of elements: attribute, no effect"),
+    real("id5", dimension::number, 0, any_value, "id"),
+    real("id6", dimension::number, 0, any_value, "id"),
+    real("id7", dimension::number, 0, any_value, "id"),
+}};
+
+const Card advanced_card{{
+    id("sid1", IdSpace::set, 0, "set whose nodes are taken; up to four a line, any number of lines"),
+    integer("type1", 1, between(1, 7), "1 node, 2 shell, 3 beam, 4 solid, 5 segment set; 6, 7: not built"),
+    id("sid2", IdSpace::set, 0, "the same"),
+    integer("type2", 1, between(1, 7), "the same"),
+    id("sid3", IdSpace::set, 0, "the same"),
+    integer("type3", 1, between(1, 7), "the same"),
+    id("sid4", IdSpace::set, 0, "the same"),
+    integer("type4", 1, between(1, 7), "the same"),
+}};
+
+const Card branch_card{{id("brid", IdSpace::set, required, "number of the branch")}};
+const Card branch_heading{{text("heading", 80, "its name")}};
+// Parts and branches have offsets of their own, so these are applied by `read_branch`.
+Card branch_members() {
+  Card card;
+  for (const auto* name : {"id1", "id2", "id3", "id4", "id5", "id6", "id7", "id8"})
+    card.fields.push_back(integer(name, 0, any_value, "more than 0: a branch; less: a part, by its number"));
+  return card;
+}
+const Card branch_ids = branch_members();
+
+/// What differs between the kinds of sets.
+struct KindCards {
+  SetKind kind;
+  IdSpace space;
+  const Card* head;
+  const Card* ids;
+  const Card* column;
+};
+
+const KindCards node_kind{SetKind::node, IdSpace::node, &head_card, &node_ids, &node_column};
+const KindCards part_kind{SetKind::part, IdSpace::part, &head_card, &part_ids, &part_column};
+const KindCards segment_kind{SetKind::segment, IdSpace::node, &head_card, &segment_card, &segment_card};
+const KindCards shell_kind{SetKind::shell, IdSpace::element, &head_card, &element_ids, &element_column};
+const KindCards solid_kind{SetKind::solid, IdSpace::element, &short_head_card, &element_ids, &element_column};
+const KindCards beam_kind{SetKind::beam, IdSpace::element, &short_head_card, &element_ids, &element_column};
+
+/// The numbers in the fields id1, id2 ... of a row, zeros left out.
+std::vector<int> ids_of(const Row& row, int count) {
+  std::vector<int> ids;
+  for (int i = 1; i <= count; ++i)
+    if (const int id = row.integer(fmt::format("id{}", i)); id != 0) ids.push_back(id);
+  return ids;
+}
+
+/// A line of *SET_..._GENERAL without its ids, and the name space that these are of; nothing for an unknown option.
+struct GeneralOption {
+  SetStep step;
+  IdSpace space = IdSpace::none;
+};
+
+std::optional<GeneralOption> segment_option(std::string_view name) {
+  GeneralOption o;
+  o.step.kind = SetKind::segment;
+  if (name == "SEG") return o.space = IdSpace::node, o;
+  if (name == "SHELL") return o.step.kind = SetKind::shell, o.space = IdSpace::element, o;
+  if (name == "BRANCH") return o.step.source = Source::sets, o.step.kind = SetKind::branch, o.space = IdSpace::set, o;
+  if (name == "BOX" || name == "BOX_SHELL" || name == "BOX_SOLID") {
+    o.step.source = Source::boxes;
+    o.step.of_shells = name != "BOX_SOLID";
+    o.step.of_solids = name != "BOX_SHELL";
+    o.space = IdSpace::define;
+    return o;
+  }
+  return std::nullopt;
+}
+
+std::optional<GeneralOption> set_option(SetKind own, std::string_view name) {
+  static constexpr std::pair<std::string_view, SetKind> kinds[] = {
+      {"SET_NODE", SetKind::node},   {"SET_PART", SetKind::part},   {"SET_SEGMENT", SetKind::segment},
+      {"SET_SHELL", SetKind::shell}, {"SET_SOLID", SetKind::solid}, {"SET_BEAM", SetKind::beam}};
+  GeneralOption o;
+  o.space = IdSpace::set;
+  o.step.source = Source::sets;
+  o.step.kind = own;
+  if (name == "SET" && own != SetKind::node) return o;
+  for (const auto& [option, kind] : kinds) {
+    if (name != option) continue;
+    o.step.kind = kind;
+    if (own == SetKind::node) return o;
+    if (own == SetKind::segment && (kind == SetKind::shell || kind == SetKind::solid)) return o;
+  }
+  return std::nullopt;
+}
+
+std::optional<GeneralOption> general_option(const KindCards& cards, std::string_view name) {
+  GeneralOption o;
+  o.step.kind = cards.kind;
+  const bool is_element = cards.space == IdSpace::element;
+  if (name == "ALL") return o.step.source = Source::all, o;
+  if (name == "PART") return o.step.kind = SetKind::part, o.space = IdSpace::part, o;
+  if (name == "NODE" && cards.kind == SetKind::node) return o.space = IdSpace::node, o;
+  if (name == "ELEM" && is_element) return o.space = IdSpace::element, o;
+  if (name == "BOX" && (is_element || cards.kind == SetKind::node))
+    return o.step.source = Source::boxes, o.space = IdSpace::define, o;
+  if (const auto set = set_option(cards.kind, name)) return set;
+  return cards.kind == SetKind::segment ? segment_option(name) : std::nullopt;
+}
+
+std::string upper(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+std::optional<SetStep> general_step(Builder& b, const Block& block, const KindCards& cards, const Row& row) {
+  const std::string name = upper(row.text("option"));
+  auto option = general_option(cards, name);
+  const bool takes_away = !option && name.starts_with('D');
+  if (takes_away) option = general_option(cards, std::string_view(name).substr(1));
+  if (!option) {
+    refuse(b, row, "option", "this option is not supported",
+           "use ALL, NODE, ELEM, PART, SEG, BOX, SET or SET_..., or list the members");
+    return std::nullopt;
+  }
+  SetStep step = std::move(option->step);
+  if (takes_away) step.action = Action::remove;
+  step.place = row.place();
+  // E4 to E7 are attributes where segments are made of other things; where they are taken away, all are ids.
+  const bool has_attributes =
+      cards.kind == SetKind::segment && !takes_away && (step.source == Source::boxes || step.kind != SetKind::segment);
+  const bool is_face =
+      cards.kind == SetKind::segment && step.source == Source::members && step.kind == SetKind::segment;
+  const int most = has_attributes ? 3 : is_face ? 4 : 7;
+  const long offset = block.transform ? block.transform->id_offset[static_cast<std::size_t>(option->space)] : 0;
+  for (int i = 1; i <= most; ++i)
+    if (const auto id = static_cast<long>(row.real(fmt::format("id{}", i))); id != 0)
+      step.ids.push_back(static_cast<int>(id + offset));
+  return step;
+}
+
+/// The lines GENERATE (pairs) and GENERATE_INCREMENT (begin, end, increment).
+void read_ranges(Builder& b, Cursor& cursor, const KindCards& cards, bool has_increment, std::vector<SetStep>& steps) {
+  const Card increments{{id("id1", cards.space, 0, "begin"), id("id2", cards.space, 0, "end"),
+                         integer("id3", 1, at_least(1), "increment")}};
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(has_increment ? increments : *cards.ids);
+    for (int i = 1; i < (has_increment ? 3 : 8); i += 2) {
+      const int begin = row.integer(fmt::format("id{}", i)), end = row.integer(fmt::format("id{}", i + 1));
+      if (begin == 0 && end == 0) continue;
+      if (end < begin)
+        row.complain(b.findings, Severity::warning, fmt::format("id{}", i + 1),
+                     fmt::format("the range from {} to {} ends before it begins: it has no members", begin, end),
+                     "write begin and end in pairs");
+      SetStep step;
+      step.source = Source::range;
+      step.kind = cards.kind;
+      step.ids = {begin, end, has_increment ? row.integer("id3") : 1};
+      step.place = row.place();
+      steps.push_back(std::move(step));
+    }
+  }
+}
+
+/// A1..A4 of a line of _COLUMN; where they are 0, DA1..DA4 of the set.
+std::array<double, 4> own_attributes(const Row& row, const std::array<double, 4>& of_set) {
+  std::array<double, 4> own{row.real("a1"), row.real("a2"), row.real("a3"), row.real("a4")};
+  if (own == std::array<double, 4>{}) return own;
+  for (std::size_t i = 0; i < 4; ++i)
+    if (own[i] == 0.0) own[i] = of_set[i];
+  return own;
+}
+
+/// Lines of members (LIST, COLUMN) or of sets (ADD, INTERSECT).
+void read_members(Cursor& cursor, const KindCards& cards, const Card& card, Source source, Action action,
+                  SetRecipe& recipe) {
+  std::vector<SetStep>& steps = recipe.steps;
+  const int count = &card == cards.column && cards.kind != SetKind::segment       ? 1
+                    : cards.kind == SetKind::segment && source == Source::members ? 4
+                                                                                  : 8;
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(card);
+    SetStep step;
+    step.source = source;
+    step.action = steps.empty() ? Action::add : action;
+    step.kind = cards.kind;
+    step.ids = ids_of(row, count);
+    step.place = row.place();
+    if (step.ids.empty()) continue;
+    if (&card == cards.column) step.attributes = own_attributes(row, recipe.attributes);
+    steps.push_back(std::move(step));
+  }
+}
+
+/// INTERSECT: what is in all of the sets, so each set is a step of its own.
+void split_intersection(std::vector<SetStep>& steps) {
+  std::vector<SetStep> single;
+  for (const SetStep& step : steps)
+    for (const int id : step.ids) {
+      single.push_back(step);
+      single.back().ids = {id};
+      single.back().action = single.size() == 1 ? Action::add : Action::intersect;
+    }
+  steps = std::move(single);
+}
+
+void read_set(Builder& b, const Block& block, const Options& options, const KindCards& cards) {
+  Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
+  const Row head = cursor.read(*cards.head);
+  SetRecipe recipe{cards.kind, head.integer("sid"), options.contains("COLLECT"), block.starred(), head.place(), {}, {}};
+  if (cards.head == &head_card)
+    recipe.attributes = {head.real("da1"), head.real("da2"), head.real("da3"), head.real("da4")};
+  auto& steps = recipe.steps;
+  if (options.contains("GENERAL")) {
+    while (!at_end(cursor))
+      if (auto step = general_step(b, block, cards, cursor.read(general_card))) steps.push_back(std::move(*step));
+  } else if (options.contains("GENERATE")) {
+    read_ranges(b, cursor, cards, options.contains("INCREMENT"), steps);
+  } else if (options.contains("ADD") || options.contains("INTERSECT")) {
+    read_members(cursor, cards, set_ids, Source::sets, Action::add, recipe);
+    if (options.contains("INTERSECT")) split_intersection(steps);
+  } else {
+    read_members(cursor, cards, options.contains("COLUMN") ? *cards.column : *cards.ids, Source::members, Action::add,
+                 recipe);
+    // Attributes of single nodes, shells and segments are told where they would count, never used: one stands for all.
+    if (cards.kind != SetKind::part)
+      for (SetStep& step : steps)
+        for (std::size_t i = 0; i < 4; ++i)
+          if (double& of_set = recipe.attributes[i]; of_set == 0.0) of_set = step.attributes[i];
+  }
+  b.set_recipes.push_back(std::move(recipe));
+}
+
+/// *SET_NODE_ADD_ADVANCED: the nodes of sets of several kinds.
+void read_advanced(Builder& b, const Block& block, const Options& options) {
+  static constexpr SetKind kinds[] = {SetKind::node, SetKind::shell, SetKind::beam, SetKind::solid, SetKind::segment};
+  Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
+  const Row head = cursor.read(head_card);
+  SetRecipe recipe{
+      SetKind::node, head.integer("sid"), options.contains("COLLECT"), block.starred(), head.place(), {}, {}};
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(advanced_card);
+    for (const auto& [set, type_field] : {std::pair{"sid1", "type1"}, std::pair{"sid2", "type2"},
+                                          std::pair{"sid3", "type3"}, std::pair{"sid4", "type4"}}) {
+      if (row.integer(set) == 0) continue;
+      const int type = row.integer(type_field);
+      if (type > 5) {
+        refuse(b, row, type_field, "sets of discrete elements and of thick shells are not built",
+               "list their nodes in a *SET_NODE");
+        continue;
+      }
+      SetStep step;
+      step.source = Source::sets;
+      step.kind = kinds[type - 1];
+      step.ids = {row.integer(set)};
+      step.place = row.place();
+      recipe.steps.push_back(std::move(step));
+    }
+  }
+  b.set_recipes.push_back(std::move(recipe));
+}
+
+/// *SET_PART_TREE: a branch of the tree of parts, of other branches and of parts.
+void read_branch(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
+  const Row head = cursor.read(branch_card);
+  cursor.read_text();  // the heading
+  SetRecipe recipe{SetKind::branch, head.integer("brid"), false, block.starred(), head.place(), {}, {}};
+  const auto offset = [&](IdSpace space) {
+    return block.transform ? static_cast<int>(block.transform->id_offset[static_cast<std::size_t>(space)]) : 0;
+  };
+  while (!at_end(cursor)) {
+    const Row row = cursor.read(branch_ids);
+    for (const int id : ids_of(row, 8)) {
+      SetStep step;
+      step.source = id > 0 ? Source::sets : Source::members;
+      step.kind = id > 0 ? SetKind::branch : SetKind::part;
+      step.ids = {id > 0 ? id + offset(IdSpace::set) : -id + offset(IdSpace::part)};
+      step.place = row.place();
+      recipe.steps.push_back(std::move(step));
+    }
+  }
+  b.set_recipes.push_back(std::move(recipe));
+}
+
+template <const KindCards& cards>
+void read(Builder& b, const Block& block, const Options& options) {
+  read_set(b, block, options, cards);
+}
+
+template <const KindCards& cards>
+Keyword keyword(std::string_view name) {
+  const bool is_segment = cards.kind == SetKind::segment;
+  Keyword k{.name = name,
+            .options = {"TITLE", "COLLECT", "GENERAL", "ADD", "INTERSECT"},
+            .layout = {{"", cards.head},
+                       {is_segment ? "repeated" : "as LIST (or nothing), repeated; as GENERATE: pairs of begin and end",
+                        cards.ids},
+                       {"with _GENERAL, repeated", &general_card},
+                       {"with _ADD or _INTERSECT, repeated", &set_ids}},
+            .read = read<cards>};
+  if (is_segment) return k;
+  k.options.insert(k.options.end(), {"LIST", "COLUMN", "GENERATE", "INCREMENT"});
+  k.layout.push_back({"with _COLUMN, repeated", cards.column});
+  return k;
+}
+
+}  // namespace
+
+std::vector<Keyword> set_keywords() {
+  return {
+      keyword<node_kind>("SET_NODE"),
+      keyword<part_kind>("SET_PART"),
+      keyword<segment_kind>("SET_SEGMENT"),
+      keyword<shell_kind>("SET_SHELL"),
+      keyword<solid_kind>("SET_SOLID"),
+      keyword<beam_kind>("SET_BEAM"),
+      {.name = "SET_NODE_ADD_ADVANCED",
+       .options = {"TITLE", "COLLECT"},
+       .layout = {{"", &head_card}, {"repeated", &advanced_card}},
+       .read = read_advanced},
+      {.name = "SET_PART_TREE",
+       .options = {"TITLE"},
+       .layout = {{"", &branch_card}, {"", &branch_heading}, {"repeated", &branch_ids}},
+       .read = read_branch},
+  };
+}
+
+}  // namespace nugget::reading

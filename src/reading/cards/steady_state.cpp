@@ -1,0 +1,439 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "reading/cards/families.hpp"
+#include "reading/cards/frequency_cards.hpp"
+
+// *FREQUENCY_DOMAIN_SSD: harmonic loads together, and the power that panels radiate under them.
+namespace nugget::reading {
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+using Excitation = FrequencyResponse::Excitation;
+using Quantity = FrequencyResponse::Quantity;
+
+const Card modes_card{{
+    integer("mdmin", 1, at_least(0), "first mode that is used"),
+    integer("mdmax", 0, at_least(0), "last mode that is used; 0: all"),
+    real("fnmin", dimension::rate, 0, at_least(0), "no modes below this natural frequency [cycles/time]"),
+    real("fnmax", dimension::rate, 0, at_least(0), "no modes above this natural frequency [cycles/time]; 0: all"),
+    integer("restmd", 0, any_value, "reuse of modes of an earlier run; modes are always computed"),
+    integer("restdp", 0, any_value, "reuse of a d3ssd of an earlier run; refused"),
+    integer("lcflag", 0, between(0, 1), "load curves are 0: amplitude and phase [degree], 1: real and imaginary part"),
+    integer("relatv", 0, between(0, 1), "1: responses to base motion are relative to it"),
+}};
+
+const Card damping_card{{
+    real("dampf", dimension::number, 0, at_least(0), "modal damping ratio of all modes, share of the critical"),
+    id("lcdam", IdSpace::function, 0, "curve of the damping ratio, instead of dampf"),
+    integer("lctyp", 0, between(0, 1), "lcdam is over 0: natural frequency [cycles/time], 1: number of the mode"),
+    real("dmpmas", dimension::rate, 0, at_least(0), "alpha of Rayleigh's damping alpha M + beta K; adds to the others"),
+    real("dmpstf", dimension::time, 0, at_least(0), "beta"),
+    integer("dmpflg", 0, between(0, 1),
+            "1: dashpots and *DAMPING_PART_MASS, _STIFFNESS instead of the fields before this one"),
+}};
+
+const Card options_card{{
+    integer("unused", 0, any_value, "no effect"),
+    integer("istress", 0, any_value, "stresses over frequency; not written"),
+    integer("memory", 0, any_value, "no effect"),
+    integer("nerp", 0, at_least(0), "with _ERP: number of panels that radiate power; else it must be 0"),
+    integer("strtyp", 0, any_value, "of fatigue, no effect"),
+    integer("nout", 0, any_value, "what moves for acoustics; not written"),
+    integer("notyp", 0, any_value, "of nout, no effect"),
+    integer("nova", 0, any_value, "of nout, no effect"),
+}};
+
+const Card fluid_card{{
+    real("ro", dimension::density, required, above_zero(), "density of the fluid"),
+    real("c", dimension::velocity, required, above_zero(), "speed of sound in the fluid"),
+    or_negative(real("erprlf", dimension::number, 1, any_value,
+                     "radiation loss factor, on the power; below 0: -erprlf is its curve over frequency"),
+                IdSpace::function),
+    real("erpref", Dimension{1, 2, -3}, 0, at_least(0),
+         "power of 0 decibels, in the units of the deck; 0: no decibels"),
+    integer("radeff", 0, between(0, 2), "0: by the normal velocity of each point; others are refused"),
+}};
+/// The name space of PID depends on its type, which stands behind it.
+Card panel_card(IdSpace pid) {
+  return {{
+      id("pid", pid, required, "shells of a part or part set, or segment set, that radiate"),
+      integer("ptyp", 0, between(0, 2), "0: part, 1: part set, 2: segment set"),
+  }};
+}
+const Card panel_of_part = panel_card(IdSpace::part), panel_of_set = panel_card(IdSpace::set);
+
+const Card case_card{{
+    text("caseid", 10, "name of the case; its files end with it"),
+    text("title", 60, "of the case"),
+    integer("nload", 1, at_least(1), "number of its loads, whose cards follow"),
+}};
+
+/// The name space of NID depends on its type, which stands behind it.
+Card load_card(IdSpace nid) {
+  return {{
+      id("nid", nid, 0, "node, node set or segment set that is loaded; base motion moves all supports instead"),
+      integer("ntyp", 0, between(0, 2), "0: node, 1: node set, 2: segment set (pressure)"),
+      integer("dof", 1, between(1, 4),
+              "1, 2, 3: along (torque, turning base: about) x, y, z; 4: along vid; pressure: no effect"),
+      integer("vad", 0, between(0, 14),
+              "0: nodal force, 1: pressure; 2, 3, 4: base velocity, acceleration, displacement; 5, 6, 7 (12, 13, 14): "
+              "enforced velocity, acceleration, displacement of the nodes; 8: torque; 9, 10, 11: base angular "
+              "velocity, acceleration, rotation"),
+      id("lc1", IdSpace::function, required, "curve over frequency: amplitude or real part; 0 outside"),
+      id("lc2", IdSpace::function, 0, "curve over frequency: phase [degree] or imaginary part; 0 outside"),
+      real("sf", dimension::number, 1, any_value, "factor on the amplitude"),
+      id("vid", IdSpace::define, 0, "vector of the direction, where dof is 4"),
+  }};
+}
+const Card load_of_node = load_card(IdSpace::node), load_of_set = load_card(IdSpace::set);
+
+const Card ascii_card = frequency_card(), states_card = frequency_card();
+
+const Card binary_card{{
+    integer("binary", 0, between(0, 91),
+            "d3ssd holds 1: amplitudes, 90: real parts, 91: imaginary parts of the motion of all nodes; 0: no file; "
+            "others are refused"),
+    unused(),
+    unused(),
+    unused(),
+    id("psetid", IdSpace::set, 0, "parts that the file holds; it holds all"),
+}};
+const Card power_card{{
+    integer("binary", 0, between(0, 91), "d3erp is not written; ERP_abs, ERP_dB and erp.csv are, whatever this is"),
+}};
+
+/// By VAD.
+Driven driven(int vad) {
+  using Kind = Excitation::Kind;
+  constexpr Quantity order[] = {Quantity::velocity, Quantity::acceleration, Quantity::displacement};
+  if (vad <= 0) return Driven{Kind::force};
+  if (vad == 1) return Driven{Kind::pressure};
+  if (vad <= 4) return Driven{Kind::base, order[vad - 2]};
+  if (vad <= 7) return Driven{Kind::enforced, order[vad - 5]};
+  if (vad == 8) return Driven{Kind::torque};
+  if (vad <= 11) return Driven{Kind::base, order[vad - 9], true};
+  return Driven{Kind::enforced, order[std::min(vad, 14) - 12]};
+}
+
+/// What stands on *FREQUENCY_DOMAIN_SSD and on the card of its output meet in the model.
+SteadyState& steady_state(Builder& b) {
+  if (!b.model.steady_state) b.model.steady_state.emplace();
+  return *b.model.steady_state;
+}
+
+/// Loads that cannot act together; subcases share their modes.
+void check_together(Builder& b, const Row& row, const SteadyState& s, const SteadyState::Case& c) {
+  bool base = false, enforced = false;
+  for (const SteadyState::Load& load : c.loads) {
+    base |= load.excitation.kind == Excitation::Kind::base;
+    enforced |= load.excitation.kind == Excitation::Kind::enforced;
+  }
+  if (base && enforced)
+    refuse(b, row, "vad", "motion of the base and enforced motion of nodes do not go together",
+           "drive all supports as nodes, by enforced motion");
+  if (enforced && s.cases.size() > 1)
+    refuse(b, row, "vad", "subcases share their modes, and enforced nodes would be held in those of all",
+           "make a deck for each enforced motion");
+  if (s.relative && !base)
+    row.complain(b.findings, Severity::warning, "vad", "RELATV has no effect: no base moves (VAD 2, 3, 4, 9, 10, 11)");
+}
+
+/// What stands on the cards.
+struct Cards {
+  struct Case {
+    std::string id, title;
+    std::vector<Row> loads;
+  };
+  Row modes, damping, more;
+  std::optional<Row> fluid;  ///< of _ERP
+  std::vector<Row> panels;
+  std::vector<Case> cases;
+  bool direct = false;
+};
+
+std::string name_of(int type, int id) {
+  return fmt::format("{} {}", type == 0 ? "part" : type == 1 ? "part set" : "segment set", id);
+}
+
+SteadyState::RadiatedPower::Panel panel_of(Builder& b, const Row& row) {
+  const int type = row.integer("ptyp");
+  SteadyState::RadiatedPower::Panel panel{name_of(type, row.integer("pid")), {}};
+  if (type == 2) {
+    const Set<Segment>* set = b.segment_set(row, "pid");
+    if (set == nullptr) return panel;
+    panel.segments = set->members;
+  } else {
+    std::vector<Index> parts;
+    if (type == 0) {
+      parts = {b.part(row, "pid")};
+      if (parts.front() == none) return panel;
+    } else {
+      const Set<Index>* set = b.part_set(row, "pid");
+      if (set == nullptr) return panel;
+      parts = set->members;
+    }
+    const Shells& shells = b.model.shells;
+    for (std::size_t e = 0; e < shells.size(); ++e)
+      if (std::find(parts.begin(), parts.end(), shells.part[e]) != parts.end())
+        panel.segments.push_back(shells.node[e]);
+  }
+  if (panel.segments.empty())
+    refuse(b, row, "pid",
+           fmt::format("{} has no {}, so it has no surface", panel.name, type == 2 ? "segments" : "shells"),
+           "give a part of shells, or a segment set on the surface of solids");
+  return panel;
+}
+
+SteadyState::RadiatedPower& radiated_power(Builder& b) {
+  SteadyState& s = steady_state(b);
+  if (!s.radiated_power) s.radiated_power = SteadyState::RadiatedPower{};
+  return *s.radiated_power;
+}
+
+void make_power(Builder& b, const Cards& cards) {
+  SteadyState::RadiatedPower& p = radiated_power(b);
+  const Row& row = *cards.fluid;
+  p.density = row.real("ro");
+  p.sound_speed = row.real("c");
+  p.loss_factor = row.real("erprlf");
+  p.reference = row.real("erpref");
+  if (p.loss_factor < 0.0) {
+    const int id = static_cast<int>(std::lround(-p.loss_factor));
+    p.loss_curve = b.curves.find(id);
+    if (p.loss_curve == none)
+      refuse(b, row, "erprlf", fmt::format("curve {} is not defined", id), "define it, or give a loss factor above 0");
+  }
+  if (row.integer("radeff") != 0)
+    refuse(b, row, "radeff",
+           row.integer("radeff") == 1 ? "radiation efficiency by Rayleigh's integral is not built"
+                                      : "the corrected radiated power is not built (what corrects it is not public)",
+           "write 0 for the classic one");
+  if (p.reference == 0.0)
+    row.complain(b.findings, Severity::warning, "erpref", "no ERP_dB: decibels need a power that they refer to",
+                 "give it in the units of the deck (1e-12 W is 1e-9 mN m/s, that of mm, t, s)");
+  for (const Row& panel : cards.panels) p.panels.push_back(panel_of(b, panel));
+}
+
+void make_ssd(Builder& b, const Cards& cards) {
+  SteadyState& s = steady_state(b);
+  const auto& [modes, damping, more, fluid, panels, cases, direct] = cards;
+  if (!s.cases.empty())
+    return refuse(b, modes, "mdmin", "a deck has one *FREQUENCY_DOMAIN_SSD",
+                  "put all loads under one, or each group of them under one *FREQUENCY_DOMAIN_SSD_SUBCASE");
+  refuse_nonzero(b, modes, "restdp", "results of an earlier run are not read", "leave it out");
+  if (!fluid)
+    refuse_nonzero(b, more, "nerp", "radiated power is asked for, but not by the keyword",
+                   "write *FREQUENCY_DOMAIN_SSD_ERP with its cards, or leave NERP out");
+  expect(b, modes, Severity::warning, {{"restmd", 0, "not obeyed: the modes are computed anew, as with 0"}});
+  expect(b, more, Severity::warning,
+         {{"istress", 0, "not obeyed: stresses over frequency are not written"},
+          {"nout", 0, "not obeyed: no files for acoustics; d3ssd holds the motion of all nodes"}});
+  s.direct = direct;
+  s.modes = selection_of(b, modes);
+  s.modes.lowest = modes.real("fnmin");
+  if (s.modes.highest > 0.0 && s.modes.lowest >= s.modes.highest)
+    refuse(b, modes, "fnmax", "no mode is left", "give an FNMAX above FNMIN, or 0 for all");
+  s.damping = damping_of(b, damping);
+  if (damping.integer("dmpflg") == 1) {
+    if (s.damping.ratio > 0.0 || s.damping.curve != none || s.damping.mass > 0.0 || s.damping.stiffness > 0.0)
+      damping.complain(b.findings, Severity::warning, "dmpflg",
+                       "it replaces DAMPF, LCDAM, DMPMAS and DMPSTF, which have no effect");
+    s.damping = {};
+    s.damping.of_parts = true;
+  }
+  s.by_parts = modes.integer("lcflag") == 1;
+  s.relative = modes.integer("relatv") == 1;
+  for (const Cards::Case& c : cases) {
+    SteadyState::Case& made = s.cases.emplace_back(SteadyState::Case{c.id, c.title, {}});
+    for (const Row& load : c.loads)
+      made.loads.push_back({excitation_of(b, load, {"nid", "ntyp", "dof", "vad", "vid"}, driven(load.integer("vad"))),
+                            load.real("sf"), b.curve(load, "lc1"), b.curve(load, "lc2")});
+  }
+  if (fluid) make_power(b, cards);
+}
+
+void check_ssd(Builder& b, const Cards& cards) {
+  check_analysis(b, cards.modes, "mdmin", !cards.direct);
+  const SteadyState& s = steady_state(b);
+  check_damped(b, cards.damping, s.damping);
+  if (s.cases.size() != cards.cases.size()) return;  // of another keyword
+  for (std::size_t c = 0; c < s.cases.size(); ++c) {
+    const std::vector<Row>& loads = cards.cases[c].loads;
+    for (std::size_t i = 0; i < loads.size(); ++i) check_excitation(b, loads[i], "vad", s.cases[c].loads[i].excitation);
+    check_together(b, loads.back(), s, s.cases[c]);
+  }
+  const bool power = cards.fluid && !s.radiated_power->frequency.empty();
+  if (s.frequency.empty() && !s.states && !power)
+    refuse(b, cards.modes, "mdmin", "no frequencies are given",
+           "add *DATABASE_FREQUENCY_ASCII_NODOUT_SSD, _BINARY_D3SSD or (with _ERP) _BINARY_D3ERP with FMIN, FMAX and "
+           "NFREQ");
+  if (!s.frequency.empty() && b.model.requests.history_nodes.empty() && !cards.fluid)
+    refuse(b, cards.modes, "mdmin", "no nodes are given whose response is wanted", "add *DATABASE_HISTORY_NODE");
+}
+
+Row read_load(Cursor& cursor) {
+  return cursor.read(cursor.peek_number(1) == 0.0 ? load_of_node : load_of_set);
+}
+
+/// Whether a name is another one, or could be that of one of its numbered files.
+bool of_one_family(const std::string& name, const std::string& other) {
+  return other.starts_with(name) && other.find_first_not_of("0123456789", name.size()) == std::string::npos;
+}
+
+/// False, and why, where the cards are not all there.
+bool read_subcases(Builder& b, Cursor& cursor, Cards& cards) {
+  while (cursor.more()) {
+    const Row row = cursor.read(case_card);
+    Cards::Case c{row.text("caseid"), row.text("title"), {}};
+    if (c.id.empty() || c.id.find_first_of("/ \\") != std::string::npos) {
+      refuse(b, row, "caseid", "files are named by it: a name without blanks is needed", "give one");
+      return false;
+    }
+    for (const Cards::Case& before : cards.cases)
+      if (of_one_family(before.id, c.id) || of_one_family(c.id, before.id)) {
+        refuse(b, row, "caseid", fmt::format("its files would be taken for those of case {}", before.id),
+               "give each case a name of its own, and not that of another with digits behind it");
+        return false;
+      }
+    for (int i = 0; i < row.integer("nload"); ++i) {
+      if (!cursor.more()) {
+        refuse(b, row, "nload", fmt::format("only {} loads are there", i), "give a card for each");
+        return false;
+      }
+      c.loads.push_back(read_load(cursor));
+    }
+    cards.cases.push_back(std::move(c));
+  }
+  if (!cards.cases.empty()) return true;
+  refuse(b, cards.modes, "mdmin", "no case is given", "give a card with CASEID and NLOAD, and its loads");
+  return false;
+}
+
+void read_ssd(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  const bool power = options.contains("ERP"), subcases = options.contains("SUBCASE");
+  const Row modes = cursor.read(modes_card), damping = cursor.read(damping_card), more = cursor.read(options_card);
+  Cards cards{modes, damping, more, {}, {}, {}, options.contains("DIRECT")};
+  if (cards.direct + power + subcases > 1)
+    return refuse(b, modes, "mdmin", "_DIRECT, _ERP and _SUBCASE do not go together",
+                  "write one of them; `nugget frf --direct` solves any of them directly");
+  if (power) {
+    cards.fluid = cursor.read(fluid_card);
+    if (more.integer("nerp") == 0)
+      return refuse(b, more, "nerp", "no panel radiates", "give their number, and a card with PID and PTYP for each");
+    for (int i = 0; i < more.integer("nerp"); ++i)
+      cards.panels.push_back(cursor.read(cursor.peek_number(1) == 0.0 ? panel_of_part : panel_of_set));
+  }
+  if (subcases) {
+    if (!read_subcases(b, cursor, cards)) return;
+  } else {
+    Cards::Case all;
+    while (cursor.more()) all.loads.push_back(read_load(cursor));
+    if (all.loads.empty())
+      return refuse(b, modes, "mdmin", "no load is given", "give a load card after the first three");
+    cards.cases.push_back(std::move(all));
+  }
+  b.later(Phase::conditions, [cards](Builder& later) { make_ssd(later, cards); });
+  b.later(Phase::checks, [cards](Builder& later) { check_ssd(later, cards); });
+}
+
+/// A request of output is for nothing without loads.
+void expect_loads(Builder& b, const Row& row, std::string_view field) {
+  if (!b.model.steady_state || !b.model.steady_state->cases.empty()) return;
+  row.complain(b.findings, Severity::warning, field, "no response: there is no *FREQUENCY_DOMAIN_SSD");
+  b.model.steady_state.reset();
+}
+
+void read_nodout_ssd(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  const Row row = cursor.read(ascii_card);
+  expect_end(b, cursor);
+  b.later(Phase::conditions,
+          [row](Builder& later) { static_cast<Frequencies&>(steady_state(later)) = frequencies_of(later, row); });
+  b.later(Phase::checks, [row](Builder& later) { expect_loads(later, row, "fmin"); });
+}
+
+void read_d3ssd(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  const Row kind = cursor.read(binary_card), row = cursor.read(states_card);
+  expect_end(b, cursor);
+  const int binary = kind.integer("binary");
+  if (binary == 0)
+    return kind.complain(b.findings, Severity::warning, "binary", "no d3ssd is written", "write 1, 90 or 91");
+  if (binary != 1 && binary < 90)
+    return refuse(b, kind, "binary", "files of complex numbers are not built", "write 90 in one run and 91 in another");
+  expect(b, kind, Severity::warning, {{"psetid", 0, "not obeyed: the file holds all parts, as with 0"}});
+  b.later(Phase::conditions, [binary, row](Builder& later) {
+    using Part = SteadyState::States::Part;
+    SteadyState::States states;
+    static_cast<Frequencies&>(states) = frequencies_of(later, row);
+    states.part = binary == 90 ? Part::real : binary == 91 ? Part::imaginary : Part::amplitude;
+    steady_state(later).states = std::move(states);
+  });
+  b.later(Phase::checks, [kind](Builder& later) { expect_loads(later, kind, "binary"); });
+}
+
+void read_d3erp(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  const Row kind = cursor.read(power_card);
+  std::optional<Row> row;
+  if (cursor.more()) row = cursor.read(states_card);
+  expect_end(b, cursor);
+  expect(b, kind, Severity::warning,
+         {{"binary", 0, "no d3erp, whose layout is not published; ERP_abs, ERP_dB and erp.csv are written"}});
+  b.later(Phase::conditions, [row](Builder& later) {
+    if (row) static_cast<Frequencies&>(radiated_power(later)) = frequencies_of(later, *row);
+  });
+  b.later(Phase::checks, [kind](Builder& later) {
+    expect_loads(later, kind, "binary");
+    if (!later.model.steady_state) return;
+    std::optional<SteadyState::RadiatedPower>& power = later.model.steady_state->radiated_power;
+    if (power && !power->panels.empty()) return;
+    kind.complain(later.findings, Severity::warning, "binary", "no radiated power: *FREQUENCY_DOMAIN_SSD has no panels",
+                  "write *FREQUENCY_DOMAIN_SSD_ERP with panels");
+    power.reset();
+  });
+}
+
+}  // namespace
+
+std::vector<Keyword> steady_state_keywords() {
+  return {
+      {.name = "FREQUENCY_DOMAIN_SSD",
+       .options = {"DIRECT", "ERP", "SUBCASE"},
+       .layout = {{"", &modes_card},
+                  {"", &damping_card},
+                  {"", &options_card},
+                  {"with _ERP", &fluid_card},
+                  {"with _ERP, for each panel", &panel_of_part},
+                  {"with _SUBCASE, for each", &case_card},
+                  {"for each load", &load_of_node}},
+       .read = read_ssd},
+      {.name = "DATABASE_FREQUENCY_ASCII_NODOUT_SSD",
+       .options = {"SUBCASE"},
+       .layout = {{"", &ascii_card}},
+       .read = read_nodout_ssd},
+      {.name = "DATABASE_FREQUENCY_BINARY_D3ERP",
+       .layout = {{"", &power_card}, {"optional", &states_card}},
+       .read = read_d3erp},
+      {.name = "DATABASE_FREQUENCY_BINARY_D3SSD",
+       .options = {"SUBCASE"},
+       .layout = {{"", &binary_card}, {"", &states_card}},
+       .read = read_d3ssd},
+      {.name = "DATABASE_FREQUENCY_ASCII_*",
+       .verdict = Verdict::refused,
+       .why = "of the histories over frequency _NODOUT_SSD is written"},
+      {.name = "DATABASE_FREQUENCY_BINARY_*",
+       .verdict = Verdict::refused,
+       .why = "of the state files over frequency _D3SSD is written"},
+  };
+}
+
+}  // namespace nugget::reading

@@ -1,0 +1,561 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "reading/cards/families.hpp"
+#include "reading/cards/material.hpp"
+#include "reading/cards/yield_curves.hpp"
+
+// *MAT_SPOTWELD (MAT_100) in all its forms. The second card's form follows from OPT, which stands on the third.
+namespace nugget::reading {
+
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::Row;
+
+// ---- cards ----------------------------------------------------------------------------------------------------------
+
+constexpr Field modulus =
+    real("e", dimension::stress, required, any_value, "Young's modulus; negative: its value, bricks uniaxial");
+constexpr Field mass_step =
+    real("dt", dimension::time, 0, at_least(0), "time step to which the weld's mass is scaled; 0: none");
+constexpr Field fail_time = real("tfail", dimension::time, 0, at_least(0), "time of failure; 0: none");
+constexpr Field fail_strain = real("efail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none");
+constexpr Field filter_length = integer("nf", 0, at_least(0), "force vectors averaged for the failure");
+
+/// A strength, of which a negative value is the id of a curve.
+constexpr Field strength_or_curve(std::string_view name, Dimension d, double fallback, std::string_view meaning) {
+  return or_negative(real(name, d, fallback, any_value, meaning), IdSpace::function);
+}
+
+const Card weld_card{{
+    material_id,
+    density,
+    modulus,
+    poisson,
+    strength_or_curve("sigy", dimension::stress, required,
+                      "yield stress; negative: curve over plastic strain, or table over the strain rate"),
+    real("eh", dimension::stress, 0, at_least(0), "hardening: slope of the yield stress over plastic strain"),
+    mass_step,
+    fail_time,
+}};
+
+const Card resultant_card{{
+    fail_strain,
+    strength_or_curve("nrr", dimension::force, 0, "axial force at failure; 0: left out; negative: curve over the rate"),
+    strength_or_curve("nrs", dimension::force, 0, "shear force s at failure; 0 and negative as NRR"),
+    strength_or_curve("nrt", dimension::force, 0, "shear force t at failure; 0 and negative as NRR"),
+    strength_or_curve("mrr", dimension::moment, 0, "torsion at failure; 0 and negative as NRR"),
+    strength_or_curve("mss", dimension::moment, 0, "bending s at failure; 0 and negative as NRR"),
+    strength_or_curve("mtt", dimension::moment, 0, "bending t at failure; 0 and negative as NRR"),
+    filter_length,
+}};
+
+const Card stress_card{{
+    fail_strain,
+    strength_or_curve("sigax", dimension::stress, 0,
+                      "axial stress at failure; 0: left out; negative: curve over the rate"),
+    strength_or_curve("sigtau", dimension::stress, 0, "shear stress at failure; 0 and negative as SIGAX"),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    filter_length,
+}};
+
+const Card notch_card{{
+    fail_strain,
+    real("zd", dimension::length, 0, at_least(0), "diameter; 0: the weld's own"),
+    real("zt", dimension::length, 0, at_least(0), "sheet thickness; 0: of the thinner sheet"),
+    real("zalp1", dimension::number, 1, at_least(0), "factor on the term of shear"),
+    real("zalp2", dimension::number, 1, at_least(0), "factor on the term of bending"),
+    real("zalp3", dimension::number, 1, at_least(0), "factor on the term of tension"),
+    real("zrrad", dimension::length, 0, at_least(0), "radius of the notch, for OPT 3"),
+    filter_length,
+}};
+
+const Card structural_card{{
+    fail_strain,
+    real("zd", dimension::length, 0, at_least(0), "diameter; 0: the weld's own"),
+    real("zt", dimension::length, 0, at_least(0), "thickness of sheet 1; 0: the sheet's own"),
+    real("zt2", dimension::length, 0, at_least(0), "thickness of sheet 2; 0: the sheet's own"),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+}};
+
+const Card table_card{{
+    fail_strain,
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    filter_length,
+}};
+
+const Card direction_card{{
+    fail_strain,
+    id("lct", IdSpace::function, 0, "tension: curve of allowed force over angle, or table over the rate; 0: no limit"),
+    id("lcc", IdSpace::function, 0, "compression: the same"),
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    filter_length,
+}};
+
+constexpr Field rupture = real("rs", dimension::number, 0, at_least(0),
+                               "plastic strain (DMGOPT 2, 12: time after onset) at rupture; 0: none");
+constexpr Field true_thickness =
+    real("true_t", dimension::length, 0, at_least(0), "true thickness of single brick welds; 0: as modelled");
+constexpr Field whole = integer("asff", 0, between(0, 1), "1: the first brick to fail takes its assembly with it");
+constexpr Field correction =
+    integer("ttopt", 0, between(0, 2), "form of the TRUE_T correction; here as 2, free of the numbering");
+
+/// What FVAL is depends on OPT, so does its unit and how it moves with an include.
+Card failure_card_of(Field fval) {
+  return {{
+      rupture,
+      real("opt", dimension::number, 0, any_value, "failure function: -2 -1 0 1 3 4 5 6 7 10 11"),
+      fval,
+      true_thickness,
+      whole,
+      real("beta", dimension::number, 0, at_least(0), "decay of the damaged stress; 0: linear"),
+      unused(),
+      real("dmgopt", dimension::number, 0, any_value, "damage: 0 1 2 10 11 12; -1: given on the next card"),
+  }};
+}
+const Card failure_card = failure_card_of(
+    real("fval", dimension::number, 0, any_value,
+         "OPT 3 4 5: stress at failure; 6: cycles; 7 10: *DEFINE_SPOTWELD_FAILURE_RESULTANTS, _FAILURE"));
+const Card failure_by_stress = failure_card_of(real("fval", dimension::stress, 0, any_value, "stress at failure"));
+const Card failure_by_table = failure_card_of(id("fval", IdSpace::define, 0, "table of strengths"));
+
+const Card& failure_card_for(int option) {
+  if (option >= 3 && option <= 5) return failure_by_stress;
+  return option == 7 || option == 10 ? failure_by_table : failure_card;
+}
+
+const Card damage_card{{
+    real("dmgopt", dimension::number, 0, any_value, "damage: 0 1 2 10 11 12"),
+    real("fmode", dimension::number, 0, between(0, 1), "ratio of the failure surface that parts failure from damage"),
+    real("ffcap", dimension::number, 0, at_least(0), "failure value at which a damaged weld is deleted; 0: none"),
+    correction,
+}};
+
+const Card connection_card{{
+    material_id,
+    density,
+    modulus,
+    poisson,
+    unused(),
+    unused(),
+    mass_step,
+    fail_time,
+}};
+
+const Card connection_failure_card{{
+    rupture,
+    whole,
+    unused(),
+    true_thickness,
+    or_negative(id("con_id", IdSpace::define, required, "*DEFINE_CONNECTION_PROPERTIES; negative: failure is off"),
+                IdSpace::define),
+    real("rfiltf", dimension::number, 0, between(0, 1), "share of the last strain rate that is kept"),
+    real("jtol", dimension::number, 0.01, at_least(0), "relative Jacobian below which a brick is deleted"),
+    integer("dmgopt", 0, between(-1, 0), "-1: one more card"),
+}};
+
+const Card connection_more_card{{unused(), unused(), unused(), correction}};
+
+// ---- reading
+// ---------------------------------------------------------------------------------------------------------
+
+/// The second card's table for a failure function that is built; null for others.
+const Card* strength_card(int option) {
+  switch (option) {
+    case -2:
+    case -1:
+    case 0: return &resultant_card;
+    case 1: return &stress_card;
+    case 3:
+    case 4: return &notch_card;
+    case 5: return &structural_card;
+    case 6:
+    case 7:
+    case 10: return &table_card;
+    case 11: return &direction_card;
+    default: return nullptr;
+  }
+}
+
+void refuse_option(Builder& b, const Row& row, int option) {
+  constexpr std::string_view built = "built are -2, -1, 0, 1, 3, 4, 5, 6, 7, 10 and 11";
+  const auto say = [&](std::string_view why) {
+    refuse(b, row, "opt", fmt::format("OPT {} {}", option, why), std::string(built));
+  };
+  if (option == 2 || option == 12 || option == 22) return say("calls a user subroutine, which a deck does not hold");
+  if (option == 9 || option == -9)
+    return say("(*DEFINE_SPOTWELD_RUPTURE_PARAMETER): the formula of its constants is not public");
+  say("is not a failure function of MAT_100");
+}
+
+/// The failure card without a finding: the cursor reads it once more in its turn.
+Row look_ahead(const Builder& b, const Block& block, const Options& options) {
+  Findings unheard;
+  Cursor ahead(b.deck, block, unheard);
+  read_title(ahead, options);
+  for (int line = 0; line < 2 && ahead.more(); ++line) ahead.skip();
+  return ahead.read(failure_card);
+}
+
+/// The curve that the negative value of a field for numbers names.
+Index curve_of(Builder& b, const Row& row, std::string_view field) {
+  const int id = static_cast<int>(std::lround(-row.real(field)));
+  const Index curve = b.curves.find(id);
+  if (curve == none) refuse(b, row, field, fmt::format("curve {} is not defined", id), "define it, or give a number");
+  return curve;
+}
+
+/// A strength: 0 and 1e20 leave it out, a negative value is a curve over the strain rate.
+RateValue strength(Builder& b, const Row& row, std::string_view field) {
+  if (row.real(field) >= 0.0) return {failure_value(row.real(field)), {}};
+  const Index curve = curve_of(b, row, field);
+  if (curve == none) return {};
+  return {1.0, b.model.curves[static_cast<std::size_t>(curve)]};
+}
+
+/// A curve, or a table over the strain rate.
+CurveTable direction_strength(Builder& b, const Row& row, std::string_view field) {
+  const int id = row.integer(field);
+  if (id == 0) return {};
+  if (const Index t = b.tables.find(id); t != none) return b.whole_table(t);
+  const Index c = b.find(b.curves, "curve or table", row, field);
+  return c == none ? CurveTable{} : CurveTable{id, {0.0}, {b.model.curves[static_cast<std::size_t>(c)]}};
+}
+
+void expect_positive(Builder& b, const Row& row, std::string_view field, std::string_view what) {
+  if (!(row.real(field) > 0.0)) refuse(b, row, field, fmt::format("{} must be given", what));
+}
+
+/// The strengths of the second card, as `law.option` has them.
+void set_strengths(Builder& b, WeldLaw& law, const Row& row) {
+  switch (law.option) {
+    case -2:
+    case -1:
+    case 0: {
+      std::size_t i = 0;
+      for (const auto* field : {"nrr", "nrs", "nrt", "mrr", "mss", "mtt"}) law.strength[i++] = strength(b, row, field);
+      break;
+    }
+    case 1:
+      law.normal_stress = strength(b, row, "sigax");
+      law.shear_stress = strength(b, row, "sigtau");
+      break;
+    case 3:
+      expect_positive(b, row, "zrrad", "the radius of the notch");
+      law.notch_radius = row.real("zrrad");
+      [[fallthrough]];
+    case 4:
+      law.alpha = {row.real("zalp1"), row.real("zalp2"), row.real("zalp3")};
+      law.diameter = row.real("zd");
+      law.thickness[0] = row.real("zt");
+      break;
+    case 5:
+      law.diameter = row.real("zd");
+      law.thickness = {row.real("zt"), row.real("zt2")};
+      break;
+    case 11:
+      law.tension = direction_strength(b, row, "lct");
+      law.compression = direction_strength(b, row, "lcc");
+      break;
+    default: break;
+  }
+}
+
+/// A law that asks for failure but names nothing that fails the weld is hardly meant.
+void warn_of_no_failure(Builder& b, const WeldLaw& law, const kernel::Spotweld& points, const Row& second) {
+  const auto given = [](const RateValue& strength) { return strength.given(); };
+  const bool ends_otherwise =
+      law.failure_time > 0.0 || points.failure_strain > 0.0 || law.damage.failure_strain > 0.0 || law.option < 0;
+  std::string_view what;
+  if (law.option == 0 && std::none_of(law.strength.begin(), law.strength.end(), given))
+    what = "none of NRR to MTT is";
+  else if (law.option == 1 && !law.normal_stress.given() && !law.shear_stress.given())
+    what = "neither SIGAX nor SIGTAU is";
+  else if (law.option == 11 && law.tension.curve.empty() && law.compression.curve.empty())
+    what = "neither LCT nor LCC is";
+  if (what.empty() || ends_otherwise) return;
+  b.findings.warning(second.place(), second.keyword(),
+                     fmt::format("{} given, and no EFAIL or TFAIL: nothing fails this weld (OPT {})", what, law.option),
+                     "give the strengths, or use *MAT_SPOTWELD if the weld is not to fail");
+}
+
+/// The only one of some tables, or the one with the id in FVAL.
+template <class Tables>
+Index table_of(Builder& b, const Row& row, const Ids& ids, const Tables& tables, std::string_view keyword) {
+  const int id = row.integer("fval");
+  if (id == 0 && tables.size() == 1) return 0;
+  const Index table = ids.find(id);
+  if (table == none)
+    refuse(b, row, "fval",
+           id == 0 ? fmt::format("{} is defined {} times, and FVAL does not say which to take", keyword, tables.size())
+                   : fmt::format("{} {} is not defined", keyword, id),
+           fmt::format("define {} and give its id", keyword));
+  return table;
+}
+
+/// What FVAL is depends on OPT. `length`: unit factor, for the stress intensity of OPT 4 (stress times root of length).
+void set_limit(Builder& b, WeldLaw& law, const Row& row, double length) {
+  switch (law.option) {
+    case 0:
+      refuse_nonzero(b, row, "fval", "a failure function of one's own (*DEFINE_FUNCTION) is not supported",
+                     "leave FVAL blank: the resultants NRR to MTT fail the weld");
+      break;
+    case 3:
+    case 4:
+    case 5:
+      expect_positive(b, row, "fval", law.option == 4 ? "the stress intensity at failure" : "the stress at failure");
+      law.limit = row.real("fval") * (law.option == 4 ? std::sqrt(length) : 1.0);
+      break;
+    case 6:
+      law.cycles = std::max(1, static_cast<int>(row.real("fval")));
+      if (b.model.rupture_stresses.empty())
+        refuse(b, row, "opt", "*DEFINE_SPOTWELD_RUPTURE_STRESS is not in the deck", "define it for the sheets' parts");
+      break;
+    case 7:
+      law.table = table_of(b, row, b.pair_strengths, b.model.pair_strengths, "*DEFINE_SPOTWELD_FAILURE_RESULTANTS");
+      break;
+    case 10:
+      law.table = table_of(b, row, b.load_rate_strengths, b.model.load_rate_strengths, "*DEFINE_SPOTWELD_FAILURE");
+      break;
+    default: break;
+  }
+}
+
+/// `row`: the card on which DMGOPT stands.
+void check_damage(Builder& b, const Row& failure, const Row& row, const WeldDamage& damage, double failure_strain) {
+  const int option = damage.option, kind = option % 10;
+  if (option < 0 || option > 12 || kind > 2)
+    return refuse(b, row, "dmgopt", fmt::format("DMGOPT {} is not a damage option of MAT_100", option),
+                  "built are 0, 1, 2, 10, 11 and 12");
+  if (damage.rupture <= 0.0 && (option != 0 || damage.beta > 0.0))
+    failure.complain(b.findings, Severity::warning, "rs", "without RS there is no damage: the weld fails at once",
+                     "give RS");
+  if (option < 2 && damage.rupture > 0.0 && damage.rupture <= failure_strain)
+    refuse(b, failure, "rs", fmt::format("the plastic strain at rupture must be above EFAIL = {:g}", failure_strain),
+           "give a larger RS, or leave it blank: points then fail at EFAIL at once");
+}
+
+void check_correction(Builder& b, const Row& row) {
+  if (row.integer("ttopt") == 1)
+    row.complain(b.findings, Severity::warning, "ttopt",
+                 "the correction of release 8 is not public: it is made free of the numbering, as with 2",
+                 "write 0 or 2");
+}
+
+/// RS is a time with DMGOPT 2 and 12, so its card cannot tell its unit.
+void scale_rupture(const Block& block, WeldDamage& damage) {
+  if (block.transform && damage.option % 10 == 2) damage.rupture *= block.transform->factor(dimension::time);
+}
+
+/// What the third card and the one after it say; `failure_strain`: EFAIL.
+void read_damage(Builder& b, Cursor& cursor, WeldLaw& law, const Row& row, double failure_strain) {
+  WeldDamage& damage = law.damage;
+  damage.rupture = failure_value(row.real("rs"));
+  damage.true_thickness = row.real("true_t");
+  damage.whole = row.integer("asff") == 1;
+  damage.beta = row.real("beta");
+  damage.option = static_cast<int>(row.real("dmgopt"));
+  if (damage.option != -1) {
+    scale_rupture(cursor.block(), damage);
+    return check_damage(b, row, row, damage, failure_strain);
+  }
+  const Row more = cursor.read(damage_card);
+  damage.option = static_cast<int>(more.real("dmgopt"));
+  scale_rupture(cursor.block(), damage);
+  damage.mode = more.real("fmode");
+  damage.cap = more.real("ffcap");
+  check_correction(b, more);
+  check_damage(b, row, more, damage, failure_strain);
+  for (const auto* field : {"fmode", "ffcap"})
+    if (damage.option < 10 && more.real(field) != 0.0)
+      more.complain(b.findings, Severity::warning, field, "counts for DMGOPT 10, 11 and 12 only", "leave it blank");
+}
+
+/// DMGOPT 0 to 2: every point is damaged by itself.
+kernel::PointDamage point_damage(const WeldDamage& damage) {
+  using Growth = kernel::PointDamage::Growth;
+  if (damage.rupture <= 0.0 || damage.option > 2) return {};
+  return {damage.option == 2 ? Growth::time : Growth::strain, damage.rupture, damage.beta, damage.option > 0};
+}
+
+/// DMGOPT 10 to 12: EFAIL begins the damage of the weld as a whole, and no point fails by itself.
+void let_the_weld_fade(WeldDamage& damage, kernel::Spotweld& law) {
+  if (damage.rupture <= 0.0 || damage.option < 10) return;
+  damage.failure_strain = law.failure_strain;
+  law.failure_strain = 0.0;
+  law.yield_can_be_held = damage.option > 10;
+}
+
+/// SIGY < 0: a yield curve over plastic strain, or a table of them over the strain rate.
+void set_yield_curve(Builder& b, const Row& row, kernel::Spotweld& law) {
+  if (row.real("sigy") >= 0.0) return;
+  const int id = static_cast<int>(std::lround(-row.real("sigy")));
+  YieldTable table = yield_table(b, row, "sigy", id, false);
+  law.yield_curves = std::move(table.curves);
+  law.rates = std::move(table.rates);
+  law.log_rates = table.log_rates;
+}
+
+/// Adds the material and what it says of welds as a whole.
+Index add_weld(Builder& b, const Row& row, std::string title, std::string_view keyword, kernel::Spotweld law,
+               WeldLaw weld) {
+  const Index material = add_material(b, row, std::move(title), keyword, law);
+  b.model.materials[static_cast<std::size_t>(material)].weld = static_cast<Index>(b.model.weld_laws.size());
+  b.model.weld_laws.push_back(std::move(weld));
+  return b.model.materials[static_cast<std::size_t>(material)].weld;
+}
+
+kernel::Spotweld point_law(const Row& row) {
+  kernel::Spotweld law;
+  law.E = std::abs(row.real("e"));
+  law.nu = row.real("pr");
+  law.mass_step = row.real("dt");
+  return law;
+}
+
+/// Young's modulus and its sign, which with _UNIAXIAL is the stress state of bricks.
+bool is_uniaxial(Builder& b, const Row& row, const Options& options) {
+  if (row.real("e") == 0.0) refuse(b, row, "e", "Young's modulus must not be 0");
+  return row.real("e") < 0.0 || options.contains("UNIAXIAL");
+}
+
+/// *MAT_SPOTWELD, with the failure card if `with_failure`.
+void read_weld(Builder& b, const Block& block, const Options& options, bool with_failure) {
+  int option = 0;
+  if (with_failure) {
+    const Row failure = look_ahead(b, block, options);
+    option = static_cast<int>(failure.real("opt"));
+    if (!strength_card(option)) {
+      b.leave_out(block);
+      return refuse_option(b, failure, option);
+    }
+  }
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(weld_card);
+  const Row second = cursor.read(*strength_card(option));
+  kernel::Spotweld law = point_law(row);
+  law.yield = row.real("sigy");
+  law.hardening = row.real("eh");
+  law.failure_strain = failure_value(second.real("efail"));
+  WeldLaw weld;
+  weld.option = option;
+  law.uniaxial = is_uniaxial(b, row, options);
+  weld.failure_time = failure_value(row.real("tfail"));
+  weld.filter = option == 5 ? 0 : second.integer("nf");
+  std::optional<Row> failure;
+  if (with_failure) {
+    failure = cursor.read(failure_card_for(option));
+    read_damage(b, cursor, weld, *failure, law.failure_strain);
+    law.damage = point_damage(weld.damage);
+    let_the_weld_fade(weld.damage, law);
+  }
+  expect_end(b, cursor);
+  const Index index = add_weld(b, row, std::move(title), with_failure ? "MAT_SPOTWELD_DAMAGE-FAILURE" : "MAT_SPOTWELD",
+                               law, std::move(weld));
+  // Curves and tables may be defined later in the deck.
+  const std::size_t material = b.model.materials.size() - 1;
+  b.later(Phase::parts, [material, index, row, second, failure,
+                         length = block.transform ? block.transform->length : 1.0](Builder& later) {
+    WeldLaw& built = later.model.weld_laws[static_cast<std::size_t>(index)];
+    set_yield_curve(later, row, std::get<kernel::Spotweld>(later.model.materials[material].law));
+    set_strengths(later, built, second);
+    if (!failure) return;
+    set_limit(later, built, *failure, length);
+    warn_of_no_failure(later, built, std::get<kernel::Spotweld>(later.model.materials[material].law), second);
+  });
+}
+
+void read_plain(Builder& b, const Block& block, const Options& options) {
+  read_weld(b, block, options, false);
+}
+void read_failure(Builder& b, const Block& block, const Options& options) {
+  read_weld(b, block, options, true);
+}
+
+/// *MAT_SPOTWELD_DAIMLERCHRYSLER: yield stress, strengths and damage come from *DEFINE_CONNECTION_PROPERTIES.
+void read_connection(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const Row row = cursor.read(connection_card);
+  const Row second = cursor.read(table_card);
+  const Row third = cursor.read(connection_failure_card);
+  kernel::Spotweld law = point_law(row);
+  law.yield = std::numeric_limits<double>::max();  // until the connection is known; it stays if CON_ID < 0
+  WeldLaw weld;
+  weld.damage.failure_strain = failure_value(second.real("efail"));
+  weld.connection = true;
+  law.uniaxial = is_uniaxial(b, row, options);
+  weld.failure_time = failure_value(row.real("tfail"));
+  weld.filter = second.integer("nf");
+  weld.rate_filter = third.real("rfiltf");
+  weld.jacobian_limit = third.real("jtol");
+  weld.damage.rupture = third.real("rs");
+  weld.damage.true_thickness = third.real("true_t");
+  weld.damage.whole = third.integer("asff") == 1;
+  if (third.integer("dmgopt") == -1) check_correction(b, cursor.read(connection_more_card));
+  expect_end(b, cursor);
+  const Index index = add_weld(b, row, std::move(title), "MAT_SPOTWELD_DAIMLERCHRYSLER", law, std::move(weld));
+  b.later(Phase::parts, [index, third](Builder& later) {
+    if (third.integer("con_id") > 0)
+      later.model.weld_laws[static_cast<std::size_t>(index)].properties =
+          later.find(later.connections, "connection", third, "con_id");
+  });
+}
+
+}  // namespace
+
+std::vector<Keyword> weld_material_keywords() {
+  constexpr std::string_view by_resultants = "OPT -2, -1, 0", by_stress = "OPT 1", by_notch = "OPT 3, 4",
+                             by_structure = "OPT 5", by_table = "OPT 6, 7, 10", by_direction = "OPT 11",
+                             more = "if DMGOPT = -1";
+  return {
+      {.name = "MAT_SPOTWELD",
+       .aliases = {"MAT_100"},
+       .options = {"TITLE", "UNIAXIAL"},
+       .layout = {{"", &weld_card}, {"", &resultant_card}},
+       .read = read_plain},
+      {.name = "MAT_SPOTWELD_DAMAGE-FAILURE",
+       .aliases = {"MAT_100_DAMAGE-FAILURE"},
+       .options = {"TITLE", "UNIAXIAL"},
+       .layout = {{"", &weld_card},
+                  {by_resultants, &resultant_card},
+                  {by_stress, &stress_card},
+                  {by_notch, &notch_card},
+                  {by_structure, &structural_card},
+                  {by_table, &table_card},
+                  {by_direction, &direction_card},
+                  {"", &failure_card},
+                  {more, &damage_card}},
+       .read = read_failure},
+      {.name = "MAT_SPOTWELD_DAIMLERCHRYSLER",
+       .aliases = {"MAT_SPOTWELD_DAIMLER", "MAT_100_DAIMLERCHRYSLER", "MAT_100_DAIMLER", "MAT_100_DA"},
+       .options = {"TITLE", "UNIAXIAL"},
+       .layout =
+           {{"", &connection_card}, {"", &table_card}, {"", &connection_failure_card}, {more, &connection_more_card}},
+       .read = read_connection},
+  };
+}
+
+}  // namespace nugget::reading

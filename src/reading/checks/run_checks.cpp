@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/law/composition.hpp"
+#include "reading/builder/passes.hpp"
+
+namespace nugget::reading {
+namespace {
+
+struct UnitSystem {
+  std::string_view name;
+  double speed;    ///< of one metre per second
+  double density;  ///< of one kilogram per cubic metre
+};
+
+constexpr UnitSystem unit_systems[] = {{"mm t s (N, MPa)", 1e3, 1e-12},        {"m kg s (N, Pa)", 1.0, 1.0},
+                                       {"mm kg ms (kN, GPa)", 1.0, 1e-9},      {"mm g ms (N, MPa)", 1.0, 1e-6},
+                                       {"mm kg s (mN, kPa)", 1e3, 1e-9},       {"cm g us (Mbar)", 1e-4, 1e-3},
+                                       {"mm mg us (kN, GPa)", 1e-3, 1e-3},     {"cm g s (dyn)", 1e2, 1e-3},
+                                       {"in lbf s (psi)", 39.3701, 9.3572e-8}, {"ft slug s (psf)", 3.28084, 1.9403e-3}};
+
+/// Do modulus and density look like a structural material in these units? Speed of sound in a bar 300 to 12000 m/s
+/// (plastics to ceramics); density from 500 kg/m3 to ten times that of tungsten, since decks carry missing mass there.
+bool fits(const Material& m, const UnitSystem& u) {
+  const double speed = std::sqrt(m.young() / m.density) / u.speed, density = m.density / u.density;
+  return speed >= 300.0 && speed <= 12000.0 && density >= 500.0 && density <= 200000.0;
+}
+
+/// Whether its modulus and density tell the units: those of rubber, foam and the like reach over decades.
+bool is_elastic_plastic(const Material& m) {
+  const bool is_fluid_or_moved = m.keyword == "MAT_NULL" || std::holds_alternative<kernel::Rigid>(m.law) ||
+                                 std::holds_alternative<kernel::Laminate>(m.law);  // its layers' materials are judged
+  const auto* law = std::get_if<kernel::Compound>(&m.law);
+  const bool is_soft = law != nullptr && !law->made_of->for_shells;
+  return !is_fluid_or_moved && !is_soft && m.density > 0.0 && m.young() > 0.0;
+}
+
+}  // namespace
+
+void check_relaxation(Builder& b) {
+  const Model& m = b.model;
+  if (!m.control.relaxation.on()) return;
+  for (const RigidWall& wall : m.walls)
+    if (wall.motion_curve != none || wall.mass > 0.0)
+      b.findings.error(wall.place, "*RIGIDWALL", "a wall that moves beside dynamic relaxation is not supported",
+                       "hold the wall, or give it as a rigid part with *BOUNDARY_PRESCRIBED_MOTION_RIGID");
+  for (const PrescribedMotion& motion : m.motions) {
+    if (motion.curve == none || motion.quantity != PrescribedMotion::Quantity::displacement) continue;
+    const Curve& curve = m.curves[static_cast<std::size_t>(motion.curve)];
+    if (curve.in_run && curve.in_relaxation)
+      b.findings.error(
+          motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
+          fmt::format("displacement by curve {} in dynamic relaxation and again in the run (SIDR = 2)", curve.id),
+          "give two motions: one with a curve of SIDR 1 up to the end value, one of SIDR 0 that holds it");
+  }
+}
+
+void check_units(Builder& b) {
+  const auto& materials = b.model.materials;
+  const auto fitting = [&](const UnitSystem& u) {
+    return std::count_if(materials.begin(), materials.end(),
+                         [&](const Material& m) { return is_elastic_plastic(m) && fits(m, u); });
+  };
+  const auto* common = std::max_element(std::begin(unit_systems), std::end(unit_systems),
+                                        [&](const auto& u, const auto& v) { return fitting(u) < fitting(v); });
+  for (const Material& m : materials) {
+    if (!is_elastic_plastic(m) || fits(m, *common)) continue;
+    const double speed = std::sqrt(m.young() / m.density);
+    const bool has_common = fitting(*common) > 0;
+    b.findings.warning(
+        m.place, '*' + m.keyword,
+        fmt::format("material {}: sqrt(E/rho) = {:g} with density {:g} {}", m.id, speed, m.density,
+                    has_common ? fmt::format("does not fit {}, the units of the other materials", common->name)
+                               : "fits no usual system of units"),
+        "see that E and density are in the units of the mesh, e.g. mm t s: 210000, 7.85e-9");
+  }
+}
+
+}  // namespace nugget::reading

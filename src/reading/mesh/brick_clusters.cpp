@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reading/mesh/brick_clusters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "base/index.hpp"
+
+namespace nugget::reading {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+ClusterTemplate square(double area) {
+  const double h = 0.5 * std::sqrt(area);
+  return {{{-h, -h}, {h, -h}, {h, h}, {-h, h}}, {{0, 1, 2, 3}}};
+}
+
+ClusterTemplate octagon(double area) {
+  const double radius = std::sqrt(area / (2.0 * std::numbers::sqrt2));
+  ClusterTemplate c;
+  c.nodes.push_back({0.0, 0.0});
+  for (int k = 0; k < 8; ++k) c.nodes.push_back({radius * std::cos(0.25 * pi * k), radius * std::sin(0.25 * pi * k)});
+  for (int k = 0; k < 8; k += 2) c.quads.push_back({0, 1 + k, 2 + k, 1 + (k + 2) % 8});
+  return c;
+}
+
+ClusterTemplate o_grid(double area) {
+  const double d = std::sqrt(4.0 * area / pi), a = 0.30 * d, b = 0.17 * d;
+  ClusterTemplate c;
+  c.nodes = {{-a, -b}, {0, -b}, {a, -b}, {a, b}, {0, b}, {-a, b}};
+  std::array<double, 6> angle{};
+  for (std::size_t i = 0; i < 6; ++i) angle[i] = std::atan2(c.nodes[i][1], c.nodes[i][0]);
+  double sines = 0.0;  // area of the ring's polygon = R^2/2 sum sin(angle between neighbours)
+  for (std::size_t i = 0; i < 6; ++i) sines += std::sin(angle[(i + 1) % 6] - angle[i]);
+  const double radius = std::sqrt(2.0 * area / sines);
+  for (double w : angle) c.nodes.push_back({radius * std::cos(w), radius * std::sin(w)});
+  c.quads = {{0, 1, 4, 5}, {1, 2, 3, 4}};
+  for (int i = 0; i < 6; ++i) c.quads.push_back({6 + i, 6 + (i + 1) % 6, (i + 1) % 6, i});
+  return c;
+}
+
+/// r along the beam, s towards its third node, else the global axis that is farthest from r: the axes of a weld beam.
+Frame3d beam_axes(const Model& m, std::size_t e) {
+  const Vec3d &x1 = m.nodes.x[at(m.beams.node[e][0])], &x2 = m.nodes.x[at(m.beams.node[e][1])];
+  const Vec3d r = unit(x2 - x1);
+  const auto across = [&](const Vec3d& a) { return a - dot(a, r) * r; };
+  const Vec3d side = m.beams.side(e, m.nodes.x);
+  if (const Vec3d s = across(side); norm(s) > 1e-9 * norm(side)) return {r, unit(s), cross(r, unit(s))};
+  const double x = std::abs(r.x), y = std::abs(r.y), z = std::abs(r.z);
+  const Vec3d axis = x <= y && x <= z ? Vec3d{1, 0, 0} : y <= z ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
+  const Vec3d s = unit(across(axis));
+  return {r, s, cross(r, s)};
+}
+
+class Replacement {
+ public:
+  Replacement(Model& model, Findings& findings) : m_(model), control_(model.control.weld_beams), findings_(findings) {}
+
+  void run() {
+    choose();
+    if (std::none_of(chosen_.begin(), chosen_.end(), [](bool c) { return c; })) return;
+    keep_beams_of_mixed_parts();
+    first_node_ = m_.nodes.id.empty() ? 1 : m_.nodes.id.back() + 1;
+    first_solid_ = m_.solids.id.empty() ? 1 : m_.solids.id.back() + 1;
+    for (std::size_t e = 0; e < chosen_.size(); ++e)
+      if (chosen_[e]) replace(e);
+    for (std::size_t p = 0; p < m_.parts.size(); ++p)
+      if (replaced_[p] > 0) make_solid(m_.parts[p]);
+    track_new_nodes();
+    remove_beams();
+    tell();
+  }
+
+ private:
+  void choose();
+  void keep_beams_of_mixed_parts();
+  void replace(std::size_t beam);
+  Index add_node(const Vec3d& x, Index like);
+  void make_solid(Part& part);
+  void track_new_nodes();
+  void remove_beams();
+  void tell() const;
+
+  Model& m_;
+  const WeldBeamControl control_;
+  Findings& findings_;
+  std::vector<bool> chosen_;                      // of beams
+  std::vector<int> replaced_;                     // beams of each part
+  std::map<Index, std::vector<Index>> nodes_at_;  // new nodes of a beam's node
+  int first_node_ = 0, first_solid_ = 0, torsion_off_ = 0;
+};
+
+void Replacement::choose() {
+  chosen_.assign(m_.beams.size(), false);
+  replaced_.assign(m_.parts.size(), 0);
+  for (std::size_t e = 0; e < m_.beams.size(); ++e) {
+    const Part& part = m_.parts[at(m_.beams.part[e])];
+    const bool is_weld = part.material != none && m_.materials[at(part.material)].weld != none;
+    const bool is_meant = !control_.only_some || std::find(control_.beams.begin(), control_.beams.end(),
+                                                           static_cast<Index>(e)) != control_.beams.end();
+    if (!is_weld || !is_meant) continue;
+    const auto& n = m_.beams.node[e];
+    if (norm(m_.nodes.x[at(n[1])] - m_.nodes.x[at(n[0])]) == 0.0) {
+      findings_.error(
+          m_.beams.place[e], "*CONTROL_SPOTWELD_BEAM",
+          fmt::format("weld beam {} has no length, so that bricks in its place have no axis", m_.beams.id[e]),
+          "put its nodes onto its two sheets, or leave it out by BMSID");
+      continue;
+    }
+    chosen_[e] = true;
+    ++replaced_[at(m_.beams.part[e])];
+  }
+}
+
+/// Beams that stay and share their part with others that go get a part of their own.
+void Replacement::keep_beams_of_mixed_parts() {
+  std::map<Index, Index> own;
+  int next = 1;
+  for (const Part& part : m_.parts) next = std::max(next, part.id + 1);
+  for (std::size_t e = 0; e < chosen_.size(); ++e) {
+    const Index p = m_.beams.part[e];
+    if (chosen_[e] || replaced_[at(p)] == 0) continue;
+    const auto [at_own, is_new] = own.try_emplace(p, static_cast<Index>(m_.parts.size()));
+    if (is_new) {
+      Part copy = m_.parts[at(p)];
+      copy.id = control_.part_offset != 0 ? copy.id + control_.part_offset : next++;
+      if (m_.part_index(copy.id) != none)
+        findings_.error(control_.place, "*CONTROL_SPOTWELD_BEAM",
+                        fmt::format("the beams of part {} that stay would get the part id {}, which is taken",
+                                    m_.parts[at(p)].id, copy.id),
+                        "choose another ID_OFF");
+      findings_.note(
+          control_.place, "*CONTROL_SPOTWELD_BEAM",
+          fmt::format("the beams of part {} that are not replaced are part {} now", m_.parts[at(p)].id, copy.id));
+      m_.parts.push_back(std::move(copy));
+      const auto also = [p, stays = at_own->second](std::vector<Index>& parts) {
+        if (std::find(parts.begin(), parts.end(), p) != parts.end()) parts.push_back(stays);
+      };
+      for (Contact& c : m_.contacts) {
+        also(c.a.parts);
+        also(c.b.parts);
+      }
+      for (Set<Index>& set : m_.sets.parts) also(set.members);
+    }
+    m_.beams.part[e] = at_own->second;
+  }
+  replaced_.resize(m_.parts.size(), 0);
+}
+
+Index Replacement::add_node(const Vec3d& x, Index like) {
+  const auto node = static_cast<Index>(m_.nodes.size());
+  m_.nodes.id.push_back(m_.nodes.id.back() + 1);
+  m_.nodes.x.push_back(x);
+  // It starts as a point of a body that moves and turns with the beam's node.
+  if (!m_.initial_velocity.empty()) {
+    Vec3d v = m_.initial_velocity[at(like)];
+    if (!m_.initial_spin.empty()) v += cross(m_.initial_spin[at(like)], x - m_.nodes.x[at(like)]);
+    m_.initial_velocity.push_back(v);
+  }
+  if (!m_.initial_spin.empty()) m_.initial_spin.push_back(m_.initial_spin[at(like)]);
+  nodes_at_[like].push_back(node);
+  return node;
+}
+
+void Replacement::replace(std::size_t e) {
+  const Index part = m_.beams.part[e];
+  const SectionBeam& section = m_.beam_sections[at(m_.parts[at(part)].section)];
+  torsion_off_ += !section.torsion;
+  double area = 0.0;
+  for (std::size_t end = 0; end < 2; ++end)
+    area += 0.125 * pi * (section.outer[end] * section.outer[end] - section.inner[end] * section.inner[end]);
+  const ClusterTemplate shape = cluster_template(control_.bricks, area);
+  const Frame3d axes = beam_axes(m_, e);
+  std::array<std::vector<Index>, 2> nodes;
+  for (std::size_t end = 0; end < 2; ++end) {
+    const Index like = m_.beams.node[e][end];
+    const Vec3d centre = m_.nodes.x[at(like)];
+    for (const auto& [s, t] : shape.nodes) nodes[end].push_back(add_node(centre + s * axes.e2 + t * axes.e3, like));
+  }
+  HexAssembly weld{m_.beams.id[e], {}, axes.e2, m_.beams.tied_parts[e], m_.beams.place[e]};
+  for (const auto& quad : shape.quads) {
+    weld.solids.push_back(static_cast<Index>(m_.solids.size()));
+    m_.solids.id.push_back(m_.solids.id.empty() ? 1 : m_.solids.id.back() + 1);
+    m_.solids.part.push_back(part);
+    std::array<Index, 8>& corner = m_.solids.node.emplace_back();
+    for (std::size_t i = 0; i < 4; ++i) {
+      corner[i] = nodes[0][at(quad[i])];
+      corner[4 + i] = nodes[1][at(quad[i])];
+    }
+    m_.solids.place.append(m_.beams.place, e);
+  }
+  m_.hex_assemblies.push_back(std::move(weld));
+}
+
+void Replacement::make_solid(Part& part) {
+  const SectionBeam& beam = m_.beam_sections[at(part.section)];
+  part.kind = ElementKind::solid;
+  part.section = static_cast<Index>(m_.solid_sections.size());
+  SectionSolid solid;
+  solid.id = beam.id;
+  solid.elform = 1;
+  solid.in_swforc = beam.in_swforc;
+  solid.place = beam.place;
+  m_.solid_sections.push_back(solid);
+  if (part.hourglass != none) return;
+  part.hourglass = static_cast<Index>(m_.hourglass.size());
+  Hourglass h = m_.control.hourglass;
+  h.type = 6;
+  h.membrane = h.bending = h.warping = 1.0;
+  h.place = control_.place;
+  m_.hourglass.push_back(h);
+}
+
+/// Contacts and sets that name a node of a replaced beam name the nodes in its place too.
+void Replacement::track_new_nodes() {
+  const auto add = [&](std::vector<Index>& nodes) {
+    const std::size_t count = nodes.size();
+    for (std::size_t i = 0; i < count; ++i)
+      if (const auto found = nodes_at_.find(nodes[i]); found != nodes_at_.end())
+        nodes.insert(nodes.end(), found->second.begin(), found->second.end());
+  };
+  for (Contact& c : m_.contacts) add(c.a.nodes);
+  for (Set<Index>& set : m_.sets.nodes) add(set.members);
+}
+
+void Replacement::remove_beams() {
+  std::vector<Index> now(chosen_.size(), none);
+  Beams kept;
+  kept.place = m_.beams.place.none_of_them();
+  const Beams& all = m_.beams;
+  for (std::size_t e = 0; e < chosen_.size(); ++e) {
+    if (chosen_[e]) continue;
+    kept.place.append(all.place, e);
+    now[e] = static_cast<Index>(kept.id.size());
+    kept.id.push_back(all.id[e]);
+    kept.part.push_back(all.part[e]);
+    kept.node.push_back(all.node[e]);
+    kept.orientation.push_back(all.orientation[e]);
+    kept.direction.push_back(all.direction[e]);
+    kept.tied_parts.push_back(all.tied_parts[e]);
+  }
+  m_.beams = std::move(kept);
+  for (Set<Index>& set : m_.sets.beams) {
+    for (Index& e : set.members) e = now[at(e)];
+    std::erase(set.members, none);
+  }
+  for (NamedEntity& n : m_.requests.history_beams) n.index = now[at(n.index)];
+  std::erase_if(m_.requests.history_beams, [](const NamedEntity& n) { return n.index == none; });
+  for (CrossSection& section : m_.requests.cross_sections) {
+    for (CrossSection::Facet& facet : section.facets)
+      if (facet.kind == ElementKind::beam) facet.element = now[at(facet.element)];
+    std::erase_if(section.facets, [](const CrossSection::Facet& facet) { return facet.element == none; });
+  }
+}
+
+void Replacement::tell() const {
+  int beams = 0;
+  std::string parts;
+  for (std::size_t p = 0; p < replaced_.size(); ++p) {
+    if (replaced_[p] == 0) continue;
+    beams += replaced_[p];
+    parts += fmt::format("{}{}", parts.empty() ? "" : " ", m_.parts[p].id);
+  }
+  findings_.note(
+      control_.place, "*CONTROL_SPOTWELD_BEAM",
+      fmt::format(
+          "weld beams replaced by {} brick{} each: {}, of parts {}; nodes {} to {} and bricks {} to {} are new, "
+          "the welds keep the ids of their beams (list in run.log)",
+          control_.bricks, control_.bricks == 1 ? "" : "s", beams, parts, first_node_, m_.nodes.id.back(), first_solid_,
+          m_.solids.id.back()));
+  if (torsion_off_ > 0)
+    findings_.warning(control_.place, "*CONTROL_SPOTWELD_BEAM",
+                      fmt::format("{} of them have ITOFF = 1: bricks carry torsion all the same", torsion_off_),
+                      "leave these welds beams by BMSID");
+}
+
+}  // namespace
+
+ClusterTemplate cluster_template(int bricks, double area) {
+  return bricks == 1 ? square(area) : bricks == 4 ? octagon(area) : o_grid(area);
+}
+
+Model with_brick_clusters(Model model, Findings& findings) {
+  if (model.control.weld_beams.bricks > 0) Replacement(model, findings).run();
+  return model;
+}
+
+}  // namespace nugget::reading

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reading/builder/passes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "kernel/law/composition.hpp"
+#include "kernel/law/prepared_compound.hpp"
+#include "reading/builder/builder.hpp"
+#include "reading/cards/added_law.hpp"
+
+namespace nugget::reading {
+
+namespace {
+
+Material& material_at(Builder& b, Index material) {
+  return b.model.materials[static_cast<std::size_t>(material)];
+}
+
+/// The material that a layer's card names, or none and a finding.
+Index material_of(Builder& b, const LayerCard& layer, const Part& part) {
+  if (layer.names == LayerCard::Names::material) return b.find(b.materials, "material", layer.row, layer.field);
+  if (layer.names == LayerCard::Names::nothing) return part.material;
+  const Index other = b.part(layer.row, layer.field);
+  if (other == none) return none;
+  const Index material = b.model.parts[static_cast<std::size_t>(other)].material;
+  if (material == none || std::holds_alternative<kernel::Laminate>(material_at(b, material).law))
+    refuse(b, layer.row, layer.field,
+           fmt::format("part {} has no single material for the layer", layer.row.integer(layer.field)),
+           "name a part whose *PART gives a material");
+  return material;
+}
+
+/// The laws of materials as layers have them.
+class Laws {
+ public:
+  explicit Laws(Builder& builder) : b_(builder) {}
+
+  /// Nothing, and a finding, for a law that layers cannot have.
+  std::optional<kernel::Compound> find(Index material, const LayerCard& layer) {
+    if (const auto found = laws_.find(material); found != laws_.end()) return found->second;
+    const Material& m = material_at(b_, material);
+    std::optional<kernel::Composition> made = composition_of(m.law);
+    if (!made || !made->for_shells) {
+      refuse(b_, layer.row, layer.field, fmt::format("*{} is not a law of a shell's layers", m.keyword),
+             "give the layer the law of a sheet, e.g. *MAT_ELASTIC");
+      return {};
+    }
+    const auto* compound = std::get_if<kernel::Compound>(&m.law);
+    return laws_.emplace(material, compound ? *compound : kernel::compound(std::move(*made))).first->second;
+  }
+
+ private:
+  Builder& b_;
+  std::map<Index, kernel::Compound> laws_;
+};
+
+/// Material axes of a law at the start; null: it has none.
+const kernel::MaterialAxes* axes_of(const Law& law) {
+  const auto* compound = std::get_if<kernel::Compound>(&law);
+  const auto* flow = compound ? std::get_if<kernel::Orthotropic>(&compound->made_of->flow) : nullptr;
+  return flow ? &flow->axes : nullptr;
+}
+
+bool same(const kernel::MaterialAxes& one, const kernel::MaterialAxes& other) {
+  return one.by == other.by && one.angle == other.angle && norm(one.a - other.a) == 0.0 && norm(one.d - other.d) == 0.0;
+}
+
+/// The law of another part's material with the axes of the shells' own part, where both have axes: the other part gives
+/// constants only (remarks of *INTEGRATION_SHELL).
+kernel::Compound turned_as_own(Builder& b, const Part& part, const LayerCard& layer, const Material& material,
+                               const kernel::Compound& law) {
+  const kernel::MaterialAxes* given = axes_of(law);
+  const kernel::MaterialAxes* own = part.material == none ? nullptr : axes_of(material_at(b, part.material).law);
+  if (layer.names != LayerCard::Names::part || given == nullptr || own == nullptr || same(*given, *own)) return law;
+  layer.row.complain(b.findings, Severity::warning, layer.field,
+                     fmt::format("AOPT and BETA of material {} are not looked at: a layer's axes are those of material "
+                                 "{}, of the shells' own part",
+                                 material.id, material_at(b, part.material).id),
+                     "turn layers by B of *PART_COMPOSITE, or write the same axes in both materials");
+  kernel::Composition turned = *law.made_of;
+  std::get<kernel::Orthotropic>(turned.flow).axes = *own;
+  return kernel::compound(std::move(turned));
+}
+
+/// What of a layer's card has no effect, or none that is built.
+void judge_layer(Builder& b, const LayerCard& layer, const kernel::Compound& law, const Material& material) {
+  const bool has_axes = std::holds_alternative<kernel::Orthotropic>(law.made_of->flow);
+  if (layer.angle != 0.0 && !has_axes)
+    layer.row.complain(b.findings, Severity::note, layer.field,
+                       fmt::format("the layer's angle has no effect: *{} has no axes", material.keyword));
+  if (has_axes && b.model.control.laminated_shear)
+    refuse(b, layer.row, layer.field,
+           "laminated shell theory (LAMSHT of *CONTROL_SHELL) is not built for layers of *MAT_ORTHOTROPIC_ELASTIC",
+           "write LAMSHT 0 and choose SHRF, or give the layer *MAT_ELASTIC");
+  if (const double points = law.made_of->points_to_delete; points == 1.0)
+    layer.row.complain(b.findings, Severity::note, layer.field,
+                       fmt::format("material {}: the first point of the layer that fails deletes the shell with all "
+                                   "its layers, as NUMFIP or NUMINT of 1 says",
+                                   material.id),
+                       "write -100 there: it then goes with the last layer that can fail");
+}
+
+/// Points of one a layer bend as if each layer were thin: told where that matters.
+void tell_bending(Builder& b, const Part& part, const kernel::Laminate& made) {
+  const double share = kernel::share_of_bending(made);
+  if (share > 0.97) return;
+  b.findings.note(part.place, "*PART_COMPOSITE",
+                  fmt::format("part {}: its layers, of one integration point each, have {:.0f} % of the bending "
+                              "stiffness of classical laminate theory",
+                              part.id, 100.0 * share),
+                  "split thick layers into several of the same material");
+}
+
+/// Layers that know no failure do not keep a shell, which is not what who mixes them expects.
+void tell_failure(Builder& b, const Part& part, const std::vector<kernel::Laminate::Layer>& layers) {
+  const auto fails = [](const kernel::Laminate::Layer& l) {
+    return kernel::Prepared<kernel::Compound>(l.law).can_fail();
+  };
+  const auto failing = std::count_if(layers.begin(), layers.end(), fails);
+  if (failing == 0 || failing == static_cast<std::ptrdiff_t>(layers.size())) return;
+  b.findings.warning(
+      part.place, "*PART_COMPOSITE",
+      fmt::format("part {}: a shell is deleted when the last of its layers that can fail has failed; the "
+                  "{} whose material knows no failure do not keep it",
+                  part.id, layers.size() - static_cast<std::size_t>(failing)),
+      "give these a failure of their own, or use *INTEGRATION_SHELL with FAILOPT 1");
+}
+
+void make_layers_of(Builder& b, Laws& laws, Part& part, const LayerStack& stack) {
+  std::vector<kernel::Laminate::Layer> layers;
+  std::vector<int> ids;
+  std::map<Index, kernel::Compound> turned;  // layers of one material share their law
+  for (const LayerCard& card : stack.layers) {
+    const Index material = material_of(b, card, part);
+    if (material == none) continue;  // told
+    const auto found = laws.find(material, card);
+    if (!found) continue;
+    const Material& m = material_at(b, material);
+    if (!turned.contains(material)) turned.emplace(material, turned_as_own(b, part, card, m, *found));
+    const kernel::Compound& law = turned.at(material);
+    judge_layer(b, card, law, m);
+    layers.push_back({law, m.density, card.place, card.share, card.angle, card.shear_scale});
+    ids.push_back(m.id);
+  }
+  if (layers.size() < stack.layers.size()) return;
+  const bool composite = part.material == none;
+  if (composite) tell_failure(b, part, layers);
+  kernel::Laminate made = kernel::laminate(std::move(layers), stack.outlived_by_sound);
+  if (b.model.control.laminated_shear) kernel::use_laminated_shear(made);
+  if (composite) tell_bending(b, part, made);
+  Material of_layers;
+  of_layers.id = composite ? 0 : material_at(b, part.material).id;
+  of_layers.title = fmt::format("{}", fmt::join(ids, " "));
+  of_layers.keyword = composite ? "PART_COMPOSITE" : "INTEGRATION_SHELL";
+  of_layers.density = made.density;
+  of_layers.law = std::move(made);
+  of_layers.place = part.place;
+  part.material = static_cast<Index>(b.model.materials.size());
+  b.model.materials.push_back(std::move(of_layers));
+}
+
+/// Whether the layers need a law each.
+bool differ(const Builder& b, const LayerStack& stack) {
+  return b.model.control.laminated_shear || std::any_of(stack.layers.begin(), stack.layers.end(), [](const auto& l) {
+           return l.names != LayerCard::Names::nothing;
+         });
+}
+
+}  // namespace
+
+void make_layers(Builder& b) {
+  Laws laws(b);
+  for (Part& part : b.model.parts) {
+    if (part.kind != ElementKind::shell || part.section == none) continue;
+    const auto stack = b.layer_stacks.find(part.section);
+    if (stack == b.layer_stacks.end() || !differ(b, stack->second)) continue;
+    if (part.material != none && !composition_of(material_at(b, part.material).law)) continue;  // rigid, null
+    make_layers_of(b, laws, part, stack->second);
+  }
+}
+
+}  // namespace nugget::reading

@@ -1,0 +1,530 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include "kernel/element/quadratic_tetrahedron.hpp"
+#include "model/segments.hpp"
+#include "reading/builder/passes.hpp"
+
+namespace nugget::reading {
+
+namespace {
+
+Place place_of(const Builder& b, int file, int line) {
+  return {b.deck.files[static_cast<std::size_t>(file)], line, 0};
+}
+
+/// Rows of a table in ascending order of id, each id once; a second one is a finding.
+template <class Table>
+std::vector<std::size_t> rows_by_id(Builder& b, const Table& table, std::string_view what, std::string keyword) {
+  std::vector<std::size_t> rows(table.id.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  const auto by_id = [&](std::size_t i, std::size_t j) { return table.id[i] < table.id[j]; };
+  if (!std::is_sorted(rows.begin(), rows.end(), by_id)) std::stable_sort(rows.begin(), rows.end(), by_id);
+
+  Tally twice(b.findings, Severity::error, std::move(keyword));
+  const auto is_second = [&](std::size_t first, std::size_t second) {
+    if (table.id[first] != table.id[second]) return false;
+    twice.add(
+        place_of(b, table.file[second], table.line[second]),
+        [&] {
+          const Place p = place_of(b, table.file[first], table.line[first]);
+          return fmt::format("{} {} is defined twice; first at {}:{}", what, table.id[second], p.file, p.line);
+        },
+        "give one of them another id");
+    return true;
+  };
+  rows.erase(std::unique(rows.begin(), rows.end(), is_second), rows.end());
+  return rows;
+}
+
+void make_nodes(Builder& b) {
+  const auto& table = b.node_table;
+  const auto rows = rows_by_id(b, table, "node", "*NODE");
+  Nodes& nodes = b.model.nodes;
+  nodes.id.reserve(rows.size());
+  nodes.x.reserve(rows.size());
+  for (const std::size_t r : rows) {
+    if (table.tc[r] != 0 || table.rc[r] != 0)
+      b.model.spcs.push_back({.node = static_cast<Index>(nodes.size()),
+                              .fixed = bits_of_code(table.tc[r]) | bits_of_code(table.rc[r]) << 3});
+    nodes.id.push_back(table.id[r]);
+    nodes.x.push_back(table.x[r]);
+  }
+  b.nodes.assign(nodes.id);
+}
+
+/// What the three kinds of elements have in common while they are made: looking up parts and nodes, and saying so where
+/// that fails.
+class Elements {
+ public:
+  Elements(Builder& b, const deck::ElementTable& table, ElementKind kind, std::string_view what, std::string keyword)
+      : b_(b),
+        table_(table),
+        kind_(kind),
+        what_(what),
+        keyword_(keyword),
+        unknown_(b.findings, Severity::error, keyword),
+        mixed_(b.findings, Severity::error, keyword),
+        shape_(b.findings, Severity::error, keyword) {}
+
+  Elements(const Elements&) = delete;
+  Elements& operator=(const Elements&) = delete;
+  ~Elements() {
+    for (const auto& [id, missing] : missing_parts_)
+      b_.findings.error(place(missing.row), keyword_,
+                        fmt::format("part {} is not defined; {} of its elements, from {} {} on, have no section and no "
+                                    "material",
+                                    id, missing.count, what_, table_.id[missing.row]),
+                        "define it by *PART");
+  }
+
+  /// Index of the row's part, or none and a finding. A part that is not defined is a finding, and gets a stand-in of
+  /// this id: what is known of its elements is kept for the audit of a refused deck.
+  Index part(std::size_t row) {
+    const int id = table_.part[row];
+    if (id != last_id_) {
+      last_id_ = id;
+      last_ = b_.parts.find(id);
+      if (last_ == none) last_ = stand_in(id, row);
+      const auto missing = missing_parts_.find(id);
+      missing_ = missing == missing_parts_.end() ? nullptr : &missing->second;
+    }
+    if (missing_ != nullptr) ++missing_->count;
+    Part& p = b_.model.parts[static_cast<std::size_t>(last_)];
+    if (p.kind == ElementKind::nothing) p.kind = kind_;
+    if (p.kind == kind_) return last_;
+    mixed_.add(
+        place(row), [&] { return fmt::format("part {} already has elements of another kind", id); },
+        "give them a part of their own");
+    return none;
+  }
+
+  /// The first `N` nodes of the row; false and findings where one is unknown. Node 0 becomes none.
+  template <std::size_t N>
+  bool nodes(std::size_t row, std::array<Index, N>& out) {
+    bool complete = true;
+    for (std::size_t i = 0; i < N; ++i) {
+      const int id = node_id(row, i);
+      out[i] = id == 0 ? none : b_.nodes.find(id);
+      if (id == 0 || out[i] != none) continue;
+      complete = false;
+      unknown_.add(place(row), [&] { return fmt::format("{} {}: node {} is not defined", what_, table_.id[row], id); });
+    }
+    return complete;
+  }
+
+  int node_id(std::size_t row, std::size_t i) const {
+    const auto per = static_cast<std::size_t>(table_.nodes_per_element);
+    return i < per ? table_.node[row * per + i] : 0;
+  }
+
+  /// True where a node beyond the first `count` is given: an element of higher order.
+  bool has_more_nodes_than(std::size_t count, std::size_t row) const {
+    for (auto i = count; i < static_cast<std::size_t>(table_.nodes_per_element); ++i)
+      if (node_id(row, i) != 0) return true;
+    return false;
+  }
+
+  bool refuse(std::size_t row, std::string_view text, std::string remedy) {
+    shape_.add(
+        place(row), [&] { return fmt::format("{} {}: {}", what_, table_.id[row], text); }, std::move(remedy));
+    return false;
+  }
+
+  Place place(std::size_t row) const { return place_of(b_, table_.file[row], table_.line[row]); }
+
+ private:
+  struct MissingPart {
+    std::size_t row = 0;  ///< of its first element
+    int count = 0;
+  };
+
+  Index stand_in(int id, std::size_t row) {
+    missing_parts_[id].row = row;
+    Part part;
+    part.id = id;
+    part.place = place(row);
+    const auto index = static_cast<Index>(b_.model.parts.size());
+    b_.model.parts.push_back(std::move(part));
+    b_.parts.add(id, index, place(row), keyword_, "part", b_.findings);
+    return index;
+  }
+
+  Builder& b_;
+  const deck::ElementTable& table_;
+  ElementKind kind_;
+  std::string_view what_;
+  std::string keyword_;
+  std::map<int, MissingPart> missing_parts_;
+  Tally unknown_, mixed_, shape_;
+  int last_id_ = std::numeric_limits<int>::min();
+  Index last_ = none;
+  MissingPart* missing_ = nullptr;  ///< of `last_id_`; null where the part is defined
+};
+
+/// Rows of the table that became elements, in order.
+std::vector<std::size_t> make_shells(Builder& b) {
+  const auto& table = b.shell_table;
+  const auto rows = rows_by_id(b, table, "shell", "*ELEMENT_SHELL");
+  Shells& shells = b.model.shells;
+  shells.place = Places(b.deck.files);
+  shells.id.reserve(rows.size());
+  shells.part.reserve(rows.size());
+  shells.node.reserve(rows.size());
+  shells.place.reserve(rows.size());
+  Elements elements(b, table, ElementKind::shell, "shell", "*ELEMENT_SHELL");
+  std::vector<std::size_t> made;
+  made.reserve(rows.size());
+  for (const std::size_t r : rows) {
+    const Index part = elements.part(r);
+    std::array<Index, 4> n;
+    if (!elements.nodes(r, n) || part == none) continue;
+    if (elements.has_more_nodes_than(4, r)) {
+      elements.refuse(r, "shells of eight nodes are not supported", "mesh with four-node shells");
+      continue;
+    }
+    if (n[0] == none || n[1] == none || n[2] == none || !bring_triangle_into_form(n)) {
+      elements.refuse(
+          r,
+          fmt::format("its corners are nodes {} {} {} {}, expected three or four different ones in sequence",
+                      elements.node_id(r, 0), elements.node_id(r, 1), elements.node_id(r, 2), elements.node_id(r, 3)),
+          "remove it or correct its nodes");
+      continue;
+    }
+    shells.id.push_back(table.id[r]);
+    shells.part.push_back(part);
+    shells.node.push_back(n);
+    shells.place.push_back(table.file[r], table.line[r]);
+    made.push_back(r);
+  }
+  b.shells.assign(shells.id);
+  return made;
+}
+
+/// Fills up a tetrahedron that gives four nodes only.
+bool complete_solid(std::array<Index, 8>& n) {
+  if (std::count(n.begin() + 4, n.end(), none) == 4) std::fill(n.begin() + 4, n.end(), n[3]);
+  return std::count(n.begin(), n.end(), none) == 0;
+}
+
+bool all_different(std::array<Index, 10> n) {
+  std::sort(n.begin(), n.end());
+  return n.front() != none && std::adjacent_find(n.begin(), n.end()) == n.end();
+}
+
+/// *ELEMENT_SOLID_TET4TOTET10: tetrahedra of four nodes, rows `to_ten` of the table, get new nodes amid their edges,
+/// with ids after the largest; on edges of ten-node tetrahedra of the deck theirs.
+void give_nodes_amid_edges(Builder& b, Elements& elements, const std::vector<std::size_t>& to_ten) {
+  Solids& solids = b.model.solids;
+  Nodes& nodes = b.model.nodes;
+  std::map<std::pair<Index, Index>, Index> amid;
+  const auto edge = [](const std::array<Index, 10>& n, std::size_t i) -> std::pair<Index, Index> {
+    const auto& ends = kernel::quadratic_tetrahedron_edge[i];
+    return std::minmax(n[static_cast<std::size_t>(ends[0])], n[static_cast<std::size_t>(ends[1])]);
+  };
+  for (const std::array<Index, 10>& n : solids.ten_nodes)
+    for (std::size_t i = 0; i < 6; ++i) amid.emplace(edge(n, i), n[4 + i]);
+  const std::size_t given = nodes.size();
+  solids.ten_row.resize(solids.size(), none);
+  for (const std::size_t r : to_ten) {
+    const auto e = static_cast<std::size_t>(b.solids.find(b.solid_table.id[r]));
+    const std::vector<Index> corners = solids.corners(e);
+    if (corners.size() != 4) {
+      elements.refuse(r, fmt::format("has {} different nodes, expected the four of a tetrahedron", corners.size()),
+                      "take it out of *ELEMENT_SOLID_TET4TOTET10");
+      continue;
+    }
+    std::array<Index, 10> ten;
+    std::copy(corners.begin(), corners.end(), ten.begin());
+    for (std::size_t i = 0; i < 6; ++i) {
+      const auto [it, is_new] = amid.try_emplace(edge(ten, i), static_cast<Index>(nodes.size()));
+      ten[4 + i] = it->second;
+      if (!is_new) continue;
+      const auto [from, to] = it->first;
+      nodes.id.push_back(nodes.id.back() + 1);
+      nodes.x.push_back(0.5 * (nodes.x[static_cast<std::size_t>(from)] + nodes.x[static_cast<std::size_t>(to)]));
+    }
+    solids.node[e] = {ten[0], ten[1], ten[2], ten[3], ten[3], ten[3], ten[3], ten[3]};
+    solids.ten_row[e] = static_cast<Index>(solids.ten_nodes.size());
+    solids.ten_nodes.push_back(ten);
+  }
+  b.nodes.assign(nodes.id);
+  if (nodes.size() > given)
+    b.findings.warning(elements.place(to_ten.front()), "*ELEMENT_SOLID_TET4TOTET10",
+                       fmt::format("{} nodes are made amid edges, {} to {}; sets that list nodes do not have them",
+                                   nodes.size() - given, nodes.id[given], nodes.id.back()),
+                       "choose nodes of supports and loads by part or box, or press on segments");
+}
+
+void make_solids(Builder& b) {
+  const auto& table = b.solid_table;
+  const auto rows = rows_by_id(b, table, "solid", "*ELEMENT_SOLID");
+  Solids& solids = b.model.solids;
+  solids.place = Places(b.deck.files);
+  solids.id.reserve(rows.size());
+  solids.part.reserve(rows.size());
+  solids.node.reserve(rows.size());
+  solids.place.reserve(rows.size());
+  Elements elements(b, table, ElementKind::solid, "solid", "*ELEMENT_SOLID");
+  std::vector<std::size_t> to_ten;
+  for (const std::size_t r : rows) {
+    const Index part = elements.part(r);
+    std::array<Index, 10> ten;
+    if (!elements.nodes(r, ten) || part == none) continue;
+    const bool quadratic = elements.has_more_nodes_than(8, r);
+    if (quadratic && !all_different(ten)) {
+      elements.refuse(r, "expected ten different nodes of a quadratic tetrahedron", "complete its nodes");
+      continue;
+    }
+    std::array<Index, 8> n;
+    std::copy_n(ten.begin(), 8, n.begin());
+    if (quadratic) std::fill(n.begin() + 4, n.end(), n[3]);
+    if (!complete_solid(n)) {
+      elements.refuse(r, "expected eight nodes (repeated ones for wedges and tetrahedra)", "complete its nodes");
+      continue;
+    }
+    solids.id.push_back(table.id[r]);
+    solids.part.push_back(part);
+    solids.node.push_back(n);
+    solids.place.push_back(table.file[r], table.line[r]);
+    if (!quadratic) {
+      if (!table.to_ten.empty() && table.to_ten[r] != 0) to_ten.push_back(r);
+      continue;
+    }
+    solids.ten_row.resize(solids.size(), none);
+    solids.ten_row.back() = static_cast<Index>(solids.ten_nodes.size());
+    solids.ten_nodes.push_back(ten);
+  }
+  b.solids.assign(solids.id);
+  if (!to_ten.empty()) give_nodes_amid_edges(b, elements, to_ten);
+}
+
+/// The parts that a weld beam's ends are to be tied to (_PID).
+std::array<Index, 2> tied_parts(Builder& b, Elements& elements, std::size_t row) {
+  std::array<Index, 2> parts{none, none};
+  if (b.beam_table.tied_parts.empty()) return parts;
+  for (std::size_t end = 0; end < 2; ++end) {
+    const int id = b.beam_table.tied_parts[row][end];
+    if (id == 0) continue;
+    parts[end] = b.parts.find(id);
+    if (parts[end] == none)
+      elements.refuse(row, fmt::format("part {} of end {} is not defined", id, end + 1), "correct PID1, PID2");
+  }
+  return parts;
+}
+
+std::vector<std::size_t> make_beams(Builder& b) {
+  const auto& table = b.beam_table;
+  const auto rows = rows_by_id(b, table, "beam", "*ELEMENT_BEAM");
+  Beams& beams = b.model.beams;
+  beams.place = Places(b.deck.files);
+  Elements elements(b, table, ElementKind::beam, "beam", "*ELEMENT_BEAM");
+  std::vector<std::size_t> made;
+  for (const std::size_t r : rows) {
+    const Index part = elements.part(r);
+    std::array<Index, 3> n;
+    if (!elements.nodes(r, n) || part == none) continue;
+    if (n[0] == none || n[1] == none || n[0] == n[1]) {
+      elements.refuse(r, "needs two different nodes", "remove it or correct its nodes");
+      continue;
+    }
+    beams.id.push_back(table.id[r]);
+    beams.part.push_back(part);
+    beams.node.push_back({n[0], n[1]});
+    beams.orientation.push_back(n[2]);
+    const auto v = table.orientation.empty() ? std::array<double, 3>{} : table.orientation[r];
+    beams.direction.push_back(n[2] == none ? Vec3d{v[0], v[1], v[2]} : Vec3d{});
+    beams.tied_parts.push_back(tied_parts(b, elements, r));
+    beams.place.push_back(table.file[r], table.line[r]);
+    made.push_back(r);
+  }
+  b.beams.assign(beams.id);
+  return made;
+}
+
+/// Mean of the nodal thicknesses; where one is not given, that of the section stands in.
+double mean_thickness(const std::array<double, 4>& nodal, double section, int corners) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(corners); ++i) sum += nodal[i] > 0.0 ? nodal[i] : section;
+  return sum / corners;
+}
+
+/// False where a row says nothing about its option's value (0 or not a number).
+bool given(double value) {
+  return value == value && value != 0.0;
+}
+
+void set_thickness(Builder& b, const std::vector<std::size_t>& rows) {
+  Tally offsets(b.findings, Severity::error, "*ELEMENT_SHELL_OFFSET");
+  const auto& table = b.shell_table;
+  Shells& shells = b.model.shells;
+  shells.thickness.resize(shells.size());
+  shells.offset.resize(shells.size());
+  if (!table.angle.empty())
+    for (std::size_t e = 0; e < shells.size(); ++e)
+      shells.angle.push_back(table.angle[rows[e]] * (std::numbers::pi / 180.0));
+  for (std::size_t e = 0; e < shells.size(); ++e) {
+    const Part& part = b.model.parts[static_cast<std::size_t>(shells.part[e])];
+    if (part.section == none) continue;
+    const SectionShell& section = b.model.shell_sections[static_cast<std::size_t>(part.section)];
+    shells.thickness[e] = table.thickness.empty()
+                              ? section.thickness
+                              : mean_thickness(table.thickness[rows[e]], section.thickness, shells.triangle(e) ? 3 : 4);
+    const bool own_offset = !table.offset.empty() && given(table.offset[rows[e]]);
+    shells.offset[e] = -0.5 * section.nloc * shells.thickness[e];
+    if (!own_offset || table.offset[rows[e]] == shells.offset[e]) continue;
+    offsets.add(
+        shells.place[e],
+        [&] { return fmt::format("shell {}: offsets of single shells are not supported", shells.id[e]); },
+        "give the shells a section with NLOC, or move their nodes to the mid-surface");
+  }
+}
+
+/// A value of *ELEMENT_BEAM_THICKNESS by its name in the section, and what the section has there.
+struct SectionValue {
+  std::string_view name;
+  double value = 0.0;
+};
+
+/// PARM1 to PARM5 by formulation; nameless where a formulation has no use for one.
+std::array<SectionValue, 5> values_of(const SectionBeam& s, const Model& m) {
+  switch (s.elform) {
+    case 2:
+      return {
+          {{"A", s.area}, {"ISS", s.moment_s}, {"ITT", s.moment_t}, {"J", s.torsion_constant}, {"SA", s.shear_area}}};
+    case 3: return {{{"A", s.area}}};
+    case 6:
+      return {{{"VOL", s.volume},
+               {"INER", s.inertia},
+               {"CID", s.system == none ? 0.0 : m.systems[static_cast<std::size_t>(s.system)].id}}};
+    default: return {{{"TS1", s.outer[0]}, {"TS2", s.outer[1]}, {"TT1", s.inner[0]}, {"TT2", s.inner[1]}}};
+  }
+}
+
+/// Cross-sections of single beams (_THICKNESS) that differ from their section's cannot be obeyed.
+void check_single_sections(Builder& b, const std::vector<std::size_t>& rows) {
+  const auto& table = b.beam_table;
+  if (table.section.empty()) return;
+  Tally differing(b.findings, Severity::error, "*ELEMENT_BEAM_THICKNESS");
+  const auto differs = [](double value, double own) { return std::abs(value - own) > 1e-6 * std::abs(own); };
+  for (std::size_t e = 0; e < rows.size(); ++e) {
+    const Part& part = b.model.parts[static_cast<std::size_t>(b.model.beams.part[e])];
+    if (part.section == none) continue;
+    const SectionBeam& s = b.model.beam_sections[static_cast<std::size_t>(part.section)];
+    const std::array<SectionValue, 5> own = values_of(s, b.model);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      const double value = table.section[rows[e]][i];
+      if (own[i].name.empty() || !given(value) || !differs(value, own[i].value)) continue;
+      differing.add(
+          b.model.beams.place[e],
+          [&] {
+            return fmt::format(
+                "beam {}: parm{} = {:g} differs from {} = {:g} of section {}; cross-sections of single beams are not "
+                "supported",
+                b.model.beams.id[e], i + 1, value, own[i].name, own[i].value, s.id);
+          },
+          s.elform == 9 ? "give the welds of each diameter a part and a section of their own"
+                        : "give the beams of each cross-section a part and a section of their own");
+      break;
+    }
+  }
+}
+
+std::string_view name_of(ElementKind kind) {
+  switch (kind) {
+    case ElementKind::shell: return "shell";
+    case ElementKind::solid: return "solid";
+    case ElementKind::beam: return "beam";
+    case ElementKind::discrete: return "discrete";
+    case ElementKind::nothing: break;
+  }
+  return "no";
+}
+
+/// The section that a part's elements need: same id, of their kind.
+void link_section(Builder& b, Part& part, const deck::Row& row) {
+  const std::array<std::pair<ElementKind, const Ids*>, 4> kinds{{{ElementKind::shell, &b.shell_sections},
+                                                                 {ElementKind::solid, &b.solid_sections},
+                                                                 {ElementKind::beam, &b.beam_sections},
+                                                                 {ElementKind::discrete, &b.discrete_sections}}};
+  const int id = row.integer("secid");
+  if (id == 0) return;
+  bool exists = false;
+  for (const auto& [kind, ids] : kinds) {
+    const Index found = ids->find(id);
+    exists = exists || found != none;
+    if (kind == part.kind) part.section = found;
+  }
+  if (part.section != none || (part.kind == ElementKind::nothing && exists)) return;
+  if (part.kind == ElementKind::nothing || !exists) return b.report_missing(b.shell_sections, "section", row, "secid");
+  refuse(b, row, "secid",
+         fmt::format("section {} is of another kind; the part has {} elements", id, name_of(part.kind)),
+         "give the part the *SECTION_... of its elements");
+}
+
+/// A part with elements needs both.
+void demand_section_and_material(const Part& part, const deck::Row& row, Tally& bare) {
+  if (part.kind == ElementKind::nothing) return;
+  const bool no_section = row.integer("secid") == 0, no_material = row.integer("mid") == 0;
+  if (!no_section && !no_material) return;
+  const char* const what = no_section && no_material ? "section and no material" : no_section ? "section" : "material";
+  bare.add(
+      row.place(no_section ? "secid" : "mid"),
+      [&] { return fmt::format("part {} has elements, but no {}", part.id, what); }, "give their ids in SECID and MID");
+}
+
+}  // namespace
+
+namespace {
+
+/// A tetrahedron N1 N2 N3 N4 N4 N4 N4 N4 in a formulation of bricks: as N1 N2 N3 N3 N4 N4 N4 N4 the collapsed brick has
+/// the volume of the tetrahedron; as it is written, with a bottom of all four nodes, it would have half of it.
+void fold_tetrahedra(Model& m) {
+  if (m.control.sort_solids) return;
+  for (std::size_t e = 0; e < m.solids.size(); ++e) {
+    auto& n = m.solids.node[e];
+    if (n[3] != n[4] || m.solids.quadratic(e) || m.solids.corners(e).size() != 4) continue;
+    const Part& part = m.parts[static_cast<std::size_t>(m.solids.part[e])];
+    if (part.kind != ElementKind::solid || part.section == none) continue;
+    const int elform = m.solid_sections[static_cast<std::size_t>(part.section)].elform;
+    if (elform < 10 && elform != 4) n[3] = n[2];
+  }
+}
+
+}  // namespace
+
+void make_mesh(Builder& b) {
+  make_nodes(b);
+  const auto shell_rows = make_shells(b);
+  make_solids(b);
+  const auto beam_rows = make_beams(b);
+  make_discretes(b);
+  Tally bare(b.findings, Severity::error, "*PART");
+  for (const auto& [index, row] : b.part_rows) {
+    Part& part = b.model.parts[static_cast<std::size_t>(index)];
+    link_section(b, part, row);
+    part.material = b.find(b.materials, "material", row, "mid");
+    demand_section_and_material(part, row, bare);
+    part.hourglass = b.find(b.hourglass, "hourglass control", row, "hgid");
+  }
+  for (const auto& [index, section, row] : b.composite_parts) {
+    Part& part = b.model.parts[static_cast<std::size_t>(index)];
+    if (part.kind == ElementKind::shell) part.section = section;
+    if (part.kind != ElementKind::shell && part.kind != ElementKind::nothing)
+      refuse(b, row, "pid", fmt::format("*PART_COMPOSITE is of shells; the part has {} elements", name_of(part.kind)),
+             "use *PART with their *SECTION_...");
+    part.hourglass = b.find(b.hourglass, "hourglass control", row, "hgid");
+  }
+  fold_tetrahedra(b.model);
+  set_thickness(b, shell_rows);
+  b.later(Phase::bodies, [beam_rows](Builder& late) { check_single_sections(late, beam_rows); });
+}
+
+}  // namespace nugget::reading

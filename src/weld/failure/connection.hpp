@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "model/model.hpp"
+#include "weld/tie/ties.hpp"
+
+// Welds of MAT_100_DA: what *DEFINE_CONNECTION_PROPERTIES says of one of them (reference: spotweld-theory.md 4.7).
+namespace nugget::weld {
+
+using ConnectionRecord = model::ConnectionProperties::Record;
+
+/// The record that holds for a weld between sheets of the materials given (PROPRUL 0 and 1): each sheet has that of its
+/// material, or the defaults; of these the one with the lower RANK, the first sheet's where they are equal.
+const ConnectionRecord& connection_record(const model::ConnectionProperties& properties,
+                                          std::array<model::Index, 2> sheet_materials);
+/// The same by the parts of the sheets.
+const ConnectionRecord& connection_record(const model::Model& model, const model::ConnectionProperties& properties,
+                                          std::array<model::Index, 2> sheets);
+
+/// Area of the weld's cross-section for stresses (AREAEQ): 0 as modelled, 1 that of the diameter 5 sqrt(t_min) in mm,
+/// -1 the same in m; as modelled where no sheet's thickness is known [area].
+double connection_area(int area_rule, double modelled, double thinner_sheet);
+
+/// The law of a weld's points: yield stress and hardening of the record, for the area that the stresses are made with
+/// in place of the modelled one. ETAN is the slope of the stress over the total strain. Without a yield stress the
+/// points stay elastic. EFAIL belongs to the weld as a whole.
+kernel::Spotweld connection_points(const kernel::Spotweld& law, const ConnectionRecord& record, double real_area,
+                                   double modelled_area);
+/// The same for a weld as it was tied; `law` itself for welds of other materials.
+kernel::Spotweld points_of(const model::Model& model, const Weld& weld, const kernel::Spotweld& law);
+
+}  // namespace nugget::weld

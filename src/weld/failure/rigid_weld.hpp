@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <deque>
+
+#include "base/archive.hpp"
+#include "model/rigid_weld.hpp"
+#include "weld/failure/failure.hpp"
+
+namespace nugget::weld {
+
+/// What a rigid weld transmits between its outermost node and the others.
+struct RigidWeldLoad {
+  Vec3d force;           ///< of the weld on the node, in axes that turn with the weld [force]
+  Vec3d axis;            ///< from the node into the weld, unit, in the same axes
+  double moment = 0.0;   ///< bending at mid-length [force length]
+  double torsion = 0.0;  ///< about the axis [force length]
+};
+
+/// Mean of the latest force vectors: at most `length` of them, and of these only those within `window` if that is
+/// given. Where the window holds more than `length` vectors, all `length` count (LS-DYNA: the window is then ignored).
+class ForceFilter {
+ public:
+  ForceFilter(int length, double window) : length_(static_cast<std::size_t>(std::max(length, 1))), window_(window) {}
+  Vec3d operator()(double time, const Vec3d& force);
+  void archive(Archive& a);
+
+ private:
+  struct Kept {
+    double time;
+    Vec3d force;
+  };
+  std::size_t length_;
+  double window_;
+  std::deque<Kept> kept_;
+};
+
+/// What happened to the outermost joint of a rigid weld: its filtered forces now, its peaks and its end.
+///
+///     (max(f_n, 0) / SN)^N + (|f_s| / SS)^M >= 1     brittle; a strength of 0 leaves its term out
+///     plastic strain > EP                            ductile
+///     t >= TF
+///
+/// with f_n along the weld, tension positive, f_s across it (keywords.md section 9, spotweld-theory.md section 7).
+class RigidWeldHistory {
+ public:
+  explicit RigidWeldHistory(const model::RigidWeld& law) : law_(&law), filter_(law.filter, law.window) {}
+
+  /// Takes the load at `time` and the largest plastic strain of the adjoining elements. True if the joint fails now.
+  bool update(double time, const RigidWeldLoad& load, double plastic_strain);
+  /// Begins anew for the joint that is the outermost after one has failed; peaks stay.
+  void move_inward();
+
+  double axial() const { return axial_; }      ///< f_n, filtered [force]
+  double shear() const { return shear_; }      ///< |f_s|, filtered [force]
+  double moment() const { return moment_; }    ///< [force length]
+  double torsion() const { return torsion_; }  ///< [force length]
+  double failure_value() const { return value_; }
+  bool failed() const { return mode_ != FailureMode::intact; }
+  double failure_time() const { return failure_time_; }
+  FailureMode mode() const { return mode_; }
+  /// Largest |axial|, shear, bending moment and |torsion| so far.
+  const std::array<double, 4>& peaks() const { return peaks_; }
+
+  struct Last {
+    double axial = 0.0, shear = 0.0;             ///< [force]
+    double moment = 0.0, torsion = 0.0;          ///< [force length]
+    double normal_term = 0.0, shear_term = 0.0;  ///< of the failure value
+  };
+  /// The load in the cycle of failure; while the weld holds, the latest.
+  const Last& last() const { return last_; }
+  double peak_failure_value() const { return peak_value_; }
+  double peak_failure_time() const { return peak_time_; }
+
+  void archive(Archive& a);
+
+ private:
+  void fail(double time, FailureMode mode);
+
+  const model::RigidWeld* law_;
+  ForceFilter filter_;
+  double axial_ = 0.0, shear_ = 0.0, moment_ = 0.0, torsion_ = 0.0;
+  double value_ = 0.0, failure_time_ = 0.0;
+  FailureMode mode_ = FailureMode::intact;
+  std::array<double, 4> peaks_{};
+  Last last_;
+  double peak_value_ = 0.0, peak_time_ = 0.0;
+};
+
+}  // namespace nugget::weld

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "weld/placement/placement_deck.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <set>
+
+#include "model/units.hpp"
+#include "model/weld_section.hpp"
+#include "weld/tie/welds.hpp"
+
+namespace nugget::weld {
+namespace {
+
+constexpr int largest_id = 99999999;  // eight columns
+
+template <class Things>
+int largest(const Things& things) {
+  int id = 0;
+  for (const auto& thing : things) id = std::max(id, thing.id);
+  return id;
+}
+
+int largest_of(const std::vector<int>& ids) {
+  return ids.empty() ? 0 : *std::max_element(ids.begin(), ids.end());
+}
+
+/// A name in the title of a part, short enough for its line.
+std::string title_of(const std::string& spot_class, double diameter) {
+  return fmt::format("spot welds{}{:.40}, diameter {:.4g}", spot_class.empty() ? "" : " ", spot_class, diameter);
+}
+
+/// A number with as many digits as ten columns hold beside a blank.
+std::string field(double value) {
+  std::string text;
+  for (int digits = 8; digits > 1; --digits)
+    if (text = fmt::format("{:.{}g}", value, digits); text.size() < 10) break;
+  return fmt::format("{:>10}", text);
+}
+
+int quads_of(WeldForm form) {
+  return form == WeldForm::solid ? 1 : form == WeldForm::solid4 ? 4 : 8;
+}
+
+/// One weld part: all welds of a class and a diameter.
+struct WeldPart {
+  int id = 0;
+  std::string spot_class, diameter;  // the diameter as it will stand in the card
+};
+
+class PlacementWriter {
+ public:
+  PlacementWriter(const model::Model& model, const Sheets& sheets, WeldForm form, Findings& findings)
+      : model_(model), sheets_(sheets), form_(form), findings_(findings), units_(model::recognise_units(model)) {
+    node_ = largest_of(model.nodes.id);
+    element_ = std::max({largest_of(model.shells.id), largest_of(model.solids.id), largest_of(model.beams.id)});
+    part_ = std::max(largest(model.parts), largest(model.rigid_bodies));
+    section_ = std::max({largest(model.shell_sections), largest(model.solid_sections), largest(model.beam_sections)});
+    material_ = largest(model.materials);
+    hourglass_ = largest(model.hourglass);
+    set_ = largest(model.sets.parts);
+    contact_ = largest(model.contacts);
+  }
+
+  PlacementDeck write(const std::vector<Spot>& spots, const std::map<std::string, WeldFields>& fields,
+                      const std::string& included) {
+    PlacementDeck deck;
+    for (const Spot& spot : spots) {
+      const std::size_t before = count_;
+      form_ == WeldForm::beam ? add_beams(spot) : add_bricks(spot);
+      if (count_ > before) ++deck.spots;
+    }
+    if (std::max({node_, element_, part_}) > largest_id)
+      findings_.error({model_.deck, 0, 0}, {},
+                      fmt::format("ids up to {} leave no room for welds in eight columns", element_),
+                      "renumber the model");
+    deck.elements = count_;
+    // One after the other: each gives out ids that the next ones use.
+    deck.text = head(included, deck.spots);
+    deck.text += parts();
+    deck.text += materials(fields);
+    deck.text += ties();
+    deck.text += mesh();
+    return deck;
+  }
+
+ private:
+  int weld_part(const Spot& spot) {
+    const std::string diameter = fmt::format("{:.5g}", spot.diameter);
+    for (const WeldPart& p : weld_parts_)
+      if (p.spot_class == spot.from->spot_class && p.diameter == diameter) return p.id;
+    weld_parts_.push_back({++part_, spot.from->spot_class, diameter});
+    return part_;
+  }
+
+  int add_node(const Vec3d& x) {
+    fmt::format_to(std::back_inserter(nodes_), "{:8d}{:16.9g}{:16.9g}{:16.9g}\n", ++node_, x.x, x.y, x.z);
+    return node_;
+  }
+
+  void use_sheets(const Spot& spot) {
+    for (const SpotSheet& s : spot.sheets) sheet_parts_.insert(model_.parts[s.part].id);
+  }
+
+  void add_beams(const Spot& spot) {
+    const int part = weld_part(spot);
+    use_sheets(spot);
+    int below = add_node(spot.sheets.front().point);
+    for (std::size_t i = 1; i < spot.sheets.size(); ++i) {
+      const int above = add_node(spot.sheets[i].point);
+      fmt::format_to(std::back_inserter(elements_), "{:8d}{:8d}{:8d}{:8d}{:8d}\n", ++element_, part, below, above, 0);
+      ++count_;
+      below = above;
+    }
+  }
+
+  /// The points of a section on one sheet, or nothing where the sheet ends before one of them.
+  std::vector<Vec3d> on_sheet(const Spot& spot, const SpotSheet& sheet, const model::WeldSection& section) const {
+    Vec3d s{1, 0, 0};
+    if (std::abs(spot.axis.y) < std::abs(spot.axis.x)) s = {0, 1, 0};
+    if (std::abs(spot.axis.z) < std::min(std::abs(spot.axis.x), std::abs(spot.axis.y))) s = {0, 0, 1};
+    s = s - dot(s, spot.axis) * spot.axis;
+    s = (1.0 / norm(s)) * s;
+    const Vec3d t = cross(spot.axis, s);
+    std::vector<Vec3d> points;
+    for (const auto& [a, b] : section.point) {
+      const auto foot = sheets_.closest(sheet.point + a * s + b * t, sheet.part, spot.diameter);
+      if (!foot) return {};
+      points.push_back(foot->point);
+    }
+    return points;
+  }
+
+  void add_bricks(const Spot& spot) {
+    const model::WeldSection section = model::weld_section(quads_of(form_), spot.diameter);
+    std::vector<std::vector<Vec3d>> planes;
+    for (const SpotSheet& sheet : spot.sheets) {
+      planes.push_back(on_sheet(spot, sheet, section));
+      if (!planes.back().empty()) continue;
+      findings_.warning(spot.from->place, {},
+                        fmt::format("bricks of diameter {:.4g} reach over the edge of part {} here; not placed",
+                                    spot.diameter, model_.parts[sheet.part].id),
+                        "move the point further in, give a smaller diameter, or use --as beam");
+      return;
+    }
+    const int part = weld_part(spot);
+    use_sheets(spot);
+    int below = node_ + 1;
+    for (const Vec3d& x : planes.front()) add_node(x);
+    for (std::size_t i = 1; i < planes.size(); ++i) {
+      const int above = node_ + 1;
+      for (const Vec3d& x : planes[i]) add_node(x);
+      for (const auto& quad : section.quad) {
+        fmt::format_to(std::back_inserter(elements_), "{:8d}{:8d}", ++element_, part);
+        for (const int first : {below, above})
+          for (const int k : quad) fmt::format_to(std::back_inserter(elements_), "{:8d}", first + k);
+        elements_ += '\n';
+        ++count_;
+      }
+      below = above;
+    }
+  }
+
+  /// A file name in lines of 80 columns, continued by ` +`.
+  static std::string name_lines(std::string name) {
+    constexpr std::size_t width = 78;
+    std::string lines;
+    while (name.size() > 80) {
+      lines += name.substr(0, width) + " +\n";
+      name.erase(0, width);
+    }
+    return lines + name + '\n';
+  }
+
+  std::string head(const std::string& included, std::size_t spots) const {
+    return fmt::format(
+        "*KEYWORD\n$ {} spots between {} sheets as {} elements, placed by nugget weld.\n$ Units: {}.\n"
+        "*INCLUDE\n{}",
+        spots, sheet_parts_.size(), count_, units_ ? units_->name : "those of the model", name_lines(included));
+  }
+
+  std::string parts() {
+    std::string s;
+    const bool beams = form_ == WeldForm::beam;
+    if (!beams) {
+      s += fmt::format(
+          "$ Bricks of one point, held against hourglassing by assumed strains (type 6, QM = 1).\n"
+          "*SECTION_SOLID\n$#   secid    elform\n{:10d}{:10d}\n*HOURGLASS\n$#    hgid       ihq        qm\n"
+          "{:10d}{:10d}{:10.1f}\n",
+          ++section_, 1, ++hourglass_, 6, 1.0);
+    }
+    for (const WeldPart& p : weld_parts_) {
+      if (beams)
+        s += fmt::format(
+            "*SECTION_BEAM\n$#   secid    elform      shrf        qr       cst\n{:10d}{:10d}{:10.1f}{:10d}{:10d}\n"
+            "$#     ts1       ts2       tt1       tt2\n{:>10}{:>10}{:10.1f}{:10.1f}\n",
+            ++section_, 9, 1.0, 2, 1, p.diameter, p.diameter, 0.0, 0.0);
+      int& material = material_of_[p.spot_class];
+      if (material == 0) material = ++material_;
+      s +=
+          fmt::format("*PART\n{}\n$#     pid     secid       mid     eosid      hgid\n{:10d}{:10d}{:10d}{:10d}{:10d}\n",
+                      title_of(p.spot_class, std::strtod(p.diameter.c_str(), nullptr)), p.id, section_, material, 0,
+                      beams ? 0 : hourglass_);
+    }
+    return s;
+  }
+
+  std::string materials(const std::map<std::string, WeldFields>& given) {
+    WeldFields usual{{"pr", 0.3}, {"dt", 0.0}, {"tfail", 0.0}};
+    for (const std::string& name : weld_fields()) usual.try_emplace(name, 0.0);
+    for (const char* name : {"ro", "e", "sigy", "eh"}) usual.erase(name);
+    if (units_) {
+      const double megapascal = units_->young / 210000.0;
+      usual.insert(
+          {{"ro", units_->density}, {"e", units_->young}, {"sigy", 500.0 * megapascal}, {"eh", 1000.0 * megapascal}});
+    }
+    std::string s;
+    for (const auto& [spot_class, id] : material_of_) {
+      WeldFields own = usual;
+      bool failure = false;
+      for (const std::string& name : {std::string(), spot_class})
+        if (const auto found = given.find(name); found != given.end())
+          for (const auto& [field, value] : found->second) {
+            own[field] = value;
+            failure = failure || field == "efail" || field == "tfail" || field.front() == 'n' || field.front() == 'm';
+          }
+      for (const char* name : {"ro", "e", "sigy", "eh"})
+        if (own.count(name) == 0) {
+          findings_.error({model_.deck, 0, 0}, "*MAT_SPOTWELD",
+                          fmt::format("{} has no default, because the units of the model are not recognised", name),
+                          fmt::format("give it: --material {}=...", name));
+          own[name] = 0.0;
+        }
+      s += fmt::format(
+          "$ {}{}\n", spot_class.empty() ? "All spots" : "Class " + spot_class,
+          failure ? "." : ". No failure is given: efail, or the resultants nrr to mtt, would say when a weld breaks.");
+      s += "*MAT_SPOTWELD\n$#     mid        ro         e        pr      sigy        eh        dt     tfail\n";
+      s += fmt::format("{:10d}", id);
+      for (const std::string& name : weld_fields()) {
+        if (name == "efail")
+          s += "\n$#   efail       nrr       nrs       nrt       mrr       mss       mtt        nf\n";
+        s += field(own[name]);
+      }
+      s += '\n';
+    }
+    return s;
+  }
+
+  static std::string id_lines(const std::vector<int>& ids) {
+    std::string s;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      s += fmt::format("{:10d}{}", ids[i], i % 8 == 7 || i + 1 == ids.size() ? "\n" : "");
+    return s;
+  }
+
+  std::string ties() {
+    std::vector<int> welds;
+    for (const WeldPart& p : weld_parts_) welds.push_back(p.id);
+    const int weld_set = ++set_, sheet_set = ++set_;
+    std::string s = fmt::format(
+        "*SET_PART_LIST_TITLE\nspot welds\n{:10d}\n{}*SET_PART_LIST_TITLE\nwelded sheets\n{:10d}\n{}"
+        "$ Each weld node is tied to the closest sheet; the weld follows it.\n*CONTACT_SPOTWELD_ID\n{:10d}welds to "
+        "sheets\n"
+        "$#   surfa     surfb  surfatyp  surfbtyp\n{:10d}{:10d}{:10d}{:10d}\n$#      fs\n\n$#    sfsa\n\n",
+        weld_set, id_lines(welds), sheet_set, id_lines({sheet_parts_.begin(), sheet_parts_.end()}), ++contact_,
+        weld_set, sheet_set, 2, 2);
+    if (!model_.requests.swforc.asked())
+      s += fmt::format("*DATABASE_SWFORC\n$#      dt\n{}\n",
+                       field(model_.control.end_time > 0.0 ? 1e-3 * model_.control.end_time : 1.0));
+    return s;
+  }
+
+  std::string mesh() const {
+    return "*NODE\n$#   nid               x               y               z\n" + nodes_ +
+           (form_ == WeldForm::beam
+                ? "*ELEMENT_BEAM\n$#   eid     pid      n1      n2      n3\n"
+                : "*ELEMENT_SOLID\n$#   eid     pid      n1      n2      n3      n4      n5      n6      "
+                  "n7      n8\n") +
+           elements_ + "*END\n";
+  }
+
+  const model::Model& model_;
+  const Sheets& sheets_;
+  WeldForm form_;
+  Findings& findings_;
+  std::optional<model::Units> units_;
+  int node_ = 0, element_ = 0, part_ = 0, section_ = 0, material_ = 0, hourglass_ = 0, set_ = 0, contact_ = 0;
+  std::size_t count_ = 0;  // of elements
+  std::string nodes_, elements_;
+  std::vector<WeldPart> weld_parts_;
+  std::set<int> sheet_parts_;
+  std::map<std::string, int> material_of_;  // by class
+};
+
+}  // namespace
+
+const std::vector<std::string>& weld_fields() {
+  static const std::vector<std::string> names{"ro",  "e",   "pr",  "sigy", "eh",  "dt",  "tfail", "efail",
+                                              "nrr", "nrs", "nrt", "mrr",  "mss", "mtt", "nf"};
+  return names;
+}
+
+PlacementDeck write_placement(const model::Model& model, const Sheets& sheets, const std::vector<Spot>& spots,
+                              WeldForm form, const std::map<std::string, WeldFields>& fields,
+                              const std::string& included, Findings& findings) {
+  return PlacementWriter(model, sheets, form, findings).write(spots, fields, included);
+}
+
+}  // namespace nugget::weld

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "weld/tie/ties.hpp"
+
+// Welds made of bricks: which bricks are one weld, and which of their faces are its ends.
+namespace nugget::weld {
+
+/// The part whose sheet a node is attached to, or none.
+using SheetAt = std::function<Index(Index node)>;
+
+/// Makes assemblies of brick welds that belong together without a *DEFINE_HEX_SPOTWELD_ASSEMBLY saying so. Two bricks
+/// of one part are of one weld if they share at least an edge (two nodes), unless all nodes that they share lie on one
+/// and the same sheet: such bricks are stacked through that sheet and are two welds. An assembly takes the place of its
+/// first brick and the least of its bricks' ids; a note says so. More than 16 bricks (LS-DYNA's limit) are not joined:
+/// a warning.
+std::vector<Weld> join_clusters(const model::Model& model, std::vector<Weld> welds, const SheetAt& sheet_at,
+                                Findings& findings);
+
+/// Lays the end faces of a weld of bricks, and with them `ends`. They are the outer faces of its bricks that lie with
+/// all corners on one of two sheets. Where there are no two such sheets, each brick gives the pair of opposite faces
+/// that it shares least with others of the weld, of equal ones the pair with the shortest distance.
+void lay_faces(const model::Model& model, Weld& weld, const SheetAt& sheet_at);
+
+}  // namespace nugget::weld

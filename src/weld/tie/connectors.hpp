@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "weld/tie/ties.hpp"
+
+namespace nugget::weld {
+
+/// The discrete beams (ELFORM 6) that look like connections between sheets: no shell, brick, spring or other beam has
+/// one of their nodes, and not both nodes belong to rigid bodies. So they hang on ties, as spot-weld beams do.
+std::vector<Index> find_connectors(const model::Model& model);
+
+}  // namespace nugget::weld

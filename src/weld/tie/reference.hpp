@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "base/bvh.hpp"
+#include "model/model.hpp"
+#include "weld/tie/segment.hpp"
+
+namespace nugget::weld {
+
+using model::Index;
+using model::none;
+
+/// One face of the reference side of a tie.
+struct ReferenceSegment {
+  model::Segment node{};
+  Index shell = none;      ///< none: the face of something else
+  Index part = none;       ///< of the shell or brick
+  double thickness = 0.0;  ///< as the contact sees it [length]
+  double diagonal = 0.0;   ///< the shorter one [length]
+
+  bool triangle() const { return node[3] == node[2]; }
+  bool has(Index n) const;
+};
+
+/// A segment that a node can be tied to.
+struct Candidate {
+  Index contact = none;
+  Index order = none;  ///< position of the segment on the reference side
+  ReferenceSegment segment;
+  Foot foot;
+  double tolerance = 0.0;  ///< [length]
+
+  bool in_reach() const { return foot.gap <= tolerance; }
+};
+
+/// What the surroundings of one tracked node offer it.
+struct Offer {
+  std::vector<Candidate> in_reach;  ///< the best of each part, the best of all first
+  Candidate closest;  ///< without regard to the tolerance; `contact` is none if there is no segment at all
+  /// The distance to the plane of a sheet that is closer than the best candidate but ends before it reaches the node
+  /// (projection case 6); infinite if there is none [length].
+  double plane_of_other_sheet = std::numeric_limits<double>::infinity();
+};
+
+/// A tracked node as the search needs it.
+struct Tracked {
+  Index node = none;
+  double thickness = 0.0;  ///< t_s [length]
+  Index only_part = none;  ///< of *ELEMENT_BEAM_PID
+};
+
+/// The reference side of one tie contact, ready to be searched.
+class Reference {
+ public:
+  Reference(const model::Model& model, Index contact);
+
+  bool empty() const { return segments_.empty(); }
+  const std::vector<ReferenceSegment>& segments() const { return segments_; }
+  Offer search(const Tracked& tracked) const;
+
+ private:
+  void add_shell(Index shell);
+  void add_brick_faces(Index part);
+  void add_segments(const std::vector<model::Segment>& segments);
+  void add_face(const model::Segment& nodes, Index part);
+  /// Holds every point that the segment may be in reach of, but for the share of the node's own thickness.
+  Box neighbourhood(const ReferenceSegment& segment) const;
+  bool allowed(const ReferenceSegment& segment, const Tracked& tracked) const;
+  double tolerance(const ReferenceSegment& segment, const Tracked& tracked) const;
+  Corners corners(const ReferenceSegment& segment) const;
+  Candidate candidate(Index order, const Tracked& tracked) const;
+  template <class Wanted>
+  Candidate closest(const Tracked& tracked, double bound, Wanted&& wanted) const;
+  double plane_of_other_sheet(const Tracked& tracked, const Offer& offer) const;
+
+  const model::Model& model_;
+  const model::Contact& contact_;
+  Index contact_index_;
+  std::vector<ReferenceSegment> segments_;
+  BoxTree tree_;
+};
+
+}  // namespace nugget::weld

@@ -1,0 +1,471 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "weld/tie/tie_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "kernel/law/cohesive_bond.hpp"
+#include "model/bond.hpp"
+#include "weld/tie/welds.hpp"
+
+namespace nugget::weld {
+namespace {
+
+/// Weights below this are round-off of a node on an edge or a corner.
+constexpr double no_weight = 1e-10;
+
+std::string move_or_widen(double distance, double tolerance) {
+  if (!std::isfinite(distance)) return "put the sheet's part on the reference side (SURFB) of the contact";
+  // So far off it is hardly this sheet that is meant, and such a reach would tie other welds to wrong ones.
+  if (distance > 5.0 * tolerance)
+    return "move the weld to its sheet, or put the sheet that is meant on the reference side (SURFB) of the contact";
+  const double thickness = 1.05 * distance / 1.2;
+  return fmt::format("move the weld to its sheet, or give SAST = SBST = {:.3g} in the contact (tolerance {:.3g})",
+                     -thickness, 1.2 * thickness);
+}
+
+std::string shares(const model::Model& model, const Tie& tie) {
+  return fmt::format("{} tied to {}", name_node(model, tie.node), name_segment(model, tie.shell, tie.part));
+}
+
+bool carries(const std::array<double, 4>& weight, int corner) {
+  return std::abs(weight[corner]) > no_weight;
+}
+
+/// The body that carries all nodes of the segment, or none.
+Index body_of_segment(const Tie& tie, const Surroundings& around) {
+  const Index body = around.rigid_body[tie.segment[0]];
+  for (Index n : tie.segment)
+    if (around.rigid_body[n] != body) return none;
+  return body;
+}
+
+void note_rigid_sheets(const model::Model& model, const Surroundings& around, std::vector<Tie>& ties,
+                       Findings& findings) {
+  std::set<std::pair<Index, Index>> told;  // body, part
+  for (Tie& tie : ties) {
+    tie.rigid_body = body_of_segment(tie, around);
+    if (tie.rigid_body == none || tie.spring) continue;
+    const Index part = tie.part;
+    if (!told.insert({tie.rigid_body, part}).second) continue;
+    const model::Contact& contact = model.contacts[tie.contact];
+    findings.note(
+        contact.place, name_contact(contact),
+        fmt::format("{} belongs to {}, which no tie may constrain again: nodes tied to it become extra nodes of it, "
+                    "first {}",
+                    part == none ? "a segment" : fmt::format("part {}", model.parts[part].id),
+                    name_body(model.rigid_bodies[tie.rigid_body]), name_node(model, tie.node)),
+        "nothing is to be done");
+  }
+}
+
+void warn_of_constrained_segments(const model::Model& model, const Surroundings& around, const std::vector<Tie>& ties,
+                                  const std::vector<Index>& tie_of, Findings& findings) {
+  for (const Tie& tie : ties) {
+    if (tie.rigid_body != none || tie.spring) continue;
+    const model::Contact& contact = model.contacts[tie.contact];
+    for (int corner = 0; corner < 4; ++corner) {
+      const Index n = tie.segment[corner];
+      if (!carries(tie.weight, corner)) continue;
+      if (tie_of[n] != none) {
+        const Tie& other = ties[tie_of[n]];
+        findings.warning(
+            contact.place, name_contact(contact),
+            fmt::format("{}: its segment's node {} is itself tied by {} to {}", shares(model, tie), model.nodes.id[n],
+                        name_contact(model.contacts[other.contact]), name_segment(model, other.shell, other.part)),
+            "the load goes on through both ties; to avoid the chain, keep tied edges and welds apart");
+      } else if (around.rigid_body[n] != none) {
+        findings.warning(contact.place, name_contact(contact),
+                         fmt::format("{}: its segment's node {} belongs to {}", shares(model, tie), model.nodes.id[n],
+                                     name_body(model.rigid_bodies[around.rigid_body[n]])),
+                         "the load goes on into the body; to avoid it, weld one element further away");
+      }
+    }
+  }
+}
+
+/// IPBACK: springs take the place of constraints to segments that are constrained themselves.
+void fall_back_on_springs(const model::Model& model, const Surroundings& around, std::vector<Tie>& ties,
+                          std::vector<Index>& tie_of, Findings& findings) {
+  std::vector<int> count(model.contacts.size(), 0);
+  for (Tie& tie : ties) {
+    if (!model.contacts[tie.contact].penalty_fallback) continue;
+    for (int corner = 0; corner < 4 && !tie.spring; ++corner) {
+      const Index n = tie.segment[corner];
+      tie.spring = carries(tie.weight, corner) && (tie_of[n] != none || around.rigid_body[n] != none);
+    }
+    if (!tie.spring) continue;
+    tie_of[tie.node] = none;
+    ++count[tie.contact];
+  }
+  for (std::size_t c = 0; c < count.size(); ++c)
+    if (count[c] > 0 && !model.contacts[c].tie_by_springs())
+      findings.note(
+          model.contacts[c].place, name_contact(model.contacts[c]),
+          fmt::format("{} nodes or their segments are constrained already; springs hold them (IPBACK)", count[c]));
+}
+
+/// Takes away the ties whose segments hang on nothing, again and again; what is left goes round in a circle.
+void refuse_circles(const model::Model& model, const std::vector<Tie>& ties, const std::vector<Index>& tie_of,
+                    Findings& findings) {
+  std::vector<std::vector<Index>> behind(ties.size());
+  std::vector<int> waits_for(ties.size(), 0);
+  for (std::size_t t = 0; t < ties.size(); ++t)
+    for (int corner = 0; corner < 4; ++corner) {
+      const Index ahead = tie_of[ties[t].segment[corner]];
+      if (ahead == none || ties[t].spring || !carries(ties[t].weight, corner)) continue;
+      behind[ahead].push_back(static_cast<Index>(t));
+      ++waits_for[t];
+    }
+  std::vector<Index> free;
+  for (std::size_t t = 0; t < ties.size(); ++t)
+    if (waits_for[t] == 0) free.push_back(static_cast<Index>(t));
+  for (std::size_t i = 0; i < free.size(); ++i)
+    for (Index t : behind[free[i]])
+      if (--waits_for[t] == 0) free.push_back(t);
+  if (free.size() == ties.size()) return;
+  const auto first = std::find_if(waits_for.begin(), waits_for.end(), [](int count) { return count > 0; });
+  const Tie& tie = ties[static_cast<std::size_t>(first - waits_for.begin())];
+  const model::Contact& contact = model.contacts[tie.contact];
+  findings.error(
+      contact.place, name_contact(contact),
+      fmt::format("{} ties depend on each other in a circle, first {}", ties.size() - free.size(), shares(model, tie)),
+      "let no part stand on both sides of the contact, and no two contacts tie two parts to each other");
+}
+
+void report_end(const model::Model& model, const Weld& weld, const Projection& p, Findings& findings) {
+  const std::string text = fmt::format("{}: {}: {}", name_weld(weld), name_node(model, p.node), p.reason);
+  const std::string keyword = keyword_of(weld);
+  switch (p.kase) {
+    case 4:
+      findings.warning(weld.place, keyword, fmt::format("{}, moved {:.4g}", text, p.tie.moved),
+                       "move the sheets apart to half the sum of their thicknesses");
+      return;
+    case 5:
+      findings.warning(weld.place, keyword, text + ", not tied",
+                       p.only_sheet_taken ? "put the other sheet's part on the reference side (SURFB) of the contact"
+                                          : move_or_widen(p.distance, p.tolerance));
+      return;
+    case 6:
+      findings.warning(weld.place, keyword, fmt::format("{}, moved {:.4g}", text, p.tie.moved),
+                       "see whether that is the sheet meant; if not, move the weld");
+      return;
+    case 7:
+    case 8:
+      findings.warning(weld.place, keyword,
+                       fmt::format("{} (case {}{}), not tied", text, p.kase, p.kase == 8 ? ", normals outward" : ""),
+                       "the sheets cross here: separate them, or swap the ends of the weld");
+      return;
+    default: return;
+  }
+}
+
+/// Nodes that turn with nothing but adhesive between shells.
+std::vector<char> turned_by_adhesive(const model::Model& model, const Surroundings& around) {
+  std::vector<char> by_adhesive(around.rotates.size(), 0);
+  for (std::size_t e = 0; e < model.solids.size(); ++e)
+    if (model::bond_between_shells(model, e))
+      for (const Index n : model.solids.node[e])
+        if (around.shell[n] == none) by_adhesive[n] = 1;
+  return by_adhesive;
+}
+
+/// Nodes that could turn their segment but hand over translations only.
+void report_hinges(const model::Model& model, const Surroundings& around, const std::vector<Tie>& ties,
+                   Findings& findings) {
+  struct Hinges {
+    int count = 0;
+    const Tie* first = nullptr;
+  };
+  const std::vector<char> by_adhesive = turned_by_adhesive(model, around);
+  std::vector<Hinges> of_welds(model.contacts.size()), of_adhesive(of_welds), of_others(of_welds);
+  for (const Tie& tie : ties) {
+    if (tie.rotations || tie.rigid_body != none || !around.rotates[tie.node]) continue;
+    Hinges& h = (around.of_weld[tie.node] ? of_welds : by_adhesive[tie.node] ? of_adhesive : of_others)[tie.contact];
+    if (h.count++ == 0) h.first = &tie;
+  }
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    const model::Contact& contact = model.contacts[c];
+    const auto text = [&](const Hinges& h) {
+      return fmt::format(
+          "{} nodes with rotations are tied by translations only, as by hinges: no moment is handed "
+          "over; first {}",
+          h.count, shares(model, *h.first));
+    };
+    if (of_welds[c].count > 0)
+      findings.warning(contact.place, name_contact(contact), text(of_welds[c]),
+                       "tie weld beams to shells with *CONTACT_SPOTWELD; bricks as welds need no rotations");
+    if (of_adhesive[c].count > 0)
+      findings.warning(contact.place, name_contact(contact),
+                       text(of_adhesive[c]) + ": adhesive of ELFORM 20 turns away from shear, which finds no hold",
+                       "tie it with *CONTACT_TIED_SHELL_EDGE_TO_SURFACE, or write ELFORM 19");
+    if (of_others[c].count > 0)
+      findings.note(contact.place, name_contact(contact), text(of_others[c]),
+                    "*CONTACT_TIED_SHELL_EDGE_TO_SURFACE hands moments over to shells, ..._TO_SOLID to bricks");
+  }
+}
+
+/// Adhesive tied by springs, whose light nodes allow soft ones only; and bricks whose thickness is another one since
+/// the ties have moved their nodes.
+void report_tied_adhesive(const model::Model& model, const std::vector<Tie>& ties, Findings& findings) {
+  std::vector<const Tie*> tie_of(model.nodes.size(), nullptr);
+  for (const Tie& tie : ties) tie_of[static_cast<std::size_t>(tie.node)] = &tie;
+  struct Told {
+    int sprung = 0, bricks = 0;
+    double before = 0.0, after = 0.0;  // thickness of the first brick
+    bool matters = false;
+  };
+  std::vector<Told> told(model.contacts.size());
+  std::vector<char> seen(model.nodes.size(), 0);
+  for (std::size_t e = 0; e < model.solids.size(); ++e) {
+    const kernel::CohesiveBond* bond = model::bond_of(model, model.parts[model.solids.part[e]]);
+    if (bond == nullptr) continue;
+    Vec3d before{}, after{};  // from face to face
+    const Tie* moved = nullptr;
+    for (std::size_t i = 0; i < 8; ++i) {
+      const Index n = model.solids.node[e][i];
+      const Tie* tie = tie_of[static_cast<std::size_t>(n)];
+      const double side = i < 4 ? -0.25 : 0.25;
+      before += side * model.nodes.x[static_cast<std::size_t>(n)];
+      after += side * (tie && tie->moved > 0.0 ? tie->point : model.nodes.x[static_cast<std::size_t>(n)]);
+      if (tie && tie->moved > 0.0) moved = tie;
+      if (tie && tie->spring && !std::exchange(seen[static_cast<std::size_t>(n)], 1)) ++told[tie->contact].sprung;
+    }
+    if (moved == nullptr || std::abs(norm(after) - norm(before)) <= 0.1 * std::max(norm(after), norm(before))) continue;
+    Told& t = told[moved->contact];
+    if (t.bricks++ == 0) t.before = norm(before), t.after = norm(after);
+    t.matters = t.matters || (bond->yields() && bond->glue.thickness == 0.0);
+  }
+  for (std::size_t c = 0; c < told.size(); ++c) {
+    const model::Contact& contact = model.contacts[c];
+    const Told& t = told[c];
+    if (t.sprung > 0)
+      findings.warning(
+          contact.place, name_contact(contact),
+          fmt::format("{} nodes of adhesive are tied by springs: those that such light nodes and their time step allow "
+                      "are softer than the bond, of whose stiffness an eighth to a third is left in impact",
+                      t.sprung),
+          "tie it by constraint: the form without _OFFSET, or _CONSTRAINED_OFFSET to keep its thickness");
+    if (t.bricks == 0) continue;
+    const std::string text = fmt::format(
+        "{} bricks of adhesive have another thickness since their nodes were moved onto "
+        "the mid-surfaces, the first {:.3g} in place of {:.3g}",
+        t.bricks, t.after, t.before);
+    if (t.matters)
+      findings.warning(contact.place, name_contact(contact), text + ": EN = EMOD/THICK and ET follow it",
+                       "give THICK of *MAT_240, or tie with _CONSTRAINED_OFFSET");
+    else
+      findings.note(contact.place, name_contact(contact), text, "_CONSTRAINED_OFFSET keeps it");
+  }
+}
+
+void report_untied_welds(const model::Model& model, const std::vector<const Weld*>& untied, Findings& findings) {
+  if (untied.empty()) return;
+  const std::string first =
+      untied.size() == 1 ? fmt::format("{} is not tied", name_weld(*untied.front()))
+                         : fmt::format("{} welds are not tied, first {}", untied.size(), name_weld(*untied.front()));
+  const int spotstp = model.control.untied_weld;
+  const auto add = [&](Severity severity, std::string text, std::string remedy) {
+    Finding finding;
+    finding.severity = severity;
+    finding.place = model.control.untied_weld_place;
+    if (finding.place.file.empty()) finding.place.file = model.deck;
+    finding.keyword = "*CONTROL_CONTACT";
+    finding.field = "spotstp";
+    finding.value = std::to_string(spotstp);
+    finding.text = std::move(text);
+    finding.remedy = std::move(remedy);
+    findings.add(std::move(finding));
+  };
+  if (spotstp == 1)
+    add(Severity::error, first,
+        "the warnings on the welds say why; SPOTSTP = 2 would delete such welds, 0 and 3 keep them");
+  else if (spotstp == 2)
+    add(Severity::warning, first + (untied.size() == 1 ? "; it is deleted" : "; they are deleted"),
+        "the warnings on the welds say why");
+  else
+    add(Severity::warning,
+        first + (untied.size() == 1 ? "; it is kept, with free ends" : "; they are kept, with free ends"),
+        "the warnings on the welds say why; free ends carry no load and may fly off: SPOTSTP = 2 deletes such welds");
+}
+
+bool untracked(const Projection& p) {
+  return p.kase == 0 && !p.tied;
+}
+
+/// Weld nodes that no contact tracks: a few are named, many are one finding a part.
+void report_untracked_welds(const model::Model& model, const Ties& ties, Findings& findings) {
+  constexpr std::size_t few = 3;
+  std::size_t count = 0;
+  std::map<Index, std::vector<const Weld*>> by_part;
+  for (const Weld& weld : ties.welds) {
+    if (std::none_of(weld.ends.begin(), weld.ends.end(), untracked)) continue;
+    by_part[weld.part].push_back(&weld);
+    ++count;
+  }
+  const auto is_tie = [](const model::Contact& contact) { return contact.tie(); };
+  const bool any_tie = std::any_of(model.contacts.begin(), model.contacts.end(), is_tie);
+  const std::string remedy =
+      any_tie ? "put the weld's part on the tracked side (SURFA) of a *CONTACT_SPOTWELD"
+              : "add a *CONTACT_SPOTWELD: SURFA the parts of the welds, SURFB the parts of the sheets";
+  for (const auto& [part, welds] : by_part) {
+    const Weld& first = *welds.front();
+    if (count > few) {
+      findings.warning(first.place, keyword_of(first),
+                       fmt::format("{} {} of part {}, first {}, with no hold: {}", welds.size(),
+                                   welds.size() == 1 ? "weld" : "welds", model.parts[part].id, name_weld(first),
+                                   any_tie ? "no contact tracks their nodes" : "the deck has no tie contact"),
+                       remedy);
+      continue;
+    }
+    for (const Weld* weld : welds)
+      for (const Projection& p : weld->ends)
+        if (untracked(p))
+          findings.warning(weld->place, keyword_of(*weld),
+                           fmt::format("{}: {}: {}", name_weld(*weld), name_node(model, p.node), p.reason), remedy);
+  }
+}
+
+std::string count_of(int nodes) {
+  return fmt::format("{} node{} tied", nodes, nodes == 1 ? "" : "s");
+}
+
+void note_distances(const model::Model& model, const Ties& ties, Findings& findings) {
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    int count = 0, moved = 0, springs = 0;
+    const Tie* farthest = nullptr;
+    for (const Tie& tie : ties.ties) {
+      if (tie.contact != static_cast<Index>(c)) continue;
+      ++count;
+      moved += tie.moved > 0.0;
+      springs += tie.spring;
+      if (!farthest || tie.gap > farthest->gap) farthest = &tie;
+    }
+    if (!farthest) continue;
+    std::string text = count_of(count);
+    if (springs > 0) text += springs == count ? " by springs" : fmt::format(" ({} by springs)", springs);
+    if (moved > 0)
+      text += fmt::format(", {} of them moved onto the mid-surface, at most by {:.4g} ({})", moved, farthest->moved,
+                          name_node(model, farthest->node));
+    else if (farthest->gap > 0.0)
+      text += fmt::format(", none of them moved; the largest gap kept is {:.4g} ({})", farthest->gap,
+                          name_node(model, farthest->node));
+    else
+      text += ", none of them moved";
+    findings.note(model.contacts[c].place, name_contact(model.contacts[c]), text);
+  }
+}
+
+}  // namespace
+
+std::string name_body(const model::RigidBody& body) {
+  switch (body.origin) {
+    case model::RigidBody::Origin::part: return fmt::format("rigid part {}", body.id);
+    case model::RigidBody::Origin::nodal: return fmt::format("nodal rigid body {}", body.id);
+    case model::RigidBody::Origin::weld: return fmt::format("generalized weld spot {}", body.id);
+  }
+  return {};
+}
+
+std::string name_segment(const model::Model& model, Index shell, Index part) {
+  if (shell == none)
+    return part == none ? "a segment of no element" : fmt::format("a face of part {}", model.parts[part].id);
+  return fmt::format("shell {} of part {}", model.shells.id[shell], model.parts[model.shells.part[shell]].id);
+}
+
+std::string name_node(const model::Model& model, Index node) {
+  const Vec3d& x = model.nodes.x[node];
+  return fmt::format("node {} at ({:.6g}, {:.6g}, {:.6g})", model.nodes.id[node], x.x, x.y, x.z);
+}
+
+std::string name_contact(const model::Contact& contact) {
+  std::string name = contact.keyword.starts_with('*') ? contact.keyword : '*' + contact.keyword;
+  if (contact.id != 0) name += fmt::format(" {}", contact.id);
+  return name;
+}
+
+void report_what_is_not_built(const model::Model& model, const model::Contact& contact,
+                              const std::vector<ReferenceSegment>& segments, Findings& findings) {
+  if (contact.birth > 0.0)
+    findings.error(contact.place, name_contact(contact),
+                   fmt::format("birth time {:.4g}: a tie that comes later than the start is not built", contact.birth),
+                   "leave BT blank; DT, the end of a tie, is obeyed");
+  std::set<Index> told;
+  for (const ReferenceSegment& s : segments) {
+    if (s.shell == none || model.shells.offset[s.shell] == 0.0 || !told.insert(s.part).second) continue;
+    findings.warning(
+        contact.place, name_contact(contact),
+        fmt::format("the mid-surface of part {} lies {:.4g} off its nodes; ties go to the surface of the nodes",
+                    model.parts[s.part].id, std::abs(model.shells.offset[s.shell])),
+        "LS-DYNA does the same unless CNTCO is set; move the nodes into the mid-surface if that matters");
+  }
+}
+
+void report_empty_side(const model::Contact& contact, bool reference_side, Findings& findings) {
+  findings.warning(contact.place, name_contact(contact),
+                   reference_side ? "the reference side (SURFB) has no shells or bricks: nothing is tied"
+                                  : "the tracked side (SURFA) has no free nodes: nothing is tied",
+                   reference_side ? "name the parts of the sheets" : "name the parts or nodes of the welds");
+}
+
+void report_rigid_tracked_nodes(const model::Model& model, const model::Contact& contact, const Surroundings& around,
+                                const std::vector<Index>& nodes, Findings& findings) {
+  if (nodes.empty()) return;
+  findings.warning(
+      contact.place, name_contact(contact),
+      fmt::format("{} tracked nodes belong to rigid bodies and stay with them, untied; first {}, of {}", nodes.size(),
+                  name_node(model, nodes.front()), name_body(model.rigid_bodies[around.rigid_body[nodes.front()]])),
+      contact.kind == model::Contact::Kind::spotweld ? "take them off the tracked side (SURFA)"
+                                                     : "take them off the tracked side (SURFA), make it the side of "
+                                                       "the deformable sheet, or use the _OFFSET form, "
+                                                       "whose springs hold bodies");
+}
+
+void report_second_tie(const model::Model& model, Index node, Index first, Index second, Findings& findings) {
+  const model::Contact& contact = model.contacts[second];
+  findings.warning(contact.place, name_contact(contact),
+                   fmt::format("{} is in reach, but {} has tied it already: the first tie holds",
+                               name_node(model, node), name_contact(model.contacts[first])),
+                   "let one contact track the node and name both sheets in it");
+}
+
+void report_untied_nodes(const model::Model& model, const model::Contact& contact, const std::vector<Index>& nodes,
+                         double distance, double tolerance, Findings& findings) {
+  findings.warning(
+      contact.place, name_contact(contact),
+      fmt::format("{} tracked nodes without a weld found no segment in reach, first {}: the closest is {:.4g} away, "
+                  "tolerance {:.4g}",
+                  nodes.size(), name_node(model, nodes.front()), distance, tolerance),
+      move_or_widen(distance, tolerance));
+}
+
+void check_segments(const model::Model& model, const Surroundings& around, std::vector<Tie>& ties, Findings& findings) {
+  std::vector<Index> tie_of(model.nodes.size(), none);
+  for (std::size_t t = 0; t < ties.size(); ++t)
+    if (!ties[t].spring) tie_of[ties[t].node] = static_cast<Index>(t);
+  fall_back_on_springs(model, around, ties, tie_of, findings);
+  report_hinges(model, around, ties, findings);
+  report_tied_adhesive(model, ties, findings);
+  note_rigid_sheets(model, around, ties, findings);
+  warn_of_constrained_segments(model, around, ties, tie_of, findings);
+  refuse_circles(model, ties, tie_of, findings);
+}
+
+void report_welds(const model::Model& model, const Ties& ties, Findings& findings) {
+  std::vector<const Weld*> untied;
+  for (const Weld& weld : ties.welds) {
+    for (const Projection& p : weld.ends) report_end(model, weld, p, findings);
+    const auto tracked = [](const Projection& p) { return p.kase != 0; };
+    if (!weld.tied && std::any_of(weld.ends.begin(), weld.ends.end(), tracked)) untied.push_back(&weld);
+  }
+  report_untracked_welds(model, ties, findings);
+  report_untied_welds(model, untied, findings);
+  note_distances(model, ties, findings);
+}
+
+}  // namespace nugget::weld

@@ -1,0 +1,565 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "weld/tie/ties.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.hpp"
+#include "weld/tie/assembly.hpp"
+#include "weld/tie/reference.hpp"
+#include "weld/tie/surroundings.hpp"
+#include "weld/tie/tie_findings.hpp"
+#include "weld/tie/welds.hpp"
+
+namespace nugget::weld {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Parametric distance from an edge within which a node counts as lying on it.
+constexpr double on_edge = 1e-4;
+/// A node lies in the plane of a sheet beside it if that plane is closer than this share of the distance it is moved.
+constexpr double in_plane_share = 0.5;
+/// A weld shorter than this share of the distance of two touching mid-surfaces is crushed.
+constexpr double crushed_share = 0.05;
+/// Sheets that are closer than touching by more than this share penetrate each other.
+constexpr double penetration_share = 0.01;
+/// A weld below this share of its diameter has no direction that projection could turn over.
+constexpr double no_length_share = 1e-6;
+
+/// What is known of a tracked node.
+struct Record {
+  Index node = none;
+  bool found = false;             ///< a segment; `closest` is the chosen one
+  bool tied = false;              ///< found, and not let go with its weld
+  bool only_sheet_taken = false;  ///< its candidates lie on the sheet that holds the weld's other end
+  Candidate closest;              ///< `contact` none: there is no segment at all
+  Index tie = none;               ///< in Ties::ties
+  double plane_of_other_sheet = infinity;
+  std::vector<Candidate> in_reach;  ///< in the contact that is being worked on
+};
+
+/// One end of a weld: the mean of its face's nodes.
+struct End {
+  bool attached = false;   ///< at least one node
+  bool moved = false;      ///< projected onto a segment
+  Index sheet = none;      ///< part
+  double thickness = 0.0;  ///< of the sheet [length]
+  Vec3d normal;            ///< of the segment, zero where there is none
+  Vec3d before, after;     ///< in the deck, and where it is tied [length]
+  Vec3d on_sheet;          ///< projected onto the sheet, moved there or not [length]
+};
+
+/// The nodes that a contact tracks, ascending, each once. `everything` means the nodes of all welds. Nodes that a weld
+/// shares with a sheet come in only where they are named otherwise than as a weld's.
+std::vector<Index> nodes_on_side_a(const model::Model& model, const model::Contact& contact,
+                                   const Surroundings& around) {
+  std::vector<char> chosen(model.nodes.size(), 0);
+  std::vector<char> parts(model.parts.size(), 0), welds(model.parts.size(), 0);
+  for (Index p = 0; p < static_cast<Index>(model.parts.size()); ++p) welds[p] = of_weld_material(model, p);
+  for (Index p : contact.a.parts) parts[p] = 1;
+  const auto choose = [&](const auto& elements) {
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      const bool weld = welds[elements.part[e]] != 0;
+      if (!parts[elements.part[e]] && !(contact.a.everything && weld)) continue;
+      for (Index n : elements.nodes(e))
+        if (!weld || around.shell[n] == none) chosen[n] = 1;
+    }
+  };
+  choose(model.shells);
+  choose(model.solids);
+  choose(model.beams);
+  for (Index n : contact.a.nodes) chosen[n] = 1;
+  for (const model::Segment& segment : contact.a.segments)
+    for (Index n : segment) chosen[n] = 1;
+  std::vector<Index> nodes;
+  for (Index n = 0; n < static_cast<Index>(chosen.size()); ++n) {
+    const bool end_in_sheet = around.of_weld[n] && around.shell[n] != none;
+    if (chosen[n] && !(end_in_sheet && contact.kind == model::Contact::Kind::spotweld)) nodes.push_back(n);
+  }
+  return nodes;
+}
+
+class Tying {
+ public:
+  Tying(const model::Model& model, Findings& findings)
+      : model_(model),
+        findings_(findings),
+        around_(model),
+        record_of_(model.nodes.size(), none),
+        only_part_(model.nodes.size(), none) {
+    result_.x = model.nodes.x;
+    result_.welds = find_welds(model);
+  }
+
+  Ties run() {
+    demand_parts();
+    for (Index c = 0; c < static_cast<Index>(model_.contacts.size()); ++c)
+      if (model_.contacts[c].tie()) work_through(c);
+    const auto sheet = [this](Index node) { return sheet_at(node); };
+    result_.welds = join_clusters(model_, std::move(result_.welds), sheet, findings_);
+    fates_.resize(result_.welds.size(), 0);
+    for (std::size_t w = 0; w < result_.welds.size(); ++w) judge(w);
+    release_nodes_of_lost_welds();
+    make_ties();
+    for (std::size_t w = 0; w < result_.welds.size(); ++w) describe_weld(w);
+    return std::move(result_);
+  }
+
+ private:
+  void demand_parts();
+  void work_through(Index contact);
+  std::vector<Tracked> tracked_nodes(Index contact);
+  void take_offers(Index contact, const std::vector<Tracked>& tracked, std::vector<Offer> offers);
+  void settle_beam(const Weld& weld);
+  static const Candidate* best(const Record& record, Index part_to_avoid);
+  static void settle(Record& record, const Candidate* candidate);
+  void report_loose_nodes(Index contact, const std::vector<Tracked>& tracked);
+  void judge(std::size_t w);
+  int distorted(const End& a, const End& b, double diameter) const;
+  void release_nodes_of_lost_welds();
+  void make_ties();
+  void choose_hold(Tie& tie, const model::Contact& contact) const;
+  void describe_weld(std::size_t w);
+  Projection projection(std::size_t w, Index node, double penetration) const;
+  Projection held_rigidly(Index node) const;
+  std::array<Index, 2> sheets_of(const std::vector<Projection>& ends) const;
+  int position_case(const Record& r) const;
+  std::string reason(const Record& r, const Projection& p, double penetration) const;
+
+  Record* record(Index node) { return record_of_[node] == none ? nullptr : &records_[record_of_[node]]; }
+  /// Whether a tie of this contact moves nodes onto the segments.
+  bool projects(Index contact) const {
+    return !model_.control.keep_tied_gap && model_.contacts[contact].offset == model::Contact::Offset::projected;
+  }
+  const Record* record(Index node) const { return record_of_[node] == none ? nullptr : &records_[record_of_[node]]; }
+  /// A node that needs no tie: a node of a sheet, or of a rigid body.
+  bool held(Index node) const { return around_.shell[node] != none || around_.rigid_body[node] != none; }
+  bool attached(Index node) const {
+    const Record* r = record(node);
+    return held(node) || (r && r->tied);
+  }
+  Index sheet_at(Index node) const;
+  Vec3d foot(Index node) const;
+  Vec3d projected(Index node) const;
+  End end(const Weld& weld, int side) const;
+  double penetration(const Weld& weld) const;
+
+  const model::Model& model_;
+  Findings& findings_;
+  Surroundings around_;
+  std::vector<Index> record_of_;  // of each node, in records_
+  std::vector<Record> records_;
+  std::vector<Index> only_part_;  // of each node, by *ELEMENT_BEAM_PID
+  std::vector<int> fates_;        // of each weld: 0, or the projection case 7 or 8
+  Ties result_;
+};
+
+/// Gathers the parts that *ELEMENT_BEAM_PID asks for.
+void Tying::demand_parts() {
+  for (const Weld& weld : result_.welds)
+    for (std::size_t end = 0; end < 2; ++end) {
+      const Index wanted = weld.tied_parts[end];
+      if (wanted == none) continue;
+      for (Index node : nodes_as_numbered(model_, weld, end)) {
+        Index& part = only_part_[node];
+        if (part != none && part != wanted)
+          findings_.warning(weld.place, "*ELEMENT_BEAM_PID",
+                            fmt::format("weld {} wants node {} tied to part {}, but a weld before it wants part {}: "
+                                        "the first one wins",
+                                        weld.id, model_.nodes.id[node], model_.parts[wanted].id, model_.parts[part].id),
+                            "give the two welds nodes of their own");
+        if (part == none) part = wanted;
+      }
+    }
+}
+
+void Tying::work_through(Index contact) {
+  const Reference reference(model_, contact);
+  report_what_is_not_built(model_, model_.contacts[contact], reference.segments(), findings_);
+  const std::vector<Tracked> tracked = tracked_nodes(contact);
+  if (reference.empty() || tracked.empty()) {
+    report_empty_side(model_.contacts[contact], reference.empty(), findings_);
+    return;
+  }
+  std::vector<Offer> offers(tracked.size());
+  parallel_for(tracked.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) offers[i] = reference.search(tracked[i]);
+  });
+  take_offers(contact, tracked, std::move(offers));
+
+  for (const Weld& weld : result_.welds)
+    if (weld.kind == Weld::Kind::beam || weld.kind == Weld::Kind::connector) settle_beam(weld);
+  for (const Tracked& t : tracked)
+    if (Record& r = *record(t.node); !r.tied && !r.only_sheet_taken) settle(r, best(r, none));
+  for (const Tracked& t : tracked) record(t.node)->in_reach.clear();
+  report_loose_nodes(contact, tracked);
+}
+
+/// The nodes on side a that are free to be tied, ascending.
+std::vector<Tracked> Tying::tracked_nodes(Index contact) {
+  const model::Contact& c = model_.contacts[contact];
+  std::vector<Index> rigid;
+  std::vector<Tracked> tracked;
+  for (Index node : nodes_on_side_a(model_, c, around_)) {
+    // Springs hold bodies too. The end of a weld on a body is held already.
+    const bool by_springs = c.penalty_fallback || (c.tie_by_springs() && c.kind != model::Contact::Kind::spotweld);
+    if (around_.rigid_body[node] != none && !by_springs) {
+      rigid.push_back(node);
+      continue;
+    }
+    const double thickness = c.thickness_a > 0.0 ? c.thickness_a : around_.thickness[node] * c.thickness_scale_a;
+    tracked.push_back({node, thickness, only_part_[node]});
+  }
+  report_rigid_tracked_nodes(model_, c, around_, rigid, findings_);
+  return tracked;
+}
+
+/// Writes into the records what the search in this contact has found.
+void Tying::take_offers(Index contact, const std::vector<Tracked>& tracked, std::vector<Offer> offers) {
+  for (std::size_t i = 0; i < tracked.size(); ++i) {
+    const Index node = tracked[i].node;
+    if (record_of_[node] == none) {
+      record_of_[node] = static_cast<Index>(records_.size());
+      records_.emplace_back().node = node;
+    }
+    Record& r = *record(node);
+    Offer& offer = offers[i];
+    if (r.tied) {
+      if (!offer.in_reach.empty()) report_second_tie(model_, node, r.closest.contact, contact, findings_);
+      continue;
+    }
+    r.only_sheet_taken = false;
+    const bool nearer = r.closest.contact == none || offer.closest.foot.reach < r.closest.foot.reach;
+    if (offer.closest.contact != none && nearer) r.closest = offer.closest;
+    r.plane_of_other_sheet = offer.plane_of_other_sheet;
+    r.in_reach = std::move(offer.in_reach);
+  }
+}
+
+/// Ties the two ends to different parts: of two on the same part the farther one takes its next best; if that would
+/// turn the weld over and the other way round would not, the nearer one does.
+void Tying::settle_beam(const Weld& weld) {
+  const std::array<Record*, 2> r{record(weld.ends[0].node), record(weld.ends[1].node)};
+  const auto is_open = [](const Record* record) { return record && !record->tied && !record->in_reach.empty(); };
+  const std::array<bool, 2> open{is_open(r[0]), is_open(r[1])};
+  if (open[0] != open[1]) {
+    const int end = open[0] ? 0 : 1;
+    settle(*r[end], best(*r[end], sheet_at(weld.ends[1 - end].node)));
+  }
+  if (!open[0] || !open[1]) return;
+
+  using Choice = std::array<const Candidate*, 2>;
+  const auto choose = [&](int first) {
+    Choice choice{};
+    choice[first] = best(*r[first], none);
+    choice[1 - first] = best(*r[1 - first], choice[first]->segment.part);
+    return choice;
+  };
+  const Vec3d axis = model_.nodes.x[r[1]->node] - model_.nodes.x[r[0]->node];
+  const auto turns_over = [&](const Choice& c) {
+    return c[0] && c[1] && dot(c[1]->foot.point - c[0]->foot.point, axis) <= 0.0;
+  };
+  const int nearer = r[0]->in_reach.front().foot.reach > r[1]->in_reach.front().foot.reach ? 1 : 0;
+  Choice choice = choose(nearer);
+  if (turns_over(choice)) {
+    const Choice other = choose(1 - nearer);
+    if (other[0] && other[1] && !turns_over(other)) choice = other;
+  }
+  for (int end = 0; end < 2; ++end) settle(*r[end], choice[end]);
+}
+
+/// The best that a node is offered elsewhere than on one part; null if there is nothing.
+const Candidate* Tying::best(const Record& record, Index part_to_avoid) {
+  const auto elsewhere = [&](const Candidate& c) { return part_to_avoid == none || c.segment.part != part_to_avoid; };
+  const auto found = std::find_if(record.in_reach.begin(), record.in_reach.end(), elsewhere);
+  return found == record.in_reach.end() ? nullptr : &*found;
+}
+
+/// Ties a node to the candidate; null: it stays free.
+void Tying::settle(Record& record, const Candidate* candidate) {
+  if (candidate) {
+    record.found = record.tied = true;
+    record.closest = *candidate;
+  } else {
+    record.only_sheet_taken = !record.in_reach.empty();
+  }
+}
+
+/// One summary of the tracked nodes that belong to no weld and found nothing.
+void Tying::report_loose_nodes(Index contact, const std::vector<Tracked>& tracked) {
+  std::vector<Index> loose;
+  for (const Tracked& t : tracked)
+    if (!around_.of_weld[t.node] && !record(t.node)->tied) loose.push_back(t.node);
+  if (loose.empty()) return;
+  const Candidate& closest = record(loose.front())->closest;
+  report_untied_nodes(model_, model_.contacts[contact], loose, closest.foot.reach, closest.tolerance, findings_);
+}
+
+Index Tying::sheet_at(Index node) const {
+  const Record* r = record(node);
+  if (r && r->tied) return r->closest.segment.part;
+  if (around_.shell[node] != none) return model_.shells.part[around_.shell[node]];
+  if (around_.rigid_body[node] == none) return none;
+  const std::vector<Index>& parts = model_.rigid_bodies[around_.rigid_body[node]].parts;
+  return parts.empty() ? none : parts.front();
+}
+
+/// The place of a tied node on its segment, of any other in the deck.
+Vec3d Tying::foot(Index node) const {
+  const Record* r = record(node);
+  return r && r->tied ? r->closest.foot.point : model_.nodes.x[node];
+}
+
+Vec3d Tying::projected(Index node) const {
+  const Record* r = record(node);
+  return r && r->tied && projects(r->closest.contact) ? r->closest.foot.point : model_.nodes.x[node];
+}
+
+End Tying::end(const Weld& weld, int side) const {
+  End end;
+  int count = 0;
+  for (Index node : weld.face[side]) {
+    ++count;
+    end.before += model_.nodes.x[node];
+    end.after += projected(node);
+    end.on_sheet += foot(node);
+    if (end.attached || !attached(node)) continue;
+    end.attached = true;
+    end.sheet = sheet_at(node);
+    if (const Record* r = record(node); r && r->tied) {
+      end.moved = projects(r->closest.contact);
+      const ReferenceSegment& s = r->closest.segment;
+      const std::vector<Vec3d>& x = model_.nodes.x;
+      end.thickness = s.thickness;
+      end.normal = normal({x[s.node[0]], x[s.node[1]], x[s.node[2]], x[s.node[3]]});
+    } else if (around_.shell[node] != none) {
+      end.thickness = model_.shells.thickness[around_.shell[node]];
+    }
+  }
+  if (count > 0) {
+    end.before = (1.0 / count) * end.before;
+    end.after = (1.0 / count) * end.after;
+    end.on_sheet = (1.0 / count) * end.on_sheet;
+  }
+  return end;
+}
+
+/// 7 or 8 if projection would turn the weld over or crush it, else 0.
+int Tying::distorted(const End& a, const End& b, double diameter) const {
+  const Vec3d before = b.before - a.before, after = b.after - a.after;
+  const double touching = 0.5 * (a.thickness + b.thickness);
+  const bool turned_over = norm(before) > no_length_share * diameter && dot(before, after) <= 0.0;
+  const bool crushed = norm(after) < crushed_share * touching;
+  if (!turned_over && !crushed) return 0;
+  return dot(a.normal, before) < 0.0 && dot(b.normal, before) > 0.0 ? 8 : 7;
+}
+
+/// Whether weld `w` is refused, tied, to be deleted.
+void Tying::judge(std::size_t w) {
+  Weld& weld = result_.welds[w];
+  if (weld.of_bricks()) lay_faces(model_, weld, [this](Index node) { return sheet_at(node); });
+  const WeldSize size = measure(weld, model_.nodes.x);
+  weld.length = weld.length_before = size.length;
+  weld.diameter = size.diameter;
+  if (weld.kind == Weld::Kind::rigid) {
+    weld.tied = true;
+    return;
+  }
+  const End a = end(weld, 0), b = end(weld, 1);
+  if (a.moved || b.moved) fates_[w] = distorted(a, b, weld.diameter);
+  const auto is_attached = [&](const Projection& p) { return attached(p.node); };
+  const auto is_tracked = [&](const Projection& p) { return record(p.node) != nullptr; };
+  weld.tied = fates_[w] == 0 && std::all_of(weld.ends.begin(), weld.ends.end(), is_attached);
+  // SPOTSTP is about nodes that a contact tracks in vain.
+  const bool in_vain = !weld.tied && std::any_of(weld.ends.begin(), weld.ends.end(), is_tracked);
+  weld.deleted = in_vain && model_.control.untied_weld == 2;
+}
+
+/// A refused or deleted weld lets its nodes go, unless another weld holds them.
+void Tying::release_nodes_of_lost_welds() {
+  std::vector<char> kept(records_.size(), 0);
+  for (std::size_t r = 0; r < records_.size(); ++r) kept[r] = !around_.of_weld[records_[r].node];
+  for (std::size_t w = 0; w < result_.welds.size(); ++w) {
+    if (fates_[w] != 0 || result_.welds[w].deleted) continue;
+    for (const Projection& p : result_.welds[w].ends)
+      if (record_of_[p.node] != none) kept[record_of_[p.node]] = 1;
+  }
+  for (std::size_t r = 0; r < records_.size(); ++r)
+    if (!kept[r]) records_[r].tied = false;
+}
+
+void Tying::make_ties() {
+  for (Index node = 0; node < static_cast<Index>(model_.nodes.size()); ++node) {
+    Record* r = record(node);
+    if (!r || !r->tied) continue;
+    const Candidate& c = r->closest;
+    const model::Contact& contact = model_.contacts[c.contact];
+    Tie tie;
+    tie.node = node;
+    tie.contact = c.contact;
+    tie.shell = c.segment.shell;
+    tie.part = c.segment.part;
+    tie.segment = c.segment.node;
+    tie.xi = c.foot.xi;
+    tie.eta = c.foot.eta;
+    tie.weight = c.foot.weight;
+    tie.point = c.foot.point;
+    constexpr double round_off = 1e-10;  // of the tolerance
+    tie.gap = c.foot.gap > round_off * c.tolerance ? c.foot.gap : 0.0;
+    tie.moved = projects(c.contact) ? tie.gap : 0.0;
+    if (projects(c.contact)) result_.x[node] = tie.point;
+    choose_hold(tie, contact);
+    r->tie = static_cast<Index>(result_.ties.size());
+    result_.ties.push_back(tie);
+  }
+  check_segments(model_, around_, result_.ties, findings_);
+}
+
+/// What the tie hands over, and by what means.
+void Tying::choose_hold(Tie& tie, const model::Contact& contact) const {
+  using Offset = model::Contact::Offset;
+  const bool on_shell = tie.shell != none;
+  const bool with_couples = contact.kind == model::Contact::Kind::tied_shell_edge_to_solid;
+  tie.rotations = around_.rotates[tie.node] && contact.ties_rotations() && (on_shell || with_couples);
+  tie.twist = contact.torsion && tie.rotations && on_shell;
+  tie.couples = !on_shell && (with_couples || contact.offset != Offset::projected || model_.control.keep_tied_gap);
+  tie.spring = contact.tie_by_springs() || around_.rigid_body[tie.node] != none;
+  tie.lever = contact.offset != Offset::penalty;
+}
+
+/// How deep sheets in the right order lie in each other, by their thicknesses; 0 if not worth a word.
+double Tying::penetration(const Weld& weld) const {
+  const End a = end(weld, 0), b = end(weld, 1);
+  if (!a.attached || !b.attached || a.sheet == b.sheet || a.thickness == 0.0 || b.thickness == 0.0) return 0.0;
+  const Vec3d n = norm(a.normal) > 0.0 ? a.normal : b.normal;
+  if (norm(n) == 0.0) return 0.0;
+  const double touching = 0.5 * (a.thickness + b.thickness);
+  const double depth = touching - std::abs(dot(b.on_sheet - a.on_sheet, n));
+  return depth > penetration_share * touching ? depth : 0.0;
+}
+
+void Tying::describe_weld(std::size_t w) {
+  Weld& weld = result_.welds[w];
+  const double depth = fates_[w] == 0 ? penetration(weld) : 0.0;
+  for (Projection& p : weld.ends)
+    p = weld.kind == Weld::Kind::rigid ? held_rigidly(p.node) : projection(w, p.node, depth);
+  if (weld.kind == Weld::Kind::rigid) {
+    weld.sheets = sheets_of(weld.ends);
+    return;
+  }
+  for (int side = 0; side < 2; ++side) weld.sheets[side] = end(weld, side).sheet;
+  const WeldSize size = measure(weld, result_.x);
+  weld.length = size.length;
+  weld.diameter = size.diameter;
+}
+
+Projection Tying::held_rigidly(Index node) const {
+  Projection p;
+  p.node = node;
+  p.tied = true;
+  const Index shell = around_.shell[node];
+  p.reason = shell == none ? "on no shell; held by the rigid weld"
+                           : fmt::format("a node of shell {}; held by the rigid weld", model_.shells.id[shell]);
+  return p;
+}
+
+/// The first two different parts whose shells the nodes belong to.
+std::array<Index, 2> Tying::sheets_of(const std::vector<Projection>& ends) const {
+  std::array<Index, 2> sheets{none, none};
+  for (const Projection& p : ends) {
+    const Index sheet = around_.shell[p.node] == none ? none : model_.shells.part[around_.shell[p.node]];
+    if (sheet == none || sheet == sheets[0]) continue;
+    if (sheets[0] == none)
+      sheets[0] = sheet;
+    else if (sheets[1] == none)
+      sheets[1] = sheet;
+  }
+  return sheets;
+}
+
+Projection Tying::projection(std::size_t w, Index node, double penetration) const {
+  Projection p;
+  p.node = node;
+  const Record* r = record(node);
+  if (!r || (!r->found && held(node))) {
+    p.tied = held(node);
+    p.reason = around_.rigid_body[node] != none
+                   ? fmt::format("belongs to rigid body {}", model_.rigid_bodies[around_.rigid_body[node]].id)
+               : around_.shell[node] != none
+                   ? fmt::format("is a node of shell {}", model_.shells.id[around_.shell[node]])
+                   : "no contact tracks it";
+    return p;
+  }
+  p.closest_shell = r->closest.segment.shell;
+  p.distance = r->closest.contact == none ? infinity : r->found ? r->closest.foot.gap : r->closest.foot.reach;
+  p.tolerance = r->closest.tolerance;
+  p.only_sheet_taken = !r->found && r->only_sheet_taken;
+  p.tied = r->tied && fates_[w] == 0;
+  if (p.tied) p.tie = result_.ties[r->tie];
+  p.kase = fates_[w] != 0 ? fates_[w] : !r->found ? 5 : penetration > 0.0 ? 4 : position_case(*r);
+  p.reason = reason(*r, p, penetration);
+  return p;
+}
+
+/// 6, 3, 2 or 1, by where on its segment a node lies.
+int Tying::position_case(const Record& r) const {
+  const Foot& foot = r.closest.foot;
+  if (!foot.over || r.plane_of_other_sheet < in_plane_share * foot.gap) return 6;
+  bool on_first = false, on_second = false;
+  if (r.closest.segment.triangle()) {
+    const double third = 1.0 - foot.xi - foot.eta;
+    on_second = std::max({foot.xi, foot.eta, third}) >= 1.0 - on_edge;
+    on_first = std::min({foot.xi, foot.eta, third}) <= on_edge;
+    return on_second ? 3 : on_first ? 2 : 1;
+  }
+  on_first = std::abs(foot.xi) >= 1.0 - on_edge;
+  on_second = std::abs(foot.eta) >= 1.0 - on_edge;
+  return on_first && on_second ? 3 : on_first || on_second ? 2 : 1;
+}
+
+std::string Tying::reason(const Record& r, const Projection& p, double penetration) const {
+  const Foot& foot = r.closest.foot;
+  const std::string segment = name_segment(model_, r.closest.segment.shell, r.closest.segment.part);
+  const std::string distance = fmt::format("{:.4g}", foot.gap);
+  std::string text;
+  switch (p.kase) {
+    case 1: text = "over " + segment; break;
+    case 2: text = "on an edge of " + segment; break;
+    case 3: text = "on a corner of " + segment; break;
+    case 4:
+      text = fmt::format("the sheets penetrate each other by {:.4g}; over {}, {} away", penetration, segment, distance);
+      break;
+    case 5:
+      if (r.closest.contact == none) return "there is no segment that it may be tied to";
+      if (r.only_sheet_taken) return "the only sheet in reach, with " + segment + ", holds the weld's other end";
+      return fmt::format("no segment in reach: the closest, {}, is {:.4g} away, tolerance {:.4g}", segment, p.distance,
+                         p.tolerance);
+    case 6: text = "over no segment of its own sheet; the closest is " + segment + ", " + distance + " away"; break;
+    default: return "projection onto " + segment + ", " + distance + " away, would turn the weld over or crush it";
+  }
+  return p.tied ? text : text + "; let go with the weld";
+}
+
+}  // namespace
+
+Ties tie(const model::Model& model, Findings& findings) {
+  Ties ties = Tying(model, findings).run();
+  report_welds(model, ties, findings);
+  return ties;
+}
+
+std::string describe(const model::Model& model, const Tie& tie) {
+  const auto id = [&](int corner) { return model.nodes.id[tie.segment[corner]]; };
+  std::string text =
+      fmt::format("node {} on segment {} {} {} {} ({}), xi {:.6f} eta {:.6f}, moved {:.4g}", model.nodes.id[tie.node],
+                  id(0), id(1), id(2), id(3), name_segment(model, tie.shell, tie.part), tie.xi, tie.eta, tie.moved);
+  if (tie.moved == 0.0 && tie.gap > 0.0) text += fmt::format(", gap {:.4g} kept", tie.gap);
+  if (tie.spring) text += ", by springs";
+  if (!tie.rotations) text += ", translations only";
+  return text;
+}
+
+}  // namespace nugget::weld

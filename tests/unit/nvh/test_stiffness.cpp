@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// Element stiffness out of the batch kernels, against dual numbers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/index.hpp"
+#include "deck/deck.hpp"
+#include "kernel/element/hexahedron.hpp"
+#include "kernel/element/weld_beam.hpp"
+#include "nvh/matrices/linear_model.hpp"
+#include "nvh/matrices/matrices.hpp"
+#include "reading/build.hpp"
+
+namespace nugget::nvh {
+namespace {
+
+/// A distorted brick on nodes 1 to 8 and a slanted weld beam between nodes 9 and 10.
+const char* const deck_text = R"(*KEYWORD
+*CONTROL_TERMINATION
+       1.0
+*MAT_ELASTIC
+         1   7.85e-9  210000.0       0.3
+*SECTION_SOLID
+         1         1
+*HOURGLASS
+         1         6       1.0
+*PART
+brick
+         1         1         1         0         1
+*MAT_SPOTWELD
+         2   7.85e-9  210000.0       0.3     400.0    1000.0
+*SECTION_BEAM
+         2         9       1.0       2.0       1.0
+       6.0       6.0
+*PART
+weld
+         2         2         2
+*NODE
+       1             0.0             0.1             0.0
+       2             2.1             0.0             0.2
+       3             2.0             1.5             0.0
+       4            -0.2             1.4             0.1
+       5             0.1             0.0             1.0
+       6             2.0             0.2             1.1
+       7             2.2             1.6             0.9
+       8             0.0             1.5             1.2
+       9             5.0             0.0             0.0
+      10             5.5             0.3             1.4
+*ELEMENT_SOLID
+       1       1       1       2       3       4       5       6       7       8
+*ELEMENT_BEAM
+       1       2       9      10
+*END
+)";
+
+struct Assembled {
+  Findings findings;
+  model::Model model;
+  weld::Ties ties;
+  model::Model linear;
+  system::System system;
+  Matrices matrices;
+
+  explicit Assembled(const char* text)
+      : model(reading::build(deck::read_text(text, findings), findings)),
+        ties(weld::tie(model, findings)),
+        linear(linear_model(model, findings)),
+        system(linear, ties, findings),
+        matrices(system, findings) {}
+};
+
+std::vector<double> stiffness(const Assembled& a, const system::ElementGroup& group) {
+  const std::size_t n = at(group.nodes_per_element * group.freedoms());
+  std::vector<double> k(n * n);
+  group.stiffness(0, a.matrices.rest, k);
+  return k;
+}
+
+void expect_equal(const std::vector<double>& k, const std::vector<double>& reference) {
+  ASSERT_EQ(k.size(), reference.size());
+  double largest = 0.0;
+  for (const double v : reference) largest = std::max(largest, std::abs(v));
+  ASSERT_GT(largest, 0.0);
+  for (std::size_t i = 0; i < k.size(); ++i) EXPECT_NEAR(k[i], reference[i], 1e-13 * largest) << "entry " << i;
+}
+
+TEST(Stiffness, OfABrickIsTheDerivativeByDualNumbers) {
+  const Assembled a(deck_text);
+  ASSERT_EQ(a.findings.errors(), 0);
+  using D = Dual<24>;
+  const kernel::Prepared<kernel::Elastic> law(kernel::Elastic{210000.0, 0.3});
+  const kernel::HexahedronProperties brick{7.85e-9, 6, 1.0, 0.0, 0.0};
+  std::array<Vec3d, 8> x;
+  kernel::SolidMotion<D> motion;
+  for (int i = 0; i < 8; ++i) {
+    x[at(i)] = a.model.nodes.x[at(i)];
+    motion.x[i] = {D(x[at(i)].x), D(x[at(i)].y), D(x[at(i)].z)};
+    motion.v[i] = {D::variable(0.0, 3 * i), D::variable(0.0, 3 * i + 1), D::variable(0.0, 3 * i + 2)};
+  }
+  const kernel::HexahedronLayout layout = kernel::hexahedron_layout(law);
+  std::vector<double> state(at(layout.size()));
+  kernel::start_hexahedron(layout, x, state.data(), 1, 0);
+  const auto out = kernel::hexahedron_cycle(brick, law, motion, 1.0, state.data());
+  std::vector<double> k;
+  for (const Vec3<D>& f : out.f)
+    for (const D* c : {&f.x, &f.y, &f.z}) k.insert(k.end(), c->d.begin(), c->d.end());
+  expect_equal(stiffness(a, *a.system.groups[at(a.system.solid_seat[0].group)]), k);
+}
+
+TEST(Stiffness, OfAWeldBeamIsTheDerivativeByDualNumbers) {
+  const Assembled a(deck_text);
+  ASSERT_EQ(a.findings.errors(), 0);
+  using D = Dual<12>;
+  const kernel::Prepared<kernel::Elastic> law(kernel::Elastic{210000.0, 0.3});
+  kernel::WeldBeamProperties beam;
+  beam.density = 7.85e-9;
+  beam.fibres = kernel::disc_fibres(6.0, 0.0, 2);
+  kernel::NodalMotion<D, 2> motion;
+  for (int i = 0; i < 2; ++i) {
+    const Vec3d x = a.model.nodes.x[at(8 + i)];
+    motion.x[i] = {D(x.x), D(x.y), D(x.z)};
+    motion.v[i] = {D::variable(0.0, 6 * i), D::variable(0.0, 6 * i + 1), D::variable(0.0, 6 * i + 2)};
+    motion.w[i] = {D::variable(0.0, 6 * i + 3), D::variable(0.0, 6 * i + 4), D::variable(0.0, 6 * i + 5)};
+  }
+  const kernel::WeldBeamLayout layout = kernel::weld_beam_layout(beam, law);
+  std::vector<double> state(at(layout.size()));
+  kernel::start_weld_beam(layout, a.model.nodes.x[8], a.model.nodes.x[9], {}, state.data(), 1, 0);
+  const auto out = kernel::weld_beam_cycle(beam, law, motion, 1.0, state.data());
+  std::vector<double> k;
+  for (int i = 0; i < 2; ++i)
+    for (const Vec3<D>& f : {out.f[i], out.m[i]})
+      for (const D* c : {&f.x, &f.y, &f.z}) k.insert(k.end(), c->d.begin(), c->d.end());
+  expect_equal(stiffness(a, *a.system.groups[at(a.system.beam_seat[0].group)]), k);
+}
+
+// The brick and the beam are free: T^t K T has no force for any rigid motion of either.
+TEST(Stiffness, HasNoForceInARigidRotation) {
+  const Assembled a(deck_text);
+  const Vec3d spin{0.3, -0.5, 0.8};
+  std::vector<double> q(a.matrices.size()), f(q.size());
+  for (int e = 0; e < a.matrices.equations.size(); ++e) {
+    const int node = a.matrices.equations.node_of(e);
+    const Vec3d v = cross(spin, vec(a.matrices.rest.x[at(node)]));
+    const double u[6] = {v.x, v.y, v.z, spin.x, spin.y, spin.z};
+    for (int i = 0; i < 6; ++i)
+      for (const Equations::Term& t : a.matrices.equations.terms(node, i))
+        if (t.equation == e) q[at(e)] += t.factor * u[i];
+  }
+  a.matrices.stiffness.multiply(q, f);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < q.size(); ++i) largest = std::max(largest, a.matrices.stiffness.diagonal(i));
+  for (const double force : f) EXPECT_NEAR(force, 0.0, 1e-12 * largest);
+}
+
+}  // namespace
+}  // namespace nugget::nvh

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "reading/mesh/brick_clusters.hpp"
+#include "small_model.hpp"
+
+// *DEFINE_HEX_SPOTWELD_ASSEMBLY, and RPBHX of *CONTROL_SPOTWELD_BEAM.
+namespace nugget::reading {
+namespace {
+
+using ::testing::ElementsAre;
+
+constexpr double pi = std::numbers::pi;
+
+double area(const ClusterTemplate& c, const std::array<int, 4>& q) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& a = c.nodes[static_cast<std::size_t>(q[i])];
+    const auto& b = c.nodes[static_cast<std::size_t>(q[(i + 1) % 4])];
+    sum += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+  }
+  return sum;
+}
+
+TEST(BrickClusters, TemplatesKeepTheAreaAndTheCentre) {
+  const double d = 6.0, wanted = 0.25 * pi * d * d;
+  for (const auto& [bricks, nodes] : {std::pair{1, 4}, {4, 9}, {8, 12}}) {
+    const ClusterTemplate c = cluster_template(bricks, wanted);
+    EXPECT_EQ(static_cast<int>(c.quads.size()), bricks);
+    EXPECT_EQ(static_cast<int>(c.nodes.size()), nodes);
+    double sum = 0.0, s = 0.0, t = 0.0;
+    for (const auto& q : c.quads) {
+      EXPECT_GT(area(c, q), 0.02 * wanted) << bricks;  // counter-clockwise, none thin
+      sum += area(c, q);
+    }
+    for (const auto& n : c.nodes) {
+      s += n[0];
+      t += n[1];
+    }
+    EXPECT_NEAR(sum, wanted, 1e-12 * wanted) << bricks;
+    EXPECT_NEAR(s, 0.0, 1e-12);
+    EXPECT_NEAR(t, 0.0, 1e-12);
+  }
+  EXPECT_NEAR(cluster_template(4, wanted).nodes[1][0], 0.5270 * d, 1e-4 * d);  // spotweld-theory.md 3.4
+  EXPECT_NEAR(cluster_template(1, wanted).nodes[2][0], 0.5 * 0.8862 * d, 1e-4 * d);
+}
+
+const std::string weld_part =
+    "*PART\nwelds\n9,9,9\n*SECTION_BEAM\n9,9,1.0,,1\n6.0,6.0\n*MAT_SPOTWELD\n9,7.85e-9,210000.0,0.3,400.0\n\n";
+const std::string two_beams =
+    "*NODE\n31,0.5,0.5,0.0\n32,0.5,0.5,2.0\n33,2.5,0.5,0.0\n34,2.5,0.5,2.0\n"
+    "*ELEMENT_BEAM\n71,9,31,32\n72,9,33,34\n";
+const std::string contact = "*CONTACT_SPOTWELD\n9,1,3,3\n\n\n";
+
+TEST(BrickClusters, ReplaceWeldBeams) {
+  const Built b(small_deck(weld_part + two_beams + contact + "*CONTROL_SPOTWELD_BEAM\n,,,,,4\n"));
+  ASSERT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const Model& m = b.model;
+  EXPECT_EQ(m.beams.size(), 0u);
+  EXPECT_EQ(m.solids.size(), 8u);
+  EXPECT_EQ(m.nodes.size(), 17u + 2 * 18);
+  EXPECT_EQ(m.nodes.id[17], 35);  // the next free one
+  ASSERT_EQ(m.hex_assemblies.size(), 2u);
+  EXPECT_EQ(m.hex_assemblies[1].id, 72);
+  EXPECT_THAT(m.hex_assemblies[1].solids, ElementsAre(4, 5, 6, 7));
+  EXPECT_EQ(m.hex_assemblies[0].orientation.x, 1.0);
+  const Part& part = m.parts[static_cast<std::size_t>(m.part_index(9))];
+  EXPECT_EQ(part.kind, ElementKind::solid);
+  EXPECT_EQ(m.solid_sections[static_cast<std::size_t>(part.section)].elform, 1);
+  const Hourglass& h = m.hourglass[static_cast<std::size_t>(part.hourglass)];
+  EXPECT_EQ(h.type, 6);
+  EXPECT_EQ(h.membrane, 1.0);
+  EXPECT_NE(
+      b.find(Severity::note, "replaced by 4 bricks each: 2, of parts 9; nodes 35 to 70 and bricks 1 to 8 are new"),
+      nullptr)
+      << b.all_findings();
+  // The first brick: centre of the octagon below, above in the same order.
+  const auto& n = m.solids.node[0];
+  EXPECT_EQ(m.nodes.x[static_cast<std::size_t>(n[0])].z, 0.0);
+  EXPECT_EQ(m.nodes.x[static_cast<std::size_t>(n[4])].z, 2.0);
+  EXPECT_EQ(m.nodes.x[static_cast<std::size_t>(n[4])].x, 0.5);
+}
+
+TEST(BrickClusters, BeamsThatAreNotInTheSetStayInAPartOfTheirOwn) {
+  const Built b(
+      small_deck(weld_part + two_beams + contact + "*SET_BEAM\n5\n72\n*CONTROL_SPOTWELD_BEAM\n,,,,,1,5,1000\n"));
+  ASSERT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const Model& m = b.model;
+  ASSERT_EQ(m.beams.size(), 1u);
+  EXPECT_EQ(m.beams.id[0], 71);
+  EXPECT_EQ(m.beams.place[0].line, m.hex_assemblies.at(0).place.line - 1);
+  const Index own = m.part_index(1009);
+  ASSERT_NE(own, none);
+  EXPECT_EQ(m.beams.part[0], own);
+  EXPECT_EQ(m.parts[static_cast<std::size_t>(own)].kind, ElementKind::beam);
+  EXPECT_THAT(m.contacts.at(0).a.parts, ElementsAre(m.part_index(9), own));
+  EXPECT_EQ(m.solids.size(), 1u);
+  EXPECT_TRUE(m.sets.beams.at(0).members.empty());
+}
+
+TEST(BrickClusters, AnImpossibleReplacementIsAnError) {
+  EXPECT_TRUE(Built(small_deck(weld_part + two_beams + contact + "*CONTROL_SPOTWELD_BEAM\n,,,,,16\n"))
+                  .error("expected 0, 1, 4 or 8", "rpbhx"));
+  const std::string flat = "*NODE\n31,0.5,0.5,0.0\n32,0.5,0.5,0.0\n*ELEMENT_BEAM\n71,9,31,32\n";
+  EXPECT_TRUE(Built(small_deck(weld_part + flat + contact + "*CONTROL_SPOTWELD_BEAM\n,,,,,4\n"))
+                  .error("weld beam 71 has no length"));
+  EXPECT_TRUE(Built(small_deck(weld_part + two_beams + contact + "*CONTROL_SPOTWELD_BEAM\n,,7,,,4\n"))
+                  .error("stand on more than one place of a shell", "t_ort"));
+}
+
+/// T_ORT 7 with two curves, each from `first` to `last`, at the table's values 0 and `value`.
+std::string place_table(double value, double last) {
+  return weld_part + two_beams + contact + "*CONTROL_SPOTWELD_BEAM\n,,7\n*DEFINE_TABLE_2D\n7\n" +
+         fmt::format("0.0,11\n{},12\n", value) + "*DEFINE_CURVE\n11\n0.0,1.0\n" + fmt::format("{},1.0\n", last) +
+         "*DEFINE_CURVE\n12\n0.0,1.0\n" + fmt::format("{},3.0\n", last);
+}
+
+TEST(WeldPlace, TheAxisBeyondOneIsTheAngle) {
+  const Built angles_on_curves(small_deck(place_table(1.0, 45.0))), angles_in_table(small_deck(place_table(45.0, 1.0)));
+  for (const Built* b : {&angles_on_curves, &angles_in_table}) {
+    const WeldBeamControl& c = b->model.control.weld_beams;
+    EXPECT_NEAR(c.tension_place.at(0.5, 22.5), 1.5, 1e-12);  // half of half of the way from 1 to 3
+    EXPECT_NEAR(c.tension_place.at(1.0, 45.0), 3.0, 1e-12);
+    EXPECT_NEAR(c.shear_place.at(0.5, 22.5), 1.5, 1e-12);  // T_ORS 0
+  }
+  EXPECT_EQ(angles_on_curves.model.control.weld_beams.tension_place.at(0.0, 45.0), 1.0);
+}
+
+TEST(WeldPlace, AnAxisThatCannotBeToldIsRefused) {
+  EXPECT_TRUE(Built(small_deck(place_table(1.0, 1.0))).error("do not reach beyond 1", "t_ort"));
+  EXPECT_TRUE(Built(small_deck(place_table(45.0, 45.0))).error("both reach beyond 1", "t_ort"));
+}
+
+const std::string bricks =
+    "*PART\nwelds\n9,9,9,,9\n*SECTION_SOLID\n9\n*HOURGLASS\n9,6,1.0\n*MAT_SPOTWELD\n9,7.85e-9,210000.0,0.3,400.0\n\n"
+    "*NODE\n31,0.0,0.0,1.0\n32,1.0,0.0,1.0\n33,1.0,1.0,1.0\n34,0.0,1.0,1.0\n"
+    "*NODE\n35,0.0,0.0,2.0\n36,1.0,0.0,2.0\n37,1.0,1.0,2.0\n38,0.0,1.0,2.0\n"
+    "*ELEMENT_SOLID\n1,9,1,2,3,4,31,32,33,34\n2,9,31,32,33,34,35,36,37,38\n";
+
+TEST(HexAssembly, NamesItsBricks) {
+  const Built b(small_deck(bricks + "*DEFINE_HEX_SPOTWELD_ASSEMBLY\n500\n2,1\n"));
+  ASSERT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_EQ(b.model.hex_assemblies.at(0).id, 500);
+  EXPECT_THAT(b.model.hex_assemblies.at(0).solids, ElementsAre(1, 0));
+}
+
+TEST(HexAssembly, FaultsAreToldAtTheirFields) {
+  const auto with = [](const std::string& cards) { return Built(small_deck(bricks + cards)); };
+  EXPECT_TRUE(with("*DEFINE_HEX_SPOTWELD_ASSEMBLY_4\n500\n1,2\n").error("2 bricks are named, expected 4", "eid1"));
+  EXPECT_TRUE(with("*DEFINE_HEX_SPOTWELD_ASSEMBLY\n500\n1,7\n").error("solid 7 is not defined", "eid2"));
+  EXPECT_TRUE(with("*DEFINE_HEX_SPOTWELD_ASSEMBLY\n500\n1,1\n").error("belongs to an assembly already", "eid2"));
+  EXPECT_TRUE(with("*DEFINE_HEX_SPOTWELD_ASSEMBLY\n500\n\n").error("no brick is named", "eid1"));
+}
+
+TEST(Checks, BrickWeldsWithoutTheirHourglassControlAreWarnedOf) {
+  EXPECT_FALSE(Built(small_deck(bricks)).warning("hourglass control type"));
+  std::string other = bricks;
+  other.replace(other.find("9,6,1.0"), 7, "9,2,0.1");
+  EXPECT_TRUE(Built(small_deck(other)).warning("have hourglass control type 2 with QM = 0.1"));
+}
+
+}  // namespace
+}  // namespace nugget::reading
