@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the public decks of ../shared/decks to their ends; prints the table of docs/book/decks.md and draws the last states.
+"""Runs the public decks of ../shared/decks to their ends; prints the table of docs/evidence/decks.md and draws the last states.
 
     tools/decks.py NUGGET FOLDER [NAME...]
 

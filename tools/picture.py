@@ -4,7 +4,7 @@ welds as dots, failed ones red.
 
     tools/picture.py FOLDER PICTURE.svg [--view X,Y,Z] [--up X,Y,Z] [--width PIXELS]
 
-Needs numpy. Reads the subset of the d3plot format that nugget writes (docs/book/results.md).
+Needs numpy. Reads the subset of the d3plot format that nugget writes (docs/manual/results.md).
 """
 import argparse
 import pathlib

@@ -3,10 +3,10 @@
 
     python3 tools/site.py NUGGET SITE
 
-Works in a folder beside SITE, so that nothing generated stands in the source tree: docs/ is copied, a page for each family
-of keywords is written from `NUGGET keywords` and `NUGGET keywords NAME`, folders in the navigation of docs/mkdocs.yml are
-replaced by their pages, MkDocs builds the site (--strict), and KaTeX is copied into it, so that formulas need no network.
-Then every link with a #place is looked up. Exits with 1 where a link leads nowhere.
+Works in a folder beside SITE, so that nothing generated stands in the source tree: docs/ is copied, a page for each
+family of keywords is written from `NUGGET keywords` and `NUGGET keywords NAME`, folders in the navigation of
+docs/mkdocs.yml are replaced by their pages, MkDocs builds the site (--strict), and KaTeX is copied into it, so that
+formulas need no network. Then every link with a #place is looked up. Exits with 1 where a link leads nowhere.
 """
 import html.parser
 import os
@@ -16,8 +16,6 @@ import shutil
 import subprocess
 import sys
 import urllib.parse
-
-import yaml
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 KATEX = pathlib.Path("/usr/share/javascript/katex")
@@ -57,7 +55,7 @@ def card_table(lines):
 
 def keyword_section(name, text):
     """One keyword: what the program says of it, cards as tables."""
-    out = [f"## \\{name} {{: #{anchor(name)} }}".replace("_", "\\_", 0)]
+    out = [f"## `{name}` {{: #{anchor(name)} }}"]
     block = []
 
     def close():
@@ -90,17 +88,24 @@ def write_keyword_pages(nugget, folder):
     small = {family for family, rows in families.items() if len(rows) < 3}
     pages = {family: rows for family, rows in families.items() if family not in small}
     pages["OTHERS"] = [row for family in sorted(small) for row in families[family]]
-    index = ["# Keyword reference", "Written by the program itself, `nugget keywords`: reader, checks, messages and these pages "
-             "use the same tables. What the verdicts mean: [keywords](../keywords.md).", "| family | used | ignored | refused |\n|---|---|---|---|\n"]
+    index = ["# Keyword reference",
+             "Written by the program itself, `nugget keywords`: reader, checks, messages and these pages use the same "
+             "tables. What the verdicts mean: [keywords](../keywords.md).",
+             "| family | used | ignored | refused |\n|---|---|---|---|\n"]
     for family, rows in pages.items():
         title = "Other keywords" if family == "OTHERS" else f"*{family}"
-        out = [f"# {cell(title)}", "| keyword | verdict | options | note |\n|---|---|---|---|\n" + "\n".join(
-            f"| {f'[{cell(name)}](#{anchor(name)})' if verdict == 'used' else cell(name)} | {verdict} | {cell(options)} | {cell(note)} |"
-            for name, verdict, options, note in rows)]
+        out = [f"# {cell(title)}"]
+        if any(row[1] == "used" for row in rows):
+            out.append("| used | options | note |\n|---|---|---|\n" + "\n".join(
+                f"| [{cell(name)}](#{anchor(name)}) | {cell(options)} | {cell(note)} |"
+                for name, verdict, options, note in rows if verdict == "used"))
+        if any(row[1] != "used" for row in rows):
+            out.append("| not used | verdict | why |\n|---|---|---|\n" + "\n".join(
+                f"| {cell(name)} | {verdict} | {cell(note)} |" for name, verdict, _, note in rows if verdict != "used"))
         out += [keyword_section(name, ask(name[1:])) for name, verdict, _, _ in rows if verdict == "used"]
         (folder / f"{family.lower()}.md").write_text("\n\n".join(out) + "\n", encoding="utf-8")
         count = {verdict: sum(row[1] == verdict for row in rows) for verdict in ("used", "ignored", "refused")}
-        index[-1] += f"| [{cell(title)}]({family.lower()}.md) | {count['used']} | {count['ignored']} | {count['refused']} |\n"
+        index[-1] += f"| [{cell(title)}]({family.lower()}.md) | " + " | ".join(map(str, count.values())) + " |\n"
     (folder / "index.md").write_text("\n\n".join(index), encoding="utf-8")
 
 
@@ -109,14 +114,15 @@ def title(page):
 
 
 def with_folders(entry, docs):
-    """A navigation in which `folder/` stands for its pages: index.md first, the others by name."""
+    """A navigation in which `folder/` stands for its pages: index.md or README.md first, the others by name."""
     if isinstance(entry, list):
         return [with_folders(each, docs) for each in entry]
     if isinstance(entry, dict):
         return {key: with_folders(value, docs) for key, value in entry.items()}
     if not entry.endswith("/"):
         return entry
-    pages = sorted((docs / entry).glob("*.md"), key=lambda page: (page.name != "index.md", page.name))
+    first = ("index.md", "README.md")
+    pages = sorted((docs / entry).glob("*.md"), key=lambda page: (page.name not in first, page.name))
     return [{title(page).replace("\\", ""): page.relative_to(docs).as_posix()} for page in pages]
 
 
@@ -144,7 +150,8 @@ def broken_links(site):
             target = pathlib.Path(os.path.normpath(page.parent / urllib.parse.unquote(path))) if path else page
             if target.is_dir():
                 target /= "index.html"
-            if not target.exists() or (place and target in pages and urllib.parse.unquote(place) not in pages[target].ids):
+            has_place = not place or target not in pages or urllib.parse.unquote(place) in pages[target].ids
+            if not target.exists() or not has_place:
                 yield f"{page.relative_to(site)}: {link}"
 
 
@@ -152,6 +159,8 @@ def main(arguments):
     if len(arguments) != 2:
         print(__doc__, file=sys.stderr)
         return 2
+    import yaml  # comes with MkDocs; the other functions do not need it
+
     nugget, site = map(pathlib.Path, arguments)
     work = site.resolve().parent / (site.name + "_source")
     shutil.rmtree(work, ignore_errors=True)
@@ -162,9 +171,10 @@ def main(arguments):
     write_keyword_pages(nugget.resolve(), work / "docs" / KEYWORDS)
     config["nav"] = with_folders(config["nav"], work / "docs")
     (work / "mkdocs.yml").write_text(yaml.safe_dump(config, allow_unicode=True, sort_keys=False), encoding="utf-8")
-    build = subprocess.run(["/usr/bin/mkdocs", "build", "--quiet", "--strict", "--config-file", work / "mkdocs.yml",
-                            "--site-dir", site.resolve()])
+    command = ["/usr/bin/mkdocs", "build", "--strict", "--config-file", work / "mkdocs.yml", "--site-dir"]
+    build = subprocess.run([*command, site.resolve()], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if build.returncode:
+        print("\n".join(line for line in build.stdout.splitlines() if not line.startswith("INFO")), file=sys.stderr)
         return 1
     shutil.copytree(KATEX, site / "katex", symlinks=False)
     broken = list(broken_links(site))

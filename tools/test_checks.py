@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Breaks a small tree in each way that the checks must catch, and sees that they do."""
+import importlib.util
 import pathlib
 import subprocess
 import sys
@@ -321,6 +322,40 @@ class VerificationTable(CheckCase):
             self.assertEqual(code, 1, (rows, page))
             self.assertEqual(pages, [page, others])
             self.assertIn("rows.tsv: ", error)
+
+
+class Site(CheckCase):
+    def tool(self):
+        spec = importlib.util.spec_from_file_location("nugget_site", TOOLS / "site.py")
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        return module
+
+    def test_keywords_become_tables(self):
+        site = self.tool()
+        listing = ("keyword    verdict  options  note\n"
+                   "*ALE_*     refused           not built\n"
+                   "*MAT_024   used     _TITLE   \n")
+        self.assertEqual(list(site.read_keywords(listing)), [("*ALE_*", "refused", "", "not built"),
+                                                             ("*MAT_024", "used", "_TITLE", "")])
+        text = ("*MAT_024: used\noptions: _TITLE\n\ncard 1\n"
+                "  columns field  kind  default   meaning\n"
+                "    1-10  mid    id    required  material | id\n")
+        section = site.keyword_section("*MAT_024", text)
+        self.assertIn("## `*MAT_024` {: #mat_024 }", section)
+        self.assertIn("| columns | field | kind | default | meaning |\n|---|---|---|---|---|\n"
+                      "| 1-10 | **MID** | id | required | material \\| id |", section)
+
+    def test_a_folder_in_the_navigation_stands_for_its_pages(self):
+        for name, text in [("b/z.md", "# Z\n"), ("b/a.md", "# A\n"), ("b/index.md", "# First\n")]:
+            self.write(name, text)
+        self.assertEqual(self.tool().with_folders([{"Home": "i.md"}, {"B": "b/"}], self.root),
+                         [{"Home": "i.md"}, {"B": [{"First": "b/index.md"}, {"A": "b/a.md"}, {"Z": "b/z.md"}]}])
+
+    def test_links_that_lead_nowhere(self):
+        self.write("a.html", '<h2 id="x"></h2><a href="#x"></a><a href="b/c.html#y"></a><a href="https://example.org/#q">')
+        self.write("b/c.html", '<h2 id="y"></h2><a href="../a.html#z"></a><a href="gone.html"></a>')
+        self.assertEqual(list(self.tool().broken_links(self.root)), ["b/c.html: ../a.html#z", "b/c.html: gone.html"])
 
 
 if __name__ == "__main__":

@@ -4,11 +4,11 @@
     NUGGET_VERIFICATION_ROWS=ROWS test_verify
     python3 tools/verification_table.py ROWS docs/verification tests/verify
 
-A row is: case, what, reference, value, error, gate, separated by tabs. Each page of the folder that has the two marks of a
-table names the test sources whose cases it shows, `<!-- sources: shells layers -->`; a case belongs to the sources that
-name it. `<!-- sources: * -->` marks the page of all other cases. Between a page's two marks everything is replaced.
-Exits with 1, and changes nothing, where there are no rows, a row is broken, a mark is missing, a page names a source that
-is not there, or no page or two pages take the other cases.
+A row is: case, what, reference, value, error, gate, separated by tabs. Each page of the folder that has the two
+marks of a table names the test sources whose cases it shows, `<!-- sources: shells layers -->`; a case belongs to
+the sources that name it. `<!-- sources: * -->` marks the page of all other cases. Between a page's two marks
+everything is replaced. Exits with 1, and changes nothing, where there are no rows, a row is broken, a mark is
+missing, a page names a source that is not there, or no page or two pages take the other cases.
 """
 import pathlib
 import re
@@ -66,7 +66,8 @@ def with_table(page, rows, explained):
     _, end, after = rest.partition(END)
     if not begin or not end:
         raise ValueError(f"the page has no {BEGIN} ... {END}")
-    return f"{before}{BEGIN}\n\n{table(rows, explained)}\n\n{END}{after}" if rows else f"{before}{BEGIN}\n\n{END}{after}"
+    text = table(rows, explained) if rows else "None."
+    return f"{before}{BEGIN}\n\n{text}\n\n{END}{after}"
 
 
 def read_sources(folder):

@@ -45,7 +45,7 @@ def curve(results):
 
 
 def failure_value(option, n, f):
-    """The failure functions, with moments left out (docs/book/weld_failure.md); f is the shear force along s."""
+    """The failure functions, with moments left out (docs/theory/failure.md); f is the shear force along s."""
     d, t, tension = make.DIAMETER, make.THICKNESS, max(n, 0.0)
     if option == 0:
         return math.sqrt((tension / make.NORMAL) ** 2 + (f / make.SHEAR) ** 2)
@@ -77,7 +77,7 @@ def surface(option):
 
 
 def point_of(strain, name):
-    """Axial force at a logarithmic strain: the formulas of docs/book/weld_damage.md for damage point by point over strain."""
+    """Axial force at a logarithmic strain: the formulas of docs/manual/weld_damage.md for damage point by point over strain."""
     rupture, beta, option, strength = make.FADES[name]
     young, slope = make.YOUNG, make.HARDENING
     plastic = max(0.0, (strain * young - make.YIELD) / (young + slope))
