@@ -33,7 +33,7 @@ std::string deck_of(const Prism& prism, const WeldData& weld, const HourglassDat
          brick_part(1, weld, hourglass) + prism.text() + conditions + "*END\n";
 }
 
-/// The bottom face stands, the top face moves as it is told to, all in all three directions.
+/// The bottom face stands, the top face moves as prescribed, all in all three directions.
 class Clamped {
  public:
   Clamped(const Prism& prism, const WeldData& weld, const Motion& motion, int cycles,
