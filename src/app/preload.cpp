@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "nvh/matrices/prestress.hpp"
+#include "nvh/statics/statics.hpp"
 
 namespace nugget::app {
 

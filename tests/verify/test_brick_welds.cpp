@@ -265,7 +265,7 @@ TEST(BrickWeld, ResultantsTurnWithTheWeld) {
 
 /// The cluster that RPBHX = 8 puts in the place of a beam of 6 mm.
 Prism o_grid() {
-  const model::ClusterTemplate shape = model::cluster_template(8, 0.25 * std::numbers::pi * 36.0);
+  const reading::ClusterTemplate shape = reading::cluster_template(8, 0.25 * std::numbers::pi * 36.0);
   return {shape.nodes, shape.quads, {0.0, 1.5}};
 }
 
