@@ -33,7 +33,7 @@ class SpringGroup final : public ElementGroup {
              std::span<Row> damping) override;
   void stiffness(std::size_t e, const State& start, std::span<double> k) const override;
   bool viscosity(std::size_t e, const State& start, std::span<double> c) const override;
-  void keep_unstressed() override {}
+  void store_reference_state() override {}
 
   void archive(Archive& a) override;
 

@@ -33,7 +33,7 @@ std::string deck_of(const Prism& prism, const WeldData& weld, const HourglassDat
          brick_part(1, weld, hourglass) + prism.text() + conditions + "*END\n";
 }
 
-/// The bottom face stands, the top face moves as it is told to, all in all three directions.
+/// The bottom face stands, the top face moves as prescribed, all in all three directions.
 class Clamped {
  public:
   Clamped(const Prism& prism, const WeldData& weld, const Motion& motion, int cycles,
@@ -265,7 +265,7 @@ TEST(BrickWeld, ResultantsTurnWithTheWeld) {
 
 /// The cluster that RPBHX = 8 puts in the place of a beam of 6 mm.
 Prism o_grid() {
-  const model::ClusterTemplate shape = model::cluster_template(8, 0.25 * std::numbers::pi * 36.0);
+  const reading::ClusterTemplate shape = reading::cluster_template(8, 0.25 * std::numbers::pi * 36.0);
   return {shape.nodes, shape.quads, {0.0, 1.5}};
 }
 

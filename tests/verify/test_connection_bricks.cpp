@@ -27,7 +27,7 @@ struct Sample {
   weld::FailureMode mode = weld::FailureMode::intact;
 };
 
-/// A weld of n x n bricks along z, of which both faces go where they are told to.
+/// A weld of n x n bricks along z, of which both faces move as prescribed.
 std::vector<Sample> run(const std::string& material, const Motion& top, const Motion& bottom, int n = 1,
                         int cycles = 4000) {
   const Prism prism = square_prism(side, length, n);

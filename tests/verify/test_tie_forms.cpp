@@ -340,7 +340,7 @@ Experiment torn_sheet(int spotdel, double death = 0.0) {
 }
 
 // Sabotage: the node kept at the deleted shell; its mass left there, or twice.
-TEST(TieEnds, SpotdelZeroLetsTheNodeGo) {
+TEST(TieReleases, SpotdelZeroLetsTheNodeGo) {
   Experiment run = torn_sheet(0);
   const std::size_t node = run.node(5);
   double before = 0.0;
@@ -349,9 +349,9 @@ TEST(TieEnds, SpotdelZeroLetsTheNodeGo) {
   run.run([](const impact::Snapshot&) {});
   EXPECT_FALSE(run.system().map.dependent(static_cast<int>(node)));
   EXPECT_FALSE(run.simulation().welds().history(0)->failed());
-  ASSERT_EQ(run.simulation().tie_ends().events().size(), 1u);
-  EXPECT_THAT(run.simulation().tie_ends().events()[0], HasSubstr("tie ended  node=5"));
-  EXPECT_THAT(run.simulation().tie_ends().events()[0], HasSubstr("with shell 1"));
+  ASSERT_EQ(run.simulation().tie_releases().events().size(), 1u);
+  EXPECT_THAT(run.simulation().tie_releases().events()[0], HasSubstr("tie ended  node=5"));
+  EXPECT_THAT(run.simulation().tie_releases().events()[0], HasSubstr("with shell 1"));
   double after = 0.0;
   for (double m : run.system().mass) after += m;
   expect_reference("tie that ends", "total mass, after over before", after / before, 1.0, 1e-12);
@@ -359,7 +359,7 @@ TEST(TieEnds, SpotdelZeroLetsTheNodeGo) {
                    run.system().own_mass[node], 1e-12);
 }
 
-TEST(TieEnds, SpotdelOneDeletesTheWeld) {
+TEST(TieReleases, SpotdelOneDeletesTheWeld) {
   Experiment run = torn_sheet(1);
   run.run([](const impact::Snapshot&) {});
   const weld::History& history = *run.simulation().welds().history(0);
@@ -369,7 +369,7 @@ TEST(TieEnds, SpotdelOneDeletesTheWeld) {
   EXPECT_THAT(run.simulation().welds().events()[0], HasSubstr("deleted sheet"));
 }
 
-TEST(TieEnds, DeathTimeEndsATie) {
+TEST(TieReleases, DeathTimeEndsATie) {
   Experiment run = torn_sheet(1, 1e-5);
   double force = 1.0;
   run.run([&](const impact::Snapshot& now) {
@@ -378,7 +378,7 @@ TEST(TieEnds, DeathTimeEndsATie) {
     EXPECT_FALSE(now.system.map.dependent(static_cast<int>(run.node(5))));
   });
   EXPECT_EQ(force, 0.0);
-  EXPECT_THAT(run.simulation().tie_ends().events().at(0), HasSubstr("by DT of *CONTACT_SPOTWELD 1"));
+  EXPECT_THAT(run.simulation().tie_releases().events().at(0), HasSubstr("by DT of *CONTACT_SPOTWELD 1"));
   EXPECT_FALSE(run.simulation().welds().history(0)->failed());
 }
 

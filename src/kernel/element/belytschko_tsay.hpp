@@ -22,10 +22,10 @@ namespace nugget::kernel {
 /// not computed here: it is the work of the nodal forces. Sources: Belytschko, Lin, Tsay, CMAME 42 (1984); LS-DYNA
 /// Theory Manual; ../shared/reference/element-theory.md section 3.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with Compound;
-/// Dual<24> with Elastic.
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
+/// ComposedLaw; Dual<24> with Elastic.
 template <class R, class Law>
-NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const Prepared<Law>& law, const NodalMotion<R, 4>& nodes,
+NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const LawKernel<Law>& law, const NodalMotion<R, 4>& nodes,
                               double dt, double* state);
 
 /// Frame of the element at nodal positions x1 .. x4, in which its stresses are given.
@@ -41,7 +41,7 @@ double shell_stable_step(const std::array<Vec3d, 4>& x, ShellLength length, doub
 /// Des. 97 (1986), eq. 16, as quoted; docs/decisions/0046), and offset (element-theory 3.8). `shear_share`: stiffness
 /// in transverse shear over that in the plane, kappa G (1 - nu^2) / E. Shear that bends and spins the section vibrates
 /// with w^2 = shear_share (c/L)^2 (4 + L^2/r^2), which is faster than a wave where Poisson's ratio is small: r is
-/// raised to what a step of 0.93 L/c bears (ours), and likewise where the nodes are off the mid-surface. Without a
+/// raised until a step of 0.93 L/c is stable (ours), and likewise where the nodes are off the mid-surface. Without a
 /// share (bodies, masses) it is not raised.
 NodalMass shell_nodal_mass(const std::array<Vec3d, 4>& x, double thickness, double density, double offset = 0.0,
                            double mass_per_area = 0.0, double shear_share = 0.0, const ThicknessProfile& profile = {});

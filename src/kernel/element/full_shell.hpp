@@ -11,7 +11,7 @@ namespace nugget::kernel {
 inline constexpr int full_shell_columns = 4;
 
 template <class Law>
-ShellLayout full_shell_layout(const ShellProperties& shell, const Prepared<Law>& law) {
+ShellLayout full_shell_layout(const ShellProperties& shell, const LawKernel<Law>& law) {
   return {shell.layers.count, law.layer_history(), full_shell_columns};
 }
 
@@ -38,10 +38,10 @@ ShellLayout full_shell_layout(const ShellProperties& shell, const Prepared<Law>&
 /// Belytschko, Bachrach, CMAME 54 (1986); Hughes, Brezzi, CMAME 72 (1989); ../shared/reference/element-theory.md
 /// section 4.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with Compound;
-/// Dual<24> with Elastic.
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
+/// ComposedLaw; Dual<24> with Elastic.
 template <class R, class Law>
-NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const Prepared<Law>& law,
+NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const LawKernel<Law>& law,
                                    const NodalMotion<R, 4>& nodes, double dt, double* state);
 
 }  // namespace nugget::kernel

@@ -59,8 +59,8 @@ struct WeldBeamLayout {
 };
 
 template <class Law>
-WeldBeamLayout weld_beam_layout(const WeldBeamProperties& beam, const Prepared<Law>&) {
-  return {beam.fibres.count, Prepared<Law>::fibre_history()};
+WeldBeamLayout weld_beam_layout(const WeldBeamProperties& beam, const LawKernel<Law>&) {
+  return {beam.fibres.count, LawKernel<Law>::fibre_history()};
 }
 
 /// State of an undeformed, stress-free beam between x1 and x2 in lane `lane` of `width`. s lies in the plane of the
@@ -82,12 +82,12 @@ void start_weld_beam(const WeldBeamLayout& layout, const Vec3d& x1, const Vec3d&
 /// Instantiated for R = double, NativeBatch with Elastic, Spotweld, PlasticKinematic and PiecewiseLinear; Dual<12> with
 /// Elastic.
 template <class R, class Law>
-NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared<Law>& law,
+NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const LawKernel<Law>& law,
                                   const NodalMotion<R, 2>& nodes, double dt, double* state);
 
-/// Holds the yield stress of every point at its present effective stress, from now on: the stress limit after the onset
-/// of damage of the weld as a whole (DMGOPT 11, 12). The law must allow it (Spotweld::yield_can_be_held).
-void hold_yield(const WeldBeamLayout& layout, const Prepared<Spotweld>& law, double* state, int width, int lane);
+/// Freezes the yield stress of every point at its present effective stress, from now on: the stress limit after the
+/// onset of damage of the weld as a whole (DMGOPT 11, 12). The law must allow it (Spotweld::yield_can_be_frozen).
+void freeze_yield(const WeldBeamLayout& layout, const LawKernel<Spotweld>& law, double* state, int width, int lane);
 
 /// Stable time step L / sqrt(E / rho) before TSSFAC [time].
 double weld_beam_stable_step(double length, double E, double density);

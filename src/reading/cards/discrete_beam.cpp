@@ -233,7 +233,7 @@ void add_law(Builder& b, const Row& row, std::string title, std::string_view key
   b.materials.add(m.id, index, m.place, row.keyword(), "material", b.findings);
   b.model.materials.push_back(std::move(m));
   // Curves may be defined later in the deck.
-  b.later(Phase::parts, [index, fill = std::move(fill)](Builder& later) {
+  b.defer(Phase::parts, [index, fill = std::move(fill)](Builder& later) {
     auto& material = later.model.materials[static_cast<std::size_t>(index)];
     fill(later, std::get<kernel::DiscreteBeam>(material.law));
   });

@@ -8,16 +8,16 @@
 
 #include "nvh/eigen/modes.hpp"
 #include "nvh/response/harmonic_load.hpp"
-#include "nvh/response/probe.hpp"
+#include "nvh/response/response_point.hpp"
 
 namespace nugget::nvh {
 
 /// Steady motions q exp(+i omega t) under each of some loads of amplitude 1, of which only linear forms are kept.
-struct Answers {
+struct Responses {
   std::size_t forms = 0, frequencies = 0;
   std::vector<std::complex<double>> value;
 
-  Answers(std::size_t loads, std::size_t form_count, std::size_t frequency_count)
+  Responses(std::size_t loads, std::size_t form_count, std::size_t frequency_count)
       : forms(form_count), frequencies(frequency_count), value(loads * form_count * frequency_count) {}
   std::complex<double>& operator()(std::size_t load, std::size_t form, std::size_t k) {
     return value[(load * forms + form) * frequencies + k];
@@ -28,7 +28,7 @@ struct Answers {
 };
 
 /// How the equations of motion were solved: modes and residual vectors, or directly.
-struct Route {
+struct SolutionMethod {
   bool direct = false;
   std::size_t first = 0, last = 0;  ///< modes that took part: first, ..., last - 1, counted from 0
   std::vector<double> residual;     ///< frequencies of the residual vectors [cycles/time]
@@ -45,14 +45,14 @@ class Superposition {
   Superposition(const Matrices& matrices, const Modes& modes, const model::FrequencyResponse::Selection& selection,
                 std::span<const HarmonicLoad> loads);
 
-  Answers answers(const model::FrequencyResponse::Damping& damping, std::span<const Row> forms,
-                  std::span<const double> frequency) const;
-  /// How much of each oscillator, mode or residual vector, answers each load of amplitude 1; as forms of Answers.
-  Answers shares(const model::FrequencyResponse::Damping& damping, std::span<const double> frequency) const;
+  Responses responses(const model::FrequencyResponse::Damping& damping, std::span<const Row> forms,
+                      std::span<const double> frequency) const;
+  /// How much of each oscillator, mode or residual vector, answers each load of amplitude 1; as forms of Responses.
+  Responses shares(const model::FrequencyResponse::Damping& damping, std::span<const double> frequency) const;
   std::size_t oscillators() const { return oscillators_.size(); }
   std::span<const double> shape(std::size_t i) const { return oscillators_[i].shape; }
 
-  const Route& route() const { return route_; }
+  const SolutionMethod& method() const { return method_; }
 
  private:
   struct Oscillator {
@@ -61,10 +61,10 @@ class Superposition {
     int number = 0;            ///< as a mode, counted from 1
     std::vector<double> load;  ///< shape^t f of each load
   };
-  void couple(std::span<const double> frequency, Answers& shares) const;
+  void couple(std::span<const double> frequency, Responses& shares) const;
   const Matrices& m_;
   std::size_t loads_ = 0;
-  Route route_;
+  SolutionMethod method_;
   Columns rest_;
   std::vector<Oscillator> oscillators_;
 };
@@ -76,12 +76,12 @@ class Superposition {
 using OneFrequency = std::function<void(std::size_t k, std::vector<std::complex<double>>& x)>;
 void solve_directly(const Matrices& matrices, const model::FrequencyResponse::Damping& damping,
                     std::span<const double> frequency, std::size_t loads, const OneFrequency& load,
-                    const OneFrequency& visit, const Tell& tell);
+                    const OneFrequency& visit, const ProgressCallback& progress);
 
 /// What is kept of them, for loads of amplitude 1.
-Answers direct_answers(const Matrices& matrices, std::span<const HarmonicLoad> loads,
-                       const model::FrequencyResponse::Damping& damping, std::span<const Row> forms,
-                       std::span<const double> frequency, const Tell& tell = {});
+Responses solve_responses(const Matrices& matrices, std::span<const HarmonicLoad> loads,
+                          const model::FrequencyResponse::Damping& damping, std::span<const Row> forms,
+                          std::span<const double> frequency, const ProgressCallback& progress = {});
 
 /// Errors for damping and frequencies that belong to modes.
 void check_direct(const model::Model& model, const model::FrequencyResponse::Damping& damping, bool near_modes,

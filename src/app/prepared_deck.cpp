@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/prepared.hpp"
+#include "app/prepared_deck.hpp"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,12 @@
 #include <limits>
 
 #include "app/clock.hpp"
-#include "app/weld_account.hpp"
+#include "app/refused_welds.hpp"
 #include "base/index.hpp"
 #include "deck/checksum.hpp"
 #include "reading/build.hpp"
 #include "weld/failure/missing_data.hpp"
-#include "weld/tie/presumed.hpp"
+#include "weld/tie/inferred_welds.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::app {
@@ -33,24 +33,24 @@ output::WeldReport weld_report(const model::Model& model, const std::vector<Vec3
   for (const weld::Projection& p : w.ends) {
     output::WeldProjection out;
     out.node = model.nodes.id[at(p.node)];
-    if (p.tied && p.kase != 0)
+    if (p.tied && p.projection_case != 0)
       for (model::Index n : p.tie.segment) out.segment.push_back(model.nodes.id[at(n)]);
     out.xi = p.tie.xi;
     out.eta = p.tie.eta;
     out.moved = p.tie.moved;
-    out.case_number = p.kase;
+    out.case_number = p.projection_case;
     out.reason = p.reason;
     r.projections.push_back(std::move(out));
   }
   for (std::size_t c = 0; c < weld::checks().size(); ++c)
     if (const std::string_view column = weld::checks()[c].column; !column.empty())
       r.audit.emplace_back(column, audit.values.empty() ? std::numeric_limits<double>::quiet_NaN() : audit.values[c]);
-  r.audit.emplace_back("time_step", audit.price.time_step);
-  r.audit.emplace_back("mass", audit.price.mass);
-  r.audit.emplace_back("mass_by_dt", audit.price.mass_by_dt);
-  r.audit.emplace_back("mass_by_dt2ms", audit.price.mass_by_dt2ms);
+  r.audit.emplace_back("time_step", audit.cost.time_step);
+  r.audit.emplace_back("mass", audit.cost.mass);
+  r.audit.emplace_back("mass_by_dt", audit.cost.mass_by_dt);
+  r.audit.emplace_back("mass_by_dt2ms", audit.cost.mass_by_dt2ms);
   if (w.deleted) r.remarks.emplace_back("deleted, as it is not tied (SPOTSTP = 2)");
-  if (weld::presumed(model, w)) r.remarks.emplace_back("its part has no material: taken for a weld");
+  if (weld::is_inferred(model, w)) r.remarks.emplace_back("its part has no material: taken for a weld");
   if (w.kind == weld::Weld::Kind::connector)
     r.remarks.push_back(
         fmt::format("discrete beam of *{}", model.materials[at(model.parts[at(w.part)].material)].keyword));
@@ -59,7 +59,7 @@ output::WeldReport weld_report(const model::Model& model, const std::vector<Vec3
   return r;
 }
 
-void tie_and_audit(Prepared& p, Findings& findings) {
+void tie_and_audit(PreparedDeck& p, Findings& findings) {
   Clock clock;
   p.ties = weld::tie(p.model, findings);
   p.tie_seconds = clock.seconds();
@@ -72,8 +72,8 @@ void tie_and_audit(Prepared& p, Findings& findings) {
 
 }  // namespace
 
-Prepared prepare(const RunArguments& arguments, Findings& findings) {
-  Prepared p;
+PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
+  PreparedDeck p;
   Clock clock;
   const deck::Deck deck = deck::read(arguments.deck, findings);
   p.has_text = deck.bytes > 0;
@@ -86,20 +86,20 @@ Prepared prepare(const RunArguments& arguments, Findings& findings) {
   return p;
 }
 
-std::string account_for_refused(Prepared& p, Findings& findings) {
+std::string report_refused_welds(PreparedDeck& p, Findings& findings) {
   std::vector<std::string> left_out;
   if (!p.is_tied) {
     left_out = leave_out_broken_ties(p.model);
     Findings found;
     tie_and_audit(p, found);
-    weld::failure::tell_missing_data(p.model, p.ties, found);
+    weld::failure::report_missing_data(p.model, p.ties, found);
     for (Finding finding : found.all()) {
       // A weld without a hold may follow from what was refused before: the errors are those.
       finding.severity = std::min(finding.severity, Severity::warning);
       findings.add(std::move(finding));
     }
   }
-  return weld_account(p.model, p.ties, left_out, findings);
+  return summarize_refused_welds(p.model, p.ties, left_out, findings);
 }
 
 }  // namespace nugget::app

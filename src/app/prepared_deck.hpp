@@ -13,7 +13,7 @@
 namespace nugget::app {
 
 /// What comes out of reading, checking, tying and auditing a deck.
-struct Prepared {
+struct PreparedDeck {
   bool has_text = false;  ///< the deck could be opened and is not empty
   std::uint64_t deck_checksum = 0;
   model::Model model;
@@ -25,10 +25,10 @@ struct Prepared {
 };
 
 /// Reads, checks, ties and audits. Findings hold what was wrong; after errors nothing is tied.
-Prepared prepare(const RunArguments& arguments, Findings& findings);
+PreparedDeck prepare(const RunArguments& arguments, Findings& findings);
 
 /// Ties and audits what there is of the welds of a deck that has errors, unless that was done before they came, for
 /// `nugget check`: the account of them, empty where there are none.
-std::string account_for_refused(Prepared& prepared, Findings& findings);
+std::string report_refused_welds(PreparedDeck& prepared, Findings& findings);
 
 }  // namespace nugget::app

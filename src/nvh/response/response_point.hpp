@@ -23,7 +23,7 @@ class Form {
 
 /// What is wanted of a node in a direction: its motion, or the force (moment) by which supports hold it. That force is
 /// K u + M u'' + C u' of the elements, masses and followers of the node, less the loads on it.
-struct Probe {
+struct ResponsePoint {
   int id = 0;    ///< of the node, the user's
   int node = 0;  ///< of the system
   Vec3d direction;
@@ -32,7 +32,8 @@ struct Probe {
   Form elastic, inertia;  ///< of a force: K u, M u
 };
 
-std::vector<Probe> probes_of(const Matrices& matrices, const model::FrequencyResponse::Response& response);
+std::vector<ResponsePoint> response_points_of(const Matrices& matrices,
+                                              const model::FrequencyResponse::Response& response);
 
 /// Errors for rotations of a node that has none, and for a force where no support holds.
 void check_response(const Matrices& matrices, const model::FrequencyResponse::Response& response, const char* keyword,

@@ -19,20 +19,20 @@ namespace nugget::kernel {
 ///   wave_modulus()                          of a solid point as it is, for the stable step [stress]
 ///   rotate()                                turns a solid point's history with the material
 ///   can_fail(), failed()                    whether, and which, points have failed (their stress is 0)
-///   points_to_delete()                      failed points that delete an element, as in Compound; 0: all
+///   points_to_delete()                      failed points that delete an element, as in ComposedLaw; 0: all
 ///   deletion_step()                         an element whose stable time step falls below is deleted; 0: never
 template <class Law>
-class Prepared;
+class LawKernel;
 
 template <>
-class Prepared<Elastic> {
+class LawKernel<Elastic> {
  public:
   static constexpr int layer_history() { return 0; }
   static constexpr int solid_history() { return 0; }
   static constexpr int fibre_history() { return 0; }
   static constexpr bool has_plastic_strain = false;
 
-  explicit Prepared(const Elastic& law) : elastic_(law.E, law.nu) {}
+  explicit LawKernel(const Elastic& law) : elastic_(law.E, law.nu) {}
 
   const ElasticConstants& elastic() const { return elastic_; }
   double deletion_step() const { return 0.0; }
@@ -69,16 +69,16 @@ class Prepared<Elastic> {
 };
 
 template <>
-class Prepared<PlasticKinematic> : public J2<BilinearHardening, true> {
+class LawKernel<PlasticKinematic> : public J2<BilinearHardening, true> {
  public:
-  explicit Prepared(const PlasticKinematic& law) : J2(law.E, law.nu, BilinearHardening(law), law.failure_strain) {}
+  explicit LawKernel(const PlasticKinematic& law) : J2(law.E, law.nu, BilinearHardening(law), law.failure_strain) {}
   double deletion_step() const { return 0.0; }
 };
 
 template <>
-class Prepared<PiecewiseLinear> : public J2<CurveHardening, false> {
+class LawKernel<PiecewiseLinear> : public J2<CurveHardening, false> {
  public:
-  explicit Prepared(const PiecewiseLinear& law)
+  explicit LawKernel(const PiecewiseLinear& law)
       : J2(law.E, law.nu, CurveHardening(law), law.failure_strain), deletion_step_(law.tdel) {}
   double deletion_step() const { return deletion_step_; }
 
@@ -86,18 +86,18 @@ class Prepared<PiecewiseLinear> : public J2<CurveHardening, false> {
   double deletion_step_;
 };
 
-/// MAT_100. History of a point: plastic strain, yield stress at which it is held, time since its damage began, and the
-/// stress of the sound point, which the J2 return works on while the element gets the damaged one.
+/// MAT_100. History of a point: plastic strain, yield stress at which it is frozen, time since its damage began, and
+/// the stress of the undamaged point, which the J2 return works on while the element gets the damaged one.
 template <>
-class Prepared<Spotweld> : public J2<WeldHardening, false> {
+class LawKernel<Spotweld> : public J2<WeldHardening, false> {
   using Base = J2<WeldHardening, false>;
 
  public:
-  static constexpr int held = WeldHardening::held, damaged_for = 2, sound = 3;
-  static constexpr int solid_history() { return sound + SolidTensor<double>::size; }
-  static constexpr int fibre_history() { return sound + FibreTensor<double>::size; }
+  static constexpr int frozen_yield = WeldHardening::frozen_yield, damage_time = 2, undamaged_stress = 3;
+  static constexpr int solid_history() { return undamaged_stress + SolidTensor<double>::size; }
+  static constexpr int fibre_history() { return undamaged_stress + FibreTensor<double>::size; }
 
-  explicit Prepared(const Spotweld& law)
+  explicit LawKernel(const Spotweld& law)
       : Base(law.E, law.nu, WeldHardening(law),
              law.damage.growth == PointDamage::Growth::none ? law.failure_strain : 0.0),
         damage_(law.damage),
@@ -112,13 +112,13 @@ class Prepared<Spotweld> : public J2<WeldHardening, false> {
   template <class R>
   MaskOf<R> failed(const double* history) const {
     if (!damages()) return Base::failed<R>(history);
-    return load_field<R>(history, grows_in_time() ? damaged_for : 0) >= R(damage_.rupture);
+    return load_field<R>(history, grows_in_time() ? damage_time : 0) >= R(damage_.rupture);
   }
-  /// What is left of the stress of a sound point.
+  /// What is left of the stress of an undamaged point.
   template <class R>
   [[gnu::always_inline]] inline R integrity(const double* history) const {
     if (!damages()) return R(1.0);
-    const R w = grows_in_time() ? (1.0 / damage_.rupture) * load_field<R>(history, damaged_for)
+    const R w = grows_in_time() ? (1.0 / damage_.rupture) * load_field<R>(history, damage_time)
                                 : (1.0 / (damage_.rupture - onset_)) * (load_field<R>(history, 0) - onset_);
     const R grown = max(w, R(0.0));
     const R left =
@@ -130,11 +130,11 @@ class Prepared<Spotweld> : public J2<WeldHardening, false> {
   [[gnu::always_inline]] inline void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt,
                                            double* history) const {
     if (!damages()) return Base::solid(s, rate, dt, history);
-    SolidTensor<R> whole = load_solid<R>(history + sound * lanes<R>);
-    Base::solid(whole, rate, dt, history);
-    store_solid(history + sound * lanes<R>, whole);
-    grow_old<R>(dt, history);
-    s = integrity<R>(history) * whole;
+    SolidTensor<R> undamaged = load_solid<R>(history + undamaged_stress * lanes<R>);
+    Base::solid(undamaged, rate, dt, history);
+    store_solid(history + undamaged_stress * lanes<R>, undamaged);
+    advance_damage_time<R>(dt, history);
+    s = integrity<R>(history) * undamaged;
   }
   template <class R>
   [[gnu::always_inline]] inline void fibre(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt,
@@ -145,29 +145,29 @@ class Prepared<Spotweld> : public J2<WeldHardening, false> {
   /// The same for a point that keeps its stress in its history only.
   template <class R>
   [[gnu::always_inline]] inline FibreTensor<R> section(const FibreTensor<R>& rate, double dt, double* history) const {
-    FibreTensor<R> whole = load_fibre<R>(history + sound * lanes<R>);
-    Base::fibre(whole, rate, dt, history);
-    store_fibre(history + sound * lanes<R>, whole);
-    grow_old<R>(dt, history);
-    return integrity<R>(history) * whole;
+    FibreTensor<R> undamaged = load_fibre<R>(history + undamaged_stress * lanes<R>);
+    Base::fibre(undamaged, rate, dt, history);
+    store_fibre(history + undamaged_stress * lanes<R>, undamaged);
+    advance_damage_time<R>(dt, history);
+    return integrity<R>(history) * undamaged;
   }
-  /// Stress at which a point of the effective stress given is held: its own, but not so low that the return to the
-  /// yield surface loses its digits (nor 0, which would say: not held).
-  double stress_to_hold(double effective) const { return std::max(effective, 1e-6 * elastic().E); }
+  /// Stress at which the yield stress of a point of the effective stress given is frozen: its own, but not so low that
+  /// the return to the yield surface loses its digits (nor 0, which would say: not frozen).
+  double frozen_stress(double effective) const { return std::max(effective, 1e-6 * elastic().E); }
   template <class R>
   void rotate(const Frame<R>& q, double* history) const {
-    double* whole = history + sound * lanes<R>;
-    if (damages() && !uniaxial_) store_solid(whole, rotated(q, load_solid<R>(whole)));
+    double* undamaged = history + undamaged_stress * lanes<R>;
+    if (damages() && !uniaxial_) store_solid(undamaged, rotated(q, load_solid<R>(undamaged)));
   }
 
  private:
   bool damages() const { return damage_.growth != PointDamage::Growth::none; }
   bool grows_in_time() const { return damage_.growth == PointDamage::Growth::time; }
   template <class R>
-  void grow_old(double dt, double* history) const {
+  void advance_damage_time(double dt, double* history) const {
     if (!grows_in_time()) return;
     const auto begun = load_field<R>(history, 0) > R(onset_);
-    store_field(history, damaged_for, load_field<R>(history, damaged_for) + select(begun, R(dt), R(0.0)));
+    store_field(history, damage_time, load_field<R>(history, damage_time) + select(begun, R(dt), R(0.0)));
   }
 
   PointDamage damage_;

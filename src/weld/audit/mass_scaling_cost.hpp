@@ -10,7 +10,7 @@
 namespace nugget::weld {
 
 /// Time step, mass and stiffness of a weld as the deck gives it.
-struct Price {
+struct MassScalingCost {
   double time_step =
       std::numeric_limits<double>::infinity();  ///< infinite for a rigid weld, which limits nothing [time]
   double mass = 0.0;                            ///< [mass]
@@ -21,14 +21,14 @@ struct Price {
 
 /// `x`: node coordinates after projection. Step of a beam L / sqrt(E / rho); of a brick its volume over its largest
 /// face over the speed of a plane wave (spotweld-theory 2.7 and 3.5, Q = 0); the projected length and section count.
-Price price(const model::Model& model, const std::vector<Vec3d>& x, const Weld& weld);
+MassScalingCost mass_scaling_cost(const model::Model& model, const std::vector<Vec3d>& x, const Weld& weld);
 
 /// Two ways to one time step (spotweld-theory 6; S. Bala, "Time-Step Scaling").
-struct Target {
+struct StepCost {
   double mass = 0.0;  ///< to be added: m ((DT / step)^2 - 1); 0 where the weld's step is large enough [mass]
   double young =
       0.0;  ///< or to be taken: E (step / DT)^2, for a beam L^2 rho / DT^2; E where it need not change [stress]
 };
-Target reach(const Price& price, double step);
+StepCost cost_of_step(const MassScalingCost& cost, double step);
 
 }  // namespace nugget::weld

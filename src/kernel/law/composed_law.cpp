@@ -3,12 +3,12 @@
 #include <limits>
 #include <utility>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/composed_law_kernel.hpp"
 #include "kernel/law/foam_points.hpp"
 #include "kernel/law/honeycomb_point.hpp"
+#include "kernel/law/law_components.hpp"
 #include "kernel/law/orthotropic_point.hpp"
 #include "kernel/law/point_failure.hpp"
-#include "kernel/law/prepared_compound.hpp"
 #include "kernel/law/relaxation.hpp"
 #include "kernel/law/rubber_points.hpp"
 #include "kernel/law/smooth_hardening.hpp"
@@ -17,11 +17,11 @@ namespace nugget::kernel {
 
 /// History of a point: plastic strain and, where plastic work heats it, its temperature rise.
 template <>
-class Prepared<JohnsonCook> : public J2<SmoothHardening<JohnsonCookFormula>, false> {
+class LawKernel<JohnsonCook> : public J2<SmoothHardening<JohnsonCookFormula>, false> {
   using Base = J2<SmoothHardening<JohnsonCookFormula>, false>;
 
  public:
-  explicit Prepared(const JohnsonCook& law)
+  explicit LawKernel(const JohnsonCook& law)
       : J2(law.E, law.nu, SmoothHardening<JohnsonCookFormula>(law), 0.0),
         heating_(law.heating),
         melting_rise_(law.melting_rise) {}
@@ -59,64 +59,64 @@ class Prepared<JohnsonCook> : public J2<SmoothHardening<JohnsonCookFormula>, fal
 };
 
 template <>
-class Prepared<PowerLaw> : public J2<SmoothHardening<PowerLawFormula>, false> {
+class LawKernel<PowerLaw> : public J2<SmoothHardening<PowerLawFormula>, false> {
  public:
-  explicit Prepared(const PowerLaw& law) : J2(law.E, law.nu, SmoothHardening<PowerLawFormula>(law), 0.0) {}
+  explicit LawKernel(const PowerLaw& law) : J2(law.E, law.nu, SmoothHardening<PowerLawFormula>(law), 0.0) {}
 };
 
 template <>
-class Prepared<MooneyRivlin> : public SolidPointLaw<MooneyRivlinPoint> {
- public:
-  using SolidPointLaw::SolidPointLaw;
-};
-
-template <>
-class Prepared<BlatzKo> : public SolidPointLaw<BlatzKoPoint> {
+class LawKernel<MooneyRivlin> : public SolidPointLaw<MooneyRivlinPoint> {
  public:
   using SolidPointLaw::SolidPointLaw;
 };
 
 template <>
-class Prepared<Ogden> : public SolidPointLaw<OgdenPoint> {
+class LawKernel<BlatzKo> : public SolidPointLaw<BlatzKoPoint> {
  public:
   using SolidPointLaw::SolidPointLaw;
 };
 
 template <>
-class Prepared<PolynomialRubber> : public SolidPointLaw<PolynomialPoint> {
+class LawKernel<Ogden> : public SolidPointLaw<OgdenPoint> {
  public:
   using SolidPointLaw::SolidPointLaw;
 };
 
 template <>
-class Prepared<LowDensityFoam> : public SolidPointLaw<LowDensityFoamPoint> {
+class LawKernel<PolynomialRubber> : public SolidPointLaw<PolynomialPoint> {
  public:
   using SolidPointLaw::SolidPointLaw;
 };
 
 template <>
-class Prepared<CrushableFoam> : public SolidPointLaw<CrushableFoamPoint> {
+class LawKernel<LowDensityFoam> : public SolidPointLaw<LowDensityFoamPoint> {
  public:
   using SolidPointLaw::SolidPointLaw;
 };
 
 template <>
-class Prepared<RateFoam> : public SolidPointLaw<RateFoamPoint> {
+class LawKernel<CrushableFoam> : public SolidPointLaw<CrushableFoamPoint> {
  public:
   using SolidPointLaw::SolidPointLaw;
 };
 
 template <>
-class Prepared<Viscoelastic> : public SolidPointLaw<ViscoelasticPoint> {
+class LawKernel<RateFoam> : public SolidPointLaw<RateFoamPoint> {
+ public:
+  using SolidPointLaw::SolidPointLaw;
+};
+
+template <>
+class LawKernel<Viscoelastic> : public SolidPointLaw<ViscoelasticPoint> {
  public:
   using SolidPointLaw::SolidPointLaw;
 };
 
 /// History of a point: plastic strain, which stays 0, and the last step.
 template <>
-class Prepared<Fluid> {
+class LawKernel<Fluid> {
  public:
-  explicit Prepared(const Fluid& law) : viscosity_(law.viscosity) {}
+  explicit LawKernel(const Fluid& law) : viscosity_(law.viscosity) {}
 
   static constexpr int layer_history() { return 2; }
   static constexpr int solid_history() { return 2; }
@@ -135,8 +135,8 @@ class Prepared<Fluid> {
   }
   template <class R>
   void rotate(const Frame<R>&, double*) const {}
-  /// The modulus of an elastic solid of the same stable step: with velocities of half a step before, a dashpot C is
-  /// borne as a spring 2 C/dt would be.
+  /// The modulus of an elastic solid of the same stable step: with velocities of half a step before, a dashpot C is as
+  /// stable as a spring 2 C/dt would be.
   template <class R>
   R wave_modulus(const double* history) const {
     const R dt = load_field<R>(history, 1);
@@ -154,7 +154,7 @@ template <class Flows>
 struct PreparedFlows;
 template <class... Laws>
 struct PreparedFlows<std::variant<Laws...>> {
-  using Type = std::variant<Prepared<Laws>...>;
+  using Type = std::variant<LawKernel<Laws>...>;
 };
 
 template <class R>
@@ -189,43 +189,43 @@ R largest_principal(const SolidTensor<R>& s) {
 
 }  // namespace
 
-struct Prepared<Compound>::Parts {
+struct LawKernel<ComposedLaw>::Parts {
   using Flows = PreparedFlows<Flow>::Type;
 
-  explicit Parts(const Composition& c)
-      : flow(std::visit([]<class Law>(const Law& law) -> Flows { return Prepared<Law>(law); }, c.flow)),
+  explicit Parts(const LawComponents& c)
+      : flow(std::visit([]<class Law>(const Law& law) -> Flows { return LawKernel<Law>(law); }, c.flow)),
         failure(c),
         spall(c.spall),
-        heats(std::holds_alternative<Prepared<JohnsonCook>>(flow) && std::get<Prepared<JohnsonCook>>(flow).heats()) {
+        heats(std::holds_alternative<LawKernel<JohnsonCook>>(flow) && std::get<LawKernel<JohnsonCook>>(flow).heats()) {
     if (c.state) pressure.emplace(*c.state);
   }
 
   Flows flow;
   PointFailure failure;
-  std::optional<PreparedPressure> pressure;
+  std::optional<EquationOfStateKernel> pressure;
   std::optional<Spall> spall;
   bool heats;  ///< the second number of the history is a temperature rise
 };
 
-Prepared<Compound>::Prepared(const Compound& law)
+LawKernel<ComposedLaw>::LawKernel(const ComposedLaw& law)
     : elastic_(law.E, law.nu),
-      parts_(std::make_shared<const Parts>(*law.made_of)),
+      parts_(std::make_shared<const Parts>(*law.components)),
       lost_(std::visit([](const auto& flow) { return std::max(flow.solid_history(), 1); }, parts_->flow)),
       pressure_(lost_ + parts_->failure.history()),
-      history_(pressure_ + (parts_->pressure ? PreparedPressure::size + 1 : 0)),
-      points_to_delete_(law.made_of->points_to_delete),
-      deletion_step_(law.made_of->deletion_step),
+      history_(pressure_ + (parts_->pressure ? EquationOfStateKernel::size + 1 : 0)),
+      points_to_delete_(law.components->points_to_delete),
+      deletion_step_(law.components->deletion_step),
       can_fail_(parts_->failure.active()) {}
 
 template <class R>
-ThicknessStrain<R> Prepared<Compound>::layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt,
-                                             double* history) const {
+ThicknessStrain<R> LawKernel<ComposedLaw>::layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt,
+                                                 double* history) const {
   const auto flow = [&] {
     return std::visit([&](const auto& law) { return law.layer(s, rate, dt, history); }, parts_->flow);
   };
   if (!can_fail_) return flow();
   double* failure = history + lost_ * lanes<R>;
-  if (parts_->failure.softens()) parts_->failure.make_whole(s, failure);
+  if (parts_->failure.softens()) parts_->failure.restore_undamaged(s, failure);
   const R before = load_field<R>(history, 0);
   const ThicknessStrain<R> thickness = flow();
   const R strain = load_field<R>(history, 0);
@@ -239,7 +239,7 @@ ThicknessStrain<R> Prepared<Compound>::layer(LayerTensor<R>& s, const LayerTenso
 }
 
 template <class R>
-void Prepared<Compound>::solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
+void LawKernel<ComposedLaw>::solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
   const auto flow = [&] {
     const SolidTensor<R> start = s;
     std::visit([&](const auto& law) { law.solid(s, rate, dt, history); }, parts_->flow);
@@ -247,20 +247,20 @@ void Prepared<Compound>::solid(SolidTensor<R>& s, const SolidTensor<R>& rate, do
   };
   if (!can_fail_) return flow();
   double* failure = history + lost_ * lanes<R>;
-  if (parts_->failure.softens()) parts_->failure.make_whole(s, failure);
+  if (parts_->failure.softens()) parts_->failure.restore_undamaged(s, failure);
   const R before = load_field<R>(history, 0);
   flow();
   const R strain = load_field<R>(history, 0);
   PointStep<R> step{s, rate, strain, strain - before, R(0.0), parts_->heats ? load_field<R>(history, 1) : R(0.0), dt};
-  if (const auto* honeycomb = std::get_if<Prepared<Honeycomb>>(&parts_->flow))
-    step.torn = select(honeycomb->torn<R>(history), R(1.0), R(0.0));
+  if (const auto* honeycomb = std::get_if<LawKernel<Honeycomb>>(&parts_->flow))
+    step.flow_failed = select(honeycomb->beyond_strain_limits<R>(history), R(1.0), R(0.0));
   parts_->failure.advance(step, failure);
   parts_->failure.weaken(s, failure);
 }
 
 template <class R>
-void Prepared<Compound>::set_pressure(SolidTensor<R>& s, const SolidTensor<R>& start, const SolidTensor<R>& rate,
-                                      double dt, double* history) const {
+void LawKernel<ComposedLaw>::set_pressure(SolidTensor<R>& s, const SolidTensor<R>& start, const SolidTensor<R>& rate,
+                                          double dt, double* history) const {
   double* own = history + pressure_ * lanes<R>;
   const R mean = mean_of(start);
   const SolidTensor<R> sheared = R(0.5) * (with_mean(s, R(0.0)) + with_mean(start, R(0.0)));
@@ -279,22 +279,22 @@ void Prepared<Compound>::set_pressure(SolidTensor<R>& s, const SolidTensor<R>& s
     s = with_mean(s, -pressure_above(R(-spall.limit)));
     return;
   }
-  const R before = load_field<R>(own, PreparedPressure::size), none = R(0.0);
+  const R before = load_field<R>(own, EquationOfStateKernel::size), none = R(0.0);
   const R pressure = pressure_above(select(before > 0.5, none, -infinity));
   s = with_mean(s, -pressure);
   const R tension = spall.form == Spall::Form::mean_stress ? -pressure : largest_principal(s);
   const R broken = select(tension > R(spall.limit), R(1.0), before);
-  store_field(own, PreparedPressure::size, broken);
+  store_field(own, EquationOfStateKernel::size, broken);
   const R left = max(pressure, none);
   s = select(broken > 0.5, SolidTensor<R>{-left, -left, -left, none, none, none}, s);
 }
 
 template <class R>
-void Prepared<Compound>::add_viscous_work(const R& work, double* history) const {
+void LawKernel<ComposedLaw>::add_viscous_work(const R& work, double* history) const {
   if (parts_->pressure) parts_->pressure->add_viscous_work(work, history + pressure_ * lanes<R>);
 }
 
-const MaterialAxes* Prepared<Compound>::axes() const {
+const MaterialAxes* LawKernel<ComposedLaw>::axes() const {
   return std::visit(
       [](const auto& flow) -> const MaterialAxes* {
         if constexpr (requires { flow.axes(); })
@@ -305,53 +305,54 @@ const MaterialAxes* Prepared<Compound>::axes() const {
       parts_->flow);
 }
 
-int Prepared<Compound>::size_field() const {
+int LawKernel<ComposedLaw>::size_field() const {
   const int field = parts_->failure.size_field();
   return field > 0 ? lost_ + field : 0;
 }
 
-DamageNumbers Prepared<Compound>::damage(const std::function<double(int)>& history) const {
+DamageNumbers LawKernel<ComposedLaw>::damage(const std::function<double(int)>& history) const {
   if (!can_fail_) return {};
   return parts_->failure.damage([&](int i) { return history(lost_ + i); });
 }
 
 template <class R>
-R Prepared<Compound>::stiffness_share(const double* history) const {
-  const auto* honeycomb = std::get_if<Prepared<Honeycomb>>(&parts_->flow);
+R LawKernel<ComposedLaw>::stiffness_share(const double* history) const {
+  const auto* honeycomb = std::get_if<LawKernel<Honeycomb>>(&parts_->flow);
   return honeycomb ? honeycomb->stiffness_share<R>(history) : R(1.0);
 }
 
 template <class R>
-void Prepared<Compound>::rotate(const Frame<R>& q, double* history) const {
+void LawKernel<ComposedLaw>::rotate(const Frame<R>& q, double* history) const {
   std::visit([&](const auto& flow) { flow.rotate(q, history); }, parts_->flow);
   parts_->failure.rotate(q, history + lost_ * lanes<R>);
 }
 
 template <class R>
-R Prepared<Compound>::wave_modulus(const double* history) const {
+R LawKernel<ComposedLaw>::wave_modulus(const double* history) const {
   if (parts_->pressure) {
     const R bulk = parts_->pressure->template modulus<R>(history + pressure_ * lanes<R>);
-    if (const auto* fluid = std::get_if<Prepared<Fluid>>(&parts_->flow))
+    if (const auto* fluid = std::get_if<LawKernel<Fluid>>(&parts_->flow))
       return max(bulk, R(0.0)) + fluid->wave_modulus<R>(history);
     return max(bulk, R(0.0)) + (4.0 / 3.0) * elastic_.shear;
   }
   return std::visit([&](const auto& flow) { return flow.template wave_modulus<R>(history); }, parts_->flow);
 }
 
-template ThicknessStrain<double> Prepared<Compound>::layer(LayerTensor<double>&, const LayerTensor<double>&, double,
-                                                           double*) const;
-template ThicknessStrain<NativeBatch> Prepared<Compound>::layer(LayerTensor<NativeBatch>&,
-                                                                const LayerTensor<NativeBatch>&, double, double*) const;
-template void Prepared<Compound>::solid(SolidTensor<double>&, const SolidTensor<double>&, double, double*) const;
-template void Prepared<Compound>::solid(SolidTensor<NativeBatch>&, const SolidTensor<NativeBatch>&, double,
-                                        double*) const;
-template void Prepared<Compound>::rotate(const Frame<double>&, double*) const;
-template void Prepared<Compound>::rotate(const Frame<NativeBatch>&, double*) const;
-template void Prepared<Compound>::add_viscous_work(const double&, double*) const;
-template void Prepared<Compound>::add_viscous_work(const NativeBatch&, double*) const;
-template double Prepared<Compound>::wave_modulus(const double*) const;
-template NativeBatch Prepared<Compound>::wave_modulus(const double*) const;
-template double Prepared<Compound>::stiffness_share(const double*) const;
-template NativeBatch Prepared<Compound>::stiffness_share(const double*) const;
+template ThicknessStrain<double> LawKernel<ComposedLaw>::layer(LayerTensor<double>&, const LayerTensor<double>&, double,
+                                                               double*) const;
+template ThicknessStrain<NativeBatch> LawKernel<ComposedLaw>::layer(LayerTensor<NativeBatch>&,
+                                                                    const LayerTensor<NativeBatch>&, double,
+                                                                    double*) const;
+template void LawKernel<ComposedLaw>::solid(SolidTensor<double>&, const SolidTensor<double>&, double, double*) const;
+template void LawKernel<ComposedLaw>::solid(SolidTensor<NativeBatch>&, const SolidTensor<NativeBatch>&, double,
+                                            double*) const;
+template void LawKernel<ComposedLaw>::rotate(const Frame<double>&, double*) const;
+template void LawKernel<ComposedLaw>::rotate(const Frame<NativeBatch>&, double*) const;
+template void LawKernel<ComposedLaw>::add_viscous_work(const double&, double*) const;
+template void LawKernel<ComposedLaw>::add_viscous_work(const NativeBatch&, double*) const;
+template double LawKernel<ComposedLaw>::wave_modulus(const double*) const;
+template NativeBatch LawKernel<ComposedLaw>::wave_modulus(const double*) const;
+template double LawKernel<ComposedLaw>::stiffness_share(const double*) const;
+template NativeBatch LawKernel<ComposedLaw>::stiffness_share(const double*) const;
 
 }  // namespace nugget::kernel

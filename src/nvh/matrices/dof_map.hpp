@@ -9,9 +9,9 @@
 namespace nugget::nvh {
 
 /// The unknowns that a list of freedoms depends on, and how: u = C q.
-class Reach {
+class DofMap {
  public:
-  Reach(const Equations& equations, std::span<const int> nodes, int freedoms_a_node);
+  DofMap(const Equations& equations, std::span<const int> nodes, int freedoms_a_node);
   const std::vector<int>& equations() const { return equation_; }
 
   /// C^t k C, row-major; `k` has as many rows as there are freedoms.

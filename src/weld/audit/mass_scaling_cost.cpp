@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "weld/audit/price.hpp"
+#include "weld/audit/mass_scaling_cost.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,17 +13,17 @@
 namespace nugget::weld {
 namespace {
 
-Price beam_price(const model::Model& model, const Weld& weld, const model::Material& material) {
+MassScalingCost beam_cost(const model::Model& model, const Weld& weld, const model::Material& material) {
   const model::SectionBeam& section = model.beam_sections[model.parts[weld.part].section];
   double area = 0.0;
   for (int end = 0; end < 2; ++end)
     area +=
         0.125 * std::numbers::pi * (section.outer[end] * section.outer[end] - section.inner[end] * section.inner[end]);
-  Price price;
-  price.young = std::abs(material.young());
-  price.time_step = weld.length / std::sqrt(price.young / material.density);
-  price.mass = (material.density * area + section.extra_mass) * weld.length;
-  return price;
+  MassScalingCost cost;
+  cost.young = std::abs(material.young());
+  cost.time_step = weld.length / std::sqrt(cost.young / material.density);
+  cost.mass = (material.density * area + section.extra_mass) * weld.length;
+  return cost;
 }
 
 /// The step of a brick at rest contains the linear bulk viscosity: L / c / (Q2 + sqrt(1 + Q2^2)).
@@ -32,65 +32,65 @@ double viscous_share(const model::Model& model, const model::Part& part) {
   return 1.0 / (h.bulk_linear + std::sqrt(1.0 + h.bulk_linear * h.bulk_linear));
 }
 
-Price brick_price(const model::Model& model, const std::vector<Vec3d>& x, const Weld& weld,
-                  const model::Material& material) {
-  Price price;
-  price.young = std::abs(material.young());
+MassScalingCost brick_cost(const model::Model& model, const std::vector<Vec3d>& x, const Weld& weld,
+                           const model::Material& material) {
+  MassScalingCost cost;
+  cost.young = std::abs(material.young());
   const double share = viscous_share(model, model.parts[weld.part]);
   for (Index e : weld.elements) {
     std::array<Vec3d, 8> corner;
     for (std::size_t i = 0; i < 8; ++i) corner[i] = x[model.solids.node[e][i]];
-    const double step = kernel::hexahedron_stable_step(corner, price.young, material.poisson(), material.density);
-    price.time_step = std::min(price.time_step, share * step);
-    price.mass += 8.0 * kernel::hexahedron_nodal_mass(corner, material.density);
+    const double step = kernel::hexahedron_stable_step(corner, cost.young, material.poisson(), material.density);
+    cost.time_step = std::min(cost.time_step, share * step);
+    cost.mass += 8.0 * kernel::hexahedron_nodal_mass(corner, material.density);
   }
-  return price;
+  return cost;
 }
 
-Price connector_price(const model::Model& model, const Weld& weld) {
+MassScalingCost connector_cost(const model::Model& model, const Weld& weld) {
   const model::Part& part = model.parts[weld.part];
   const model::SectionBeam& section = model.beam_sections[part.section];
   const model::Material& material = model.materials[part.material];
   const kernel::DiscreteBeamProperties beam{material.density * section.volume, section.inertia, section.scoor};
-  Price price;
-  price.time_step = kernel::discrete_beam_stable_step(beam, std::get<kernel::DiscreteBeam>(material.law), weld.length);
-  price.mass = beam.mass;
-  return price;
+  MassScalingCost cost;
+  cost.time_step = kernel::discrete_beam_stable_step(beam, std::get<kernel::DiscreteBeam>(material.law), weld.length);
+  cost.mass = beam.mass;
+  return cost;
 }
 
 /// Whether the deck says what the weld is made of; always, unless it has errors.
-bool is_priced(const model::Model& model, const Weld& weld) {
+bool has_cost(const model::Model& model, const Weld& weld) {
   const model::Part& part = model.parts[weld.part];
   return part.material != none && (part.section != none || weld.of_bricks());
 }
 
 /// Mass times the factor that lifts a time step to `wanted`, less the mass; the step goes with sqrt(density).
-double mass_to_reach(double wanted, double step, double mass) {
+double mass_to_add(double wanted, double step, double mass) {
   return step > 0.0 && step < wanted ? mass * ((wanted / step) * (wanted / step) - 1.0) : 0.0;
 }
 
 }  // namespace
 
-Price price(const model::Model& model, const std::vector<Vec3d>& x, const Weld& weld) {
-  if (weld.kind == Weld::Kind::rigid || !is_priced(model, weld)) return {};
+MassScalingCost mass_scaling_cost(const model::Model& model, const std::vector<Vec3d>& x, const Weld& weld) {
+  if (weld.kind == Weld::Kind::rigid || !has_cost(model, weld)) return {};
   const double target = std::abs(model.control.mass_step * model.control.step_scale);
   if (weld.kind == Weld::Kind::connector) {
-    Price price = connector_price(model, weld);
-    price.mass_by_dt2ms = mass_to_reach(target, price.time_step, price.mass);
-    return price;
+    MassScalingCost cost = connector_cost(model, weld);
+    cost.mass_by_dt2ms = mass_to_add(target, cost.time_step, cost.mass);
+    return cost;
   }
   const model::Material& material = model.materials[model.parts[weld.part].material];
-  Price price =
-      weld.kind == Weld::Kind::beam ? beam_price(model, weld, material) : brick_price(model, x, weld, material);
+  MassScalingCost cost =
+      weld.kind == Weld::Kind::beam ? beam_cost(model, weld, material) : brick_cost(model, x, weld, material);
   const double dt = std::get<kernel::Spotweld>(material.law).mass_step;
-  price.mass_by_dt = mass_to_reach(dt, price.time_step, price.mass);
-  price.mass_by_dt2ms = mass_to_reach(target, std::max(price.time_step, dt), price.mass + price.mass_by_dt);
-  return price;
+  cost.mass_by_dt = mass_to_add(dt, cost.time_step, cost.mass);
+  cost.mass_by_dt2ms = mass_to_add(target, std::max(cost.time_step, dt), cost.mass + cost.mass_by_dt);
+  return cost;
 }
 
-Target reach(const Price& price, double step) {
-  const double share = price.time_step < step ? price.time_step / step : 1.0;
-  return {mass_to_reach(step, price.time_step, price.mass), price.young * share * share};
+StepCost cost_of_step(const MassScalingCost& cost, double step) {
+  const double share = cost.time_step < step ? cost.time_step / step : 1.0;
+  return {mass_to_add(step, cost.time_step, cost.mass), cost.young * share * share};
 }
 
 }  // namespace nugget::weld

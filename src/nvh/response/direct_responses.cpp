@@ -6,8 +6,8 @@
 
 #include "base/index.hpp"
 #include "nvh/matrices/complex_factorization.hpp"
-#include "nvh/response/answers.hpp"
 #include "nvh/response/part_damping.hpp"
+#include "nvh/response/responses.hpp"
 
 namespace nugget::nvh {
 
@@ -29,14 +29,14 @@ using Complex = std::complex<double>;
 
 void solve_directly(const Matrices& m, const model::FrequencyResponse::Damping& damping,
                     std::span<const double> frequency, std::size_t loads, const OneFrequency& load,
-                    const OneFrequency& visit, const Tell& tell) {
+                    const OneFrequency& visit, const ProgressCallback& progress) {
   if (m.size() == 0) return;
   std::optional<Symmetric> dampers;
   if (damping.of_parts) dampers = part_damping(m);
   ComplexFactorization factorization(m, dampers ? &*dampers : nullptr);
   std::vector<Complex> x(m.size() * loads);
   for (std::size_t k = 0; k < frequency.size(); ++k) {
-    if (tell) tell(fmt::format("direct solution {} of {}", k + 1, frequency.size()));
+    if (progress) progress(fmt::format("direct solution {} of {}", k + 1, frequency.size()));
     const double omega = 2.0 * std::numbers::pi * frequency[k];
     const double loss = loss_factor(m.system.model, frequency[k], 1) + omega * damping.stiffness;
     factorization.factor(Complex(1.0, loss), Complex(-omega * omega, omega * damping.mass), Complex(0.0, omega));
@@ -46,10 +46,10 @@ void solve_directly(const Matrices& m, const model::FrequencyResponse::Damping& 
   }
 }
 
-Answers direct_answers(const Matrices& m, std::span<const HarmonicLoad> loads,
-                       const model::FrequencyResponse::Damping& damping, std::span<const Row> forms,
-                       std::span<const double> frequency, const Tell& tell) {
-  Answers a(loads.size(), forms.size(), frequency.size());
+Responses solve_responses(const Matrices& m, std::span<const HarmonicLoad> loads,
+                          const model::FrequencyResponse::Damping& damping, std::span<const Row> forms,
+                          std::span<const double> frequency, const ProgressCallback& progress) {
+  Responses a(loads.size(), forms.size(), frequency.size());
   const auto load = [&](std::size_t, std::vector<Complex>& x) {
     for (std::size_t l = 0; l < loads.size(); ++l)
       for (std::size_t i = 0; i < m.size(); ++i) x[l * m.size() + i] = loads[l].force[i];
@@ -59,7 +59,7 @@ Answers direct_answers(const Matrices& m, std::span<const HarmonicLoad> loads,
       for (std::size_t f = 0; f < forms.size(); ++f)
         for (const Equations::Term& t : forms[f]) a(l, f, k) += t.factor * x[l * m.size() + at(t.equation)];
   };
-  solve_directly(m, damping, frequency, loads.size(), load, keep, tell);
+  solve_directly(m, damping, frequency, loads.size(), load, keep, progress);
   return a;
 }
 

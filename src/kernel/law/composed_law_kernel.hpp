@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "base/batch.hpp"
-#include "kernel/law/compound.hpp"
+#include "kernel/law/composed_law.hpp"
+#include "kernel/law/law_kernel.hpp"
 #include "kernel/law/orthotropic.hpp"
 #include "kernel/law/point_damage.hpp"
-#include "kernel/law/prepared.hpp"
 
 namespace nugget::kernel {
 
@@ -17,11 +17,11 @@ namespace nugget::kernel {
 ///
 /// What depends on the composition is compiled in compound.cpp, for R = double and NativeBatch.
 template <>
-class Prepared<Compound> {
+class LawKernel<ComposedLaw> {
  public:
   static constexpr bool has_plastic_strain = true;
 
-  explicit Prepared(const Compound& law);
+  explicit LawKernel(const ComposedLaw& law);
 
   const ElasticConstants& elastic() const { return elastic_; }
   int layer_history() const { return history_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nvh/response/probe.hpp"
+#include "nvh/response/response_point.hpp"
 
 #include <fmt/format.h>
 
@@ -16,10 +16,10 @@ namespace {
 using Response = model::FrequencyResponse::Response;
 
 /// How forces on a node and its followers add up to the one that is wanted: six factors by system node.
-std::map<int, Six> weights(const system::System& system, int node, bool rotation, const Vec3d& direction) {
-  Six wanted{};
+std::map<int, SixDof> weights(const system::System& system, int node, bool rotation, const Vec3d& direction) {
+  SixDof wanted{};
   add_to(wanted, rotation, direction);
-  std::map<int, Six> weight{{node, wanted}};
+  std::map<int, SixDof> weight{{node, wanted}};
   for (std::size_t d = 0; d < system.nodes; ++d) {
     if (!system.map.dependent(static_cast<int>(d))) continue;
     for (const system::ConstraintMap::Block& b : system.map.blocks(static_cast<int>(d)))
@@ -30,7 +30,7 @@ std::map<int, Six> weights(const system::System& system, int node, bool rotation
   return weight;
 }
 
-Form elastic_force(const Matrices& m, const std::map<int, Six>& weight) {
+Form elastic_force(const Matrices& m, const std::map<int, SixDof>& weight) {
   Form form;
   for (const auto& group : m.system.groups)
     for (std::size_t e = 0; e < group->size(); ++e) {
@@ -61,7 +61,7 @@ Form elastic_force(const Matrices& m, const std::map<int, Six>& weight) {
   return form;
 }
 
-Form inertia_force(const Matrices& m, const std::map<int, Six>& weight) {
+Form inertia_force(const Matrices& m, const std::map<int, SixDof>& weight) {
   Form form;
   for (const auto& [node, factor] : weight) {
     const std::array<double, 36> mass = mass_matrix(m.nodal_mass[at(node)]);
@@ -72,7 +72,7 @@ Form inertia_force(const Matrices& m, const std::map<int, Six>& weight) {
   return form;
 }
 
-bool held(const Equations& equations, int node, bool rotation, const Vec3d& direction) {
+bool is_supported(const Equations& equations, int node, bool rotation, const Vec3d& direction) {
   return std::any_of(equations.supports().begin(), equations.supports().end(), [&](const Equations::Support& s) {
     return s.node == node && s.rotation == rotation && std::abs(dot(s.taken, direction)) > 1e-9;
   });
@@ -95,18 +95,18 @@ std::vector<Equations::Term> Form::over(const Equations& equations) const {
   return terms;
 }
 
-std::vector<Probe> probes_of(const Matrices& m, const Response& response) {
-  std::vector<Probe> probes;
+std::vector<ResponsePoint> response_points_of(const Matrices& m, const Response& response) {
+  std::vector<ResponsePoint> points;
   for (const model::Index n : response.nodes)
     for (const Vec3d& d : response.directions) {
-      Probe p;
+      ResponsePoint p;
       p.id = m.system.model.nodes.id[at(n)];
       p.node = m.system.node_of[at(n)];
       p.direction = d;
       p.rotation = response.rotation;
       p.force = response.quantity == model::FrequencyResponse::Quantity::force;
       if (p.force) {
-        const std::map<int, Six> weight = weights(m.system, p.node, p.rotation, d);
+        const std::map<int, SixDof> weight = weights(m.system, p.node, p.rotation, d);
         p.elastic = elastic_force(m, weight);
         p.inertia = inertia_force(m, weight);
       } else {
@@ -114,9 +114,9 @@ std::vector<Probe> probes_of(const Matrices& m, const Response& response) {
         for (int i = 0; i < 3; ++i)
           if (component[i] != 0.0) p.motion.add(p.node, i + 3 * p.rotation, component[i]);
       }
-      probes.push_back(std::move(p));
+      points.push_back(std::move(p));
     }
-  return probes;
+  return points;
 }
 
 void check_response(const Matrices& m, const Response& response, const char* keyword, Findings& findings) {
@@ -127,7 +127,7 @@ void check_response(const Matrices& m, const Response& response, const char* key
       findings.error(response.place, keyword, fmt::format("nothing turns at node {}: it has no rotations", id),
                      "ask for translations, or for a node of shells, beams or a rigid body");
     for (const Vec3d& d : response.directions)
-      if (force && !held(m.equations, node, response.rotation, d))
+      if (force && !is_supported(m.equations, node, response.rotation, d))
         findings.error(response.place, keyword,
                        fmt::format("the force of supports is wanted at node {}, and none holds it in direction "
                                    "({:.3g} {:.3g} {:.3g})",

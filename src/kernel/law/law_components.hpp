@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "kernel/law/compound.hpp"
+#include "kernel/law/composed_law.hpp"
 #include "kernel/law/elastic.hpp"
 #include "kernel/law/equation_of_state.hpp"
 #include "kernel/law/fluid.hpp"
@@ -31,7 +31,7 @@ using Flow = std::variant<Elastic, PlasticKinematic, PiecewiseLinear, JohnsonCoo
                           Honeycomb, Fluid>;
 
 /// What a compound law is made of: how a point flows, and when it and its element fail.
-struct Composition {
+struct LawComponents {
   Flow flow;                              ///< its own failure strain and deletion step are not used
   double failure_strain = 0.0;            ///< effective plastic strain at which a point fails [1]; 0: none
   Curve failure_strain_over_rate{};       ///< the same over the total strain rate; empty: none
@@ -53,9 +53,9 @@ struct Composition {
   std::shared_ptr<const CohesiveBond> bond{};
 };
 
-inline Compound compound(Composition made_of) {
-  const auto [E, nu] = std::visit([](const auto& flow) { return std::pair{flow.E, flow.nu}; }, made_of.flow);
-  return {E, nu, std::make_shared<const Composition>(std::move(made_of))};
+inline ComposedLaw composed_law(LawComponents components) {
+  const auto [E, nu] = std::visit([](const auto& flow) { return std::pair{flow.E, flow.nu}; }, components.flow);
+  return {E, nu, std::make_shared<const LawComponents>(std::move(components))};
 }
 
 }  // namespace nugget::kernel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "impact/connections/tie_ends.hpp"
+#include "impact/connections/tie_release.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 namespace nugget::impact {
 
-TieEnds::TieEnds(system::System& system, Welds& welds, TieForces& springs)
+TieReleases::TieReleases(system::System& system, Welds& welds, TieForces& springs)
     : system_(system),
       welds_(welds),
       springs_(springs),
@@ -18,41 +18,42 @@ TieEnds::TieEnds(system::System& system, Welds& welds, TieForces& springs)
       lost_(system.ties.ties.size(), 0) {
   const auto death = [&](std::size_t t) { return system.model.contacts[at(system.ties.ties[t].contact)].death; };
   for (std::size_t t = 0; t < ended_.size(); ++t)
-    if (death(t) < model::forever) mortal_.push_back(t);
-  std::stable_sort(mortal_.begin(), mortal_.end(), [&](std::size_t a, std::size_t b) { return death(a) > death(b); });
+    if (death(t) < model::forever) death_times_.push_back(t);
+  std::stable_sort(death_times_.begin(), death_times_.end(),
+                   [&](std::size_t a, std::size_t b) { return death(a) > death(b); });
 }
 
-bool TieEnds::update(const system::State& state, std::span<const unsigned char> shell_alive, bool shells_died) {
-  let_go_ = false;
-  if (shells_died) lose_shells(state, shell_alive);
-  while (!mortal_.empty()) {
-    const weld::Tie& tie = system_.ties.ties[mortal_.back()];
+bool TieReleases::update(const system::State& state, std::span<const unsigned char> shell_alive, bool shells_deleted) {
+  nodes_released_ = false;
+  if (shells_deleted) release_from_deleted_shells(state, shell_alive);
+  while (!death_times_.empty()) {
+    const weld::Tie& tie = system_.ties.ties[death_times_.back()];
     const model::Contact& contact = system_.model.contacts[at(tie.contact)];
     if (state.time < contact.death) break;
-    if (end(mortal_.back()))
+    if (end(death_times_.back()))
       events_.push_back(fmt::format("tie ended  node={} time={:12.5E} cycle={} by DT of {}",
                                     system_.model.nodes.id[at(tie.node)], state.time, state.cycle,
                                     weld::name_contact(contact)));
-    mortal_.pop_back();
+    death_times_.pop_back();
   }
-  if (let_go_) system_.hand_over_mass();
-  return let_go_;
+  if (nodes_released_) system_.transfer_dependent_mass();
+  return nodes_released_;
 }
 
 /// False if it was ended before.
-bool TieEnds::end(std::size_t tie) {
+bool TieReleases::end(std::size_t tie) {
   if (ended_[tie]) return false;
   ended_[tie] = 1;
   if (system_.ties.ties[tie].spring) {
     springs_.release(tie);
   } else {
     system_.release(tie);
-    let_go_ = true;
+    nodes_released_ = true;
   }
   return true;
 }
 
-void TieEnds::lose_shells(const system::State& state, std::span<const unsigned char> shell_alive) {
+void TieReleases::release_from_deleted_shells(const system::State& state, std::span<const unsigned char> shell_alive) {
   bool lost = false;
   for (std::size_t t = 0; t < ended_.size(); ++t) {
     const weld::Tie& tie = system_.ties.ties[t];
@@ -66,7 +67,7 @@ void TieEnds::lose_shells(const system::State& state, std::span<const unsigned c
   if (lost && system_.model.control.weld_of_deleted_shell == 1) delete_welds_without_sheet(state);
 }
 
-void TieEnds::delete_welds_without_sheet(const system::State& state) {
+void TieReleases::delete_welds_without_sheet(const system::State& state) {
   std::vector<std::size_t> tie_of(system_.model.nodes.size(), ended_.size());
   for (std::size_t t = 0; t < ended_.size(); ++t) tie_of[at(system_.ties.ties[t].node)] = t;
   for (std::size_t i = 0; i < system_.ties.welds.size(); ++i) {
@@ -81,7 +82,7 @@ void TieEnds::delete_welds_without_sheet(const system::State& state) {
       }
       return ties > 0 && lost == ties;
     };
-    if (without(w.sheets[0]) || without(w.sheets[1])) welds_.lose_sheet(i, state);
+    if (without(w.sheets[0]) || without(w.sheets[1])) welds_.delete_without_sheet(i, state);
   }
 }
 

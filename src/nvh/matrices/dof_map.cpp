@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "nvh/matrices/reach.hpp"
+#include "nvh/matrices/dof_map.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 namespace nugget::nvh {
 
-Reach::Reach(const Equations& equations, std::span<const int> nodes, int freedoms_a_node) {
+DofMap::DofMap(const Equations& equations, std::span<const int> nodes, int freedoms_a_node) {
   for (const int node : nodes)
     for (int i = 0; i < freedoms_a_node; ++i) {
       for (const Equations::Term& t : equations.terms(node, i)) {
@@ -23,13 +23,13 @@ Reach::Reach(const Equations& equations, std::span<const int> nodes, int freedom
 }
 
 template <class Visit>
-void Reach::each_term(const Visit& visit) const {
+void DofMap::each_term(const Visit& visit) const {
   std::size_t t = 0;
   for (std::size_t i = 0; i < end_.size(); ++i)
     for (; t < end_[i]; ++t) visit(i, at(term_[t].equation), term_[t].factor);
 }
 
-std::vector<double> Reach::reduced(std::span<const double> k) const {
+std::vector<double> DofMap::reduced(std::span<const double> k) const {
   const std::size_t n = end_.size(), m = equation_.size();
   std::vector<double> half(n * m, 0.0), full(m * m, 0.0);
   for (std::size_t i = 0; i < n; ++i)

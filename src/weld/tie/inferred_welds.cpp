@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "weld/tie/presumed.hpp"
+#include "weld/tie/inferred_welds.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -11,10 +11,10 @@ using model::Index;
 using model::none;
 
 /// Elements without a material, joined where they share nodes.
-class Lumps {
+class ElementClusters {
  public:
   template <class Elements>
-  Lumps(const model::Model& model, const Elements& elements, const std::vector<char>& unknown)
+  ElementClusters(const model::Model& model, const Elements& elements, const std::vector<char>& unknown)
       : root_(elements.size()), size_(elements.size(), 1), alone_(elements.size(), 1) {
     std::iota(root_.begin(), root_.end(), Index{0});
     std::vector<Index> first_at(model.nodes.size(), none);
@@ -88,7 +88,7 @@ std::vector<Index> standing_alone(const model::Model& model, const Elements& ele
   mark_nodes(model.solids, beams ? std::vector<char>{} : unknown, taken);
   mark_nodes(model.beams, beams ? unknown : std::vector<char>{}, taken);
 
-  Lumps lumps(model, elements, unknown);
+  ElementClusters clusters(model, elements, unknown);
   const auto each = [&](auto with) {
     for (Index e = 0; e < static_cast<Index>(elements.size()); ++e)
       if (unknown[static_cast<std::size_t>(e)]) with(e);
@@ -96,28 +96,28 @@ std::vector<Index> standing_alone(const model::Model& model, const Elements& ele
   each([&](Index e) {
     const auto& nodes = elements.node[static_cast<std::size_t>(e)];
     if (std::any_of(nodes.begin(), nodes.end(), [&](Index n) { return taken[static_cast<std::size_t>(n)] != 0; }))
-      lumps.touch(e);
+      clusters.touch(e);
   });
   std::vector<Index> found;
   each([&](Index e) {
-    if (lumps.stands_alone(e, most)) found.push_back(e);
+    if (clusters.stands_alone(e, most)) found.push_back(e);
   });
   return found;
 }
 
 }  // namespace
 
-std::vector<Index> presumed_beams(const model::Model& model) {
+std::vector<Index> inferred_beams(const model::Model& model) {
   constexpr int most_in_a_stack = 3;
   return standing_alone(model, model.beams, model::ElementKind::beam, most_in_a_stack);
 }
 
-std::vector<Index> presumed_bricks(const model::Model& model) {
+std::vector<Index> inferred_bricks(const model::Model& model) {
   constexpr int most_in_a_stack = 3 * 16;
   return standing_alone(model, model.solids, model::ElementKind::solid, most_in_a_stack);
 }
 
-bool presumed(const model::Model& model, const Weld& weld) {
+bool is_inferred(const model::Model& model, const Weld& weld) {
   return weld.part != none && model.parts[static_cast<std::size_t>(weld.part)].material == none;
 }
 
