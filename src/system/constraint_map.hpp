@@ -20,7 +20,7 @@ namespace nugget::system {
 /// f . T q = T^t f . q).
 ///
 /// Where nodes carry no rotation that could hold a moment, the dependent node's spin comes from the translations of the
-/// corners c of its segment (spotweld-theory.md, section 5.6). With r_c the arms from their centre,
+/// corners c of its segment (docs/theory/ties.md#twist). With r_c the arms from their centre,
 ///     whole:  omega_d = J^-1 sum_c r_c x v_c,  J = sum_c (|r_c|^2 1 - r_c r_c^t),  and v_d gets omega_d x a besides;
 ///     twist:  only the component along the segment's normal n, on a flat segment sum_c n . (r_c x v_c) / sum_c
 ///     |r_c|^2;

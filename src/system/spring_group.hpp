@@ -14,7 +14,8 @@ class System;
 /// from node 1 to node 2, or that of the orientation, and d the elongation along it (the twist about it),
 ///     F = S (1 + KD |v|/V0) f(d, v),        +F n on node 1, -F n on node 2 (moments where DRO = 1),
 /// where d of a spring with an orientation is the change of (x2 - x1) . n. Such a spring between nodes that stand apart
-/// does not balance moments, as LS-DYNA warns too. Source: element-theory.md 6.5, keywords.md sections 4 and 6.
+/// does not balance moments, as LS-DYNA warns too. Source: docs/theory/beam.md#springs-and-dampers, LS-DYNA Keyword
+/// Manual.
 ///
 /// Time step: the springs that share nodes are bounded together. With k_t the stiffnesses of all springs at node i and
 /// 1/m_i what it opposes to a force along n (system/mobility.hpp), row sums give omega^2 <= sum_i sum_t k_t |n . n_t|

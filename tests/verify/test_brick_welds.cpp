@@ -172,8 +172,8 @@ double tip_deflection(int n, double couple, double force, double coefficient) {
 }
 
 // The couple is a tenth of that by statics: its answer is the linear one, and at 1e5 the turning of the tip costs 0.3
-// %. Sabotage to be caught: the stabilisation of element-theory 5.4 with QM left out; a factor on one of its four
-// modes.
+// %. Sabotage to be caught: the stabilisation of docs/theory/hourglass.md#physical-stabilisation with QM left out; a
+// factor on one of its four modes.
 TEST(BrickWeld, BendingByHourglassForces) {
   const double shear[3][2] = {{1, 1.44095}, {2, 1.79809}, {5, 1.89810}};
   for (const auto& [n, w] : shear) {
@@ -220,7 +220,7 @@ TEST(BrickWeld, ResultantsAgainstReactions) {
   }
 }
 
-// spotweld-theory.md 9.4. All nodes are driven, in each cycle to a place of their own.
+// docs/theory/weld.md#reference-values. All nodes are driven, in each cycle to a place of their own.
 // Sabotage to be caught: axes that follow the line of centres or stay where they were; stresses that are not turned.
 TEST(BrickWeld, ResultantsTurnWithTheWeld) {
   const WeldData w = strong();

@@ -73,7 +73,7 @@ struct OnAPlate {
 };
 
 /// The beam's far end, moved by u along x and turned so that no moment acts on it: the one-point beam,
-/// spotweld-theory.md 2.6, with a clamped foot.
+/// docs/theory/beam.md#nodal-forces-of-a-beam, with a clamped foot.
 Path sideways(double u, double length) {
   const WeldData w;
   const double ei = w.E * w.second_moment(), ga = w.shear_modulus() * w.area();
@@ -134,8 +134,9 @@ Path twisted(double angle) {
   return [=](double s) { return std::array{0.0, 0.0, 0.0, 0.0, 0.0, angle * ramp(s)}; };
 }
 
-// Moment in is moment out, on shells without drilling stiffness: as in-plane forces on the corners (theory 9.6).
-// Sabotage: the twist about the beam's end instead of the corners' centre; S without the square.
+// Moment in is moment out, on shells without drilling stiffness: as in-plane forces on the corners
+// (docs/theory/weld.md#reference-values). Sabotage: the twist about the beam's end instead of the corners' centre; S
+// without the square.
 TEST(TieForms, TorsionBecomesInPlaneForces) {
   const WeldData w;
   const double torque = w.shear_modulus() * 2.0 * w.second_moment() / 6.0 * 1e-4;

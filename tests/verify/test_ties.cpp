@@ -88,13 +88,13 @@ TEST(Tie, ForceSplit) {
   expect_split("tie: shares of force and mass", {10, 8, 0}, {0.0, 0.0, 1.0, 0.0});
 }
 
-// spotweld-theory.md, section 9, item 5.
+// docs/theory/weld.md#reference-values.
 TEST(Tie, ForceSplitOfTheTiePatch) {
   expect_split("tie: shares of force and mass", {6.5, 3.2, 0}, {0.21, 0.39, 0.26, 0.14});
 }
 
-// Sabotage to be caught: mass N_i^2 m, or the mass left on the tied node as well. Also spotweld-theory.md, section 9,
-// item 7.
+// Sabotage to be caught: mass N_i^2 m, or the mass left on the tied node as well. Also
+// docs/theory/weld.md#reference-values.
 TEST(Tie, MassSplit) {
   OneSegment s({7, 2, 0});
   const system::System& system = s.run.system();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Weld damage after EFAIL, and MAT_100 beyond its failure surface on single welds: node 1 held, node 2 driven, so
-// that no inertia enters. Closed forms: spotweld-theory.md 4.6.
+// that no inertia enters. Closed forms: docs/theory/failure.md#damage-of-the-whole-weld.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -277,7 +277,7 @@ TEST(WeldDamage, DamageOfAUniaxialBrick) {
 }
 
 /// MAT_100_DA without sheets: the defaults of the connection hold. TRUE_T is next to nothing, so that the couple of a
-/// shear force over the weld's length is no bending (spotweld-theory.md 3.3).
+/// shear force over the weld's length is no bending (docs/theory/failure.md#worse-end).
 std::string connection(int dgtyp, double gfad, const std::string& options = "", double dlcsn = 0.0) {
   return "*MAT_SPOTWELD_DAIMLERCHRYSLER_UNIAXIAL\n" + fields({1, 7.8e-9, 210000, 0.3}) + fields({0}) +
          fields({0, 0, 0, 1e-3, 7}) + "*DEFINE_CONNECTION_PROPERTIES\n" +

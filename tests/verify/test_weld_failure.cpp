@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The failure functions of MAT_100 through the program, on one weld beam between two sheets: tension, shear, bending,
 // torsion and a path that mixes them until it crosses the failure surface; strengths at three strain rates. References
-// are worked from the formulas of spotweld-theory.md sections 4.3 to 4.5 by a script of their own.
+// are worked from the formulas of docs/theory/failure.md by a script of their own.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elastic stiffness, plasticity and failure of a weld beam, and the closed forms of spotweld-theory.md section 9 that
-// belong to a single weld beam: node 1 held, node 2 driven in all six degrees of freedom, so that no inertia enters.
+// Elastic stiffness, plasticity and failure of a weld beam, and the closed forms of
+// docs/theory/weld.md#reference-values that belong to a single weld beam: node 1 held, node 2 driven in all six degrees
+// of freedom, so that no inertia enters.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -125,7 +126,7 @@ TEST(WeldBeam, ElasticStiffness) {
                    1e-3, about_s.moment_s / w.length);
 }
 
-// spotweld-theory.md, section 9, item 1.
+// docs/theory/weld.md#reference-values.
 TEST(WeldBeam, ClosedFormsOfA5mmWeld) {
   const WeldData w{.diameter = 5.0, .length = 1.0};
   expect_reference("weld beam of 5 mm", "axial stiffness of d = 5, L = 1 [N/mm]",
@@ -231,8 +232,9 @@ TEST(WeldBeam, BendingPlasticity) {
                    Driven(w, bend, 2000, 2000).end().moment_t, 14400.0, 8e-2);
 }
 
-// EFAIL in bending, 2 radii x 8 angles (theory 2.3): the points fail from the outside in, four at a time, and the weld
-// goes with the last. Sabotage to be caught: the weld deleted with its first point; failed points that still pull.
+// EFAIL in bending, 2 radii x 8 angles (docs/theory/beam.md#section-points): the points fail from the outside in, four
+// at a time, and the weld goes with the last. Sabotage to be caught: the weld deleted with its first point; failed
+// points that still pull.
 TEST(WeldBeam, PointsFailOneByOneInBending) {
   const WeldData w{.hardening = 0.0, .failure_strain = 0.01, .quadrature = 3};
   std::array<double, 4> lever{};  // of four points each, from the outside in
@@ -347,7 +349,7 @@ TEST(WeldFailure, FilterOnlyDelays) {
   }
 }
 
-// spotweld-theory.md, section 9, item 2.
+// docs/theory/weld.md#reference-values.
 TEST(WeldFailure, ClosedFormsOfTheResultantSurface) {
   WeldData w{.yield = 2000.0, .strength = {8000}};
   expect_reference("weld failure by resultants", "factor on N = 8000, NRR only", failure_factor(w, {8000}), 1.0, 5e-3);

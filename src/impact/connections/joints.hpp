@@ -30,12 +30,12 @@ namespace nugget::impact {
 ///
 /// A joint with *_FAILURE is released permanently from TFAIL on, or from when the load that it would carry in the axes
 /// of CID reaches sum (N_i / N_iF)^2 + sum (M_i / M_iF)^2 >= 1, both sums together (COUPL up to 0) or each apart. What
-/// it stored by then stays in its energy, as lost. PROJECT: components count with both signs.
+/// it stored by then stays in its energy, as lost. Ours: components count with both signs.
 ///
 /// Stiffness: with G the inverse mass that a piece's relative motion meets, when each body shares its mass evenly among
 /// the pieces at it, k = RPS beta / (dt^2 tr(G)), beta = 1/4: all pieces together have omega dt <= 1/2, well
 /// inside the 2 of central differences. dt is the longest step so far, so k never rises in a run. Damping ratio 0.1
-/// DAMP. Both are PROJECT: LS-DYNA documents that its stiffness follows from masses and step, not how.
+/// DAMP. Both are ours: LS-DYNA documents that its stiffness follows from masses and step, not how.
 class Joints {
  public:
   explicit Joints(const system::System& system);

@@ -14,9 +14,9 @@ namespace nugget::impact {
 /// The rigid welds while the model moves. A weld's force on one of its nodes is what that node's acceleration wants and
 /// its load does not give,
 ///     f_i = m_i a_i - f_i(applied),   a_i = a_c + alpha x r_i + omega x (omega x r_i),
-/// with the mass of the node itself (spotweld-theory.md section 7). When a weld fails its nodes continue as free nodes
-/// with that mass and the velocity they have; of a spot of more than two nodes the outermost node is released first.
-/// Welds limit no time step.
+/// with the mass of the node itself (docs/theory/weld.md#rigid-welds). When a weld fails its nodes continue as free
+/// nodes with that mass and the velocity they have; of a spot of more than two nodes the outermost node is released
+/// first. Welds limit no time step.
 class RigidWelds {
  public:
   /// The system must outlive it. A weld that can fail, but whose nodes ties follow, is an error.

@@ -33,8 +33,8 @@ struct NodalNormals {
   }
 };
 
-/// Warping coupling (element-theory 3.7): curvature += c (x13 f13 + x42 f24) for x, likewise for y; x13 = -2 A by24 and
-/// so on.
+/// Warping coupling (docs/theory/shell.md#warping-stiffness): curvature += c (x13 f13 + x42 f24) for x, likewise for y;
+/// x13 = -2 A by24 and so on.
 template <class R>
 struct Warping {
   R x13, x24, y13, y24;
@@ -88,7 +88,8 @@ R tangent_share(const LawKernel<Law>& law, const ShellLayout& layout, const doub
   return select(strain > 0.0, R(0.01), R(1.0)) * intact_fraction<R>(law, layout, state);
 }
 
-/// Hourglass forces at the end of the step (element-theory 3.4); stored, and their work added up, in the state.
+/// Hourglass forces at the end of the step (docs/theory/hourglass.md#shells); stored, and their work added up, in the
+/// state.
 ///
 /// The stiffness form is a share of the element's own elastic resistance to the pattern: 3 QM in its plane and 3/2 QB
 /// in bending, both less once the element has yielded (see tangent_share), QW SHRF / 2 in twist.

@@ -114,7 +114,8 @@ struct BulkViscosity {
         density * length * (brick.bulk_quadratic * length * trace * trace - brick.bulk_linear * c * trace);
     pressure = select(compressed, viscous, none);
     // The linear viscosity counts in expansion too: a brick that breathes is compressed half a period later, and
-    // LS-DYNA's first step of a brick at rest contains it (1.40796e-4 in ../shared/decks/single_hex/glstat).
+    // LS-DYNA's first step of a brick at rest contains it (1.40796e-4 in the public example single_hex,
+    // docs/book/single_hex.md).
     const R slow = brick.bulk_linear * c - select(compressed, brick.bulk_quadratic * length * trace, none);
     step = length / (slow + sqrt(slow * slow + c2));
   }
@@ -146,7 +147,7 @@ struct BrickStep {
 };
 
 /// Axes of a weld: r along the mean of the normals of the faces 1-2-3-4 and 5-6-7-8, so that shear does not tilt it, s
-/// along xi (spotweld-theory 3.1).
+/// along xi (docs/theory/weld.md#axes-of-a-weld-of-bricks).
 template <class R>
 Frame<R> weld_axes(const Patterns<R>& x) {
   const Vec3<R> r = unit(cross(x.a, x.b) + cross(x.h[1], x.h[0])), s = unit(x.a - dot(x.a, r) * r);

@@ -44,7 +44,7 @@ void start_full_hexahedron(const FullHexahedronLayout& layout, double* state, in
 /// failed, or its stable step falls below the law's deletion step. A weld of uniaxial stress state has at each point
 /// the stresses on its cross-section only, as in hexahedron_cycle; their pressure is not averaged. Sources: LS-DYNA
 /// Theory Manual, solid elements;
-/// ../shared/reference/element-theory.md section 5.5. Hourglass data of `brick` are not used.
+/// docs/theory/brick.md#selectively-reduced-brick. Hourglass data of `brick` are not used.
 ///
 /// With assumed strains (ELFORM -1, -2) the velocity gradients are those of AssumedStrain, which bend without locking
 /// whatever the sides; all points then turn with the brick's spin, and each stands for an eighth of its volume.

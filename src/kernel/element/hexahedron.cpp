@@ -18,8 +18,8 @@ Hourglass<R> load_hourglass(const double* state) {
   return r;
 }
 
-/// Physical stabilisation (element-theory 5.4): rates of the generalised forces from the rates of the patterns, both in
-/// the element's axes.
+/// Physical stabilisation (docs/theory/hourglass.md#physical-stabilisation): rates of the generalised forces from the
+/// rates of the patterns, both in the element's axes.
 template <class R>
 Hourglass<R> bindeman_rates(const ElasticConstants& e, double coefficient, const Vec3<R>& side, const Hourglass<R>& q) {
   const R third = R(1.0 / 3.0);

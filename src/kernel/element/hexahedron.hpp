@@ -73,7 +73,7 @@ struct SolidForces {
 /// failed, or whose stable step falls below the law's deletion step, is deleted: alive 0, no force, infinite stable
 /// step. Internal energy is the work of the nodal forces, less the hourglass energy. Sources: Flanagan, Belytschko,
 /// IJNME 17 (1981); Hughes, Winget, IJNME 15 (1980); Belytschko, Bindeman, CMAME 105 (1993);
-/// ../shared/reference/element-theory.md section 5.
+/// docs/theory/brick.md.
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld; NativeBatch with
 /// ComposedLaw; Dual<24> with Elastic.

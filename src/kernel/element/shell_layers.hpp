@@ -176,7 +176,8 @@ template <class R, class Law>
   return on_thickness(shell, c.n, thinned(shell, c.thinning, t, state));
 }
 
-/// Viscous pressure a length in a shell that is compressed in its plane (element-theory 5.6); 0 when stretched.
+/// Viscous pressure a length in a shell that is compressed in its plane
+/// (docs/theory/shell.md#bulk-viscosity-in-the-plane); 0 when stretched.
 template <class R, class Law>
 R viscous_membrane(const ShellProperties& shell, const LawKernel<Law>& law, const R& trace, const R& area,
                    const double* state) {

@@ -8,8 +8,8 @@
 namespace nugget::kernel {
 
 /// How a point of a weld loses its stress after its plastic strain has passed EFAIL (_DAMAGE-FAILURE with DMGOPT 0 to
-/// 2; spotweld-theory 4.6). The damage w grows from 0 to 1; the stress is (1 - w) times that of the undamaged point, or
-/// exp(-beta w) times it; at 1 the point has failed.
+/// 2; docs/theory/failure.md#damage-of-a-point). The damage w grows from 0 to 1; the stress is (1 - w) times that of
+/// the undamaged point, or exp(-beta w) times it; at 1 the point has failed.
 struct PointDamage {
   enum class Growth {
     none,

@@ -7,7 +7,7 @@
 #include "kernel/law/discrete_spring.hpp"
 
 // Laws of *ELEMENT_DISCRETE (*MAT_SPRING_..., *MAT_DAMPER_...): force over elongation, or moment over twist. S01 to S05
-// are a DiscreteSpring; here is what that does not have. Source: keywords.md section 5, springs and dampers.
+// are a DiscreteSpring; here is what that does not have. Source: LS-DYNA Keyword Manual, springs and dampers.
 namespace nugget::kernel {
 
 /// MAT_S06: follows the loading curve until the force leaves [compression_yield, tension_yield]. From then on it

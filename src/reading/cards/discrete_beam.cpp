@@ -5,7 +5,8 @@
 #include "reading/cards/families.hpp"
 
 // *MAT_... of discrete beams (ELFORM 6): each law becomes six springs and a rule of failure (kernel::DiscreteBeam).
-// Layouts: keywords.md section 5; those of MAT_068, 121, 196 from the public LS-DYNA input interface of Altair Radioss.
+// Layouts: public keyword tables (PyDYNA); those of MAT_068, 121, 196 from the public LS-DYNA input interface of Altair
+// Radioss.
 namespace nugget::reading {
 
 namespace {

@@ -10,7 +10,7 @@
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 
-// *CONSTRAINED_JOINT_..., *CONTROL_RIGID. Layouts: keywords.md section 9.
+// *CONSTRAINED_JOINT_..., *CONTROL_RIGID. Layouts: public keyword tables (PyDYNA).
 namespace nugget::reading {
 
 namespace {

@@ -10,7 +10,7 @@
 #include "reading/cards/families.hpp"
 
 // Springs and dampers: *ELEMENT_DISCRETE, *SECTION_DISCRETE, *DEFINE_SD_ORIENTATION, *MAT_SPRING_..., *MAT_DAMPER_...
-// Layouts: keywords.md sections 4, 5 and 6.
+// Layouts: public keyword tables (PyDYNA).
 namespace nugget::reading {
 
 namespace {

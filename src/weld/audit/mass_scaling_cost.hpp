@@ -20,10 +20,11 @@ struct MassScalingCost {
 };
 
 /// `x`: node coordinates after projection. Step of a beam L / sqrt(E / rho); of a brick its volume over its largest
-/// face over the speed of a plane wave (spotweld-theory 2.7 and 3.5, Q = 0); the projected length and section count.
+/// face over the speed of a plane wave (docs/theory/beam.md#mass-and-rotary-inertia-of-a-beam and
+/// docs/theory/time_step.md#bricks, Q = 0); the projected length and section count.
 MassScalingCost mass_scaling_cost(const model::Model& model, const std::vector<Vec3d>& x, const Weld& weld);
 
-/// Two ways to one time step (spotweld-theory 6; S. Bala, "Time-Step Scaling").
+/// Two ways to one time step (docs/theory/time_step.md#step-of-a-weld; S. Bala, "Time-Step Scaling").
 struct StepCost {
   double mass = 0.0;  ///< to be added: m ((DT / step)^2 - 1); 0 where the weld's step is large enough [mass]
   double young =

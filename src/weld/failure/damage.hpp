@@ -8,7 +8,8 @@
 namespace nugget::weld {
 
 /// How a weld as a whole loses its force after its failure function has reached 1 (DMGOPT 10 to 12 of _DAMAGE-FAILURE,
-/// DGTYP of _DA; reference: spotweld-theory.md 4.6, 4.7). One damage w for all elements and points of the weld.
+/// DGTYP of _DA; see docs/theory/failure.md#damage-of-the-whole-weld and docs/theory/failure.md#connections). One
+/// damage w for all elements and points of the weld.
 struct DamageLaw {
   enum class Growth {
     immediate,  ///< it fails

@@ -41,11 +41,11 @@ struct Tie {
 
 /// What became of one node of a weld.
 ///
-/// `projection_case`, after the talk: 1 over the interior of an element (its centroid is the ideal), 2 on an element's
-/// edge, 3 on a corner node, 4 over sheets that penetrate each other, 5 no segment in reach, 6 not over its own sheet
-/// but another segment is in reach, 7 sheets that cross so that the weld would be turned over or crushed, 8 the same
-/// with normals that point outward. 5, 7 and 8 are not tied. 0: no projection is needed (the node is a sheet's own node
-/// or belongs to a rigid body) or none was asked for (no contact tracks it).
+/// `projection_case`, after docs/theory/projection.md#the-eight-cases: 1 over the interior of an element (its centroid
+/// is the ideal), 2 on an element's edge, 3 on a corner node, 4 over sheets that penetrate each other, 5 no segment in
+/// reach, 6 not over its own sheet but another segment is in reach, 7 sheets that cross so that the weld would be
+/// turned over or crushed, 8 the same with normals that point outward. 5, 7 and 8 are not tied. 0: no projection is
+/// needed (the node is a sheet's own node or belongs to a rigid body) or none was asked for (no contact tracks it).
 struct Projection {
   Index node = none;
   bool tied = false;  ///< attached to a sheet, by a tie or otherwise

@@ -133,7 +133,7 @@ TEST(WeldBeam, ShearPlasticity) {
   EXPECT_NEAR(cycle * 1e-6 / length, 0.020251, 2e-4);
 }
 
-TEST(WeldBeam, LimitMoments) {  // the table of spotweld-theory 2.3
+TEST(WeldBeam, LimitMoments) {  // the table of docs/theory/beam.md#section-points
   const double torque[] = {13852.0, 13059.4 * 1.011, 13059.4 * 1.004};
   const double moment[] = {16965.0, 14400.0 * 1.037, 14400.0 * 1.010};
   for (const int i : {0, 1, 2}) {

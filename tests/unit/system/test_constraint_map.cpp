@@ -113,7 +113,7 @@ TEST(ConstraintMap, BlocksAreTheMapItself) {
   }
 }
 
-// spotweld-theory.md, section 9, item 6: on a square of side a each corner gets M / (2 sqrt(2) a), tangentially.
+// docs/theory/weld.md#reference-values: on a square of side a each corner gets M / (2 sqrt(2) a), tangentially.
 TEST(ConstraintMap, ATwistBecomesInPlaneForces) {
   const double a = 7.0, moment = 300.0;
   const Vec3d x[4] = {{0, 0, 0}, {a, 0, 0}, {a, a, 0}, {0, a, 0}};

@@ -353,8 +353,8 @@ TEST(Audit, TimeStepAndPriceOfABeam) {
   EXPECT_NEAR(report.mass_by_dt2ms, 3.308097e-7 * (std::pow(9e-7 / 2.89087e-7, 2) - 1.0), 1e-11);
 }
 
-// Mass scaling of a weld, spotweld-theory 6: E = 210000, rho = 7.89e-9, d = 5, L = 0.5 takes 106.46 times the mass, or
-// the E of the talk, 1972 MPa, for a microsecond.
+// Mass scaling of a weld, docs/theory/time_step.md#step-of-a-weld: E = 210000, rho = 7.89e-9, d = 5, L = 0.5 takes
+// 106.46 times the mass, or a modulus of 1972 MPa, for a microsecond.
 TEST(Audit, TwoWaysToATargetStep) {
   MassScalingCost weld;
   weld.young = 210000.0;

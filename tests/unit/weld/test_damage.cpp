@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Damage of a weld as a whole, and what *DEFINE_CONNECTION_PROPERTIES says of one, by given loads (spotweld-theory 4.6,
-// 4.7).
+// Damage of a weld as a whole, and what *DEFINE_CONNECTION_PROPERTIES says of one, by given loads
+// (docs/theory/failure.md#damage-of-the-whole-weld and docs/theory/failure.md#connections).
 #include "weld/failure/damage.hpp"
 
 #include <gtest/gtest.h>

@@ -11,7 +11,7 @@ namespace {
 const Corners rectangle{Vec3d{0, 0, 0}, {10, 0, 0}, {10, 8, 0}, {0, 8, 0}};
 const Corners triangle{Vec3d{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 10, 0}};
 
-// Shares of a tie's force and mass. Sabotage: exchange N2 and N3, as the talk does.
+// Shares of a tie's force and mass. Sabotage: exchange N2 and N3, as one public talk does.
 TEST(Segment, WeightsOfTheValidationExample) {
   const Foot foot = project(rectangle, false, {7, 2, 0.9});
   EXPECT_NEAR(foot.xi, 0.4, 1e-12);

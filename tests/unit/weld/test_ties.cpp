@@ -740,7 +740,7 @@ TEST(Ties, ABrickWeldIsTiedByItsEightNodes) {
   EXPECT_EQ(weld.sheets, (std::array<Index, 2>{a.lower, a.upper}));
   EXPECT_NEAR(weld.length_before, 1.1, 1e-12);
   EXPECT_NEAR(weld.length, 1.0, 1e-12);
-  EXPECT_NEAR(weld.diameter, std::sqrt(4 * 16.0 / 3.14159265358979), 1e-9);  // the talk's sqrt(A/pi) is the radius
+  EXPECT_NEAR(weld.diameter, std::sqrt(4 * 16.0 / 3.14159265358979), 1e-9);  // sqrt(A/pi) would be the radius
 }
 
 TEST(Ties, TheFacesOfABrickAreThoseOnItsSheets) {
