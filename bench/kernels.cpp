@@ -205,7 +205,7 @@ ShellProperties section() {
 template <class R, class Law>
 void shell(benchmark::State& state, const Law& parameters, double dt, ShellProperties properties = section()) {
   static const Mesh mesh = sheet(false);
-  const Prepared<Law> law(parameters);
+  const LawKernel<Law> law(parameters);
   const ShellLayout layout = shell_layout(properties, law);
   sweep<R>(
       state, mesh, layout.size(), 2,
@@ -218,7 +218,7 @@ void shell(benchmark::State& state, const Law& parameters, double dt, ShellPrope
 template <class R, class Law>
 void full_shell(benchmark::State& state, const Law& parameters, double dt, ShellProperties properties = section()) {
   static const Mesh mesh = sheet(false);
-  const Prepared<Law> law(parameters);
+  const LawKernel<Law> law(parameters);
   const ShellLayout layout = full_shell_layout(properties, law);
   sweep<R>(
       state, mesh, layout.size(), 2,
@@ -232,7 +232,7 @@ template <class R, class Law>
 void triangle(benchmark::State& state, const Law& parameters, double dt) {
   static const Mesh mesh = sheet(true);
   const ShellProperties properties = section();
-  const Prepared<Law> law(parameters);
+  const LawKernel<Law> law(parameters);
   const ShellLayout layout = shell_layout(properties, law);
   sweep<R>(
       state, mesh, layout.size(), 2,
@@ -248,7 +248,7 @@ void brick(benchmark::State& state, const Law& parameters, double dt, int hourgl
   HexahedronProperties properties;
   properties.density = 7.85e-9;
   properties.hourglass = hourglass;
-  const Prepared<Law> law(parameters);
+  const LawKernel<Law> law(parameters);
   const HexahedronLayout layout = hexahedron_layout(law);
   sweep<R>(
       state, mesh, layout.size(), 1,
@@ -276,7 +276,7 @@ void full_brick(benchmark::State& state, const Law& parameters, double dt) {
   static const Mesh mesh = block();
   HexahedronProperties properties;
   properties.density = 7.85e-9;
-  const Prepared<Law> law(parameters);
+  const LawKernel<Law> law(parameters);
   const FullHexahedronLayout layout = full_hexahedron_layout(law);
   sweep<R>(
       state, mesh, layout.size(), 1,
@@ -296,7 +296,7 @@ template <class R>
 void weld_beam(benchmark::State& state, double dt, int quadrature) {
   static const Mesh mesh = welds();
   const WeldBeamProperties properties{7.8e-9, disc_fibres(6.0, 0.0, quadrature)};
-  const Prepared<Spotweld> law(weld());
+  const LawKernel<Spotweld> law(weld());
   const WeldBeamLayout layout = weld_beam_layout(properties, law);
   sweep<R>(
       state, mesh, layout.size(), 2,

@@ -140,6 +140,45 @@ class Sources(CheckCase):
                 (self.root / name).unlink()
 
 
+class Citations(CheckCase):
+    def setUp(self):
+        super().setUp()
+        self.write("docs/theory/shell.md", "# Shells\n\n## C0 triangle: `ELFORM` 4\n\n```\n# no heading\n```\n")
+        self.write("docs/decisions/0017-stiffness.md", "# 0017\n")
+
+    def cite(self, name, text):
+        self.write(name, text)
+        return self.run_check("check_citations.py")
+
+    def test_what_exists_passes(self):
+        for name, text in [
+            ("src/kernel/a.hpp", LICENCE + "/// See docs/theory/shell.md#c0-triangle-elform-4, docs/decisions/0017.\n"),
+            ("tests/unit/a.cpp", LICENCE + "// docs/theory/shell.md. Decks: ../shared/decks\n"),
+            ("docs/evidence/a.md", "by `docs/theory/shell.md` and docs/decisions/0017-stiffness.md\n"),
+            ("docs/theory/beam.md", "[Shells](shell.md#shells), [here](#beams)\n\n# Beams\n"),
+            ("docs/decisions/0018-b.md", "Measured beside ../shared/reference/ecosystem.md.\n"),
+        ]:
+            with self.subTest(name=name):
+                self.assertEqual(self.cite(name, text), (0, ""))
+
+    def test_a_breach_is_named_with_file_and_line(self):
+        for name, text in [
+            ("src/kernel/a.hpp", LICENCE + "/// See docs/theory/brick.md.\n"),
+            ("src/kernel/a.hpp", LICENCE + "/// See docs/theory/shell.md#frame.\n"),
+            ("src/kernel/a.hpp", LICENCE + "/// See docs/theory/shell.md#no-heading.\n"),
+            ("src/kernel/a.hpp", LICENCE + "/// See docs/decisions/0016.\n"),
+            ("src/kernel/a.hpp", LICENCE + "/// ../shared/reference/element-theory.md 3.4\n"),
+            ("tests/verify/a.cpp", LICENCE + "// spotweld-theory 4.5\n"),
+            ("docs/manual/a.md", "\nas docs/theory/beam.md has it\n"),
+            ("docs/theory/a.md", "\n[Frame](shell.md#frame)\n"),
+        ]:
+            with self.subTest(text=text):
+                code, output = self.cite(name, text)
+                self.assertEqual(code, 1, output)
+                self.assertTrue(output.startswith(f"{name}:2: "), output)
+                (self.root / name).unlink()
+
+
 class Archives(CheckCase):
     """A class that forgets a member, a derived one that forgets all, a pointer that would be kept as bytes."""
 

@@ -87,10 +87,10 @@ std::string check_line(const weld::CheckSummary& found, const weld::Ties& ties,
 std::string cost(const model::Model& model, const std::vector<weld::Report>& reports) {
   double shortest = std::numeric_limits<double>::infinity(), mass = 0.0, by_dt = 0.0, by_dt2ms = 0.0;
   for (const weld::Report& r : reports) {
-    shortest = std::min(shortest, r.price.time_step);
-    mass += r.price.mass;
-    by_dt += r.price.mass_by_dt;
-    by_dt2ms += r.price.mass_by_dt2ms;
+    shortest = std::min(shortest, r.cost.time_step);
+    mass += r.cost.mass;
+    by_dt += r.cost.mass_by_dt;
+    by_dt2ms += r.cost.mass_by_dt2ms;
   }
   const double whole = mass_of(model);
   return fmt::format(
@@ -169,27 +169,26 @@ std::string target_table(const model::Model& model, const weld::Ties& ties, cons
   std::vector<std::size_t> below;
   double total = 0.0;
   for (std::size_t w = 0; w < reports.size(); ++w) {
-    if (reports[w].values.empty() || reports[w].price.time_step >= step) continue;
+    if (reports[w].values.empty() || reports[w].cost.time_step >= step) continue;
     below.push_back(w);
-    total += weld::reach(reports[w].price, step).mass;
+    total += weld::cost_of_step(reports[w].cost, step).mass;
   }
   std::string s =
       fmt::format("Time step {:.4g}: {} of {} welds have a smaller one\n\n", step, below.size(), ties.welds.size());
   if (below.empty()) return s;
   s += fmt::format(" by mass (DT = {:.4g} in *MAT_SPOTWELD): {:.4g} more{}\n by stiffness: E as below, no mass\n\n",
                    step, total, percent_of(total, mass_of(model)));
-  std::stable_sort(below.begin(), below.end(), [&](std::size_t a, std::size_t b) {
-    return reports[a].price.time_step < reports[b].price.time_step;
-  });
+  std::stable_sort(below.begin(), below.end(),
+                   [&](std::size_t a, std::size_t b) { return reports[a].cost.time_step < reports[b].cost.time_step; });
   s += fmt::format("{:>10} {:>11} {:>11} {:>11} {:>8}  {:>11} {:>11}\n", "weld", "time step", "mass", "mass added",
                    "factor", "or E", "instead of");
   const std::size_t shown = below.size() <= few ? below.size() : shown_of_many;
   for (std::size_t i = 0; i < shown; ++i) {
-    const weld::Price& price = reports[below[i]].price;
-    const weld::Target target = weld::reach(price, step);
+    const weld::MassScalingCost& cost = reports[below[i]].cost;
+    const weld::StepCost target = weld::cost_of_step(cost, step);
     s += fmt::format("{:>10} {:>11.4g} {:>11.4g} {:>11.4g} {:>8.4g}  {:>11.4g} {:>11.4g}\n", ties.welds[below[i]].id,
-                     price.time_step, price.mass, target.mass, std::pow(step / price.time_step, 2.0), target.young,
-                     price.young);
+                     cost.time_step, cost.mass, target.mass, std::pow(step / cost.time_step, 2.0), target.young,
+                     cost.young);
   }
   if (shown < below.size())
     s += fmt::format("the smallest steps, {} of {}; welds.csv has all (target_mass, target_young)\n", shown,

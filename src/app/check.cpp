@@ -14,9 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The columns that --target-step adds to welds.csv.
-void add_target(Prepared& p, double step) {
+void add_target(PreparedDeck& p, double step) {
   for (std::size_t w = 0; w < p.welds.size(); ++w) {
-    const weld::Target target = weld::reach(p.audit[w].price, step);
+    const weld::StepCost target = weld::cost_of_step(p.audit[w].cost, step);
     p.welds[w].audit.emplace_back("target_mass", target.mass);
     p.welds[w].audit.emplace_back("target_young", target.young);
   }
@@ -25,20 +25,20 @@ void add_target(Prepared& p, double step) {
 ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
   use_threads(arguments.deck.threads);
   Findings findings;
-  Prepared p = prepare(arguments.deck, findings);
+  PreparedDeck p = prepare(arguments.deck, findings);
   if (!p.has_text) return refuse_missing(findings);
   Log log(directory / "check.log");
   if (findings.errors() == 0) {
     system::System system(p.model, p.ties, findings);
     if (findings.errors() == 0) impact::Simulation simulation(system, findings);
   }
-  const std::string account = findings.errors() > 0 ? account_for_refused(p, findings) : std::string();
+  const std::string refused = findings.errors() > 0 ? report_refused_welds(p, findings) : std::string();
   start_log(log, arguments.deck, p, findings);
   output::write_findings(directory, findings.all());
   print_findings(findings);
   if (findings.errors() > 0 && p.welds.empty()) return ExitCode::refused;
   constexpr std::size_t most_on_terminal = 10;
-  std::string audit = account + audit_table(p.model, p.ties, p.audit);
+  std::string audit = refused + audit_table(p.model, p.ties, p.audit);
   if (arguments.target_step > 0.0) {
     add_target(p, arguments.target_step);
     audit += target_table(p.model, p.ties, p.audit, arguments.target_step);
@@ -46,7 +46,7 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
   audit += weld_table(p.model, p.ties, p.audit);
   audit +=
       fmt::format("\nSeconds: read {:.2f}, tie {:.2f}, audit {:.2f}\n", p.read_seconds, p.tie_seconds, p.audit_seconds);
-  log.add(log_model(p.model) + log_ties(p.model, p.ties, all_of_them) + log_tied_nodes(p.model, p.ties) + audit);
+  log.add(log_model(p.model) + log_ties(p.model, p.ties, no_limit) + log_tied_nodes(p.model, p.ties) + audit);
   output::write_welds(directory, p.welds);
   fmt::print("{}{}{}", log_model(p.model), log_ties(p.model, p.ties, most_on_terminal), audit);
   return findings.errors() > 0 ? ExitCode::refused : ExitCode::normal;

@@ -19,9 +19,9 @@ void Log::read() {
   text_.assign(std::istreambuf_iterator<char>(file), {});
 }
 
-void start_log(Log& log, const RunArguments& arguments, const Prepared& p, const Findings& findings) {
+void start_log(Log& log, const RunArguments& arguments, const PreparedDeck& p, const Findings& findings) {
   log.add(log_head(NUGGET_VERSION, arguments.deck, threads(), nvh::ranks()));
-  log.add(reading::ledger_table(p.model));
+  log.add(reading::keyword_use_table(p.model));
   log.add(log_findings(findings));
 }
 

@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "app/commands.hpp"
-#include "app/prepared.hpp"
+#include "app/prepared_deck.hpp"
 #include "base/finding.hpp"
 #include "output/result_file.hpp"
 
@@ -19,7 +19,7 @@ namespace nugget::app {
 class Log {
  public:
   explicit Log(std::filesystem::path path) : path_(std::move(path)) {}
-  /// Goes on with the log that is there.
+  /// Continues the log that is there.
   void read();
   void add(const std::string& text) {
     text_ += text;
@@ -39,8 +39,8 @@ class Log {
   std::string text_;
 };
 
-/// Head, ledger of keywords, findings.
-void start_log(Log& log, const RunArguments& arguments, const Prepared& p, const Findings& findings);
+/// Head, table of keywords, findings.
+void start_log(Log& log, const RunArguments& arguments, const PreparedDeck& p, const Findings& findings);
 
 void print_findings(const Findings& findings);
 

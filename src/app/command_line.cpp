@@ -166,7 +166,8 @@ int nugget::app::command_line(int argc, char** argv) {
   const CLI::Validator length = above_zero("a length above 0", false);
   weld_command->add_option("--diameter", weld.diameter, "where the list gives none (default: 5 sqrt(t))")
       ->check(length);
-  weld_command->add_option("--reach", weld.reach, "how far a sheet may be from a point (default: 3 t)")->check(length);
+  weld_command->add_option("--reach", weld.search_distance, "how far a sheet may be from a point (default: 3 t)")
+      ->check(length);
   weld_command->add_option("--material", weld.material,
                            "[CLASS:]FIELD=VALUE,... of *MAT_SPOTWELD, e.g. nrr=8000,nrs=6000");
   weld_command->add_option("-j,--threads", weld.threads, "threads (default: all cores)")->check(count);

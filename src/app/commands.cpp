@@ -36,7 +36,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double untold = std::numeric_limits<double>::quiet_NaN();  ///< an empty cell
+constexpr double not_available = std::numeric_limits<double>::quiet_NaN();  ///< an empty cell
 
 void add_term(std::string& terms, weld::FailureMode mode, double value) {
   if (value > 0.0) terms += fmt::format("{}{} {:.3g}", terms.empty() ? "" : ", ", weld::to_string(mode), value);
@@ -63,7 +63,7 @@ output::WeldLoad last_load(const weld::History& history, double length) {
           {at_end(-0.5 * length), at_end(0.5 * length)}};
 }
 
-void tell_history(const weld::RigidWeldHistory& history, output::WeldReport& report) {
+void fill_weld_report(const weld::RigidWeldHistory& history, output::WeldReport& report) {
   report.failed = history.failed();
   if (history.failed()) report.failure_time = history.failure_time();
   report.failure_mode = weld::to_string(history.mode());
@@ -72,11 +72,17 @@ void tell_history(const weld::RigidWeldHistory& history, output::WeldReport& rep
   report.peak_failure = history.peak_failure_value();
   report.peak_failure_time = history.peak_failure_time();
   const weld::RigidWeldHistory::Last& last = history.last();
-  report.last = {last.axial, last.shear,      last.moment, last.torsion, untold, last.normal_term + last.shear_term,
-                 {},         {untold, untold}};
+  report.last = {last.axial,
+                 last.shear,
+                 last.moment,
+                 last.torsion,
+                 not_available,
+                 last.normal_term + last.shear_term,
+                 {},
+                 {not_available, not_available}};
   add_term(report.last.terms, weld::FailureMode::axial, last.normal_term);
   add_term(report.last.terms, weld::FailureMode::shear, last.shear_term);
-  report.energy = untold;
+  report.energy = not_available;
 }
 
 /// How far the damage of a weld has gone at the end, of points that are damaged one by one the mean; not a number where
@@ -86,14 +92,14 @@ double damage_of(const impact::Simulation& run, std::size_t i) {
   const weld::Weld& w = system.ties.welds[i];
   const weld::History& history = *run.welds().history(i);
   if (history.failed()) return 1.0;
-  if (history.damage().law().growth != weld::DamageLaw::Growth::at_once) return history.damage().damage();
+  if (history.damage().law().growth != weld::DamageLaw::Growth::immediate) return history.damage().damage();
   const auto& law = std::get<kernel::Spotweld>(system.model.materials[at(system.model.parts[at(w.part)].material)].law);
   if (law.damage.growth == kernel::PointDamage::Growth::none) return std::numeric_limits<double>::quiet_NaN();
   double sum = 0.0;
   for (const model::Index element : w.elements) {
-    const system::System::Seat seat = system.seat_of(w, element);
-    const system::ElementGroup& group = *system.groups[at(seat.group)];
-    const double left = group.alive(at(seat.element)) ? group.integrity(at(seat.element)) : 0.0;
+    const system::System::ElementLocation location = system.location_of(w, element);
+    const system::ElementGroup& group = *system.groups[at(location.group)];
+    const double left = group.alive(at(location.element)) ? group.integrity(at(location.element)) : 0.0;
     const double beta = law.damage.beta;
     sum += left <= 0.0 ? 1.0 : beta == 0.0 ? 1.0 - left : std::min(-std::log(left) / beta, 1.0);
   }
@@ -104,42 +110,56 @@ bool is_rivet(const weld::Weld& weld) {
   return weld.kind == weld::Weld::Kind::rigid && weld.rigid == weld::Weld::Rigid::rivet;
 }
 
-void tell_rivet(const impact::Rivets& rivets, std::size_t i, output::WeldReport& report) {
+void fill_rivet_report(const impact::Rivets& rivets, std::size_t i, output::WeldReport& report) {
   report.failed = rivets.failed(i);
   if (report.failed) {
     report.failure_time = rivets.failure_time(i);
     report.failure_mode = weld::to_string(weld::FailureMode::time);
   }
   report.peak.axial = rivets.peak(i);
-  report.last = {rivets.axial(i), untold, untold, untold, untold, untold, {}, {untold, untold}};
-  report.peak_failure = report.peak_failure_time = report.energy = untold;
+  report.last = {rivets.axial(i),
+                 not_available,
+                 not_available,
+                 not_available,
+                 not_available,
+                 not_available,
+                 {},
+                 {not_available, not_available}};
+  report.peak_failure = report.peak_failure_time = report.energy = not_available;
 }
 
 /// Adds to the welds' reports what happened to them.
-void tell_histories(const impact::Simulation& run, std::vector<output::WeldReport>& welds) {
+void fill_weld_reports(const impact::Simulation& run, std::vector<output::WeldReport>& welds) {
   const system::System& system = run.system();
   for (std::size_t i = 0; i < welds.size(); ++i) {
     if (is_rivet(system.ties.welds[i]))
-      tell_rivet(run.rivets(), run.rivets().find(welds[i].id), welds[i]);
+      fill_rivet_report(run.rivets(), run.rivets().find(welds[i].id), welds[i]);
     else if (system.ties.welds[i].kind == weld::Weld::Kind::rigid)
       if (const auto* rigid = run.rigid_welds().history_of_body(system.ties.welds[i].element))
-        tell_history(*rigid, welds[i]);
+        fill_weld_report(*rigid, welds[i]);
     if (const impact::Connectors::Record* record = run.connectors().record(i)) {
       welds[i].failed = record->failed;
       if (record->failed) welds[i].failure_time = record->failure_time;
       if (record->failed) welds[i].failure_mode = "limit of its law";
       welds[i].peak = {record->peaks[0], record->peaks[1], record->peaks[2], record->peaks[3]};
-      welds[i].last = {untold, untold, untold, untold, untold, untold, {}, {untold, untold}};
-      welds[i].peak_failure = welds[i].peak_failure_time = untold;
-      const system::System::Seat seat = system.beam_seat[at(system.ties.welds[i].element)];
-      welds[i].energy = system.groups[at(seat.group)]->internal_energy(at(seat.element));
+      welds[i].last = {not_available,
+                       not_available,
+                       not_available,
+                       not_available,
+                       not_available,
+                       not_available,
+                       {},
+                       {not_available, not_available}};
+      welds[i].peak_failure = welds[i].peak_failure_time = not_available;
+      const system::System::ElementLocation location = system.beam_location[at(system.ties.welds[i].element)];
+      welds[i].energy = system.groups[at(location.group)]->internal_energy(at(location.element));
     }
     const weld::History* history = run.welds().history(i);
     if (history == nullptr) continue;
     for (model::Index element : system.ties.welds[i].elements) {
-      const system::System::Seat seat = system.seat_of(system.ties.welds[i], element);
-      const system::ElementGroup& group = *system.groups[at(seat.group)];
-      const auto e = at(seat.element);
+      const system::System::ElementLocation location = system.location_of(system.ties.welds[i], element);
+      const system::ElementGroup& group = *system.groups[at(location.group)];
+      const auto e = at(location.element);
       welds[i].added_mass += group.mass(e) * (group.mass_scale(e) - 1.0);
       welds[i].energy += group.internal_energy(e) + group.hourglass_energy(e);
     }
@@ -156,7 +176,7 @@ void tell_histories(const impact::Simulation& run, std::vector<output::WeldRepor
 }
 
 output::Summary summarise(const RunArguments& arguments, const impact::Simulation& run, const impact::Outcome& outcome,
-                          const Prepared& p, double setup_seconds) {
+                          const PreparedDeck& p, double setup_seconds) {
   const system::System& system = run.system();
   output::Summary s;
   s.version = NUGGET_VERSION;
@@ -171,7 +191,7 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   s.time_step = {run.first_step(), run.smallest_step(), run.smallest_by()};
   if (system.model.control.relaxation.on()) {
     const impact::Relaxation& r = run.relaxation();
-    s.relaxation = {r.cycles(), r.time(), r.unrest(), r.at_rest()};
+    s.relaxation = {r.cycles(), r.time(), r.kinetic_energy_ratio(), r.at_rest()};
   }
   const system::System::Masses m = system.masses();
   s.mass = {m.physical, m.added, m.added_to_welds};
@@ -199,7 +219,7 @@ impact::Options options_of(const RunArguments& arguments, const output::RestartH
   impact::Options options{.until = arguments.until, .max_cycles = arguments.max_cycles};
   if (!arguments.checkpoint.empty()) options.checkpoints = *read_checkpoints(arguments.checkpoint);
   const auto archive = [&simulation, &recorder](Archive& a) { a(simulation, recorder); };
-  options.keep = [=, &simulation] {
+  options.write_checkpoint = [=, &simulation] {
     output::RestartHead now = head;
     now.time = simulation.state().time;
     now.cycle = simulation.state().cycle;
@@ -225,8 +245,8 @@ output::RestartHead head_of(const RunArguments& arguments, std::uint64_t deck_ch
           .checkpoint = arguments.checkpoint};
 }
 
-/// Runs with results, progress and the keyboard's interrupt. A result that cannot be written is told in run.log, as far
-/// as that can still be done.
+/// Runs with results, progress and the keyboard's interrupt. A result that cannot be written is reported in run.log, as
+/// far as that can still be done.
 impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directory, const RunArguments& arguments,
                          output::RestartHead head, output::RestartReader* from, Log& log) {
   std::signal(SIGINT, [](int) { impact::Simulation::interrupt(); });
@@ -237,7 +257,7 @@ impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directo
     if (from != nullptr) head.date = from->head().date;
     impact::ResultFiles files(system, directory,
                               {system.model.title, fmt::format("nugget {}", NUGGET_VERSION), head.date,
-                               from == nullptr ? output::Opening::anew : output::Opening::go_on});
+                               from == nullptr ? output::OpenMode::create : output::OpenMode::append});
     impact::Outcome outcome = simulation.run(options_of(arguments, head, directory, simulation, files, from), files,
                                              arguments.quiet ? impact::ProgressCallback{} : std::ref(display));
     display.finish();
@@ -255,7 +275,7 @@ impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directo
 constexpr double doubtful = 0.05;  // of the energy: off the ratio of 1, or taken by the change of step
 
 /// A run may reach its end time with results that nobody should use.
-std::string doubt_of(const output::Summary& summary) {
+std::string energy_warning(const output::Summary& summary) {
   const output::Summary::Energies& e = summary.energy;
   if (summary.termination == "error") return {};
   if (std::abs(e.ratio - 1.0) > doubtful)
@@ -274,7 +294,7 @@ std::string doubt_of(const output::Summary& summary) {
 }
 
 /// Hourglass energy is work that no material did. Where all flies or swings and little is internal, it says little.
-std::string doubt_of_hourglass(const output::Summary& summary) {
+std::string hourglass_warning(const output::Summary& summary) {
   const output::Summary::Energies& e = summary.energy;
   if (summary.termination == "error" || e.hourglass <= 0.1 * e.internal ||
       e.hourglass <= 0.01 * std::abs(e.initial + e.external))
@@ -286,7 +306,7 @@ std::string doubt_of_hourglass(const output::Summary& summary) {
 }
 
 /// Why a run that went wrong may have been unstable, as far as that can be known.
-std::string cause_of(const impact::Simulation& run, const output::Summary& summary) {
+std::string instability_hint(const impact::Simulation& run, const output::Summary& summary) {
   const double ratio = summary.energy.ratio;
   if (summary.termination != "error" && std::abs(ratio - 1.0) <= doubtful) return {};
   const auto free = impact::free_brick_step(run.system());
@@ -300,7 +320,7 @@ std::string cause_of(const impact::Simulation& run, const output::Summary& summa
 }
 
 /// Modes of the state in which a run has ended, into a folder of their own (IMFLAG 6).
-ExitCode modes_after(const fs::path& directory, const RunArguments& arguments, const Prepared& prepared,
+ExitCode modes_after(const fs::path& directory, const RunArguments& arguments, const PreparedDeck& prepared,
                      const impact::Simulation& run) {
   const fs::path folder = directory / "modes";
   fs::create_directories(folder);
@@ -312,11 +332,11 @@ ExitCode modes_after(const fs::path& directory, const RunArguments& arguments, c
   return modes_of(folder, modes, prepared, findings, {}, &run);
 }
 
-/// `from`: the restart file of a run that is gone on with; null: a new one.
+/// `from`: the restart file of a run that is resumed; null: a new one.
 ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output::RestartReader* from) {
   use_threads(arguments.threads);
   Findings findings;
-  Prepared p = prepare(arguments, findings);
+  PreparedDeck p = prepare(arguments, findings);
   if (!p.has_text) return refuse_missing(findings);
   if (p.model.implicit.active && !arguments.checkpoint.empty()) {
     fmt::print(stderr, "nugget: --checkpoint: this deck asks for an implicit solution, which has no restart files\n");
@@ -362,7 +382,7 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
     print_findings(findings);
     output::write_findings(directory, findings.all());
     log.add(log_model(p.model));
-    log.add(log_ties(p.model, p.ties, all_of_them) + log_tied_nodes(p.model, p.ties));
+    log.add(log_ties(p.model, p.ties, no_limit) + log_tied_nodes(p.model, p.ties));
     log.add(audit_table(p.model, p.ties, p.audit));
   }
   const double setup_seconds = p.tie_seconds + p.audit_seconds + clock.seconds();
@@ -370,18 +390,18 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
   const impact::Outcome outcome =
       simulate(*simulation, directory, arguments, head_of(arguments, p.deck_checksum), from, log);
 
-  tell_histories(*simulation, p.welds);
+  fill_weld_reports(*simulation, p.welds);
   const output::Summary summary = summarise(arguments, *simulation, outcome, p, setup_seconds);
   output::write_welds(directory, p.welds);
   output::write_summary(directory, summary);
   report::write_report(directory);
   log.add(log_mass(*system));
   log.add(log_run(*simulation, summary));
-  const std::array<std::string, 3> doubts{doubt_of(summary), doubt_of_hourglass(summary),
-                                          cause_of(*simulation, summary)};
-  for (const std::string& line : doubts) log.add(line.empty() ? "" : ' ' + line + "\n\n");
+  const std::array<std::string, 3> warnings{energy_warning(summary), hourglass_warning(summary),
+                                            instability_hint(*simulation, summary)};
+  for (const std::string& line : warnings) log.add(line.empty() ? "" : ' ' + line + "\n\n");
   log.add(log_termination(outcome));
-  for (const std::string& line : {outcome.message, doubts[0], doubts[1], doubts[2]})
+  for (const std::string& line : {outcome.message, warnings[0], warnings[1], warnings[2]})
     if (!line.empty()) fmt::print(stderr, "{}\n", line);
   if (!arguments.quiet)
     fmt::print(stderr, "{} cycles in {:.2f} s, energy ratio {:.5f}; results in {}\n", summary.cycles,
@@ -407,7 +427,7 @@ ExitCode run(const RunArguments& arguments) {
     const auto from = output::open_restart(fs::absolute(arguments.resume), warning);
     if (!warning.empty())
       fmt::print(stderr, "warning: {}; the one before it is taken, {}\n", warning, from->path().string());
-    const RunArguments run = gone_on_with(arguments, from->head());
+    const RunArguments run = resumed_arguments(arguments, from->head());
     return run_in(run.directory, run, from.get());
   });
 }

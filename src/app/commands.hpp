@@ -26,7 +26,7 @@ struct RunArguments {
   double until = 0.0;
   long max_cycles = 0;
   std::string checkpoint;  ///< when restart files are written, see read_checkpoints(); empty: as the deck says
-  std::string resume;      ///< folder of a run that is gone on with; empty: a new run
+  std::string resume;      ///< folder of a run that is resumed; empty: a new run
   bool skip_unsupported = false;
   bool quiet = false;
 };
@@ -48,8 +48,8 @@ struct CheckArguments {
 struct WeldArguments {
   std::string points, deck, output;
   weld::WeldForm form = weld::WeldForm::beam;
-  double reach = 0.0, diameter = 0.0;  ///< see weld::PlacementOptions
-  std::vector<std::string> material;   ///< `[CLASS:]FIELD=VALUE,...` of *MAT_SPOTWELD
+  double search_distance = 0.0, diameter = 0.0;  ///< see weld::PlacementOptions
+  std::vector<std::string> material;             ///< `[CLASS:]FIELD=VALUE,...` of *MAT_SPOTWELD
   int threads = 0;
   bool skip_unsupported = false;
 };

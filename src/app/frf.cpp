@@ -31,20 +31,21 @@ struct Response {
 };
 
 /// `equations`: of the model; that many modes are all there are.
-std::string route_text(const nvh::Modes& modes, std::size_t equations, const nvh::Route& route, double highest_asked) {
-  if (route.direct) return " direct solution at each frequency\n";
+std::string describe_method(const nvh::Modes& modes, std::size_t equations, const nvh::SolutionMethod& method,
+                            double highest_asked) {
+  if (method.direct) return " direct solution at each frequency\n";
   std::string s = " no mode takes part, only the static response";
   double highest = 0.0;
-  if (route.last > route.first) {
-    highest = modes.frequency(route.last - 1);
-    s = fmt::format(" modes {} to {}, up to {:.6g}", route.first + 1, route.last, highest);
+  if (method.last > method.first) {
+    highest = modes.frequency(method.last - 1);
+    s = fmt::format(" modes {} to {}, up to {:.6g}", method.first + 1, method.last, highest);
   }
-  if (!route.residual.empty())
-    s += fmt::format(", and {} residual vector{} from {:.6g} on for all above", route.residual.size(),
-                     route.residual.size() == 1 ? "" : "s", route.residual.front());
+  if (!method.residual.empty())
+    s += fmt::format(", and {} residual vector{} from {:.6g} on for all above", method.residual.size(),
+                     method.residual.size() == 1 ? "" : "s", method.residual.front());
   s += '\n';
-  const bool all = route.first == 0 && route.last == equations;
-  if (route.last > route.first && highest < highest_asked && !all)
+  const bool all = method.first == 0 && method.last == equations;
+  if (method.last > method.first && highest < highest_asked && !all)
     s += fmt::format(
         " warning: the response is asked for up to {:.6g}, above the last mode: it is doubtful there; raise NEIG of "
         "*CONTROL_IMPLICIT_EIGENVALUE, FNMAX or MDMAX, or solve directly (nugget frf --direct)\n",
@@ -93,8 +94,8 @@ std::string title(const char* what, std::size_t count, const std::vector<double>
 
 std::string frf_of(const fs::path& directory, const output::Header& header, const nvh::Matrices& matrices,
                    const nvh::Modes& modes, const model::FrequencyResponse& request, output::Summary& summary,
-                   const nvh::Tell& tell) {
-  const nvh::FrfResult result = nvh::frequency_response(matrices, modes, request, tell);
+                   const nvh::ProgressCallback& progress) {
+  const nvh::FrfResult result = nvh::frequency_response(matrices, modes, request, progress);
   nvh::write_frf(directory, header, request, result);
   std::vector<Response> responses;
   for (const nvh::FrfCurve& c : result.curve)
@@ -105,14 +106,14 @@ std::string frf_of(const fs::path& directory, const output::Header& header, cons
     for (std::size_t i = 0; i < request.cases.size(); ++i)
       titles += fmt::format(" case {}: {}\n", i + 1, request.cases[i].title);
   return title("Frequency response", responses.size(), result.frequency) + titles +
-         route_text(modes, matrices.size(), result.route, result.frequency.back()) +
+         describe_method(modes, matrices.size(), result.method, result.frequency.back()) +
          peaks(responses, result.frequency, "frf.csv", summary);
 }
 
 std::string ssd_of(const fs::path& directory, const output::Header& header, const nvh::Matrices& matrices,
                    const nvh::Modes& modes, const model::SteadyState& request, output::Summary& summary,
-                   const nvh::Tell& tell) {
-  const nvh::SteadyResult result = nvh::steady_state(matrices, modes, request, tell);
+                   const nvh::ProgressCallback& progress) {
+  const nvh::SteadyResult result = nvh::steady_state(matrices, modes, request, progress);
   nvh::write_steady_state(directory, header, request, result);
   std::vector<Response> responses;
   for (const nvh::SteadyCurve& c : result.curve)
@@ -124,14 +125,14 @@ std::string ssd_of(const fs::path& directory, const output::Header& header, cons
     if (const auto& c = request.cases[i]; !c.id.empty())
       titles += fmt::format(" case {}: {} {}\n", i + 1, c.id, c.title);
   return title("Steady state", responses.size(), result.frequency) + titles +
-         route_text(modes, matrices.size(), result.route, result.frequency.back()) +
+         describe_method(modes, matrices.size(), result.method, result.frequency.back()) +
          peaks(responses, result.frequency, "ssd.csv", summary);
 }
 
 std::string power_of(const fs::path& directory, const output::Header& header, const nvh::Matrices& matrices,
                      const nvh::Modes& modes, const model::SteadyState& request, output::Summary& summary,
-                     const nvh::Tell& tell) {
-  const nvh::RadiatedPower result = nvh::radiated_power(matrices, modes, request, tell);
+                     const nvh::ProgressCallback& progress) {
+  const nvh::RadiatedPower result = nvh::radiated_power(matrices, modes, request, progress);
   nvh::write_radiated_power(directory, header, request, result);
   const double reference = request.radiated_power->reference;
   std::string s = fmt::format(
@@ -155,18 +156,18 @@ std::string power_of(const fs::path& directory, const output::Header& header, co
 
 std::string responses_of(const fs::path& directory, const output::Header& header, const nvh::Matrices& matrices,
                          const nvh::Modes& modes, const model::Model& model, output::Summary& summary,
-                         const nvh::Tell& tell) {
+                         const nvh::ProgressCallback& progress) {
   std::string text;
   if (model.frequency_response)
-    text += frf_of(directory, header, matrices, modes, *model.frequency_response, summary, tell);
+    text += frf_of(directory, header, matrices, modes, *model.frequency_response, summary, progress);
   if (!model.steady_state) return text;
   if (!model.steady_state->frequency.empty() && !model.requests.history_nodes.empty())
-    text += ssd_of(directory, header, matrices, modes, *model.steady_state, summary, tell);
+    text += ssd_of(directory, header, matrices, modes, *model.steady_state, summary, progress);
   if (model.steady_state->states)
     text += fmt::format("d3ssd: the motion of all nodes at {} frequencies\n\n",
-                        nvh::write_d3ssd(directory, matrices, modes, *model.steady_state, tell));
+                        nvh::write_d3ssd(directory, matrices, modes, *model.steady_state, progress));
   if (model.steady_state->radiated_power)
-    text += power_of(directory, header, matrices, modes, *model.steady_state, summary, tell);
+    text += power_of(directory, header, matrices, modes, *model.steady_state, summary, progress);
   return text;
 }
 
@@ -181,7 +182,7 @@ bool all_direct(const model::Model& model) {
          (!model.steady_state || model.steady_state->direct);
 }
 
-ExitCode direct_responses(const fs::path& directory, const RunArguments& arguments, Prepared prepared,
+ExitCode direct_responses(const fs::path& directory, const RunArguments& arguments, PreparedDeck prepared,
                           Findings& findings) {
   LinearJob job(directory, arguments, std::move(prepared), findings);
   const model::Model& model = job.deck().model;
@@ -209,7 +210,7 @@ ExitCode frf(const RunArguments& arguments, bool direct) {
   return guarded(arguments.directory, [&](const fs::path& directory) {
     use_threads(arguments.threads);
     Findings findings;
-    Prepared p = prepare(arguments, findings);
+    PreparedDeck p = prepare(arguments, findings);
     if (!p.has_text) return refuse_missing(findings);
     if (findings.errors() == 0 && !p.model.frequency_response && !p.model.steady_state)
       findings.error({p.model.deck, 0, 0}, "*FREQUENCY_DOMAIN_FRF", "the deck asks for no frequency response",

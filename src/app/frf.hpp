@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/commands.hpp"
-#include "app/prepared.hpp"
+#include "app/prepared_deck.hpp"
 #include "nvh/eigen/modes.hpp"
 #include "output/ascii.hpp"
 #include "output/summary.hpp"
@@ -17,7 +17,7 @@ namespace nugget::app {
 /// output::WriteError.
 std::string responses_of(const std::filesystem::path& directory, const output::Header& header,
                          const nvh::Matrices& matrices, const nvh::Modes& modes, const model::Model& model,
-                         output::Summary& summary, const nvh::Tell& tell);
+                         output::Summary& summary, const nvh::ProgressCallback& progress);
 
 /// Findings for what the equations cannot answer.
 void check_responses(const nvh::Matrices& matrices, const model::Model& model, Findings& findings);
@@ -26,7 +26,7 @@ void check_responses(const nvh::Matrices& matrices, const model::Model& model, F
 bool all_direct(const model::Model& model);
 
 /// Responses over frequency by direct solution, into a folder whose old results are gone.
-ExitCode direct_responses(const std::filesystem::path& directory, const RunArguments& arguments, Prepared prepared,
+ExitCode direct_responses(const std::filesystem::path& directory, const RunArguments& arguments, PreparedDeck prepared,
                           Findings& findings);
 
 }  // namespace nugget::app

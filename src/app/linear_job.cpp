@@ -13,13 +13,13 @@
 namespace nugget::app {
 namespace {
 
-/// Removes what is dead in another system of the same deck.
-void bury(system::System& system, const system::System& run) {
-  using Seats = std::vector<system::System::Seat> system::System::*;
-  for (const Seats seats : {&system::System::shell_seat, &system::System::solid_seat, &system::System::beam_seat,
-                            &system::System::discrete_seat})
-    for (std::size_t i = 0; i < (run.*seats).size(); ++i) {
-      const auto &there = (run.*seats)[i], &here = (system.*seats)[i];
+/// Removes the elements that are deleted in another system of the same deck.
+void remove_deleted_elements(system::System& system, const system::System& run) {
+  using Seats = std::vector<system::System::ElementLocation> system::System::*;
+  for (const Seats locations : {&system::System::shell_location, &system::System::solid_location,
+                                &system::System::beam_location, &system::System::discrete_location})
+    for (std::size_t i = 0; i < (run.*locations).size(); ++i) {
+      const auto &there = (run.*locations)[i], &here = (system.*locations)[i];
       if (there.group < 0 || here.group < 0 || run.groups[at(there.group)]->alive(at(there.element))) continue;
       system.groups[at(here.group)]->remove(at(here.element));
     }
@@ -27,7 +27,7 @@ void bury(system::System& system, const system::System& run) {
 
 }  // namespace
 
-LinearJob::LinearJob(const std::filesystem::path& directory, const RunArguments& arguments, Prepared prepared,
+LinearJob::LinearJob(const std::filesystem::path& directory, const RunArguments& arguments, PreparedDeck prepared,
                      Findings& findings, const system::System* after)
     : directory_(directory),
       arguments_(arguments),
@@ -37,16 +37,16 @@ LinearJob::LinearJob(const std::filesystem::path& directory, const RunArguments&
       ties_(nvh::linear_ties(deck_.ties, findings)) {
   if (findings.errors() == 0) model_.emplace(nvh::linear_model(deck_.model, findings));
   if (findings.errors() == 0) system_.emplace(*model_, ties_, findings);
-  if (system_ && after != nullptr) bury(*system_, *after);
+  if (system_ && after != nullptr) remove_deleted_elements(*system_, *after);
   if (findings.errors() == 0) matrices_.emplace(*system_, findings);
   setup_seconds_ = deck_.tie_seconds + clock_.seconds();
 }
 
-void LinearJob::tell_findings() {
+void LinearJob::report_findings() {
   start_log(log_, arguments_, deck_, findings_);
   print_findings(findings_);
   output::write_findings(directory_, findings_.all());
-  told_ = true;
+  findings_reported_ = true;
 }
 
 bool LinearJob::accepted() {
@@ -55,9 +55,9 @@ bool LinearJob::accepted() {
     refuse(directory_, log_, findings_);
     return false;
   }
-  tell_findings();
+  report_findings();
   log_.add(log_model(deck_.model));
-  log_.add(log_ties(deck_.model, deck_.ties, all_of_them) + log_tied_nodes(deck_.model, deck_.ties));
+  log_.add(log_ties(deck_.model, deck_.ties, no_limit) + log_tied_nodes(deck_.model, deck_.ties));
   setup_seconds_ += clock_.seconds();
   return true;
 }

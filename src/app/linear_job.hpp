@@ -19,26 +19,26 @@ namespace nugget::app {
 /// gone: what comes before the first equation is solved, and what all of them leave behind.
 class LinearJob {
  public:
-  /// Ties, elements and matrices as linear analyses have them; no matrices after errors. What has died in the run
-  /// `after` takes no part.
-  LinearJob(const std::filesystem::path& directory, const RunArguments& arguments, Prepared prepared,
+  /// Ties, elements and matrices as linear analyses have them; no matrices after errors. Elements deleted in the run
+  /// `after` take no part.
+  LinearJob(const std::filesystem::path& directory, const RunArguments& arguments, PreparedDeck prepared,
             Findings& findings, const system::System* after = nullptr);
   LinearJob(const LinearJob&) = delete;
   LinearJob& operator=(const LinearJob&) = delete;
 
-  Prepared& deck() { return deck_; }
+  PreparedDeck& deck() { return deck_; }
   bool assembled() const { return matrices_.has_value(); }
   nvh::Matrices& matrices() { return *matrices_; }
 
-  /// Tells the findings, parts and ties. False: there were errors, and the deck is refused.
+  /// Reports the findings, parts and ties. False: there were errors, and the deck is refused.
   bool accepted();
-  /// Runs `work`; where the solver gives up, that is told and ends the job.
+  /// Runs `work`; where the solver gives up, that is reported and ends the job.
   template <class Work>
   ExitCode attempt(Work work) {
     try {
       return work();
     } catch (const nvh::Factorization::SolverError& error) {
-      if (!told_) tell_findings();
+      if (!findings_reported_) report_findings();
       return end({impact::Termination::error, error.text});
     }
   }
@@ -54,14 +54,14 @@ class LinearJob {
   ExitCode end(const impact::Outcome& outcome, const std::string& done = {});
 
  private:
-  void tell_findings();
+  void report_findings();
 
   std::filesystem::path directory_;
   RunArguments arguments_;
   Findings& findings_;
-  Prepared deck_;
+  PreparedDeck deck_;
   Log log_;
-  bool told_ = false;
+  bool findings_reported_ = false;
   Clock clock_;
   weld::Ties ties_;
   std::optional<model::Model> model_;

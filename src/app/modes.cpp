@@ -28,16 +28,18 @@ nvh::ModeRequest request_of(const ModesArguments& arguments, const model::Model&
   const model::Implicit& deck = model.implicit;
   nvh::ModeRequest r;
   if (arguments.response && deck.modes == 0) {
-    const auto reach = [&](const model::FrequencyResponse::Selection& selection, const std::vector<double>& frequency) {
+    const auto highest_frequency = [&](const model::FrequencyResponse::Selection& selection,
+                                       const std::vector<double>& frequency) {
       return selection.highest > 0.0 ? selection.highest : 1.5 * frequency.back();
     };
     r.high = 0.0;
-    if (const auto& frf = model.frequency_response; frf && !frf->direct) r.high = reach(frf->modes, frf->frequency);
+    if (const auto& frf = model.frequency_response; frf && !frf->direct)
+      r.high = highest_frequency(frf->modes, frf->frequency);
     if (const auto& ssd = model.steady_state; ssd && !ssd->direct) {
-      if (!ssd->frequency.empty()) r.high = std::max(r.high, reach(ssd->modes, ssd->frequency));
-      if (ssd->states) r.high = std::max(r.high, reach(ssd->modes, ssd->states->frequency));
+      if (!ssd->frequency.empty()) r.high = std::max(r.high, highest_frequency(ssd->modes, ssd->frequency));
+      if (ssd->states) r.high = std::max(r.high, highest_frequency(ssd->modes, ssd->states->frequency));
       if (ssd->radiated_power && !ssd->radiated_power->frequency.empty())
-        r.high = std::max(r.high, reach(ssd->modes, ssd->radiated_power->frequency));
+        r.high = std::max(r.high, highest_frequency(ssd->modes, ssd->radiated_power->frequency));
     }
     return r;
   }
@@ -56,7 +58,7 @@ nvh::ModeRequest request_of(const ModesArguments& arguments, const model::Model&
   return r;
 }
 
-/// Why modes are missing: motions without stiffness are all alike, and Lanczos does not tell many of them apart.
+/// Why modes are missing: motions without stiffness are all alike, and Lanczos does not separate many of them.
 std::string missing_modes(const nvh::Modes& modes) {
   const nvh::Modes::Proof& proof = modes.proof;
   std::string s = fmt::format("{} modes were counted but {} found", proof.counted, proof.found);
@@ -121,7 +123,7 @@ std::string cost_table(const nvh::Matrices& m, const nvh::Modes& modes, const ou
       summary.seconds.setup, summary.seconds.output, memory);
 }
 
-void tell_modes(const nvh::Modes& modes, output::Summary& s) {
+void fill_mode_reports(const nvh::Modes& modes, output::Summary& s) {
   s.mass.physical = modes.total[0];
   for (std::size_t i = 0; i < modes.eigenvalue.size(); ++i) {
     output::ModeReport r;
@@ -135,30 +137,30 @@ void tell_modes(const nvh::Modes& modes, output::Summary& s) {
 
 /// The welds that `--drop-weld` names, if any; where it cannot be obeyed, why.
 std::optional<DropRequest> drop_of(const std::string& word, const nvh::ModeRequest& request,
-                                   const system::System& system, std::string& complaint) {
+                                   const system::System& system, std::string& error_text) {
   if (word.empty()) return {};
-  if (request.low <= 0.0 && request.centre <= 0.0) return drop_request(word, system, complaint);
-  complaint = "it needs the lowest modes: leave out --fmin (LFLAG, CENTER in the deck)";
+  if (request.low <= 0.0 && request.centre <= 0.0) return drop_request(word, system, error_text);
+  error_text = "it needs the lowest modes: leave out --fmin (LFLAG, CENTER in the deck)";
   return {};
 }
 
 }  // namespace
 
-ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Prepared prepared, Findings& findings,
+ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, PreparedDeck prepared, Findings& findings,
                   const std::optional<nvh::ShapeFile>& other, const impact::Simulation* after) {
   LinearJob job(directory, arguments.run, std::move(prepared), findings, after != nullptr ? &after->system() : nullptr);
   const model::Model& model = job.deck().model;
-  if (job.assembled()) nvh::tell_held_motions(job.matrices().equations, model, findings);
+  if (job.assembled()) nvh::report_fixed_motions(job.matrices().equations, model, findings);
   if (job.assembled() && arguments.response) check_responses(job.matrices(), model, findings);
   check_preload(model, after, findings);
   if (!job.accepted()) return ExitCode::refused;
   nvh::Matrices& matrices = job.matrices();
   const nvh::ModeRequest request = request_of(arguments, model);
-  std::string complaint;
-  const std::optional<DropRequest> drop = drop_of(arguments.drop, request, matrices.system, complaint);
-  if (!complaint.empty()) {
-    fmt::print(stderr, "nugget: --drop-weld {}: {}\n", arguments.drop, complaint);
-    job.add_to_log(log_termination({impact::Termination::error, complaint}));
+  std::string error_text;
+  const std::optional<DropRequest> drop = drop_of(arguments.drop, request, matrices.system, error_text);
+  if (!error_text.empty()) {
+    fmt::print(stderr, "nugget: --drop-weld {}: {}\n", arguments.drop, error_text);
+    job.add_to_log(log_termination({impact::Termination::error, error_text}));
     return ExitCode::wrong_command;
   }
 
@@ -167,12 +169,12 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
     const std::string preload = stiffen_by_preload(matrices, after);
     const nvh::Modes modes = nvh::find_modes(matrices, request, std::ref(status));
     output::Summary summary = job.summary();
-    tell_modes(modes, summary);
+    fill_mode_reports(modes, summary);
     summary.seconds.solve = job.seconds();
     status("strain energies and files");
     const nvh::EnergyShares shares = nvh::energy_shares(matrices, modes);
     nvh::write_modes(directory, job.header(), matrices, modes, shares);
-    std::string more;  // that is told after the modes
+    std::string more;  // that is reported after the modes
     if (arguments.response) {
       status("frequency response");
       more = responses_of(directory, job.header(), matrices, modes, model, summary, std::ref(status));
@@ -211,7 +213,7 @@ ExitCode modes(const ModesArguments& arguments) {
     }
     use_threads(arguments.run.threads);
     Findings findings;
-    Prepared p = prepare(arguments.run, findings);
+    PreparedDeck p = prepare(arguments.run, findings);
     if (!p.has_text) return refuse_missing(findings);
     std::optional<nvh::ShapeFile> other;
     try {  // before old results go: it may be this very folder

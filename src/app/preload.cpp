@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "nvh/matrices/prestress.hpp"
+#include "nvh/statics/statics.hpp"
 
 namespace nugget::app {
 
@@ -37,17 +38,17 @@ std::string stiffen_by_preload(nvh::Matrices& m, const impact::Simulation* after
     prestress->add_initial();
   }
   if (model.implicit.modes < 0 && !model.implicit.after_run) {
-    Findings told;  // by check_preload
-    const nvh::Statics statics = nvh::solve_statics(m, told);
+    Findings ignored_findings;  // by check_preload
+    const nvh::Statics statics = nvh::solve_statics(m, ignored_findings);
     prestress->add(statics.motion);
     double largest = 0.0;
-    for (const nvh::Six& u : statics.motion) largest = std::max(largest, norm(Vec3d{u[0], u[1], u[2]}));
+    for (const nvh::SixDof& u : statics.motion) largest = std::max(largest, norm(Vec3d{u[0], u[1], u[2]}));
     text += fmt::format(" linear statics at time {:.6g}: largest displacement {:.6g}, out of balance {:.2g}\n",
                         model.control.end_time, largest, statics.residual);
   }
   nvh::stiffen(m, prestress);
   return text + fmt::format(" geometric stiffness of {} elements; {} directions without any stiffness are held\n\n",
-                            prestress->elements(), m.held);
+                            prestress->elements(), m.auto_constrained);
 }
 
 }  // namespace nugget::app

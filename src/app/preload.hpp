@@ -9,8 +9,8 @@
 
 namespace nugget::app {
 
-/// What the deck asks of a preload, and does not get; called before the findings are told. `after`: the explicit run
-/// that comes before, if any.
+/// What the deck asks of a preload, and does not get; called before the findings are reported. `after`: the explicit
+/// run that comes before, if any.
 void check_preload(const model::Model& model, const impact::Simulation* after, Findings& findings);
 
 /// Adds geometric stiffness to K where the deck asks for it (IGS 1): of the stresses in which the explicit run `after`

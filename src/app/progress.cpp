@@ -23,7 +23,7 @@ std::string clock_time(double seconds) {
 ProgressDisplay::ProgressDisplay() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
 void ProgressDisplay::operator()(const impact::Progress& p) {
-  if (p.unrest > 0.0) return tell_relaxation(p);
+  if (p.kinetic_energy_ratio > 0.0) return print_relaxation(p);
   const double done = p.end_time > 0.0 ? std::clamp(p.time / p.end_time, 0.0, 1.0) : 1.0;
   const std::string left = done > 0.0 ? clock_time(p.seconds * (1.0 - done) / done) : "?";
   const std::string welds = p.welds > 0 ? fmt::format("  welds failed {}/{}", p.welds_failed, p.welds) : "";
@@ -42,10 +42,10 @@ void ProgressDisplay::operator()(const impact::Progress& p) {
   }
 }
 
-void ProgressDisplay::tell_relaxation(const impact::Progress& p) {
+void ProgressDisplay::print_relaxation(const impact::Progress& p) {
   if (!terminal_ && p.seconds < next_line_) return;
   fmt::print(stderr, "{}dynamic relaxation  t {:.4e}  dt {:.3e}  cycle {}  kinetic energy over the largest {:.2e}{}",
-             terminal_ ? "\r" : "", p.time, p.dt, p.cycle, p.unrest, terminal_ ? "   " : "\n");
+             terminal_ ? "\r" : "", p.time, p.dt, p.cycle, p.kinetic_energy_ratio, terminal_ ? "   " : "\n");
   std::fflush(stderr);
   drawn_ = terminal_;
   next_line_ = p.seconds + seconds_between_lines;

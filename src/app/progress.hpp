@@ -15,7 +15,7 @@ class ProgressDisplay {
   void finish();
 
  private:
-  void tell_relaxation(const impact::Progress& p);
+  void print_relaxation(const impact::Progress& p);
 
   bool terminal_;
   bool drawn_ = false;

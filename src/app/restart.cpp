@@ -32,7 +32,7 @@ bool says_checkpoints(const std::string& text) {
   return read_checkpoints(text).has_value();
 }
 
-RunArguments gone_on_with(const RunArguments& asked, const output::RestartHead& head) {
+RunArguments resumed_arguments(const RunArguments& asked, const output::RestartHead& head) {
   RunArguments run = asked;
   run.directory = fs::absolute(asked.resume).string();
   run.skip_unsupported = head.skip_unsupported;

@@ -14,9 +14,9 @@ namespace nugget::app {
 /// none of these.
 std::optional<impact::Checkpoints> read_checkpoints(const std::string& text);
 
-/// What is to be run to go on with a run, as it was begun but for what the command line says anew. Changes to the
+/// What is to be run to resume a run, as it was begun but for what the command line says anew. Changes to the
 /// folder from which the run was begun, so that its files are found under their names.
-RunArguments gone_on_with(const RunArguments& asked, const output::RestartHead& head);
+RunArguments resumed_arguments(const RunArguments& asked, const output::RestartHead& head);
 
 /// Throws ArchiveError where the deck is not the one of the restart file.
 void expect_same_deck(const std::string& deck, std::uint64_t checksum, const output::RestartHead& head);

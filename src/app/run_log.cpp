@@ -17,8 +17,8 @@
 namespace nugget::app {
 namespace {
 
-const char* case_name(int kase) {
-  switch (kase) {
+const char* case_name(int projection_case) {
+  switch (projection_case) {
     case 0: return "no projection needed";
     case 1: return "over the interior of an element";
     case 2: return "on an element's edge";
@@ -133,7 +133,7 @@ std::string log_ties(const model::Model& model, const weld::Ties& ties, std::siz
   for (const weld::Weld& w : ties.welds) {
     tied += w.tied;
     for (const weld::Projection& p : w.ends) {
-      ++by_case[p.kase];
+      ++by_case[p.projection_case];
       if (!p.tied && ++open <= most)
         reasons +=
             fmt::format(" weld {} of part {}: node {} {}\n", w.id,
@@ -145,7 +145,8 @@ std::string log_ties(const model::Model& model, const weld::Ties& ties, std::siz
   const auto connectors = std::count_if(ties.welds.begin(), ties.welds.end(),
                                         [](const weld::Weld& w) { return w.kind == weld::Weld::Kind::connector; });
   if (connectors > 0) s += fmt::format(" discrete beams (ELFORM 6) among them: {}\n\n", connectors);
-  for (const auto& [kase, n] : by_case) s += fmt::format(" case {}  {:>8} nodes  {}\n", kase, n, case_name(kase));
+  for (const auto& [projection_case, n] : by_case)
+    s += fmt::format(" case {}  {:>8} nodes  {}\n", projection_case, n, case_name(projection_case));
   if (open > 0) s += "\nNot tied:\n" + reasons;
   if (open > most) s += fmt::format(" and {} more nodes; welds.csv has all\n", open - most);
   s += log_bricks(model, ties) + log_shell_factors(model, ties);
@@ -178,7 +179,7 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
   if (const auto& r = summary.relaxation)
     s += fmt::format(
         "Dynamic relaxation before the run: {} cycles, time {:.6e}, kinetic energy over the largest {:.3e}: {}\n\n",
-        r->cycles, r->time, r->unrest, r->at_rest ? "at rest" : "NOT at rest when it ended");
+        r->cycles, r->time, r->kinetic_energy_ratio, r->at_rest ? "at rest" : "NOT at rest when it ended");
   const output::Summary::Energies& e = summary.energy;
   s += fmt::format(
       "Energy at the end\n\n kinetic {:.5e}  internal {:.5e}  hourglass {:.5e}  contact {:.5e}\n external {:.5e}  "
@@ -188,7 +189,7 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
       e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0);
   std::string events;
   for (const auto* list : {&run.welds().events(), &run.rigid_welds().events(), &run.rivets().events(),
-                           &run.connectors().events(), &run.tie_ends().events(), &run.erosion().events()})
+                           &run.connectors().events(), &run.tie_releases().events(), &run.erosion().events()})
     for (const std::string& event : *list) events += ' ' + event + '\n';
   for (const std::string& event : run.events()) events += ' ' + event + '\n';
   if (run.joints().size() > 0) {

@@ -16,7 +16,7 @@
 namespace nugget::app {
 
 /// As many as there are.
-inline constexpr std::size_t all_of_them = std::numeric_limits<std::size_t>::max();
+inline constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
 std::string log_head(const std::string& version, const std::string& deck, int threads, int ranks);
 std::string log_findings(const Findings& findings);

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Adds to the welds' reports what they carry.
-void tell_forces(const nvh::Statics& statics, std::vector<output::WeldReport>& welds) {
+void fill_weld_forces(const nvh::Statics& statics, std::vector<output::WeldReport>& welds) {
   for (std::size_t i = 0; i < welds.size(); ++i) {
     if (!statics.weld[i]) continue;
     const weld::Resultants& r = statics.weld[i]->resultants;
@@ -30,7 +30,7 @@ std::string result_table(const nvh::Matrices& m, const nvh::Statics& s) {
   std::size_t most = 0;
   Vec3d largest{};
   for (std::size_t n = 0; n < m.system.model.nodes.size(); ++n) {
-    const nvh::Six& u = s.motion[at(m.system.node_of[n])];
+    const nvh::SixDof& u = s.motion[at(m.system.node_of[n])];
     const Vec3d d{u[0], u[1], u[2]};
     if (norm(d) <= norm(largest)) continue;
     largest = d;
@@ -57,7 +57,8 @@ std::string result_table(const nvh::Matrices& m, const nvh::Statics& s) {
 
 }  // namespace
 
-ExitCode statics_of(const fs::path& directory, const RunArguments& arguments, Prepared prepared, Findings& findings) {
+ExitCode statics_of(const fs::path& directory, const RunArguments& arguments, PreparedDeck prepared,
+                    Findings& findings) {
   nvh::check_statics(prepared.model, findings);
   LinearJob job(directory, arguments, std::move(prepared), findings);
   return job.attempt([&] {
@@ -67,7 +68,7 @@ ExitCode statics_of(const fs::path& directory, const RunArguments& arguments, Pr
     if (!job.accepted()) return ExitCode::refused;
 
     nvh::write_statics(directory, job.header(), job.matrices(), *statics);
-    tell_forces(*statics, job.deck().welds);
+    fill_weld_forces(*statics, job.deck().welds);
     output::Summary summary = job.summary();
     summary.time = job.deck().model.control.end_time;
     summary.energy.internal = statics->energy;

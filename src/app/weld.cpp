@@ -51,11 +51,12 @@ ExitCode place_welds(const WeldArguments& arguments, const std::map<std::string,
   if (findings.errors() > 0) return refuse(findings);
   const model::Model model = reading::build(deck, findings, arguments.skip_unsupported);
   if (findings.errors() > 0) return refuse(findings);
-  Findings own;  // what the model's findings are, `nugget check` tells
+  Findings own;  // `nugget check` lists the model's findings
   const std::vector<weld::SpotPoint> points = weld::read_spots(arguments.points, model, own);
   if (own.errors() > 0) return refuse(own);
   const weld::Sheets sheets(model);
-  const std::vector<weld::Spot> spots = weld::place(model, sheets, points, {arguments.reach, arguments.diameter}, own);
+  const std::vector<weld::Spot> spots =
+      weld::place(model, sheets, points, {arguments.search_distance, arguments.diameter}, own);
   if (own.errors() > 0) return refuse(own);
   const fs::path folder = fs::absolute(arguments.output).parent_path();
   const std::string included = fs::proximate(fs::absolute(arguments.deck), folder).generic_string();

@@ -24,13 +24,13 @@ double frequency(double eigenvalue) {
 /// A group of welds with what was found of it; frequencies by mode of the whole structure.
 struct Row {
   std::vector<int> ids;
-  std::vector<double> first_order, estimate, likeness;
-  std::vector<double> fresh;                    ///< of shapes that the whole structure has not
-  std::vector<double> solved, solved_likeness;  ///< solved anew; empty: that was not done
-  std::vector<double> solved_fresh;
+  std::vector<double> first_order, estimate, mac;
+  std::vector<double> new_modes;           ///< of shapes that the whole structure has not
+  std::vector<double> solved, solved_mac;  ///< solved anew; empty: that was not done
+  std::vector<double> solved_new_modes;
 
-  bool holds(std::size_t i) const { return likeness[i] >= nvh::alike; }
-  bool holds_solved(std::size_t i) const { return !solved.empty() && solved_likeness[i] >= nvh::alike; }
+  bool holds(std::size_t i) const { return mac[i] >= nvh::same_mode_mac; }
+  bool holds_solved(std::size_t i) const { return !solved.empty() && solved_mac[i] >= nvh::same_mode_mac; }
 
   std::string name() const { return fmt::format("{}", fmt::join(ids, "+")); }
 };
@@ -68,35 +68,35 @@ nvh::Columns weighted_shapes(const nvh::Matrices& whole, const nvh::Matrices& m,
 
 /// Modes of the structure without the welds, as many as were asked for, and their partners.
 void solve_anew(const nvh::Matrices& m, const nvh::Modes& modes, const nvh::WeldGroup& group, Row& row,
-                const nvh::Tell& tell) {
-  Findings findings;  // those of the whole structure have been told
+                const nvh::ProgressCallback& progress) {
+  Findings findings;  // those of the whole structure have been reported
   system::System system(m.system.model, m.system.ties, findings);
   for (const std::size_t w : group) {
     const weld::Weld& weld = system.ties.welds[w];
     for (const model::Index element : weld.elements) {
-      const system::System::Seat seat = system.seat_of(weld, element);
-      if (seat.group >= 0) system.groups[at(seat.group)]->remove(at(seat.element));
+      const system::System::ElementLocation location = system.location_of(weld, element);
+      if (location.group >= 0) system.groups[at(location.group)]->remove(at(location.element));
     }
   }
   nvh::Matrices less(system, findings);
   try {
     stiffen_by_preload(less);
   } catch (const nvh::Factorization::SolverError&) {
-    return;  // without the weld it does not bear its load
+    return;  // without the weld it does not carry its load
   }
   nvh::ModeRequest request;
   request.count = static_cast<int>(modes.eigenvalue.size());
-  const nvh::Modes now = nvh::find_modes(less, request, tell);
-  const nvh::Columns mac = nvh::assurance(weighted_shapes(m, m, modes), weighted_shapes(m, less, now));
+  const nvh::Modes now = nvh::find_modes(less, request, progress);
+  const nvh::Columns mac = nvh::compute_mac(weighted_shapes(m, m, modes), weighted_shapes(m, less, now));
   const std::vector<int> partner = nvh::partners(mac);
   for (std::size_t i = 0; i < partner.size(); ++i) {
     row.solved.push_back(partner[i] < 0 ? 0.0 : now.frequency(at(partner[i])));
-    row.solved_likeness.push_back(partner[i] < 0 ? 0.0 : mac[i][at(partner[i])]);
+    row.solved_mac.push_back(partner[i] < 0 ? 0.0 : mac[i][at(partner[i])]);
   }
   for (std::size_t j = 0; j < now.eigenvalue.size(); ++j) {
     const auto of = std::find(partner.begin(), partner.end(), static_cast<int>(j));
     if (of == partner.end() || !row.holds_solved(static_cast<std::size_t>(of - partner.begin())))
-      row.solved_fresh.push_back(now.frequency(j));
+      row.solved_new_modes.push_back(now.frequency(j));
   }
 }
 
@@ -106,7 +106,7 @@ void write_rows(const std::filesystem::path& directory, const nvh::Modes& modes,
     for (std::size_t i = 0; i < row.estimate.size(); ++i) {
       if (!modes.elastic(i)) continue;
       text += fmt::format("{},{},{:.9g},{:.9g},{:.9g},{:.4f},{}\n", row.name(), i + 1, modes.frequency(i),
-                          row.first_order[i], row.estimate[i], row.likeness[i],
+                          row.first_order[i], row.estimate[i], row.mac[i],
                           !row.holds_solved(i) ? "" : fmt::format("{:.9g}", row.solved[i]));
     }
   output::write_whole_file(directory / "weld_drop.csv", text);
@@ -125,13 +125,13 @@ std::string table_of_modes(const nvh::Modes& modes, const Row& row) {
          cell(row.holds(i), percent(row.estimate[i], f), "{:.3f}", 9);
     s += cell(row.holds_solved(i), row.solved[i], "{:.6g}", 14);
     s += cell(row.holds_solved(i), percent(row.solved[i], f), "{:.3f}", 9);
-    s += fmt::format(" {:>8.3f}\n", row.solved_likeness[i]);
+    s += fmt::format(" {:>8.3f}\n", row.solved_mac[i]);
   }
-  const auto list = [&](const char* kind, const std::vector<double>& fresh) {
-    if (!fresh.empty()) s += fmt::format(" new shapes, {}: {:.6g}\n", kind, fmt::join(fresh, " "));
+  const auto list = [&](const char* kind, const std::vector<double>& new_modes) {
+    if (!new_modes.empty()) s += fmt::format(" new shapes, {}: {:.6g}\n", kind, fmt::join(new_modes, " "));
   };
-  list("estimated", row.fresh);
-  list("solved anew", row.solved_fresh);
+  list("estimated", row.new_modes);
+  list("solved anew", row.solved_new_modes);
   return s + '\n';
 }
 
@@ -176,7 +176,8 @@ output::WeldDropReport report(const nvh::Modes& modes, const Row& row) {
 
 }  // namespace
 
-std::optional<DropRequest> drop_request(const std::string& word, const system::System& system, std::string& complaint) {
+std::optional<DropRequest> drop_request(const std::string& word, const system::System& system,
+                                        std::string& error_text) {
   const std::vector<weld::Weld>& welds = system.ties.welds;
   DropRequest request;
   if (word == "all") {
@@ -184,7 +185,7 @@ std::optional<DropRequest> drop_request(const std::string& word, const system::S
     for (std::size_t w = 0; w < welds.size(); ++w)
       if (nvh::can_drop(system, w)) request.groups.push_back({w});
     if (!request.groups.empty()) return request;
-    complaint = "the deck has no weld of beams or bricks";
+    error_text = "the deck has no weld of beams or bricks";
     return {};
   }
   nvh::WeldGroup group;
@@ -193,15 +194,15 @@ std::optional<DropRequest> drop_request(const std::string& word, const system::S
     int id = 0;
     const auto [stop, error] = std::from_chars(word.data() + begin, word.data() + end, id);
     if (error != std::errc{} || stop != word.data() + end) {
-      complaint = fmt::format("'{}' is no weld, expected its id, ids separated by commas, or 'all'",
-                              word.substr(begin, end - begin));
+      error_text = fmt::format("'{}' is no weld, expected its id, ids separated by commas, or 'all'",
+                               word.substr(begin, end - begin));
       return {};
     }
     const std::size_t before = group.size();
     for (std::size_t w = 0; w < welds.size(); ++w) {
       if (welds[w].id != id) continue;
       if (!nvh::can_drop(system, w)) {
-        complaint = fmt::format(
+        error_text = fmt::format(
             "weld {} is a rigid constraint or was deleted: it has no stiffness to be taken out; "
             "take its keyword out of the deck and compare with --compare",
             id);
@@ -210,7 +211,7 @@ std::optional<DropRequest> drop_request(const std::string& word, const system::S
       group.push_back(w);
     }
     if (group.size() == before) {
-      complaint = fmt::format("there is no weld {}; welds.csv of `nugget check` lists them", id);
+      error_text = fmt::format("there is no weld {}; welds.csv of `nugget check` lists them", id);
       return {};
     }
     begin = end + 1;
@@ -222,16 +223,16 @@ std::optional<DropRequest> drop_request(const std::string& word, const system::S
 }
 
 std::string weld_study(const std::filesystem::path& directory, const nvh::Matrices& m, const nvh::Modes& modes,
-                       const DropRequest& request, output::Summary& summary, const nvh::Tell& tell) {
-  const std::vector<nvh::WeldDrop> drops = nvh::drop_welds(m, modes, request.groups, tell);
+                       const DropRequest& request, output::Summary& summary, const nvh::ProgressCallback& progress) {
+  const std::vector<nvh::WeldDrop> drops = nvh::drop_welds(m, modes, request.groups, progress);
   std::vector<Row> rows;
   for (std::size_t g = 0; g < drops.size(); ++g) {
     Row row;
     for (const std::size_t w : request.groups[g]) row.ids.push_back(m.system.ties.welds[w].id);
     for (const double v : drops[g].first_order) row.first_order.push_back(frequency(v));
     for (const double v : drops[g].eigenvalue) row.estimate.push_back(frequency(v));
-    for (const double v : drops[g].fresh) row.fresh.push_back(frequency(v));
-    row.likeness = drops[g].likeness;
+    for (const double v : drops[g].new_modes) row.new_modes.push_back(frequency(v));
+    row.mac = drops[g].mac;
     rows.push_back(std::move(row));
   }
   if (rows.empty()) return {};
@@ -243,7 +244,7 @@ std::string weld_study(const std::filesystem::path& directory, const nvh::Matric
 
   constexpr std::size_t checked = 3;
   for (std::size_t r = 0; r < std::min(checked, order.size()); ++r)
-    solve_anew(m, modes, request.groups[order[r]], rows[order[r]], tell);
+    solve_anew(m, modes, request.groups[order[r]], rows[order[r]], progress);
   write_rows(directory, modes, rows);
   for (const std::size_t g : order) summary.weld_drops.push_back(report(modes, rows[g]));
   return request.each ? ranking(modes, rows, order) : table_of_modes(modes, rows.front());

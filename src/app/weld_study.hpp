@@ -19,11 +19,11 @@ struct DropRequest {
 
 /// From the command's word: `all`, or ids separated by commas, which go together. A word that cannot be obeyed gives
 /// none and a complaint.
-std::optional<DropRequest> drop_request(const std::string& word, const system::System& system, std::string& complaint);
+std::optional<DropRequest> drop_request(const std::string& word, const system::System& system, std::string& error_text);
 
 /// Estimates for all groups; solves anew without the welds for one group, or for the three that matter most. Writes
 /// weld_drop.csv, adds to the summary, returns the tables for the terminal and run.log.
 std::string weld_study(const std::filesystem::path& directory, const nvh::Matrices& matrices, const nvh::Modes& modes,
-                       const DropRequest& request, output::Summary& summary, const nvh::Tell& tell);
+                       const DropRequest& request, output::Summary& summary, const nvh::ProgressCallback& progress);
 
 }  // namespace nugget::app

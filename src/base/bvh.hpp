@@ -108,7 +108,7 @@ template <class Distance>
 BoxTree::Nearest BoxTree::nearest(const Vec3d& point, double bound, Distance&& distance) const {
   Nearest best;
   if (empty()) return best;
-  const auto worth_a_look = [&](const Box& box) {
+  const auto within_bound = [&](const Box& box) {
     const double limit = std::min(bound, best.distance);
     return box.distance_squared(point) <= limit * limit;
   };
@@ -118,9 +118,9 @@ BoxTree::Nearest BoxTree::nearest(const Vec3d& point, double bound, Distance&& d
   while (waiting > 0) {
     const int at = stack[--waiting];
     const Node& node = nodes_[at];
-    if (!worth_a_look(node.box)) continue;
+    if (!within_bound(node.box)) continue;
     for (int i = node.first; i < node.first + node.count; ++i) {
-      if (!worth_a_look(entries_[i].box)) continue;
+      if (!within_bound(entries_[i].box)) continue;
       const double d = distance(entries_[i].item);
       if (d > bound || d > best.distance || (d == best.distance && best.item >= 0 && entries_[i].item > best.item))
         continue;

@@ -13,7 +13,7 @@ void Approach::start(std::vector<int> nodes, std::span<const Row> x) {
   since_start_ = 0.0;
 }
 
-void Approach::follow(std::span<const Row> x) {
+void Approach::update(std::span<const Row> x) {
   if (nodes_.empty()) return;
   Box since_start, step;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {

@@ -17,7 +17,7 @@ class Approach {
   /// From here on, with these nodes.
   void start(std::vector<int> nodes, std::span<const Row> x);
   /// The nodes moved to `x`.
-  void follow(std::span<const Row> x);
+  void update(std::span<const Row> x);
 
   /// No two points have approached each other by more since start() [length].
   double since_start() const { return since_start_; }

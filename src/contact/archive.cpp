@@ -20,16 +20,16 @@ void NodalForces::archive(Archive& a) {
 }
 
 void SurfaceContact::Block::archive(Archive& a) {
-  a(first, wake, pairs, hits);
+  a(first, next_check_travel, pairs, hits);
   a.built(begin, end, old_first, old_pairs, candidates, resultant, deepest, lowest, highest);
 }
 
 void SurfaceContact::archive(Archive& a) {
   a.section("contact of surfaces");
-  a(forces_, live_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, moved_, living_, blocks_,
-    busy_, energy_, resultant_, touching_, deepest_, frictions_, friction_energy_);
-  a.built(setup_, around_, segment_stiffness_, inner_, node_stiffness_, node_mass_, held_, stays_, thickest_segment_,
-          pressing_, margin_, boxes_, tree_);
+  a(forces_, active_nodes_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, moved_,
+    active_segments_, blocks_, active_blocks_, energy_, resultant_, touching_, deepest_, frictions_, friction_energy_);
+  a.built(setup_, around_, segment_stiffness_, inner_, node_stiffness_, node_mass_, excluded_, stays_active_,
+          thickest_segment_, pressing_, margin_, boxes_, tree_);
 }
 
 void EdgeContact::Block::archive(Archive& a) {
@@ -46,8 +46,8 @@ void EdgeContact::archive(Archive& a) {
 
 void Glue::archive(Archive& a) {
   a.section("glue");
-  a(bonds_, held_, spent_, forces_, energy_, resultant_, failed_, first_node_, first_time_, last_time_, frictions_,
-    friction_energy_);
+  a(bonds_, bonded_, was_bonded_, forces_, energy_, resultant_, failed_, first_node_, first_time_, last_time_,
+    frictions_, friction_energy_);
   a.built(setup_, card_, around_, around_listed_, segment_stiffness_, at_start_);
 }
 
@@ -55,7 +55,7 @@ void PenaltyContact::archive(Archive& a) {
   a(surface_);
   if (edges_) a(*edges_);
   a(glue_);
-  a.built(may_grow_);
+  a.built(can_expose_faces_);
 }
 
 void InteriorContact::archive(Archive& a) {
@@ -71,7 +71,7 @@ void WallPenalty::archive(Archive& a) {
 
 void RigidWall::archive(Archive& a) {
   a.section("wall");
-  a(origin_, velocity_, tracked_, started_, force_, impulse_, normal_force_, normal_impulse_, energy_, due_,
+  a(origin_, velocity_, tracked_, started_, force_, impulse_, normal_force_, normal_impulse_, energy_, pending_energy_,
     power_on_change_, touching_, wall_velocity_);
   if (bodies_) a(*bodies_);
   a.built(shape_, normal_, friction_, weld_velocity_, mass_, motion_, motion_is_displacement_, motion_direction_,

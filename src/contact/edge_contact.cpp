@@ -50,7 +50,7 @@ Vec3d at(const Edge& e, double place, std::span<const Row> rows) {
 }
 
 /// The outward normals at an edge of bricks: their middle, and how far from it either stands. None (zero) where there
-/// are not two bare faces, or these stand at an inward angle.
+/// are not two exposed faces, or these stand at an inward angle.
 struct Outward {
   Vec3d middle;
   double half_angle = 0.0;
@@ -59,7 +59,7 @@ struct Outward {
     const Segment* face[2] = {nullptr, nullptr};
     int bare_faces = 0;
     for (const Segment& s : e.faces)
-      if (bare(s, step.element_alive) && bare_faces++ < 2) face[bare_faces - 1] = &s;
+      if (is_exposed(s, step.element_alive) && bare_faces++ < 2) face[bare_faces - 1] = &s;
     if (bare_faces != 2) return;
     Vec3d normal[2], centre[2];
     for (int f = 0; f < 2; ++f) {
@@ -77,14 +77,14 @@ struct Outward {
   bool hold(const Vec3d& direction) const { return angle_to(direction) <= half_angle + beyond_normals; }
 };
 
-bool is_living(int element, std::span<const unsigned char> alive) {
+bool is_active(int element, std::span<const unsigned char> alive) {
   return element < 0 || alive.empty() || alive[element] != 0;
 }
 
-/// How many of the elements of an edge live.
-std::ptrdiff_t living(const Edge& e, std::span<const unsigned char> alive) {
+/// How many of the elements of an edge are active.
+std::ptrdiff_t live_elements(const Edge& e, std::span<const unsigned char> alive) {
   return std::count_if(e.elements.begin(), e.elements.end(),
-                       [&alive](int element) { return is_living(element, alive); });
+                       [&alive](int element) { return is_active(element, alive); });
 }
 
 /// Inverse of the mass that an edge has where it has least, at its lighter node; 0 if both are held.
@@ -189,7 +189,7 @@ void EdgeContact::apply(const Step& step, std::span<Row> force) {
   resultant_ = {};
   deepest_ = 0.0;
   if (step.time >= setup_.birth && step.time < setup_.death) {
-    approach_.follow(step.x);
+    approach_.update(step.x);
     if (!searched_ || approach_.since_start() > margin_) search(step.x, step.element_alive);
     parallel_for(blocks_.size(), 4, [this, &step](std::size_t begin, std::size_t end) {
       for (std::size_t b = begin; b < end; ++b) find_close(blocks_[b], step);
@@ -215,8 +215,9 @@ void EdgeContact::apply(const Step& step, std::span<Row> force) {
 bool EdgeContact::takes_part(int edge, std::span<const unsigned char> alive) const {
   const Edge& e = setup_.edges[edge];
   if (!e.faces.empty())
-    return std::count_if(e.faces.begin(), e.faces.end(), [&alive](const Segment& s) { return bare(s, alive); }) == 2;
-  const auto count = living(e, alive);
+    return std::count_if(e.faces.begin(), e.faces.end(), [&alive](const Segment& s) { return is_exposed(s, alive); }) ==
+           2;
+  const auto count = live_elements(e, alive);
   return count == 1 || (setup_.interior && count > 1);
 }
 
@@ -281,7 +282,7 @@ void EdgeContact::list_neighbours(Block& block, const std::vector<int>& listed, 
       pair.a = a;
       pair.b = b;
       pair.feet = feet_of(a, b, x);
-      if (pair.feet.distance > reach(a, b) + depth(a, b) + margin_) return;
+      if (pair.feet.distance > contact_distance(a, b) + depth(a, b) + margin_) return;
       // What the pair remembers goes on.
       const auto known = std::lower_bound(old.begin(), old.end(), pair, by_edges);
       block.pairs.push_back(known != old.end() && known->a == a && known->b == b ? *known : pair);
@@ -297,17 +298,17 @@ void EdgeContact::list_neighbours(Block& block, const std::vector<int>& listed, 
 void EdgeContact::find_close(Block& block, const Step& step) const {
   block.close.clear();
   for (Pair& pair : block.pairs) {
-    if (pair.wake > approach_.travelled()) continue;
+    if (pair.next_check_travel > approach_.travelled()) continue;
     const Pair before = pair;
     pair.touching = false;
     pair.feet = feet_of(pair.a, pair.b, step.x);
-    const double gap = pair.feet.distance - reach(pair.a, pair.b);
-    pair.wake = approach_.travelled() + gap;
+    const double gap = pair.feet.distance - contact_distance(pair.a, pair.b);
+    pair.next_check_travel = approach_.travelled() + gap;
     if (of_bricks(pair)) {
       pair.direction = out_of_bricks(pair, step);
       // What is inside is close however far it is; asked again in the next cycle.
       if (norm(pair.direction) == 0.0) continue;
-      pair.wake = approach_.travelled();
+      pair.next_check_travel = approach_.travelled();
       block.close.push_back({&pair, before});
     } else if (gap < 0.0) {
       block.close.push_back({&pair, before});
@@ -317,7 +318,7 @@ void EdgeContact::find_close(Block& block, const Step& step) const {
 
 /// The direction in which the first edge leaves the second, of a pair with an edge of bricks that overlaps; else zero.
 Vec3d EdgeContact::out_of_bricks(const Pair& pair, const Step& step) const {
-  const double deepest = depth(pair.a, pair.b), span = reach(pair.a, pair.b);
+  const double deepest = depth(pair.a, pair.b), span = contact_distance(pair.a, pair.b);
   if (pair.feet.distance > span + deepest) return {};
   const Edge &e = setup_.edges[pair.a], &f = setup_.edges[pair.b];
   const Vec3d p = along(e, step.x), q = along(f, step.x), r = pair.feet.a - pair.feet.b;
@@ -336,7 +337,7 @@ Vec3d EdgeContact::out_of_bricks(const Pair& pair, const Step& step) const {
 /// The edge of a sheet that goes on over no other shell.
 bool EdgeContact::is_free(int edge, std::span<const unsigned char> alive) const {
   const Edge& e = setup_.edges[edge];
-  return e.of_surface && e.faces.empty() && living(e, alive) == 1;
+  return e.of_surface && e.faces.empty() && live_elements(e, alive) == 1;
 }
 
 /// Widest sine of the angles between the free edges that meet where the pair does, as seen along the direction of the
@@ -367,7 +368,7 @@ double EdgeContact::sharpness(const Edge& edge, const Vec3d& toward, const Step&
   int wings = 0;
   const Vec3d from = vec(step.x[edge.node[0]]), e = along(edge, step.x);
   for (std::size_t i = 0; i < edge.elements.size(); ++i) {
-    if (!is_living(edge.elements[i], step.element_alive)) continue;
+    if (!is_active(edge.elements[i], step.element_alive)) continue;
     if (wings == 2) return 1.0;
     const Vec3d to_middle = 0.5 * (vec(step.x[edge.beyond[i][0]]) + vec(step.x[edge.beyond[i][1]])) - from;
     wing[wings++] = kernel::detail::unit_or_zero(to_middle - (dot(to_middle, e) / dot(e, e)) * e);
@@ -382,8 +383,8 @@ double EdgeContact::sharpness(const Edge& edge, const Vec3d& toward, const Step&
 double EdgeContact::share(const Pair& pair, const Step& step) const {
   const Edge &e = setup_.edges[pair.a], &f = setup_.edges[pair.b];
   if (!e.of_surface || !f.of_surface) return 1.0;
-  const auto fade = [](double value, double full) { return std::clamp(value / full, 0.0, 1.0); };
-  const auto across = [&fade](double sine) { return fade(sine - parallel_to_nodes, side_by_side - parallel_to_nodes); };
+  const auto ramp = [](double value, double full) { return std::clamp(value / full, 0.0, 1.0); };
+  const auto across = [&ramp](double sine) { return ramp(sine - parallel_to_nodes, side_by_side - parallel_to_nodes); };
   const double of_free = across(sine_of_free(pair, step));
   if (of_free >= 1.0) return 1.0;
   const auto is_ridge = [&step](const Edge& edge) {
@@ -393,7 +394,7 @@ double EdgeContact::share(const Pair& pair, const Step& step) const {
   const Vec3d p = along(e, step.x), q = along(f, step.x);
   const double size = norm(p) * norm(q), sine = size > 0.0 ? std::abs(dot(cross(p, q), pair.direction)) / size : 0.0;
   const auto from_end = [](double place) { return std::min(place, 1.0 - place); };
-  const double at_a = fade(from_end(pair.feet.s), near_end), at_b = fade(from_end(pair.feet.t), near_end);
+  const double at_a = ramp(from_end(pair.feet.s), near_end), at_b = ramp(from_end(pair.feet.t), near_end);
   const double stands_out = std::min(sharpness(e, -pair.direction, step), sharpness(f, pair.direction, step));
   return std::max(of_free, (1.0 - (1.0 - at_a) * (1.0 - at_b)) * across(sine) * stands_out);
 }
@@ -562,8 +563,8 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   const Vec3d velocity = at(e, s, step.v) - at(f, t, step.v);
   const Pair before = predecessor(candidate);
   if (!of_bricks(pair)) pair.direction = direction(pair, before, r - step.dt * velocity, step.x);
-  const double overlap = reach(pair.a, pair.b) - dot(r, pair.direction);
-  // What the motion of this step cannot have made was there before, or comes from an edge laid bare.
+  const double overlap = contact_distance(pair.a, pair.b) - dot(r, pair.direction);
+  // What the motion of this step cannot have made was there before, or comes from an edge newly exposed.
   const double approach = -dot(velocity, pair.direction);
   const double explained = before.depth + step.dt * (before.touching ? norm(velocity) : std::max(0.0, approach));
   double offset = candidate.before.touching ? before.offset : std::max(before.offset, overlap - explained);
@@ -588,7 +589,7 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   const double greatest =
       inverse_of_lightest(node_mass[0], node_mass[1]) + inverse_of_lightest(node_mass[2], node_mass[3]);
   const double stiffness =
-      pair.share * kernel::pair_stiffness(setup_.law, penalty(e, f, step), greatest, step.bearable);
+      pair.share * kernel::pair_stiffness(setup_.law, penalty(e, f, step), greatest, step.stable_dt);
   pair.memory = before.memory;
   const double inverse_own_mass =
       kernel::inverse_pair_mass(0.0, {weight[0], weight[1], 0.0, 0.0}, {node_mass[0], node_mass[1], 0.0, 0.0});

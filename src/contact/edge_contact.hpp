@@ -44,8 +44,8 @@ struct Edge {
 std::vector<Edge> edges_of(const std::vector<Segment>& segments, std::span<const Row> x, bool bricks = false);
 
 struct EdgeContactSetup {
-  std::vector<Edge> edges;       ///< all edges, interior ones too: they become exterior as shells die
-  bool interior = false;         ///< edges that more than one living shell has take part as well
+  std::vector<Edge> edges;       ///< all edges, interior ones too: they become exterior as shells are deleted
+  bool interior = false;         ///< edges that more than one active shell has take part as well
   bool two_sides = false;        ///< edges of either side meet those of the other alone
   double stiffness_scale = 0.1;  ///< SLSFAC
   kernel::PenaltyLaw law;
@@ -61,9 +61,9 @@ struct EdgeContactSetup {
 /// of neighbouring pairs counts: lines that cross at a small angle have several minima once they bend.
 ///
 /// Bricks. Their edges have no thickness. Two of them overlap, or one and a bar, where the closest points lie inside
-/// both, along the common normal: where that stands in the angle between the outward normals of the two bare faces at
-/// an edge, grown by 0.1, and no deeper than 0.3 of the brick's depth. Where it does not, a node meets a face. An edge
-/// between faces that stand at an inward angle meets nothing.
+/// both, along the common normal: where that stands in the angle between the outward normals of the two exposed faces
+/// at an edge, grown by 0.1, and no deeper than 0.3 of the brick's depth. Where it does not, a node meets a face. An
+/// edge between faces that stand at an inward angle meets nothing.
 ///
 /// Nodes. Where edges of surfaces cross near an end of both, or lie along each other, it is the nodes that meet the
 /// segments of the other surface. There the stiffness of the pair of edges fades to nothing, so that meshes that lie
@@ -80,8 +80,8 @@ struct EdgeContactSetup {
 /// they met, and turns with them. So an edge that came beyond the other is pressed back.
 ///
 /// Forces are those of SurfaceContact: k depth, shared out to the ends of each edge by the lever rule, so that momentum
-/// is kept; k of the softer edge, or by masses, bounded by what the step bears; initial overlap gives no force;
-/// friction by a spring that is drawn out as the closest points wander along both edges.
+/// is kept; k of the softer edge, or by masses, bounded by the stability limit of the step; initial overlap gives no
+/// force; friction by a spring that is drawn out as the closest points wander along both edges.
 ///
 /// Results are the same bits for any number of threads. No memory is taken between searches but for the few pairs that
 /// touch.
@@ -92,7 +92,7 @@ class EdgeContact {
 
   /// As SurfaceContact::apply; for the elements see Edge::elements.
   void apply(const Step& step, std::span<Row> force);
-  /// Elements have died: the lists are made anew before the next forces.
+  /// Elements were deleted: the lists are made anew before the next forces.
   void surface_changed() { searched_ = false; }
 
   double energy() const { return energy_[0] + energy_[1]; }  ///< as SurfaceContact::energy()
@@ -118,9 +118,9 @@ class EdgeContact {
     double offset = 0.0, depth = 0.0;
     Vec3d friction;  // on a
     kernel::PairMemory memory;
-    double share = 1.0;  // of its stiffness, see share()
-    Vec3d force;         // on a, friction included
-    double wake = 0.0;   // before the approach gets here the two cannot touch
+    double share = 1.0;              // of its stiffness, see share()
+    Vec3d force;                     // on a, friction included
+    double next_check_travel = 0.0;  // before the approach gets here the two cannot touch
   };
   /// A pair that is close enough to touch, with what it was in the cycle before.
   struct Candidate {
@@ -140,7 +140,7 @@ class EdgeContact {
   bool face_each_other(int a, int b) const;
   bool belong_together(int a, int b) const;
   double penalty(const Edge& e, const Edge& f, const Step& step) const;
-  double reach(int a, int b) const { return 0.5 * (setup_.edges[a].thickness + setup_.edges[b].thickness); }
+  double contact_distance(int a, int b) const { return 0.5 * (setup_.edges[a].thickness + setup_.edges[b].thickness); }
   kernel::EdgeFeet feet_of(int a, int b, std::span<const Row> x) const;
   bool of_bricks(const Pair& pair) const {
     return !setup_.edges[pair.a].faces.empty() || !setup_.edges[pair.b].faces.empty();

@@ -46,11 +46,11 @@ Glue::Glue(const SurfaceContactSetup& setup, model::Glue card, std::span<const R
       card_(std::move(card)),
       around_(setup_.segments),
       around_listed_(setup_.faces_at_nodes),
-      held_(setup.nodes.size(), card_.alone ? 1 : 0),
-      spent_(setup.nodes.size(), 0),
+      bonded_(setup.nodes.size(), card_.alone ? 1 : 0),
+      was_bonded_(setup.nodes.size(), 0),
       forces_(surface_nodes(setup)),
       frictions_(setup.law.friction.any() ? forces_.nodes() : std::vector<int>{}) {
-  book_sides(forces_, around_, setup_.segments);
+  assign_sides(forces_, around_, setup_.segments);
   for (const Segment& s : setup_.segments)
     segment_stiffness_.push_back(setup_.stiffness_scale * penalty_stiffness(s, x));
   set_kinds(setup_.nodes, around_, setup_.segments);
@@ -61,8 +61,8 @@ Glue::Glue(const SurfaceContactSetup& setup, model::Glue card, std::span<const R
 double Glue::limit(const TrackedNode& node, const Segment& s, std::span<const Row> x) const {
   if (card_.without_thickness)
     return std::max(0.6 * (node.thickness + s.thickness), tolerance * shortest_diagonal(s, x));
-  const double reach = 0.5 * (node.thickness + s.thickness);
-  return reach + tolerance * (s.volume > 0.0 ? std::sqrt(area(s, x)) : reach);
+  const double contact_distance = 0.5 * (node.thickness + s.thickness);
+  return contact_distance + tolerance * (s.volume > 0.0 ? std::sqrt(area(s, x)) : contact_distance);
 }
 
 void Glue::glue_together(std::span<const Row> x) {
@@ -88,7 +88,7 @@ void Glue::glue_together(std::span<const Row> x) {
     const BoxTree::Nearest nearest = tree.nearest(p, Box::infinity, distance);
     if (nearest.item < 0 || !std::isfinite(nearest.distance)) continue;
     const Segment& s = setup_.segments[nearest.item];
-    held_[t] = spent_[t] = 1;
+    bonded_[t] = was_bonded_[t] = 1;
     bonds_.push_back(
         bond(static_cast<int>(t), nearest.item, kernel::closest_point(corners_of(s, x), s.triangle(), p), x));
   }
@@ -139,7 +139,7 @@ Glue::Bond Glue::bond(int tracked, int segment, const kernel::Foot& foot, std::s
   return bond;
 }
 
-/// What the step bears of the bond's stiffness, by area.
+/// Stability limit of the bond's stiffness, by area.
 kernel::CohesiveStiffness Glue::stiffness(const Bond& bond, const Step& step) const {
   const Segment& s = setup_.segments[bond.segment];
   std::array<double, 4> corner_mass{};
@@ -149,7 +149,7 @@ kernel::CohesiveStiffness Glue::stiffness(const Bond& bond, const Step& step) co
   // The stiffer of both directions is bounded, the other goes with it.
   const double stiffer = std::max(1.0, card_.law.shear_ratio);
   const double normal =
-      kernel::pair_stiffness(setup_.law, stiffer * bond.stiffness, inverse_mass, step.bearable) / stiffer;
+      kernel::pair_stiffness(setup_.law, stiffer * bond.stiffness, inverse_mass, step.stable_dt) / stiffer;
   return {normal / bond.area, card_.law.shear_ratio * normal / bond.area};
 }
 
@@ -181,7 +181,7 @@ Vec3d Glue::sliding_pull(Bond& bond, const kernel::CohesiveStiffness& k, const S
   for (int c = 0; c < from.corners(); ++c)
     for (int item : around_.at(from.node[c])) {
       const Segment& s = setup_.segments[item];
-      if (!(s.side & reference) || s.has(node.node) || !bare(s, step.element_alive)) continue;
+      if (!(s.side & reference) || s.has(node.node) || !is_exposed(s, step.element_alive)) continue;
       const kernel::Foot other = kernel::closest_point(corners_of(s, step.x), s.triangle(), p);
       // Of two that are as close, over an edge that they share, the one where it is stays.
       if (to >= 0 && (other.distance > foot.distance || (other.distance == foot.distance && item != bond.segment)))
@@ -222,9 +222,9 @@ Vec3d Glue::sliding_pull(Bond& bond, const kernel::CohesiveStiffness& k, const S
   return bond.area * outward * stress * foot.normal - bond.friction;
 }
 
-void Glue::let_go(Bond& bond, double time) {
-  bond.holds = false;
-  if (!card_.alone) held_[bond.tracked] = 0;
+void Glue::release(Bond& bond, double time) {
+  bond.intact = false;
+  if (!card_.alone) bonded_[bond.tracked] = 0;
   if (failed_ == 0) {
     first_node_ = setup_.nodes[bond.tracked].node;
     first_time_ = time;
@@ -239,12 +239,12 @@ void Glue::apply(const Step& step, std::span<Row> force) {
   resultant_ = {};
   for (Bond& bond : bonds_) {
     bond.force = {};
-    if (!bond.holds) continue;
+    if (!bond.intact) continue;
     const kernel::CohesiveStiffness k = stiffness(bond, step);
     const Vec3d f = card_.slides ? sliding_pull(bond, k, step) : pull(bond, k, step);
-    const bool ends = step.time >= setup_.death || !bare(setup_.segments[bond.segment], step.element_alive);
+    const bool ends = step.time >= setup_.death || !is_exposed(setup_.segments[bond.segment], step.element_alive);
     if (ends || bond.state.damage >= 1.0) {
-      let_go(bond, step.time);
+      release(bond, step.time);
       continue;
     }
     bond.force = -f;
@@ -271,12 +271,12 @@ void Glue::spread(const Bond& bond, const Vec3d& force, std::span<const Row> x, 
   for (int c = 0; c < s.corners(); ++c) forces.add(s.node[c], back[c]);
 }
 
-void Glue::stick(const SurfaceContact& surface, const Step& step) {
-  if (!card_.sticks_later) return;
+void Glue::bond_touching(const SurfaceContact& surface, const Step& step) {
+  if (!card_.bonds_later) return;
   surface.each_hit([this, &step](const SurfaceContact::Hit& hit) {
     const TrackedNode& node = setup_.nodes[hit.tracked];
     const Segment& s = setup_.segments[hit.segment];
-    if (spent_[hit.tracked] || !(node.against & reference) || !(s.side & reference)) return;
+    if (was_bonded_[hit.tracked] || !(node.against & reference) || !(s.side & reference)) return;
     kernel::Foot foot;
     foot.weight = hit.weight;
     foot.point = interpolate(s, hit.weight, step.x);
@@ -285,7 +285,7 @@ void Glue::stick(const SurfaceContact& surface, const Step& step) {
     const double normal = made.area * stiffness(made, step).tension;
     const double pressure = dot(hit.force, made.outward * axes_of(s, step.x).normal);
     if (normal > 0.0) made.place.z += made.outward * std::max(0.0, pressure) / normal;
-    held_[hit.tracked] = spent_[hit.tracked] = 1;
+    bonded_[hit.tracked] = was_bonded_[hit.tracked] = 1;
     bonds_.push_back(made);
   });
 }

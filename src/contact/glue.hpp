@@ -30,27 +30,27 @@ namespace nugget::contact {
 ///
 /// Glue that slides holds along the normal alone. Its foot is the closest point of the segment and its neighbours;
 /// along the surface acts friction, as in SurfaceContact, or up to a stress of its own. A node that leaves the border
-/// of the surface farther than it may stand off it at the start is let go.
+/// of the surface farther than it may stand off it at the start is released.
 class Glue {
  public:
   /// `x`: initial coordinates.
   Glue(const SurfaceContactSetup& setup, model::Glue card, std::span<const Row> x);
 
-  /// Adds the forces at the end of a step, see SurfaceContact::apply. Where glue fails, the element it stands on has
-  /// died, or the contact has, the node is taken off `held()`.
+  /// Adds the forces at the end of a step, see SurfaceContact::apply. Where glue fails, the element below is deleted,
+  /// or the contact has ended, the node is taken off `bonded()`.
   void apply(const Step& step, std::span<Row> force);
   /// Nodes that the ordinary contact presses in this step stick from the next one on, if the card says so.
-  void stick(const SurfaceContact& surface, const Step& step);
+  void bond_touching(const SurfaceContact& surface, const Step& step);
 
   /// By tracked node of the setup: what the ordinary contact leaves alone.
-  const std::vector<unsigned char>& held() const { return held_; }
+  const std::vector<unsigned char>& bonded() const { return bonded_; }
   int at_start() const { return at_start_; }                                 ///< nodes glued at the start
   int later() const { return static_cast<int>(bonds_.size()) - at_start_; }  ///< that stuck in the run
   int failed() const { return failed_; }                                     ///< nodes that were glued and are no more
-  /// The first node that was let go, by number in the arrays of `apply`, and when; -1: none was.
+  /// The first node that was released, by number in the arrays of `apply`, and when; -1: none was.
   int first_node() const { return first_node_; }
   double first_time() const { return first_time_; }
-  double last_time() const { return last_time_; }  ///< when the last one was let go
+  double last_time() const { return last_time_; }  ///< when the last one was released
 
   const std::array<double, 2>& energy_of_sides() const { return energy_; }
   double friction_energy() const { return friction_energy_; }  ///< as SurfaceContact::friction_energy()
@@ -73,7 +73,7 @@ class Glue {
     kernel::CohesiveState state;
     Vec3d friction;  // on the node along the surface, of glue that slides [force]
     Vec3d force;     // on the node [force]
-    bool holds = true;
+    bool intact = true;
   };
 
   double limit(const TrackedNode& node, const Segment& s, std::span<const Row> x) const;
@@ -83,7 +83,7 @@ class Glue {
   kernel::CohesiveStiffness stiffness(const Bond& bond, const Step& step) const;
   Vec3d pull(Bond& bond, const kernel::CohesiveStiffness& k, const Step& step) const;
   Vec3d sliding_pull(Bond& bond, const kernel::CohesiveStiffness& k, const Step& step) const;
-  void let_go(Bond& bond, double time);
+  void release(Bond& bond, double time);
   void spread(const Bond& bond, const Vec3d& force, std::span<const Row> x, NodalForces& forces) const;
 
   SurfaceContactSetup setup_;
@@ -92,9 +92,9 @@ class Glue {
   NodeSegments around_listed_;             // of the setup's faces_at_nodes
   std::vector<double> segment_stiffness_;  // scaled, at the start
   std::vector<Bond> bonds_;
-  std::vector<unsigned char> held_;
-  std::vector<unsigned char> spent_;  // by tracked node: it has been glued
-  NodalForces forces_, frictions_;    // frictions_ as in SurfaceContact
+  std::vector<unsigned char> bonded_;
+  std::vector<unsigned char> was_bonded_;  // by tracked node: it has been glued
+  NodalForces forces_, frictions_;         // frictions_ as in SurfaceContact
   std::array<double, 2> energy_{};
   double friction_energy_ = 0.0;
   Vec3d resultant_;

@@ -59,7 +59,7 @@ void InteriorContact::apply(const Step& step, std::span<Row> force) {
         if (const double mass = step.mass[brick.node[i]]; mass > 0.0)
           inverse_mass += dot(gradient[i], gradient[i]) / mass;
       // Eight bricks share a node, and all of them may be squeezed.
-      const double stiffness = kernel::pair_stiffness({}, stiffness_[e], 8.0 * inverse_mass, step.bearable);
+      const double stiffness = kernel::pair_stiffness({}, stiffness_[e], 8.0 * inverse_mass, step.stable_dt);
       for (int i = 0; i < 8; ++i) forces_.add(brick.node[i], stiffness * depth * gradient[i]);
     }
   }

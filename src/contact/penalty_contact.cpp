@@ -9,23 +9,23 @@ namespace nugget::contact {
 PenaltyContact::PenaltyContact(SurfaceContactSetup surface, std::optional<EdgeContactSetup> edges,
                                std::optional<model::Glue> glue, std::span<const Row> x)
     : surface_(surface, x) {
-  may_grow_ =
+  can_expose_faces_ =
       std::any_of(surface.segments.begin(), surface.segments.end(), [](const Segment& s) { return s.covered_by >= 0; });
   if (edges) edges_.emplace(std::move(*edges), x);
   if (!glue) return;
   glue_ = std::make_unique<Glue>(surface, std::move(*glue), x);
-  surface_.leave_out(glue_->held());
+  surface_.exclude(glue_->bonded());
 }
 
 void PenaltyContact::apply(const Step& step, std::span<Row> force) {
   if (glue_) glue_->apply(step, force);
   surface_.apply(step, force);
-  if (glue_) glue_->stick(surface_, step);
+  if (glue_) glue_->bond_touching(surface_, step);
   if (edges_) edges_->apply(step, force);
 }
 
 void PenaltyContact::surface_changed() {
-  if (may_grow_) surface_.surface_changed();
+  if (can_expose_faces_) surface_.surface_changed();
   if (edges_) edges_->surface_changed();
 }
 

@@ -22,7 +22,7 @@ class PenaltyContact {
 
   /// See SurfaceContact::apply.
   void apply(const Step& step, std::span<Row> force);
-  /// Elements of the surface have died.
+  /// Elements of the surface were deleted.
   void surface_changed();
 
   double energy() const;  ///< see SurfaceContact::energy
@@ -40,7 +40,7 @@ class PenaltyContact {
   SurfaceContact surface_;
   std::optional<EdgeContact> edges_;
   std::unique_ptr<Glue> glue_;
-  bool may_grow_ = false;  // faces or edges are laid bare by elements that die
+  bool can_expose_faces_ = false;  // deleted elements expose faces or edges
 };
 
 }  // namespace nugget::contact

@@ -41,7 +41,7 @@ RigidWall::RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const
       death_(wall.death),
       bodies_(std::move(bodies)) {
   if (motion != nullptr) motion_ = *motion;
-  for (int n : nodes) tracked_.push_back({n, kernel::Hold::none, {}});
+  for (int n : nodes) tracked_.push_back({n, kernel::WallAttachment::none, {}});
   sums_.resize((tracked_.size() + group_size - 1) / group_size);
 }
 
@@ -68,7 +68,7 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
   force_ = {};
   normal_force_ = 0.0;
   touching_ = 0;
-  due_ = power_on_change_ = 0.0;
+  pending_energy_ = power_on_change_ = 0.0;
   Step step{dt, x, v, f, mass, skip, prescribed_velocity(time, dt)};
   const double between_middles = 0.5 * (dt + dt_previous);
   const bool active = acts(time);
@@ -94,7 +94,7 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
     normal_impulse_ += all.normal;
     energy_ += all.opening + all.closing;
     const double share = dt_previous / between_middles;
-    due_ = (1.0 - share) * all.opening + all.closing;
+    pending_energy_ = (1.0 - share) * all.opening + all.closing;
     touching_ = all.touching;
     power_on_change_ = all.power_on_change;
   }
@@ -117,22 +117,22 @@ template <class Shape>
 void RigidWall::collide(const Shape& shape, Step& step) {
   const double before = velocity_;
   std::size_t caught_before = tracked_.size() + 1;
-  for (bool settled = false; !settled;) {
+  for (bool converged = false; !converged;) {
     step.wall_velocity = velocity_ * normal_;
     double momentum = mass_ * before, total = mass_;
     std::size_t caught = 0;
     for (const Tracked& t : tracked_) {
       if (!step.skip.empty() && step.skip[t.node]) continue;
       const Vec3d from = vec(step.x[t.node]) - origin_, v = vec(step.v[t.node]);
-      const kernel::WallPush p = push(shape, from, from + step.dt * (v - step.wall_velocity), t.hold);
+      const kernel::WallPush p = push(shape, from, from + step.dt * (v - step.wall_velocity), t.attachment);
       if (!p.touching) continue;
-      const double gap = t.hold == kernel::Hold::welded ? 0.0 : std::max(0.0, dot(from, normal_));
+      const double gap = t.attachment == kernel::WallAttachment::welded ? 0.0 : std::max(0.0, dot(from, normal_));
       momentum += step.mass[t.node] * (dot(v, normal_) + gap / step.dt);
       total += step.mass[t.node];
       ++caught;
     }
     velocity_ = caught > 0 ? momentum / total : before;
-    settled = caught == 0 || caught >= caught_before;
+    converged = caught == 0 || caught >= caught_before;
     caught_before = caught;
   }
 }
@@ -163,29 +163,30 @@ void RigidWall::stop(const Shape& shape, const Step& step) {
 template <class Shape>
 void RigidWall::stop(const Shape& shape, Tracked& tracked, const Step& step, Sum& sum) const {
   if (!step.skip.empty() && step.skip[tracked.node]) {
-    tracked.hold = kernel::Hold::none;
+    tracked.attachment = kernel::WallAttachment::none;
     return;
   }
   const Vec3d from = vec(step.x[tracked.node]) - origin_;
   const Vec3d free = vec(step.v[tracked.node]);
   Vec3d relative = free - step.wall_velocity;
-  kernel::WallPush p = push(shape, from, from + step.dt * relative, tracked.hold);
+  kernel::WallPush p = push(shape, from, from + step.dt * relative, tracked.attachment);
   const Vec3d before = started_ ? tracked.last : free;
   tracked.last = free;
   if (!p.touching) {
-    tracked.hold = kernel::Hold::none;
+    tracked.attachment = kernel::WallAttachment::none;
     return;
   }
-  const bool first = tracked.hold == kernel::Hold::none;
+  const bool first = tracked.attachment == kernel::WallAttachment::none;
   const double speed = dot(relative, p.normal);
-  tracked.hold = tracked.hold == kernel::Hold::welded || (friction_ >= 2.0 && first && -speed > weld_velocity_)
-                     ? kernel::Hold::welded
-                     : kernel::Hold::riding;
+  tracked.attachment =
+      tracked.attachment == kernel::WallAttachment::welded || (friction_ >= 2.0 && first && -speed > weld_velocity_)
+          ? kernel::WallAttachment::welded
+          : kernel::WallAttachment::touching;
 
   if (friction_ > 0.0) {
     relative += friction(relative - speed * p.normal, std::abs(p.distance) / step.dt);
     // On a round wall less sliding needs another push.
-    const kernel::WallPush again = push(shape, from, from + step.dt * relative, tracked.hold);
+    const kernel::WallPush again = push(shape, from, from + step.dt * relative, tracked.attachment);
     if (again.touching) p = again;
   }
   relative += (p.distance / step.dt) * p.normal;

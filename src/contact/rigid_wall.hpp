@@ -30,9 +30,9 @@ namespace nugget::contact {
 ///
 /// Motion: a plane with `mass` moves along its normal, its velocity following from the momentum of the nodes (plastic
 /// collision: the total is kept to round-off); any wall with a motion curve moves as the curve says; others stand.
-/// None moves before its birth, from which the curve counts. Nodes of rigid bodies are stopped by penalty, if at all:
-/// WallPenalty, whose forces, work and push on a wall with mass count with those of the other nodes. Results are the
-/// same bits for any number of threads.
+/// None moves before its birth time, from which the curve counts. Nodes of rigid bodies are stopped by penalty, if at
+/// all: WallPenalty, whose forces, work and push on a wall with mass count with those of the other nodes. Results are
+/// the same bits for any number of threads.
 class RigidWall {
  public:
   /// `nodes`: the tracked nodes, numbered as in the arrays of `constrain`. `motion`: the curve that
@@ -66,7 +66,7 @@ class RigidWall {
   /// The same up to `time` of the last `constrain`, which stands between the two middles: the impulses of that step
   /// only with the share of their work that the kinetic energy at `time` contains (impact::kinetic_energy;
   /// docs/decisions/0002).
-  double energy_until_now() const { return energy() - due_; }
+  double energy_at_time() const { return energy() - pending_energy_; }
   /// Kinetic energy of a wall with mass, 0 for others.
   double kinetic_energy() const { return 0.5 * mass_ * velocity_ * velocity_; }
 
@@ -83,7 +83,7 @@ class RigidWall {
  private:
   struct Tracked {
     int node = 0;
-    kernel::Hold hold = kernel::Hold::none;
+    kernel::WallAttachment attachment = kernel::WallAttachment::none;
     Vec3d last;  // its velocity when the wall had done with it in the step before
   };
   struct Sum {
@@ -130,7 +130,7 @@ class RigidWall {
   std::optional<WallPenalty> bodies_;
 
   Vec3d force_, impulse_;
-  double normal_force_ = 0.0, normal_impulse_ = 0.0, energy_ = 0.0, due_ = 0.0, power_on_change_ = 0.0;
+  double normal_force_ = 0.0, normal_impulse_ = 0.0, energy_ = 0.0, pending_energy_ = 0.0, power_on_change_ = 0.0;
   int touching_ = 0;
 };
 

@@ -8,13 +8,13 @@
 namespace nugget::contact {
 
 /// The step at whose end contact forces are found. Spans are by node, but `element_alive` (see Segment::element; empty:
-/// all live).
+/// all are active).
 struct Step {
   double time = 0.0;  ///< at its end
   double dt = 0.0;    ///< 0 at the start: all overlaps are initial ones then
-  /// The step that bounds stiffnesses: what the structure bears. `dt` itself may be shorter, cut to meet the end of the
-  /// run; stiffnesses of m/dt^2 would jump there. 0: no bound.
-  double bearable = 0.0;
+  /// The step that bounds stiffnesses: the stable one of the structure. `dt` itself may be shorter, cut to meet the end
+  /// of the run; stiffnesses of m/dt^2 would jump there. 0: no bound.
+  double stable_dt = 0.0;
   double longest = 0.0;    ///< the longest of these so far
   std::span<const Row> x;  ///< positions at its end [length]
   std::span<const Row> v;  ///< velocities in its middle

@@ -19,18 +19,18 @@ struct Segment {
   double volume = 0.0;        ///< of the brick behind the face; 0: a shell [length^3]
   double mass = 0.0;          ///< of the shell, or half that of the brick; counts with SOFT = 2
   double scale = 1.0;         ///< what bulk_modulus is scaled by, for the stiffness that does not come from it
-  int element = -1;           ///< whose death ends the segment, as an index in `element_alive`; -1: it never dies
-  int covered_by = -1;        ///< the brick on the other side of the face: only its death lays the segment bare
-  int kind = 0;               ///< of its part, in the contact's kernel::FrictionTable
-  unsigned side = 1;          ///< of the contact: bit 0 the tracked side (SURFA), bit 1 the reference side (SURFB)
+  int element = -1;     ///< whose deletion ends the segment, as an index in `element_alive`; -1: it is never deleted
+  int covered_by = -1;  ///< the brick on the other side of the face: only its deletion exposes the segment
+  int kind = 0;         ///< of its part, in the contact's kernel::FrictionTable
+  unsigned side = 1;    ///< of the contact: bit 0 the tracked side (SURFA), bit 1 the reference side (SURFB)
 
   bool triangle() const { return node[3] == node[2]; }
   int corners() const { return triangle() ? 3 : 4; }
   bool has(int n) const { return node[0] == n || node[1] == n || node[2] == n || node[3] == n; }
 };
 
-/// Whether the segment is there. `element_alive`: by element; empty: all live.
-inline bool bare(const Segment& s, std::span<const unsigned char> element_alive) {
+/// Whether the segment is there. `element_alive`: by element; empty: all are active.
+inline bool is_exposed(const Segment& s, std::span<const unsigned char> element_alive) {
   if (element_alive.empty()) return s.covered_by < 0;
   return (s.element < 0 || element_alive[s.element]) && (s.covered_by < 0 || !element_alive[s.covered_by]);
 }
@@ -38,10 +38,10 @@ inline bool bare(const Segment& s, std::span<const unsigned char> element_alive)
 /// A node that must not pass through the segments.
 struct TrackedNode {
   int node = 0;
-  double thickness = 0.0;  ///< contact thickness: the mean of the adjoining segments' [length]
-  unsigned against = 1;    ///< the sides whose segments press it, by the bits of Segment::side
-  bool stays = false;      ///< it is pressed even when all its segments are gone
-  int kind = 0;            ///< as of Segment, where no segment of the contact is at it
+  double thickness = 0.0;     ///< contact thickness: the mean of the adjoining segments' [length]
+  unsigned against = 1;       ///< the sides whose segments press it, by the bits of Segment::side
+  bool stays_active = false;  ///< it is pressed even when all its segments are deleted
+  int kind = 0;               ///< as of Segment, where no segment of the contact is at it
 };
 
 /// The nodes of the segments of `side`, ascending, each with the mean thickness of these segments; to be pressed by

@@ -42,7 +42,7 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
     thickest_segment_ = std::max(thickest_segment_, s.thickness);
   }
   set_kinds(setup_.nodes, around_, setup_.segments);
-  stays_.assign(forces_.nodes().empty() ? 0 : forces_.nodes().back() + 1, 0);
+  stays_active_.assign(forces_.nodes().empty() ? 0 : forces_.nodes().back() + 1, 0);
   for (const TrackedNode& t : setup_.nodes) {
     const std::span<const int> around = around_.at(t.node);
     double sum = 0.0, mass = 0.0;
@@ -54,9 +54,9 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
     node_stiffness_.push_back(around.empty() ? Box::infinity : sum / static_cast<double>(around.size()));
     node_mass_.push_back(around.empty() ? 0.0 : mass / static_cast<double>(around.size()));
     pressing_ |= t.against;
-    if (t.stays) stays_[t.node] = 1;
+    if (t.stays_active) stays_active_[t.node] = 1;
   }
-  book_sides(forces_, around_, setup_.segments);
+  assign_sides(forces_, around_, setup_.segments);
 
   // A quarter of an element: few pairs are listed in vain, and a search lasts some hundred cycles at crash speeds.
   margin_ = 0.25 * mean_edge(setup_.segments, x);
@@ -68,7 +68,7 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
     block.end = std::min(tracked, begin + block_size);
     block.first.assign(block.end - begin + 1, 0);
     block.old_first = block.first;
-    block.wake.assign(block.end - block.begin, 0.0);
+    block.next_check_travel.assign(block.end - block.begin, 0.0);
     blocks_.push_back(std::move(block));
   }
 }
@@ -78,12 +78,12 @@ void SurfaceContact::apply(const Step& step, std::span<Row> force) {
   const bool active = !setup_.segments.empty() && step.time >= setup_.birth && step.time < setup_.death;
   if (active) {
     if (moved_too_far(step.x) || !searched_) search(step.x, step.element_alive);
-    parallel_for(busy_.size(), 4, [this, &step](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b) work(blocks_[busy_[b]], step);
+    parallel_for(active_blocks_.size(), 4, [this, &step](std::size_t begin, std::size_t end) {
+      for (std::size_t b = begin; b < end; ++b) work(blocks_[active_blocks_[b]], step);
     });
     add_forces(step, force);
   }
-  account(step.dt, step.v);
+  update_energy(step.dt, step.v);
 }
 
 std::size_t SurfaceContact::listed() const {
@@ -94,20 +94,20 @@ std::size_t SurfaceContact::listed() const {
 
 bool SurfaceContact::node_alive(int node, std::span<const unsigned char> element_alive) const {
   const std::span<const int> around = around_.at(node);
-  if (around.empty() || stays_[node]) return true;
+  if (around.empty() || stays_active_[node]) return true;
   return std::any_of(around.begin(), around.end(), [&](int s) { return alive(s, element_alive); });
 }
 
 // ---- search
 
-/// By how much two of the living points can have approached each other if the i-th was displaced by `displacement(i)`:
+/// By how much two of the active points can have approached each other if the i-th was displaced by `displacement(i)`:
 /// no more than the diagonal of the box of all displacements, whatever the surface does as a whole.
 template <class Displacement>
 double SurfaceContact::approach(const Displacement& displacement) {
   parallel_for(moved_.size(), 1, [this, &displacement](std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
       Box box;
-      for (std::size_t i = g * group_size; i < std::min(live_.size(), (g + 1) * group_size); ++i)
+      for (std::size_t i = g * group_size; i < std::min(active_nodes_.size(), (g + 1) * group_size); ++i)
         box.add(displacement(i));
       moved_[g] = box;
     }
@@ -120,27 +120,27 @@ double SurfaceContact::approach(const Displacement& displacement) {
 
 bool SurfaceContact::moved_too_far(std::span<const Row> x) {
   travelled_ += approach([this, &x](std::size_t i) {
-    const Vec3d step = vec(x[live_[i]]) - vec(seen_at_[i]);
-    seen_at_[i] = x[live_[i]];
+    const Vec3d step = vec(x[active_nodes_[i]]) - vec(seen_at_[i]);
+    seen_at_[i] = x[active_nodes_[i]];
     return step;
   });
   // Steps added up are never less than the whole way: while they are short that need not be measured.
   if (travelled_ - searched_when_ <= margin_) return false;
-  return approach([this, &x](std::size_t i) { return vec(x[live_[i]]) - vec(searched_at_[i]); }) > margin_;
+  return approach([this, &x](std::size_t i) { return vec(x[active_nodes_[i]]) - vec(searched_at_[i]); }) > margin_;
 }
 
 void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned char> element_alive) {
-  live_.clear();
+  active_nodes_.clear();
   searched_at_.clear();
   for (int n : forces_.nodes()) {
     if (!node_alive(n, element_alive) || !finite(x[n])) continue;
-    live_.push_back(n);
+    active_nodes_.push_back(n);
     searched_at_.push_back(x[n]);
   }
   seen_at_ = searched_at_;
-  moved_.resize((live_.size() + group_size - 1) / group_size);
+  moved_.resize((active_nodes_.size() + group_size - 1) / group_size);
 
-  living_.clear();
+  active_segments_.clear();
   boxes_.clear();
   for (std::size_t s = 0; s < setup_.segments.size(); ++s) {
     const Segment& segment = setup_.segments[s];
@@ -148,7 +148,7 @@ void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned cha
     if (!whole || !(segment.side & pressing_) || !alive(static_cast<int>(s), element_alive)) continue;
     Box box;
     for (const Vec3d& c : corners_of(segment, x)) box.add(c);
-    living_.push_back(static_cast<int>(s));
+    active_segments_.push_back(static_cast<int>(s));
     boxes_.push_back(box.grown(0.5 * segment.thickness + inner_[s]));
   }
   tree_ = BoxTree(boxes_);
@@ -157,9 +157,9 @@ void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned cha
     for (std::size_t b = begin; b < end; ++b) list_neighbours(blocks_[b], x, element_alive);
   };
   parallel_for(blocks_.size(), 4, list);
-  busy_.clear();
+  active_blocks_.clear();
   for (std::size_t b = 0; b < blocks_.size(); ++b)
-    if (!blocks_[b].pairs.empty()) busy_.push_back(static_cast<int>(b));
+    if (!blocks_[b].pairs.empty()) active_blocks_.push_back(static_cast<int>(b));
   searched_ = true;
   searched_when_ = travelled_;
   ++searches_;
@@ -181,9 +181,9 @@ void SurfaceContact::list_neighbours(Block& block, std::span<const Row> x,
     box.add(p);
     tree_.overlapping(box.grown(0.5 * tracked.thickness + margin_), [&](int item) {
       Pair pair;
-      pair.segment = living_[item];
+      pair.segment = active_segments_[item];
       const Segment& segment = setup_.segments[pair.segment];
-      const double far = reach(t, pair.segment) + inner_[pair.segment] + margin_;
+      const double far = contact_distance(t, pair.segment) + inner_[pair.segment] + margin_;
       if (!(segment.side & tracked.against) || segment.has(tracked.node)) return;
       const kernel::Corners corners = corners_of(segment, x);
       if (kernel::least_distance(corners, p) > far) return;
@@ -191,7 +191,7 @@ void SurfaceContact::list_neighbours(Block& block, std::span<const Row> x,
       if (foot.distance > far) return;
       pair.xi = foot.xi;
       pair.eta = foot.eta;
-      pair.wake = travelled_ + (foot.distance - (widest(t) + inner_[pair.segment]));
+      pair.next_check_travel = travelled_ + (foot.distance - (widest(t) + inner_[pair.segment]));
       block.pairs.push_back(pair);
     });
     const auto by_segment = [](const Pair& a, const Pair& b) { return a.segment < b.segment; };
@@ -206,7 +206,7 @@ void SurfaceContact::list_neighbours(Block& block, std::span<const Row> x,
     longest = std::max(longest, block.pairs.size() - start);
   }
   block.first.back() = static_cast<int>(block.pairs.size());
-  std::fill(block.wake.begin(), block.wake.end(), 0.0);
+  std::fill(block.next_check_travel.begin(), block.next_check_travel.end(), 0.0);
   block.candidates.reserve(longest);
   block.hits.reserve(block.pairs.size());
 }
@@ -215,11 +215,13 @@ void SurfaceContact::list_neighbours(Block& block, std::span<const Row> x,
 
 void SurfaceContact::work(Block& block, const Step& step) const {
   block.hits.clear();
-  const auto awake = [this, &block](int t) { return t < block.end && block.wake[t - block.begin] <= travelled_; };
+  const auto awake = [this, &block](int t) {
+    return t < block.end && block.next_check_travel[t - block.begin] <= travelled_;
+  };
   for (int t = block.begin; t < block.end; ++t) {
-    if (awake(t + 2)) ask_for_segments(block, t + 2);
-    if (awake(t + 1)) ask_for_corners(block, t + 1, step);
-    if (awake(t)) look_at(block, t, step);
+    if (awake(t + 2)) prefetch_segments(block, t + 2);
+    if (awake(t + 1)) prefetch_corners(block, t + 1, step);
+    if (awake(t)) check_node(block, t, step);
   }
   block.sum_up(setup_, pressing_);
 }
@@ -241,7 +243,7 @@ void SurfaceContact::Block::sum_up(const SurfaceContactSetup& setup, unsigned pr
 
 /// A body has more segments than a cache holds: those near a node, and its own, are on their way while other nodes are
 /// looked at.
-void SurfaceContact::ask_for_segments(const Block& block, int tracked) const {
+void SurfaceContact::prefetch_segments(const Block& block, int tracked) const {
   const auto ask_for = [this](int s) {
     const Segment& segment = setup_.segments[s];
     __builtin_prefetch(&segment.node);
@@ -253,9 +255,9 @@ void SurfaceContact::ask_for_segments(const Block& block, int tracked) const {
 }
 
 /// The same of their corners, once the segments are here.
-void SurfaceContact::ask_for_corners(const Block& block, int tracked, const Step& step) const {
+void SurfaceContact::prefetch_corners(const Block& block, int tracked, const Step& step) const {
   for (const Pair& pair : pairs_of(block, tracked)) {
-    if (pair.wake > travelled_) continue;
+    if (pair.next_check_travel > travelled_) continue;
     for (const int n : setup_.segments[pair.segment].node) {
       __builtin_prefetch(&step.x[n]);
       __builtin_prefetch(&step.v[n]);
@@ -263,12 +265,12 @@ void SurfaceContact::ask_for_corners(const Block& block, int tracked, const Step
   }
 }
 
-void SurfaceContact::look_at(Block& block, int tracked, const Step& step) const {
-  if (held_ != nullptr && (*held_)[tracked]) return;
+void SurfaceContact::check_node(Block& block, int tracked, const Step& step) const {
+  if (excluded_ != nullptr && (*excluded_)[tracked]) return;
   gather_candidates(block, tracked, step);
   const int node = setup_.nodes[tracked].node;
-  if (step.dt > 0.0) leave_out_strays(block, node, step);
-  const auto close = [](const Candidate& c) { return c.gap < c.reach; };
+  if (step.dt > 0.0) drop_stray_candidates(block, node, step);
+  const auto close = [](const Candidate& c) { return c.gap < c.contact_distance; };
   const auto matters = [&close](const Candidate& c) { return close(c) || c.before.pressed(); };
   if (std::none_of(block.candidates.begin(), block.candidates.end(), matters)) return;
   if (!node_alive(node, step.element_alive)) return;
@@ -281,19 +283,19 @@ void SurfaceContact::look_at(Block& block, int tracked, const Step& step) const 
 void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& step) const {
   block.candidates.clear();
   const int begin = block.first[tracked - block.begin], end = block.first[tracked - block.begin + 1];
-  double& first_wake = block.wake[tracked - block.begin];
-  first_wake = Box::infinity;
+  double& first_check_travel = block.next_check_travel[tracked - block.begin];
+  first_check_travel = Box::infinity;
   // A node between aligned sheets is near four segments, as many as there are lanes.
   std::array<Pair*, native_width> near{};
   std::size_t count = 0;
   for (int i = begin; i < end; ++i) {
     Pair& pair = block.pairs[i];
-    if (pair.wake > travelled_) {
-      first_wake = std::min(first_wake, pair.wake);
+    if (pair.next_check_travel > travelled_) {
+      first_check_travel = std::min(first_check_travel, pair.next_check_travel);
       continue;
     }
     if (!alive(pair.segment, step.element_alive)) {
-      pair.let_go();
+      pair.release();
       continue;
     }
     near[count++] = &pair;
@@ -322,41 +324,41 @@ void SurfaceContact::add_candidates(Block& block, std::span<Pair* const> near, i
   const R clear = kernel::least_distance(corners, x);
   const kernel::Feet<R> feet = kernel::closest_points(corners, x, xi, eta);
 
-  double& first_wake = block.wake[tracked - block.begin];
+  double& first_check_travel = block.next_check_travel[tracked - block.begin];
   for (std::size_t l = 0; l < near.size(); ++l) {
     Pair& pair = *near[l];
     const Segment& segment = setup_.segments[pair.segment];
     const double far = widest(tracked) + inner_[pair.segment], least = lane(clear, static_cast<int>(l));
     if (least >= far && !pair.pressed()) {
-      pair.let_go();
-      pair.wake = travelled_ + (least - far);
-      first_wake = std::min(first_wake, pair.wake);
+      pair.release();
+      pair.next_check_travel = travelled_ + (least - far);
+      first_check_travel = std::min(first_check_travel, pair.next_check_travel);
       continue;
     }
     const kernel::Foot foot =
         segment.triangle() ? kernel::closest_point(corners_of(segment, step.x), true, p) : feet.at(static_cast<int>(l));
     const Pair before = pair;
-    pair.let_go();
+    pair.release();
     pair.xi = foot.xi;
     pair.eta = foot.eta;
-    pair.wake = travelled_ + (foot.distance - far);
-    first_wake = std::min(first_wake, pair.wake);
-    if (pair.wake > travelled_ && !before.pressed()) continue;
+    pair.next_check_travel = travelled_ + (foot.distance - far);
+    first_check_travel = std::min(first_check_travel, pair.next_check_travel);
+    if (pair.next_check_travel > travelled_ && !before.pressed()) continue;
     Candidate& c = block.candidates.emplace_back();
     c.pair = &pair;
     c.before = before;
     c.foot = foot;
-    c.reach = reach(tracked, pair.segment);
+    c.contact_distance = contact_distance(tracked, pair.segment);
     c.gap = c.foot.distance;
     c.away = c.foot.distance > 0.0 ? (1.0 / c.foot.distance) * (p - c.foot.point) : c.foot.normal;
     if (before.touching && before.side != 0) {
       const Vec3d out = static_cast<double>(before.side) * c.foot.normal;
       if (c.foot.boundary == 0)
         c.away = out;
-      else if (inner_[pair.segment] == 0.0 && dot(c.away, out) <= -forgotten)
+      else if (inner_[pair.segment] == 0.0 && dot(c.away, out) <= -side_change_cosine)
         c.away = -c.away;
     }
-    if (inner_[pair.segment] > 0.0) go_inside(c, p, step);
+    if (inner_[pair.segment] > 0.0) measure_inside_brick(c, p, step);
   }
 }
 
@@ -368,7 +370,7 @@ SurfaceContact::Spring SurfaceContact::spring(const Candidate& candidate, int tr
   const double inverse_mass =
       kernel::inverse_pair_mass(step.mass[setup_.nodes[tracked].node], candidate.foot.weight, corner_mass);
   const double full = penalty(candidate.pair->segment, tracked, step);
-  return {inverse_mass, kernel::pair_stiffness(setup_.law, full, inverse_mass, step.bearable)};
+  return {inverse_mass, kernel::pair_stiffness(setup_.law, full, inverse_mass, step.stable_dt)};
 }
 
 /// Gives back what a pair that came apart still holds, along the normal of a brick's face: the way from an edge that is
@@ -379,7 +381,7 @@ void SurfaceContact::part(Block& block, const Candidate& candidate, int tracked,
   const Vec3d velocity = vec(step.v[setup_.nodes[tracked].node]) - interpolate(segment, candidate.foot.weight, step.v);
   const auto [inverse_mass, stiffness] = spring(candidate, tracked, step);
   const double size =
-      kernel::parting_force(candidate.before.memory, stiffness, inverse_mass, -dot(velocity, direction), step.dt);
+      kernel::separation_force(candidate.before.memory, stiffness, inverse_mass, -dot(velocity, direction), step.dt);
   if (!(size > 0.0)) return;
   Vec3d along;
   const kernel::Friction& rough = setup_.law.friction.between(segment.kind, setup_.nodes[tracked].kind);
@@ -395,7 +397,7 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   const Vec3d r = vec(step.x[node]) - candidate.foot.point;
   const Vec3d velocity = vec(step.v[node]) - interpolate(segment, candidate.foot.weight, step.v);
   const Candidate* from = candidate.before.touching ? nullptr : predecessor(block, candidate);
-  if (!candidate.before.touching && from == nullptr && left_to_edges(candidate, node, step)) return;
+  if (!candidate.before.touching && from == nullptr && handled_by_edge_contact(candidate, node, step)) return;
 
   Vec3d direction = candidate.away;
   int side = remembered_side(candidate, from);
@@ -407,12 +409,12 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   } else {
     if (side == 0) side = side_over_edge(candidate, r - step.dt * velocity, step);
     const double up = side * dot(direction, candidate.foot.normal);
-    if (inner_[pair.segment] == 0.0 && up <= -forgotten)
+    if (inner_[pair.segment] == 0.0 && up <= -side_change_cosine)
       direction = -direction;  // it came through
-    else if (up < forgotten)
+    else if (up < side_change_cosine)
       side = 0;  // beyond an edge lies the other face of a free edge, the next one of a fold
   }
-  const double overlap = candidate.reach - dot(r, direction);
+  const double overlap = candidate.contact_distance - dot(r, direction);
   if (too_deep(overlap, pair.segment)) return;
 
   // An offset goes with the node over the edges of the surface. What the motion of this step cannot have made was there
@@ -490,7 +492,7 @@ void SurfaceContact::next_cycle() {
 }
 
 void SurfaceContact::add_forces(const Step& step, std::span<Row> force) {
-  for (const int b : busy_) {
+  for (const int b : active_blocks_) {
     const Block& block = blocks_[b];
     resultant_ += block.resultant;
     deepest_ = std::max(deepest_, block.deepest);
@@ -498,7 +500,7 @@ void SurfaceContact::add_forces(const Step& step, std::span<Row> force) {
   }
   const auto spread = [this, &step](Vec3d Hit::*which) {
     return [this, &step, which](NodalForces::Part& part) {
-      for (const int b : busy_) {
+      for (const int b : active_blocks_) {
         const Block& block = blocks_[b];
         if (!part.meets(block.lowest, block.highest)) continue;
         for (const Hit& hit : block.hits) {
@@ -520,7 +522,7 @@ void SurfaceContact::add_forces(const Step& step, std::span<Row> force) {
   forces_.add_to(force);
 }
 
-void SurfaceContact::account(double dt, std::span<const Row> v) {
+void SurfaceContact::update_energy(double dt, std::span<const Row> v) {
   const std::array<double, 2> work = forces_.work(dt, v);
   for (int side = 0; side < 2; ++side) energy_[side] -= work[side];
   if (setup_.law.friction.any()) friction_energy_ -= frictions_.work(dt, v)[0];
@@ -534,14 +536,14 @@ std::vector<Penetration> find_penetrations(const SurfaceContactSetup& setup, std
   std::vector<Penetration> found;
   Step step;
   step.x = x;
-  for (int b : contact.busy_) {
+  for (int b : contact.active_blocks_) {
     SurfaceContact::Block& block = contact.blocks_[b];
     for (int t = block.begin; t < block.end; ++t) {
       contact.gather_candidates(block, t, step);
       const int node = setup.nodes[t].node;
       for (const SurfaceContact::Candidate& c : block.candidates)
-        if (c.gap < c.reach && contact.presses(block, c, node, step))
-          found.push_back({node, c.pair->segment, c.reach - c.gap, c.away});
+        if (c.gap < c.contact_distance && contact.presses(block, c, node, step))
+          found.push_back({node, c.pair->segment, c.contact_distance - c.gap, c.away});
     }
   }
   return found;

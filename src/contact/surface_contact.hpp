@@ -23,7 +23,7 @@ struct SurfaceContactSetup {
   std::vector<Segment> faces_at_nodes;
   double stiffness_scale = 0.1;  ///< SLSFAC
   kernel::PenaltyLaw law;        ///< SOFT, SOFSCL, VDC, friction
-  double deepest = 0.0;          ///< PENMAX: a node deeper than so many thicknesses is let go; 0: none
+  double deepest = 0.0;          ///< PENMAX: a node deeper than so many thicknesses is released; 0: none
   bool edges_meet = false;       ///< an EdgeContact presses the free edges of shells apart
   double birth = 0.0, death = 1e20;
 };
@@ -57,7 +57,7 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 ///
 /// Bricks. The face of a brick has no skin; a node behind it is inside, down to 0.3 of the brick's depth, and is
 /// pressed out along the normal. Of the faces around an edge the closest counts; for a node that came in through a
-/// body's side, being run over, the one that its own surface faces; see run_over().
+/// body's side, being run over, the one that its own surface faces; see resolve_swept_nodes().
 ///
 /// Edges. Where edges are checked against each other, a node of a free edge that comes to the free edge of another
 /// sheet across it is left to these edges.
@@ -67,12 +67,12 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 /// the edges and corners within a sheet as well. Off the end of a sheet and over a fold it is pressed away from the
 /// edge, and may come to another side.
 ///
-/// Initial overlaps (IGNORE = 1, 2, birth time, elements dying) are kept as an offset that is given up as the pair
+/// Initial overlaps (IGNORE = 1, 2, birth time, elements deleted) are kept as an offset that is given up as the pair
 /// comes apart: a contact never starts with a force that no motion has worked against.
 ///
 /// Force. k depth along the normal, k the smaller of the segment's and the node's stiffness (PENOPT = 1), with SOFT = 2
-/// that of the two segments' masses, bounded by what the step bears; see kernel/contact/penalty.hpp, also for the first
-/// and the last cycle of a pair. What the node has is the mean of its segments'. Initial geometry.
+/// that of the two segments' masses, bounded by the stability limit of the step; see kernel/contact/penalty.hpp, also
+/// for the first and the last cycle of a pair. What the node has is the mean of its segments'. Initial geometry.
 ///
 /// Friction. A spring along the surface with the same k is drawn out as the foot moves over the segment, and slips at
 /// the bound of kernel::Friction: f = f - k de, then |f| <= bound (theory manual, "Friction"). de is the way of the
@@ -82,8 +82,8 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 ///
 /// Search. Each node lists the segments within contact distance plus a margin; the lists are renewed when two points of
 /// the surface can have come closer than that margin, judged by the box of all displacements since. A pair found apart
-/// sleeps until the steps taken since, each judged by the box of its displacements, can have closed the gap. No contact
-/// is missed between searches and none depends on how often one searches.
+/// is not checked until the steps taken since, each judged by the box of its displacements, can have closed the gap. No
+/// contact is missed between searches and none depends on how often one searches.
 ///
 /// Results are the same bits for any number of threads. No memory is taken between searches.
 class SurfaceContact {
@@ -106,12 +106,13 @@ class SurfaceContact {
 
   /// Tracked nodes (in the order of the setup) that something else holds are not looked at while their entry is not 0;
   /// the vector must outlive the contact.
-  void leave_out(const std::vector<unsigned char>& held) { held_ = &held; }
-  /// Elements have died and laid faces bare: the lists are made anew before the next forces.
+  void exclude(const std::vector<unsigned char>& excluded) { excluded_ = &excluded; }
+  /// Elements were deleted and their faces exposed: the lists are made anew before the next forces.
   void surface_changed() { searched_ = false; }
 
   /// Sliding energy: stored in the penalty springs and dissipated by damping [energy]. It is minus the work of the
-  /// contact forces, sum over steps of 1/2 (f_n + f_n+1) . v_n+1/2 dt, exactly what they take from the nodes' ledger.
+  /// contact forces, sum over steps of 1/2 (f_n + f_n+1) . v_n+1/2 dt, exactly what they take from the nodes' energy
+  /// balance.
   double energy() const { return energy_[0] + energy_[1]; }
   /// Its shares: what the tracked side (SURFA) and what the reference side gave. In a single surface contact all is of
   /// the first.
@@ -130,7 +131,7 @@ class SurfaceContact {
   template <class Visit>
   void each_hit(const Visit& visit) const {
     if (touching_ == 0) return;
-    for (int b : busy_)
+    for (int b : active_blocks_)
       for (const Hit& hit : blocks_[b].hits) visit(hit);
   }
   double deepest() const { return deepest_; }  ///< largest depth that counts in a force [length]
@@ -150,11 +151,11 @@ class SurfaceContact {
     double depth = 0.0;   ///< overlap that does [length]
     Vec3d friction;       ///< force on the node along the surface [force]
     kernel::PairMemory memory;
-    double wake = 0.0;  ///< before `travelled_` gets here the two cannot touch [length]
+    double next_check_travel = 0.0;  ///< before `travelled_` gets here the two cannot touch [length]
 
     bool pressed() const { return touching && memory.force > 0.0; }
 
-    void let_go() {
+    void release() {
       touching = false;
       side = 0;
       offset = depth = 0.0;
@@ -167,21 +168,21 @@ class SurfaceContact {
     Pair* pair = nullptr;
     Pair before;  ///< the pair as the cycle before left it
     kernel::Foot foot;
-    Vec3d away;                 ///< unit vector along which the node would leave
-    double gap = 0.0;           ///< from the foot to the node, negative inside a brick [length]
-    bool extended = false;      ///< behind the extension of a brick's face beyond its border
-    bool to_an_edge = false;    ///< inside a brick, and an edge of the face is the closest way out
-    double came_from = 0.0;     ///< height above the brick's face at the start of the step [length]
-    bool came_through = false;  ///< came through the brick's face in this step, from clearly before it, or under it
-    double reach = 0.0;         ///< distance at which the two touch
+    Vec3d away;                     ///< unit vector along which the node would leave
+    double gap = 0.0;               ///< from the foot to the node, negative inside a brick [length]
+    bool extended = false;          ///< behind the extension of a brick's face beyond its border
+    bool to_an_edge = false;        ///< inside a brick, and an edge of the face is the closest way out
+    double came_from = 0.0;         ///< height above the brick's face at the start of the step [length]
+    bool came_through = false;      ///< came through the brick's face in this step, from clearly before it, or under it
+    double contact_distance = 0.0;  ///< distance at which the two touch
   };
   /// A fixed group of tracked nodes: what one thread works on at a time.
   struct Block {
-    int begin = 0, end = 0;      // tracked nodes
-    std::vector<int> first;      // of the pairs of each node
-    std::vector<double> wake;    // of each node: the first of its pairs'
-    std::vector<Pair> pairs;     // by node, then by segment
-    std::vector<int> old_first;  // the lists before the search
+    int begin = 0, end = 0;                 // tracked nodes
+    std::vector<int> first;                 // of the pairs of each node
+    std::vector<double> next_check_travel;  // of each node: the first of its pairs'
+    std::vector<Pair> pairs;                // by node, then by segment
+    std::vector<int> old_first;             // the lists before the search
     std::vector<Pair> old_pairs;
     std::vector<Candidate> candidates;
     std::vector<Hit> hits;
@@ -192,15 +193,15 @@ class SurfaceContact {
     void sum_up(const SurfaceContactSetup& setup, unsigned pressing);
     void archive(Archive& a);
   };
-  static constexpr double forgotten = 0.5;  // cosine from the side that is remembered, over an edge
+  static constexpr double side_change_cosine = 0.5;  // cosine from the side that is remembered, over an edge
   friend std::vector<Penetration> find_penetrations(const SurfaceContactSetup&, std::span<const Row>);
 
   bool alive(int segment, std::span<const unsigned char> element_alive) const {
-    return bare(setup_.segments[segment], element_alive);
+    return is_exposed(setup_.segments[segment], element_alive);
   }
   bool node_alive(int node, std::span<const unsigned char> element_alive) const;
   double penalty(int segment, int tracked, const Step& step) const;
-  double reach(int tracked, int segment) const {
+  double contact_distance(int tracked, int segment) const {
     return 0.5 * (setup_.nodes[tracked].thickness + setup_.segments[segment].thickness);
   }
 
@@ -211,26 +212,26 @@ class SurfaceContact {
   void search(std::span<const Row> x, std::span<const unsigned char> element_alive);
   void list_neighbours(Block& block, std::span<const Row> x, std::span<const unsigned char> element_alive);
   void work(Block& block, const Step& step) const;
-  void look_at(Block& block, int tracked, const Step& step) const;
+  void check_node(Block& block, int tracked, const Step& step) const;
   static std::span<const Pair> pairs_of(const Block& block, int tracked) {
     const int first = block.first[tracked - block.begin], last = block.first[tracked - block.begin + 1];
     return std::span(block.pairs).subspan(first, last - first);
   }
-  void ask_for_segments(const Block& block, int tracked) const;
-  void ask_for_corners(const Block& block, int tracked, const Step& step) const;
+  void prefetch_segments(const Block& block, int tracked) const;
+  void prefetch_corners(const Block& block, int tracked, const Step& step) const;
   void gather_candidates(Block& block, int tracked, const Step& step) const;
   void add_candidates(Block& block, std::span<Pair* const> near, int tracked, const Step& step) const;
-  void leave_out_strays(Block& block, int node, const Step& step) const;
-  void run_over(Block& block, int node, const Step& step) const;
+  void drop_stray_candidates(Block& block, int node, const Step& step) const;
+  void resolve_swept_nodes(Block& block, int node, const Step& step) const;
   double faces(int node, const Vec3d& normal, const Step& step) const;
-  void go_inside(Candidate& candidate, const Vec3d& p, const Step& step) const;
-  bool before_a_neighbour(const Candidate& candidate, const Vec3d& p, const Step& step) const;
+  void measure_inside_brick(Candidate& candidate, const Vec3d& p, const Step& step) const;
+  bool outside_adjacent_face(const Candidate& candidate, const Vec3d& p, const Step& step) const;
   bool presses(const Block& block, const Candidate& candidate, int node, const Step& step) const;
-  bool at_home(const Candidate& candidate, int node, std::span<const unsigned char> element_alive) const;
+  bool is_own_neighbourhood(const Candidate& candidate, int node, std::span<const unsigned char> element_alive) const;
   bool hidden_by(const Candidate& other, const Candidate& candidate) const;
   const Candidate* predecessor(const Block& block, const Candidate& candidate) const;
   int remembered_side(const Candidate& candidate, const Candidate* from) const;
-  bool left_to_edges(const Candidate& candidate, int node, const Step& step) const;
+  bool handled_by_edge_contact(const Candidate& candidate, int node, const Step& step) const;
   int side_over_edge(const Candidate& candidate, const Vec3d& was_at, const Step& step) const;
   Vec3d friction(const kernel::Friction& law, const Candidate& candidate, const Pair* before, const Vec3d& direction,
                  double stiffness, double normal_force, const Step& step) const;
@@ -244,7 +245,7 @@ class SurfaceContact {
   bool has_parted(const Block& block, const Candidate& candidate) const;
   void part(Block& block, const Candidate& candidate, int tracked, const Step& step) const;
   void add_forces(const Step& step, std::span<Row> force);
-  void account(double dt, std::span<const Row> v);
+  void update_energy(double dt, std::span<const Row> v);
   void next_cycle();
 
   SurfaceContactSetup setup_;
@@ -253,27 +254,27 @@ class SurfaceContact {
   std::vector<double> inner_;              // how deep inside its brick a segment still presses; 0: a shell
   std::vector<double> node_stiffness_;     // scaled, by tracked node
   std::vector<double> node_mass_;          // mean of its segments', by tracked node
-  const std::vector<unsigned char>* held_ = nullptr;
-  std::vector<char> stays_;  // by node: TrackedNode::stays
+  const std::vector<unsigned char>* excluded_ = nullptr;
+  std::vector<char> stays_active_;  // by node: TrackedNode::stays
   double thickest_segment_ = 0.0;
   unsigned pressing_ = 0;  // sides whose segments press any node
   double margin_ = 0.0;
 
-  NodalForces forces_;            // on all nodes of segments and all tracked nodes
-  NodalForces frictions_;         // what of them is friction, if there is any
-  std::vector<int> live_;         // those of them with living segments at the last search
-  std::vector<Row> searched_at_;  // coordinates of live_ then
+  NodalForces forces_;             // on all nodes of segments and all tracked nodes
+  NodalForces frictions_;          // what of them is friction, if there is any
+  std::vector<int> active_nodes_;  // those of them with active segments at the last search
+  std::vector<Row> searched_at_;   // coordinates of active_nodes_ then
   bool searched_ = false;
   long searches_ = 0;
-  std::vector<Row> seen_at_;    // coordinates of live_ in the cycle before
-  double travelled_ = 0.0;      // by how much two points can have approached each other since the start, at most
-  double searched_when_ = 0.0;  // travelled_ at the last search
-  std::vector<Box> moved_;      // displacements of live_, by group of nodes
-  std::vector<int> living_;     // living segments at the last search
-  std::vector<Box> boxes_;      // of these, with their skin
+  std::vector<Row> seen_at_;          // coordinates of active_nodes_ in the cycle before
+  double travelled_ = 0.0;            // by how much two points can have approached each other since the start, at most
+  double searched_when_ = 0.0;        // travelled_ at the last search
+  std::vector<Box> moved_;            // displacements of active_nodes_, by group of nodes
+  std::vector<int> active_segments_;  // active segments at the last search
+  std::vector<Box> boxes_;            // of these, with their skin
   BoxTree tree_;
   std::vector<Block> blocks_;
-  std::vector<int> busy_;  // blocks that have pairs
+  std::vector<int> active_blocks_;  // blocks that have pairs
 
   std::array<double, 2> energy_{};
   double friction_energy_ = 0.0;

@@ -14,7 +14,7 @@ std::vector<int> surface_nodes(const SurfaceContactSetup& setup) {
   return nodes;
 }
 
-void book_sides(NodalForces& forces, const NodeSegments& around, const std::vector<Segment>& segments) {
+void assign_sides(NodalForces& forces, const NodeSegments& around, const std::vector<Segment>& segments) {
   for (int n : forces.nodes()) {
     unsigned sides = 0;
     for (int s : around.at(n)) sides |= segments[s].side;

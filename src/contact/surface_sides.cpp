@@ -60,7 +60,7 @@ bool has_boundary_at(const Segment& segment, unsigned boundary, int node) {
 
 /// A node inside a brick is near several of its faces. It belongs to those that it touched before, slid onto, or came
 /// through in this step; the others are no business of its.
-void SurfaceContact::leave_out_strays(Block& block, int node, const Step& step) const {
+void SurfaceContact::drop_stray_candidates(Block& block, int node, const Step& step) const {
   bool any = false;
   for (Candidate& candidate : block.candidates) {
     if (candidate.gap >= 0.0 || candidate.before.touching) continue;
@@ -70,7 +70,7 @@ void SurfaceContact::leave_out_strays(Block& block, int node, const Step& step) 
     candidate.came_through = candidate.came_from > on_the_face * inner_[candidate.pair->segment];
     any = any || candidate.came_through;
   }
-  if (any) run_over(block, node, step);
+  if (any) resolve_swept_nodes(block, node, step);
   for (Candidate& candidate : block.candidates) {
     if (candidate.gap >= 0.0 || candidate.before.touching) continue;
     const bool is_level = candidate.came_from >= -on_the_face * inner_[candidate.pair->segment];
@@ -84,7 +84,7 @@ void SurfaceContact::leave_out_strays(Block& block, int node, const Step& step) 
 /// A body that is pressed onto another one and slides runs over its nodes: they come in through a face at its side, a
 /// little above the one with which it lies on them. They belong to the latter, if their own surface faces that more, or
 /// if it is so little that the sides of two bodies would catch each other where these are level.
-void SurfaceContact::run_over(Block& block, int node, const Step& step) const {
+void SurfaceContact::resolve_swept_nodes(Block& block, int node, const Step& step) const {
   for (Candidate& side : block.candidates) {
     if (!side.came_through) continue;
     const double facing = faces(node, side.foot.normal, step);
@@ -122,12 +122,12 @@ double SurfaceContact::faces(int node, const Vec3d& normal, const Step& step) co
 /// depth behind that is measured along the normal, as the edge is off to the side. A node that is level with the face,
 /// as those beside the flush face of another brick are, is behind it by round-off alone. At the start nothing came
 /// through a face yet: a node on one or a little above it, near its edge, is not deep inside from the side.
-void SurfaceContact::go_inside(Candidate& candidate, const Vec3d& p, const Step& step) const {
+void SurfaceContact::measure_inside_brick(Candidate& candidate, const Vec3d& p, const Step& step) const {
   const double allowed = step.dt > 0.0 ? extension : 0.0;
   const Vec3d r = p - candidate.foot.point;
   const double height = dot(r, candidate.foot.normal), distance = candidate.foot.distance;
   if (height >= 0.0 || distance > inner_[candidate.pair->segment]) return;
-  if (!(step.dt > 0.0) && before_a_neighbour(candidate, p, step)) return;
+  if (!(step.dt > 0.0) && outside_adjacent_face(candidate, p, step)) return;
   const Segment& segment = setup_.segments[candidate.pair->segment];
   double beyond = 0.0;  // in sides
   for (int c = 0; c < segment.corners(); ++c) {
@@ -154,7 +154,7 @@ void SurfaceContact::go_inside(Candidate& candidate, const Vec3d& p, const Step&
 }
 
 /// Whether p lies on, or in front of, a face that forms a ridge with the candidate's.
-bool SurfaceContact::before_a_neighbour(const Candidate& candidate, const Vec3d& p, const Step& step) const {
+bool SurfaceContact::outside_adjacent_face(const Candidate& candidate, const Vec3d& p, const Step& step) const {
   const Segment& segment = setup_.segments[candidate.pair->segment];
   for (int c = 0; c < segment.corners(); ++c)
     for (const int s : around_.at(segment.node[c])) {
@@ -172,7 +172,7 @@ bool SurfaceContact::presses(const Block& block, const Candidate& candidate, int
   // In this order: most of those that touch are hidden, and that is seen without the segments of the node.
   return std::none_of(block.candidates.begin(), block.candidates.end(),
                       [&](const Candidate& other) { return hidden_by(other, candidate); }) &&
-         !at_home(candidate, node, step.element_alive);
+         !is_own_neighbourhood(candidate, node, step.element_alive);
 }
 
 /// The pair pressed in the cycle before, and none that it is one stretch of surface with does now.
@@ -186,7 +186,8 @@ bool SurfaceContact::has_parted(const Block& block, const Candidate& candidate) 
 
 /// The closest point lies on an edge or corner of the node's own segments: along the surface there is a way down to
 /// distance 0, so this is no contact of one part of the surface with another.
-bool SurfaceContact::at_home(const Candidate& candidate, int node, std::span<const unsigned char> element_alive) const {
+bool SurfaceContact::is_own_neighbourhood(const Candidate& candidate, int node,
+                                          std::span<const unsigned char> element_alive) const {
   if (candidate.foot.boundary == 0) return false;
   const Segment& segment = setup_.segments[candidate.pair->segment];
   const std::span<const int> around = around_.at(node);
@@ -212,7 +213,7 @@ bool SurfaceContact::hidden_by(const Candidate& other, const Candidate& candidat
     return candidate.gap >= 0.0 || alike || candidate.to_an_edge || !candidate.before.touching;
   if (candidate.gap < 0.0 && !candidate.before.touching && share_a_node(a, b)) return true;
   // Of a node that came through a sheet above an edge, the one may know it and the other not.
-  const bool same_place = norm(other.foot.point - candidate.foot.point) <= round_off * candidate.reach;
+  const bool same_place = norm(other.foot.point - candidate.foot.point) <= round_off * candidate.contact_distance;
   return share_a_node(a, b) && (alike || same_place);
 }
 
@@ -252,7 +253,7 @@ int SurfaceContact::side_over_edge(const Candidate& candidate, const Vec3d& was_
   const double distance = norm(was_at);
   if (inner_[candidate.pair->segment] > 0.0 || !(distance > 0.0)) return 0;
   const double up = dot(was_at, candidate.foot.normal) / distance;
-  if (std::abs(up) < forgotten) return 0;
+  if (std::abs(up) < side_change_cosine) return 0;
   const int side = up < 0.0 ? -1 : 1;
   for (int c = 0; c < segment.corners(); ++c) {
     if (!(candidate.foot.boundary >> c & 1u)) continue;
@@ -263,7 +264,7 @@ int SurfaceContact::side_over_edge(const Candidate& candidate, const Vec3d& was_
         continue;
       const kernel::Corners k = corners_of(other, step.x);
       const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
-      if (same * side * dot(was_at, n) < forgotten * distance * norm(n)) return 0;
+      if (same * side * dot(was_at, n) < side_change_cosine * distance * norm(n)) return 0;
     }
   }
   return side;
@@ -272,7 +273,7 @@ int SurfaceContact::side_over_edge(const Candidate& candidate, const Vec3d& was_
 /// Whether the node lies on a free edge of its sheet and the foot on one of another, and these cross: then they press
 /// each other, where they are closest, and the node on the one is as good a place as any. Side by side it is the nodes
 /// that meet.
-bool SurfaceContact::left_to_edges(const Candidate& candidate, int node, const Step& step) const {
+bool SurfaceContact::handled_by_edge_contact(const Candidate& candidate, int node, const Step& step) const {
   const Segment& segment = setup_.segments[candidate.pair->segment];
   if (!setup_.edges_meet || candidate.foot.boundary == 0 || segment.volume > 0.0) return false;
   // Visits the other ends of the free edges at a node.

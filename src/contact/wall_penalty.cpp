@@ -28,7 +28,7 @@ WallPenalty::WallPenalty(const system::System& system, const model::RigidWall& w
       friction_(wall.friction == 2.0 ? 0.0 : wall.friction),
       inverse_wall_mass_(wall.mass > 0.0 ? 1.0 / wall.mass : 0.0) {
   for (const int node : nodes)
-    if (const int body = system.carrying_body(node); body >= 0) {
+    if (const int body = system.rigid_body_of_node(node); body >= 0) {
       Touch touch;
       touch.node = node;
       touch.body = body;
@@ -82,8 +82,8 @@ void WallPenalty::find(const Step& step, const Shape& shape, const Vec3d& origin
       const Vec3d from = t.touching ? t.place : to - step.dt * (vec(step.v[at(t.node)]) - velocity);
       kernel::WallPush p;
       if (system_.map.dependent(t.node)) {
-        p = push(shape, from, to, t.touching ? kernel::Hold::riding : kernel::Hold::none);
-      } else {  // its rigid weld has let it go: it is stopped like any other
+        p = push(shape, from, to, t.touching ? kernel::WallAttachment::touching : kernel::WallAttachment::none);
+      } else {  // its rigid weld has released it: it is stopped like any other
         t.memory = {};
         t.stiffness = 0.0;
       }

@@ -24,15 +24,15 @@ namespace nugget::contact {
 /// tenth and all of the mean one. R bounds how much more the springs turn the body than they shift it: a bound of the
 /// largest eigenvalue of M I^-1 sum w_i (r_i^2 1 - r_i r_i^t), system::Mobility::largest(), the same however the body
 /// lies in the global axes. So all springs together have w^2 dt^2 <= c, whatever is touching;
-/// central differences bear 4. A wall with mass adds (M of all bodies)/(mass of the wall) to 1 + R. A node keeps its
-/// stiffness as long as it touches. The springs give back what they took: kernel::spring_force(), with the mass that
-/// the body shows at that point, 1/m = 1/M + (r x n) I^-1 (r x n).
+/// the stability limit of central differences is 4. A wall with mass adds (M of all bodies)/(mass of the wall) to 1 +
+/// R. A node keeps its stiffness as long as it touches. The springs give back what they took: kernel::spring_force(),
+/// with the mass that the body shows at that point, 1/m = 1/M + (r x n) I^-1 (r x n).
 ///
 /// Friction (FRIC): Coulomb's law, at most what ends the node's sliding within a cycle, shared by all nodes
 /// of the body that touch; 1 and 3 the latter alone; 2 none. A node is not welded to the wall (WVEL).
 class WallPenalty {
  public:
-  /// Takes those of `nodes` (of the system) that hang on rigid bodies. The system must outlive it.
+  /// Takes those of `nodes` (of the system) that rigid bodies carry. The system must outlive it.
   WallPenalty(const system::System& system, const model::RigidWall& wall, const std::vector<int>& nodes, double scale);
 
   bool empty() const { return touches_.empty(); }

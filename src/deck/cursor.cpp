@@ -100,13 +100,12 @@ Place Row::place(std::string_view name) const {
   return p;
 }
 
-void Row::complain(Findings& findings, Severity severity, std::string_view name, std::string text,
-                   std::string remedy) const {
-  complain(findings, severity, index(name), std::move(text), std::move(remedy));
+void Row::report(Findings& findings, Severity severity, std::string_view name, std::string text,
+                 std::string remedy) const {
+  report(findings, severity, index(name), std::move(text), std::move(remedy));
 }
 
-void Row::complain(Findings& findings, Severity severity, std::size_t field, std::string text,
-                   std::string remedy) const {
+void Row::report(Findings& findings, Severity severity, std::size_t field, std::string text, std::string remedy) const {
   const Place where{place_.file, place_.line, cells_[field].column};
   findings.add({severity, where, '*' + keyword_, std::string(card_->fields[field].name), cells_[field].text,
                 std::move(text), std::move(remedy)});
@@ -211,32 +210,32 @@ void Cursor::fill(Row& row, std::size_t i, std::string_view text) {
   }
   const bool needed = std::isnan(field.fallback);
   cell.value = needed ? 0.0 : field.fallback;
-  const auto complain = [&](Fault fault) {
-    row.complain(findings_, Severity::error, i, std::move(fault.text), std::move(fault.remedy));
+  const auto report = [&](Fault fault) {
+    row.report(findings_, Severity::error, i, std::move(fault.text), std::move(fault.remedy));
   };
   if (cell.blank) {
-    if (needed) complain({with_meaning(field, "must be given"), "write its value there"});
+    if (needed) report({with_meaning(field, "must be given"), "write its value there"});
     return;
   }
   const Value value = evaluate(text, deck_.impl->parameters, block_.scope);
   if (value.fault != Value::Fault::none) {
-    complain(fault_of(field, text, value));
+    report(fault_of(field, text, value));
   } else if (field.kind == Kind::integer && value.number != std::trunc(value.number)) {
-    complain({with_meaning(field, "expected a whole number"), {}});
+    report({with_meaning(field, "expected a whole number"), {}});
   } else if (field.kind == Kind::integer && std::abs(value.number) > largest_integer) {
-    complain({with_meaning(field, "expected at most 2147483647"), {}});
+    report({with_meaning(field, "expected at most 2147483647"), {}});
   } else if (value.number == 0.0 && field.zero_is_default) {
-    if (needed) complain({with_meaning(field, "must be given, and 0 is not a value here"), "write its value there"});
+    if (needed) report({with_meaning(field, "must be given, and 0 is not a value here"), "write its value there"});
   } else if (!field.range.holds(value.number)) {
-    complain({with_meaning(field, expected(field)), {}});
+    report({with_meaning(field, expected(field)), {}});
   } else if (value.number < 0.0 && field.id != IdSpace::none && field.negative == IdSpace::none &&
              field.range.low == any_value.low) {  // a range of its own says which signs it has
-    complain({with_meaning(field, "expected an id, which is above 0: a sign means nothing here"), {}});
+    report({with_meaning(field, "expected an id, which is above 0: a sign means nothing here"), {}});
   } else if (const bool names = value.number < 0.0 && field.negative != IdSpace::none;
              names || field.kind == Kind::integer) {
     cell.value = transformed_id(value.number, names ? field.negative : field.id);
     if (std::abs(cell.value) > largest_integer) {
-      complain({with_meaning(field, "the id with the offset of *INCLUDE_TRANSFORM is more than 2147483647"), {}});
+      report({with_meaning(field, "the id with the offset of *INCLUDE_TRANSFORM is more than 2147483647"), {}});
       cell.value = 0.0;
     }
   } else {
@@ -251,9 +250,9 @@ void Cursor::fill_text(Row& row, std::size_t i, std::string_view text) {
   cell.text = readable(substituted(text, deck_.impl->parameters, block_.scope, &unknown));
   // In a heading an ampersand may be just that ("R&D"); a field that is nothing but `&name` means a parameter.
   if (text.front() == '&' && unknown.size() == 1 && unknown.front().size() + 1 == text.size()) {
-    row.complain(findings_, Severity::error, i,
-                 fmt::format("the parameter '{}' is not defined before this line", unknown.front()),
-                 "define it with *PARAMETER above this keyword, or correct the name");
+    row.report(findings_, Severity::error, i,
+               fmt::format("the parameter '{}' is not defined before this line", unknown.front()),
+               "define it with *PARAMETER above this keyword, or correct the name");
   }
 }
 

@@ -65,7 +65,7 @@ class Deck {
   std::vector<std::string> files;  ///< as they appear in findings, in reading order
   std::vector<Block>
       blocks;  ///< in reading order; KEYWORD, END, INCLUDE..., PARAMETER..., DEFINE_TRANSFORMATION are consumed
-  std::vector<std::pair<std::string, Place>> consumed;  ///< those, for the ledger (keyword as in Block)
+  std::vector<std::pair<std::string, Place>> consumed;  ///< those, for the table of keywords (keyword as in Block)
   std::size_t bytes = 0;                                ///< of all files
 
   /// *DEFINE_TRANSFORMATION by its id (id_offset and unit factors of the result say nothing); null where there is none.
@@ -94,8 +94,8 @@ class Row {
   std::string keyword() const { return '*' + keyword_; }  ///< that the card belongs to, for messages
   /// Writes a finding about a field: `keyword` field = value: text [remedy]. (All of these throw std::logic_error for a
   /// name that the card does not have: a fault of the program, not of the deck.)
-  void complain(Findings& findings, Severity severity, std::string_view name, std::string text,
-                std::string remedy = {}) const;
+  void report(Findings& findings, Severity severity, std::string_view name, std::string text,
+              std::string remedy = {}) const;
 
  private:
   friend class Cursor;
@@ -106,7 +106,7 @@ class Row {
     int column = 1;
   };
   std::size_t index(std::string_view name) const;
-  void complain(Findings& findings, Severity severity, std::size_t field, std::string text, std::string remedy) const;
+  void report(Findings& findings, Severity severity, std::size_t field, std::string text, std::string remedy) const;
   const Card* card_ = nullptr;
   std::vector<Cell> cells_;
   Place place_;

@@ -138,18 +138,18 @@ void Reader::include_transform(const Block& block, const Visit& visit) {
   const Row move = cursor.read(transformation);
   for (const std::string_view field : {"prefix", "suffix"}) {
     if (!more_ids.blank(field)) {
-      more_ids.complain(findings_, Severity::warning, field, "titles of the included file stay as they are");
+      more_ids.report(findings_, Severity::warning, field, "titles of the included file stay as they are");
     }
   }
   if (!units.blank("fcttem") && units.text("fcttem").find_first_not_of("0123456789.") != std::string::npos) {
-    units.complain(findings_, Severity::error, "fcttem", "temperatures are not supported", "leave the field blank");
+    units.report(findings_, Severity::error, "fcttem", "temperatures are not supported", "leave the field blank");
   }
   if (units.real("fctchg") != 0.0 && units.real("fctchg") != 1.0) {
-    units.complain(findings_, Severity::error, "fctchg", "electric charge is not supported", "leave the field blank");
+    units.report(findings_, Severity::error, "fctchg", "electric charge is not supported", "leave the field blank");
   }
   if (!units.blank("incout1") && units.integer("incout1") == 1)
-    units.complain(findings_, Severity::note, "incout1", "the file dyna.inc is not written",
-                   "nugget check shows the model");
+    units.report(findings_, Severity::note, "incout1", "the file dyna.inc is not written",
+                 "nugget check shows the model");
   if (cursor.more()) {
     findings_.error(cursor.place(), block.starred(), "more lines than the five cards of this keyword",
                     "give each included file its own *INCLUDE_TRANSFORM");

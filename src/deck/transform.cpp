@@ -118,8 +118,8 @@ class TransformationCards {
       if (is_finite(one)) {
         total = product(total, one);
       } else {
-        row.complain(findings_, Severity::error, "option", "the points or vectors of this line span no axis or plane",
-                     "give points apart from each other and a vector that is not zero");
+        row.report(findings_, Severity::error, "option", "the points or vectors of this line span no axis or plane",
+                   "give points apart from each other and a vector that is not zero");
       }
     }
     return total;
@@ -153,15 +153,15 @@ class TransformationCards {
       for (std::size_t i = 0; i < 6; ++i) p[i] = option == "POS6P" ? point_or_node(row, names[i]) : node(row, names[i]);
       return placed(p);
     }
-    row.complain(findings_, Severity::error, "option", "this option of *DEFINE_TRANSFORMATION is not supported",
-                 "use TRANSL, TRANSL2ND, ROTATE, SCALE, MIRROR, POINT, POS6P or POS6N");
+    row.report(findings_, Severity::error, "option", "this option of *DEFINE_TRANSFORMATION is not supported",
+               "use TRANSL, TRANSL2ND, ROTATE, SCALE, MIRROR, POINT, POS6P or POS6N");
     return identity;
   }
 
   Matrix scaling(const Row& row, const Vec3d& f) {
     if (f.x == 0.0 || f.y == 0.0 || f.z == 0.0) {
-      row.complain(findings_, Severity::error, "option", "a scale factor is 0",
-                   "give all three factors; 1 keeps an axis as it is");
+      row.report(findings_, Severity::error, "option", "a scale factor is 0",
+                 "give all three factors; 1 keeps an axis as it is");
       return identity;
     }
     return matrix({f.x, 0, 0}, {0, f.y, 0}, {0, 0, f.z}, {});
@@ -185,9 +185,9 @@ class TransformationCards {
     }
     const auto found = nodes_.find(static_cast<long>(row.real(field)));
     if (found != nodes_.end()) return found->second;
-    row.complain(findings_, Severity::error, field,
-                 "there is no such point or node (nodes under *INCLUDE_TRANSFORM do not count)",
-                 "define it with POINT above this line, or with *NODE outside of *INCLUDE_TRANSFORM");
+    row.report(findings_, Severity::error, field,
+               "there is no such point or node (nodes under *INCLUDE_TRANSFORM do not count)",
+               "define it with POINT above this line, or with *NODE outside of *INCLUDE_TRANSFORM");
     return {};
   }
 
@@ -255,8 +255,8 @@ void Reader::define_transformations() {
     transform.matrix = TransformationCards(deck_, findings_).read(cursor);
     const int id = row.integer("tranid");
     if (id != 0 && !deck_.impl->transformations.emplace(id, transform).second) {
-      row.complain(findings_, Severity::error, "tranid", "this id is defined a second time",
-                   "give each transformation its own id");
+      row.report(findings_, Severity::error, "tranid", "this id is defined a second time",
+                 "give each transformation its own id");
     }
   }
 }

@@ -2,13 +2,13 @@
 #include "model/bond.hpp"
 
 #include "kernel/element/cohesive_brick.hpp"
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 
 namespace nugget::model {
 
 const kernel::CohesiveBond* bond_of(const Material& material) {
-  const auto* law = std::get_if<kernel::Compound>(&material.law);
-  return law == nullptr ? nullptr : law->made_of->bond.get();
+  const auto* law = std::get_if<kernel::ComposedLaw>(&material.law);
+  return law == nullptr ? nullptr : law->components->bond.get();
 }
 
 const kernel::CohesiveBond* bond_of(const Model& model, const Part& part) {

@@ -30,7 +30,7 @@ struct Surface {
 /// What _TIEBREAK asks for.
 struct Glue {
   kernel::Cohesion law;
-  bool sticks_later = false;       ///< OPTION 1, 3: also what comes to touch in the run
+  bool bonds_later = false;        ///< OPTION 1, 3: also what comes to touch in the run
   bool slides = false;             ///< OPTION 4: holds along the normal alone
   double slip_stress = 0.0;        ///< of glue that slides: its friction, whatever the pressure; 0: Coulomb's [stress]
   bool by_force = false;           ///< the strengths are forces of a node, not stresses
@@ -94,7 +94,7 @@ struct Contact {
   double soft_scale = 0.1;
   double soft_step = 0.0;   ///< DTSTIF: the step that a stiffness by masses is for; 0: that of the run [time]
   int depth = 2;            ///< DEPTH: what SOFT = 2 checks
-  double deepest = 0.0;     ///< PENMAX: a node deeper than so many thicknesses is let go; 0: none
+  double deepest = 0.0;     ///< PENMAX: a node deeper than so many thicknesses is released; 0: none
   int search_interval = 0;  ///< BSORT; 0: chosen by the program
   int ignore = 0;           ///< IGNORE of optional card D, or the control card's
   Place place;

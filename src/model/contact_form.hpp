@@ -27,7 +27,7 @@ inline bool checks_all_edges(const Contact& contact) {
 inline bool checks_edges(const Contact& contact) {
   return checks_beams(contact) || checks_all_edges(contact);
 }
-/// *CONTACT_ERODING_...: faces of bricks come to light as the bricks before them die.
+/// *CONTACT_ERODING_...: newly exposed faces are added as bricks are deleted.
 inline bool erodes(const Contact& contact) {
   return contact.keyword.starts_with("CONTACT_ERODING");
 }

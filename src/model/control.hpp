@@ -25,7 +25,7 @@ struct WeldBeamControl {
   PlaceFactor tension_place, shear_place;          ///< T_ORT, T_ORS
   bool list = false;                               ///< PRTFLG
   int bricks = 0;                                  ///< RPBHX: bricks in place of a weld beam; 0: beams stay
-  bool only_some = false;                          ///< BMSID is given: only `beams` are replaced
+  bool only_listed = false;                        ///< BMSID is given: only `beams` are replaced
   std::vector<Index> beams;                        ///< of BMSID, before any is replaced
   int part_offset = 0;                             ///< ID_OFF
   Place place;
@@ -94,7 +94,7 @@ struct Control {
   // *CONTROL_CONTACT
   double penalty_scale = 0.1;         ///< SLSFAC
   int ignore_penetration = 0;         ///< IGNORE
-  int nodes_of_dead = 0;              ///< ENMASS: 1 nodes of dead bricks stay in the contact, 2 of shells too
+  int keep_nodes_of_deleted = 0;      ///< ENMASS: 1 nodes of deleted bricks stay in the contact, 2 of shells too
   kernel::Friction part_friction;     ///< SFRIC, DFRIC, EDC, VFC: of parts that give none
   bool list_ties = false;             ///< OUTSEG
   double wall_penalty = 0.0;          ///< RWPNAL, its size: rigid walls against rigid bodies; 0: they do not touch

@@ -37,7 +37,7 @@ struct Joint {
   double damping = 1.0;  ///< DAMP: factor on the damping that belongs to the stiffness
   double ratio = 0.0;    ///< PARM: R2/R1 of gears and pulleys [1]; way over angle of rack and pinion, screw [length]
   double radius = 0.0;   ///< R1 of gears and pulleys, for the force that is reported [length]
-  /// _FAILURE: the joint is gone from `time` on, or from when its loads in the axes of `system` reach the limits.
+  /// _FAILURE: the joint is released from `time` on, or from when its loads in the axes of `system` reach the limits.
   struct Failure {
     double time = 0.0;                        ///< TFAIL; 0: no such time
     Index system = none;                      ///< CID; none: global axes

@@ -36,7 +36,7 @@ struct PrescribedMotion {
   /// of each, or its rate. `rotation` is false: spins of nodes are left alone.
   bool circular = false;
   Vec3d center;
-  bool radius_held = true;  ///< DOF 9 to 11; below 0 nodes are free to move to the axis and away from it
+  bool radius_fixed = true;  ///< DOF 9 to 11; below 0 nodes are free to move to the axis and away from it
   Quantity quantity = Quantity::velocity;
   Index curve = none;
   double scale = 1.0;
@@ -49,8 +49,8 @@ struct NodalLoad {
   std::vector<Index> nodes;
   Index rigid_body = none;  ///< *LOAD_RIGID_BODY: on the body's centre instead
   bool moment = false;
-  Vec3d direction;                                ///< unit vector; unused for a follower
-  std::array<Index, 3> follow{none, none, none};  ///< DOF 4, 8: along the normal of these three nodes
+  Vec3d direction;                                        ///< unit vector; unused for a follower
+  std::array<Index, 3> follower_nodes{none, none, none};  ///< DOF 4, 8: along the normal of these three nodes
   Index curve = none;
   double scale = 1.0;
 };

@@ -149,11 +149,11 @@ struct PointInertia {
 };
 
 /// What became of a keyword of the deck.
-enum class Verdict { used, ignored, refused };
-struct LedgerEntry {
+enum class KeywordStatus { used, ignored, refused };
+struct KeywordUse {
   std::string keyword;  ///< as written, upper case, without its star
   int count = 0;
-  Verdict verdict = Verdict::used;
+  KeywordStatus status = KeywordStatus::used;
   std::string why;  ///< for ignored and refused
   Place first;
 };
@@ -167,7 +167,7 @@ struct Model {
   std::optional<SteadyState> steady_state;
   StructuralDamping structural_damping;
   Requests requests;
-  std::vector<LedgerEntry> ledger;
+  std::vector<KeywordUse> keyword_uses;
 
   Nodes nodes;
   Shells shells;

@@ -13,7 +13,7 @@
 #include "base/finding.hpp"
 #include "base/vec3.hpp"
 #include "kernel/contact/friction.hpp"
-#include "kernel/law/compound.hpp"
+#include "kernel/law/composed_law.hpp"
 #include "kernel/law/discrete_beam.hpp"
 #include "kernel/law/elastic.hpp"
 #include "kernel/law/laminate.hpp"
@@ -31,7 +31,7 @@ inline constexpr Index none = -1;
 
 using Law =
     std::variant<kernel::Elastic, kernel::PlasticKinematic, kernel::PiecewiseLinear, kernel::Null, kernel::Rigid,
-                 kernel::Spotweld, kernel::DiscreteBeam, kernel::Spring, kernel::Compound, kernel::Laminate>;
+                 kernel::Spotweld, kernel::DiscreteBeam, kernel::Spring, kernel::ComposedLaw, kernel::Laminate>;
 
 struct Material {
   int id = 0;

@@ -36,7 +36,7 @@ std::optional<Units> recognise_units(const Model& model) {
     for (std::size_t s = 0; s < systems.size(); ++s)
       if (is_metal(systems[s], material.density, material.young())) votes[s] += shells[p];
   }
-  // Without a sheet whose material is known, whatever metal there is tells, each material once.
+  // Without a sheet whose material is known, whatever metal there is decides, each material once.
   if (std::count(votes.begin(), votes.end(), std::size_t{0}) == static_cast<std::ptrdiff_t>(votes.size()))
     for (const Material& material : model.materials)
       for (std::size_t s = 0; s < systems.size(); ++s)

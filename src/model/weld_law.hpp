@@ -12,7 +12,7 @@
 #include "model/parts.hpp"
 
 // What MAT_100 and the *DEFINE_ cards that belong to it say of a weld as a whole. What a point of its material needs
-// (elasticity, hardening, EFAIL) is kernel::Spotweld. Formulas: ../shared/reference/spotweld-theory.md section 4.
+// (elasticity, hardening, EFAIL) is kernel::Spotweld. Formulas: docs/theory/failure.md.
 namespace nugget::model {
 
 /// A strength or factor that may depend on the effective strain rate: value times factor(rate).

@@ -12,8 +12,9 @@ struct WeldSection {
   std::vector<std::array<int, 4>> quad;      ///< points of each, counter-clockwise seen against the axis
 };
 
-/// Templates of 1, 4 or 8 quadrilaterals with the area of the circle of this diameter (spotweld-theory 3.4): a square;
-/// an octagon in four; a rectangle in two with six around it up to a hexagon. Any other count gives an empty section.
+/// Templates of 1, 4 or 8 quadrilaterals with the area of the circle of this diameter
+/// (docs/theory/weld.md#bricks-in-place-of-a-beam): a square; an octagon in four; a rectangle in two with six around it
+/// up to a hexagon. Any other count gives an empty section.
 WeldSection weld_section(int quads, double diameter);
 
 }  // namespace nugget::model

@@ -18,7 +18,7 @@ struct Header {
   std::string title;    ///< of the deck; 72 characters are written
   std::string version;  ///< of this program, e.g. `nugget 0.1.0`
   std::string date;     ///< mm/dd/yyyy
-  Opening opening = Opening::anew;
+  OpenMode mode = OpenMode::create;
 };
 
 /// A line of the legend: the heading of an entity in the history files.
@@ -46,8 +46,8 @@ std::string fixed_width(const std::string& text, std::size_t width);
 class AsciiFile {
  public:
   AsciiFile(std::filesystem::path path, const Header& header, const std::string& rest_of_head = "")
-      : file_(std::move(path), header.opening) {
-    if (header.opening == Opening::go_on) return;
+      : file_(std::move(path), header.mode) {
+    if (header.mode == OpenMode::append) return;
     file_.buffer() = title_lines(header) + rest_of_head;
     file_.commit();
   }

@@ -43,8 +43,8 @@ int type_number(ElementKind kind) {
 }  // namespace
 
 Binout::Binout(const std::filesystem::path& directory, Header header)
-    : file_(directory / "binout0000", header.opening), header_(std::move(header)) {
-  if (header_.opening == Opening::go_on) return;
+    : file_(directory / "binout0000", header.mode), header_(std::move(header)) {
+  if (header_.mode == OpenMode::append) return;
   std::string& out = file_.buffer();
   out.append({8, 8, 8, 1, 1, 1, 0, 0});  // head; bytes of length, offset, command, type; little endian; IEEE; spare
   append_record_head(out, 8, table_offset);
@@ -99,15 +99,15 @@ void Binout::write(const GlstatState& s) {
 
 void Binout::write(const MatsumState& s) {
   const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
-  begin_state("matsum", collect(s.rows, [](const MatsumRow& r) { return r.part; }));
+  begin_state("matsum", extract_column(s.rows, [](const MatsumRow& r) { return r.part; }));
   begin_data("matsum");
   real("time", s.time);
-  reals("internal_energy", collect(s.rows, [](const MatsumRow& r) { return r.internal; }));
-  reals("kinetic_energy", collect(s.rows, [](const MatsumRow& r) { return r.kinetic; }));
-  reals("eroded_internal_energy", collect(s.rows, [](const MatsumRow& r) { return r.eroded_internal; }));
-  reals("eroded_kinetic_energy", collect(s.rows, [](const MatsumRow& r) { return r.eroded_kinetic; }));
-  reals("mass", collect(s.rows, [](const MatsumRow& r) { return r.added_mass; }));
-  reals("hourglass_energy", collect(s.rows, [](const MatsumRow& r) { return r.hourglass; }));
+  reals("internal_energy", extract_column(s.rows, [](const MatsumRow& r) { return r.internal; }));
+  reals("kinetic_energy", extract_column(s.rows, [](const MatsumRow& r) { return r.kinetic; }));
+  reals("eroded_internal_energy", extract_column(s.rows, [](const MatsumRow& r) { return r.eroded_internal; }));
+  reals("eroded_kinetic_energy", extract_column(s.rows, [](const MatsumRow& r) { return r.eroded_kinetic; }));
+  reals("mass", extract_column(s.rows, [](const MatsumRow& r) { return r.added_mass; }));
+  reals("hourglass_energy", extract_column(s.rows, [](const MatsumRow& r) { return r.hourglass; }));
   put_vectors(
       "*_momentum", s.rows, [](const MatsumRow& r) { return r.momentum; }, column_of);
   put_vectors(
@@ -118,7 +118,7 @@ void Binout::write(const MatsumState& s) {
 
 void Binout::write(const NodoutState& s) {
   const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
-  begin_state("nodout", collect(s.rows, [](const NodoutRow& r) { return r.node; }));
+  begin_state("nodout", extract_column(s.rows, [](const NodoutRow& r) { return r.node; }));
   begin_data("nodout");
   real("time", s.time);
   integer("cycle", s.cycle);
@@ -142,54 +142,54 @@ void Binout::write(const NodoutState& s) {
 }
 
 void Binout::write(const SwforcState& s) {
-  if (begin_state("swforc", collect(s.rows, [](const SwforcRow& r) { return r.id; }))) {
+  if (begin_state("swforc", extract_column(s.rows, [](const SwforcRow& r) { return r.id; }))) {
     text("typenames", "constraint,weld,beam,solid,non nodal, ,solid assembly");
-    integers("types", collect(s.rows, [](const SwforcRow& r) { return static_cast<int>(r.kind); }));
+    integers("types", extract_column(s.rows, [](const SwforcRow& r) { return static_cast<int>(r.kind); }));
   }
   begin_data("swforc");
   real("time", s.time);
-  reals("axial", collect(s.rows, [](const SwforcRow& r) { return r.axial; }));
-  reals("shear", collect(s.rows, [](const SwforcRow& r) { return r.shear; }));
-  reals("failure", collect(s.rows, [](const SwforcRow& r) { return r.failure; }));
-  reals("failure_time", collect(s.rows, [](const SwforcRow& r) { return r.failure_time; }));
-  reals("length", collect(s.rows, [](const SwforcRow& r) { return r.length; }));
-  reals("resultant_moment", collect(s.rows, [](const SwforcRow& r) { return r.resultant_moment; }));
-  reals("torsion", collect(s.rows, [](const SwforcRow& r) { return r.torsion; }));
+  reals("axial", extract_column(s.rows, [](const SwforcRow& r) { return r.axial; }));
+  reals("shear", extract_column(s.rows, [](const SwforcRow& r) { return r.shear; }));
+  reals("failure", extract_column(s.rows, [](const SwforcRow& r) { return r.failure; }));
+  reals("failure_time", extract_column(s.rows, [](const SwforcRow& r) { return r.failure_time; }));
+  reals("length", extract_column(s.rows, [](const SwforcRow& r) { return r.length; }));
+  reals("resultant_moment", extract_column(s.rows, [](const SwforcRow& r) { return r.resultant_moment; }));
+  reals("torsion", extract_column(s.rows, [](const SwforcRow& r) { return r.torsion; }));
   if (std::any_of(s.rows.begin(), s.rows.end(), [](const SwforcRow& r) { return r.peak.has_value(); })) {
     const auto peak = [](const SwforcRow& r) { return r.peak.value_or(std::pair{0.0, 0.0}); };
-    reals("max_failure", collect(s.rows, [&](const SwforcRow& r) { return peak(r).first; }));
-    reals("max_failure_time", collect(s.rows, [&](const SwforcRow& r) { return peak(r).second; }));
+    reals("max_failure", extract_column(s.rows, [&](const SwforcRow& r) { return peak(r).first; }));
+    reals("max_failure_time", extract_column(s.rows, [&](const SwforcRow& r) { return peak(r).second; }));
   }
   end_state();
 }
 
 void Binout::write(const DcfailState& s) {
   using Row = DcfailRow;
-  if (begin_state("dcfail", collect(s.rows, [](const Row& r) { return r.id; })))
-    integers("type", collect(s.rows, [](const Row& r) { return r.connection; }));
+  if (begin_state("dcfail", extract_column(s.rows, [](const Row& r) { return r.id; })))
+    integers("type", extract_column(s.rows, [](const Row& r) { return r.connection; }));
   begin_data("dcfail");
   real("time", s.time);
-  reals("area", collect(s.rows, [](const Row& r) { return r.area; }));
-  reals("bending_term", collect(s.rows, [](const Row& r) { return r.bending; }));
-  reals("effective_strain_rate", collect(s.rows, [](const Row& r) { return r.strain_rate; }));
-  reals("failure_function", collect(s.rows, [](const Row& r) { return r.failure; }));
-  reals("normal_term", collect(s.rows, [](const Row& r) { return r.normal; }));
-  reals("shear_term", collect(s.rows, [](const Row& r) { return r.shear; }));
-  reals("area_sol", collect(s.rows, [](const Row& r) { return r.solid_area; }));
-  reals("axial_force", collect(s.rows, [](const Row& r) { return r.axial_force; }));
-  reals("shear_force", collect(s.rows, [](const Row& r) { return r.shear_force; }));
-  reals("torsional_moment", collect(s.rows, [](const Row& r) { return r.torsional_moment; }));
-  reals("bending_moment", collect(s.rows, [](const Row& r) { return r.bending_moment; }));
+  reals("area", extract_column(s.rows, [](const Row& r) { return r.area; }));
+  reals("bending_term", extract_column(s.rows, [](const Row& r) { return r.bending; }));
+  reals("effective_strain_rate", extract_column(s.rows, [](const Row& r) { return r.strain_rate; }));
+  reals("failure_function", extract_column(s.rows, [](const Row& r) { return r.failure; }));
+  reals("normal_term", extract_column(s.rows, [](const Row& r) { return r.normal; }));
+  reals("shear_term", extract_column(s.rows, [](const Row& r) { return r.shear; }));
+  reals("area_sol", extract_column(s.rows, [](const Row& r) { return r.solid_area; }));
+  reals("axial_force", extract_column(s.rows, [](const Row& r) { return r.axial_force; }));
+  reals("shear_force", extract_column(s.rows, [](const Row& r) { return r.shear_force; }));
+  reals("torsional_moment", extract_column(s.rows, [](const Row& r) { return r.torsional_moment; }));
+  reals("bending_moment", extract_column(s.rows, [](const Row& r) { return r.bending_moment; }));
   end_state();
 }
 
 void Binout::write(const RwforcState& s) {
   const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
-  const std::vector<int> walls = collect(s.rows, [](const RwforcRow& r) { return r.wall; });
+  const std::vector<int> walls = extract_column(s.rows, [](const RwforcRow& r) { return r.wall; });
   if (begin_state("rwforc/forces", walls)) integers("setid", walls);
   begin_data("rwforc/forces");
   real("time", s.time);
-  reals("normal_force", collect(s.rows, [](const RwforcRow& r) { return r.normal; }));
+  reals("normal_force", extract_column(s.rows, [](const RwforcRow& r) { return r.normal; }));
   put_vectors(
       "*_force", s.rows, [](const RwforcRow& r) { return r.force; }, column_of);
   end_state();
@@ -197,9 +197,9 @@ void Binout::write(const RwforcState& s) {
 
 void Binout::write(const AbstatState& s) {
   const auto put = [&](const char* name, double AbstatRow::*member) {
-    reals(name, collect(s.rows, [member](const AbstatRow& r) { return r.*member; }));
+    reals(name, extract_column(s.rows, [member](const AbstatRow& r) { return r.*member; }));
   };
-  begin_state("abstat", collect(s.rows, [](const AbstatRow& r) { return r.id; }));
+  begin_state("abstat", extract_column(s.rows, [](const AbstatRow& r) { return r.id; }));
   begin_data("abstat");
   real("time", s.time);
   put("volume", &AbstatRow::volume);
@@ -217,14 +217,14 @@ void Binout::write(const AbstatState& s) {
 
 void Binout::write(const DeforcState& s) {
   const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
-  if (begin_state("deforc", collect(s.rows, [](const DeforcRow& r) { return r.spring; })))
-    integers("irot", collect(s.rows, [](const DeforcRow& r) { return r.torsional ? 1 : 0; }));
+  if (begin_state("deforc", extract_column(s.rows, [](const DeforcRow& r) { return r.spring; })))
+    integers("irot", extract_column(s.rows, [](const DeforcRow& r) { return r.torsional ? 1 : 0; }));
   begin_data("deforc");
   real("time", s.time);
   put_vectors(
       "*_force", s.rows, [](const DeforcRow& r) { return r.force; }, column_of);
-  reals("resultant_force", collect(s.rows, [](const DeforcRow& r) { return r.resultant; }));
-  reals("displacement", collect(s.rows, [](const DeforcRow& r) { return r.displacement; }));
+  reals("resultant_force", extract_column(s.rows, [](const DeforcRow& r) { return r.resultant; }));
+  reals("displacement", extract_column(s.rows, [](const DeforcRow& r) { return r.displacement; }));
   end_state();
 }
 
@@ -247,21 +247,22 @@ constexpr std::array<const char*, 16> of_rotations{
 void Binout::write_joint_stiffness(const char* branch, double time, const std::vector<JntforcStiffness>& rows,
                                    const std::array<const char*, 16>& names) {
   if (rows.empty()) return;
-  begin_state(branch, collect(rows, [](const JntforcStiffness& r) { return r.id; }));
+  begin_state(branch, extract_column(rows, [](const JntforcStiffness& r) { return r.id; }));
   begin_data(branch);
   real("time", time);
   const char* const* name = names.data();
   for (std::size_t i = 0; i < 3; ++i) {
-    reals(*name++, collect(rows, [i](const JntforcStiffness& r) { return r.axis[i].place; }));
-    reals(*name++, collect(rows, [i](const JntforcStiffness& r) { return r.axis[i].rate; }));
+    reals(*name++, extract_column(rows, [i](const JntforcStiffness& r) { return r.axis[i].place; }));
+    reals(*name++, extract_column(rows, [i](const JntforcStiffness& r) { return r.axis[i].rate; }));
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const auto value = [i](const JntforcStiffness& r) { return r.axis[i]; };
-    reals(*name++, collect(rows, [&](const JntforcStiffness& r) { return value(r).stiffness; }));
-    reals(*name++, collect(rows, [&](const JntforcStiffness& r) { return value(r).damping; }));
-    reals(*name++, collect(rows, [&](const JntforcStiffness& r) { return value(r).stiffness + value(r).damping; }));
+    reals(*name++, extract_column(rows, [&](const JntforcStiffness& r) { return value(r).stiffness; }));
+    reals(*name++, extract_column(rows, [&](const JntforcStiffness& r) { return value(r).damping; }));
+    reals(*name++,
+          extract_column(rows, [&](const JntforcStiffness& r) { return value(r).stiffness + value(r).damping; }));
   }
-  reals(*name, collect(rows, [](const JntforcStiffness& r) { return r.energy; }));
+  reals(*name, extract_column(rows, [](const JntforcStiffness& r) { return r.energy; }));
   end_state();
 }
 
@@ -270,17 +271,17 @@ void Binout::write(const JntforcState& s) {
   write_joint_stiffness("jntforc/type1", s.time, s.rotations, of_rotations);
   if (s.rows.empty()) return;
   const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
-  if (begin_state("jntforc/joints", collect(s.rows, [](const JntforcRow& r) { return r.joint; })))
-    integers("local", collect(s.rows, [](const JntforcRow& r) { return r.local ? 1 : 0; }));
+  if (begin_state("jntforc/joints", extract_column(s.rows, [](const JntforcRow& r) { return r.joint; })))
+    integers("local", extract_column(s.rows, [](const JntforcRow& r) { return r.local ? 1 : 0; }));
   begin_data("jntforc/joints");
   real("time", s.time);
   put_vectors(
       "*_force", s.rows, [](const JntforcRow& r) { return r.force; }, column_of);
   put_vectors(
       "*_moment", s.rows, [](const JntforcRow& r) { return r.moment; }, column_of);
-  reals("resultant_force", collect(s.rows, [](const JntforcRow& r) { return norm(r.force); }));
-  reals("resultant_moment", collect(s.rows, [](const JntforcRow& r) { return norm(r.moment); }));
-  reals("energy", collect(s.rows, [](const JntforcRow& r) { return r.energy; }));
+  reals("resultant_force", extract_column(s.rows, [](const JntforcRow& r) { return norm(r.force); }));
+  reals("resultant_moment", extract_column(s.rows, [](const JntforcRow& r) { return norm(r.moment); }));
+  reals("energy", extract_column(s.rows, [](const JntforcRow& r) { return r.energy; }));
   end_state();
 }
 
@@ -289,13 +290,13 @@ void Binout::write(const SpcforcState& s) {
   const auto node = [](const SpcforcRow& r) { return r.node; };
   const auto set = [](const SpcforcRow& r) { return r.set; };
   const auto value = [](const SpcforcRow& r) { return r.value; };
-  std::vector<int> held = collect(s.forces, node);
+  std::vector<int> held = extract_column(s.forces, node);
   for (const SpcforcRow& row : s.moments) held.push_back(row.node);
   if (begin_state("spcforc", held)) {
-    if (!s.forces.empty()) integers("force_ids", collect(s.forces, node));
-    if (!s.forces.empty()) integers("spc_ids", collect(s.forces, set));
-    if (!s.moments.empty()) integers("moment_ids", collect(s.moments, node));
-    if (!s.moments.empty()) integers("spc_mids", collect(s.moments, set));
+    if (!s.forces.empty()) integers("force_ids", extract_column(s.forces, node));
+    if (!s.forces.empty()) integers("spc_ids", extract_column(s.forces, set));
+    if (!s.moments.empty()) integers("moment_ids", extract_column(s.moments, node));
+    if (!s.moments.empty()) integers("spc_mids", extract_column(s.moments, set));
   }
   begin_data("spcforc");
   real("time", s.time);
@@ -314,7 +315,7 @@ void Binout::write(const BndoutState& s) {
     real("time", s.time);
     put_vectors(
         "*_force", rows, [](const auto& r) { return r.force; }, column_of);
-    reals("energy", collect(rows, [](const auto& r) { return r.energy; }));
+    reals("energy", extract_column(rows, [](const auto& r) { return r.energy; }));
     const BndoutTotal sum = total(rows);
     real("x_total", sum.force.x);
     real("y_total", sum.force.y);
@@ -322,12 +323,12 @@ void Binout::write(const BndoutState& s) {
     real("etotal", sum.energy);
   };
   if (!s.nodes.empty()) {
-    if (begin_state("bndout/velocity/nodes", collect(s.nodes, [](const BndoutNode& r) { return r.node; })))
-      integers("setid", collect(s.nodes, [](const BndoutNode& r) { return r.set; }));
+    if (begin_state("bndout/velocity/nodes", extract_column(s.nodes, [](const BndoutNode& r) { return r.node; })))
+      integers("setid", extract_column(s.nodes, [](const BndoutNode& r) { return r.set; }));
     table("bndout/velocity/nodes", s.nodes);
   }
   if (!s.bodies.empty()) {
-    begin_state("bndout/velocity/rigidbodies", collect(s.bodies, [](const BndoutBody& r) { return r.part; }));
+    begin_state("bndout/velocity/rigidbodies", extract_column(s.bodies, [](const BndoutBody& r) { return r.part; }));
     table("bndout/velocity/rigidbodies", s.bodies);
     put_vectors(
         "*moment", s.bodies, [](const BndoutBody& r) { return r.moment; }, column_of);
@@ -339,7 +340,7 @@ void Binout::write(const RbdoutState& s) {
   std::vector<RbdoutRow> rows = s.parts;
   rows.insert(rows.end(), s.nodal.begin(), s.nodal.end());
   const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
-  if (begin_state("rbdout", collect(rows, [](const RbdoutRow& r) { return r.id; })))
+  if (begin_state("rbdout", extract_column(rows, [](const RbdoutRow& r) { return r.id; })))
     integer("num_nodal", static_cast<long>(s.nodal.size()));
   begin_data("rbdout");
   real("time", s.time);
@@ -361,9 +362,9 @@ void Binout::write(const RbdoutState& s) {
     motion("ra*", &RbdoutRow::angular_acceleration);
   }
   const auto direction = [&](const std::string& column_number, auto member) {
-    reals("dircos_1" + column_number, collect(rows, [&](const RbdoutRow& r) { return (r.axes.*member).x; }));
-    reals("dircos_2" + column_number, collect(rows, [&](const RbdoutRow& r) { return (r.axes.*member).y; }));
-    reals("dircos_3" + column_number, collect(rows, [&](const RbdoutRow& r) { return (r.axes.*member).z; }));
+    reals("dircos_1" + column_number, extract_column(rows, [&](const RbdoutRow& r) { return (r.axes.*member).x; }));
+    reals("dircos_2" + column_number, extract_column(rows, [&](const RbdoutRow& r) { return (r.axes.*member).y; }));
+    reals("dircos_3" + column_number, extract_column(rows, [&](const RbdoutRow& r) { return (r.axes.*member).z; }));
   };
   direction("1", &Frame3d::e1);
   direction("2", &Frame3d::e2);
@@ -373,25 +374,25 @@ void Binout::write(const RbdoutState& s) {
 
 void Binout::write(const RcforcState& s) {
   const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
-  if (begin_state("rcforc", collect(s.rows, [](const RcforcRow& r) { return r.contact; })))
-    integers("side", collect(s.rows, [](const RcforcRow& r) { return static_cast<int>(r.side); }));
+  if (begin_state("rcforc", extract_column(s.rows, [](const RcforcRow& r) { return r.contact; })))
+    integers("side", extract_column(s.rows, [](const RcforcRow& r) { return static_cast<int>(r.side); }));
   begin_data("rcforc");
   real("time", s.time);
   put_vectors(
       "*_force", s.rows, [](const RcforcRow& r) { return r.force; }, column_of);
-  reals("mass", collect(s.rows, [](const RcforcRow& r) { return r.mass; }));
+  reals("mass", extract_column(s.rows, [](const RcforcRow& r) { return r.mass; }));
   end_state();
 }
 
 void Binout::write(const SleoutState& s) {
-  if (begin_state("sleout", collect(s.rows, [](const SleoutRow& r) { return r.contact; })))
-    integers("single_sided", collect(s.rows, [](const SleoutRow& r) { return r.single_surface ? 1 : 0; }));
+  if (begin_state("sleout", extract_column(s.rows, [](const SleoutRow& r) { return r.contact; })))
+    integers("single_sided", extract_column(s.rows, [](const SleoutRow& r) { return r.single_surface ? 1 : 0; }));
   begin_data("sleout");
   real("time", s.time);
   integer("cycle", s.cycle);
-  reals("slave", collect(s.rows, [](const SleoutRow& r) { return r.tracked; }));
-  reals("master", collect(s.rows, [](const SleoutRow& r) { return r.reference; }));
-  reals("friction_energy", collect(s.rows, [](const SleoutRow& r) { return r.friction; }));
+  reals("slave", extract_column(s.rows, [](const SleoutRow& r) { return r.tracked; }));
+  reals("master", extract_column(s.rows, [](const SleoutRow& r) { return r.reference; }));
+  reals("friction_energy", extract_column(s.rows, [](const SleoutRow& r) { return r.friction; }));
   real("total_slave", s.total_tracked());
   real("total_master", s.total_reference());
   real("total_energy", s.total_tracked() + s.total_reference());
@@ -425,7 +426,7 @@ void Binout::metadata(const std::string& path, const std::string& branch, const 
   std::string headings;
   for (const LegendEntry& entry : legend->second) headings += fixed_width(entry.heading, 70);
   text("legend", headings);
-  integers("legend_ids", collect(legend->second, [](const LegendEntry& entry) { return entry.id; }));
+  integers("legend_ids", extract_column(legend->second, [](const LegendEntry& entry) { return entry.id; }));
 }
 
 void Binout::begin_data(const std::string& path) {

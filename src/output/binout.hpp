@@ -33,7 +33,7 @@ namespace nugget::output {
 /// branch.
 class Binout {
  public:
-  /// Creates `directory/binout0000`, or goes on where it is. Throws WriteError.
+  /// Creates `directory/binout0000`, or continues the file that is there. Throws WriteError.
   Binout(const std::filesystem::path& directory, Header header);
 
   /// Headings for a branch (`matsum`, `nodout`, `sleout`, `elout/shell`); to be given before its first state.

@@ -11,7 +11,7 @@ template <class Rows, class Member, class Put>
 void put_tensors(const std::string& name, const Rows& rows, Member member, Put put) {
   static constexpr const char* components[] = {"xx", "yy", "zz", "xy", "yz", "zx"};
   for (std::size_t c = 0; c < 6; ++c)
-    put(name + components[c], collect(rows, [&](const auto& row) { return member(row)[c]; }));
+    put(name + components[c], extract_column(rows, [&](const auto& row) { return member(row)[c]; }));
 }
 
 /// Place in the list of states, `elastic,plastic`, counted from 1.
@@ -33,9 +33,9 @@ auto joined(const Rows& rows, Member member) {
 void Binout::write(const SecforcState& s) {
   const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
   const auto id_where = [&](SectionAxes axes) {
-    return collect(s.rows, [axes](const SecforcRow& r) { return r.axes == axes ? r.axes_id : 0; });
+    return extract_column(s.rows, [axes](const SecforcRow& r) { return r.axes == axes ? r.axes_id : 0; });
   };
-  if (begin_state("secforc", collect(s.rows, [](const SecforcRow& r) { return r.id; }))) {
+  if (begin_state("secforc", extract_column(s.rows, [](const SecforcRow& r) { return r.id; }))) {
     integers("rigidbody", id_where(SectionAxes::rigid_body));
     integers("accelerometer", id_where(SectionAxes::accelerometer));
     integers("coordinate_system", id_where(SectionAxes::system));
@@ -44,13 +44,13 @@ void Binout::write(const SecforcState& s) {
   real("time", s.time);
   put_vectors(
       "*_force", s.rows, [](const SecforcRow& r) { return r.force; }, column_of);
-  reals("total_force", collect(s.rows, [](const SecforcRow& r) { return norm(r.force); }));
+  reals("total_force", extract_column(s.rows, [](const SecforcRow& r) { return norm(r.force); }));
   put_vectors(
       "*_moment", s.rows, [](const SecforcRow& r) { return r.moment; }, column_of);
-  reals("total_moment", collect(s.rows, [](const SecforcRow& r) { return norm(r.moment); }));
+  reals("total_moment", extract_column(s.rows, [](const SecforcRow& r) { return norm(r.moment); }));
   put_vectors(
       "*_centroid", s.rows, [](const SecforcRow& r) { return r.centroid; }, column_of);
-  reals("area", collect(s.rows, [](const SecforcRow& r) { return r.area; }));
+  reals("area", extract_column(s.rows, [](const SecforcRow& r) { return r.area; }));
   end_state();
 }
 
@@ -58,22 +58,23 @@ void Binout::write(const NodforState& s) {
   const auto column_of = [this](const std::string& name, const std::vector<double>& values) { reals(name, values); };
   const std::vector<NodforRow> rows = joined(
       s.groups, [](const NodforGroup& g) -> const auto& { return g.rows; });
-  const auto totals = collect(s.groups, [](const NodforGroup& g) { return total(g); });
+  const auto totals = extract_column(s.groups, [](const NodforGroup& g) { return total(g); });
   std::vector<Vec3d> local;
   for (std::size_t g = 0; g < s.groups.size(); ++g)
     if (s.groups[g].axes) local.push_back(s.groups[g].axes->local(totals[g].force));
-  if (begin_state("nodfor", collect(rows, [](const NodforRow& r) { return r.node; }))) {
-    integers("groups", collect(s.groups, [](const NodforGroup& g) { return static_cast<int>(g.rows.size()); }));
-    integers("local", collect(s.groups, [](const NodforGroup& g) { return static_cast<int>(g.axes.has_value()); }));
+  if (begin_state("nodfor", extract_column(rows, [](const NodforRow& r) { return r.node; }))) {
+    integers("groups", extract_column(s.groups, [](const NodforGroup& g) { return static_cast<int>(g.rows.size()); }));
+    integers("local",
+             extract_column(s.groups, [](const NodforGroup& g) { return static_cast<int>(g.axes.has_value()); }));
   }
   begin_data("nodfor");
   real("time", s.time);
   put_vectors(
       "*_force", rows, [](const NodforRow& r) { return r.force; }, column_of);
-  reals("energy", collect(rows, [](const NodforRow& r) { return r.energy; }));
+  reals("energy", extract_column(rows, [](const NodforRow& r) { return r.energy; }));
   put_vectors(
       "*_total", totals, [](const NodforRow& r) { return r.force; }, column_of);
-  reals("etotal", collect(totals, [](const NodforRow& r) { return r.energy; }));
+  reals("etotal", extract_column(totals, [](const NodforRow& r) { return r.energy; }));
   if (!local.empty())
     put_vectors(
         "*_local", local, [](const Vec3d& v) { return v; }, column_of);
@@ -92,16 +93,16 @@ void Binout::write_beams(const EloutState& s) {
   begin_data("elout/beam");
   real("time", s.time);
   integer("cycle", s.cycle);
-  integers("ids", collect(s.beams, [](const EloutBeam& b) { return b.id; }));
-  integers("mat", collect(s.beams, [](const EloutBeam& b) { return b.part; }));
-  integers("mtype", collect(s.beams, [](const EloutBeam& b) { return b.material_type; }));
-  integers("nip", collect(s.beams, [](const EloutBeam& b) { return static_cast<int>(b.points.size()); }));
-  reals("axial", collect(s.beams, [](const EloutBeam& b) { return b.axial; }));
-  reals("shear_s", collect(s.beams, [](const EloutBeam& b) { return b.shear_s; }));
-  reals("shear_t", collect(s.beams, [](const EloutBeam& b) { return b.shear_t; }));
-  reals("moment_s", collect(s.beams, [](const EloutBeam& b) { return b.moment_s; }));
-  reals("moment_t", collect(s.beams, [](const EloutBeam& b) { return b.moment_t; }));
-  reals("torsion", collect(s.beams, [](const EloutBeam& b) { return b.torsion; }));
+  integers("ids", extract_column(s.beams, [](const EloutBeam& b) { return b.id; }));
+  integers("mat", extract_column(s.beams, [](const EloutBeam& b) { return b.part; }));
+  integers("mtype", extract_column(s.beams, [](const EloutBeam& b) { return b.material_type; }));
+  integers("nip", extract_column(s.beams, [](const EloutBeam& b) { return static_cast<int>(b.points.size()); }));
+  reals("axial", extract_column(s.beams, [](const EloutBeam& b) { return b.axial; }));
+  reals("shear_s", extract_column(s.beams, [](const EloutBeam& b) { return b.shear_s; }));
+  reals("shear_t", extract_column(s.beams, [](const EloutBeam& b) { return b.shear_t; }));
+  reals("moment_s", extract_column(s.beams, [](const EloutBeam& b) { return b.moment_s; }));
+  reals("moment_t", extract_column(s.beams, [](const EloutBeam& b) { return b.moment_t; }));
+  reals("torsion", extract_column(s.beams, [](const EloutBeam& b) { return b.torsion; }));
   // Of muscles only, but readers of files with `mtype` expect them.
   reals("coef_length", std::vector<double>(s.beams.size(), 0.0));
   reals("visc_force", std::vector<double>(s.beams.size(), 0.0));
@@ -109,10 +110,10 @@ void Binout::write_beams(const EloutState& s) {
   const std::vector<Point> points = joined(
       s.beams, [](const EloutBeam& b) -> const auto& { return b.points; });
   if (points.empty()) return;
-  reals("sigma_11", collect(points, [](const Point& p) { return p.axial; }));
-  reals("sigma_12", collect(points, [](const Point& p) { return p.rs; }));
-  reals("sigma_31", collect(points, [](const Point& p) { return p.tr; }));
-  reals("plastic_eps", collect(points, [](const Point& p) { return p.plastic_strain; }));
+  reals("sigma_11", extract_column(points, [](const Point& p) { return p.axial; }));
+  reals("sigma_12", extract_column(points, [](const Point& p) { return p.rs; }));
+  reals("sigma_31", extract_column(points, [](const Point& p) { return p.tr; }));
+  reals("plastic_eps", extract_column(points, [](const Point& p) { return p.plastic_strain; }));
 }
 
 void Binout::write_shells(const EloutState& s) {
@@ -124,16 +125,16 @@ void Binout::write_shells(const EloutState& s) {
   begin_data("elout/shell");
   real("time", s.time);
   integer("cycle", s.cycle);
-  integers("ids", collect(s.shells, [](const EloutShell& e) { return e.id; }));
-  integers("mat", collect(s.shells, [](const EloutShell& e) { return e.part; }));
-  integers("nip", collect(s.shells, [](const EloutShell& e) { return static_cast<int>(e.layers.size()); }));
+  integers("ids", extract_column(s.shells, [](const EloutShell& e) { return e.id; }));
+  integers("mat", extract_column(s.shells, [](const EloutShell& e) { return e.part; }));
+  integers("nip", extract_column(s.shells, [](const EloutShell& e) { return static_cast<int>(e.layers.size()); }));
   integers("iop", std::vector<int>(s.shells.size(), 0));
   const std::vector<EloutPoint> layers = joined(
       s.shells, [](const EloutShell& e) -> const auto& { return e.layers; });
-  integers("state", collect(layers, state_number));
+  integers("state", extract_column(layers, state_number));
   put_tensors(
       "sig_", layers, [](const EloutPoint& p) { return p.stress; }, column_of);
-  reals("plastic_strain", collect(layers, [](const EloutPoint& p) { return p.plastic_strain; }));
+  reals("plastic_strain", extract_column(layers, [](const EloutPoint& p) { return p.plastic_strain; }));
   if (!s.strains) return;
   put_tensors(
       "lower_eps_", s.shells, [](const EloutShell& e) { return e.lower_strain; }, column_of);
@@ -147,13 +148,13 @@ void Binout::write_solids(const EloutState& s) {
   begin_data("elout/solid");
   real("time", s.time);
   integer("cycle", s.cycle);
-  integers("ids", collect(s.solids, [](const EloutSolid& e) { return e.id; }));
-  integers("mtype", collect(s.solids, [](const EloutSolid& e) { return e.part; }));
-  integers("state", collect(s.solids, [](const EloutSolid& e) { return state_number(e.point); }));
+  integers("ids", extract_column(s.solids, [](const EloutSolid& e) { return e.id; }));
+  integers("mtype", extract_column(s.solids, [](const EloutSolid& e) { return e.part; }));
+  integers("state", extract_column(s.solids, [](const EloutSolid& e) { return state_number(e.point); }));
   put_tensors(
       "sig_", s.solids, [](const EloutSolid& e) { return e.point.stress; }, column_of);
-  reals("yield", collect(s.solids, [](const EloutSolid& e) { return e.point.plastic_strain; }));
-  reals("effsg", collect(s.solids, [](const EloutSolid& e) { return effective(e.point.stress); }));
+  reals("yield", extract_column(s.solids, [](const EloutSolid& e) { return e.point.plastic_strain; }));
+  reals("effsg", extract_column(s.solids, [](const EloutSolid& e) { return effective(e.point.stress); }));
   if (s.strains)
     put_tensors(
         "eps_", s.solids, [](const EloutSolid& e) { return e.strain; }, column_of);

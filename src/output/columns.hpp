@@ -10,7 +10,7 @@ namespace nugget::output {
 
 /// One member of each row.
 template <class Rows, class Member>
-auto collect(const Rows& rows, Member member) {
+auto extract_column(const Rows& rows, Member member) {
   std::vector<std::decay_t<decltype(member(rows.front()))>> values;
   values.reserve(rows.size());
   for (const auto& row : rows) values.push_back(member(row));
@@ -26,9 +26,9 @@ inline std::string component_name(std::string name, char axis) {
 /// Three columns of a table, one for each component of the vector that `member` picks. `put(name, values)` writes one.
 template <class Rows, class Member, class Put>
 void put_vectors(const std::string& name, const Rows& rows, Member member, Put put) {
-  put(component_name(name, 'x'), collect(rows, [&](const auto& row) { return member(row).x; }));
-  put(component_name(name, 'y'), collect(rows, [&](const auto& row) { return member(row).y; }));
-  put(component_name(name, 'z'), collect(rows, [&](const auto& row) { return member(row).z; }));
+  put(component_name(name, 'x'), extract_column(rows, [&](const auto& row) { return member(row).x; }));
+  put(component_name(name, 'y'), extract_column(rows, [&](const auto& row) { return member(row).y; }));
+  put(component_name(name, 'z'), extract_column(rows, [&](const auto& row) { return member(row).z; }));
 }
 
 }  // namespace nugget::output

@@ -308,7 +308,7 @@ void shells(Words& out, const D3plotGeometry& g, const D3plotState& s) {
   }
 }
 
-/// Deletion table: the part's number while the element lives, then 0.
+/// Deletion table: the part's number while the element is active, then 0.
 template <class Elements>
 void deletion(Words& out, const Elements& elements, const std::vector<char>& alive) {
   for (std::size_t i = 0; i < elements.size(); ++i)
@@ -337,11 +337,11 @@ void shell_layers(std::span<const StressRecord> points, std::span<StressRecord> 
   layers[2] = points.back();
 }
 
-D3plot::D3plot(std::filesystem::path directory, D3plotGeometry geometry, Opening opening)
+D3plot::D3plot(std::filesystem::path directory, D3plotGeometry geometry, OpenMode mode)
     : directory_(std::move(directory)), geometry_(std::move(geometry)) {
   const D3plotGeometry& g = geometry_;
   check(g);
-  if (opening == Opening::go_on) return;
+  if (mode == OpenMode::append) return;
   Words out;
   control(out, g);
   out.vectors(g.x);
@@ -411,7 +411,7 @@ void D3plot::archive(Archive& a) {
   a.built(directory_, geometry_);
   if (a.reading()) {
     member_.reset();
-    if (members_ > 0) member_.emplace(member_path(members_), Opening::go_on);
+    if (members_ > 0) member_.emplace(member_path(members_), OpenMode::append);
     for (int later = members_ + 1; std::filesystem::remove(member_path(later)); ++later) continue;
   }
   if (!member_) return;

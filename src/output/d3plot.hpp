@@ -118,9 +118,9 @@ void shell_layers(std::span<const StressRecord> points, std::span<StressRecord> 
 /// behind it, so a killed run leaves readable files. Source: LS-DYNA Database Binary Output Files (LSTC, 2020).
 class D3plot {
  public:
-  /// Writes `directory/d3plot`, or goes on where it is. Throws WriteError, and std::logic_error where ids do not ascend
-  /// or an index leads nowhere.
-  D3plot(std::filesystem::path directory, D3plotGeometry geometry, Opening opening = Opening::anew);
+  /// Writes `directory/d3plot`, or continues the file that is there. Throws WriteError, and std::logic_error where ids
+  /// do not ascend or an index leads nowhere.
+  D3plot(std::filesystem::path directory, D3plotGeometry geometry, OpenMode mode = OpenMode::create);
 
   /// Throws WriteError, and std::logic_error where an array does not fit the geometry.
   void write(const D3plotState& state);

@@ -9,12 +9,13 @@
 namespace nugget::output {
 namespace {
 
-using Seat = system::System::Seat;
+using ElementLocation = system::System::ElementLocation;
 
-StressRecord record(const model::Model& model, const system::ElementGroup& group, const Seat& seat, int point,
-                    const system::State& state) {
-  const system::ElementGroup::Layer layer = group.layer(at(seat.element), point, state);
-  return {by_cmpflg(model, group, at(seat.element), point, state, layer.stress), layer.plastic_strain, layer.damage};
+StressRecord record(const model::Model& model, const system::ElementGroup& group, const ElementLocation& location,
+                    int point, const system::State& state) {
+  const system::ElementGroup::Layer layer = group.layer(at(location.element), point, state);
+  return {by_cmpflg(model, group, at(location.element), point, state, layer.stress), layer.plastic_strain,
+          layer.damage};
 }
 
 /// Mx My Mxy Qx Qy Nx Ny Nxy along axes that lie by an angle, given by cosine and sine, from their own.
@@ -33,10 +34,10 @@ std::array<double, 8> turned(const std::array<double, 8>& r, double c, double s)
 
 /// Calls `fill(element, group, seat)` for those that have a kernel.
 template <class Fill>
-void each_element(const system::System& system, const std::vector<Seat>& seats, const Fill& fill) {
-  parallel_for(seats.size(), 256, [&](std::size_t begin, std::size_t end) {
+void each_element(const system::System& system, const std::vector<ElementLocation>& locations, const Fill& fill) {
+  parallel_for(locations.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e)
-      if (seats[e].group >= 0) fill(e, *system.groups[at(seats[e].group)], seats[e]);
+      if (locations[e].group >= 0) fill(e, *system.groups[at(locations[e].group)], locations[e]);
   });
 }
 
@@ -74,18 +75,18 @@ void fill_stresses(const system::System& system, const system::State& state, D3p
   using Group = system::ElementGroup;
   const model::Model& model = system.model;
   s.solids.resize(model.solids.size());
-  each_element(system, system.solid_seat, [&](std::size_t e, const Group& group, const Seat& seat) {
-    static_cast<StressRecord&>(s.solids[e]) = record(model, group, seat, 0, state);
+  each_element(system, system.solid_location, [&](std::size_t e, const Group& group, const ElementLocation& location) {
+    static_cast<StressRecord&>(s.solids[e]) = record(model, group, location, 0, state);
   });
 
   const auto points = at(model.requests.beam_points);
   s.beams.resize(model.beams.size());
   s.beam_points.resize(model.beams.size() * points);
-  each_element(system, system.beam_seat, [&](std::size_t e, const Group& group, const Seat& seat) {
-    const std::array<double, 8> r = group.resultants(at(seat.element));
+  each_element(system, system.beam_location, [&](std::size_t e, const Group& group, const ElementLocation& location) {
+    const std::array<double, 8> r = group.resultants(at(location.element));
     s.beams[e] = {r[0], r[1], r[2], r[4], r[5], r[3]};
     for (std::size_t k = 0; k < std::min(points, at(group.layers())); ++k) {
-      const StressRecord p = record(model, group, seat, static_cast<int>(k), state);
+      const StressRecord p = record(model, group, location, static_cast<int>(k), state);
       s.beam_points[e * points + k] = {p.stress[3], p.stress[5], p.stress[0], p.plastic_strain, 0.0};
     }
   });
@@ -93,12 +94,13 @@ void fill_stresses(const system::System& system, const system::State& state, D3p
   const auto layers = at(model.requests.layers);
   s.shells.resize(model.shells.size());
   s.shell_layers.resize(model.shells.size() * layers);
-  each_element(system, system.shell_seat, [&](std::size_t e, const Group& group, const Seat& seat) {
+  each_element(system, system.shell_location, [&](std::size_t e, const Group& group, const ElementLocation& location) {
     std::vector<StressRecord> through;
-    for (int k = 0; k < group.layers(); ++k) through.push_back(record(model, group, seat, k, state));
+    for (int k = 0; k < group.layers(); ++k) through.push_back(record(model, group, location, k, state));
     shell_layers(through, std::span(s.shell_layers).subspan(e * layers, layers));
-    std::array<double, 8> r = group.resultants(at(seat.element));
-    const auto own = group.axes(at(seat.element), state), axes = shell_axes(system, group, at(seat.element), state);
+    std::array<double, 8> r = group.resultants(at(location.element));
+    const auto own = group.axes(at(location.element), state),
+               axes = shell_axes(system, group, at(location.element), state);
     if (own && axes) r = turned(r, dot(axes->e1, own->e1), dot(axes->e1, own->e2));
     ShellRecord& shell = s.shells[e];
     shell.mx = r[0], shell.my = r[1], shell.mxy = r[2];

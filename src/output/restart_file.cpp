@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view begin_mark = "NUGGETRS", end_mark = "NUGGETRE";
 constexpr std::size_t word = sizeof(std::uint64_t);
-constexpr std::size_t at_once = 1 << 20;  // bytes of a write
+constexpr std::size_t write_size = 1 << 20;  // bytes of a write
 
 std::string_view raw(const std::uint64_t& number) {
   return {reinterpret_cast<const char*>(&number), word};
@@ -103,7 +103,7 @@ void RestartWriter::put(std::string_view text) {
   sum_ = checksum(text, sum_);
   length_ += text.size();
   file_->buffer() += text;
-  if (file_->buffer().size() >= at_once) file_->commit();
+  if (file_->buffer().size() >= write_size) file_->commit();
 }
 
 void RestartWriter::finish() {

@@ -18,11 +18,11 @@ std::string last_error() {
 
 }  // namespace
 
-ResultFile::ResultFile(std::filesystem::path path, Opening opening) : path_(std::move(path)) {
-  const int how = opening == Opening::anew ? O_CREAT | O_TRUNC : 0;
+ResultFile::ResultFile(std::filesystem::path path, OpenMode mode) : path_(std::move(path)) {
+  const int how = mode == OpenMode::create ? O_CREAT | O_TRUNC : 0;
   descriptor_ = ::open(path_.c_str(), O_WRONLY | how | O_CLOEXEC, 0666);
   if (descriptor_ >= 0) return;
-  if (opening == Opening::go_on && errno == ENOENT)
+  if (mode == OpenMode::append && errno == ENOENT)
     throw ArchiveError(path_.string() + " is gone, which the interrupted run had begun");
   throw WriteError(path_, last_error());
 }

@@ -20,17 +20,17 @@ struct WriteError : std::runtime_error {
   std::string reason;  ///< the operating system's words
 };
 
-/// Whether a result is begun, or one that an interrupted run has left is gone on with.
-enum class Opening { anew, go_on };
+/// Whether a result is begun, or one that an interrupted run has left is continued.
+enum class OpenMode { create, append };
 
 /// A file that grows by whole states. What is put into `buffer()` reaches the disk at `commit()`, at once, so that a
 /// killed run leaves complete states; a commit that fails cuts the file back to the last good one and throws
 /// WriteError.
 class ResultFile {
  public:
-  /// Creates the file, or empties the one that is there; throws WriteError. To go on, takes it as it is, and `archive`
+  /// Creates the file, or empties the one that is there; throws WriteError. To append, takes it as it is, and `archive`
   /// has to say how much of it counts; throws ArchiveError where there is none.
-  explicit ResultFile(std::filesystem::path path, Opening opening = Opening::anew);
+  explicit ResultFile(std::filesystem::path path, OpenMode mode = OpenMode::create);
   ~ResultFile();
   ResultFile(ResultFile&& other) noexcept;
   ResultFile& operator=(ResultFile&& other) noexcept;

@@ -59,7 +59,7 @@ struct WeldReport {
   WeldPeak peak;
   double peak_failure = 0.0, peak_failure_time = 0.0;  ///< largest failure value and when it was
   WeldLoad last;
-  /// 0 sound to 1 failed; of damage that goes point by point the mean. NaN: its law has no damage, or none that is
+  /// 0 undamaged to 1 failed; of damage that goes point by point the mean. NaN: its law has no damage, or none that is
   /// known.
   double damage = std::numeric_limits<double>::quiet_NaN();
   double energy = 0.0;  ///< work that was done on it; of a failed weld all of it is dissipated [energy]
@@ -108,7 +108,7 @@ struct Summary {
   } time_step;
   struct Relaxation {
     long cycles = 0;
-    double time = 0.0, unrest = 0.0;  ///< kinetic energy over the largest, at the last check
+    double time = 0.0, kinetic_energy_ratio = 0.0;  ///< kinetic energy over the largest, at the last check
     bool at_rest = false;
   };
   std::optional<Relaxation> relaxation;  ///< the dynamic relaxation before the run

@@ -14,11 +14,11 @@
 namespace nugget::reading {
 namespace {
 
-std::string_view word(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::used: return "used";
-    case Verdict::ignored: return "ignored";
-    case Verdict::refused: break;
+std::string_view word(KeywordStatus status) {
+  switch (status) {
+    case KeywordStatus::used: return "used";
+    case KeywordStatus::ignored: return "ignored";
+    case KeywordStatus::refused: break;
   }
   return "refused";
 }
@@ -87,10 +87,10 @@ std::string upper(std::string_view name) {
 }
 
 std::string describe(const Keyword& keyword) {
-  std::string text = fmt::format("*{}: {}\n", keyword.name, word(keyword.verdict));
+  std::string text = fmt::format("*{}: {}\n", keyword.name, word(keyword.status));
   if (!keyword.why.empty()) text += fmt::format("{}\n", keyword.why);
   if (!keyword.aliases.empty()) text += fmt::format("also written: {}\n", joined(keyword.aliases, "*"));
-  if (keyword.verdict == Verdict::used && !keyword.options.empty())
+  if (keyword.status == KeywordStatus::used && !keyword.options.empty())
     text += fmt::format("options: {}\n", joined(keyword.options, "_"));
   int number = 0;
   for (const LayoutCard& card : keyword.layout) {
@@ -106,7 +106,7 @@ std::string describe(const Keyword& keyword) {
 std::string family(std::string_view beginning) {
   std::string text;
   for (const Keyword& keyword : keywords())
-    if (keyword.verdict == Verdict::used && keyword.name.starts_with(beginning))
+    if (keyword.status == KeywordStatus::used && keyword.name.starts_with(beginning))
       text += fmt::format("  *{}\n", keyword.name);
   return text.empty() ? text : "used are\n" + text;
 }
@@ -140,8 +140,8 @@ std::string describe_keywords() {
     std::string note(row->why);
     if (!row->aliases.empty())
       note = fmt::format("also {}{}{}", joined(row->aliases, "*"), note.empty() ? "" : "; ", note);
-    text += fmt::format("*{:<43} {:<8} {:<34} {}\n", row->name, word(row->verdict),
-                        row->verdict == Verdict::used ? joined(row->options, "_") : "", note);
+    text += fmt::format("*{:<43} {:<8} {:<34} {}\n", row->name, word(row->status),
+                        row->status == KeywordStatus::used ? joined(row->options, "_") : "", note);
   }
   return text;
 }
@@ -158,16 +158,16 @@ std::string describe_keyword(std::string_view name) {
                      similar.empty() ? "" : fmt::format("; is it *{}?", similar));
 }
 
-std::string ledger_table(const Model& model) {
+std::string keyword_use_table(const Model& model) {
   std::size_t width = 8;
-  for (const LedgerEntry& entry : model.ledger) width = std::max(width, entry.keyword.size() + 1);
+  for (const KeywordUse& entry : model.keyword_uses) width = std::max(width, entry.keyword.size() + 1);
   std::string text =
       fmt::format("{:<{}} {:>7} {:<8} {}\n", "keyword", width, "times", "verdict", "why, and where first");
-  for (const LedgerEntry& entry : model.ledger) {
+  for (const KeywordUse& entry : model.keyword_uses) {
     const std::string where = fmt::format("{}:{}", entry.first.file, entry.first.line);
-    const std::string note = entry.verdict == Verdict::used ? "" : fmt::format("{} ({})", entry.why, where);
+    const std::string note = entry.status == KeywordStatus::used ? "" : fmt::format("{} ({})", entry.why, where);
     std::string line =
-        fmt::format("*{:<{}} {:>7} {:<8} {}", entry.keyword, width - 1, entry.count, word(entry.verdict), note);
+        fmt::format("*{:<{}} {:>7} {:<8} {}", entry.keyword, width - 1, entry.count, word(entry.status), note);
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + '\n';
   }
@@ -193,7 +193,7 @@ std::string_view similar_keyword(std::string_view written) {
     }
   };
   for (const Keyword& keyword : keywords()) {
-    if (keyword.verdict == Verdict::refused) continue;
+    if (keyword.status == KeywordStatus::refused) continue;
     consider(keyword.name);
     for (const auto alias : keyword.aliases) consider(alias);
   }

@@ -6,10 +6,10 @@
 
 #include "model/model.hpp"
 
-// Texts out of the list of keywords: what `nugget keywords` prints, and the ledger of a run.
+// Texts out of the list of keywords: what `nugget keywords` prints, and the table of keywords of a run.
 namespace nugget::reading {
 
-/// All keywords as a table: name, verdict, options, and why a keyword is ignored or refused.
+/// All keywords as a table: name, status, options, and why a keyword is ignored or refused.
 std::string describe_keywords();
 
 /// One keyword (with or without its star, any case, options included) with its cards field by field: columns, kind,
@@ -17,7 +17,7 @@ std::string describe_keywords();
 std::string describe_keyword(std::string_view name);
 
 /// What became of each keyword of a deck, for run.log.
-std::string ledger_table(const model::Model& model);
+std::string keyword_use_table(const model::Model& model);
 
 /// A known keyword that `written` is probably meant to be, without its star; empty where none is near.
 std::string_view similar_keyword(std::string_view written);

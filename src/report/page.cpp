@@ -63,7 +63,7 @@ std::string values(const Json& object, std::string_view prefix) {
 }
 
 /// Whether a key of the summary says something of this run: time, steps and energies are those of an impact.
-bool told(const Json& summary, std::string_view key) {
+bool has_value(const Json& summary, std::string_view key) {
   constexpr std::string_view of_impact[] = {"time", "cycles", "ns_per_element_cycle", "time_step", "energy"};
   return summary.contains(key) && !(of_linear_analysis(summary) &&
                                     std::find(std::begin(of_impact), std::end(of_impact), key) != std::end(of_impact));
@@ -77,11 +77,11 @@ std::string head(const Json& s) {
       escaped(title), escaped(s.value("version", "")), escaped(end), escaped(end), escaped(message));
   Json facts;
   for (const char* key : {"time", "cycles", "nodes", "parts", "welds", "threads", "ns_per_element_cycle"})
-    if (told(s, key)) facts[key] = s[key];
+    if (has_value(s, key)) facts[key] = s[key];
   out += values(facts, "run");
   for (const auto& [key, heading] : {std::pair{"elements", "Elements"}, std::pair{"mass", "Mass"},
                                      std::pair{"time_step", "Time step"}, std::pair{"energy", "Energy at the end"}})
-    if (told(s, key)) out += fmt::format("<h2>{}</h2>\n{}", heading, values(s[key], key));
+    if (has_value(s, key)) out += fmt::format("<h2>{}</h2>\n{}", heading, values(s[key], key));
   return out;
 }
 
@@ -167,22 +167,22 @@ std::string cell(const WeldRow& weld, std::string_view column) {
 }
 
 /// What became of a weld: its class on the page and the word for it.
-struct Verdict {
+struct KeywordStatus {
   std::string_view kind, word;
   int rank = 0;  ///< the worse ones first
 };
 
-Verdict verdict(const WeldRow& weld) {
+KeywordStatus status(const WeldRow& weld) {
   constexpr double near = 0.8;
   if (cell(weld, "failed") == "yes") return {"failed", "failed", 0};
   if (cell(weld, "tied") != "yes") return {"untied", "not tied", 1};
   const double value = real(weld, "peak_failure");
   if (value >= near) return {"near", "near failure", 2};
-  return value > 0.0 ? Verdict{"holds", "holds", 3} : Verdict{"plain", "no failure value", 4};
+  return value > 0.0 ? KeywordStatus{"holds", "holds", 3} : KeywordStatus{"plain", "no failure value", 4};
 }
 
 std::string weld_line(const WeldRow& weld) {
-  const Verdict v = verdict(weld);
+  const KeywordStatus v = status(weld);
   const double value = real(weld, "peak_failure");
   std::string what(v.word);
   if (v.kind == "failed")
@@ -207,14 +207,14 @@ std::string weld_table(const RunData& run) {
   std::vector<const WeldRow*> order;
   for (const WeldRow& weld : run.welds) order.push_back(&weld);
   std::stable_sort(order.begin(), order.end(), [](const WeldRow* a, const WeldRow* b) {
-    const Verdict va = verdict(*a), vb = verdict(*b);
+    const KeywordStatus va = status(*a), vb = status(*b);
     if (va.rank != vb.rank) return va.rank < vb.rank;
     if (va.rank == 0) return real(*a, "failure_time") < real(*b, "failure_time");
     return real(*a, "peak_failure") > real(*b, "peak_failure");
   });
   std::map<int, std::pair<std::string_view, std::size_t>> counts;
   for (const WeldRow* weld : order) {
-    const Verdict v = verdict(*weld);
+    const KeywordStatus v = status(*weld);
     counts[v.rank].first = v.word;
     ++counts[v.rank].second;
   }

@@ -8,7 +8,7 @@
 
 namespace nugget::report {
 
-/// One HTML page about a run: what it was and how it ended, energies over time, the welds with a verdict each (failed
+/// One HTML page about a run: what it was and how it ended, energies over time, the welds with a result each (failed
 /// first, then by their largest failure value), findings. Everything is in the page: it opens without a network.
 std::string page(const RunData& run);
 

@@ -22,9 +22,9 @@ void ConstraintMap::archive(Archive& a) {
 }
 
 void ElementGroup::archive(Archive& a) {
-  a(deaths, inverted, block_step, step_share);
-  a.built(kind, part, element, nodes_per_element, weld, rotational, first_slot, damping_share, damping_time, stiffened,
-          mass_step, added_mass_is_physical);
+  a(deletions, inverted, block_step, step_share);
+  a.built(kind, part, element, nodes_per_element, weld, rotational, first_slot, damping_share, damping_time,
+          damping_stiffness_ratio, mass_step, added_mass_is_physical);
 }
 
 void SpringGroup::Entry::archive(Archive& a) {
@@ -42,8 +42,9 @@ void SpringGroup::archive(Archive& a) {
 void System::archive(Archive& a) {
   a.section("system");
   a(mass, inertia, own_mass, own_inertia_, carried_mass_, carried_inertia_, map, bodies, slots_);
-  a.built(model, ties, nodes, node_of, model_node, body_of, springs, shell_seat, solid_seat, beam_seat, discrete_seat,
-          start_, lumps_, holder_, damping_slots, gather_start_, gather_, blocks_);
+  a.built(model, ties, nodes, node_of, model_node, body_of, springs, shell_location, solid_location, beam_location,
+          discrete_location, start_, mass_only_elements_, constraint_source_, damping_slots, gather_start_, gather_,
+          blocks_);
   a.section("elements");
   a(groups);
 }

@@ -47,7 +47,7 @@ using AlignedReals = std::vector<double, Aligned<double>>;
 ///                                     ElementGroup::layer; see TakesStress
 ///   stiffness(state, places, k)       where the kernel's own derivative is not exact; may be absent
 ///   viscosity(state, places, c)       of dashpots; may be absent
-///   Layout::integrity, integrity(state), hold_yield(state, lane), plastic_strain(state, k)     of welds only; the
+///   Layout::integrity, integrity(state), freeze_yield(state, lane), plastic_strain(state, k)     of welds only; the
 ///   first
 ///                                     is that of the weld as a whole, the second that of its points
 template <class Element>
@@ -60,7 +60,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   static constexpr int rows = Element::rotational ? 2 : 1;
   /// A step that moves nothing.
   static constexpr double no_step = 0x1p-100;
-  static constexpr bool is_weld = requires(Element & kernel) { kernel.hold_yield(nullptr, 0); };
+  static constexpr bool is_weld = requires(Element & kernel) { kernel.freeze_yield(nullptr, 0); };
 
   /// `connectivity`: system nodes of each element.
   BatchGroup(Element kernel, model::ElementKind k, model::Index p, std::vector<model::Index> elements,
@@ -125,13 +125,13 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
         motion.v[a] = gather<R>(now.v.data(), id + a * width);
         if constexpr (Element::rotational) motion.w[a] = gather<R>(now.w.data(), id + a * width);
       }
-      const R lived = real_load<R>(state(b * width) + Element::Layout::alive * width);
+      const R alive_before = real_load<R>(state(b * width) + Element::Layout::alive * width);
       auto out = kernel_.template cycle<R>(motion, dt, state(b * width));
       if constexpr (can_take_stress) {
         if (!imposed_.empty()) impose(b, motion, out);
       }
-      if constexpr (requires { out.volume; }) let_go_of_inverted(out);
-      if (any(real_load<R>(state(b * width) + Element::Layout::alive * width) < lived)) ++deaths;
+      if constexpr (requires { out.volume; }) zero_forces_of_inverted(out);
+      if (any(real_load<R>(state(b * width) + Element::Layout::alive * width) < alive_before)) ++deletions;
 
       // Work over the step: trapezoid of the forces before and after, times the velocities in between.
       R work(0.0);
@@ -203,7 +203,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       return false;
   }
 
-  void keep_unstressed() override {
+  void store_reference_state() override {
     for (int i = 0; i < kernel_.state_size(); ++i) {
       const auto holds = [this, i](std::size_t b) {
         const double* values = state(b * width) + i * width;
@@ -211,14 +211,14 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       };
       for (std::size_t b = 0; b < blocks(); ++b) {
         if (!holds(b)) continue;
-        unstressed_fields_.push_back(i);
+        reference_fields_.push_back(i);
         break;
       }
     }
     for (std::size_t b = 0; b < blocks(); ++b)
-      for (const int i : unstressed_fields_) {
+      for (const int i : reference_fields_) {
         const double* values = state(b * width) + i * width;
-        unstressed_.insert(unstressed_.end(), values, values + width);
+        reference_state_.insert(reference_state_.end(), values, values + width);
       }
     if constexpr (requires { kernel_.inviscid(); })
       inviscid_.emplace(kernel_.inviscid());
@@ -227,8 +227,8 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   }
   void archive(Archive& a) override {
     ElementGroup::archive(a);
-    a(state_, energy_, step_, unstressed_);
-    a.built(kernel_, nodes_, unstressed_fields_, inviscid_, mass_, inertia_, imposed_);
+    a(state_, energy_, step_, reference_state_);
+    a.built(kernel_, nodes_, reference_fields_, inviscid_, mass_, inertia_, imposed_);
   }
 
   ElementNodes nodes(std::size_t e) const override {
@@ -239,7 +239,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   bool alive(std::size_t e) const override { return field(e, Element::Layout::alive) != 0.0; }
   void remove(std::size_t e) override {
     field(e, Element::Layout::alive) = 0.0;
-    ++deaths;
+    ++deletions;
   }
   void release_step(std::size_t e) override {
     step_[e] = std::numeric_limits<double>::infinity();
@@ -267,8 +267,8 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   void set_integrity(std::size_t e, double share) override {
     if constexpr (is_weld) field(e, Element::Layout::integrity) = share;
   }
-  void hold_yield(std::size_t e) override {
-    if constexpr (is_weld) kernel_.hold_yield(state(e), lane(e));
+  void freeze_yield(std::size_t e) override {
+    if constexpr (is_weld) kernel_.freeze_yield(state(e), lane(e));
   }
 
   int layers() const override { return kernel_.layers(); }
@@ -333,20 +333,20 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       x[static_cast<std::size_t>(a)] = vec(now.x[static_cast<std::size_t>(nodes_[node_index(e, a)])]);
     return x;
   }
-  /// What is inside out has strains without meaning: it acts with no forces in the cycle that ends the run or deletes
-  /// it, and has no step, whatever its kernel makes of its shape.
+  /// An inverted element has strains without meaning: it has no forces in the cycle that ends the run or deletes it,
+  /// and no step, whatever its kernel gives.
   template <class Forces>
-  static void let_go_of_inverted(Forces& out) {
+  static void zero_forces_of_inverted(Forces& out) {
     const R none(0.0);
-    const auto sound = out.volume > none;
-    if (!any(!sound)) return;
+    const auto positive = out.volume > none;
+    if (!any(!positive)) return;
     for (int a = 0; a < corners; ++a) {
-      out.f[a] = kernel::select(sound, out.f[a], Vec3<R>{});
-      if constexpr (Element::rotational) out.m[a] = kernel::select(sound, out.m[a], Vec3<R>{});
+      out.f[a] = kernel::select(positive, out.f[a], Vec3<R>{});
+      if constexpr (Element::rotational) out.m[a] = kernel::select(positive, out.m[a], Vec3<R>{});
     }
-    out.stable_step = select(sound, out.stable_step, none);
+    out.stable_step = select(positive, out.stable_step, none);
   }
-  /// Remembers the first living element whose volume is no longer positive, whichever thread finds it.
+  /// Remembers the first active element whose volume is no longer positive, whichever thread finds it.
   void note_inverted(std::size_t b, const R& volume) {
     for (int l = 0; l < width; ++l) {
       const int e = static_cast<int>(b * width) + l;
@@ -428,22 +428,22 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   /// Stiffness-proportional damping of a block. In the middle of the step the velocities, which are chords, of a steady
   /// turning strain nothing; at its end they would stretch, by dt/2 times the centripetal acceleration.
   void damp(std::size_t b, typename Element::template Motion<R> motion, double dt, std::span<Row> slots) const {
-    const std::size_t fields = unstressed_fields_.size();
-    const double* unstressed = &unstressed_[b * fields * width];
+    const std::size_t fields = reference_fields_.size();
+    const double* reference = &reference_state_[b * fields * width];
     Row* slot = &slots[slot_row(b * width, 0)];
     for (int row = 0; row < width * corners * rows; row += 2) __builtin_prefetch(slot + row, 1);
     thread_local AlignedReals scratch;
     scratch.assign(at(kernel_.state_size() * width), 0.0);
     for (std::size_t i = 0; i < fields; ++i)
-      real_store(&scratch[at(unstressed_fields_[i] * width)], real_load<R>(unstressed + i * width));
-    const R lives = real_load<R>(state(b * width) + Element::Layout::alive * width);
-    real_store(&scratch[at(Element::Layout::alive * width)], lives);
+      real_store(&scratch[at(reference_fields_[i] * width)], real_load<R>(reference + i * width));
+    const R alive_field = real_load<R>(state(b * width) + Element::Layout::alive * width);
+    real_store(&scratch[at(Element::Layout::alive * width)], alive_field);
     for (int a = 0; a < corners; ++a) motion.x[a] = motion.x[a] - R(0.5 * dt) * motion.v[a];
     const auto out = inviscid_->template cycle<R>(motion, no_step, scratch.data());
 
     const R step = real_load<R>(&step_[b * width]);
     const R beta = R(1.0 / no_step) * (damping_time > 0.0 ? R(damping_time) : R(damping_share) * step);
-    const auto alive = R(0.0) < lives;
+    const auto alive = R(0.0) < alive_field;
     const auto damping = [&](const Vec3<R>& f) {
       return Vec3<R>{select(alive, beta * f.x, R(0.0)), select(alive, beta * f.y, R(0.0)),
                      select(alive, beta * f.z, R(0.0))};
@@ -464,9 +464,9 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   Element kernel_;
   std::vector<int> nodes_;  ///< block by block, node by node, lane by lane
   AlignedReals state_, energy_, step_;
-  std::vector<int> unstressed_fields_;  ///< of the state, those that are not 0 in all elements free of stress
-  AlignedReals unstressed_;          ///< their values, block by block, field by field; empty where they were not kept
-  std::optional<Element> inviscid_;  ///< the kernel without viscous forces; kept with it
+  std::vector<int> reference_fields_;  ///< of the state, those that are not 0 in all elements free of stress
+  AlignedReals reference_state_;       ///< their values, block by block, field by field; empty where they were not kept
+  std::optional<Element> inviscid_;    ///< the kernel without viscous forces; kept with it
   std::vector<double> mass_, inertia_;
   std::vector<ImposedStress> imposed_;  ///< by rising element; given anew before each cycle
 };

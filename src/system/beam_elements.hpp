@@ -26,7 +26,7 @@ struct IntegratedBeamElement {
   using Places = std::array<Vec3d, 2>;
 
   kernel::WeldBeamProperties beam;
-  kernel::Prepared<Law> law;
+  kernel::LawKernel<Law> law;
   double nu;
   const model::Beams& beams;
   const std::vector<Vec3d>& x;  ///< by model node
@@ -52,7 +52,7 @@ struct IntegratedBeamElement {
   template <class Field>
   ElementGroup::Layer layer(const Field& field, int k, const Places&) const {
     const int at = layout().fibre(k);
-    const double strain = kernel::Prepared<Law>::has_plastic_strain ? field(layout().history_of(k)) : 0.0;
+    const double strain = kernel::LawKernel<Law>::has_plastic_strain ? field(layout().history_of(k)) : 0.0;
     return {{field(at), 0.0, 0.0, field(at + 1), 0.0, field(at + 2)}, strain};
   }
   template <class Field, class Put, class Change>
@@ -150,9 +150,9 @@ struct TrussElement {
   using Places = std::array<Vec3d, 2>;
 
   double area, density, mass_per_length;
-  kernel::Prepared<Law> law;
+  kernel::LawKernel<Law> law;
 
-  int state_size() const { return Layout::history + kernel::Prepared<Law>::fibre_history(); }
+  int state_size() const { return Layout::history + kernel::LawKernel<Law>::fibre_history(); }
   int layers() const { return 1; }
   void start(double* state, int lane, model::Index, const Places& place) const {
     for (int i = 0; i < state_size(); ++i) state[i * native_width + lane] = 0.0;
@@ -170,7 +170,7 @@ struct TrussElement {
   }
   template <class Field>
   ElementGroup::Layer layer(const Field& field, int, const Places&) const {
-    const double strain = kernel::Prepared<Law>::has_plastic_strain ? field(Layout::history) : 0.0;
+    const double strain = kernel::LawKernel<Law>::has_plastic_strain ? field(Layout::history) : 0.0;
     return {{field(Layout::stress), 0.0, 0.0, 0.0, 0.0, 0.0}, strain};
   }
   template <class Field, class Put, class Change>

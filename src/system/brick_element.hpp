@@ -26,7 +26,7 @@ struct BrickElement {
   using Places = std::array<Vec3d, 8>;
 
   kernel::HexahedronProperties brick;
-  kernel::Prepared<Law> law;
+  kernel::LawKernel<Law> law;
 
   Layout layout() const { return kernel::hexahedron_layout(law); }
   int state_size() const { return layout().size(); }
@@ -59,8 +59,8 @@ struct BrickElement {
   double integrity(const Field& field) const requires std::is_same_v<Law, kernel::Spotweld> {
     return point_integrity(law, field, 1, [](int) { return Layout::first_history; });
   }
-  void hold_yield(double* state, int lane) const requires std::is_same_v<Law, kernel::Spotweld> {
-    kernel::hold_yield(law, state, native_width, lane);
+  void freeze_yield(double* state, int lane) const requires std::is_same_v<Law, kernel::Spotweld> {
+    kernel::freeze_yield(law, state, native_width, lane);
   }
 
   template <class Field>
@@ -68,7 +68,7 @@ struct BrickElement {
     ElementGroup::Layer l;
     const double left = field(Layout::integrity);
     for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] = left * field(Layout::stress + i);
-    if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = field(Layout::first_history);
+    if (kernel::LawKernel<Law>::has_plastic_strain) l.plastic_strain = field(Layout::first_history);
     l.damage = damage_of(law, field, 1, [](int) { return Layout::first_history; });
     return l;
   }
@@ -79,7 +79,7 @@ struct BrickElement {
   template <class Put>
   void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
     for (int i = 0; i < 6; ++i) put(Layout::stress + i, l.stress[static_cast<std::size_t>(i)]);
-    if (kernel::Prepared<Law>::has_plastic_strain) put(Layout::first_history, l.plastic_strain);
+    if (kernel::LawKernel<Law>::has_plastic_strain) put(Layout::first_history, l.plastic_strain);
   }
   template <class Field, class Put, class Change>
   void change_stresses(const Field& field, const Put& put, const Change& change) const {
@@ -126,8 +126,8 @@ struct FullBrickElement : BrickElement<Law> {
   kernel::SolidForces<R> cycle(const Motion<R>& motion, double dt, double* state) const {
     return kernel::full_hexahedron_cycle(this->brick, strains, this->law, motion, dt, state);
   }
-  void hold_yield(double* state, int lane) const requires std::is_same_v<Law, kernel::Spotweld> {
-    kernel::hold_yield(layout(), this->law, state, native_width, lane);
+  void freeze_yield(double* state, int lane) const requires std::is_same_v<Law, kernel::Spotweld> {
+    kernel::freeze_yield(layout(), this->law, state, native_width, lane);
   }
   template <class Field>
   double plastic_strain(const Field& field, int) const {
@@ -158,7 +158,7 @@ struct FullBrickElement : BrickElement<Law> {
   void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
     for (int p = 0; p < Layout::points; ++p) {
       for (int i = 0; i < 6; ++i) put(layout().point(p) + i, l.stress[static_cast<std::size_t>(i)]);
-      if (kernel::Prepared<Law>::has_plastic_strain) put(layout().history_of(p), l.plastic_strain);
+      if (kernel::LawKernel<Law>::has_plastic_strain) put(layout().history_of(p), l.plastic_strain);
     }
   }
   template <class Field, class Put, class Change>
@@ -172,7 +172,7 @@ struct FullBrickElement : BrickElement<Law> {
     ElementGroup::Layer l;
     for (int p = 0; p < Layout::points; ++p)
       for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] += share * field(layout().point(p) + i);
-    if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = mean_of_points(field, 0);
+    if (kernel::LawKernel<Law>::has_plastic_strain) l.plastic_strain = mean_of_points(field, 0);
     l.damage = damage_of(this->law, field, Layout::points, [this](int p) { return layout().history_of(p); });
     return l;
   }

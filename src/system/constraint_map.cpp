@@ -101,7 +101,7 @@ void ConstraintMap::add(int dependent, bool rotations, std::span<const Term> ter
   for (int i = row.first_corner; i < row.end_corner; ++i) corners_[at(i)].arm -= (1.0 / sum) * centre;
 }
 
-std::vector<int> ConstraintMap::close(int nodes) {
+std::vector<int> ConstraintMap::sort_rows(int nodes) {
   constexpr int unknown = -1, waiting = -2;
   row_of_.assign(at(nodes), -1);
   for (std::size_t r = 0; r < rows_.size(); ++r) row_of_[at(rows_[r].dependent)] = static_cast<int>(r);
@@ -152,18 +152,18 @@ std::span<ConstraintMap::Term> ConstraintMap::terms(int node) {
   return {terms_.data() + row.begin, static_cast<std::size_t>(row.end - row.begin)};
 }
 
-void ConstraintMap::follow(double dt, std::span<Row> v, std::span<Row> w) {
+void ConstraintMap::apply_to_velocities(double dt, std::span<Row> v, std::span<Row> w) {
   std::size_t first = 0;
   for (const std::size_t last : levels_) {
     parallel_for(last - first, 256, [&](std::size_t begin, std::size_t end) {
       for (std::size_t r = first + begin; r < first + end; ++r)
-        if (!rows_[r].removed) follow(rows_[r], dt, v, w);
+        if (!rows_[r].removed) apply_to_velocities(rows_[r], dt, v, w);
     });
     first = last;
   }
 }
 
-void ConstraintMap::follow(RowHead& row, double dt, std::span<Row> v, std::span<Row> w) {
+void ConstraintMap::apply_to_velocities(RowHead& row, double dt, std::span<Row> v, std::span<Row> w) {
   Vec3d vd{}, wd{};
   for (int i = row.begin; i < row.end; ++i) {
     Term& t = terms_[at(i)];
@@ -197,12 +197,12 @@ void ConstraintMap::follow(RowHead& row, double dt, std::span<Row> v, std::span<
   if (row.rotations) set(w[at(row.dependent)], wd);
 }
 
-void ConstraintMap::collect(std::span<Row> f, std::span<Row> m) const {
+void ConstraintMap::transfer_forces(std::span<Row> f, std::span<Row> m) const {
   for (auto row = rows_.rbegin(); row != rows_.rend(); ++row)
-    if (!row->removed) collect(*row, f, m);
+    if (!row->removed) transfer_forces(*row, f, m);
 }
 
-void ConstraintMap::collect(const RowHead& row, std::span<Row> f, std::span<Row> m) const {
+void ConstraintMap::transfer_forces(const RowHead& row, std::span<Row> f, std::span<Row> m) const {
   const std::size_t d = at(row.dependent);
   const Vec3d force = vec(f[d]);
   Vec3d moment = row.rotations ? vec(m[d]) : Vec3d{};
@@ -223,7 +223,7 @@ void ConstraintMap::collect(const RowHead& row, std::span<Row> f, std::span<Row>
   if (row.rotations) set(m[d], Vec3d{});
 }
 
-void ConstraintMap::hand_over(std::span<double> mass, std::span<double> inertia, int bodies) const {
+void ConstraintMap::transfer_mass(std::span<double> mass, std::span<double> inertia, int bodies) const {
   for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
     if (row->removed || terms_[at(row->begin)].node >= bodies) continue;
     const std::size_t d = at(row->dependent);

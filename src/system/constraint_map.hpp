@@ -16,11 +16,11 @@ namespace nugget::system {
 /// with weights w_k that add up to 1 and arms a_k carried around by the nodes that they belong to. A tied weld node has
 /// the four nodes of its segment (weights N_i); a node of a rigid body has one term, the body's virtual node, with
 /// weight 1. Nodes that a row names may be dependent themselves: rows are worked through in the order of their
-/// dependence. `follow` applies T to velocities, `collect` its transpose to forces (virtual power: f . T q = T^t f .
-/// q).
+/// dependence. `apply_to_velocities` applies T to velocities, `transfer_forces` its transpose to forces (virtual power:
+/// f . T q = T^t f . q).
 ///
 /// Where nodes carry no rotation that could hold a moment, the dependent node's spin comes from the translations of the
-/// corners c of its segment (spotweld-theory.md, section 5.6). With r_c the arms from their centre,
+/// corners c of its segment (docs/theory/ties.md#twist). With r_c the arms from their centre,
 ///     whole:  omega_d = J^-1 sum_c r_c x v_c,  J = sum_c (|r_c|^2 1 - r_c r_c^t),  and v_d gets omega_d x a besides;
 ///     twist:  only the component along the segment's normal n, on a flat segment sum_c n . (r_c x v_c) / sum_c
 ///     |r_c|^2;
@@ -50,8 +50,8 @@ class ConstraintMap {
            const Vec3d& arm = {});
   /// To be called once when all rows are there: puts them in order. `nodes`: number of nodes, virtual ones included.
   /// Returns the dependent nodes of rows that depend on themselves in a circle (an input error).
-  std::vector<int> close(int nodes);
-  /// Lets a dependent node go; from then on it is independent.
+  std::vector<int> sort_rows(int nodes);
+  /// Releases a dependent node; from then on it is independent.
   void remove(int node);
 
   bool dependent(int node) const { return row_of_[static_cast<std::size_t>(node)] >= 0; }
@@ -66,13 +66,13 @@ class ConstraintMap {
   /// v, w := T (v, w) for the step dt; arms are turned to their place at the end of the step, so that x + dt v keeps a
   /// rigid body rigid (the velocity is the chord of the arc). Corners' arms count as they are in the middle of the
   /// step.
-  void follow(double dt, std::span<Row> v, std::span<Row> w);
+  void apply_to_velocities(double dt, std::span<Row> v, std::span<Row> w);
   /// f, m of dependent nodes go to the independent ones, and are zero afterwards.
-  void collect(std::span<Row> f, std::span<Row> m) const;
+  void transfer_forces(std::span<Row> f, std::span<Row> m) const;
   /// Mass and rotary inertia of dependent nodes go to the nodes of their terms by their weights (inertia with what the
   /// arm adds), and are zero afterwards, but for rows on nodes from `bodies` on: these dependent nodes keep theirs,
   /// from which the body's own follow.
-  void hand_over(std::span<double> mass, std::span<double> inertia, int bodies) const;
+  void transfer_mass(std::span<double> mass, std::span<double> inertia, int bodies) const;
 
   /// How a dependent node moves with independent ones only, (v, omega)_d = sum of 6 x 6 blocks, row by row, times
   /// (v, omega)_k: T as the dynamics of small motions (T^t K T) wants it. Ascending by node.
@@ -96,8 +96,8 @@ class ConstraintMap {
   struct Spin;
   Spin spin(const RowHead& row, std::span<const Corner> corners) const;
   std::span<const Corner> corners(const RowHead& row) const;
-  void follow(RowHead& row, double dt, std::span<Row> v, std::span<Row> w);
-  void collect(const RowHead& row, std::span<Row> f, std::span<Row> m) const;
+  void apply_to_velocities(RowHead& row, double dt, std::span<Row> v, std::span<Row> w);
+  void transfer_forces(const RowHead& row, std::span<Row> f, std::span<Row> m) const;
 
   std::vector<RowHead> rows_;
   std::vector<Term> terms_;

@@ -92,23 +92,23 @@ class ElementGroup {
   bool damped() const { return damping_share > 0.0 || damping_time > 0.0; }
   double damping_time_at(double step) const { return damping_time > 0.0 ? damping_time : damping_share * step; }
   /// Share by which damping of the elements' forces over a range of frequencies stiffens them above it.
-  double stiffened = 0.0;
+  double damping_stiffness_ratio = 0.0;
   /// Stable step of an element that is so stiffened and damped, with the velocities of half a step before (Belytschko):
   /// s (sqrt(1 + x^2) - x), x = beta / s.
   double damped_step(double s) const {
-    if (stiffened > 0.0) s /= std::sqrt(1.0 + stiffened);
+    if (damping_stiffness_ratio > 0.0) s /= std::sqrt(1.0 + damping_stiffness_ratio);
     if (!damped() || !(s < std::numeric_limits<double>::infinity())) return s;
     const double beta = damping_time_at(s);
     return std::sqrt(s * s + beta * beta) - beta;
   }
   /// Keeps the state as it is, free of stress, for stiffness-proportional damping.
-  virtual void keep_unstressed() = 0;
+  virtual void store_reference_state() = 0;
 
-  // Damage of a weld as a whole, from outside its elements. Elements of other kinds are always sound.
-  virtual double integrity(std::size_t) const { return 1.0; }  ///< share of the sound element's force that is left
+  // Damage of a weld as a whole, from outside its elements. Elements of other kinds are always undamaged.
+  virtual double integrity(std::size_t) const { return 1.0; }  ///< share of the undamaged element's force that is left
   virtual void set_integrity(std::size_t, double) {}           ///< from the next cycle on
   /// Lets no point's stress grow beyond what it is now; where the material says that this may happen.
-  virtual void hold_yield(std::size_t) {}
+  virtual void freeze_yield(std::size_t) {}
 
   /// Stresses and strains for output, global axes where not said otherwise.
   struct Layer {
@@ -118,7 +118,7 @@ class ElementGroup {
   };
   virtual int layers() const { return 0; }
   virtual Layer layer(std::size_t, int, const State&) const { return {}; }
-  /// Gives a layer stress and plastic strain from outside (preloads, states of an earlier run), as `layer` tells them.
+  /// Gives a layer stress and plastic strain from outside (preloads, states of an earlier run), as `layer` gives them.
   /// False where this kind of element cannot take it.
   virtual bool set_layer(std::size_t, int, const Layer&, const State&) { return false; }
   /// Of a point of a weld; 0 of other elements.
@@ -134,13 +134,13 @@ class ElementGroup {
   /// Effective strain rate of a weld element in the last cycle, sqrt(2/3 e:e) of the deviator [1/time]; 0 of others.
   virtual double strain_rate(std::size_t) const { return 0.0; }
 
-  /// How many blocks lost elements in cycles so far; a change says that somebody died.
-  std::atomic<int> deaths{0};
+  /// How many blocks lost elements in cycles so far; a change says that an element was deleted.
+  std::atomic<int> deletions{0};
   /// An element whose volume has become negative, or -1: the run must stop.
   std::atomic<int> inverted{-1};
 
-  /// Smallest stable step of each block's living elements in the last cycle, mass scaling included (infinite where none
-  /// lives).
+  /// Smallest stable step of each block's active elements in the last cycle, mass scaling included (infinite where none
+  /// is active).
   std::vector<double> block_step;
   /// Share of the stable step that may be taken: TSSFAC, or 1 for welds whose mass was scaled to a step that contains
   /// it.

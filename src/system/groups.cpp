@@ -7,9 +7,9 @@
 #include <type_traits>
 
 #include "base/index.hpp"
-#include "kernel/law/composition.hpp"
-#include "kernel/law/prepared_compound.hpp"
-#include "kernel/law/prepared_laminate.hpp"
+#include "kernel/law/composed_law_kernel.hpp"
+#include "kernel/law/laminate_kernel.hpp"
+#include "kernel/law/law_components.hpp"
 #include "model/bond.hpp"
 #include "model/lumped_mass.hpp"
 #include "system/batch_group.hpp"
@@ -104,9 +104,9 @@ template <class With>
 bool with_law(const model::Law& law, const With& with) {
   return std::visit(
       [&]<class Law>(const Law& l) {
-        constexpr bool computed = std::is_same_v<Law, kernel::Elastic> ||
-                                  std::is_same_v<Law, kernel::PlasticKinematic> ||
-                                  std::is_same_v<Law, kernel::PiecewiseLinear> || std::is_same_v<Law, kernel::Compound>;
+        constexpr bool computed =
+            std::is_same_v<Law, kernel::Elastic> || std::is_same_v<Law, kernel::PlasticKinematic> ||
+            std::is_same_v<Law, kernel::PiecewiseLinear> || std::is_same_v<Law, kernel::ComposedLaw>;
         if constexpr (computed) with(l);
         return computed;
       },
@@ -204,7 +204,8 @@ kernel::WeldBeamProperties integrated_beam(const model::SectionBeam& section, do
 bool free_to_twist(const model::Model& model, const weld::Weld& w) {
   return std::any_of(w.ends.begin(), w.ends.end(), [&](const weld::Projection& e) {
     const bool drills = e.tie.shell != model::none && model.parts[at(e.tie.part)].drilling > 0.0;
-    return e.tied && e.kase != 0 && e.tie.rigid_body == model::none && !e.tie.twist && !e.tie.couples && !drills;
+    return e.tied && e.projection_case != 0 && e.tie.rigid_body == model::none && !e.tie.twist && !e.tie.couples &&
+           !drills;
   });
 }
 
@@ -241,11 +242,11 @@ System::Members System::members(const Elements& elements, const std::vector<mode
 
 template <class Element>
 void System::add_group(Element element, model::ElementKind kind, std::size_t part, const Members& m,
-                       std::vector<Seat>& seats) {
+                       std::vector<ElementLocation>& locations) {
   groups.push_back(std::make_unique<BatchGroup<Element>>(std::move(element), kind, static_cast<model::Index>(part),
                                                          m.element, m.node, start_));
   for (std::size_t e = 0; e < m.element.size(); ++e)
-    seats[at(m.element[e])] = {static_cast<int>(groups.size()) - 1, static_cast<int>(e)};
+    locations[at(m.element[e])] = {static_cast<int>(groups.size()) - 1, static_cast<int>(e)};
 }
 
 const model::Hourglass& System::hourglass_of(const model::Part& part) const {
@@ -277,8 +278,8 @@ void System::add_shells(std::size_t p, const std::vector<model::Index>& chosen) 
   const Members m = members(model.shells, chosen);
   constexpr int corners = ShellElement<kernel::Elastic, Kind>::corners;
   const bool computed = with_shell_law(material.law, [&]<class Law>(const Law& law) {
-    add_group(ShellElement<Law, Kind>{shell, kernel::Prepared<Law>(law), model.shells, section.extra_mass},
-              model::ElementKind::shell, p, m, shell_seat);
+    add_group(ShellElement<Law, Kind>{shell, kernel::LawKernel<Law>(law), model.shells, section.extra_mass},
+              model::ElementKind::shell, p, m, shell_location);
   });
   if (computed) return;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
@@ -290,12 +291,12 @@ void System::add_shells(std::size_t p, const std::vector<model::Index>& chosen) 
       own = kernel::shell_nodal_mass(x, t, shell.density, shell.offset, section.extra_mass);
     else
       own = kernel::triangle_nodal_mass(x, t, shell.density, shell.offset, section.extra_mass);
-    lumps_.push_back({static_cast<model::Index>(p), corners, m.node[i], corners * own.mass, own.inertia});
+    mass_only_elements_.push_back({static_cast<model::Index>(p), corners, m.node[i], corners * own.mass, own.inertia});
   }
 }
 
 void System::make_shells() {
-  shell_seat.assign(model.shells.size(), {});
+  shell_location.assign(model.shells.size(), {});
   const auto sorted = by_part(model.shells, model.parts.size(), ties.x);
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     if (sorted[p].empty()) continue;
@@ -324,7 +325,7 @@ std::vector<bool> System::deleted_with_welds(bool bricks) const {
 }
 
 void System::make_bricks() {
-  solid_seat.assign(model.solids.size(), {});
+  solid_location.assign(model.solids.size(), {});
   const std::vector<bool> deleted = deleted_with_welds(true);
   auto sorted = by_part(model.solids, model.parts.size(), ties.x);
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
@@ -333,18 +334,18 @@ void System::make_bricks() {
     const model::Part& part = model.parts[p];
     const model::Material& material = model.materials[at(part.material)];
     const model::Hourglass& hourglass = hourglass_of(part);
-    const auto* compound = std::get_if<kernel::Compound>(&material.law);
-    if (compound != nullptr && compound->made_of->bond) {
+    const auto* compound = std::get_if<kernel::ComposedLaw>(&material.law);
+    if (compound != nullptr && compound->components->bond) {
       const Members m = members(model.solids, sorted[p]);
       if (model::is_between_shells(model.solid_sections[at(part.section)].elform))
-        add_group(CohesiveBrickElement<true>{material.density, compound->made_of->bond}, model::ElementKind::solid, p,
-                  m, solid_seat);
+        add_group(CohesiveBrickElement<true>{material.density, compound->components->bond}, model::ElementKind::solid,
+                  p, m, solid_location);
       else
-        add_group(CohesiveBrickElement<false>{material.density, compound->made_of->bond}, model::ElementKind::solid, p,
-                  m, solid_seat);
+        add_group(CohesiveBrickElement<false>{material.density, compound->components->bond}, model::ElementKind::solid,
+                  p, m, solid_location);
       continue;
     }
-    const bool viscous = compound == nullptr || compound->made_of->bulk_viscosity;
+    const bool viscous = compound == nullptr || compound->components->bulk_viscosity;
     // Without a card: viscous on the patterns orthogonal to linear fields (docs/decisions/0007).
     const kernel::HexahedronProperties brick{material.density, hourglass.type == 0 ? 2 : hourglass.type,
                                              hourglass.membrane, viscous ? hourglass.bulk_quadratic : 0.0,
@@ -354,35 +355,37 @@ void System::make_bricks() {
       continue;
     }
     const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
-      const BrickElement<Law> element{brick, kernel::Prepared<Law>(law)};
+      const BrickElement<Law> element{brick, kernel::LawKernel<Law>(law)};
       const auto [quadratic, tetrahedra, full, others] =
           by_formulation(sorted[p], model.solid_sections[at(part.section)].elform);
       if (!quadratic.empty())
         add_group(QuadraticTetrahedronElement<Law>{{brick, element.law}}, model::ElementKind::solid, p,
-                  different_nodes(quadratic), solid_seat);
+                  different_nodes(quadratic), solid_location);
       if (!tetrahedra.empty()) {
         const Members m = different_nodes(tetrahedra);
         const int elform = model.solid_sections[at(part.section)].elform;
         std::shared_ptr<NodalPressure> shared;
-        if (!std::is_same_v<Law, kernel::Compound> && elform == 13)
+        if (!std::is_same_v<Law, kernel::ComposedLaw> && elform == 13)
           shared = std::make_shared<NodalPressure>(first_four(m.node), start_, bulk_modulus(element.law.elastic()));
         if (elform == 4)
           add_group(RotationalTetrahedronElement<Law>{{brick, element.law}}, model::ElementKind::solid, p, m,
-                    solid_seat);
+                    solid_location);
         else
-          add_group(TetrahedronElement<Law>{brick, element.law, shared}, model::ElementKind::solid, p, m, solid_seat);
+          add_group(TetrahedronElement<Law>{brick, element.law, shared}, model::ElementKind::solid, p, m,
+                    solid_location);
       }
       if (!full.empty())
         add_group(full_brick(element, model.solid_sections[at(part.section)]), model::ElementKind::solid, p,
-                  members(model.solids, full), solid_seat);
-      if (!others.empty()) add_group(element, model::ElementKind::solid, p, members(model.solids, others), solid_seat);
+                  members(model.solids, full), solid_location);
+      if (!others.empty())
+        add_group(element, model::ElementKind::solid, p, members(model.solids, others), solid_location);
     });
     if (computed) continue;
     const Members m = different_nodes(sorted[p]);
     for (std::size_t i = 0; i < sorted[p].size(); ++i) {
       const double whole = material.density * model::solid_volume(model, at(sorted[p][i]));
       const int count = static_cast<int>(model.solids.different_nodes(at(sorted[p][i])).size());
-      lumps_.push_back({static_cast<model::Index>(p), count, m.node[i], whole, 0.0});
+      mass_only_elements_.push_back({static_cast<model::Index>(p), count, m.node[i], whole, 0.0});
     }
   }
 }
@@ -434,18 +437,18 @@ void System::add_weld_bricks(std::size_t p, const std::vector<model::Index>& cho
       const auto laid = laid_along(*weld_of[at(bricks[i])], model.solids.node[at(bricks[i])], ties.x);
       for (std::size_t a = 0; a < 8; ++a) m.node[i][a] = node_of[at(laid[a])];
     }
-    const BrickElement<kernel::Spotweld> element{brick, kernel::Prepared<kernel::Spotweld>(own)};
+    const BrickElement<kernel::Spotweld> element{brick, kernel::LawKernel<kernel::Spotweld>(own)};
     const model::SectionSolid& section = model.solid_sections[at(model.parts[p].section)];
     if (section.elform == 2 || bends_without_locking(section.elform))
-      add_group(full_brick(element, section), model::ElementKind::solid, p, m, solid_seat);
+      add_group(full_brick(element, section), model::ElementKind::solid, p, m, solid_location);
     else
-      add_group(element, model::ElementKind::solid, p, m, solid_seat);
-    scale_like_a_weld(*groups.back(), own);
+      add_group(element, model::ElementKind::solid, p, m, solid_location);
+    scale_weld_mass(*groups.back(), own);
   }
 }
 
 void System::make_weld_beams(Findings& findings) {
-  beam_seat.assign(model.beams.size(), {});
+  beam_location.assign(model.beams.size(), {});
   const std::vector<bool> deleted = deleted_with_welds(false);
   std::vector<bool> untwistable(model.beams.size(), false);
   for (const weld::Weld& w : ties.welds)
@@ -496,24 +499,24 @@ void System::add_beams(std::size_t p, const std::vector<model::Index>& chosen) {
                                             {law->E, law->nu},
                                             model.beams,
                                             ties.x},
-                       kind, p, m, beam_seat);
+                       kind, p, m, beam_location);
   }
   const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
-    if constexpr (!std::is_same_v<Law, kernel::Compound>) {  // refused by the model
+    if constexpr (!std::is_same_v<Law, kernel::ComposedLaw>) {  // refused by the model
       if (section.elform == 3)
-        add_group(TrussElement<Law>{section.area, material.density, section.extra_mass, kernel::Prepared<Law>(law)},
-                  kind, p, m, beam_seat);
+        add_group(TrussElement<Law>{section.area, material.density, section.extra_mass, kernel::LawKernel<Law>(law)},
+                  kind, p, m, beam_location);
       else if (section.elform == 1)
-        add_group(IntegratedBeamElement<Law>{integrated_beam(section, material.density), kernel::Prepared<Law>(law),
+        add_group(IntegratedBeamElement<Law>{integrated_beam(section, material.density), kernel::LawKernel<Law>(law),
                                              law.nu, model.beams, ties.x},
-                  kind, p, m, beam_seat);
+                  kind, p, m, beam_location);
     }
   });
   if (computed) return;
   for (const ElementNodes& node : m.node) {
     const double length = norm(start_[at(node[1])] - start_[at(node[0])]);
     const double whole = (material.density * model::beam_area(section) + section.extra_mass) * length;
-    lumps_.push_back({static_cast<model::Index>(p), 2, node, whole, whole * length * length / 24.0});
+    mass_only_elements_.push_back({static_cast<model::Index>(p), 2, node, whole, whole * length * length / 24.0});
   }
 }
 
@@ -532,7 +535,7 @@ void System::add_discrete_beams(std::size_t p, const std::vector<model::Index>& 
     const auto& n = model.beams.node[at(e)];
     const Vec3d line = ties.x[at(n[1])] - ties.x[at(n[0])], side = model.beams.side(at(e), ties.x);
     const bool has_length = norm(line) > 0.0, between_points = beam.between_points && has_length;
-    const auto tell = [&](Severity severity, const std::string& what, const char* remedy) {
+    const auto report = [&](Severity severity, const std::string& what, const char* remedy) {
       findings.add({severity,
                     model.beams.place[at(e)],
                     "*ELEMENT_BEAM",
@@ -542,28 +545,28 @@ void System::add_discrete_beams(std::size_t p, const std::vector<model::Index>& 
                     remedy});
     };
     if (beam.follows_line() && !has_length)
-      tell(Severity::error, fmt::format("has no length, so its r axis cannot follow it (SCOOR = {})", section.scoor),
-           "write SCOOR 0 for beams of no length");
+      report(Severity::error, fmt::format("has no length, so its r axis cannot follow it (SCOOR = {})", section.scoor),
+             "write SCOOR 0 for beams of no length");
     if (between_points && axes && norm(cross(unit(line), axes->e1)) > 1e-6)
-      tell(Severity::warning, "acts along the line of its nodes, as its law says, not along the r axis of CID",
-           "put both nodes at one place, or take *MAT_GENERAL_SPRING_DISCRETE_BEAM");
+      report(Severity::warning, "acts along the line of its nodes, as its law says, not along the r axis of CID",
+             "put both nodes at one place, or take *MAT_GENERAL_SPRING_DISCRETE_BEAM");
     if (!between_points && !axes && norm(side) > 0.0 && !(norm(cross(line, side)) > 1e-9 * norm(side) * norm(line)))
-      tell(Severity::warning,
-           "has a third node that gives it no axes, for want of length or of direction: it has the global ones",
-           "give the section a CID");
+      report(Severity::warning,
+             "has a third node that gives it no axes, for want of length or of direction: it has the global ones",
+             "give the section a CID");
   }
   add_group(DiscreteBeamElement{beam, *law, axes, model.beams, ties.x}, model::ElementKind::beam, p,
-            members(model.beams, chosen), beam_seat);
+            members(model.beams, chosen), beam_location);
 }
 
 void System::make_springs() {
-  discrete_seat.assign(model.discretes.size(), {});
+  discrete_location.assign(model.discretes.size(), {});
   std::map<std::pair<model::Index, bool>, std::vector<model::Index>> sorted;
   for (std::size_t e = 0; e < model.discretes.size(); ++e)
     sorted[{model.discretes[e].part, model.discretes[e].grounded()}].push_back(static_cast<model::Index>(e));
   for (const auto& [key, chosen] : sorted) {
     for (std::size_t i = 0; i < chosen.size(); ++i)
-      discrete_seat[at(chosen[i])] = {static_cast<int>(groups.size()), static_cast<int>(i)};
+      discrete_location[at(chosen[i])] = {static_cast<int>(groups.size()), static_cast<int>(i)};
     groups.push_back(std::make_unique<SpringGroup>(model, key.first, chosen, node_of, start_));
   }
 }
@@ -581,12 +584,12 @@ void System::add_weld_beams(std::size_t p, const std::vector<model::Index>& chos
                                     0.5 * (section.inner[0] + section.inner[1]), section.quadrature);
   beam.shear_factor = section.shear_factor;
   beam.no_torsion = !torsion;
-  add_group(WeldBeamElement{{beam, kernel::Prepared<kernel::Spotweld>(*law), law->nu, model.beams, ties.x}},
-            model::ElementKind::beam, p, members(model.beams, chosen), beam_seat);
-  scale_like_a_weld(*groups.back(), *law);
+  add_group(WeldBeamElement{{beam, kernel::LawKernel<kernel::Spotweld>(*law), law->nu, model.beams, ties.x}},
+            model::ElementKind::beam, p, members(model.beams, chosen), beam_location);
+  scale_weld_mass(*groups.back(), *law);
 }
 
-void System::scale_like_a_weld(ElementGroup& group, const kernel::Spotweld& law) const {
+void System::scale_weld_mass(ElementGroup& group, const kernel::Spotweld& law) const {
   group.weld = true;
   if (law.mass_step > 0.0) {
     group.mass_step = law.mass_step;

@@ -3,14 +3,14 @@
 
 #include <optional>
 
+#include "kernel/law/composed_law_kernel.hpp"
 #include "kernel/law/orthotropic_point.hpp"
-#include "kernel/law/prepared_compound.hpp"
 
 namespace nugget::system {
 
 /// How the material axes of a law's points lie at the start; null: it has none.
 template <class Law>
-const kernel::MaterialAxes* material_axes(const kernel::Prepared<Law>& law) {
+const kernel::MaterialAxes* material_axes(const kernel::LawKernel<Law>& law) {
   if constexpr (requires { law.axes(); })
     return law.axes();
   else
@@ -18,11 +18,11 @@ const kernel::MaterialAxes* material_axes(const kernel::Prepared<Law>& law) {
 }
 
 /// Field of a point's history in which its material axes begin.
-inline constexpr int first_material_axis = kernel::Prepared<kernel::Orthotropic>::first_axis;
+inline constexpr int first_material_axis = kernel::LawKernel<kernel::Orthotropic>::first_axis;
 
 /// Axes a, b, c of a solid now: the mean over its points, whose histories begin at the fields `history_of(point)`.
 template <class Law, class Field, class HistoryOf>
-std::optional<Frame3d> solid_material_axes(const kernel::Prepared<Law>& law, const Field& field, int points,
+std::optional<Frame3d> solid_material_axes(const kernel::LawKernel<Law>& law, const Field& field, int points,
                                            const HistoryOf& history_of) {
   if (material_axes(law) == nullptr) return {};
   Vec3d a, b;

@@ -12,7 +12,7 @@
 namespace nugget::system {
 
 /// Mean stress on which the nodes of a group of tetrahedra agree (J. Bonet, A.J. Burton, Commun. Numer. Meth. Engng 14,
-/// 1998, in the logarithmic form of the laws here): with v_a the sum of a quarter of the volume of each living element
+/// 1998, in the logarithmic form of the laws here): with v_a the sum of a quarter of the volume of each active element
 /// at node a, and V_a the same at the start,
 ///     p_a = K ln(v_a / V_a)        mean stress of an element: that of its four nodes' mean.
 /// Since dv_e/dx = v_e b, the elements' forces are then the derivative of an energy that depends on v_a alone: a node,
@@ -29,7 +29,7 @@ class NodalPressure {
   double bulk_modulus_;
   std::vector<std::array<int, 4>> corners_;  ///< system nodes
   std::vector<std::array<int, 4>> local_;    ///< the same, counted among the nodes of the group
-  std::vector<double> at_start_, volume_;    ///< of elements; 0 once dead or inside out
+  std::vector<double> at_start_, volume_;    ///< of elements; 0 once deleted or inverted
   std::vector<std::size_t> first_;           ///< of each node, in `around_`
   std::vector<int> around_;                  ///< elements at the nodes, node by node, ascending
   std::vector<double> at_node_;              ///< mean stress

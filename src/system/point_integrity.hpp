@@ -3,16 +3,16 @@
 
 #include <array>
 
-#include "kernel/law/prepared.hpp"
+#include "kernel/law/law_kernel.hpp"
 
 namespace nugget::system {
 
 /// Share of its stress that the damage of a weld's points (DMGOPT 0 to 2) has left, the mean of `count` points;
 /// `history_of(k)`: where the history of point k begins in the element's state.
 template <class Field, class Start>
-double point_integrity(const kernel::Prepared<kernel::Spotweld>& law, const Field& field, int count,
+double point_integrity(const kernel::LawKernel<kernel::Spotweld>& law, const Field& field, int count,
                        const Start& history_of) {
-  constexpr int numbers = kernel::Prepared<kernel::Spotweld>::sound;
+  constexpr int numbers = kernel::LawKernel<kernel::Spotweld>::undamaged_stress;
   double sum = 0.0;
   for (int k = 0; k < count; ++k) {
     std::array<double, numbers> history;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "kernel/law/prepared_compound.hpp"
+#include "kernel/law/composed_law_kernel.hpp"
 
 // Numbers in the history of a point that only some laws have.
 namespace nugget::system {
 
 /// Sets the size of its element, of laws that ask for it.
 template <class Law>
-void start_size(const kernel::Prepared<Law>& law, double* history, int stride, double size) {
+void start_size(const kernel::LawKernel<Law>& law, double* history, int stride, double size) {
   if constexpr (requires { law.size_field(); })
     if (const int field = law.size_field(); field > 0) history[field * stride] = size;
 }
@@ -16,7 +16,7 @@ void start_size(const kernel::Prepared<Law>& law, double* history, int stride, d
 /// Damage, of laws that have it: the mean over points, the history of point p from `place(p)` on. `field(i)`: the i-th
 /// number of the element's state.
 template <class Law, class Field, class Place>
-kernel::DamageNumbers damage_of(const kernel::Prepared<Law>& law, const Field& field, int points, const Place& place) {
+kernel::DamageNumbers damage_of(const kernel::LawKernel<Law>& law, const Field& field, int points, const Place& place) {
   kernel::DamageNumbers mean{};
   if constexpr (requires { law.damage([](int) { return 0.0; }); }) {
     for (int p = 0; p < points; ++p) {

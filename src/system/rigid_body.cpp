@@ -46,7 +46,7 @@ Vec3d RigidBody::spin(const Vec3d& momentum, const Frame3d& at) const {
   return at.global(solve(inertia, at.local(momentum)));
 }
 
-Vec3d RigidBody::held_spin(const Vec3d& momentum, const Frame3d& at) const {
+Vec3d RigidBody::constrained_spin(const Vec3d& momentum, const Frame3d& at) const {
   if (!(fixed >> 3)) return spin(momentum, at);
   const std::array<Vec3d, 3> e{fixed_axes.e1, fixed_axes.e2, fixed_axes.e3};
   // I w = L about the axes that are free; w = 0 about the others, whose supports take what moment it needs.
@@ -68,18 +68,18 @@ Vec3d RigidBody::momentum(const Vec3d& spin, const Frame3d& at) const {
   return at.global(times(inertia, at.local(spin)));
 }
 
-double RigidBody::advance(double kick, double dt, State& state) {
+double RigidBody::advance(double velocity_interval, double dt, State& state) {
   if (!(mass > 0.0)) return 0.0;  // all its nodes were released
   const auto k = static_cast<std::size_t>(node);
   const Vec3d force = vec(state.f[k]), moment = vec(state.m[k]), v_before = vec(state.v[k]), w_before = vec(state.w[k]);
-  Vec3d velocity = v_before + (kick / mass) * force;
+  Vec3d velocity = v_before + (velocity_interval / mass) * force;
   hold(velocity, fixed & 7u, fixed_axes);
   set(state.v[k], velocity);
 
-  angular_momentum += kick * moment;
+  angular_momentum += velocity_interval * moment;
   Vec3d w = w_before;
   for (int i = 0; i < 50; ++i) {
-    const Vec3d next = held_spin(angular_momentum, turned_axes(axes, (0.5 * dt) * w));
+    const Vec3d next = constrained_spin(angular_momentum, turned_axes(axes, (0.5 * dt) * w));
     const Vec3d change = next - w;
     w = next;
     if (dot(change, change) <= 1e-30 * dot(w, w)) break;

@@ -14,7 +14,7 @@ namespace nugget::system {
 /// Symmetric 3x3: xx xy xz yy yz zz.
 using Inertia = std::array<double, 6>;
 
-/// Dynamics of one rigid body; its centre is a virtual node of the State, its nodes hang on that node by the constraint
+/// Dynamics of one rigid body; its centre is a virtual node of the State, its nodes follow that node by the constraint
 /// map. Angular momentum is the primary unknown: it is conserved to round-off in torque-free motion.
 struct RigidBody {
   model::Index source = model::none;  ///< in Model::rigid_bodies
@@ -34,12 +34,12 @@ struct RigidBody {
   Vec3d momentum(const Vec3d& spin, const Frame3d& at) const;
   /// The same where the body cannot turn about some axes: those of them that are not its own ask for a moment of the
   /// supports, which does no work.
-  Vec3d held_spin(const Vec3d& momentum, const Frame3d& at) const;
+  Vec3d constrained_spin(const Vec3d& momentum, const Frame3d& at) const;
 
-  /// From t(n-1/2) to t(n+1/2): momentum by force and torque over `kick`, then the spin that turns the body over `dt`.
-  /// The spin satisfies the midpoint rule w = I(t+dt/2)^-1 L with I at the half-turned axes (fixed-point iteration to
-  /// round-off). Returns force times change of velocity plus torque times change of spin.
-  double advance(double kick, double dt, State& state);
+  /// From t(n-1/2) to t(n+1/2): momentum by force and torque over `velocity_interval`, then the spin that turns the
+  /// body over `dt`. The spin satisfies the midpoint rule w = I(t+dt/2)^-1 L with I at the half-turned axes
+  /// (fixed-point iteration to round-off). Returns force times change of velocity plus torque times change of spin.
+  double advance(double velocity_interval, double dt, State& state);
   /// Turns the axes over the step with the spin in `state`.
   void turn(double dt, const State& state);
   /// Makes the spin component along unit vector `axis` equal to `value`; momentum follows.

@@ -9,7 +9,7 @@
 #include "kernel/element/c0_triangle.hpp"
 #include "kernel/element/full_shell.hpp"
 #include "kernel/element/kirchhoff_triangle.hpp"
-#include "kernel/law/prepared_laminate.hpp"
+#include "kernel/law/laminate_kernel.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
 #include "system/material_axes.hpp"
@@ -52,7 +52,7 @@ struct ShellElement {
   using Places = std::array<Vec3d, corners>;
 
   kernel::ShellProperties shell;
-  kernel::Prepared<Law> law;
+  kernel::LawKernel<Law> law;
   const model::Shells& shells;
   double mass_per_area;
 
@@ -69,7 +69,7 @@ struct ShellElement {
     if constexpr (std::is_same_v<Law, kernel::Laminate>) return law.of(k).angle;
     return 0.0;
   }
-  /// What a layer's transverse shear stress bears.
+  /// Factor on a layer's transverse shear stress.
   double shear_force(int k) const {
     if constexpr (std::is_same_v<Law, kernel::Laminate>) return shell.shear_factor * law.of(k).shear_force;
     return shell.shear_factor;
@@ -156,7 +156,7 @@ struct ShellElement {
     for (int c = 0; c < 5; ++c) s[static_cast<std::size_t>(c)] = component(field, k, c);
     return {
         global_stress(frame, s[0], s[1], s[2], s[3], s[4]),
-        kernel::Prepared<Law>::has_plastic_strain ? component(field, k, 5) : 0.0,
+        kernel::LawKernel<Law>::has_plastic_strain ? component(field, k, 5) : 0.0,
         damage_of(kernel::law_of(law, k), field, columns, [&](int column) { return layout().history_of(k, column); })};
   }
   /// The other way round: all columns get the same stress.
@@ -165,7 +165,7 @@ struct ShellElement {
     const std::array<double, 5> s = local_stress(frame_of(x), l.stress);
     for (int column = 0; column < columns; ++column) {
       for (int c = 0; c < 5; ++c) put(layout().layer(k, column) + c, s[static_cast<std::size_t>(c)]);
-      if (kernel::Prepared<Law>::has_plastic_strain) put(layout().layer(k, column) + 5, l.plastic_strain);
+      if (kernel::LawKernel<Law>::has_plastic_strain) put(layout().layer(k, column) + 5, l.plastic_strain);
     }
   }
   /// The same element without viscous forces.

@@ -70,7 +70,7 @@ void SpringGroup::cycle(std::size_t begin, std::size_t end, const State& state, 
       Entry& s = springs_[e];
       const bool lived = s.alive;
       if (s.alive) advance(s, state, dt);
-      if (lived && !s.alive) ++deaths;
+      if (lived && !s.alive) ++deletions;
       // The slot's force is the internal one: on the node itself acts the opposite.
       const Vec3d pull = s.alive ? -s.force * s.line : Vec3d{};
       double work = 0.0;
@@ -269,7 +269,7 @@ Vec3d free_of_motions(const System& system, int node, const Vec3d& n, bool rotat
 }
 
 /// Whether supports or prescribed motion hold a direction of a node for ever.
-bool held(const System& system, int node, const Vec3d& n, bool rotation) {
+bool is_constrained(const System& system, int node, const Vec3d& n, bool rotation) {
   const Vec3d rest = free_of_supports(system.model, system.model_node[at(node)], n, rotation, 0.0, model::forever);
   return norm(free_of_motions(system, node, rest, rotation)) < 1e-9;
 }
@@ -310,7 +310,8 @@ void check_springs(const System& system, Findings& findings) {
       const model::Discrete& d = system.model.discretes[at(end.group->element[end.spring])];
       const Vec3d n = end.group->line(end.spring);
       const int id = system.model.nodes.id[at(system.model_node[at(node)])];
-      if (!(Mobility::along(rotation ? m.rotation : m.translation, n) > 0.0) && !held(system, node, n, rotation))
+      if (!(Mobility::along(rotation ? m.rotation : m.translation, n) > 0.0) &&
+          !is_constrained(system, node, n, rotation))
         findings.error(d.place, "*ELEMENT_DISCRETE",
                        fmt::format("node {} of spring {} has no {}, so there is no time step for it", id, d.id,
                                    rotation ? "rotary inertia" : "mass"),

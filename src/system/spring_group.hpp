@@ -14,7 +14,8 @@ class System;
 /// from node 1 to node 2, or that of the orientation, and d the elongation along it (the twist about it),
 ///     F = S (1 + KD |v|/V0) f(d, v),        +F n on node 1, -F n on node 2 (moments where DRO = 1),
 /// where d of a spring with an orientation is the change of (x2 - x1) . n. Such a spring between nodes that stand apart
-/// does not balance moments, as LS-DYNA warns too. Source: element-theory.md 6.5, keywords.md sections 4 and 6.
+/// does not balance moments, as LS-DYNA warns too. Source: docs/theory/beam.md#springs-and-dampers, LS-DYNA Keyword
+/// Manual.
 ///
 /// Time step: the springs that share nodes are bounded together. With k_t the stiffnesses of all springs at node i and
 /// 1/m_i what it opposes to a force along n (system/mobility.hpp), row sums give omega^2 <= sum_i sum_t k_t |n . n_t|
@@ -33,7 +34,7 @@ class SpringGroup final : public ElementGroup {
              std::span<Row> damping) override;
   void stiffness(std::size_t e, const State& start, std::span<double> k) const override;
   bool viscosity(std::size_t e, const State& start, std::span<double> c) const override;
-  void keep_unstressed() override {}
+  void store_reference_state() override {}
 
   void archive(Archive& a) override;
 

@@ -18,7 +18,7 @@ namespace nugget::system {
 namespace {
 
 /// Nodes in a line without rotary inertia leave one direction without any: a small isotropic share keeps it solvable.
-void keep_solvable(Inertia& i) {
+void regularize_inertia(Inertia& i) {
   const double trace = i[0] + i[3] + i[5];
   const double det =
       i[0] * (i[3] * i[5] - i[4] * i[4]) - i[1] * (i[1] * i[5] - i[2] * i[4]) + i[2] * (i[1] * i[4] - i[2] * i[3]);
@@ -31,7 +31,7 @@ void keep_solvable(Inertia& i) {
 
 /// The motion of a body whose mass is given, so that its nodes' masses say nothing of its centre: that of its nodes'
 /// rigid motion, from sums over them of mass m, m v, r x m v + j w, m r, m w and the tensor. Where the nodes stand in
-/// one place or on a line, their own spins tell the rest.
+/// one place or on a line, their own spins determine the rest.
 void fit_motion(RigidBody& body, double m, const Vec3d& linear, const Vec3d& angular, const Vec3d& first,
                 const Vec3d& turning, Inertia spread, State& state) {
   Vec3d velocity, spin;
@@ -56,7 +56,7 @@ System::System(const model::Model& m, const weld::Ties& t, Findings& findings) :
   make_constraints(findings);
   link_slots();
   assemble_mass();
-  hand_over_mass();
+  transfer_dependent_mass();
   make_bodies();
   check_springs(*this, findings);
 }
@@ -73,9 +73,9 @@ void System::order_nodes() {
 }
 
 void System::make_constraints(Findings& findings) {
-  holder_.assign(nodes, {});
-  const auto claim = [&](model::Index node, const Holder& who, const Place& place) {
-    Holder& held = holder_[at(node_of[at(node)])];
+  constraint_source_.assign(nodes, {});
+  const auto claim = [&](model::Index node, const ConstraintSource& who, const Place& place) {
+    ConstraintSource& held = constraint_source_[at(node_of[at(node)])];
     if (!held.none()) {
       findings.error(place, "",
                      fmt::format("node {} is made dependent twice: by {} and by {}", model.nodes.id[at(node)],
@@ -124,7 +124,7 @@ void System::make_constraints(Findings& findings) {
     const model::Interpolation& i = model.interpolations[k];
     if (claim(i.node, {.interpolation = static_cast<model::Index>(k)}, i.place)) add_interpolation(i);
   }
-  for (int node : map.close(static_cast<int>(all_nodes())))
+  for (int node : map.sort_rows(static_cast<int>(all_nodes())))
     findings.error(
         {model.deck, 0, 0}, "",
         fmt::format("node {} is tied to itself through other ties", model.nodes.id[at(model_node[at(node)])]),
@@ -170,11 +170,11 @@ void System::add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool
     map.add(dependent, rotations, terms, ConstraintMap::Turn::twist, around);
 }
 
-std::string System::name(const Holder& holder) const {
-  if (holder.body != model::none) return weld::name_body(model.rigid_bodies[at(holder.body)]);
-  if (holder.contact != model::none) return weld::name_contact(model.contacts[at(holder.contact)]);
-  if (holder.interpolation != model::none)
-    return fmt::format("*CONSTRAINED_INTERPOLATION {}", model.interpolations[at(holder.interpolation)].id);
+std::string System::name(const ConstraintSource& constraint_name) const {
+  if (constraint_name.body != model::none) return weld::name_body(model.rigid_bodies[at(constraint_name.body)]);
+  if (constraint_name.contact != model::none) return weld::name_contact(model.contacts[at(constraint_name.contact)]);
+  if (constraint_name.interpolation != model::none)
+    return fmt::format("*CONSTRAINED_INTERPOLATION {}", model.interpolations[at(constraint_name.interpolation)].id);
   return "nothing";
 }
 
@@ -198,8 +198,9 @@ void System::assemble_mass() {
       for (int a = 0; a < corners; ++a) put(node[at(a)], scale * group->nodal_mass(e, a), j);
     }
   }
-  for (const Lump& lump : lumps_)
-    for (int a = 0; a < lump.corners; ++a) put(lump.node[at(a)], lump.nodal_mass(a), lump.nodal_inertia);
+  for (const MassOnlyElement& mass_only : mass_only_elements_)
+    for (int a = 0; a < mass_only.corners; ++a)
+      put(mass_only.node[at(a)], mass_only.nodal_mass(a), mass_only.nodal_inertia);
   for (const model::PointMass& m : model.masses) put(node_of[at(m.node)], m.mass, 0.0);
   for (const model::PointInertia& p : model.inertias)
     put(node_of[at(p.node)], p.mass, (p.inertia[0] + p.inertia[3] + p.inertia[5]) / 3.0);
@@ -249,7 +250,7 @@ void System::make_bodies() {
   for (RigidBody& body : bodies) {
     const model::RigidBody& source = model.rigid_bodies[at(body.source)];
     if (source.given) body.inertia = source.inertia.inertia;
-    keep_solvable(body.inertia);
+    regularize_inertia(body.inertia);
   }
 }
 
@@ -261,7 +262,7 @@ void System::release_nodes(std::size_t b, std::span<const int> released, std::sp
     map.remove(d);
     momentum -= own_mass[at(d)] * vec(state.v[at(d)]);
   }
-  hand_over_mass();
+  transfer_dependent_mass();
   body.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   body.mass = 0.0;
   body.inertia = {};
@@ -285,18 +286,18 @@ void System::release_nodes(std::size_t b, std::span<const int> released, std::sp
     add(state.m[c], vec(state.m[at(d)]) + cross(arm, vec(state.f[at(d)])));
     state.f[at(d)] = state.m[at(d)] = Row{};
   }
-  keep_solvable(body.inertia);
+  regularize_inertia(body.inertia);
   add(state.x[c], shift);
   set(state.v[c], (1.0 / body.mass) * momentum);
   body.angular_momentum = body.momentum(vec(state.w[c]), body.axes);
 }
 
-void System::hand_over_mass() {
+void System::transfer_dependent_mass() {
   carried_mass_ = own_mass;
   carried_inertia_ = own_inertia_;
   carried_mass_.resize(all_nodes(), 0.0);
   carried_inertia_.resize(all_nodes(), 0.0);
-  map.hand_over(carried_mass_, carried_inertia_, static_cast<int>(nodes));
+  map.transfer_mass(carried_mass_, carried_inertia_, static_cast<int>(nodes));
   mass.assign(carried_mass_.begin(), carried_mass_.begin() + static_cast<std::ptrdiff_t>(nodes));
   inertia.assign(carried_inertia_.begin(), carried_inertia_.begin() + static_cast<std::ptrdiff_t>(nodes));
   for (std::size_t d = 0; d < nodes; ++d) {
@@ -364,7 +365,7 @@ State System::initial_state() {
     const weld::Tie& tie = ties.ties[s.tie];
     set(state.x[at(s.anchor)], tie.lever ? ties.x[at(tie.node)] : tie.point);
   }
-  map.follow(0.0, state.v, state.w);
+  map.apply_to_velocities(0.0, state.v, state.w);
   return state;
 }
 
@@ -396,25 +397,25 @@ void System::link_slots() {
   });
 }
 
-Vec3d System::nodal_force(Seat seat, int a) const {
-  return vec(slots_[groups[at(seat.group)]->slot_row(at(seat.element), a)]);
+Vec3d System::nodal_force(ElementLocation location, int a) const {
+  return vec(slots_[groups[at(location.group)]->slot_row(at(location.element), a)]);
 }
 
-Vec3d System::nodal_moment(Seat seat, int a) const {
-  const ElementGroup& group = *groups[at(seat.group)];
-  return group.rotational ? vec(slots_[group.slot_row(at(seat.element), a) + 1]) : Vec3d{};
+Vec3d System::nodal_moment(ElementLocation location, int a) const {
+  const ElementGroup& group = *groups[at(location.group)];
+  return group.rotational ? vec(slots_[group.slot_row(at(location.element), a) + 1]) : Vec3d{};
 }
 
 void System::internal_force(State& state) {
   for (const auto& group : groups)
     if (auto* looks = dynamic_cast<BeforeCycle*>(group.get())) looks->before_cycle(state);
-  each_block([&](int g, std::size_t begin, std::size_t end) {
+  for_each_block([&](int g, std::size_t begin, std::size_t end) {
     groups[at(g)]->cycle(begin, end, state, state.dt, slots_, damping_slots);
   });
   gather_slots(slots_, state.f, state.m);
 }
 
-void System::each_block(const std::function<void(int, std::size_t, std::size_t)>& body) const {
+void System::for_each_block(const std::function<void(int, std::size_t, std::size_t)>& body) const {
   parallel_for(blocks_.size(), 16, [&](std::size_t begin, std::size_t end) {
     while (begin < end) {
       const int g = blocks_[begin].first;
@@ -534,7 +535,7 @@ bool System::scale_mass(bool at_start) {
       }
     }
   }
-  if (changed) hand_over_mass();
+  if (changed) transfer_dependent_mass();
   return changed;
 }
 
@@ -554,7 +555,7 @@ System::Masses System::masses() const {
       }
     }
   }
-  for (const Lump& lump : lumps_) m.physical += lump.mass;
+  for (const MassOnlyElement& mass_only : mass_only_elements_) m.physical += mass_only.mass;
   for (const model::PointMass& p : model.masses) m.physical += p.mass;
   for (const model::PointInertia& p : model.inertias) m.physical += p.mass;
   // The mass that a deck gives a rigid body stands in place of that of its elements and nodes.
@@ -571,7 +572,7 @@ System::Masses System::masses() const {
   return m;
 }
 
-int System::carrying_body(int node) const {
+int System::rigid_body_of_node(int node) const {
   if (!map.dependent(node)) return -1;
   const std::size_t leader = at(map.terms(node).front().node);
   return leader >= nodes && leader - nodes < bodies.size() ? static_cast<int>(leader - nodes) : -1;
@@ -582,8 +583,8 @@ double System::part_mass(model::Index part) const {
   for (const auto& group : groups)
     if (group->part == part)
       for (std::size_t e = 0; e < group->size(); ++e) sum += group->mass(e);
-  for (const Lump& lump : lumps_)
-    if (lump.part == part) sum += lump.mass;
+  for (const MassOnlyElement& mass_only : mass_only_elements_)
+    if (mass_only.part == part) sum += mass_only.mass;
   return sum;
 }
 

@@ -59,31 +59,32 @@ class System {
   };
   std::vector<TieSpring> springs;
   /// What makes a dependent node dependent, for messages: `*CONTACT_SPOTWELD 3`, `rigid part 5`.
-  std::string holder(int node) const { return name(holder_[at(node)]); }
-  /// Ends a tie by constraint: its node keeps its velocity and takes its mass back. Then call `hand_over_mass`.
+  std::string constraint_name(int node) const { return name(constraint_source_[at(node)]); }
+  /// Ends a tie by constraint: its node keeps its velocity and takes its mass back. Then call
+  /// `transfer_dependent_mass`.
   void release(std::size_t tie);
   /// Masses and inertias of dependent nodes to those that they follow.
-  void hand_over_mass();
+  void transfer_dependent_mass();
 
   std::vector<std::unique_ptr<ElementGroup>> groups;
 
-  /// Where a model element lives; group -1 for elements that have no kernel (rigid parts, MAT_NULL, deleted welds).
-  struct Seat {
+  /// Where a model element stands; group -1 for elements that have no kernel (rigid parts, MAT_NULL, deleted welds).
+  struct ElementLocation {
     int group = -1;
     int element = -1;
   };
-  std::vector<Seat> shell_seat, solid_seat, beam_seat, discrete_seat;
+  std::vector<ElementLocation> shell_location, solid_location, beam_location, discrete_location;
   /// Of an element of a weld.
-  Seat seat_of(const weld::Weld& weld, model::Index element) const {
-    return (weld.of_bricks() ? solid_seat : beam_seat)[static_cast<std::size_t>(element)];
+  ElementLocation location_of(const weld::Weld& weld, model::Index element) const {
+    return (weld.of_bricks() ? solid_location : beam_location)[static_cast<std::size_t>(element)];
   }
   /// Internal force of an element at its node `a` after the last cycle; on the node itself acts the opposite [force].
-  Vec3d nodal_force(Seat seat, int a) const;
+  Vec3d nodal_force(ElementLocation location, int a) const;
   /// The moment that belongs to it; zero for elements without rotations [force length].
-  Vec3d nodal_moment(Seat seat, int a) const;
+  Vec3d nodal_moment(ElementLocation location, int a) const;
 
   /// Elements that have mass but no kernel (rigid parts, MAT_NULL).
-  struct Lump {
+  struct MassOnlyElement {
     model::Index part;
     int corners;
     ElementNodes node;
@@ -93,7 +94,7 @@ class System {
       return model::mass_at(mass, static_cast<std::size_t>(corners), static_cast<std::size_t>(a));
     }
   };
-  const std::vector<Lump>& lumps() const { return lumps_; }
+  const std::vector<MassOnlyElement>& mass_only_elements() const { return mass_only_elements_; }
 
   /// State at time 0: positions after tying, initial velocities, momenta of the bodies.
   State initial_state();
@@ -102,11 +103,11 @@ class System {
   /// step.
   void internal_force(State& state);
   /// Calls `body(group, begin, end)` for ranges of blocks of elements, all of all groups, side by side.
-  void each_block(const std::function<void(int, std::size_t, std::size_t)>& body) const;
+  void for_each_block(const std::function<void(int, std::size_t, std::size_t)>& body) const;
   /// Forces by which elements damp themselves, laid out as the slots of their internal forces (ElementGroup::slot_row);
-  /// empty until `have_damping_slots`.
+  /// empty until `allocate_damping_slots`.
   std::vector<Row> damping_slots;
-  void have_damping_slots() { damping_slots.resize(slots_.size()); }
+  void allocate_damping_slots() { damping_slots.resize(slots_.size()); }
   /// Takes the sum of its slots from each node: what forces of elements do to nodes. Rows of bodies become 0.
   void gather_slots(std::span<const Row> slots, std::span<Row> force, std::span<Row> moment) const;
 
@@ -126,7 +127,7 @@ class System {
   /// True if any mass was added; nodal masses are then assembled anew.
   bool scale_mass(bool at_start);
 
-  /// Lets nodes of a rigid body go while the model moves: they are free from now on, with their own mass and the
+  /// Releases nodes of a rigid body while the model moves: they are free from now on, with their own mass and the
   /// velocity they have. What the body keeps moves on as a body of its own mass and inertia; linear momentum is
   /// conserved to round-off, angular momentum to the square of the angle turned in a step. `kept`: its other nodes;
   /// where there are none it is at rest and has no mass. Loads of all these nodes stand in `state`, not yet collected.
@@ -141,8 +142,8 @@ class System {
   Masses masses() const;
   /// Physical mass of a part (its elements and point masses assigned to it).
   double part_mass(model::Index part) const;
-  /// The rigid body that a node hangs on, in `bodies`; -1: none.
-  int carrying_body(int node) const;
+  /// The rigid body that carries a node, in `bodies`; -1: none.
+  int rigid_body_of_node(int node) const;
 
   void archive(Archive& a);
 
@@ -158,7 +159,7 @@ class System {
   Members members(const Elements& elements, const std::vector<model::Index>& chosen) const;
   template <class Element>
   void add_group(Element element, model::ElementKind kind, std::size_t part, const Members& m,
-                 std::vector<Seat>& seats);
+                 std::vector<ElementLocation>& locations);
   const model::Hourglass& hourglass_of(const model::Part& part) const;
   void make_groups(Findings& findings);
   void make_shells();
@@ -177,7 +178,7 @@ class System {
   /// By model element of a kind: whether SPOTSTP = 2 took its weld out; it then has no mass and no group.
   std::vector<bool> deleted_with_welds(bool bricks) const;
   /// DT of the weld material, and what stands in for it.
-  void scale_like_a_weld(ElementGroup& group, const kernel::Spotweld& law) const;
+  void scale_weld_mass(ElementGroup& group, const kernel::Spotweld& law) const;
   void make_weld_beams(Findings& findings);
   void make_springs();
   void add_beams(std::size_t part, const std::vector<model::Index>& chosen);
@@ -195,15 +196,15 @@ class System {
   void set_mass_scale(ElementGroup& group, std::size_t e, double factor);
 
   std::vector<Vec3d> start_;  ///< positions at time 0, by system node
-  std::vector<Lump> lumps_;
+  std::vector<MassOnlyElement> mass_only_elements_;
   std::vector<double> own_inertia_;
   /// What makes a node dependent: a rigid body, a tie contact or an interpolation of the model.
-  struct Holder {
+  struct ConstraintSource {
     model::Index body = model::none, contact = model::none, interpolation = model::none;
     bool none() const { return body == model::none && contact == model::none && interpolation == model::none; }
   };
-  std::string name(const Holder& holder) const;
-  std::vector<Holder> holder_;                          ///< by system node
+  std::string name(const ConstraintSource& constraint_name) const;
+  std::vector<ConstraintSource> constraint_source_;     ///< by system node
   std::vector<double> carried_mass_, carried_inertia_;  ///< own, and handed over by ties; also of nodes of bodies
 
   std::vector<Row> slots_;

@@ -26,7 +26,7 @@ struct TetrahedronElement {
   using Places = std::array<Vec3d, 4>;
 
   kernel::HexahedronProperties solid;
-  kernel::Prepared<Law> law;
+  kernel::LawKernel<Law> law;
   std::shared_ptr<NodalPressure> nodal_pressure;  ///< of ELFORM 13; null: each element has its own pressure
 
   Layout layout() const { return kernel::tetrahedron_layout(law, nodal_pressure != nullptr); }
@@ -60,7 +60,7 @@ struct TetrahedronElement {
   ElementGroup::Layer layer(const Field& field, int, const Places&) const {
     ElementGroup::Layer l;
     for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] = field(Layout::stress + i);
-    if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain = field(Layout::first_history);
+    if (kernel::LawKernel<Law>::has_plastic_strain) l.plastic_strain = field(Layout::first_history);
     l.damage = damage_of(law, field, 1, [](int) { return Layout::first_history; });
     return l;
   }
@@ -71,7 +71,7 @@ struct TetrahedronElement {
   template <class Put>
   void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
     for (int i = 0; i < 6; ++i) put(Layout::stress + i, l.stress[static_cast<std::size_t>(i)]);
-    if (kernel::Prepared<Law>::has_plastic_strain) put(Layout::first_history, l.plastic_strain);
+    if (kernel::LawKernel<Law>::has_plastic_strain) put(Layout::first_history, l.plastic_strain);
   }
   template <class Field, class Put, class Change>
   void change_stresses(const Field& field, const Put& put, const Change& change) const {

@@ -19,7 +19,7 @@ namespace nugget::system {
 template <class Law, class Element>
 struct TetrahedronPoints {
   kernel::HexahedronProperties solid;
-  kernel::Prepared<Law> law;
+  kernel::LawKernel<Law> law;
 
   int state_size() const { return self().layout().size(); }
   int layers() const { return 1; }
@@ -39,7 +39,7 @@ struct TetrahedronPoints {
     ElementGroup::Layer l;
     for (int p = 0; p < layout.points; ++p) {
       for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] += share * field(layout.point(p) + i);
-      if (kernel::Prepared<Law>::has_plastic_strain) l.plastic_strain += share * field(layout.history_of(p));
+      if (kernel::LawKernel<Law>::has_plastic_strain) l.plastic_strain += share * field(layout.history_of(p));
     }
     l.damage = damage_of(law, field, layout.points, [&](int p) { return layout.history_of(p); });
     return l;
@@ -55,7 +55,7 @@ struct TetrahedronPoints {
     const auto layout = self().layout();
     for (int p = 0; p < layout.points; ++p) {
       for (int i = 0; i < 6; ++i) put(layout.point(p) + i, l.stress[static_cast<std::size_t>(i)]);
-      if (kernel::Prepared<Law>::has_plastic_strain) put(layout.history_of(p), l.plastic_strain);
+      if (kernel::LawKernel<Law>::has_plastic_strain) put(layout.history_of(p), l.plastic_strain);
     }
   }
   template <class Field, class Put, class Change>

@@ -16,7 +16,7 @@ struct WeldBeamElement : IntegratedBeamElement<kernel::Spotweld> {
   double integrity(const Field& field) const {
     return point_integrity(law, field, layers(), [this](int k) { return layout().history_of(k); });
   }
-  void hold_yield(double* state, int lane) const { kernel::hold_yield(layout(), law, state, native_width, lane); }
+  void freeze_yield(double* state, int lane) const { kernel::freeze_yield(layout(), law, state, native_width, lane); }
 
   /// Stress of a section point: rr in the first place, rs and rt in the fourth and the sixth.
   template <class Field>
@@ -26,16 +26,16 @@ struct WeldBeamElement : IntegratedBeamElement<kernel::Spotweld> {
     return {{left * field(at), 0.0, 0.0, left * field(at + 1), 0.0, left * field(at + 2)},
             field(layout().history_of(k))};
   }
-  /// The stress of the sound point, which damage keeps, becomes the same.
+  /// The stress of the undamaged point, which damage keeps, becomes the same.
   template <class Field, class Put, class Change>
   void change_stresses(const Field& field, const Put& put, const Change& change) const {
     for (int k = 0; k < layers(); ++k) {
-      const int sound = layout().history_of(k) + kernel::Prepared<kernel::Spotweld>::sound;
+      const int undamaged = layout().history_of(k) + kernel::LawKernel<kernel::Spotweld>::undamaged_stress;
       change_fibre_point(
           field,
           [&](int i, double value) {
             put(i, value);
-            put(sound + i - layout().fibre(k), value);
+            put(undamaged + i - layout().fibre(k), value);
           },
           layout().fibre(k), change);
     }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads binout (LSDA): walks its records from the first byte to the last, as outputs.md section 2 describes them. The symbol tables at the
+"""Reads binout (LSDA): walks its records from the first byte to the last, as LSTC's public translator l2a reads them. The symbol tables at the
 end of each flush repeat what stands in the data records and are stepped over."""
 import struct
 

@@ -85,7 +85,7 @@ impact::Outcome Experiment::run(const Watch& watch, double until) {
   std::string kept;
   if (std::getenv("NUGGET_RESUME") != nullptr) {
     options.checkpoints.time = 0.4 * (until > 0.0 ? until : model_->control.end_time);
-    options.keep = [&] {
+    options.write_checkpoint = [&] {
       if (!kept.empty()) return;
       IntoMemory out(kept);
       out(*simulation_);

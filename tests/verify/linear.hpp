@@ -23,7 +23,7 @@ class LinearExperiment {
   /// The same without rigid motions: those below a thousandth of the mode after the first six, which must be six.
   std::vector<double> elastic_frequencies(int count) const;
   /// Motion of the node with a user id in a mode.
-  nvh::Six motion(const nvh::Modes& modes, std::size_t mode, int node) const;
+  nvh::SixDof motion(const nvh::Modes& modes, std::size_t mode, int node) const;
 
  private:
   Findings findings_;

@@ -11,12 +11,12 @@ namespace nugget::verify {
 namespace {
 
 system::ElementGroup::Layer layer_of(const impact::Snapshot& now, const std::vector<int>& ids,
-                                     const std::vector<system::System::Seat>& seats, int id, int k) {
+                                     const std::vector<system::System::ElementLocation>& locations, int id, int k) {
   const auto found = std::find(ids.begin(), ids.end(), id);
   if (found == ids.end()) throw std::runtime_error(fmt::format("no element {}", id));
-  const system::System::Seat seat = seats[static_cast<std::size_t>(found - ids.begin())];
-  return now.system.groups[static_cast<std::size_t>(seat.group)]->layer(static_cast<std::size_t>(seat.element), k,
-                                                                        now.state);
+  const system::System::ElementLocation location = locations[static_cast<std::size_t>(found - ids.begin())];
+  return now.system.groups[static_cast<std::size_t>(location.group)]->layer(static_cast<std::size_t>(location.element),
+                                                                            k, now.state);
 }
 
 }  // namespace
@@ -151,11 +151,11 @@ void run_to_end(Experiment& experiment, const Watch& watch) {
 }
 
 system::ElementGroup::Layer shell_layer(const Experiment& experiment, const impact::Snapshot& now, int id, int k) {
-  return layer_of(now, experiment.model().shells.id, now.system.shell_seat, id, k);
+  return layer_of(now, experiment.model().shells.id, now.system.shell_location, id, k);
 }
 
 system::ElementGroup::Layer brick_layer(const Experiment& experiment, const impact::Snapshot& now, int id) {
-  return layer_of(now, experiment.model().solids.id, now.system.solid_seat, id, 0);
+  return layer_of(now, experiment.model().solids.id, now.system.solid_location, id, 0);
 }
 
 }  // namespace nugget::verify

@@ -14,7 +14,7 @@ Eigen::Matrix<double, 24, 24> shell_stiffness(ShellKind kind, const kernel::Shel
                                               const kernel::Elastic& elastic, double thickness,
                                               const std::array<Vec3d, 4>& x) {
   using R = Dual<24>;
-  const kernel::Prepared<kernel::Elastic> law(elastic);
+  const kernel::LawKernel<kernel::Elastic> law(elastic);
   const kernel::ShellLayout layout =
       kind == ShellKind::full ? kernel::full_shell_layout(shell, law) : kernel::shell_layout(shell, law);
   std::vector<double> state(static_cast<std::size_t>(layout.size()));
@@ -88,7 +88,7 @@ void Statics::distribute(const Vec3d& pressure) {
 std::vector<std::array<double, 6>> Statics::stresses(const Eigen::VectorXd& u, std::size_t e) const {
   // A step so small that it moves nothing.
   constexpr double small = 0x1p-60;
-  const kernel::Prepared<kernel::Elastic> prepared(law);
+  const kernel::LawKernel<kernel::Elastic> prepared(law);
   const kernel::ShellLayout layout =
       kind == ShellKind::full ? kernel::full_shell_layout(shell, prepared) : kernel::shell_layout(shell, prepared);
   std::vector<double> state(static_cast<std::size_t>(layout.size()));

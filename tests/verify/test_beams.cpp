@@ -44,7 +44,7 @@ std::string unit_load(int node, int dof, double value) {
 }
 
 /// Displacements of a linear static analysis.
-nvh::Six static_motion(Specimen s, int node) {
+nvh::SixDof static_motion(Specimen s, int node) {
   s.card("CONTROL_IMPLICIT_GENERAL", {1, 1.0})
       .card("CONTROL_IMPLICIT_SOLUTION", {1})
       .text(constant_curve(1))
@@ -71,7 +71,7 @@ TEST(Beams, CantileversOfOnePointBeams) {
       const auto nodes = beams(s, n, [&](double x) { return Vec3d{length * x, 0, 0}; }, {0, 1, 0});
       s.card("BOUNDARY_SPC_NODE", {double(nodes[0]), 0, 1, 1, 1, 1, 1, 1});
       s.text(unit_load(nodes.back(), about_t ? 2 : 3, load));
-      const nvh::Six u = static_motion(s, nodes.back());
+      const nvh::SixDof u = static_motion(s, nodes.back());
       const double expected =
           load * length * length * length / (3.0 * young * I) * (1.0 - 0.25 / (n * n)) + load * length / GA;
       expect_reference("bending of one-point elements",
@@ -99,7 +99,7 @@ TEST(Beams, ResultantCantileverIsExact) {
       for (int i = 0; i < 3; ++i) one.text(unit_load(nodes.back(), (moment ? 5 : 1) + i, load * c[i]));
       return static_motion(one, nodes.back());
     };
-    const auto part = [](const nvh::Six& u, const Vec3d& d, std::size_t first) {
+    const auto part = [](const nvh::SixDof& u, const Vec3d& d, std::size_t first) {
       return u[first] * d.x + u[first + 1] * d.y + u[first + 2] * d.z;
     };
     const double cube = length * length * length / (3.0 * young), shear = length / (5.0 / 6.0 * G * A);
@@ -214,7 +214,7 @@ TEST(Beams, NodesOnTheEdgeOfTheSection) {
     return static_motion(one, nodes.back());
   };
   // The section lies 3 below the nodes along s and 5 above them along t.
-  const nvh::Six pulled = motion(1), along_s = motion(2);
+  const nvh::SixDof pulled = motion(1), along_s = motion(2);
   expect_reference("beams", "NSLOC 1: pulled on its upper side, deflection along s [mm]", pulled[1],
                    -load * 0.5 * a * length * length / (2.0 * young * itt), 1e-6);
   expect_reference("beams", "NTLOC -1: pulled on its lower side, deflection along t [mm]", pulled[2],

@@ -15,8 +15,9 @@ namespace {
 constexpr double pi = std::numbers::pi, E = 210000.0, density = 7.85e-9;
 
 std::array<double, 8> resultants(const impact::Snapshot& now) {
-  const system::System::Seat seat = now.system.beam_seat.at(0);
-  return now.system.groups[static_cast<std::size_t>(seat.group)]->resultants(static_cast<std::size_t>(seat.element));
+  const system::System::ElementLocation location = now.system.beam_location.at(0);
+  return now.system.groups[static_cast<std::size_t>(location.group)]->resultants(
+      static_cast<std::size_t>(location.element));
 }
 
 /// A bolt of one beam between nodes at 0 and at (0, 0, length).
@@ -79,9 +80,9 @@ TEST(Bolt, PulledInFastFollowsItsCurve) {
     if (t <= T) {
       off = std::max(off, std::abs(n - F * t / T));
       way = u, way_now = pulled(t);
-      const system::System::Seat seat = now.system.beam_seat.at(0);
-      energy = now.system.groups[static_cast<std::size_t>(seat.group)]->internal_energy(
-          static_cast<std::size_t>(seat.element));
+      const system::System::ElementLocation location = now.system.beam_location.at(0);
+      energy = now.system.groups[static_cast<std::size_t>(location.group)]->internal_energy(
+          static_cast<std::size_t>(location.element));
       energy_now = work(t);
       released = t, elongation = u, speed = experiment.velocity(now, b.head).z;
       return;
@@ -145,8 +146,8 @@ TEST(Bolt, KeepsItsBendingWhereItIsAsked) {
   }
 }
 
-// A bar of bricks that is let go to be pulled together: each cut brick has the curve's stress in every cycle, with each
-// form of brick and of IZSHEAR. Sabotage: as above.
+// A bar of bricks that is released to be pulled together: each cut brick has the curve's stress in every cycle, with
+// each form of brick and of IZSHEAR. Sabotage: as above.
 TEST(Bolt, OfBricksFollowsItsCurveInMotion) {
   for (const int elform : {1, 2})
     for (const int izshear : {0, 1, 2}) {
@@ -167,12 +168,12 @@ TEST(Bolt, OfBricksFollowsItsCurveInMotion) {
         drift = std::max(drift, std::abs(now.energy.total() - now.energy.external));
         if (now.state.time > 1e-4) return;
         const double stress = 300.0 * std::min(1.0, now.state.time / 5e-5);
-        for (std::size_t e = 0; e < now.system.solid_seat.size(); ++e) {
+        for (std::size_t e = 0; e < now.system.solid_location.size(); ++e) {
           const Vec3d first = now.system.model.nodes.x[static_cast<std::size_t>(now.system.model.solids.node[e][0])];
           if (first.x != 40.0) continue;
-          const system::System::Seat seat = now.system.solid_seat[e];
-          const auto layer = now.system.groups[static_cast<std::size_t>(seat.group)]->layer(
-              static_cast<std::size_t>(seat.element), 0, now.state);
+          const system::System::ElementLocation location = now.system.solid_location[e];
+          const auto layer = now.system.groups[static_cast<std::size_t>(location.group)]->layer(
+              static_cast<std::size_t>(location.element), 0, now.state);
           off = std::max(off, std::abs(layer.stress[0] - stress));
         }
       });

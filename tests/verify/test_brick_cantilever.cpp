@@ -71,7 +71,8 @@ void expect_table(const char* name, int elform) {
   }
 }
 
-// Sabotage to be caught: the stabilisation of element-theory 5.4 with QM left out; a factor on one of its four modes.
+// Sabotage to be caught: the stabilisation of docs/theory/hourglass.md#physical-stabilisation with QM left out; a
+// factor on one of its four modes.
 TEST(BrickCantilever, PhysicalStabilizationByStatics) {
   expect_table("statics", one_point);
   expect_reference(

@@ -33,7 +33,7 @@ std::string deck_of(const Prism& prism, const WeldData& weld, const HourglassDat
          brick_part(1, weld, hourglass) + prism.text() + conditions + "*END\n";
 }
 
-/// The bottom face stands, the top face moves as it is told to, all in all three directions.
+/// The bottom face stands, the top face moves as prescribed, all in all three directions.
 class Clamped {
  public:
   Clamped(const Prism& prism, const WeldData& weld, const Motion& motion, int cycles,
@@ -172,8 +172,8 @@ double tip_deflection(int n, double couple, double force, double coefficient) {
 }
 
 // The couple is a tenth of that by statics: its answer is the linear one, and at 1e5 the turning of the tip costs 0.3
-// %. Sabotage to be caught: the stabilisation of element-theory 5.4 with QM left out; a factor on one of its four
-// modes.
+// %. Sabotage to be caught: the stabilisation of docs/theory/hourglass.md#physical-stabilisation with QM left out; a
+// factor on one of its four modes.
 TEST(BrickWeld, BendingByHourglassForces) {
   const double shear[3][2] = {{1, 1.44095}, {2, 1.79809}, {5, 1.89810}};
   for (const auto& [n, w] : shear) {
@@ -220,7 +220,7 @@ TEST(BrickWeld, ResultantsAgainstReactions) {
   }
 }
 
-// spotweld-theory.md 9.4. All nodes are driven, in each cycle to a place of their own.
+// docs/theory/weld.md#reference-values. All nodes are driven, in each cycle to a place of their own.
 // Sabotage to be caught: axes that follow the line of centres or stay where they were; stresses that are not turned.
 TEST(BrickWeld, ResultantsTurnWithTheWeld) {
   const WeldData w = strong();
@@ -265,7 +265,7 @@ TEST(BrickWeld, ResultantsTurnWithTheWeld) {
 
 /// The cluster that RPBHX = 8 puts in the place of a beam of 6 mm.
 Prism o_grid() {
-  const model::ClusterTemplate shape = model::cluster_template(8, 0.25 * std::numbers::pi * 36.0);
+  const reading::ClusterTemplate shape = reading::cluster_template(8, 0.25 * std::numbers::pi * 36.0);
   return {shape.nodes, shape.quads, {0.0, 1.5}};
 }
 

@@ -40,14 +40,14 @@ std::string single(const std::string& material, int elform, double side, double 
   return deck + "*ELEMENT_SOLID\n" + element_line(1, 1, {1, 2, 3, 4, 5, 6, 7, 8});
 }
 
-struct Seen {
+struct WeldState {
   double time, tension, shear, work;  ///< mean tractions, work done on the brick
   Vec3d apart;                        ///< of node 5 from node 1
 };
 
 /// The lower face stands, the upper goes as the curves say, z and x; a brick of 5 x 5 without thickness.
-std::vector<Seen> driven(const std::string& material, const std::string& along_z, const std::string& along_x,
-                         double end) {
+std::vector<WeldState> driven(const std::string& material, const std::string& along_z, const std::string& along_x,
+                              double end) {
   std::string deck = single(material, 19, 5.0, 0.0) + along_z + along_x + "*BOUNDARY_SPC_NODE\n";
   for (int n = 1; n <= 4; ++n) deck += fields({1.0 * n, 0, 1, 1, 1});
   for (int n = 5; n <= 8; ++n) deck += fields({1.0 * n, 0, 0, 1, 0});
@@ -55,7 +55,7 @@ std::vector<Seen> driven(const std::string& material, const std::string& along_z
   for (int n = 5; n <= 8; ++n) deck += fields({1.0 * n, 3, 2, 93}) + fields({1.0 * n, 1, 2, 91});
   deck += "*CONTROL_TERMINATION\n" + fields({end}) + "*END\n";
   Experiment experiment(deck);
-  std::vector<Seen> seen;
+  std::vector<WeldState> seen;
   experiment.run([&](const impact::Snapshot& now) {
     const system::ElementGroup& group = *now.system.groups.front();
     const auto l = group.layer(0, 0, now.state);
@@ -84,7 +84,7 @@ void expect_failure(double degrees, double xmu, double gamma = 1.0) {
   const auto seen = driven(mixed_mode(3e-10, xmu, gamma), curve(93, {{0.0, 0.0}, {end, reach * c}}),
                            curve(91, {{0.0, 0.0}, {end, reach * s}}), end);
   double highest = 0.0, last = 0.0;
-  for (const Seen& at : seen) {
+  for (const WeldState& at : seen) {
     highest = std::max(highest, std::hypot(at.tension, at.shear));
     if (std::hypot(at.tension, at.shear) > 0.0) last = norm(at.apart);
   }
@@ -112,15 +112,15 @@ TEST(CohesiveBricks, UnloadToTheOriginBearPressureAndDoNotHeal) {
                            curve(93, {{0.0, 0.0}, {1e-3, 0.05}, {2e-3, 0.0}, {3e-3, -0.001}, {4e-3, 0.0}, {6e-3, 0.0}}),
                            curve(91, {{0.0, 0.0}, {4e-3, 0.0}, {5e-3, 0.01}, {6e-3, 0.0}}), 6e-3);
   // The widest opening is that of the last cycle before the turn.
-  const double wide = std::max_element(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) {
+  const double wide = std::max_element(seen.begin(), seen.end(), [](const WeldState& a, const WeldState& b) {
                         return a.apart.z < b.apart.z;
                       })->apart.z;
   EXPECT_NEAR(wide, 0.05, 1e-4);
   const double onset = T / EN, failure = 2.0 * GIC / T, damage = failure * (wide - onset) / (wide * (failure - onset));
   const auto at = [&](double time) {
-    return *std::find_if(seen.begin(), seen.end(), [time](const Seen& s) { return s.time >= time; });
+    return *std::find_if(seen.begin(), seen.end(), [time](const WeldState& s) { return s.time >= time; });
   };
-  const Seen back = at(1.5e-3), pressed = at(2.5e-3), sheared = at(4.5e-3), end = seen.back();
+  const WeldState back = at(1.5e-3), pressed = at(2.5e-3), sheared = at(4.5e-3), end = seen.back();
   expect_reference("adhesive: unloading", "traction halfway back [MPa]", back.tension,
                    (1.0 - damage) * EN * back.apart.z, 1e-6);
   expect_reference("adhesive: unloading", "pressure of the damaged bond [MPa]", pressed.tension, EN * pressed.apart.z,
@@ -331,8 +331,8 @@ TEST(CohesiveBricks, DoubleCantileverBeam) {
       if (now.state.time < 0.5 * end) return;
       // Force on the upper arm: that of its shell on the driven nodes.
       double force = 0.0;
-      const auto seat = now.system.shell_seat[static_cast<std::size_t>(80)];
-      force += now.system.nodal_force(seat, 0).z + now.system.nodal_force(seat, 3).z;
+      const auto location = now.system.shell_location[static_cast<std::size_t>(80)];
+      force += now.system.nodal_force(location, 0).z + now.system.nodal_force(location, 3).z;
       const double apart = 2.0 * experiment.displacement(now, Pair::node(1, 0, 0)).z;
       sum += force * std::sqrt(apart);
       ++count;

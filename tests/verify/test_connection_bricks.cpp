@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // MAT_100_DA on bricks beyond its strengths (DGTYP 1 and 2), its area in shear (MOARFL), its limit of distortion
 // (JTOL), the couple of a shear force over a weld as thick as modelled (TRUE_T = 0); ASFF with damage of points. Closed
-// forms: spotweld-theory.md 3.3, 4.6, 4.7.
+// forms: docs/theory/failure.md#worse-end, docs/theory/failure.md#damage-of-the-whole-weld and
+// docs/theory/failure.md#connections.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +28,7 @@ struct Sample {
   weld::FailureMode mode = weld::FailureMode::intact;
 };
 
-/// A weld of n x n bricks along z, of which both faces go where they are told to.
+/// A weld of n x n bricks along z, of which both faces move as prescribed.
 std::vector<Sample> run(const std::string& material, const Motion& top, const Motion& bottom, int n = 1,
                         int cycles = 4000) {
   const Prism prism = square_prism(side, length, n);

@@ -202,9 +202,9 @@ TEST(ContactBalance, DampingNeverGivesEnergy) {
     }
 }
 
-// A contact that is born while one plate is on its way through the other, beyond the middle already: it has nothing to
-// give to a motion that leads out. Sabotage: the way of the step taken for a penetration, whichever its direction
-// (the plate is thrown off with 2.5 times its energy).
+// A contact that is activated while one plate is on its way through the other, beyond the middle already: it has
+// nothing to give to a motion that leads out. Sabotage: the way of the step taken for a penetration, whichever its
+// direction (the plate is thrown off with 2.5 times its energy).
 TEST(ContactBalance, BirthWithinAnotherBodyGivesNothing) {
   for (const std::string form : {"SINGLE_SURFACE", "GENERAL"}) {
     const std::string contact =
@@ -247,7 +247,7 @@ TEST(ContactBalance, FlushBlocksDoNotStick) {
   }
 }
 
-// Sheets that rub on each other: friction acts at both mid-surfaces, a millimetre apart. With FTORQ that couple is
+// Sheets that slide on each other: friction acts at both mid-surfaces, a millimetre apart. With FTORQ that couple is
 // balanced; without, it is friction times that millimetre. Sabotage: the couple in the other direction.
 TEST(ContactBalance, MomentsOfFriction) {
   for (const bool balanced : {false, true})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact that node against segment cannot see: edge on edge; and faces that come to light as bricks fail.
+// Contact that node against segment cannot see: edge on edge; and faces that are exposed as bricks fail.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -89,7 +89,7 @@ Meeting meet(const Bodies& bodies) {
       m.stiffness = dot(force, force) / (2.0 * now.energy.contact);
     }
     m.stored = std::max(m.stored, m.contact);
-    impulse += now.contacts[0].resultant().z * now.kick();
+    impulse += now.contacts[0].resultant().z * now.velocity_interval();
     m.impulse = impulse / sum[0].z;
     if (std::abs(now.energy.ratio() - 1.0) > std::abs(m.energy - 1.0)) m.energy = now.energy.ratio();
   });

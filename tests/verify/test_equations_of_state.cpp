@@ -91,9 +91,9 @@ TEST(EquationsOfState, AdiabatOfAGas) {
                    std::pow(2.0, gamma), 1e-3);
 }
 
-// A block of copper pulled apart: with SPALL 2 and 3 it breaks at PC, bears pressure again and, pulled to ten times its
-// length, has none of its own; with SPALL 1 it holds PC. Sabotage: a broken point bears tension again once it has been
-// pressed; the energy of a broken point grows by the tension that it would have.
+// A block of copper pulled apart: with SPALL 2 and 3 it breaks at PC, carries pressure again and, pulled to ten times
+// its length, has none of its own; with SPALL 1 it holds PC. Sabotage: a broken point carries tension again once it has
+// been pressed; the energy of a broken point grows by the tension that it would have.
 TEST(EquationsOfState, Spall) {
   constexpr double K = density * sound * sound, cutoff = 1000.0, end = 1e-4;
   for (const double form : {1.0, 2.0, 3.0}) {
@@ -322,7 +322,7 @@ TEST(EquationsOfState, Tabulated) {
   expect_reference("table", "the same at half of the volume", gas.last, 1.5 * std::exp(0.25), 1e-3);
 }
 
-// Water pulled apart bears -PC and no more. Sabotage: no limit (-K/6).
+// Water pulled apart carries -PC and no more. Sabotage: no limit (-K/6).
 TEST(Fluids, TensionIsCutOff) {
   const Squeezed pulled = squeezed(fluid(water, 0.0, -0.1) + water_state(), 1.2);
   expect_reference("cavitation", "water, PC = -0.1 MPa, pulled: least pressure [MPa]", pulled.least, -0.1, 1e-9);

@@ -145,7 +145,8 @@ TEST(FullBrickWeld, FailureStrain) {
   expect_reference("ELFORM 2", "plastic strain before EFAIL", n.plastic_strain, limit, 5e-3);
 }
 
-// Damage of the points, RS = 0.05: what is left of the sound stress at mean plastic strain p is (RS - p)/(RS - EFAIL).
+// Damage of the points, RS = 0.05: what is left of the undamaged stress at mean plastic strain p is (RS - p)/(RS -
+// EFAIL).
 TEST(FullBrickWeld, PointDamage) {
   const double Y = 400, H = 0, onset = 0.02, rupture = 0.05, u = 0.09;
   const Outcome v =
@@ -159,7 +160,7 @@ TEST(FullBrickWeld, PointDamage) {
                    Y / std::sqrt(3.0) * (rupture - p) / (rupture - onset), 2e-2);
 }
 
-// DMGOPT 11: the failure function begins the damage, and the points are held at the stress of that moment. In shear
+// DMGOPT 11: the failure function begins the damage, and the points are frozen at the stress of that moment. In shear
 // V = V0 (1 - p / RS) with p = (gamma - gamma0) / sqrt 3. Sabotage to be caught: one point held, seven that go on
 // elastically; the share that is left not applied to the points.
 TEST(FullBrickWeld, DamageOfTheWholeHoldsAllPoints) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// *CONTACT_..._TIEBREAK: the stresses that glue bears and the work that parts two plates are what the law's card says,
-// in tension, shear and both.
+// *CONTACT_..._TIEBREAK: the stresses that glue carries and the work that parts two plates are what the law's card
+// says, in tension, shear and both.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -271,14 +271,14 @@ TEST(Glue, SlidesAndHoldsAlongTheNormal) {
 TEST(Glue, WhatTouchesLaterSticks) {
   // It touches slowly: what sticks starts with the pressure of the touch, and a tool that is driven presses hard.
   const Leg down{1e-3, 0.0, -198.8}, touch{2e-3, 0.0, -0.3};
-  const Parting holds = part(tiebreak({1}), {down, touch, {3e-3, 200.0, 200.0}}, {0.2});
-  EXPECT_EQ(holds.start, 0);
-  EXPECT_EQ(holds.later, 9);
-  EXPECT_EQ(holds.failed, 0);
+  const Parting intact = part(tiebreak({1}), {down, touch, {3e-3, 200.0, 200.0}}, {0.2});
+  EXPECT_EQ(intact.start, 0);
+  EXPECT_EQ(intact.later, 9);
+  EXPECT_EQ(intact.failed, 0);
   // A hundredth of each leg is spent to come to its speed: it touches 0.0001 mm before it turns round, and goes 0.199
   // mm up from there, and along.
-  expect_reference("glue", "OPTION 1, tension 0.1989 mm off [N]", holds.tension, stiffness * 0.1989 * area, 0.01);
-  expect_reference("glue", "OPTION 1, shear 0.199 mm off [N]", holds.shear, stiffness * 0.199 * area, 0.01);
+  expect_reference("glue", "OPTION 1, tension 0.1989 mm off [N]", intact.tension, stiffness * 0.1989 * area, 0.01);
+  expect_reference("glue", "OPTION 1, shear 0.199 mm off [N]", intact.shear, stiffness * 0.199 * area, 0.01);
   const std::string fails = tiebreak({3, strength, shear_strength});
   const Parting up = part(fails, {down, touch, {4e-3, 0.0, 50.0}}, {0.2});
   EXPECT_EQ(up.failed, 9);

@@ -71,7 +71,7 @@ TEST(SectionForces, BalanceLoadAndInertiaOfTheBarBeyond) {
 
   double force_error = 0.0, moment_error = 0.0, same = 0.0, area = 0.0, centroid = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    if (now.kick() <= 0.0) return;
+    if (now.velocity_interval() <= 0.0) return;
     const output::SecforcState state = sections.state(now);
     ASSERT_EQ(state.rows.size(), 2u);
     const output::SecforcRow &by_sets = state.rows[0], &by_plane = state.rows[1];
@@ -147,7 +147,7 @@ TEST(SectionForces, OfShellsHaveMomentsInLocalAxes) {
   const impact::CrossSections sections(experiment.system());
   double worst = 0.0, area = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    if (now.kick() <= 0.0) return;
+    if (now.velocity_interval() <= 0.0) return;
     const output::SecforcRow row = sections.state(now).rows.at(0);
     Vec3d force{}, moment{};
     for (int i = 4; i <= 8; ++i)
@@ -184,7 +184,7 @@ TEST(NodalForceGroups, AreTheReactionsOfDrivenNodes) {
   Experiment experiment(specimen.deck());
   double worst = 0.0, work = 0.0, reaction_work = 0.0, largest = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    if (now.kick() <= 0.0) return;
+    if (now.velocity_interval() <= 0.0) return;
     const output::NodforState state = now.nodal_forces.state(now.state);
     std::map<int, Vec3d> inner;
     work = reaction_work = 0.0;

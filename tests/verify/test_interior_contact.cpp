@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// *CONTACT_INTERIOR: the force against the documented stiffness, and what it is for: soft bricks that live.
+// *CONTACT_INTERIOR: the force against the documented stiffness, and what it is for: soft bricks that are not deleted.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -79,7 +79,7 @@ TEST(JointStatics, RodOnAHinge) {
   for (const std::size_t i : {0u, 1u, 3u, 4u, 5u}) EXPECT_NEAR(solved.joint[0][i], 0.0, 1e-4 * load * length);
 }
 
-// A rod locked to its support bears its load by force and moment there, F and F L. Sabotage: rotations free.
+// A rod locked to its support carries its load by force and moment there, F and F L. Sabotage: rotations free.
 TEST(JointStatics, RodLockedAtItsEnd) {
   Rod rod(statics, {{0, 0, 0}, {100, 0, 0}, {0, 100, 0}});
   joint(rod.s, "LOCKING", rod.pair);

@@ -230,7 +230,7 @@ TEST(Joints, LockedBodiesTurnAsOne) {
 }
 
 /// Joints of bodies 1 (held) and 2, mass 2, whose centre is 3 along x from the joint, under a weight that grows as
-/// 100 t: when the joint, with these cards behind it, is gone.
+/// 100 t: when the joint, with these cards behind it, is released.
 double failing(const std::string& kind, const std::string& cards, double arm, const std::string& more = {}) {
   Specimen s;
   const Pairs p(s, {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}});
@@ -271,8 +271,8 @@ TEST(Joints, FailureByTimeAndLoad) {
   EXPECT_EQ(failing("LOCKING_FAILURE", cards(0, 0, 1, {0, 0, 800, 0, 2000}), arm), -1.0);
 }
 
-// A hinge that is gone lets the rod fly: its centre falls freely, its spin stays. Sabotage: the joint goes on after it
-// has failed.
+// A hinge that is released lets the rod fly: its centre falls freely, its spin stays. Sabotage: the joint goes on after
+// it has failed.
 TEST(Joints, ARodFliesFromAJointThatIsGone) {
   const double g = 9.81, gone = 0.3;
   Specimen s;

@@ -98,8 +98,8 @@ TEST(KirchhoffTriangles, BendingPatch) {
   const LinearExperiment patch(s.deck());
   const nvh::ElasticStresses stresses(patch.system(), solve(patch).motion);
   double xx = -2.0 / 3.0, xy = -0.2;
-  for (const auto& seat : stresses.system().shell_seat) {
-    const auto stress = stresses.stress(seat, 1);
+  for (const auto& location : stresses.system().shell_location) {
+    const auto stress = stresses.stress(location, 1);
     const double direct = std::sqrt(3.0) * stress[0], shear = std::sqrt(3.0) * stress[3];
     if (std::abs(direct + 2.0 / 3.0) > std::abs(xx + 2.0 / 3.0)) xx = direct;
     if (std::abs(shear + 0.2) > std::abs(xy + 0.2)) xy = shear;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "linear.hpp"
 #include "nvh/statics/statics.hpp"
 #include "specimen.hpp"
@@ -51,7 +51,7 @@ const char* const linear =
     "*CONTROL_TERMINATION\n       1.0\n";
 
 /// A cantilever strip of 200 x 20, held at one end; at the other the forces `load` (x, y, z). Motion of the end.
-nvh::Six tip(const std::string& cards, const Vec3d& load, int along = 40) {
+nvh::SixDof tip(const std::string& cards, const Vec3d& load, int along = 40) {
   Specimen s;
   s.text(linear).text(curve(9, {{0.0, 0.0}, {1.0, 1.0}})).text(cards);
   const Grid grid = s.shells(1, {}, {200.0, 20.0, 0.0}, along, 4);
@@ -109,11 +109,11 @@ TEST(Layers, UnlikeLayersInTensionBend) {
                            "*INTEGRATION_SHELL\n" + fields({7, 4}) + fields({a, 0.25, 3}) + fields({b, 0.25, 3}) +
                            fields({-a, 0.25}) + fields({-b, 0.25}) + "*PART\nstrip\n" + fields({1, 1, 1}) +
                            "*PART\ngives its material\n" + fields({3, 1, 2});
-  const nvh::Six exact = tip(materials + rule, {20.0 * N, 0, 0});
+  const nvh::SixDof exact = tip(materials + rule, {20.0 * N, 0, 0});
   expect_reference("layers", "two unlike layers in tension, *INTEGRATION_SHELL of parts: extension [mm]", exact[0],
                    e * L, 1e-6);
   expect_reference("layers", "the same: deflection of the end [mm]", exact[2], -0.5 * k * L * L, 1e-6);
-  const nvh::Six fine = tip(materials + composite(1, 16, split(plies, 8)), {20.0 * N, 0, 0});
+  const nvh::SixDof fine = tip(materials + composite(1, 16, split(plies, 8)), {20.0 * N, 0, 0});
   expect_reference("layers", "*PART_COMPOSITE, each layer as 8: extension [mm]", fine[0], e * L, 5e-3);
   expect_reference("layers", "the same: deflection of the end [mm]", fine[2], -0.5 * k * L * L, 5e-3);
 }
@@ -143,8 +143,8 @@ TEST(Layers, SandwichUnderAnEndForce) {
 TEST(Layers, LaminatedShearOfOneMaterialIsFiveSixths) {
   for (const double poisson : {0.0, 0.3})
     for (const int n : {1, 2, 5}) {
-      kernel::Composition law{kernel::Elastic{1000.0, poisson}};
-      const kernel::Compound own = kernel::compound(law);
+      kernel::LawComponents law{kernel::Elastic{1000.0, poisson}};
+      const kernel::ComposedLaw own = kernel::composed_law(law);
       std::vector<kernel::Laminate::Layer> layers;
       for (int k = 0; k < n; ++k) layers.push_back({own, 1.0, (2.0 * k + 1.0) / n - 1.0, 1.0 / n});
       kernel::Laminate l = kernel::laminate(layers, false);
@@ -214,7 +214,7 @@ TEST(Layers, PlasticMomentOfUnlikeLayers) {
 
 // Glass, interlayer, glass, stretched: force E t e of each layer (held across, Poisson 0). The glass fails at a stress
 // of 50; what is left is the interlayer's. With FAILOPT 0, and in *PART_COMPOSITE, the shell goes with its glass; with
-// FAILOPT 1 it stays; and it stays if the interlayer can fail, but has not. Sabotage: failed layers that bear on;
+// FAILOPT 1 it stays; and it stays if the interlayer can fail, but has not. Sabotage: failed layers that still carry;
 // an element that goes with the first point.
 TEST(Layers, FailureOfOneLayer) {
   const std::string lasting = "*MAT_ADD_EROSION\n" + fields({2}) + fields({0, 1e6}) + "\n\n\n";

@@ -84,8 +84,8 @@ std::string patch(const Motion& motion) {
 /// Largest departure of a stress component in point k of all shells.
 double worst(const nvh::ElasticStresses& stresses, int k, std::size_t component, double expected) {
   double value = expected;
-  for (const auto& seat : stresses.system().shell_seat)
-    if (const double s = stresses.stress(seat, k)[component]; std::abs(s - expected) > std::abs(value - expected))
+  for (const auto& location : stresses.system().shell_location)
+    if (const double s = stresses.stress(location, k)[component]; std::abs(s - expected) > std::abs(value - expected))
       value = s;
   return value;
 }

@@ -217,9 +217,9 @@ TEST(Preload, OfAWeldBeam) {
   Experiment experiment(specimen.deck());
   double during = 0.0, after = 0.0, shear = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    const system::System::Seat seat = now.system.beam_seat.at(0);
-    const auto r =
-        now.system.groups[static_cast<std::size_t>(seat.group)]->resultants(static_cast<std::size_t>(seat.element));
+    const system::System::ElementLocation location = now.system.beam_location.at(0);
+    const auto r = now.system.groups[static_cast<std::size_t>(location.group)]->resultants(
+        static_cast<std::size_t>(location.element));
     (now.state.time < 1.9e-5 ? during : after) = r[0];
     shear = std::abs(r[1]) + std::abs(r[2]);
   });
@@ -435,8 +435,8 @@ TEST(Deletion, ShellsWhoseSidesCrossFollowNfail1) {
 }
 
 // A mass that a force has pushed is caught, or driven on from the speed that it has: what is held takes its energy to
-// round-off, and a motion by acceleration goes on from there (born between two steps, where both speeds are known).
-// Before, the forces of the first step counted twice.
+// round-off, and a motion by acceleration goes on from there (activated between two steps, where both speeds are
+// known). Before, the forces of the first step counted twice.
 TEST(Supports, BirthTakesWhatMoves) {
   const double mass = 1e-3, force = 2.0, birth = 4.05e-3, step = 1e-4, a = -300.0, end = 8e-3;
   const auto mass_pushed = [&](Specimen& s) {

@@ -130,10 +130,10 @@ TEST(NodalTetrahedra, AreOfFormulationTenInLinearAnalyses) {
         .card("CONTROL_TERMINATION", {1});
     const Block block(s, {10, 10, 10}, {1, 1, 1});
     const LinearExperiment experiment(s.deck());
-    const bool told = std::ranges::any_of(experiment.findings().all(), [](const Finding& finding) {
+    const bool reported = std::ranges::any_of(experiment.findings().all(), [](const Finding& finding) {
       return finding.text.find("ELFORM 13 are computed as 10") != std::string::npos;
     });
-    EXPECT_EQ(told, elform == 13);
+    EXPECT_EQ(reported, elform == 13);
     const nvh::Symmetric& k = experiment.matrices().stiffness;
     for (std::size_t j = 0; j < k.size(); ++j)
       stiffness[elform == 10].insert(stiffness[elform == 10].end(), k.values(j).begin(), k.values(j).end());

@@ -8,6 +8,7 @@
 
 #include "linear.hpp"
 #include "nvh/matrices/prestress.hpp"
+#include "nvh/statics/statics.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {
@@ -39,7 +40,7 @@ nvh::Modes modes_of(const std::string& deck, int count, bool loaded = false) {
   const auto prestress = std::make_shared<nvh::Prestress>(m);
   prestress->add_initial();
   Findings findings;
-  if (loaded) prestress->add(nvh::solve_statics(m, findings));
+  if (loaded) prestress->add(nvh::solve_statics(m, findings).motion);
   nvh::stiffen(m, prestress);
   nvh::ModeRequest request;
   request.count = count;

@@ -110,8 +110,8 @@ void expect_motion(const std::string& what, const Body& body, const Result& r, c
   expect_reference("RWPNAL", what + ": energy ratio", 1.0 + r.ratio, 1.0, 1e-3);
 }
 
-// Sabotage to be caught: forces not counted in rwforc; their work left out of the ledger; k depth in the first and last
-// cycle; stiffness of the sum of masses at each node.
+// Sabotage to be caught: forces not counted in rwforc; their work left out of the energy balance; k depth in the first
+// and last cycle; stiffness of the sum of masses at each node.
 TEST(RigidBodiesOnWalls, ComesBackAsItCame) {
   Body body{.start = {{0, 0, -speed}, {}}};
   for (const double scale : {0.1, 1.0, 5.0}) {
@@ -226,7 +226,7 @@ TEST(RigidBodiesOnWalls, DrivenAndHeld) {
   expect_reference("RWPNAL", "wall with mass against a held body: velocity", held.wall_velocity, -speed, 0.01);
 }
 
-// Under its weight the block comes to rest on an incline whose friction bears it; the force is its weight. Sabotage to
+// Under its weight the block comes to rest on an incline whose friction holds it; the force is its weight. Sabotage to
 // be caught: sums of forces of nodes; friction that does not hold.
 TEST(RigidBodiesOnWalls, BearsWeight) {
   const double g = 9810.0, mu = 0.6, slope = 0.3;

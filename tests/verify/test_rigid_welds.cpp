@@ -187,7 +187,7 @@ TEST(RigidWelds, ReleaseOfASpinningPairKeepsItsMomenta) {
 }
 
 // Three masses in a row, the last one pulled: the joint next to it carries the force of the two others and fails; what
-// is left goes on as one. Sabotage: the whole weld released.
+// is left continues as one. Sabotage: the whole weld released.
 TEST(RigidWelds, ThreeNodesFailFromTheOutside) {
   Specimen s;
   const int a = s.mass_point({0, 0, 0}, 1.0, 0.1), b = s.mass_point({2, 0, 0}, 1.0, 0.1),

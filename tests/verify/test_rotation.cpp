@@ -163,7 +163,7 @@ TEST(Rotation, StressedShell) {
   expect_reference("rotation", what + "work done on it over its energy", t.total_work / t.energy, 0.0, 1e-6, 1.0);
 }
 
-// spotweld-theory.md, section 9, item 4: local resultants constant to 1e-6.
+// docs/theory/weld.md#reference-values: local resultants constant to 1e-6.
 TEST(Rotation, LoadedWeld) {
   const WeldData weld{.yield = 1e9};
   const std::vector<Point> points{{1, {0, 0, 0}, {}, {}}, {2, {1.5, 0, 0}, {4e-3, 8e-3, -6e-3}, {3e-3, 4e-3, -5e-3}}};

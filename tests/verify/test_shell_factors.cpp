@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Factors of *CONTROL_SPOTWELD_BEAM on the strength of a weld: LCT and LCS over the size of the shells that it is tied
 // to, on beams and on the bricks in their place, T_ORT and T_ORS over the place of a beam on its shells. A factor T
-// divides a squared term of the failure value, so a strength becomes sqrt(T) of itself. Reference: spotweld-theory.md
-// 4.9 and docs/book/brick_welds.md.
+// divides a squared term of the failure value, so a strength becomes sqrt(T) of itself. See
+// docs/theory/failure.md#size-of-the-shell and docs/book/brick_welds.md.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -47,7 +47,7 @@ TEST(Sliding, TwoBarsCollide) {
   TimeMean plateau;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
     const double force = -now.contacts[0].resultant().x, t = now.state.time;
-    impulse += force * now.kick();
+    impulse += force * now.velocity_interval();
     if (force > 0.5 * 20300.9) end = t;
     if (begin == 0.0 && force > 0.5 * 20300.9) begin = t;
     if (t > 1e-5 && t < 7e-5) plateau.add(force, now.state.dt);

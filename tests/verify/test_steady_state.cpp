@@ -193,9 +193,9 @@ TEST(SteadyState, RefusesNamesOfCases) {
   EXPECT_FALSE(refused("plain_b"));
 }
 
-// A load without effect and a missing damping are told. Sabotage: silence.
+// A load without effect and a missing damping are reported. Sabotage: silence.
 TEST(SteadyState, TellsWhatHasNoEffect) {
-  const auto told = [](const std::string& damping, double dof) {
+  const auto reported = [](const std::string& damping, double dof) {
     const LinearExperiment e(deck("", fields({1}), damping, fields({3, 1, dof, 0, 11}), frequency, level(11, 1.0)));
     Findings findings;
     nvh::check_steady_state(e.matrices(), *e.system().model.steady_state, findings);
@@ -204,11 +204,11 @@ TEST(SteadyState, TellsWhatHasNoEffect) {
     for (const Finding& f : findings.all()) all += f.text + '\n';
     return all;
   };
-  const std::string plain = told(fields({ratio}), 1);
+  const std::string plain = reported(fields({ratio}), 1);
   EXPECT_EQ(plain.find("nothing damps"), std::string::npos);
   EXPECT_EQ(plain.find("moves nothing"), std::string::npos);
-  EXPECT_NE(told(fields({0}), 1).find("nothing damps"), std::string::npos);
-  EXPECT_NE(told(fields({ratio}), 2).find("moves nothing"), std::string::npos);
+  EXPECT_NE(reported(fields({0}), 1).find("nothing damps"), std::string::npos);
+  EXPECT_NE(reported(fields({ratio}), 2).find("moves nothing"), std::string::npos);
 }
 
 // What is not built is refused at its field. Sabotage: none of it read.

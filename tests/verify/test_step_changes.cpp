@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The energy account when the time step changes: an oscillator against the closed form of its discrete motion, and
-// models with supports and walls, whose ledger has to close (docs/decisions/0021).
+// models with supports and walls, whose energy balance has to close (docs/decisions/0021).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -68,9 +68,9 @@ TEST(StepChange, Oscillator) {
   expect_oscillator(0.3, 0.9, 4);
 }
 
-/// Largest error of the ledger of a row of six bricks, 10 x 10 x 60, whose step jumps between a fifth of the stable one
-/// and nearly all of it every 30 to 150 cycles.
-double worst_ledger(const std::string& more) {
+/// Largest error of the energy balance of a row of six bricks, 10 x 10 x 60, whose step jumps between a fifth of the
+/// stable one and nearly all of it every 30 to 150 cycles.
+double worst_energy_balance(const std::string& more) {
   Prism bar = square_prism(10.0, 60.0);
   bar.z = {0, 10, 20, 30, 40, 50, 60};
   Experiment run("*KEYWORD\n" + termination(2e-4, 0.8, 0.0, 90) + jumping_steps({2e-7, 1e-6, 4e-7}, 3e-5, 8) +
@@ -95,11 +95,12 @@ TEST(StepChange, LedgerWithSupportsWallsAndBodies) {
   std::string driven = "*BOUNDARY_PRESCRIBED_MOTION_NODE\n", body = "*SET_NODE_LIST\n" + fields({1});
   for (int node : {25, 26, 27, 28}) driven += fields({double(node), 3, 0, 1});
   body += fields({25, 26, 27, 28}) + "*CONSTRAINED_NODAL_RIGID_BODY\n" + fields({1, 0, 1});
-  expect_reference("step change", "ledger of a bar against a wall", worst_ledger(thrown + wall), 0.0, 1e-9, 1.0);
+  expect_reference("step change", "ledger of a bar against a wall", worst_energy_balance(thrown + wall), 0.0, 1e-9,
+                   1.0);
   expect_reference("step change", "ledger of a bar pulled at an end",
-                   worst_ledger(ramp + driven + held({1, 2, 3, 4}, {1, 1, 1})), 0.0, 1e-9, 1.0);
-  expect_reference("step change", "ledger of a bar with a rigid end against a wall", worst_ledger(thrown + wall + body),
-                   0.0, 1e-9, 1.0);
+                   worst_energy_balance(ramp + driven + held({1, 2, 3, 4}, {1, 1, 1})), 0.0, 1e-9, 1.0);
+  expect_reference("step change", "ledger of a bar with a rigid end against a wall",
+                   worst_energy_balance(thrown + wall + body), 0.0, 1e-9, 1.0);
 }
 
 // The weld that holds the step fails: its last force acts over the step that follows, so that step is still its own;

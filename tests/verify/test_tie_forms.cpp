@@ -73,7 +73,7 @@ struct OnAPlate {
 };
 
 /// The beam's far end, moved by u along x and turned so that no moment acts on it: the one-point beam,
-/// spotweld-theory.md 2.6, with a clamped foot.
+/// docs/theory/beam.md#nodal-forces-of-a-beam, with a clamped foot.
 Path sideways(double u, double length) {
   const WeldData w;
   const double ei = w.E * w.second_moment(), ga = w.shear_modulus() * w.area();
@@ -134,8 +134,9 @@ Path twisted(double angle) {
   return [=](double s) { return std::array{0.0, 0.0, 0.0, 0.0, 0.0, angle * ramp(s)}; };
 }
 
-// Moment in is moment out, on shells without drilling stiffness: as in-plane forces on the corners (theory 9.6).
-// Sabotage: the twist about the beam's end instead of the corners' centre; S without the square.
+// Moment in is moment out, on shells without drilling stiffness: as in-plane forces on the corners
+// (docs/theory/weld.md#reference-values). Sabotage: the twist about the beam's end instead of the corners' centre; S
+// without the square.
 TEST(TieForms, TorsionBecomesInPlaneForces) {
   const WeldData w;
   const double torque = w.shear_modulus() * 2.0 * w.second_moment() / 6.0 * 1e-4;
@@ -340,7 +341,7 @@ Experiment torn_sheet(int spotdel, double death = 0.0) {
 }
 
 // Sabotage: the node kept at the deleted shell; its mass left there, or twice.
-TEST(TieEnds, SpotdelZeroLetsTheNodeGo) {
+TEST(TieReleases, SpotdelZeroLetsTheNodeGo) {
   Experiment run = torn_sheet(0);
   const std::size_t node = run.node(5);
   double before = 0.0;
@@ -349,9 +350,9 @@ TEST(TieEnds, SpotdelZeroLetsTheNodeGo) {
   run.run([](const impact::Snapshot&) {});
   EXPECT_FALSE(run.system().map.dependent(static_cast<int>(node)));
   EXPECT_FALSE(run.simulation().welds().history(0)->failed());
-  ASSERT_EQ(run.simulation().tie_ends().events().size(), 1u);
-  EXPECT_THAT(run.simulation().tie_ends().events()[0], HasSubstr("tie ended  node=5"));
-  EXPECT_THAT(run.simulation().tie_ends().events()[0], HasSubstr("with shell 1"));
+  ASSERT_EQ(run.simulation().tie_releases().events().size(), 1u);
+  EXPECT_THAT(run.simulation().tie_releases().events()[0], HasSubstr("tie ended  node=5"));
+  EXPECT_THAT(run.simulation().tie_releases().events()[0], HasSubstr("with shell 1"));
   double after = 0.0;
   for (double m : run.system().mass) after += m;
   expect_reference("tie that ends", "total mass, after over before", after / before, 1.0, 1e-12);
@@ -359,7 +360,7 @@ TEST(TieEnds, SpotdelZeroLetsTheNodeGo) {
                    run.system().own_mass[node], 1e-12);
 }
 
-TEST(TieEnds, SpotdelOneDeletesTheWeld) {
+TEST(TieReleases, SpotdelOneDeletesTheWeld) {
   Experiment run = torn_sheet(1);
   run.run([](const impact::Snapshot&) {});
   const weld::History& history = *run.simulation().welds().history(0);
@@ -369,7 +370,7 @@ TEST(TieEnds, SpotdelOneDeletesTheWeld) {
   EXPECT_THAT(run.simulation().welds().events()[0], HasSubstr("deleted sheet"));
 }
 
-TEST(TieEnds, DeathTimeEndsATie) {
+TEST(TieReleases, DeathTimeEndsATie) {
   Experiment run = torn_sheet(1, 1e-5);
   double force = 1.0;
   run.run([&](const impact::Snapshot& now) {
@@ -378,7 +379,7 @@ TEST(TieEnds, DeathTimeEndsATie) {
     EXPECT_FALSE(now.system.map.dependent(static_cast<int>(run.node(5))));
   });
   EXPECT_EQ(force, 0.0);
-  EXPECT_THAT(run.simulation().tie_ends().events().at(0), HasSubstr("by DT of *CONTACT_SPOTWELD 1"));
+  EXPECT_THAT(run.simulation().tie_releases().events().at(0), HasSubstr("by DT of *CONTACT_SPOTWELD 1"));
   EXPECT_FALSE(run.simulation().welds().history(0)->failed());
 }
 

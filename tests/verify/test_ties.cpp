@@ -88,13 +88,13 @@ TEST(Tie, ForceSplit) {
   expect_split("tie: shares of force and mass", {10, 8, 0}, {0.0, 0.0, 1.0, 0.0});
 }
 
-// spotweld-theory.md, section 9, item 5.
+// docs/theory/weld.md#reference-values.
 TEST(Tie, ForceSplitOfTheTiePatch) {
   expect_split("tie: shares of force and mass", {6.5, 3.2, 0}, {0.21, 0.39, 0.26, 0.14});
 }
 
-// Sabotage to be caught: mass N_i^2 m, or the mass left on the tied node as well. Also spotweld-theory.md, section 9,
-// item 7.
+// Sabotage to be caught: mass N_i^2 m, or the mass left on the tied node as well. Also
+// docs/theory/weld.md#reference-values.
 TEST(Tie, MassSplit) {
   OneSegment s({7, 2, 0});
   const system::System& system = s.run.system();
@@ -207,8 +207,8 @@ void expect_runs(Experiment& run) {
 
 void expect_case(Experiment& run, int end1, int end2, bool tied) {
   const weld::Weld& weld = run.ties().welds.at(0);
-  EXPECT_EQ(weld.ends[0].kase, end1) << text(run.findings());
-  EXPECT_EQ(weld.ends[1].kase, end2) << text(run.findings());
+  EXPECT_EQ(weld.ends[0].projection_case, end1) << text(run.findings());
+  EXPECT_EQ(weld.ends[1].projection_case, end2) << text(run.findings());
   EXPECT_EQ(weld.tied, tied);
   expect_runs(run);
 }
@@ -275,7 +275,7 @@ TEST(ProjectionDeck, Case6AnotherSegmentInReach) {
 }
 
 /// Sheets that have passed through each other; end 1 belongs to the one that now lies above.
-void expect_refused(const Vec3d& along, const Vec3d& across, int kase) {
+void expect_refused(const Vec3d& along, const Vec3d& across, int projection_case) {
   ProjectionCase c;
   c.lower.corner = {0, 0, 0.6};
   c.lower.along = along;
@@ -283,10 +283,11 @@ void expect_refused(const Vec3d& along, const Vec3d& across, int kase) {
   c.upper.corner = {0, 0, 0.4};
   c.beam_parts = fmt::format("{:8d}{:8d}\n", 1, 2);
   Experiment run = c.deck({15, 15, 0}, {15, 15, 1});
-  expect_case(run, kase, kase, false);
+  expect_case(run, projection_case, projection_case, false);
   EXPECT_TRUE(run.ties().ties.empty());
   EXPECT_NEAR(run.ties().welds[0].length, 1.0, 1e-12);
-  EXPECT_THAT(text(run.findings()), HasSubstr(fmt::format("would turn the weld over or crush it (case {}", kase)));
+  EXPECT_THAT(text(run.findings()),
+              HasSubstr(fmt::format("would turn the weld over or crush it (case {}", projection_case)));
 }
 
 TEST(ProjectionDeck, Case7CrossingSheets) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Weld damage after EFAIL, and MAT_100 beyond its failure surface on single welds: node 1 held, node 2 driven, so
-// that no inertia enters. Closed forms: spotweld-theory.md 4.6.
+// that no inertia enters. Closed forms: docs/theory/failure.md#damage-of-the-whole-weld.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -39,8 +39,8 @@ class Pulled {
                    beam_between(1, 1, 1, {0, 0, 0}, 2, {w.length, 0, 0}) + fixed({1}) +
                    driven(2, path, cycles * step, 1, 100) + "*END\n");
     run.run([&](const impact::Snapshot& now) {
-      const system::System::Seat seat = now.system.beam_seat[0];
-      const auto& group = *now.system.groups[static_cast<std::size_t>(seat.group)];
+      const system::System::ElementLocation location = now.system.beam_location[0];
+      const auto& group = *now.system.groups[static_cast<std::size_t>(location.group)];
       samples.push_back({run.displacement(now, 2).x, run.weld(now, 1).axial,
                          group.layer(0, 0, now.state).plastic_strain, now.energy.internal + now.energy.eroded,
                          now.energy.eroded, run.weld(now, 1), run.history(now, 1).damage().begun()});
@@ -76,7 +76,7 @@ std::string damaging(double efail, double rs, int dmgopt, double beta = 0.0) {
 
 constexpr double area = 28.2743;
 
-// Sabotage to be caught: the return on the damaged stress; EFAIL taken for the strain of rupture; work of the sound
+// Sabotage to be caught: the return on the damaged stress; EFAIL taken for the strain of rupture; work of the undamaged
 // force booked.
 TEST(WeldDamage, LinearDamageOverPlasticStrain) {
   const double end = 0.54;
@@ -169,7 +169,7 @@ TEST(WeldDamage, FailureFunctionBeginsTheDamage) {
   EXPECT_GT(grows.samples.back().eroded, 0.0);
 }
 
-// Reached before first yield: with the stress held the weld yields where it stands, and the damage goes on.
+// Reached before first yield: with the stress frozen the weld yields where it stands, and the damage continues.
 TEST(WeldDamage, ElasticOnsetWithTheStressHeld) {
   const Pulled held(fading({8000}, 0.05, 11), 0.1, 4000);
   expect_reference("weld damage options", "N at half damage after an elastic onset (DMGOPT 11) [N]",
@@ -217,7 +217,7 @@ TEST(WeldDamage, FmodeAndFfcap) {
   EXPECT_FALSE(at_once.samples.back().damaged);
   EXPECT_TRUE(pulled.samples.back().damaged);
   EXPECT_GT(pulled.samples.back().axial, 7900.0);
-  // Without held stress the force goes on growing, until the failure value reaches FFCAP = 1.44: N = 1.2 NRR.
+  // Without a frozen stress the force keeps growing, until the failure value reaches FFCAP = 1.44: N = 1.2 NRR.
   const Pulled capped(fading({8000}, 0.9, 10, 0.0, 1.44), 0.004, 2000);
   double most = 0.0;
   for (const Sample& sample : capped.samples) most = std::max(most, sample.axial);
@@ -234,7 +234,7 @@ struct BrickSample {
   bool failed;
 };
 
-/// A single brick of 1.5 along z; both faces go where they are told to.
+/// A single brick of 1.5 along z; both faces move as prescribed.
 std::vector<BrickSample> brick_run(const std::string& material, const Motion& top, const Motion& bottom, int cycles,
                                    double dt = 1e-7, int points = 1) {
   const Prism prism = square_prism(side, 1.5);
@@ -246,8 +246,8 @@ std::vector<BrickSample> brick_run(const std::string& material, const Motion& to
   std::vector<BrickSample> samples;
   run.run([&](const impact::Snapshot& now) {
     const weld::History& h = *now.welds.history(0);
-    const system::System::Seat seat = now.system.solid_seat[0];
-    const auto& group = *now.system.groups[static_cast<std::size_t>(seat.group)];
+    const system::System::ElementLocation location = now.system.solid_location[0];
+    const auto& group = *now.system.groups[static_cast<std::size_t>(location.group)];
     samples.push_back({now.state.time / (cycles * dt), h.resultants().axial, h.failure_value(),
                        now.energy.internal + now.energy.hourglass + now.energy.eroded, now.energy.eroded,
                        group.plastic_strain(0, 0), h.failed()});
@@ -277,7 +277,7 @@ TEST(WeldDamage, DamageOfAUniaxialBrick) {
 }
 
 /// MAT_100_DA without sheets: the defaults of the connection hold. TRUE_T is next to nothing, so that the couple of a
-/// shear force over the weld's length is no bending (spotweld-theory.md 3.3).
+/// shear force over the weld's length is no bending (docs/theory/failure.md#worse-end).
 std::string connection(int dgtyp, double gfad, const std::string& options = "", double dlcsn = 0.0) {
   return "*MAT_SPOTWELD_DAIMLERCHRYSLER_UNIAXIAL\n" + fields({1, 7.8e-9, 210000, 0.3}) + fields({0}) +
          fields({0, 0, 0, 1e-3, 7}) + "*DEFINE_CONNECTION_PROPERTIES\n" +

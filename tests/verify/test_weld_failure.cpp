@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The failure functions of MAT_100 through the program, on one weld beam between two sheets: tension, shear, bending,
 // torsion and a path that mixes them until it crosses the failure surface; strengths at three strain rates. References
-// are worked from the formulas of spotweld-theory.md sections 4.3 to 4.5 by a script of their own.
+// are worked from the formulas of docs/theory/failure.md by a script of their own.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 namespace nugget::verify {
 namespace {
 
-using Six = std::array<double, 6>;
+using SixDof = std::array<double, 6>;
 using weld::FailureMode;
 
 constexpr double step = 2e-7;  // below the stable step of the weld
@@ -54,7 +54,7 @@ struct Joint {
 };
 
 /// Displacement of end 2 for given N_rr, N_rs, N_rt, M_rr, M_ss, M_tt.
-Six elastic(const WeldData& w, const Six& r) {
+SixDof elastic(const WeldData& w, const SixDof& r) {
   const double ss = r[4] / w.bending_stiffness(), tt = r[5] / w.bending_stiffness();
   return {r[0] / w.axial_stiffness(),
           r[1] / w.shear_stiffness() + 0.5 * w.length * tt,
@@ -72,11 +72,11 @@ struct Outcome {
 };
 
 /// Loads the joint in proportion to `load`, up to `up_to` times it.
-Outcome pull(const Joint& joint, const Six& load, double up_to = 1.25, int cycles = 4000) {
-  Six end = elastic(joint.weld, load);
+Outcome pull(const Joint& joint, const SixDof& load, double up_to = 1.25, int cycles = 4000) {
+  SixDof end = elastic(joint.weld, load);
   for (double& c : end) c *= up_to;
   const Path path = [&](double s) {
-    Six u = end;
+    SixDof u = end;
     for (double& c : u) c *= s;
     return u;
   };
@@ -92,11 +92,11 @@ std::string cards(std::initializer_list<double> second, std::initializer_list<do
   return fields(second) + fields(third);
 }
 
-const Six tension{4000}, shear{0, 4000}, bending{0, 0, 0, 0, 0, 3000}, torsion{0, 0, 0, 4000},
+const SixDof tension{4000}, shear{0, 4000}, bending{0, 0, 0, 0, 0, 3000}, torsion{0, 0, 0, 4000},
     mixed{2000, 1500, 0, 0, 0, 1500};
 
-void expect_factor(const Joint& joint, const std::string& opt, const std::string& what, const Six& load, double factor,
-                   FailureMode mode) {
+void expect_factor(const Joint& joint, const std::string& opt, const std::string& what, const SixDof& load,
+                   double factor, FailureMode mode) {
   const Outcome out = pull(joint, load, 1.25 * factor);
   expect_reference(opt, fmt::format("factor on {} at failure", what), out.factor, factor, 5e-3);
   EXPECT_EQ(out.mode, mode) << opt << ", " << what;

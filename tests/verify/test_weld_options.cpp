@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every OPT of MAT_100 on a weld beam, on a brick and on a cluster of eight bricks: tension, shear, bending, torsion
 // where the criterion has it, and a path on which all act until the surface is crossed. One table of criteria; each is
-// written here a second time, as the manual's formula, and asked for the load that its weld has to bear. What the weld
-// bears is told by the supports of its lower sheet, not by the weld's own resultants.
+// written here a second time, as the manual's formula, and asked for the load that its weld has to carry. What the weld
+// carries is shown by the supports of its lower sheet, not by the weld's own resultants.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -245,7 +245,7 @@ TEST(WeldOptions, EachOnBeamBrickAndCluster) {
     }
 }
 
-// OPT -1 and -2 hold and tell the value; compression and bending alone do not fail what does not count them.
+// OPT -1 and -2 hold and give the value; compression and bending alone do not fail what does not count them.
 TEST(WeldOptions, WhatHolds) {
   for (const Kind& kind : kinds) {
     for (const double option : {-1.0, -2.0}) {

@@ -151,7 +151,7 @@ TEST(WeldedModes, HatWithoutHalfOfItsWelds) {
                      fmt::format("the same from one solution: shift of mode {} [%]", i - 5), 100.0 * estimate,
                      100.0 * shift[i - 6], 2.0, 1.0);
     EXPECT_NEAR(drop.eigenvalue[i] / fewer.eigenvalue[i], 1.0, 1e-5);
-    EXPECT_GT(drop.likeness[i], 0.99);
+    EXPECT_GT(drop.mac[i], 0.99);
     EXPECT_NEAR(drop.first_order[i] / modes.eigenvalue[i], 1.0, 2e-3);  // perturbation does not see it
   }
 }

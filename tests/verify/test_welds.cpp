@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elastic stiffness, plasticity and failure of a weld beam, and the closed forms of spotweld-theory.md section 9 that
-// belong to a single weld beam: node 1 held, node 2 driven in all six degrees of freedom, so that no inertia enters.
+// Elastic stiffness, plasticity and failure of a weld beam, and the closed forms of
+// docs/theory/weld.md#reference-values that belong to a single weld beam: node 1 held, node 2 driven in all six degrees
+// of freedom, so that no inertia enters.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ namespace nugget::verify {
 namespace {
 
 using weld::Resultants;
-using Six = std::array<double, 6>;
+using SixDof = std::array<double, 6>;
 
 constexpr double step = 2e-7;  // below the stable step of all welds here
 
@@ -41,8 +42,8 @@ class Driven {
   const std::vector<Sample>& samples() {
     if (!samples_.empty()) return samples_;
     run_.run([&](const impact::Snapshot& now) {
-      const system::System::Seat seat = now.system.beam_seat[0];
-      const auto& group = *now.system.groups[static_cast<std::size_t>(seat.group)];
+      const system::System::ElementLocation location = now.system.beam_location[0];
+      const auto& group = *now.system.groups[static_cast<std::size_t>(location.group)];
       double plastic = 0.0;
       for (int k = 0; k < group.layers(); ++k) plastic = std::max(plastic, group.layer(0, k, now.state).plastic_strain);
       samples_.push_back(
@@ -82,9 +83,9 @@ class Driven {
   weld::FailureMode mode_ = weld::FailureMode::intact;
 };
 
-Path proportional(const Six& end) {
+Path proportional(const SixDof& end) {
   return [end](double s) {
-    Six u = end;
+    SixDof u = end;
     for (double& c : u) c *= s;
     return u;
   };
@@ -92,7 +93,7 @@ Path proportional(const Six& end) {
 
 /// Elastic displacement of node 2 for given N_rr, N_rs, N_rt, M_rr, M_ss, M_tt. Bending without shear needs u = L theta
 /// / 2.
-Six elastic(const WeldData& w, const Six& r) {
+SixDof elastic(const WeldData& w, const SixDof& r) {
   const double ss = r[4] / w.bending_stiffness(), tt = r[5] / w.bending_stiffness();
   return {r[0] / w.axial_stiffness(),
           r[1] / w.shear_stiffness() + 0.5 * w.length * tt,
@@ -106,7 +107,7 @@ Six elastic(const WeldData& w, const Six& r) {
 // lever.
 TEST(WeldBeam, ElasticStiffness) {
   const WeldData w;
-  const auto end = [&](const Six& motion) { return Driven(w, proportional(motion), 200).end(); };
+  const auto end = [&](const SixDof& motion) { return Driven(w, proportional(motion), 200).end(); };
   expect_reference("weld beam: elastic stiffness", "axial stiffness [N/mm]", end({1e-5}).axial / 1e-5, 3.95841e6, 5e-3);
   expect_reference("weld beam: elastic stiffness", "shear stiffness along s [N/mm]", end({0, 1e-5}).shear_s / 1e-5,
                    1.52246e6, 5e-3);
@@ -125,7 +126,7 @@ TEST(WeldBeam, ElasticStiffness) {
                    1e-3, about_s.moment_s / w.length);
 }
 
-// spotweld-theory.md, section 9, item 1.
+// docs/theory/weld.md#reference-values.
 TEST(WeldBeam, ClosedFormsOfA5mmWeld) {
   const WeldData w{.diameter = 5.0, .length = 1.0};
   expect_reference("weld beam of 5 mm", "axial stiffness of d = 5, L = 1 [N/mm]",
@@ -166,7 +167,7 @@ TEST(WeldBeam, AxialPlasticity) {
 /// Node 2 on an arc about node 1, so that the beam does not get longer; without spin it is sheared by the angle of the
 /// arc.
 Path arc(const WeldData& w, double angle) {
-  return [=](double s) { return Six{w.length * (std::cos(s * angle) - 1.0), w.length * std::sin(s * angle)}; };
+  return [=](double s) { return SixDof{w.length * (std::cos(s * angle) - 1.0), w.length * std::sin(s * angle)}; };
 }
 
 // Sabotage to be caught: tau_y = SIGY / 2 (Tresca); shear counted once in the equivalent stress.
@@ -219,7 +220,7 @@ TEST(WeldBeam, BendingPlasticity) {
   const auto moment = [](const Driven::Sample& s) { return s.r.moment_t; };
   const Path bend = [&](double s) {
     const double half = 0.5 * s * end;
-    return Six{w.length * (std::cos(half) - 1.0), w.length * std::sin(half), 0, 0, 0, 2.0 * half};
+    return SixDof{w.length * (std::cos(half) - 1.0), w.length * std::sin(half), 0, 0, 0, 2.0 * half};
   };
   Driven coarse(w, bend, 2000, 2000);
   expect_reference("weld beam: plasticity in shear, torsion and bending", "M at first yield [N mm]",
@@ -231,8 +232,9 @@ TEST(WeldBeam, BendingPlasticity) {
                    Driven(w, bend, 2000, 2000).end().moment_t, 14400.0, 8e-2);
 }
 
-// EFAIL in bending, 2 radii x 8 angles (theory 2.3): the points fail from the outside in, four at a time, and the weld
-// goes with the last. Sabotage to be caught: the weld deleted with its first point; failed points that still pull.
+// EFAIL in bending, 2 radii x 8 angles (docs/theory/beam.md#section-points): the points fail from the outside in, four
+// at a time, and the weld goes with the last. Sabotage to be caught: the weld deleted with its first point; failed
+// points that still pull.
 TEST(WeldBeam, PointsFailOneByOneInBending) {
   const WeldData w{.hardening = 0.0, .failure_strain = 0.01, .quadrature = 3};
   std::array<double, 4> lever{};  // of four points each, from the outside in
@@ -247,7 +249,7 @@ TEST(WeldBeam, PointsFailOneByOneInBending) {
       w,
       [&](double s) {
         const double half = 0.5 * s * end;
-        return Six{w.length * (std::cos(half) - 1.0), w.length * std::sin(half), 0, 0, 0, 2.0 * half};
+        return SixDof{w.length * (std::cos(half) - 1.0), w.length * std::sin(half), 0, 0, 0, 2.0 * half};
       },
       2000, 2000);
   for (std::size_t i = 0; i < 4; ++i) {  // midway between the failures of two groups
@@ -266,15 +268,15 @@ TEST(WeldBeam, PointsFailOneByOneInBending) {
                    end * run.failure(), angle_of_failure(3), 5e-3);
 }
 
-const Six capacities{8000, 6000, 6000, 9000, 7000, 7000};
+const SixDof capacities{8000, 6000, 6000, 9000, 7000, 7000};
 
 WeldData failing() {
   return {.yield = 2000.0, .strength = capacities};
 }
 
 /// Share of `load` at which the weld fails, loaded in proportion to it.
-double failure_factor(const WeldData& w, const Six& load, double up_to = 1.25, int cycles = 4000) {
-  Six end = elastic(w, load);
+double failure_factor(const WeldData& w, const SixDof& load, double up_to = 1.25, int cycles = 4000) {
+  SixDof end = elastic(w, load);
   for (double& c : end) c *= up_to;
   return up_to * Driven(w, proportional(end), cycles).failure();
 }
@@ -287,7 +289,7 @@ TEST(WeldFailure, SingleComponents) {
   for (std::size_t i = 0; i < 6; ++i)
     for (const double sign : {1.0, -1.0}) {
       if (i == 0 && sign < 0.0) continue;
-      Six load{};
+      SixDof load{};
       load[i] = sign * capacities[i];
       expect_reference("weld failure by resultants", fmt::format("factor on {} = {} at failure", name[i], load[i]),
                        failure_factor(w, load), 1.0, 5e-3);
@@ -333,7 +335,7 @@ TEST(WeldFailure, AllComponents) {
 // Sabotage to be caught: a filter applied twice. (Its first values: tests/unit/weld/test_failure.cpp.)
 TEST(WeldFailure, FilterOnlyDelays) {
   const int cycles = 6000;
-  for (const Six& load : {Six{8000}, Six{0, 6000}, Six{4000, 3000, 0, 4000, 3000, 0}}) {
+  for (const SixDof& load : {SixDof{8000}, SixDof{0, 6000}, SixDof{4000, 3000, 0, 4000, 3000, 0}}) {
     WeldData w = failing();
     const double plain = failure_factor(w, load, 1.25, cycles);
     w.filter = 40;
@@ -347,7 +349,7 @@ TEST(WeldFailure, FilterOnlyDelays) {
   }
 }
 
-// spotweld-theory.md, section 9, item 2.
+// docs/theory/weld.md#reference-values.
 TEST(WeldFailure, ClosedFormsOfTheResultantSurface) {
   WeldData w{.yield = 2000.0, .strength = {8000}};
   expect_reference("weld failure by resultants", "factor on N = 8000, NRR only", failure_factor(w, {8000}), 1.0, 5e-3);
@@ -361,7 +363,7 @@ TEST(WeldFailure, ClosedFormsOfTheResultantSurface) {
 // The mode that is reported is the largest term's.
 TEST(WeldFailure, ModeIsTheLargestTerm) {
   const WeldData w = failing();
-  const auto mode = [&](const Six& load) { return Driven(w, proportional(elastic(w, load)), 1000).mode(); };
+  const auto mode = [&](const SixDof& load) { return Driven(w, proportional(elastic(w, load)), 1000).mode(); };
   EXPECT_EQ(mode({9600, 1000}), weld::FailureMode::axial);
   EXPECT_EQ(mode({1000, 5000, 5000}), weld::FailureMode::shear);
   EXPECT_EQ(mode({0, 0, 0, 9600}), weld::FailureMode::torsion);

@@ -17,7 +17,7 @@ namespace {
 
 using nugget::nvh::SolverCall;
 
-/// Passes on a call of the first rank. Who waits for one sleeps between two looks: the cores belong to the first rank
+/// Passes on a call of the first rank. Who waits for one sleeps between two checks: the cores belong to the first rank
 /// meanwhile.
 void pass_on(SolverCall& call, MPI_Comm ranks) {
   std::array<int, 3> words{static_cast<int>(call.kind), call.instance, call.job};
@@ -32,10 +32,10 @@ void pass_on(SolverCall& call, MPI_Comm ranks) {
 }
 
 int lead(int argc, char** argv, int count, MPI_Comm ranks) {
-  const auto tell = [&](SolverCall call) { pass_on(call, ranks); };
-  nugget::nvh::lead_ranks(count, tell);
+  const auto send = [&](SolverCall call) { pass_on(call, ranks); };
+  nugget::nvh::lead_ranks(count, send);
   const int code = nugget::app::command_line(argc, argv);
-  tell({SolverCall::Kind::end});
+  send({SolverCall::Kind::end});
   return code;
 }
 

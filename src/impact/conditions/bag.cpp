@@ -23,7 +23,7 @@ double heat_ratio(const FlowingGas& gas, double temperature) {
 }
 
 /// Temperature and pressure by mass, energy and volume.
-void settle(Bag& bag, const FlowingGas& gas) {
+void set_pressure(Bag& bag, const FlowingGas& gas) {
   const double energy = bag.mass > 0.0 ? std::max(0.0, bag.energy / bag.mass) : 0.0;
   const double cv = gas.heat - gas.constant;
   bag.temperature = 2.0 * energy / (cv + std::sqrt(cv * cv + 2.0 * gas.heat_slope * energy));
@@ -50,7 +50,7 @@ Bag bag_at_start(const ControlVolume& source, double volume) {
   bag.volume = volume;
   bag.mass = gas.density * volume;
   bag.energy = bag.mass * (enthalpy(gas, gas.temperature) - gas.constant * gas.temperature);
-  settle(bag, gas);
+  set_pressure(bag, gas);
   return bag;
 }
 
@@ -86,7 +86,7 @@ void advance(Bag& bag, const ControlVolume& source, const std::vector<Curve>& cu
     const double temperature = 0.5 * (before.temperature + bag.temperature);
     bag.mass = before.mass + in;
     bag.energy = before.energy + in * enthalpy(gas, gas.inflow_temperature) - pressure * (volume - before.volume);
-    settle(bag, gas);
+    set_pressure(bag, gas);
     if (!open || !(bag.pressure > source.ambient)) {
       out = 0.0;
       continue;
@@ -96,7 +96,7 @@ void advance(Bag& bag, const ControlVolume& source, const std::vector<Curve>& cu
     out = std::min(dt * impact::outflow(source, curves, pressure, temperature), bag.mass * (1.0 - left));
     bag.mass -= out;
     bag.energy -= out * enthalpy(gas, temperature);
-    settle(bag, gas);
+    set_pressure(bag, gas);
   }
   bag.outflow = dt > 0.0 ? out / dt : 0.0;
 }

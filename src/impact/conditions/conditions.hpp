@@ -24,15 +24,15 @@ class Supports {
   Supports(const system::System& system, Findings& findings);
 
   /// Components of v and w that the supports hold at time 0 are set to zero (fixed ones only).
-  void hold_at_start(system::State& state);
+  void constrain_at_start(system::State& state);
   /// After `accelerate`: replaces prescribed components, keeps the reactions, books the closing half of their work.
-  /// `kick` is the time by which the velocities were advanced.
-  void prescribe(system::State& state, double kick, std::span<system::RigidBody> bodies);
+  /// `velocity_interval` is the time by which the velocities were advanced.
+  void prescribe(system::State& state, double velocity_interval, std::span<system::RigidBody> bodies);
   /// Books the opening half, with the velocities that `prescribe` left.
-  void open_step(double dt);
+  void book_opening_work(double dt);
   double work() const { return work_; }
-  /// What was done so far counts no longer: the run begins after a relaxation.
-  void forget_work() {
+  /// Sets the work done so far to zero: the run begins after a relaxation.
+  void reset_work() {
     work_ = 0.0;
     for (std::vector<Reaction>* reactions : {&spc_, &motion_})
       for (Reaction& r : *reactions) r.energy = 0.0;
@@ -54,7 +54,7 @@ class Supports {
   void archive(Archive& a);
 
  private:
-  struct Held {
+  struct ConstrainedDof {
     std::size_t reaction;
     int node;
     Vec3d axis;
@@ -64,27 +64,31 @@ class Supports {
     bool active = false;
     void archive(Archive& a);
   };
-  struct Driven : Held {
+  struct PrescribedDof : ConstrainedDof {
     const model::PrescribedMotion* motion = nullptr;
     int body = -1;
-    bool hold_others = false;             ///< across the direction that is driven; of a circle: the radius
-    Vec3d at_start;                       ///< the axis at time 0: a body's own axes turn with it
-    std::vector<std::size_t> oblique_to;  ///< places in held_: supports of its node neither along nor across it
+    bool constrain_others = false;  ///< across the direction that is driven; of a circle: the radius
+    Vec3d at_start;                 ///< the axis at time 0: a body's own axes turn with it
+    std::vector<std::size_t>
+        oblique_to;  ///< places in constrained_dofs_: supports of its node neither along nor across it
     // Of a circle, whose directions turn:
     Vec3d left;         ///< velocity of the node after the last prescribe
     double rate = 0.0;  ///< angular velocity, where the curve is its rate [1/time]
     void archive(Archive& a);
   };
-  double target(Driven& driven, const system::State& state, double old_velocity, double kick) const;
-  double circular_target(Driven& driven, const system::State& state, double old_velocity, double kick) const;
-  void set_component(Held& held, double target, int body, system::State& state, double kick,
+  double target(PrescribedDof& prescribed, const system::State& state, double old_velocity,
+                double velocity_interval) const;
+  double circular_target(PrescribedDof& prescribed, const system::State& state, double old_velocity,
+                         double velocity_interval) const;
+  void set_component(ConstrainedDof& dof, double target, int body, system::State& state, double velocity_interval,
                      std::span<system::RigidBody> bodies, std::vector<Reaction>& reactions);
   /// Drives a node that supports hold in oblique directions: both are met, and both have their reactions.
-  void drive_beside_supports(Driven& driven, double target, system::State& state, double kick);
+  void prescribe_beside_supports(PrescribedDof& prescribed, double target, system::State& state,
+                                 double velocity_interval);
 
   const system::System& system_;
-  std::vector<Held> held_;
-  std::vector<Driven> driven_;
+  std::vector<ConstrainedDof> constrained_dofs_;
+  std::vector<PrescribedDof> prescribed_dofs_;
   std::vector<Reaction> spc_, motion_;
   double work_ = 0.0;
   double dt_previous_ = 0.0;  ///< of the last prescribe
@@ -101,10 +105,10 @@ class Loads {
   void apply(system::State& state, double dt);
   double work() const { return work_; }
   /// As that of the supports; the gas in volumes keeps what it has given.
-  void forget_work() { work_ = 0.0; }
+  void reset_work() { work_ = 0.0; }
   /// Takes the masses that body loads act on from the system, of what mass scaling added the share EMSCL: to be called
   /// when they have changed.
-  void weigh();
+  void update_load_masses();
 
   /// Gas at the moment of the last `apply`.
   struct Volume {
@@ -151,10 +155,10 @@ class Loads {
              double pressure, std::vector<Vec3d>& last, system::State& state, double dt);
   void apply(Body& body, system::State& state, double dt);
   double curve_value(const model::BodyLoad& load, const system::State& state) const;
-  std::vector<double> weightless() const;
-  void take_nodes(Body& body) const;
-  void take_all(Body& body) const;
-  void take_parts(Body& body) const;
+  std::vector<double> nodes_without_weight() const;
+  void load_nodes(Body& body) const;
+  void load_everything(Body& body) const;
+  void load_parts(Body& body) const;
   void apply_centrifugal(Body& body, system::State& state, double dt, double omega);
 
   const system::System& system_;

@@ -13,7 +13,7 @@
 namespace nugget::impact {
 namespace {
 
-constexpr std::size_t nodes_at_once = 512;
+constexpr std::size_t nodes_per_range = 512;
 constexpr std::size_t most_rows = 2 * std::tuple_size_v<system::ElementNodes>;
 
 /// Forces, and moments, at the nodes of an element.
@@ -53,7 +53,7 @@ Frame3d axes_along(const system::ElementNodes& node, const system::State& state,
 
 DampingFilters::DampingFilters(double share, double low, double high, Of what) : of(what) {
   // Between corners that stand in equal ratios the sum of w^2 wi / (w^2 + wi^2) is pi/2 w over the logarithm of the
-  // ratio, but for the ends: the row goes on beyond the range on both sides, and its last filters count for those that
+  // ratio, but for the ends: the row extends beyond the range on both sides, and its last filters count for those that
   // are missing. So chosen, the force goes with w within 2 % over ranges of 1:3 to 1:100.
   constexpr double ratio = 3.5, beyond = 2.0, end_weight = 1.5;
   const double first = 2.0 * std::numbers::pi * low / beyond, last = 2.0 * std::numbers::pi * high * beyond;
@@ -108,7 +108,7 @@ Damping::Damping(system::System& system) : system_(system), deforming_of_(system
   std::vector<char> deformed(system.groups.size(), 0);  // cards with parts before those for all others
   for (const bool everything : {false, true})
     for (const model::FrequencyRangeDamping& card : cards.range)
-      if (card.deform && card.everything == everything) take_deforming(card, deformed);
+      if (card.deform && card.everything == everything) add_deformation_damping(card, deformed);
   for (const model::FrequencyRangeDamping& card : cards.range) {
     if (card.deform) continue;
     ByRange range{
@@ -124,8 +124,8 @@ Damping::Damping(system::System& system) : system_(system), deforming_of_(system
       if (group.part != card.part) continue;
       group.damping_share = card.share;
       group.damping_time = card.time;
-      group.keep_unstressed();
-      system.have_damping_slots();
+      group.store_reference_state();
+      system.allocate_damping_slots();
     }
   if (mass_.empty() && range_.empty() && relative_.empty() && system.damping_slots.empty()) return;
   for (auto* rows : {&force_, &moment_, &last_force_, &last_moment_}) rows->resize(system.all_nodes());
@@ -186,7 +186,7 @@ void Damping::apply(system::State& state, double dt) {
   last_force_.swap(force_);
   last_moment_.swap(moment_);
   if (system_.damping_slots.empty()) {
-    parallel_for(force_.size(), nodes_at_once, [this](std::size_t begin, std::size_t end) {
+    parallel_for(force_.size(), nodes_per_range, [this](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) force_[k] = moment_[k] = Row{};
     });
   } else {
@@ -200,7 +200,7 @@ void Damping::apply(system::State& state, double dt) {
                return dot(vec(last_force_[k]) + vec(force_[k]), vec(state.v[k])) +
                       dot(vec(last_moment_[k]) + vec(moment_[k]), vec(state.w[k]));
              });
-  parallel_for(force_.size(), nodes_at_once, [&](std::size_t begin, std::size_t end) {
+  parallel_for(force_.size(), nodes_per_range, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       nugget::add(state.f[k], vec(force_[k]));
       nugget::add(state.m[k], vec(moment_[k]));
@@ -224,7 +224,7 @@ void Damping::add(const ByMass& damping, const system::State& state) {
     nugget::add(moment_[k], -d * times(card.rotary_scale, body.angular_momentum));
   };
   if (card.everything) {
-    parallel_for(system_.nodes, nodes_at_once, [&](std::size_t begin, std::size_t end) {
+    parallel_for(system_.nodes, nodes_per_range, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) one(k, system_.mass[k], system_.inertia[k]);
     });
     for (const system::RigidBody& body : system_.bodies) whole_body(body);
@@ -263,13 +263,13 @@ void Damping::add(ByRange& damping, const system::State& state, double dt) {
   };
   // A body to which the motion is relative feels every node's force.
   if (body == model::none)
-    parallel_for(damping.members.size(), nodes_at_once, some);
+    parallel_for(damping.members.size(), nodes_per_range, some);
   else
     some(0, damping.members.size());
   damping.started = true;
 }
 
-void Damping::take_deforming(const model::FrequencyRangeDamping& card, std::vector<char>& taken) {
+void Damping::add_deformation_damping(const model::FrequencyRangeDamping& card, std::vector<char>& taken) {
   const std::size_t filters = deform_.size();
   deform_.emplace_back(card.share, card.low, card.high, DampingFilters::Of::deformation);
   double growth = 0.0;
@@ -279,7 +279,7 @@ void Damping::take_deforming(const model::FrequencyRangeDamping& card, std::vect
     if (taken[g] || std::find(card.parts.begin(), card.parts.end(), group.part) == card.parts.end()) continue;
     taken[g] = 1;
     // As if it were stiffened twice: the twist of some shells is at the limit of the step already (TSSFAC 0.9).
-    group.stiffened = (1.0 + growth) * (1.0 + growth) - 1.0;
+    group.damping_stiffness_ratio = (1.0 + growth) * (1.0 + growth) - 1.0;
     Deforming d;
     d.group = static_cast<int>(g);
     d.filters = filters;
@@ -287,14 +287,14 @@ void Damping::take_deforming(const model::FrequencyRangeDamping& card, std::vect
     if (group.nodes_per_element == 2) d.across.resize(group.size());
     deforming_of_[g] = static_cast<int>(deforming_.size());
     deforming_.push_back(std::move(d));
-    system_.have_damping_slots();
+    system_.allocate_damping_slots();
   }
 }
 
 void Damping::add_deforming(const system::State& state, double dt) {
   std::vector<DampingFilters::Step> steps;
   for (const DampingFilters& filters : deform_) steps.push_back(filters.over(dt));
-  system_.each_block([&](int g, std::size_t begin, std::size_t end) {
+  system_.for_each_block([&](int g, std::size_t begin, std::size_t end) {
     if (deforming_of_[at(g)] < 0) return;
     const system::ElementGroup& group = *system_.groups[at(g)];
     Deforming& damping = deforming_[at(deforming_of_[at(g)])];
@@ -317,11 +317,12 @@ void Damping::deform(Deforming& damping, const DampingFilters::Step& step, std::
     const auto nodes = group.nodes(e);
     const Frame3d axes = damping.across.empty() ? axes_of(nodes, corners, state)
                                                 : axes_along(nodes, state, dt, damping.started, damping.across[e]);
-    const system::System::Seat seat{damping.group, static_cast<int>(e)};
+    const system::System::ElementLocation location{damping.group, static_cast<int>(e)};
     std::array<double, 3 * most_rows> change, sum{};
     for (std::size_t r = 0; r < rows; ++r) {
       const auto node = static_cast<int>(r % corners);
-      const Vec3d force = axes.local(r < corners ? system_.nodal_force(seat, node) : system_.nodal_moment(seat, node));
+      const Vec3d force =
+          axes.local(r < corners ? system_.nodal_force(location, node) : system_.nodal_moment(location, node));
       const std::array<double, 3> now{force.x, force.y, force.z};
       for (std::size_t c = 0; c < 3; ++c) {
         change[3 * r + c] = damping.started ? now[c] - last[3 * r + c] : 0.0;

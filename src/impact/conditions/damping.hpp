@@ -42,7 +42,7 @@ class Damping {
   void apply(system::State& state, double dt);
   double energy() const { return energy_; }
   /// Before the first `apply` of a relaxation, or of the run after it: velocities begin anew, and so does the energy.
-  void begin_anew() {
+  void reset() {
     energy_ = 0.0;
     for (ByRange& d : range_) d.started = false;
   }
@@ -91,7 +91,7 @@ class Damping {
   void push(std::size_t node, model::Index body, const Vec3d& force, const system::State& state);
   void add(const ByMass& damping, const system::State& state);
   void add(ByRange& damping, const system::State& state, double dt);
-  void take_deforming(const model::FrequencyRangeDamping& card, std::vector<char>& taken);
+  void add_deformation_damping(const model::FrequencyRangeDamping& card, std::vector<char>& taken);
   void add(const Relative& damping, const system::State& state);
   /// Adds the forces of elements that damp their deformation to the damping slots.
   void add_deforming(const system::State& state, double dt);

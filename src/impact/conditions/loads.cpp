@@ -48,11 +48,11 @@ Loads::Loads(const system::System& system) : system_(system) {
   }
   for (const model::BodyLoad& load : model.body_loads)
     body_.push_back({&load, {}, {}, 0.0, std::vector<Vec3d>(load.centrifugal ? system.all_nodes() : 0)});
-  weigh();
+  update_load_masses();
 }
 
 /// By node as its elements have it: what mass scaling added and EMSCL leaves without weight [mass].
-std::vector<double> Loads::weightless() const {
+std::vector<double> Loads::nodes_without_weight() const {
   const double share = 1.0 - system_.model.control.weight_of_added_mass;
   std::vector<double> without(system_.nodes, 0.0);
   for (const auto& group : system_.groups) {
@@ -68,21 +68,21 @@ std::vector<double> Loads::weightless() const {
   return without;
 }
 
-void Loads::weigh() {
+void Loads::update_load_masses() {
   for (Body& body : body_) {
     body.nodes.clear();
     body.mass.clear();
     if (!body.load->nodes.empty())
-      take_nodes(body);
+      load_nodes(body);
     else if (body.load->parts.empty())
-      take_all(body);
+      load_everything(body);
     else
-      take_parts(body);
+      load_parts(body);
   }
 }
 
-void Loads::take_all(Body& body) const {
-  const std::vector<double> own = weightless();
+void Loads::load_everything(Body& body) const {
+  const std::vector<double> own = nodes_without_weight();
   std::vector<double> without(system_.nodes + system_.bodies.size(), 0.0);
   for (std::size_t k = 0; k < system_.nodes; ++k) {
     if (!system_.map.dependent(static_cast<int>(k)))
@@ -103,7 +103,7 @@ void Loads::take_all(Body& body) const {
 }
 
 /// The parts' own nodal masses; what they put on dependent nodes reaches the independent ones through `collect`.
-void Loads::take_parts(Body& body) const {
+void Loads::load_parts(Body& body) const {
   const std::vector<model::Index>& parts = body.load->parts;
   const auto wanted = [&](model::Index part) { return std::find(parts.begin(), parts.end(), part) != parts.end(); };
   std::map<int, double> mass;
@@ -123,14 +123,15 @@ void Loads::take_parts(Body& body) const {
     double wanted = 0.0, all = 0.0;
   };
   std::map<model::Index, Mesh> meshes;
-  for (const system::System::Lump& lump : system_.lumps()) {
-    const model::Index source = system_.model.parts[at(lump.part)].rigid_body;
+  for (const system::System::MassOnlyElement& mass_only : system_.mass_only_elements()) {
+    const model::Index source = system_.model.parts[at(mass_only.part)].rigid_body;
     const bool given = source != model::none && system_.model.rigid_bodies[at(source)].given;
     if (given) {
-      meshes[source].all += lump.mass;
-      if (wanted(lump.part)) meshes[source].wanted += lump.mass;
-    } else if (wanted(lump.part)) {
-      for (int a = 0; a < lump.corners; ++a) mass[lump.node[static_cast<std::size_t>(a)]] += lump.nodal_mass(a);
+      meshes[source].all += mass_only.mass;
+      if (wanted(mass_only.part)) meshes[source].wanted += mass_only.mass;
+    } else if (wanted(mass_only.part)) {
+      for (int a = 0; a < mass_only.corners; ++a)
+        mass[mass_only.node[static_cast<std::size_t>(a)]] += mass_only.nodal_mass(a);
     }
   }
   for (const auto& [source, mesh] : meshes) {
@@ -145,7 +146,7 @@ void Loads::take_parts(Body& body) const {
 
 /// The nodes of a set with their own masses. A rigid body that is in the set as a whole weighs what it weighs: its
 /// given mass is not that of its nodes.
-void Loads::take_nodes(Body& body) const {
+void Loads::load_nodes(Body& body) const {
   const model::Model& model = system_.model;
   std::vector<char> wanted(system_.nodes, 0);
   const auto place = [&](model::Index n) { return at(system_.node_of[at(n)]); };
@@ -161,7 +162,7 @@ void Loads::take_nodes(Body& body) const {
     for (const model::Index n : nodes) wanted[place(n)] = 0;
     take(rigid.node, rigid.mass);
   }
-  const std::vector<double> without = weightless();
+  const std::vector<double> without = nodes_without_weight();
   for (std::size_t k = 0; k < system_.nodes; ++k)
     if (wanted[k]) take(static_cast<int>(k), system_.own_mass[k] - without[k]);
 }
@@ -176,10 +177,10 @@ void Loads::apply(system::State& state, double dt) {
 void Loads::apply(Nodal& nodal, system::State& state, double dt) {
   const model::NodalLoad& load = *nodal.load;
   Vec3d direction = load.direction;
-  if (load.follow[0] != model::none) {
+  if (load.follower_nodes[0] != model::none) {
     std::array<Vec3d, 3> x;
     for (std::size_t i = 0; i < 3; ++i)
-      x[i] = vec(state.x[static_cast<std::size_t>(system_.node_of[static_cast<std::size_t>(load.follow[i])])]);
+      x[i] = vec(state.x[static_cast<std::size_t>(system_.node_of[static_cast<std::size_t>(load.follower_nodes[i])])]);
     direction = unit(cross(x[1] - x[0], x[2] - x[0]));
   }
   const Vec3d force = load.scale * value(curve(system_, load.curve), state.time, state) * direction;

@@ -29,7 +29,7 @@ void NodalForceGroups::update(const system::State& state) {
   for (Group& group : groups_)
     for (Node& node : group.nodes) {
       Vec3d force{};
-      for (const Corner& c : node.corners) force += system_.nodal_force(c.seat, c.corner);
+      for (const Corner& c : node.corners) force += system_.nodal_force(c.location, c.corner);
       node.work += 0.5 * state.dt * dot(node.force + force, vec(state.v[at(system_.node_of[at(node.node)])]));
       node.force = force;
     }

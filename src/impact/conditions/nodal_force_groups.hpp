@@ -17,8 +17,8 @@ class NodalForceGroups {
 
   /// After the internal forces at the end of a step of length state.dt.
   void update(const system::State& state);
-  /// As Supports::forget_work.
-  void forget_work() {
+  /// As Supports::reset_work.
+  void reset_work() {
     for (Group& group : groups_)
       for (Node& node : group.nodes) node.work = 0.0;
   }
@@ -28,7 +28,7 @@ class NodalForceGroups {
 
  private:
   struct Corner {
-    system::System::Seat seat;
+    system::System::ElementLocation location;
     int corner;
   };
   struct Node {

@@ -104,7 +104,7 @@ Preloads::Preloads(system::System& system, Findings& findings) : system_(system)
       const double area = beam_area(model, beam);
       const system::ImposedStress stress{
           0, {1, 0, 0}, card.scale / area, card.bends ? Others::bending : Others::kept, area};
-      if (!(area > 0.0) || !prescribe(p, system.beam_seat[at(beam)], stress))
+      if (!(area > 0.0) || !prescribe(p, system.beam_location[at(beam)], stress))
         findings.error(card.place, "*INITIAL_AXIAL_FORCE_BEAM",
                        fmt::format("beam {} has no section with stresses; weld beams (ELFORM 9), integrated beams "
                                    "(ELFORM 1) and trusses (ELFORM 3) take an axial force",
@@ -117,8 +117,8 @@ Preloads::Preloads(system::System& system, Findings& findings) : system_(system)
     Prescribed p = begun(card.curve);
     const Others others = card.bends ? Others::bending : card.keep_shear ? Others::kept : Others::none;
     for (const model::Index solid : card.solids) {
-      const system::System::Seat seat = system.solid_seat[at(solid)];
-      if (seat.group >= 0 && !prescribe(p, seat, {0, card.normal, 1.0, others}))
+      const system::System::ElementLocation location = system.solid_location[at(solid)];
+      if (location.group >= 0 && !prescribe(p, location, {0, card.normal, 1.0, others}))
         findings.error(card.place, "*INITIAL_STRESS_SECTION", why_no_stress(model, solid),
                        "use tetrahedra of ELFORM 10, or cut through bricks");
     }
@@ -128,8 +128,8 @@ Preloads::Preloads(system::System& system, Findings& findings) : system_(system)
     prescribed_.push_back(std::move(p));
   }
   for (const model::InitialStress& s : model.initial_state.solids) {
-    const system::System::Seat seat = system.solid_seat[at(s.element)];
-    if (seat.group < 0 || takes_stress(*system.groups[at(seat.group)])) continue;
+    const system::System::ElementLocation location = system.solid_location[at(s.element)];
+    if (location.group < 0 || takes_stress(*system.groups[at(location.group)])) continue;
     findings.error(s.place, "*INITIAL_STRESS_SOLID", why_no_stress(model, s.element),
                    "take it out, or use tetrahedra of ELFORM 10");
   }
@@ -139,27 +139,28 @@ Preloads::Preloads(system::System& system, Findings& findings) : system_(system)
   groups_.erase(std::unique(groups_.begin(), groups_.end()), groups_.end());
 }
 
-bool Preloads::prescribe(Prescribed& p, const system::System::Seat& seat, system::ImposedStress stress) const {
-  if (seat.group < 0 || !takes_stress(*system_.groups[at(seat.group)])) return false;
-  stress.element = at(seat.element);
-  p.elements.emplace_back(seat.group, stress);
+bool Preloads::prescribe(Prescribed& p, const system::System::ElementLocation& location,
+                         system::ImposedStress stress) const {
+  if (location.group < 0 || !takes_stress(*system_.groups[at(location.group)])) return false;
+  stress.element = at(location.element);
+  p.elements.emplace_back(location.group, stress);
   return true;
 }
 
 void Preloads::start(const system::State& state) {
   const model::InitialState& initial = system_.model.initial_state;
-  for (const model::InitialStress& s : initial.shells) start(s, system_.shell_seat[at(s.element)], true, state);
-  for (const model::InitialStress& s : initial.solids) start(s, system_.solid_seat[at(s.element)], false, state);
+  for (const model::InitialStress& s : initial.shells) start(s, system_.shell_location[at(s.element)], true, state);
+  for (const model::InitialStress& s : initial.solids) start(s, system_.solid_location[at(s.element)], false, state);
 }
 
-void Preloads::start(const model::InitialStress& stress, const system::System::Seat& seat, bool shell,
+void Preloads::start(const model::InitialStress& stress, const system::System::ElementLocation& location, bool shell,
                      const system::State& state) {
-  if (seat.group < 0 || stress.points.empty()) return;
-  system::ElementGroup& group = *system_.groups[at(seat.group)];
+  if (location.group < 0 || stress.points.empty()) return;
+  system::ElementGroup& group = *system_.groups[at(location.group)];
   const std::map<double, Layer> given = by_place(stress.points);
   const std::vector<double> places = shell ? layer_places(system_.model, group) : std::vector<double>{0.0};
   for (std::size_t k = 0; k < places.size(); ++k)
-    group.set_layer(at(seat.element), static_cast<int>(k), between(given, places[k]), state);
+    group.set_layer(at(location.element), static_cast<int>(k), between(given, places[k]), state);
 }
 
 void Preloads::apply(const system::State& state) {

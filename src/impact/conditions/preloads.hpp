@@ -38,10 +38,10 @@ class Preloads {
     const Curve* curve = nullptr;
     double begin = 0.0, end = 0.0;
   };
-  void start(const model::InitialStress& stress, const system::System::Seat& seat, bool shell,
+  void start(const model::InitialStress& stress, const system::System::ElementLocation& location, bool shell,
              const system::State& state);
   /// False for elements that cannot take a stress.
-  bool prescribe(Prescribed& p, const system::System::Seat& seat, system::ImposedStress stress) const;
+  bool prescribe(Prescribed& p, const system::System::ElementLocation& location, system::ImposedStress stress) const;
 
   system::System& system_;
   std::vector<Prescribed> prescribed_;

@@ -30,14 +30,15 @@ std::array<Vec3d, 2> normals(const Vec3d& d) {
 }
 
 /// Where a node is driven in a direction in which it is held, or driven twice, the motion of the last card counts: what
-/// is left of `items`, which `yields(item, motion)` says to give way, acts before and after it only. So work is counted
-/// once.
-template <class Item, class Driven, class Yields>
-void give_way(std::vector<Item>& items, const std::vector<Driven>& motions, const system::System& system,
-              Findings& findings, std::string_view what, const Yields& yields) {
+/// is left of `items`, which `overrides(item, motion)` says to give way, acts before and after it only. So work is
+/// counted once.
+template <class Item, class PrescribedDof, class Yields>
+void drop_overridden_supports(std::vector<Item>& items, const std::vector<PrescribedDof>& motions,
+                              const system::System& system, Findings& findings, std::string_view what,
+                              const Yields& overrides) {
   std::multimap<int, std::size_t> motion_at;
   for (std::size_t d = 0; d < motions.size(); ++d)
-    if (motions[d].body < 0 && !motions[d].hold_others && !motions[d].motion->circular)
+    if (motions[d].body < 0 && !motions[d].constrain_others && !motions[d].motion->circular)
       motion_at.emplace(motions[d].node, d);
   if (motion_at.empty()) return;
   std::vector<Item> left;
@@ -45,10 +46,10 @@ void give_way(std::vector<Item>& items, const std::vector<Driven>& motions, cons
     std::vector<Item> parts{items[i]};
     const auto [first, last] = motion_at.equal_range(items[i].node);
     for (auto other = first; other != last; ++other) {
-      const Driven& d = motions[other->second];
+      const PrescribedDof& d = motions[other->second];
       const bool together = d.rotation == items[i].rotation && std::abs(dot(d.axis, items[i].axis)) >= 1.0 - 1e-9 &&
                             d.birth < items[i].death && d.death > items[i].birth;
-      if (!together || !yields(i, other->second)) continue;
+      if (!together || !overrides(i, other->second)) continue;
       findings.warning(d.motion->place, "*BOUNDARY_PRESCRIBED_MOTION",
                        fmt::format("node {} {}", system.model.nodes.id[at(system.model_node[at(d.node)])], what),
                        "take it out of one of the two cards");
@@ -68,7 +69,7 @@ void give_way(std::vector<Item>& items, const std::vector<Driven>& motions, cons
 }
 
 /// Directions of one node that are neither parallel nor at right angles.
-bool oblique(const Vec3d& a, const Vec3d& b) {
+bool are_oblique(const Vec3d& a, const Vec3d& b) {
   const double cosine = std::abs(dot(a, b));
   return cosine > 1e-9 && cosine < 1.0 - 1e-9;
 }
@@ -77,7 +78,7 @@ bool oblique(const Vec3d& a, const Vec3d& b) {
 /// velocities would not all be 0 after one is met behind the other. So what is held at one time is put at right
 /// angles, in the order of the cards (Gram and Schmidt); what adds no direction is left out.
 template <class Item>
-void put_at_right_angles(std::vector<Item>& items) {
+void orthogonalize(std::vector<Item>& items) {
   std::map<std::pair<int, bool>, std::vector<std::size_t>> of_node;
   for (std::size_t i = 0; i < items.size(); ++i) of_node[{items[i].node, items[i].rotation}].push_back(i);
   std::vector<char> replaced(items.size(), 0);
@@ -85,7 +86,7 @@ void put_at_right_angles(std::vector<Item>& items) {
   for (const auto& [place, members] : of_node) {
     bool any = false;
     for (const std::size_t i : members)
-      for (const std::size_t j : members) any = any || oblique(items[i].axis, items[j].axis);
+      for (const std::size_t j : members) any = any || are_oblique(items[i].axis, items[j].axis);
     if (!any) continue;
     std::vector<double> times;
     for (const std::size_t i : members) {
@@ -115,7 +116,7 @@ void put_at_right_angles(std::vector<Item>& items) {
   items = std::move(all);
 }
 
-/// Time on the curve at which the step begins; a motion born within it has its curve from there on.
+/// Time on the curve at which the step begins; a motion activated within it has its curve from there on.
 double begin_of_step(bool active, double t) {
   return active ? t : std::min(t, 0.0);
 }
@@ -133,8 +134,8 @@ double velocity_of_step(const Curve& curve, const system::System& system, const 
 }
 
 /// Way in that step. Beyond its last point a displacement holds its value: the node stays where it was brought.
-double way_of_step(const Curve& curve, const system::System& system, const system::State& state, double t,
-                   bool active) {
+double displacement_increment(const Curve& curve, const system::System& system, const system::State& state, double t,
+                              bool active) {
   if (ends_with_run(curve, system, state, t)) return curve.y.back() - curve.clamped(t - state.dt);
   return curve.clamped(t + state.dt) - curve.clamped(begin_of_step(active, t));
 }
@@ -152,32 +153,33 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
     if (obeyed != spc.fixed)
       findings.warning({model.deck, 0, 0}, "*BOUNDARY_SPC",
                        "node " + std::to_string(model.nodes.id[static_cast<std::size_t>(spc.node)]) +
-                           " is held by an SPC, but it moves with " + system.holder(node) +
+                           " is held by an SPC, but it moves with " + system.constraint_name(node) +
                            (obeyed == 0 ? "; the SPC does nothing there" : "; the SPC holds its rotations only"),
                        "constrain what it moves with: the nodes of the segment it is tied to, or the rigid body "
                        "(MAT_RIGID CMO, *CONSTRAINED_NODAL_RIGID_BODY_SPC)");
     if (obeyed == 0) continue;
     for (int i = 0; i < 6; ++i) {
       if (!(obeyed >> i & 1u)) continue;
-      held_.push_back({spc_.size(), node, axis(model, spc.system, i % 3), i >= 3, spc.birth, spc.death});
+      constrained_dofs_.push_back({spc_.size(), node, axis(model, spc.system, i % 3), i >= 3, spc.birth, spc.death});
     }
     spc_.push_back({node, static_cast<model::Index>(s), spc.set_id, {}, {}, 0.0});
   }
   for (std::size_t k = 0; k < model.motions.size(); ++k) {
     const model::PrescribedMotion& motion = model.motions[k];
-    const auto drive = [&](int node, int body) {
+    const auto prescribe_node = [&](int node, int body) {
       std::vector<Vec3d> directions{motion.direction};
-      if (motion.circular && motion.radius_held) directions.push_back({});  // found anew in each step
+      if (motion.circular && motion.radius_fixed) directions.push_back({});  // found anew in each step
       if (!motion.only_direction)
         for (const Vec3d& n : normals(motion.direction)) directions.push_back(n);
       for (std::size_t d = 0; d < directions.size(); ++d) {
-        Driven driven;
-        static_cast<Held&>(driven) = {motion_.size(), node, directions[d], motion.rotation, motion.birth, motion.death};
-        driven.motion = &motion;
-        driven.body = body;
-        driven.hold_others = d > 0;
-        driven.at_start = directions[d];
-        driven_.push_back(driven);
+        PrescribedDof prescribed;
+        static_cast<ConstrainedDof&>(prescribed) = {motion_.size(),  node,         directions[d],
+                                                    motion.rotation, motion.birth, motion.death};
+        prescribed.motion = &motion;
+        prescribed.body = body;
+        prescribed.constrain_others = d > 0;
+        prescribed.at_start = directions[d];
+        prescribed_dofs_.push_back(prescribed);
       }
       motion_.push_back({node, static_cast<model::Index>(k), 0, {}, {}, 0.0});
     };
@@ -187,76 +189,80 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
         if (system.map.dependent(node)) {
           findings.error(motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
                          "node " + std::to_string(model.nodes.id[static_cast<std::size_t>(n)]) + " moves with " +
-                             system.holder(node) + " and cannot be driven on its own",
+                             system.constraint_name(node) + " and cannot be driven on its own",
                          "drive the rigid body with *BOUNDARY_PRESCRIBED_MOTION_RIGID, or nodes of the sheet");
           continue;
         }
-        drive(node, -1);
+        prescribe_node(node, -1);
       }
     } else {
       const int body = system.body_of[static_cast<std::size_t>(motion.rigid_body)];
-      drive(system.bodies[static_cast<std::size_t>(body)].node, body);
+      prescribe_node(system.bodies[static_cast<std::size_t>(body)].node, body);
     }
   }
-  give_way(held_, driven_, system, findings,
-           "is held by an SPC in the direction in which it is driven: it follows the motion",
-           [](std::size_t, std::size_t) { return true; });
-  give_way(driven_, std::vector<Driven>(driven_), system, findings,
-           "is driven by two cards in one direction at one time: the last one counts",
-           [this](std::size_t one, std::size_t other) {
-             return one < other && !driven_[one].hold_others && driven_[one].motion != driven_[other].motion;
-           });
-  put_at_right_angles(held_);
+  drop_overridden_supports(constrained_dofs_, prescribed_dofs_, system, findings,
+                           "is held by an SPC in the direction in which it is driven: it follows the motion",
+                           [](std::size_t, std::size_t) { return true; });
+  drop_overridden_supports(prescribed_dofs_, std::vector<PrescribedDof>(prescribed_dofs_), system, findings,
+                           "is driven by two cards in one direction at one time: the last one counts",
+                           [this](std::size_t one, std::size_t other) {
+                             return one < other && !prescribed_dofs_[one].constrain_others &&
+                                    prescribed_dofs_[one].motion != prescribed_dofs_[other].motion;
+                           });
+  orthogonalize(constrained_dofs_);
   // Several motions of a node beside an oblique support may ask for too much: the motions are obeyed then.
   std::map<std::pair<int, bool>, int> motions;
-  std::map<std::pair<int, bool>, std::vector<std::size_t>> held_at;
-  for (const Driven& d : driven_) ++motions[{d.node, d.rotation}];
-  if (!driven_.empty())
-    for (std::size_t h = 0; h < held_.size(); ++h) held_at[{held_[h].node, held_[h].rotation}].push_back(h);
-  for (Driven& d : driven_) {
+  std::map<std::pair<int, bool>, std::vector<std::size_t>> constrained_at;
+  for (const PrescribedDof& d : prescribed_dofs_) ++motions[{d.node, d.rotation}];
+  if (!prescribed_dofs_.empty())
+    for (std::size_t h = 0; h < constrained_dofs_.size(); ++h)
+      constrained_at[{constrained_dofs_[h].node, constrained_dofs_[h].rotation}].push_back(h);
+  for (PrescribedDof& d : prescribed_dofs_) {
     if (d.body >= 0 || d.motion->circular || motions[{d.node, d.rotation}] > 1) continue;
-    const auto beside = held_at.find({d.node, d.rotation});
-    if (beside == held_at.end()) continue;
+    const auto beside = constrained_at.find({d.node, d.rotation});
+    if (beside == constrained_at.end()) continue;
     for (const std::size_t h : beside->second)
-      if (oblique(held_[h].axis, d.axis)) d.oblique_to.push_back(h);
+      if (are_oblique(constrained_dofs_[h].axis, d.axis)) d.oblique_to.push_back(h);
   }
 }
 
-void Supports::hold_at_start(system::State& state) {
-  for (const Held& h : held_) {
+void Supports::constrain_at_start(system::State& state) {
+  for (const ConstrainedDof& h : constrained_dofs_) {
     if (h.birth > 0.0) continue;
     Row& row = h.rotation ? state.w[static_cast<std::size_t>(h.node)] : state.v[static_cast<std::size_t>(h.node)];
     add(row, -dot(h.axis, vec(row)) * h.axis);
   }
 }
 
-double Supports::target(Driven& driven, const system::State& state, double old_velocity, double kick) const {
-  if (driven.motion->circular) return circular_target(driven, state, old_velocity, kick);
-  if (driven.hold_others) return 0.0;
-  const model::PrescribedMotion& motion = *driven.motion;
+double Supports::target(PrescribedDof& prescribed, const system::State& state, double old_velocity,
+                        double velocity_interval) const {
+  if (prescribed.motion->circular) return circular_target(prescribed, state, old_velocity, velocity_interval);
+  if (prescribed.constrain_others) return 0.0;
+  const model::PrescribedMotion& motion = *prescribed.motion;
   const Curve& curve = system_.model.curves[static_cast<std::size_t>(motion.curve)];
   const double t = state.time - motion.birth;
   switch (motion.quantity) {
     case model::PrescribedMotion::Quantity::velocity: return motion.scale * velocity_of_step(curve, system_, state, t);
     case model::PrescribedMotion::Quantity::acceleration:
-      return old_velocity + motion.scale * curve.zero_outside(t) * kick;
+      return old_velocity + motion.scale * curve.zero_outside(t) * velocity_interval;
     case model::PrescribedMotion::Quantity::displacement: {
       if (state.dt <= 0.0) return 0.0;
-      return motion.scale * way_of_step(curve, system_, state, t, driven.active) / state.dt;
+      return motion.scale * displacement_increment(curve, system_, state, t, prescribed.active) / state.dt;
     }
   }
   return 0.0;
 }
 
-double Supports::circular_target(Driven& driven, const system::State& state, double old_velocity, double kick) const {
-  const model::PrescribedMotion& motion = *driven.motion;
+double Supports::circular_target(PrescribedDof& prescribed, const system::State& state, double old_velocity,
+                                 double velocity_interval) const {
+  const model::PrescribedMotion& motion = *prescribed.motion;
   const Curve& curve = system_.model.curves[at(motion.curve)];
   const double dt = state.dt, t = state.time - motion.birth;
   if (!(dt > 0.0)) return 0.0;
-  const auto node = at(driven.node);
+  const auto node = at(prescribed.node);
   const model::PlaceOnCircle place = model::place_on_circle(motion, vec(state.x[node]));
   // The nodes end on the circle, not beside it: both components are those of a chord. This one follows that around.
-  if (driven.hold_others) {
+  if (prescribed.constrain_others) {
     const double sine = place.radius > 0.0 ? dt * dot(place.around, vec(state.v[node])) / place.radius : 0.0;
     return -place.radius * sine * sine / (1.0 + std::sqrt(std::max(0.0, 1.0 - sine * sine))) / dt;
   }
@@ -265,113 +271,116 @@ double Supports::circular_target(Driven& driven, const system::State& state, dou
   if (motion.quantity == Quantity::velocity) {
     turned = motion.scale * velocity_of_step(curve, system_, state, t) * dt;
   } else if (motion.quantity == Quantity::displacement) {
-    turned = motion.scale * way_of_step(curve, system_, state, t, driven.active);
+    turned = motion.scale * displacement_increment(curve, system_, state, t, prescribed.active);
   } else {
-    if (!driven.active) driven.rate = place.radius > 0.0 ? old_velocity / place.radius : 0.0;
-    driven.rate += motion.scale * curve.zero_outside(t) * kick;
-    turned = driven.rate * dt;
+    if (!prescribed.active) prescribed.rate = place.radius > 0.0 ? old_velocity / place.radius : 0.0;
+    prescribed.rate += motion.scale * curve.zero_outside(t) * velocity_interval;
+    turned = prescribed.rate * dt;
   }
   // Where the radius is free, the velocity outwards stays, and the angle is met at the place where that leads.
-  if (motion.radius_held) return place.radius * std::sin(turned) / dt;
+  if (motion.radius_fixed) return place.radius * std::sin(turned) / dt;
   return (place.radius + dt * dot(place.outwards, vec(state.v[node]))) * std::tan(turned) / dt;
 }
 
-void Supports::drive_beside_supports(Driven& driven, double target, system::State& state, double kick) {
+void Supports::prescribe_beside_supports(PrescribedDof& prescribed, double target, system::State& state,
+                                         double velocity_interval) {
   // A push along what the supports leave free; it is the motion's along its direction, and theirs across.
-  Vec3d free = driven.axis;
-  for (const std::size_t h : driven.oblique_to)
-    if (held_[h].active) free -= dot(held_[h].axis, driven.axis) * held_[h].axis;
+  Vec3d free = prescribed.axis;
+  for (const std::size_t h : prescribed.oblique_to)
+    if (constrained_dofs_[h].active)
+      free -= dot(constrained_dofs_[h].axis, prescribed.axis) * constrained_dofs_[h].axis;
   const double share = norm(free);
   // Held all round, it follows the motion.
-  if (share < 1e-3) return set_component(driven, target, driven.body, state, kick, {}, motion_);
-  const Vec3d direction = driven.axis;
-  driven.axis = (1.0 / share) * free;
+  if (share < 1e-3) return set_component(prescribed, target, prescribed.body, state, velocity_interval, {}, motion_);
+  const Vec3d direction = prescribed.axis;
+  prescribed.axis = (1.0 / share) * free;
   std::vector<Reaction> along(1);
-  const std::size_t reaction = driven.reaction;
-  const double before = driven.velocity;
-  driven.reaction = 0;
-  driven.velocity = before / share;
-  set_component(driven, target / share, driven.body, state, kick, {}, along);
-  driven.reaction = reaction;
-  driven.axis = direction;
-  driven.force /= share;
-  driven.before = before;
-  driven.velocity = target;
+  const std::size_t reaction = prescribed.reaction;
+  const double before = prescribed.velocity;
+  prescribed.reaction = 0;
+  prescribed.velocity = before / share;
+  set_component(prescribed, target / share, prescribed.body, state, velocity_interval, {}, along);
+  prescribed.reaction = reaction;
+  prescribed.axis = direction;
+  prescribed.force /= share;
+  prescribed.before = before;
+  prescribed.velocity = target;
   Reaction& own = motion_[reaction];
-  (driven.rotation ? own.moment : own.force) += driven.force * direction;
+  (prescribed.rotation ? own.moment : own.force) += prescribed.force * direction;
   own.energy += along.front().energy;
-  for (const std::size_t h : driven.oblique_to) {
-    if (!held_[h].active) continue;
-    const double force = -driven.force * dot(held_[h].axis, direction);
-    held_[h].force += force;
-    Reaction& other = spc_[held_[h].reaction];
-    (driven.rotation ? other.moment : other.force) += force * held_[h].axis;
+  for (const std::size_t h : prescribed.oblique_to) {
+    if (!constrained_dofs_[h].active) continue;
+    const double force = -prescribed.force * dot(constrained_dofs_[h].axis, direction);
+    constrained_dofs_[h].force += force;
+    Reaction& other = spc_[constrained_dofs_[h].reaction];
+    (prescribed.rotation ? other.moment : other.force) += force * constrained_dofs_[h].axis;
   }
 }
 
-void Supports::set_component(Held& held, double target, int body, system::State& state, double kick,
-                             std::span<system::RigidBody> bodies, std::vector<Reaction>& reactions) {
-  const auto node = static_cast<std::size_t>(held.node);
-  Row& row = held.rotation ? state.w[node] : state.v[node];
-  const double free_velocity = dot(held.axis, vec(row));
+void Supports::set_component(ConstrainedDof& dof, double target, int body, system::State& state,
+                             double velocity_interval, std::span<system::RigidBody> bodies,
+                             std::vector<Reaction>& reactions) {
+  const auto node = static_cast<std::size_t>(dof.node);
+  Row& row = dof.rotation ? state.w[node] : state.v[node];
+  const double free_velocity = dot(dof.axis, vec(row));
   double impulse;
-  const Vec3d load = vec(held.rotation ? state.m[node] : state.f[node]);
-  if (body >= 0 && held.rotation) {
+  const Vec3d load = vec(dof.rotation ? state.m[node] : state.f[node]);
+  if (body >= 0 && dof.rotation) {
     system::RigidBody& b = bodies[static_cast<std::size_t>(body)];
     const Vec3d before = b.angular_momentum;
-    b.set_spin(held.axis, target, state.dt, state);
-    impulse = dot(held.axis, b.angular_momentum - before);
+    b.set_spin(dof.axis, target, state.dt, state);
+    impulse = dot(dof.axis, b.angular_momentum - before);
   } else {
     const double inertia = body >= 0 ? bodies[static_cast<std::size_t>(body)].mass
-                                     : (held.rotation ? system_.inertia[node] : system_.mass[node]);
+                                     : (dof.rotation ? system_.inertia[node] : system_.mass[node]);
     impulse = inertia * (target - free_velocity);
-    add(row, (target - free_velocity) * held.axis);
+    add(row, (target - free_velocity) * dof.axis);
   }
-  power_on_change_ += (target - free_velocity) * dot(held.axis, load);
-  held.force = kick > 0.0 ? impulse / kick : 0.0;
+  power_on_change_ += (target - free_velocity) * dot(dof.axis, load);
+  dof.force = velocity_interval > 0.0 ? impulse / velocity_interval : 0.0;
   // A node without mass, as the end of a spring may be, feels what pulls at it and nothing else. The first card that
   // holds it takes that.
-  const bool massless = body < 0 && !((held.rotation ? system_.inertia[node] : system_.mass[node]) > 0.0);
+  const bool massless = body < 0 && !((dof.rotation ? system_.inertia[node] : system_.mass[node]) > 0.0);
   if (massless) {
-    held.force = -dot(held.axis, load);
-    add(held.rotation ? state.m[node] : state.f[node], held.force * held.axis);
+    dof.force = -dot(dof.axis, load);
+    add(dof.rotation ? state.m[node] : state.f[node], dof.force * dof.axis);
   }
-  Reaction& reaction = reactions[held.reaction];
-  (held.rotation ? reaction.moment : reaction.force) += held.force * held.axis;
-  // Closing half: the velocity component before the kick is the one that `held` kept from the last step.
-  const double work = 0.5 * held.force * held.velocity * state.dt_previous;
+  Reaction& reaction = reactions[dof.reaction];
+  (dof.rotation ? reaction.moment : reaction.force) += dof.force * dof.axis;
+  // Closing half: the velocity component before the update is the one that `dof` kept from the last step.
+  const double work = 0.5 * dof.force * dof.velocity * state.dt_previous;
   work_ += work;
   reaction.energy += work;
-  held.before = held.velocity;
-  held.velocity = target;
+  dof.before = dof.velocity;
+  dof.velocity = target;
 }
 
-void Supports::prescribe(system::State& state, double kick, std::span<system::RigidBody> bodies) {
-  const auto alive = [&](const Held& h) { return state.time >= h.birth && state.time < h.death; };
+void Supports::prescribe(system::State& state, double velocity_interval, std::span<system::RigidBody> bodies) {
+  const auto alive = [&](const ConstrainedDof& h) { return state.time >= h.birth && state.time < h.death; };
   dt_previous_ = state.dt_previous;
   power_on_change_ = 0.0;
-  const auto component = [&](const Held& h) {
+  const auto component = [&](const ConstrainedDof& h) {
     return dot(h.axis, vec(h.rotation ? state.w[at(h.node)] : state.v[at(h.node)]));
   };
   // What is held or driven from the next step on starts from the velocity that it has now: the forces of that step are
   // not in it.
-  const auto release = [&](Held& h) {
+  const auto release = [&](ConstrainedDof& h) {
     h.active = false;
     h.force = 0.0;
     h.velocity = component(h);
   };
   for (std::vector<Reaction>* reactions : {&spc_, &motion_})
     for (Reaction& r : *reactions) r.force = r.moment = {};
-  for (Held& h : held_) {
+  for (ConstrainedDof& h : constrained_dofs_) {
     if (!alive(h)) {
       release(h);
       continue;
     }
-    // What moved before it was held gives up its energy; at time 0 it stands still already (hold_at_start).
+    // What moved before it was held gives up its energy; at time 0 it stands still already (constrain_at_start).
     h.active = true;
-    set_component(h, 0.0, -1, state, kick, bodies, spc_);
+    set_component(h, 0.0, -1, state, velocity_interval, bodies, spc_);
   }
-  for (Driven& d : driven_) {
+  for (PrescribedDof& d : prescribed_dofs_) {
     if (!alive(d) || !in_force(system_.model.curves[at(d.motion->curve)], state)) {
       release(d);
       continue;
@@ -383,36 +392,36 @@ void Supports::prescribe(system::State& state, double kick, std::span<system::Ri
     }
     if (d.motion->circular) {
       const model::PlaceOnCircle place = model::place_on_circle(*d.motion, vec(state.x[at(d.node)]));
-      if (place.radius == 0.0 && !d.motion->radius_held) {
+      if (place.radius == 0.0 && !d.motion->radius_fixed) {
         release(d);  // on the axis, where there is no way around it
         continue;
       }
-      d.axis = d.hold_others ? place.outwards : place.around;
+      d.axis = d.constrain_others ? place.outwards : place.around;
       d.velocity = dot(d.axis, d.left);
     }
     if (!d.active && state.cycle == 0) d.velocity = component(d);
-    const double wanted = target(d, state, d.velocity, kick);
+    const double wanted = target(d, state, d.velocity, velocity_interval);
     d.active = true;
     if (d.oblique_to.empty())
-      set_component(d, wanted, d.body, state, kick, bodies, motion_);
+      set_component(d, wanted, d.body, state, velocity_interval, bodies, motion_);
     else
-      drive_beside_supports(d, wanted, state, kick);
+      prescribe_beside_supports(d, wanted, state, velocity_interval);
   }
-  for (Driven& d : driven_)
+  for (PrescribedDof& d : prescribed_dofs_)
     if (d.motion->circular) d.left = vec(state.v[at(d.node)]);
 }
 
-void Supports::open_step(double dt) {
+void Supports::book_opening_work(double dt) {
   // Both halves together are the impulse times the mean of the velocities before and after, whatever the two steps: a
   // node that is driven from rest in half a first step gets its kinetic energy, not twice that.
-  const auto open = [&](const Held& held, Reaction& reaction) {
-    if (!held.active) return;
-    const double work = 0.25 * held.force * ((dt + dt_previous_) * held.velocity + (dt - dt_previous_) * held.before);
+  const auto open = [&](const ConstrainedDof& dof, Reaction& reaction) {
+    if (!dof.active) return;
+    const double work = 0.25 * dof.force * ((dt + dt_previous_) * dof.velocity + (dt - dt_previous_) * dof.before);
     work_ += work;
     reaction.energy += work;
   };
-  for (const Held& h : held_) open(h, spc_[h.reaction]);
-  for (const Driven& d : driven_) open(d, motion_[d.reaction]);
+  for (const ConstrainedDof& h : constrained_dofs_) open(h, spc_[h.reaction]);
+  for (const PrescribedDof& d : prescribed_dofs_) open(d, motion_[d.reaction]);
 }
 
 }  // namespace nugget::impact

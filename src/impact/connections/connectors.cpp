@@ -13,16 +13,16 @@ namespace nugget::impact {
 Connectors::Connectors(const system::System& system) : system_(system) {
   for (const weld::Weld& w : system.ties.welds) {
     Entry& entry = records_.emplace_back();
-    if (w.kind == weld::Weld::Kind::connector) entry.seat = system.beam_seat[at(w.element)];
+    if (w.kind == weld::Weld::Kind::connector) entry.location = system.beam_location[at(w.element)];
   }
 }
 
 void Connectors::update(const system::State& state) {
   for (std::size_t i = 0; i < records_.size(); ++i) {
-    auto& [seat, record] = records_[i];
-    if (seat.group < 0 || record.failed) continue;
-    const system::ElementGroup& group = *system_.groups[at(seat.group)];
-    if (!group.alive(at(seat.element))) {
+    auto& [location, record] = records_[i];
+    if (location.group < 0 || record.failed) continue;
+    const system::ElementGroup& group = *system_.groups[at(location.group)];
+    if (!group.alive(at(location.element))) {
       record.failed = true;
       record.failure_time = state.time;
       ++failed_;
@@ -30,7 +30,7 @@ void Connectors::update(const system::State& state) {
                                     state.time, state.cycle));
       continue;
     }
-    const std::array<double, 8> r = group.resultants(at(seat.element));
+    const std::array<double, 8> r = group.resultants(at(location.element));
     const std::array<double, 4> now{std::abs(r[0]), std::hypot(r[1], r[2]), std::hypot(r[4], r[5]), std::abs(r[3])};
     for (std::size_t k = 0; k < 4; ++k) record.peaks[k] = std::max(record.peaks[k], now[k]);
   }

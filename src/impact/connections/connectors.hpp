@@ -11,7 +11,7 @@
 namespace nugget::impact {
 
 /// The discrete beams that join sheets, while the model moves: largest forces, and when they failed. Their elements
-/// judge failure themselves. Indices are those of Ties::welds; other kinds of welds have no record.
+/// decide on failure themselves. Indices are those of Ties::welds; other kinds of welds have no record.
 class Connectors {
  public:
   struct Record {
@@ -27,7 +27,7 @@ class Connectors {
   void update(const system::State& state);
 
   /// Null where weld i is no connector, or was deleted before the run.
-  const Record* record(std::size_t i) const { return records_[i].seat.group < 0 ? nullptr : &records_[i].record; }
+  const Record* record(std::size_t i) const { return records_[i].location.group < 0 ? nullptr : &records_[i].record; }
   int failed() const { return failed_; }
   const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
 
@@ -35,7 +35,7 @@ class Connectors {
 
  private:
   struct Entry {
-    system::System::Seat seat;
+    system::System::ElementLocation location;
     Record record;
   };
   const system::System& system_;

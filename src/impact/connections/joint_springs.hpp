@@ -28,7 +28,7 @@ class JointSprings {
   void apply(system::State& state);
   /// Stored in springs and lost in dampers and friction [energy].
   double energy() const;
-  /// The longest step that all of them bear; infinite where there are none [time].
+  /// The longest step at which all of them are stable; infinite where there are none [time].
   double stable_step() const { return stable_step_; }
 
   /// One axis of a joint stiffness: d [rad or length], d', and of F the part of the damper and the rest.

@@ -52,8 +52,9 @@ Joints::Joints(const system::System& system) : system_(system), springs_(system)
       const Vec3d off = place(4) - place(0), across = unit(off - dot(off, j.axis) * j.axis);
       j.directions.push_back({across, across});
     }
-    if (source.kind == Kind::cylindrical || source.kind == Kind::translational) j.held = Held::across;
-    if (source.kind == Kind::planar) j.held = Held::along;
+    if (source.kind == Kind::cylindrical || source.kind == Kind::translational)
+      j.constrained = ConstrainedDirections::across;
+    if (source.kind == Kind::planar) j.constrained = ConstrainedDirections::along;
     joints_.push_back(std::move(j));
   }
   find_bounds();
@@ -121,16 +122,18 @@ bool Joints::fails(const Joint& j, const system::State& state) const {
   return failure.together ? of_force + of_moment >= 1.0 : of_force >= 1.0 || of_moment >= 1.0;
 }
 
-std::array<Joints::Load, 2> Joints::hold(Joint& j, const Motion& m, double longest_step) {
+std::array<Joints::Load, 2> Joints::constraint_load(Joint& j, const Motion& m, double longest_step) {
   const double k = j.bound / (longest_step * longest_step), rotary = j.rotary_bound / (longest_step * longest_step);
   const double c = j.damping / longest_step, rotary_c = j.rotary_damping / longest_step;
-  const auto held = [&](const Vec3d& v) {
+  const auto constrained = [&](const Vec3d& v) {
     const Vec3d along = dot(v, m.axis) * m.axis;
-    return j.held == Held::all ? v : j.held == Held::along ? along : v - along;
+    return j.constrained == ConstrainedDirections::all     ? v
+           : j.constrained == ConstrainedDirections::along ? along
+                                                           : v - along;
   };
-  const Vec3d open = held(m.gap);
+  const Vec3d open = constrained(m.gap);
   j.opening = norm(open);
-  j.force = -k * open - c * held(m.sliding);
+  j.force = -k * open - c * constrained(m.sliding);
   j.moment = {};
   for (const Directions& d : j.directions) {
     const Vec3d a = j.body[0]->axes.global(d.a), b = j.body[1]->axes.global(d.b), normal = cross(a, b);
@@ -196,7 +199,7 @@ void Joints::apply(Joint& j, system::State& state, double longest_step) {
   m.turning = m.spin[1] - m.spin[0];
 
   const std::array<Load, 2> before = j.load;
-  j.load = j.source->transmits() ? transmit(j, m, longest_step, state.dt) : hold(j, m, longest_step);
+  j.load = j.source->transmits() ? transmit(j, m, longest_step, state.dt) : constraint_load(j, m, longest_step);
   if (fails(j, state)) {
     j.failed = true;
     j.failure_time = state.time;

@@ -28,14 +28,14 @@ namespace nugget::impact {
 /// Forces act on both bodies at the place of B's point and moments are opposite, so momentum and angular momentum are
 /// kept to round-off. What resists in a joint's free directions are JointSprings.
 ///
-/// A joint with *_FAILURE is gone for good from TFAIL on, or from when the load that it would bear in the axes of CID
-/// reaches sum (N_i / N_iF)^2 + sum (M_i / M_iF)^2 >= 1, both sums together (COUPL up to 0) or each apart. What it
-/// stored by then stays in its energy, as lost. PROJECT: components count with both signs.
+/// A joint with *_FAILURE is released permanently from TFAIL on, or from when the load that it would carry in the axes
+/// of CID reaches sum (N_i / N_iF)^2 + sum (M_i / M_iF)^2 >= 1, both sums together (COUPL up to 0) or each apart. What
+/// it stored by then stays in its energy, as lost. Ours: components count with both signs.
 ///
 /// Stiffness: with G the inverse mass that a piece's relative motion meets, when each body shares its mass evenly among
 /// the pieces at it, k = RPS beta / (dt^2 tr(G)), beta = 1/4: all pieces together have omega dt <= 1/2, well
 /// inside the 2 of central differences. dt is the longest step so far, so k never rises in a run. Damping ratio 0.1
-/// DAMP. Both are PROJECT: LS-DYNA documents that its stiffness follows from masses and step, not how.
+/// DAMP. Both are ours: LS-DYNA documents that its stiffness follows from masses and step, not how.
 class Joints {
  public:
   explicit Joints(const system::System& system);
@@ -45,7 +45,7 @@ class Joints {
   void apply(system::State& state);
   /// Stored in joints and lost in them: minus the work of their forces [energy].
   double energy() const;
-  /// The longest step that stiffnesses of joints bear; the joints themselves follow the step [time].
+  /// The longest step at which stiffnesses of joints are stable; the joints themselves follow the step [time].
   double stable_step() const { return springs_.stable_step(); }
 
   std::size_t size() const { return joints_.size(); }
@@ -63,7 +63,7 @@ class Joints {
   void archive(Archive& a);
 
  private:
-  enum class Held { all, across, along };  ///< of the distance between the points
+  enum class ConstrainedDirections { all, across, along };  ///< of the distance between the points
   /// A direction of each body, in its own axes at time 0.
   struct Directions {
     Vec3d a, b;
@@ -83,7 +83,7 @@ class Joints {
     std::array<const system::RigidBody*, 2> body{};
     std::array<Vec3d, 2> arm;  ///< of the point, in body axes
     Vec3d axis, other;         ///< a, in A's axes; b of joints that transmit, in B's
-    Held held = Held::all;
+    ConstrainedDirections constrained = ConstrainedDirections::all;
     std::vector<Directions> directions;
     double bound = 0.0, rotary_bound = 0.0;      ///< k dt^2
     double damping = 0.0, rotary_damping = 0.0;  ///< c dt
@@ -102,7 +102,7 @@ class Joints {
   /// Whether a joint fails now, under its force and moment.
   bool fails(const Joint& joint, const system::State& state) const;
   // Loads on the bodies' centres; they leave force, moment and opening in the joint.
-  static std::array<Load, 2> hold(Joint& joint, const Motion& motion, double longest_step);
+  static std::array<Load, 2> constraint_load(Joint& joint, const Motion& motion, double longest_step);
   static std::array<Load, 2> transmit(Joint& joint, const Motion& motion, double longest_step, double dt);
 
   const system::System& system_;

@@ -66,7 +66,7 @@ void RigidWelds::refuse_ties_on_failing_welds(Findings& findings) const {
   }
 }
 
-void RigidWelds::take_loads(const system::State& state) {
+void RigidWelds::store_loads(const system::State& state) {
   for (Weld& weld : welds_)
     for (std::size_t i = 0; i < weld.nodes.size(); ++i)
       weld.loads[i] = {vec(state.f[at(weld.nodes[i])]), vec(state.m[at(weld.nodes[i])])};
@@ -97,7 +97,7 @@ weld::RigidWeldLoad RigidWelds::joint_load(const Weld& weld, bool last, const sy
 
 double RigidWelds::plastic_strain(const Weld& weld, bool last, const system::State& state) const {
   double largest = 0.0;
-  const auto look = [&](const std::vector<Neighbour>& around) {
+  const auto find_largest = [&](const std::vector<Neighbour>& around) {
     for (const Neighbour& n : around) {
       const system::ElementGroup& group = *system_.groups[at(n.group)];
       for (int layer = 0; layer < group.layers(); ++layer)
@@ -105,10 +105,10 @@ double RigidWelds::plastic_strain(const Weld& weld, bool last, const system::Sta
     }
   };
   if (weld.nodes.size() == 2) {
-    look(weld.around[0]);
-    look(weld.around[1]);
+    find_largest(weld.around[0]);
+    find_largest(weld.around[1]);
   } else {
-    look(last ? weld.around.back() : weld.around.front());
+    find_largest(last ? weld.around.back() : weld.around.front());
   }
   return largest;
 }
@@ -132,21 +132,22 @@ bool RigidWelds::update(system::State& state) {
   return released;
 }
 
-/// Lets the first and the last node go as told; all of them where only one would be left, or at the failure time.
+/// Releases the first and the last node as asked; all of them where only one would be left, or at the failure time.
 void RigidWelds::release(Weld& weld, bool first, bool last, system::State& state) {
-  const std::size_t n = weld.nodes.size(), gone = static_cast<std::size_t>(first) + static_cast<std::size_t>(last);
-  const bool at_once = n - gone < 2 || weld.joints[first ? 0 : 1].mode() == weld::FailureMode::time;
-  const std::size_t begin = at_once ? n : first ? 1 : 0, end = !at_once && last ? n - 1 : n;
-  std::vector<int> let_go,
+  const std::size_t n = weld.nodes.size(),
+                    released_count = static_cast<std::size_t>(first) + static_cast<std::size_t>(last);
+  const bool releases_all = n - released_count < 2 || weld.joints[first ? 0 : 1].mode() == weld::FailureMode::time;
+  const std::size_t begin = releases_all ? n : first ? 1 : 0, end = !releases_all && last ? n - 1 : n;
+  std::vector<int> released,
       kept(weld.nodes.begin() + static_cast<long>(begin), weld.nodes.begin() + static_cast<long>(end));
   const Frame3d axes = system_.bodies[weld.body].axes;
   for (std::size_t i = 0; i < n; ++i) {
     const auto k = at(weld.nodes[i]);
     set(state.f[k], weld.loads[i].force);
     set(state.m[k], weld.loads[i].moment);
-    if (i < begin || i >= end) let_go.push_back(weld.nodes[i]);
+    if (i < begin || i >= end) released.push_back(weld.nodes[i]);
   }
-  system_.release_nodes(weld.body, let_go, kept, state);
+  system_.release_nodes(weld.body, released, kept, state);
   weld.axis = system_.bodies[weld.body].axes.local(axes.global(weld.axis));
   weld.nodes = std::move(kept);
   const auto keep = [&](auto& list) {

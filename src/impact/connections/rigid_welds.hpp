@@ -14,16 +14,16 @@ namespace nugget::impact {
 /// The rigid welds while the model moves. A weld's force on one of its nodes is what that node's acceleration wants and
 /// its load does not give,
 ///     f_i = m_i a_i - f_i(applied),   a_i = a_c + alpha x r_i + omega x (omega x r_i),
-/// with the mass of the node itself (spotweld-theory.md section 7). When a weld fails its nodes go on as free ones with
-/// that mass and the velocity they have; of a spot of more than two nodes the outermost node is let go first.
-/// Welds limit no time step.
+/// with the mass of the node itself (docs/theory/weld.md#rigid-welds). When a weld fails its nodes continue as free
+/// nodes with that mass and the velocity they have; of a spot of more than two nodes the outermost node is released
+/// first. Welds limit no time step.
 class RigidWelds {
  public:
-  /// The system must outlive it. A weld that can fail, but on whose nodes ties hang, is an error.
+  /// The system must outlive it. A weld that can fail, but whose nodes ties follow, is an error.
   RigidWelds(system::System& system, Findings& findings);
 
   /// Before the loads of dependent nodes are collected: remembers them.
-  void take_loads(const system::State& state);
+  void store_loads(const system::State& state);
   /// After that: forces of the welds at this time; releases what fails. True if any node was released.
   bool update(system::State& state);
 
@@ -51,7 +51,7 @@ class RigidWelds {
   struct Weld {
     const model::RigidWeld* source;
     std::size_t body;                            ///< in System::bodies
-    std::vector<int> nodes;                      ///< system nodes still held, in the weld's order
+    std::vector<int> nodes;                      ///< system nodes not yet released, in the weld's order
     std::vector<Load> loads;                     ///< on these nodes
     std::vector<std::vector<Neighbour>> around;  ///< elements at these nodes; only where plastic strain matters
     Vec3d axis;                                  ///< given one, in body axes; zero: the line of the outermost nodes

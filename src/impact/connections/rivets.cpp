@@ -20,7 +20,7 @@ Vec3d times(const Matrix& m, const Vec3d& v) {
 }
 
 /// Takes a direction out of what the matrix lets through.
-void hold_direction(Matrix& m, const Vec3d& axis) {
+void remove_direction(Matrix& m, const Vec3d& axis) {
   for (Vec3d& row : m) row = row - dot(row, axis) * axis;
 }
 
@@ -41,7 +41,7 @@ Rivets::Rivets(const system::System& system, Findings& findings) : system_(syste
             "rivet free nodes of sheets");
       };
       if (system.map.dependent(static_cast<int>(rivet.node[end])))
-        refuse("moves with " + system.holder(static_cast<int>(rivet.node[end])));
+        refuse("moves with " + system.constraint_name(static_cast<int>(rivet.node[end])));
       else if (!(system.mass[rivet.node[end]] > 0.0))
         refuse("has no mass");
     }
@@ -49,10 +49,10 @@ Rivets::Rivets(const system::System& system, Findings& findings) : system_(syste
     rivet.length = norm(place(1) - place(0));
     rivets_.push_back(rivet);
   }
-  find_held_directions(findings);
+  find_constrained_directions(findings);
 }
 
-void Rivets::find_held_directions(Findings& findings) {
+void Rivets::find_constrained_directions(Findings& findings) {
   const model::Model& model = system_.model;
   const auto refuse = [&](const Rivet& rivet, model::Index node, std::string_view why) {
     findings.error(rivet.source->place, "*CONSTRAINED_RIVET",
@@ -69,7 +69,7 @@ void Rivets::find_held_directions(Findings& findings) {
             spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model.systems[at(spc.system)].axes;
         const std::array<Vec3d, 3> axis{axes.e1, axes.e2, axes.e3};
         for (unsigned i = 0; i < 3; ++i)
-          if (spc.fixed >> i & 1u) hold_direction(rivet.mobility[end], axis[i]);
+          if (spc.fixed >> i & 1u) remove_direction(rivet.mobility[end], axis[i]);
       }
       for (const model::PrescribedMotion& motion : model.motions)
         if (motion.target == model::PrescribedMotion::Target::nodes && !motion.rotation &&
@@ -78,7 +78,7 @@ void Rivets::find_held_directions(Findings& findings) {
     }
 }
 
-void Rivets::hold(system::State& state, double kick, const std::vector<double>& inverse_mass) {
+void Rivets::apply(system::State& state, double velocity_interval, const std::vector<double>& inverse_mass) {
   constexpr double accuracy = 1e-13;  // of the length
   constexpr int most = 200;
   for (Rivet& rivet : rivets_) {
@@ -89,9 +89,10 @@ void Rivets::hold(system::State& state, double kick, const std::vector<double>& 
   for (int i = 0; i < most; ++i) {
     bool all_hold = true;
     for (Rivet& rivet : rivets_) {
-      if (rivet.failed || miss(rivet, state, kick, inverse_mass) <= accuracy * rivet.length) continue;
+      if (rivet.failed || length_error(rivet, state, velocity_interval, inverse_mass) <= accuracy * rivet.length)
+        continue;
       all_hold = false;
-      pull(rivet, state, kick, inverse_mass);
+      pull(rivet, state, velocity_interval, inverse_mass);
     }
     if (all_hold) break;
   }
@@ -100,28 +101,29 @@ void Rivets::hold(system::State& state, double kick, const std::vector<double>& 
 
 /// The line from node 1 to node 2 when the step is over.
 static Vec3d line_after(const std::array<std::size_t, 2>& node, const std::array<Matrix, 2>& mobility,
-                        const system::State& state, double kick, const std::vector<double>& inverse_mass) {
+                        const system::State& state, double velocity_interval, const std::vector<double>& inverse_mass) {
   const auto step = [&](std::size_t end) {
     const std::size_t k = node[end];
-    return state.dt * times(mobility[end], vec(state.v[k]) + kick * inverse_mass[k] * vec(state.f[k]));
+    return state.dt * times(mobility[end], vec(state.v[k]) + velocity_interval * inverse_mass[k] * vec(state.f[k]));
   };
   // Differences first: far from the origin a sum of coordinates would be too coarse for the accuracy asked for.
   return (vec(state.x[node[1]]) - vec(state.x[node[0]])) + (step(1) - step(0));
 }
 
-double Rivets::miss(const Rivet& rivet, const system::State& state, double kick,
-                    const std::vector<double>& inverse_mass) const {
-  return std::abs(norm(line_after(rivet.node, rivet.mobility, state, kick, inverse_mass)) - rivet.length);
+double Rivets::length_error(const Rivet& rivet, const system::State& state, double velocity_interval,
+                            const std::vector<double>& inverse_mass) const {
+  return std::abs(norm(line_after(rivet.node, rivet.mobility, state, velocity_interval, inverse_mass)) - rivet.length);
 }
 
 /// Solves |r + F b| = L for the smaller |F|: r the line after the step, b how it moves with a unit of tension.
-void Rivets::pull(Rivet& rivet, system::State& state, double kick, const std::vector<double>& inverse_mass) {
+void Rivets::pull(Rivet& rivet, system::State& state, double velocity_interval,
+                  const std::vector<double>& inverse_mass) {
   const Vec3d now = vec(state.x[rivet.node[1]]) - vec(state.x[rivet.node[0]]);
   const Vec3d n = unit(now);
-  const Vec3d r = line_after(rivet.node, rivet.mobility, state, kick, inverse_mass);
+  const Vec3d r = line_after(rivet.node, rivet.mobility, state, velocity_interval, inverse_mass);
   Vec3d b{};
   for (std::size_t end = 0; end < 2; ++end)
-    b += (-state.dt * kick * inverse_mass[rivet.node[end]]) * times(rivet.mobility[end], n);
+    b += (-state.dt * velocity_interval * inverse_mass[rivet.node[end]]) * times(rivet.mobility[end], n);
   // |r|^2 - L^2 + 2 F (r.b) + F^2 b.b = 0
   const double c = dot(r, r) - rivet.length * rivet.length, half = dot(r, b), a = dot(b, b);
   const double root = half * half - a * c;

@@ -15,16 +15,17 @@ namespace nugget::impact {
 /// of time 0,
 ///     |x2 + dt (v2 + k (f2 - F n)/m2) - x1 - dt (v1 + k (f1 + F n)/m1)| = L,
 /// k the time by which velocities are advanced, n the direction now (the SHAKE algorithm: J.-P. Ryckaert, G. Ciccotti,
-/// H. J. C. Berendsen, J. Comput. Phys. 23 (1977) 327). Rivets that share nodes are gone through until all hold. They
-/// have no mass and limit no time step.
+/// H. J. C. Berendsen, J. Comput. Phys. 23 (1977) 327). Rivets that share nodes are iterated until all have their
+/// length. They have no mass and limit no time step.
 class Rivets {
  public:
   /// The system must outlive it. A node that a rivet cannot pull, as it is tied, driven or of a rigid body, is an
   /// error.
   Rivets(const system::System& system, Findings& findings);
 
-  /// Adds the rivets' forces to state.f, when all loads are collected and the next step is chosen. `kick`: k above.
-  void hold(system::State& state, double kick, const std::vector<double>& inverse_mass);
+  /// Adds the rivets' forces to state.f, when all loads are collected and the next step is chosen. `velocity_interval`:
+  /// k above.
+  void apply(system::State& state, double velocity_interval, const std::vector<double>& inverse_mass);
 
   std::size_t size() const { return rivets_.size(); }
   const model::RigidWeld& rivet(std::size_t i) const { return *rivets_[i].source; }
@@ -51,11 +52,11 @@ class Rivets {
     double failure_time = 0.0;
     void archive(Archive& a);
   };
-  void find_held_directions(Findings& findings);
+  void find_constrained_directions(Findings& findings);
   void end(Rivet& rivet, const system::State& state);
-  double miss(const Rivet& rivet, const system::State& state, double kick,
-              const std::vector<double>& inverse_mass) const;
-  void pull(Rivet& rivet, system::State& state, double kick, const std::vector<double>& inverse_mass);
+  double length_error(const Rivet& rivet, const system::State& state, double velocity_interval,
+                      const std::vector<double>& inverse_mass) const;
+  void pull(Rivet& rivet, system::State& state, double velocity_interval, const std::vector<double>& inverse_mass);
 
   const system::System& system_;
   std::vector<Rivet> rivets_;

@@ -115,7 +115,7 @@ void TieForces::find_bounds() {
     for (const auto& [node, block] : motion.back()) ++springs_at[at(node)];
   }
   const double scale = system_.model.control.step_scale;
-  const double bearable = std::min(0.5, 3.0 * std::max(1.0 - scale * scale, 0.02));
+  const double stability_limit = std::min(0.5, 3.0 * std::max(1.0 - scale * scale, 0.02));
   for (std::size_t i = 0; i < springs_.size(); ++i) {
     Matrix3 g{}, rotary{};
     for (const auto& [node, block] : motion[i]) {
@@ -138,7 +138,7 @@ void TieForces::find_bounds() {
       system::add_inverse_mass(rotary, block, 3, inverse_mass, inverse_inertia);
     }
     Spring& s = springs_[i];
-    const double part = s.rotary ? 0.5 * bearable : bearable;
+    const double part = s.rotary ? 0.5 * stability_limit : stability_limit;
     s.bound = system::Mobility::largest(g) > 0.0 ? part / system::Mobility::largest(g) : 0.0;
     s.rotary_bound =
         s.rotary && system::Mobility::largest(rotary) > 0.0 ? part / system::Mobility::largest(rotary) : 0.0;

@@ -19,10 +19,10 @@ namespace nugget::impact {
 /// assembly is resisted, as LS-DYNA documents of this form.
 ///
 /// Stiffness: k = SFSA times that of the segment, K A / longest diagonal of a shell, K A^2 / V of a brick
-/// (kernel/contact/penalty.hpp), and of the rotary spring k A; each at most what the step bears. With G = sum over
-/// independent nodes of B (M / n)^-1 B^t, the inverse mass seen by the relative motion when every node shares its mass
-/// evenly among the n springs at it, lambda_max(K G) <= bearable / dt^2 for each spring implies the same for all
-/// together; `bearable` = min(1/2, 3 (1 - TSSFAC^2)) stays below the 4 (1 - TSSFAC^2) that elements with
+/// (kernel/contact/penalty.hpp), and of the rotary spring k A; each at most the stability limit of the step. With G =
+/// sum over independent nodes of B (M / n)^-1 B^t, the inverse mass seen by the relative motion when every node shares
+/// its mass evenly among the n springs at it, lambda_max(K G) <= bearable / dt^2 for each spring implies the same for
+/// all together; `stability_limit` = min(1/2, 3 (1 - TSSFAC^2)) stays below the 4 (1 - TSSFAC^2) that elements with
 /// lambda_max <= 4 TSSFAC^2 / dt^2 leave of the 4 / dt^2 of central differences. The stiffness never rises in a run.
 class TieForces {
  public:

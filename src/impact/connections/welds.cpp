@@ -28,15 +28,16 @@ Welds::Bricks::Bricks(const system::System& system, const weld::Weld& weld) : se
   const std::vector<model::Index>& at_ends = section.nodes();
   for (model::Index n : at_ends) nodes.push_back(system.node_of[at(n)]);
   for (model::Index e : weld.elements) {
-    const system::System::Seat seat = system.seat_of(weld, e);
-    const system::ElementNodes of_brick = system.groups[at(seat.group)]->nodes(at(seat.element));
+    const system::System::ElementLocation location = system.location_of(weld, e);
+    const system::ElementNodes of_brick = system.groups[at(location.group)]->nodes(at(location.element));
     std::array<Vec3d, 8> place;
     for (std::size_t a = 0; a < 8; ++a) {
       place[a] = system.ties.x[at(system.model_node[at(of_brick[a])])];
       const auto n = std::find(nodes.begin(), nodes.end(), of_brick[a]);
-      if (n != nodes.end()) corners.push_back({seat, static_cast<int>(a), static_cast<std::size_t>(n - nodes.begin())});
+      if (n != nodes.end())
+        corners.push_back({location, static_cast<int>(a), static_cast<std::size_t>(n - nodes.begin())});
     }
-    seats.push_back(seat);
+    locations.push_back(location);
     jacobian.push_back(corner_jacobians(place));
   }
   x.resize(nodes.size());
@@ -45,8 +46,8 @@ Welds::Bricks::Bricks(const system::System& system, const weld::Weld& weld) : se
 
 double Welds::Bricks::least_jacobian(const system::System& system, const system::State& state) const {
   double least = 1.0;
-  for (std::size_t b = 0; b < seats.size(); ++b) {
-    const system::ElementNodes node = system.groups[at(seats[b].group)]->nodes(at(seats[b].element));
+  for (std::size_t b = 0; b < locations.size(); ++b) {
+    const system::ElementNodes node = system.groups[at(locations[b].group)]->nodes(at(locations[b].element));
     std::array<Vec3d, 8> place;
     for (std::size_t a = 0; a < 8; ++a) place[a] = vec(state.x[at(node[a])]);
     const std::array<double, 8> now = corner_jacobians(place);
@@ -60,7 +61,7 @@ double Welds::Bricks::least_jacobian(const system::System& system, const system:
 void Welds::Bricks::gather(const system::System& system, const system::State& state) {
   for (std::size_t i = 0; i < nodes.size(); ++i) x[i] = vec(state.x[at(nodes[i])]);
   std::fill(force.begin(), force.end(), Vec3d{});
-  for (const Corner& c : corners) force[c.node] += system.nodal_force(c.seat, c.corner);
+  for (const Corner& c : corners) force[c.node] += system.nodal_force(c.location, c.corner);
 }
 
 Welds::Welds(system::System& system, Findings& findings) : system_(system) {
@@ -82,18 +83,18 @@ void Welds::update(const system::State& state) {
   for (std::size_t i = 0; i < histories_.size(); ++i) {
     weld::History* history = histories_[i].get();
     if (history == nullptr || history->failed()) continue;
-    if (const weld::FailureMode end = end_of_elements(i, state); end != weld::FailureMode::intact) {
+    if (const weld::FailureMode end = element_failure_mode(i, state); end != weld::FailureMode::intact) {
       history->fail(state.time, end);
       remove(i);
       report(i, state);
       continue;
     }
-    const bool was_sound = !history->damage().begun();
+    const bool was_undamaged = !history->damage().begun();
     if (history->update(load(i, state))) {
       remove(i);
       report(i, state);
     } else if (history->damage().begun()) {
-      spread_damage(i, was_sound, state);
+      apply_damage(i, was_undamaged, state);
     }
   }
 }
@@ -102,8 +103,8 @@ template <class With>
 void Welds::each_element(std::size_t i, const With& with) const {
   const weld::Weld& w = system_.ties.welds[i];
   for (model::Index e : w.elements) {
-    const system::System::Seat seat = system_.seat_of(w, e);
-    with(*system_.groups[at(seat.group)], at(seat.element));
+    const system::System::ElementLocation location = system_.location_of(w, e);
+    with(*system_.groups[at(location.group)], at(location.element));
   }
 }
 
@@ -124,10 +125,10 @@ weld::failure::Load Welds::load(std::size_t i, const system::State& state) {
   return load;
 }
 
-void Welds::spread_damage(std::size_t i, bool begins, const system::State& state) {
+void Welds::apply_damage(std::size_t i, bool begins, const system::State& state) {
   const weld::Damage& damage = histories_[i]->damage();
   each_element(i, [&](system::ElementGroup& group, std::size_t e) {
-    if (begins && damage.law().holds_yield) group.hold_yield(e);
+    if (begins && damage.law().freezes_yield) group.freeze_yield(e);
     group.set_integrity(e, damage.integrity());
   });
   if (!begins) return;
@@ -136,13 +137,13 @@ void Welds::spread_damage(std::size_t i, bool begins, const system::State& state
                                 weld::to_string(w.kind), w.id, state.time, state.cycle));
 }
 
-weld::FailureMode Welds::end_of_elements(std::size_t i, const system::State& state) const {
+weld::FailureMode Welds::element_failure_mode(std::size_t i, const system::State& state) const {
   const model::WeldLaw& law = weld::law_of(system_.model, system_.ties.welds[i]);
   const std::size_t count = system_.ties.welds[i].elements.size();
-  std::size_t living = 0;
-  each_element(i, [&](const system::ElementGroup& group, std::size_t e) { living += group.alive(e); });
+  std::size_t active = 0;
+  each_element(i, [&](const system::ElementGroup& group, std::size_t e) { active += group.alive(e); });
   // ASFF = 1: the first brick to fail takes its assembly with it.
-  if (living == 0 || (law.damage.whole && living < count)) {
+  if (active == 0 || (law.damage.whole && active < count)) {
     // What erosion took (ERODE, PSFAIL) has not reached the strain at which its points fail or their damage begins.
     const model::Part& part = system_.model.parts[at(system_.ties.welds[i].part)];
     const auto* points = std::get_if<kernel::Spotweld>(&system_.model.materials[at(part.material)].law);
@@ -169,8 +170,8 @@ weld::Resultants Welds::resultants(std::size_t i, const system::State& state) {
     return bricks->load.middle;
   }
   const weld::Weld& w = system_.ties.welds[i];
-  const system::System::Seat seat = system_.seat_of(w, w.element);
-  const std::array<double, 8> r = system_.groups[at(seat.group)]->resultants(at(seat.element));
+  const system::System::ElementLocation location = system_.location_of(w, w.element);
+  const std::array<double, 8> r = system_.groups[at(location.group)]->resultants(at(location.element));
   return {r[0], r[1], r[2], r[3], r[4], r[5]};
 }
 
@@ -185,15 +186,15 @@ double Welds::length(std::size_t i, const system::State& state) const {
     return bricks->section.shape(x).length;
   }
   const weld::Weld& w = system_.ties.welds[i];
-  const system::System::Seat seat = system_.seat_of(w, w.element);
-  return system_.groups[at(seat.group)]->thickness(at(seat.element));
+  const system::System::ElementLocation location = system_.location_of(w, w.element);
+  return system_.groups[at(location.group)]->thickness(at(location.element));
 }
 
 void Welds::remove(std::size_t i) {
   each_element(i, [](system::ElementGroup& group, std::size_t e) { group.remove(e); });
 }
 
-void Welds::lose_sheet(std::size_t i, const system::State& state) {
+void Welds::delete_without_sheet(std::size_t i, const system::State& state) {
   weld::History* history = histories_[i].get();
   if (history == nullptr || history->failed()) return;
   remove(i);

@@ -22,8 +22,8 @@ class Welds {
   /// To be called once a cycle, after the forces of the elements.
   void update(const system::State& state);
 
-  /// Deletes weld i, if it still stands, because the shells that held one of its ends are gone (SPOTDEL = 1).
-  void lose_sheet(std::size_t i, const system::State& state);
+  /// Deletes weld i, if it has not failed, because the shells at one of its ends are deleted (SPOTDEL = 1).
+  void delete_without_sheet(std::size_t i, const system::State& state);
 
   std::size_t size() const { return histories_.size(); }
   /// What happened to weld i; null where a weld has no history (deleted by SPOTSTP, rigid).
@@ -46,7 +46,7 @@ class Welds {
     void gather(const system::System& system, const system::State& state);
     weld::BrickSection section;
     struct Corner {
-      system::System::Seat seat;
+      system::System::ElementLocation location;
       int corner;
       std::size_t node;  ///< of the section
     };
@@ -54,9 +54,9 @@ class Welds {
     std::vector<int> nodes;       ///< of the section, in the system's order
     std::vector<Vec3d> x, force;  ///< of the section's nodes now
     weld::BrickSection::Load load;
-    double area = 0.0;                            ///< of the cross-section now
-    std::vector<std::array<double, 8>> jacobian;  ///< at the start, by brick and corner
-    std::vector<system::System::Seat> seats;      ///< of its bricks
+    double area = 0.0;                                       ///< of the cross-section now
+    std::vector<std::array<double, 8>> jacobian;             ///< at the start, by brick and corner
+    std::vector<system::System::ElementLocation> locations;  ///< of its bricks
     void archive(Archive& a);
   };
   weld::Resultants resultants(std::size_t i, const system::State& state);
@@ -64,9 +64,9 @@ class Welds {
   /// Calls `with(group, e)` for every element of weld i.
   template <class With>
   void each_element(std::size_t i, const With& with) const;
-  void spread_damage(std::size_t i, bool begins, const system::State& state);
-  /// Why weld i is gone for a reason of its elements; intact: it is not.
-  weld::FailureMode end_of_elements(std::size_t i, const system::State& state) const;
+  void apply_damage(std::size_t i, bool begins, const system::State& state);
+  /// Why weld i has failed for a reason of its elements; intact: it is not.
+  weld::FailureMode element_failure_mode(std::size_t i, const system::State& state) const;
   void remove(std::size_t i);
   void report(std::size_t i, const system::State& state);
 

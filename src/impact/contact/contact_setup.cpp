@@ -72,7 +72,7 @@ std::vector<char> shells_near_welds(const system::System& system) {
   for (const weld::Weld& w : system.ties.welds) {
     const double radius = 0.5 * w.diameter * model.control.weld_thinning_radius;
     for (const weld::Projection& p : w.ends) {
-      if (!p.tied || p.kase == 0 || p.tie.shell == model::none) continue;
+      if (!p.tied || p.projection_case == 0 || p.tie.shell == model::none) continue;
       near[at(p.tie.shell)] = 1;
       if (radius <= 0.0) continue;
       const Vec3d& x = p.tie.point;
@@ -116,7 +116,7 @@ class Surfaces {
 
   /// 0 of a rigid part that is held.
   double density(const model::Part& part) const {
-    const bool held = part.rigid_body != model::none && held_for_good(model_, part.rigid_body);
+    const bool held = part.rigid_body != model::none && is_fully_prescribed(model_, part.rigid_body);
     return held ? 0.0 : model_.materials[at(part.material)].density;
   }
 
@@ -150,7 +150,7 @@ class Surfaces {
   }
 
   /// Faces that one brick alone has, among those of the parts; those of a segment set that no shell is; and of an
-  /// eroding contact those between two bricks, once for each: it is bare when the other has died.
+  /// eroding contact those between two bricks, once for each: it is exposed when the other is deleted.
   void add_faces(const std::vector<bool>& in, const std::map<Key, bool>& wanted, unsigned side) {
     struct Face {
       Key node;
@@ -271,12 +271,12 @@ std::vector<contact::Segment> faces_at_listed_nodes(const system::System& system
   std::vector<char> listed(model.nodes.size(), 0), in(model.parts.size(), 0);
   for (model::Index n : card.a.nodes) listed[at(n)] = 1;
   const auto is_listed = [&](model::Index n) { return listed[at(n)] != 0; };
-  const auto look_at = [&](const auto& elements) {
+  const auto mark_nodes_of = [&](const auto& elements) {
     for (std::size_t e = 0; e < elements.size(); ++e)
       if (std::any_of(elements.node[e].begin(), elements.node[e].end(), is_listed)) in[at(elements.part[e])] = 1;
   };
-  look_at(model.shells);
-  look_at(model.solids);
+  mark_nodes_of(model.shells);
+  mark_nodes_of(model.solids);
   model::Surface around;
   for (std::size_t p = 0; p < in.size(); ++p)
     if (in[p]) around.parts.push_back(static_cast<model::Index>(p));
@@ -301,14 +301,14 @@ std::vector<contact::TrackedNode> ends_of_bars(const system::System& system, con
   return nodes;
 }
 
-/// ENMASS: which nodes an eroding contact keeps when all their elements have died.
-void let_stay(const system::System& system, std::vector<contact::TrackedNode>& nodes) {
+/// ENMASS: which nodes an eroding contact keeps when all their elements are deleted.
+void keep_nodes_of_deleted_elements(const system::System& system, std::vector<contact::TrackedNode>& nodes) {
   const model::Model& model = system.model;
   std::vector<char> of_shell(system.all_nodes(), 0);
   for (const auto& shell : model.shells.node)
     for (model::Index n : shell) of_shell[at(system.node_of[at(n)])] = 1;
-  const int keep = model.control.nodes_of_dead;
-  for (contact::TrackedNode& n : nodes) n.stays = keep == 2 || (keep == 1 && !of_shell[at(n.node)]);
+  const int keep = model.control.keep_nodes_of_deleted;
+  for (contact::TrackedNode& n : nodes) n.stays_active = keep == 2 || (keep == 1 && !of_shell[at(n.node)]);
 }
 
 /// Both sides' nodes in one list, by node; one on both sides is against both.
@@ -351,7 +351,7 @@ std::vector<contact::SqueezedBrick> bricks_of(const system::System& system, cons
   return bricks;
 }
 
-bool held_for_good(const model::Model& model, model::Index rigid_body) {
+bool is_fully_prescribed(const model::Model& model, model::Index rigid_body) {
   const model::RigidBody& body = model.rigid_bodies[at(rigid_body)];
   std::array<Directions, 2> held;  // of translations, of rotations
   const Frame3d& axes = body.fixed_axes;
@@ -420,7 +420,7 @@ contact::SurfaceContactSetup contact_setup(const system::System& system, const m
   const auto ends = ends_of_bars(system, card, single ? tracked : reference);
   setup.nodes.insert(setup.nodes.end(), ends.begin(), ends.end());
   setup.nodes = merged(std::move(setup.nodes));
-  if (erodes(card)) let_stay(system, setup.nodes);
+  if (erodes(card)) keep_nodes_of_deleted_elements(system, setup.nodes);
   setup.stiffness_scale = system.model.control.penalty_scale;
   setup.deepest = card.deepest;
   setup.edges_meet = checks_edges(card);

@@ -13,7 +13,7 @@ contact::SurfaceContactSetup contact_setup(const system::System& system, const m
 
 /// Whether nothing that meets the rigid body can move it at any time of the run: each translation and each rotation is
 /// fixed or driven. In a contact such a body counts as held, whatever it weighs.
-bool held_for_good(const model::Model& model, model::Index rigid_body);
+bool is_fully_prescribed(const model::Model& model, model::Index rigid_body);
 
 /// The bricks of an interior contact; none of rigid parts.
 std::vector<contact::SqueezedBrick> bricks_of(const system::System& system, const model::InteriorContact& contact);

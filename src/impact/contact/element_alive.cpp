@@ -15,15 +15,15 @@ int ElementAlive::place(const model::Model& model, model::ElementKind kind, mode
   return static_cast<int>(first) + element;
 }
 
-ElementAlive::Deaths ElementAlive::update(const system::System& system) {
-  int deaths = 0, of_shells = 0;
+ElementAlive::Deletions ElementAlive::update(const system::System& system) {
+  int deletions = 0, of_shells = 0;
   for (const auto& group : system.groups) {
-    deaths += group->deaths;
-    if (group->kind == model::ElementKind::shell) of_shells += group->deaths;
+    deletions += group->deletions;
+    if (group->kind == model::ElementKind::shell) of_shells += group->deletions;
   }
-  const Deaths news{deaths != deaths_, of_shells != shell_deaths_};
-  deaths_ = deaths;
-  shell_deaths_ = of_shells;
+  const Deletions news{deletions != deletions_, of_shells != shell_deletions_};
+  deletions_ = deletions;
+  shell_deletions_ = of_shells;
   if (!news.any) return news;
   for (const auto& group : system.groups) {
     if (group->kind == model::ElementKind::discrete) continue;  // springs are on no surface

@@ -9,25 +9,25 @@
 
 namespace nugget::impact {
 
-/// Which elements live, in one array: shells first, then bricks, then beams, each in the order of the model.
+/// Which elements are active, in one array: shells first, then bricks, then beams, each in the order of the model.
 class ElementAlive {
  public:
   explicit ElementAlive(const model::Model& model);
   /// Where an element stands.
   static int place(const model::Model& model, model::ElementKind kind, model::Index element);
 
-  struct Deaths {
+  struct Deletions {
     bool any = false, shells = false;
   };
-  /// Takes over who has died, and says whether somebody has since the last call.
-  Deaths update(const system::System& system);
+  /// Takes over which elements are deleted, and says whether any was since the last call.
+  Deletions update(const system::System& system);
   std::span<const unsigned char> all() const { return alive_; }
 
   void archive(Archive& a);
 
  private:
   std::vector<unsigned char> alive_;
-  int deaths_ = 0, shell_deaths_ = 0;
+  int deletions_ = 0, shell_deletions_ = 0;
 };
 
 }  // namespace nugget::impact

@@ -15,8 +15,8 @@ using kernel::Friction;
 
 /// Times the factors of the contact.
 Friction scaled(const Friction& own, const Friction& factor) {
-  return {factor.at_rest * own.at_rest, factor.sliding * own.sliding, own.decay,
-          factor.shear_strength * own.shear_strength};
+  return {factor.static_coefficient * own.static_coefficient, factor.dynamic_coefficient * own.dynamic_coefficient,
+          own.decay, factor.shear_strength * own.shear_strength};
 }
 
 /// Gives parts with equal keys the same kind; the first part of each kind.
@@ -51,7 +51,7 @@ FrictionKinds::FrictionKinds(const model::Model& model, const model::Contact& ca
     };
     for (std::size_t p = 0; p < model.parts.size(); ++p) {
       const Friction f = of(p);
-      key.push_back({f.at_rest, f.sliding, f.decay, f.shear_strength});
+      key.push_back({f.static_coefficient, f.dynamic_coefficient, f.decay, f.shear_strength});
     }
     table = table_of(sort_into_kinds(key, of_part),
                      [&](std::size_t a, std::size_t b) { return kernel::mean(of(a), of(b)); });
@@ -61,7 +61,7 @@ FrictionKinds::FrictionKinds(const model::Model& model, const model::Contact& ca
     table = kernel::FrictionTable(card.friction);
     return;
   }
-  // Parts that stand on the same sides of the same pairs rub alike.
+  // Parts on the same sides of the same pairs have the same friction.
   const model::PartFriction& given = model.part_friction[at(card.friction_table)];
   std::vector<std::vector<std::size_t>> sides(model.parts.size());
   for (std::size_t i = 0; i < given.pairs.size(); ++i) {

@@ -8,8 +8,8 @@
 
 namespace nugget::impact {
 
-/// Which parts rub alike in a contact, and the friction between such kinds: one of all parts, or by part (FS = -1), or
-/// of pairs of parts (FS = -2, *DEFINE_FRICTION).
+/// Which parts have the same friction in a contact, and the friction between such kinds: one of all parts, or by part
+/// (FS = -1), or of pairs of parts (FS = -2, *DEFINE_FRICTION).
 struct FrictionKinds {
   FrictionKinds(const model::Model& model, const model::Contact& card);
 

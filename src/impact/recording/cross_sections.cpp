@@ -18,7 +18,7 @@ CrossSections::CrossSections(const system::System& system) : system_(system) {
     std::vector<char> marked(system.all_nodes(), 0);
     for (const model::Index n : card.nodes) marked[at(system.node_of[at(n)])] = 1;
     for (const model::CrossSection::Facet& facet : card.facets) {
-      const system::System::Seat s = seat(facet);
+      const system::System::ElementLocation s = location(facet);
       if (s.group < 0) continue;
       const system::ElementGroup& group = *system.groups[at(s.group)];
       const auto nodes = group.nodes(at(s.element));
@@ -29,11 +29,11 @@ CrossSections::CrossSections(const system::System& system) : system_(system) {
   }
 }
 
-system::System::Seat CrossSections::seat(const model::CrossSection::Facet& facet) const {
+system::System::ElementLocation CrossSections::location(const model::CrossSection::Facet& facet) const {
   switch (facet.kind) {
-    case ElementKind::shell: return system_.shell_seat[at(facet.element)];
-    case ElementKind::solid: return system_.solid_seat[at(facet.element)];
-    default: return system_.beam_seat[at(facet.element)];
+    case ElementKind::shell: return system_.shell_location[at(facet.element)];
+    case ElementKind::solid: return system_.solid_location[at(facet.element)];
+    default: return system_.beam_location[at(facet.element)];
   }
 }
 
@@ -49,7 +49,7 @@ CrossSections::Area CrossSections::area(const Section& section, const Snapshot& 
     sum.centroid += size * centre;
   };
   for (const model::CrossSection::Facet& facet : section.card->facets) {
-    const system::System::Seat s = seat(facet);
+    const system::System::ElementLocation s = location(facet);
     if (facet.corners.empty() || s.group < 0) continue;
     const system::ElementGroup& group = *system_.groups[at(s.group)];
     if (!group.alive(at(s.element))) continue;
@@ -94,9 +94,9 @@ output::SecforcState CrossSections::state(const Snapshot& now) const {
     const Area where = area(section, now);
     Vec3d force{}, moment{};
     for (const Corner& c : section.corners) {
-      const Vec3d f = system_.nodal_force(c.seat, c.corner);
+      const Vec3d f = system_.nodal_force(c.location, c.corner);
       force += f;
-      moment += system_.nodal_moment(c.seat, c.corner) + cross(vec(now.state.x[c.node]) - where.centroid, f);
+      moment += system_.nodal_moment(c.location, c.corner) + cross(vec(now.state.x[c.node]) - where.centroid, f);
     }
     const Frame3d frame = axes(card, now);
     output::SecforcRow row{

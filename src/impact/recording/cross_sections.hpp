@@ -21,7 +21,7 @@ class CrossSections {
  private:
   /// The force that an element of the section has at one of its corners.
   struct Corner {
-    system::System::Seat seat;
+    system::System::ElementLocation location;
     int corner;
     std::size_t node;
   };
@@ -35,7 +35,7 @@ class CrossSections {
   };
   Area area(const Section& section, const Snapshot& now) const;
   Frame3d axes(const model::CrossSection& card, const Snapshot& now) const;
-  system::System::Seat seat(const model::CrossSection::Facet& facet) const;
+  system::System::ElementLocation location(const model::CrossSection::Facet& facet) const;
 
   const system::System& system_;
   std::vector<Section> sections_;

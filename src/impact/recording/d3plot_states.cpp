@@ -10,8 +10,8 @@ namespace nugget::impact {
 namespace {
 
 /// The group that holds an element, or null where the element has no kernel.
-const system::ElementGroup* group_of(const Snapshot& now, const system::System::Seat& seat) {
-  return seat.group < 0 ? nullptr : now.system.groups[at(seat.group)].get();
+const system::ElementGroup* group_of(const Snapshot& now, const system::System::ElementLocation& location) {
+  return location.group < 0 ? nullptr : now.system.groups[at(location.group)].get();
 }
 
 void fill_shells(const Snapshot& now, output::D3plotState& s) {
@@ -19,11 +19,11 @@ void fill_shells(const Snapshot& now, output::D3plotState& s) {
   s.shell_alive.assign(model.shells.size(), 1);
   parallel_for(model.shells.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
-      const system::System::Seat seat = now.system.shell_seat[e];
-      const system::ElementGroup* group = group_of(now, seat);
+      const system::System::ElementLocation location = now.system.shell_location[e];
+      const system::ElementGroup* group = group_of(now, location);
       s.shells[e].thickness = model.shells.thickness[e];
       if (group == nullptr) continue;
-      const std::size_t i = at(seat.element);
+      const std::size_t i = at(location.element);
       output::ShellRecord& shell = s.shells[e];
       shell.thickness = group->thickness(i);
       const double density = model.materials[at(model.parts[at(group->part)].material)].density;
@@ -44,11 +44,11 @@ void fill_solids(const Snapshot& now, output::D3plotState& s) {
   const model::Model& model = now.system.model;
   s.solid_alive.assign(model.solids.size(), 1);
   for (std::size_t e = 0; e < model.solids.size(); ++e) {
-    const system::System::Seat seat = now.system.solid_seat[e];
-    const system::ElementGroup* group = group_of(now, seat);
+    const system::System::ElementLocation location = now.system.solid_location[e];
+    const system::ElementGroup* group = group_of(now, location);
     if (group == nullptr) continue;
-    s.solids[e].strain = output::by_cmpflg(model, *group, at(seat.element), 0, now.state, now.strains.solid(e));
-    s.solid_alive[e] = group->alive(at(seat.element));
+    s.solids[e].strain = output::by_cmpflg(model, *group, at(location.element), 0, now.state, now.strains.solid(e));
+    s.solid_alive[e] = group->alive(at(location.element));
   }
 }
 
@@ -56,8 +56,8 @@ void fill_beams(const Snapshot& now, output::D3plotState& s) {
   const model::Model& model = now.system.model;
   s.beam_alive.assign(model.beams.size(), 1);
   for (std::size_t e = 0; e < model.beams.size(); ++e) {
-    const system::System::Seat seat = now.system.beam_seat[e];
-    const system::ElementGroup* group = group_of(now, seat);
+    const system::System::ElementLocation location = now.system.beam_location[e];
+    const system::ElementGroup* group = group_of(now, location);
     if (group == nullptr) {
       // A weld was taken out before the run; beams of rigid parts have no group either, but are there.
       const model::Law& law = model.materials[at(model.parts[at(model.beams.part[e])].material)].law;
@@ -65,7 +65,7 @@ void fill_beams(const Snapshot& now, output::D3plotState& s) {
         s.beam_alive[e] = 0;
       continue;
     }
-    s.beam_alive[e] = group->alive(at(seat.element));
+    s.beam_alive[e] = group->alive(at(location.element));
   }
 }
 

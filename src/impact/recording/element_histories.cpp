@@ -12,11 +12,11 @@ namespace {
 
 /// The group that holds an element, and its place there; null where the element has no kernel.
 std::pair<const system::ElementGroup*, std::size_t> find(const Snapshot& now,
-                                                         const std::vector<system::System::Seat>& seats,
+                                                         const std::vector<system::System::ElementLocation>& locations,
                                                          model::Index element) {
-  const system::System::Seat seat = seats[at(element)];
-  if (seat.group < 0) return {nullptr, 0};
-  return {now.system.groups[at(seat.group)].get(), at(seat.element)};
+  const system::System::ElementLocation location = locations[at(element)];
+  if (location.group < 0) return {nullptr, 0};
+  return {now.system.groups[at(location.group)].get(), at(location.element)};
 }
 
 output::EloutPoint point(const system::ElementGroup& group, std::size_t e, int layer, const Snapshot& now) {
@@ -115,16 +115,16 @@ output::EloutState elout_state(const Snapshot& now) {
   s.strains = model.requests.strains;
   s.local_shells = model.requests.shell_axes != model::Requests::ShellAxes::global;
   for (const model::NamedEntity& entity : model.requests.history_solids) {
-    const auto [group, e] = find(now, now.system.solid_seat, entity.index);
+    const auto [group, e] = find(now, now.system.solid_location, entity.index);
     if (group == nullptr) continue;
     s.solids.push_back(solid(now, entity.index, *group, e));
   }
   for (const model::NamedEntity& entity : model.requests.history_beams) {
-    const auto [group, e] = find(now, now.system.beam_seat, entity.index);
+    const auto [group, e] = find(now, now.system.beam_location, entity.index);
     if (group != nullptr) s.beams.push_back(beam(now, entity.index, *group, e));
   }
   for (const model::NamedEntity& entity : model.requests.history_shells) {
-    const auto [group, e] = find(now, now.system.shell_seat, entity.index);
+    const auto [group, e] = find(now, now.system.shell_location, entity.index);
     if (group == nullptr) continue;
     s.shells.push_back(shell(now, entity.index, *group, e));
   }

@@ -56,7 +56,7 @@ output::GlstatState glstat_state(const Snapshot& now) {
   s.time_step = now.state.dt;
   s.kinetic = e.kinetic;
   s.internal = e.internal;
-  for (const contact::RigidWall& wall : now.walls) s.walls.push_back(wall.energy_until_now());
+  for (const contact::RigidWall& wall : now.walls) s.walls.push_back(wall.energy_at_time());
   if (!model.discretes.empty()) {
     s.spring_and_damper = 0.0;  // part of the internal energy, as in LS-DYNA
     for (std::size_t p = 0; p < now.parts.size(); ++p)
@@ -288,9 +288,9 @@ output::DeforcState deforc_state(const Snapshot& now) {
   s.time = now.state.time;
   for (std::size_t e = 0; e < model.discretes.size(); ++e) {
     if (!model.discretes[e].in_deforc) continue;
-    const system::System::Seat seat = now.system.discrete_seat[e];
-    const auto& group = static_cast<const system::SpringGroup&>(*now.system.groups[at(seat.group)]);
-    const std::size_t i = at(seat.element);
+    const system::System::ElementLocation location = now.system.discrete_location[e];
+    const auto& group = static_cast<const system::SpringGroup&>(*now.system.groups[at(location.group)]);
+    const std::size_t i = at(location.element);
     const double force = group.force(i);
     s.rows.push_back({model.discretes[e].id, group.torsional(), force * group.line(i), force, group.elongation(i)});
   }

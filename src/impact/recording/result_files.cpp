@@ -161,7 +161,7 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
     geometry.strains = ask.strains;
     geometry.solid_histories = ask.solid_histories;
     geometry.shell_histories = ask.shell_histories;
-    auto file = std::make_shared<output::D3plot>(directory, std::move(geometry), header.opening);
+    auto file = std::make_shared<output::D3plot>(directory, std::move(geometry), header.mode);
     channels_.push_back({&ask.d3plot, [file](const Snapshot& now) { file->write(d3plot_state(now)); },
                          [file](Archive& a) { a(*file); }, first_mark(ask.d3plot, model_.curves)});
   }

@@ -6,19 +6,19 @@
 // What of a run goes into restart files.
 namespace nugget::impact {
 
-void Supports::Held::archive(Archive& a) {
+void Supports::ConstrainedDof::archive(Archive& a) {
   a(axis, force, before, velocity, active);
   a.built(reaction, node, rotation, birth, death);
 }
 
-void Supports::Driven::archive(Archive& a) {
-  Held::archive(a);
+void Supports::PrescribedDof::archive(Archive& a) {
+  ConstrainedDof::archive(a);
   a(left, rate);
-  a.built(motion, body, hold_others, at_start, oblique_to);
+  a.built(motion, body, constrain_others, at_start, oblique_to);
 }
 
 void Supports::archive(Archive& a) {
-  a(held_, driven_, spc_, motion_, work_, dt_previous_, power_on_change_);
+  a(constrained_dofs_, prescribed_dofs_, spc_, motion_, work_, dt_previous_, power_on_change_);
   a.built(system_);
 }
 
@@ -68,7 +68,7 @@ void Damping::archive(Archive& a) {
 }
 
 void ElementAlive::archive(Archive& a) {
-  a(alive_, deaths_, shell_deaths_);
+  a(alive_, deletions_, shell_deletions_);
 }
 
 void Erosion::archive(Archive& a) {
@@ -94,7 +94,7 @@ void JointSprings::archive(Archive& a) {
 
 void Joints::Joint::archive(Archive& a) {
   a(force, moment, load, slip, energy, opening, largest_opening, failed, failure_time);
-  a.built(source, body, arm, axis, other, held, directions, bound, rotary_bound, damping, rotary_damping);
+  a.built(source, body, arm, axis, other, constrained, directions, bound, rotary_bound, damping, rotary_damping);
 }
 
 void Joints::archive(Archive& a) {
@@ -122,7 +122,7 @@ void Preloads::archive(Archive& a) {
 }
 
 void Relaxation::archive(Archive& a) {
-  a(recent_, largest_, unrest_, time_, cycles_, at_rest_);
+  a(recent_, largest_, kinetic_energy_ratio_, time_, cycles_, at_rest_);
   a.built(control_);
 }
 
@@ -156,9 +156,9 @@ void Strains::archive(Archive& a) {
   a.built(system_, zeta_);
 }
 
-void TieEnds::archive(Archive& a) {
-  a(ended_, lost_, mortal_, events_);
-  a.built(system_, welds_, springs_, let_go_);
+void TieReleases::archive(Archive& a) {
+  a(ended_, lost_, death_times_, events_);
+  a.built(system_, welds_, springs_, nodes_released_);
 }
 
 void TieForces::archive(Archive& a) {
@@ -168,7 +168,7 @@ void TieForces::archive(Archive& a) {
 
 void Welds::Bricks::archive(Archive& a) {
   a(load, area);
-  a.built(section, corners, nodes, x, force, jacobian, seats);
+  a.built(section, corners, nodes, x, force, jacobian, locations);
 }
 
 void Welds::archive(Archive& a) {
@@ -185,15 +185,15 @@ void Simulation::archive(Archive& a) {
   a.section("contacts");
   a(contacts_, interiors_, walls_, element_alive_, erosion_);
   a.section("welds");
-  a(welds_, rigid_welds_, rivets_, connectors_, tie_forces_, tie_ends_, joints_);
+  a(welds_, rigid_welds_, rivets_, connectors_, tie_forces_, tie_releases_, joints_);
   a.section("results");
   a(strains_, nodal_forces_, accelerometers_, energy_, parts_, controlling_);
   a(masses_.physical, masses_.added, masses_.added_to_welds, masses_.added_by_part);
   a(inverse_mass_, inverse_inertia_, contact_mass_, dependent_);
-  a(diverged_, relaxation_, step_change_, power_on_change_, first_step_, smallest_step_, bearable_step_, longest_step_,
+  a(diverged_, relaxation_, step_change_, power_on_change_, first_step_, smallest_step_, stable_step_, longest_step_,
     smallest_by_, seconds_, solve_seconds_);
-  a.built(stopped_springs_, v_before_, w_before_, momentum_before_, block_power_, stop_asked_, kept_cycle_, kept_time_,
-          kept_seconds_, begin_, charged_);
+  a.built(stopped_springs_, v_before_, w_before_, momentum_before_, block_power_, stop_requested_, checkpoint_cycle_,
+          checkpoint_time_, checkpoint_seconds_, begin_, timed_until_);
 }
 
 }  // namespace nugget::impact

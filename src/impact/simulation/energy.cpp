@@ -14,7 +14,7 @@ constexpr std::size_t sums_of = 1024;  // elements or nodes: fixed, so that sums
 
 /// Share of the way from t(n-1/2) to t(n+1/2) at which the second velocity of the product v(n-1/2) . v stands, so that
 /// the energy fits the work booked until t(n), 1/2 F . v(n-1/2) dt(n-1): 1 at a constant step, 0 at the start.
-double share_of_kick(const system::State& state) {
+double share_of_interval(const system::State& state) {
   return 2.0 * share_before_now(state);
 }
 
@@ -42,12 +42,12 @@ struct Carrier {
   const system::State& state;
   std::span<const Row> v_before, w_before;
   double share;
-  std::vector<char> weightless;  ///< by node: its body's mass is given
-  std::vector<char> bare;        ///< by node: has lost all its elements; empty if none was lost
-  std::vector<Carried> carried;  ///< by node
+  std::vector<char> weightless;       ///< by node: its body's mass is given
+  std::vector<char> has_no_elements;  ///< by node: has lost all its elements; empty if none was lost
+  std::vector<Carried> carried;       ///< by node
 
   Carrier(const system::System& s, const system::State& now, std::span<const Row> v, std::span<const Row> w)
-      : system(s), state(now), v_before(v), w_before(w), share(share_of_kick(now)), weightless(s.all_nodes(), 0) {
+      : system(s), state(now), v_before(v), w_before(w), share(share_of_interval(now)), weightless(s.all_nodes(), 0) {
     for (const system::RigidBody& body : s.bodies) {
       const model::RigidBody& source = s.model.rigid_bodies[at(body.source)];
       if (!source.given) continue;
@@ -57,29 +57,29 @@ struct Carrier {
     parallel_for(carried.size(), sums_of, [this](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) carried[k] = carried_by(static_cast<int>(k));
     });
-    find_bare_nodes();
+    find_nodes_without_elements();
   }
 
-  /// Nodes that follow others, tied ones and those of rigid bodies, go on with them and are not bare; nor are those
-  /// with a mass of their own.
-  void find_bare_nodes() {
+  /// Nodes that follow others, tied ones and those of rigid bodies, move with them and count as having elements; nor
+  /// are those with a mass of their own.
+  void find_nodes_without_elements() {
     const auto lost = [](const std::unique_ptr<system::ElementGroup>& group) {
       for (std::size_t e = 0; e < group->size(); ++e)
         if (!group->alive(e)) return true;
       return false;
     };
     if (std::ranges::none_of(system.groups, lost)) return;
-    bare.assign(system.all_nodes(), 1);
+    has_no_elements.assign(system.all_nodes(), 1);
     for (const auto& group : system.groups)
       for (std::size_t e = 0; e < group->size(); ++e)
         if (group->alive(e))
-          for (const int node : group->nodes(e)) bare[at(node)] = 0;
-    for (const system::System::Lump& lump : system.lumps())
-      for (int a = 0; a < lump.corners; ++a) bare[at(lump.node[at(a)])] = 0;
-    for (const model::PointMass& m : system.model.masses) bare[at(system.node_of[at(m.node)])] = 0;
-    for (const model::PointInertia& p : system.model.inertias) bare[at(system.node_of[at(p.node)])] = 0;
-    for (std::size_t k = 0; k < bare.size(); ++k)
-      if (system.map.dependent(static_cast<int>(k))) bare[k] = 0;
+          for (const int node : group->nodes(e)) has_no_elements[at(node)] = 0;
+    for (const system::System::MassOnlyElement& mass_only : system.mass_only_elements())
+      for (int a = 0; a < mass_only.corners; ++a) has_no_elements[at(mass_only.node[at(a)])] = 0;
+    for (const model::PointMass& m : system.model.masses) has_no_elements[at(system.node_of[at(m.node)])] = 0;
+    for (const model::PointInertia& p : system.model.inertias) has_no_elements[at(system.node_of[at(p.node)])] = 0;
+    for (std::size_t k = 0; k < has_no_elements.size(); ++k)
+      if (system.map.dependent(static_cast<int>(k))) has_no_elements[k] = 0;
   }
 
   /// A tied node's mass is, as in the equations of motion, that of the nodes which it follows.
@@ -109,7 +109,8 @@ struct Carrier {
 
   void carry(PartEnergy& part, int node, double m, double inertia) const {
     const Carried& by = carried[at(node)];
-    (bare.empty() || !bare[at(node)] ? part.kinetic : part.eroded_kinetic) += m * by.by_mass + inertia * by.by_inertia;
+    (has_no_elements.empty() || !has_no_elements[at(node)] ? part.kinetic : part.eroded_kinetic) +=
+        m * by.by_mass + inertia * by.by_inertia;
     part.momentum += m * by.momentum;
     part.mass += m * by.mass;
   }
@@ -179,7 +180,7 @@ double share_before_now(const system::State& state) {
 
 double kinetic_energy(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before) {
-  const double share = share_of_kick(state);
+  const double share = share_of_interval(state);
   double sum = ordered_sum(system.nodes, [&](std::size_t k) {
     const Vec3d v = vec(v_before[k]), w = vec(w_before[k]);
     return 0.5 * system.mass[k] * dot(v, between(v, vec(state.v[k]), share)) +
@@ -228,10 +229,10 @@ void element_energies(const system::System& system, const system::State& state, 
     energy.eroded += s.found.eroded;
     energy.eroded_kinetic += s.found.eroded_kinetic;
   }
-  for (const system::System::Lump& lump : system.lumps())
-    for (int a = 0; a < lump.corners; ++a)
-      carrier.carry(parts[static_cast<std::size_t>(lump.part)], lump.node[static_cast<std::size_t>(a)],
-                    lump.nodal_mass(a), lump.nodal_inertia);
+  for (const system::System::MassOnlyElement& mass_only : system.mass_only_elements())
+    for (int a = 0; a < mass_only.corners; ++a)
+      carrier.carry(parts[static_cast<std::size_t>(mass_only.part)], mass_only.node[static_cast<std::size_t>(a)],
+                    mass_only.nodal_mass(a), mass_only.nodal_inertia);
   PartEnergy points;
   for (const model::PointMass& m : system.model.masses) carrier.carry(points, system.node_of[at(m.node)], m.mass, 0.0);
   for (const model::PointInertia& p : system.model.inertias) carrier.carry(points, p);

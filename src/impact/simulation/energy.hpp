@@ -8,7 +8,7 @@
 
 namespace nugget::impact {
 
-/// Energies and momentum of one part. Kinetic energy contains that of spins. `kinetic` is of nodes that have a living
+/// Energies and momentum of one part. Kinetic energy contains that of spins. `kinetic` is of nodes that have an active
 /// element, or never had one of their own; `eroded_kinetic` of those that have lost all of theirs.
 struct PartEnergy {
   double internal = 0.0, kinetic = 0.0, hourglass = 0.0, eroded = 0.0, eroded_kinetic = 0.0, mass = 0.0;
@@ -38,8 +38,9 @@ struct Energy {
     return kinetic + internal + hourglass + contact + wall + damping + eroded + eroded_kinetic + step_change;
   }
   double ratio() const { return over_input(total()); }
-  /// The same without the account of a changing step: what ENDENG judges, since an unstable step shows in it.
-  double bare_ratio() const { return over_input(total() - step_change); }
+  /// The same without the correction for a changing step: what ENDENG is compared with, since an unstable step shows in
+  /// it.
+  double ratio_without_step_change() const { return over_input(total() - step_change); }
 
  private:
   double over_input(double energy) const {

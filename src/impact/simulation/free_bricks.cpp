@@ -71,7 +71,7 @@ constexpr double step = 0x1p-100;  // moves nothing, and is a power of two: the 
 /// Forces of a brick that moves for so long a step with velocities u of its corners: of its uniform strains, and of the
 /// bulk viscosity where it is compressed.
 std::array<Vec3d, 8> forces(const Brick& brick, const std::array<Vec3d, 8>& u, double viscosity) {
-  const kernel::Prepared<kernel::Elastic> law(kernel::Elastic{brick.E, brick.nu});
+  const kernel::LawKernel<kernel::Elastic> law(kernel::Elastic{brick.E, brick.nu});
   const kernel::HexahedronProperties no_hourglass{brick.density, 6, 0.0, 0.0, viscosity};
   const kernel::HexahedronLayout layout = kernel::hexahedron_layout(law);
   std::vector<double> state(static_cast<std::size_t>(layout.size()));

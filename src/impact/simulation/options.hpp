@@ -18,7 +18,7 @@ struct Options {
   double until = 0.0;   ///< end time; 0: the deck's
   long max_cycles = 0;  ///< 0: the deck's
   Checkpoints checkpoints{};
-  std::function<void()> keep{};     ///< writes a restart file, between two cycles; empty: there are none
+  std::function<void()> write_checkpoint{};  ///< writes a restart file, between two cycles; empty: there are none
   std::function<void()> restore{};  ///< takes the state from one, in place of the start's; empty: a run from its start
 };
 
@@ -31,14 +31,14 @@ struct Outcome {
   bool stops() const { return termination != Termination::normal || !message.empty(); }
 };
 
-/// What a progress display is told every so often.
+/// What a progress display gets every so often.
 struct Progress {
   double time = 0.0, end_time = 0.0, dt = 0.0;
   long cycle = 0;
   double energy_ratio = 1.0;
   int welds = 0, welds_failed = 0;
-  double seconds = 0.0;  ///< since the start of the run
-  double unrest = 0.0;   ///< in dynamic relaxation: kinetic energy over the largest so far; 0 in the run
+  double seconds = 0.0;               ///< since the start of the run
+  double kinetic_energy_ratio = 0.0;  ///< in dynamic relaxation: kinetic energy over the largest so far; 0 in the run
 };
 using ProgressCallback = std::function<void(const Progress&)>;
 

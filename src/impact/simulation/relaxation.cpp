@@ -41,8 +41,8 @@ void Relaxation::watch(const system::System& system, const system::State& state)
   recent_ = std::max(recent_, kinetic_energy(system, state));
   if (!check) return;
   largest_ = std::max(largest_, recent_);
-  unrest_ = largest_ > 0.0 ? recent_ / largest_ : 0.0;
-  at_rest_ = unrest_ < control_.tolerance;
+  kinetic_energy_ratio_ = largest_ > 0.0 ? recent_ / largest_ : 0.0;
+  at_rest_ = kinetic_energy_ratio_ < control_.tolerance;
   recent_ = 0.0;
 }
 

@@ -25,21 +25,21 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-void tell_of_glue(const model::Contact& card, const contact::Glue& glue, Findings& findings) {
+void report_tiebreak(const model::Contact& card, const contact::Glue& glue, Findings& findings) {
   if (glue.at_start() > 0)
     findings.note(card.place, '*' + card.keyword,
                   fmt::format("{} nodes of SURFA are glued to SURFB at the start", glue.at_start()));
-  else if (!card.glue->sticks_later)
+  else if (!card.glue->bonds_later)
     findings.warning(card.place, '*' + card.keyword, "no node of SURFA touches SURFB at the start: nothing is glued",
                      "check the sides, and the gap between them against the thicknesses (SFSAT, SFSBT, SAST, SBST)");
 }
 
 /// A wall leaves alone what is tied, and what belongs to a rigid body unless RWPNAL has it stopped by penalty.
-void tell_of_held_nodes(const model::RigidWall& wall, const std::vector<int>& nodes, const system::System& system,
-                        Findings& findings) {
+void report_constrained_wall_nodes(const model::RigidWall& wall, const std::vector<int>& nodes,
+                                   const system::System& system, Findings& findings) {
   const bool by_penalty = system.model.control.wall_penalty > 0.0;
   const auto held = std::count_if(nodes.begin(), nodes.end(), [&](int n) {
-    return system.map.dependent(n) && !(by_penalty && system.carrying_body(n) >= 0);
+    return system.map.dependent(n) && !(by_penalty && system.rigid_body_of_node(n) >= 0);
   });
   if (held > 0)
     findings.note(wall.place, "*RIGIDWALL",
@@ -49,10 +49,10 @@ void tell_of_held_nodes(const model::RigidWall& wall, const std::vector<int>& no
 
 /// What a node of a rigid part brings to a contact is its share of the body's mass, whatever the density of its mesh;
 /// of a body that nothing can move, none, which counts as held.
-void weigh_rigid_parts(const system::System& system, std::vector<double>& contact_mass) {
+void set_rigid_contact_mass(const system::System& system, std::vector<double>& contact_mass) {
   for (const system::RigidBody& body : system.bodies) {
     const model::RigidBody& source = system.model.rigid_bodies[at(body.source)];
-    const bool held = held_for_good(system.model, body.source);
+    const bool held = is_fully_prescribed(system.model, body.source);
     if (source.origin != model::RigidBody::Origin::part || !(held || source.given)) continue;
     double mesh = 0.0;
     for (const model::Index n : source.nodes) mesh += system.own_mass[at(system.node_of[at(n)])];
@@ -82,7 +82,7 @@ Simulation::Simulation(system::System& system, Findings& findings)
       connectors_(system),
       tie_forces_(system),
       joints_(system),
-      tie_ends_(system, welds_, tie_forces_),
+      tie_releases_(system, welds_, tie_forces_),
       damping_(system),
       preloads_(system, findings),
       erosion_(system),
@@ -103,7 +103,7 @@ Simulation::Simulation(system::System& system, Findings& findings)
       continue;
     }
     contacts_.emplace_back(std::move(setup), std::move(edges), card.glue, state_.x);
-    if (card.glue) tell_of_glue(card, *contacts_.back().glue(), findings);
+    if (card.glue) report_tiebreak(card, *contacts_.back().glue(), findings);
   }
   for (const model::InteriorContact& card : model.interiors) {
     auto bricks = bricks_of(system, card);
@@ -117,7 +117,7 @@ Simulation::Simulation(system::System& system, Findings& findings)
   for (const model::RigidWall& wall : model.walls) {
     std::vector<int> nodes;
     for (model::Index n : wall.nodes) nodes.push_back(system.node_of[at(n)]);
-    tell_of_held_nodes(wall, nodes, system, findings);
+    report_constrained_wall_nodes(wall, nodes, system, findings);
     const Curve* curve = wall.motion_curve == model::none ? nullptr : &model.curves[at(wall.motion_curve)];
     std::optional<contact::WallPenalty> bodies;
     if (const double scale = model.control.wall_penalty; scale > 0.0) bodies.emplace(system, wall, nodes, scale);
@@ -139,7 +139,7 @@ std::vector<std::string> Simulation::events() const {
     const contact::Glue* glue = contacts_[next++].glue();
     if (glue == nullptr) continue;
     std::string line = fmt::format("glue of contact {}: {} nodes at the start", card.id, glue->at_start());
-    if (card.glue->sticks_later) line += fmt::format(", {} later", glue->later());
+    if (card.glue->bonds_later) line += fmt::format(", {} later", glue->later());
     line += fmt::format("; {} failed", glue->failed());
     if (glue->failed() > 0)
       line += fmt::format(", node {} first at time={:.5E}, the last at time={:.5E}",
@@ -179,15 +179,15 @@ double Simulation::elapsed() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }
 
-void Simulation::charge(Phase phase) {
+void Simulation::add_time(Phase phase) {
   const auto now = std::chrono::steady_clock::now();
-  seconds_[phase] += std::chrono::duration<double>(now - charged_).count();
-  charged_ = now;
+  seconds_[phase] += std::chrono::duration<double>(now - timed_until_).count();
+  timed_until_ = now;
 }
 
 Outcome Simulation::run(const Options& options, Recorder& recorder, const ProgressCallback& progress) {
   interrupted = 0;
-  begin_ = charged_ = std::chrono::steady_clock::now();
+  begin_ = timed_until_ = std::chrono::steady_clock::now();
   const double end_time = options.until > 0.0 ? options.until : system_.model.control.end_time;
   Outcome outcome;
   double next_report = 0.0;
@@ -198,13 +198,13 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     begin_ -=
         std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(solve_seconds_));
   }
-  kept_cycle_ = state_.cycle;
-  kept_time_ = state_.time;
-  kept_seconds_ = solve_seconds_;
-  charge(elements);
+  checkpoint_cycle_ = state_.cycle;
+  checkpoint_time_ = state_.time;
+  checkpoint_seconds_ = solve_seconds_;
+  add_time(elements);
   const Outcome relaxed = options.restore ? Outcome{} : relax(options, progress);
   for (bool last = false; !last;) {
-    if (!relaxed.stops()) keep(options);
+    if (!relaxed.stops()) write_checkpoint_if_due(options);
     choose_step(end_time);
     const Outcome stop = relaxed.stops() ? relaxed : reason_to_stop(options, end_time);
     last = stop.stops() || state_.time >= end_time;
@@ -216,11 +216,11 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
       w_before_ = state_.w;
       for (std::size_t b = 0; b < system_.bodies.size(); ++b) momentum_before_[b] = system_.bodies[b].angular_momentum;
     }
-    kick();
+    update_velocities();
     if (known) {
       // Dependent nodes follow at the start of the step, which turns the arms of their rows: here those of a copy.
-      system::ConstraintMap(system_.map).follow(state_.dt, state_.v, state_.w);
-      account();
+      system::ConstraintMap(system_.map).apply_to_velocities(state_.dt, state_.v, state_.w);
+      update_energy_balance();
     }
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_) {
@@ -236,7 +236,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
                 failed_welds(), elapsed()});
       next_report = elapsed() + 0.2;
     }
-    charge(output);
+    add_time(output);
     if (!last) step();
   }
   solve_seconds_ = elapsed();
@@ -246,45 +246,45 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   return outcome;
 }
 
-void Simulation::keep(const Options& options) {
+void Simulation::write_checkpoint_if_due(const Options& options) {
   // Asked once a cycle: the run ends in the cycle that begins with the restart file.
-  stop_asked_ = interrupted != 0;
-  if (!options.keep || diverged_) return;
+  stop_requested_ = interrupted != 0;
+  if (!options.write_checkpoint || diverged_) return;
   solve_seconds_ = elapsed();
   const Checkpoints& every = options.checkpoints;
   const auto passed = [](double before, double now, double interval) {
     return interval > 0.0 && std::floor(now / interval) > std::floor(before / interval);
   };
-  const bool due = (every.cycles > 0 && state_.cycle > kept_cycle_ && state_.cycle % every.cycles == 0) ||
-                   passed(kept_time_, state_.time, every.time) ||
-                   passed(kept_seconds_, solve_seconds_, 60.0 * every.minutes);
-  if (!due && !stop_asked_) return;
-  options.keep();
-  kept_cycle_ = state_.cycle;
-  kept_time_ = state_.time;
-  kept_seconds_ = solve_seconds_;
+  const bool due = (every.cycles > 0 && state_.cycle > checkpoint_cycle_ && state_.cycle % every.cycles == 0) ||
+                   passed(checkpoint_time_, state_.time, every.time) ||
+                   passed(checkpoint_seconds_, solve_seconds_, 60.0 * every.minutes);
+  if (!due && !stop_requested_) return;
+  options.write_checkpoint();
+  checkpoint_cycle_ = state_.cycle;
+  checkpoint_time_ = state_.time;
+  checkpoint_seconds_ = solve_seconds_;
 }
 
-void Simulation::kick() {
-  rivets_.hold(state_, 0.5 * (state_.dt + state_.dt_previous), inverse_mass_);
+void Simulation::update_velocities() {
+  rivets_.apply(state_, 0.5 * (state_.dt + state_.dt_previous), inverse_mass_);
   accelerate();
   supports_.prescribe(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
   power_on_change_ += supports_.power_on_change();
   for (system::SpringGroup* springs : stopped_springs_) springs->stop(state_, system_.mass);
   constrain_by_walls();
-  charge(motion);
+  add_time(motion);
 }
 
 void Simulation::step() {
   // The forces' work is booked with each velocity over its own step, 1/2 F . (v dt before + v dt after), while the
   // kinetic energy changes by F . (v before + v after) (dt before + dt after) / 4 (docs/decisions/0021).
   step_change_ += 0.25 * (state_.dt - state_.dt_previous) * power_on_change_;
-  supports_.open_step(state_.dt);
-  system_.map.follow(state_.dt, state_.v, state_.w);
+  supports_.book_opening_work(state_.dt);
+  system_.map.apply_to_velocities(state_.dt, state_.v, state_.w);
   accelerometers_.add_step(state_);
-  charge(constraints);
+  add_time(constraints);
   move();
-  charge(motion);
+  add_time(motion);
   preloads_.apply(state_);
   system_.internal_force(state_);
   erosion_.update(state_, first_step_);
@@ -292,23 +292,23 @@ void Simulation::step() {
   nodal_forces_.update(state_);
   welds_.update(state_);
   connectors_.update(state_);
-  bury();
-  charge(elements);
+  remove_deleted_elements();
+  add_time(elements);
   contact_forces();
-  charge(contacts);
+  add_time(contacts);
   applied_forces();
-  charge(loads);
-  collect();
+  add_time(loads);
+  transfer_dependent_forces();
   if (system_.scale_mass(false)) update_inverse_mass();
-  charge(constraints);
+  add_time(constraints);
 }
 
 void Simulation::start() {
   v_before_ = state_.v;
   w_before_ = state_.w;
   momentum_before_.resize(system_.bodies.size());
-  supports_.hold_at_start(state_);
-  system_.map.follow(0.0, state_.v, state_.w);
+  supports_.constrain_at_start(state_);
+  system_.map.apply_to_velocities(0.0, state_.v, state_.w);
 
   // Stable steps of the undeformed mesh: one pass without a step, then mass scaling, then a second pass with the new
   // masses.
@@ -317,10 +317,10 @@ void Simulation::start() {
   accelerometers_.start(state_);
   internal_force_at_rest();
   system_.scale_mass(true);
-  masses_changed();
+  update_mass_bounds();
   contact_forces();
   applied_forces();
-  collect();
+  transfer_dependent_forces();
   masses_ = system_.masses();
 
   controlling_ = system_.controlling();
@@ -347,32 +347,32 @@ Outcome Simulation::relax(const Options& options, const ProgressCallback& progre
   for (system::RigidBody& body : system_.bodies) momentum.push_back(std::exchange(body.angular_momentum, {}));
   std::fill(state_.v.begin(), state_.v.end(), Row{});
   std::fill(state_.w.begin(), state_.w.end(), Row{});
-  const auto begin_anew = [&](bool relaxing) {
+  const auto restart_at_zero = [&](bool relaxing) {
     state_.relaxing = relaxing;
     state_.time = 0.0;
     state_.cycle = 0;
     internal_force_at_rest();
-    damping_.begin_anew();
+    damping_.reset();
     contact_forces();
     applied_forces();
-    collect();
+    transfer_dependent_forces();
   };
 
-  begin_anew(true);
+  restart_at_zero(true);
   Outcome stop;
   relaxation_ = Relaxation(control);
   const double end_time = control.end_time > 0.0 ? control.end_time : std::numeric_limits<double>::infinity();
   for (double next_report = 0.0; !relaxation_.at_rest() && state_.time < end_time;) {
     choose_step(end_time);
-    stop_asked_ = interrupted != 0;
+    stop_requested_ = interrupted != 0;
     if (stop = reason_to_stop(options, end_time); stop.stops()) break;
     relaxation_.damp(system_, state_);
-    kick();
+    update_velocities();
     step();
     relaxation_.watch(system_, state_);
     if (progress && elapsed() >= next_report) {
       Progress p{state_.time, 0.0, state_.dt, state_.cycle, 1.0, 0, 0, elapsed()};
-      p.unrest = relaxation_.unrest();
+      p.kinetic_energy_ratio = relaxation_.kinetic_energy_ratio();
       progress(p);
       next_report = elapsed() + 0.2;
     }
@@ -385,17 +385,17 @@ Outcome Simulation::relax(const Options& options, const ProgressCallback& progre
   state_.v = v;
   state_.w = w;
   for (std::size_t b = 0; b < momentum.size(); ++b) system_.bodies[b].angular_momentum = momentum[b];
-  begin_anew(false);
+  restart_at_zero(false);
   accelerometers_.start(state_);
-  supports_.forget_work();
-  loads_.forget_work();
-  nodal_forces_.forget_work();
+  supports_.reset_work();
+  loads_.reset_work();
+  nodal_forces_.reset_work();
   step_change_ = 0.0;
   smallest_step_ = std::numeric_limits<double>::infinity();
   return {};
 }
 
-void Simulation::masses_changed() {
+void Simulation::update_mass_bounds() {
   update_inverse_mass();
   tie_forces_.find_bounds();
   system::bound_springs(system_);
@@ -412,8 +412,8 @@ void Simulation::update_inverse_mass() {
     if (system_.inertia[k] > 0.0) inverse_inertia_[k] = 1.0 / system_.inertia[k];
     contact_mass_[k] = dependent_[k] ? system_.own_mass[k] : system_.mass[k];
   }
-  weigh_rigid_parts(system_, contact_mass_);
-  loads_.weigh();
+  set_rigid_contact_mass(system_, contact_mass_);
+  loads_.update_load_masses();
 }
 
 void Simulation::choose_step(double end_time) {
@@ -434,7 +434,7 @@ void Simulation::choose_step(double end_time) {
   if (by_joints) dt = of_joints;
   if (!std::isfinite(dt) && !std::isnan(dt))  // rigid bodies only
     dt = end_time > 0.0 && std::isfinite(end_time) ? 1e-3 * end_time : 1.0;
-  bearable_step_ = dt;
+  stable_step_ = dt;
   if (state_.cycle == 0 && control.first_step > 0.0) dt = std::min(dt, control.first_step);
   if (dt < smallest_step_) {
     smallest_step_ = dt;
@@ -449,7 +449,7 @@ void Simulation::choose_step(double end_time) {
 Outcome Simulation::reason_to_stop(const Options& options, double end_time) const {
   const model::Control& control = system_.model.control;
   const auto error = [](std::string why) { return Outcome{Termination::error, std::move(why)}; };
-  if (stop_asked_)
+  if (stop_requested_)
     return {Termination::interrupted,
             fmt::format("interrupted by the user at time {:.6g}, cycle {}; results up to there are kept", state_.time,
                         state_.cycle)};
@@ -475,10 +475,10 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
   if (control.smallest_step > 0.0 && controlling_.step < control.smallest_step * first_step_ && state_.time < end_time)
     return error(fmt::format("the time step {:.4g} of {} fell below DTMIN times the first step, {:.4g}",
                              controlling_.step, controlling_.describe(system_), control.smallest_step * first_step_));
-  if (control.energy_limit > 0.0 && std::abs(energy_.bare_ratio() - 1.0) > 0.01 * control.energy_limit &&
+  if (control.energy_limit > 0.0 && std::abs(energy_.ratio_without_step_change() - 1.0) > 0.01 * control.energy_limit &&
       state_.cycle > 0)
-    return error(fmt::format("the energy ratio {:.4g} left the limit ENDENG = {:.4g} %", energy_.bare_ratio(),
-                             control.energy_limit));
+    return error(fmt::format("the energy ratio {:.4g} left the limit ENDENG = {:.4g} %",
+                             energy_.ratio_without_step_change(), control.energy_limit));
   if (masses_.physical > 0.0 && 100.0 * masses_.added / masses_.physical > control.added_mass_limit)
     return error(fmt::format("the added mass, {:.4g} % of the physical one, exceeds ENDMAS = {:.4g} %",
                              100.0 * masses_.added / masses_.physical, control.added_mass_limit));
@@ -497,14 +497,14 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
 }
 
 void Simulation::accelerate() {
-  const double kick = 0.5 * (state_.dt + state_.dt_previous);
+  const double velocity_interval = 0.5 * (state_.dt + state_.dt_previous);
   constexpr std::size_t block = 1024;
   block_power_.resize((system_.nodes + block - 1) / block);
   parallel_for(block_power_.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       double power = 0.0;
       for (std::size_t k = i * block; k < std::min(system_.nodes, (i + 1) * block); ++k) {
-        const double a = kick * inverse_mass_[k], b = kick * inverse_inertia_[k];
+        const double a = velocity_interval * inverse_mass_[k], b = velocity_interval * inverse_inertia_[k];
         Row &v = state_.v[k], &w = state_.w[k];
         const Row &f = state_.f[k], &m = state_.m[k];
         v = {v.x + a * f.x, v.y + a * f.y, v.z + a * f.z, 0.0};
@@ -516,7 +516,7 @@ void Simulation::accelerate() {
   });
   power_on_change_ = 0.0;
   for (double power : block_power_) power_on_change_ += power;
-  for (system::RigidBody& body : system_.bodies) power_on_change_ += body.advance(kick, state_.dt, state_);
+  for (system::RigidBody& body : system_.bodies) power_on_change_ += body.advance(velocity_interval, state_.dt, state_);
 }
 
 void Simulation::constrain_by_walls() {
@@ -526,7 +526,7 @@ void Simulation::constrain_by_walls() {
     const model::RigidWall& card = model.walls[w];
     double time = state_.time;
     // The step at the end of the run is not taken, but the wall's force then is that of half of it. A motion whose
-    // curve ends there goes on as in the step before.
+    // curve ends there continues as in the step before.
     if (card.motion_curve != model::none && model.control.end_time > 0.0 && time >= model.control.end_time &&
         std::abs(model.curves[at(card.motion_curve)].x.back() + card.birth - time) <= 1e-6 * state_.dt)
       time -= state_.dt;
@@ -553,9 +553,9 @@ void Simulation::move() {
 }
 
 void Simulation::contact_forces() {
-  longest_step_ = std::max(longest_step_, bearable_step_);
-  const contact::Step step{state_.time, state_.dt, bearable_step_, longest_step_,
-                           state_.x,    state_.v,  contact_mass_,  element_alive_.all()};
+  longest_step_ = std::max(longest_step_, stable_step_);
+  const contact::Step step{state_.time, state_.dt, stable_step_,  longest_step_,
+                           state_.x,    state_.v,  contact_mass_, element_alive_.all()};
   for (contact::PenaltyContact& c : contacts_) c.apply(step, state_.f);
   for (contact::InteriorContact& c : interiors_) c.apply(step, state_.f);
   for (contact::RigidWall& w : walls_) w.press(step, state_.f);
@@ -568,22 +568,22 @@ void Simulation::applied_forces() {
   damping_.apply(state_, state_.dt);
 }
 
-void Simulation::bury() {
-  const ElementAlive::Deaths deaths = element_alive_.update(system_);
-  if (deaths.any)
+void Simulation::remove_deleted_elements() {
+  const ElementAlive::Deletions deletions = element_alive_.update(system_);
+  if (deletions.any)
     for (contact::PenaltyContact& c : contacts_) c.surface_changed();
-  if (!tie_ends_.update(state_, element_alive_.all(), deaths.shells)) return;
-  masses_changed();
+  if (!tie_releases_.update(state_, element_alive_.all(), deletions.shells)) return;
+  update_mass_bounds();
 }
 
-void Simulation::collect() {
-  rigid_welds_.take_loads(state_);
-  system_.map.collect(state_.f, state_.m);
+void Simulation::transfer_dependent_forces() {
+  rigid_welds_.store_loads(state_);
+  system_.map.transfer_forces(state_.f, state_.m);
   if (!rigid_welds_.update(state_)) return;
-  masses_changed();
+  update_mass_bounds();
 }
 
-void Simulation::account() {
+void Simulation::update_energy_balance() {
   const Energy before = energy_;
   element_energies(system_, state_, v_before_, w_before_, momentum_before_, energy_, parts_);
   energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_) - energy_.eroded_kinetic;
@@ -592,7 +592,7 @@ void Simulation::account() {
   for (const contact::PenaltyContact& c : contacts_) energy_.contact += c.energy();
   for (const contact::InteriorContact& c : interiors_) energy_.contact += c.energy();
   energy_.wall = 0.0;
-  for (const contact::RigidWall& w : walls_) energy_.wall += w.energy_until_now();
+  for (const contact::RigidWall& w : walls_) energy_.wall += w.energy_at_time();
   energy_.external = supports_.work() + loads_.work();
   energy_.damping = damping_.energy();
   energy_.step_change = step_change_;

@@ -13,7 +13,7 @@
 #include "impact/connections/joints.hpp"
 #include "impact/connections/rigid_welds.hpp"
 #include "impact/connections/rivets.hpp"
-#include "impact/connections/tie_ends.hpp"
+#include "impact/connections/tie_release.hpp"
 #include "impact/contact/element_alive.hpp"
 #include "impact/simulation/erosion.hpp"
 #include "impact/simulation/options.hpp"
@@ -23,7 +23,8 @@
 
 namespace nugget::impact {
 
-/// Explicit dynamics by central differences. The loop reads as the method: accelerate, prescribe, follow, move, forces.
+/// Explicit dynamics by central differences. The loop reads as the method: accelerate, prescribe, constrain, move,
+/// forces.
 class Simulation {
  public:
   /// Builds contacts, walls, supports and loads; faults of the input become findings. The system must outlive it.
@@ -38,7 +39,7 @@ class Simulation {
   const Energy& energy() const { return energy_; }
   const Welds& welds() const { return welds_; }
   const TieForces& tie_forces() const { return tie_forces_; }
-  const TieEnds& tie_ends() const { return tie_ends_; }
+  const TieReleases& tie_releases() const { return tie_releases_; }
   const RigidWelds& rigid_welds() const { return rigid_welds_; }
   const Rivets& rivets() const { return rivets_; }
   const Joints& joints() const { return joints_; }
@@ -71,7 +72,7 @@ class Simulation {
   /// that are reached and the initial velocities. Gives a reason to stop the run, if there is one.
   Outcome relax(const Options& options, const ProgressCallback& progress);
   /// Velocities from t(n-1/2) to t(n+1/2), with supports and walls.
-  void kick();
+  void update_velocities();
   /// The step from t(n) to t(n+1), up to the forces there.
   void step();
   void choose_step(double end_time);
@@ -81,23 +82,23 @@ class Simulation {
   void move();
   void contact_forces();
   void applied_forces();  // of ties with springs, joints, loads and damping
-  /// Contacts and ties lose the elements that were deleted.
-  void bury();
-  /// Loads of dependent nodes go to the independent ones; rigid welds that they overload open.
-  void collect();
+  /// Removes the elements that were deleted from contacts and ties.
+  void remove_deleted_elements();
+  /// Transfers the loads of dependent nodes to the independent ones; rigid welds that they overload are released.
+  void transfer_dependent_forces();
   /// Welds of every kind that have failed so far.
   int failed_welds() const { return welds_.failed() + rigid_welds_.failed() + rivets_.failed() + connectors_.failed(); }
   void update_inverse_mass();
-  /// At the start, and where nodes were let go: bounds that follow from nodal masses.
-  void masses_changed();
-  /// Energies of the moment; they stay those of before where the solution has become no number.
-  void account();
+  /// At the start, and where nodes were released: bounds that follow from nodal masses.
+  void update_mass_bounds();
+  /// Energies at the present time; the previous ones stay where the solution is not a number.
+  void update_energy_balance();
   /// Between two cycles: writes a restart file if one is due, or the run was interrupted.
-  void keep(const Options& options);
+  void write_checkpoint_if_due(const Options& options);
   Outcome reason_to_stop(const Options& options, double end_time) const;
-  /// Charges the time since the last call to a phase.
-  void charge(Phase phase);
-  double elapsed() const;  ///< seconds since the run began, without those between a restart file and going on with it
+  /// Adds the time since the last call to a phase.
+  void add_time(Phase phase);
+  double elapsed() const;  ///< seconds since the run began, without those between a restart file and the resumption
 
   system::System& system_;
   system::State state_;
@@ -120,16 +121,16 @@ class Simulation {
   Connectors connectors_;
   TieForces tie_forces_;
   Joints joints_;
-  TieEnds tie_ends_;
+  TieReleases tie_releases_;
   Damping damping_;
   Preloads preloads_;
   Erosion erosion_;
   Strains strains_;
   NodalForceGroups nodal_forces_;
   Accelerometers accelerometers_;
-  bool stop_asked_ = false;  ///< the run was interrupted before this cycle
-  long kept_cycle_ = 0;      ///< of the last restart file; its time, and the clock then
-  double kept_time_ = 0.0, kept_seconds_ = 0.0;
+  bool stop_requested_ = false;  ///< the run was interrupted before this cycle
+  long checkpoint_cycle_ = 0;    ///< of the last restart file; its time, and the clock then
+  double checkpoint_time_ = 0.0, checkpoint_seconds_ = 0.0;
   bool diverged_ = false;
   Relaxation relaxation_;
   double step_change_ = 0.0;         ///< Energy::step_change so far
@@ -141,11 +142,11 @@ class Simulation {
   system::System::Controlling controlling_;
   system::System::Masses masses_;
   double first_step_ = 0.0, smallest_step_ = 0.0;
-  double bearable_step_ = 0.0;  ///< of this step, before DTINIT or the end of the run cut it; 0 at the start
-  double longest_step_ = 0.0;   ///< of those
+  double stable_step_ = 0.0;   ///< of this step, before DTINIT or the end of the run cut it; 0 at the start
+  double longest_step_ = 0.0;  ///< of those
   std::string smallest_by_;
   std::array<double, phases> seconds_{};
-  std::chrono::steady_clock::time_point begin_, charged_;
+  std::chrono::steady_clock::time_point begin_, timed_until_;
   double solve_seconds_ = 0.0;
 };
 

@@ -53,12 +53,14 @@ struct Snapshot {
 
   Vec3d velocity(std::size_t node) const { return at_now(vec(v_before[node]), vec(state.v[node])); }
   Vec3d spin(std::size_t node) const { return at_now(vec(w_before[node]), vec(state.w[node])); }
-  Vec3d acceleration(std::size_t node) const { return (1.0 / kick()) * (vec(state.v[node]) - vec(v_before[node])); }
+  Vec3d acceleration(std::size_t node) const {
+    return (1.0 / velocity_interval()) * (vec(state.v[node]) - vec(v_before[node]));
+  }
   Vec3d rotary_acceleration(std::size_t node) const {
-    return (1.0 / kick()) * (vec(state.w[node]) - vec(w_before[node]));
+    return (1.0 / velocity_interval()) * (vec(state.w[node]) - vec(w_before[node]));
   }
   /// Time between t(n-1/2) and t(n+1/2); half a step at the start.
-  double kick() const { return 0.5 * (state.dt + state.dt_previous); }
+  double velocity_interval() const { return 0.5 * (state.dt + state.dt_previous); }
 
  private:
   Vec3d at_now(const Vec3d& before, const Vec3d& after) const {

@@ -62,9 +62,9 @@ Strains::Strains(const system::System& system, bool wanted) : system_(system) {
   solids_.resize(model.solids.size());
   zeta_.resize(model.shells.size());
   for (std::size_t e = 0; e < zeta_.size(); ++e) {
-    const system::System::Seat seat = system.shell_seat[e];
-    if (seat.group < 0) continue;
-    const std::vector<double> places = layer_places(model, *system.groups[at(seat.group)]);
+    const system::System::ElementLocation location = system.shell_location[e];
+    if (location.group < 0) continue;
+    const std::vector<double> places = layer_places(model, *system.groups[at(location.group)]);
     zeta_[e] = {places.front(), places.back()};
   }
 }
@@ -72,10 +72,10 @@ Strains::Strains(const system::System& system, bool wanted) : system_(system) {
 void Strains::start(const system::State& state) {
   if (shells_.empty()) return;
   for (const model::InitialStrain& initial : system_.model.initial_state.shell_strains) {
-    const system::System::Seat seat = system_.shell_seat[at(initial.shell)];
-    if (seat.group < 0) continue;
-    const system::ElementGroup& group = *system_.groups[at(seat.group)];
-    const auto nodes = group.nodes(at(seat.element));
+    const system::System::ElementLocation location = system_.shell_location[at(initial.shell)];
+    if (location.group < 0) continue;
+    const system::ElementGroup& group = *system_.groups[at(location.group)];
+    const auto nodes = group.nodes(at(location.element));
     std::array<Vec3d, 4> x{};
     for (std::size_t a = 0; a < at(group.nodes_per_element); ++a) x[a] = vec(state.x[at(nodes[a])]);
     const Frame3d frame = frame_of(x, group.nodes_per_element);
@@ -97,12 +97,12 @@ void Strains::update(const system::State& state) {
 }
 
 void Strains::advance_shell(std::size_t e, const system::State& state) {
-  const system::System::Seat seat = system_.shell_seat[e];
-  if (seat.group < 0) return;
-  const system::ElementGroup& group = *system_.groups[at(seat.group)];
-  if (!group.alive(at(seat.element))) return;
+  const system::System::ElementLocation location = system_.shell_location[e];
+  if (location.group < 0) return;
+  const system::ElementGroup& group = *system_.groups[at(location.group)];
+  if (!group.alive(at(location.element))) return;
   const int corners = group.nodes_per_element;
-  const auto nodes = group.nodes(at(seat.element));
+  const auto nodes = group.nodes(at(location.element));
   std::array<Vec3d, 4> x{}, v{}, w{};
   for (std::size_t a = 0; a < at(corners); ++a) {
     const auto k = at(nodes[a]);
@@ -139,7 +139,7 @@ void Strains::advance_shell(std::size_t e, const system::State& state) {
     shear = {};
   }
   const auto add = [&](InPlane& strain, double zeta) {
-    const double z = system_.model.shells.offset[e] + 0.5 * zeta * group.thickness(at(seat.element));
+    const double z = system_.model.shells.offset[e] + 0.5 * zeta * group.thickness(at(location.element));
     strain[0] += scale * v_x.x + z * bent[0];
     strain[1] += scale * v_y.y + z * bent[1];
     strain[2] += 0.5 * (scale * (v_y.x + v_x.y) + z * bent[2]);
@@ -151,12 +151,12 @@ void Strains::advance_shell(std::size_t e, const system::State& state) {
 }
 
 void Strains::advance_solid(std::size_t e, const system::State& state) {
-  const system::System::Seat seat = system_.solid_seat[e];
-  if (seat.group < 0) return;
-  const system::ElementGroup& group = *system_.groups[at(seat.group)];
-  if (!group.alive(at(seat.element))) return;
+  const system::System::ElementLocation location = system_.solid_location[e];
+  if (location.group < 0) return;
+  const system::ElementGroup& group = *system_.groups[at(location.group)];
+  if (!group.alive(at(location.element))) return;
   if (model::bond_of(system_.model, system_.model.parts[at(group.part)])) return;  // separations, not strains
-  const auto nodes = group.nodes(at(seat.element));
+  const auto nodes = group.nodes(at(location.element));
   std::array<Vec3d, 10> x, v;
   const std::size_t last = at(group.nodes_per_element) - 1;  // a tetrahedron repeats its fourth node
   for (std::size_t a = 0; a < 10; ++a) {
@@ -180,13 +180,13 @@ void Strains::advance_solid(std::size_t e, const system::State& state) {
 }
 
 Strains::Tensor Strains::global(const InPlane& strain, std::size_t e, int layer, const system::State& now) const {
-  const system::System::Seat seat = system_.shell_seat[e];
-  const system::ElementGroup& group = *system_.groups[at(seat.group)];
-  const auto nodes = group.nodes(at(seat.element));
+  const system::System::ElementLocation location = system_.shell_location[e];
+  const system::ElementGroup& group = *system_.groups[at(location.group)];
+  const auto nodes = group.nodes(at(location.element));
   std::array<Vec3d, 4> x{};
   for (std::size_t a = 0; a < at(group.nodes_per_element); ++a) x[a] = vec(now.x[at(nodes[a])]);
   const model::Material& material = system_.model.materials[at(system_.model.parts[at(group.part)].material)];
-  const auto stress = group.layer(at(seat.element), layer, now).stress;
+  const auto stress = group.layer(at(location.element), layer, now).stress;
   const double in_plane = stress[0] + stress[1] + stress[2];
   const auto* layers = std::get_if<kernel::Laminate>(&material.law);
   const double E = layers ? (*layers->layers)[at(layer)].law.E : material.young(),
@@ -198,9 +198,9 @@ Strains::Tensor Strains::global(const InPlane& strain, std::size_t e, int layer,
 }
 
 Strains::Faces Strains::shell(std::size_t e, const system::State& now) const {
-  const system::System::Seat seat = system_.shell_seat[e];
-  if (shells_.empty() || seat.group < 0) return {};
-  const int layers = system_.groups[at(seat.group)]->layers();
+  const system::System::ElementLocation location = system_.shell_location[e];
+  if (shells_.empty() || location.group < 0) return {};
+  const int layers = system_.groups[at(location.group)]->layers();
   return {global(shells_[e].lower, e, 0, now), global(shells_[e].upper, e, layers - 1, now)};
 }
 

@@ -15,14 +15,15 @@ namespace nugget::kernel {
 /// stress: mu = FD + (FS - FD) exp(-DC |v|), force <= mu |normal force|, force <= VC area (LS-DYNA keyword manual,
 /// *CONTACT, card 2).
 struct Friction {
-  double at_rest = 0.0, sliding = 0.0;  ///< FS, FD [1]
-  double decay = 0.0;                   ///< DC [time/length]
-  double shear_strength = 0.0;          ///< VC; 0: no bound [stress]
+  double static_coefficient = 0.0, dynamic_coefficient = 0.0;  ///< FS, FD [1]
+  double decay = 0.0;                                          ///< DC [time/length]
+  double shear_strength = 0.0;                                 ///< VC; 0: no bound [stress]
 
-  bool any() const { return at_rest > 0.0 || sliding > 0.0; }
+  bool any() const { return static_coefficient > 0.0 || dynamic_coefficient > 0.0; }
   /// Largest friction force of a pair [force].
   double bound(double normal_force, double slip_speed, double area) const {
-    const double coefficient = sliding + (at_rest - sliding) * std::exp(-decay * slip_speed);
+    const double coefficient =
+        dynamic_coefficient + (static_coefficient - dynamic_coefficient) * std::exp(-decay * slip_speed);
     const double coulomb = coefficient * normal_force;
     return shear_strength > 0.0 ? std::min(coulomb, shear_strength * area) : coulomb;
   }
@@ -30,8 +31,8 @@ struct Friction {
 
 /// Friction of two surfaces that differ. Ours: half of each; the keyword manual names no rule.
 inline Friction mean(const Friction& a, const Friction& b) {
-  return {0.5 * (a.at_rest + b.at_rest), 0.5 * (a.sliding + b.sliding), 0.5 * (a.decay + b.decay),
-          0.5 * (a.shear_strength + b.shear_strength)};
+  return {0.5 * (a.static_coefficient + b.static_coefficient), 0.5 * (a.dynamic_coefficient + b.dynamic_coefficient),
+          0.5 * (a.decay + b.decay), 0.5 * (a.shear_strength + b.shear_strength)};
 }
 
 /// Friction of surfaces of several kinds: by their parts.

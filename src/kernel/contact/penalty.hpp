@@ -55,16 +55,16 @@ inline double inverse_pair_mass(double node_mass, const std::array<double, 4>& w
 }
 
 /// Stiffness of a pair [force/length]: the penalty one; with SOFT = 1 at least SOFSCL/2 m*/DTSTIF^2; never more than
-/// m*/(2 dt^2), an eighth of what central differences bear for the pair alone (the rest is left to the structure and to
-/// other pairs).
+/// m*/(2 dt^2), an eighth of the stability limit of central differences for the pair alone (the rest is left to the
+/// structure and to other pairs).
 inline double pair_stiffness(const PenaltyLaw& law, double penalty, double inverse_mass, double dt) {
   if (!(dt > 0.0) || !(inverse_mass > 0.0)) return penalty;
-  const double bearable = 0.5 / (inverse_mass * dt * dt);
+  const double stable_stiffness = 0.5 / (inverse_mass * dt * dt);
   if (law.stiffness == PenaltyStiffness::node_masses) {
     const double step = law.step(dt);
     penalty = std::max(penalty, law.soft_scale * (0.5 / (inverse_mass * step * step)));
   }
-  return std::min(penalty, bearable);
+  return std::min(penalty, stable_stiffness);
 }
 
 /// What a pair remembers of the cycle before, so that it gives back what it took.
@@ -77,7 +77,7 @@ struct PairMemory {
 
 /// How much less a pair approaches in a step for each unit of force, measured on the cycle before: other pairs, whose
 /// force changes with it, press the same bodies [length/force]. Not less than that of the pair `alone`.
-inline double measured_give(const PairMemory& before, double alone, double approach, double dt) {
+inline double measured_compliance(const PairMemory& before, double alone, double approach, double dt) {
   return before.pressed > 0.0 ? std::max(alone, (before.approach - approach) * dt / before.pressed) : alone;
 }
 
@@ -85,12 +85,12 @@ inline double measured_give(const PairMemory& before, double alone, double appro
 /// touch led out of it somewhere [force]. For one cycle, within the way of which the two came apart; 0 where they did
 /// not move apart along the direction of the force. Never more than the spring had at the distance of that way.
 /// `before`: the cycle before, in which they touched; the other arguments as in spring_force().
-inline double parting_force(const PairMemory& before, double stiffness, double inverse_mass, double approach,
-                            double dt) {
-  const double way = -approach * dt, left = before.stored - 0.5 * before.force * way;
-  if (!(before.force > 0.0) || !(way > 0.0) || !(left > 0.0)) return 0.0;
-  const double give = 3.0 * inverse_mass * dt * dt;  // as of three pairs: see damping_force()
-  return std::min(stiffness * way, 2.0 * left / (way + std::sqrt(way * way + 2.0 * give * left)));
+inline double separation_force(const PairMemory& before, double stiffness, double inverse_mass, double approach,
+                               double dt) {
+  const double travel = -approach * dt, left = before.stored - 0.5 * before.force * travel;
+  if (!(before.force > 0.0) || !(travel > 0.0) || !(left > 0.0)) return 0.0;
+  const double compliance = 3.0 * inverse_mass * dt * dt;  // as of three pairs: see damping_force()
+  return std::min(stiffness * travel, 2.0 * left / (travel + std::sqrt(travel * travel + 2.0 * compliance * left)));
 }
 
 /// Force of the spring of a pair, k depth but in its first and its last cycle [force]. The pair came to the `depth`
@@ -106,20 +106,22 @@ inline double spring_force(PairMemory& memory, double stiffness, double inverse_
                            double dt) {
   const PairMemory before = memory;
   memory = {};
-  if (!(depth > 0.0)) return parting_force(before, stiffness, inverse_mass, approach, dt);
+  if (!(depth > 0.0)) return separation_force(before, stiffness, inverse_mass, approach, dt);
   double force = stiffness * depth;
-  const double way = approach * dt;             // in the step; that in the next one is way - give force
+  const double travel = approach * dt;          // in the step; that in the next one is way - give force
   const double alone = inverse_mass * dt * dt;  // give of the pair alone
   if (!(before.force > 0.0)) {
-    const double give = 2.0 * alone, b = 2.0 * way + give * force, c = force * (depth + way);
-    if (way > depth) force = 2.0 * c / (b + std::sqrt(std::max(0.0, b * b - 4.0 * give * c)));
-    memory.stored = 0.5 * force * way;
+    const double compliance = 2.0 * alone, b = 2.0 * travel + compliance * force, c = force * (depth + travel);
+    if (travel > depth) force = 2.0 * c / (b + std::sqrt(std::max(0.0, b * b - 4.0 * compliance * c)));
+    memory.stored = 0.5 * force * travel;
   } else {
-    const double give = measured_give(before, alone, approach, dt);
-    const double stored = before.stored + 0.5 * before.force * way;
-    if (depth + way < give * force)
-      force = stored > 0.0 ? std::min(force, 2.0 * stored / (std::sqrt(way * way + 2.0 * give * stored) - way)) : 0.0;
-    memory.stored = stored + 0.5 * force * way;
+    const double compliance = measured_compliance(before, alone, approach, dt);
+    const double stored = before.stored + 0.5 * before.force * travel;
+    if (depth + travel < compliance * force)
+      force = stored > 0.0
+                  ? std::min(force, 2.0 * stored / (std::sqrt(travel * travel + 2.0 * compliance * stored) - travel))
+                  : 0.0;
+    memory.stored = stored + 0.5 * force * travel;
   }
   memory.force = force;
   memory.approach = approach;
@@ -140,9 +142,9 @@ inline double damping_force(const PenaltyLaw& law, double stiffness, double inve
   const double lesser = 1.0 / std::max(inverse_node_mass, inverse_mass - inverse_node_mass);
   const double viscosity = 0.02 * law.damping * lesser * std::sqrt(stiffness * inverse_mass);
   const double alone = inverse_mass * dt * dt;
-  const double give =
-      before.pressed > 0.0 ? std::min(4.0 * alone, measured_give(before, alone, approach, dt)) : 3.0 * alone;
-  const double slowed = give / dt;  // by the unit of force
+  const double compliance =
+      before.pressed > 0.0 ? std::min(4.0 * alone, measured_compliance(before, alone, approach, dt)) : 3.0 * alone;
+  const double slowed = compliance / dt;  // by the unit of force
   return (approach - 0.5 * slowed * spring) * -std::expm1(-slowed * viscosity) / slowed;
 }
 

@@ -20,7 +20,7 @@ struct WallPush {
 };
 
 /// How a node is attached to the wall at the start of the step.
-enum class Hold { none, riding, welded };
+enum class WallAttachment { none, touching, welded };
 
 /// Flat wall through the reference point; with edges, a rectangle from the reference point along `l` and `m`.
 struct PlaneWall {
@@ -34,15 +34,15 @@ struct PlaneWall {
   }
 };
 
-inline WallPush push(const PlaneWall& wall, const Vec3d& from, const Vec3d& to, Hold hold) {
+inline WallPush push(const PlaneWall& wall, const Vec3d& from, const Vec3d& to, WallAttachment attachment) {
   const double start = dot(from, wall.normal), end = dot(to, wall.normal);
-  if (hold == Hold::welded) return {true, wall.normal, start - end};
+  if (attachment == WallAttachment::welded) return {true, wall.normal, start - end};
   const double level = std::min(start, 0.0);
   if (end >= level) return {};
   if (wall.bounded()) {
     // A bounded wall stops only what comes through its face: a node behind it came around an edge.
     const double slack = 1e-9 * std::max(wall.length_l, wall.length_m);
-    if (hold == Hold::none && start < -slack) return {};
+    if (attachment == WallAttachment::none && start < -slack) return {};
     const double until_face = std::clamp(start / (start - end), 0.0, 1.0);
     if (!wall.within_edges(from + until_face * (to - from))) return {};
   }
@@ -51,11 +51,11 @@ inline WallPush push(const PlaneWall& wall, const Vec3d& from, const Vec3d& to, 
 
 /// Push along the outward normal at `from` that brings `to` to the round surface of `radius`; `from` and `to` measured
 /// from the centre, or at right angles from the axis.
-inline WallPush push_round(double radius, const Vec3d& from, const Vec3d& to, Hold hold) {
-  if (hold != Hold::welded && dot(to, to) >= radius * radius) return {};
+inline WallPush push_round(double radius, const Vec3d& from, const Vec3d& to, WallAttachment attachment) {
+  if (attachment != WallAttachment::welded && dot(to, to) >= radius * radius) return {};
   const double start = norm(from);
-  const double level = hold == Hold::welded ? start : std::min(start, radius);
-  if (hold != Hold::welded && norm(to) >= level) return {};
+  const double level = attachment == WallAttachment::welded ? start : std::min(start, radius);
+  if (attachment != WallAttachment::welded && norm(to) >= level) return {};
   if (!(start > 0.0)) return {};  // on the axis: no direction is outward
   const Vec3d n = (1.0 / start) * from;
   const double b = dot(to, n);
@@ -69,28 +69,28 @@ struct CylinderWall {
   double length = 0.0;  ///< 0: without end on both sides [length]
 };
 
-inline WallPush push(const CylinderWall& wall, const Vec3d& from, const Vec3d& to, Hold hold) {
+inline WallPush push(const CylinderWall& wall, const Vec3d& from, const Vec3d& to, WallAttachment attachment) {
   const double start = dot(from, wall.axis), end = dot(to, wall.axis);
   const Vec3d out = from - start * wall.axis;
-  if (wall.length > 0.0 && hold != Hold::welded) {
+  if (wall.length > 0.0 && attachment != WallAttachment::welded) {
     if (end < 0.0 || end > wall.length) return {};
     const double slack = 1e-9 * wall.length;
     const bool before = start<slack, behind = start> wall.length - slack;
     if ((before || behind) && norm(out) < wall.radius) {
       const PlaneWall face{before ? -wall.axis : wall.axis, {}, {}};
       const Vec3d origin = before ? Vec3d{} : wall.length * wall.axis;
-      return push(face, from - origin, to - origin, hold);
+      return push(face, from - origin, to - origin, attachment);
     }
   }
-  return push_round(wall.radius, out, to - end * wall.axis, hold);
+  return push_round(wall.radius, out, to - end * wall.axis, attachment);
 }
 
 struct SphereWall {
   double radius = 0.0;
 };
 
-inline WallPush push(const SphereWall& wall, const Vec3d& from, const Vec3d& to, Hold hold) {
-  return push_round(wall.radius, from, to, hold);
+inline WallPush push(const SphereWall& wall, const Vec3d& from, const Vec3d& to, WallAttachment attachment) {
+  return push_round(wall.radius, from, to, attachment);
 }
 
 /// Block behind a face through the reference point: from there along `l` and `m`, and against `normal` to its depth.
@@ -100,7 +100,7 @@ struct PrismWall {
   double length_l = 0.0, length_m = 0.0, depth = 0.0;
 };
 
-inline WallPush push(const PrismWall& wall, const Vec3d& from, const Vec3d& to, Hold hold) {
+inline WallPush push(const PrismWall& wall, const Vec3d& from, const Vec3d& to, WallAttachment attachment) {
   // Its faces: outward normal and distance from the reference point.
   struct Face {
     Vec3d normal;
@@ -122,7 +122,7 @@ inline WallPush push(const PrismWall& wall, const Vec3d& from, const Vec3d& to, 
     if (!f.there) continue;
     const double start = dot(from, f.normal) - f.at, end = dot(to, f.normal) - f.at;
     if (start >= -slack) {
-      if (end >= std::min(start, 0.0) && hold != Hold::welded) return {};
+      if (end >= std::min(start, 0.0) && attachment != WallAttachment::welded) return {};
       const double when = std::max(0.0, start) / std::max(start - end, 1e-300);
       if (when > entry) entry = when, through = &f;
     } else {
@@ -131,10 +131,10 @@ inline WallPush push(const PrismWall& wall, const Vec3d& from, const Vec3d& to, 
     }
   }
   if (through == nullptr) through = shallow;
-  if (hold != Hold::welded && entry > exit) return {};
+  if (attachment != WallAttachment::welded && entry > exit) return {};
   const double start = dot(from, through->normal) - through->at, end = dot(to, through->normal) - through->at;
-  const double level = hold == Hold::welded ? start : std::min(start, 0.0);
-  if (hold != Hold::welded && end >= level) return {};
+  const double level = attachment == WallAttachment::welded ? start : std::min(start, 0.0);
+  if (attachment != WallAttachment::welded && end >= level) return {};
   return {true, through->normal, level - end};
 }
 

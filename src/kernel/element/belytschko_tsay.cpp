@@ -4,7 +4,7 @@
 #include "kernel/element/gyration.hpp"
 #include "kernel/element/quadrilateral.hpp"
 #include "kernel/element/shell_layers.hpp"
-#include "kernel/law/prepared_laminate.hpp"
+#include "kernel/law/laminate_kernel.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -33,8 +33,8 @@ struct NodalNormals {
   }
 };
 
-/// Warping coupling (element-theory 3.7): curvature += c (x13 f13 + x42 f24) for x, likewise for y; x13 = -2 A by24 and
-/// so on.
+/// Warping coupling (docs/theory/shell.md#warping-stiffness): curvature += c (x13 f13 + x42 f24) for x, likewise for y;
+/// x13 = -2 A by24 and so on.
 template <class R>
 struct Warping {
   R x13, x24, y13, y24;
@@ -79,16 +79,17 @@ template <class R>
 /// Share of the hourglass stiffness in the plane and in bending that is left: 1 while no layer has yielded. Afterwards
 /// the material resists with its tangent, in steel that flows about a hundredth of Young's modulus. Twist is resisted
 /// by transverse shear, which does not yield. LS-DYNA's results of type 4 in crash ask for that (docs/decisions/0006).
-/// What failed layers of a laminate bore is gone, in twist too.
+/// The share of failed layers of a laminate is removed, in twist too.
 template <class R, class Law>
-R tangent_share(const Prepared<Law>& law, const ShellLayout& layout, const double* state) {
-  if constexpr (!Prepared<Law>::has_plastic_strain) return R(1.0);
+R tangent_share(const LawKernel<Law>& law, const ShellLayout& layout, const double* state) {
+  if constexpr (!LawKernel<Law>::has_plastic_strain) return R(1.0);
   R strain = R(0.0);
   for (int k = 0; k < layout.layers; ++k) strain = max(strain, load_field<R>(state, layout.history_of(k)));
-  return select(strain > 0.0, R(0.01), R(1.0)) * living_share<R>(law, layout, state);
+  return select(strain > 0.0, R(0.01), R(1.0)) * intact_fraction<R>(law, layout, state);
 }
 
-/// Hourglass forces at the end of the step (element-theory 3.4); stored, and their work added up, in the state.
+/// Hourglass forces at the end of the step (docs/theory/hourglass.md#shells); stored, and their work added up, in the
+/// state.
 ///
 /// The stiffness form is a share of the element's own elastic resistance to the pattern: 3 QM in its plane and 3/2 QB
 /// in bending, both less once the element has yielded (see tangent_share), QW SHRF / 2 in twist.
@@ -130,7 +131,7 @@ template <class R>
 }
 
 /// A shell that yields for the first time, and one of whose layers fail, loses the hourglass forces that its stiffness
-/// no longer bears. `twist`: what is left of those in twist.
+/// no longer carries. `twist`: what is left of those in twist.
 template <class R>
 void soften(const R& share_before, const R& share_now, const R& twist, Hourglass<R>& q, double* state) {
   const auto softens = share_now < share_before;
@@ -191,7 +192,7 @@ template <class R>
 }  // namespace
 
 template <class R, class Law>
-NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const Prepared<Law>& law, const NodalMotion<R, 4>& nodes,
+NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const LawKernel<Law>& law, const NodalMotion<R, 4>& nodes,
                               double dt, double* state) {
   using L = ShellLayout;
   const ElasticConstants& e = law.elastic();
@@ -209,11 +210,11 @@ NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const Prepared<Law>&
                select(alive, rates.q.rx, R(0.0)), select(alive, rates.q.ry, R(0.0))};
   }
   const ShellLayout layout = shell_layout(shell, law);
-  const R share = tangent_share<R>(law, layout, state), living = living_share<R>(law, layout, state);
+  const R share = tangent_share<R>(law, layout, state), living = intact_fraction<R>(law, layout, state);
   Hourglass<R> q = resist_hourglass(shell, e, mid, rates.q, dt, share, living, state);
   ShellResultants<R> n = advance_layers(shell, law, rates.d, dt, state, alive);
   if (shell.hourglass >= 4)
-    soften(share, tangent_share<R>(law, layout, state), living_share<R>(law, layout, state) / living, q, state);
+    soften(share, tangent_share<R>(law, layout, state), intact_fraction<R>(law, layout, state) / living, q, state);
   if (shell.bulk_quadratic != 0.0 || shell.bulk_linear != 0.0) {
     const R viscous = viscous_membrane(shell, law, rates.d.xx + rates.d.yy, end.area, state);
     n.nxx -= viscous;
@@ -260,7 +261,7 @@ NodalMass shell_nodal_mass(const std::array<Vec3d, 4>& x, double thickness, doub
   double gyration2 = profile.mass_spread * section2 + area / 12.0 + arm * arm;
   if (shear_share > 0.0) {
     gyration2 = std::max(gyration2, elastic_gyration2(profile, offset, thickness, section2));
-    if (const double spin = 4.0 / (borne_step * borne_step) - 4.0 * shear_share; spin > 0.0) {
+    if (const double spin = 4.0 / (stable_courant_number * stable_courant_number) - 4.0 * shear_share; spin > 0.0) {
       const Vec3d nodes[4] = {x[0], x[1], x[2], x[3]};
       const double side2 = length2(nodes, area, ShellLength::area_over_side, 0.0);
       gyration2 = std::max(gyration2, shear_share * side2 / spin);
@@ -269,23 +270,23 @@ NodalMass shell_nodal_mass(const std::array<Vec3d, 4>& x, double thickness, doub
   return {mass, mass * gyration2};
 }
 
-template NodalForces<double, 4> shell_cycle(const ShellProperties&, const Prepared<Elastic>&,
+template NodalForces<double, 4> shell_cycle(const ShellProperties&, const LawKernel<Elastic>&,
                                             const NodalMotion<double, 4>&, double, double*);
-template NodalForces<double, 4> shell_cycle(const ShellProperties&, const Prepared<PlasticKinematic>&,
+template NodalForces<double, 4> shell_cycle(const ShellProperties&, const LawKernel<PlasticKinematic>&,
                                             const NodalMotion<double, 4>&, double, double*);
-template NodalForces<double, 4> shell_cycle(const ShellProperties&, const Prepared<PiecewiseLinear>&,
+template NodalForces<double, 4> shell_cycle(const ShellProperties&, const LawKernel<PiecewiseLinear>&,
                                             const NodalMotion<double, 4>&, double, double*);
-template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const Prepared<Elastic>&,
+template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const LawKernel<Elastic>&,
                                                  const NodalMotion<NativeBatch, 4>&, double, double*);
-template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const Prepared<PlasticKinematic>&,
+template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const LawKernel<PlasticKinematic>&,
                                                  const NodalMotion<NativeBatch, 4>&, double, double*);
-template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const Prepared<PiecewiseLinear>&,
+template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const LawKernel<PiecewiseLinear>&,
                                                  const NodalMotion<NativeBatch, 4>&, double, double*);
-template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const Prepared<Compound>&,
+template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const LawKernel<ComposedLaw>&,
                                                  const NodalMotion<NativeBatch, 4>&, double, double*);
-template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const Prepared<Laminate>&,
+template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const LawKernel<Laminate>&,
                                                  const NodalMotion<NativeBatch, 4>&, double, double*);
-template NodalForces<Dual<24>, 4> shell_cycle(const ShellProperties&, const Prepared<Elastic>&,
+template NodalForces<Dual<24>, 4> shell_cycle(const ShellProperties&, const LawKernel<Elastic>&,
                                               const NodalMotion<Dual<24>, 4>&, double, double*);
 
 }  // namespace nugget::kernel

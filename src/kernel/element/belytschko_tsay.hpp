@@ -14,18 +14,18 @@ namespace nugget::kernel {
 /// element's frame, and nodal forces use the geometry at the end of the step: a rigid rotation x(t) -> x(t + dt)
 /// strains nothing, whatever its angle, if the spins are those of the chord, (2/dt) tan(angle/2); with the true angular
 /// velocity up to angle^3/12 in transverse shear. The frame bisects the diagonals, so that results do not depend on
-/// which node comes first. Hourglass forces: stiffness form or viscous form of element-theory 3.4, kept in the frame;
-/// their work is added up in the state by the trapezoidal rule. Warping stiffness (BWC 1): coupling of curvature and
-/// in-plane velocity (Belytschko, Wong, Chiang 1992), with the nodes' drilling rotation projected out along the nodal
-/// normals; the transverse shear stays the one-point form. Elements of which every layer has failed, or whose stable
-/// step falls below the law's deletion step, are deleted: alive 0, no force, infinite stable step. Internal energy is
-/// not computed here: it is the work of the nodal forces. Sources: Belytschko, Lin, Tsay, CMAME 42 (1984); LS-DYNA
-/// Theory Manual; ../shared/reference/element-theory.md section 3.
+/// which node comes first. Hourglass forces: stiffness form or viscous form of docs/theory/hourglass.md#shells, kept in
+/// the frame; their work is added up in the state by the trapezoidal rule. Warping stiffness (BWC 1): coupling of
+/// curvature and in-plane velocity (Belytschko, Wong, Chiang 1992), with the nodes' drilling rotation projected out
+/// along the nodal normals; the transverse shear stays the one-point form. Elements of which every layer has failed, or
+/// whose stable step falls below the law's deletion step, are deleted: alive 0, no force, infinite stable step.
+/// Internal energy is not computed here: it is the work of the nodal forces. Sources: Belytschko, Lin, Tsay, CMAME 42
+/// (1984); LS-DYNA Theory Manual; docs/theory/shell.md.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with Compound;
-/// Dual<24> with Elastic.
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
+/// ComposedLaw; Dual<24> with Elastic.
 template <class R, class Law>
-NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const Prepared<Law>& law, const NodalMotion<R, 4>& nodes,
+NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const LawKernel<Law>& law, const NodalMotion<R, 4>& nodes,
                               double dt, double* state);
 
 /// Frame of the element at nodal positions x1 .. x4, in which its stresses are given.
@@ -38,11 +38,11 @@ double shell_area(const std::array<Vec3d, 4>& x);
 double shell_stable_step(const std::array<Vec3d, 4>& x, ShellLength length, double E, double nu, double density);
 
 /// Mass of each of four nodes, rho t A / 4, and inertia m r^2, r^2 = (t^2 + A)/12 (Kennedy, Belytschko, Lin, Nucl. Eng.
-/// Des. 97 (1986), eq. 16, as quoted; docs/decisions/0046), and offset (element-theory 3.8). `shear_share`: stiffness
-/// in transverse shear over that in the plane, kappa G (1 - nu^2) / E. Shear that bends and spins the section vibrates
-/// with w^2 = shear_share (c/L)^2 (4 + L^2/r^2), which is faster than a wave where Poisson's ratio is small: r is
-/// raised to what a step of 0.93 L/c bears (ours), and likewise where the nodes are off the mid-surface. Without a
-/// share (bodies, masses) it is not raised.
+/// Des. 97 (1986), eq. 16, as quoted; docs/decisions/0046), and offset
+/// (docs/theory/shell.md#offset-from-the-mid-surface). `shear_share`: stiffness in transverse shear over that in the
+/// plane, kappa G (1 - nu^2) / E. Shear that bends and spins the section vibrates with w^2 = shear_share (c/L)^2 (4 +
+/// L^2/r^2), which is faster than a wave where Poisson's ratio is small: r is raised until a step of 0.93 L/c is stable
+/// (ours), and likewise where the nodes are off the mid-surface. Without a share (bodies, masses) it is not raised.
 NodalMass shell_nodal_mass(const std::array<Vec3d, 4>& x, double thickness, double density, double offset = 0.0,
                            double mass_per_area = 0.0, double shear_share = 0.0, const ThicknessProfile& profile = {});
 

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "kernel/element/hexahedron.hpp"
-#include "kernel/law/prepared_compound.hpp"
+#include "kernel/law/composed_law_kernel.hpp"
 
 // Geometry of an eight-node brick, common to its formulations. Included by their .cpp files only.
 namespace nugget::kernel {
@@ -100,7 +100,7 @@ R largest_face2(const Patterns<R>& x) {
 }
 
 /// Bulk viscosity, and the stable step with it, over the length that the step is made of. With V^(1/3) a flat brick is
-/// damped beyond what its step bears: at TSSFAC 0.9 and Q2 0.06 from sides of 5:1 on, and the run diverges
+/// damped beyond the stability of its step: at TSSFAC 0.9 and Q2 0.06 from sides of 5:1 on, and the run diverges
 /// (docs/decisions/0008).
 template <class R>
 struct BulkViscosity {
@@ -114,7 +114,8 @@ struct BulkViscosity {
         density * length * (brick.bulk_quadratic * length * trace * trace - brick.bulk_linear * c * trace);
     pressure = select(compressed, viscous, none);
     // The linear viscosity counts in expansion too: a brick that breathes is compressed half a period later, and
-    // LS-DYNA's first step of a brick at rest contains it (1.40796e-4 in ../shared/decks/single_hex/glstat).
+    // LS-DYNA's first step of a brick at rest contains it (1.40796e-4 in the public example single_hex,
+    // docs/book/single_hex.md).
     const R slow = brick.bulk_linear * c - select(compressed, brick.bulk_quadratic * length * trace, none);
     step = length / (slow + sqrt(slow * slow + c2));
   }
@@ -122,9 +123,9 @@ struct BulkViscosity {
 
 /// Hands the work of bulk viscosity to a law that it heats.
 template <class R, class Law>
-[[gnu::always_inline]] inline void heat_by_viscosity(const Prepared<Law>& law, const R& pressure, const R& trace,
+[[gnu::always_inline]] inline void heat_by_viscosity(const LawKernel<Law>& law, const R& pressure, const R& trace,
                                                      double dt, double* history) {
-  if constexpr (std::is_same_v<Law, Compound>) law.add_viscous_work(R(-dt) * pressure * trace, history);
+  if constexpr (std::is_same_v<Law, ComposedLaw>) law.add_viscous_work(R(-dt) * pressure * trace, history);
 }
 
 /// A step of a brick in patterns: velocities, and the geometry in its middle and at its end. A deleted brick stands
@@ -146,7 +147,7 @@ struct BrickStep {
 };
 
 /// Axes of a weld: r along the mean of the normals of the faces 1-2-3-4 and 5-6-7-8, so that shear does not tilt it, s
-/// along xi (spotweld-theory 3.1).
+/// along xi (docs/theory/weld.md#axes-of-a-weld-of-bricks).
 template <class R>
 Frame<R> weld_axes(const Patterns<R>& x) {
   const Vec3<R> r = unit(cross(x.a, x.b) + cross(x.h[1], x.h[0])), s = unit(x.a - dot(x.a, r) * r);
@@ -155,7 +156,7 @@ Frame<R> weld_axes(const Patterns<R>& x) {
 
 /// Stress of a weld of uniaxial stress state, in global axes: rr, rs and rt only.
 template <class R>
-SolidTensor<R> section_stress(const Prepared<Spotweld>& law, const Matrix<R>& l, const Patterns<R>& mid,
+SolidTensor<R> section_stress(const LawKernel<Spotweld>& law, const Matrix<R>& l, const Patterns<R>& mid,
                               const Patterns<R>& end, double dt, double* history) {
   const Frame<R> m = weld_axes(mid);
   const Vec3<R> along = l * m.e1;

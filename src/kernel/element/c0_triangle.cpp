@@ -6,7 +6,7 @@
 
 #include "kernel/element/gyration.hpp"
 #include "kernel/element/triangle.hpp"
-#include "kernel/law/prepared_laminate.hpp"
+#include "kernel/law/laminate_kernel.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -35,8 +35,8 @@ template <class R>
 }  // namespace
 
 template <class R, class Law>
-NodalForces<R, 3> triangle_cycle(const ShellProperties& shell, const Prepared<Law>& law, const NodalMotion<R, 3>& nodes,
-                                 double dt, double* state) {
+NodalForces<R, 3> triangle_cycle(const ShellProperties& shell, const LawKernel<Law>& law,
+                                 const NodalMotion<R, 3>& nodes, double dt, double* state) {
   using L = ShellLayout;
   const ElasticConstants& e = law.elastic();
   auto alive = load_field<R>(state, L::alive) > 0.5;
@@ -144,30 +144,30 @@ NodalMass triangle_nodal_mass(const std::array<Vec3d, 3>& x, double thickness, d
     const auto [by_motion, by_spin] = greatest_shear(x);
     const Vec3d nodes[3] = {x[0], x[1], x[2]};
     const double altitude2 = length2(nodes, area, ShellLength::area_over_side, 0.0);
-    const double borne = 4.0 / (borne_step * borne_step * altitude2);
+    const double borne = 4.0 / (stable_courant_number * stable_courant_number * altitude2);
     if (const double left = borne / (3.0 * shear_share) - by_motion; left > 0.0)
       gyration2 = std::max(gyration2, by_spin / left);
   }
   return {mass, mass * gyration2};
 }
 
-template NodalForces<double, 3> triangle_cycle(const ShellProperties&, const Prepared<Elastic>&,
+template NodalForces<double, 3> triangle_cycle(const ShellProperties&, const LawKernel<Elastic>&,
                                                const NodalMotion<double, 3>&, double, double*);
-template NodalForces<double, 3> triangle_cycle(const ShellProperties&, const Prepared<PlasticKinematic>&,
+template NodalForces<double, 3> triangle_cycle(const ShellProperties&, const LawKernel<PlasticKinematic>&,
                                                const NodalMotion<double, 3>&, double, double*);
-template NodalForces<double, 3> triangle_cycle(const ShellProperties&, const Prepared<PiecewiseLinear>&,
+template NodalForces<double, 3> triangle_cycle(const ShellProperties&, const LawKernel<PiecewiseLinear>&,
                                                const NodalMotion<double, 3>&, double, double*);
-template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const Prepared<Elastic>&,
+template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const LawKernel<Elastic>&,
                                                     const NodalMotion<NativeBatch, 3>&, double, double*);
-template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const Prepared<PlasticKinematic>&,
+template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const LawKernel<PlasticKinematic>&,
                                                     const NodalMotion<NativeBatch, 3>&, double, double*);
-template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const Prepared<PiecewiseLinear>&,
+template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const LawKernel<PiecewiseLinear>&,
                                                     const NodalMotion<NativeBatch, 3>&, double, double*);
-template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const Prepared<Compound>&,
+template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const LawKernel<ComposedLaw>&,
                                                     const NodalMotion<NativeBatch, 3>&, double, double*);
-template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const Prepared<Laminate>&,
+template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const LawKernel<Laminate>&,
                                                     const NodalMotion<NativeBatch, 3>&, double, double*);
-template NodalForces<Dual<18>, 3> triangle_cycle(const ShellProperties&, const Prepared<Elastic>&,
+template NodalForces<Dual<18>, 3> triangle_cycle(const ShellProperties&, const LawKernel<Elastic>&,
                                                  const NodalMotion<Dual<18>, 3>&, double, double*);
 
 }  // namespace nugget::kernel

@@ -12,13 +12,13 @@ namespace nugget::kernel {
 /// deletion as in shell_cycle; state as ShellLayout says. With `shell.drilling` > 0 no motion but the rigid ones is
 /// free: drilling is resisted as in full_shell_cycle, and so is the part of the transverse shear that the point does
 /// not see (Lee, Bathe, Computers and Structures 82 (2004), integrated exactly; elastic). Sources:
-/// ../shared/reference/element-theory.md section 3.9.
+/// docs/theory/shell.md#c0-triangle.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with Compound;
-/// Dual<18> with Elastic.
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
+/// ComposedLaw; Dual<18> with Elastic.
 template <class R, class Law>
-NodalForces<R, 3> triangle_cycle(const ShellProperties& shell, const Prepared<Law>& law, const NodalMotion<R, 3>& nodes,
-                                 double dt, double* state);
+NodalForces<R, 3> triangle_cycle(const ShellProperties& shell, const LawKernel<Law>& law,
+                                 const NodalMotion<R, 3>& nodes, double dt, double* state);
 
 /// Frame of the element at nodal positions x1 .. x3, in which its stresses are given.
 Frame3d triangle_frame(const std::array<Vec3d, 3>& x);

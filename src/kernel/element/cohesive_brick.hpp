@@ -70,7 +70,7 @@ double cohesive_brick_nodal_inertia(const CohesiveBrickProperties& brick, const 
 ///
 /// Stable step: no frequency exceeds omega^2 = k (2 A_a c + s sum A_p |D|^2) / m, with k the stiffer of EN and ET, A_a
 /// the largest share of the area at a node, c = 1, between shells 1 + |D_a|^2 m / (4 J), s = (|g1|^2 + |g2|^2) / (2 |g1
-/// x g2|^2), of points that bear tractions, 0 between shells; m and J of a node. The first part acts on motions of the
+/// x g2|^2), of points that carry tractions, 0 between shells; m and J of a node. The first part acts on motions of the
 /// faces against each other, the second on those of both alike, which share no kinetic energy.
 ///
 /// A brick in which the law's number of points has failed is deleted: alive 0, no force, infinite stable step.

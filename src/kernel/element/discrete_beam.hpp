@@ -63,7 +63,8 @@ bool discrete_beam_viscosity(const DiscreteBeamProperties& beam, const DiscreteB
 ///     u' = R (v2 - v1 - w x (x2 - x1)),   theta' = R (w2 - w1),
 /// w the spin of the triad, for a long beam the mean of both nodes'; then the six springs; then their forces on the
 /// nodes, for a long beam with the couples -(x2 - x1) x F / 2. A beam whose law says so is deleted: alive 0, no force,
-/// infinite stable step. Source: element-theory.md sections 2 and 6.4; LS-DYNA Keyword Manual, *SECTION_BEAM, SCOOR.
+/// infinite stable step. Source: docs/theory/time_step.md#beams and docs/theory/beam.md#discrete-beam; LS-DYNA Keyword
+/// Manual, *SECTION_BEAM, SCOOR.
 ///
 /// Instantiated for R = double and NativeBatch.
 template <class R>

@@ -7,7 +7,7 @@
 
 #include "kernel/element/assumed_strain.hpp"
 #include "kernel/element/brick_patterns.hpp"
-#include "kernel/law/prepared_compound.hpp"
+#include "kernel/law/composed_law_kernel.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -88,7 +88,7 @@ struct Isoparametric {
 
 /// Failed points that delete an element.
 template <class Law>
-double points_to_delete(const Prepared<Law>& law) {
+double points_to_delete(const LawKernel<Law>& law) {
   const double limit = law.points_to_delete();
   if (limit < 0.0) return -limit * points / 100.0;
   return limit > 0.0 && limit < points ? limit : points;
@@ -96,7 +96,7 @@ double points_to_delete(const Prepared<Law>& law) {
 
 /// Whether the law has the stresses on a weld's cross-section only.
 template <class Law>
-bool is_uniaxial(const Prepared<Law>& law) {
+bool is_uniaxial(const LawKernel<Law>& law) {
   if constexpr (std::is_same_v<Law, Spotweld>)
     return law.uniaxial();
   else
@@ -105,7 +105,7 @@ bool is_uniaxial(const Prepared<Law>& law) {
 
 /// The cycle with the strains of `field_on(geometry)`: an Isoparametric or an AssumedStrain.
 template <class R, class Law, class FieldOn>
-[[gnu::always_inline]] inline SolidForces<R> cycle_of(const HexahedronProperties& brick, const Prepared<Law>& law,
+[[gnu::always_inline]] inline SolidForces<R> cycle_of(const HexahedronProperties& brick, const LawKernel<Law>& law,
                                                       const SolidMotion<R>& nodes, double dt, double* state,
                                                       const FieldOn& field_on) {
   using L = FullHexahedronLayout;
@@ -128,7 +128,7 @@ template <class R, class Law, class FieldOn>
 
   constexpr bool weld = std::is_same_v<Law, Spotweld>;
   const bool uniaxial = is_uniaxial(law);
-  const R share = R(1.0 / points), whole = load_field<R>(state, L::integrity);
+  const R share = R(1.0 / points), weld_integrity = load_field<R>(state, L::integrity);
   R rate = none, left = none;  // means over the points: effective strain rate, what damage has left
   SolidTensor<R> stress[points];
   R failed = none, wave = none;  // points that have failed; greatest wave modulus
@@ -155,7 +155,7 @@ template <class R, class Law, class FieldOn>
       law.solid(s, d, dt, history);
     }
     store_solid(at, s);
-    stress[p] = weld ? whole * s : s;
+    stress[p] = weld ? weld_integrity * s : s;
     wave = max(wave, law.template wave_modulus<R>(history));
     if (law.can_fail()) failed += select(law.template failed<R>(history), R(1.0), none);
   }
@@ -175,7 +175,7 @@ template <class R, class Law, class FieldOn>
 
   const R density = brick.density * load_field<R>(state, L::density_scale);
   const BulkViscosity<R> bulk(brick, wave, density, end_volume / sqrt(largest_face2(end)), trace);
-  const R pressure = weld ? whole * left * bulk.pressure : bulk.pressure;
+  const R pressure = weld ? weld_integrity * left * bulk.pressure : bulk.pressure;
   mean -= pressure;
   for (int p = 0; p < points; ++p) heat_by_viscosity(law, pressure, trace, dt, state + layout.history_of(p) * lanes<R>);
 
@@ -204,7 +204,7 @@ template <class R, class Law, class FieldOn>
 }  // namespace
 
 template <class R, class Law>
-SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, BrickStrains strains, const Prepared<Law>& law,
+SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, BrickStrains strains, const LawKernel<Law>& law,
                                      const SolidMotion<R>& nodes, double dt, double* state) {
   if (strains == BrickStrains::shape_functions)
     return cycle_of(brick, law, nodes, dt, state, [](const Patterns<R>& x) { return Isoparametric<R>{x}; });
@@ -221,41 +221,43 @@ void start_full_hexahedron(const FullHexahedronLayout& layout, double* state, in
   state[L::integrity * width + lane] = 1.0;
 }
 
-void hold_yield(const FullHexahedronLayout& layout, const Prepared<Spotweld>& law, double* state, int width, int lane) {
+void freeze_yield(const FullHexahedronLayout& layout, const LawKernel<Spotweld>& law, double* state, int width,
+                  int lane) {
   for (int p = 0; p < points; ++p) {
     const auto at = [&](int i) { return state[(layout.point(p) + i) * width + lane]; };
-    state[(layout.history_of(p) + Prepared<Spotweld>::held) * width + lane] =
-        law.stress_to_hold(effective_stress({at(0), at(1), at(2), at(3), at(4), at(5)}));
+    state[(layout.history_of(p) + LawKernel<Spotweld>::frozen_yield) * width + lane] =
+        law.frozen_stress(effective_stress({at(0), at(1), at(2), at(3), at(4), at(5)}));
   }
 }
 
-template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains, const Prepared<Elastic>&,
+template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains, const LawKernel<Elastic>&,
                                                    const SolidMotion<double>&, double, double*);
 template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
-                                                   const Prepared<PlasticKinematic>&, const SolidMotion<double>&,
+                                                   const LawKernel<PlasticKinematic>&, const SolidMotion<double>&,
                                                    double, double*);
 template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
-                                                   const Prepared<PiecewiseLinear>&, const SolidMotion<double>&, double,
+                                                   const LawKernel<PiecewiseLinear>&, const SolidMotion<double>&,
+                                                   double, double*);
+template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
+                                                   const LawKernel<Spotweld>&, const SolidMotion<double>&, double,
                                                    double*);
-template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains, const Prepared<Spotweld>&,
-                                                   const SolidMotion<double>&, double, double*);
 template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
-                                                        const Prepared<Elastic>&, const SolidMotion<NativeBatch>&,
+                                                        const LawKernel<Elastic>&, const SolidMotion<NativeBatch>&,
                                                         double, double*);
 template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
-                                                        const Prepared<PlasticKinematic>&,
+                                                        const LawKernel<PlasticKinematic>&,
                                                         const SolidMotion<NativeBatch>&, double, double*);
 template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
-                                                        const Prepared<PiecewiseLinear>&,
+                                                        const LawKernel<PiecewiseLinear>&,
                                                         const SolidMotion<NativeBatch>&, double, double*);
 template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
-                                                        const Prepared<Spotweld>&, const SolidMotion<NativeBatch>&,
+                                                        const LawKernel<Spotweld>&, const SolidMotion<NativeBatch>&,
                                                         double, double*);
 template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
-                                                        const Prepared<Compound>&, const SolidMotion<NativeBatch>&,
+                                                        const LawKernel<ComposedLaw>&, const SolidMotion<NativeBatch>&,
                                                         double, double*);
 template SolidForces<Dual<24>> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
-                                                     const Prepared<Elastic>&, const SolidMotion<Dual<24>>&, double,
+                                                     const LawKernel<Elastic>&, const SolidMotion<Dual<24>>&, double,
                                                      double*);
 
 }  // namespace nugget::kernel

@@ -27,7 +27,7 @@ struct FullHexahedronLayout {
 enum class BrickStrains { shape_functions, assumed };
 
 template <class Law>
-FullHexahedronLayout full_hexahedron_layout(const Prepared<Law>& law) {
+FullHexahedronLayout full_hexahedron_layout(const LawKernel<Law>& law) {
   return {law.solid_history()};
 }
 
@@ -44,18 +44,19 @@ void start_full_hexahedron(const FullHexahedronLayout& layout, double* state, in
 /// failed, or its stable step falls below the law's deletion step. A weld of uniaxial stress state has at each point
 /// the stresses on its cross-section only, as in hexahedron_cycle; their pressure is not averaged. Sources: LS-DYNA
 /// Theory Manual, solid elements;
-/// ../shared/reference/element-theory.md section 5.5. Hourglass data of `brick` are not used.
+/// docs/theory/brick.md#selectively-reduced-brick. Hourglass data of `brick` are not used.
 ///
 /// With assumed strains (ELFORM -1, -2) the velocity gradients are those of AssumedStrain, which bend without locking
 /// whatever the sides; all points then turn with the brick's spin, and each stands for an eighth of its volume.
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld; NativeBatch with
-/// Compound; Dual<24> with Elastic.
+/// ComposedLaw; Dual<24> with Elastic.
 template <class R, class Law>
-SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, BrickStrains strains, const Prepared<Law>& law,
+SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, BrickStrains strains, const LawKernel<Law>& law,
                                      const SolidMotion<R>& nodes, double dt, double* state);
 
-/// Holds each point's yield stress at its present effective stress; see hold_yield of weld_beam.hpp.
-void hold_yield(const FullHexahedronLayout& layout, const Prepared<Spotweld>& law, double* state, int width, int lane);
+/// Freezes each point's yield stress at its present effective stress; see freeze_yield of weld_beam.hpp.
+void freeze_yield(const FullHexahedronLayout& layout, const LawKernel<Spotweld>& law, double* state, int width,
+                  int lane);
 
 }  // namespace nugget::kernel

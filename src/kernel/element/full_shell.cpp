@@ -3,7 +3,7 @@
 
 #include "kernel/element/quadrilateral.hpp"
 #include "kernel/element/shell_layers.hpp"
-#include "kernel/law/prepared_laminate.hpp"
+#include "kernel/law/laminate_kernel.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -267,7 +267,7 @@ template <class R>
 }  // namespace
 
 template <class R, class Law>
-NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const Prepared<Law>& law,
+NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const LawKernel<Law>& law,
                                    const NodalMotion<R, 4>& nodes, double dt, double* state) {
   using L = ShellLayout;
   const ElasticConstants& e = law.elastic();
@@ -299,7 +299,7 @@ NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const Prepared<
     thinning.total += 0.25 * column.thinning.total;
     thinning.plastic += 0.25 * column.thinning.plastic;
   }
-  if (law.can_fail()) alive = alive && !worn_out<R>(law, layout, state);
+  if (law.can_fail()) alive = alive && !enough_points_failed<R>(law, layout, state);
   const R now = thinned(shell, thinning, t, state);
   PatternForces<R> f;
   for (int p = 0; p < full_shell_columns; ++p)
@@ -320,23 +320,23 @@ NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const Prepared<
   return out;
 }
 
-template NodalForces<double, 4> full_shell_cycle(const ShellProperties&, const Prepared<Elastic>&,
+template NodalForces<double, 4> full_shell_cycle(const ShellProperties&, const LawKernel<Elastic>&,
                                                  const NodalMotion<double, 4>&, double, double*);
-template NodalForces<double, 4> full_shell_cycle(const ShellProperties&, const Prepared<PlasticKinematic>&,
+template NodalForces<double, 4> full_shell_cycle(const ShellProperties&, const LawKernel<PlasticKinematic>&,
                                                  const NodalMotion<double, 4>&, double, double*);
-template NodalForces<double, 4> full_shell_cycle(const ShellProperties&, const Prepared<PiecewiseLinear>&,
+template NodalForces<double, 4> full_shell_cycle(const ShellProperties&, const LawKernel<PiecewiseLinear>&,
                                                  const NodalMotion<double, 4>&, double, double*);
-template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const Prepared<Elastic>&,
+template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const LawKernel<Elastic>&,
                                                       const NodalMotion<NativeBatch, 4>&, double, double*);
-template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const Prepared<PlasticKinematic>&,
+template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const LawKernel<PlasticKinematic>&,
                                                       const NodalMotion<NativeBatch, 4>&, double, double*);
-template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const Prepared<PiecewiseLinear>&,
+template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const LawKernel<PiecewiseLinear>&,
                                                       const NodalMotion<NativeBatch, 4>&, double, double*);
-template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const Prepared<Compound>&,
+template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const LawKernel<ComposedLaw>&,
                                                       const NodalMotion<NativeBatch, 4>&, double, double*);
-template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const Prepared<Laminate>&,
+template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const LawKernel<Laminate>&,
                                                       const NodalMotion<NativeBatch, 4>&, double, double*);
-template NodalForces<Dual<24>, 4> full_shell_cycle(const ShellProperties&, const Prepared<Elastic>&,
+template NodalForces<Dual<24>, 4> full_shell_cycle(const ShellProperties&, const LawKernel<Elastic>&,
                                                    const NodalMotion<Dual<24>, 4>&, double, double*);
 
 }  // namespace nugget::kernel

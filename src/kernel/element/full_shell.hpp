@@ -11,7 +11,7 @@ namespace nugget::kernel {
 inline constexpr int full_shell_columns = 4;
 
 template <class Law>
-ShellLayout full_shell_layout(const ShellProperties& shell, const Prepared<Law>& law) {
+ShellLayout full_shell_layout(const ShellProperties& shell, const LawKernel<Law>& law) {
   return {shell.layers.count, law.layer_history(), full_shell_columns};
 }
 
@@ -35,13 +35,12 @@ ShellLayout full_shell_layout(const ShellProperties& shell, const Prepared<Law>&
 /// Frame, mid-step rates, forces at the end, thickness update, stable step, bulk viscosity and mass are those of
 /// shell_cycle. An element is deleted when all layers of all four columns have failed, or its stable step falls below
 /// the law's deletion step. Sources: Engelmann, Whirley, Goudreau 1989; Dvorkin, Bathe, Eng. Comput. 1 (1984);
-/// Belytschko, Bachrach, CMAME 54 (1986); Hughes, Brezzi, CMAME 72 (1989); ../shared/reference/element-theory.md
-/// section 4.
+/// Belytschko, Bachrach, CMAME 54 (1986); Hughes, Brezzi, CMAME 72 (1989); docs/theory/shell.md#fully-integrated-shell.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with Compound;
-/// Dual<24> with Elastic.
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
+/// ComposedLaw; Dual<24> with Elastic.
 template <class R, class Law>
-NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const Prepared<Law>& law,
+NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const LawKernel<Law>& law,
                                    const NodalMotion<R, 4>& nodes, double dt, double* state);
 
 }  // namespace nugget::kernel

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "kernel/element/uniform_gradient.hpp"
-#include "kernel/law/prepared_compound.hpp"
+#include "kernel/law/composed_law_kernel.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -18,8 +18,8 @@ Hourglass<R> load_hourglass(const double* state) {
   return r;
 }
 
-/// Physical stabilisation (element-theory 5.4): rates of the generalised forces from the rates of the patterns, both in
-/// the element's axes.
+/// Physical stabilisation (docs/theory/hourglass.md#physical-stabilisation): rates of the generalised forces from the
+/// rates of the patterns, both in the element's axes.
 template <class R>
 Hourglass<R> bindeman_rates(const ElasticConstants& e, double coefficient, const Vec3<R>& side, const Hourglass<R>& q) {
   const R third = R(1.0 / 3.0);
@@ -92,7 +92,7 @@ template <class R>
 }  // namespace
 
 template <class R, class Law>
-SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepared<Law>& law,
+SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const LawKernel<Law>& law,
                                 const SolidMotion<R>& nodes, double dt, double* state) {
   using L = HexahedronLayout;
   const ElasticConstants& e = law.elastic();
@@ -114,15 +114,15 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepare
   const SolidTensor<R> d = rate_at_end(l, half);
   SolidTensor<R> s = rotated(turn, load_solid<R>(state + L::stress * lanes<R>));
   law.rotate(turn, history);
-  R integrity(1.0), whole(1.0);  // of hourglass forces and bulk viscosity; of the weld as a whole
+  R integrity(1.0), weld_integrity(1.0);  // of hourglass forces and bulk viscosity; of the weld as a whole
   if constexpr (std::is_same_v<Law, Spotweld>) {
     store_field(state, L::strain_rate, effective_rate(d));
     if (law.uniaxial())
       s = section_stress(law, l, mid, end, dt, history);
     else
       law.solid(s, d, dt, history);
-    whole = load_field<R>(state, L::integrity);
-    integrity = whole * law.template integrity<R>(history);
+    weld_integrity = load_field<R>(state, L::integrity);
+    integrity = weld_integrity * law.template integrity<R>(history);
   } else {
     law.solid(s, d, dt, history);
   }
@@ -131,7 +131,7 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepare
   const bool orthogonal = brick.hourglass != 1;
   const Hourglass<R> rate = orthogonal ? hourglass_rates(v, l, mid) : Hourglass<R>{{v.h[0], v.h[1], v.h[2], v.h[3]}};
   R share(1.0);
-  if constexpr (std::is_same_v<Law, Compound>) share = law.template stiffness_share<R>(history);
+  if constexpr (std::is_same_v<Law, ComposedLaw>) share = law.template stiffness_share<R>(history);
   const Hourglass<R> q = resist_hourglass(brick, e, g, mid, end, rate, turn, half, side, share, integrity, dt, state);
 
   const R density = brick.density * load_field<R>(state, L::density_scale), none = R(0.0);
@@ -139,7 +139,7 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepare
   const BulkViscosity<R> bulk(brick, law.template wave_modulus<R>(history), density, length, l.x.x + l.y.y + l.z.z);
   const R pressure = integrity * bulk.pressure;
   heat_by_viscosity(law, pressure, l.x.x + l.y.y + l.z.z, dt, history);
-  if constexpr (std::is_same_v<Law, Spotweld>) s = whole * s;
+  if constexpr (std::is_same_v<Law, Spotweld>) s = weld_integrity * s;
   s.xx -= pressure;
   s.yy -= pressure;
   s.zz -= pressure;
@@ -168,11 +168,11 @@ void start_hexahedron(const HexahedronLayout& layout, const std::array<Vec3d, 8>
   state[L::side * width + lane] = std::cbrt(hexahedron_volume(x));
 }
 
-void hold_yield(const Prepared<Spotweld>& law, double* state, int width, int lane) {
+void freeze_yield(const LawKernel<Spotweld>& law, double* state, int width, int lane) {
   using L = HexahedronLayout;
   const auto at = [&](int i) { return state[(L::stress + i) * width + lane]; };
-  state[(L::first_history + Prepared<Spotweld>::held) * width + lane] =
-      law.stress_to_hold(effective_stress({at(0), at(1), at(2), at(3), at(4), at(5)}));
+  state[(L::first_history + LawKernel<Spotweld>::frozen_yield) * width + lane] =
+      law.frozen_stress(effective_stress({at(0), at(1), at(2), at(3), at(4), at(5)}));
 }
 
 double hexahedron_volume(const std::array<Vec3d, 8>& x) {
@@ -188,25 +188,25 @@ double hexahedron_nodal_mass(const std::array<Vec3d, 8>& x, double density) {
   return 0.125 * density * hexahedron_volume(x);
 }
 
-template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
+template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const LawKernel<Elastic>&,
                                               const SolidMotion<double>&, double, double*);
-template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const Prepared<PlasticKinematic>&,
+template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const LawKernel<PlasticKinematic>&,
                                               const SolidMotion<double>&, double, double*);
-template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
+template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const LawKernel<PiecewiseLinear>&,
                                               const SolidMotion<double>&, double, double*);
-template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const Prepared<Spotweld>&,
+template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const LawKernel<Spotweld>&,
                                               const SolidMotion<double>&, double, double*);
-template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
+template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const LawKernel<Elastic>&,
                                                    const SolidMotion<NativeBatch>&, double, double*);
-template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const Prepared<PlasticKinematic>&,
+template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const LawKernel<PlasticKinematic>&,
                                                    const SolidMotion<NativeBatch>&, double, double*);
-template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
+template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const LawKernel<PiecewiseLinear>&,
                                                    const SolidMotion<NativeBatch>&, double, double*);
-template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const Prepared<Spotweld>&,
+template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const LawKernel<Spotweld>&,
                                                    const SolidMotion<NativeBatch>&, double, double*);
-template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const Prepared<Compound>&,
+template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const LawKernel<ComposedLaw>&,
                                                    const SolidMotion<NativeBatch>&, double, double*);
-template SolidForces<Dual<24>> hexahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
+template SolidForces<Dual<24>> hexahedron_cycle(const HexahedronProperties&, const LawKernel<Elastic>&,
                                                 const SolidMotion<Dual<24>>&, double, double*);
 
 }  // namespace nugget::kernel

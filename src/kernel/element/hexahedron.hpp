@@ -5,7 +5,7 @@
 
 #include "base/batch.hpp"
 #include "base/dual.hpp"
-#include "kernel/law/prepared.hpp"
+#include "kernel/law/law_kernel.hpp"
 
 namespace nugget::kernel {
 
@@ -35,7 +35,7 @@ struct HexahedronLayout {
 };
 
 template <class Law>
-HexahedronLayout hexahedron_layout(const Prepared<Law>& law) {
+HexahedronLayout hexahedron_layout(const LawKernel<Law>& law) {
   return {law.solid_history()};
 }
 
@@ -73,17 +73,17 @@ struct SolidForces {
 /// failed, or whose stable step falls below the law's deletion step, is deleted: alive 0, no force, infinite stable
 /// step. Internal energy is the work of the nodal forces, less the hourglass energy. Sources: Flanagan, Belytschko,
 /// IJNME 17 (1981); Hughes, Winget, IJNME 15 (1980); Belytschko, Bindeman, CMAME 105 (1993);
-/// ../shared/reference/element-theory.md section 5.
+/// docs/theory/brick.md.
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld; NativeBatch with
-/// Compound; Dual<24> with Elastic.
+/// ComposedLaw; Dual<24> with Elastic.
 template <class R, class Law>
-SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const Prepared<Law>& law,
+SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const LawKernel<Law>& law,
                                 const SolidMotion<R>& nodes, double dt, double* state);
 
-/// Holds the yield stress of a weld brick at its present effective stress, from now on; see hold_yield of
+/// Freezes the yield stress of a weld brick at its present effective stress, from now on; see freeze_yield of
 /// weld_beam.hpp.
-void hold_yield(const Prepared<Spotweld>& law, double* state, int width, int lane);
+void freeze_yield(const LawKernel<Spotweld>& law, double* state, int width, int lane);
 
 /// Volume; negative for inverted node order [length^3].
 double hexahedron_volume(const std::array<Vec3d, 8>& x);

@@ -5,7 +5,7 @@
 
 #include "kernel/element/gyration.hpp"
 #include "kernel/element/triangle.hpp"
-#include "kernel/law/prepared_laminate.hpp"
+#include "kernel/law/laminate_kernel.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -80,8 +80,8 @@ R gyration2(const R& t2, const R& area, const R& altitude2) {
   return max(max(R(1.0 / 12.0) * t2, 0.125 * area), 0.5 * area * t2 / altitude2);
 }
 
-/// Square of the length over the wave speed that bending bears: of motions across the plane h^2/t, of spins the same
-/// with their inertia.
+/// Square of the length over the wave speed at which bending is stable: of motions across the plane h^2/t, of spins the
+/// same with their inertia.
 template <class R>
 R bending_length2(const R& t2, const R& area, const R& altitude2) {
   const R spins = 0.4 * area / gyration2(t2, area, altitude2);
@@ -91,7 +91,7 @@ R bending_length2(const R& t2, const R& area, const R& altitude2) {
 }  // namespace
 
 template <class R, class Law>
-NodalForces<R, 3> kirchhoff_triangle_cycle(const ShellProperties& shell, const Prepared<Law>& law,
+NodalForces<R, 3> kirchhoff_triangle_cycle(const ShellProperties& shell, const LawKernel<Law>& law,
                                            const NodalMotion<R, 3>& nodes, double dt, double* state) {
   using L = ShellLayout;
   const ElasticConstants& e = law.elastic();
@@ -124,7 +124,7 @@ NodalForces<R, 3> kirchhoff_triangle_cycle(const ShellProperties& shell, const P
     thinning.total += share * column.thinning.total;
     thinning.plastic += share * column.thinning.plastic;
   }
-  if (law.can_fail()) alive = alive && !worn_out<R>(law, layout, state);
+  if (law.can_fail()) alive = alive && !enough_points_failed<R>(law, layout, state);
   const R now = thinned(shell, thinning, t, state);
 
   const Bubbles<R> at_end(end);
@@ -184,23 +184,24 @@ NodalMass kirchhoff_nodal_mass(const std::array<Vec3d, 3>& x, double thickness, 
   return {mass, mass * std::max(own2 + arm * arm, eccentric_gyration2(elastic_arm, own2))};
 }
 
-template NodalForces<double, 3> kirchhoff_triangle_cycle(const ShellProperties&, const Prepared<Elastic>&,
+template NodalForces<double, 3> kirchhoff_triangle_cycle(const ShellProperties&, const LawKernel<Elastic>&,
                                                          const NodalMotion<double, 3>&, double, double*);
-template NodalForces<double, 3> kirchhoff_triangle_cycle(const ShellProperties&, const Prepared<PlasticKinematic>&,
+template NodalForces<double, 3> kirchhoff_triangle_cycle(const ShellProperties&, const LawKernel<PlasticKinematic>&,
                                                          const NodalMotion<double, 3>&, double, double*);
-template NodalForces<double, 3> kirchhoff_triangle_cycle(const ShellProperties&, const Prepared<PiecewiseLinear>&,
+template NodalForces<double, 3> kirchhoff_triangle_cycle(const ShellProperties&, const LawKernel<PiecewiseLinear>&,
                                                          const NodalMotion<double, 3>&, double, double*);
-template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellProperties&, const Prepared<Elastic>&,
+template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellProperties&, const LawKernel<Elastic>&,
                                                               const NodalMotion<NativeBatch, 3>&, double, double*);
-template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellProperties&, const Prepared<PlasticKinematic>&,
+template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellProperties&,
+                                                              const LawKernel<PlasticKinematic>&,
                                                               const NodalMotion<NativeBatch, 3>&, double, double*);
-template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellProperties&, const Prepared<PiecewiseLinear>&,
+template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellProperties&, const LawKernel<PiecewiseLinear>&,
                                                               const NodalMotion<NativeBatch, 3>&, double, double*);
-template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellProperties&, const Prepared<Compound>&,
+template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellProperties&, const LawKernel<ComposedLaw>&,
                                                               const NodalMotion<NativeBatch, 3>&, double, double*);
-template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellProperties&, const Prepared<Laminate>&,
+template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellProperties&, const LawKernel<Laminate>&,
                                                               const NodalMotion<NativeBatch, 3>&, double, double*);
-template NodalForces<Dual<18>, 3> kirchhoff_triangle_cycle(const ShellProperties&, const Prepared<Elastic>&,
+template NodalForces<Dual<18>, 3> kirchhoff_triangle_cycle(const ShellProperties&, const LawKernel<Elastic>&,
                                                            const NodalMotion<Dual<18>, 3>&, double, double*);
 
 }  // namespace nugget::kernel

@@ -12,7 +12,7 @@ namespace nugget::kernel {
 inline constexpr int kirchhoff_columns = 3;
 
 template <class Law>
-ShellLayout kirchhoff_layout(const ShellProperties& shell, const Prepared<Law>& law) {
+ShellLayout kirchhoff_layout(const ShellProperties& shell, const LawKernel<Law>& law) {
   return {shell.layers.count, law.layer_history(), kirchhoff_columns};
 }
 
@@ -26,15 +26,15 @@ ShellLayout kirchhoff_layout(const ShellProperties& shell, const Prepared<Law>& 
 /// strains or forces, and nothing but a rigid motion bends nothing. Curvature is linear over the element; the membrane
 /// strain is constant. Frame, mid-step rates, forces at the end, thickness update, drilling (`shell.drilling`) and
 /// deletion are those of triangle_cycle and full_shell_cycle; an element is deleted when all layers of its three
-/// columns have failed. The stable step is that of triangle_cycle, and no longer than its bending bears: with the
-/// shortest altitude h and a node's inertia m r^2, h^2 / (c t sqrt(1 + 0.4 A / r^2)), which is the shorter one where t
-/// > h/2 (by eigenvalues of elements of all shapes; ours). Source: J.-L. Batoz, K.-J. Bathe, L.-W. Ho, Int. J. Numer.
-/// Meth. Eng. 15 (1980).
+/// columns have failed. The stable step is that of triangle_cycle, and no longer than the stable one of its bending:
+/// with the shortest altitude h and a node's inertia m r^2, h^2 / (c t sqrt(1 + 0.4 A / r^2)), which is the shorter one
+/// where t > h/2 (by eigenvalues of elements of all shapes; ours). Source: J.-L. Batoz, K.-J. Bathe, L.-W. Ho, Int. J.
+/// Numer. Meth. Eng. 15 (1980).
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with Compound;
-/// Dual<18> with Elastic.
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
+/// ComposedLaw; Dual<18> with Elastic.
 template <class R, class Law>
-NodalForces<R, 3> kirchhoff_triangle_cycle(const ShellProperties& shell, const Prepared<Law>& law,
+NodalForces<R, 3> kirchhoff_triangle_cycle(const ShellProperties& shell, const LawKernel<Law>& law,
                                            const NodalMotion<R, 3>& nodes, double dt, double* state);
 
 /// What the bubbles add to the mean curvature rates xx, yy, xy of the spins' gradient, in the element's frame

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "kernel/element/tetrahedron_gradients.hpp"
-#include "kernel/law/prepared_compound.hpp"
+#include "kernel/law/composed_law_kernel.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -46,7 +46,7 @@ template <class R>
 
 /// Failed points that delete an element.
 template <class Law>
-double points_to_delete(const Prepared<Law>& law) {
+double points_to_delete(const LawKernel<Law>& law) {
   const double limit = law.points_to_delete();
   if (limit < 0.0) return -limit * points / 100.0;
   return limit > 0.0 && limit < points ? limit : points;
@@ -55,7 +55,7 @@ double points_to_delete(const Prepared<Law>& law) {
 }  // namespace
 
 template <class R, class Law>
-QuadraticTetrahedronForces<R> quadratic_tetrahedron_cycle(const HexahedronProperties& solid, const Prepared<Law>& law,
+QuadraticTetrahedronForces<R> quadratic_tetrahedron_cycle(const HexahedronProperties& solid, const LawKernel<Law>& law,
                                                           const QuadraticTetrahedronMotion<R>& nodes, double dt,
                                                           double* state) {
   using L = QuadraticTetrahedronLayout;
@@ -177,28 +177,28 @@ std::array<Vec3d, 3> quadratic_tetrahedron_gradient(const std::array<Vec3d, 10>&
 }
 
 template QuadraticTetrahedronForces<double> quadratic_tetrahedron_cycle(const HexahedronProperties&,
-                                                                        const Prepared<Elastic>&,
+                                                                        const LawKernel<Elastic>&,
                                                                         const QuadraticTetrahedronMotion<double>&,
                                                                         double, double*);
 template QuadraticTetrahedronForces<double> quadratic_tetrahedron_cycle(const HexahedronProperties&,
-                                                                        const Prepared<PlasticKinematic>&,
+                                                                        const LawKernel<PlasticKinematic>&,
                                                                         const QuadraticTetrahedronMotion<double>&,
                                                                         double, double*);
 template QuadraticTetrahedronForces<double> quadratic_tetrahedron_cycle(const HexahedronProperties&,
-                                                                        const Prepared<PiecewiseLinear>&,
+                                                                        const LawKernel<PiecewiseLinear>&,
                                                                         const QuadraticTetrahedronMotion<double>&,
                                                                         double, double*);
 template QuadraticTetrahedronForces<NativeBatch> quadratic_tetrahedron_cycle(
-    const HexahedronProperties&, const Prepared<Elastic>&, const QuadraticTetrahedronMotion<NativeBatch>&, double,
+    const HexahedronProperties&, const LawKernel<Elastic>&, const QuadraticTetrahedronMotion<NativeBatch>&, double,
     double*);
 template QuadraticTetrahedronForces<NativeBatch> quadratic_tetrahedron_cycle(
-    const HexahedronProperties&, const Prepared<PlasticKinematic>&, const QuadraticTetrahedronMotion<NativeBatch>&,
+    const HexahedronProperties&, const LawKernel<PlasticKinematic>&, const QuadraticTetrahedronMotion<NativeBatch>&,
     double, double*);
 template QuadraticTetrahedronForces<NativeBatch> quadratic_tetrahedron_cycle(
-    const HexahedronProperties&, const Prepared<PiecewiseLinear>&, const QuadraticTetrahedronMotion<NativeBatch>&,
+    const HexahedronProperties&, const LawKernel<PiecewiseLinear>&, const QuadraticTetrahedronMotion<NativeBatch>&,
     double, double*);
 template QuadraticTetrahedronForces<NativeBatch> quadratic_tetrahedron_cycle(
-    const HexahedronProperties&, const Prepared<Compound>&, const QuadraticTetrahedronMotion<NativeBatch>&, double,
+    const HexahedronProperties&, const LawKernel<ComposedLaw>&, const QuadraticTetrahedronMotion<NativeBatch>&, double,
     double*);
 
 }  // namespace nugget::kernel

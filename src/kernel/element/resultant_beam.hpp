@@ -35,8 +35,8 @@ void start_resultant_beam(const Vec3d& x1, const Vec3d& x2, const Vec3d& towards
 /// small: with theta_1, theta_2 the rotations of both ends about one axis and phi = 12 E I / (G A_s l^2),
 ///     (m_1, m_2) = E I / (l (1 + phi)) ((4 + phi) theta_1 + (2 - phi) theta_2, (2 - phi) theta_1 + (4 + phi) theta_2),
 /// axial force E A (l - l0) / l0, moment of torsion G J / l0 times the angle between the ends about the line; shear by
-/// equilibrium. Exact for Bernoulli's and Timoshenko's cantilever. Source: element-theory.md 6.2; T. Belytschko and L.
-/// Schwer, Comput. Struct. 7 (1977) 167-175.
+/// equilibrium. Exact for Bernoulli's and Timoshenko's cantilever. Source: docs/theory/beam.md#resultant-beam; T.
+/// Belytschko and L. Schwer, Comput. Struct. 7 (1977) 167-175.
 ///
 /// Step: that of the fastest of the axial and the two antisymmetric bending modes with the masses of
 /// resultant_beam_nodal_mass. Instantiated for R = double, NativeBatch, Dual<12>.

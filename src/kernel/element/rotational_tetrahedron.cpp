@@ -6,7 +6,7 @@
 
 #include "kernel/element/tetrahedron.hpp"
 #include "kernel/element/tetrahedron_gradients.hpp"
-#include "kernel/law/prepared_compound.hpp"
+#include "kernel/law/composed_law_kernel.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -147,7 +147,7 @@ template <class R>
 
 /// Failed points that delete an element.
 template <class Law>
-double points_to_delete(const Prepared<Law>& law) {
+double points_to_delete(const LawKernel<Law>& law) {
   const double limit = law.points_to_delete();
   if (limit < 0.0) return -limit * points / 100.0;
   return limit > 0.0 && limit < points ? limit : points;
@@ -156,8 +156,9 @@ double points_to_delete(const Prepared<Law>& law) {
 }  // namespace
 
 template <class R, class Law>
-RotationalTetrahedronForces<R> rotational_tetrahedron_cycle(const HexahedronProperties& solid, const Prepared<Law>& law,
-                                                            const NodalMotion<R, 4>& nodes, double dt, double* state) {
+RotationalTetrahedronForces<R> rotational_tetrahedron_cycle(const HexahedronProperties& solid,
+                                                            const LawKernel<Law>& law, const NodalMotion<R, 4>& nodes,
+                                                            double dt, double* state) {
   using L = RotationalTetrahedronLayout;
   const ElasticConstants& e = law.elastic();
   const L layout = rotational_tetrahedron_layout(law);
@@ -252,35 +253,35 @@ double rotational_tetrahedron_inertia(const std::array<Vec3d, 4>& x, double dens
 }
 
 template RotationalTetrahedronForces<double> rotational_tetrahedron_cycle(const HexahedronProperties&,
-                                                                          const Prepared<Elastic>&,
+                                                                          const LawKernel<Elastic>&,
                                                                           const NodalMotion<double, 4>&, double,
                                                                           double*);
 template RotationalTetrahedronForces<double> rotational_tetrahedron_cycle(const HexahedronProperties&,
-                                                                          const Prepared<PlasticKinematic>&,
+                                                                          const LawKernel<PlasticKinematic>&,
                                                                           const NodalMotion<double, 4>&, double,
                                                                           double*);
 template RotationalTetrahedronForces<double> rotational_tetrahedron_cycle(const HexahedronProperties&,
-                                                                          const Prepared<PiecewiseLinear>&,
+                                                                          const LawKernel<PiecewiseLinear>&,
                                                                           const NodalMotion<double, 4>&, double,
                                                                           double*);
 template RotationalTetrahedronForces<NativeBatch> rotational_tetrahedron_cycle(const HexahedronProperties&,
-                                                                               const Prepared<Elastic>&,
+                                                                               const LawKernel<Elastic>&,
                                                                                const NodalMotion<NativeBatch, 4>&,
                                                                                double, double*);
 template RotationalTetrahedronForces<NativeBatch> rotational_tetrahedron_cycle(const HexahedronProperties&,
-                                                                               const Prepared<PlasticKinematic>&,
+                                                                               const LawKernel<PlasticKinematic>&,
                                                                                const NodalMotion<NativeBatch, 4>&,
                                                                                double, double*);
 template RotationalTetrahedronForces<NativeBatch> rotational_tetrahedron_cycle(const HexahedronProperties&,
-                                                                               const Prepared<PiecewiseLinear>&,
+                                                                               const LawKernel<PiecewiseLinear>&,
                                                                                const NodalMotion<NativeBatch, 4>&,
                                                                                double, double*);
 template RotationalTetrahedronForces<NativeBatch> rotational_tetrahedron_cycle(const HexahedronProperties&,
-                                                                               const Prepared<Compound>&,
+                                                                               const LawKernel<ComposedLaw>&,
                                                                                const NodalMotion<NativeBatch, 4>&,
                                                                                double, double*);
 template RotationalTetrahedronForces<Dual<24>> rotational_tetrahedron_cycle(const HexahedronProperties&,
-                                                                            const Prepared<Elastic>&,
+                                                                            const LawKernel<Elastic>&,
                                                                             const NodalMotion<Dual<24>, 4>&, double,
                                                                             double*);
 

@@ -26,7 +26,7 @@ struct RotationalTetrahedronLayout {
 };
 
 template <class Law>
-RotationalTetrahedronLayout rotational_tetrahedron_layout(const Prepared<Law>& law) {
+RotationalTetrahedronLayout rotational_tetrahedron_layout(const LawKernel<Law>& law) {
   return {law.solid_history()};
 }
 
@@ -60,11 +60,12 @@ struct RotationalTetrahedronForces {
 /// node with l0^2 / 10 of rotary inertia (by eigenvalues of elements of all shapes; ours). Bulk viscosity, deletion
 /// (all four points) and stable step otherwise as in tetrahedron_cycle.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with Compound;
-/// Dual<24> with Elastic. Hourglass data of `solid` are not used.
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
+/// ComposedLaw; Dual<24> with Elastic. Hourglass data of `solid` are not used.
 template <class R, class Law>
-RotationalTetrahedronForces<R> rotational_tetrahedron_cycle(const HexahedronProperties& solid, const Prepared<Law>& law,
-                                                            const NodalMotion<R, 4>& nodes, double dt, double* state);
+RotationalTetrahedronForces<R> rotational_tetrahedron_cycle(const HexahedronProperties& solid,
+                                                            const LawKernel<Law>& law, const NodalMotion<R, 4>& nodes,
+                                                            double dt, double* state);
 
 /// Rotary inertia of each of four nodes.
 double rotational_tetrahedron_inertia(const std::array<Vec3d, 4>& x, double density);

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "kernel/law/laminate.hpp"
-#include "kernel/law/prepared.hpp"
+#include "kernel/law/law_kernel.hpp"
 
 // What the four-node and the three-node shell share: section, state, and how nodal motion and forces are handed over.
 namespace nugget::kernel {
@@ -66,7 +66,7 @@ struct ShellLayout {
 };
 
 template <class Law>
-ShellLayout shell_layout(const ShellProperties& shell, const Prepared<Law>& law) {
+ShellLayout shell_layout(const ShellProperties& shell, const LawKernel<Law>& law) {
   return {shell.layers.count, law.layer_history()};
 }
 

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "kernel/element/shell.hpp"
-#include "kernel/law/prepared_laminate.hpp"
+#include "kernel/law/laminate_kernel.hpp"
 
 // The walk through the layers, common to the shells. Included by their .cpp files only.
 namespace nugget::kernel {
@@ -38,7 +38,7 @@ struct Column {
 
 /// Advances the layers of a column by a step. `first`: the state of its first layer.
 template <class R, class Law>
-[[gnu::always_inline]] inline Column<R> advance_column(const ShellProperties& shell, const Prepared<Law>& law,
+[[gnu::always_inline]] inline Column<R> advance_column(const ShellProperties& shell, const LawKernel<Law>& law,
                                                        const ShellRates<R>& d, const R& t, double dt, double* first) {
   const int stride = (LayerTensor<R>::size + law.layer_history()) * lanes<R>;
   Column<R> c;
@@ -97,7 +97,7 @@ template <class R>
 
 /// Which elements have lost so many points that they are deleted: all, a number, or a percentage of the layers.
 template <class R, class Law>
-MaskOf<R> worn_out(const Prepared<Law>& law, const ShellLayout& layout, const double* state) {
+MaskOf<R> enough_points_failed(const LawKernel<Law>& law, const ShellLayout& layout, const double* state) {
   const double limit = law.points_to_delete();
   const R none = R(0.0), one = R(1.0);
   R points = none, failed_layers = none;
@@ -114,24 +114,24 @@ MaskOf<R> worn_out(const Prepared<Law>& law, const ShellLayout& layout, const do
 }
 
 /// Of a laminate. A law's number of points is one of its own layers, and one that these do not have counts for nothing;
-/// its percentage is that of all layers which have its law and failed. In any case an element goes with the last point
-/// of the layers that can fail.
+/// its percentage is that of all layers which have its law and failed. In any case an element is deleted with the last
+/// point of the layers that can fail.
 template <class R>
-MaskOf<R> worn_out(const Prepared<Laminate>& law, const ShellLayout& layout, const double* state) {
+MaskOf<R> enough_points_failed(const LawKernel<Laminate>& law, const ShellLayout& layout, const double* state) {
   const R none = R(0.0), one = R(1.0);
-  auto gone = none > one;
-  R sound = none;
+  auto failed_elements = none > one;
+  R intact_points = none;
   for (int first = 0; first < layout.layers; ++first) {
-    const Prepared<Compound>& own = law.of(first).law;
+    const LawKernel<ComposedLaw>& own = law.of(first).law;
     if (!own.can_fail()) {
-      if (law.outlived_by_sound()) sound += one;
+      if (law.kept_by_unfailing_layers()) intact_points += one;
       continue;
     }
-    if (law.of(first).first_alike != first) continue;
+    if (law.of(first).first_of_same_law != first) continue;
     R points = none, failed_layers = none;
     int all = 0;
     for (int k = first; k < layout.layers; ++k) {
-      if (law.of(k).first_alike != first) continue;
+      if (law.of(k).first_of_same_law != first) continue;
       R here = none;
       for (int c = 0; c < layout.columns; ++c)
         here += select(own.template failed<R>(state + layout.history_of(k, c) * lanes<R>), one, none);
@@ -140,16 +140,17 @@ MaskOf<R> worn_out(const Prepared<Laminate>& law, const ShellLayout& layout, con
       all += layout.columns;
     }
     const double limit = own.points_to_delete();
-    sound += R(all) - points;
-    if (limit < 0.0) gone = gone || R(100.0) * failed_layers >= R(-limit * layout.layers);
-    if (limit > 0.0 && limit <= all) gone = gone || points >= R(limit);
+    intact_points += R(all) - points;
+    if (limit < 0.0) failed_elements = failed_elements || R(100.0) * failed_layers >= R(-limit * layout.layers);
+    if (limit > 0.0 && limit <= all) failed_elements = failed_elements || points >= R(limit);
   }
-  return gone || sound < R(0.5);
+  return failed_elements || intact_points < R(0.5);
 }
 
-/// What failed layers have left of an element's stiffness in the plane [1]; of one law 1, the element goes with it.
+/// What failed layers have left of an element's stiffness in the plane [1]; of one law 1, the element is deleted with
+/// it.
 template <class R, class Law>
-R living_share(const Prepared<Law>& law, const ShellLayout& layout, const double* state) {
+R intact_fraction(const LawKernel<Law>& law, const ShellLayout& layout, const double* state) {
   if constexpr (std::is_same_v<Law, Laminate>) {
     R lost = R(0.0);
     for (int k = 0; k < layout.layers; ++k)
@@ -162,22 +163,23 @@ R living_share(const Prepared<Law>& law, const ShellLayout& layout, const double
   }
 }
 
-/// Advances all layers of a shell with one column by a step and adds them up on the new thickness. Elements that are
-/// worn out are deleted: `alive` is cleared for them.
+/// Advances all layers of a shell with one column by a step and adds them up on the new thickness. Elements with too
+/// many failed points are deleted: `alive` is cleared for them.
 template <class R, class Law>
-[[gnu::always_inline]] inline ShellResultants<R> advance_layers(const ShellProperties& shell, const Prepared<Law>& law,
+[[gnu::always_inline]] inline ShellResultants<R> advance_layers(const ShellProperties& shell, const LawKernel<Law>& law,
                                                                 const ShellRates<R>& d, double dt, double* state,
                                                                 MaskOf<R>& alive) {
   using L = ShellLayout;
   const R t = load_field<R>(state, L::thickness);
   const Column<R> c = advance_column(shell, law, d, t, dt, state + L::first_layer * lanes<R>);
-  if (law.can_fail()) alive = alive && !worn_out<R>(law, shell_layout(shell, law), state);
+  if (law.can_fail()) alive = alive && !enough_points_failed<R>(law, shell_layout(shell, law), state);
   return on_thickness(shell, c.n, thinned(shell, c.thinning, t, state));
 }
 
-/// Viscous pressure a length in a shell that is compressed in its plane (element-theory 5.6); 0 when stretched.
+/// Viscous pressure a length in a shell that is compressed in its plane
+/// (docs/theory/shell.md#bulk-viscosity-in-the-plane); 0 when stretched.
 template <class R, class Law>
-R viscous_membrane(const ShellProperties& shell, const Prepared<Law>& law, const R& trace, const R& area,
+R viscous_membrane(const ShellProperties& shell, const LawKernel<Law>& law, const R& trace, const R& area,
                    const double* state) {
   const R density = shell.density * load_field<R>(state, ShellLayout::density_scale);
   const R side = sqrt(area), c = sqrt(law.elastic().plane / density);

@@ -5,12 +5,12 @@
 #include <limits>
 
 #include "kernel/element/tetrahedron_gradients.hpp"
-#include "kernel/law/prepared_compound.hpp"
+#include "kernel/law/composed_law_kernel.hpp"
 
 namespace nugget::kernel {
 
 template <class R, class Law>
-TetrahedronForces<R> tetrahedron_cycle(const HexahedronProperties& solid, const Prepared<Law>& law,
+TetrahedronForces<R> tetrahedron_cycle(const HexahedronProperties& solid, const LawKernel<Law>& law,
                                        const TetrahedronLayout& layout, const TetrahedronMotion<R>& nodes, double dt,
                                        double* state) {
   using L = TetrahedronLayout;
@@ -78,25 +78,25 @@ double tetrahedron_volume(const std::array<Vec3d, 4>& x) {
   return dot(x[1] - x[0], cross(x[2] - x[0], x[3] - x[0])) / 6.0;
 }
 
-template TetrahedronForces<double> tetrahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
+template TetrahedronForces<double> tetrahedron_cycle(const HexahedronProperties&, const LawKernel<Elastic>&,
                                                      const TetrahedronLayout&, const TetrahedronMotion<double>&, double,
                                                      double*);
-template TetrahedronForces<double> tetrahedron_cycle(const HexahedronProperties&, const Prepared<PlasticKinematic>&,
+template TetrahedronForces<double> tetrahedron_cycle(const HexahedronProperties&, const LawKernel<PlasticKinematic>&,
                                                      const TetrahedronLayout&, const TetrahedronMotion<double>&, double,
                                                      double*);
-template TetrahedronForces<double> tetrahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
+template TetrahedronForces<double> tetrahedron_cycle(const HexahedronProperties&, const LawKernel<PiecewiseLinear>&,
                                                      const TetrahedronLayout&, const TetrahedronMotion<double>&, double,
                                                      double*);
-template TetrahedronForces<NativeBatch> tetrahedron_cycle(const HexahedronProperties&, const Prepared<Elastic>&,
+template TetrahedronForces<NativeBatch> tetrahedron_cycle(const HexahedronProperties&, const LawKernel<Elastic>&,
                                                           const TetrahedronLayout&,
                                                           const TetrahedronMotion<NativeBatch>&, double, double*);
 template TetrahedronForces<NativeBatch> tetrahedron_cycle(const HexahedronProperties&,
-                                                          const Prepared<PlasticKinematic>&, const TetrahedronLayout&,
+                                                          const LawKernel<PlasticKinematic>&, const TetrahedronLayout&,
                                                           const TetrahedronMotion<NativeBatch>&, double, double*);
-template TetrahedronForces<NativeBatch> tetrahedron_cycle(const HexahedronProperties&, const Prepared<PiecewiseLinear>&,
-                                                          const TetrahedronLayout&,
+template TetrahedronForces<NativeBatch> tetrahedron_cycle(const HexahedronProperties&,
+                                                          const LawKernel<PiecewiseLinear>&, const TetrahedronLayout&,
                                                           const TetrahedronMotion<NativeBatch>&, double, double*);
-template TetrahedronForces<NativeBatch> tetrahedron_cycle(const HexahedronProperties&, const Prepared<Compound>&,
+template TetrahedronForces<NativeBatch> tetrahedron_cycle(const HexahedronProperties&, const LawKernel<ComposedLaw>&,
                                                           const TetrahedronLayout&,
                                                           const TetrahedronMotion<NativeBatch>&, double, double*);
 

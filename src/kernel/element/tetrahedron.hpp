@@ -22,7 +22,7 @@ struct TetrahedronLayout {
 };
 
 template <class Law>
-TetrahedronLayout tetrahedron_layout(const Prepared<Law>& law, bool nodal_pressure = false) {
+TetrahedronLayout tetrahedron_layout(const LawKernel<Law>& law, bool nodal_pressure = false) {
   return {law.solid_history(), nodal_pressure};
 }
 
@@ -57,11 +57,11 @@ struct TetrahedronForces {
 /// With nodal_pressure (ELFORM 13) the mean stress is that of the state, which the nodes agree on (NodalPressure): the
 /// law gives the deviator only, so it must be one whose mean stress is elastic.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with Compound.
-/// Hourglass data of `solid` are not used. Source: Zienkiewicz, Taylor, The Finite Element Method, vol. 1,
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
+/// ComposedLaw. Hourglass data of `solid` are not used. Source: Zienkiewicz, Taylor, The Finite Element Method, vol. 1,
 /// constant-strain tetrahedron; the bound follows from |sum u_I b_I^T|^2 <= g |u|^2.
 template <class R, class Law>
-TetrahedronForces<R> tetrahedron_cycle(const HexahedronProperties& solid, const Prepared<Law>& law,
+TetrahedronForces<R> tetrahedron_cycle(const HexahedronProperties& solid, const LawKernel<Law>& law,
                                        const TetrahedronLayout& layout, const TetrahedronMotion<R>& nodes, double dt,
                                        double* state);
 

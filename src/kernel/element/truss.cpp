@@ -6,7 +6,7 @@
 namespace nugget::kernel {
 
 template <class R, class Law>
-NodalForces<R, 2> truss_cycle(double area, double density, const Prepared<Law>& law, const NodalMotion<R, 2>& nodes,
+NodalForces<R, 2> truss_cycle(double area, double density, const LawKernel<Law>& law, const NodalMotion<R, 2>& nodes,
                               double dt, double* state) {
   using L = TrussLayout;
   auto alive = load_field<R>(state, L::alive) > 0.5;
@@ -37,17 +37,17 @@ NodalForces<R, 2> truss_cycle(double area, double density, const Prepared<Law>& 
   return out;
 }
 
-template NodalForces<double, 2> truss_cycle(double, double, const Prepared<Elastic>&, const NodalMotion<double, 2>&,
+template NodalForces<double, 2> truss_cycle(double, double, const LawKernel<Elastic>&, const NodalMotion<double, 2>&,
                                             double, double*);
-template NodalForces<double, 2> truss_cycle(double, double, const Prepared<PlasticKinematic>&,
+template NodalForces<double, 2> truss_cycle(double, double, const LawKernel<PlasticKinematic>&,
                                             const NodalMotion<double, 2>&, double, double*);
-template NodalForces<double, 2> truss_cycle(double, double, const Prepared<PiecewiseLinear>&,
+template NodalForces<double, 2> truss_cycle(double, double, const LawKernel<PiecewiseLinear>&,
                                             const NodalMotion<double, 2>&, double, double*);
-template NodalForces<NativeBatch, 2> truss_cycle(double, double, const Prepared<Elastic>&,
+template NodalForces<NativeBatch, 2> truss_cycle(double, double, const LawKernel<Elastic>&,
                                                  const NodalMotion<NativeBatch, 2>&, double, double*);
-template NodalForces<NativeBatch, 2> truss_cycle(double, double, const Prepared<PlasticKinematic>&,
+template NodalForces<NativeBatch, 2> truss_cycle(double, double, const LawKernel<PlasticKinematic>&,
                                                  const NodalMotion<NativeBatch, 2>&, double, double*);
-template NodalForces<NativeBatch, 2> truss_cycle(double, double, const Prepared<PiecewiseLinear>&,
+template NodalForces<NativeBatch, 2> truss_cycle(double, double, const LawKernel<PiecewiseLinear>&,
                                                  const NodalMotion<NativeBatch, 2>&, double, double*);
 
 }  // namespace nugget::kernel

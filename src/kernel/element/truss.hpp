@@ -21,7 +21,7 @@ struct TrussLayout {
 /// start. A truss whose fibre has failed is deleted. Stable step L / sqrt(E / rho). Instantiated for R = double,
 /// NativeBatch with Elastic, PlasticKinematic and PiecewiseLinear.
 template <class R, class Law>
-NodalForces<R, 2> truss_cycle(double area, double density, const Prepared<Law>& law, const NodalMotion<R, 2>& nodes,
+NodalForces<R, 2> truss_cycle(double area, double density, const LawKernel<Law>& law, const NodalMotion<R, 2>& nodes,
                               double dt, double* state);
 
 }  // namespace nugget::kernel

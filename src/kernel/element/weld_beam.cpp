@@ -111,7 +111,7 @@ void start_weld_beam(const WeldBeamLayout& layout, const Vec3d& x1, const Vec3d&
 }
 
 template <class R, class Law>
-NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared<Law>& law,
+NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const LawKernel<Law>& law,
                                   const NodalMotion<R, 2>& nodes, double dt, double* state) {
   using L = WeldBeamLayout;
   const WeldBeamLayout layout = weld_beam_layout(beam, law);
@@ -146,7 +146,7 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared
 
   R n[6]{}, strain_rate = 0.0;
   double whole = 0.0;
-  auto sound = R(1.0) < R(0.0);
+  auto intact = R(1.0) < R(0.0);
   const R none = R(0.0);
   for (int k = 0; k < layout.fibres; ++k) {
     const auto point = static_cast<std::size_t>(k);
@@ -160,7 +160,7 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared
     whole += area;
     law.fibre(a, select(alive, rate, FibreTensor<R>{}), dt, history);
     store_fibre(stress, a);
-    if (law.can_fail()) sound = sound || !law.template failed<R>(history);
+    if (law.can_fail()) intact = intact || !law.template failed<R>(history);
     n[0] += area * a.rr;
     n[1] += area * a.rs;
     n[2] += area * a.rt;
@@ -170,7 +170,7 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared
   }
   if (!beam.no_torsion) n[3] += es * n[2] - et * n[1];
   if (law.can_fail()) {
-    alive = alive && sound;
+    alive = alive && intact;
     store_field(state, L::alive, select(alive, R(1.0), none));
   }
   const R integrity = load_field<R>(state, L::integrity);
@@ -194,12 +194,12 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared
   return out;
 }
 
-void hold_yield(const WeldBeamLayout& layout, const Prepared<Spotweld>& law, double* state, int width, int lane) {
+void freeze_yield(const WeldBeamLayout& layout, const LawKernel<Spotweld>& law, double* state, int width, int lane) {
   for (int k = 0; k < layout.fibres; ++k) {
     const auto stress = [&](int i) { return state[(layout.fibre(k) + i) * width + lane]; };
     const double shear2 = stress(1) * stress(1) + stress(2) * stress(2);
-    state[(layout.history_of(k) + Prepared<Spotweld>::held) * width + lane] =
-        law.stress_to_hold(std::sqrt(stress(0) * stress(0) + 3.0 * shear2));
+    state[(layout.history_of(k) + LawKernel<Spotweld>::frozen_yield) * width + lane] =
+        law.frozen_stress(std::sqrt(stress(0) * stress(0) + 3.0 * shear2));
   }
 }
 
@@ -223,23 +223,23 @@ NodalMass weld_beam_nodal_mass(const WeldBeamProperties& beam, double length, do
   return {mass, std::max({bending, torsion, shear_mode, eccentric})};
 }
 
-template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<Elastic>&,
+template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<Elastic>&,
                                                 const NodalMotion<double, 2>&, double, double*);
-template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<Spotweld>&,
+template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<Spotweld>&,
                                                 const NodalMotion<double, 2>&, double, double*);
-template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<Elastic>&,
+template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<Elastic>&,
                                                      const NodalMotion<NativeBatch, 2>&, double, double*);
-template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<Spotweld>&,
+template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<Spotweld>&,
                                                      const NodalMotion<NativeBatch, 2>&, double, double*);
-template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<PlasticKinematic>&,
+template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<PlasticKinematic>&,
                                                 const NodalMotion<double, 2>&, double, double*);
-template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<PiecewiseLinear>&,
+template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<PiecewiseLinear>&,
                                                 const NodalMotion<double, 2>&, double, double*);
-template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<PlasticKinematic>&,
+template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<PlasticKinematic>&,
                                                      const NodalMotion<NativeBatch, 2>&, double, double*);
-template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<PiecewiseLinear>&,
+template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<PiecewiseLinear>&,
                                                      const NodalMotion<NativeBatch, 2>&, double, double*);
-template NodalForces<Dual<12>, 2> weld_beam_cycle(const WeldBeamProperties&, const Prepared<Elastic>&,
+template NodalForces<Dual<12>, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<Elastic>&,
                                                   const NodalMotion<Dual<12>, 2>&, double, double*);
 
 }  // namespace nugget::kernel

@@ -17,7 +17,8 @@ struct FibreRule {
   std::array<double, most_fibres> s{}, t{}, area{};
 };
 /// Rule for a disc or ring of the diameters given, by QR/IRID: up to 2: 4 points; 3: 2 radii x 8 angles; from 4 on: 3
-/// x 16. All have the exact area and second moments; their fully plastic moments are those of spotweld-theory 2.3.
+/// x 16. All have the exact area and second moments; their fully plastic moments are those of
+/// docs/theory/beam.md#section-points.
 FibreRule disc_fibres(double outer_diameter, double inner_diameter, int quadrature);
 /// Rule for a rectangle with the sides given along s and t, by QR/IRID: 1: one point; 2: 2 x 2 Gauss; 3: 3 x 3 Gauss;
 /// 4: 3 x 3 Lobatto; 5: 4 x 4 Gauss. From 2 on they have the exact second moments.
@@ -59,8 +60,8 @@ struct WeldBeamLayout {
 };
 
 template <class Law>
-WeldBeamLayout weld_beam_layout(const WeldBeamProperties& beam, const Prepared<Law>&) {
-  return {beam.fibres.count, Prepared<Law>::fibre_history()};
+WeldBeamLayout weld_beam_layout(const WeldBeamProperties& beam, const LawKernel<Law>&) {
+  return {beam.fibres.count, LawKernel<Law>::fibre_history()};
 }
 
 /// State of an undeformed, stress-free beam between x1 and x2 in lane `lane` of `width`. s lies in the plane of the
@@ -77,23 +78,24 @@ void start_weld_beam(const WeldBeamLayout& layout, const Vec3d& x1, const Vec3d&
 /// stays normal to the beam. Points whose plastic strain reaches the failure strain carry no stress; a beam of which
 /// every point has failed is deleted: alive 0, no force, infinite stable step. The resultants, damaged as the forces
 /// are, are left in the state for the weld's failure function. The stable step is L / sqrt(E / rho). Source:
-/// ../shared/reference/spotweld-theory.md section 2.
+/// docs/theory/beam.md#weld-beam.
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, Spotweld, PlasticKinematic and PiecewiseLinear; Dual<12> with
 /// Elastic.
 template <class R, class Law>
-NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const Prepared<Law>& law,
+NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const LawKernel<Law>& law,
                                   const NodalMotion<R, 2>& nodes, double dt, double* state);
 
-/// Holds the yield stress of every point at its present effective stress, from now on: the stress limit after the onset
-/// of damage of the weld as a whole (DMGOPT 11, 12). The law must allow it (Spotweld::yield_can_be_held).
-void hold_yield(const WeldBeamLayout& layout, const Prepared<Spotweld>& law, double* state, int width, int lane);
+/// Freezes the yield stress of every point at its present effective stress, from now on: the stress limit after the
+/// onset of damage of the weld as a whole (DMGOPT 11, 12). The law must allow it (Spotweld::yield_can_be_frozen).
+void freeze_yield(const WeldBeamLayout& layout, const LawKernel<Spotweld>& law, double* state, int width, int lane);
 
 /// Stable time step L / sqrt(E / rho) before TSSFAC [time].
 double weld_beam_stable_step(double length, double E, double density);
 
 /// Mass of each node, rho A L / 2, and isotropic inertia: the physical one raised until no mode is faster than the
-/// axial one (spotweld-theory 2.7), and further where the nodes are off the middle (eccentric_gyration2).
+/// axial one (docs/theory/beam.md#mass-and-rotary-inertia-of-a-beam), and further where the nodes are off the middle
+/// (eccentric_gyration2).
 NodalMass weld_beam_nodal_mass(const WeldBeamProperties& beam, double length, double density, double nu);
 
 }  // namespace nugget::kernel

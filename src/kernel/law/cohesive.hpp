@@ -39,7 +39,7 @@ struct ElastoplasticMode {
 struct Cohesion {
   enum class Softening { none, to_distance, by_energy, by_curve, elastoplastic };
   double normal_strength = 0.0, shear_strength = 0.0;  ///< NFLS, SFLS; 0: does not count [stress]
-  double normal_exponent = 2.0, shear_exponent = 2.0;  ///< NEN, MES: of the onset, where it fails at once
+  double normal_exponent = 2.0, shear_exponent = 2.0;  ///< NEN, MES: of the onset, where it has no softening
   double pressure_share = 0.0;  ///< sine of the friction angle: so much of the pressure adds to the shear strength
   Softening softening = Softening::none;
   double distance = 0.0;                           ///< CCRIT: opening at which nothing holds any more [length]
@@ -108,7 +108,7 @@ inline double end(const Cohesion& glue, const ModeMix& mix, double onset) {
   return std::max(onset, 2.0 * energy(glue, mix) / (stiffness * onset));
 }
 
-/// Whether a stress is beyond what glue that fails at once bears: (tension/NFLS)^NEN + (shear/SFLS)^MES >= 1.
+/// Whether a stress is beyond the strength of glue without softening: (tension/NFLS)^NEN + (shear/SFLS)^MES >= 1.
 inline bool beyond(const Cohesion& glue, double tension, double shear) {
   double value = 0.0;
   if (glue.normal_strength > 0.0) value += std::pow(tension / glue.normal_strength, glue.normal_exponent);

@@ -50,7 +50,7 @@ LayerTensor<double> Cracks::weakened(const LayerTensor<double>& s, const double*
   return scaled(s, h[nx * stride], h[ny * stride], std::sqrt(1.0 - a), std::sqrt(1.0 - b));
 }
 
-LayerTensor<double> Cracks::made_whole(const LayerTensor<double>& s, const double* h, int stride) {
+LayerTensor<double> Cracks::undamaged(const LayerTensor<double>& s, const double* h, int stride) {
   const double a = h[w1 * stride], b = h[w2 * stride];
   if ((a == 0.0 && b == 0.0) || std::max(a, b) >= 1.0) return s;
   return scaled(s, h[nx * stride], h[ny * stride], 1.0 / std::sqrt(1.0 - a), 1.0 / std::sqrt(1.0 - b));

@@ -7,8 +7,8 @@
 
 namespace nugget::kernel {
 
-/// Law of a discrete beam (ELFORM 6): six degrees of freedom that know nothing of each other, displacements along r, s,
-/// t, then rotations about them; and when the beam fails. Source: keywords.md section 5.
+/// Law of a discrete beam (ELFORM 6): six uncoupled degrees of freedom, displacements along r, s,
+/// t, then rotations about them; and when the beam fails. Source: LS-DYNA Keyword Manual.
 struct DiscreteBeam {
   static constexpr double E = 0.0, nu = 0.0;  ///< it has none; asked of every law
   std::array<DiscreteSpring, 6> dof;

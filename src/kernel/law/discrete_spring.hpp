@@ -46,7 +46,7 @@ class ForceCurve {
 
 /// One degree of freedom of a discrete beam, or a spring. Its force is
 ///     F = F0 + f r(v) [1 + C1 v + C2 sgn(v) ln max(1, |v|/DLE)] + D v + g(d) h(v)
-/// where f follows the displacement d as `kind` says and v is the rate of d. Sources: keywords.md section 5 (MAT_066,
+/// where f follows the displacement d as `kind` says and v is the rate of d. Sources: LS-DYNA Keyword Manual (MAT_066,
 /// 067, 074, 119, S01-S08); Altair Radioss, LS-DYNA input interface, MAT_068, 119, 121, 196.
 struct DiscreteSpring {
   enum class Kind {

@@ -52,7 +52,7 @@ struct Spall {
     mean_stress = 3,      ///< the mean stress does
   };
   Form form = Form::largest_stress;
-  double limit = 0.0;  ///< tension borne, -PC [stress]
+  double limit = 0.0;  ///< tension cutoff, -PC [stress]
 };
 
 /// p = cold + heat E at a compression, and the slopes of both over mu.
@@ -105,11 +105,11 @@ PressureLine<R> pressure_line(const TabulatedPressure& p, const R& mu) {
 
 /// The pressure of a point, step by step. History: relative volume less V0, energy less E0, growth of the volume in the
 /// last step, viscous pressure at its end.
-class PreparedPressure {
+class EquationOfStateKernel {
  public:
   static constexpr int size = 4;  ///< of the history
 
-  explicit PreparedPressure(const EquationOfState& of) : law_(of) {}
+  explicit EquationOfStateKernel(const EquationOfState& of) : law_(of) {}
 
   /// The pressure after a step in which the volume grows at `rate` and the deviators do the work `sheared` a volume at
   /// its end; it does not fall below `least`. The energy takes the mean of the pressures before and after, which is

@@ -7,8 +7,8 @@
 #include "base/curve.hpp"
 
 // Foams, laws of solids without lateral contraction: each principal direction has a stress of its own. Damping is a
-// viscous stress DAMP M dt d, M modulus of the stable step, d strain rate: of the fastest vibration that the step bears
-// it is the share DAMP of critical damping.
+// viscous stress DAMP M dt d, M modulus of the stable step, d strain rate: of the fastest vibration that is stable at
+// the step it is the share DAMP of critical damping.
 namespace nugget::kernel {
 
 /// Highly compressible foam (MAT_057): each principal direction has the nominal stress of its own stretch, in
@@ -19,13 +19,13 @@ struct LowDensityFoam {
   double nu = 0.0;    ///< 0
   Curve compression;  ///< nominal stress over nominal strain, both positive in compression
   double cutoff = std::numeric_limits<double>::infinity();  ///< TC, greatest nominal tensile stress [stress]
-  bool tears = false;      ///< FAIL 1: no tensile stress once the cutoff was reached, else it stays at the cutoff
-  double unloading = 1.0;  ///< HU [1]; 1: no hysteresis
-  double shape = 1.0;      ///< SHAPE [1]
-  double recovery = 0.0;   ///< BETA [1/time]
-  double damping = 0.0;    ///< DAMP, share of critical damping [1]
-  double relaxing = 0.0;   ///< ED, modulus of a stress that relaxes, a spring and a damper in series [stress]
-  double decay = 0.0;      ///< BETA1, rate at which it does [1/time]
+  bool tension_failure = false;  ///< FAIL 1: no tensile stress once the cutoff was reached, else it stays at the cutoff
+  double unloading = 1.0;        ///< HU [1]; 1: no hysteresis
+  double shape = 1.0;            ///< SHAPE [1]
+  double recovery = 0.0;         ///< BETA [1/time]
+  double damping = 0.0;          ///< DAMP, share of critical damping [1]
+  double maxwell_modulus = 0.0;  ///< ED, modulus of a stress that relaxes, a spring and a damper in series [stress]
+  double decay = 0.0;            ///< BETA1, rate at which it does [1/time]
 };
 
 /// Crushable foam (MAT_063, MODEL 0): elastic, each principal stress at most the yield stress of the volume reached in
@@ -52,7 +52,7 @@ struct RateFoam {
   bool engineering_rate = false;           ///< SFLAG 1: change of length over the length at first, else over that now
   bool tension_by_curves = false;          ///< TFLAG 1: negative strains of the curves are tension
   double cutoff = std::numeric_limits<double>::infinity();  ///< TC, greatest nominal tensile stress [stress]
-  bool tears = false;                                       ///< FAIL 1: no tensile stress once the cutoff was reached
+  bool tension_failure = false;                             ///< FAIL 1: no tensile stress once the cutoff was reached
   double unloading = 0.0;                                   ///< HU [1]; 0: along the curve of the lowest rate
   double shape = 1.0, exponent = 1.0;                       ///< SHAPE, EXPON [1]
   double damping = 0.0;                                     ///< DAMP, share of critical damping [1]

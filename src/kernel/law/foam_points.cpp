@@ -24,7 +24,7 @@ double area(const Curve& curve, double x) {
   return sum + 0.5 * (x - from) * (curve.extrapolated(from) + curve.extrapolated(x));
 }
 
-/// Modulus of a step that bears the damping too: 1 / (sqrt(1 + D^2) - D)^2 of the elastic one.
+/// Modulus of a step that is stable with the damping too: 1 / (sqrt(1 + D^2) - D)^2 of the elastic one.
 double with_damping(double modulus, double damping) {
   const double longer = std::sqrt(1.0 + damping * damping) + damping;
   return modulus * longer * longer;
@@ -51,10 +51,10 @@ double nominal_strain(double b_less_one) {
   return b_less_one / (1.0 + std::sqrt(1.0 + b_less_one));
 }
 
-/// Nominal stress of a foam that pulls, up to the cutoff; `torn` remembers that it was reached.
-double tension(double pull, double cutoff, bool tears, double& torn) {
-  if (tears && pull >= cutoff) torn = 1.0;
-  return torn > 0.0 ? 0.0 : std::min(pull, cutoff);
+/// Nominal stress of a foam that pulls, up to the cutoff; `failed` remembers that it was reached.
+double tension(double pull, double cutoff, bool tension_failure, double& failed) {
+  if (tension_failure && pull >= cutoff) failed = 1.0;
+  return failed > 0.0 ? 0.0 : std::min(pull, cutoff);
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ PointUpdate LowDensityFoamPoint::update(const Tensor&, const Tensor& d, double d
   store(h, e);
   const std::span<double> own = h.subspan(static_cast<std::size_t>(tensors() * Tensor::size));
   double& most_energy = own[0];
-  double& torn = own[1];
+  double& failed = own[1];
   const Principal axes = principal_axes(e);
   const double J = std::sqrt(determinant(plus(e, 1.0)));
   std::array<double, 3> stress{};
@@ -77,7 +77,7 @@ PointUpdate LowDensityFoamPoint::update(const Tensor&, const Tensor& d, double d
       energy += area(law_.compression, -strain);
       slope = std::max(slope, law_.compression.slope(-strain));
     } else {
-      stress[i] = tension(law_.E * strain, law_.cutoff, law_.tears, torn);
+      stress[i] = tension(law_.E * strain, law_.cutoff, law_.tension_failure, failed);
     }
   }
   most_energy = std::max(energy, energy + (most_energy - energy) * std::exp(-law_.recovery * dt));
@@ -87,12 +87,12 @@ PointUpdate LowDensityFoamPoint::update(const Tensor&, const Tensor& d, double d
     if (s < 0.0) s *= left;
   const double modulus = slope * make_true(stress, axes, J);
   Tensor sum = with_values(axes, stress) + viscous(modulus, law_.damping, d, dt);
-  if (law_.relaxing > 0.0) {
-    const std::span<double> relaxing = h.subspan(Tensor::size, Tensor::size);
-    store(relaxing, relaxed(load(relaxing), law_.relaxing, law_.decay, tensorial(d), dt));
-    sum = sum + load(relaxing);
+  if (law_.maxwell_modulus > 0.0) {
+    const std::span<double> maxwell_stress = h.subspan(Tensor::size, Tensor::size);
+    store(maxwell_stress, relaxed(load(maxwell_stress), law_.maxwell_modulus, law_.decay, tensorial(d), dt));
+    sum = sum + load(maxwell_stress);
   }
-  return {sum, with_damping(modulus, law_.damping) + law_.relaxing};
+  return {sum, with_damping(modulus, law_.damping) + law_.maxwell_modulus};
 }
 
 PointUpdate CrushableFoamPoint::update(const Tensor& s, const Tensor& d, double dt, std::span<double> h) const {
@@ -153,7 +153,7 @@ PointUpdate RateFoamPoint::update(const Tensor&, const Tensor& d, double dt, std
   stretch(e, d, dt);
   store(h, e);
   double& most_energy = h[6];
-  double& torn = h[7];
+  double& failed = h[7];
   const Principal axes = principal_axes(e);
   const double J = std::sqrt(determinant(plus(e, 1.0)));
   // Rates count as their mean over some steps, or the stress would follow each vibration: one step by 2/13, which
@@ -169,7 +169,7 @@ PointUpdate RateFoamPoint::update(const Tensor&, const Tensor& d, double dt, std
     const double strain = nominal_strain(axes.value[i]);
     if (strain >= 0.0 && !law_.tension_by_curves) {
       more = 0.0;
-      stress[i] = tension(law_.E * strain, law_.cutoff, law_.tears, torn);
+      stress[i] = tension(law_.E * strain, law_.cutoff, law_.tension_failure, failed);
       continue;
     }
     // What the rate adds grows as a spring would: a stress that leapt with the rate would have no stable step.
@@ -177,7 +177,7 @@ PointUpdate RateFoamPoint::update(const Tensor&, const Tensor& d, double dt, std
     more = std::min(side * look_up(-strain, rate) - at_rest, more + growth_ * dt * std::abs(now[i]));
     slope = std::max(slope, lowest.slope(-strain));
     if (strain >= 0.0) {
-      stress[i] = tension(at_rest + more, law_.cutoff, law_.tears, torn);
+      stress[i] = tension(at_rest + more, law_.cutoff, law_.tension_failure, failed);
     } else {
       stress[i] = -(at_rest + more);
       energy += area(lowest, -strain);

@@ -13,7 +13,7 @@ class LowDensityFoamPoint {
  public:
   explicit LowDensityFoamPoint(const LowDensityFoam& law) : law_(law) {}
   int history() const { return tensors() * SolidTensor<double>::size + 2; }
-  int tensors() const { return law_.relaxing > 0.0 ? 2 : 1; }  // b - 1, the stress that relaxes
+  int tensors() const { return law_.maxwell_modulus > 0.0 ? 2 : 1; }  // b - 1, the stress that relaxes
   PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
 
  private:

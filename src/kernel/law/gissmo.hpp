@@ -10,7 +10,7 @@ namespace nugget::kernel {
 /// history in crashworthiness simulations, 7th European LS-DYNA Conference 2009; *MAT_ADD_DAMAGE_GISSMO of the keyword
 /// manual). Damage D and instability F grow with the plastic strain p,
 ///   dD = n / ef D^(1 - 1/n) dp,   dF = n / ec F^(1 - 1/n) dp,
-/// ef and ec those of the moment's stress. A point bears its whole stress until F is 1, then
+/// ef and ec those of the moment's stress. A point carries its whole stress until F is 1, then
 ///   1 - ((D - Dc) / (1 - Dc))^m
 /// of it, Dc the damage at which F became 1; it has failed when D is 1.
 ///
@@ -38,7 +38,7 @@ struct Gissmo {
   double grown(double root) const;
 
   /// Adds a step's plastic strain; the share of its stress that the point has lost, 1 once it has failed. `stress`:
-  /// that of the sound point; `h`: its history, a number every `stride`.
+  /// that of the undamaged point; `h`: its history, a number every `stride`.
   double advance(const SolidTensor<double>& stress, double increment, double dt, double* h, int stride) const;
 
  private:

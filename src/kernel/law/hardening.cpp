@@ -28,7 +28,7 @@ PiecewiseLinear curves_of(const Spotweld& law) {
   curves.rates = law.rates;
   curves.log_rates = law.log_rates;
   if (curves.yield.empty()) curves.yield = {{0, {0.0, 1.0}, {law.yield, law.yield + law.hardening}}};
-  if (law.damage.holds_yield)
+  if (law.damage.freezes_yield)
     for (Curve& curve : curves.yield) curve = levelled(curve, law.failure_strain);
   return curves;
 }
@@ -52,7 +52,7 @@ CurveHardening::Rates rates_of(const PiecewiseLinear& law) {
 }  // namespace
 
 WeldHardening::WeldHardening(const Spotweld& law)
-    : CurveHardening(curves_of(law)), can_be_held_(law.yield_can_be_held) {}
+    : CurveHardening(curves_of(law)), can_be_frozen_(law.yield_can_be_frozen) {}
 
 CurveHardening::CurveHardening(const PiecewiseLinear& law) : CurveHardening(law, rates_of(law)) {}
 

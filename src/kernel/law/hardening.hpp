@@ -123,44 +123,44 @@ class CurveHardening {
   double lowest_ = 0.0;
 };
 
-/// Hardening of MAT_100: EH, or curves; held at a stress of the point's history where the weld as a whole says so, and
-/// from EFAIL on where the damage does.
+/// Hardening of MAT_100: EH, or curves; frozen at a stress of the point's history where the weld as a whole says so,
+/// and from EFAIL on where the damage does.
 class WeldHardening : public CurveHardening {
  public:
-  /// Of a point's history: yield stress at which it is held; 0: not held [stress].
-  static constexpr int held = 1;
+  /// Of a point's history: yield stress at which it is frozen; 0: not frozen [stress].
+  static constexpr int frozen_yield = 1;
 
   explicit WeldHardening(const Spotweld& law);
 
-  double lowest() const { return can_be_held_ ? 0.0 : CurveHardening::lowest(); }
+  double lowest() const { return can_be_frozen_ ? 0.0 : CurveHardening::lowest(); }
 
   template <class R>
   class At {
    public:
     static constexpr bool limited = true;
     At(const WeldHardening& hardening, const double* history)
-        : curve_(hardening, history), can_be_held_(hardening.can_be_held_) {
-      if (!can_be_held_) return;
-      const R at = load_field<R>(history, held);
+        : curve_(hardening, history), can_be_frozen_(hardening.can_be_frozen_) {
+      if (!can_be_frozen_) return;
+      const R at = load_field<R>(history, frozen_yield);
       limit_ = select(at > 0.0, at, R(std::numeric_limits<double>::infinity()));
     }
     const R& plastic_strain() const { return curve_.plastic_strain(); }
     const R& limit() const { return limit_; }
     YieldStress<R> operator()(const R& increment) {
       const YieldStress<R> y = curve_(increment);
-      if (!can_be_held_) return y;
+      if (!can_be_frozen_) return y;
       const auto over = y.value > limit_;
       return {select(over, limit_, y.value), select(over, R(0.0), y.slope)};
     }
 
    private:
     CurveHardening::At<R> curve_;
-    bool can_be_held_;
+    bool can_be_frozen_;
     R limit_{std::numeric_limits<double>::infinity()};
   };
 
  private:
-  bool can_be_held_;
+  bool can_be_frozen_;
 };
 
 }  // namespace nugget::kernel

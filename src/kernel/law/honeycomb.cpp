@@ -19,7 +19,7 @@ double uncoupled_wave_modulus(const std::array<double, 6>& m) {
 
 }  // namespace
 
-Prepared<Honeycomb>::Prepared(const Honeycomb& law)
+LawKernel<Honeycomb>::LawKernel(const Honeycomb& law)
     : law_(law), compacted_(law.E, law.nu), soft_share_(*std::max_element(&law.modulus[0], &law.modulus[3]) / law.E) {
   for (std::size_t i = 0; i < 6; ++i) {
     std::size_t first = 0;
@@ -36,7 +36,7 @@ Prepared<Honeycomb>::Prepared(const Honeycomb& law)
 }
 
 template <class R>
-std::array<R, 6> Prepared<Honeycomb>::limits(const R& crushed, const std::array<R, 6>& strain) const {
+std::array<R, 6> LawKernel<Honeycomb>::limits(const R& crushed, const std::array<R, 6>& strain) const {
   const bool by_volume = law_.over == Honeycomb::Over::volume;
   std::array<R, 6> most;
   for (std::size_t i = 0; i < 6; ++i) {
@@ -52,7 +52,7 @@ std::array<R, 6> Prepared<Honeycomb>::limits(const R& crushed, const std::array<
 }
 
 template <class R>
-SolidTensor<R> Prepared<Honeycomb>::compacted(const SolidTensor<R>& s, const SolidTensor<R>& e) const {
+SolidTensor<R> LawKernel<Honeycomb>::compacted(const SolidTensor<R>& s, const SolidTensor<R>& e) const {
   const double twice = 2.0 * compacted_.shear, bulk = compacted_.lambda + twice / 3.0;
   const R volume = e.xx + e.yy + e.zz, third = (1.0 / 3.0) * volume, mean = (1.0 / 3.0) * (s.xx + s.yy + s.zz);
   const SolidTensor<R> d{s.xx - mean + twice * (e.xx - third),
@@ -72,7 +72,7 @@ SolidTensor<R> Prepared<Honeycomb>::compacted(const SolidTensor<R>& s, const Sol
 }
 
 template <class R>
-void Prepared<Honeycomb>::solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
+void LawKernel<Honeycomb>::solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
   const Frame<R> axes = load_solid_axes<R>(history);
   const SolidTensor<R> e = strain_in_axes(axes, rate, dt), old = rotated(axes, s);
   const std::array<R, 6> change{e.xx, e.yy, e.zz, 2.0 * e.xy, 2.0 * e.yz, 2.0 * e.zx};
@@ -121,8 +121,8 @@ void Prepared<Honeycomb>::solid(SolidTensor<R>& s, const SolidTensor<R>& rate, d
   s = out_of_axes(axes, now + tensor(viscous));
 }
 
-template void Prepared<Honeycomb>::solid(SolidTensor<double>&, const SolidTensor<double>&, double, double*) const;
-template void Prepared<Honeycomb>::solid(SolidTensor<NativeBatch>&, const SolidTensor<NativeBatch>&, double,
-                                         double*) const;
+template void LawKernel<Honeycomb>::solid(SolidTensor<double>&, const SolidTensor<double>&, double, double*) const;
+template void LawKernel<Honeycomb>::solid(SolidTensor<NativeBatch>&, const SolidTensor<NativeBatch>&, double,
+                                          double*) const;
 
 }  // namespace nugget::kernel

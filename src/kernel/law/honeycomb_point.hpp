@@ -12,16 +12,16 @@ namespace nugget::kernel {
 /// History of a point: plastic strain (0), which stays 0, material axes, relative volume less 1, six strains and the
 /// viscous stress of the last step. The last two are in the material axes and do not turn.
 template <>
-class Prepared<Honeycomb> {
+class LawKernel<Honeycomb> {
  public:
-  explicit Prepared(const Honeycomb& law);
+  explicit LawKernel(const Honeycomb& law);
 
   static constexpr int volume_field = first_axis_field + 6, strain_field = volume_field + 1,
                        viscous_field = strain_field + 6;
   int layer_history() const { return 1; }
   int solid_history() const { return viscous_field + 6; }
   const MaterialAxes& axes() const { return law_.axes; }
-  bool can_tear() const { return law_.tensile_failure > 0.0 || law_.shear_failure > 0.0; }
+  bool has_strain_limits() const { return law_.tensile_failure > 0.0 || law_.shear_failure > 0.0; }
 
   /// The stiffer of the uncrushed and the compacted state, whichever there is, and with the viscosity: the step is safe
   /// in any of them.
@@ -36,7 +36,7 @@ class Prepared<Honeycomb> {
   }
   /// Whether a strain is beyond TSEF or SSEF.
   template <class R>
-  MaskOf<R> torn(const double* history) const {
+  MaskOf<R> beyond_strain_limits(const double* history) const {
     auto beyond = R(0.0) > R(1.0);
     for (int i = 0; i < 6; ++i) {
       const R strain = load_field<R>(history, strain_field + i);

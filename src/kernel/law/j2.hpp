@@ -42,7 +42,7 @@ class J2 {
     return load_field<R>(history, 0) >= R(failure_strain_);
   }
 
-  /// Adds a step of strain rate to a layer's stress (element-theory 8.3).
+  /// Adds a step of strain rate to a layer's stress (docs/theory/laws.md#j2-in-a-layer).
   template <class R>
   [[gnu::always_inline]] inline ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt,
                                                          double* history) const {
@@ -71,7 +71,7 @@ class J2 {
     if constexpr (back_stress) store_solid(history + lanes<R>, rotated(q, load_solid<R>(history + lanes<R>)));
   }
 
-  /// Adds a step of strain rate to a beam fibre's stress (spotweld-theory 2.4).
+  /// Adds a step of strain rate to a beam fibre's stress (docs/theory/laws.md#j2-in-a-fibre).
   template <class R>
   [[gnu::always_inline]] inline void fibre(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt,
                                            double* history) const {

@@ -10,15 +10,16 @@ namespace nugget::kernel {
 /// the logarithm never below 0; isotropic hardening. All plastic work heats the point, and no heat leaves it; T* is the
 /// rise of its temperature over TM - TR. The yield stress never falls below a millionth of what it is when cold.
 struct JohnsonCook {
-  double E = 0.0;            ///< Young's modulus [stress]
-  double nu = 0.0;           ///< Poisson's ratio [1]
-  double yield = 0.0;        ///< A [stress]
-  double hardening = 0.0;    ///< B [stress]
-  double exponent = 1.0;     ///< N [1]
-  double rate_factor = 0.0;  ///< C [1]; 0: no rate effect
-  double rest_rate = 1.0;    ///< EPSO, the rate up to which there is no effect [1/time]
-  double most_hardened = std::numeric_limits<double>::infinity();  ///< SIGMAX, of hardening without rates [stress]
-  double saturation = std::numeric_limits<double>::infinity();     ///< SIGSAT, with rates [stress]
+  double E = 0.0;               ///< Young's modulus [stress]
+  double nu = 0.0;              ///< Poisson's ratio [1]
+  double yield = 0.0;           ///< A [stress]
+  double hardening = 0.0;       ///< B [stress]
+  double exponent = 1.0;        ///< N [1]
+  double rate_factor = 0.0;     ///< C [1]; 0: no rate effect
+  double reference_rate = 1.0;  ///< EPSO, the rate up to which there is no effect [1/time]
+  double static_stress_limit =
+      std::numeric_limits<double>::infinity();                  ///< SIGMAX, of hardening without rates [stress]
+  double saturation = std::numeric_limits<double>::infinity();  ///< SIGSAT, with rates [stress]
   double heating = 0.0;       ///< rise of temperature a work, 1 / (RO CP) [temperature/stress]; 0: none
   double melting_rise = 1.0;  ///< TM - TR [temperature]
   double softening = 1.0;     ///< M [1]

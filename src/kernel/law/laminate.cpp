@@ -10,10 +10,10 @@ namespace nugget::kernel {
 namespace {
 
 /// Wave modulus in the plane.
-double plane_modulus(const Compound& law) {
+double plane_modulus(const ComposedLaw& law) {
   return law.E / (1.0 - law.nu * law.nu);
 }
-double shear_modulus(const Compound& law) {
+double shear_modulus(const ComposedLaw& law) {
   return law.E / (2.0 * (1.0 + law.nu));
 }
 
@@ -47,7 +47,7 @@ std::pair<double, double> moments(const std::vector<Laminate::Layer>& layers, co
 
 }  // namespace
 
-Laminate laminate(std::vector<Laminate::Layer> layers, bool outlived_by_sound) {
+Laminate laminate(std::vector<Laminate::Layer> layers, bool kept_by_unfailing_layers) {
   const auto plane = [](const Laminate::Layer& l) { return plane_modulus(l.law); };
   const auto even = [](const Laminate::Layer&) { return 1.0; };
   Laminate made;
@@ -57,7 +57,7 @@ Laminate laminate(std::vector<Laminate::Layer> layers, bool outlived_by_sound) {
       layers, [&](const auto& l) { return l.law.E * ((1.0 - made.nu * made.nu) / (1.0 - l.law.nu * l.law.nu)); }, even);
   made.density = mean(
       layers, [](const auto& l) { return l.density; }, even);
-  made.outlived_by_sound = outlived_by_sound;
+  made.kept_by_unfailing_layers = kept_by_unfailing_layers;
   std::tie(made.profile.mass_centre, made.profile.mass_spread) =
       moments(layers, [](const auto& l) { return l.density; });
   std::tie(made.profile.stiffness_centre, made.profile.stiffness_spread) = moments(layers, plane);

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "kernel/law/compound.hpp"
+#include "kernel/law/composed_law.hpp"
 
 // Layers: a shell whose integration points through the thickness have laws of their own.
 namespace nugget::kernel {
@@ -20,25 +20,25 @@ struct ThicknessProfile {
 /// stiffness in the plane is the mean of the layers', A / t of classical laminate theory.
 struct Laminate {
   struct Layer {
-    Compound law;
+    ComposedLaw law;
     double density = 0.0;             ///< [mass/volume]
     double place = 0.0, share = 1.0;  ///< from -1 (bottom) to 1 (top); share of the thickness
     double angle = 0.0;        ///< B: turns the material axes of laws that have them about the shell's normal [rad]
-    double shear_scale = 1.0;  ///< SHRFAC, on what its transverse shear stress bears [1]
+    double shear_scale = 1.0;  ///< SHRFAC, factor on its transverse shear stress [1]
     double shear = 1.0;        ///< transverse shear strain of the layer over the element's [1]; see use_laminated_shear
   };
-  double E = 0.0;                  ///< [stress]
-  double nu = 0.0;                 ///< [1]
-  double density = 0.0;            ///< mean [mass/volume]
-  double shear_factor = 0.0;       ///< kappa of use_laminated_shear, in the place of SHRF; 0: there is none
-  bool outlived_by_sound = false;  ///< FAILOPT 1: layers whose law knows no failure keep the element alive
+  double E = 0.0;                         ///< [stress]
+  double nu = 0.0;                        ///< [1]
+  double density = 0.0;                   ///< mean [mass/volume]
+  double shear_factor = 0.0;              ///< kappa of use_laminated_shear, in the place of SHRF; 0: there is none
+  bool kept_by_unfailing_layers = false;  ///< FAILOPT 1: layers whose law has no failure keep the element alive
   ThicknessProfile profile;
   std::shared_ptr<const std::vector<Layer>> layers;  ///< from the bottom up
 };
 
 /// The laminate of the layers given, at least one. Means are taken as the first layer's value plus what the others
 /// differ by: a laminate of one material has its very constants.
-Laminate laminate(std::vector<Laminate::Layer> layers, bool outlived_by_sound);
+Laminate laminate(std::vector<Laminate::Layer> layers, bool kept_by_unfailing_layers);
 
 /// Laminated shell theory: gives each layer its own transverse shear strain, so that the stresses are in equilibrium
 /// with those of bending. In cylindrical bending about the centre of stiffness z0 the shear stress is

@@ -4,7 +4,7 @@
 namespace nugget::kernel {
 
 /// A coating without stress (MAT_009 on shells and beams): mass and contact, no force, no stable time step. No kernel
-/// is run for it. Solids of MAT_009 are a Fluid with an equation of state, of the same viscosity and tension borne.
+/// is run for it. Solids of MAT_009 are a Fluid with an equation of state, of the same viscosity and tension cutoff.
 struct Null {
   double E = 0.0;          ///< Young's modulus for the contact stiffness [stress]
   double nu = 0.0;         ///< Poisson's ratio for the contact stiffness [1]

@@ -35,20 +35,20 @@ double fastest_wave_modulus(const std::array<std::array<double, 3>, 3>& normal, 
 }
 
 void start_layer_axes(double* history, int stride, double cosine, double sine) {
-  double* axis = history + Prepared<Orthotropic>::first_axis * stride;
+  double* axis = history + LawKernel<Orthotropic>::first_axis * stride;
   axis[0] = cosine;
   axis[stride] = sine;
 }
 
 void start_solid_axes(double* history, int stride, const Frame3d& axes) {
-  double* axis = history + Prepared<Orthotropic>::first_axis * stride;
+  double* axis = history + LawKernel<Orthotropic>::first_axis * stride;
   for (const double component : {axes.e1.x, axes.e1.y, axes.e1.z, axes.e2.x, axes.e2.y, axes.e2.z}) {
     *axis = component;
     axis += stride;
   }
 }
 
-Prepared<Orthotropic>::Prepared(const Orthotropic& law)
+LawKernel<Orthotropic>::LawKernel(const Orthotropic& law)
     : axes_(law.axes), shear_ab_(law.shear_ab), shear_bc_(law.shear_bc), shear_ca_(law.shear_ca) {
   const double ab = -law.poisson_ba / law.young_b, ca = -law.poisson_ca / law.young_c,
                cb = -law.poisson_cb / law.young_c;

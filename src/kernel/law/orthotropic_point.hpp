@@ -4,8 +4,8 @@
 #include <array>
 
 #include "kernel/law/elastic_constants.hpp"
+#include "kernel/law/law_kernel.hpp"
 #include "kernel/law/orthotropic.hpp"
-#include "kernel/law/prepared.hpp"
 
 namespace nugget::kernel {
 
@@ -43,9 +43,9 @@ SolidTensor<R> strain_in_axes(const Frame<R>& a, const SolidTensor<R>& rate, dou
 /// History of a point: plastic strain (0), then the material axes: of a layer, cosine and sine of the angle from the
 /// element's axis to a; of a solid, a and b in global axes.
 template <>
-class Prepared<Orthotropic> {
+class LawKernel<Orthotropic> {
  public:
-  explicit Prepared(const Orthotropic& law);
+  explicit LawKernel(const Orthotropic& law);
 
   static constexpr int first_axis = first_axis_field;
   int layer_history() const { return first_axis + 2; }

@@ -10,7 +10,7 @@
 // What makes a point of a compound law lose its stress, beside a limit of its plastic strain.
 namespace nugget::kernel {
 
-/// What results tell of the damage of a point: the share of its stress that it has lost, and of GISSMO D and F, of
+/// What results show of the damage of a point: the share of its stress that it has lost, and of GISSMO D and F, of
 /// Johnson and Cook's fracture the sum of plastic strains over those at fracture; 0 to 1.
 using DamageNumbers = std::array<double, 3>;
 
@@ -35,7 +35,7 @@ struct PlasticDamage {
 struct JohnsonCookFracture {
   double d1 = 0.0, d2 = 0.0, d3 = 0.0, d4 = 0.0, d5 = 0.0;
   double least = 1e-6;           ///< EFMIN [1]
-  double rest_rate = 1.0;        ///< EPSO [1/time]
+  double reference_rate = 1.0;   ///< EPSO [1/time]
   double melting_rise = 0.0;     ///< TM - TR [temperature]; 0: cold, T* = 0
   bool by_plastic_rate = false;  ///< VP 1: the rate is the plastic strain rate, else the total strain rate
 };

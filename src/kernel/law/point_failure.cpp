@@ -97,7 +97,7 @@ PointFailure::Bounds::Bounds(const Erosion& erosion, const StrainLimits& limits)
   of_strain = std::min({high, low, effective_strain, growth, shrinkage, shear, thinning}) < none;
 }
 
-PointFailure::PointFailure(const Composition& law)
+PointFailure::PointFailure(const LawComponents& law)
     : failure_strain_(law.failure_strain),
       failure_strain_over_rate_(law.failure_strain_over_rate),
       damage_(law.damage),
@@ -114,19 +114,20 @@ PointFailure::PointFailure(const Composition& law)
       strain_(add(erosion_.has_value() || limits_.major > 0.0, SolidTensor<double>::size)),
       impulse_(add(erosion_ && erosion_->impulse, 1)),
       age_(add(erosion_ && erosion_->time, 1)),
-      tears_(std::holds_alternative<Honeycomb>(law.flow) && (std::get<Honeycomb>(law.flow).tensile_failure > 0.0 ||
-                                                             std::get<Honeycomb>(law.flow).shear_failure > 0.0)),
-      active_(tears_ || failure_strain_ > 0.0 || !failure_strain_over_rate_.empty() || damage_ || size_ > 1),
-      by_plastic_strain_only_(!tears_ && failure_strain_ > 0.0 && failure_strain_over_rate_.empty() && !damage_ &&
-                              size_ == 1),
+      flow_can_fail_(
+          std::holds_alternative<Honeycomb>(law.flow) &&
+          (std::get<Honeycomb>(law.flow).tensile_failure > 0.0 || std::get<Honeycomb>(law.flow).shear_failure > 0.0)),
+      active_(flow_can_fail_ || failure_strain_ > 0.0 || !failure_strain_over_rate_.empty() || damage_ || size_ > 1),
+      by_plastic_strain_only_(!flow_can_fail_ && failure_strain_ > 0.0 && failure_strain_over_rate_.empty() &&
+                              !damage_ && size_ == 1),
       bounded_(failure_strain_over_rate_.empty() && !damage_ && !cracks_ && !fracture_ && !gissmo_ &&
                !(erosion_ && (erosion_->impulse || !erosion_->effective_stress_over_rate.empty()))),
-      needs_plastic_flow_(!tears_ && !(failure_strain_ > 0.0) && failure_strain_over_rate_.empty() && !damage_ &&
-                          !(limits_.major > 0.0) && !erosion_) {}
+      needs_plastic_flow_(!flow_can_fail_ && !(failure_strain_ > 0.0) && failure_strain_over_rate_.empty() &&
+                          !damage_ && !(limits_.major > 0.0) && !erosion_) {}
 
 double PointFailure::fracture_strain(double triaxiality, double rate, double heating) const {
   const JohnsonCookFracture& f = *fracture_;
-  const double over = std::max(rate / f.rest_rate, 1.0);
+  const double over = std::max(rate / f.reference_rate, 1.0);
   const double warmth = f.melting_rise > 0.0 ? std::min(heating / f.melting_rise, 1.0) : 0.0;
   return std::max((f.d1 + f.d2 * std::exp(f.d3 * triaxiality)) * (1.0 + f.d4 * std::log(over)) * (1.0 + f.d5 * warmth),
                   f.least);
@@ -211,10 +212,10 @@ MaskOf<R> PointFailure::may_fail(const PointStep<R>& step, const double* history
 template <class R>
 void PointFailure::advance(const PointStep<R>& step, double* history) const {
   if (by_plastic_strain_only_) {
-    const auto gone = load_field<R>(history, 0) >= R(1.0) || step.plastic_strain >= R(failure_strain_);
-    return store_field(history, 0, select(gone, R(1.0), R(0.0)));
+    const auto has_failed = load_field<R>(history, 0) >= R(1.0) || step.plastic_strain >= R(failure_strain_);
+    return store_field(history, 0, select(has_failed, R(1.0), R(0.0)));
   }
-  if (tears_) store_field(history, 0, select(step.torn > 0.5, R(1.0), load_field<R>(history, 0)));
+  if (flow_can_fail_) store_field(history, 0, select(step.flow_failed > 0.5, R(1.0), load_field<R>(history, 0)));
   const auto carries = load_field<R>(history, 0) < R(1.0);
   const auto grow = [&](int field, const R& by) {
     store_field(history, field, load_field<R>(history, field) + select(carries, by, R(0.0)));
@@ -236,18 +237,18 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
     const double strain = lane(step.plastic_strain, l), increment = lane(step.plastic_increment, l);
     if (damage_) lost = std::max(lost, damage_->at(strain));
     const SolidTensor<double> rate = lane_of(step.rate, l);
-    const SolidTensor<double> sound = lane_of(step.stress, l);
+    const SolidTensor<double> undamaged = lane_of(step.stress, l);
     if (gissmo_) {
-      lost = std::max(lost, gissmo_->advance(sound, increment, step.dt, &at(damaged_, l), lanes<R>));
+      lost = std::max(lost, gissmo_->advance(undamaged, increment, step.dt, &at(damaged_, l), lanes<R>));
       if (lost >= 1.0) continue;
     }
-    Now now{(1.0 - lost) * sound, {}, effective_rate(rate), 0.0, 0.0, step.layer};
+    Now now{(1.0 - lost) * undamaged, {}, effective_rate(rate), 0.0, 0.0, step.layer};
     bool ruptured = false;
     if (cracks_) {
       double* cracks = &at(cracked_, l);
-      ruptured = cracks_->advance(sound, increment, cracks, lanes<R>);
+      ruptured = cracks_->advance(undamaged, increment, cracks, lanes<R>);
       const LayerTensor<double> left =
-          Cracks::weakened({sound.xx, sound.yy, sound.xy, sound.zx, sound.yz}, cracks, lanes<R>);
+          Cracks::weakened({undamaged.xx, undamaged.yy, undamaged.xy, undamaged.zx, undamaged.yz}, cracks, lanes<R>);
       now.stress = {left.xx, left.yy, 0.0, left.xy, left.yz, left.xz};
     }
     if (strain_ > 0)
@@ -265,21 +266,21 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
       at(fractured_, l) += increment / fracture_strain(mean / std::sqrt(1.5 * deviator2(now.stress)), fracture_rate,
                                                        lane(step.heating, l));
     }
-    const bool gone =
+    const bool has_failed =
         ruptured || (failure_strain_ > 0.0 && strain >= failure_strain_) ||
         (!failure_strain_over_rate_.empty() && strain > 0.0 && strain >= failure_strain_over_rate_.clamped(now.rate)) ||
         (fracture_ && at(fractured_, l) >= 1.0) || beyond_strain_limits(now, thinned_ > 0 ? at(thinned_, l) : 0.0) ||
         (erosion_ && eroded(now));
-    if (gone) lost = 1.0;
+    if (has_failed) lost = 1.0;
   }
 }
 
 template <class R>
-void PointFailure::make_whole(LayerTensor<R>& s, const double* history) const {
+void PointFailure::restore_undamaged(LayerTensor<R>& s, const double* history) const {
   s = (1.0 / max(left<R>(history), R(1e-30))) * s;
   if (!cracks_) return;
   for (int l = 0; l < lanes<R>; ++l)
-    set_layer_lane(s, l, Cracks::made_whole(layer_lane(s, l), history + cracked_ * lanes<R> + l, lanes<R>));
+    set_layer_lane(s, l, Cracks::undamaged(layer_lane(s, l), history + cracked_ * lanes<R> + l, lanes<R>));
 }
 
 template <class R>
@@ -292,8 +293,8 @@ void PointFailure::weaken(LayerTensor<R>& s, const double* history) const {
 
 template void PointFailure::advance(const PointStep<double>&, double*) const;
 template void PointFailure::advance(const PointStep<NativeBatch>&, double*) const;
-template void PointFailure::make_whole(LayerTensor<double>&, const double*) const;
-template void PointFailure::make_whole(LayerTensor<NativeBatch>&, const double*) const;
+template void PointFailure::restore_undamaged(LayerTensor<double>&, const double*) const;
+template void PointFailure::restore_undamaged(LayerTensor<NativeBatch>&, const double*) const;
 template void PointFailure::weaken(LayerTensor<double>&, const double*) const;
 template void PointFailure::weaken(LayerTensor<NativeBatch>&, const double*) const;
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "base/batch.hpp"
-#include "kernel/law/composition.hpp"
 #include "kernel/law/cracks.hpp"
+#include "kernel/law/law_components.hpp"
 #include "kernel/law/stress_space.hpp"
 
 namespace nugget::kernel {
@@ -15,7 +15,7 @@ namespace nugget::kernel {
 /// What happened to a point in a step. A layer's strain rate through the thickness is in `rate` too.
 template <class R>
 struct PointStep {
-  SolidTensor<R> stress;  ///< of the sound point at the end of the step
+  SolidTensor<R> stress;  ///< of the undamaged point at the end of the step
   SolidTensor<R> rate;    ///< strain rate; shears are engineering shears
   R plastic_strain;       ///< at the end of the step
   R plastic_increment;
@@ -23,7 +23,7 @@ struct PointStep {
   R heating;           ///< temperature rise so far
   double dt = 0.0;
   bool layer = false;
-  R torn{};  ///< 1 where the flow itself says that the point fails
+  R flow_failed{};  ///< 1 where the flow itself says that the point fails
 };
 
 /// Principal values of a symmetric tensor with tensorial shears, ascending.
@@ -33,12 +33,12 @@ std::array<double, 3> principal_values(const SolidTensor<double>& a);
 /// point has lost, 1 once it has failed; the others are what its criteria need.
 class PointFailure {
  public:
-  explicit PointFailure(const Composition& law);
+  explicit PointFailure(const LawComponents& law);
 
   bool active() const { return active_; }
   int history() const { return size_; }
 
-  /// Share of the sound point's stress that is left.
+  /// Share of the undamaged point's stress that is left.
   template <class R>
   static R left(const double* history) {
     return R(1.0) - load_field<R>(history, 0);
@@ -53,11 +53,12 @@ class PointFailure {
   DamageNumbers damage(const std::function<double(int)>& history) const;
 
   bool softens() const { return damage_ || cracks_ || gissmo_; }
-  /// The sound point's stress from that handed out, and what is left of it. A point that has nothing left has stress 0.
+  /// The undamaged point's stress from that handed out, and what is left of it. A point that has nothing left has
+  /// stress 0.
   template <class R>
-  void make_whole(LayerTensor<R>& s, const double* history) const;
+  void restore_undamaged(LayerTensor<R>& s, const double* history) const;
   template <class R>
-  void make_whole(SolidTensor<R>& s, const double* history) const {
+  void restore_undamaged(SolidTensor<R>& s, const double* history) const {
     s = (1.0 / max(left<R>(history), R(1e-30))) * s;
   }
   template <class R>
@@ -109,7 +110,7 @@ class PointFailure {
   Bounds bounds_;
   int size_ = 1;
   int cracked_, fractured_, damaged_, thinned_, strain_, impulse_, age_;  ///< places in the history; 0: not kept
-  bool tears_, active_, by_plastic_strain_only_;
+  bool flow_can_fail_, active_, by_plastic_strain_only_;
   bool bounded_;             ///< may_fail() can be asked
   bool needs_plastic_flow_;  ///< a point that has not failed only can in a step with plastic strain
 };

@@ -10,33 +10,33 @@ Tensor OverstressBranches::advance(const Tensor& d, double dt, std::span<double>
   Tensor sum{};
   if (tensors() == 0) return sum;
   const Tensor rate = deviator(tensorial(d));
-  for (const Overstress::Relaxing& branch : law_.relaxing) {
+  for (const Overstress::MaxwellBranch& branch : law_.maxwell_branches) {
     const Tensor stress = relaxed(load(h), 2.0 * branch.shear, branch.decay, rate, dt);
     store(h, stress);
     sum = sum + stress;
     h = h.subspan(Tensor::size);
   }
-  if (!slides()) return sum;
-  Tensor stress = load(h) + (2.0 * law_.sliding_shear * dt) * rate;
+  if (!has_friction()) return sum;
+  Tensor stress = load(h) + (2.0 * law_.friction_shear * dt) * rate;
   const double effective = std::sqrt(1.5 * square(stress));
-  if (effective > law_.sliding_limit) stress = (law_.sliding_limit / effective) * stress;
+  if (effective > law_.friction_limit) stress = (law_.friction_limit / effective) * stress;
   store(h, stress);
   return sum + stress;
 }
 
 double OverstressBranches::wave_modulus() const {
-  double shear = law_.sliding_shear;
-  for (const Overstress::Relaxing& branch : law_.relaxing) shear += branch.shear;
+  double shear = law_.friction_shear;
+  for (const Overstress::MaxwellBranch& branch : law_.maxwell_branches) shear += branch.shear;
   return 4.0 / 3.0 * shear;
 }
 
 PointUpdate ViscoelasticPoint::update(const Tensor& s, const Tensor& d, double dt, std::span<double> h) const {
   const double volume = trace(d);
   const Tensor rate = deviator(tensorial(d)), old = load(h);
-  const Tensor decaying = relaxed(old, 2.0 * (law_.at_once - law_.in_the_end), law_.decay, rate, dt);
+  const Tensor decaying = relaxed(old, 2.0 * (law_.instantaneous_shear - law_.long_term_shear), law_.decay, rate, dt);
   store(h, decaying);
-  const Tensor lasting = s + (-1.0) * old + (2.0 * law_.in_the_end * dt) * rate;
-  return {plus(lasting + decaying, law_.bulk * dt * volume), law_.bulk + 4.0 / 3.0 * law_.at_once};
+  const Tensor lasting = s + (-1.0) * old + (2.0 * law_.long_term_shear * dt) * rate;
+  return {plus(lasting + decaying, law_.bulk * dt * volume), law_.bulk + 4.0 / 3.0 * law_.instantaneous_shear};
 }
 
 }  // namespace nugget::kernel

@@ -25,7 +25,7 @@ class OverstressBranches {
  public:
   explicit OverstressBranches(const Overstress& law) : law_(law) {}
 
-  int tensors() const { return static_cast<int>(law_.relaxing.size()) + (slides() ? 1 : 0); }
+  int tensors() const { return static_cast<int>(law_.maxwell_branches.size()) + (has_friction() ? 1 : 0); }
   int history() const { return tensors() * SolidTensor<double>::size; }
   /// Sum of their stresses after a step of strain rate `d` (engineering shears).
   SolidTensor<double> advance(const SolidTensor<double>& d, double dt, std::span<double> h) const;
@@ -33,7 +33,7 @@ class OverstressBranches {
   double wave_modulus() const;
 
  private:
-  bool slides() const { return law_.sliding_shear > 0.0; }
+  bool has_friction() const { return law_.friction_shear > 0.0; }
   Overstress law_;
 };
 

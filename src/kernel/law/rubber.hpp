@@ -26,13 +26,13 @@ struct BlatzKo {
 /// What a rubber has beside its energy: stresses that relax, each a spring (2 G of the deviator) and a damper in
 /// series, and one that slides, a spring and a friction element in series.
 struct Overstress {
-  struct Relaxing {
+  struct MaxwellBranch {
     double shear = 0.0;  ///< GI [stress]
     double decay = 0.0;  ///< BETAI [1/time]
   };
-  std::vector<Relaxing> relaxing;
-  double sliding_shear = 0.0;  ///< G of the friction branch [stress]; 0: none
-  double sliding_limit = 0.0;  ///< SIGF, its greatest effective stress [stress]
+  std::vector<MaxwellBranch> maxwell_branches;
+  double friction_shear = 0.0;  ///< G of the friction branch [stress]; 0: none
+  double friction_limit = 0.0;  ///< SIGF, its greatest effective stress [stress]
 };
 
 /// Rubber of Ogden (MAT_077_O):

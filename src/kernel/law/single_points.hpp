@@ -47,14 +47,15 @@ class SolidPointLaw {
   template <class Law>
   explicit SolidPointLaw(const Law& law) : point_(law) {
     std::array<double, most_history> nothing{};
-    at_rest_ = std::max(ElasticConstants(law.E, law.nu).bulk_wave(), point_.update({}, {}, 0.0, nothing).wave_modulus);
+    initial_wave_modulus_ =
+        std::max(ElasticConstants(law.E, law.nu).bulk_wave(), point_.update({}, {}, 0.0, nothing).wave_modulus);
   }
 
   int layer_history() const { return solid_history(); }
   int solid_history() const { return own + point_.history(); }
   template <class R>
   R wave_modulus(const double* history) const {
-    return max(R(at_rest_), load_field<R>(history, 1));
+    return max(R(initial_wave_modulus_), load_field<R>(history, 1));
   }
   template <class R>
   ThicknessStrain<R> layer(LayerTensor<R>&, const LayerTensor<R>&, double, double*) const {
@@ -92,7 +93,7 @@ class SolidPointLaw {
  private:
   static constexpr int own = 2;
   Point point_;
-  double at_rest_ = 0.0;
+  double initial_wave_modulus_ = 0.0;
 };
 
 }  // namespace nugget::kernel

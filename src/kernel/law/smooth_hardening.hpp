@@ -100,9 +100,9 @@ class PowerOfStrain {
 class JohnsonCookFormula {
  public:
   explicit JohnsonCookFormula(const JohnsonCook& law)
-      : law_(law), power_(law.hardening, law.exponent), rate_(law.rate_factor, law.rest_rate) {}
+      : law_(law), power_(law.hardening, law.exponent), rate_(law.rate_factor, law.reference_rate) {}
 
-  double lowest() const { return heats() ? 0.0 : std::min({law_.yield, law_.most_hardened, law_.saturation}); }
+  double lowest() const { return heats() ? 0.0 : std::min({law_.yield, law_.static_stress_limit, law_.saturation}); }
   bool heats() const { return law_.heating > 0.0; }
   double power(double strain) const { return power_(strain); }
   const LogarithmicRate& rate() const { return rate_; }
@@ -110,7 +110,7 @@ class JohnsonCookFormula {
   YieldStress<double> yield(const YieldPoint& p) const {
     YieldStress<double> y = power_.after(p.strain, p.power, p.increment);
     y.value += law_.yield;
-    if (y.value > law_.most_hardened) y = {law_.most_hardened, 0.0};
+    if (y.value > law_.static_stress_limit) y = {law_.static_stress_limit, 0.0};
     const double left = cold(p.heating);
     return {y.value * left, y.slope * left};
   }

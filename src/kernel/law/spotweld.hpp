@@ -8,8 +8,8 @@
 namespace nugget::kernel {
 
 /// How a point of a weld loses its stress after its plastic strain has passed EFAIL (_DAMAGE-FAILURE with DMGOPT 0 to
-/// 2; spotweld-theory 4.6). The damage w grows from 0 to 1; the stress is (1 - w) times that of the sound point, or
-/// exp(-beta w) times it; at 1 the point has failed.
+/// 2; docs/theory/failure.md#damage-of-a-point). The damage w grows from 0 to 1; the stress is (1 - w) times that of
+/// the undamaged point, or exp(-beta w) times it; at 1 the point has failed.
 struct PointDamage {
   enum class Growth {
     none,
@@ -17,9 +17,9 @@ struct PointDamage {
     time,    ///< w = time since EFAIL was passed / RS
   };
   Growth growth = Growth::none;
-  double rupture = 0.0;      ///< RS: plastic strain [1] or, from the onset on, time
-  double beta = 0.0;         ///< BETA [1]; 0: linear
-  bool holds_yield = false;  ///< DMGOPT 1 and 2: no hardening beyond EFAIL
+  double rupture = 0.0;        ///< RS: plastic strain [1] or, from the onset on, time
+  double beta = 0.0;           ///< BETA [1]; 0: linear
+  bool freezes_yield = false;  ///< DMGOPT 1 and 2: no hardening beyond EFAIL
 };
 
 /// Spot weld (MAT_100), a point of it: J2 plasticity with isotropic hardening, failure and damage over plastic strain.
@@ -37,7 +37,7 @@ struct Spotweld {
   bool log_rates = false;           ///< interpolate over the logarithm of the rate
   bool uniaxial = false;  ///< E < 0 or _UNIAXIAL: bricks have no other stresses than those on the weld's cross-section
   PointDamage damage;
-  bool yield_can_be_held = false;  ///< the weld as a whole may stop hardening where it stands (DMGOPT 11, 12)
+  bool yield_can_be_frozen = false;  ///< the weld as a whole may stop hardening where it stands (DMGOPT 11, 12)
 };
 
 }  // namespace nugget::kernel

@@ -81,8 +81,9 @@ double MaxwellSpring::advance(State& s, double increment, double dt) const {
   const double z = decay * dt;
   // (1 - e^-z)/z, by its series where z is small.
   const double mean = z > 1e-6 ? -std::expm1(-z) / z : 1.0 - 0.5 * z;
-  s.relaxing = s.relaxing * std::exp(-z) + (early - late) * mean * increment;
-  return s.time > cut_off ? last_force : late * s.elongation + s.relaxing;
+  s.relaxing_force =
+      s.relaxing_force * std::exp(-z) + (instantaneous_stiffness - long_term_stiffness) * mean * increment;
+  return s.time > cut_off ? last_force : long_term_stiffness * s.elongation + s.relaxing_force;
 }
 
 double InelasticSpring::advance(State& s, double increment) const {
@@ -113,7 +114,7 @@ double Spring::advance(State& state, double increment, double velocity, double d
 double Spring::initial_stiffness() const {
   if (const auto* l = std::get_if<DiscreteSpring>(&law)) return l->initial_stiffness();
   if (const auto* l = std::get_if<ReversingSpring>(&law)) return l->load.slope(0.0);
-  if (const auto* l = std::get_if<MaxwellSpring>(&law)) return l->early;
+  if (const auto* l = std::get_if<MaxwellSpring>(&law)) return l->instantaneous_stiffness;
   return std::get<InelasticSpring>(law).load.slope(0.0);
 }
 
@@ -125,7 +126,8 @@ double Spring::initial_viscosity() const {
 double Spring::greatest_stiffness() const {
   if (const auto* l = std::get_if<DiscreteSpring>(&law)) return l->greatest_stiffness();
   if (const auto* l = std::get_if<ReversingSpring>(&law)) return std::max(steepest(l->load), steepest(l->unload));
-  if (const auto* l = std::get_if<MaxwellSpring>(&law)) return std::max(l->early, l->late);
+  if (const auto* l = std::get_if<MaxwellSpring>(&law))
+    return std::max(l->instantaneous_stiffness, l->long_term_stiffness);
   return std::get<InelasticSpring>(law).unloading;
 }
 

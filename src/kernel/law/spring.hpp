@@ -7,7 +7,7 @@
 #include "kernel/law/discrete_spring.hpp"
 
 // Laws of *ELEMENT_DISCRETE (*MAT_SPRING_..., *MAT_DAMPER_...): force over elongation, or moment over twist. S01 to S05
-// are a DiscreteSpring; here is what that does not have. Source: keywords.md section 5, springs and dampers.
+// are a DiscreteSpring; here is what that does not have. Source: LS-DYNA Keyword Manual, springs and dampers.
 namespace nugget::kernel {
 
 /// MAT_S06: follows the loading curve until the force leaves [compression_yield, tension_yield]. From then on it
@@ -35,12 +35,12 @@ struct ReversingSpring {
 /// MAT_S07, Maxwell: force K_I d + int (K_0 - K_I) e^(-beta (t - s)) d'(s) ds, incremental (Herrmann and Peterson): it
 /// relaxes only what has been deformed. Exact for a rate constant over the step. After the cut-off time `last_force`.
 struct MaxwellSpring {
-  double early = 0.0, late = 0.0;  ///< K_0, K_I [force/length]
-  double decay = 0.0;              ///< beta [1/time]
+  double instantaneous_stiffness = 0.0, long_term_stiffness = 0.0;  ///< K_0, K_I [force/length]
+  double decay = 0.0;                                               ///< beta [1/time]
   double cut_off = 1e20, last_force = 0.0;
 
   struct State {
-    double elongation = 0.0, relaxing = 0.0, time = 0.0;
+    double elongation = 0.0, relaxing_force = 0.0, time = 0.0;
   };
   double advance(State& state, double increment, double dt) const;
 };

@@ -30,14 +30,14 @@ class Places {
     std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return x[a].x < x[b].x; });
   }
   /// The nearest one within a distance, or their number.
-  std::size_t nearest(const Vec3d& p, double reach) const {
+  std::size_t nearest(const Vec3d& p, double dof_map) const {
     const auto before = [&](std::size_t i, double value) { return x_[i].x < value; };
     std::size_t best = x_.size();
-    for (auto i = std::lower_bound(order_.begin(), order_.end(), p.x - reach, before);
-         i != order_.end() && x_[*i].x <= p.x + reach; ++i)
-      if (const double away = norm(x_[*i] - p); away <= reach) {
-        if (away < reach || best == x_.size()) best = *i;
-        reach = away;
+    for (auto i = std::lower_bound(order_.begin(), order_.end(), p.x - dof_map, before);
+         i != order_.end() && x_[*i].x <= p.x + dof_map; ++i)
+      if (const double away = norm(x_[*i] - p); away <= dof_map) {
+        if (away < dof_map || best == x_.size()) best = *i;
+        dof_map = away;
       }
     return best;
   }
@@ -79,7 +79,7 @@ ModeComparison compare(const Matrices& m, const Modes& modes, const ShapeFile& o
   }
   c.nodes = here.size();
   c.frequency = other.frequency;
-  c.mac = assurance(only(nodal_shapes(m, modes), here), only(other.shape, there));
+  c.mac = compute_mac(only(nodal_shapes(m, modes), here), only(other.shape, there));
   c.partner = partners(c.mac);
   return c;
 }

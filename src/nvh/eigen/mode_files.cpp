@@ -25,7 +25,7 @@ void write_shapes(const std::filesystem::path& directory, const Matrices& m, con
     for (std::size_t n = 0; n < state.x.size(); ++n)
       state.x[n] += Vec3d{shapes[mode][3 * n], shapes[mode][3 * n + 1], shapes[mode][3 * n + 2]};
     if (m.system.model.implicit.modal_stresses) {
-      std::vector<Six> motion(m.system.all_nodes());
+      std::vector<SixDof> motion(m.system.all_nodes());
       for (std::size_t k = 0; k < motion.size(); ++k)
         motion[k] = m.equations.motion(static_cast<int>(k), modes.shape[mode]);
       ElasticStresses(m.system, motion).fill(1.0, state);
@@ -55,7 +55,7 @@ Columns nodal_shapes(const Matrices& m, const Modes& modes) {
   parallel_for(shapes.count, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t mode = begin; mode < end; ++mode)
       for (std::size_t n = 0; n < nodes; ++n) {
-        const Six u = m.equations.motion(m.system.node_of[n], modes.shape[mode]);
+        const SixDof u = m.equations.motion(m.system.node_of[n], modes.shape[mode]);
         for (std::size_t i = 0; i < 3; ++i) shapes[mode][3 * n + i] = u[i];
       }
   });

@@ -27,11 +27,12 @@ double frequency(double eigenvalue) {
 /// One factorization after the other; the next takes the place of the last.
 class Shifts {
  public:
-  Shifts(const Matrices& m, const Tell& tell, Modes& modes) : m_(m), tell_(tell), modes_(modes) {}
+  Shifts(const Matrices& m, const ProgressCallback& progress, Modes& modes)
+      : m_(m), progress_(progress), modes_(modes) {}
 
   /// Factors K - lambda M; the number of eigenvalues below. Moves lambda a little where it hits an eigenvalue.
   int below(double& lambda) {
-    tell(fmt::format("factorization {} of {} equations", modes_.cost.factorizations + 1, m_.size()));
+    progress(fmt::format("factorization {} of {} equations", modes_.cost.factorizations + 1, m_.size()));
     for (double nudge = 1e-7;; nudge *= 10.0) {
       try {
         if (factor_)
@@ -54,18 +55,18 @@ class Shifts {
   Eigenpairs nearest(std::size_t count) {
     const auto begin = std::chrono::steady_clock::now();
     Eigenpairs p = nvh::nearest(m_, *factor_, static_cast<int>(count),
-                                [&](int done) { tell(fmt::format("{} of {} modes", done, count)); });
+                                [&](int done) { progress(fmt::format("{} of {} modes", done, count)); });
     modes_.cost.lanczos_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     modes_.cost.solves += p.solves;
     return p;
   }
 
  private:
-  void tell(const std::string& text) const {
-    if (tell_) tell_(text);
+  void progress(const std::string& text) const {
+    if (progress_) progress_(text);
   }
   const Matrices& m_;
-  const Tell& tell_;
+  const ProgressCallback& progress_;
   Modes& modes_;
   std::optional<Factorization> factor_;
 };
@@ -90,7 +91,7 @@ struct Nearest {
     apart = end < order.size();
   }
   /// Where to count: in the gap.
-  double reach() const { return apart ? 0.5 * (distance[end - 1] + distance[end]) : 1.001 * distance[end - 1]; }
+  double dof_map() const { return apart ? 0.5 * (distance[end - 1] + distance[end]) : 1.001 * distance[end - 1]; }
 };
 
 /// The first `count` of a list of pairs, in ascending order.
@@ -114,8 +115,8 @@ void refuse_negative(std::ptrdiff_t count) {
 
 }  // namespace
 
-Eigenpairs search_modes(const Matrices& m, const ModeRequest& r, const Tell& tell, Modes& modes) {
-  Shifts shifts(m, tell, modes);
+Eigenpairs search_modes(const Matrices& m, const ModeRequest& r, const ProgressCallback& progress, Modes& modes) {
+  Shifts shifts(m, progress, modes);
   const std::size_t all = m.size();
   double low = r.low > 0.0 ? squared(r.low) : -std::numeric_limits<double>::infinity();
   double high = std::isfinite(r.high) ? squared(r.high) : std::numeric_limits<double>::infinity();
@@ -149,7 +150,7 @@ Eigenpairs search_modes(const Matrices& m, const ModeRequest& r, const Tell& tel
       refuse_negative(std::ranges::count_if(found.pairs.value, [&](double v) { return v < 1e-3 * place; }));
     modes.proof.found = static_cast<int>(found.end);
     if (found.end > 0 && found.end < at(inside)) {
-      double from = place - found.reach(), to = place + found.reach();
+      double from = place - found.dof_map(), to = place + found.dof_map();
       const int first = from <= low || left <= 0 ? before : shifts.below(from);
       const int last = to >= high ? before + inside : shifts.below(to);
       modes.proof = {frequency(std::max(from, std::max(low, 0.0))), frequency(std::min(to, high)), last - first,

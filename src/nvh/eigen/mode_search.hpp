@@ -9,6 +9,7 @@ namespace nugget::nvh {
 /// at the lower end or in the middle of an interval. Fills in the proof and the cost. That none was missed is proved by
 /// Sylvester's count at the ends of the interval, or at the distance from the shift to which all were found, in a gap
 /// of the spectrum. Throws Factorization::SolverError, also where eigenvalues are negative.
-Eigenpairs search_modes(const Matrices& matrices, const ModeRequest& request, const Tell& tell, Modes& modes);
+Eigenpairs search_modes(const Matrices& matrices, const ModeRequest& request, const ProgressCallback& progress,
+                        Modes& modes);
 
 }  // namespace nugget::nvh

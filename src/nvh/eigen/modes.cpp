@@ -25,11 +25,11 @@ void find_participation(const Matrices& m, Modes& modes) {
     moment += m.nodal_mass[k].mass * place(k);
   }
   if (mass > 0.0) modes.centre = (1.0 / mass) * moment;
-  const auto momentum = [&](std::size_t k, const Six& u) {  // of a node's motion: linear, and about the centre
-    const Six own = m.nodal_mass[k].momentum(u);
+  const auto momentum = [&](std::size_t k, const SixDof& u) {  // of a node's motion: linear, and about the centre
+    const SixDof own = m.nodal_mass[k].momentum(u);
     const Vec3d p{own[0], own[1], own[2]};
     const Vec3d l = cross(place(k) - modes.centre, p) + Vec3d{own[3], own[4], own[5]};
-    return Six{p.x, p.y, p.z, l.x, l.y, l.z};
+    return SixDof{p.x, p.y, p.z, l.x, l.y, l.z};
   };
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t k = 0; k < m.nodal_mass.size(); ++k) {
@@ -38,12 +38,12 @@ void find_participation(const Matrices& m, Modes& modes) {
                             : cross(spin, place(k) - modes.centre);
       modes.total[i] += momentum(k, {v.x, v.y, v.z, spin.x, spin.y, spin.z})[i];
     }
-  modes.participation.assign(modes.eigenvalue.size(), Six{});
+  modes.participation.assign(modes.eigenvalue.size(), SixDof{});
   parallel_for(modes.eigenvalue.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t mode = begin; mode < end; ++mode)
       for (std::size_t k = 0; k < m.nodal_mass.size(); ++k) {
         if (m.nodal_mass[k].none()) continue;
-        const Six p = momentum(k, m.equations.motion(static_cast<int>(k), modes.shape[mode]));
+        const SixDof p = momentum(k, m.equations.motion(static_cast<int>(k), modes.shape[mode]));
         for (std::size_t i = 0; i < 6; ++i) modes.participation[mode][i] += p[i];
       }
   });
@@ -98,7 +98,7 @@ bool Modes::elastic(std::size_t i) const {
   return eigenvalue[i] > 1e-9 * eigenvalue.back();
 }
 
-void tell_held_motions(const Equations& equations, const model::Model& model, Findings& findings) {
+void report_fixed_motions(const Equations& equations, const model::Model& model, Findings& findings) {
   const auto held =
       std::count_if(equations.supports().begin(), equations.supports().end(), [](const Equations::Support& s) {
         return s.source == Equations::Support::Source::motion && dot(s.taken, s.taken) > 0.0;
@@ -109,10 +109,10 @@ void tell_held_motions(const Equations& equations, const model::Model& model, Fi
         fmt::format("{} directions of nodes are prescribed; modes are those of the structure held there", held));
 }
 
-Modes find_modes(const Matrices& m, const ModeRequest& r, const Tell& tell) {
+Modes find_modes(const Matrices& m, const ModeRequest& r, const ProgressCallback& progress) {
   Modes modes;
   Eigenpairs p;
-  if (m.size() > 0) p = search_modes(m, r, tell, modes);
+  if (m.size() > 0) p = search_modes(m, r, progress, modes);
   modes.eigenvalue = std::move(p.value);
   modes.shape = std::move(p.vector);
   fix_signs(modes.shape);
@@ -152,7 +152,7 @@ EnergyShares energy_shares(const Matrices& m, const Modes& modes) {
   return shares;
 }
 
-Columns assurance(const Columns& a, const Columns& b) {
+Columns compute_mac(const Columns& a, const Columns& b) {
   const auto product = [](std::span<const double> x, std::span<const double> y) {
     double sum = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i) sum += x[i] * y[i];
@@ -167,15 +167,14 @@ Columns assurance(const Columns& a, const Columns& b) {
   return mac;
 }
 
-std::vector<int> partners(const Columns& likeness) {
+std::vector<int> partners(const Columns& mac) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;  // column, row
-  for (std::size_t i = 0; i < likeness.count; ++i)
-    for (std::size_t j = 0; j < likeness.rows; ++j) pairs.emplace_back(i, j);
-  std::stable_sort(pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) {
-    return likeness[a.first][a.second] > likeness[b.first][b.second];
-  });
-  std::vector<int> partner(likeness.count, -1);
-  std::vector<char> taken(likeness.rows, 0);
+  for (std::size_t i = 0; i < mac.count; ++i)
+    for (std::size_t j = 0; j < mac.rows; ++j) pairs.emplace_back(i, j);
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [&](const auto& a, const auto& b) { return mac[a.first][a.second] > mac[b.first][b.second]; });
+  std::vector<int> partner(mac.count, -1);
+  std::vector<char> taken(mac.rows, 0);
   for (const auto& [i, j] : pairs) {
     if (partner[i] >= 0 || taken[j]) continue;
     partner[i] = static_cast<int>(j);

@@ -25,9 +25,9 @@ struct Modes {
 
   /// Participation phi^t M r, r the rigid motions of unit size: translations, and rotations about the centre of mass.
   /// Its square is the effective mass (or inertia).
-  std::vector<Six> participation;
-  Six total{};   ///< mass and inertia about the centre of mass that effective masses are shares of
-  Vec3d centre;  ///< of mass
+  std::vector<SixDof> participation;
+  SixDof total{};  ///< mass and inertia about the centre of mass that effective masses are shares of
+  Vec3d centre;    ///< of mass
 
   /// Sylvester's count between the ends of the interval that was searched, against what was found.
   struct Proof {
@@ -44,13 +44,13 @@ struct Modes {
 };
 
 /// A note on the directions of prescribed motions, which stand still in modes.
-void tell_held_motions(const Equations& equations, const model::Model& model, Findings& findings);
+void report_fixed_motions(const Equations& equations, const model::Model& model, Findings& findings);
 
 /// What is going on, in words, for a progress line.
-using Tell = std::function<void(const std::string&)>;
+using ProgressCallback = std::function<void(const std::string&)>;
 
 /// Throws Factorization::SolverError.
-Modes find_modes(const Matrices& matrices, const ModeRequest& request, const Tell& tell = {});
+Modes find_modes(const Matrices& matrices, const ModeRequest& request, const ProgressCallback& progress = {});
 
 /// A small part of the first elastic eigenvalue of a slender body of the model's size and thickness: with it K + shift
 /// M of a free body is positive definite and the shift costs no digits [1/time^2]. Without a material that has a speed
@@ -67,10 +67,10 @@ EnergyShares energy_shares(const Matrices& matrices, const Modes& modes);
 
 /// Modal assurance criterion between nodal motions: |a^t b|^2 / (a^t a b^t b), over translations. Entry j of column i
 /// compares mode i of `a` with mode j of `b`; both have 3 numbers a node, the same nodes.
-Columns assurance(const Columns& a, const Columns& b);
+Columns compute_mac(const Columns& a, const Columns& b);
 
 /// Partners by likeness (modes of one run in columns, of the other in rows), the most alike first: the row of each
 /// column, each row once; -1 where none is left.
-std::vector<int> partners(const Columns& likeness);
+std::vector<int> partners(const Columns& mac);
 
 }  // namespace nugget::nvh

@@ -8,8 +8,8 @@
 
 #include "base/index.hpp"
 #include "nvh/matrices/dense.hpp"
+#include "nvh/matrices/dof_map.hpp"
 #include "nvh/matrices/nodal.hpp"
-#include "nvh/matrices/reach.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -20,8 +20,8 @@ class Taken {
   Taken(const Matrices& m, const WeldGroup& group) : m_(m) {
     each_element(group, [&](const system::ElementGroup& elements, std::size_t e) {
       const system::ElementNodes node = elements.nodes(e);
-      const Reach reach(m_.equations, {node.data(), at(elements.nodes_per_element)}, 6);
-      equation_.insert(equation_.end(), reach.equations().begin(), reach.equations().end());
+      const DofMap dof_map(m_.equations, {node.data(), at(elements.nodes_per_element)}, 6);
+      equation_.insert(equation_.end(), dof_map.equations().begin(), dof_map.equations().end());
     });
     std::sort(equation_.begin(), equation_.end());
     equation_.erase(std::unique(equation_.begin(), equation_.end()), equation_.end());
@@ -60,25 +60,25 @@ class Taken {
     for (const std::size_t w : group) {
       const weld::Weld& weld = m_.system.ties.welds[w];
       for (const model::Index element : weld.elements) {
-        const system::System::Seat seat = m_.system.seat_of(weld, element);
-        if (seat.group >= 0) visit(*m_.system.groups[at(seat.group)], at(seat.element));
+        const system::System::ElementLocation location = m_.system.location_of(weld, element);
+        if (location.group >= 0) visit(*m_.system.groups[at(location.group)], at(location.element));
       }
     }
   }
   void add(const system::ElementGroup& elements, std::size_t e) {
     const system::ElementNodes all = elements.nodes(e);
     const std::span<const int> nodes(all.data(), at(elements.nodes_per_element));
-    add(Reach(m_.equations, nodes, elements.freedoms()), tangent_stiffness(m_, elements, e), stiffness_);
+    add(DofMap(m_.equations, nodes, elements.freedoms()), tangent_stiffness(m_, elements, e), stiffness_);
     for (std::size_t a = 0; a < nodes.size(); ++a)
       if (!m_.nodal_mass[at(nodes[a])].none())  // else a rigid body with a given mass has swallowed it
-        add(Reach(m_.equations, {&nodes[a], 1}, 6), mass_matrix(nodal_share(m_.system, elements, e, a, m_.rest)),
+        add(DofMap(m_.equations, {&nodes[a], 1}, 6), mass_matrix(nodal_share(m_.system, elements, e, a, m_.rest)),
             mass_);
   }
-  void add(const Reach& reach, std::span<const double> k, Columns& into) const {
-    const std::vector<double> q = reach.reduced(k);
-    const std::size_t n = reach.equations().size();
+  void add(const DofMap& dof_map, std::span<const double> k, Columns& into) const {
+    const std::vector<double> q = dof_map.reduced(k);
+    const std::size_t n = dof_map.equations().size();
     std::vector<std::size_t> place;
-    for (const int eq : reach.equations())
+    for (const int eq : dof_map.equations())
       place.push_back(
           static_cast<std::size_t>(std::lower_bound(equation_.begin(), equation_.end(), eq) - equation_.begin()));
     for (std::size_t i = 0; i < n; ++i)
@@ -160,22 +160,22 @@ WeldDrop without(const Matrices& m, const Modes& modes, const Taken& taken, cons
   Columns y = projected(k, white);
   const std::vector<double> value = diagonalize(y);
   const Columns c = product(white, y);
-  Columns likeness(c.count, known);
+  Columns mac(c.count, known);
   for (std::size_t j = 0; j < c.count; ++j) {
     double length = 0.0;
     for (const double v : c[j]) length += v * v;
-    for (std::size_t i = 0; i < known; ++i) likeness[i][j] = c[j][i] * c[j][i] / length;
+    for (std::size_t i = 0; i < known; ++i) mac[i][j] = c[j][i] * c[j][i] / length;
   }
-  const std::vector<int> partner = partners(likeness);
+  const std::vector<int> partner = partners(mac);
   std::vector<char> known_shape(value.size(), 0);
   for (std::size_t i = 0; i < known; ++i) {
     const std::size_t j = at(partner[i]);
     drop.eigenvalue.push_back(value[j]);
-    drop.likeness.push_back(likeness[i][j]);
-    known_shape[j] = likeness[i][j] >= alike;
+    drop.mac.push_back(mac[i][j]);
+    known_shape[j] = mac[i][j] >= same_mode_mac;
   }
   for (std::size_t j = 0; j < value.size(); ++j)
-    if (!known_shape[j] && value[j] < modes.eigenvalue.back()) drop.fresh.push_back(value[j]);
+    if (!known_shape[j] && value[j] < modes.eigenvalue.back()) drop.new_modes.push_back(value[j]);
   return drop;
 }
 
@@ -183,20 +183,20 @@ WeldDrop without(const Matrices& m, const Modes& modes, const Taken& taken, cons
 
 bool can_drop(const system::System& system, std::size_t weld) {
   const weld::Weld& w = system.ties.welds[weld];
-  return w.kind != weld::Weld::Kind::rigid && !w.deleted && system.seat_of(w, w.element).group >= 0;
+  return w.kind != weld::Weld::Kind::rigid && !w.deleted && system.location_of(w, w.element).group >= 0;
 }
 
 std::vector<WeldDrop> drop_welds(const Matrices& m, const Modes& modes, const std::vector<WeldGroup>& groups,
-                                 const Tell& tell) {
-  constexpr std::size_t at_once = 48;  // right-hand sides, about
+                                 const ProgressCallback& progress) {
+  constexpr std::size_t columns_per_solve = 48;  // right-hand sides, about
   std::vector<WeldDrop> drops;
   if (groups.empty() || modes.eigenvalue.empty()) return drops;
-  if (tell) tell(fmt::format("factorization for {} welds", groups.size()));
+  if (progress) progress(fmt::format("factorization for {} welds", groups.size()));
   const Factorization factor(m, small_shift(m));
   while (drops.size() < groups.size()) {
     std::vector<Taken> taken;
     std::vector<std::size_t> first{0};
-    while (first.back() < at_once && drops.size() + taken.size() < groups.size()) {
+    while (first.back() < columns_per_solve && drops.size() + taken.size() < groups.size()) {
       taken.emplace_back(m, groups[drops.size() + taken.size()]);
       first.push_back(first.back() + taken.back().loads());
     }
@@ -219,7 +219,7 @@ std::vector<WeldDrop> drop_welds(const Matrices& m, const Modes& modes, const st
       };
       drops.push_back(without(m, modes, taken[g], side_by_side(part(all), part(again))));
     }
-    if (tell) tell(fmt::format("{} of {} welds", drops.size(), groups.size()));
+    if (progress) progress(fmt::format("{} of {} welds", drops.size(), groups.size()));
   }
   return drops;
 }

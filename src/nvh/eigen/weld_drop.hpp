@@ -16,14 +16,14 @@ struct WeldDrop {
   /// omega^2 without the welds, of the mode that is most alike: Rayleigh and Ritz on all modes that are known, the
   /// static answers to the loads that the welds can transmit, and the answers to the inertia of those.
   std::vector<double> eigenvalue;
-  std::vector<double> likeness;  ///< MAC of that mode with the one of the whole structure, in the inner product of M
+  std::vector<double> mac;  ///< MAC of that mode with the one of the whole structure, in the inner product of M
   /// omega^2 of modes that are like none of the whole structure, such as a flange that flaps when its weld is gone;
   /// those below the last mode that is known.
-  std::vector<double> fresh;
+  std::vector<double> new_modes;
 };
 
 /// Below this likeness a mode is not the one of before.
-inline constexpr double alike = 0.5;
+inline constexpr double same_mode_mac = 0.5;
 
 /// Which welds go together, by their place in Ties::welds.
 using WeldGroup = std::vector<std::size_t>;
@@ -34,6 +34,6 @@ bool can_drop(const system::System& system, std::size_t weld);
 /// One entry for each group. `modes` must be the lowest ones. Costs one factorization and twelve solutions for each
 /// weld beam (bricks: two for each way in which they can deform). Throws Factorization::SolverError.
 std::vector<WeldDrop> drop_welds(const Matrices& matrices, const Modes& modes, const std::vector<WeldGroup>& groups,
-                                 const Tell& tell = {});
+                                 const ProgressCallback& progress = {});
 
 }  // namespace nugget::nvh

@@ -9,9 +9,9 @@
 
 namespace nugget::nvh {
 
-void scatter(const Reach& reach, std::span<const double> k, Symmetric& into) {
-  const std::vector<double> q = reach.reduced(k);
-  const std::vector<int>& eq = reach.equations();
+void scatter(const DofMap& dof_map, std::span<const double> k, Symmetric& into) {
+  const std::vector<double> q = dof_map.reduced(k);
+  const std::vector<int>& eq = dof_map.equations();
   for (std::size_t i = 0; i < eq.size(); ++i)
     for (std::size_t j = 0; j <= i; ++j)  // mean of both triangles: kernels are symmetric to round-off only
       into.add(eq[i], eq[j], 0.5 * (q[i * eq.size() + j] + q[j * eq.size() + i]));

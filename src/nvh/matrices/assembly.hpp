@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "nvh/matrices/reach.hpp"
+#include "nvh/matrices/dof_map.hpp"
 #include "nvh/matrices/sparse.hpp"
 
 // How matrices of elements and of nodes become a matrix of the unknowns.
@@ -19,7 +19,7 @@ inline std::span<const int> element_nodes(const system::ElementGroup& group, con
 std::vector<std::vector<int>> pattern(std::size_t size, const std::vector<std::vector<int>>& lists);
 
 /// Adds an element's or a node's matrix, given in its freedoms.
-void scatter(const Reach& reach, std::span<const double> k, Symmetric& into);
+void scatter(const DofMap& dof_map, std::span<const double> k, Symmetric& into);
 
 /// Of two matrices of the same size, which may have different patterns.
 Symmetric sum(const Symmetric& a, const Symmetric& b);

@@ -35,17 +35,17 @@ void each_coupling(const Matrices& m, const Visit& visit) {
 
 /// Vertex of each equation: a node's freedoms that are coupled directly or through each other.
 std::vector<idx_t> vertices(const Matrices& m, idx_t& count) {
-  using Six = std::array<unsigned, 6>;  ///< bit j of entry i: freedom i is coupled to a freedom j, here or next door
+  using SixDof = std::array<unsigned, 6>;  ///< bit j of entry i: freedom i is coupled to a freedom j, here or next door
   const std::vector<int> component = components(m.equations);
   const auto node_of = [&](std::size_t equation) { return at(m.equations.node_of(static_cast<int>(equation))); };
-  std::vector<Six> coupled(m.equations.nodes(), Six{1, 2, 4, 8, 16, 32});
+  std::vector<SixDof> coupled(m.equations.nodes(), SixDof{1, 2, 4, 8, 16, 32});
   each_coupling(m, [&](std::size_t i, std::size_t j) {
-    for (Six* node : {&coupled[node_of(i)], &coupled[node_of(j)]}) {
+    for (SixDof* node : {&coupled[node_of(i)], &coupled[node_of(j)]}) {
       (*node)[at(component[i])] |= 1u << component[j];
       (*node)[at(component[j])] |= 1u << component[i];
     }
   });
-  for (Six& c : coupled)  // what reaches each other by way of a third is one
+  for (SixDof& c : coupled)  // what reaches each other by way of a third is one
     for (std::size_t by = 0; by < 6; ++by)
       for (unsigned& reached : c)
         if (reached >> by & 1u) reached |= c[by];

@@ -58,8 +58,8 @@ Needs needs_of(const system::System& system) {
         needs.rotation[at(node[a])] |= group->rotational;
       }
     }
-  for (const system::System::Lump& lump : system.lumps())
-    for (int a = 0; a < lump.corners; ++a) needs.translation[at(lump.node[at(a)])] = 1;
+  for (const system::System::MassOnlyElement& mass_only : system.mass_only_elements())
+    for (int a = 0; a < mass_only.corners; ++a) needs.translation[at(mass_only.node[at(a)])] = 1;
   for (const model::PointMass& m : system.model.masses) needs.translation[at(system.node_of[at(m.node)])] = 1;
   for (const model::PointInertia& p : system.model.inertias) {
     needs.translation[at(system.node_of[at(p.node)])] = 1;
@@ -91,7 +91,7 @@ struct Supports {
 };
 
 /// SPCs that are not in force all the time: what is made of them.
-void tell_passing_spcs(const model::Model& model, Findings& findings) {
+void report_passing_spcs(const model::Model& model, Findings& findings) {
   int late = 0, early = 0;
   for (const model::SinglePointConstraint& spc : model.spcs) {
     late += spc.birth > 0.0;
@@ -108,7 +108,7 @@ void tell_passing_spcs(const model::Model& model, Findings& findings) {
 Supports supports_of(const system::System& system, Findings& findings) {
   const model::Model& model = system.model;
   Supports held{std::vector<Held>(system.all_nodes()), std::vector<Held>(system.all_nodes()), {}};
-  tell_passing_spcs(model, findings);
+  report_passing_spcs(model, findings);
   for (std::size_t s = 0; s < model.spcs.size(); ++s) {
     const model::SinglePointConstraint& spc = model.spcs[s];
     if (spc.birth > 0.0) continue;
@@ -141,13 +141,13 @@ Supports supports_of(const system::System& system, Findings& findings) {
     }
   for (std::size_t m = 0; m < model.motions.size(); ++m) {
     const model::PrescribedMotion& motion = model.motions[m];
-    const auto hold = [&](int node) {
+    const auto constrain = [&](int node) {
       constexpr auto source = Equations::Support::Source::motion;
       if (motion.circular) {
         const model::PlaceOnCircle place =
             model::place_on_circle(motion, system.ties.x[at(system.model_node[at(node)])]);
-        if (place.radius > 0.0 || motion.radius_held) held.add({source, m, node, false, place.around, {}, true});
-        if (motion.radius_held) held.add({source, m, node, false, place.outwards, {}});
+        if (place.radius > 0.0 || motion.radius_fixed) held.add({source, m, node, false, place.around, {}, true});
+        if (motion.radius_fixed) held.add({source, m, node, false, place.outwards, {}});
         return;
       }
       held.add({source, m, node, motion.rotation, motion.direction, {}, true});
@@ -158,7 +158,7 @@ Supports supports_of(const system::System& system, Findings& findings) {
       }
     };
     if (motion.target != model::PrescribedMotion::Target::nodes) {
-      hold(system.bodies[at(system.body_of[at(motion.rigid_body)])].node);
+      constrain(system.bodies[at(system.body_of[at(motion.rigid_body)])].node);
       continue;
     }
     for (model::Index n : motion.nodes) {
@@ -166,10 +166,10 @@ Supports supports_of(const system::System& system, Findings& findings) {
       if (system.map.dependent(node))
         findings.error(motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
                        fmt::format("node {} moves with {} and cannot be driven on its own", model.nodes.id[at(n)],
-                                   system.holder(node)),
+                                   system.constraint_name(node)),
                        "drive the rigid body with *BOUNDARY_PRESCRIBED_MOTION_RIGID, or nodes of the sheet");
       else
-        hold(node);
+        constrain(node);
     }
   }
   return held;
@@ -228,7 +228,7 @@ Equations::Equations(const system::System& system, Findings& findings) {
   }
 }
 
-void Equations::hold(const std::vector<char>& marked) {
+void Equations::constrain(const std::vector<char>& marked) {
   std::vector<int> number(at(size_), -1), owner;
   for (std::size_t i = 0; i < marked.size(); ++i) {
     if (marked[i]) continue;
@@ -248,14 +248,14 @@ void Equations::hold(const std::vector<char>& marked) {
   start_ = std::move(start);
 }
 
-Six Equations::motion(int node, std::span<const double> q) const {
-  Six u{};
+SixDof Equations::motion(int node, std::span<const double> q) const {
+  SixDof u{};
   for (int i = 0; i < 6; ++i)
     for (const Term& t : terms(node, i)) u[at(i)] += t.factor * q[at(t.equation)];
   return u;
 }
 
-void Equations::add_load(int node, const Six& load, std::span<double> f) const {
+void Equations::add_load(int node, const SixDof& load, std::span<double> f) const {
   for (int i = 0; i < 6; ++i)
     for (const Term& t : terms(node, i)) f[at(t.equation)] += t.factor * load[at(i)];
 }

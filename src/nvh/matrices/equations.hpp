@@ -10,7 +10,7 @@
 namespace nugget::nvh {
 
 /// Translation x y z and rotation about x y z of one node, or force and moment on it; global axes.
-using Six = std::array<double, 6>;
+using SixDof = std::array<double, 6>;
 
 /// The unknowns q of a linear analysis and how every node moves with them, u = T q. What supports hold (also in local
 /// axes), what rigid bodies and ties make dependent, and rotations that no element knows are no unknowns: they are
@@ -39,7 +39,7 @@ class Equations {
   const std::vector<Support>& supports() const { return supports_; }
 
   /// Takes unknowns out: those marked stay zero, the others are counted anew.
-  void hold(const std::vector<char>& marked);
+  void constrain(const std::vector<char>& marked);
 
   struct Term {
     int equation;
@@ -54,9 +54,9 @@ class Equations {
   int node_of(int equation) const { return owner_[static_cast<std::size_t>(equation)]; }
 
   /// Motion of a node.
-  Six motion(int node, std::span<const double> q) const;
+  SixDof motion(int node, std::span<const double> q) const;
   /// Adds T^t of a load on a node to `f`.
-  void add_load(int node, const Six& load, std::span<double> f) const;
+  void add_load(int node, const SixDof& load, std::span<double> f) const;
 
  private:
   int size_ = 0;

@@ -12,7 +12,7 @@ namespace nugget::nvh {
 namespace {
 
 using Kind = model::Joint::Kind;
-using Row = HeldMotion::Row;
+using Row = ConstrainedMotion::Row;
 constexpr Vec3d axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 void put(Row& row, std::size_t first, const Vec3d& v) {
@@ -22,39 +22,39 @@ void put(Row& row, std::size_t first, const Vec3d& v) {
 }
 
 /// d . (B's displacement - A's), of points with these arms from the bodies' centres.
-HeldMotion displacement(const Vec3d& d, const Vec3d& arm_a, const Vec3d& arm_b) {
-  HeldMotion held{{}, d, false};
-  put(held.row, 0, -d);
-  put(held.row, 3, -cross(arm_a, d));  // d . (w x r) = w . (r x d)
-  put(held.row, 6, d);
-  put(held.row, 9, cross(arm_b, d));
-  return held;
+ConstrainedMotion displacement(const Vec3d& d, const Vec3d& arm_a, const Vec3d& arm_b) {
+  ConstrainedMotion constrained{{}, d, false};
+  put(constrained.row, 0, -d);
+  put(constrained.row, 3, -cross(arm_a, d));  // d . (w x r) = w . (r x d)
+  put(constrained.row, 6, d);
+  put(constrained.row, 9, cross(arm_b, d));
+  return constrained;
 }
 
 /// d . (B's rotation - A's).
-HeldMotion rotation(const Vec3d& d) {
-  HeldMotion held{{}, d, true};
-  put(held.row, 3, -d);
-  put(held.row, 9, d);
-  return held;
+ConstrainedMotion rotation(const Vec3d& d) {
+  ConstrainedMotion constrained{{}, d, true};
+  put(constrained.row, 3, -d);
+  put(constrained.row, 9, d);
+  return constrained;
 }
 
 /// The ratio that a joint keeps, between these axes of A and B; as in impact (impact/joints.hpp). `gap`: from A's point
 /// to B's.
-HeldMotion transmission(const model::Joint& joint, const Vec3d& a, const Vec3d& b, const Vec3d& arm_a,
-                        const Vec3d& arm_b, const Vec3d& gap) {
+ConstrainedMotion transmission(const model::Joint& joint, const Vec3d& a, const Vec3d& b, const Vec3d& arm_a,
+                               const Vec3d& arm_b, const Vec3d& gap) {
   if (joint.kind == Kind::gears || joint.kind == Kind::pulley) {
     const double sign = (joint.kind == Kind::gears ? 1.0 : -1.0) * (dot(a, b) < 0.0 ? -1.0 : 1.0);
-    HeldMotion held{{}, b, true};
-    put(held.row, 3, sign / joint.ratio * a);
-    put(held.row, 9, b);
-    return held;
+    ConstrainedMotion constrained{{}, b, true};
+    put(constrained.row, 3, sign / joint.ratio * a);
+    put(constrained.row, 9, b);
+    return constrained;
   }
   const bool screw = joint.kind == Kind::screw;
-  HeldMotion held = displacement(screw ? a : b, screw ? arm_a + gap : arm_a, arm_b);
-  put(held.row, 3, -joint.ratio * a);
-  if (screw) put(held.row, 9, joint.ratio * a);
-  return held;
+  ConstrainedMotion constrained = displacement(screw ? a : b, screw ? arm_a + gap : arm_a, arm_b);
+  put(constrained.row, 3, -joint.ratio * a);
+  if (screw) put(constrained.row, 9, joint.ratio * a);
+  return constrained;
 }
 
 /// Two unit vectors that make a triad with a.
@@ -79,31 +79,31 @@ BodyLink link_of(const system::System& system, const model::Joint& joint) {
     link.node[side] = body.node;
     arm[side] = place(0) - body.center0;
     const double gyration = body.mass > 0.0 ? (body.inertia[0] + body.inertia[3] + body.inertia[5]) / body.mass : 0.0;
-    link.reach = std::max(link.reach, std::sqrt(dot(arm[side], arm[side]) + gyration));
+    link.body_size = std::max(link.body_size, std::sqrt(dot(arm[side], arm[side]) + gyration));
   }
-  const auto hold = [&](const Vec3d& d) { link.held.push_back(displacement(d, arm[0], arm[1])); };
+  const auto constrain = [&](const Vec3d& d) { link.constrained.push_back(displacement(d, arm[0], arm[1])); };
   if (joint.kind == Kind::spherical) {
-    for (const Vec3d& d : axes) hold(d);
+    for (const Vec3d& d : axes) constrain(d);
     return link;
   }
   const Vec3d axis = unit(place(2) - place(0));
   if (joint.transmits()) {
     arm[1] = place(1) - body_of(system, joint.body[1]).center0;
     const Vec3d other = unit(place(3) - place(1));
-    link.held.push_back(transmission(joint, axis, other, arm[0], arm[1], place(1) - place(0)));
+    link.constrained.push_back(transmission(joint, axis, other, arm[0], arm[1], place(1) - place(0)));
     return link;
   }
   const std::array<Vec3d, 2> sides = across(axis);
-  if (joint.kind != Kind::cylindrical && joint.kind != Kind::translational) hold(axis);
+  if (joint.kind != Kind::cylindrical && joint.kind != Kind::translational) constrain(axis);
   if (joint.kind != Kind::planar)
-    for (const Vec3d& d : sides) hold(d);
+    for (const Vec3d& d : sides) constrain(d);
 
   if (joint.kind == Kind::universal) {
-    link.held.push_back(rotation(unit(cross(axis, place(3) - place(1)))));
+    link.constrained.push_back(rotation(unit(cross(axis, place(3) - place(1)))));
     return link;
   }
-  for (const Vec3d& d : sides) link.held.push_back(rotation(d));
-  if (joint.kind == Kind::translational || joint.kind == Kind::locking) link.held.push_back(rotation(axis));
+  for (const Vec3d& d : sides) link.constrained.push_back(rotation(d));
+  if (joint.kind == Kind::translational || joint.kind == Kind::locking) link.constrained.push_back(rotation(axis));
   return link;
 }
 
@@ -126,19 +126,19 @@ BodyLink link_of(const system::System& system, const model::JointStiffness& s) {
   const Vec3d own[3] = {s.axes[1].e1, s.axes[1].e2, s.axes[1].e3};
   const Vec3d start = s.rotational ? rotation_between(s.axes[0], s.axes[1]) : s.origin[1] - s.origin[0];
   for (std::size_t i = 0; i < 3; ++i) {
-    HeldMotion held = s.rotational ? rotation(own[i]) : displacement(own[i], arm[0], arm[1]);
-    held.spring = slope_of(system, s.freedom[i], dot(own[i], start));
+    ConstrainedMotion constrained = s.rotational ? rotation(own[i]) : displacement(own[i], arm[0], arm[1]);
+    constrained.spring = slope_of(system, s.freedom[i], dot(own[i], start));
     if (const model::Index damper = s.freedom[i].damper; damper != model::none)
-      held.dashpot = kernel::ForceCurve(system.model.curves[at(damper)]).slope(0.0);
-    if (held.spring != 0.0 || held.dashpot != 0.0) link.held.push_back(held);
+      constrained.dashpot = kernel::ForceCurve(system.model.curves[at(damper)]).slope(0.0);
+    if (constrained.spring != 0.0 || constrained.dashpot != 0.0) link.constrained.push_back(constrained);
   }
   return link;
 }
 
 /// Matrix of the twelve freedoms.
-std::vector<double> sum_of(const std::vector<HeldMotion>& held, double HeldMotion::*factor) {
+std::vector<double> sum_of(const std::vector<ConstrainedMotion>& constrained, double ConstrainedMotion::*factor) {
   std::vector<double> k(144, 0.0);
-  for (const HeldMotion& h : held)
+  for (const ConstrainedMotion& h : constrained)
     for (std::size_t a = 0; a < 12; ++a)
       for (std::size_t b = 0; b < 12; ++b) k[12 * a + b] += h.*factor * h.row[a] * h.row[b];
   return k;
@@ -156,18 +156,18 @@ double stiffest(const Equations& equations, const Symmetric& k, int node, int fi
 }  // namespace
 
 std::vector<double> BodyLink::stiffness() const {
-  return sum_of(held, &HeldMotion::spring);
+  return sum_of(constrained, &ConstrainedMotion::spring);
 }
 std::vector<double> BodyLink::viscosity() const {
-  return sum_of(held, &HeldMotion::dashpot);
+  return sum_of(constrained, &ConstrainedMotion::dashpot);
 }
 bool BodyLink::damps() const {
-  return std::ranges::any_of(held, [](const HeldMotion& h) { return h.dashpot != 0.0; });
+  return std::ranges::any_of(constrained, [](const ConstrainedMotion& h) { return h.dashpot != 0.0; });
 }
 
-Six BodyLink::on_second(const HeldMotion::Row& motion) const {
-  Six load{};
-  for (const HeldMotion& h : held) {
+SixDof BodyLink::on_second(const ConstrainedMotion::Row& motion) const {
+  SixDof load{};
+  for (const ConstrainedMotion& h : constrained) {
     double moved = 0.0;
     for (std::size_t a = 0; a < 12; ++a) moved += h.row[a] * motion[a];
     const Vec3d part = -h.spring * moved * h.direction;
@@ -195,8 +195,9 @@ void stiffen_joints(std::vector<BodyLink>& links, const Equations& equations, co
       turning = std::max(turning, stiffest(equations, stiffness, node, 3));
     }
     if (across == 0.0) across = largest > 0.0 ? largest : 1.0;
-    turning = std::max(turning, across * link.reach * link.reach);
-    for (HeldMotion& held : link.held) held.spring = joint_share * link.scale * (held.rotation ? turning : across);
+    turning = std::max(turning, across * link.body_size * link.body_size);
+    for (ConstrainedMotion& constrained : link.constrained)
+      constrained.spring = joint_share * link.scale * (constrained.rotation ? turning : across);
   }
 }
 

@@ -5,14 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "nvh/matrices/reach.hpp"
+#include "nvh/matrices/dof_map.hpp"
 #include "nvh/matrices/sparse.hpp"
 #include "system/system.hpp"
 
 namespace nugget::nvh {
 
 /// A relative motion of two rigid bodies at rest against which something between them resists.
-struct HeldMotion {
+struct ConstrainedMotion {
   using Row = std::array<double, 12>;
   Row row{};  ///< over the freedoms of the bodies' virtual nodes: how much of it is in a motion of these
   Vec3d direction;
@@ -28,17 +28,17 @@ struct HeldMotion {
 /// friction, which sticks.
 struct BodyLink {
   std::array<int, 2> node{};
-  std::vector<HeldMotion> held;
-  bool rigid = false;  ///< a joint: springs by `stiffen_joints`
-  double scale = 1.0;  ///< RPS
-  double reach = 0.0;  ///< size of the larger body, seen from the joint
+  std::vector<ConstrainedMotion> constrained;
+  bool rigid = false;      ///< a joint: springs by `stiffen_joints`
+  double scale = 1.0;      ///< RPS
+  double body_size = 0.0;  ///< size of the larger body, seen from the joint
 
   /// Of the twelve freedoms, row-major.
   std::vector<double> stiffness() const;
   std::vector<double> viscosity() const;
   bool damps() const;
   /// Force and moment on B at its point, in a motion of the twelve freedoms.
-  Six on_second(const HeldMotion::Row& motion) const;
+  SixDof on_second(const ConstrainedMotion::Row& motion) const;
 };
 /// Joints in the order of the model, then the stiffnesses of joints.
 std::vector<BodyLink> body_links(const system::System& system);

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "base/index.hpp"
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -109,18 +109,18 @@ void integrate_shells_fully(model::Model& m, Findings& findings) {
 
 /// A viscous stress that goes by the step, of foams and honeycomb, would count as stiffness.
 void take_viscosity_out(model::Model& m) {
-  const auto take_out = [](kernel::Compound& law) {
-    kernel::Composition made = *law.made_of;
+  const auto take_out = [](kernel::ComposedLaw& law) {
+    kernel::LawComponents made = *law.components;
     std::visit(
         [](auto& flow) {
           if constexpr (requires { flow.damping; }) flow.damping = 0.0;
           if constexpr (requires { flow.viscosity; }) flow.viscosity = 0.0;
         },
         made.flow);
-    law = kernel::compound(std::move(made));
+    law = kernel::composed_law(std::move(made));
   };
   for (model::Material& material : m.materials) {
-    if (auto* law = std::get_if<kernel::Compound>(&material.law)) take_out(*law);
+    if (auto* law = std::get_if<kernel::ComposedLaw>(&material.law)) take_out(*law);
     if (auto* laminate = std::get_if<kernel::Laminate>(&material.law)) {
       std::vector<kernel::Laminate::Layer> layers = *laminate->layers;
       for (kernel::Laminate::Layer& layer : layers) take_out(layer.law);
@@ -139,7 +139,7 @@ void refuse_fluids(const model::Model& m, Findings& findings) {
 }
 
 /// Nodes that a response over frequency drives are held in its modes, like those of prescribed motions.
-void hold_driven_nodes(model::Model& m) {
+void constrain_driven_nodes(model::Model& m) {
   const auto hold = [&](const model::FrequencyResponse::Excitation& e) {
     if (e.kind != model::FrequencyResponse::Excitation::Kind::enforced) return;
     model::PrescribedMotion motion;
@@ -170,7 +170,7 @@ model::Model linear_model(const model::Model& model, Findings& findings) {
     findings.warning(gas.place, "*" + gas.keyword,
                      "the gas takes no part in linear analyses: it has no stiffness there");
   refuse_fluids(m, findings);
-  hold_driven_nodes(m);
+  constrain_driven_nodes(m);
   change_bricks(m, findings);
   separate_pressures(m, findings);
   stabilize_bricks(m, findings);

@@ -91,10 +91,10 @@ std::vector<NodalMass> nodal_masses(const system::System& system, const system::
         put(node[a], nodal_share(system, *group, e, a, rest));
     }
   }
-  for (const system::System::Lump& lump : system.lumps())
-    for (int a = 0; a < lump.corners; ++a) {
-      const double inertia = lump.nodal_inertia;
-      put(lump.node[at(a)], {lump.nodal_mass(a), {inertia, 0, 0, inertia, 0, inertia}, {}});
+  for (const system::System::MassOnlyElement& mass_only : system.mass_only_elements())
+    for (int a = 0; a < mass_only.corners; ++a) {
+      const double inertia = mass_only.nodal_inertia;
+      put(mass_only.node[at(a)], {mass_only.nodal_mass(a), {inertia, 0, 0, inertia, 0, inertia}, {}});
     }
   for (const model::PointMass& m : system.model.masses) put(system.node_of[at(m.node)], {m.mass, {}, {}});
   for (NodalMass& n : at_node) add_least_inertia(n);
@@ -125,9 +125,9 @@ Symmetric assemble_stiffness(Matrices& m) {
     for (std::size_t e = 0; e < group->size(); ++e) {
       if (!group->alive(e)) continue;
       const system::ElementNodes node = group->nodes(e);
-      lists.push_back(Reach(equations, element_nodes(*group, node), group->freedoms()).equations());
+      lists.push_back(DofMap(equations, element_nodes(*group, node), group->freedoms()).equations());
     }
-  for (const BodyLink& link : m.links) lists.push_back(Reach(equations, link.node, 6).equations());
+  for (const BodyLink& link : m.links) lists.push_back(DofMap(equations, link.node, 6).equations());
   Symmetric k(pattern(at(equations.size()), lists));
   // Kernels in parallel, a stretch at a time; added up in the order of the elements.
   constexpr std::size_t stretch = 2048;
@@ -144,13 +144,13 @@ Symmetric assemble_stiffness(Matrices& m) {
       for (std::size_t i = 0; i < count; ++i) {
         if (!group->alive(first + i)) continue;
         const system::ElementNodes node = group->nodes(first + i);
-        scatter(Reach(equations, element_nodes(*group, node), group->freedoms()), matrix(i), k);
+        scatter(DofMap(equations, element_nodes(*group, node), group->freedoms()), matrix(i), k);
       }
     }
   }
   const auto add_links = [&](bool rigid) {
     for (const BodyLink& link : m.links)
-      if (link.rigid == rigid) scatter(Reach(equations, link.node, 6), link.stiffness(), k);
+      if (link.rigid == rigid) scatter(DofMap(equations, link.node, 6), link.stiffness(), k);
   };
   add_links(false);
   stiffen_joints(m.links, equations, k);
@@ -169,13 +169,13 @@ std::vector<char> unresisted(const Symmetric& k) {
 
 Symmetric assemble_mass(const Equations& equations, const std::vector<NodalMass>& nodal) {
   std::vector<std::vector<int>> lists;
-  const auto reach = [&](std::size_t k) {
+  const auto dof_map = [&](std::size_t k) {
     const int node = static_cast<int>(k);
-    return Reach(equations, {&node, 1}, 6);
+    return DofMap(equations, {&node, 1}, 6);
   };
-  for (std::size_t k = 0; k < nodal.size(); ++k) lists.push_back(reach(k).equations());
+  for (std::size_t k = 0; k < nodal.size(); ++k) lists.push_back(dof_map(k).equations());
   Symmetric m(pattern(at(equations.size()), lists));
-  for (std::size_t k = 0; k < nodal.size(); ++k) scatter(reach(k), mass_matrix(nodal[k]), m);
+  for (std::size_t k = 0; k < nodal.size(); ++k) scatter(dof_map(k), mass_matrix(nodal[k]), m);
   return m;
 }
 
@@ -187,9 +187,9 @@ void assemble(Matrices& m) {
   };
   m.stiffness = stiffness();
   const std::vector<char> loose = unresisted(m.stiffness);
-  m.held = static_cast<int>(std::count(loose.begin(), loose.end(), 1));
-  if (m.held > 0) {
-    m.equations.hold(loose);
+  m.auto_constrained = static_cast<int>(std::count(loose.begin(), loose.end(), 1));
+  if (m.auto_constrained > 0) {
+    m.equations.constrain(loose);
     m.stiffness = stiffness();
   }
   m.mass = assemble_mass(m.equations, m.nodal_mass);
@@ -207,9 +207,9 @@ void NodalMass::add(const NodalMass& more) {
     for (std::size_t j = 0; j < 3; ++j) first[i][j] += more.first[i][j];
 }
 
-Six NodalMass::momentum(const Six& motion) const {
+SixDof NodalMass::momentum(const SixDof& motion) const {
   const std::array<double, 36> m = mass_matrix(*this);
-  Six p{};
+  SixDof p{};
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j < 6; ++j) p[i] += m[6 * i + j] * motion[j];
   return p;
@@ -251,14 +251,15 @@ std::array<double, 36> mass_matrix(const NodalMass& n) {
 Matrices::Matrices(const system::System& s, Findings& findings)
     : system(s), rest(at_rest(s)), equations(s, findings), nodal_mass(nodal_masses(s, rest)), links(body_links(s)) {
   assemble(*this);
-  if (held > 0)
+  if (auto_constrained > 0)
     findings.note({s.model.deck, 0, 0}, "*CONTROL_IMPLICIT_SOLVER",
-                  fmt::format("{} directions of nodes are held, since nothing resists motion in them (AUTOSPC)", held));
+                  fmt::format("{} directions of nodes are held, since nothing resists motion in them (AUTOSPC)",
+                              auto_constrained));
 }
 
 void stiffen(Matrices& m, std::shared_ptr<const Prestress> prestress) {
-  Findings told;  // when the matrices were made
-  m.equations = Equations(m.system, told);
+  Findings ignored_findings;  // when the matrices were made
+  m.equations = Equations(m.system, ignored_findings);
   m.prestress = std::move(prestress);
   assemble(m);
 }
@@ -275,7 +276,7 @@ std::vector<double> Matrices::element_energies(const system::ElementGroup& group
   const system::ElementNodes node = group.nodes(e);
   for (std::size_t a = 0; a < at(group.nodes_per_element); ++a)
     for (std::size_t mode = 0; mode < count; ++mode) {
-      const Six motion = equations.motion(node[a], q[mode]);
+      const SixDof motion = equations.motion(node[a], q[mode]);
       for (std::size_t i = 0; i < per_node; ++i) u[(a * per_node + i) * count + mode] = motion[i];
     }
   for (std::size_t i = 0; i < n; ++i) {  // all modes side by side

@@ -21,7 +21,7 @@ struct NodalMass {
   void add(const NodalMass& more);
   bool none() const { return mass == 0.0 && inertia[0] == 0.0; }
   /// Linear and angular momentum of a motion.
-  Six momentum(const Six& motion) const;
+  SixDof momentum(const SixDof& motion) const;
 };
 
 /// Share of node a in the mass of an element. A quarter of a shell (a third of a triangle) goes with its corner as a
@@ -46,7 +46,7 @@ struct Matrices {
   const system::System& system;
   system::State rest;  ///< positions at time 0
   Equations equations;
-  int held = 0;  ///< unknowns without any stiffness, which are held (AUTOSPC)
+  int auto_constrained = 0;  ///< unknowns without any stiffness, which are held (AUTOSPC)
   Symmetric stiffness, mass;
   std::vector<NodalMass> nodal_mass;           ///< by system node, virtual ones last
   std::vector<BodyLink> links;                 ///< joints; in K

@@ -16,7 +16,7 @@ namespace {
 /// The ranks that this one leads.
 struct Led {
   int count = 1, instances = 0;
-  std::function<void(const SolverCall&)> tell;
+  std::function<void(const SolverCall&)> send;
 } led;
 
 void call_mumps(DMUMPS_STRUC_C& data) {
@@ -41,7 +41,7 @@ void take_part(Data& data, int job) {
 }
 
 template <class Data>
-void answer(const SolverCall& call, std::map<int, Data>& instances) {
+void response(const SolverCall& call, std::map<int, Data>& instances) {
   take_part(instances[call.instance], call.job);
   if (call.job == -2) instances.erase(call.instance);
 }
@@ -83,8 +83,8 @@ int ranks() {
   return led.count;
 }
 
-void lead_ranks(int count, std::function<void(const SolverCall&)> tell) {
-  led = {count, 0, std::move(tell)};
+void lead_ranks(int count, std::function<void(const SolverCall&)> send) {
+  led = {count, 0, std::move(send)};
 }
 
 void follow_calls(const std::function<SolverCall()>& next) {
@@ -94,8 +94,8 @@ void follow_calls(const std::function<SolverCall()>& next) {
   for (;;) {
     const SolverCall call = next();
     switch (call.kind) {
-      case SolverCall::Kind::real: answer(call, real); break;
-      case SolverCall::Kind::complex: answer(call, complex); break;
+      case SolverCall::Kind::real: response(call, real); break;
+      case SolverCall::Kind::complex: response(call, complex); break;
       case SolverCall::Kind::end: return;
     }
   }
@@ -104,7 +104,7 @@ void follow_calls(const std::function<SolverCall()>& next) {
 template <class Number>
 void Mumps<Number>::call(int job) {
   constexpr bool real = std::is_same_v<Number, double>;
-  if (led.tell) led.tell({real ? SolverCall::Kind::real : SolverCall::Kind::complex, instance_, job});
+  if (led.send) led.send({real ? SolverCall::Kind::real : SolverCall::Kind::complex, instance_, job});
   take_part(data_, job);
 }
 

@@ -6,18 +6,18 @@
 
 namespace nugget::nvh {
 
-Vec3d part_of(const Six& six, bool rotation) {
+Vec3d part_of(const SixDof& six, bool rotation) {
   return rotation ? Vec3d{six[3], six[4], six[5]} : Vec3d{six[0], six[1], six[2]};
 }
 
-void add_to(Six& six, bool rotation, const Vec3d& v) {
+void add_to(SixDof& six, bool rotation, const Vec3d& v) {
   const std::size_t first = rotation ? 3 : 0;
   six[first] += v.x;
   six[first + 1] += v.y;
   six[first + 2] += v.z;
 }
 
-void follow(const system::System& system, Nodal& u) {
+void apply_constraints(const system::System& system, Nodal& u) {
   for (std::size_t d = 0; d < system.nodes; ++d) {
     if (!system.map.dependent(static_cast<int>(d))) continue;
     for (const system::ConstraintMap::Block& b : system.map.blocks(static_cast<int>(d)))
@@ -26,7 +26,7 @@ void follow(const system::System& system, Nodal& u) {
   }
 }
 
-void collect(const system::System& system, Nodal& f) {
+void transfer_forces(const system::System& system, Nodal& f) {
   for (std::size_t d = 0; d < system.nodes; ++d) {
     if (!system.map.dependent(static_cast<int>(d))) continue;
     for (const system::ConstraintMap::Block& b : system.map.blocks(static_cast<int>(d)))
@@ -52,8 +52,8 @@ std::vector<double> tangent_stiffness(const Matrices& m, const system::ElementGr
   return k;
 }
 
-HeldMotion::Row motion_of(const BodyLink& link, const Nodal& u) {
-  HeldMotion::Row motion;
+ConstrainedMotion::Row motion_of(const BodyLink& link, const Nodal& u) {
+  ConstrainedMotion::Row motion;
   for (std::size_t i = 0; i < 12; ++i) motion[i] = u[at(link.node[i / 6])][i % 6];
   return motion;
 }
@@ -75,12 +75,13 @@ Internal internal_forces(const Matrices& m, const Nodal& u) {
       all.part_energy[at(group->part)] += 0.5 * twice;
     }
   for (const BodyLink& link : m.links) {
-    const HeldMotion::Row motion = motion_of(link, u);
-    for (const HeldMotion& held : link.held) {
+    const ConstrainedMotion::Row motion = motion_of(link, u);
+    for (const ConstrainedMotion& constrained : link.constrained) {
       double moved = 0.0;
-      for (std::size_t i = 0; i < 12; ++i) moved += held.row[i] * motion[i];
-      for (std::size_t i = 0; i < 12; ++i) all.force[at(link.node[i / 6])][i % 6] += held.spring * moved * held.row[i];
-      all.link_energy += 0.5 * held.spring * moved * moved;
+      for (std::size_t i = 0; i < 12; ++i) moved += constrained.row[i] * motion[i];
+      for (std::size_t i = 0; i < 12; ++i)
+        all.force[at(link.node[i / 6])][i % 6] += constrained.spring * moved * constrained.row[i];
+      all.link_energy += 0.5 * constrained.spring * moved * moved;
     }
   }
   return all;

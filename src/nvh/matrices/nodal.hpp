@@ -8,15 +8,15 @@
 // Motions of all nodes of a linear model, and the forces of its elements.
 namespace nugget::nvh {
 
-using Nodal = std::vector<Six>;  ///< motion of each system node, virtual ones included, or force on it
+using Nodal = std::vector<SixDof>;  ///< motion of each system node, virtual ones included, or force on it
 
-Vec3d part_of(const Six& six, bool rotation);
-void add_to(Six& six, bool rotation, const Vec3d& v);
+Vec3d part_of(const SixDof& six, bool rotation);
+void add_to(SixDof& six, bool rotation, const Vec3d& v);
 
 /// Gives dependent nodes the motion of those that they follow, on top of what they have.
-void follow(const system::System& system, Nodal& motion);
+void apply_constraints(const system::System& system, Nodal& motion);
 /// Forces on dependent nodes go to those that they follow.
-void collect(const system::System& system, Nodal& force);
+void transfer_forces(const system::System& system, Nodal& force);
 
 /// K_e of one element, the mean of both triangles, as the assembled matrix has it; row-major.
 std::vector<double> element_stiffness(const Matrices& matrices, const system::ElementGroup& group, std::size_t e);
@@ -24,7 +24,7 @@ std::vector<double> element_stiffness(const Matrices& matrices, const system::El
 std::vector<double> tangent_stiffness(const Matrices& matrices, const system::ElementGroup& group, std::size_t e);
 
 /// Motion of the twelve freedoms of the bodies that a link joins.
-HeldMotion::Row motion_of(const BodyLink& link, const Nodal& motion);
+ConstrainedMotion::Row motion_of(const BodyLink& link, const Nodal& motion);
 
 /// Forces K_e u_e of all elements and joints on the nodes, and what strain energy they hold.
 struct Internal {

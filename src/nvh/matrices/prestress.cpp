@@ -15,7 +15,7 @@ namespace nugget::nvh {
 namespace {
 
 using Tensor = std::array<double, 6>;  // xx yy zz xy yz zx
-using Seat = system::System::Seat;
+using ElementLocation = system::System::ElementLocation;
 using Gradient = std::array<double, 3>;  ///< of a shape function in up to three natural coordinates
 
 void add_to(Tensor& sum, double factor, const Tensor& t) {
@@ -181,38 +181,38 @@ Prestress::Prestress(const Matrices& m) : system_(m.system), rest_(m.rest) {
   for (const auto& group : m.system.groups) tensor_.emplace_back(group->size(), Tensor{});
 }
 
-Tensor& Prestress::of(const Seat& seat) {
-  return tensor_[at(seat.group)][at(seat.element)];
+Tensor& Prestress::of(const ElementLocation& location) {
+  return tensor_[at(location.group)][at(location.element)];
 }
 
 void Prestress::add_initial() {
   const system::System& system = system_;
   const model::InitialState& initial = system.model.initial_state;
   for (const model::InitialStress& s : initial.shells) {
-    const Seat seat = system.shell_seat[at(s.element)];
-    if (seat.group >= 0)
-      add_to(of(seat), system.groups[at(seat.group)]->thickness(at(seat.element)), mean_through(s.points));
+    const ElementLocation location = system.shell_location[at(s.element)];
+    if (location.group >= 0)
+      add_to(of(location), system.groups[at(location.group)]->thickness(at(location.element)), mean_through(s.points));
   }
   for (const model::InitialStress& s : initial.solids)
-    if (const Seat seat = system.solid_seat[at(s.element)]; seat.group >= 0)
+    if (const ElementLocation location = system.solid_location[at(s.element)]; location.group >= 0)
       for (const model::InitialPoint& p : s.points)
-        add_to(of(seat), 1.0 / static_cast<double>(s.points.size()), p.stress);
+        add_to(of(location), 1.0 / static_cast<double>(s.points.size()), p.stress);
   for (const model::SectionStress& s : initial.section_stresses)
     for (const model::Index solid : s.solids)
-      if (const Seat seat = system.solid_seat[at(solid)]; seat.group >= 0)
-        add_to(of(seat), system.model.curves[at(s.curve)].clamped(0.0), along(s.normal));
+      if (const ElementLocation location = system.solid_location[at(solid)]; location.group >= 0)
+        add_to(of(location), system.model.curves[at(s.curve)].clamped(0.0), along(s.normal));
   for (const model::AxialForce& f : initial.axial_forces)
     for (const model::Index beam : f.beams) {
-      const Seat seat = system.beam_seat[at(beam)];
-      if (seat.group < 0) continue;
-      const system::ElementNodes node = system.groups[at(seat.group)]->nodes(at(seat.element));
+      const ElementLocation location = system.beam_location[at(beam)];
+      if (location.group < 0) continue;
+      const system::ElementNodes node = system.groups[at(location.group)]->nodes(at(location.element));
       const Vec3d line = vec(rest_.x[at(node[1])]) - vec(rest_.x[at(node[0])]);
       if (norm(line) > 0.0)
-        add_to(of(seat), f.scale * system.model.curves[at(f.curve)].clamped(0.0), along(unit(line)));
+        add_to(of(location), f.scale * system.model.curves[at(f.curve)].clamped(0.0), along(unit(line)));
     }
 }
 
-void Prestress::add(const std::vector<Six>& motion) {
+void Prestress::add(const std::vector<SixDof>& motion) {
   const ElasticStresses elastic(system_, motion);
   for (std::size_t g = 0; g < tensor_.size(); ++g) {
     const system::ElementGroup& group = *system_.groups[g];
@@ -221,11 +221,11 @@ void Prestress::add(const std::vector<Six>& motion) {
         dimension_of(group) == 2 ? system::layer_rule(system_.model, group.part) : kernel::LayerRule{};
     for (std::size_t e = 0; e < group.size(); ++e) {
       if (!group.alive(e)) continue;
-      const Seat seat{static_cast<int>(g), static_cast<int>(e)};
-      if (dimension_of(group) == 3) add_to(of(seat), 1.0, elastic.stress(seat, 0));
+      const ElementLocation location{static_cast<int>(g), static_cast<int>(e)};
+      if (dimension_of(group) == 3) add_to(of(location), 1.0, elastic.stress(location, 0));
       if (dimension_of(group) == 2)
         for (int k = 0; k < layers; ++k)
-          add_to(of(seat), group.thickness(e) * rule.weight[at(k)], elastic.stress(seat, k));
+          add_to(of(location), group.thickness(e) * rule.weight[at(k)], elastic.stress(location, k));
       if (dimension_of(group) > 1) continue;
       // Along a line: the force at its second end.
       const std::size_t per_node = at(group.freedoms()), n = 2 * per_node;
@@ -238,13 +238,13 @@ void Prestress::add(const std::vector<Six>& motion) {
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < n; ++j)
           force[i] += k[(per_node + i) * n + j] * motion[at(node[j / per_node])][j % per_node];
-      add_to(of(seat), dot(unit(line), Vec3d{force[0], force[1], force[2]}), along(unit(line)));
+      add_to(of(location), dot(unit(line), Vec3d{force[0], force[1], force[2]}), along(unit(line)));
     }
   }
 }
 
 void Prestress::add(const system::System& run, const system::State& now) {
-  const auto carry = [&](const std::vector<Seat>& from, const std::vector<Seat>& to) {
+  const auto carry = [&](const std::vector<ElementLocation>& from, const std::vector<ElementLocation>& to) {
     for (std::size_t i = 0; i < from.size(); ++i) {
       if (from[i].group < 0 || to[i].group < 0) continue;
       const system::ElementGroup& group = *run.groups[at(from[i].group)];
@@ -264,10 +264,10 @@ void Prestress::add(const system::System& run, const system::State& now) {
                group.layer(e, k, now).stress);
     }
   };
-  carry(run.shell_seat, system_.shell_seat);
-  carry(run.solid_seat, system_.solid_seat);
-  carry(run.beam_seat, system_.beam_seat);
-  carry(run.discrete_seat, system_.discrete_seat);
+  carry(run.shell_location, system_.shell_location);
+  carry(run.solid_location, system_.solid_location);
+  carry(run.beam_location, system_.beam_location);
+  carry(run.discrete_location, system_.discrete_location);
 }
 
 std::size_t Prestress::elements() const {
@@ -279,7 +279,7 @@ std::size_t Prestress::elements() const {
 
 Symmetric Prestress::stiffness(const Equations& equations) const {
   struct Piece {
-    Reach reach;
+    DofMap dof_map;
     std::vector<double> k;
   };
   std::vector<Piece> pieces;
@@ -290,13 +290,13 @@ Symmetric Prestress::stiffness(const Equations& equations) const {
     for (std::size_t e = 0; e < group.size(); ++e) {
       if (!group.alive(e) || !any(tensor_[g][e])) continue;
       const system::ElementNodes node = group.nodes(e);
-      pieces.push_back({Reach(equations, element_nodes(group, node), group.freedoms()),
+      pieces.push_back({DofMap(equations, element_nodes(group, node), group.freedoms()),
                         element_stiffness(group, places_of(group, e, rest_), points, tensor_[g][e])});
-      lists.push_back(pieces.back().reach.equations());
+      lists.push_back(pieces.back().dof_map.equations());
     }
   }
   Symmetric k(pattern(at(equations.size()), lists));
-  for (const Piece& p : pieces) scatter(p.reach, p.k, k);
+  for (const Piece& p : pieces) scatter(p.dof_map, p.k, k);
   return k;
 }
 

@@ -23,7 +23,7 @@ class Prestress {
   /// *INITIAL_STRESS_SHELL, _SOLID, _SECTION and *INITIAL_AXIAL_FORCE_BEAM at time 0.
   void add_initial();
   /// Those of a linear solution, by the motion of each system node.
-  void add(const std::vector<Six>& motion);
+  void add(const std::vector<SixDof>& motion);
   /// Those that another system of the same deck carries, one that has been run; axes are the global ones of then.
   void add(const system::System& run, const system::State& now);
 
@@ -37,7 +37,7 @@ class Prestress {
  private:
   /// Stress, membrane force or axial force: xx yy zz xy yz zx, global axes.
   using Tensor = std::array<double, 6>;
-  Tensor& of(const system::System::Seat& seat);
+  Tensor& of(const system::System::ElementLocation& location);
   const system::System& system_;
   const system::State& rest_;
   std::vector<std::vector<Tensor>> tensor_;  ///< by group and element

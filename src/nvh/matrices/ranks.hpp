@@ -18,8 +18,8 @@ struct SolverCall {
 /// How many processes solve together: 1 if nobody leads.
 int ranks();
 
-/// On the first rank: from now on `tell` passes each call on to the others before it is made here.
-void lead_ranks(int count, std::function<void(const SolverCall&)> tell);
+/// On the first rank: from now on `send` passes each call on to the others before it is made here.
+void lead_ranks(int count, std::function<void(const SolverCall&)> send);
 
 /// On the others: makes the calls that `next` waits for, to the end.
 void follow_calls(const std::function<SolverCall()>& next);

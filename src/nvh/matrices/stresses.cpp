@@ -9,14 +9,14 @@ namespace {
 
 constexpr double step = 0x1p-100;  // a power of two: scaling by it is exact
 
-const system::ElementGroup* group_of(const system::System& system, const system::System::Seat& seat) {
-  return seat.group < 0 ? nullptr : system.groups[at(seat.group)].get();
+const system::ElementGroup* group_of(const system::System& system, const system::System::ElementLocation& location) {
+  return location.group < 0 ? nullptr : system.groups[at(location.group)].get();
 }
 
 }  // namespace
 
-ElasticStresses::ElasticStresses(const system::System& at_rest, const std::vector<Six>& motion) {
-  Findings findings;  // those of this model have been told
+ElasticStresses::ElasticStresses(const system::System& at_rest, const std::vector<SixDof>& motion) {
+  Findings findings;  // those of this model have been reported
   system_ = std::make_unique<system::System>(at_rest.model, at_rest.ties, findings);
   state_ = system_->initial_state();
   for (std::size_t k = 0; k < motion.size(); ++k) {
@@ -27,10 +27,10 @@ ElasticStresses::ElasticStresses(const system::System& at_rest, const std::vecto
   system_->internal_force(state_);
 }
 
-std::array<double, 6> ElasticStresses::stress(const system::System::Seat& seat, int k) const {
+std::array<double, 6> ElasticStresses::stress(const system::System::ElementLocation& location, int k) const {
   std::array<double, 6> s{};
-  if (const system::ElementGroup* group = group_of(*system_, seat))
-    s = group->layer(at(seat.element), k, state_).stress;
+  if (const system::ElementGroup* group = group_of(*system_, location))
+    s = group->layer(at(location.element), k, state_).stress;
   for (double& component : s) component /= step;
   return s;
 }

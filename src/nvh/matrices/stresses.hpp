@@ -16,13 +16,13 @@ namespace nugget::nvh {
 class ElasticStresses {
  public:
   /// `motion`: by system node, see Statics::motion.
-  ElasticStresses(const system::System& at_rest, const std::vector<Six>& motion);
+  ElasticStresses(const system::System& at_rest, const std::vector<SixDof>& motion);
 
   /// Element records of a d3plot state, `share` of the solution.
   void fill(double share, output::D3plotState& state) const;
 
   /// Stress of point k of an element, global axes.
-  std::array<double, 6> stress(const system::System::Seat& seat, int k) const;
+  std::array<double, 6> stress(const system::System::ElementLocation& location, int k) const;
   const system::System& system() const { return *system_; }
 
  private:

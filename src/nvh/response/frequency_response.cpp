@@ -51,28 +51,28 @@ void check_frequency_response(const Matrices& m, const model::FrequencyResponse&
 }
 
 FrfResult frequency_response(const Matrices& m, const Modes& modes, const model::FrequencyResponse& request,
-                             const Tell& tell) {
-  std::vector<Probe> probes;
+                             const ProgressCallback& progress) {
+  std::vector<ResponsePoint> points;
   std::vector<std::size_t> case_of;  // of each probe
   std::vector<model::FrequencyResponse::Excitation> excitations;
   for (std::size_t c = 0; c < request.cases.size(); ++c) {
     excitations.push_back(request.cases[c].excitation);
-    for (Probe& p : probes_of(m, request.cases[c].response)) probes.push_back(std::move(p));
-    case_of.resize(probes.size(), c);
+    for (ResponsePoint& p : response_points_of(m, request.cases[c].response)) points.push_back(std::move(p));
+    case_of.resize(points.size(), c);
   }
-  Transfer transfer(m, std::move(probes), excitations);
+  Transfer transfer(m, std::move(points), excitations);
   FrfResult result;
   result.frequency = frequencies(request, modes);
-  result.route = request.direct ? transfer.solve_directly(request.damping, result.frequency, tell)
-                                : transfer.solve(modes, request.modes, request.damping, result.frequency);
-  for (std::size_t p = 0; p < transfer.probes().size(); ++p) {
-    const Probe& probe = transfer.probes()[p];
+  result.method = request.direct ? transfer.solve_directly(request.damping, result.frequency, progress)
+                                 : transfer.solve(modes, request.modes, request.damping, result.frequency);
+  for (std::size_t p = 0; p < transfer.points().size(); ++p) {
+    const ResponsePoint& point = transfer.points()[p];
     const std::size_t c = case_of[p];
     const model::FrequencyResponse::Response& response = request.cases[c].response;
     const int number = request.cases.size() > 1 ? static_cast<int>(c) + 1 : 0;
-    FrfCurve curve{number, probe.id, probe.direction, probe.rotation, response.quantity, {}};
+    FrfCurve curve{number, point.id, point.direction, point.rotation, response.quantity, {}};
     for (std::size_t k = 0; k < result.frequency.size(); ++k)
-      curve.value.push_back(probe.force ? transfer.force(c, p, k)
+      curve.value.push_back(point.force ? transfer.force(c, p, k)
                                         : transfer.motion(c, p, k, response.quantity, response.relative));
     result.curve.push_back(std::move(curve));
   }

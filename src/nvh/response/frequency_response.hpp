@@ -4,7 +4,7 @@
 #include <complex>
 #include <filesystem>
 
-#include "nvh/response/answers.hpp"
+#include "nvh/response/responses.hpp"
 #include "output/ascii.hpp"
 
 namespace nugget::nvh {
@@ -23,7 +23,7 @@ struct FrfCurve {
 struct FrfResult {
   std::vector<double> frequency;
   std::vector<FrfCurve> curve;
-  Route route;
+  SolutionMethod method;
 };
 
 /// Findings for what the equations cannot answer.
@@ -33,7 +33,7 @@ void check_frequency_response(const Matrices& matrices, const model::FrequencyRe
 /// vector (Superposition), or, where the request says so, by a solution for each frequency, which needs no modes.
 /// Throws Factorization::SolverError.
 FrfResult frequency_response(const Matrices& matrices, const Modes& modes, const model::FrequencyResponse& request,
-                             const Tell& tell = {});
+                             const ProgressCallback& progress = {});
 
 /// frf.csv: a line for each frequency of each response, with its case in a last column where there are several; and
 /// LS-DYNA's files, frf_amplitude and frf_angle or frf_real and frf_imag, one curve a response. Throws

@@ -30,7 +30,7 @@ Nodal applied_forces(const Matrices& m, const Excitation& e) {
 
 void add_load(const Matrices& m, const Nodal& f, double factor, std::span<double> q) {
   for (std::size_t k = 0; k < f.size(); ++k) {
-    Six scaled = f[k];
+    SixDof scaled = f[k];
     for (double& component : scaled) component *= factor;
     m.equations.add_load(static_cast<int>(k), scaled, q);
   }
@@ -61,12 +61,12 @@ void solve_statically(const Matrices& m, Columns& q) {
 Nodal static_shape(const Matrices& m, const Excitation& e) {
   Nodal u(m.system.all_nodes());
   for (const model::Index n : e.nodes) add_to(u[at(m.system.node_of[at(n)])], false, e.direction);
-  follow(m.system, u);
+  apply_constraints(m.system, u);
   Columns q(m.size(), 1);
   add_load(m, internal_forces(m, u).force, -1.0, q[0]);
   if (m.size() > 0) solve_statically(m, q);
   for (std::size_t k = 0; k < u.size(); ++k) {
-    const Six more = m.equations.motion(static_cast<int>(k), q[0]);
+    const SixDof more = m.equations.motion(static_cast<int>(k), q[0]);
     for (std::size_t i = 0; i < 6; ++i) u[k][i] += more[i];
   }
   return u;
@@ -75,7 +75,7 @@ Nodal static_shape(const Matrices& m, const Excitation& e) {
 /// Of a unit of its translation, or of its (small) rotation about the axis.
 Nodal motion_of_base(const Matrices& m, const Excitation& e) {
   const Vec3d& d = e.direction;
-  Nodal u(m.system.all_nodes(), Six{d.x, d.y, d.z, 0, 0, 0});
+  Nodal u(m.system.all_nodes(), SixDof{d.x, d.y, d.z, 0, 0, 0});
   if (!e.turning) return u;
   for (std::size_t k = 0; k < u.size(); ++k) {
     const Vec3d v = cross(d, m.place(k) - e.axis);
@@ -102,7 +102,7 @@ HarmonicLoad harmonic_load(const Matrices& m, const Excitation& e) {
   if (!e.moves()) {
     load.applied = applied_forces(m, e);
     add_load(m, load.applied, 1.0, load.force);
-    collect(m.system, load.applied);
+    transfer_forces(m.system, load.applied);
     return load;
   }
   if (e.kind == Kind::base)
@@ -111,7 +111,7 @@ HarmonicLoad harmonic_load(const Matrices& m, const Excitation& e) {
     load.carried = static_shape(m, e);
   for (std::size_t k = 0; k < m.nodal_mass.size(); ++k) {
     if (m.nodal_mass[k].none()) continue;
-    Six inertia = m.nodal_mass[k].momentum(load.carried[k]);
+    SixDof inertia = m.nodal_mass[k].momentum(load.carried[k]);
     for (double& component : inertia) component = -component;
     m.equations.add_load(static_cast<int>(k), inertia, load.force);
   }

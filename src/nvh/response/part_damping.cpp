@@ -30,7 +30,7 @@ std::vector<double> stiffness_factors(const model::Model& model) {
 
 /// A matrix of nodes or of an element, and the unknowns that it reaches.
 struct Piece {
-  Reach reach;
+  DofMap dof_map;
   std::vector<double> c;
 };
 
@@ -39,7 +39,7 @@ void add_element(const Matrices& m, const system::ElementGroup& group, std::size
                  std::vector<Piece>& pieces) {
   const system::ElementNodes node = group.nodes(e);
   const auto put = [&](std::vector<double> c) {
-    pieces.push_back({Reach(m.equations, element_nodes(group, node), group.freedoms()), std::move(c)});
+    pieces.push_back({DofMap(m.equations, element_nodes(group, node), group.freedoms()), std::move(c)});
   };
   const std::size_t n = at(group.nodes_per_element) * at(group.freedoms());
   if (std::vector<double> c(n * n); group.viscosity(e, m.rest, c)) put(std::move(c));
@@ -56,7 +56,7 @@ void add_masses(const Matrices& m, const system::ElementGroup& group, std::size_
     const std::array<double, 36> mass = mass_matrix(nodal_share(m.system, group, e, a, m.rest));
     std::vector<double> c(mass.begin(), mass.end());
     for (double& v : c) v *= alpha;
-    pieces.push_back({Reach(m.equations, {&node[a], 1}, 6), std::move(c)});
+    pieces.push_back({DofMap(m.equations, {&node[a], 1}, 6), std::move(c)});
   }
 }
 
@@ -76,11 +76,11 @@ Symmetric part_damping(const Matrices& m) {
       if (alpha[at(group->part)] != 0.0) add_masses(m, *group, e, alpha[at(group->part)], pieces);
     }
   for (const BodyLink& link : m.links)
-    if (link.damps()) pieces.push_back({Reach(m.equations, link.node, 6), link.viscosity()});
+    if (link.damps()) pieces.push_back({DofMap(m.equations, link.node, 6), link.viscosity()});
   std::vector<std::vector<int>> lists;
-  for (const Piece& p : pieces) lists.push_back(p.reach.equations());
+  for (const Piece& p : pieces) lists.push_back(p.dof_map.equations());
   Symmetric c(pattern(m.size(), lists));
-  for (const Piece& p : pieces) scatter(p.reach, p.c, c);
+  for (const Piece& p : pieces) scatter(p.dof_map, p.c, c);
   return c;
 }
 

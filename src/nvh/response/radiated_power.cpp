@@ -86,7 +86,7 @@ double square_of_normal_velocity(std::span<const Vec3d, 4> x, std::span<const Ve
 }
 
 RadiatedPower radiated_power(const Matrices& m, const Modes& modes, const model::SteadyState& request,
-                             const Tell& tell) {
+                             const ProgressCallback& progress) {
   const model::SteadyState::RadiatedPower& wanted = *request.radiated_power;
   model::SteadyState absolute = request;
   absolute.relative = false;
@@ -111,7 +111,7 @@ RadiatedPower radiated_power(const Matrices& m, const Modes& modes, const model:
       result.panels[p].power.push_back(factor * sum);
     }
   };
-  each_motion(m, modes, absolute, absolute.cases.front(), result.frequency, add, tell);
+  each_motion(m, modes, absolute, absolute.cases.front(), result.frequency, add, progress);
   if (result.panels.size() < 2) return result;
   RadiatedPower::Panel all{"all", 0.0, std::vector<double>(result.frequency.size(), 0.0)};
   for (const RadiatedPower::Panel& panel : result.panels) {

@@ -28,7 +28,7 @@ struct RadiatedPower {
 /// Under the loads of a request with RadiatedPower. Velocities are absolute, whatever RELATV is. `modes`: the lowest
 /// ones; not used where the request is direct. Throws Factorization::SolverError.
 RadiatedPower radiated_power(const Matrices& matrices, const Modes& modes, const model::SteadyState& request,
-                             const Tell& tell = {});
+                             const ProgressCallback& progress = {});
 
 /// Integral of |v_n|^2 over a quad or triangle (its last corner twice), bilinear in between: two by two points of Gauss
 /// in a quad, exact in a parallelogram; the exact rule of three points in a triangle. `x`, `v`: of its corners.

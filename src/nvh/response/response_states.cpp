@@ -25,12 +25,12 @@ class Drive {
   }
   const std::vector<HarmonicLoad>& loads() const { return loads_; }
 
-  Complex on_answer(std::size_t l, double frequency) const { return factor(l, frequency, 2); }
+  Complex on_response(std::size_t l, double frequency) const { return factor(l, frequency, 2); }
 
   /// Motion of a system node: that of the unknowns, and what is carried along.
   std::array<Complex, 3> motion(int node, std::span<const double> real, std::span<const double> imaginary,
                                 double frequency) const {
-    const Six a = m_.equations.motion(node, real), b = m_.equations.motion(node, imaginary);
+    const SixDof a = m_.equations.motion(node, real), b = m_.equations.motion(node, imaginary);
     std::array<Complex, 3> u{Complex(a[0], b[0]), Complex(a[1], b[1]), Complex(a[2], b[2])};
     for (std::size_t l = 0; l < loads_.size(); ++l) {
       const auto& excitation = driven_[l].excitation;
@@ -61,12 +61,12 @@ class Drive {
 
 void each_motion(const Matrices& m, const Modes& modes, const model::SteadyState& request,
                  const model::SteadyState::Case& loads, const std::vector<double>& frequency,
-                 const std::function<void(const MotionAt&)>& visit, const Tell& tell) {
+                 const std::function<void(const MotionAt&)>& visit, const ProgressCallback& progress) {
   const Drive drive(m, request, loads);
   std::vector<double> real(m.size()), imaginary(m.size());
   MotionAt now;
   now.u.resize(m.system.model.nodes.size());
-  const auto tell_motion = [&](std::size_t k) {
+  const auto report_motion = [&](std::size_t k) {
     now.frequency = frequency[k];
     for (std::size_t n = 0; n < now.u.size(); ++n)
       now.u[n] = drive.motion(m.system.node_of[n], real, imaginary, frequency[k]);
@@ -76,7 +76,7 @@ void each_motion(const Matrices& m, const Modes& modes, const model::SteadyState
     const auto load = [&](std::size_t k, std::vector<Complex>& x) {
       std::fill(x.begin(), x.end(), 0.0);
       for (std::size_t l = 0; l < drive.loads().size(); ++l) {
-        const Complex factor = drive.on_answer(l, frequency[k]);
+        const Complex factor = drive.on_response(l, frequency[k]);
         for (std::size_t i = 0; i < m.size(); ++i) x[i] += factor * drive.loads()[l].force[i];
       }
     };
@@ -85,31 +85,31 @@ void each_motion(const Matrices& m, const Modes& modes, const model::SteadyState
         real[i] = x[i].real();
         imaginary[i] = x[i].imag();
       }
-      tell_motion(k);
+      report_motion(k);
     };
-    return solve_directly(m, request.damping, frequency, 1, load, keep, tell);
+    return solve_directly(m, request.damping, frequency, 1, load, keep, progress);
   }
   const Superposition superposition(m, modes, request.modes, drive.loads());
-  const Answers share = superposition.shares(request.damping, frequency);
+  const Responses share = superposition.shares(request.damping, frequency);
   for (std::size_t k = 0; k < frequency.size(); ++k) {
     std::fill(real.begin(), real.end(), 0.0);
     std::fill(imaginary.begin(), imaginary.end(), 0.0);
     for (std::size_t i = 0; i < superposition.oscillators(); ++i) {
       Complex sum = 0.0;
       for (std::size_t l = 0; l < drive.loads().size(); ++l)
-        if (const Complex factor = drive.on_answer(l, frequency[k]); factor != 0.0) sum += factor * share(l, i, k);
+        if (const Complex factor = drive.on_response(l, frequency[k]); factor != 0.0) sum += factor * share(l, i, k);
       const std::span<const double> shape = superposition.shape(i);
       for (std::size_t j = 0; j < m.size(); ++j) {
         real[j] += sum.real() * shape[j];
         imaginary[j] += sum.imag() * shape[j];
       }
     }
-    tell_motion(k);
+    report_motion(k);
   }
 }
 
 std::size_t write_d3ssd(const std::filesystem::path& directory, const Matrices& m, const Modes& modes,
-                        const model::SteadyState& request, const Tell& tell) {
+                        const model::SteadyState& request, const ProgressCallback& progress) {
   using Part = model::SteadyState::States::Part;
   const std::vector<double> frequency = frequencies(*request.states, modes);
   const std::size_t nodes = m.system.model.nodes.size();
@@ -139,7 +139,7 @@ std::size_t write_d3ssd(const std::filesystem::path& directory, const Matrices& 
       }
       file.write(state);
     };
-    each_motion(m, modes, request, loads, frequency, write, tell);
+    each_motion(m, modes, request, loads, frequency, write, progress);
   }
   return frequency.size();
 }

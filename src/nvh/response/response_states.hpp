@@ -17,13 +17,13 @@ struct MotionAt {
 /// used where the request is direct. Throws Factorization::SolverError.
 void each_motion(const Matrices& matrices, const Modes& modes, const model::SteadyState& request,
                  const model::SteadyState::Case& loads, const std::vector<double>& frequency,
-                 const std::function<void(const MotionAt&)>& visit, const Tell& tell = {});
+                 const std::function<void(const MotionAt&)>& visit, const ProgressCallback& progress = {});
 
 /// d3ssd, of _SUBCASE one family for each case: each frequency a state, the frequency as its time. Coordinates at rest
 /// plus the displacement, velocities and accelerations: of each component the amplitude, or the real or imaginary part,
 /// as the deck asks. Elements have no stresses. Returns the number of states of a family. Throws
 /// Factorization::SolverError, output::WriteError.
 std::size_t write_d3ssd(const std::filesystem::path& directory, const Matrices& matrices, const Modes& modes,
-                        const model::SteadyState& request, const Tell& tell = {});
+                        const model::SteadyState& request, const ProgressCallback& progress = {});
 
 }  // namespace nugget::nvh

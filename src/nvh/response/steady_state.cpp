@@ -18,9 +18,9 @@ namespace {
 using Complex = std::complex<double>;
 using Response = model::FrequencyResponse::Response;
 
-std::vector<Probe> probes_of(const Matrices& m) {
+std::vector<ResponsePoint> response_points_of(const Matrices& m) {
   const model::Model& model = m.system.model;
-  std::vector<Probe> probes;
+  std::vector<ResponsePoint> points;
   for (const model::NamedEntity& entity : model.requests.history_nodes) {
     Response response;
     response.nodes = {entity.index};
@@ -29,9 +29,9 @@ std::vector<Probe> probes_of(const Matrices& m) {
       const Frame3d& own = model.systems[at(entity.system)].axes;
       response.directions = {own.e1, own.e2, own.e3};
     }
-    for (Probe& p : nvh::probes_of(m, response)) probes.push_back(std::move(p));
+    for (ResponsePoint& p : nvh::response_points_of(m, response)) points.push_back(std::move(p));
   }
-  return probes;
+  return points;
 }
 
 }  // namespace
@@ -66,21 +66,22 @@ void check_steady_state(const Matrices& m, const model::SteadyState& request, Fi
                        "drive the base, apply forces, or write DMPFLG 0");
 }
 
-SteadyResult steady_state(const Matrices& m, const Modes& modes, const model::SteadyState& request, const Tell& tell) {
+SteadyResult steady_state(const Matrices& m, const Modes& modes, const model::SteadyState& request,
+                          const ProgressCallback& progress) {
   std::vector<Transfer::Excitation> excitations;
   for (const model::SteadyState::Case& c : request.cases)
     for (const model::SteadyState::Load& load : c.loads) excitations.push_back(load.excitation);
-  Transfer transfer(m, probes_of(m), excitations);
+  Transfer transfer(m, response_points_of(m), excitations);
   SteadyResult result;
   result.frequency = frequencies(request, modes);
-  result.route = request.direct ? transfer.solve_directly(request.damping, result.frequency, tell)
-                                : transfer.solve(modes, request.modes, request.damping, result.frequency);
+  result.method = request.direct ? transfer.solve_directly(request.damping, result.frequency, progress)
+                                 : transfer.solve(modes, request.modes, request.damping, result.frequency);
   std::size_t first = 0;  // of the loads of a case among all
   for (std::size_t c = 0; c < request.cases.size(); ++c) {
     const std::vector<model::SteadyState::Load>& loads = request.cases[c].loads;
-    for (std::size_t p = 0; p < transfer.probes().size(); ++p) {
+    for (std::size_t p = 0; p < transfer.points().size(); ++p) {
       const int number = request.cases[c].id.empty() ? 0 : static_cast<int>(c) + 1;
-      SteadyCurve curve{number, transfer.probes()[p].id, transfer.probes()[p].direction, {}};
+      SteadyCurve curve{number, transfer.points()[p].id, transfer.points()[p].direction, {}};
       for (std::size_t q = 0; q < steady_quantities.size(); ++q)
         for (std::size_t k = 0; k < result.frequency.size(); ++k) {
           Complex sum = 0.0;

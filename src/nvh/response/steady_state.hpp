@@ -22,7 +22,7 @@ inline constexpr std::array steady_quantities{model::FrequencyResponse::Quantity
 struct SteadyResult {
   std::vector<double> frequency;
   std::vector<SteadyCurve> curve;  ///< three directions a node
-  Route route;
+  SolutionMethod method;
 };
 
 /// Findings for what the equations cannot answer.
@@ -31,7 +31,7 @@ void check_steady_state(const Matrices& matrices, const model::SteadyState& requ
 /// Steady motion of the nodes of *DATABASE_HISTORY_NODE, along the axes of the model or of their own system. `modes`:
 /// the lowest ones; not used where the request is direct. Throws Factorization::SolverError.
 SteadyResult steady_state(const Matrices& matrices, const Modes& modes, const model::SteadyState& request,
-                          const Tell& tell = {});
+                          const ProgressCallback& progress = {});
 
 /// Amplitude of a load at a frequency.
 std::complex<double> amplitude(const model::Model& model, const model::SteadyState& request,

@@ -7,8 +7,8 @@
 #include "base/parallel.hpp"
 #include "nvh/matrices/dense.hpp"
 #include "nvh/matrices/factorization.hpp"
-#include "nvh/response/answers.hpp"
 #include "nvh/response/part_damping.hpp"
+#include "nvh/response/responses.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -91,7 +91,7 @@ double loss_factor(const model::Model& model, double frequency, int mode) {
 Superposition::Superposition(const Matrices& m, const Modes& modes, const model::FrequencyResponse::Selection& chosen,
                              std::span<const HarmonicLoad> loads)
     : m_(m), loads_(loads.size()) {
-  std::size_t &first = route_.first, &last = route_.last;
+  std::size_t &first = method_.first, &last = method_.last;
   last = modes.eigenvalue.size();
   while (last > 0 && chosen.highest > 0.0 && modes.frequency(last - 1) > chosen.highest) --last;
   if (chosen.last > 0) last = std::min(last, at(chosen.last));
@@ -110,14 +110,14 @@ Superposition::Superposition(const Matrices& m, const Modes& modes, const model:
   const std::vector<double> eigenvalue = ritz(m, rest_);
   for (std::size_t j = 0; j < rest_.count; ++j) {
     add(rest_[j], eigenvalue[j], last + 1 + j);
-    route_.residual.push_back(std::sqrt(std::max(0.0, eigenvalue[j])) / two_pi);
+    method_.residual.push_back(std::sqrt(std::max(0.0, eigenvalue[j])) / two_pi);
   }
 }
 
-Answers Superposition::shares(const model::FrequencyResponse::Damping& damping,
-                              std::span<const double> frequency) const {
+Responses Superposition::shares(const model::FrequencyResponse::Damping& damping,
+                                std::span<const double> frequency) const {
   const model::Model& model = m_.system.model;
-  Answers a(loads_, oscillators_.size(), frequency.size());
+  Responses a(loads_, oscillators_.size(), frequency.size());
   if (damping.of_parts) {
     couple(frequency, a);
     return a;
@@ -127,15 +127,15 @@ Answers Superposition::shares(const model::FrequencyResponse::Damping& damping,
       const Oscillator& o = oscillators_[i];
       const double omega = two_pi * frequency[k];
       const double loss = o.eigenvalue * loss_factor(model, frequency[k], o.number);
-      const Complex answer =
+      const Complex response =
           1.0 / Complex(o.eigenvalue - omega * omega, viscous(model, damping, o.eigenvalue, o.number) * omega + loss);
-      for (std::size_t l = 0; l < loads_; ++l) a(l, i, k) = o.load[l] * answer;
+      for (std::size_t l = 0; l < loads_; ++l) a(l, i, k) = o.load[l] * response;
     }
   return a;
 }
 
 /// Damping of parts couples the oscillators: (diag(omega_i^2 (1 + i g) - omega^2) + i omega phi^t C phi) a = phi^t f.
-void Superposition::couple(std::span<const double> frequency, Answers& a) const {
+void Superposition::couple(std::span<const double> frequency, Responses& a) const {
   const std::size_t count = oscillators_.size();
   Columns shapes(m_.size(), count), forces(m_.size(), count);
   for (std::size_t i = 0; i < count; ++i) std::copy_n(oscillators_[i].shape.begin(), m_.size(), shapes[i].begin());
@@ -158,10 +158,10 @@ void Superposition::couple(std::span<const double> frequency, Answers& a) const 
   }
 }
 
-Answers Superposition::answers(const model::FrequencyResponse::Damping& damping, std::span<const Row> forms,
-                               std::span<const double> frequency) const {
-  const Answers share = shares(damping, frequency);
-  Answers a(loads_, forms.size(), frequency.size());
+Responses Superposition::responses(const model::FrequencyResponse::Damping& damping, std::span<const Row> forms,
+                                   std::span<const double> frequency) const {
+  const Responses share = shares(damping, frequency);
+  Responses a(loads_, forms.size(), frequency.size());
   parallel_for(forms.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
       for (std::size_t i = 0; i < oscillators_.size(); ++i) {

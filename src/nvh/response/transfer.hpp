@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "nvh/response/answers.hpp"
+#include "nvh/response/responses.hpp"
 
 namespace nugget::nvh {
 
@@ -18,31 +18,31 @@ class Transfer {
   using Excitation = model::FrequencyResponse::Excitation;
   using Quantity = model::FrequencyResponse::Quantity;
 
-  Transfer(const Matrices& matrices, std::vector<Probe> probes, const std::vector<Excitation>& excitations);
+  Transfer(const Matrices& matrices, std::vector<ResponsePoint> points, const std::vector<Excitation>& excitations);
 
   /// By superposition of the lowest modes.
-  Route solve(const Modes& modes, const model::FrequencyResponse::Selection& selection,
-              const model::FrequencyResponse::Damping& damping, std::span<const double> frequency);
+  SolutionMethod solve(const Modes& modes, const model::FrequencyResponse::Selection& selection,
+                       const model::FrequencyResponse::Damping& damping, std::span<const double> frequency);
   /// By one solution for each frequency.
-  Route solve_directly(const model::FrequencyResponse::Damping& damping, std::span<const double> frequency,
-                       const Tell& tell);
+  SolutionMethod solve_directly(const model::FrequencyResponse::Damping& damping, std::span<const double> frequency,
+                                const ProgressCallback& progress);
 
-  const std::vector<Probe>& probes() const { return probes_; }
+  const std::vector<ResponsePoint>& points() const { return points_; }
   /// Of a probe of motion; `wanted` is a displacement, velocity or acceleration, relative to the base or not.
-  std::complex<double> motion(std::size_t load, std::size_t probe, std::size_t k, Quantity wanted, bool relative) const;
+  std::complex<double> motion(std::size_t load, std::size_t point, std::size_t k, Quantity wanted, bool relative) const;
   /// Of a probe of force.
-  std::complex<double> force(std::size_t load, std::size_t probe, std::size_t k) const;
+  std::complex<double> force(std::size_t load, std::size_t point, std::size_t k) const;
 
  private:
   const Matrices& m_;
-  std::vector<Probe> probes_;
+  std::vector<ResponsePoint> points_;
   std::vector<Excitation> excitations_;
   std::vector<HarmonicLoad> loads_;
   std::vector<Row> forms_;          ///< of the probes, one of a motion, two of a force
   std::vector<std::size_t> start_;  ///< first form of each probe
   std::vector<double> frequency_;
   model::FrequencyResponse::Damping damping_;
-  Answers answers_{0, 0, 0};
+  Responses responses_{0, 0, 0};
 };
 
 }  // namespace nugget::nvh

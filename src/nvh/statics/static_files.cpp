@@ -13,10 +13,10 @@
 namespace nugget::nvh {
 namespace {
 
-Vec3d translation(const Six& s) {
+Vec3d translation(const SixDof& s) {
   return {s[0], s[1], s[2]};
 }
-Vec3d rotation(const Six& s) {
+Vec3d rotation(const SixDof& s) {
   return {s[3], s[4], s[5]};
 }
 
@@ -74,7 +74,7 @@ class States {
       const model::SinglePointConstraint& spc = model_.spcs[i];
       const int node = m_.system.node_of[at(spc.node)];
       if (spc.birth > 0.0 || (m_.system.map.dependent(node) && m_.system.map.rotations(node))) continue;
-      const Six force = held_by(Equations::Support::Source::spc, i, node);
+      const SixDof force = support_load(Equations::Support::Source::spc, i, node);
       const Frame3d axes =
           spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model_.systems[at(spc.system)].axes;
       const int id = model_.nodes.id[at(spc.node)];
@@ -96,8 +96,8 @@ class States {
     for (std::size_t i = 0; i < model_.motions.size(); ++i) {
       const model::PrescribedMotion& motion = model_.motions[i];
       const auto row = [&](int node) {
-        const Six force = held_by(Equations::Support::Source::motion, i, node);
-        const Six& u = s_.motion[at(node)];
+        const SixDof force = support_load(Equations::Support::Source::motion, i, node);
+        const SixDof& u = s_.motion[at(node)];
         const double work = 0.5 * (dot(translation(force), translation(u)) + dot(rotation(force), rotation(u)));
         return std::pair{force, work};
       };
@@ -157,8 +157,8 @@ class States {
   }
 
   /// Force and moment of one SPC or motion on a node.
-  Six held_by(Equations::Support::Source source, std::size_t index, int node) const {
-    Six sum{};
+  SixDof support_load(Equations::Support::Source source, std::size_t index, int node) const {
+    SixDof sum{};
     const std::vector<Equations::Support>& all = m_.equations.supports();
     const auto before = [](const Equations::Support& a, const std::pair<int, std::size_t>& b) {
       return std::pair{static_cast<int>(a.source), a.index} < b;

@@ -49,7 +49,7 @@ class Loads {
   Vec3d place(model::Index n) const { return m_.system.ties.x[at(n)]; }
 
   void add(const model::NodalLoad& load) {
-    const std::array<model::Index, 3>& f = load.follow;
+    const std::array<model::Index, 3>& f = load.follower_nodes;
     const Vec3d direction =
         f[0] == model::none ? load.direction : unit(cross(place(f[1]) - place(f[0]), place(f[2]) - place(f[0])));
     const Vec3d force = load.scale * level(load.curve, time_) * direction;
@@ -90,7 +90,7 @@ Nodal prescribed(const Matrices& m, double time, Findings& findings) {
       if (motion.circular)
         value *= model::place_on_circle(motion, m.system.ties.x[at(m.system.model_node[at(s.node)])]).radius;
     }
-    Six& node = u[at(s.node)];
+    SixDof& node = u[at(s.node)];
     const double missing = value - dot(s.direction, part_of(node, s.rotation));
     const double share = dot(s.direction, s.taken);
     if (share > 0.0)
@@ -100,7 +100,7 @@ Nodal prescribed(const Matrices& m, double time, Findings& findings) {
                      "it drives a node in a direction that an SPC or another motion prescribes otherwise",
                      "take one of them out");
   }
-  follow(m.system, u);
+  apply_constraints(m.system, u);
   return u;
 }
 
@@ -122,7 +122,7 @@ weld::Resultants of_beam(const Matrices& m, const system::ElementGroup& group, s
   const Vec3d line = vec(m.rest.x[at(node[1])]) - vec(m.rest.x[at(node[0])]);
   const Vec3d r = unit(line), force{f[6], f[7], f[8]};
   const Vec3d moment = Vec3d{f[9], f[10], f[11]} + cross(0.5 * line, force);
-  // s and t: any two normals of the axis; only magnitudes in that plane are told.
+  // s and t: any two normals of the axis; only magnitudes in that plane are written.
   const Vec3d least = std::abs(r.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
   const Vec3d s = unit(least - dot(least, r) * r), t = cross(r, s);
   return {dot(r, force), dot(s, force), dot(t, force), dot(r, moment), dot(s, moment), dot(t, moment)};
@@ -133,10 +133,10 @@ weld::Resultants of_bricks(const Matrices& m, const weld::Weld& weld, const Noda
   std::vector<Vec3d> x, force(section.nodes().size());
   for (const model::Index n : section.nodes()) x.push_back(m.system.ties.x[at(n)]);
   for (const model::Index element : weld.elements) {
-    const system::System::Seat seat = m.system.seat_of(weld, element);
-    const system::ElementGroup& group = *m.system.groups[at(seat.group)];
-    const std::vector<double> f = element_force(m, group, at(seat.element), u);
-    const system::ElementNodes node = group.nodes(at(seat.element));
+    const system::System::ElementLocation location = m.system.location_of(weld, element);
+    const system::ElementGroup& group = *m.system.groups[at(location.group)];
+    const std::vector<double> f = element_force(m, group, at(location.element), u);
+    const system::ElementNodes node = group.nodes(at(location.element));
     for (std::size_t a = 0; a < 8; ++a)
       for (std::size_t i = 0; i < x.size(); ++i)
         if (m.system.node_of[at(section.nodes()[i])] == node[a])
@@ -150,13 +150,13 @@ weld::Resultants of_bricks(const Matrices& m, const weld::Weld& weld, const Noda
 std::optional<WeldForce> weld_force(const Matrices& m, const weld::Weld& weld, const Nodal& u, Findings& findings) {
   using Kind = weld::Weld::Kind;
   if (weld.kind == Kind::rigid || weld.kind == Kind::connector || weld.deleted) return {};
-  const system::System::Seat seat = m.system.seat_of(weld, weld.element);
-  if (seat.group < 0) return {};
+  const system::System::ElementLocation location = m.system.location_of(weld, weld.element);
+  if (location.group < 0) return {};
   const model::Model& model = m.system.model;
   weld::failure::Load load;
   load.time = model.control.end_time;
   load.resultants = weld.of_bricks() ? of_bricks(m, weld, u, load.area)
-                                     : of_beam(m, *m.system.groups[at(seat.group)], at(seat.element), u);
+                                     : of_beam(m, *m.system.groups[at(location.group)], at(location.element), u);
   const auto function = weld::failure::make_function(model, weld::law_of(model, weld),
                                                      weld::failure::geometry_of(model, weld), weld.place, findings);
   return WeldForce{load.resultants, (*function)(load).value};
@@ -202,7 +202,7 @@ Statics solve_statics(const Matrices& m, Findings& findings) {
   Columns q(m.size(), 1);
   const auto add_load = [&](const Nodal& f, double factor) {
     for (std::size_t k = 0; k < f.size(); ++k) {
-      Six scaled = f[k];
+      SixDof scaled = f[k];
       for (double& component : scaled) component *= factor;
       m.equations.add_load(static_cast<int>(k), scaled, q[0]);
     }
@@ -232,7 +232,7 @@ Statics solve_statics(const Matrices& m, Findings& findings) {
         s.residual)};
 
   for (std::size_t k = 0; k < s.motion.size(); ++k) {
-    const Six more = m.equations.motion(static_cast<int>(k), q[0]);
+    const SixDof more = m.equations.motion(static_cast<int>(k), q[0]);
     for (std::size_t i = 0; i < 6; ++i) s.motion[k][i] += more[i];
   }
   Internal internal = internal_forces(m, s.motion);
@@ -243,7 +243,7 @@ Statics solve_statics(const Matrices& m, Findings& findings) {
   s.reaction = std::move(internal.force);
   for (std::size_t k = 0; k < load.size(); ++k)
     for (std::size_t i = 0; i < 6; ++i) s.reaction[k][i] -= load[k][i];
-  collect(m.system, s.reaction);
+  transfer_forces(m.system, s.reaction);
   s.external = 0.5 * product(load, s.motion);
   for (const Equations::Support& support : m.equations.supports()) {
     const double force = dot(support.taken, part_of(s.reaction[at(support.node)], support.rotation));

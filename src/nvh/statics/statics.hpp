@@ -18,14 +18,14 @@ struct WeldForce {
 
 /// The structure at rest under the loads and prescribed displacements that the deck's curves have at ENDTIM.
 struct Statics {
-  std::vector<Six> motion;  ///< by system node, virtual ones included
+  std::vector<SixDof> motion;  ///< by system node, virtual ones included
   /// What holds each independent node, all of it: internal forces less loads, with the shares of nodes that follow it.
   /// Zero to `residual` where nothing is held [force, force length].
-  std::vector<Six> reaction;
+  std::vector<SixDof> reaction;
   std::vector<double> support_force;           ///< along Support::taken, by Equations::supports()
   std::vector<std::optional<WeldForce>> weld;  ///< by Ties::welds; none: rigid, a connector, or deleted
   /// What joints do to their second body, at the joint: by Matrices::links, force and moment in global axes.
-  std::vector<Six> joint;
+  std::vector<SixDof> joint;
   std::vector<double> part_energy;  ///< strain energy, by model part
   double energy = 0.0;              ///< that of joints included
   double external = 0.0;            ///< half the work of loads and supports; equals `energy`

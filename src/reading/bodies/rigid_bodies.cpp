@@ -67,7 +67,8 @@ class Maker {
       body.title = part.title;
       body.parts = {static_cast<Index>(p)};
       body.place = part.place;
-      if (const auto card = b_.rigid_cards.find(part.material); card != b_.rigid_cards.end()) hold(body, card->second);
+      if (const auto card = b_.rigid_cards.find(part.material); card != b_.rigid_cards.end())
+        constrain(body, card->second);
       if (const Frame3d* axes = body_axes(b_, part.id)) body.own_axes = *axes;
       if (const auto inertia = b_.part_inertia.find(static_cast<Index>(p)); inertia != b_.part_inertia.end()) {
         body.given = true;
@@ -87,13 +88,13 @@ class Maker {
                        [&](const Row& row) { return names(row, "pidl") || names(row, "pidc"); });
   }
 
-  void hold(RigidBody& body, const RigidCard& card) {
+  void constrain(RigidBody& body, const RigidCard& card) {
     if (card.cmo == 1) body.fixed = bits_of_code(card.con1) | bits_of_code(card.con2) << 3;
-    if (card.cmo == -1) hold_along_axes(body, card.row);
+    if (card.cmo == -1) constrain_along_axes(body, card.row);
   }
 
   /// CMO -1: CON1 is a coordinate system, CON2 has the digits of what is held.
-  void hold_along_axes(RigidBody& body, const Row& card) {
+  void constrain_along_axes(RigidBody& body, const Row& card) {
     const Index system = b_.system(card, "con1");
     if (system == none) {
       if (card.integer("con1") == 0)
@@ -116,7 +117,7 @@ class Maker {
     body.title = card.title;
     body.place = card.row.place();
     body.fixed = card.fixed;
-    if (card.spc) hold_along_axes(body, *card.spc);
+    if (card.spc) constrain_along_axes(body, *card.spc);
     if (const Index system = b_.system(card.row, "cid"); system != none)
       body.own_axes = model_.systems[static_cast<std::size_t>(system)].axes;
     if (const Set<Index>* nodes = b_.node_set(card.row, card.row.integer("nsid") == 0 ? "pid" : "nsid"))
@@ -159,7 +160,7 @@ class Maker {
     if (l == none || c == none) return;
     const Index to = lead(l), from = lead(c);
     if (to == from) {
-      row.complain(b_.findings, Severity::warning, "pidc", "is merged into this body already");
+      row.report(b_.findings, Severity::warning, "pidc", "is merged into this body already");
       return;
     }
     RigidBody& into = seeds_[static_cast<std::size_t>(to)];
@@ -170,30 +171,32 @@ class Maker {
     if (!into.given && merged.given)
       refuse(b_, row, "pidc", "its given mass would have to be added to one that follows from elements: not built",
              "give the mass of both for the lead body");
-    tell_what_ends(row, into, merged);
+    report_what_ends(row, into, merged);
     into.parts.insert(into.parts.end(), merged.parts.begin(), merged.parts.end());
     into.nodes.insert(into.nodes.end(), merged.nodes.begin(), merged.nodes.end());
     lead_[static_cast<std::size_t>(from)] = to;
   }
 
   /// The lead body's supports and motion are those of both.
-  void tell_what_ends(const Row& row, const RigidBody& into, const RigidBody& merged) {
-    if (merged.fixed != 0 && !held_alike(into, merged))
-      row.complain(b_.findings, Severity::warning, "pidc",
-                   fmt::format("{} is held, which ends with the merger: both move as {} is held", name_of(merged),
-                               name_of(into)),
-                   "hold the lead body (CMO of its *MAT_RIGID, _SPC of a nodal rigid body)");
+  void report_what_ends(const Row& row, const RigidBody& into, const RigidBody& merged) {
+    if (merged.fixed != 0 && !constrained_alike(into, merged))
+      row.report(b_.findings, Severity::warning, "pidc",
+                 fmt::format("{} is held, which ends with the merger: both move as {} is held", name_of(merged),
+                             name_of(into)),
+                 "hold the lead body (CMO of its *MAT_RIGID, _SPC of a nodal rigid body)");
     if (!merged.given) return;
     const auto &v = merged.inertia.velocity, &w = merged.inertia.spin;
     const bool same = into.given && norm(into.inertia.velocity - v) == 0.0 && norm(into.inertia.spin - w) == 0.0;
     if (norm(v) + norm(w) > 0.0 && !same)
-      row.complain(b_.findings, Severity::warning, "pidc",
-                   fmt::format("the initial velocity of {} does not count: both have that of {}", name_of(merged),
-                               name_of(into)),
-                   "give the velocity with the lead body");
+      row.report(b_.findings, Severity::warning, "pidc",
+                 fmt::format("the initial velocity of {} does not count: both have that of {}", name_of(merged),
+                             name_of(into)),
+                 "give the velocity with the lead body");
   }
 
-  static bool held_alike(const RigidBody& a, const RigidBody& b) { return a.fixed == b.fixed && same_axes(a, b); }
+  static bool constrained_alike(const RigidBody& a, const RigidBody& b) {
+    return a.fixed == b.fixed && same_axes(a, b);
+  }
 
   static bool same_axes(const RigidBody& a, const RigidBody& b) {
     const Frame3d &f = a.fixed_axes, &g = b.fixed_axes;
@@ -235,14 +238,14 @@ class Maker {
         merged.place, "*PART",
         fmt::format("{} shares nodes with {}, and moves with it as one", name_of(merged), name_of(into)),
         "say so with *CONSTRAINED_RIGID_BODIES");
-    hold_both(into, merged);
+    constrain_both(into, merged);
     into.parts.insert(into.parts.end(), merged.parts.begin(), merged.parts.end());
     into.nodes.insert(into.nodes.end(), merged.nodes.begin(), merged.nodes.end());
     lead_[static_cast<std::size_t>(from)] = to;
   }
 
   /// No card says which of them leads, so what holds either of them holds both.
-  void hold_both(RigidBody& into, const RigidBody& merged) {
+  void constrain_both(RigidBody& into, const RigidBody& merged) {
     if (into.fixed == 0) into.fixed_axes = merged.fixed_axes;
     if (merged.fixed != 0 && !same_axes(into, merged))
       b_.findings.error(
@@ -324,16 +327,16 @@ class Maker {
     const Index node = b_.node(card.row, "pnode"), owner = b_.bodies.find(card.row.integer("pid"));
     if (node == none || owner == none || b_.body_of_node[static_cast<std::size_t>(node)] != none) return;
     if (has_element(node)) {
-      card.row.complain(b_.findings, Severity::warning, "pnode",
-                        "belongs to an element but not to the body: it stays where it is",
-                        "name a node without elements, or add it to the body's nodes");
+      card.row.report(b_.findings, Severity::warning, "pnode",
+                      "belongs to an element but not to the body: it stays where it is",
+                      "name a node without elements, or add it to the body's nodes");
       return;
     }
     const Vec3d center = center_of_mass(b_, body(owner));
     Vec3d& x = model_.nodes.x[static_cast<std::size_t>(node)];
     if (norm(x - center) > 0.0) {
-      card.row.complain(b_.findings, Severity::note, "pnode",
-                        fmt::format("is moved by {:.4g} to the centre of mass of its body", norm(x - center)));
+      card.row.report(b_.findings, Severity::note, "pnode",
+                      fmt::format("is moved by {:.4g} to the centre of mass of its body", norm(x - center)));
       x = center;
     }
     give(owner, {node});
@@ -364,15 +367,15 @@ class Maker {
   void claim(Index owner) {
     Tally conflicts(b_.findings, Severity::error, "*CONSTRAINED", 5);
     for (const Index node : body(owner).nodes) {
-      Index& holder = b_.body_of_node[static_cast<std::size_t>(node)];
-      if (holder == none) {
-        holder = owner;
-      } else if (holder != owner) {
+      Index& owner_of_node = b_.body_of_node[static_cast<std::size_t>(node)];
+      if (owner_of_node == none) {
+        owner_of_node = owner;
+      } else if (owner_of_node != owner) {
         conflicts.add(
             body(owner).place,
             [&] {
               return fmt::format("node {} belongs to two rigid bodies: {} and {}",
-                                 model_.nodes.id[static_cast<std::size_t>(node)], name_of(body(holder)),
+                                 model_.nodes.id[static_cast<std::size_t>(node)], name_of(body(owner_of_node)),
                                  name_of(body(owner)));
             },
             "merge the bodies with *CONSTRAINED_RIGID_BODIES, or take the node out of one of them");
@@ -398,8 +401,8 @@ class Maker {
             b_, card.row, field,
             fmt::format("a weld to {} cannot fail: its nodes would be part of that body", name_of(body(part_body))),
             "weld deformable sheets, or take the failure values out");
-      card.row.complain(b_.findings, Severity::note, field,
-                        fmt::format("touches {}: its nodes become extra nodes of that body", name_of(body(part_body))));
+      card.row.report(b_.findings, Severity::note, field,
+                      fmt::format("touches {}: its nodes become extra nodes of that body", name_of(body(part_body))));
       give(part_body, weld.nodes);
       claim(part_body);
       return;
@@ -426,7 +429,7 @@ class Maker {
     return weld.nodes[0] != none && weld.nodes[1] != none;
   }
 
-  /// The axis of CID. Without one the first and the last node must tell it, where it is needed.
+  /// The axis of CID. Without one the first and the last node must determine it, where it is needed.
   bool find_axis(const Row& row, RigidWeld& weld) {
     const bool generalized = weld.kind == RigidWeld::Kind::generalized;
     if (generalized)
@@ -446,8 +449,8 @@ class Maker {
   /// The rigid part that one of the nodes belongs to, or none.
   Index touched_part(const std::vector<Index>& nodes) {
     for (const Index node : nodes) {
-      const Index holder = b_.body_of_node[static_cast<std::size_t>(node)];
-      if (holder != none && body(holder).origin == RigidBody::Origin::part) return holder;
+      const Index owner_of_node = b_.body_of_node[static_cast<std::size_t>(node)];
+      if (owner_of_node != none && body(owner_of_node).origin == RigidBody::Origin::part) return owner_of_node;
     }
     return none;
   }

@@ -28,9 +28,9 @@ Vec3d center_of_mass(Builder& builder, const RigidBody& body);
 
 /// Phase::conditions. Takes the nodes of rigid bodies out of the `nodes` of an SPC. Where the constraint of such a node
 /// is exactly one of its body, the body is held instead: rotations at any node, translations at the centre of mass, or
-/// at any node of a body that cannot turn. The others do nothing and are told.
-void hold_bodies(Builder& builder, const deck::Row& row, std::string_view field, const SinglePointConstraint& spc,
-                 std::vector<Index>& nodes);
+/// at any node of a body that cannot turn. The others do nothing and are reported.
+void constrain_bodies(Builder& builder, const deck::Row& row, std::string_view field, const SinglePointConstraint& spc,
+                      std::vector<Index>& nodes);
 /// Phase::checks, when all that holds the bodies is known: a body that can turn and whose given tensor of inertia is
 /// not positive definite is refused.
 void check_inertia(Builder& builder);

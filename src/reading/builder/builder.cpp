@@ -66,8 +66,8 @@ Index Ids::find(int id) const {
 }
 
 const std::string* Ids::left_out(int id) const {
-  const auto at = left_out_.find(id);
-  return at == left_out_.end() ? nullptr : &at->second;
+  const auto at = ignored_.find(id);
+  return at == ignored_.end() ? nullptr : &at->second;
 }
 
 unsigned bits_of_code(int code) {
@@ -102,23 +102,23 @@ void Builder::report_missing(const Ids& ids, std::string_view what, const deck::
   const int id = id_of(row, field);
   const std::string* const refused = ids.left_out(id);
   if (refused == nullptr)
-    row.complain(findings, Severity::error, field, fmt::format("{} {} is not defined", what, id));
+    row.report(findings, Severity::error, field, fmt::format("{} {} is not defined", what, id));
   else if (skip_unsupported)
-    row.complain(findings, Severity::error, field,
-                 fmt::format("{} {} is left out, as {} is not supported", what, id, *refused),
-                 "define it by a supported keyword, or remove what needs it");
+    row.report(findings, Severity::error, field,
+               fmt::format("{} {} is left out, as {} is not supported", what, id, *refused),
+               "define it by a supported keyword, or remove what needs it");
 }
 
-CurveTable Builder::whole_table(Index table) const {
+CurveTable Builder::table_with_curves(Index table) const {
   if (table == none) return {};
   const Table& t = model.tables[static_cast<std::size_t>(table)];
   if (t.curve.size() != t.value.size()) return {};
-  CurveTable whole{t.id, t.value, {}};
-  for (const Index c : t.curve) whole.curve.push_back(model.curves[static_cast<std::size_t>(c)]);
-  return whole;
+  CurveTable result{t.id, t.value, {}};
+  for (const Index c : t.curve) result.curve.push_back(model.curves[static_cast<std::size_t>(c)]);
+  return result;
 }
 
-void Builder::leave_out(const deck::Block& block) {
+void Builder::mark_ignored(const deck::Block& block) {
   struct Family {
     std::string_view beginning;
     IdSpace space;
@@ -146,7 +146,7 @@ void Builder::leave_out(const deck::Block& block) {
     const long offset = block.transform ? block.transform->id_offset[static_cast<std::size_t>(family.space)] : 0;
     const double id = cursor.peek_number(0) + static_cast<double>(offset);
     if (!(std::abs(id) < std::numeric_limits<int>::max())) return;
-    for (Ids* ids : family.ids) ids->leave_out(static_cast<int>(id), block.starred());
+    for (Ids* ids : family.ids) ids->mark_ignored(static_cast<int>(id), block.starred());
     return;
   }
 }
@@ -243,7 +243,7 @@ std::string read_title(deck::Cursor& cursor, const Options& options) {
 }
 
 void refuse(Builder& builder, const deck::Row& row, std::string_view field, std::string text, std::string remedy) {
-  row.complain(builder.findings, Severity::error, field, std::move(text), std::move(remedy));
+  row.report(builder.findings, Severity::error, field, std::move(text), std::move(remedy));
 }
 
 void refuse_nonzero(Builder& builder, const deck::Row& row, std::string_view field, std::string text,

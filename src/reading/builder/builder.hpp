@@ -35,7 +35,7 @@ enum class Phase {
   sets,        ///< all sets resolved
   bodies,      ///< rigid bodies
   conditions,  ///< SPCs, motions, loads, initial velocities, walls, contacts, requests
-  checks,      ///< what only the whole model can tell
+  checks,      ///< what only the whole model shows
 };
 
 /// Ids of one name space: user id to index, and where it was defined (for duplicates).
@@ -49,7 +49,7 @@ class Ids {
   Index find(int id) const;  ///< none where absent
 
   /// Remembers an id whose definition was refused; `by` says which keyword that was.
-  void leave_out(int id, std::string by) { left_out_.try_emplace(id, std::move(by)); }
+  void mark_ignored(int id, std::string by) { ignored_.try_emplace(id, std::move(by)); }
   const std::string* left_out(int id) const;  ///< the `by` of such an id; null for others
 
  private:
@@ -58,7 +58,7 @@ class Ids {
     Place place;
   };
   std::unordered_map<int, Entry> entries_;
-  std::unordered_map<int, std::string> left_out_;
+  std::unordered_map<int, std::string> ignored_;
   std::vector<int> ascending_;  ///< of `assign`
   std::vector<Index> by_id_;    ///< index of id `ascending_.front() + i`, where the ids are dense enough for a table
 };
@@ -122,7 +122,7 @@ class Builder {
   Ids pair_strengths, load_rate_strengths, connections;  ///< of Model's arrays of these names
   Ids node_sets, part_sets, segment_sets, shell_sets, solid_sets, beam_sets, branches;
 
-  void later(Phase phase, std::function<void(Builder&)> work) {
+  void defer(Phase phase, std::function<void(Builder&)> work) {
     work_[static_cast<std::size_t>(phase)].push_back(std::move(work));
   }
   void run(Phase phase);
@@ -154,13 +154,13 @@ class Builder {
 
   /// Index of the id in a field, or none and a finding "... is not defined". Id 0 gives none, silently.
   Index find(const Ids& ids, std::string_view what, const deck::Row& row, std::string_view field);
-  /// That finding. Where the definition stands in the deck and was refused, the refusal has been told: nothing more is
-  /// said, unless such cards are only left out; then what needs them cannot be.
+  /// That finding. Where the definition stands in the deck and was refused, the refusal has been reported: nothing more
+  /// is said, unless such cards are only left out; then what needs them cannot be.
   void report_missing(const Ids& ids, std::string_view what, const deck::Row& row, std::string_view field);
-  /// A table with its curves; nothing for none and for one that is not whole (told where it is defined).
-  CurveTable whole_table(Index table) const;
-  /// Remembers what a refused block would have defined, so that its users are not told that it is "not defined".
-  void leave_out(const deck::Block& block);
+  /// A table with its curves; nothing for none and for one that is not whole (reported where it is defined).
+  CurveTable table_with_curves(Index table) const;
+  /// Remembers what a refused block would have defined, so that no finding says of its users that it is "not defined".
+  void mark_ignored(const deck::Block& block);
 
   /// Mass of elements and point masses by node, worked out once. From Phase::bodies on.
   const std::vector<double>& nodal_mass();
@@ -231,7 +231,7 @@ struct Keyword {
   std::string_view name;  ///< canonical, no star: MAT_PIECEWISE_LINEAR_PLASTICITY; `AIRBAG_*`: all that begin so
   std::vector<std::string_view> aliases{};  ///< MAT_024
   std::vector<std::string_view> options{};  ///< suffixes it takes, each alone or with others: TITLE, ID, MPP
-  Verdict verdict = Verdict::used;
+  KeywordStatus status = KeywordStatus::used;
   std::string_view why{};  ///< ignored: why that does no harm; refused: what is missing and what to do instead
   std::vector<LayoutCard> layout{};
   void (*read)(Builder&, const deck::Block&, const Options&) = nullptr;

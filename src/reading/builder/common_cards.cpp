@@ -49,15 +49,15 @@ bool depends_on_axes(unsigned fixed) {
 void warn_of_turned_codes(Builder& builder, const deck::Block& block, const deck::Row& row, std::string_view field,
                           unsigned fixed) {
   if (block.transform && block.transform->turns() && depends_on_axes(fixed))
-    row.complain(builder.findings, Severity::warning, field, std::string(global_codes_text),
-                 std::string(global_codes_remedy));
+    row.report(builder.findings, Severity::warning, field, std::string(global_codes_text),
+               std::string(global_codes_remedy));
 }
 
 void warn_of_global_axis(Builder& builder, const deck::Block& block, const deck::Row& row, std::string_view field) {
   if (block.transform && block.transform->turns())
-    row.complain(builder.findings, Severity::warning, field,
-                 "acts along the global axes, also where *INCLUDE_TRANSFORM turns the file",
-                 std::string(global_codes_remedy));
+    row.report(builder.findings, Severity::warning, field,
+               "acts along the global axes, also where *INCLUDE_TRANSFORM turns the file",
+               std::string(global_codes_remedy));
 }
 
 int curve_below_zero(const deck::Row& row, std::string_view field) {
@@ -68,9 +68,9 @@ double death_time(double written) {
   return written <= 0.0 || written >= forever ? forever : written;
 }
 
-void expect(Builder& builder, const deck::Row& row, Severity severity, std::initializer_list<Obeyed> fields) {
-  for (const Obeyed& f : fields)
-    if (row.real(f.field) != f.value) row.complain(builder.findings, severity, f.field, std::string(f.otherwise));
+void expect(Builder& builder, const deck::Row& row, Severity severity, std::initializer_list<SupportedValue> fields) {
+  for (const SupportedValue& f : fields)
+    if (row.real(f.field) != f.value) row.report(builder.findings, severity, f.field, std::string(f.otherwise));
 }
 
 void make_unique(std::vector<Index>& indices) {

@@ -52,13 +52,13 @@ double death_time(double written);
 int curve_below_zero(const deck::Row& row, std::string_view field);
 
 /// A field that is obeyed at one value only.
-struct Obeyed {
+struct SupportedValue {
   std::string_view field;
   double value;
   std::string_view otherwise;  ///< what happens instead, or what is missing
 };
 /// A finding for each of the fields that has another value.
-void expect(Builder& builder, const deck::Row& row, Severity severity, std::initializer_list<Obeyed> fields);
+void expect(Builder& builder, const deck::Row& row, Severity severity, std::initializer_list<SupportedValue> fields);
 
 /// The nodes of all elements of the parts, ascending, each once.
 std::vector<Index> nodes_of_parts(const Model& model, const std::vector<Index>& parts);

@@ -21,8 +21,8 @@ struct LayerCard {
 };
 
 struct LayerStack {
-  std::vector<LayerCard> layers;   ///< from the bottom up
-  bool outlived_by_sound = false;  ///< FAILOPT
+  std::vector<LayerCard> layers;          ///< from the bottom up
+  bool kept_by_unfailing_layers = false;  ///< FAILOPT
 };
 
 }  // namespace nugget::reading

@@ -6,22 +6,22 @@
 
 namespace nugget::reading {
 
-std::optional<kernel::Composition> composition_of(const Law& law) {
-  if (const auto* elastic = std::get_if<kernel::Elastic>(&law)) return kernel::Composition{*elastic};
+std::optional<kernel::LawComponents> components_of(const Law& law) {
+  if (const auto* elastic = std::get_if<kernel::Elastic>(&law)) return kernel::LawComponents{*elastic};
   if (const auto* kinematic = std::get_if<kernel::PlasticKinematic>(&law)) {
     kernel::PlasticKinematic flow = *kinematic;
     const double failure = std::exchange(flow.failure_strain, 0.0);
-    return kernel::Composition{flow, failure};
+    return kernel::LawComponents{flow, failure};
   }
   if (const auto* curves = std::get_if<kernel::PiecewiseLinear>(&law)) {
     kernel::PiecewiseLinear flow = *curves;
-    kernel::Composition made{kernel::Elastic{}, std::exchange(flow.failure_strain, 0.0)};
+    kernel::LawComponents made{kernel::Elastic{}, std::exchange(flow.failure_strain, 0.0)};
     made.deletion_step = std::exchange(flow.tdel, 0.0);
     made.flow = std::move(flow);
     return made;
   }
-  if (const auto* compound = std::get_if<kernel::Compound>(&law); compound && !compound->made_of->bond)
-    return *compound->made_of;
+  if (const auto* compound = std::get_if<kernel::ComposedLaw>(&law); compound && !compound->components->bond)
+    return *compound->components;
   return std::nullopt;
 }
 
@@ -31,7 +31,7 @@ bool has_plastic_strain(const kernel::Flow& flow) {
          std::holds_alternative<kernel::PowerLaw>(flow);
 }
 
-void take_points_to_delete(Builder& b, const deck::Row& row, kernel::Composition& law, bool said_before) {
+void take_points_to_delete(Builder& b, const deck::Row& row, kernel::LawComponents& law, bool said_before) {
   const double numfip = row.real("numfip"), points = numfip < -100.0 ? -numfip - 100.0 : numfip;
   if (said_before && law.points_to_delete != points)
     refuse(b, row, "numfip", "differs between *MAT_ADD_EROSION and *MAT_ADD_DAMAGE_GISSMO of the material",

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "reading/builder/builder.hpp"
 
 // What *MAT_ADD_... cards add to a law.
@@ -11,13 +11,13 @@ namespace nugget::reading {
 
 /// The law as one put together at run time; nothing for those that cannot be: rigid and null materials, welds, springs,
 /// discrete beams and adhesive.
-std::optional<kernel::Composition> composition_of(const Law& law);
+std::optional<kernel::LawComponents> components_of(const Law& law);
 
 /// Whether a point of this flow has a plastic strain.
 bool has_plastic_strain(const kernel::Flow& flow);
 
 /// Takes NUMFIP of a row into the law; an error where it differs from what another card has said, if one has.
-void take_points_to_delete(Builder& builder, const deck::Row& row, kernel::Composition& law, bool said_before);
+void take_points_to_delete(Builder& builder, const deck::Row& row, kernel::LawComponents& law, bool said_before);
 
 /// Fields of GISSMO on the cards of two keywords.
 namespace gissmo_field {

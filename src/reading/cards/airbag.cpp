@@ -104,8 +104,7 @@ void add_volume(Builder& b, const Row& row, ControlVolume volume) {
     return refuse(b, row, "sid", fmt::format("the enclosed volume is {:.6g}: the normals point into it", v),
                   "turn the elements so that the normals point outwards");
   if (row.real("mwd") != 0.0)
-    row.complain(b.findings, Severity::warning, "mwd", "not obeyed: the surface is not damped",
-                 "use *DAMPING_PART_MASS");
+    row.report(b.findings, Severity::warning, "mwd", "not obeyed: the surface is not damped", "use *DAMPING_PART_MASS");
   b.findings.note(volume.place, row.keyword(),
                   fmt::format("{} faces enclose a volume of {:.6g}{}", volume.segments.size(), v,
                               volume.openings.empty() ? std::string{}
@@ -148,7 +147,7 @@ void read_pressure_volume(Builder& builder, const Block& block, const Options& o
     else if (volume.coefficient == 0.0)
       refuse(builder, gas, cn == 0.0 ? "cn" : "beta", "there is no pressure: neither LCID nor CN times BETA is given",
              "give CN, the pressure at the start, and BETA 1");
-    builder.later(Phase::conditions, [row, gas, volume, by_curve, cn_curve](Builder& b) mutable {
+    builder.defer(Phase::conditions, [row, gas, volume, by_curve, cn_curve](Builder& b) mutable {
       volume.curve = b.curve(gas, "lcid");
       volume.relaxation_curve = b.curve(gas, "lciddr");
       if (!by_curve && !find_curve(b, gas, "cn", cn_curve, volume.coefficient_curve)) return;
@@ -174,7 +173,7 @@ void read_adiabatic(Builder& builder, const Block& block, const Options& options
              "give P0 above the ambient pressure PE");
     if (volume.gamma <= 1.0)
       refuse(builder, gas, "gamma", "a ratio of heat capacities is above 1", "write 1.4 for air");
-    builder.later(Phase::conditions, [row, gas, volume](Builder& b) mutable {
+    builder.defer(Phase::conditions, [row, gas, volume](Builder& b) mutable {
       volume.preload_curve = b.curve(gas, "lcid");
       add_volume(b, row, std::move(volume));
     });
@@ -192,7 +191,7 @@ FlowingGas read_heat(Builder& b, const Row& heat, const Row& outflow, double amb
       refuse(b, heat, "cp", "the heat capacity at constant pressure is not above CV", "CP is 1.4 times CV for air");
     for (const std::string_view field : {"text", "a", "b", "mw", "gasc"})
       if (outflow.real(field) != 0.0)
-        outflow.complain(b.findings, Severity::warning, field, "not obeyed: it is for CV 0, and CV is given");
+        outflow.report(b.findings, Severity::warning, field, "not obeyed: it is for CV 0, and CV is given");
   } else if (const double mole = outflow.real("mw"); mole > 0.0 && outflow.real("gasc") > 0.0) {
     gas.heat = outflow.real("a") / mole;
     gas.heat_slope = outflow.real("b") / mole;
@@ -202,12 +201,12 @@ FlowingGas read_heat(Builder& b, const Row& heat, const Row& outflow, double amb
              "the heat capacity at constant volume, A + B T - GASC, is not above 0 at all temperatures",
              "A is 29.1 J/K and B 0 for a mole of air");
     if (heat.real("cp") > 0.0)
-      heat.complain(b.findings, Severity::warning, "cp", "not obeyed: with CV 0 it comes from A, B and MW");
+      heat.report(b.findings, Severity::warning, "cp", "not obeyed: with CV 0 it comes from A, B and MW");
     gas.temperature = outflow.real("text");
     if (gas.temperature > 0.0) gas.density = ambient / (gas.constant * gas.temperature);
     if (heat.real("ro") > 0.0 && std::abs(gas.density / heat.real("ro") - 1.0) > 0.01)
-      heat.complain(b.findings, Severity::warning, "ro",
-                    fmt::format("not obeyed: PE, TEXT, MW and GASC give {:.4g}", gas.density));
+      heat.report(b.findings, Severity::warning, "ro",
+                  fmt::format("not obeyed: PE, TEXT, MW and GASC give {:.4g}", gas.density));
   } else {
     refuse(b, heat, "cv", "without CV the gas needs MW and GASC", "give CV and CP, or A, B, MW, GASC and TEXT");
   }
@@ -245,12 +244,12 @@ void read_simple_airbag(Builder& builder, const Block& block, const Options& opt
     if (heat.integer("lcid") != 0 && gas.inflow_temperature == 0.0)
       refuse(builder, heat, "t", "the gas that flows in has no temperature", "give its absolute temperature");
     if (heat.real("area") != 0.0 && heat.real("mu") == 0.0)
-      heat.complain(builder.findings, Severity::warning, "mu", "the vent is closed: its shape factor is 0",
-                    "give MU, e.g. 0.7 for a sharp edge, or AREA 0");
+      heat.report(builder.findings, Severity::warning, "mu", "the vent is closed: its shape factor is 0",
+                  "give MU, e.g. 0.7 for a sharp edge, or AREA 0");
     if (outflow.integer("lou") != 0 && heat.real("area") != 0.0 && heat.real("mu") != 0.0)
       refuse(builder, outflow, "lou", "the outflow is given twice, by this curve and by MU and AREA",
              "set MU and AREA, or LOU, to 0");
-    builder.later(Phase::conditions, [row, heat, outflow, volume, shape, area](Builder& b) mutable {
+    builder.defer(Phase::conditions, [row, heat, outflow, volume, shape, area](Builder& b) mutable {
       FlowingGas& flowing = volume.flowing;
       flowing.inflow_curve = b.curve(heat, "lcid");
       flowing.outflow_curve = b.curve(outflow, "lou");
@@ -271,7 +270,7 @@ void read_simple_airbag(Builder& builder, const Block& block, const Options& opt
 
 Keyword volume_keyword(std::string_view name, std::initializer_list<const Card*> cards,
                        void (*read)(Builder&, const Block&, const Options&)) {
-  Keyword keyword{name, {}, {"ID"}, Verdict::used, {}, {{"with _ID", &heading_card}, {{}, &volume_card}}, read};
+  Keyword keyword{name, {}, {"ID"}, KeywordStatus::used, {}, {{"with _ID", &heading_card}, {{}, &volume_card}}, read};
   for (const Card* card : cards) keyword.layout.push_back({{}, card});
   return keyword;
 }

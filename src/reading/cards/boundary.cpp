@@ -58,7 +58,7 @@ void leave_out_rigid(Builder& builder, const Row& row, std::string_view field, S
   const auto first = std::find_if(nodes.begin(), nodes.end(), [&](Index node) { return body_of(node) != none; });
   if (first == nodes.end()) return;
   const auto count = std::count_if(nodes.begin(), nodes.end(), [&](Index node) { return body_of(node) != none; });
-  row.complain(
+  row.report(
       builder.findings, severity, field,
       fmt::format("node {} belongs to rigid body {}, which moves as one: nothing is prescribed to it ({} such node{})",
                   builder.model.nodes.id[static_cast<std::size_t>(*first)],
@@ -68,12 +68,12 @@ void leave_out_rigid(Builder& builder, const Row& row, std::string_view field, S
   std::erase_if(nodes, [&](Index node) { return body_of(node) != none; });
 }
 
-/// A card whose time ends before it begins does nothing, which is told.
+/// A card whose time ends before it begins does nothing, which is reported.
 void warn_of_no_time(Builder& builder, const Row& row, double birth, double death) {
   if (birth < death) return;
-  row.complain(builder.findings, Severity::warning, "death",
-               fmt::format("it ends before it begins (birth {}): the card does nothing", birth),
-               "give a death later than the birth, or 0 for none");
+  row.report(builder.findings, Severity::warning, "death",
+             fmt::format("it ends before it begins (birth {}): the card does nothing", birth),
+             "give a death later than the birth, or 0 for none");
 }
 
 /// The nodes of a card for one node or a set.
@@ -103,11 +103,11 @@ void read_spc(Builder& builder, const Block& block, const Options& options) {
     }
     spc.fixed = fixed_bits(row);
     if (row.integer("cid") == 0) warn_of_turned_codes(builder, block, row, set ? "nsid" : "nid", spc.fixed);
-    builder.later(Phase::conditions, [row, spc](Builder& b) mutable {
+    builder.defer(Phase::conditions, [row, spc](Builder& b) mutable {
       spc.system = b.system(row, "cid");
       if constexpr (set) spc.set_id = row.integer("nsid");
       auto nodes = nodes_of<set>(b, row);
-      hold_bodies(b, row, set ? "nsid" : "nid", spc, nodes);
+      constrain_bodies(b, row, set ? "nsid" : "nid", spc, nodes);
       for (const Index node : nodes) {
         spc.node = node;
         b.model.spcs.push_back(spc);
@@ -150,14 +150,14 @@ void read_planes(Builder& builder, const Block& block, const Options&) {
     const Row row = cursor.read(plane_card);
     const int normal = row.integer("dir");
     if (normal == 0) {
-      row.complain(builder.findings, Severity::warning, "dir", "no plane is named, so nothing is held",
-                   "write 1, 2 or 3");
+      row.report(builder.findings, Severity::warning, "dir", "no plane is named, so nothing is held",
+                 "write 1, 2 or 3");
       continue;
     }
     warn_of_global_axis(builder, block, row, "dir");
     const double at = component(position(block, row, "x", "y", "z"), normal);
     SinglePointConstraint spc{.fixed = bits_of_code(row.integer("tc")) | bits_of_code(row.integer("rc")) << 3};
-    builder.later(Phase::conditions, [row, spc, normal, at](Builder& b) mutable {
+    builder.defer(Phase::conditions, [row, spc, normal, at](Builder& b) mutable {
       const std::vector<Vec3d>& x = b.model.nodes.x;
       if (x.empty()) return;
       const double tolerance = row.real("tol") > 0.0 ? row.real("tol") : 1e-6 * diagonal(x);
@@ -165,9 +165,9 @@ void read_planes(Builder& builder, const Block& block, const Options&) {
       for (std::size_t n = 0; n < x.size(); ++n)
         if (std::abs(component(x[n], normal) - at) <= tolerance) nodes.push_back(static_cast<Index>(n));
       if (nodes.empty())
-        row.complain(b.findings, Severity::warning, "dir", "no node lies in this plane",
-                     "correct the point, or give TOL");
-      hold_bodies(b, row, "tc", spc, nodes);
+        row.report(b.findings, Severity::warning, "dir", "no node lies in this plane",
+                   "correct the point, or give TOL");
+      constrain_bodies(b, row, "tc", spc, nodes);
       for (const Index node : nodes) {
         spc.node = node;
         b.model.spcs.push_back(spc);
@@ -238,7 +238,7 @@ bool take_degree_of_freedom(Builder& builder, const Row& row, PrescribedMotion& 
   motion.rotation = std::abs(dof) >= 5 && !circular;
   motion.only_direction = dof > 0 || circular;
   motion.circular = circular;
-  motion.radius_held = dof > 0;
+  motion.radius_fixed = dof > 0;
   motion.quantity = static_cast<PrescribedMotion::Quantity>(vad);
   return true;
 }
@@ -327,7 +327,7 @@ void read_motion(Builder& builder, const Block& block, const Options& options) {
         target != Target::rigid_body_local)
       warn_of_global_axis(builder, block, row, "dof");
     if (motion.circular) take_axis(builder, block, cursor.read(motion_axis_card), row.integer("dof"), motion);
-    builder.later(Phase::conditions, [row, motion](Builder& b) mutable {
+    builder.defer(Phase::conditions, [row, motion](Builder& b) mutable {
       motion.curve = b.curve(row, "lcid");
       if (!resolve_direction(b, row, motion)) return;
       if constexpr (target == Target::nodes) {
@@ -346,7 +346,7 @@ template <Target target, bool set = false>
 Keyword motion_keyword(std::string_view name, const Card& card) {
   std::vector<LayoutCard> layout{{"with _ID", &heading_card}, {{}, &card}};
   if (target == Target::nodes) layout.push_back({"if |DOF| is 9, 10 or 11", &motion_axis_card});
-  return {name, {}, {"ID"}, Verdict::used, {}, std::move(layout), read_motion<target, set>};
+  return {name, {}, {"ID"}, KeywordStatus::used, {}, std::move(layout), read_motion<target, set>};
 }
 
 }  // namespace
@@ -357,14 +357,14 @@ std::vector<Keyword> boundary_keywords() {
       {"BOUNDARY_SPC_NODE",
        {},
        spc_options,
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{"with _ID", &heading_card}, {{}, &spc_node_card}, {"with _BIRTH_DEATH", &birth_death_card}},
        read_spc<false>},
       {"BOUNDARY_SPC_SET",
        {},
        spc_options,
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{"with _ID", &heading_card}, {{}, &spc_set_card}, {"with _BIRTH_DEATH", &birth_death_card}},
        read_spc<true>},

@@ -8,7 +8,7 @@
 #include "model/axes.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
-#include "reading/cards/rigid_hold.hpp"
+#include "reading/cards/rigid_constraint.hpp"
 
 namespace nugget::reading {
 namespace {
@@ -151,10 +151,10 @@ const Card interpolation_node = independent_card(IdSpace::node), interpolation_s
 // ----------------------------------------------------------------------------------------------------
 
 void read_spc(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
-  const RigidCard hold = read_rigid_hold(builder, cursor);
-  const Row& row = hold.row;
-  if (hold.cmo == 1) body.fixed = bits_of_code(hold.con1) | bits_of_code(hold.con2) << 3;
-  if (hold.cmo == -1) body.spc = row;
+  const RigidCard constraint = read_rigid_constraint(builder, cursor);
+  const Row& row = constraint.row;
+  if (constraint.cmo == 1) body.fixed = bits_of_code(constraint.con1) | bits_of_code(constraint.con2) << 3;
+  if (constraint.cmo == -1) body.spc = row;
   for (const std::string_view field : {"spcnid", "xspc", "yspc", "zspc"})
     refuse_nonzero(builder, row, field, "a body is held at its centre of mass; another point is not built",
                    "leave it blank");
@@ -200,7 +200,7 @@ void read_nodal_body(Builder& builder, const Block& block, const Options& option
     body.title = read_title(cursor, options);
     body.row = cursor.read(nodal_card);
     if (body.row.integer("iprt") == 2)
-      body.row.complain(builder.findings, Severity::warning, "iprt", "rbdout lists this body all the same");
+      body.row.report(builder.findings, Severity::warning, "iprt", "rbdout lists this body all the same");
     if (options.contains("SPC")) read_spc(builder, cursor, body);
     if (options.contains("INERTIA")) read_inertia(builder, block, cursor, body);
     builder.body_cards.nodal.push_back(std::move(body));
@@ -245,7 +245,7 @@ void read_switched(Builder& builder, const Block& block, const Options&) {
     if (const std::string& type = row.text("ptype"); !set && !type.empty() && type != "PART")
       refuse(builder, row, "ptype", "expected PART or PSET", "leave it blank for a part");
     refuse_nonzero(builder, row, "lrb", "merging into a lead body here is not built", "use *CONSTRAINED_RIGID_BODIES");
-    builder.later(Phase::sets, [row, set](Builder& b) {
+    builder.defer(Phase::sets, [row, set](Builder& b) {
       if (!set) {
         if (const Index part = b.part(row, "pid"); part != none) make_rigid(b, row, part);
       } else if (const Set<Index>* parts = b.part_set(row, "pid")) {
@@ -341,7 +341,7 @@ void read_rivet(Builder& builder, const Block& block, const Options& options) {
   while (!at_end(cursor)) {
     const int id = options.contains("ID") ? cursor.read(weld_id_card).integer("wid") : 0;
     const Row row = cursor.read(rivet_card);
-    builder.later(Phase::conditions, [row, id](Builder& later) { make_rivet(later, row, id); });
+    builder.defer(Phase::conditions, [row, id](Builder& later) { make_rivet(later, row, id); });
   }
 }
 
@@ -366,7 +366,7 @@ void take_independent(Builder& b, const Row& head, const Row& row, Interpolation
   }
 }
 
-/// Whether the nodes tell a rotation: they must not lie on a line.
+/// Whether the nodes determine a rotation: they must not lie on a line.
 bool on_a_line(const Model& model, const Interpolation& i) {
   Vec3d centre;
   const auto place = [&](std::size_t k) { return model.nodes.x[static_cast<std::size_t>(i.independent[k])]; };
@@ -411,59 +411,65 @@ void read_interpolation(Builder& builder, const Block& block, const Options&) {
   std::vector<Row> rows;
   while (!at_end(cursor))
     rows.push_back(cursor.read(head.integer("ityp") == 1 ? interpolation_set : interpolation_node));
-  builder.later(Phase::conditions, [head, rows](Builder& later) { make_interpolation(later, head, rows); });
+  builder.defer(Phase::conditions, [head, rows](Builder& later) { make_interpolation(later, head, rows); });
 }
 
 }  // namespace
 
 std::vector<Keyword> constrained_keywords() {
   const auto refused = [](std::string_view name, std::string_view why) {
-    return Keyword{name, {}, {"ID", "TITLE", "LOCAL", "FILTERED_FORCE"}, Verdict::refused, why, {}, nullptr};
+    return Keyword{name, {}, {"ID", "TITLE", "LOCAL", "FILTERED_FORCE"}, KeywordStatus::refused, why, {}, nullptr};
   };
   return {
       {"CONSTRAINED_NODAL_RIGID_BODY",
        {},
        {"SPC", "INERTIA", "TITLE"},
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{"with _TITLE", &title_card},
         {{}, &nodal_card},
-        {"with _SPC, if CMO is 0 or 1", &rigid_hold_card},
-        {"with _SPC, if CMO is -1", &rigid_hold_local_card},
+        {"with _SPC, if CMO is 0 or 1", &rigid_constraint_card},
+        {"with _SPC, if CMO is -1", &rigid_constraint_local_card},
         {"with _INERTIA", &inertia_card1},
         {"with _INERTIA", &inertia_card2},
         {"with _INERTIA", &inertia_card3},
         {"with _INERTIA, if IRCS = 1", &inertia_card4}},
        read_nodal_body},
-      {"CONSTRAINED_EXTRA_NODES_NODE", {}, {}, Verdict::used, {}, {{{}, &extra_node_card}}, read_extra_nodes<false>},
-      {"CONSTRAINED_EXTRA_NODES_SET", {}, {}, Verdict::used, {}, {{{}, &extra_set_card}}, read_extra_nodes<true>},
-      {"CONSTRAINED_RIGID_BODIES", {}, {}, Verdict::used, {}, {{{}, &merge_card}}, read_mergers},
-      {"DEFORMABLE_TO_RIGID", {}, {}, Verdict::used, {}, {{{}, &switched_part_card}}, read_switched},
+      {"CONSTRAINED_EXTRA_NODES_NODE",
+       {},
+       {},
+       KeywordStatus::used,
+       {},
+       {{{}, &extra_node_card}},
+       read_extra_nodes<false>},
+      {"CONSTRAINED_EXTRA_NODES_SET", {}, {}, KeywordStatus::used, {}, {{{}, &extra_set_card}}, read_extra_nodes<true>},
+      {"CONSTRAINED_RIGID_BODIES", {}, {}, KeywordStatus::used, {}, {{{}, &merge_card}}, read_mergers},
+      {"DEFORMABLE_TO_RIGID", {}, {}, KeywordStatus::used, {}, {{{}, &switched_part_card}}, read_switched},
       {"CONSTRAINED_GENERALIZED_WELD_SPOT",
        {},
        {"ID"},
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{"with _ID", &weld_id_card}, {{}, &weld_card1}, {{}, &weld_card2}},
        read_weld_spot},
       {"CONSTRAINED_INTERPOLATION",
        {},
        {},
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{{}, &interpolation_card1}, {"for each independent node or set", &interpolation_node}},
        read_interpolation},
       {"CONSTRAINED_SPOTWELD",
        {},
        {"ID", "FILTERED_FORCE"},
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{"with _ID", &weld_id_card}, {{}, &spotweld_card}, {"with _FILTERED_FORCE", &spotweld_filter_card}},
        read_spotweld},
       {"CONSTRAINED_RIVET",
        {},
        {"ID"},
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{"with _ID", &weld_id_card}, {{}, &rivet_card}},
        read_rivet},

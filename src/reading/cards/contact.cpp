@@ -171,16 +171,15 @@ void take_all_but(const Builder& builder, const std::vector<Index>& exempt, Surf
 
 /// Attributes of sets (of memory: DA1 and DA2 are strengths of glue, DA3 and DA4 scales of friction) are not heeded.
 template <class Set>
-void tell_of_attributes(Builder& builder, const Row& row, std::string_view field, const Contact& contact,
-                        const Set& set) {
+void report_attributes(Builder& builder, const Row& row, std::string_view field, const Contact& contact,
+                       const Set& set) {
   const std::array<double, 4>& a = set.attributes;
   if (!contact.slides() || (a[2] == 0.0 && a[3] == 0.0 && (!contact.glue || (a[0] == 0.0 && a[1] == 0.0)))) return;
-  row.complain(
-      builder.findings, Severity::warning, field,
-      fmt::format("attributes {:g}, {:g}, {:g}, {:g} of set {} (strengths, scales of friction) are not obeyed: "
-                  "those of the contact's cards hold",
-                  a[0], a[1], a[2], a[3], set.id),
-      "give a contact of its own to what has other strengths or friction");
+  row.report(builder.findings, Severity::warning, field,
+             fmt::format("attributes {:g}, {:g}, {:g}, {:g} of set {} (strengths, scales of friction) are not obeyed: "
+                         "those of the contact's cards hold",
+                         a[0], a[1], a[2], a[3], set.id),
+             "give a contact of its own to what has other strengths or friction");
 }
 
 /// What a side's id and type stand for. Nothing but findings where the id is unknown.
@@ -191,13 +190,13 @@ Surface surface_of(Builder& builder, const Row& row, std::string_view field, std
     case 0:
       if (const auto* set = builder.segment_set(row, field)) {
         surface.segments = set->members;
-        tell_of_attributes(builder, row, field, contact, *set);
+        report_attributes(builder, row, field, contact, *set);
       }
       break;
     case 1:
       if (const auto* set = builder.shell_set(row, field)) {
         add_shells(builder.model, set->members, surface);
-        tell_of_attributes(builder, row, field, contact, *set);
+        report_attributes(builder, row, field, contact, *set);
       }
       break;
     case 2:
@@ -212,7 +211,7 @@ Surface surface_of(Builder& builder, const Row& row, std::string_view field, std
     case 4:
       if (const auto* set = builder.node_set(row, field)) {
         surface.nodes = set->members;
-        tell_of_attributes(builder, row, field, contact, *set);
+        report_attributes(builder, row, field, contact, *set);
       }
       break;
     case 5: surface.everything = true; break;
@@ -312,8 +311,8 @@ void take_friction(Builder& builder, const Row& row, Contact& contact) {
   contact.birth = row.real("bt");
   contact.death = death_time(row.real("dt"));
   if (contact.kind == Kind::transducer && (contact.birth > 0.0 || contact.death < forever))
-    row.complain(builder.findings, Severity::warning, contact.birth > 0.0 ? "bt" : "dt",
-                 "not obeyed: a transducer sums up the forces of the whole run", "leave BT and DT 0");
+    row.report(builder.findings, Severity::warning, contact.birth > 0.0 ? "bt" : "dt",
+               "not obeyed: a transducer sums up the forces of the whole run", "leave BT and DT 0");
   if (contact.tie_by_springs())
     expect(builder, row, Severity::warning, {{"vdc", 0, "the springs of a tie have no damping here"}});
 }
@@ -330,8 +329,8 @@ void take_scales(Builder& builder, const Row& row, Contact& contact) {
   contact.thickness_b = row.real("sbst");
   contact.thickness_scale_a = row.real("sfsat");
   contact.thickness_scale_b = row.real("sfsbt");
-  contact.friction.at_rest *= row.real("fsf");
-  contact.friction.sliding *= row.real("fsf");
+  contact.friction.static_coefficient *= row.real("fsf");
+  contact.friction.dynamic_coefficient *= row.real("fsf");
   contact.friction.shear_strength *= row.real("vsf");
 }
 
@@ -346,9 +345,9 @@ void take_a(Builder& builder, const Row& row, Contact& contact) {
          {{"maxpar", 1.025, "segments are extended as with 1.025"}, {"frcfrq", 1, "forces are found in each cycle"}});
   contact.depth = row.integer("depth");
   if (contact.soft == 2 && contact.keyword.find("NODES_TO_SURFACE") != std::string::npos) {
-    row.complain(builder.findings, Severity::warning, "soft",
-                 "a contact of nodes has no segments on one side; it runs as with soft = 1",
-                 "use a contact of surfaces for segment-based contact");
+    row.report(builder.findings, Severity::warning, "soft",
+               "a contact of nodes has no segments on one side; it runs as with soft = 1",
+               "use a contact of surfaces for segment-based contact");
     contact.soft = 1;
   }
   if (contact.soft < 0 || contact.soft > 2)
@@ -403,8 +402,8 @@ void take_cparm8(Builder& builder, const Row& row, Contact& contact) {
   const int value = row.integer("cparm8"), beams = value % 10;
   if (value < 0 || beams > 2 || value / 10 > 1) return refuse(builder, row, "cparm8", "expected 0, 1 or 2, or 10 more");
   if (value >= 10)
-    row.complain(builder.findings, Severity::warning, "cparm8",
-                 "not obeyed: the bars around shell edges are not shifted into the shells");
+    row.report(builder.findings, Severity::warning, "cparm8",
+               "not obeyed: the bars around shell edges are not shifted into the shells");
   if (beams > 0) contact.parts_apart = true;
   if (beams == 2) contact.takes_welds = true;
 }
@@ -417,9 +416,9 @@ void take_e(Builder& builder, const Row& row, Contact& contact) {
   take_cparm8(builder, row, contact);
   contact.balances_friction = row.integer("ftorq") != 0;
   if (row.integer("icor") != 0) {
-    row.complain(builder.findings, Severity::warning, "icor",
-                 "restitution in percent (VDC) is not built: this contact is not damped",
-                 "give VDC in percent of critical damping, without ICOR");
+    row.report(builder.findings, Severity::warning, "icor",
+               "restitution in percent (VDC) is not built: this contact is not damped",
+               "give VDC in percent of critical damping, without ICOR");
     contact.damping = 0.0;
   }
   expect(builder, row, Severity::warning, {{"srnde", 0, left}, {"region", 0, left}, {"fricsf", 1, left}});
@@ -486,7 +485,7 @@ void take_form(Builder& builder, const Block& block, const Options& options, Con
                            "keep one of _OFFSET, _BEAM_OFFSET, _CONSTRAINED_OFFSET, _PENALTY");
 }
 
-void judge_mortar(Builder& builder, const Block& block, const Options& options) {
+void check_mortar(Builder& builder, const Block& block, const Options& options) {
   if (options.contains("MORTAR"))
     builder.findings.warning(block.place, '*' + block.keyword,
                              "segments are not integrated against segments as mortar contact does: this one presses "
@@ -496,7 +495,7 @@ void judge_mortar(Builder& builder, const Block& block, const Options& options) 
 
 /// The oriented forms of earlier releases. Their segments have one face each, which the automatic forms do not need to
 /// know; those of two surfaces leave the thickness of sheets out unless SHLTHK or THKOPT asks for it.
-void judge_oriented(Builder& builder, const Block& block, const Contact& contact) {
+void check_oriented(Builder& builder, const Block& block, const Contact& contact) {
   if (!contact.slides() || block.keyword.starts_with("CONTACT_AUTOMATIC") || erodes(contact)) return;
   if (block.keyword.find("_ONLY") != std::string::npos) return;  // glue alone: nothing slides
   const bool single = contact.kind == Kind::single_surface;
@@ -512,7 +511,7 @@ void judge_oriented(Builder& builder, const Block& block, const Contact& contact
 }
 
 /// With SOFT = 2 a thickness of *PART_CONTACT counts on bricks too (keyword manual); here these have no skin.
-void judge_skins(Builder& builder, const Contact& contact) {
+void check_skins(Builder& builder, const Contact& contact) {
   if (!contact.slides() || contact.soft != 2) return;
   for (std::size_t p = 0; p < builder.model.parts.size(); ++p) {
     const Part& part = builder.model.parts[p];
@@ -530,7 +529,7 @@ void judge_skins(Builder& builder, const Contact& contact) {
 }
 
 /// A contact without an id has its number in the deck, which may be the id of another.
-void tell_of_same_id(Builder& builder, const Contact& contact) {
+void report_same_id(Builder& builder, const Contact& contact) {
   for (const Contact& other : builder.model.contacts)
     if (other.id == contact.id)
       return builder.findings.warning(
@@ -540,8 +539,8 @@ void tell_of_same_id(Builder& builder, const Contact& contact) {
           "give each an id of its own, with _ID");
 }
 
-/// A contact that is born too late acts never.
-void tell_of_late_birth(Builder& builder, const Contact& contact) {
+/// A contact that is activated after the end of the run never acts.
+void report_late_birth(Builder& builder, const Contact& contact) {
   const double end = builder.model.control.end_time;
   const bool outlived = end > 0.0 && contact.birth >= end;
   if (!contact.slides() || !(outlived || contact.birth >= contact.death)) return;
@@ -561,8 +560,8 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   contact.keyword = block.keyword;
   contact.place = block.place;
   take_form(builder, block, options, contact);
-  judge_mortar(builder, block, options);
-  judge_oriented(builder, block, contact);
+  check_mortar(builder, block, options);
+  check_oriented(builder, block, contact);
   const Heading heading = read_heading(cursor, options.contains("ID") || options.contains("TITLE"));
   contact.id = heading.id;
   contact.title = heading.text;
@@ -579,7 +578,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   const std::optional<Row> glue = read_glue(builder, cursor, options, contact);
   take_optional_cards(builder, cursor, contact);
   const long offset = block.transform ? block.transform->id_offset[static_cast<std::size_t>(IdSpace::define)] : 0;
-  builder.later(Phase::conditions, [sides, friction, offset, glue, contact = std::move(contact)](Builder& b) mutable {
+  builder.defer(Phase::conditions, [sides, friction, offset, glue, contact = std::move(contact)](Builder& b) mutable {
     if (slides_by_table(contact, friction)) contact.friction_table = friction_table(b, friction, offset);
     if (kind == Kind::single_surface)
       take_single_surface(b, sides, contact);
@@ -595,9 +594,9 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
     // Where thicknesses are left out sheets may be meshed at any distance: their nodes stay where they are.
     if (contact.ignore == 0 && contact.glue && contact.glue->without_thickness) contact.ignore = 1;
     if (contact.id == 0) contact.id = static_cast<int>(b.model.contacts.size()) + 1;
-    tell_of_same_id(b, contact);
-    tell_of_late_birth(b, contact);
-    judge_skins(b, contact);
+    report_same_id(b, contact);
+    report_late_birth(b, contact);
+    check_skins(b, contact);
     b.model.contacts.push_back(std::move(contact));
   });
 }
@@ -622,11 +621,11 @@ Keyword contact_keyword(std::string_view name, std::vector<std::string_view> for
                                {"optional card E", &card_e},
                                {"optional card F", &card_f},
                                {"optional card G", &card_g}});
-  return {name, {}, std::move(forms), Verdict::used, {}, std::move(layout), read_contact<kind>};
+  return {name, {}, std::move(forms), KeywordStatus::used, {}, std::move(layout), read_contact<kind>};
 }
 
 Keyword refused(std::string_view name, std::string_view why) {
-  return {name, {}, {"ID", "TITLE", "MPP"}, Verdict::refused, why, {}, nullptr};
+  return {name, {}, {"ID", "TITLE", "MPP"}, KeywordStatus::refused, why, {}, nullptr};
 }
 
 constexpr const char* other_tie_of_translations =

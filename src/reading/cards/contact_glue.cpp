@@ -128,7 +128,7 @@ const Card& card_of_glue(const Cursor& cursor) {
 }
 
 /// Fields without which an option of the glue has no meaning.
-void demand(Builder& builder, const Row& row, std::initializer_list<std::string_view> fields) {
+void require(Builder& builder, const Row& row, std::initializer_list<std::string_view> fields) {
   for (const std::string_view field : fields)
     if (row.real(field) == 0.0)
       refuse(builder, row, field, fmt::format("must be given with OPTION {}", row.integer("option")),
@@ -136,11 +136,11 @@ void demand(Builder& builder, const Row& row, std::initializer_list<std::string_
 }
 
 /// Fields that an option does not look at, in LS-DYNA neither.
-void tell_idle(Builder& builder, const Row& row, std::initializer_list<std::string_view> fields) {
+void report_idle(Builder& builder, const Row& row, std::initializer_list<std::string_view> fields) {
   for (const std::string_view field : fields)
     if (row.real(field) != 0.0)
-      row.complain(builder.findings, Severity::note, field,
-                   fmt::format("is not looked at with OPTION {}", row.integer("option")), {});
+      row.report(builder.findings, Severity::note, field,
+                 fmt::format("is not looked at with OPTION {}", row.integer("option")), {});
 }
 
 void take_strengths(const Row& row, kernel::Cohesion& law) {
@@ -168,10 +168,10 @@ void take_sliding(Builder& builder, const Row& row, Contact& contact) {
   contact.glue->slides = true;
   contact.glue->law.normal_strength = row.real("nfls");
   if (param == 1.0) {
-    demand(builder, row, {"sfls"});
+    require(builder, row, {"sfls"});
     contact.glue->slip_stress = row.real("sfls");
   } else if (row.real("sfls") != 0.0) {
-    row.complain(builder.findings, Severity::note, "sfls", "is looked at with PARAM = 1 alone", {});
+    row.report(builder.findings, Severity::note, "sfls", "is looked at with PARAM = 1 alone", {});
   }
 }
 
@@ -179,7 +179,7 @@ void take_sliding(Builder& builder, const Row& row, Contact& contact) {
 void take_distance(Builder& builder, const Row& row, Contact& contact) {
   kernel::Cohesion& law = contact.glue->law;
   take_strengths(row, law);
-  demand(builder, row, {"param"});
+  require(builder, row, {"param"});
   law.softening = kernel::Cohesion::Softening::to_distance;
   law.distance = row.real("param");
   if (law.distance < 0.0) refuse(builder, row, "param", "expected a distance", "give CCRIT, 0 or more");
@@ -189,7 +189,7 @@ void take_distance(Builder& builder, const Row& row, Contact& contact) {
 void take_energies(Builder& builder, const Row& row, Contact& contact) {
   kernel::Cohesion& law = contact.glue->law;
   take_strengths(row, law);
-  demand(builder, row, {"nfls", "sfls", "eraten", "erates"});
+  require(builder, row, {"nfls", "sfls", "eraten", "erates"});
   law.softening = kernel::Cohesion::Softening::by_energy;
   law.normal_energy = row.real("eraten");
   law.shear_energy = row.real("erates");
@@ -201,7 +201,7 @@ void take_energies(Builder& builder, const Row& row, Contact& contact) {
     law.pressure_share = std::sin(angle * std::numbers::pi / 180.0);
     return;
   }
-  demand(builder, row, {"param"});
+  require(builder, row, {"param"});
   law.exponent = row.real("param");
   law.normal_stiffness = row.real("cn");
   law.shear_ratio = row.real("ct2cn");
@@ -227,7 +227,7 @@ void take_layer(Builder& builder, Cursor& cursor, const Row& row, Contact& conta
   if (by_rate && law.thickness == 0.0)
     refuse(builder, row, "param", "the thickness makes a strain rate of a speed and must be given here",
            "give it, or stresses and energies that do not depend on the rate");
-  tell_idle(builder, row, {"nfls", "sfls", "eraten", "erates"});
+  report_idle(builder, row, {"nfls", "sfls", "eraten", "erates"});
 }
 
 void take_glue(Builder& builder, Cursor& cursor, const Row& row, Contact& contact) {
@@ -236,8 +236,8 @@ void take_glue(Builder& builder, Cursor& cursor, const Row& row, Contact& contac
   contact.glue->moments = option < 0;
   switch (option < 0 && option >= -3 ? -option : option) {
     case 1:
-      contact.glue->sticks_later = true;
-      tell_idle(builder, row, {"nfls", "sfls", "eraten", "erates"});
+      contact.glue->bonds_later = true;
+      report_idle(builder, row, {"nfls", "sfls", "eraten", "erates"});
       break;
     case 2:
       take_brittle(row, contact);
@@ -245,11 +245,11 @@ void take_glue(Builder& builder, Cursor& cursor, const Row& row, Contact& contac
       break;
     case 3:
       take_brittle(row, contact);
-      contact.glue->sticks_later = true;
+      contact.glue->bonds_later = true;
       break;
     case 4: take_sliding(builder, row, contact); break;
     case 5:
-      demand(builder, row, {"nfls"});
+      require(builder, row, {"nfls"});
       contact.glue->law.normal_strength = row.real("nfls");
       break;
     case 6:
@@ -287,8 +287,8 @@ void take_glue_of_surfaces(Builder& builder, const Row& row, Contact& contact) {
     if (glue.law.shear_strength == 0.0)
       refuse(builder, row, "sfls", "must be given where there is no TBLCID", "give a large number for no failure");
   } else if (row.real("sfls") != 0.0) {
-    row.complain(builder.findings, Severity::note, "sfls",
-                 "is not looked at with TBLCID: the glue yields in shear at NFLS over the root of 3", {});
+    row.report(builder.findings, Severity::note, "sfls",
+               "is not looked at with TBLCID: the glue yields in shear at NFLS over the root of 3", {});
   }
 }
 
@@ -302,7 +302,7 @@ void take_resistance(Builder& builder, const Row& row, std::string_view field, C
     return;
   }
   const Curve& curve = builder.model.curves[static_cast<std::size_t>(c)];
-  if (curve.empty()) return;  // told where it is defined
+  if (curve.empty()) return;  // reported where it is defined
   kernel::Cohesion& law = contact.glue->law;
   law.softening = kernel::Cohesion::Softening::by_curve;
   law.resistance = curve;
@@ -316,8 +316,8 @@ void take_resistance(Builder& builder, const Row& row, std::string_view field, C
   if (std::any_of(law.resistance.y.begin(), law.resistance.y.end(), [](double y) { return y < 0.0; }))
     refuse(builder, row, field, "the curve has negative ordinates", "end it with 0");
   if (law.resistance.y.back() > 0.0)
-    row.complain(builder.findings, Severity::warning, field, "the curve does not end with 0: this glue never fails",
-                 "end it with 0 at the opening where nothing holds any more");
+    row.report(builder.findings, Severity::warning, field, "the curve does not end with 0: this glue never fails",
+               "end it with 0 at the opening where nothing holds any more");
   if (first > 0.0)
     for (double& y : law.resistance.y) y /= first;
 }

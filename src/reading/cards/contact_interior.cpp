@@ -23,7 +23,7 @@ void read_interior(Builder& builder, const Block& block, const Options& options)
   const Heading heading = read_heading(cursor, options.contains("ID") || options.contains("TITLE"));
   const Row row = cursor.read(interior_card);
   expect_end(builder, cursor);
-  builder.later(Phase::conditions, [row, heading, place = block.place](Builder& b) {
+  builder.defer(Phase::conditions, [row, heading, place = block.place](Builder& b) {
     const auto* set = b.part_set(row, "psid");
     if (!set) return;
     InteriorContact contact;
@@ -52,8 +52,8 @@ void read_interior(Builder& builder, const Block& block, const Options& options)
 }  // namespace
 
 Keyword interior_keyword() {
-  return {"CONTACT_INTERIOR", {}, {"ID", "TITLE"},
-          Verdict::used,      {}, {{"with _ID or _TITLE", &heading_card}, {{}, &interior_card}},
+  return {"CONTACT_INTERIOR",  {}, {"ID", "TITLE"},
+          KeywordStatus::used, {}, {{"with _ID or _TITLE", &heading_card}, {{}, &interior_card}},
           read_interior};
 }
 

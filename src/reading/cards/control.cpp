@@ -323,8 +323,8 @@ void read_time_step(Builder& b, const Block& block, const Options&) {
   if (row.real("tssfac") < 0.0)
     refuse(b, row, "tssfac", "a factor over time (curve) is not supported", "give a number");
   if (row.real("tssfac") > 1.0)
-    row.complain(b.findings, Severity::warning, "tssfac", "a step longer than the stable one: the run will diverge",
-                 "give 0.9 or less");
+    row.report(b.findings, Severity::warning, "tssfac", "a step longer than the stable one: the run will diverge",
+               "give 0.9 or less");
   Control& c = b.model.control;
   c.first_step = row.real("dtinit");
   c.step_scale = row.real("tssfac");
@@ -337,15 +337,15 @@ void read_time_step(Builder& b, const Block& block, const Options&) {
   c.mass_scaling_at_start_only = row.integer("ms1st") == 1;
   c.weight_of_added_mass = second.real("emscl");
   c.tied_rotary_mass = third.real("rmavg");
-  b.later(Phase::conditions, [row](Builder& later) { later.model.control.step_curve = later.curve(row, "lctm"); });
+  b.defer(Phase::conditions, [row](Builder& later) { later.model.control.step_curve = later.curve(row, "lctm"); });
 }
 
 void check_wall_penalty(Builder& b, const Row& row) {
   if (!(row.real("rwpnal") < 0.0) || b.model.walls.empty()) return;
-  row.complain(b.findings, Severity::warning, "rwpnal",
-               "below 0, all nodes by penalty, is not obeyed: rigid walls stop nodes of rigid bodies by penalty, with "
-               "its size as the scale, all others by constraint",
-               "give the positive number");
+  row.report(b.findings, Severity::warning, "rwpnal",
+             "below 0, all nodes by penalty, is not obeyed: rigid walls stop nodes of rigid bodies by penalty, with "
+             "its size as the scale, all others by constraint",
+             "give the positive number");
 }
 
 /// TH, TH_SF, PEN_SF: what *PART_CONTACT says of a part is left as it is.
@@ -374,13 +374,13 @@ void read_contact(Builder& b, const Block& block, const Options&) {
          {{"shledg", 0, "not obeyed: shell edges are round, as with 0"},
           {"shltrw", 0, "not obeyed: rigid walls stop the mid-surface of shells, as with 0"},
           {"pstiff", 0, "not obeyed: penalty stiffness comes from the material, as with 0"}});
-  b.later(Phase::checks, [one](Builder& later) { check_wall_penalty(later, one); });
-  b.later(Phase::conditions, [three](Builder& later) { set_part_defaults(later, three); });
+  b.defer(Phase::checks, [one](Builder& later) { check_wall_penalty(later, one); });
+  b.defer(Phase::conditions, [three](Builder& later) { set_part_defaults(later, three); });
   Control& c = b.model.control;
   c.penalty_scale = one.real("slsfac");
   c.wall_penalty = std::abs(one.real("rwpnal"));
   c.keep_tied_gap = two.integer("tiedprj") == 1;
-  c.nodes_of_dead = one.integer("enmass");
+  c.keep_nodes_of_deleted = one.integer("enmass");
   c.part_friction = {three.real("sfric"), three.real("dfric"), three.real("edc"), three.real("vfc")};
   c.ignore_penetration = four.integer("ignore");
   c.list_ties = four.integer("outseg") == 1;
@@ -428,7 +428,7 @@ void read_shell(Builder& b, const Block& block, const Options&) {
   expect(b, four, Severity::warning,
          {{"delfr", 0, "not obeyed: shells that have come loose stay"},
           {"keepcs", 0, "not obeyed: the contact segments of failed shells go with them"}});
-  if (four.integer("drcpsid") != 0) b.later(Phase::checks, [four](Builder& later) { resist_drilling(later, four); });
+  if (four.integer("drcpsid") != 0) b.defer(Phase::checks, [four](Builder& later) { resist_drilling(later, four); });
   Control& c = b.model.control;
   c.warp_warning = one.real("wrpang");
   c.sort_triangles = static_cast<SortTriangles>(one.integer("esort"));
@@ -436,7 +436,7 @@ void read_shell(Builder& b, const Block& block, const Options&) {
   c.default_shell = one.integer("theory");
   c.warping_stiffness = one.integer("bwc") == 1;
   if (c.warping_stiffness)
-    one.complain(
+    one.report(
         b.findings, Severity::warning, "bwc",
         "the warping coupling and the drill projection are computed, the transverse shear stays the one-point form",
         "compare with BWC = 2 where warped shells matter");
@@ -451,7 +451,7 @@ void read_shell(Builder& b, const Block& block, const Options&) {
   };
   c.distorted_shells = failing("nfail1");
   c.distorted_full_shells = failing("nfail4");
-  b.later(Phase::conditions, [four](Builder& later) {
+  b.defer(Phase::conditions, [four](Builder& later) {
     if (const auto* parts = later.part_set(four, "psnfail")) later.model.control.parts_of_distorted = parts->members;
   });
 }
@@ -497,11 +497,11 @@ void read_solid(Builder& b, const Block& block, const Options&) {
   // Its further cards are about tetrahedra of ten nodes, cohesive elements and brick welds only.
   Cursor cursor(b.deck, block, b.findings);
   const Row row = cursor.read(solid_card_1);
-  b.later(Phase::conditions, [row](Builder& later) {
+  b.defer(Phase::conditions, [row](Builder& later) {
     if (const auto* parts = later.part_set(row, "psfail")) later.model.control.eroding_parts = parts->members;
     if (row.integer("niptets") == 5 && !later.model.solids.ten_nodes.empty())
-      row.complain(later.findings, Severity::warning, "niptets", "tetrahedra of ten nodes have four points here",
-                   "write 4");
+      row.report(later.findings, Severity::warning, "niptets", "tetrahedra of ten nodes have four points here",
+                 "write 4");
   });
   b.model.control.sort_solids = row.integer("esort") > 0;
 }
@@ -532,10 +532,10 @@ void read_output(Builder& b, const Block& block, const Options&) {
   const Row row2 = cursor.read(output_card_2);
   using enum Requests::ShellAxes;
   b.model.requests.shell_axes = row2.integer("eocs") == 1 ? element : row2.integer("eocs") == 2 ? global : standard;
-  b.later(Phase::conditions, [second = row2](Builder& later) {
+  b.defer(Phase::conditions, [second = row2](Builder& later) {
     if (second.integer("tet10s8") == 1 && !later.model.solids.ten_nodes.empty())
-      second.complain(later.findings, Severity::warning, "tet10s8",
-                      "not obeyed: d3plot has the corners of tetrahedra of ten nodes, as with 2");
+      second.report(later.findings, Severity::warning, "tet10s8",
+                    "not obeyed: d3plot has the corners of tetrahedra of ten nodes, as with 2");
   });
 }
 
@@ -573,7 +573,7 @@ std::vector<Keyword> control_keywords() {
       {.name = "CONTROL_DYNAMIC_RELAXATION", .layout = {{"", &relaxation_card}}, .read = read_relaxation},
       {.name = "CONTROL_OUTPUT", .layout = {{"", &output_card_1}, {"optional", &output_card_2}}, .read = read_output},
       {.name = "CONTROL_UNITS",
-       .verdict = Verdict::ignored,
+       .status = KeywordStatus::ignored,
        .why = "a remark on the units; the program computes in whatever units the deck is written in"},
   };
 }

@@ -110,9 +110,9 @@ int section_id(const Builder& builder, int given) {
 void add_section(Builder& builder, const Row& row, std::string_view field, CrossSection section) {
   // It stays: sections without an id are numbered by their place in the deck.
   if (section.facets.empty())
-    row.complain(builder.findings, Severity::warning, field,
-                 fmt::format("cross section {} has no elements: its forces are 0", section.id),
-                 "check the sets, or where the plane lies");
+    row.report(builder.findings, Severity::warning, field,
+               fmt::format("cross section {} has no elements: its forces are 0", section.id),
+               "check the sets, or where the plane lies");
   builder.model.requests.cross_sections.push_back(std::move(section));
 }
 
@@ -164,7 +164,7 @@ void read_set(Builder& builder, const Block& block, const Options& options) {
     const Row row = cursor.read(card_for(set_cards, cursor.peek_number(7)));
     refuse_nonzero(builder, row, "tsid", "thick shells are not built", "leave it 0");
     refuse_nonzero(builder, row, "dsid", "discrete elements carry no section force", "leave it 0; deforc holds theirs");
-    builder.later(Phase::conditions, [row, section](Builder& b) { resolve_set(b, row, section); });
+    builder.defer(Phase::conditions, [row, section](Builder& b) { resolve_set(b, row, section); });
   }
 }
 
@@ -219,7 +219,7 @@ void read_plane(Builder& builder, const Block& block, const Options& options) {
     const Row row1 = cursor.read(plane_card1), row2 = cursor.read(card_for(plane_cards2, cursor.peek_number(6)));
     CuttingPlane plane;
     if (!plane_of(builder, block, row1, row2, plane)) continue;
-    builder.later(Phase::conditions,
+    builder.defer(Phase::conditions,
                   [row1, row2, plane, section](Builder& b) { resolve_plane(b, row1, row2, plane, section); });
   }
 }
@@ -230,7 +230,7 @@ void read_group(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     const Row row = cursor.read(group_card);
-    builder.later(Phase::conditions, [row](Builder& b) {
+    builder.defer(Phase::conditions, [row](Builder& b) {
       const auto* nodes = b.node_set(row, "nsid");
       if (!nodes) return;
       b.model.requests.nodal_force_groups.push_back(
@@ -246,18 +246,18 @@ std::vector<Keyword> cross_section_keywords() {
       {"DATABASE_CROSS_SECTION_SET",
        {},
        {"ID"},
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{"with _ID", &heading_card}, {{}, &set_cards[0]}},
        read_set},
       {"DATABASE_CROSS_SECTION_PLANE",
        {},
        {"ID"},
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{"with _ID", &heading_card}, {{}, &plane_card1}, {{}, &plane_cards2[0]}},
        read_plane},
-      {"DATABASE_NODAL_FORCE_GROUP", {}, {}, Verdict::used, {}, {{{}, &group_card}}, read_group},
+      {"DATABASE_NODAL_FORCE_GROUP", {}, {}, KeywordStatus::used, {}, {{{}, &group_card}}, read_group},
   };
 }
 

@@ -65,7 +65,7 @@ const Card value_2d_card{{
     wide(id("curveid", IdSpace::function, required, "its curve"), 20),
 }};
 
-/// A unit factor would have to know what the numbers of a curve are; the curve itself does not tell.
+/// A unit factor would have to know what the numbers of a curve are; the curve itself does not say.
 void refuse_unit_factors(Builder& b, const Block& block) {
   const auto* t = block.transform;
   if (!t || (t->mass == 1.0 && t->length == 1.0 && t->time == 1.0)) return;
@@ -98,14 +98,14 @@ void add_curve(Builder& b, const Row& row, Curve curve) {
 Curve read_points(Builder& b, Cursor& cursor, int id) {
   Curve curve;
   curve.id = id;
-  bool is_told = false;
+  bool is_reported = false;
   while (!at_end(cursor)) {
     const Row point = cursor.read(point_card);
     const double a = point.real("a");
-    if (!curve.empty() && a <= curve.x.back() && !is_told) {
+    if (!curve.empty() && a <= curve.x.back() && !is_reported) {
       refuse(b, point, "a", fmt::format("expected more than {:g}: abscissae must ascend", curve.x.back()),
              "sort the points; a step needs two abscissae a little apart");
-      is_told = true;
+      is_reported = true;
     }
     curve.x.push_back(a);
     curve.y.push_back(point.real("o"));
@@ -159,8 +159,8 @@ void read_smooth(Builder& b, const Block& block, const Options& options) {
   else
     velocity = distance / (end - start - rise);
   if (const double given = row.real("vmax"); given != 0.0 && std::abs(given - velocity) > 1e-3 * std::abs(given))
-    row.complain(b.findings, Severity::warning, "vmax", fmt::format("not obeyed: DIST and TEND give {:.6g}", velocity),
-                 "leave one of TEND and VMAX 0");
+    row.report(b.findings, Severity::warning, "vmax", fmt::format("not obeyed: DIST and TEND give {:.6g}", velocity),
+               "leave one of TEND and VMAX 0");
   if (!(end - start >= 2.0 * rise) || !std::isfinite(velocity))
     return refuse(b, row, "trise",
                   fmt::format("from TSTART to TEND, {:.6g}, there is no room for a rise and a fall", end - start),
@@ -177,7 +177,7 @@ void read_copy(Builder& b, const Block& block, const Options& options) {
   read_title(cursor, options);
   const Row row = cursor.read(copy_card);
   expect_end(b, cursor);
-  b.later(Phase::curves, [row](Builder& later) {
+  b.defer(Phase::curves, [row](Builder& later) {
     const Index original = later.curve(row, "rlcid");
     if (original == none) return;
     Curve curve = later.model.curves[static_cast<std::size_t>(original)];
@@ -216,7 +216,7 @@ void read_table(Builder& b, const Block& block, const Options& options) {
   const std::size_t count = values.size();
   const Index table = add_table(b, row, std::move(values));
   const std::size_t first = b.model.curves.size();
-  b.later(Phase::curves, [=](Builder& later) {
+  b.defer(Phase::curves, [=](Builder& later) {
     auto& curves = later.model.tables[static_cast<std::size_t>(table)].curve;
     for (std::size_t i = first; i < std::min(first + count, later.model.curves.size()); ++i)
       curves.push_back(static_cast<Index>(i));
@@ -239,7 +239,7 @@ void read_table_2d(Builder& b, const Block& block, const Options& options) {
     values.push_back(rows.back().real("value"));
   }
   const Index table = add_table(b, row, std::move(values));
-  b.later(Phase::curves, [table, rows](Builder& later) {
+  b.defer(Phase::curves, [table, rows](Builder& later) {
     for (const Row& line : rows)
       if (const Index curve = later.curve(line, "curveid"); curve != none)
         later.model.tables[static_cast<std::size_t>(table)].curve.push_back(curve);
@@ -257,7 +257,7 @@ std::vector<Keyword> curve_keywords() {
       {.name = "DEFINE_CURVE_DUPLICATE", .options = {"TITLE"}, .layout = {{"", &copy_card}}, .read = read_copy},
       {.name = "DEFINE_CURVE_FUNCTION",
        .options = {"TITLE"},
-       .verdict = Verdict::refused,
+       .status = KeywordStatus::refused,
        .why = "curves by formula are not supported; write its points as *DEFINE_CURVE"},
       {.name = "DEFINE_CURVE_SMOOTH", .options = {"TITLE"}, .layout = {{"", &smooth_card}}, .read = read_smooth},
       {.name = "DEFINE_TABLE",

@@ -95,7 +95,7 @@ void read_global(Builder& builder, const Block& block, const Options&) {
   if (row.integer("lcid") < 0)
     return refuse(builder, row, "lcid", "damping constants of single parts by *DEFINE_CURVE pairs are not built",
                   "use *DAMPING_PART_MASS");
-  builder.later(Phase::conditions, [row](Builder& b) {
+  builder.defer(Phase::conditions, [row](Builder& b) {
     MassDamping damping;
     damping.everything = true;
     damping.curve = b.curve(row, "lcid");
@@ -124,7 +124,7 @@ void read_part_mass(Builder& builder, const Block& block, const Options&) {
     const Row row = cursor.read(set ? part_mass_set : part_mass);
     MassDamping damping;
     if (row.integer("flag") == 1) take_scales(cursor.read(scales_card), damping);
-    builder.later(Phase::conditions, [row, damping](Builder& b) mutable {
+    builder.defer(Phase::conditions, [row, damping](Builder& b) mutable {
       damping.curve = b.curve(row, "lcid");
       damping.factor = row.real("sf");
       for (const Index part : parts_of<set>(b, row)) {
@@ -143,12 +143,12 @@ void read_part_stiffness(Builder& builder, const Block& block, const Options&) {
   while (!at_end(cursor)) {
     const Row row = cursor.read(set ? part_stiffness_set : part_stiffness);
     double coefficient = row.real("coef");
-    // A share or, below 0, a time: the table cannot tell which.
+    // A share or, below 0, a time: the table cannot say which.
     if (coefficient < 0.0 && block.transform) coefficient *= block.transform->factor(dimension::time);
     if (coefficient > 1.0)
       refuse(builder, row, "coef", "more than critical damping at the highest frequency",
              "give 0.01 to 0.25, or a negative value for Rayleigh's beta");
-    builder.later(Phase::conditions, [row, coefficient](Builder& b) {
+    builder.defer(Phase::conditions, [row, coefficient](Builder& b) {
       for (const Index part : parts_of<set>(b, row)) {
         const Part& damped = b.model.parts[at(part)];
         if (coefficient == 0.0 || damped.rigid_body != none) continue;
@@ -182,9 +182,9 @@ std::vector<Index> deformed_parts(Builder& b, const Row& row, const std::vector<
     if (!is_discrete(b.model, p))
       parts.push_back(part);
     else if (!all)
-      row.complain(b.findings, Severity::warning, "psid",
-                   fmt::format("part {} is of discrete elements, which _DEFORM does not damp here", p.id),
-                   "give them a damper of their own, as *MAT_S02");
+      row.report(b.findings, Severity::warning, "psid",
+                 fmt::format("part {} is of discrete elements, which _DEFORM does not damp here", p.id),
+                 "give them a damper of their own, as *MAT_S02");
   }
   return parts;
 }
@@ -198,7 +198,7 @@ void read_range(Builder& builder, const Block& block, const Options& options) {
       refuse(builder, row, "fhigh", "the range ends before it begins", "swap flow and fhigh");
     if (deform)
       expect(builder, row, Severity::warning, {{"pidrel", 0, "does not apply to _DEFORM: it does nothing here"}});
-    builder.later(Phase::conditions, [row, deform](Builder& b) {
+    builder.defer(Phase::conditions, [row, deform](Builder& b) {
       FrequencyRangeDamping damping{
           row.real("cdamp"), row.real("flow"), row.real("fhigh"), row.integer("psid") == 0, {}, none, deform};
       if (const auto* parts = b.part_set(row, "psid")) damping.parts = parts->members;
@@ -213,7 +213,7 @@ void read_relative(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     const Row row = cursor.read(relative_card);
-    builder.later(Phase::conditions, [row](Builder& b) {
+    builder.defer(Phase::conditions, [row](Builder& b) {
       RelativeDamping damping{row.real("cdamp"), row.real("freq"),    find_body(b, row, "pidrb"), {},
                               row.real("dv2"),   b.curve(row, "lcid")};
       if (const auto* parts = b.part_set(row, "psid")) damping.parts = parts->members;
@@ -228,13 +228,19 @@ std::vector<Keyword> damping_keywords() {
   const std::vector<LayoutCard> mass{{{}, &part_mass}, {"if FLAG = 1", &scales_card}},
       mass_set{{{}, &part_mass_set}, {"if FLAG = 1", &scales_card}};
   return {
-      {"DAMPING_GLOBAL", {}, {}, Verdict::used, {}, {{{}, &global_card}}, read_global},
-      {"DAMPING_PART_MASS", {}, {}, Verdict::used, {}, mass, read_part_mass<false>},
-      {"DAMPING_PART_MASS_SET", {}, {}, Verdict::used, {}, mass_set, read_part_mass<true>},
-      {"DAMPING_PART_STIFFNESS", {}, {}, Verdict::used, {}, {{{}, &part_stiffness}}, read_part_stiffness<false>},
-      {"DAMPING_PART_STIFFNESS_SET", {}, {}, Verdict::used, {}, {{{}, &part_stiffness_set}}, read_part_stiffness<true>},
-      {"DAMPING_FREQUENCY_RANGE", {}, {"DEFORM"}, Verdict::used, {}, {{{}, &range_card}}, read_range},
-      {"DAMPING_RELATIVE", {}, {}, Verdict::used, {}, {{{}, &relative_card}}, read_relative},
+      {"DAMPING_GLOBAL", {}, {}, KeywordStatus::used, {}, {{{}, &global_card}}, read_global},
+      {"DAMPING_PART_MASS", {}, {}, KeywordStatus::used, {}, mass, read_part_mass<false>},
+      {"DAMPING_PART_MASS_SET", {}, {}, KeywordStatus::used, {}, mass_set, read_part_mass<true>},
+      {"DAMPING_PART_STIFFNESS", {}, {}, KeywordStatus::used, {}, {{{}, &part_stiffness}}, read_part_stiffness<false>},
+      {"DAMPING_PART_STIFFNESS_SET",
+       {},
+       {},
+       KeywordStatus::used,
+       {},
+       {{{}, &part_stiffness_set}},
+       read_part_stiffness<true>},
+      {"DAMPING_FREQUENCY_RANGE", {}, {"DEFORM"}, KeywordStatus::used, {}, {{{}, &range_card}}, read_range},
+      {"DAMPING_RELATIVE", {}, {}, KeywordStatus::used, {}, {{{}, &relative_card}}, read_relative},
   };
 }
 

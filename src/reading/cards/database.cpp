@@ -120,7 +120,7 @@ const Card set_id_heading = headed(IdSpace::set, "set whose members have time hi
 /// The curve of an interval, and how it counts.
 void take_curve(Builder& builder, const Row& row, std::string_view field, int ioopt, Request Requests::*file) {
   if (row.integer(field) == 0) return;
-  builder.later(Phase::conditions, [row, field = std::string(field), ioopt, file](Builder& b) {
+  builder.defer(Phase::conditions, [row, field = std::string(field), ioopt, file](Builder& b) {
     Request& asked = b.model.requests.*file;
     asked.curve = b.curve(row, field);
     if (asked.curve == none) return;
@@ -163,7 +163,7 @@ void read_d3plot(Builder& builder, const Block& block, const Options&) {
   }
   if (row.integer("npltc") == 0) take_curve(builder, row, "lcdt", ioopt, &Requests::d3plot);
   if (const int states = row.integer("npltc"); states > 0)
-    builder.later(Phase::conditions,
+    builder.defer(Phase::conditions,
                   [states](Builder& b) { b.model.requests.d3plot.interval = b.model.control.end_time / states; });
 }
 
@@ -176,7 +176,7 @@ void read_format(Builder& builder, const Block& block, const Options&) {
 void read_extent_binary(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   Requests& requests = builder.model.requests;
-  const auto others = [&](const Row& row, std::initializer_list<Obeyed> fields) {
+  const auto others = [&](const Row& row, std::initializer_list<SupportedValue> fields) {
     expect(builder, row, Severity::warning, fields);
   };
   constexpr std::string_view absent = "not written yet; d3plot comes without it",
@@ -185,18 +185,18 @@ void read_extent_binary(Builder& builder, const Block& block, const Options&) {
   const Row row1 = cursor.read(extent_card1);
   requests.layers = std::abs(row1.integer("maxint"));
   if (row1.integer("maxint") < 0)
-    row1.complain(builder.findings, Severity::warning, "maxint",
-                  "the mean over a shell's in-plane points is written, as many layers as with the positive number");
+    row1.report(builder.findings, Severity::warning, "maxint",
+                "the mean over a shell's in-plane points is written, as many layers as with the positive number");
   requests.strains = row1.integer("strflg") % 10 == 1;
   if (row1.integer("strflg") > 1)
-    row1.complain(builder.findings, Severity::warning, "strflg",
-                  "plastic and thermal strain tensors are not written: only its last digit, 0 or 1, is obeyed");
+    row1.report(builder.findings, Severity::warning, "strflg",
+                "plastic and thermal strain tensors are not written: only its last digit, 0 or 1, is obeyed");
   requests.solid_histories = row1.integer("neiph");
   requests.shell_histories = row1.integer("neips");
   for (const std::string_view field : {"neiph", "neips"})
     if (row1.integer(field) > 3)
-      row1.complain(builder.findings, Severity::note, field,
-                    "1 is the lost share of the stress, 2 and 3 are damage and instability; zeros follow");
+      row1.report(builder.findings, Severity::note, field,
+                  "1 is the lost share of the stress, 2 and 3 are damage and instability; zeros follow");
   others(row1, {{"sigflg", 1, present}, {"epsflg", 1, present}, {"rltflg", 1, present}, {"engflg", 1, present}});
 
   if (!cursor.more()) return;
@@ -204,8 +204,8 @@ void read_extent_binary(Builder& builder, const Block& block, const Options&) {
   requests.one_state_a_file = row2.integer("ieverp") == 1;
   requests.beam_points = row2.integer("beamip");
   if (requests.beam_points > 0)
-    row2.complain(builder.findings, Severity::note, "beamip",
-                  "the axial strain of a beam's points is not known; d3plot has 0 in its place");
+    row2.report(builder.findings, Severity::note, "beamip",
+                "the axial strain of a beam's points is not known; d3plot has 0 in its place");
   requests.material_axes = row2.integer("cmpflg") != 0;
   others(row2, {{"dcomp", 1, "d3plot is written without compression, velocities and accelerations included"},
                 {"shge", 1, absent},
@@ -214,12 +214,11 @@ void read_extent_binary(Builder& builder, const Block& block, const Options&) {
   if (!cursor.more()) return;
   const Row row3 = cursor.read(extent_card3);
   if (row3.integer("nintsld") > 1)
-    row3.complain(builder.findings, Severity::warning, "nintsld", "solids have one integration point; one is written");
+    row3.report(builder.findings, Severity::warning, "nintsld", "solids have one integration point; one is written");
   others(row3, {{"pkp_sen", 0, absent}, {"hydro", 0, absent}, {"msscl", 0, absent}, {"therm", 0, absent}});
   for (const std::string_view field : {"intout", "nodout"})
     if (!row3.text(field).empty())
-      row3.complain(builder.findings, Severity::warning, field,
-                    "eloutdet is not written; elout has the elements' means");
+      row3.report(builder.findings, Severity::warning, field, "eloutdet is not written; elout has the elements' means");
 
   if (cursor.more())
     others(cursor.read(extent_card4), {{"dtdt", 0, absent},
@@ -257,8 +256,8 @@ void resolve_history(Builder& builder, const History& history, const Row& row, s
   auto& list = builder.model.requests.*history.list;
   const Index index = set ? (builder.*history.set_ids).find(id) : (builder.*history.ids).find(id);
   if (index == none) {
-    row.complain(builder.findings, Severity::warning, field,
-                 std::string(history.what) + (set ? " set" : "") + " is not in the model; it has no time history");
+    row.report(builder.findings, Severity::warning, field,
+               std::string(history.what) + (set ? " set" : "") + " is not in the model; it has no time history");
   } else if (set) {
     for (const Index member : (builder.model.sets.*history.sets)[static_cast<std::size_t>(index)].members)
       add_history(builder, list, member, heading);
@@ -276,7 +275,7 @@ void read_history(Builder& builder, const Block& block, const Options& options) 
   const Card& headed = set ? set_id_heading : nodes ? node_id_heading : element_id_heading;
   while (cursor.more()) {
     const Row row = cursor.read(headings ? headed : plain);
-    builder.later(Phase::conditions, [row, headings](Builder& b) {
+    builder.defer(Phase::conditions, [row, headings](Builder& b) {
       if (headings) return resolve_history(b, history, row, "id", set, row.text("heading"));
       for (const std::string_view field : {"id1", "id2", "id3", "id4", "id5", "id6", "id7", "id8"})
         resolve_history(b, history, row, field, set, {});
@@ -288,12 +287,12 @@ void read_history(Builder& builder, const Block& block, const Options& options) 
 void read_discrete_history(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   const bool headings = options.contains("ID");
-  builder.later(Phase::bodies, [](Builder& b) {
+  builder.defer(Phase::bodies, [](Builder& b) {
     for (Discrete& d : b.model.discretes) d.in_deforc = false;
   });
   while (cursor.more()) {
     const Row row = cursor.read(headings ? element_id_heading : element_ids);
-    builder.later(Phase::conditions, [row, headings](Builder& b) {
+    builder.defer(Phase::conditions, [row, headings](Builder& b) {
       for (const std::string_view field : {"id1", "id2", "id3", "id4", "id5", "id6", "id7", "id8"}) {
         const std::string_view own = headings ? "id" : field;
         const int id = row.integer(own);
@@ -301,7 +300,7 @@ void read_discrete_history(Builder& builder, const Block& block, const Options& 
         if (index != none)
           b.model.discretes[static_cast<std::size_t>(index)].in_deforc = true;
         else if (id != 0)
-          row.complain(b.findings, Severity::warning, own, "spring is not in the model; it has no time history");
+          row.report(b.findings, Severity::warning, own, "spring is not in the model; it has no time history");
         if (headings) return;
       }
     });
@@ -315,11 +314,11 @@ void read_local_history(Builder& builder, const Block& block, const Options& opt
     const Row row = cursor.read(local_node_card);
     const std::string heading =
         options.contains("ID") ? cursor.read(local_heading_card).text("heading") : std::string{};
-    builder.later(Phase::conditions, [row, heading](Builder& b) {
+    builder.defer(Phase::conditions, [row, heading](Builder& b) {
       auto& list = b.model.requests.history_nodes;
       const Index node = b.nodes.find(row.integer("id"));
       if (node == none)
-        return row.complain(b.findings, Severity::warning, "id", "node is not in the model; it has no time history");
+        return row.report(b.findings, Severity::warning, "id", "node is not in the model; it has no time history");
       if (row.integer("cid") == 0) return add_history(b, list, node, heading);
       const bool turning = row.integer("ref") != 0, relative = row.integer("ref") == 2;
       const Index system = b.turning_or_fixed_system(row, "cid");
@@ -334,7 +333,7 @@ void read_local_history(Builder& builder, const Block& block, const Options& opt
                       "write 1, or FLAG 0 in the system");
       list.push_back({node, heading, system, turning, relative});
       if (!relative) return;
-      b.later(Phase::checks, [row](Builder& later) {
+      b.defer(Phase::checks, [row](Builder& later) {
         if (later.model.control.relaxation.on())
           refuse(later, row, "ref",
                  "relative motion (REF 2) after a dynamic relaxation is not built: its places of "
@@ -349,7 +348,7 @@ void read_local_history(Builder& builder, const Block& block, const Options& opt
 
 template <Request Requests::*file>
 Keyword file_keyword(std::string_view name) {
-  return {name, {}, {}, Verdict::used, {}, {{{}, &interval_card}}, read_request<file>};
+  return {name, {}, {}, KeywordStatus::used, {}, {{{}, &interval_card}}, read_request<file>};
 }
 
 template <const History& history, bool set>
@@ -357,17 +356,17 @@ Keyword history_keyword(std::string_view name, const Card& plain, const Card& he
   return {name,
           {},
           {"ID"},
-          Verdict::used,
+          KeywordStatus::used,
           {},
           {{"without _ID", &plain}, {"with _ID", &headed}},
           read_history<history, set>};
 }
 
 Keyword not_written(std::string_view name, std::string_view why) {
-  return {name, {}, {"ID"}, Verdict::refused, why, {}, nullptr};
+  return {name, {}, {"ID"}, KeywordStatus::refused, why, {}, nullptr};
 }
 Keyword without_effect(std::string_view name, std::string_view why) {
-  return {name, {}, {"FILE"}, Verdict::ignored, why, {}, nullptr};
+  return {name, {}, {"FILE"}, KeywordStatus::ignored, why, {}, nullptr};
 }
 
 }  // namespace
@@ -394,15 +393,15 @@ std::vector<Keyword> database_keywords() {
       {"DATABASE_BINARY_D3PLOT",
        {},
        {},
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{{}, &d3plot_card}, {"optional", &d3plot_card2}},
        read_d3plot},
-      {"DATABASE_FORMAT", {}, {}, Verdict::used, {}, {{{}, &format_card}}, read_format},
+      {"DATABASE_FORMAT", {}, {}, KeywordStatus::used, {}, {{{}, &format_card}}, read_format},
       {"DATABASE_EXTENT_BINARY",
        {},
        {},
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{{}, &extent_card1}, {"optional", &extent_card2}, {"optional", &extent_card3}, {"optional", &extent_card4}},
        read_extent_binary},
@@ -411,7 +410,7 @@ std::vector<Keyword> database_keywords() {
       {"DATABASE_HISTORY_NODE_LOCAL",
        {},
        {"ID"},
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{"repeated", &local_node_card}, {"with _ID, after each", &local_heading_card}},
        read_local_history},
@@ -424,7 +423,7 @@ std::vector<Keyword> database_keywords() {
       {"DATABASE_HISTORY_DISCRETE",
        {},
        {"ID"},
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{"without _ID", &element_ids}, {"with _ID", &element_id_heading}},
        read_discrete_history},

@@ -5,7 +5,8 @@
 #include "reading/cards/families.hpp"
 
 // *MAT_... of discrete beams (ELFORM 6): each law becomes six springs and a rule of failure (kernel::DiscreteBeam).
-// Layouts: keywords.md section 5; those of MAT_068, 121, 196 from the public LS-DYNA input interface of Altair Radioss.
+// Layouts: public keyword tables (PyDYNA); those of MAT_068, 121, 196 from the public LS-DYNA input interface of Altair
+// Radioss.
 namespace nugget::reading {
 
 namespace {
@@ -233,7 +234,7 @@ void add_law(Builder& b, const Row& row, std::string title, std::string_view key
   b.materials.add(m.id, index, m.place, row.keyword(), "material", b.findings);
   b.model.materials.push_back(std::move(m));
   // Curves may be defined later in the deck.
-  b.later(Phase::parts, [index, fill = std::move(fill)](Builder& later) {
+  b.defer(Phase::parts, [index, fill = std::move(fill)](Builder& later) {
     auto& material = later.model.materials[static_cast<std::size_t>(index)];
     fill(later, std::get<kernel::DiscreteBeam>(material.law));
   });

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
 
 // *EOS_...: pressures of solids over volume and internal energy, for the parts that name them in EOSID.
@@ -96,7 +96,7 @@ double start_volume(const Row& row) {
 }
 
 /// Young's modulus and Poisson's ratio of a flow that goes with bulk modulus K.
-bool set_elastic(kernel::Composition& law, double K) {
+bool set_elastic(kernel::LawComponents& law, double K) {
   if (auto* fluid = std::get_if<kernel::Fluid>(&law.flow)) {
     fluid->E = 3.0 * K * (1.0 - 2.0 * fluid->nu);
     return true;
@@ -119,30 +119,30 @@ bool shells_share(const Model& model, Index material) {
 }
 
 /// What solids of a material are made of, before they have an equation of state.
-kernel::Composition made_of(const Material& material) {
+kernel::LawComponents components(const Material& material) {
   const auto* null = std::get_if<kernel::Null>(&material.law);
-  if (null == nullptr) return *std::get<kernel::Compound>(material.law).made_of;
-  kernel::Composition law{kernel::Fluid{.viscosity = null->viscosity}};
+  if (null == nullptr) return *std::get<kernel::ComposedLaw>(material.law).components;
+  kernel::LawComponents law{kernel::Fluid{.viscosity = null->viscosity}};
   if (null->tension > 0.0) law.spall = kernel::Spall{kernel::Spall::Form::limited_tension, null->tension};
   law.for_shells = false;
   return law;
 }
 
-/// Gives a material its equation of state; one that is refused too, so that it is not told to be missing.
+/// Gives a material its equation of state; one that is refused too, so that it is not reported as missing.
 void give(Builder& b, const Row& part_row, Material& material, bool shells, const kernel::EquationOfState& state) {
   const auto* null = std::get_if<kernel::Null>(&material.law);
   if (null != nullptr && null->erodes)
     b.findings.error(material.place, "*MAT_NULL", "erosion of solids by their volume (TEROD, CEROD) is not built",
                      "leave both 0");
-  kernel::Composition law = made_of(material);
+  kernel::LawComponents law = components(material);
   if (law.state)
     return refuse(b, part_row, "eosid", fmt::format("material {} has another equation of state already", material.id),
                   "give each equation of state materials of its own");
   law.state = state;
-  const std::array<double, kernel::PreparedPressure::size> at_start{};
-  const double K = kernel::PreparedPressure(state).modulus<double>(at_start.data());
+  const std::array<double, kernel::EquationOfStateKernel::size> at_start{};
+  const double K = kernel::EquationOfStateKernel(state).modulus<double>(at_start.data());
   const bool sheared = K > 0.0 && set_elastic(law, K);
-  material.law = compound(std::move(law));
+  material.law = composed_law(std::move(law));
   if (shells)
     refuse(b, part_row, "mid",
            fmt::format("material {} is of shells or beams too, which have no equation of state", material.id),
@@ -160,7 +160,7 @@ using StateOf = std::function<kernel::EquationOfState(double density)>;
 
 /// Once the laws are whole, the materials of the parts that name the equation get it.
 void hand_out(Builder& b, const Row& row, const StateOf& state) {
-  b.later(Phase::systems, [row, state](Builder& later) {
+  b.defer(Phase::systems, [row, state](Builder& later) {
     std::set<Index> done;
     for (const auto& [index, part_row] : later.part_rows) {
       const Part& part = later.model.parts[static_cast<std::size_t>(index)];
@@ -239,7 +239,7 @@ void read_tabulated(Builder& b, const Block& block, const Options& options) {
     ++count;
   for (std::vector<double>& list : values) list.resize(count);
   const double gamma = row.real("gama");
-  b.later(Phase::mesh, [=](Builder& later) {
+  b.defer(Phase::mesh, [=](Builder& later) {
     kernel::TabulatedPressure pressure{function_of(later, row, "lcc", values[0], values[1]),
                                        function_of(later, row, "lct", values[0], values[2])};
     if (pressure.cold.x.size() < 2)
@@ -272,8 +272,8 @@ void read_gruneisen(Builder& b, const Block& block, const Options& options) {
 
 bool takes_equation_of_state(const Material& material) {
   if (std::holds_alternative<kernel::Null>(material.law)) return true;
-  const auto* law = std::get_if<kernel::Compound>(&material.law);
-  return law != nullptr && (material.keyword == "MAT_JOHNSON_COOK" || law->made_of->state);
+  const auto* law = std::get_if<kernel::ComposedLaw>(&material.law);
+  return law != nullptr && (material.keyword == "MAT_JOHNSON_COOK" || law->components->state);
 }
 
 std::vector<Keyword> equation_of_state_keywords() {

@@ -139,10 +139,10 @@ int number_of(const kernel::Erosion& e) {
 }
 
 /// Warns of criteria that can never be met, and of those that hold at rest.
-void complain_of_idle(Builder& b, const Cards& cards, const kernel::Composition& law) {
+void report_idle_fields(Builder& b, const Cards& cards, const kernel::LawComponents& law) {
   const kernel::Erosion& e = *law.erosion;
   const auto warn = [&](const Row& row, std::string_view field, std::string text, const char* remedy) {
-    row.complain(b.findings, Severity::warning, field, std::move(text), remedy);
+    row.report(b.findings, Severity::warning, field, std::move(text), remedy);
   };
   const auto at_rest = [&](const Row& row, std::string_view field, bool met) {
     if (met)
@@ -179,7 +179,7 @@ void add_erosion(Builder& b, const Cards& cards) {
   const Index index = b.find(b.materials, "material", cards.first, "mid");
   if (index == none) return;
   Material& material = b.model.materials[static_cast<std::size_t>(index)];
-  std::optional<kernel::Composition> law = composition_of(material.law);
+  std::optional<kernel::LawComponents> law = components_of(material.law);
   if (!law)
     return refuse(b, cards.first, "mid", fmt::format("erosion cannot be added to *{}", material.keyword),
                   "welds, discrete beams and adhesive have failure criteria of their own");
@@ -201,9 +201,9 @@ void add_erosion(Builder& b, const Cards& cards) {
                     "write NCS 1");
     law->failure_strain = law->failure_strain > 0.0 ? std::min(law->failure_strain, -*strain) : -*strain;
   }
-  complain_of_idle(b, cards, *law);
+  report_idle_fields(b, cards, *law);
   if (law->gissmo && number_of(*law->erosion) == 0) law->erosion.reset();
-  material.law = compound(std::move(*law));
+  material.law = composed_law(std::move(*law));
 }
 
 void read_erosion(Builder& b, const Block& block, const Options& options) {
@@ -221,7 +221,7 @@ void read_erosion(Builder& b, const Block& block, const Options& options) {
   expect_end(b, cursor);
   cards.stress_curve = curve_below_zero(cards.second, "sigvm");
   // After the laws have their curves.
-  b.later(Phase::systems, [cards](Builder& later) { add_erosion(later, cards); });
+  b.defer(Phase::systems, [cards](Builder& later) { add_erosion(later, cards); });
 }
 
 }  // namespace

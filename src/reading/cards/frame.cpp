@@ -136,7 +136,7 @@ void read_nodes(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     read_title(cursor, options);
     const Row row = cursor.read(nodes_card);
-    b.later(Phase::systems, [row](Builder& later) { add_system_of_nodes(later, row); });
+    b.defer(Phase::systems, [row](Builder& later) { add_system_of_nodes(later, row); });
   }
 }
 
@@ -152,7 +152,7 @@ void read_vector(Builder& b, const Block& block, const Options& options) {
     b.vector_tails.push_back(moved ? block.transform->moved(tail) : tail);
     if (!(norm(v) > 0.0)) refuse(b, row, "xh", "head and tail of a vector must differ");
     if (is_local)
-      b.later(Phase::sets, [row, index](Builder& later) {
+      b.defer(Phase::sets, [row, index](Builder& later) {
         const Index s = later.system(row, "cid");
         if (s == none) return;
         const CoordinateSystem& own = later.model.systems[static_cast<std::size_t>(s)];

@@ -179,7 +179,7 @@ void check_cases(Builder& b, const CaseRows& rows, const FrequencyResponse& r) {
 /// `selection`: the row with FNMAX, MDMIN, MDMAX; `relative`: that with RELATV.
 void make_frf(Builder& builder, const std::vector<CaseRows>& cases, const Row& selection, const Row& relative,
               const Row& damping, const Row& frequencies) {
-  builder.later(Phase::conditions, [=](Builder& b) {
+  builder.defer(Phase::conditions, [=](Builder& b) {
     if (b.model.frequency_response)
       return refuse(b, cases.front().excitation, "n1", "a deck has one *FREQUENCY_DOMAIN_FRF",
                     "put the excitations under one *FREQUENCY_DOMAIN_FRF_SUBCASE");
@@ -194,7 +194,7 @@ void make_frf(Builder& builder, const std::vector<CaseRows>& cases, const Row& s
     r.by_parts = frequencies.integer("output") == 1;
     b.model.frequency_response = std::move(r);
   });
-  builder.later(Phase::checks, [=](Builder& b) {
+  builder.defer(Phase::checks, [=](Builder& b) {
     check_analysis(b, selection, "mdmin", true);
     if (b.model.frequency_response) check_damped(b, damping, b.model.frequency_response->damping);
     if (!b.model.frequency_response || b.model.frequency_response->cases.size() != cases.size()) return;
@@ -244,7 +244,7 @@ std::vector<double> listed_frequencies(Builder& b, const Row& row) {
   const Index id = b.curve(row, "lcfreq");
   if (id == none) return {};
   const Curve& curve = b.model.curves[at(id)];
-  if (curve.empty()) return {};  // told where it is defined
+  if (curve.empty()) return {};  // reported where it is defined
   const bool same = curve.x == curve.y,
              constant = std::all_of(curve.y.begin(), curve.y.end(), [&](double y) { return y == curve.y.front(); });
   if (!same && !constant)
@@ -258,15 +258,15 @@ void read_structural(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   const Row row = cursor.read(structural_card);
   expect_end(b, cursor);
-  b.later(Phase::conditions, [row](Builder& later) {
+  b.defer(Phase::conditions, [row](Builder& later) {
     if (later.model.structural_damping.given())
       return refuse(later, row, "g", "a deck has one *DAMPING_STRUCTURAL", "take one of them out");
     later.model.structural_damping = {row.real("g"), later.curve(row, "lcid"), row.integer("lctyp") == 1};
   });
-  b.later(Phase::checks, [row](Builder& later) {
+  b.defer(Phase::checks, [row](Builder& later) {
     if (!later.model.frequency_response && !later.model.steady_state)
-      row.complain(later.findings, Severity::warning, "g", "no effect: it damps responses over frequency only",
-                   "damp an impact with another *DAMPING_ keyword");
+      row.report(later.findings, Severity::warning, "g", "no effect: it damps responses over frequency only",
+                 "damp an impact with another *DAMPING_ keyword");
   });
 }
 
@@ -378,8 +378,8 @@ void check_damped(Builder& b, const Row& row, const FrequencyResponse::Damping& 
   if (d.ratio > 0.0 || d.curve != none || d.mass > 0.0 || d.stiffness > 0.0 || d.of_parts ||
       b.model.structural_damping.given())
     return;
-  row.complain(b.findings, Severity::warning, "dampf", "nothing damps: responses grow without bound at resonances",
-               "give DAMPF, LCDAM, DMPMAS, DMPSTF or *DAMPING_STRUCTURAL");
+  row.report(b.findings, Severity::warning, "dampf", "nothing damps: responses grow without bound at resonances",
+             "give DAMPF, LCDAM, DMPMAS, DMPSTF or *DAMPING_STRUCTURAL");
 }
 
 void check_analysis(Builder& b, const Row& row, std::string_view field, bool modal) {
@@ -388,9 +388,9 @@ void check_analysis(Builder& b, const Row& row, std::string_view field, bool mod
     refuse(b, row, field, "modes of an interval (LFLAG, CENTER) leave lower ones out of the response",
            "drop LFLAG and CENTER in *CONTROL_IMPLICIT_EIGENVALUE; MDMIN chooses the first mode");
   if (!implicit.active)
-    row.complain(b.findings, Severity::warning, field,
-                 "no frequency response: the run is explicit, since IMFLAG of *CONTROL_IMPLICIT_GENERAL is not 1",
-                 "write IMFLAG 1, or use `nugget frf`");
+    row.report(b.findings, Severity::warning, field,
+               "no frequency response: the run is explicit, since IMFLAG of *CONTROL_IMPLICIT_GENERAL is not 1",
+               "write IMFLAG 1, or use `nugget frf`");
 }
 
 void check_excitation(Builder& b, const Row& row, std::string_view field, const Excitation& excitation) {
@@ -417,12 +417,12 @@ std::vector<Keyword> frequency_keywords() {
                   {"with _SUBCASE, for each", &case_response_of_node}},
        .read = read_frf},
       {.name = "FREQUENCY_DOMAIN_FRF_*",
-       .verdict = Verdict::refused,
+       .status = KeywordStatus::refused,
        .why = "of the options of *FREQUENCY_DOMAIN_FRF _SUBCASE is built"},
       {.name = "DAMPING_STRUCTURAL", .layout = {{"", &structural_card}}, .read = read_structural},
       {.name = "CONTROL_FREQUENCY_DOMAIN", .layout = {{"", &control_card}}, .read = read_control},
       {.name = "FREQUENCY_DOMAIN_*",
-       .verdict = Verdict::refused,
+       .status = KeywordStatus::refused,
        .why = "of the responses over frequency *FREQUENCY_DOMAIN_FRF and _SSD are built"},
   };
 }

@@ -46,7 +46,7 @@ FrequencyResponse::Damping damping_of(Builder& builder, const deck::Row& row);
 /// A warning where nothing damps. `row`: the card of the damping.
 void check_damped(Builder& builder, const deck::Row& row, const FrequencyResponse::Damping& damping);
 
-/// What only the whole model tells: whether the analysis runs, whether there is a base to move. `field`: where findings
+/// What only the whole model shows: whether the analysis runs, whether there is a base to move. `field`: where findings
 /// stand. `modal`: by modes, which must be the lowest ones.
 void check_analysis(Builder& builder, const deck::Row& row, std::string_view field, bool modal);
 void check_excitation(Builder& builder, const deck::Row& row, std::string_view field,

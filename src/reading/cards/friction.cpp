@@ -79,7 +79,7 @@ void read_friction(Builder& b, const Block& block, const Options& options) {
   const bool may_be_absent = row.integer("icnep") == 1;
   std::vector<PairRow> rows;
   while (!at_end(cursor)) rows.push_back(read_pair(b, cursor));
-  b.later(Phase::bodies, [index, rows, may_be_absent](Builder& later) {
+  b.defer(Phase::bodies, [index, rows, may_be_absent](Builder& later) {
     for (const PairRow& r : rows) {
       const auto parts = [&](std::string_view field, bool is_set) -> std::vector<Index> {
         if (may_be_absent && (is_set ? later.part_sets : later.parts).find(r.row.integer(field)) == none) return {};

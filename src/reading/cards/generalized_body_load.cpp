@@ -56,7 +56,7 @@ std::vector<Index> nodes_in_range(Builder& builder, const Row& row) {
   return nodes;
 }
 
-/// The set's members; none where it is not defined or empty, which is told there.
+/// The set's members; none where it is not defined or empty, which is reported there.
 std::vector<Index> members(const Set<Index>* set) {
   return set ? set->members : std::vector<Index>{};
 }
@@ -87,7 +87,7 @@ void read_load(Builder& builder, const Block& block, const Options&) {
     const bool local = motion.integer("cid") != 0;
     const Vec3d scales = local ? triple(motion, "ax", "ay", "az") : direction(block, motion, "ax", "ay", "az");
     if (norm(scales) > 0.0)
-      builder.later(Phase::conditions, [=](Builder& b) { make_load(b, region, row, motion, scales); });
+      builder.defer(Phase::conditions, [=](Builder& b) { make_load(b, region, row, motion, scales); });
     else
       refuse(builder, motion, "ax", "the load has no direction", "give the scales of the acceleration's components");
   }
@@ -95,7 +95,7 @@ void read_load(Builder& builder, const Block& block, const Options&) {
 
 template <Region region>
 Keyword keyword(std::string_view name) {
-  return {name, {}, {}, Verdict::used, {}, {{{}, &card_of(region)}, {{}, &motion_card}}, read_load<region>};
+  return {name, {}, {}, KeywordStatus::used, {}, {{{}, &card_of(region)}, {{}, &motion_card}}, read_load<region>};
 }
 
 }  // namespace

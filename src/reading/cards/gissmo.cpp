@@ -60,7 +60,7 @@ const Card tub_card{{
 /// The curve, or the table where one may stand, of this id; not given and a finding where there is none.
 CurveTable curves_of(Builder& b, const Row& row, std::string_view field, int id, bool may_be_table) {
   CurveTable found;
-  if (const Index t = b.tables.find(id); t != none && may_be_table) found = b.whole_table(t);
+  if (const Index t = b.tables.find(id); t != none && may_be_table) found = b.table_with_curves(t);
   if (const Index c = b.curves.find(id); c != none && !found.given())
     found = {id, {0.0}, {b.model.curves[static_cast<std::size_t>(c)]}};
   if (!found.given()) {
@@ -103,7 +103,7 @@ void add_damage(Builder& b, const Row& main, const Row& law_row, const Row& scal
   const Index index = b.find(b.materials, "material", main, "mid");
   if (index == none) return;
   Material& material = b.model.materials[static_cast<std::size_t>(index)];
-  std::optional<kernel::Composition> law = composition_of(material.law);
+  std::optional<kernel::LawComponents> law = components_of(material.law);
   if (!law)
     return refuse(b, main, "mid", fmt::format("damage cannot be added to *{}", material.keyword),
                   "welds, discrete beams and adhesive have damage of their own");
@@ -119,7 +119,7 @@ void add_damage(Builder& b, const Row& main, const Row& law_row, const Row& scal
     law->gissmo->biaxial_start = tub->real("rgtr2");
   }
   take_points_to_delete(b, main, *law, law->erosion.has_value());
-  material.law = compound(std::move(*law));
+  material.law = composed_law(std::move(*law));
 }
 
 void read_damage(Builder& b, const Block& block, const Options& options) {
@@ -131,7 +131,7 @@ void read_damage(Builder& b, const Block& block, const Options& options) {
   expect_end(b, cursor);
   expect(b, main, Severity::note, {{"refsz", 0, "damage for another element size is not written"}});
   // After the laws have their curves.
-  b.later(Phase::systems, [=](Builder& later) { add_damage(later, main, law, scales, tub); });
+  b.defer(Phase::systems, [=](Builder& later) { add_damage(later, main, law, scales, tub); });
 }
 
 }  // namespace
@@ -148,8 +148,8 @@ std::optional<kernel::Gissmo> gissmo(Builder& b, const GissmoRows& rows, const k
   if (law.integer("lcsdg") > 0) {
     g.fracture = curves_of(b, law, "lcsdg", law.integer("lcsdg"), true);
     if (looks_like_percent(g.fracture))
-      law.complain(b.findings, Severity::warning, "lcsdg",
-                   "no strain at fracture is below 3 (300 %): nothing will fail", "give strains, not percentages");
+      law.report(b.findings, Severity::warning, "lcsdg", "no strain at fracture is below 3 (300 %): nothing will fail",
+                 "give strains, not percentages");
   } else {
     refuse(b, law, "lcsdg", "expected a curve or a table; a function is not built",
            "give the plastic strain at fracture over triaxiality");
@@ -163,8 +163,8 @@ std::optional<kernel::Gissmo> gissmo(Builder& b, const GissmoRows& rows, const k
   g.shear = share(b, scales, "shrf");
   g.biaxial = share(b, scales, "biaxf");
   if (!g.mesh.given() && (g.shear != 0.0 || g.biaxial != 0.0))
-    scales.complain(b.findings, Severity::warning, g.shear != 0.0 ? "shrf" : "biaxf", "has no effect without LCREGD",
-                    "give LCREGD");
+    scales.report(b.findings, Severity::warning, g.shear != 0.0 ? "shrf" : "biaxf", "has no effect without LCREGD",
+                  "give LCREGD");
   if (const int rate = scales.integer("lcsrs"); rate != 0) {
     const CurveTable found = curves_of(b, scales, "lcsrs", std::abs(rate), false);
     if (found.given()) g.rate = found.curve.front();
@@ -177,8 +177,8 @@ std::optional<kernel::Gissmo> gissmo(Builder& b, const GissmoRows& rows, const k
            fmt::format("{}: damage by another variable than the plastic strain is not built", kind), "give 0 or 1");
   g.weakens = kind == 1;
   if (!g.weakens)
-    type.complain(b.findings, Severity::warning, type_field, "0: damage is summed, but takes no stress and no element",
-                  "give 1 if they are to fail");
+    type.report(b.findings, Severity::warning, type_field, "0: damage is summed, but takes no stress and no element",
+                "give 1 if they are to fail");
   if (b.findings.errors() > errors) return {};
   return g;
 }

@@ -121,21 +121,21 @@ void read_general(Builder& b, const Block& block, const Options&) {
   b.model.implicit.after_run = row.integer("imflag") == 6;
   b.model.implicit.geometric = row.integer("igs") == 1;
   if (b.model.implicit.after_run)
-    b.later(Phase::checks, [row](Builder& later) {
+    b.defer(Phase::checks, [row](Builder& later) {
       if (later.model.implicit.modes < 0) return;
       refuse(later, row, "imflag",
              "modes in the course of a run are those at its end, and the deck does not ask for any",
              "give a curve, (0, 0) (ENDTIM, 20), as NEIG = -LCID of *CONTROL_IMPLICIT_EIGENVALUE, or write IMFLAG 0");
     });
   if (!b.model.implicit.active) return;
-  b.later(Phase::checks, [row](Builder& later) {
+  b.defer(Phase::checks, [row](Builder& later) {
     const bool response = later.model.frequency_response || later.model.steady_state;
     if (later.model.implicit.geometric && later.model.implicit.modes == 0 && !response)
       refuse(later, row, "igs", "geometric stiffness is built in modes and responses over frequency, not in statics",
              "write IGS 2, or ask for modes by NEIG in *CONTROL_IMPLICIT_EIGENVALUE");
     const bool has_solution =
-        std::any_of(later.model.ledger.begin(), later.model.ledger.end(),
-                    [](const LedgerEntry& entry) { return entry.keyword == "CONTROL_IMPLICIT_SOLUTION"; });
+        std::any_of(later.model.keyword_uses.begin(), later.model.keyword_uses.end(),
+                    [](const KeywordUse& entry) { return entry.keyword == "CONTROL_IMPLICIT_SOLUTION"; });
     const bool direct = later.model.steady_state && later.model.steady_state->direct;
     if (later.model.implicit.modes > 0 || has_solution || direct) return;
     refuse(later, row, "imflag", "without further cards this is a nonlinear implicit run, which is not built",
@@ -177,8 +177,8 @@ void read_formulations(Builder& b, const Row& row) {
   if (std::ranges::find(shells, shell) == std::end(shells))
     refuse(b, row, "ishell", fmt::format("shells of formulation {} are not built", shell), "write 16 or 0");
   else if (shell != 0 && shell != 16)
-    row.complain(b.findings, Severity::warning, "ishell", "computed as 16, like all quads in linear analyses",
-                 "write 16");
+    row.report(b.findings, Severity::warning, "ishell", "computed as 16, like all quads in linear analyses",
+               "write 16");
 }
 
 void read_eigenvalue(Builder& b, const Block& block, const Options&) {
@@ -198,12 +198,12 @@ void read_eigenvalue(Builder& b, const Block& block, const Options&) {
     refuse(b, row, "rhtend", "the interval is empty", "give an RHTEND above LFTEND");
   if (i.high && !(*i.high > 0.0))
     refuse(b, row, "rhtend", "there are no modes below frequency 0", "give an RHTEND above 0");
-  if (i.modes < 0) b.later(Phase::conditions, [row](Builder& later) { read_modes_under_load(later, row); });
-  b.later(Phase::checks, [row](Builder& later) {
+  if (i.modes < 0) b.defer(Phase::conditions, [row](Builder& later) { read_modes_under_load(later, row); });
+  b.defer(Phase::checks, [row](Builder& later) {
     if (later.model.implicit.active || later.model.implicit.after_run || later.model.implicit.modes == 0) return;
-    row.complain(later.findings, Severity::warning, "neig",
-                 "no modes: the run is explicit, since IMFLAG of *CONTROL_IMPLICIT_GENERAL is 0",
-                 "write IMFLAG 1, or use `nugget modes`");
+    row.report(later.findings, Severity::warning, "neig",
+               "no modes: the run is explicit, since IMFLAG of *CONTROL_IMPLICIT_GENERAL is 0",
+               "write IMFLAG 1, or use `nugget modes`");
   });
 }
 
@@ -217,7 +217,7 @@ void read_solver(Builder& b, const Block& block, const Options&) {
 void read_solution(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   const Row row = cursor.read(solution_card);  // its further cards tune nonlinear solvers
-  b.later(Phase::checks, [row](Builder& later) {
+  b.defer(Phase::checks, [row](Builder& later) {
     if (later.model.implicit.active && later.model.implicit.modes <= 0 && row.integer("nsolvr") != 1)
       refuse(later, row, "nsolvr", "nonlinear implicit solutions are not built",
              "write 1 (linear statics), or run explicitly with IMFLAG 0");
@@ -228,7 +228,7 @@ void read_dynamics(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   const Row row = cursor.read(dynamics_card);
   expect_end(b, cursor);
-  b.later(Phase::checks, [row](Builder& later) {
+  b.defer(Phase::checks, [row](Builder& later) {
     if (later.model.implicit.active && later.model.implicit.modes == 0 && row.integer("imass") != 0)
       refuse(later, row, "imass", "implicit dynamics is not built", "run explicitly, with IMFLAG 0");
   });
@@ -246,7 +246,7 @@ std::vector<Keyword> implicit_keywords() {
       {.name = "CONTROL_IMPLICIT_SOLUTION", .layout = {{"", &solution_card}}, .read = read_solution},
       {.name = "CONTROL_IMPLICIT_DYNAMICS", .layout = {{"", &dynamics_card}}, .read = read_dynamics},
       {.name = "CONTROL_IMPLICIT_AUTO",
-       .verdict = Verdict::ignored,
+       .status = KeywordStatus::ignored,
        .why = "steps of nonlinear implicit runs; a linear solution has none"},
   };
 }

@@ -145,10 +145,10 @@ class Starter {
     if (norm(motion.at(body.inertia.center) - body.inertia.velocity) == 0.0 &&
         norm(motion.spin - body.inertia.spin) == 0.0)
       return;
-    row_.complain(b_.findings, Severity::warning, field_,
-                  fmt::format("rigid body {} keeps the initial velocity of its inertia cards ({} {} {})", body.id,
-                              body.inertia.velocity.x, body.inertia.velocity.y, body.inertia.velocity.z),
-                  "set IRIGID, use *INITIAL_VELOCITY_RIGID_BODY, or give the velocity on the inertia cards");
+    row_.report(b_.findings, Severity::warning, field_,
+                fmt::format("rigid body {} keeps the initial velocity of its inertia cards ({} {} {})", body.id,
+                            body.inertia.velocity.x, body.inertia.velocity.y, body.inertia.velocity.z),
+                "set IRIGID, use *INITIAL_VELOCITY_RIGID_BODY, or give the velocity on the inertia cards");
   }
 
   Builder& b_;
@@ -232,7 +232,7 @@ void read_velocity(Builder& builder, const Block& block, const Options&) {
       exempt.velocity = velocity_of(block, others, local, "vxe", "vye", "vze");
       exempt.spin = velocity_of(block, others, local, "vxre", "vyre", "vzre");
     }
-    builder.later(Phase::conditions, [row, motion, exempt](Builder& b) mutable {
+    builder.defer(Phase::conditions, [row, motion, exempt](Builder& b) mutable {
       for (Vec3d* v : {&motion.velocity, &motion.spin, &exempt.velocity, &exempt.spin}) *v = in_global(b, row, *v);
       start_set(b, row, motion, exempt);
     });
@@ -261,8 +261,8 @@ void read_node_velocity(Builder& builder, const Block& block, const Options&) {
   while (!at_end(cursor)) {
     const Row row = cursor.read(node_card);
     // Left behind once more, so that it comes after all sets of nodes.
-    builder.later(Phase::conditions, [row, motion = motion_of(block, row)](Builder& b) {
-      b.later(Phase::conditions, [row, motion](Builder& last) { start_node(last, row, motion); });
+    builder.defer(Phase::conditions, [row, motion = motion_of(block, row)](Builder& b) {
+      b.defer(Phase::conditions, [row, motion](Builder& last) { start_node(last, row, motion); });
     });
   }
 }
@@ -282,9 +282,9 @@ void read_body_velocity(Builder& builder, const Block& block, const Options&) {
   while (!at_end(cursor)) {
     const Row row = cursor.read(body_card);
     // Left behind twice more, so that it comes after those of nodes too.
-    builder.later(Phase::conditions, [row, motion = motion_of(block, row)](Builder& b) {
-      b.later(Phase::conditions, [row, motion](Builder& nodes) {
-        nodes.later(Phase::conditions, [row, motion](Builder& last) { start_body(last, row, motion); });
+    builder.defer(Phase::conditions, [row, motion = motion_of(block, row)](Builder& b) {
+      b.defer(Phase::conditions, [row, motion](Builder& nodes) {
+        nodes.defer(Phase::conditions, [row, motion](Builder& last) { start_body(last, row, motion); });
       });
     });
   }
@@ -373,13 +373,12 @@ void read_generation(Builder& builder, const Block& block, const Options&) {
   while (!at_end(cursor)) {
     const Row row1 = cursor.read(cursor.peek_number(1) == 2.0 ? generation_of_part : generation_of_set);
     const Row row2 = cursor.read(cursor.peek_number(3) == -999.0 ? generation_by_nodes : generation_card2);
-    builder.later(Phase::conditions, [&block, row1, row2](Builder& b) { generate(b, block, row1, row2); });
+    builder.defer(Phase::conditions, [&block, row1, row2](Builder& b) { generate(b, block, row1, row2); });
     if (row2.integer("phase") == 0)
-      builder.later(Phase::checks, [row2](Builder& b) {
+      builder.defer(Phase::checks, [row2](Builder& b) {
         if (b.model.control.relaxation.on())
-          row2.complain(
-              b.findings, Severity::note, "phase",
-              "the velocity begins after dynamic relaxation, as with 1; LS-DYNA has it in the relaxation too");
+          row2.report(b.findings, Severity::note, "phase",
+                      "the velocity begins after dynamic relaxation, as with 1; LS-DYNA has it in the relaxation too");
       });
   }
 }
@@ -391,16 +390,16 @@ std::vector<Keyword> initial_keywords() {
       {"INITIAL_VELOCITY",
        {},
        {},
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{{}, &velocity_card1}, {{}, &velocity_card2}, {"if NSIDEX > 0", &velocity_card3}},
        read_velocity},
-      {"INITIAL_VELOCITY_NODE", {}, {}, Verdict::used, {}, {{{}, &node_card}}, read_node_velocity},
-      {"INITIAL_VELOCITY_RIGID_BODY", {}, {}, Verdict::used, {}, {{{}, &body_card}}, read_body_velocity},
+      {"INITIAL_VELOCITY_NODE", {}, {}, KeywordStatus::used, {}, {{{}, &node_card}}, read_node_velocity},
+      {"INITIAL_VELOCITY_RIGID_BODY", {}, {}, KeywordStatus::used, {}, {{{}, &body_card}}, read_body_velocity},
       {"INITIAL_VELOCITY_GENERATION",
        {},
        {},
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{{}, &generation_of_set}, {{}, &generation_card2}},
        read_generation},

@@ -147,18 +147,18 @@ void expect_places(Builder& builder, const Row& row, const std::vector<InitialPo
   std::sort(places.begin(), places.end());
   const auto different = std::unique(places.begin(), places.end()) - places.begin();
   if (different != row.integer("nthick"))
-    row.complain(builder.findings, Severity::warning, "nthick",
-                 fmt::format("the points are at {} different place{} T through the thickness, and those of one place "
-                             "are averaged",
-                             different, different == 1 ? "" : "s"),
-                 "give each of the NTHICK places its T, from -1 at the bottom to 1");
+    row.report(builder.findings, Severity::warning, "nthick",
+               fmt::format("the points are at {} different place{} T through the thickness, and those of one place "
+                           "are averaged",
+                           different, different == 1 ? "" : "s"),
+               "give each of the NTHICK places its T, from -1 at the bottom to 1");
 }
 
 template <bool shell>
 void read_stress(Builder& builder, const Block& block, const Options&) {
   if (turned(builder, block)) return;
   Cursor cursor(builder.deck, block, builder.findings);
-  bool told = false;
+  bool reported = false;
   while (!at_end(cursor)) {
     const Row row = cursor.read(shell ? shell_card : solid_card);
     const bool large = row.integer("large") == 1;
@@ -176,12 +176,12 @@ void read_stress(Builder& builder, const Block& block, const Options&) {
       stress.points.push_back({point["t"], point.tensor(), point["eps"]});
     }
     if (shell) expect_places(builder, row, stress.points);
-    if (row.integer("nhisv") > 0 && !told) {
-      told = true;
-      row.complain(builder.findings, Severity::warning, "nhisv",
-                   "history variables of another program's laws are not taken over; stress and plastic strain are");
+    if (row.integer("nhisv") > 0 && !reported) {
+      reported = true;
+      row.report(builder.findings, Severity::warning, "nhisv",
+                 "history variables of another program's laws are not taken over; stress and plastic strain are");
     }
-    builder.later(Phase::conditions, [row, stress](Builder& b) mutable {
+    builder.defer(Phase::conditions, [row, stress](Builder& b) mutable {
       stress.element = shell ? b.shell(row, "eid") : b.solid(row, "eid");
       if (stress.element == none) return;
       InitialState& state = b.model.initial_state;
@@ -207,7 +207,7 @@ void read_strain(Builder& builder, const Block& block, const Options&) {
       // Without places the last point is the upper one.
       if (i + 1 == *points && lowest == highest) strain.upper = point.tensor();
     }
-    builder.later(Phase::conditions, [row, strain](Builder& b) mutable {
+    builder.defer(Phase::conditions, [row, strain](Builder& b) mutable {
       strain.shell = b.shell(row, "eid");
       if (strain.shell != none) b.model.initial_state.shell_strains.push_back(strain);
     });
@@ -227,7 +227,7 @@ void read_axial(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     const Row row = cursor.read(axial_card);
-    builder.later(Phase::conditions, [row](Builder& b) {
+    builder.defer(Phase::conditions, [row](Builder& b) {
       const auto* beams = b.beam_set(row, "bsid");
       AxialForce force{{}, b.curve(row, "lcid"), row.real("scale"), row.integer("kbend") == 1, row.place()};
       if (!beams || force.curve == none) return;
@@ -278,7 +278,7 @@ void read_section_stress(Builder& builder, const Block& block, const Options&) {
   while (!at_end(cursor)) {
     const Row row = cursor.read(section_card);
     // In the phase of the checks, when all cross sections are there.
-    builder.later(Phase::checks, [row](Builder& b) { resolve_section_stress(b, row); });
+    builder.defer(Phase::checks, [row](Builder& b) { resolve_section_stress(b, row); });
   }
 }
 
@@ -289,11 +289,23 @@ std::vector<Keyword> initial_state_keywords() {
     return std::vector<LayoutCard>{{{}, &first}, {"for each point", &cards.normal.front()}};
   };
   return {
-      {"INITIAL_STRESS_SHELL", {}, {}, Verdict::used, {}, points(shell_card, shell_point_cards), read_stress<true>},
-      {"INITIAL_STRESS_SOLID", {}, {}, Verdict::used, {}, points(solid_card, solid_point_cards), read_stress<false>},
-      {"INITIAL_STRAIN_SHELL", {}, {}, Verdict::used, {}, points(strain_card, strain_point_cards), read_strain},
-      {"INITIAL_STRESS_SECTION", {}, {}, Verdict::used, {}, {{{}, &section_card}}, read_section_stress},
-      {"INITIAL_AXIAL_FORCE_BEAM", {}, {}, Verdict::used, {}, {{{}, &axial_card}}, read_axial},
+      {"INITIAL_STRESS_SHELL",
+       {},
+       {},
+       KeywordStatus::used,
+       {},
+       points(shell_card, shell_point_cards),
+       read_stress<true>},
+      {"INITIAL_STRESS_SOLID",
+       {},
+       {},
+       KeywordStatus::used,
+       {},
+       points(solid_card, solid_point_cards),
+       read_stress<false>},
+      {"INITIAL_STRAIN_SHELL", {}, {}, KeywordStatus::used, {}, points(strain_card, strain_point_cards), read_strain},
+      {"INITIAL_STRESS_SECTION", {}, {}, KeywordStatus::used, {}, {{{}, &section_card}}, read_section_stress},
+      {"INITIAL_AXIAL_FORCE_BEAM", {}, {}, KeywordStatus::used, {}, {{{}, &axial_card}}, read_axial},
   };
 }
 

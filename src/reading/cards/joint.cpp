@@ -10,7 +10,7 @@
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 
-// *CONSTRAINED_JOINT_..., *CONTROL_RIGID. Layouts: keywords.md section 9.
+// *CONSTRAINED_JOINT_..., *CONTROL_RIGID. Layouts: public keyword tables (PyDYNA).
 namespace nugget::reading {
 
 namespace {
@@ -246,8 +246,8 @@ Extras read_extras(Builder& b, Cursor& cursor, const Options& options) {
     for (const std::string_view field : {"nxx", "nyy", "nzz", "mxx", "myy", "mzz"})
       ever = ever || extras.limits->real(field) > 0.0;
     if (!ever)
-      extras.failure->complain(b.findings, Severity::warning, "tfail",
-                               "neither a time nor a limit: this joint never fails", "give TFAIL or one of NXX to MZZ");
+      extras.failure->report(b.findings, Severity::warning, "tfail",
+                             "neither a time nor a limit: this joint never fails", "give TFAIL or one of NXX to MZZ");
   }
   return extras;
 }
@@ -297,7 +297,7 @@ void take_penalty(Builder& b, const Row& row, Joint& joint) {
   joint.damping = row.real("damp") > 0.01 ? row.real("damp") : 0.0;
   if (joint.id == 0) joint.id = static_cast<int>(b.model.joints.size()) + 1;
   if (joint.stiffness_scale > 2.0)
-    row.complain(b.findings, Severity::warning, "rps", "computed with 2, the most that is stable", "write 2 or less");
+    row.report(b.findings, Severity::warning, "rps", "computed with 2, the most that is stable", "write 2 or less");
 }
 
 void add_joint(Builder& b, const Row& row, const Extras& extras, Joint joint) {
@@ -338,7 +338,7 @@ void read_transmission(Builder& b, const Block& block, const Options& options) {
     const Row row = cursor.read(joint_card), ratio_row = read_ratio(b, cursor, kind);
     const Extras extras = read_extras(b, cursor, options);
     joint.place = row.place();
-    b.later(Phase::conditions, [row, ratio_row, extras, joint](Builder& later) {
+    b.defer(Phase::conditions, [row, ratio_row, extras, joint](Builder& later) {
       add_transmission(later, row, ratio_row, extras, joint);
     });
   }
@@ -351,7 +351,7 @@ void read_joint(Builder& b, const Block& block, const Options& options) {
     const Row row = cursor.read(joint_card);
     const Extras extras = read_extras(b, cursor, options);
     joint.place = row.place();
-    b.later(Phase::conditions, [row, extras, joint](Builder& later) { add_joint(later, row, extras, joint); });
+    b.defer(Phase::conditions, [row, extras, joint](Builder& later) { add_joint(later, row, extras, joint); });
   }
 }
 
@@ -400,7 +400,7 @@ void read_joint_by_points(Builder& b, const Block& block, const Options& options
     for (std::size_t p = 0; p < pairs(kind); ++p)
       if (p == 0 || kind != Kind::universal) joint.point[2 * p + 1] = joint.point[2 * p];
     const Extras extras = read_extras(b, cursor, options);
-    b.later(Phase::conditions,
+    b.defer(Phase::conditions,
             [row, extras, joint](Builder& later) { add_joint_by_points(later, row, extras, joint); });
   }
 }
@@ -411,7 +411,7 @@ void read_transmission_by_points(Builder& b, const Block& block, const Options& 
     Joint joint = begun(cursor, options, kind);
     const Row row = read_points(b, cursor, block, joint), ratio_row = read_ratio(b, cursor, kind);
     const Extras extras = read_extras(b, cursor, options);
-    b.later(Phase::conditions, [row, ratio_row, extras, joint](Builder& later) {
+    b.defer(Phase::conditions, [row, ratio_row, extras, joint](Builder& later) {
       add_transmission_by_points(later, row, ratio_row, extras, joint);
     });
   }
@@ -420,7 +420,7 @@ void read_transmission_by_points(Builder& b, const Block& block, const Options& 
 void read_control(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   const Row row = cursor.read(rigid_card);
-  b.later(Phase::checks, [row](Builder& later) {
+  b.defer(Phase::checks, [row](Builder& later) {
     if (row.integer("lmf") == 1 && !later.model.joints.empty())
       refuse(later, row, "lmf", "joints by Lagrange multipliers are not built", "write 0: joints by penalty");
   });
@@ -468,7 +468,7 @@ Keyword transmission_by_points(std::string_view name) {
 
 std::vector<Keyword> joint_keywords() {
   const auto refused = [](std::string_view name, std::string_view why) {
-    return Keyword{.name = name, .verdict = Verdict::refused, .why = why};
+    return Keyword{.name = name, .status = KeywordStatus::refused, .why = why};
   };
   return {
       joint<Kind::spherical>("CONSTRAINED_JOINT_SPHERICAL"),

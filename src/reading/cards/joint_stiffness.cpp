@@ -128,8 +128,8 @@ void add_stiffness(Builder& b, const Cards& cards, const Names& names, bool rota
     f.low_stop = unit * std::abs(cards.stops.real(names.low[i]));
     f.high_stop = unit * std::abs(cards.stops.real(names.high[i]));
     if (!(f.stiffness > 0.0) && (f.friction > 0.0 || f.low_stop > 0.0 || f.high_stop > 0.0))
-      cards.friction.complain(b.findings, Severity::warning, names.stiffness[i],
-                              "without a stiffness there is neither friction nor a stop", "give the stiffness");
+      cards.friction.report(b.findings, Severity::warning, names.stiffness[i],
+                            "without a stiffness there is neither friction nor a stop", "give the stiffness");
   }
   b.model.joint_stiffnesses.push_back(std::move(s));
 }
@@ -138,7 +138,7 @@ void read_stiffness(Builder& b, const Block& block, const Card& curves, const Ca
                     const Names& names, bool rotational) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     const Cards cards{cursor.read(stiffness_card), cursor.read(curves), cursor.read(friction), cursor.read(stops)};
-    b.later(Phase::conditions, [=, &names](Builder& later) { add_stiffness(later, cards, names, rotational); });
+    b.defer(Phase::conditions, [=, &names](Builder& later) { add_stiffness(later, cards, names, rotational); });
   }
 }
 
@@ -162,7 +162,7 @@ std::vector<Keyword> joint_stiffness_keywords() {
            {{"", &stiffness_card}, {"", &sliding_curves_card}, {"", &sliding_friction_card}, {"", &sliding_stops_card}},
        .read = read_sliding},
       {.name = "CONSTRAINED_JOINT_STIFFNESS_*",
-       .verdict = Verdict::refused,
+       .status = KeywordStatus::refused,
        .why = "of the stiffnesses of joints GENERALIZED and TRANSLATIONAL are built"},
   };
 }

@@ -52,10 +52,12 @@ void resolve_follower(Builder& builder, const Row& row, NodalLoad& load) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (row.integer(fields[i]) == 0)
       refuse(builder, row, fields[i], "a load with dof 4 or 8 follows the normal of three nodes; this one is missing");
-    load.follow[i] = builder.node(row, fields[i]);
+    load.follower_nodes[i] = builder.node(row, fields[i]);
   }
-  if (std::find(load.follow.begin(), load.follow.end(), none) != load.follow.end()) return;
-  const auto place = [&](std::size_t i) { return builder.model.nodes.x[static_cast<std::size_t>(load.follow[i])]; };
+  if (std::find(load.follower_nodes.begin(), load.follower_nodes.end(), none) != load.follower_nodes.end()) return;
+  const auto place = [&](std::size_t i) {
+    return builder.model.nodes.x[static_cast<std::size_t>(load.follower_nodes[i])];
+  };
   const Vec3d first = place(1) - place(0), second = place(2) - place(0);
   if (norm(cross(first, second)) <= 1e-6 * norm(first) * norm(second))
     refuse(builder, row, "m1", "the three nodes are on a line at the start: they have no normal",
@@ -94,10 +96,10 @@ void warn_of_lost_moments(Builder& b, const Row& row, const std::vector<Index>& 
   const auto count = std::count_if(nodes.begin(), nodes.end(), stands);
   if (count == 0) return;
   const int first = b.model.nodes.id[static_cast<std::size_t>(*std::find_if(nodes.begin(), nodes.end(), stands))];
-  row.complain(b.findings, Severity::warning, "dof",
-               fmt::format("{} of {} nodes (the first is {}) have no rotation: the moment has no effect there", count,
-                           nodes.size(), first),
-               "give the moment as forces, or put it on a *CONSTRAINED_NODAL_RIGID_BODY of nodes around");
+  row.report(b.findings, Severity::warning, "dof",
+             fmt::format("{} of {} nodes (the first is {}) have no rotation: the moment has no effect there", count,
+                         nodes.size(), first),
+             "give the moment as forces, or put it on a *CONSTRAINED_NODAL_RIGID_BODY of nodes around");
 }
 
 void resolve_fixed_direction(Builder& builder, const Row& row, NodalLoad& load) {
@@ -127,7 +129,7 @@ void read_force(Builder& builder, const Block& block, const Options&) {
   while (!at_end(cursor)) {
     const Row row = cursor.read(on == On::node ? force_node_card : on == On::set ? force_set_card : force_body_card);
     if (row.integer("dof") % 4 != 0 && row.integer("cid") == 0) warn_of_global_axis(builder, block, row, "dof");
-    builder.later(Phase::conditions, [row, turns](Builder& b) {
+    builder.defer(Phase::conditions, [row, turns](Builder& b) {
       NodalLoad load;
       const int dof = row.integer("dof");
       load.moment = dof >= 5;
@@ -139,7 +141,7 @@ void read_force(Builder& builder, const Block& block, const Options&) {
         resolve_fixed_direction(b, row, load);
       resolve_target<on>(b, row, load);
       if (load.moment)
-        b.later(Phase::checks, [row, turns, nodes = load.nodes](Builder& all) {
+        b.defer(Phase::checks, [row, turns, nodes = load.nodes](Builder& all) {
           if (turns->empty()) *turns = nodes_that_turn(all);
           warn_of_lost_moments(all, row, nodes, *turns);
         });
@@ -181,7 +183,7 @@ void read_body_rotation(Builder& builder, const Block& block, const Options&) {
   const Row row = cursor.read(body_load_card);
   expect_end(builder, cursor);
   const Vec3d center = position(block, row, "xc", "yc", "zc");
-  builder.later(Phase::conditions, [row, center](Builder& b) {
+  builder.defer(Phase::conditions, [row, center](Builder& b) {
     BodyLoad load;
     load.direction = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
     load.scale = row.real("sf");
@@ -217,7 +219,7 @@ void read_gravity(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     const Row row = cursor.read(set ? gravity_part_set_card : gravity_part_card);
-    builder.later(Phase::conditions, [row](Builder& b) {
+    builder.defer(Phase::conditions, [row](Builder& b) {
       BodyLoad load;
       if constexpr (set) {
         if (const auto* parts = b.part_set(row, "psid")) load.parts = parts->members;
@@ -237,7 +239,7 @@ void read_gravity(Builder& builder, const Block& block, const Options&) {
 }
 
 void leave_body_load(Builder& builder, const Row& row, const Vec3d& local) {
-  builder.later(Phase::conditions, [row, local](Builder& b) {
+  builder.defer(Phase::conditions, [row, local](Builder& b) {
     BodyLoad load;
     load.direction = local;
     load.scale = row.real("sf");
@@ -275,7 +277,7 @@ void read_body_parts(Builder& builder, const Block& block, const Options&) {
   const Row row = cursor.read(body_parts_card);
   expect_end(builder, cursor);
   // In the phase of the checks, when every body load is there: the restriction holds for all of them.
-  builder.later(Phase::checks, [row](Builder& b) {
+  builder.defer(Phase::checks, [row](Builder& b) {
     if (const auto* parts = b.part_set(row, "psid"))
       for (BodyLoad& load : b.model.body_loads)
         if (!load.own_parts) load.parts = parts->members;
@@ -319,10 +321,10 @@ void warn_of_no_area(Builder& b, const Row& row, const std::vector<Segment>& seg
   const auto count = std::count_if(segments.begin(), segments.end(), is_none);
   if (count == 0) return;
   const Segment& first = *std::find_if(segments.begin(), segments.end(), is_none);
-  row.complain(b.findings, Severity::warning, "lcid",
-               fmt::format("{} of {} segments (the first begins with node {}) have no area: no pressure acts there",
-                           count, segments.size(), b.model.nodes.id[static_cast<std::size_t>(first[0])]),
-               "give the nodes in their order around the segment");
+  row.report(b.findings, Severity::warning, "lcid",
+             fmt::format("{} of {} segments (the first begins with node {}) have no area: no pressure acts there",
+                         count, segments.size(), b.model.nodes.id[static_cast<std::size_t>(first[0])]),
+             "give the nodes in their order around the segment");
 }
 
 /// Makes a pressure load of what `segments` returns, in its phase.
@@ -331,7 +333,7 @@ void leave_pressure(Builder& builder, const Row& row, Segments segments) {
   if (row.integer("lcid") < 0)
     return refuse(builder, row, "lcid", "blast loads (Brode, ConWep) are not built",
                   "give a curve of pressure over time");
-  builder.later(Phase::conditions, [row, segments](Builder& b) {
+  builder.defer(Phase::conditions, [row, segments](Builder& b) {
     PressureLoad load;
     load.curve = b.curve(row, "lcid");
     load.scale = row.real("sf");
@@ -393,10 +395,10 @@ void read_shell_pressure(Builder& builder, const Block& block, const Options& op
 }
 
 Keyword simple(std::string_view name, const Card& card, void (*read)(Builder&, const Block&, const Options&)) {
-  return {name, {}, {}, Verdict::used, {}, {{{}, &card}}, read};
+  return {name, {}, {}, KeywordStatus::used, {}, {{{}, &card}}, read};
 }
 Keyword with_heading(std::string_view name, const Card& card, void (*read)(Builder&, const Block&, const Options&)) {
-  return {name, {}, {"ID"}, Verdict::used, {}, {{"with _ID", &heading_card}, {{}, &card}}, read};
+  return {name, {}, {"ID"}, KeywordStatus::used, {}, {{"with _ID", &heading_card}, {{}, &card}}, read};
 }
 
 }  // namespace
@@ -417,7 +419,7 @@ std::vector<Keyword> load_keywords() {
       {"LOAD_BODY_VECTOR",
        {},
        {},
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{{}, &body_load_card}, {{}, &body_vector_card}},
        read_body_vector},

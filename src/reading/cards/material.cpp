@@ -7,7 +7,7 @@
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 #include "reading/cards/material.hpp"
-#include "reading/cards/rigid_hold.hpp"
+#include "reading/cards/rigid_constraint.hpp"
 #include "reading/cards/yield_curves.hpp"
 
 // *MAT_... Each law: its cards, and how they become the parameters of its kernel.
@@ -139,8 +139,8 @@ void read_null(Builder& b, const Block& block, const Options& options) {
   const Row row = cursor.read(null_card);
   expect_end(b, cursor);
   if (row.real("pc") > 0.0)
-    row.complain(b.findings, Severity::warning, "pc", "a limit of the pressure is below 0; taken as none",
-                 "write a negative pressure");
+    row.report(b.findings, Severity::warning, "pc", "a limit of the pressure is below 0; taken as none",
+               "write a negative pressure");
   add_material(b, row, std::move(title), "MAT_NULL",
                kernel::Null{row.real("ym"), row.real("pr"), row.real("mu"), std::max(-row.real("pc"), 0.0),
                             row.real("terod") > 0.0 || row.real("cerod") > 0.0});
@@ -148,29 +148,29 @@ void read_null(Builder& b, const Block& block, const Options& options) {
 
 /// The third card: LCO, the coordinate system of local motions and output, or two vectors a and v that give the axes of
 /// output a, c = a x v and b = c x a.
-void take_local_axes(Builder& b, const Block& block, const Row& row, RigidCard& hold) {
+void take_local_axes(Builder& b, const Block& block, const Row& row, RigidCard& constraint) {
   const Vec3d v = direction(block, row, "v1", "v2", "v3");
   if (row.real("a2") == 0.0 && row.real("a3") == 0.0 && norm(v) == 0.0) {
-    hold.lco = system_id(block, row.real("lco_or_a1"));
+    constraint.lco = system_id(block, row.real("lco_or_a1"));
     return;
   }
   Frame3d axes;
   if (!frame_from(direction(block, row, "lco_or_a1", "a2", "a3"), v, axes))
     return refuse(b, row, "v1", "the two vectors are parallel, or one is missing",
                   "give two vectors that span a plane");
-  hold.output_axes = axes;
+  constraint.output_axes = axes;
 }
 
 void read_rigid(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
   const Row row = cursor.read(rigid_card);
-  RigidCard hold = read_rigid_hold(b, cursor);
-  take_local_axes(b, block, cursor.read(rigid_output_card), hold);
+  RigidCard constraint = read_rigid_constraint(b, cursor);
+  take_local_axes(b, block, cursor.read(rigid_output_card), constraint);
   expect_end(b, cursor);
   const Index material =
       add_material(b, row, std::move(title), "MAT_RIGID", kernel::Rigid{row.real("e"), row.real("pr")});
-  b.rigid_cards[material] = std::move(hold);
+  b.rigid_cards[material] = std::move(constraint);
 }
 
 void read_plastic(Builder& b, const Block& block, const Options& options) {
@@ -187,7 +187,7 @@ void read_plastic(Builder& b, const Block& block, const Options& options) {
   law.tdel = cards.main.real("tdel");
   const Index material = add_material(b, cards.main, std::move(title), "MAT_PIECEWISE_LINEAR_PLASTICITY", law);
   // Curves may be defined later in the deck.
-  b.later(Phase::parts, [material, cards](Builder& later) {
+  b.defer(Phase::parts, [material, cards](Builder& later) {
     auto& m = later.model.materials[static_cast<std::size_t>(material)];
     set_yield_curves(later, cards, std::get<kernel::PiecewiseLinear>(m.law));
   });
@@ -198,7 +198,7 @@ Keyword not_built(std::string_view name, std::string_view number, std::string_vi
   return {.name = name,
           .aliases = number.empty() ? std::vector<std::string_view>{} : std::vector<std::string_view>{number},
           .options = {"TITLE"},
-          .verdict = Verdict::refused,
+          .status = KeywordStatus::refused,
           .why = why};
 }
 
@@ -227,11 +227,11 @@ std::optional<kernel::PlasticDamage> plastic_damage(Builder& b, const Row& onset
              fmt::format("curve {} is not a damage that grows from 0 over the strain beyond its onset", growth.id),
              "give damage from 0 to 1 over plastic strain, from strain 0 on");
     else if (growth.y.back() < 1.0)
-      row.complain(b.findings, Severity::warning, "lcdm",
-                   fmt::format("the damage ends at {:g}: nothing fails", growth.y.back()), "let it end at 1");
+      row.report(b.findings, Severity::warning, "lcdm",
+                 fmt::format("the damage ends at {:g}: nothing fails", growth.y.back()), "let it end at 1");
     else if (growth.y.front() > 0.0)
-      row.complain(b.findings, Severity::warning, "lcdm",
-                   fmt::format("the damage leaps to {:g} at its onset", growth.y.front()), "let it begin at 0");
+      row.report(b.findings, Severity::warning, "lcdm",
+                 fmt::format("the damage leaps to {:g} at its onset", growth.y.front()), "let it begin at 0");
     return kernel::PlasticDamage{onset, 0.0, b.model.curves[static_cast<std::size_t>(curve)]};
   }
   if (rupture > 0.0) {
@@ -239,48 +239,49 @@ std::optional<kernel::PlasticDamage> plastic_damage(Builder& b, const Row& onset
     return kernel::PlasticDamage{onset > 0.0 ? onset : rupture, rupture};
   }
   if (onset > 0.0)
-    onset_row.complain(b.findings, Severity::warning, onset_field, "without EPPFR or LCDM nothing is damaged",
-                       "give EPPFR, the plastic strain at rupture");
+    onset_row.report(b.findings, Severity::warning, onset_field, "without EPPFR or LCDM nothing is damaged",
+                     "give EPPFR, the plastic strain at rupture");
   return std::nullopt;
 }
 
 namespace {
 
-constexpr Field point_of_hold(std::string_view name) {
+constexpr Field point_of_constraint(std::string_view name) {
   return real(name, dimension::length, 0, any_value, "for cmo 2 only, which is not built");
 }
 
 }  // namespace
 
-const Card rigid_hold_card{{
+const Card rigid_constraint_card{{
     real("cmo", dimension::number, 0, between(-1, 1), "held: 0 nothing, 1 in global axes"),
     real("con1", dimension::number, 0, between(0, 7), "held translations: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz"),
     real("con2", dimension::number, 0, between(0, 7), "held rotations, by the same codes"),
     integer("spcnid", 0, any_value, "for cmo 2 only, which is not built"),
-    point_of_hold("xspc"),
-    point_of_hold("yspc"),
-    point_of_hold("zspc"),
+    point_of_constraint("xspc"),
+    point_of_constraint("yspc"),
+    point_of_constraint("zspc"),
 }};
-const Card rigid_hold_local_card{{
+const Card rigid_constraint_local_card{{
     real("cmo", dimension::number, 0, between(-1, 1), "-1: held in local axes"),
     id("con1", IdSpace::define, 0, "coordinate system"),
     real("con2", dimension::number, 0, between(0, 111111), "six digits, 1: held along x, y, z, about x, y, z"),
     integer("spcnid", 0, any_value, "for cmo 2 only, which is not built"),
-    point_of_hold("xspc"),
-    point_of_hold("yspc"),
-    point_of_hold("zspc"),
+    point_of_constraint("xspc"),
+    point_of_constraint("yspc"),
+    point_of_constraint("zspc"),
 }};
 
-RigidCard read_rigid_hold(Builder& b, Cursor& cursor) {
+RigidCard read_rigid_constraint(Builder& b, Cursor& cursor) {
   const bool local = cursor.more() && cursor.peek_number(0) == -1.0;
-  RigidCard hold;
-  hold.row = cursor.read(local ? rigid_hold_local_card : rigid_hold_card);
-  hold.cmo = static_cast<int>(hold.row.real("cmo"));
-  hold.con2 = static_cast<int>(hold.row.real("con2"));
-  hold.con1 = local ? hold.row.integer("con1") : static_cast<int>(hold.row.real("con1"));
-  if (hold.cmo == 1)
-    warn_of_turned_codes(b, cursor.block(), hold.row, "con1", bits_of_code(hold.con1) | bits_of_code(hold.con2) << 3);
-  return hold;
+  RigidCard constraint;
+  constraint.row = cursor.read(local ? rigid_constraint_local_card : rigid_constraint_card);
+  constraint.cmo = static_cast<int>(constraint.row.real("cmo"));
+  constraint.con2 = static_cast<int>(constraint.row.real("con2"));
+  constraint.con1 = local ? constraint.row.integer("con1") : static_cast<int>(constraint.row.real("con1"));
+  if (constraint.cmo == 1)
+    warn_of_turned_codes(b, cursor.block(), constraint.row, "con1",
+                         bits_of_code(constraint.con1) | bits_of_code(constraint.con2) << 3);
+  return constraint;
 }
 
 int system_id(const Block& block, double written) {
@@ -318,8 +319,8 @@ std::vector<Keyword> material_keywords() {
        .aliases = {"MAT_020"},
        .options = {"TITLE"},
        .layout = {{"", &rigid_card},
-                  {"if CMO is 0 or 1", &rigid_hold_card},
-                  {"if CMO is -1", &rigid_hold_local_card},
+                  {"if CMO is 0 or 1", &rigid_constraint_card},
+                  {"if CMO is -1", &rigid_constraint_local_card},
                   {"", &rigid_output_card}},
        .read = read_rigid},
       {.name = "MAT_PIECEWISE_LINEAR_PLASTICITY",

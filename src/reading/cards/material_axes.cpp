@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/material.hpp"
 
@@ -36,7 +36,7 @@ kernel::MaterialAxes read_axes(Builder& b, const Block& block, const Row& option
 void take_axes_of_system(Builder& b, const Row& option, Index material) {
   const int id = -option.integer("aopt");
   if (id <= 0) return;
-  b.later(Phase::sets, [=](Builder& later) {
+  b.defer(Phase::sets, [=](Builder& later) {
     const Index found = later.systems.find(id);
     if (found == none)
       return refuse(later, option, "aopt", fmt::format("coordinate system {} is not defined", id),
@@ -47,9 +47,9 @@ void take_axes_of_system(Builder& b, const Row& option, Index material) {
           later, option, "aopt",
           fmt::format("coordinate system {} turns with its nodes (FLAG 1); the axes are those of the start", id),
           "define one with FLAG 0");
-    auto* compound = std::get_if<kernel::Compound>(&later.model.materials[static_cast<std::size_t>(material)].law);
+    auto* compound = std::get_if<kernel::ComposedLaw>(&later.model.materials[static_cast<std::size_t>(material)].law);
     if (compound == nullptr) return;  // refused
-    kernel::Composition made = *compound->made_of;
+    kernel::LawComponents made = *compound->components;
     std::visit(
         [&](auto& flow) {
           if constexpr (requires { flow.axes; }) {
@@ -59,7 +59,7 @@ void take_axes_of_system(Builder& b, const Row& option, Index material) {
           }
         },
         made.flow);
-    *compound = kernel::compound(std::move(made));
+    *compound = kernel::composed_law(std::move(made));
   });
 }
 

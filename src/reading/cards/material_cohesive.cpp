@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "kernel/law/cohesive_bond.hpp"
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/contact_glue.hpp"
 #include "reading/cards/families.hpp"
@@ -120,11 +120,11 @@ kernel::CohesiveBond bond_of_row(Builder& b, const Row& row, std::string_view no
 }
 
 void add_bond(Builder& b, const Row& row, std::string title, std::string_view name, kernel::CohesiveBond bond) {
-  kernel::Composition law;
+  kernel::LawComponents law;
   law.flow = kernel::Elastic{};
   law.for_shells = false;
   law.bond = std::make_shared<const kernel::CohesiveBond>(std::move(bond));
-  add_material(b, row, std::move(title), name, kernel::compound(std::move(law)));
+  add_material(b, row, std::move(title), name, kernel::composed_law(std::move(law)));
 }
 
 /// T or S, given or by the separation at failure: their triangle has the energy G.
@@ -137,10 +137,10 @@ double peak(Builder& b, const Row& limits, std::string_view field, std::string_v
   }
   if (given == 0.0) return 2.0 * energy / u;
   if (u > 0.0 && std::abs(u - 2.0 * energy / given) > 0.01 * u)
-    limits.complain(b.findings, Severity::warning, ultimate,
-                    fmt::format("is not looked at where the traction is given: with the energy it makes {:.4g}",
-                                2.0 * energy / given),
-                    "leave it 0");
+    limits.report(b.findings, Severity::warning, ultimate,
+                  fmt::format("is not looked at where the traction is given: with the energy it makes {:.4g}",
+                              2.0 * energy / given),
+                  "leave it 0");
   return given;
 }
 
@@ -174,10 +174,10 @@ void read_mixed_mode(Builder& b, const Block& block, const Options& options) {
   check_energy(b, row, "gic", glue.normal_energy, glue.normal_strength, bond.stiffness.tension);
   check_energy(b, row, "giic", glue.shear_energy, glue.shear_strength, bond.stiffness.shear);
   if (limits.real("cts") >= 2.0)
-    limits.complain(b.findings, Severity::warning, "cts",
-                    "the law of Ortiz and Pandolfi is not built; the bilinear one "
-                    "is computed",
-                    "leave it 0");
+    limits.report(b.findings, Severity::warning, "cts",
+                  "the law of Ortiz and Pandolfi is not built; the bilinear one "
+                  "is computed",
+                  "leave it 0");
   add_bond(b, row, std::move(title), "MAT_COHESIVE_MIXED_MODE", std::move(bond));
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 #include "reading/cards/material.hpp"
@@ -23,15 +23,15 @@ constexpr Field damping =
     real("damp", dimension::number, 0, between(0, 1), "viscous stress, as a share of critical damping in each element");
 
 /// Gives a material its law, which only solids can have.
-void set_foam(Builder& b, Index material, kernel::Composition law) {
+void set_foam(Builder& b, Index material, kernel::LawComponents law) {
   law.for_shells = false;
-  b.model.materials[static_cast<std::size_t>(material)].law = compound(std::move(law));
+  b.model.materials[static_cast<std::size_t>(material)].law = composed_law(std::move(law));
 }
 
 /// A foam's curve over the amount of compression: its yield stress, or with `from_zero` its stress.
 void check_compression(Builder& b, const Row& row, std::string_view field, const Curve& curve, bool from_zero) {
   const auto warn = [&](std::string text, const char* remedy) {
-    row.complain(b.findings, Severity::warning, field, fmt::format("curve {}: {}", curve.id, text), remedy);
+    row.report(b.findings, Severity::warning, field, fmt::format("curve {}: {}", curve.id, text), remedy);
   };
   const double at_rest = curve.extrapolated(0.0), most = *std::max_element(curve.y.begin(), curve.y.end());
   if (from_zero && std::abs(at_rest) > 1e-9 * most)
@@ -90,14 +90,14 @@ void set_low_density_foam(Builder& b, Index material, const Row& row, const Row&
                   "give nominal stress over nominal strain of compression");
   check_compression(b, row, "lcid", flow.compression, true);
   flow.cutoff = row.real("tc");
-  flow.tears = unloading.real("fail") == 1.0;
+  flow.tension_failure = unloading.real("fail") == 1.0;
   flow.unloading = row.real("hu");
   flow.shape = unloading.real("shape");
   flow.recovery = row.real("beta");
   flow.damping = row.real("damp");
-  flow.relaxing = unloading.real("ed");
+  flow.maxwell_modulus = unloading.real("ed");
   flow.decay = unloading.real("beta1");
-  kernel::Composition law{flow};
+  kernel::LawComponents law{flow};
   law.bulk_viscosity = unloading.real("bvflag") == 1.0;
   set_foam(b, material, std::move(law));
 }
@@ -110,7 +110,7 @@ void read_low_density_foam(Builder& b, const Block& block, const Options& option
   expect_end(b, cursor);
   const Index material =
       add_material(b, row, std::move(title), "MAT_LOW_DENSITY_FOAM", kernel::Elastic{row.real("e"), 0.0});
-  b.later(Phase::parts, [=](Builder& later) { set_low_density_foam(later, material, row, unloading); });
+  b.defer(Phase::parts, [=](Builder& later) { set_low_density_foam(later, material, row, unloading); });
 }
 
 // ---- 063
@@ -131,7 +131,7 @@ void set_crushable_foam(Builder& b, Index material, const Row& row) {
   if (curve == none) return;
   kernel::CrushableFoam flow;
   flow.yield = b.model.curves[static_cast<std::size_t>(curve)];
-  if (flow.yield.empty()) return;  // told where it is defined
+  if (flow.yield.empty()) return;  // reported where it is defined
   flow.E = flow.yield.slope(flow.yield.x.back());
   if (!(flow.E > 0.0))
     return refuse(b, row, "lcid", "the curve's last slope is the elastic stiffness and must be above 0",
@@ -141,7 +141,7 @@ void set_crushable_foam(Builder& b, Index material, const Row& row) {
   check_compression(b, row, "lcid", flow.yield, false);
   flow.cutoff = row.real("tsc");
   if (flow.cutoff == 0.0)
-    row.complain(b.findings, Severity::warning, "tsc", "no tension is borne at all", "give the tensile strength");
+    row.report(b.findings, Severity::warning, "tsc", "no tension is borne at all", "give the tensile strength");
   flow.damping = row.real("damp");
   set_foam(b, material, {flow});
 }
@@ -153,7 +153,7 @@ void read_crushable_foam(Builder& b, const Block& block, const Options& options)
   expect_end(b, cursor);
   const Index material = add_material(b, row, std::move(title), "MAT_CRUSHABLE_FOAM",
                                       kernel::Elastic{std::max(row.real("e"), 1e-30), 0.0});
-  b.later(Phase::parts, [=](Builder& later) { set_crushable_foam(later, material, row); });
+  b.defer(Phase::parts, [=](Builder& later) { set_crushable_foam(later, material, row); });
 }
 
 // ---- 083
@@ -212,7 +212,7 @@ bool set_table(Builder& b, const Row& row, kernel::RateFoam& flow) {
     const Index t = b.find(b.tables, "table", row, "tbid");
     if (t == none) return false;
     const Table& table = b.model.tables[static_cast<std::size_t>(t)];
-    if (table.curve.size() != table.value.size() || table.value.empty()) return false;  // told where it is defined
+    if (table.curve.size() != table.value.size() || table.value.empty()) return false;  // reported where it is defined
     for (const Index one : table.curve) flow.curves.push_back(b.model.curves[static_cast<std::size_t>(one)]);
     flow.rates = table.value;
   }
@@ -247,7 +247,7 @@ void set_rate_foam(Builder& b, Index material, const RateFoamCards& cards) {
   if (!set_table(b, cards.main, flow)) return;
   flow.engineering_rate = cards.flags.real("sflag") == 1.0;
   flow.rate_of = static_cast<kernel::RateFoam::RateOf>(static_cast<int>(cards.flags.real("rflag")));
-  flow.tears = cards.main.real("fail") == 1.0;
+  flow.tension_failure = cards.main.real("fail") == 1.0;
   flow.unloading = cards.flags.real("hu");
   flow.shape = cards.shape.real("shape");
   flow.exponent = cards.exponent.real("expon");
@@ -255,7 +255,7 @@ void set_rate_foam(Builder& b, Index material, const RateFoamCards& cards) {
   const double cutoff = cards.main.real("tc");
   const bool erodes = cards.main.real("fail") == 2.0;
   if (!erodes) flow.cutoff = cutoff;
-  kernel::Composition law{flow};
+  kernel::LawComponents law{flow};
   law.bulk_viscosity = cards.flags.real("bvflag") >= 1.0;
   if (erodes) {
     law.erosion = kernel::Erosion{};
@@ -277,7 +277,7 @@ void read_rate_foam(Builder& b, const Block& block, const Options& options) {
   expect_end(b, cursor);
   const Index material =
       add_material(b, cards.main, std::move(title), "MAT_FU_CHANG_FOAM", kernel::Elastic{cards.main.real("e"), 0.0});
-  b.later(Phase::parts, [=](Builder& later) { set_rate_foam(later, material, cards); });
+  b.defer(Phase::parts, [=](Builder& later) { set_rate_foam(later, material, cards); });
 }
 
 }  // namespace
@@ -306,17 +306,17 @@ std::vector<Keyword> foam_material_keywords() {
       {.name = "MAT_FU_CHANG_FOAM_DAMAGE_DECAY",
        .aliases = {"MAT_083_1"},
        .options = {"TITLE"},
-       .verdict = Verdict::refused,
+       .status = KeywordStatus::refused,
        .why = "damage that decays is not built; *MAT_FU_CHANG_FOAM without the option is"},
       {.name = "MAT_FU_CHANG_FOAM_LOG_LOG_INTERPOLATION",
        .aliases = {"MAT_083_2"},
        .options = {"TITLE"},
-       .verdict = Verdict::refused,
+       .status = KeywordStatus::refused,
        .why = "interpolation between the logarithms is not built; *MAT_FU_CHANG_FOAM without the option is"},
       {.name = "MAT_FU_CHANG_FOAM_PATH_DEPENDENT",
        .aliases = {"MAT_083_3"},
        .options = {"TITLE"},
-       .verdict = Verdict::refused,
+       .status = KeywordStatus::refused,
        .why = "tables over the volume are not built; *MAT_FU_CHANG_FOAM without the option is"},
   };
 }

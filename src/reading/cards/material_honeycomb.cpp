@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 #include "reading/cards/material.hpp"
@@ -150,10 +150,10 @@ Curve limit_over_volume(Builder& b, const Row& row, std::string_view field, cons
   if (curve.x.front() <= 0.0) return curve;
   if (curve.x.front() < 1.0 && curve.x.back() >= 1.0) {
     if (curve.x.front() > compacted)
-      row.complain(b.findings, Severity::warning, field,
-                   fmt::format("curve {} begins at the relative volume {:g}, but VF is {:g}: its first slope goes on",
-                               curve.id, curve.x.front(), compacted),
-                   "let it begin a little below VF");
+      row.report(b.findings, Severity::warning, field,
+                 fmt::format("curve {} begins at the relative volume {:g}, but VF is {:g}: its first slope goes on",
+                             curve.id, curve.x.front(), compacted),
+                 "let it begin a little below VF");
     return over_strain(curve);
   }
   refuse(b, row, field,
@@ -186,11 +186,11 @@ bool check_limit(Builder& b, const Row& row, std::string_view field, const Curve
     const double slope = (curve.y[k + 1] - curve.y[k]) / (curve.x[k + 1] - curve.x[k]), beta = curve.x[k] / end;
     const double modulus = law.modulus[component] + beta * (dense - law.modulus[component]);
     if (law.over == Honeycomb::Over::volume && slope * (1.0 - curve.x[k]) > modulus) {
-      row.complain(b.findings, Severity::warning, field,
-                   fmt::format("curve {} rises by {:g} behind {:g}, more than the modulus {:g} there: the stress lags "
-                               "behind it",
-                               curve.id, slope, curve.x[k], modulus),
-                   "unloading must be steeper than the curve: raise the modulus of the core");
+      row.report(b.findings, Severity::warning, field,
+                 fmt::format("curve {} rises by {:g} behind {:g}, more than the modulus {:g} there: the stress lags "
+                             "behind it",
+                             curve.id, slope, curve.x[k], modulus),
+                 "unloading must be steeper than the curve: raise the modulus of the core");
       break;
     }
   }
@@ -221,7 +221,7 @@ void set_honeycomb(Builder& b, Index material, const HoneycombCards& cards) {
     const Index found = b.curve(cards.curves, field);
     if (found == none) return;
     const Curve& curve = b.model.curves[static_cast<std::size_t>(found)];
-    if (curve.empty()) return;  // told where it is defined
+    if (curve.empty()) return;  // reported where it is defined
     flow.limit[i] = flow.over == Honeycomb::Over::volume
                         ? limit_over_volume(b, cards.curves, field, curve, flow.compacted_volume)
                         : curve;
@@ -232,10 +232,10 @@ void set_honeycomb(Builder& b, Index material, const HoneycombCards& cards) {
     if (found == none) return;
     flow.rate_factor = b.model.curves[static_cast<std::size_t>(found)];
   }
-  kernel::Composition law{std::move(flow)};
+  kernel::LawComponents law{std::move(flow)};
   law.for_shells = false;
   law.bulk_viscosity = is_bulk;
-  b.model.materials[static_cast<std::size_t>(material)].law = compound(std::move(law));
+  b.model.materials[static_cast<std::size_t>(material)].law = composed_law(std::move(law));
 }
 
 void add_honeycomb(Builder& b, HoneycombCards cards, std::string title, std::string_view name) {
@@ -245,7 +245,7 @@ void add_honeycomb(Builder& b, HoneycombCards cards, std::string title, std::str
   const Index material = add_material(b, cards.dense, std::move(title), name,
                                       kernel::Elastic{cards.dense.real("e"), cards.dense.real("pr")});
   if (!(vf > 0.0 && vf < 1.0)) return;
-  b.later(Phase::parts, [=](Builder& later) { set_honeycomb(later, material, cards); });
+  b.defer(Phase::parts, [=](Builder& later) { set_honeycomb(later, material, cards); });
   take_axes_of_system(b, cards.core, material);
 }
 

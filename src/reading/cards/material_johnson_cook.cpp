@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 #include "reading/cards/material.hpp"
@@ -94,13 +94,13 @@ kernel::JohnsonCook johnson_cook(const Row& main, const Row& yield) {
   flow.hardening = yield.real("b");
   flow.exponent = yield.real("n");
   flow.rate_factor = yield.real("c");
-  flow.rest_rate = yield.real("epso");
+  flow.reference_rate = yield.real("epso");
   return flow;
 }
 
 kernel::JohnsonCook simplified_johnson_cook(const Row& main, const Row& yield) {
   kernel::JohnsonCook flow = johnson_cook(main, yield);
-  flow.most_hardened = yield.real("sigmax");
+  flow.static_stress_limit = yield.real("sigmax");
   flow.saturation = yield.real("sigsat");
   return flow;
 }
@@ -111,9 +111,9 @@ void read_simplified_johnson_cook(Builder& b, const Block& block, const Options&
   const Row row = cursor.read(simplified_johnson_cook_card);
   const Row yield = cursor.read(simplified_johnson_cook_yield_card);
   expect_end(b, cursor);
-  kernel::Composition law{simplified_johnson_cook(row, yield)};
+  kernel::LawComponents law{simplified_johnson_cook(row, yield)};
   law.failure_strain = plastic_strain_at_failure(yield.real("psfail"));
-  add_material(b, row, std::move(title), "MAT_SIMPLIFIED_JOHNSON_COOK", compound(std::move(law)));
+  add_material(b, row, std::move(title), "MAT_SIMPLIFIED_JOHNSON_COOK", composed_law(std::move(law)));
 }
 
 void read_orthotropic_johnson_cook(Builder& b, const Block& block, const Options& options) {
@@ -124,12 +124,12 @@ void read_orthotropic_johnson_cook(Builder& b, const Block& block, const Options
   expect_end(b, cursor);
   const Index material = add_material(b, row, std::move(title), "MAT_SIMPLIFIED_JOHNSON_COOK_ORTHOTROPIC_DAMAGE",
                                       kernel::Elastic{row.real("e"), row.real("pr")});
-  b.later(Phase::parts, [=](Builder& later) {
-    kernel::Composition law{simplified_johnson_cook(row, yield)};
+  b.defer(Phase::parts, [=](Builder& later) {
+    kernel::LawComponents law{simplified_johnson_cook(row, yield)};
     law.directional_damage = plastic_damage(later, yield, "psfail", row);
     law.points_to_delete = row.real("numint");
     law.for_bricks = false;
-    later.model.materials[static_cast<std::size_t>(material)].law = compound(std::move(law));
+    later.model.materials[static_cast<std::size_t>(material)].law = composed_law(std::move(law));
   });
 }
 
@@ -157,17 +157,17 @@ void read_johnson_cook(Builder& b, const Block& block, const Options& options) {
   expect_end(b, cursor);
   kernel::JohnsonCook flow = johnson_cook(row, yield);
   heat(b, row, yield, third, flow);
-  kernel::Composition law{flow};
+  kernel::LawComponents law{flow};
   const kernel::JohnsonCookFracture fracture{
-      third.real("d1"),     third.real("d2"),     third.real("d3"), third.real("d4"),
-      fourth.real("d5"),    fourth.real("efmin"), flow.rest_rate,   flow.heating > 0.0 ? flow.melting_rise : 0.0,
+      third.real("d1"),     third.real("d2"),     third.real("d3"),    third.real("d4"),
+      fourth.real("d5"),    fourth.real("efmin"), flow.reference_rate, flow.heating > 0.0 ? flow.melting_rise : 0.0,
       row.real("vp") == 1.0};
   if (fracture.d1 != 0.0 || fracture.d2 != 0.0 || fracture.d3 != 0.0 || fracture.d4 != 0.0 || fracture.d5 != 0.0)
     law.fracture = fracture;
   if (fracture.d2 > 0.0 && fracture.d3 > 0.0)
-    third.complain(b.findings, Severity::warning, "d3",
-                   "tension is positive here: with D3 above 0 the strain at fracture grows with tension",
-                   "published constants have a D3 below 0");
+    third.report(b.findings, Severity::warning, "d3",
+                 "tension is positive here: with D3 above 0 the strain at fracture grows with tension",
+                 "published constants have a D3 below 0");
   law.points_to_delete = fourth.real("numint");
   law.deletion_step = row.real("dtf");
   law.solid_shear = row.real("g");
@@ -175,7 +175,7 @@ void read_johnson_cook(Builder& b, const Block& block, const Options& options) {
     const int form = static_cast<int>(third.real("spall"));
     law.spall = kernel::Spall{static_cast<kernel::Spall::Form>(form == 0 ? 2 : form), -cutoff};
   }
-  add_material(b, row, std::move(title), "MAT_JOHNSON_COOK", compound(std::move(law)));
+  add_material(b, row, std::move(title), "MAT_JOHNSON_COOK", composed_law(std::move(law)));
 }
 
 }  // namespace

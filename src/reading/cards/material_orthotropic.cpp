@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 #include "reading/cards/material.hpp"
@@ -87,7 +87,8 @@ void read_orthotropic(Builder& b, const Block& block, const Options& options) {
   const double product = std::clamp(law.poisson_ba * law.poisson_ba * law.young_a / law.young_b, 0.0, 0.99);
   law.nu = std::min(std::sqrt(product), 0.45);
   law.E = std::max(law.young_a, law.young_b) / (1.0 - product) * (1.0 - law.nu * law.nu);
-  const Index material = add_material(b, moduli, std::move(title), "MAT_ORTHOTROPIC_ELASTIC", kernel::compound({law}));
+  const Index material =
+      add_material(b, moduli, std::move(title), "MAT_ORTHOTROPIC_ELASTIC", kernel::composed_law({law}));
   take_axes_of_system(b, shears, material);
 }
 

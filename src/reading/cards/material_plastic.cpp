@@ -5,14 +5,14 @@
 #include <cmath>
 #include <set>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 #include "reading/cards/material.hpp"
 #include "reading/cards/yield_curves.hpp"
 
-// *MAT_... of metals that are put together at run time (kernel::Compound), and MAT_012. Those of Johnson and Cook are
-// in material_johnson_cook.cpp.
+// *MAT_... of metals that are put together at run time (kernel::ComposedLaw), and MAT_012. Those of Johnson and Cook
+// are in material_johnson_cook.cpp.
 namespace nugget::reading {
 
 namespace {
@@ -96,9 +96,9 @@ void read_power_law(Builder& b, const Block& block, const Options& options) {
     flow.rate_c = row.real("src");
     flow.rate_p = row.real("srp");
   }
-  kernel::Composition law{flow};
+  kernel::LawComponents law{flow};
   law.failure_strain = plastic_strain_at_failure(yield.real("epsf"));
-  add_material(b, row, std::move(title), "MAT_POWER_LAW_PLASTICITY", compound(std::move(law)));
+  add_material(b, row, std::move(title), "MAT_POWER_LAW_PLASTICITY", composed_law(std::move(law)));
 }
 
 // ---- 019
@@ -146,10 +146,10 @@ void set_rate_curves(Builder& b, Index material, const Row& main, const Row& row
     flow.rates.push_back(rate);
     flow.yield.push_back({0, {0.0, 1.0}, {at_first_yield, at_first_yield + modulus.clamped(rate)}});
   }
-  kernel::Composition law{flow};
+  kernel::LawComponents law{flow};
   law.deletion_step = row.real("tdel");
   if (const Index failure = b.curve(row, "lc4"); failure != none) law.failure_strain_over_rate = curve(failure);
-  b.model.materials[static_cast<std::size_t>(material)].law = compound(std::move(law));
+  b.model.materials[static_cast<std::size_t>(material)].law = composed_law(std::move(law));
 }
 
 void read_rate_dependent(Builder& b, const Block& block, const Options& options) {
@@ -160,7 +160,7 @@ void read_rate_dependent(Builder& b, const Block& block, const Options& options)
   expect_end(b, cursor);
   const Index material = add_material(b, row, std::move(title), "MAT_STRAIN_RATE_DEPENDENT_PLASTICITY",
                                       kernel::Elastic{row.real("e"), row.real("pr")});
-  b.later(Phase::parts, [=](Builder& later) { set_rate_curves(later, material, row, curves); });
+  b.defer(Phase::parts, [=](Builder& later) { set_rate_curves(later, material, row, curves); });
 }
 
 // ---- 081, 123
@@ -211,7 +211,7 @@ const Card modified_rate_card{{
 
 /// Reads the four cards; `complete` adds to the law what is the keyword's own, once curves are known.
 void read_with_curves(Builder& b, const Block& block, const Options& options, std::string_view name, const Card& main,
-                      const Card& rate, void (*complete)(Builder&, const YieldCards&, kernel::Composition&)) {
+                      const Card& rate, void (*complete)(Builder&, const YieldCards&, kernel::LawComponents&)) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
   const YieldCards cards{cursor.read(main), cursor.read(rate), cursor.read(yield_strain_card),
@@ -220,30 +220,30 @@ void read_with_curves(Builder& b, const Block& block, const Options& options, st
   check_tangent(b, cards.main);
   const Index material =
       add_material(b, cards.main, std::move(title), name, kernel::Elastic{cards.main.real("e"), cards.main.real("pr")});
-  b.later(Phase::parts, [=](Builder& later) {
+  b.defer(Phase::parts, [=](Builder& later) {
     kernel::PiecewiseLinear flow;
     flow.E = cards.main.real("e");
     flow.nu = cards.main.real("pr");
     set_yield_curves(later, cards, flow);
     if (flow.yield.empty()) return;
-    kernel::Composition law{flow};
+    kernel::LawComponents law{flow};
     law.deletion_step = cards.main.real("tdel");
     law.points_to_delete = cards.rate.real("numint");
     complete(later, cards, law);
-    later.model.materials[static_cast<std::size_t>(material)].law = compound(std::move(law));
+    later.model.materials[static_cast<std::size_t>(material)].law = composed_law(std::move(law));
   });
 }
 
-void add_damage(Builder& b, const YieldCards& cards, kernel::Composition& law) {
+void add_damage(Builder& b, const YieldCards& cards, kernel::LawComponents& law) {
   law.damage = plastic_damage(b, cards.main, "eppf", cards.rate);
 }
 
-void add_directional_damage(Builder& b, const YieldCards& cards, kernel::Composition& law) {
+void add_directional_damage(Builder& b, const YieldCards& cards, kernel::LawComponents& law) {
   law.directional_damage = plastic_damage(b, cards.main, "eppf", cards.rate);
   law.for_bricks = false;
 }
 
-void add_strain_limits(Builder&, const YieldCards& cards, kernel::Composition& law) {
+void add_strain_limits(Builder&, const YieldCards& cards, kernel::LawComponents& law) {
   law.failure_strain = plastic_strain_at_failure(cards.main.real("fail"));
   law.limits = {cards.rate.real("epsthin"), cards.rate.real("epsmaj")};
 }
@@ -294,12 +294,12 @@ std::vector<Keyword> plastic_material_keywords() {
       {.name = "MAT_PLASTICITY_WITH_DAMAGE_ORTHO_RCDC",
        .aliases = {"MAT_082_RCDC"},
        .options = {"TITLE"},
-       .verdict = Verdict::refused,
+       .status = KeywordStatus::refused,
        .why = "the damage of Wilkins (Rc-Dc) is not built; the keyword without _RCDC is"},
       {.name = "MAT_PLASTICITY_WITH_DAMAGE_ORTHO_RCDC1980",
        .aliases = {"MAT_082_RCDC1980"},
        .options = {"TITLE"},
-       .verdict = Verdict::refused,
+       .status = KeywordStatus::refused,
        .why = "the damage of Wilkins (Rc-Dc) is not built; the keyword without _RCDC1980 is"},
       {.name = "MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY",
        .aliases = {"MAT_123"},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 #include "reading/cards/material.hpp"
@@ -19,9 +19,9 @@ constexpr Field compressible =
     real("pr", dimension::number, required, between(0, 0.49999), "Poisson's ratio, below 0.5");
 constexpr Field reference = real("ref", dimension::number, 0, only(0), "stress from a reference geometry");
 
-Index add_solid_law(Builder& b, const Row& row, std::string title, std::string_view name, kernel::Composition law) {
+Index add_solid_law(Builder& b, const Row& row, std::string title, std::string_view name, kernel::LawComponents law) {
   law.for_shells = false;
-  return add_material(b, row, std::move(title), name, compound(std::move(law)));
+  return add_material(b, row, std::move(title), name, composed_law(std::move(law)));
 }
 
 // ---- 006
@@ -115,20 +115,20 @@ kernel::Overstress read_overstress(Builder& b, Cursor& cursor, const Row& first)
   constexpr std::size_t most_terms = 12;
   kernel::Overstress overstress;
   if (first.real("g") > 0.0 && first.real("sigf") > 0.0) {
-    overstress.sliding_shear = first.real("g");
-    overstress.sliding_limit = first.real("sigf");
+    overstress.friction_shear = first.real("g");
+    overstress.friction_limit = first.real("sigf");
   } else if (first.real("g") > 0.0 || first.real("sigf") > 0.0) {
-    first.complain(b.findings, Severity::warning, first.real("g") > 0.0 ? "sigf" : "g",
-                   "frictional damping needs both G and SIGF: there is none", "give both, or neither");
+    first.report(b.findings, Severity::warning, first.real("g") > 0.0 ? "sigf" : "g",
+                 "frictional damping needs both G and SIGF: there is none", "give both, or neither");
   }
   while (cursor.more()) {
     const Row term = cursor.read(relaxation_card);
     if (!(term.real("gi") > 0.0)) continue;
-    if (overstress.relaxing.size() == most_terms) {
+    if (overstress.maxwell_branches.size() == most_terms) {
       refuse(b, term, "gi", "more than twelve viscous terms are not supported");
       break;
     }
-    overstress.relaxing.push_back({term.real("gi"), term.real("betai")});
+    overstress.maxwell_branches.push_back({term.real("gi"), term.real("betai")});
   }
   return overstress;
 }

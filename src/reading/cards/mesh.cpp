@@ -171,7 +171,7 @@ std::vector<Row> read_rows(Builder& b, const Block& block, const Card& card) {
 }
 
 void read_mass(Builder& b, const Block& block, const Options&) {
-  b.later(Phase::mesh, [rows = read_rows(b, block, mass_card)](Builder& later) {
+  b.defer(Phase::mesh, [rows = read_rows(b, block, mass_card)](Builder& later) {
     for (const Row& row : rows)
       if (const Index n = later.node(row, "nid"); n != none)
         later.model.masses.push_back({row.integer("eid"), n, row.real("mass")});
@@ -179,7 +179,7 @@ void read_mass(Builder& b, const Block& block, const Options&) {
 }
 
 void read_set_mass(Builder& b, const Block& block, const Options&) {
-  b.later(Phase::sets, [rows = read_rows(b, block, set_mass_card)](Builder& later) {
+  b.defer(Phase::sets, [rows = read_rows(b, block, set_mass_card)](Builder& later) {
     for (const Row& row : rows)
       if (const auto* set = later.node_set(row, "nsid"))
         for (const Index n : set->members)
@@ -206,7 +206,7 @@ void add_part_mass(Builder& b, const Row& row, const std::vector<std::vector<Nod
 
 void read_part_mass(Builder& b, const Block& block, const Options&) {
   if (b.part_mass_rows.empty())
-    b.later(Phase::parts, [](Builder& later) {
+    b.defer(Phase::parts, [](Builder& later) {
       const auto by_part = lumped_masses(later.model);
       for (const Row& row : later.part_mass_rows) add_part_mass(later, row, by_part);
     });
@@ -214,17 +214,17 @@ void read_part_mass(Builder& b, const Block& block, const Options&) {
 }
 
 /// The nodes of bodies take the whole tensor, others in explicit runs only its mean.
-void tell_of_mean(Builder& b, const Row& head, const std::array<double, 6>& tensor) {
+void report_mean(Builder& b, const Row& head, const std::array<double, 6>& tensor) {
   const auto& [xx, xy, xz, yy, yz, zz] = tensor;
   const double mean = (xx + yy + zz) / 3.0;
   double most = 0.0;
   for (const double off : {xx - mean, yy - mean, zz - mean, xy, xz, yz}) most = std::max(most, std::abs(off));
   if (most > 1e-6 * mean)
-    head.complain(b.findings, Severity::warning, "nid",
-                  fmt::format("in an explicit run a node that belongs to no rigid body turns with the mean of the "
-                              "moments of inertia, {:.4g}, about every axis",
-                              mean),
-                  "make the node a *CONSTRAINED_NODAL_RIGID_BODY, which takes the tensor whole");
+    head.report(b.findings, Severity::warning, "nid",
+                fmt::format("in an explicit run a node that belongs to no rigid body turns with the mean of the "
+                            "moments of inertia, {:.4g}, about every axis",
+                            mean),
+                "make the node a *CONSTRAINED_NODAL_RIGID_BODY, which takes the tensor whole");
 }
 
 void add_inertia(Builder& b, const Row& head, const Row& row, const Frame3d& of_include) {
@@ -238,8 +238,8 @@ void add_inertia(Builder& b, const Row& head, const Row& row, const Frame3d& of_
   else if (head.integer("csid") == 0)
     point.inertia = to_global(point.inertia, of_include);
   b.model.inertias.push_back(point);
-  b.later(Phase::checks, [head, n, tensor = point.inertia](Builder& later) {
-    if (later.body_of_node[static_cast<std::size_t>(n)] == none) tell_of_mean(later, head, tensor);
+  b.defer(Phase::checks, [head, n, tensor = point.inertia](Builder& later) {
+    if (later.body_of_node[static_cast<std::size_t>(n)] == none) report_mean(later, head, tensor);
   });
 }
 
@@ -247,7 +247,7 @@ void read_inertia(Builder& b, const Block& block, const Options&) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     const Row head = cursor.read(inertia_head_card);
     const Row row = cursor.read(inertia_card);
-    b.later(Phase::sets,
+    b.defer(Phase::sets,
             [head, row, axes = axes_of_include(block)](Builder& later) { add_inertia(later, head, row, axes); });
   }
 }
@@ -267,7 +267,7 @@ void add_accelerometer(Builder& b, const Row& row) {
   if (row.real("mass") > 0.0)
     for (const Index n : a.node) b.model.masses.push_back({a.id, n, row.real("mass") / 3.0});
   if (gravity > 1)
-    b.later(Phase::conditions, [row, number = b.model.accelerometers.size()](Builder& later) {
+    b.defer(Phase::conditions, [row, number = b.model.accelerometers.size()](Builder& later) {
       later.model.accelerometers[number].gravity_curve = later.curve(row, "igrav");
     });
   b.model.accelerometers.push_back(a);
@@ -276,7 +276,7 @@ void add_accelerometer(Builder& b, const Row& row) {
 void read_accelerometer(Builder& b, const Block& block, const Options&) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     const Row row = cursor.read(cursor.peek_number(4) > 1.0 ? accelerometer_by_curve : accelerometer_card);
-    b.later(Phase::mesh, [row](Builder& later) { add_accelerometer(later, row); });
+    b.defer(Phase::mesh, [row](Builder& later) { add_accelerometer(later, row); });
   }
 }
 

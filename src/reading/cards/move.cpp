@@ -59,17 +59,17 @@ void read_node_transform(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     const Row row = cursor.read(transform_card);
-    builder.later(Phase::sets, [row](Builder& b) {
+    builder.defer(Phase::sets, [row](Builder& b) {
       const auto* nodes = b.node_set(row, "nsid");
       const deck::Transform* transform = b.deck.transformation(row.integer("trsid"));
       if (transform == nullptr)
         refuse(b, row, "trsid", "no *DEFINE_TRANSFORMATION has this id", "define it");
       else if (nodes != nullptr) {
         if (mirrors(*transform))
-          row.complain(b.findings, Severity::warning, "trsid",
-                       "mirrors the nodes; elements keep their numbering: shells have their normals on the other side, "
-                       "and bricks are inside out",
-                       "renumber the elements of mirrored parts in the pre-processor");
+          row.report(b.findings, Severity::warning, "trsid",
+                     "mirrors the nodes; elements keep their numbering: shells have their normals on the other side, "
+                     "and bricks are inside out",
+                     "renumber the elements of mirrored parts in the pre-processor");
         move_nodes(b, row, "nsid", nodes->members, [&](const Vec3d& x) { return transform->moved(x); });
       }
     });
@@ -82,7 +82,7 @@ void read_part_move(Builder& builder, const Block& block, const Options&) {
     const Row row = cursor.read(part_move_card);
     const bool local = row.integer("cid") != 0;
     const Vec3d by = local ? triple(row, "xmov", "ymov", "zmov") : direction(block, row, "xmov", "ymov", "zmov");
-    builder.later(Phase::sets, [row, by](Builder& b) {
+    builder.defer(Phase::sets, [row, by](Builder& b) {
       std::vector<Index> parts;
       if (row.integer("ifset") == 1) {
         if (const auto* set = b.part_set(row, "pid")) parts = set->members;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keywords that are read past because they change nothing here, and keywords of physics that this program does not
-// have. Each with its reason: the first for the ledger, the second for the user who has to do something about it.
+// have. Each with its reason: the first for the table of keywords, the second for the user who has to do something
+// about it.
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 
@@ -8,10 +9,10 @@ namespace nugget::reading {
 namespace {
 
 Keyword ignored(std::string_view name, std::string_view why) {
-  return {name, {}, {}, Verdict::ignored, why, {}, nullptr};
+  return {name, {}, {}, KeywordStatus::ignored, why, {}, nullptr};
 }
 Keyword refused(std::string_view name, std::string_view why) {
-  return {name, {}, {}, Verdict::refused, why, {}, nullptr};
+  return {name, {}, {}, KeywordStatus::refused, why, {}, nullptr};
 }
 
 using Rows = std::vector<Keyword>;
@@ -200,7 +201,8 @@ Rows other_definitions() {
 
 /// The reader of the text has taken these before a model is built; they are here to be listed.
 Keyword of_the_text(std::string_view name, std::vector<std::string_view> options = {}) {
-  return {name, {}, std::move(options), Verdict::used, {}, {}, [](Builder&, const deck::Block&, const Options&) {}};
+  return {
+      name, {}, std::move(options), KeywordStatus::used, {}, {}, [](Builder&, const deck::Block&, const Options&) {}};
 }
 
 }  // namespace

@@ -142,13 +142,13 @@ void read_inertia(Builder& b, Cursor& cursor, Index part) {
               translation = direction(block, velocity, "vtx", "vty", "vtz"),
               rotation = direction(block, velocity, "vrx", "vry", "vrz");
   // A coordinate system may need nodes, so not before them; rigid bodies are made after.
-  b.later(Phase::sets, [=](Builder& later) {
+  b.defer(Phase::sets, [=](Builder& later) {
     RigidBody::Inertia given;
     given.mass = centre.real("tm");
     given.center = place;
     // Behind what moves nodes in this phase.
     if (const Index n = later.node(centre, "nodeid"); n != none)
-      later.later(Phase::sets, [part, n](Builder& last) {
+      later.defer(Phase::sets, [part, n](Builder& last) {
         last.part_inertia[part].center = last.model.nodes.x[static_cast<std::size_t>(n)];
       });
     given.inertia = {tensor.real("ixx"), tensor.real("ixy"), tensor.real("ixz"),
@@ -181,7 +181,7 @@ void read_contact(Builder& b, Cursor& cursor, Part& part) {
 std::vector<LayerCard> read_layers(Builder& b, Cursor& cursor, bool one_a_line) {
   std::vector<LayerCard> layers;
   const Block& block = cursor.block();
-  bool blank = false, told = false;
+  bool blank = false, reported = false;
   const auto take = [&](const Row& row, std::string_view mid, std::string_view thick, std::string_view angle) {
     const bool has_material = row.integer(mid) != 0, has_thickness = row.real(thick) > 0.0;
     if (!has_material && !has_thickness) {
@@ -192,9 +192,9 @@ std::vector<LayerCard> read_layers(Builder& b, Cursor& cursor, bool one_a_line) 
       refuse(b, row, has_material ? thick : mid,
              has_material ? "a layer without a thickness" : "a layer without a material",
              "give each layer both, or leave it blank");
-    else if (blank && !told)
+    else if (blank && !reported)
       refuse(b, row, mid, "a layer above a blank one", "write the layers one after the other");
-    told = told || blank || !has_material || !has_thickness;
+    reported = reported || blank || !has_material || !has_thickness;
     LayerCard layer{0.0, row.real(thick), row, mid, LayerCard::Names::material};
     layer.angle = row.real(angle) * (std::numbers::pi / 180.0);
     if (one_a_line) layer.shear_scale = row.real("shrfac");
@@ -205,15 +205,15 @@ std::vector<LayerCard> read_layers(Builder& b, Cursor& cursor, bool one_a_line) 
     take(row, "mid1", "thick1", "b1");
     if (!one_a_line) take(row, "mid2", "thick2", "b2");
   }
-  if (layers.empty() && !told) {
+  if (layers.empty() && !reported) {
     b.findings.error(block.place, block.starred(), "the part has no layers", "give MID1, THICK1 and so on");
   } else if (layers.size() > static_cast<std::size_t>(kernel::most_layers)) {
     b.findings.error(block.place, block.starred(),
                      fmt::format("{} layers; up to {} are built", layers.size(), kernel::most_layers),
                      "join neighbours of the same material");
-    told = true;
+    reported = true;
   }
-  if (told) layers.clear();
+  if (reported) layers.clear();
   return layers;
 }
 

@@ -158,7 +158,7 @@ bool take_edges(Builder& builder, const Block& block, const Row& row, RigidWall&
 void skip_display(Builder& builder, Cursor& cursor, const Options& options) {
   if (!options.contains("DISPLAY") || cursor.left() == 0) return;
   const Row row = cursor.read(display_card);
-  row.complain(builder.findings, Severity::note, "pid", "the wall is not drawn in d3plot; its forces are in rwforc");
+  row.report(builder.findings, Severity::note, "pid", "the wall is not drawn in d3plot; its forces are in rwforc");
 }
 
 std::vector<Index> candidates(Builder& builder, const Row& row) {
@@ -200,7 +200,7 @@ double depth_in(const RigidWall& wall, const Vec3d& x) {
 }
 
 /// Nodes that a wall starts behind its face are not pushed out.
-void tell_of_nodes_behind(Builder& builder, const Row& row, const RigidWall& wall) {
+void report_nodes_behind(Builder& builder, const Row& row, const RigidWall& wall) {
   constexpr double round_off = 1e-6;  // of the node's distance from the wall's reference point
   std::size_t behind = 0;
   Index deepest = none;
@@ -213,11 +213,11 @@ void tell_of_nodes_behind(Builder& builder, const Row& row, const RigidWall& wal
     if (own > depth) depth = own, deepest = node;
   }
   if (behind == 0) return;
-  row.complain(builder.findings, Severity::warning, "nsid",
-               fmt::format("{} nodes start behind the wall, node {} the deepest, by {:.4g}: they are kept from going "
-                           "deeper, not pushed out",
-                           behind, builder.model.nodes.id[static_cast<std::size_t>(deepest)], depth),
-               "shift the wall, turn its normal, or leave them out by nsidex");
+  row.report(builder.findings, Severity::warning, "nsid",
+             fmt::format("{} nodes start behind the wall, node {} the deepest, by {:.4g}: they are kept from going "
+                         "deeper, not pushed out",
+                         behind, builder.model.nodes.id[static_cast<std::size_t>(deepest)], depth),
+             "shift the wall, turn its normal, or leave them out by nsidex");
 }
 
 /// The nodes that the wall stops: NSID or all, in the box, near enough, without NSIDEX and, as in LS-DYNA, without
@@ -239,12 +239,12 @@ void take_nodes(Builder& builder, const Row& row, double reach, RigidWall& wall)
   }
   make_unique(wall.nodes);
   if (rigid > 0 && !by_penalty)
-    row.complain(
+    row.report(
         builder.findings, Severity::warning, "nsid",
         fmt::format("{} nodes of rigid parts pass through the wall: it stops deformable ones (RWPNAL = 0)", rigid),
         "give RWPNAL 1 on *CONTROL_CONTACT to have them stopped by penalty");
-  if (wall.nodes.empty()) row.complain(builder.findings, Severity::warning, "nsid", "the wall stops no node");
-  if (wall.birth == 0.0) tell_of_nodes_behind(builder, row, wall);
+  if (wall.nodes.empty()) row.report(builder.findings, Severity::warning, "nsid", "the wall stops no node");
+  if (wall.birth == 0.0) report_nodes_behind(builder, row, wall);
 }
 
 void take_curve(Builder& builder, const Row& motion, RigidWall& wall) {
@@ -252,21 +252,20 @@ void take_curve(Builder& builder, const Row& motion, RigidWall& wall) {
   if (!wall.motion_is_displacement || wall.motion_curve == none) return;
   const Curve& curve = builder.model.curves[static_cast<std::size_t>(wall.motion_curve)];
   if (const double first = curve.clamped(0.0); first != 0.0)
-    motion.complain(
-        builder.findings, Severity::warning, "lcid",
-        fmt::format("the wall is displaced by {:g} at its start: it starts where its card puts it and moves "
-                    "by what the curve adds",
-                    first),
-        "let the curve begin with 0");
+    motion.report(builder.findings, Severity::warning, "lcid",
+                  fmt::format("the wall is displaced by {:g} at its start: it starts where its card puts it and moves "
+                              "by what the curve adds",
+                              first),
+                  "let the curve begin with 0");
 }
 
 void leave_wall(Builder& builder, const Row& row, double reach, RigidWall wall, const std::optional<Row>& motion = {}) {
-  builder.later(Phase::conditions, [row, reach, wall = std::move(wall), motion](Builder& b) mutable {
+  builder.defer(Phase::conditions, [row, reach, wall = std::move(wall), motion](Builder& b) mutable {
     take_nodes(b, row, reach, wall);
     if (const double end = b.model.control.end_time; end > 0.0 && wall.birth >= end)
-      row.complain(b.findings, Severity::warning, "birth",
-                   fmt::format("the wall is born after the end of the run ({:g}): it stops nothing", end),
-                   "give 0 if it is to act from the start");
+      row.report(b.findings, Severity::warning, "birth",
+                 fmt::format("the wall is born after the end of the run ({:g}): it stops nothing", end),
+                 "give 0 if it is to act from the start");
     if (motion) take_curve(b, *motion, wall);
     if (wall.id == 0) {
       wall.id = static_cast<int>(b.model.walls.size());
@@ -345,8 +344,8 @@ bool take_form(Builder& builder, const Block& block, Cursor& cursor, RigidWall& 
     const int sections = row.integer("nsegs");
     for (int i = 0; i < sections; ++i) cursor.read(section_card);
     if (sections > 1)
-      row.complain(builder.findings, Severity::warning, "nsegs",
-                   "forces by section are not written yet; rwforc holds the wall's sum");
+      row.report(builder.findings, Severity::warning, "nsegs",
+                 "forces by section are not written yet; rwforc holds the wall's sum");
   } else if constexpr (form == Form::sphere) {
     wall.radius = cursor.read(sphere_card).real("radsph");
   } else if constexpr (form == Form::prism) {
@@ -405,7 +404,7 @@ std::vector<Keyword> rigidwall_keywords() {
     return Keyword{name,
                    {},
                    {"MOTION", "DISPLAY", "ID"},
-                   Verdict::used,
+                   KeywordStatus::used,
                    {},
                    {{"with _ID", &wall_id_card},
                     {{}, &geometric_card1},
@@ -418,14 +417,14 @@ std::vector<Keyword> rigidwall_keywords() {
   Keyword cylinder = geometric("RIGIDWALL_GEOMETRIC_CYLINDER", cylinder_card, read_geometric<Form::cylinder>);
   cylinder.layout.insert(cylinder.layout.begin() + 4, {"nsegs times", &section_card});
   const auto refused = [](std::string_view name, std::string_view why) {
-    return Keyword{name, {},     {"FINITE", "MOVING", "FORCES", "MOTION", "DISPLAY", "ID"}, Verdict::refused, why,
+    return Keyword{name, {},     {"FINITE", "MOVING", "FORCES", "MOTION", "DISPLAY", "ID"}, KeywordStatus::refused, why,
                    {},   nullptr};
   };
   return {
       {"RIGIDWALL_PLANAR",
        {},
        {"FINITE", "MOVING", "FORCES", "DISPLAY", "ID"},
-       Verdict::used,
+       KeywordStatus::used,
        {},
        {{"with _ID", &wall_id_card},
         {{}, &planar_card1},

@@ -179,7 +179,7 @@ void add_section(Builder& b, const Row& row, Section section, Ids& ids, std::vec
 /// The layers of the section that comes next are those of a rule of the user.
 void take_rule(Builder& b, const Row& row) {
   const int id = -row.integer("qr_irid");
-  b.later(Phase::curves, [row, id, index = b.model.shell_sections.size()](Builder& builder) {
+  b.defer(Phase::curves, [row, id, index = b.model.shell_sections.size()](Builder& builder) {
     const auto found = builder.layer_rules.find(id);
     if (found == builder.layer_rules.end())
       return refuse(builder, row, "qr_irid", fmt::format("rule {} is not defined", id),
@@ -190,9 +190,9 @@ void take_rule(Builder& b, const Row& row) {
     for (const LayerCard& layer : found->second.layers) section.rule.push_back({layer.place, layer.share});
     section.layers = static_cast<int>(section.rule.size());
     if (row.integer("nip") != section.layers)
-      row.complain(builder.findings, Severity::warning, "nip",
-                   fmt::format("there are {} layers, as rule {} of *INTEGRATION_SHELL says", section.layers, id),
-                   fmt::format("write {}", section.layers));
+      row.report(builder.findings, Severity::warning, "nip",
+                 fmt::format("there are {} layers, as rule {} of *INTEGRATION_SHELL says", section.layers, id),
+                 fmt::format("write {}", section.layers));
   });
 }
 
@@ -222,7 +222,7 @@ void read_rule(Builder& b, const Block& block, const Options&) {
     const int count = row.integer("nip");
     if (count < 1 || count > kernel::most_layers) return;  // refused by its range
     LayerStack rule;
-    rule.outlived_by_sound = row.integer("failopt") == 1;
+    rule.kept_by_unfailing_layers = row.integer("failopt") == 1;
     const bool equal = row.integer("esop") == 1;
     for (int k = 0; k < count; ++k) {
       if (equal) {
@@ -239,10 +239,10 @@ void read_rule(Builder& b, const Block& block, const Options&) {
     double sum = 0.0, moment = 0.0;
     for (const LayerCard& layer : rule.layers) sum += layer.share, moment += layer.share * layer.place;
     if (std::abs(sum - 1.0) > 1e-3 || std::abs(moment) > 1e-3)
-      row.complain(b.findings, Severity::warning, "irid",
-                   fmt::format("the layers' shares sum up to {:.4g} and lie about {:.4g} of half the thickness", sum,
-                               moment / sum),
-                   "a sheet has 1 and 0: see WF and S");
+      row.report(b.findings, Severity::warning, "irid",
+                 fmt::format("the layers' shares sum up to {:.4g} and lie about {:.4g} of half the thickness", sum,
+                             moment / sum),
+                 "a sheet has 1 and 0: see WF and S");
     if (!b.layer_rules.try_emplace(row.integer("irid"), std::move(rule)).second)
       refuse(b, row, "irid", fmt::format("rule {} is defined twice", row.integer("irid")), "give it another id");
   }
@@ -273,12 +273,12 @@ void read_diameters(Builder& b, const Row& row, const Row& weld, SectionBeam& s)
       refuse(b, weld, end == 0 ? "tt1" : "tt2", "the inner diameter must be smaller than the outer one",
              "leave it 0 for a full section");
   if (row.integer("cst") != 1)
-    row.complain(b.findings, Severity::warning, "cst", "a weld is round: TS and TT are taken as diameters", "write 1");
+    row.report(b.findings, Severity::warning, "cst", "a weld is round: TS and TT are taken as diameters", "write 1");
   if (s.quadrature < 1 || s.quadrature > 5)
     refuse(b, row, "qr_irid", "integration rules of the user are not built", "write 1 to 5");
   else if (s.quadrature == 1)
-    row.complain(b.findings, Severity::warning, "qr_irid", "one point has no bending stiffness: a weld gets four",
-                 "write 2");
+    row.report(b.findings, Severity::warning, "qr_irid", "one point has no bending stiffness: a weld gets four",
+               "write 2");
 }
 
 void read_discrete(Builder& b, const Row& row, const Row& discrete, SectionBeam& s) {
@@ -288,7 +288,7 @@ void read_discrete(Builder& b, const Row& row, const Row& discrete, SectionBeam&
   if (s.scoor != row.real("scoor") || std::abs(s.scoor) > 3)
     refuse(b, row, "scoor", "this way of turning the triad is not built", "write a whole number from -3 to 3");
   if (discrete.integer("cid") == 0) return;
-  b.later(Phase::bodies, [index = b.model.beam_sections.size(), discrete](Builder& later) {
+  b.defer(Phase::bodies, [index = b.model.beam_sections.size(), discrete](Builder& later) {
     later.model.beam_sections[index].system = later.system(discrete, "cid");
   });
 }

@@ -222,9 +222,9 @@ void read_ranges(Builder& b, Cursor& cursor, const KindCards& cards, bool has_in
       const int begin = row.integer(fmt::format("id{}", i)), end = row.integer(fmt::format("id{}", i + 1));
       if (begin == 0 && end == 0) continue;
       if (end < begin)
-        row.complain(b.findings, Severity::warning, fmt::format("id{}", i + 1),
-                     fmt::format("the range from {} to {} ends before it begins: it has no members", begin, end),
-                     "write begin and end in pairs");
+        row.report(b.findings, Severity::warning, fmt::format("id{}", i + 1),
+                   fmt::format("the range from {} to {} ends before it begins: it has no members", begin, end),
+                   "write begin and end in pairs");
       SetStep step;
       step.source = Source::range;
       step.kind = cards.kind;
@@ -296,7 +296,8 @@ void read_set(Builder& b, const Block& block, const Options& options, const Kind
   } else {
     read_members(cursor, cards, options.contains("COLUMN") ? *cards.column : *cards.ids, Source::members, Action::add,
                  recipe);
-    // Attributes of single nodes, shells and segments are told where they would count, never used: one stands for all.
+    // Attributes of single nodes, shells and segments are reported where they would count, never used: one stands for
+    // all.
     if (cards.kind != SetKind::part)
       for (SetStep& step : steps)
         for (std::size_t i = 0; i < 4; ++i)

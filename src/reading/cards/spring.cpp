@@ -10,7 +10,7 @@
 #include "reading/cards/families.hpp"
 
 // Springs and dampers: *ELEMENT_DISCRETE, *SECTION_DISCRETE, *DEFINE_SD_ORIENTATION, *MAT_SPRING_..., *MAT_DAMPER_...
-// Layouts: keywords.md sections 4, 5 and 6.
+// Layouts: public keyword tables (PyDYNA).
 namespace nugget::reading {
 
 namespace {
@@ -146,7 +146,7 @@ void read_elements(Builder& b, const Block& block, const Options&) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     const Row row = cursor.read(element_card);
     b.discrete_rows.push_back(row);
-    b.later(Phase::systems, [row, length = block.transform ? block.transform->length : 1.0](Builder& later) {
+    b.defer(Phase::systems, [row, length = block.transform ? block.transform->length : 1.0](Builder& later) {
       link_orientation(later, row, length);
     });
   }
@@ -211,7 +211,7 @@ void read_orientation(Builder& b, const Block& block, const Options& options) {
       else
         refuse(b, row, "xt", "the vector has no length", "give its components");
     } else {
-      b.later(Phase::systems, [row, index](Builder& later) { link_nodes(later, row, index); });
+      b.defer(Phase::systems, [row, index](Builder& later) { link_nodes(later, row, index); });
     }
     b.spring_orientations.add(o.id, static_cast<Index>(index), o.place, block.starred(), "orientation", b.findings);
     b.model.spring_orientations.push_back(o);
@@ -268,19 +268,19 @@ void fill_elastoplastic(Builder& b, const Row& row, double lever, kernel::Spring
 }
 
 /// Warns of a curve for both signs that does not go through 0, 0.
-void complain_of_leap(Builder& b, const Row& row, std::string_view field, const kernel::ForceCurve& force) {
+void report_leap(Builder& b, const Row& row, std::string_view field, const kernel::ForceCurve& force) {
   const double leap = force(1e-300);
   if (force.empty() || force(-1e-300) != -leap || std::abs(leap) <= 1e-9 * force.largest()) return;
-  row.complain(b.findings, Severity::warning, field,
-               fmt::format("the curve holds for both signs: at 0 the force leaps from {:g} to {:g}", -leap, leap),
-               "let the curve begin at 0, 0, or give both sides");
+  row.report(b.findings, Severity::warning, field,
+             fmt::format("the curve holds for both signs: at 0 the force leaps from {:g} to {:g}", -leap, leap),
+             "let the curve begin at 0, 0, or give both sides");
 }
 
 void fill_nonlinear(Builder& b, const Row& row, double, kernel::Spring& spring) {
   kernel::DiscreteSpring law;
   law.kind = Kind::elastic;
   law.load = force_curve(b, row, "lcd");
-  complain_of_leap(b, row, "lcd", law.load);
+  report_leap(b, row, "lcd", law.load);
   law.rate_scale = force_curve(b, row, "lcr");
   spring.law = law;
 }
@@ -300,11 +300,11 @@ std::optional<double> driving_rate(const Curve& curve, const kernel::ForceCurve&
 void fill_nonlinear_viscous(Builder& b, const Row& row, double, kernel::Spring& spring) {
   kernel::DiscreteSpring law;
   law.damper = force_curve(b, row, "lcdr");
-  complain_of_leap(b, row, "lcdr", law.damper);
+  report_leap(b, row, "lcdr", law.damper);
   if (const std::optional<double> rate = driving_rate(curve_of(b, row, "lcdr"), law.damper); rate)
-    row.complain(b.findings, Severity::warning, "lcdr",
-                 fmt::format("at a rate of {:g} the force drives the motion: the damper makes energy", *rate),
-                 "give forces of the sign of their rate, and end slopes that do not lead to the other sign");
+    row.report(b.findings, Severity::warning, "lcdr",
+               fmt::format("at a rate of {:g} the force drives the motion: the damper makes energy", *rate),
+               "give forces of the sign of their rate, and end slopes that do not lead to the other sign");
   spring.law = law;
 }
 
@@ -344,15 +344,15 @@ void fill_reversing(Builder& b, const Row& row, double lever, kernel::Spring& sp
     refuse(b, row, "lcdl", "with isotropic hardening the loading curve must rise from each point to the next",
            "write BETA 0 for a curve that softens");
   if (const std::optional<double> force = too_soft_unloading(law); force)
-    row.complain(b.findings, Severity::warning, "lcdu",
-                 fmt::format("unloaded from {:g} the spring gives back more energy than loading took", *force),
-                 "make the unloading curve at least as steep as the loading curve");
+    row.report(b.findings, Severity::warning, "lcdu",
+               fmt::format("unloaded from {:g} the spring gives back more energy than loading took", *force),
+               "make the unloading curve at least as steep as the loading curve");
 }
 
 void fill_maxwell(Builder& b, const Row& row, double lever, kernel::Spring& spring) {
   kernel::MaxwellSpring law;
-  law.early = row.real("k0") * lever * lever;
-  law.late = row.real("ki") * lever * lever;
+  law.instantaneous_stiffness = row.real("k0") * lever * lever;
+  law.long_term_stiffness = row.real("ki") * lever * lever;
   law.decay = row.real("beta");
   law.cut_off = row.real("tc");
   law.last_force = row.real("fc") * lever;
@@ -403,7 +403,7 @@ void read_law(Builder& b, const Block& block, const Options& options) {
     b.materials.add(m.id, static_cast<Index>(index), m.place, row.keyword(), "material", b.findings);
     b.model.materials.push_back(std::move(m));
     // Curves may be defined later in the deck, and which springs turn is known when parts have their sections.
-    b.later(Phase::systems, [row, index, length = length_factor(block)](Builder& later) {
+    b.defer(Phase::systems, [row, index, length = length_factor(block)](Builder& later) {
       const double lever = lever_of(later, row, index, length);
       fill(later, row, lever, std::get<kernel::Spring>(later.model.materials[index].law));
     });

@@ -142,7 +142,7 @@ void check_together(Builder& b, const Row& row, const SteadyState& s, const Stea
     refuse(b, row, "vad", "subcases share their modes, and enforced nodes would be held in those of all",
            "make a deck for each enforced motion");
   if (s.relative && !base)
-    row.complain(b.findings, Severity::warning, "vad", "RELATV has no effect: no base moves (VAD 2, 3, 4, 9, 10, 11)");
+    row.report(b.findings, Severity::warning, "vad", "RELATV has no effect: no base moves (VAD 2, 3, 4, 9, 10, 11)");
 }
 
 /// What stands on the cards.
@@ -216,8 +216,8 @@ void make_power(Builder& b, const Cards& cards) {
                                       : "the corrected radiated power is not built (what corrects it is not public)",
            "write 0 for the classic one");
   if (p.reference == 0.0)
-    row.complain(b.findings, Severity::warning, "erpref", "no ERP_dB: decibels need a power that they refer to",
-                 "give it in the units of the deck (1e-12 W is 1e-9 mN m/s, that of mm, t, s)");
+    row.report(b.findings, Severity::warning, "erpref", "no ERP_dB: decibels need a power that they refer to",
+               "give it in the units of the deck (1e-12 W is 1e-9 mN m/s, that of mm, t, s)");
   for (const Row& panel : cards.panels) p.panels.push_back(panel_of(b, panel));
 }
 
@@ -243,8 +243,8 @@ void make_ssd(Builder& b, const Cards& cards) {
   s.damping = damping_of(b, damping);
   if (damping.integer("dmpflg") == 1) {
     if (s.damping.ratio > 0.0 || s.damping.curve != none || s.damping.mass > 0.0 || s.damping.stiffness > 0.0)
-      damping.complain(b.findings, Severity::warning, "dmpflg",
-                       "it replaces DAMPF, LCDAM, DMPMAS and DMPSTF, which have no effect");
+      damping.report(b.findings, Severity::warning, "dmpflg",
+                     "it replaces DAMPF, LCDAM, DMPMAS and DMPSTF, which have no effect");
     s.damping = {};
     s.damping.of_parts = true;
   }
@@ -340,14 +340,14 @@ void read_ssd(Builder& b, const Block& block, const Options& options) {
       return refuse(b, modes, "mdmin", "no load is given", "give a load card after the first three");
     cards.cases.push_back(std::move(all));
   }
-  b.later(Phase::conditions, [cards](Builder& later) { make_ssd(later, cards); });
-  b.later(Phase::checks, [cards](Builder& later) { check_ssd(later, cards); });
+  b.defer(Phase::conditions, [cards](Builder& later) { make_ssd(later, cards); });
+  b.defer(Phase::checks, [cards](Builder& later) { check_ssd(later, cards); });
 }
 
 /// A request of output is for nothing without loads.
 void expect_loads(Builder& b, const Row& row, std::string_view field) {
   if (!b.model.steady_state || !b.model.steady_state->cases.empty()) return;
-  row.complain(b.findings, Severity::warning, field, "no response: there is no *FREQUENCY_DOMAIN_SSD");
+  row.report(b.findings, Severity::warning, field, "no response: there is no *FREQUENCY_DOMAIN_SSD");
   b.model.steady_state.reset();
 }
 
@@ -355,9 +355,9 @@ void read_nodout_ssd(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   const Row row = cursor.read(ascii_card);
   expect_end(b, cursor);
-  b.later(Phase::conditions,
+  b.defer(Phase::conditions,
           [row](Builder& later) { static_cast<Frequencies&>(steady_state(later)) = frequencies_of(later, row); });
-  b.later(Phase::checks, [row](Builder& later) { expect_loads(later, row, "fmin"); });
+  b.defer(Phase::checks, [row](Builder& later) { expect_loads(later, row, "fmin"); });
 }
 
 void read_d3ssd(Builder& b, const Block& block, const Options&) {
@@ -366,18 +366,18 @@ void read_d3ssd(Builder& b, const Block& block, const Options&) {
   expect_end(b, cursor);
   const int binary = kind.integer("binary");
   if (binary == 0)
-    return kind.complain(b.findings, Severity::warning, "binary", "no d3ssd is written", "write 1, 90 or 91");
+    return kind.report(b.findings, Severity::warning, "binary", "no d3ssd is written", "write 1, 90 or 91");
   if (binary != 1 && binary < 90)
     return refuse(b, kind, "binary", "files of complex numbers are not built", "write 90 in one run and 91 in another");
   expect(b, kind, Severity::warning, {{"psetid", 0, "not obeyed: the file holds all parts, as with 0"}});
-  b.later(Phase::conditions, [binary, row](Builder& later) {
+  b.defer(Phase::conditions, [binary, row](Builder& later) {
     using Part = SteadyState::States::Part;
     SteadyState::States states;
     static_cast<Frequencies&>(states) = frequencies_of(later, row);
     states.part = binary == 90 ? Part::real : binary == 91 ? Part::imaginary : Part::amplitude;
     steady_state(later).states = std::move(states);
   });
-  b.later(Phase::checks, [kind](Builder& later) { expect_loads(later, kind, "binary"); });
+  b.defer(Phase::checks, [kind](Builder& later) { expect_loads(later, kind, "binary"); });
 }
 
 void read_d3erp(Builder& b, const Block& block, const Options&) {
@@ -388,16 +388,16 @@ void read_d3erp(Builder& b, const Block& block, const Options&) {
   expect_end(b, cursor);
   expect(b, kind, Severity::warning,
          {{"binary", 0, "no d3erp, whose layout is not published; ERP_abs, ERP_dB and erp.csv are written"}});
-  b.later(Phase::conditions, [row](Builder& later) {
+  b.defer(Phase::conditions, [row](Builder& later) {
     if (row) static_cast<Frequencies&>(radiated_power(later)) = frequencies_of(later, *row);
   });
-  b.later(Phase::checks, [kind](Builder& later) {
+  b.defer(Phase::checks, [kind](Builder& later) {
     expect_loads(later, kind, "binary");
     if (!later.model.steady_state) return;
     std::optional<SteadyState::RadiatedPower>& power = later.model.steady_state->radiated_power;
     if (power && !power->panels.empty()) return;
-    kind.complain(later.findings, Severity::warning, "binary", "no radiated power: *FREQUENCY_DOMAIN_SSD has no panels",
-                  "write *FREQUENCY_DOMAIN_SSD_ERP with panels");
+    kind.report(later.findings, Severity::warning, "binary", "no radiated power: *FREQUENCY_DOMAIN_SSD has no panels",
+                "write *FREQUENCY_DOMAIN_SSD_ERP with panels");
     power.reset();
   });
 }
@@ -428,10 +428,10 @@ std::vector<Keyword> steady_state_keywords() {
        .layout = {{"", &binary_card}, {"", &states_card}},
        .read = read_d3ssd},
       {.name = "DATABASE_FREQUENCY_ASCII_*",
-       .verdict = Verdict::refused,
+       .status = KeywordStatus::refused,
        .why = "of the histories over frequency _NODOUT_SSD is written"},
       {.name = "DATABASE_FREQUENCY_BINARY_*",
-       .verdict = Verdict::refused,
+       .status = KeywordStatus::refused,
        .why = "of the state files over frequency _D3SSD is written"},
   };
 }

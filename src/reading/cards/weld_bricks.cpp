@@ -74,7 +74,7 @@ void read_assembly(Builder& b, const Block& block, const Options& options) {
     const Row head = cursor.read(assembly_card);
     std::vector<Row> rows{cursor.read(bricks_card)};
     if (wanted == 16) rows.push_back(cursor.read(more_bricks_card));
-    b.later(Phase::conditions, [head, rows, wanted](Builder& later) {
+    b.defer(Phase::conditions, [head, rows, wanted](Builder& later) {
       HexAssembly assembly{head.integer("id_sw"), {}, {}, {none, none}, head.place()};
       const int errors = later.findings.errors();
       int first = 1;
@@ -108,7 +108,7 @@ Index size_factor(Builder& b, const Row& row, std::string_view field) {
 /// LS-DYNA's documents name the two axes of T_ORT but not which is the table's and which the curves': angles go on to
 /// 45 degrees, places to 1.
 PlaceFactor place_factor(Builder& b, const Row& row, std::string_view field) {
-  PlaceFactor factor{b.whole_table(b.find(b.tables, "table", row, field)), false};
+  PlaceFactor factor{b.table_with_curves(b.find(b.tables, "table", row, field)), false};
   if (!factor.table.given()) return {};
   constexpr double farthest_place = 1.05;  // a weld may be tied a little beyond the border
   for (const Curve& curve : factor.table.curve) {
@@ -137,7 +137,7 @@ void read_weld_beam(Builder& b, const Block& block, const Options&) {
     for (const auto* field : {"t_ort", "t_ors"})
       refuse_nonzero(b, row, field, "the nodes of the bricks of RPBHX stand on more than one place of a shell",
                      "leave it 0, or keep the beams (RPBHX 0)");
-  b.later(Phase::conditions, [row, bricks](Builder& later) {
+  b.defer(Phase::conditions, [row, bricks](Builder& later) {
     WeldBeamControl& c = later.model.control.weld_beams;
     c.tension_curve = size_factor(later, row, "lct");
     c.shear_curve = size_factor(later, row, "lcs");
@@ -148,7 +148,7 @@ void read_weld_beam(Builder& b, const Block& block, const Options&) {
     c.part_offset = row.integer("id_off");
     c.place = row.place();
     if (const Set<Index>* set = later.beam_set(row, "bmsid")) {
-      c.only_some = true;
+      c.only_listed = true;
       c.beams = set->members;
     }
   });

@@ -210,7 +210,7 @@ void refuse_option(Builder& b, const Row& row, int option) {
 }
 
 /// The failure card without a finding: the cursor reads it once more in its turn.
-Row look_ahead(const Builder& b, const Block& block, const Options& options) {
+Row peek_option(const Builder& b, const Block& block, const Options& options) {
   Findings unheard;
   Cursor ahead(b.deck, block, unheard);
   read_title(ahead, options);
@@ -238,7 +238,7 @@ RateValue strength(Builder& b, const Row& row, std::string_view field) {
 CurveTable direction_strength(Builder& b, const Row& row, std::string_view field) {
   const int id = row.integer(field);
   if (id == 0) return {};
-  if (const Index t = b.tables.find(id); t != none) return b.whole_table(t);
+  if (const Index t = b.tables.find(id); t != none) return b.table_with_curves(t);
   const Index c = b.find(b.curves, "curve or table", row, field);
   return c == none ? CurveTable{} : CurveTable{id, {0.0}, {b.model.curves[static_cast<std::size_t>(c)]}};
 }
@@ -349,8 +349,8 @@ void check_damage(Builder& b, const Row& failure, const Row& row, const WeldDama
     return refuse(b, row, "dmgopt", fmt::format("DMGOPT {} is not a damage option of MAT_100", option),
                   "built are 0, 1, 2, 10, 11 and 12");
   if (damage.rupture <= 0.0 && (option != 0 || damage.beta > 0.0))
-    failure.complain(b.findings, Severity::warning, "rs", "without RS there is no damage: the weld fails at once",
-                     "give RS");
+    failure.report(b.findings, Severity::warning, "rs", "without RS there is no damage: the weld fails at once",
+                   "give RS");
   if (option < 2 && damage.rupture > 0.0 && damage.rupture <= failure_strain)
     refuse(b, failure, "rs", fmt::format("the plastic strain at rupture must be above EFAIL = {:g}", failure_strain),
            "give a larger RS, or leave it blank: points then fail at EFAIL at once");
@@ -358,12 +358,12 @@ void check_damage(Builder& b, const Row& failure, const Row& row, const WeldDama
 
 void check_correction(Builder& b, const Row& row) {
   if (row.integer("ttopt") == 1)
-    row.complain(b.findings, Severity::warning, "ttopt",
-                 "the correction of release 8 is not public: it is made free of the numbering, as with 2",
-                 "write 0 or 2");
+    row.report(b.findings, Severity::warning, "ttopt",
+               "the correction of release 8 is not public: it is made free of the numbering, as with 2",
+               "write 0 or 2");
 }
 
-/// RS is a time with DMGOPT 2 and 12, so its card cannot tell its unit.
+/// RS is a time with DMGOPT 2 and 12, so its card cannot say its unit.
 void scale_rupture(const Block& block, WeldDamage& damage) {
   if (block.transform && damage.option % 10 == 2) damage.rupture *= block.transform->factor(dimension::time);
 }
@@ -389,7 +389,7 @@ void read_damage(Builder& b, Cursor& cursor, WeldLaw& law, const Row& row, doubl
   check_damage(b, row, more, damage, failure_strain);
   for (const auto* field : {"fmode", "ffcap"})
     if (damage.option < 10 && more.real(field) != 0.0)
-      more.complain(b.findings, Severity::warning, field, "counts for DMGOPT 10, 11 and 12 only", "leave it blank");
+      more.report(b.findings, Severity::warning, field, "counts for DMGOPT 10, 11 and 12 only", "leave it blank");
 }
 
 /// DMGOPT 0 to 2: every point is damaged by itself.
@@ -400,11 +400,11 @@ kernel::PointDamage point_damage(const WeldDamage& damage) {
 }
 
 /// DMGOPT 10 to 12: EFAIL begins the damage of the weld as a whole, and no point fails by itself.
-void let_the_weld_fade(WeldDamage& damage, kernel::Spotweld& law) {
+void set_weld_damage(WeldDamage& damage, kernel::Spotweld& law) {
   if (damage.rupture <= 0.0 || damage.option < 10) return;
   damage.failure_strain = law.failure_strain;
   law.failure_strain = 0.0;
-  law.yield_can_be_held = damage.option > 10;
+  law.yield_can_be_frozen = damage.option > 10;
 }
 
 /// SIGY < 0: a yield curve over plastic strain, or a table of them over the strain rate.
@@ -444,10 +444,10 @@ bool is_uniaxial(Builder& b, const Row& row, const Options& options) {
 void read_weld(Builder& b, const Block& block, const Options& options, bool with_failure) {
   int option = 0;
   if (with_failure) {
-    const Row failure = look_ahead(b, block, options);
+    const Row failure = peek_option(b, block, options);
     option = static_cast<int>(failure.real("opt"));
     if (!strength_card(option)) {
-      b.leave_out(block);
+      b.mark_ignored(block);
       return refuse_option(b, failure, option);
     }
   }
@@ -469,14 +469,14 @@ void read_weld(Builder& b, const Block& block, const Options& options, bool with
     failure = cursor.read(failure_card_for(option));
     read_damage(b, cursor, weld, *failure, law.failure_strain);
     law.damage = point_damage(weld.damage);
-    let_the_weld_fade(weld.damage, law);
+    set_weld_damage(weld.damage, law);
   }
   expect_end(b, cursor);
   const Index index = add_weld(b, row, std::move(title), with_failure ? "MAT_SPOTWELD_DAMAGE-FAILURE" : "MAT_SPOTWELD",
                                law, std::move(weld));
   // Curves and tables may be defined later in the deck.
   const std::size_t material = b.model.materials.size() - 1;
-  b.later(Phase::parts, [material, index, row, second, failure,
+  b.defer(Phase::parts, [material, index, row, second, failure,
                          length = block.transform ? block.transform->length : 1.0](Builder& later) {
     WeldLaw& built = later.model.weld_laws[static_cast<std::size_t>(index)];
     set_yield_curve(later, row, std::get<kernel::Spotweld>(later.model.materials[material].law));
@@ -517,7 +517,7 @@ void read_connection(Builder& b, const Block& block, const Options& options) {
   if (third.integer("dmgopt") == -1) check_correction(b, cursor.read(connection_more_card));
   expect_end(b, cursor);
   const Index index = add_weld(b, row, std::move(title), "MAT_SPOTWELD_DAIMLERCHRYSLER", law, std::move(weld));
-  b.later(Phase::parts, [index, third](Builder& later) {
+  b.defer(Phase::parts, [index, third](Builder& later) {
     if (third.integer("con_id") > 0)
       later.model.weld_laws[static_cast<std::size_t>(index)].properties =
           later.find(later.connections, "connection", third, "con_id");

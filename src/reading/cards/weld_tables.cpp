@@ -138,7 +138,7 @@ void read_rupture_stress(Builder& b, const Block& block, const Options& options)
   read_title(cursor, options);
   while (!at_end(cursor)) {
     const Row row = cursor.read(rupture_stress_card);
-    b.later(Phase::curves, [row](Builder& later) {
+    b.defer(Phase::curves, [row](Builder& later) {
       if (const Index part = later.part(row, "pid"); part != none)
         later.model.rupture_stresses.push_back({part, row.real("srsig"), row.real("sigtau")});
     });
@@ -168,7 +168,7 @@ void read_pair_strengths(Builder& b, const Block& block, const Options& options)
   read_title(cursor, options);
   const Row first = cursor.read(pair_default_card);
   const std::vector<Row> pairs = rest_of(cursor, pair_card);
-  b.later(Phase::curves, [first, pairs](Builder& later) {
+  b.defer(Phase::curves, [first, pairs](Builder& later) {
     PairStrengths* table =
         add_table(later, later.model.pair_strengths, later.pair_strengths, first, "id", "table of pairs");
     if (!table) return;
@@ -198,7 +198,7 @@ void read_load_rate(Builder& b, const Block& block, const Options& options) {
   const bool by_pair = options.contains("PID");
   const Row first = cursor.read(load_rate_card), second = cursor.read(load_rate_default_card);
   const std::vector<Row> rows = rest_of(cursor, by_pair ? load_rate_pair_card : load_rate_material_card);
-  b.later(Phase::curves, [first, second, rows, by_pair](Builder& later) {
+  b.defer(Phase::curves, [first, second, rows, by_pair](Builder& later) {
     LoadRateStrengths* table = add_table(later, later.model.load_rate_strengths, later.load_rate_strengths, first, "id",
                                          "table of weld strengths");
     if (!table) return;
@@ -221,7 +221,7 @@ void read_load_rate_add(Builder& b, const Block& block, const Options& options) 
   const Row first = cursor.read(load_rate_add_card);
   const std::vector<Row> rows = rest_of(cursor, load_rate_material_card);
   // One phase later than the tables themselves.
-  b.later(Phase::mesh, [first, rows](Builder& later) {
+  b.defer(Phase::mesh, [first, rows](Builder& later) {
     const Index table = later.find(later.load_rate_strengths, "*DEFINE_SPOTWELD_FAILURE", first, "id");
     if (table == none) return;
     for (const Row& row : rows)
@@ -271,8 +271,8 @@ ConnectionProperties::Record record(Builder& b, const Row& first, const Row& mor
 /// DG_PR: how it bends the damage of DGTYP 1 is not public.
 void warn_of_hyperbola(Builder& b, const Row& row, std::string_view field) {
   if (row.real(field) != 1e10)
-    row.complain(b.findings, Severity::warning, field, "hyperbolic damage is not public: the damage is linear",
-                 "leave it blank");
+    row.report(b.findings, Severity::warning, field, "hyperbolic damage is not public: the damage is linear",
+               "leave it blank");
 }
 
 void read_connection(Builder& b, const Block& block, const Options& options) {
@@ -281,7 +281,7 @@ void read_connection(Builder& b, const Block& block, const Options& options) {
   const Row first = cursor.read(connection_card), second = cursor.read(connection_default_card),
             third = cursor.read(connection_default_more_card);
   const std::vector<MaterialRows> rows = material_rows(cursor);
-  b.later(Phase::curves, [=](Builder& later) {
+  b.defer(Phase::curves, [=](Builder& later) {
     ConnectionProperties* table =
         add_table(later, later.model.connections, later.connections, first, "con_id", "connection");
     if (!table) return;
@@ -303,7 +303,7 @@ void read_connection_add(Builder& b, const Block& block, const Options& options)
   const Row first = cursor.read(connection_card);
   const std::vector<MaterialRows> rows = material_rows(cursor);
   // One phase later than the connections themselves.
-  b.later(Phase::mesh, [first, rows](Builder& later) {
+  b.defer(Phase::mesh, [first, rows](Builder& later) {
     const Index table = later.find(later.connections, "*DEFINE_CONNECTION_PROPERTIES", first, "con_id");
     if (table == none) return;
     for (const MaterialRows& row : rows)
@@ -350,7 +350,7 @@ std::vector<Keyword> weld_table_keywords() {
                   {"repeated with the last", &connection_material_more_card}},
        .read = read_connection_add},
       {.name = "DEFINE_SPOTWELD_RUPTURE_PARAMETER",
-       .verdict = Verdict::refused,
+       .status = KeywordStatus::refused,
        .why = "data of OPT 9 of *MAT_SPOTWELD, the formula of which is not public; use OPT 0, 1, 6 or 7"},
   };
 }

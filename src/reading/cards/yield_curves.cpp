@@ -61,9 +61,9 @@ void set_rates(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law
   const bool table = !law.rates.empty(), scaled = row.integer("lcsr") != 0;
   for (const auto* field : {"c", "lcsr"})
     if ((field[0] == 'c' ? row.real("c") > 0.0 : scaled) && (table || (field[0] == 'c' && scaled)))
-      row.complain(b.findings, Severity::warning, field,
-                   table ? "not obeyed: the rates are those of the table in LCSS" : "C and P are not obeyed with LCSR",
-                   "leave it empty");
+      row.report(b.findings, Severity::warning, field,
+                 table ? "not obeyed: the rates are those of the table in LCSS" : "C and P are not obeyed with LCSR",
+                 "leave it empty");
   if (const Index scale = b.curve(row, "lcsr"); scale != none && !table)
     law.rate_scale = b.model.curves[static_cast<std::size_t>(scale)];
   if (!std::is_sorted(law.rate_scale.y.begin(), law.rate_scale.y.end()))
@@ -76,9 +76,9 @@ void set_rates(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law
   if (vp != -1.0 && vp != 0.0 && vp != 1.0 && vp != 3.0 && vp != 4.0)
     return refuse(b, row, "vp", "expected -1, 0, 1, 3 or 4");
   if (vp != 0.0 && vp != 1.0)
-    row.complain(b.findings, Severity::warning, "vp",
-                 "computed as 0: the rate of the plastic strain, found together with the stress, without a filter",
-                 "write 0, or 1");
+    row.report(b.findings, Severity::warning, "vp",
+               "computed as 0: the rate of the plastic strain, found together with the stress, without a filter",
+               "write 0, or 1");
   if (vp == 1.0 && law.rate_c > 0.0) law.rate_yield = cards.main.real("sigy");
 }
 
@@ -114,12 +114,12 @@ void check_tangent(Builder& b, const Row& row) {
 void warn_of_half_a_rate(Builder& b, const Row& row, std::string_view c, std::string_view p) {
   if ((row.real(c) > 0.0) == (row.real(p) > 0.0)) return;
   const bool has_c = row.real(c) > 0.0;
-  row.complain(b.findings, Severity::warning, has_c ? p : c, "Cowper-Symonds needs both constants: no rate effect",
-               "give both, or neither");
+  row.report(b.findings, Severity::warning, has_c ? p : c, "Cowper-Symonds needs both constants: no rate effect",
+             "give both, or neither");
 }
 
 void warn_of_softening_by_rate(Builder& b, const Row& row, std::string_view field, const std::string& where) {
-  row.complain(
+  row.report(
       b.findings, Severity::warning, field,
       fmt::format("the yield stress falls with the rate ({}): the rate of a point then leaps from step to step", where),
       "let it rise with the rate, or stay");
@@ -131,7 +131,7 @@ YieldTable yield_table(Builder& b, const Row& row, std::string_view field, int i
   std::vector<Index> curves;
   if (const Index t = b.tables.find(id); t != none) {
     const Table& table = b.model.tables[static_cast<std::size_t>(t)];
-    if (table.curve.size() != table.value.size() || table.value.empty()) return {};  // told where it is defined
+    if (table.curve.size() != table.value.size() || table.value.empty()) return {};  // reported where it is defined
     curves = table.curve;
     y.rates = table.value;
     if (y.rates.front() < 0.0) {
@@ -153,15 +153,15 @@ YieldTable yield_table(Builder& b, const Row& row, std::string_view field, int i
              "give the true yield stress over plastic strain, from strain 0 on");
     if (curve.x.size() < 2) continue;
     if (curve.x.front() != 0.0)
-      row.complain(b.findings, Severity::warning, field,
-                   fmt::format("curve {} begins at a plastic strain of {:g}: {}", curve.id, curve.x.front(),
-                               curve.x.front() > 0.0 ? "before it the yield stress is its first"
-                                                     : "what lies below 0 has no effect"),
-                   "begin it at plastic strain 0");
+      row.report(b.findings, Severity::warning, field,
+                 fmt::format("curve {} begins at a plastic strain of {:g}: {}", curve.id, curve.x.front(),
+                             curve.x.front() > 0.0 ? "before it the yield stress is its first"
+                                                   : "what lies below 0 has no effect"),
+                 "begin it at plastic strain 0");
     if (!std::is_sorted(curve.y.begin(), curve.y.end()))
-      row.complain(b.findings, Severity::warning, field,
-                   fmt::format("curve {} falls: results depend on the size of the elements there", curve.id),
-                   "let it rise, and say by a failure strain or damage where the sheet ends");
+      row.report(b.findings, Severity::warning, field,
+                 fmt::format("curve {} falls: results depend on the size of the elements there", curve.id),
+                 "let it rise, and say by a failure strain or damage where the sheet ends");
   }
   for (std::size_t k = 1; k < y.curves.size(); ++k) {
     const Curve &slow = y.curves[k - 1], &fast = y.curves[k];

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kernel/element/cohesive_brick.hpp"
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "model/bond.hpp"
 #include "reading/builder/passes.hpp"
 

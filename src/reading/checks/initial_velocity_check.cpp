@@ -23,12 +23,13 @@ std::vector<char> free_nodes(const Builder& b) {
 }
 
 /// Elements of one kind that join free nodes that start moving with free nodes that start at rest.
-class TornElements {
+class PartlyMovingElements {
  public:
-  explicit TornElements(const Builder& b) : m_(b.model), free_(free_nodes(b)), in_torn_part_(m_.parts.size(), 0) {}
+  explicit PartlyMovingElements(const Builder& b)
+      : m_(b.model), free_(free_nodes(b)), in_partly_moving_part_(m_.parts.size(), 0) {}
 
   template <class Elements>
-  void look_at(const Elements& elements, const char* kind) {
+  void check(const Elements& elements, const char* kind) {
     for (std::size_t e = 0; e < elements.size(); ++e) {
       bool moves = false, stands = false;
       for (const Index n : elements.nodes(e)) {
@@ -37,7 +38,7 @@ class TornElements {
       }
       if (!moves || !stands) continue;
       if (count_++ == 0) first_ = fmt::format("{} {}", kind, elements.id[e]);
-      if (elements.part[e] != none) in_torn_part_[static_cast<std::size_t>(elements.part[e])] = 1;
+      if (elements.part[e] != none) in_partly_moving_part_[static_cast<std::size_t>(elements.part[e])] = 1;
     }
   }
 
@@ -46,8 +47,8 @@ class TornElements {
   std::string parts() const {
     std::string ids;
     int written = 0;
-    for (std::size_t p = 0; p < in_torn_part_.size(); ++p) {
-      if (in_torn_part_[p] == 0) continue;
+    for (std::size_t p = 0; p < in_partly_moving_part_.size(); ++p) {
+      if (in_partly_moving_part_[p] == 0) continue;
       if (++written > 10) return ids + ", ...";
       ids += fmt::format("{}{}", ids.empty() ? "" : ", ", m_.parts[p].id);
     }
@@ -56,7 +57,7 @@ class TornElements {
 
  private:
   const Model& m_;
-  std::vector<char> free_, in_torn_part_;
+  std::vector<char> free_, in_partly_moving_part_;
   int count_ = 0;
   std::string first_;
 };
@@ -68,10 +69,10 @@ void check_initial_velocities(Builder& b) {
   const auto moving =
       std::count_if(m.initial_velocity.begin(), m.initial_velocity.end(), [](const Vec3d& v) { return norm(v) > 0.0; });
   if (moving == 0) return;
-  TornElements torn(b);
-  torn.look_at(m.shells, "shell");
-  torn.look_at(m.solids, "solid");
-  if (torn.count() == 0) return;
+  PartlyMovingElements partly_moving(b);
+  partly_moving.check(m.shells, "shell");
+  partly_moving.check(m.solids, "solid");
+  if (partly_moving.count() == 0) return;
   const auto block = std::find_if(b.deck.blocks.begin(), b.deck.blocks.end(),
                                   [](const auto& k) { return k.keyword.starts_with("INITIAL_VELOCITY"); });
   b.findings.warning(
@@ -79,7 +80,7 @@ void check_initial_velocities(Builder& b) {
       fmt::format(
           "{} elements (the first is {}) of parts {} join nodes that start moving with nodes that start at rest; "
           "{} of the {} nodes have an initial velocity",
-          torn.count(), torn.first(), torn.parts(), moving, m.nodes.size()),
+          partly_moving.count(), partly_moving.first(), partly_moving.parts(), moving, m.nodes.size()),
       "the difference is a shock at time 0; if the parts are to move as wholes, give the velocity by parts with "
       "*INITIAL_VELOCITY_GENERATION");
 }

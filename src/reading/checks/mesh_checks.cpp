@@ -178,7 +178,7 @@ bool directed(const SectionBeam& s) {
   return s.cross_section == 0 && (s.outer != s.inner || s.quadrature != 2);
 }
 
-/// Whether the third node, or the vector in its place, tells a side.
+/// Whether the third node, or the vector in its place, determines a side.
 bool has_side(const Model& m, std::size_t e) {
   const auto& n = m.beams.node[e];
   const Vec3d line = position(m, n[1]) - position(m, n[0]), side = m.beams.side(e, m.nodes.x);

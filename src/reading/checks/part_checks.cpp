@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "model/bond.hpp"
 #include "reading/builder/passes.hpp"
 #include "reading/cards/equation_of_state.hpp"
@@ -30,15 +30,15 @@ bool one_point(int elform) {
   return elform == 1 || elform == 8 || elform == 10 || elform == 11;
 }
 
-void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& told) {
+void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& reported) {
   const auto s = static_cast<std::size_t>(part.section);
   SectionShell& section = b.model.shell_sections[s];
   if (section.elform == 0) section.elform = b.model.control.default_shell;
   const bool is_computed = !is<kernel::Rigid>(b.model, part) && !is<kernel::Null>(b.model, part);
   const bool is_built = section.elform == 2 || section.elform == 4 || section.elform == 16 || section.elform == 17;
-  if (!is_computed || is_built || std::exchange(told[s], char{1})) return;
+  if (!is_computed || is_built || std::exchange(reported[s], char{1})) return;
   if (computed_as_full(section.elform)) {
-    b.shell_section_rows[s].complain(
+    b.shell_section_rows[s].report(
         b.findings, Severity::warning, "elform",
         fmt::format("shell formulation {} is computed as 16, fully integrated, with large rotations", section.elform),
         "write 16");
@@ -53,7 +53,7 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
     const char* const name = section.elform == 10  ? "Belytschko-Wong-Chiang"
                              : section.elform == 8 ? "Belytschko-Leviathan"
                                                    : "Hughes-Liu";
-    b.shell_section_rows[s].complain(
+    b.shell_section_rows[s].report(
         b.findings, Severity::warning, "elform",
         fmt::format("shell formulation {} ({}) is computed as 2 with its warping coupling, as with BWC = 1; the "
                     "transverse shear stays the one-point form",
@@ -77,12 +77,12 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& to
 }
 
 /// Adhesive has a law of its own, and the law only such bricks.
-void check_bond_formulation(Builder& b, const Part& part, std::vector<char>& told) {
+void check_bond_formulation(Builder& b, const Part& part, std::vector<char>& reported) {
   const auto s = static_cast<std::size_t>(part.section);
   const int elform = b.model.solid_sections[s].elform;
   const deck::Row& row = b.solid_section_rows[s];
   const bool is_bond = bond_of(b.model, part) != nullptr;
-  if (is<kernel::Rigid>(b.model, part) || (is_bond && is_cohesive(elform) && told[s])) return;
+  if (is<kernel::Rigid>(b.model, part) || (is_bond && is_cohesive(elform) && reported[s])) return;
   if (!is_bond)
     return refuse(b, row, "elform",
                   fmt::format("solid formulation {} is adhesive, but the material of part {} is no law of adhesive",
@@ -92,21 +92,21 @@ void check_bond_formulation(Builder& b, const Part& part, std::vector<char>& tol
     return refuse(b, row, "elform",
                   fmt::format("part {} has a law of adhesive, which bricks of ELFORM {} do not", part.id, elform),
                   "write 19, or 20 where its nodes are those of shells");
-  told[s] = 1;
+  reported[s] = 1;
   if (row.real("cohoff") != 0.0)
     refuse(b, row, "cohoff", "adhesive elsewhere than midway between its nodes is not built", "leave it 0");
   if (row.real("gaskett") != 0.0) refuse(b, row, "gaskett", "gaskets are not built", "leave it 0");
   if (elform > 20)
-    row.complain(b.findings, Severity::warning, "elform",
-                 fmt::format("adhesive wedges are computed as bricks of {} whose nodes 3 and 4, 7 and 8 are one, with "
-                             "four points, not three",
-                             elform - 2));
+    row.report(b.findings, Severity::warning, "elform",
+               fmt::format("adhesive wedges are computed as bricks of {} whose nodes 3 and 4, 7 and 8 are one, with "
+                           "four points, not three",
+                           elform - 2));
 }
 
-void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& told) {
+void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& reported) {
   const auto s = static_cast<std::size_t>(part.section);
   int& elform = b.model.solid_sections[s].elform;
-  if (is_cohesive(elform) || bond_of(b.model, part)) return check_bond_formulation(b, part, told);
+  if (is_cohesive(elform) || bond_of(b.model, part)) return check_bond_formulation(b, part, reported);
   // In linear analyses the one-point brick with its physical stabilisation stands for 18 (nvh::linear_model).
   const bool linear = elform == 18 && b.model.implicit.active;
   const bool is_weld = is<kernel::Spotweld>(b.model, part),
@@ -116,49 +116,49 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
   const bool is_built =
       elform == 1 || elform == 2 || elform == 3 || linear || is_scaled || is_composite || (is_corner_shape && !is_weld);
   const bool is_wedge = elform == 15 && is_built;
-  if (elform == 13 && is_built && is<kernel::Compound>(b.model, part) && !told[s]) {
-    told[s] = 1;
-    return b.solid_section_rows[s].complain(
+  if (elform == 13 && is_built && is<kernel::ComposedLaw>(b.model, part) && !reported[s]) {
+    reported[s] = 1;
+    return b.solid_section_rows[s].report(
         b.findings, Severity::warning, "elform",
         "the nodes' pressure is built for *MAT_001, 003, 012 and 024; with this law the tetrahedra are computed as 10");
   }
   const bool as_asked = is_built && !is_wedge && !is_scaled && !has_rotations && !is_composite;
-  if (is<kernel::Rigid>(b.model, part) || as_asked || std::exchange(told[s], char{1})) return;
+  if (is<kernel::Rigid>(b.model, part) || as_asked || std::exchange(reported[s], char{1})) return;
   if (elform == 3)
-    return b.solid_section_rows[s].complain(
+    return b.solid_section_rows[s].report(
         b.findings, Severity::warning, "elform",
         "solid formulation 3 is computed as a brick of eight points with assumed strains (as -1), which bends without "
         "locking, and without nodal rotations: LS-DYNA's are not public. Where shells, beams or supports are to turn "
         "its nodes, they turn freely",
         "write -1; tie shells to a face of it rather than to one row of nodes");
   if (has_rotations)
-    return b.solid_section_rows[s].complain(
+    return b.solid_section_rows[s].report(
         b.findings, Severity::warning, "elform",
         "solid formulation 4 is computed as the tetrahedron of ten nodes whose mid-side nodes follow displacements and "
         "rotations of its corners (Allman; Pawlak, Yunus, Cook 1991); LS-DYNA's is not public and may differ. What "
         "turns its nodes, such as a shell on edge, meets next to no resistance",
         "hold the rotations that turn nodes out of planes of symmetry and grips; tie shells to a face");
   if (is_composite)
-    return b.solid_section_rows[s].complain(
+    return b.solid_section_rows[s].report(
         b.findings, Severity::warning, "elform",
         "solid formulation 17, a tetrahedron composed of smaller ones on the same ten nodes, is computed as 16, the "
         "quadratic tetrahedron of four points",
         "write 16");
   if (is_scaled)
-    return b.solid_section_rows[s].complain(
+    return b.solid_section_rows[s].report(
         b.findings, Severity::warning, "elform",
         fmt::format("solid formulation {} is computed as a brick of eight points with assumed strains, which does not "
                     "lock in bending either; LS-DYNA's changed Jacobian is not public in detail, and a patent "
                     "application, US 2011/0191072, covers it",
                     elform));
   if (is_wedge)
-    return b.solid_section_rows[s].complain(b.findings, Severity::warning, "elform",
-                                            "wedges are computed as collapsed bricks of eight points (formulation 2)");
+    return b.solid_section_rows[s].report(b.findings, Severity::warning, "elform",
+                                          "wedges are computed as collapsed bricks of eight points (formulation 2)");
   if (elform == 0) {
     const bool own_strains =
         part.material != none &&
         b.model.materials[static_cast<std::size_t>(part.material)].keyword == "MAT_MODIFIED_HONEYCOMB";
-    b.solid_section_rows[s].complain(
+    b.solid_section_rows[s].report(
         b.findings, Severity::warning, "elform",
         fmt::format("solid formulation 0 is the brick of LS-DYNA's honeycombs (*MAT_126); it is computed as 1, as a "
                     "blank field is{}",
@@ -181,7 +181,7 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& to
 void check_discrete_beam(Builder& b, const Part& part) {
   const auto s = static_cast<std::size_t>(part.section);
   const SectionBeam& section = b.model.beam_sections[s];
-  if (!is<kernel::DiscreteBeam>(b.model, part)) return;  // told by check_law
+  if (!is<kernel::DiscreteBeam>(b.model, part)) return;  // reported by check_law
   const auto& law = std::get<kernel::DiscreteBeam>(b.model.materials[static_cast<std::size_t>(part.material)].law);
   const auto works = [&](std::size_t i) {
     const kernel::DiscreteSpring& spring = law.dof[i];
@@ -197,12 +197,12 @@ void check_discrete_beam(Builder& b, const Part& part) {
            "a discrete beam whose moments turn its nodes needs a rotary inertia (INER)", "give INER");
 }
 
-void check_beam_formulation(Builder& b, const Part& part, std::vector<char>& told) {
+void check_beam_formulation(Builder& b, const Part& part, std::vector<char>& reported) {
   const auto s = static_cast<std::size_t>(part.section);
   const int elform = b.model.beam_sections[s].elform;
   if (elform == 6) return check_discrete_beam(b, part);
   const bool is_built = elform == 9 || (elform >= 1 && elform <= 3);
-  if (is_built || std::exchange(told[s], char{1})) return;
+  if (is_built || std::exchange(reported[s], char{1})) return;
   refuse(b, b.beam_section_rows[s], "elform",
          fmt::format("beam formulation {} is not built; built are 1 (Hughes-Liu), 2 (Belytschko-Schwer), 3 (truss), 6 "
                      "(discrete) and 9 (spot weld)",
@@ -234,8 +234,8 @@ void check_beam_law(Builder& b, const Part& part, const deck::Row& row) {
       refuse(b, row, "mid",
              fmt::format("resultant beams (ELFORM 2) are elastic here, but the part has *{}", material.keyword),
              "write ELFORM 1 with the dimensions of the section");
-    else if (const auto* compound = std::get_if<kernel::Compound>(&material.law);
-             compound && (compound->made_of->erosion || compound->made_of->gissmo))
+    else if (const auto* compound = std::get_if<kernel::ComposedLaw>(&material.law);
+             compound && (compound->components->erosion || compound->components->gissmo))
       refuse(b, row, "mid", "*MAT_ADD_EROSION and *MAT_ADD_DAMAGE_GISSMO are not built for beams",
              "take it away, or write the failure strain of *MAT_003 or 024");
     else if (!is_moved && !is_elastic && !is_plastic)
@@ -251,22 +251,22 @@ void refuse_unknown_state(Builder& b, const deck::Row& row) {
 }
 
 /// Solids of *MAT_JOHNSON_COOK have an equation of state, or an elastic bulk modulus; shells have the latter.
-void check_equation_of_state(Builder& b, const Part& part, const deck::Row& row, const kernel::Compound& law) {
+void check_equation_of_state(Builder& b, const Part& part, const deck::Row& row, const kernel::ComposedLaw& law) {
   const bool is_solid = part.kind == ElementKind::solid;
-  if (is_solid && law.made_of->state) return;
+  if (is_solid && law.components->state) return;
   if (is_solid && row.integer("eosid") != 0)
     refuse_unknown_state(b, row);
   else if (!(law.E > 0.0))
     refuse(b, row, "mid", "*MAT_JOHNSON_COOK without an equation of state needs E and PR", "give them");
-  else if (!is_solid && law.made_of->spall)
-    row.complain(b.findings, Severity::warning, "mid",
-                 "PC and SPALL of *MAT_JOHNSON_COOK are not obeyed in shells: no element is deleted by tension",
-                 "use *MAT_ADD_EROSION with SIGP1, or leave PC 0");
+  else if (!is_solid && law.components->spall)
+    row.report(b.findings, Severity::warning, "mid",
+               "PC and SPALL of *MAT_JOHNSON_COOK are not obeyed in shells: no element is deleted by tension",
+               "use *MAT_ADD_EROSION with SIGP1, or leave PC 0");
   else if (is_solid)
-    row.complain(b.findings, Severity::warning, "eosid",
-                 "*MAT_JOHNSON_COOK in solids without an equation of state, which LS-DYNA demands: pressure and shear "
-                 "are those of E and PR",
-                 "write *EOS_LINEAR_POLYNOMIAL with C1 = E/(3 (1 - 2 PR))");
+    row.report(b.findings, Severity::warning, "eosid",
+               "*MAT_JOHNSON_COOK in solids without an equation of state, which LS-DYNA demands: pressure and shear "
+               "are those of E and PR",
+               "write *EOS_LINEAR_POLYNOMIAL with C1 = E/(3 (1 - 2 PR))");
 }
 
 /// Whether some block of the deck has a keyword that begins so, with this option.
@@ -318,7 +318,7 @@ void check_material_axes(Builder& b, const Part& part, const deck::Row& row, std
     std::array<Vec3d, 4> x;
     for (std::size_t i = 0; i < 4; ++i) x[i] = m.nodes.x[static_cast<std::size_t>(m.shells.node[e][i])];
     const Vec3d normal = cross(x[2] - x[0], x[3] - x[1]);
-    if (!(norm(normal) > 0.0)) continue;  // told elsewhere
+    if (!(norm(normal) > 0.0)) continue;  // reported elsewhere
     const Vec3d seen = axes.in_shell(x[1] - x[0], unit(normal), {});
     if (norm(seen) > 1e-6 * (axes.by == By::nodes ? norm(x[1] - x[0]) : norm(axes.a))) continue;
     return refuse(
@@ -334,7 +334,7 @@ void check_layers(Builder& b, const Part& part) {
   const auto& law = std::get<kernel::Laminate>(b.model.materials[static_cast<std::size_t>(part.material)].law);
   const auto& cards = b.layer_stacks.at(part.section).layers;
   for (std::size_t k = 0; k < cards.size(); ++k)
-    if (const auto* flow = std::get_if<kernel::Orthotropic>(&(*law.layers)[k].law.made_of->flow))
+    if (const auto* flow = std::get_if<kernel::Orthotropic>(&(*law.layers)[k].law.components->flow))
       check_material_axes(b, part, cards[k].row, cards[k].field, flow->axes);
 }
 
@@ -347,7 +347,7 @@ void check_honeycomb(Builder& b, const Part& part, const deck::Row& row, kernel:
     refuse(b, row, "secid", "honeycomb has no Poisson effect, which bricks of ELFORM -1 and -2 count on in bending",
            "write ELFORM 1 or 2");
   if (flow.over == kernel::Honeycomb::Over::volume) return;
-  // 0 is computed as 1 by now; the card still tells.
+  // 0 is computed as 1 by now; the card still counts.
   const auto is_formulation_0 = [&](const Part& p) {
     return b.solid_section_rows[static_cast<std::size_t>(p.section)].integer("elform") == 0;
   };
@@ -360,38 +360,39 @@ void check_honeycomb(Builder& b, const Part& part, const deck::Row& row, kernel:
                     "whose curves are over logarithmic ones",
                     "give each its own material");
   if (!engineering || flow.over == kernel::Honeycomb::Over::engineering_strain) return;
-  kernel::Composition law =
-      *std::get<kernel::Compound>(m.materials[static_cast<std::size_t>(part.material)].law).made_of;
+  kernel::LawComponents law =
+      *std::get<kernel::ComposedLaw>(m.materials[static_cast<std::size_t>(part.material)].law).components;
   flow.over = kernel::Honeycomb::Over::engineering_strain;
   law.flow = std::move(flow);
-  m.materials[static_cast<std::size_t>(part.material)].law = kernel::compound(std::move(law));
+  m.materials[static_cast<std::size_t>(part.material)].law = kernel::composed_law(std::move(law));
 }
 
 /// Some laws are made for shells or bricks only.
 void check_compound(Builder& b, const Part& part, const deck::Row& row) {
   const Material& material = b.model.materials[static_cast<std::size_t>(part.material)];
-  const auto* law = std::get_if<kernel::Compound>(&material.law);
+  const auto* law = std::get_if<kernel::ComposedLaw>(&material.law);
   if (law == nullptr) return;
-  if (part.kind == ElementKind::solid && law->made_of->directional_damage)
+  if (part.kind == ElementKind::solid && law->components->directional_damage)
     refuse(b, row, "mid", fmt::format("*{} damages the layers of shells, but the part has solids", material.keyword),
            "use *MAT_PLASTICITY_WITH_DAMAGE, or *MAT_SIMPLIFIED_JOHNSON_COOK with PSFAIL");
-  else if (part.kind == ElementKind::solid && !law->made_of->for_bricks)
+  else if (part.kind == ElementKind::solid && !law->components->for_bricks)
     refuse(b, row, "mid", fmt::format("*{} is a law of shells, but the part has solids", material.keyword),
            "use a law of solids");
-  const kernel::Composition& made_of = *law->made_of;
+  const kernel::LawComponents& components = *law->components;
   if (part.kind == ElementKind::solid &&
-      (made_of.limits.plastic_thinning > 0.0 || (made_of.erosion && made_of.erosion->thinning)))
-    row.complain(
+      (components.limits.plastic_thinning > 0.0 || (components.erosion && components.erosion->thinning)))
+    row.report(
         b.findings, Severity::warning, "mid",
         fmt::format("EPSTHIN of material {} is a limit of layers and has no effect in this part's solids", material.id),
         "limit the plastic strain or the major strain");
   if (takes_equation_of_state(material) && material.keyword != "MAT_NULL") check_equation_of_state(b, part, row, *law);
-  if (const auto* flow = std::get_if<kernel::Orthotropic>(&law->made_of->flow))
+  if (const auto* flow = std::get_if<kernel::Orthotropic>(&law->components->flow))
     check_material_axes(b, part, row, "mid", flow->axes);
-  if (part.kind == ElementKind::shell && !law->made_of->for_shells)
+  if (part.kind == ElementKind::shell && !law->components->for_shells)
     refuse(b, row, "mid", fmt::format("*{} is a law of solids, but the part has shells", material.keyword),
            "give it the law of a sheet");
-  if (const auto* flow = std::get_if<kernel::Honeycomb>(&law->made_of->flow); flow && part.kind == ElementKind::solid) {
+  if (const auto* flow = std::get_if<kernel::Honeycomb>(&law->components->flow);
+      flow && part.kind == ElementKind::solid) {
     check_material_axes(b, part, row, "mid", flow->axes);
     check_honeycomb(b, part, row, *flow);
   }
@@ -406,8 +407,8 @@ void check_law(Builder& b, const Part& part, const deck::Row& row) {
   check_compound(b, part, row);
   const bool is_fluid = part.kind == ElementKind::solid && is<kernel::Null>(m, part);
   if (row.integer("eosid") != 0 && !is_fluid && !(takes_equation_of_state(material) && part.kind == ElementKind::solid))
-    row.complain(b.findings, Severity::warning, "eosid",
-                 fmt::format("ignored: *{} in these elements has no equation of state", material.keyword));
+    row.report(b.findings, Severity::warning, "eosid",
+               fmt::format("ignored: *{} in these elements has no equation of state", material.keyword));
   if (is_weld && part.kind == ElementKind::shell)
     refuse(b, row, "mid", "*MAT_SPOTWELD is a law of weld beams, but the part has shells", "give it a sheet's law");
   else if (is_weld && part.kind == ElementKind::beam && material.weld != none &&
@@ -527,7 +528,7 @@ void check_triangles(Builder& b) {
   }
 }
 
-/// Triangles of discrete Kirchhoff theory have no transverse shear, which a soft core under LAMSHT lives on.
+/// Triangles of discrete Kirchhoff theory have no transverse shear, on which a soft core under LAMSHT depends.
 void check_laminated_triangles(Builder& b) {
   const Model& m = b.model;
   if (!m.control.laminated_shear) return;
@@ -556,8 +557,8 @@ void check_parts(Builder& b) {
   for (const auto& [section, stack] : b.layer_stacks)
     for (const LayerCard& layer : stack.layers)
       if (layer.names == LayerCard::Names::part) of_layers.insert(layer.row.integer(layer.field));
-  std::vector<char> told_shell(b.model.shell_sections.size(), 0), told_solid(b.model.solid_sections.size(), 0),
-      told_beam(b.model.beam_sections.size(), 0);
+  std::vector<char> reported_shell(b.model.shell_sections.size(), 0), reported_solid(b.model.solid_sections.size(), 0),
+      reported_beam(b.model.beam_sections.size(), 0);
   const auto warn_of_none = [&](const Part& part, Index index, const deck::Row& row) {
     const bool is_twin = b.parts.find(part.id) != index;  // its id is another part's already; told
     if (part.kind == ElementKind::nothing && part.rigid_body == none && !is_twin && !of_layers.contains(part.id))
@@ -566,7 +567,7 @@ void check_parts(Builder& b) {
   for (const auto& [index, section, row] : b.composite_parts) {
     const Part& part = b.model.parts[static_cast<std::size_t>(index)];
     warn_of_none(part, index, row);
-    if (part.section != none) check_shell_formulation(b, part, told_shell);
+    if (part.section != none) check_shell_formulation(b, part, reported_shell);
   }
   for (const Part& part : b.model.parts) check_layers(b, part);
   for (const auto& [index, row] : b.part_rows) {
@@ -574,9 +575,9 @@ void check_parts(Builder& b) {
     warn_of_none(part, index, row);
     check_law(b, part, row);
     if (part.section == none) continue;
-    if (part.kind == ElementKind::shell) check_shell_formulation(b, part, told_shell);
-    if (part.kind == ElementKind::solid) check_solid_formulation(b, part, told_solid);
-    if (part.kind == ElementKind::beam) check_beam_formulation(b, part, told_beam);
+    if (part.kind == ElementKind::shell) check_shell_formulation(b, part, reported_shell);
+    if (part.kind == ElementKind::solid) check_solid_formulation(b, part, reported_solid);
+    if (part.kind == ElementKind::beam) check_beam_formulation(b, part, reported_beam);
   }
   check_hourglass(b);
   check_weld_hourglass(b);

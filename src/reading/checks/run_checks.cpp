@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "reading/builder/passes.hpp"
 
 namespace nugget::reading {
@@ -29,12 +29,12 @@ bool fits(const Material& m, const UnitSystem& u) {
   return speed >= 300.0 && speed <= 12000.0 && density >= 500.0 && density <= 200000.0;
 }
 
-/// Whether its modulus and density tell the units: those of rubber, foam and the like reach over decades.
+/// Whether its modulus and density show the units: those of rubber, foam and the like reach over decades.
 bool is_elastic_plastic(const Material& m) {
   const bool is_fluid_or_moved = m.keyword == "MAT_NULL" || std::holds_alternative<kernel::Rigid>(m.law) ||
                                  std::holds_alternative<kernel::Laminate>(m.law);  // its layers' materials are judged
-  const auto* law = std::get_if<kernel::Compound>(&m.law);
-  const bool is_soft = law != nullptr && !law->made_of->for_shells;
+  const auto* law = std::get_if<kernel::ComposedLaw>(&m.law);
+  const bool is_soft = law != nullptr && !law->components->for_shells;
   return !is_fluid_or_moved && !is_soft && m.density > 0.0 && m.young() > 0.0;
 }
 

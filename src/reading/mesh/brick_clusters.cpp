@@ -73,7 +73,7 @@ class Replacement {
       if (replaced_[p] > 0) make_solid(m_.parts[p]);
     track_new_nodes();
     remove_beams();
-    tell();
+    report_replacements();
   }
 
  private:
@@ -84,7 +84,7 @@ class Replacement {
   void make_solid(Part& part);
   void track_new_nodes();
   void remove_beams();
-  void tell() const;
+  void report_replacements() const;
 
   Model& m_;
   const WeldBeamControl control_;
@@ -101,8 +101,8 @@ void Replacement::choose() {
   for (std::size_t e = 0; e < m_.beams.size(); ++e) {
     const Part& part = m_.parts[at(m_.beams.part[e])];
     const bool is_weld = part.material != none && m_.materials[at(part.material)].weld != none;
-    const bool is_meant = !control_.only_some || std::find(control_.beams.begin(), control_.beams.end(),
-                                                           static_cast<Index>(e)) != control_.beams.end();
+    const bool is_meant = !control_.only_listed || std::find(control_.beams.begin(), control_.beams.end(),
+                                                             static_cast<Index>(e)) != control_.beams.end();
     if (!is_weld || !is_meant) continue;
     const auto& n = m_.beams.node[e];
     if (norm(m_.nodes.x[at(n[1])] - m_.nodes.x[at(n[0])]) == 0.0) {
@@ -258,7 +258,7 @@ void Replacement::remove_beams() {
   }
 }
 
-void Replacement::tell() const {
+void Replacement::report_replacements() const {
   int beams = 0;
   std::string parts;
   for (std::size_t p = 0; p < replaced_.size(); ++p) {

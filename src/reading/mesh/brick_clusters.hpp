@@ -17,9 +17,9 @@ struct ClusterTemplate {
   std::vector<std::array<int, 4>> quads;     ///< positions in `nodes`, counter-clockwise
 };
 
-/// The cross-section of 1, 4 or 8 bricks with `area` (reference: spotweld-theory.md 3.4, the project's own): 1 a
-/// square; 4 a regular octagon of four quads that meet in its centre; 8 an O-grid, two quads inside and six around
-/// them.
+/// The cross-section of 1, 4 or 8 bricks with `area` (docs/theory/weld.md#bricks-in-place-of-a-beam, the project's
+/// own): 1 a square; 4 a regular octagon of four quads that meet in its centre; 8 an O-grid, two quads inside and six
+/// around them.
 ClusterTemplate cluster_template(int bricks, double area);
 
 /// The model with its weld beams replaced as Control::weld_beams asks; the same model where it asks for nothing. A

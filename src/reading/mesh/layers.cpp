@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "kernel/law/composition.hpp"
-#include "kernel/law/prepared_compound.hpp"
+#include "kernel/law/composed_law_kernel.hpp"
+#include "kernel/law/law_components.hpp"
 #include "reading/builder/builder.hpp"
 #include "reading/cards/added_law.hpp"
 
@@ -42,28 +42,28 @@ class Laws {
   explicit Laws(Builder& builder) : b_(builder) {}
 
   /// Nothing, and a finding, for a law that layers cannot have.
-  std::optional<kernel::Compound> find(Index material, const LayerCard& layer) {
+  std::optional<kernel::ComposedLaw> find(Index material, const LayerCard& layer) {
     if (const auto found = laws_.find(material); found != laws_.end()) return found->second;
     const Material& m = material_at(b_, material);
-    std::optional<kernel::Composition> made = composition_of(m.law);
+    std::optional<kernel::LawComponents> made = components_of(m.law);
     if (!made || !made->for_shells) {
       refuse(b_, layer.row, layer.field, fmt::format("*{} is not a law of a shell's layers", m.keyword),
              "give the layer the law of a sheet, e.g. *MAT_ELASTIC");
       return {};
     }
-    const auto* compound = std::get_if<kernel::Compound>(&m.law);
-    return laws_.emplace(material, compound ? *compound : kernel::compound(std::move(*made))).first->second;
+    const auto* compound = std::get_if<kernel::ComposedLaw>(&m.law);
+    return laws_.emplace(material, compound ? *compound : kernel::composed_law(std::move(*made))).first->second;
   }
 
  private:
   Builder& b_;
-  std::map<Index, kernel::Compound> laws_;
+  std::map<Index, kernel::ComposedLaw> laws_;
 };
 
 /// Material axes of a law at the start; null: it has none.
 const kernel::MaterialAxes* axes_of(const Law& law) {
-  const auto* compound = std::get_if<kernel::Compound>(&law);
-  const auto* flow = compound ? std::get_if<kernel::Orthotropic>(&compound->made_of->flow) : nullptr;
+  const auto* compound = std::get_if<kernel::ComposedLaw>(&law);
+  const auto* flow = compound ? std::get_if<kernel::Orthotropic>(&compound->components->flow) : nullptr;
   return flow ? &flow->axes : nullptr;
 }
 
@@ -73,41 +73,41 @@ bool same(const kernel::MaterialAxes& one, const kernel::MaterialAxes& other) {
 
 /// The law of another part's material with the axes of the shells' own part, where both have axes: the other part gives
 /// constants only (remarks of *INTEGRATION_SHELL).
-kernel::Compound turned_as_own(Builder& b, const Part& part, const LayerCard& layer, const Material& material,
-                               const kernel::Compound& law) {
+kernel::ComposedLaw turned_as_own(Builder& b, const Part& part, const LayerCard& layer, const Material& material,
+                                  const kernel::ComposedLaw& law) {
   const kernel::MaterialAxes* given = axes_of(law);
   const kernel::MaterialAxes* own = part.material == none ? nullptr : axes_of(material_at(b, part.material).law);
   if (layer.names != LayerCard::Names::part || given == nullptr || own == nullptr || same(*given, *own)) return law;
-  layer.row.complain(b.findings, Severity::warning, layer.field,
-                     fmt::format("AOPT and BETA of material {} are not looked at: a layer's axes are those of material "
-                                 "{}, of the shells' own part",
-                                 material.id, material_at(b, part.material).id),
-                     "turn layers by B of *PART_COMPOSITE, or write the same axes in both materials");
-  kernel::Composition turned = *law.made_of;
+  layer.row.report(b.findings, Severity::warning, layer.field,
+                   fmt::format("AOPT and BETA of material {} are not looked at: a layer's axes are those of material "
+                               "{}, of the shells' own part",
+                               material.id, material_at(b, part.material).id),
+                   "turn layers by B of *PART_COMPOSITE, or write the same axes in both materials");
+  kernel::LawComponents turned = *law.components;
   std::get<kernel::Orthotropic>(turned.flow).axes = *own;
-  return kernel::compound(std::move(turned));
+  return kernel::composed_law(std::move(turned));
 }
 
 /// What of a layer's card has no effect, or none that is built.
-void judge_layer(Builder& b, const LayerCard& layer, const kernel::Compound& law, const Material& material) {
-  const bool has_axes = std::holds_alternative<kernel::Orthotropic>(law.made_of->flow);
+void check_layer(Builder& b, const LayerCard& layer, const kernel::ComposedLaw& law, const Material& material) {
+  const bool has_axes = std::holds_alternative<kernel::Orthotropic>(law.components->flow);
   if (layer.angle != 0.0 && !has_axes)
-    layer.row.complain(b.findings, Severity::note, layer.field,
-                       fmt::format("the layer's angle has no effect: *{} has no axes", material.keyword));
+    layer.row.report(b.findings, Severity::note, layer.field,
+                     fmt::format("the layer's angle has no effect: *{} has no axes", material.keyword));
   if (has_axes && b.model.control.laminated_shear)
     refuse(b, layer.row, layer.field,
            "laminated shell theory (LAMSHT of *CONTROL_SHELL) is not built for layers of *MAT_ORTHOTROPIC_ELASTIC",
            "write LAMSHT 0 and choose SHRF, or give the layer *MAT_ELASTIC");
-  if (const double points = law.made_of->points_to_delete; points == 1.0)
-    layer.row.complain(b.findings, Severity::note, layer.field,
-                       fmt::format("material {}: the first point of the layer that fails deletes the shell with all "
-                                   "its layers, as NUMFIP or NUMINT of 1 says",
-                                   material.id),
-                       "write -100 there: it then goes with the last layer that can fail");
+  if (const double points = law.components->points_to_delete; points == 1.0)
+    layer.row.report(b.findings, Severity::note, layer.field,
+                     fmt::format("material {}: the first point of the layer that fails deletes the shell with all "
+                                 "its layers, as NUMFIP or NUMINT of 1 says",
+                                 material.id),
+                     "write -100 there: it then goes with the last layer that can fail");
 }
 
-/// Points of one a layer bend as if each layer were thin: told where that matters.
-void tell_bending(Builder& b, const Part& part, const kernel::Laminate& made) {
+/// Points of one a layer bend as if each layer were thin: reported where that matters.
+void report_bending(Builder& b, const Part& part, const kernel::Laminate& made) {
   const double share = kernel::share_of_bending(made);
   if (share > 0.97) return;
   b.findings.note(part.place, "*PART_COMPOSITE",
@@ -118,9 +118,9 @@ void tell_bending(Builder& b, const Part& part, const kernel::Laminate& made) {
 }
 
 /// Layers that know no failure do not keep a shell, which is not what who mixes them expects.
-void tell_failure(Builder& b, const Part& part, const std::vector<kernel::Laminate::Layer>& layers) {
+void report_failure(Builder& b, const Part& part, const std::vector<kernel::Laminate::Layer>& layers) {
   const auto fails = [](const kernel::Laminate::Layer& l) {
-    return kernel::Prepared<kernel::Compound>(l.law).can_fail();
+    return kernel::LawKernel<kernel::ComposedLaw>(l.law).can_fail();
   };
   const auto failing = std::count_if(layers.begin(), layers.end(), fails);
   if (failing == 0 || failing == static_cast<std::ptrdiff_t>(layers.size())) return;
@@ -135,7 +135,7 @@ void tell_failure(Builder& b, const Part& part, const std::vector<kernel::Lamina
 void make_layers_of(Builder& b, Laws& laws, Part& part, const LayerStack& stack) {
   std::vector<kernel::Laminate::Layer> layers;
   std::vector<int> ids;
-  std::map<Index, kernel::Compound> turned;  // layers of one material share their law
+  std::map<Index, kernel::ComposedLaw> turned;  // layers of one material share their law
   for (const LayerCard& card : stack.layers) {
     const Index material = material_of(b, card, part);
     if (material == none) continue;  // told
@@ -143,17 +143,17 @@ void make_layers_of(Builder& b, Laws& laws, Part& part, const LayerStack& stack)
     if (!found) continue;
     const Material& m = material_at(b, material);
     if (!turned.contains(material)) turned.emplace(material, turned_as_own(b, part, card, m, *found));
-    const kernel::Compound& law = turned.at(material);
-    judge_layer(b, card, law, m);
+    const kernel::ComposedLaw& law = turned.at(material);
+    check_layer(b, card, law, m);
     layers.push_back({law, m.density, card.place, card.share, card.angle, card.shear_scale});
     ids.push_back(m.id);
   }
   if (layers.size() < stack.layers.size()) return;
   const bool composite = part.material == none;
-  if (composite) tell_failure(b, part, layers);
-  kernel::Laminate made = kernel::laminate(std::move(layers), stack.outlived_by_sound);
+  if (composite) report_failure(b, part, layers);
+  kernel::Laminate made = kernel::laminate(std::move(layers), stack.kept_by_unfailing_layers);
   if (b.model.control.laminated_shear) kernel::use_laminated_shear(made);
-  if (composite) tell_bending(b, part, made);
+  if (composite) report_bending(b, part, made);
   Material of_layers;
   of_layers.id = composite ? 0 : material_at(b, part.material).id;
   of_layers.title = fmt::format("{}", fmt::join(ids, " "));
@@ -180,7 +180,7 @@ void make_layers(Builder& b) {
     if (part.kind != ElementKind::shell || part.section == none) continue;
     const auto stack = b.layer_stacks.find(part.section);
     if (stack == b.layer_stacks.end() || !differ(b, stack->second)) continue;
-    if (part.material != none && !composition_of(material_at(b, part.material).law)) continue;  // rigid, null
+    if (part.material != none && !components_of(material_at(b, part.material).law)) continue;  // rigid, null
     make_layers_of(b, laws, part, stack->second);
   }
 }

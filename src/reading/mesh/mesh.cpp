@@ -221,7 +221,7 @@ bool all_different(std::array<Index, 10> n) {
 
 /// *ELEMENT_SOLID_TET4TOTET10: tetrahedra of four nodes, rows `to_ten` of the table, get new nodes amid their edges,
 /// with ids after the largest; on edges of ten-node tetrahedra of the deck theirs.
-void give_nodes_amid_edges(Builder& b, Elements& elements, const std::vector<std::size_t>& to_ten) {
+void add_midside_nodes(Builder& b, Elements& elements, const std::vector<std::size_t>& to_ten) {
   Solids& solids = b.model.solids;
   Nodes& nodes = b.model.nodes;
   std::map<std::pair<Index, Index>, Index> amid;
@@ -303,7 +303,7 @@ void make_solids(Builder& b) {
     solids.ten_nodes.push_back(ten);
   }
   b.solids.assign(solids.id);
-  if (!to_ten.empty()) give_nodes_amid_edges(b, elements, to_ten);
+  if (!to_ten.empty()) add_midside_nodes(b, elements, to_ten);
 }
 
 /// The parts that a weld beam's ends are to be tied to (_PID).
@@ -470,12 +470,12 @@ void link_section(Builder& b, Part& part, const deck::Row& row) {
 }
 
 /// A part with elements needs both.
-void demand_section_and_material(const Part& part, const deck::Row& row, Tally& bare) {
+void require_section_and_material(const Part& part, const deck::Row& row, Tally& incomplete) {
   if (part.kind == ElementKind::nothing) return;
   const bool no_section = row.integer("secid") == 0, no_material = row.integer("mid") == 0;
   if (!no_section && !no_material) return;
   const char* const what = no_section && no_material ? "section and no material" : no_section ? "section" : "material";
-  bare.add(
+  incomplete.add(
       row.place(no_section ? "secid" : "mid"),
       [&] { return fmt::format("part {} has elements, but no {}", part.id, what); }, "give their ids in SECID and MID");
 }
@@ -506,12 +506,12 @@ void make_mesh(Builder& b) {
   make_solids(b);
   const auto beam_rows = make_beams(b);
   make_discretes(b);
-  Tally bare(b.findings, Severity::error, "*PART");
+  Tally incomplete(b.findings, Severity::error, "*PART");
   for (const auto& [index, row] : b.part_rows) {
     Part& part = b.model.parts[static_cast<std::size_t>(index)];
     link_section(b, part, row);
     part.material = b.find(b.materials, "material", row, "mid");
-    demand_section_and_material(part, row, bare);
+    require_section_and_material(part, row, incomplete);
     part.hourglass = b.find(b.hourglass, "hourglass control", row, "hgid");
   }
   for (const auto& [index, section, row] : b.composite_parts) {
@@ -524,7 +524,7 @@ void make_mesh(Builder& b) {
   }
   fold_tetrahedra(b.model);
   set_thickness(b, shell_rows);
-  b.later(Phase::bodies, [beam_rows](Builder& late) { check_single_sections(late, beam_rows); });
+  b.defer(Phase::bodies, [beam_rows](Builder& late) { check_single_sections(late, beam_rows); });
 }
 
 }  // namespace nugget::reading

@@ -107,7 +107,7 @@ class Resolver {
     resolve(at->second);
   }
 
-  /// The finished set, or null where it is missing or contains itself (told already).
+  /// The finished set, or null where it is missing or contains itself (reported already).
   const WorkingSet* inner(const SetStep& step, int id) const {
     const auto at = sets_.find({step.kind, id});
     return at == sets_.end() || at->second.state != WorkingSet::done ? nullptr : &at->second;

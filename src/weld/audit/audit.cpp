@@ -23,47 +23,47 @@ std::string part_name(const Inspection& in, Index part) {
 
 /// A value that is to be at most (or at least) a limit. `text` says what is wrong; it is asked only then.
 template <class Text>
-Look at_most(double value, double limit, Text text) {
-  Look look{value, value / limit, {}};
-  if (look.excess > 1.0) look.text = text();
-  return look;
+CheckResult at_most(double value, double limit, Text text) {
+  CheckResult evaluate{value, value / limit, {}};
+  if (evaluate.excess > 1.0) evaluate.text = text();
+  return evaluate;
 }
 template <class Text>
-Look at_least(double value, double limit, Text text) {
-  Look look{value, value > 0.0 ? limit / value : std::numeric_limits<double>::infinity(), {}};
-  if (look.excess > 1.0) look.text = text();
-  return look;
+CheckResult at_least(double value, double limit, Text text) {
+  CheckResult evaluate{value, value > 0.0 ? limit / value : std::numeric_limits<double>::infinity(), {}};
+  if (evaluate.excess > 1.0) evaluate.text = text();
+  return evaluate;
 }
 template <class Text>
-Look within(double value, double least, double most, Text text) {
+CheckResult within(double value, double least, double most, Text text) {
   return value < least ? at_least(value, least, text) : at_most(value, most, text);
 }
 
 /// The worse of the two ends, as `measure(end)` gives it; nothing where it gives nothing at both.
 template <class Measure>
-Look worse_end(Measure measure) {
-  const Look first = measure(0), second = measure(1);
+CheckResult worse_end(Measure measure) {
+  const CheckResult first = measure(0), second = measure(1);
   return std::isnan(first.value) || second.excess > first.excess ? second : first;
 }
 
-Look look_for_two_sheets(const Inspection& in, const Weld& weld) {
+CheckResult check_two_sheets(const Inspection& in, const Weld& weld) {
   const auto [first, second] = weld.sheets;
-  const auto wrong = [](std::string text) { return Look{nothing, 2.0, std::move(text)}; };
-  if (first == none && second == none) return {};  // told as an untied weld
+  const auto wrong = [](std::string text) { return CheckResult{nothing, 2.0, std::move(text)}; };
+  if (first == none && second == none) return {};  // reported as an untied weld
   if (first == second) return wrong(fmt::format("both ends on {}", part_name(in, first)));
   if (first == none || second == none)
     return wrong(fmt::format("on one sheet only, {}", part_name(in, first == none ? second : first)));
   return {};
 }
 
-Look look_at_stack(const Inspection& in, const Weld& weld) {
+CheckResult check_stack(const Inspection& in, const Weld& weld) {
   constexpr double most = 4.0;
   const auto sheets = static_cast<double>(in.stack(weld).size());
   if (sheets == 0.0) return {};
   return at_most(sheets, most, [&] { return fmt::format("one of a stack of {} sheets", sheets); });
 }
 
-Look look_at_length(const Inspection& in, const Weld& weld) {
+CheckResult check_length(const Inspection& in, const Weld& weld) {
   constexpr double shortest = 1e-6, least = 0.3, most = 3.0;
   if (weld.kind == Weld::Kind::rigid || weld.kind == Weld::Kind::connector) return {};
   const auto t = in.thicknesses(weld);
@@ -71,34 +71,35 @@ Look look_at_length(const Inspection& in, const Weld& weld) {
   if (weld.length <= shortest * weld.diameter || usual <= 0.0)
     return at_least(weld.length, shortest * weld.diameter,
                     [&] { return fmt::format("length {:.3g} after projection", weld.length); });
-  Look look = within(weld.length / usual, least, most, [&] {
+  CheckResult evaluate = within(weld.length / usual, least, most, [&] {
     return fmt::format("length {:.3g} after projection (before: {:.3g}), {:.2g} times (t1 + t2)/2 = {:.3g}",
                        weld.length, weld.length_before, weld.length / usual, usual);
   });
-  return look;
+  return evaluate;
 }
 
-Look look_for_twins(const Inspection& in, const Weld& weld) {
+CheckResult check_duplicates(const Inspection& in, const Weld& weld) {
   constexpr double share = 0.1;
-  const Weld* twin = in.twin(weld, share * weld.diameter);
-  return twin ? Look{nothing, 2.0, fmt::format("at the same place as {}", name_weld(*twin))} : Look{};
+  const Weld* duplicate = in.duplicate(weld, share * weld.diameter);
+  return duplicate ? CheckResult{nothing, 2.0, fmt::format("at the same place as {}", name_weld(*duplicate))}
+                   : CheckResult{};
 }
 
-Look look_at_thickness(const Inspection& in, const Weld& weld) {
+CheckResult check_thickness(const Inspection& in, const Weld& weld) {
   constexpr double thinnest = 0.5, thickest = 4.0;  // [mm]
   const auto t = in.thicknesses(weld);
   const auto mm = in.millimetre();
   if (!t || !mm) return {};
   const double thin = (*t)[0] / *mm, thick = (*t)[1] / *mm;
-  const Look low =
+  const CheckResult low =
       at_least(thin, thinnest, [&] { return fmt::format("a sheet of {:.3g} mm: too thin for a weld to form", thin); });
-  const Look high =
+  const CheckResult high =
       at_most(thick, thickest, [&] { return fmt::format("a sheet of {:.3g} mm: too thick for a sound weld", thick); });
   return high.excess > 1.0 && high.excess > low.excess ? high : low;
 }
 
 /// The usual nugget is 5 sqrt(t) of the thinner sheet, in millimetres.
-Look look_at_diameter(const Inspection& in, const Weld& weld) {
+CheckResult check_diameter(const Inspection& in, const Weld& weld) {
   constexpr double least = 0.8, most = 1.5;
   const auto t = in.thicknesses(weld);
   const auto mm = in.millimetre();
@@ -110,63 +111,63 @@ Look look_at_diameter(const Inspection& in, const Weld& weld) {
   });
 }
 
-Look look_at_angle(const Inspection& in, const Weld& weld) {
+CheckResult check_angle(const Inspection& in, const Weld& weld) {
   constexpr double most = 10.0;
   return worse_end([&](int end) {
     const auto angle = in.angle_to_normal(weld, end);
-    return !angle ? Look{} : at_most(*angle, most, [&] {
+    return !angle ? CheckResult{} : at_most(*angle, most, [&] {
       return fmt::format("its axis is {:.1f} degrees off the normal of {}", *angle,
                          end == 0 ? "its first sheet" : "its second sheet");
     });
   });
 }
 
-Look look_at_border(const Inspection& in, const Weld& weld) {
+CheckResult check_border(const Inspection& in, const Weld& weld) {
   constexpr double measured = 5.0;  // diameters; the edge of a sheet further away is of no concern
   if (weld.diameter == 0.0) return {};
   return worse_end([&](int end) {
     const auto distance = in.distance_to_border(weld, end, measured * weld.diameter);
-    return !distance ? Look{} : at_least(*distance, weld.diameter, [&] {
+    return !distance ? CheckResult{} : at_least(*distance, weld.diameter, [&] {
       return fmt::format("{:.3g} from the free edge of {}, less than its diameter {:.3g}", *distance,
                          part_name(in, weld.sheets[end]), weld.diameter);
     });
   });
 }
 
-Look look_at_flange(const Inspection& in, const Weld& weld) {
+CheckResult check_flange(const Inspection& in, const Weld& weld) {
   constexpr int least = 3, measured = 12;  // elements; a wider strip is no flange
   return worse_end([&](int end) {
     const auto width = in.flange_width(weld, end, measured);
-    return !width ? Look{} : at_least(*width, least, [&] {
+    return !width ? CheckResult{} : at_least(*width, least, [&] {
       return fmt::format("{} element{} across the flange of {}", *width, *width == 1 ? "" : "s",
                          part_name(in, weld.sheets[end]));
     });
   });
 }
 
-Look look_at_pitch(const Inspection& in, const Weld& weld) {
+CheckResult check_pitch(const Inspection& in, const Weld& weld) {
   constexpr double least = 10.0, measured = 100.0;  // thicknesses
   const auto t = in.thicknesses(weld);
   if (!t) return {};
   const Inspection::Neighbour next = in.neighbour(weld, measured * (*t)[1]);
-  return !next.weld ? Look{} : at_least(next.distance / (*t)[1], least, [&] {
+  return !next.weld ? CheckResult{} : at_least(next.distance / (*t)[1], least, [&] {
     return fmt::format("{:.3g} from {}, {:.2g} thicknesses of {:.3g}", next.distance, name_weld(*next.weld),
                        next.distance / (*t)[1], (*t)[1]);
   });
 }
 
-Look look_at_element_size(const Inspection& in, const Weld& weld) {
+CheckResult check_element_size(const Inspection& in, const Weld& weld) {
   constexpr double most = 2.0;
   if (weld.diameter == 0.0) return {};
   return worse_end([&](int end) {
     const auto size = in.element_size(weld, end);
-    return !size ? Look{} : at_most(*size / weld.diameter, most, [&] {
+    return !size ? CheckResult{} : at_most(*size / weld.diameter, most, [&] {
       return fmt::format("tied to an element of size {:.3g}, {:.2g} times its diameter", *size, *size / weld.diameter);
     });
   });
 }
 
-Look look_at_aspect(const Inspection& in, const Weld& weld) {
+CheckResult check_aspect(const Inspection& in, const Weld& weld) {
   constexpr double most = 10.0, most_where_shear_locks = 2.5;
   const auto ratio = in.aspect_ratio(weld);
   if (!ratio) return {};
@@ -178,8 +179,8 @@ Look look_at_aspect(const Inspection& in, const Weld& weld) {
   });
 }
 
-Look look_at_step(const Inspection& in, const Weld& weld) {
-  const Price own = price(in.model(), in.x(), weld);
+CheckResult check_step(const Inspection& in, const Weld& weld) {
+  const MassScalingCost own = mass_scaling_cost(in.model(), in.x(), weld);
   double of_sheets = std::numeric_limits<double>::infinity();
   for (int end = 0; end < 2; ++end) of_sheets = std::min(of_sheets, in.sheet_step(weld, end).value_or(of_sheets));
   if (std::isinf(own.time_step) || std::isinf(of_sheets)) return {};
@@ -190,9 +191,9 @@ Look look_at_step(const Inspection& in, const Weld& weld) {
   });
 }
 
-Look look_at_added_mass(const Inspection& in, const Weld& weld) {
+CheckResult check_added_mass(const Inspection& in, const Weld& weld) {
   constexpr double most = 1.0;  // of the mass of the shells that carry it
-  const Price own = price(in.model(), in.x(), weld);
+  const MassScalingCost own = mass_scaling_cost(in.model(), in.x(), weld);
   const double sheets = in.sheet_mass(weld), added = own.mass_by_dt + own.mass_by_dt2ms;
   if (weld.kind == Weld::Kind::rigid || sheets == 0.0) return {};
   return at_most(added / sheets, most, [&] {
@@ -203,35 +204,35 @@ Look look_at_added_mass(const Inspection& in, const Weld& weld) {
 
 constexpr std::array<Check, 14> all_checks{{
     {"sheets", "", "", "the two ends are on two different sheets", "see why the other end is not tied",
-     Severity::warning, look_for_two_sheets},
+     Severity::warning, check_two_sheets},
     {"stack", "sheets of its spot", "stack_sheets", "two, three or four sheets are welded at one spot",
-     "see whether all these welds are meant", Severity::warning, look_at_stack},
+     "see whether all these welds are meant", Severity::warning, check_stack},
     {"length", "length / ((t1+t2)/2)", "length_ratio", "its length is 0.3 to 3 times (t1 + t2)/2",
-     "check the gap between the sheets; give the weld nodes apart from each other", Severity::warning, look_at_length},
-    {"twin", "", "", "there is one weld at a place", "delete one of the two", Severity::warning, look_for_twins},
+     "check the gap between the sheets; give the weld nodes apart from each other", Severity::warning, check_length},
+    {"twin", "", "", "there is one weld at a place", "delete one of the two", Severity::warning, check_duplicates},
     {"thickness", "sheet [mm]", "", "sheets are 0.5 to 4 mm thick", "check the sheet's section, or the units",
-     Severity::warning, look_at_thickness},
+     Severity::warning, check_thickness},
     {"diameter", "d / 5 sqrt(t)", "diameter_ratio",
      "the diameter is 0.8 to 1.5 times 5 sqrt(t) of the thinner sheet [mm]",
-     "check TS1 and TS2 of the section, and the sheets' thicknesses", Severity::warning, look_at_diameter},
+     "check TS1 and TS2 of the section, and the sheets' thicknesses", Severity::warning, check_diameter},
     {"angle", "degrees to normal", "angle", "the axis is within 10 degrees of the sheets' normals",
-     "put the two weld nodes above each other", Severity::warning, look_at_angle},
+     "put the two weld nodes above each other", Severity::warning, check_angle},
     {"edge", "to free edge", "edge_distance", "a weld is at least its diameter away from the free edge of its sheets",
-     "check the place of the weld", Severity::warning, look_at_border},
+     "check the place of the weld", Severity::warning, check_border},
     {"flange", "elements across", "flange_elements", "a flange is at least three elements wide",
-     "mesh the flange with three or more elements across", Severity::warning, look_at_flange},
+     "mesh the flange with three or more elements across", Severity::warning, check_flange},
     {"pitch", "to next / t", "pitch_ratio", "the next weld is at least ten thicknesses away",
-     "see whether both welds are meant", Severity::note, look_at_pitch},
+     "see whether both welds are meant", Severity::note, check_pitch},
     {"mesh", "element / d", "element_ratio", "elements at a weld are no larger than twice its diameter",
-     "refine to the diameter, or move the weld close to a node of the sheet", Severity::warning, look_at_element_size},
+     "refine to the diameter, or move the weld close to a node of the sheet", Severity::warning, check_element_size},
     {"aspect", "longest / shortest", "aspect_ratio",
      "a brick's longest edge is at most 10 times its shortest, with ELFORM 2 at most 2.5",
-     "use ELFORM 1 with hourglass type 6, or more and smaller bricks", Severity::warning, look_at_aspect},
+     "use ELFORM 1 with hourglass type 6, or more and smaller bricks", Severity::warning, check_aspect},
     {"step", "time step", "", "a weld allows the time step that its sheets allow",
-     "give DT in *MAT_SPOTWELD or DT2MS, or a smaller E: nugget check --target-step", Severity::note, look_at_step},
+     "give DT in *MAT_SPOTWELD or DT2MS, or a smaller E: nugget check --target-step", Severity::note, check_step},
     {"mass", "added / sheets", "added_mass_ratio",
      "mass scaling of a weld adds no more than the mass of the shells that carry it",
-     "lower DT or DT2MS, or scale E instead: nugget check --target-step", Severity::note, look_at_added_mass},
+     "lower DT or DT2MS, or scale E instead: nugget check --target-step", Severity::note, check_added_mass},
 }};
 
 /// Of each check that warns the worst welds, and how many there are more.
@@ -256,7 +257,7 @@ void report_remarks(const Ties& ties, const std::vector<Report>& reports, Findin
 }
 
 /// Welds that a penalty contact lists as sliding parts.
-void look_for_sliding_welds(const model::Model& model, Findings& findings) {
+void find_sliding_welds(const model::Model& model, Findings& findings) {
   for (const model::Contact& contact : model.contacts) {
     if (contact.tie() || contact.takes_welds) continue;
     std::set<int> parts;
@@ -280,7 +281,7 @@ void look_for_sliding_welds(const model::Model& model, Findings& findings) {
 }
 
 /// One *CONTACT_SPOTWELD with all welds and all sheets does what several do, and no node can fall between them.
-void look_for_several_ties(const model::Model& model, Findings& findings) {
+void find_several_ties(const model::Model& model, Findings& findings) {
   std::vector<const model::Contact*> ties;
   for (const model::Contact& contact : model.contacts)
     if (contact.keyword.find("CONTACT_SPOTWELD") != std::string::npos) ties.push_back(&contact);
@@ -326,18 +327,18 @@ std::vector<Report> audit(const model::Model& model, const Ties& ties, Findings&
     const Weld& weld = ties.welds[w];
     if (weld.deleted) continue;
     Report& report = reports[w];
-    report.price = price(model, ties.x, weld);
+    report.cost = mass_scaling_cost(model, ties.x, weld);
     report.spot = inspection.spot(weld);
     report.stack = inspection.stack(weld);
     for (const Check& check : all_checks) {
-      Look look = check.look(inspection, weld);
-      report.values.push_back(look.value);
-      if (look.remark()) report.remarks.push_back({&check, look.excess, std::move(look.text)});
+      CheckResult evaluate = check.evaluate(inspection, weld);
+      report.values.push_back(evaluate.value);
+      if (evaluate.remark()) report.remarks.push_back({&check, evaluate.excess, std::move(evaluate.text)});
     }
   }
   report_remarks(ties, reports, findings);
-  if (!ties.welds.empty()) look_for_sliding_welds(model, findings);
-  look_for_several_ties(model, findings);
+  if (!ties.welds.empty()) find_sliding_welds(model, findings);
+  find_several_ties(model, findings);
   return reports;
 }
 

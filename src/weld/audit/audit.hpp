@@ -7,17 +7,17 @@
 #include <string_view>
 #include <vector>
 
-#include "weld/audit/price.hpp"
+#include "weld/audit/mass_scaling_cost.hpp"
 #include "weld/tie/ties.hpp"
 
 // Is a weld modelled as it should be? Looked at once, after tying. Limits follow S. Bala, "Deformable Spotwelds in
-// LS-DYNA" (the talk), where it gives them; the book (audit.md) says where each comes from.
+// LS-DYNA for Impact and NVH Applications", where it gives them; docs/book/audit.md says where each comes from.
 namespace nugget::weld {
 
 class Inspection;
 
 /// What a check saw at one weld.
-struct Look {
+struct CheckResult {
   double value = std::numeric_limits<double>::quiet_NaN();  ///< measured; NaN: there is nothing to measure here
   double excess = 0.0;  ///< by what factor the value is beyond its limit; above 1 is a remark
   std::string text;     ///< what is wrong; only of a remark
@@ -29,10 +29,10 @@ struct Check {
   std::string_view name;     ///< short and stable: `diameter`
   std::string_view measure;  ///< what `value` is, for tables: `d / 5 sqrt(t)`; empty: no number
   std::string_view column;   ///< of welds.csv; empty: none
-  std::string_view rule;     ///< what a sound weld keeps to
+  std::string_view rule;     ///< what a weld without remark keeps to
   std::string_view remedy;
   Severity severity = Severity::warning;  ///< of a remark; notes are no findings
-  Look (*look)(const Inspection&, const Weld&);
+  CheckResult (*evaluate)(const Inspection&, const Weld&);
 };
 
 /// All checks, in the order in which they are made.
@@ -49,7 +49,7 @@ struct Report {
   std::vector<double> values;  ///< one a check, in the order of checks(); NaN where there is none
   std::size_t spot = 0;        ///< the first weld of the stack that it belongs to: welds above each other are one spot
   std::vector<Index> stack;    ///< parts that the stack of welds joins that this one belongs to, ascending
-  Price price;
+  MassScalingCost cost;
   std::vector<Remark> remarks;
 };
 

@@ -68,7 +68,7 @@ Index Inspection::shell_at(const Weld& weld, int end) const {
   if (weld.face[end].empty()) return none;
   const Index node = weld.face[end][0];
   for (const Projection& p : weld.ends)
-    if (p.node == node && p.tied && p.kase != 0) return p.tie.shell;
+    if (p.node == node && p.tied && p.projection_case != 0) return p.tie.shell;
   const auto shells = mesh_.at(node);
   return shells.empty() ? none : shells.front();
 }
@@ -168,7 +168,7 @@ std::optional<double> Inspection::aspect_ratio(const Weld& weld) const {
   return longest / shortest;
 }
 
-const Weld* Inspection::twin(const Weld& weld, double distance) const {
+const Weld* Inspection::duplicate(const Weld& weld, double distance) const {
   const auto self = static_cast<int>(number(weld));
   const Vec3d here = centre_[self];
   const auto same_sheets = [&](const Weld& other) {

@@ -46,7 +46,7 @@ class Inspection {
   std::optional<double> aspect_ratio(const Weld& weld) const;
 
   /// The first weld before this one between the same sheets whose centre is within `distance`, or null.
-  const Weld* twin(const Weld& weld, double distance) const;
+  const Weld* duplicate(const Weld& weld, double distance) const;
   /// The first weld of the stack of this weld.
   std::size_t spot(const Weld& weld) const { return stacks_.of(number(weld)); }
   /// The parts that the stack of this weld joins.

@@ -11,7 +11,8 @@
 namespace nugget::weld {
 
 /// The cross-section of a weld of bricks while it moves: its own axes, its size, and what the nodal forces of its
-/// bricks add up to on it (reference: spotweld-theory.md 3.1, 3.2).
+/// bricks add up to on it (docs/theory/weld.md#axes-of-a-weld-of-bricks and
+/// docs/theory/weld.md#resultants-of-a-weld-of-bricks).
 ///
 /// r is the mean of the area-weighted normals of both end faces, from the first to the second. It does not follow the
 /// line of their centres, which shear tilts. s is, for a single brick, the mean of the edges 1-2 and 4-3 of both end

@@ -6,7 +6,7 @@
 #include "model/model.hpp"
 #include "weld/tie/ties.hpp"
 
-// Welds of MAT_100_DA: what *DEFINE_CONNECTION_PROPERTIES says of one of them (reference: spotweld-theory.md 4.7).
+// Welds of MAT_100_DA: what *DEFINE_CONNECTION_PROPERTIES says of one of them (docs/theory/failure.md#connections).
 namespace nugget::weld {
 
 using ConnectionRecord = model::ConnectionProperties::Record;

@@ -14,7 +14,7 @@ namespace {
 ///   f = (s_n / S_N)^EXSN + (s_b / S_B)^EXSB + (tau / S_S)^EXSS
 ///   s_n = max(N_rr, 0) / A, s_b = sqrt(M_ss^2 + M_tt^2) / Z, tau = SCLMRR |M_rr| / 2Z + sqrt(N_rs^2 + N_rt^2) / A
 /// with the section of a disc of area A and strengths at the strain rate, smoothed by RFILTF. A strength of 0 leaves
-/// its term out. Source: spotweld-theory.md 4.7.
+/// its term out. Source: docs/theory/failure.md#connections.
 class ConnectionStress final : public Function {
  public:
   ConnectionStress(const model::ConnectionProperties& properties, const ConnectionRecord& record, double rate_filter,

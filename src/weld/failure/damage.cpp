@@ -26,7 +26,7 @@ DamageLaw damage_law(const model::WeldDamage& damage) {
   law.rupture = damage.rupture;
   law.beta = damage.beta;
   law.onset_strain = damage.failure_strain;
-  law.holds_yield = damage.option > 10;
+  law.freezes_yield = damage.option > 10;
   law.mode = damage.mode;
   law.cap = damage.cap;
   return law;
@@ -34,8 +34,8 @@ DamageLaw damage_law(const model::WeldDamage& damage) {
 
 DamageLaw damage_law(const model::ConnectionProperties& properties, const model::ConnectionProperties::Record& record,
                      const model::WeldDamage& damage) {
-  constexpr Growth growth[6] = {Growth::at_once, Growth::strain, Growth::surface,
-                                Growth::energy,  Growth::energy, Growth::energy};
+  constexpr Growth growth[6] = {Growth::immediate, Growth::strain, Growth::surface,
+                                Growth::energy,    Growth::energy, Growth::energy};
   DamageLaw law;
   law.growth = growth[properties.damage_type];
   law.rupture = damage.rupture;
@@ -44,26 +44,26 @@ DamageLaw damage_law(const model::ConnectionProperties& properties, const model:
   return law;
 }
 
-bool Damage::begins(const Seen& now) const {
+bool Damage::begins(const WeldState& now) const {
   return now.at_surface || (law_.onset_strain > 0.0 && now.plastic_strain > law_.onset_strain);
 }
 
-Damage::State Damage::update(const Seen& now) {
+Damage::State Damage::update(const WeldState& now) {
   if (!begun_) {
-    if (!begins(now)) return State::sound;
+    if (!begins(now)) return State::intact;
     const bool brittle = law_.mode > 0.0 && now.at_surface && std::sqrt(now.sliding) >= law_.mode;
-    if (law_.growth == Growth::at_once || brittle) return State::gone;
+    if (law_.growth == Growth::immediate || brittle) return State::failed;
     begun_ = true;
     onset_ = now;
   } else if (law_.cap > 0.0 && now.value >= law_.cap) {
-    return State::gone;
+    return State::failed;
   }
   damage_ = std::max(damage_, grown(now));
-  return damage_ >= 1.0 ? State::gone : State::damaged;
+  return damage_ >= 1.0 ? State::failed : State::damaged;
 }
 
-/// The damage w that the state asks for; 1 and more: the weld is gone.
-double Damage::grown(const Seen& now) {
+/// The damage w that the state asks for; 1 and more: the weld has failed.
+double Damage::grown(const WeldState& now) {
   switch (law_.growth) {
     case Growth::strain: {
       // RS below the strain at the onset is taken for the strain from there on.
@@ -82,7 +82,7 @@ double Damage::grown(const Seen& now) {
       const double faded = std::sqrt(1.0 - work_ / law_.fading_energy);
       return now.load > faded ? 1.0 - faded / now.load : 0.0;
     }
-    case Growth::at_once: break;
+    case Growth::immediate: break;
   }
   return 1.0;
 }

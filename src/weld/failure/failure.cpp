@@ -66,7 +66,7 @@ bool History::update(const failure::Load& load) {
     peak_value_ = value_.value;
     peak_time_ = load.time;
   }
-  if (fade(load) == Damage::State::gone)
+  if (advance_damage(load) == Damage::State::failed)
     fail(load.time, onset_mode_);
   else if (law_->failure_time > 0.0 && load.time >= law_->failure_time)
     fail(load.time, FailureMode::time);
@@ -74,9 +74,9 @@ bool History::update(const failure::Load& load) {
 }
 
 /// Carries the damage on, from the cycle on in which the failure function is reached; without a law of damage the weld
-/// is gone at once.
-Damage::State History::fade(const failure::Load& load) {
-  Damage::Seen now{load.time, load.plastic_strain, load.energy, surface_reached(), value_.value, 0.0, 0.0};
+/// fails immediately.
+Damage::State History::advance_damage(const failure::Load& load) {
+  Damage::WeldState now{load.time, load.plastic_strain, load.energy, surface_reached(), value_.value, 0.0, 0.0};
   for (int i = 0; i < value_.terms; ++i) {
     const failure::Value::Term& term = value_.term[static_cast<std::size_t>(i)];
     const bool slides = term.mode == FailureMode::shear || term.mode == FailureMode::torsion;
@@ -87,7 +87,7 @@ Damage::State History::fade(const failure::Load& load) {
   return damage_.update(now);
 }
 
-/// OPT -1 and -2 only tell the value; OPT 6 wants it for FVAL cycles on end.
+/// OPT -1 and -2 only give the value; OPT 6 wants it for FVAL cycles on end.
 bool History::surface_reached() {
   beyond_ = value_.value >= 1.0 ? beyond_ + 1 : 0;
   return law_->option >= 0 && beyond_ >= std::max(law_->cycles, 1);

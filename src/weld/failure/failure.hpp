@@ -34,7 +34,7 @@ class History {
   /// Takes the load of a cycle. True if the weld fails now: by its failure function, by time, or because its damage is
   /// complete.
   bool update(const failure::Load& load);
-  /// Tells that the weld was removed for a reason of its element (all section points failed).
+  /// Records that the weld was removed for a reason of its element (all section points failed).
   void fail(double time, FailureMode mode);
 
   const Resultants& resultants() const { return now_.resultants; }
@@ -58,7 +58,7 @@ class History {
 
  private:
   bool surface_reached();
-  Damage::State fade(const failure::Load& load);
+  Damage::State advance_damage(const failure::Load& load);
   const model::WeldLaw* law_;
   std::unique_ptr<failure::Function> function_;
   Filter filter_;

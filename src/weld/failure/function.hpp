@@ -12,7 +12,7 @@
 #include "weld/tie/ties.hpp"
 
 // The failure functions of MAT_100, one file for each kind. Formulas and what is known of their source:
-// ../shared/reference/spotweld-theory.md sections 4.3 to 4.5, and the book's page on weld failure.
+// docs/theory/failure.md.
 namespace nugget::weld::failure {
 
 /// What a failure function knows of its weld beside the load; constant over the run.

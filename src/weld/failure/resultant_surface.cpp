@@ -4,7 +4,7 @@
 namespace nugget::weld::failure {
 namespace {
 
-/// OPT 0, and -1 and -2, which only tell the value:
+/// OPT 0, and -1 and -2, which only give the value:
 ///   f = (max(N_rr, 0) / N_rrF)^2 + (N_rs / N_rsF)^2 + (N_rt / N_rtF)^2
 ///     + (M_rr / M_rrF)^2 + (M_ss / M_ssF)^2 + (M_tt / M_ttF)^2
 /// A strength of 0 leaves its term out; compression does not count. Source: *MAT_100 of LS-DYNA's manual.

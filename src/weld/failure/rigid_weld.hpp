@@ -43,7 +43,7 @@ class ForceFilter {
 ///     plastic strain > EP                            ductile
 ///     t >= TF
 ///
-/// with f_n along the weld, tension positive, f_s across it (keywords.md section 9, spotweld-theory.md section 7).
+/// with f_n along the weld, tension positive, f_s across it (LS-DYNA Keyword Manual, docs/theory/weld.md#rigid-welds).
 class RigidWeldHistory {
  public:
   explicit RigidWeldHistory(const model::RigidWeld& law) : law_(&law), filter_(law.filter, law.window) {}

@@ -14,7 +14,7 @@ bool is_tension(FailureMode mode) {
 
 /// LCT, LCS, T_ORT and T_ORS of *CONTROL_SPOTWELD_BEAM: the parts of the failure value by tension and bending and by
 /// shear and torsion, each over its factors at the size of the shell and the place on it; the end with the larger value
-/// counts. Reference: spotweld-theory.md 4.9 (the project's own form).
+/// counts. See docs/theory/failure.md#size-of-the-shell (the project's own form).
 class ShellSize final : public Function {
  public:
   ShellSize(std::unique_ptr<Function> inner, const std::array<Geometry::ShellFactor, 2>& ends)

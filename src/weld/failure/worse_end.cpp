@@ -6,9 +6,9 @@ namespace {
 
 /// The failure value at the end of the weld where it is larger. The moments there are those at mid-length and a couple
 /// of the shear force, M -/+ h/2 r x N at the second and the first end. A thickness TRUE_T below the modelled length
-/// takes the part of that couple away that only a weld modelled too thick has. Reference: spotweld-theory.md 3.3 (the
-/// project's own form; what LS-DYNA documents is that TRUE_T scales the moments of shear down, in the failure function
-/// alone).
+/// takes the part of that couple away that only a weld modelled too thick has. See docs/theory/failure.md#worse-end
+/// (the project's own form; what LS-DYNA documents is that TRUE_T scales the moments of shear down, in the failure
+/// function alone).
 class WorseEnd final : public Function {
  public:
   WorseEnd(std::unique_ptr<Function> inner, double height, bool once)

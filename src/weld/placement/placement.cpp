@@ -80,7 +80,7 @@ class Placing {
       if (part == none || model_.parts[part].kind != model::ElementKind::shell)
         return warn(point, fmt::format("part {} {}", id, part == none ? "is not in the model" : "has no shells"),
                     "correct the part id");
-      const std::vector<SpotSheet> all = sheets_.around(point.x, options_.reach);
+      const std::vector<SpotSheet> all = sheets_.around(point.x, options_.search_distance);
       const auto own = std::find_if(all.begin(), all.end(), [part](const SpotSheet& s) { return s.part == part; });
       if (own == all.end()) {
         std::vector<Index> others;
@@ -101,7 +101,7 @@ class Placing {
   /// The sheets that lie one upon the other around the closest one.
   std::optional<std::vector<SpotSheet>> found_stack(const SpotPoint& point) const {
     const double parallel = std::cos(30.0 * std::numbers::pi / 180.0);
-    std::vector<SpotSheet> sheets = sheets_.around(point.x, options_.reach);
+    std::vector<SpotSheet> sheets = sheets_.around(point.x, options_.search_distance);
     if (sheets.empty()) return too_few(point, {});
     const auto distance = [&](const SpotSheet& s) { return norm(s.point - point.x); };
     const SpotSheet first =
@@ -178,18 +178,18 @@ SpotSheet Sheets::sheet(Index shell, const Foot& foot) const {
 }
 
 std::optional<SpotSheet> Sheets::closest(const Vec3d& x, Index part, double bound) const {
-  const BoxTree::Nearest nearest =
-      tree_.nearest(x, bound, [&](int e) { return model_.shells.part[e] == part ? foot(e, x).reach : Box::infinity; });
+  const BoxTree::Nearest nearest = tree_.nearest(
+      x, bound, [&](int e) { return model_.shells.part[e] == part ? foot(e, x).distance : Box::infinity; });
   if (nearest.item < 0) return std::nullopt;
   const Foot at = foot(nearest.item, x);
   if (!at.over) return std::nullopt;
   return sheet(nearest.item, at);
 }
 
-std::vector<SpotSheet> Sheets::around(const Vec3d& x, double reach) const {
+std::vector<SpotSheet> Sheets::around(const Vec3d& x, double search_distance) const {
   std::map<Index, std::pair<double, Index>> best;  // of each part: distance and shell
-  tree_.overlapping(Box{x, x}.grown(reach > 0.0 ? reach : 3.0 * thickest_), [&](int e) {
-    const double bound = reach > 0.0 ? reach : 3.0 * model_.shells.thickness[e];
+  tree_.overlapping(Box{x, x}.grown(search_distance > 0.0 ? search_distance : 3.0 * thickest_), [&](int e) {
+    const double bound = search_distance > 0.0 ? search_distance : 3.0 * model_.shells.thickness[e];
     const Foot at = foot(e, x);
     if (!at.over || at.gap > bound) return;
     const std::pair<double, Index> own{at.gap, e};
@@ -204,7 +204,7 @@ std::vector<SpotSheet> Sheets::around(const Vec3d& x, double reach) const {
 Sheets::Near Sheets::nearest_other(const Vec3d& x, const std::vector<Index>& known) const {
   const BoxTree::Nearest nearest = tree_.nearest(x, Box::infinity, [&](int e) {
     const bool other = std::find(known.begin(), known.end(), model_.shells.part[e]) == known.end();
-    return other ? foot(e, x).reach : Box::infinity;
+    return other ? foot(e, x).distance : Box::infinity;
   });
   if (nearest.item < 0) return {};
   return {model_.shells.part[nearest.item], nearest.distance};

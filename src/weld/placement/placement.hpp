@@ -36,8 +36,9 @@ class Sheets {
 
   /// The closest point of a part's shells within `bound`; nothing where the part ends before it.
   std::optional<SpotSheet> closest(const Vec3d& x, Index part, double bound) const;
-  /// Of each part the closest point below or above `x` within `reach` of it (0: three thicknesses of the sheet).
-  std::vector<SpotSheet> around(const Vec3d& x, double reach) const;
+  /// Of each part the closest point below or above `x` within `search_distance` of it (0: three thicknesses of the
+  /// sheet).
+  std::vector<SpotSheet> around(const Vec3d& x, double search_distance) const;
   struct Near {
     Index part = none;  ///< none: there is no sheet at all
     double distance = 0.0;
@@ -56,8 +57,8 @@ class Sheets {
 };
 
 struct PlacementOptions {
-  double reach = 0.0;     ///< how far a sheet may be from a point; 0: three of its thicknesses [length]
-  double diameter = 0.0;  ///< where the list gives none; 0: 5 sqrt(t) of the thinnest sheet, in mm [length]
+  double search_distance = 0.0;  ///< how far a sheet may be from a point; 0: three of its thicknesses [length]
+  double diameter = 0.0;         ///< where the list gives none; 0: 5 sqrt(t) of the thinnest sheet, in mm [length]
 };
 
 /// Finds the sheets of each point: the named parts, or the stack of sheets around the closest one. Two sheets of a

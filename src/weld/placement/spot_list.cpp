@@ -50,7 +50,7 @@ class Table {
   void line(const std::string& text, int number) {
     number_ = number;
     const std::string content = trimmed(text);
-    if (content.empty() || content.front() == '#' || content.front() == '$' || dead_) return;
+    if (content.empty() || content.front() == '#' || content.front() == '$' || rejected_) return;
     if (separators_.empty()) separators_ = content.find_first_of(",;\t") == std::string::npos ? " " : ",;\t";
     std::vector<std::string> cells = split(content, separators_);
     if (separators_ == " ") std::erase(cells, "");
@@ -80,14 +80,14 @@ class Table {
       if (std::find(known.begin(), known.end(), columns_.back()) != known.end()) continue;
       error(fmt::format("the column '{}' is not known", name),
             fmt::format("columns are {}; remove it, or put a # before the line", fmt::join(known, ", ")));
-      dead_ = true;
+      rejected_ = true;
     }
     for (const std::string_view name : {"x", "y", "z"})
-      if (std::count(columns_.begin(), columns_.end(), name) != 1 && !dead_) {
+      if (std::count(columns_.begin(), columns_.end(), name) != 1 && !rejected_) {
         error(fmt::format("the column '{}' stands {} times in the head", name,
                           std::count(columns_.begin(), columns_.end(), name)),
               "name each of x, y and z once");
-        dead_ = true;
+        rejected_ = true;
       }
   }
 
@@ -140,7 +140,7 @@ class Table {
   std::vector<std::string> columns_;
   std::vector<SpotPoint> points_;
   int number_ = 0;
-  bool dead_ = false;
+  bool rejected_ = false;
 };
 
 std::optional<std::string> whole_text(const std::filesystem::path& path) {

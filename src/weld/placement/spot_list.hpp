@@ -22,7 +22,7 @@ struct SpotPoint {
 };
 
 /// Reads a list: xMCF where the file begins with `<`, else a table. Lengths of an xMCF file are brought to the model's
-/// unit. Errors name file and line. `model` tells units and part titles.
+/// unit. Errors name file and line. `model` gives units and part titles.
 ///
 /// A table has a point a line: x, y, z, then diameter, parts, class, or these in any order under a line of names.
 /// Separators are commas, semicolons or tabs; part ids in their cell are separated by blanks or `+`. Lines that begin
@@ -31,8 +31,8 @@ struct SpotPoint {
 std::vector<SpotPoint> read_spots(const std::filesystem::path& path, const model::Model& model, Findings& findings);
 
 /// xMCF (extended master connection file) 3.0 and 3.1: connection_0d with spotweld, and connection_1d with a sequence
-/// of them. What else it connects is told and left out. Source: FAT-Schriftenreihe 286 (2016), ISO/PAS 8329 and its
-/// schema xmcf_3_1_1.xsd.
+/// of them. What else it connects is ignored with a warning. Source: FAT-Schriftenreihe 286 (2016), ISO/PAS 8329 and
+/// its schema xmcf_3_1_1.xsd.
 std::vector<SpotPoint> read_xmcf(const std::string& text, const std::string& file, const model::Model& model,
                                  Findings& findings);
 

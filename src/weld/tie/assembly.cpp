@@ -42,7 +42,8 @@ Index sheet_of(const Facet& face, const SheetAt& sheet_at) {
 }
 
 /// The end faces on the first two sheets that carry outer faces; false if there are no two.
-bool lay_on_sheets(const model::Model& model, Weld& weld, const std::map<Facet, int>& count, const SheetAt& sheet_at) {
+bool find_faces_on_sheets(const model::Model& model, Weld& weld, const std::map<Facet, int>& count,
+                          const SheetAt& sheet_at) {
   std::array<Index, 2> sheets{none, none};
   std::array<std::vector<Facet>, 2> facets;
   for (Index e : weld.elements)
@@ -62,7 +63,7 @@ bool lay_on_sheets(const model::Model& model, Weld& weld, const std::map<Facet, 
   return true;
 }
 
-void lay_by_shape(const model::Model& model, Weld& weld, const std::map<Facet, int>& count) {
+void find_faces_by_shape(const model::Model& model, Weld& weld, const std::map<Facet, int>& count) {
   const std::vector<Vec3d>& x = model.nodes.x;
   const auto centre = [&](const Facet& f) { return 0.25 * (x[f[0]] + x[f[1]] + x[f[2]] + x[f[3]]); };
   weld.facets = {};
@@ -171,9 +172,9 @@ std::vector<Weld> join_clusters(const model::Model& model, std::vector<Weld> wel
   return welds;
 }
 
-void lay_faces(const model::Model& model, Weld& weld, const SheetAt& sheet_at) {
+void find_end_faces(const model::Model& model, Weld& weld, const SheetAt& sheet_at) {
   const std::map<Facet, int> count = count_faces(model, weld);
-  if (!lay_on_sheets(model, weld, count, sheet_at)) lay_by_shape(model, weld, count);
+  if (!find_faces_on_sheets(model, weld, count, sheet_at)) find_faces_by_shape(model, weld, count);
   const auto take = [](std::vector<Index>& nodes, Index n) {
     if (std::find(nodes.begin(), nodes.end(), n) == nodes.end()) nodes.push_back(n);
   };

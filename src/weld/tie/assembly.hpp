@@ -23,6 +23,6 @@ std::vector<Weld> join_clusters(const model::Model& model, std::vector<Weld> wel
 /// Lays the end faces of a weld of bricks, and with them `ends`. They are the outer faces of its bricks that lie with
 /// all corners on one of two sheets. Where there are no two such sheets, each brick gives the pair of opposite faces
 /// that it shares least with others of the weld, of equal ones the pair with the shortest distance.
-void lay_faces(const model::Model& model, Weld& weld, const SheetAt& sheet_at);
+void find_end_faces(const model::Model& model, Weld& weld, const SheetAt& sheet_at);
 
 }  // namespace nugget::weld

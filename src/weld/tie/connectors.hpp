@@ -8,7 +8,7 @@
 namespace nugget::weld {
 
 /// The discrete beams (ELFORM 6) that look like connections between sheets: no shell, brick, spring or other beam has
-/// one of their nodes, and not both nodes belong to rigid bodies. So they hang on ties, as spot-weld beams do.
+/// one of their nodes, and not both nodes belong to rigid bodies. So they are tied, as spot-weld beams are.
 std::vector<Index> find_connectors(const model::Model& model);
 
 }  // namespace nugget::weld

@@ -21,12 +21,12 @@ constexpr double negligible_share = 1e-3;
 /// Moves the best candidate to the front: the one within reach by the least distance, of equal ones the first in order.
 void best_first(std::vector<Candidate>::iterator begin, std::vector<Candidate>::iterator end) {
   if (begin == end) return;
-  const auto nearest =
-      std::min_element(begin, end, [](const Candidate& a, const Candidate& b) { return a.foot.reach < b.foot.reach; });
-  const double limit = nearest->foot.reach + equal_share * nearest->tolerance;
+  const auto nearest = std::min_element(
+      begin, end, [](const Candidate& a, const Candidate& b) { return a.foot.distance < b.foot.distance; });
+  const double limit = nearest->foot.distance + equal_share * nearest->tolerance;
   auto best = nearest;
   for (auto c = begin; c != end; ++c)
-    if (c->foot.reach <= limit && c->order < best->order) best = c;
+    if (c->foot.distance <= limit && c->order < best->order) best = c;
   std::iter_swap(begin, best);
 }
 
@@ -170,35 +170,35 @@ Candidate Reference::closest(const Tracked& tracked, double bound, Wanted&& want
   const Vec3d& x = model_.nodes.x[tracked.node];
   const BoxTree::Nearest nearest = tree_.nearest(x, bound, [&](Index order) {
     const ReferenceSegment& s = segments_[order];
-    return allowed(s, tracked) && wanted(s) ? project(corners(s), s.triangle(), x).reach : infinity;
+    return allowed(s, tracked) && wanted(s) ? project(corners(s), s.triangle(), x).distance : infinity;
   });
   return nearest.item >= 0 ? candidate(nearest.item, tracked) : Candidate{};
 }
 
-Offer Reference::search(const Tracked& tracked) const {
-  Offer offer;
+NearbySegments Reference::search(const Tracked& tracked) const {
+  NearbySegments nearby;
   const Vec3d& x = model_.nodes.x[tracked.node];
   std::vector<Candidate> found;
   tree_.overlapping(Box{x, x}.grown(0.6 * tracked.thickness), [&](Index order) {
     if (!allowed(segments_[order], tracked)) return;
     const Candidate c = candidate(order, tracked);
-    if (c.in_reach()) found.push_back(c);
+    if (c.within_tolerance()) found.push_back(c);
   });
-  offer.in_reach = best_of_each_part(std::move(found));
-  if (offer.in_reach.empty()) {
-    offer.closest = closest(tracked, infinity, [](const ReferenceSegment&) { return true; });
+  nearby.within_tolerance = best_of_each_part(std::move(found));
+  if (nearby.within_tolerance.empty()) {
+    nearby.closest = closest(tracked, infinity, [](const ReferenceSegment&) { return true; });
   } else {
-    offer.closest = offer.in_reach.front();
-    offer.plane_of_other_sheet = plane_of_other_sheet(tracked, offer);
+    nearby.closest = nearby.within_tolerance.front();
+    nearby.plane_of_other_sheet = plane_of_other_sheet(tracked, nearby);
   }
-  return offer;
+  return nearby;
 }
 
-double Reference::plane_of_other_sheet(const Tracked& tracked, const Offer& offer) const {
-  const Candidate& best = offer.in_reach.front();
+double Reference::plane_of_other_sheet(const Tracked& tracked, const NearbySegments& nearby) const {
+  const Candidate& best = nearby.within_tolerance.front();
   if (best.foot.gap <= negligible_share * best.tolerance) return infinity;
   const auto of_other_sheet = [&](const ReferenceSegment& s) {
-    return std::none_of(offer.in_reach.begin(), offer.in_reach.end(), [&](const Candidate& c) {
+    return std::none_of(nearby.within_tolerance.begin(), nearby.within_tolerance.end(), [&](const Candidate& c) {
       return c.segment.part == s.part && c.foot.over;  // that sheet does reach the node
     });
   };

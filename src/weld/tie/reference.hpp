@@ -33,12 +33,12 @@ struct Candidate {
   Foot foot;
   double tolerance = 0.0;  ///< [length]
 
-  bool in_reach() const { return foot.gap <= tolerance; }
+  bool within_tolerance() const { return foot.gap <= tolerance; }
 };
 
 /// What the surroundings of one tracked node offer it.
-struct Offer {
-  std::vector<Candidate> in_reach;  ///< the best of each part, the best of all first
+struct NearbySegments {
+  std::vector<Candidate> within_tolerance;  ///< the best of each part, the best of all first
   Candidate closest;  ///< without regard to the tolerance; `contact` is none if there is no segment at all
   /// The distance to the plane of a sheet that is closer than the best candidate but ends before it reaches the node
   /// (projection case 6); infinite if there is none [length].
@@ -59,7 +59,7 @@ class Reference {
 
   bool empty() const { return segments_.empty(); }
   const std::vector<ReferenceSegment>& segments() const { return segments_; }
-  Offer search(const Tracked& tracked) const;
+  NearbySegments search(const Tracked& tracked) const;
 
  private:
   void add_shell(Index shell);
@@ -74,7 +74,7 @@ class Reference {
   Candidate candidate(Index order, const Tracked& tracked) const;
   template <class Wanted>
   Candidate closest(const Tracked& tracked, double bound, Wanted&& wanted) const;
-  double plane_of_other_sheet(const Tracked& tracked, const Offer& offer) const;
+  double plane_of_other_sheet(const Tracked& tracked, const NearbySegments& nearby) const;
 
   const model::Model& model_;
   const model::Contact& contact_;

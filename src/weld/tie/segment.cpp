@@ -25,7 +25,7 @@ struct Patch {
 /// Newton's method for the foot of the perpendicular from the origin; nothing where it does not settle near the patch.
 std::optional<Parameters> perpendicular_foot(const Patch& patch) {
   constexpr int most_steps = 50;
-  constexpr double settled = 1e-12;
+  constexpr double converged = 1e-12;
   constexpr double far_away = 10.0;
   Parameters p;
   for (int step = 0; step < most_steps; ++step) {
@@ -47,7 +47,7 @@ std::optional<Parameters> perpendicular_foot(const Patch& patch) {
     p.xi += d_xi;
     p.eta += d_eta;
     if (std::abs(p.xi) > far_away || std::abs(p.eta) > far_away) return std::nullopt;
-    if (std::abs(d_xi) + std::abs(d_eta) < settled) return p;
+    if (std::abs(d_xi) + std::abs(d_eta) < converged) return p;
   }
   return std::nullopt;
 }
@@ -135,7 +135,7 @@ Foot project(const Corners& corner, bool triangle, const Vec3d& x) {
   result.weight = weights(tied, triangle);
   result.point = weighted(result.weight, corner);
   result.gap = norm(weighted(result.weight, k));
-  result.reach = norm(weighted(weights(closest, triangle), k));
+  result.distance = norm(weighted(weights(closest, triangle), k));
   result.over = over;
   return result;
 }

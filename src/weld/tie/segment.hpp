@@ -20,8 +20,8 @@ struct Foot {
   std::array<double, 4> weight{};  ///< shape functions; on a triangle the fourth is 0
   Vec3d point;                     ///< sum of weight times corner [length]
   double gap = 0.0;                ///< from the node to `point` [length]
-  double reach = 0.0;  ///< from the node to the closest point of the segment proper, borders included [length]
-  bool over = false;   ///< the node's foot lies within the (extended) segment; false: `point` is on the border
+  double distance = 0.0;  ///< from the node to the closest point of the segment proper, borders included [length]
+  bool over = false;      ///< the node's foot lies within the (extended) segment; false: `point` is on the border
 };
 
 /// Standard shape functions of the bilinear segment: N1 (-,-), N2 (+,-), N3 (+,+), N4 (-,+).

@@ -10,7 +10,7 @@
 
 namespace nugget::weld {
 
-/// How the shells of a model hang together: which shell lies across a side, where sheets end, how wide a flange is.
+/// How the shells of a model are connected: which shell lies across a side, where sheets end, how wide a flange is.
 class SheetMesh {
  public:
   /// `x`: node coordinates [length].

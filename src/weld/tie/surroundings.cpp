@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "model/bond.hpp"
-#include "weld/tie/presumed.hpp"
+#include "weld/tie/inferred_welds.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::weld {
@@ -46,9 +46,9 @@ Surroundings::Surroundings(const model::Model& model)
   for (std::size_t e = 0; e < model.solids.size(); ++e)
     if (model::bond_between_shells(model, e))
       for (Index n : model.solids.node[e]) rotates[n] = 1;
-  for (Index e : presumed_beams(model))
+  for (Index e : inferred_beams(model))
     for (Index n : model.beams.node[e]) of_weld[n] = 1;
-  for (Index e : presumed_bricks(model))
+  for (Index e : inferred_bricks(model))
     for (Index n : model.solids.node[e]) of_weld[n] = 1;
   for (std::size_t b = 0; b < model.rigid_bodies.size(); ++b)
     for (Index n : model.rigid_bodies[b].nodes)

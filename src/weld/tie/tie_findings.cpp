@@ -47,12 +47,12 @@ Index body_of_segment(const Tie& tie, const Surroundings& around) {
 
 void note_rigid_sheets(const model::Model& model, const Surroundings& around, std::vector<Tie>& ties,
                        Findings& findings) {
-  std::set<std::pair<Index, Index>> told;  // body, part
+  std::set<std::pair<Index, Index>> reported;  // body, part
   for (Tie& tie : ties) {
     tie.rigid_body = body_of_segment(tie, around);
     if (tie.rigid_body == none || tie.spring) continue;
     const Index part = tie.part;
-    if (!told.insert({tie.rigid_body, part}).second) continue;
+    if (!reported.insert({tie.rigid_body, part}).second) continue;
     const model::Contact& contact = model.contacts[tie.contact];
     findings.note(
         contact.place, name_contact(contact),
@@ -110,7 +110,7 @@ void fall_back_on_springs(const model::Model& model, const Surroundings& around,
           fmt::format("{} nodes or their segments are constrained already; springs hold them (IPBACK)", count[c]));
 }
 
-/// Takes away the ties whose segments hang on nothing, again and again; what is left goes round in a circle.
+/// Takes away the ties whose segments are tied to nothing, again and again; what is left goes round in a circle.
 void refuse_circles(const model::Model& model, const std::vector<Tie>& ties, const std::vector<Index>& tie_of,
                     Findings& findings) {
   std::vector<std::vector<Index>> behind(ties.size());
@@ -141,7 +141,7 @@ void refuse_circles(const model::Model& model, const std::vector<Tie>& ties, con
 void report_end(const model::Model& model, const Weld& weld, const Projection& p, Findings& findings) {
   const std::string text = fmt::format("{}: {}: {}", name_weld(weld), name_node(model, p.node), p.reason);
   const std::string keyword = keyword_of(weld);
-  switch (p.kase) {
+  switch (p.projection_case) {
     case 4:
       findings.warning(weld.place, keyword, fmt::format("{}, moved {:.4g}", text, p.tie.moved),
                        "move the sheets apart to half the sum of their thicknesses");
@@ -158,7 +158,8 @@ void report_end(const model::Model& model, const Weld& weld, const Projection& p
     case 7:
     case 8:
       findings.warning(weld.place, keyword,
-                       fmt::format("{} (case {}{}), not tied", text, p.kase, p.kase == 8 ? ", normals outward" : ""),
+                       fmt::format("{} (case {}{}), not tied", text, p.projection_case,
+                                   p.projection_case == 8 ? ", normals outward" : ""),
                        "the sheets cross here: separate them, or swap the ends of the weld");
       return;
     default: return;
@@ -220,7 +221,7 @@ void report_tied_adhesive(const model::Model& model, const std::vector<Tie>& tie
     double before = 0.0, after = 0.0;  // thickness of the first brick
     bool matters = false;
   };
-  std::vector<Told> told(model.contacts.size());
+  std::vector<Told> reported(model.contacts.size());
   std::vector<char> seen(model.nodes.size(), 0);
   for (std::size_t e = 0; e < model.solids.size(); ++e) {
     const kernel::CohesiveBond* bond = model::bond_of(model, model.parts[model.solids.part[e]]);
@@ -234,16 +235,16 @@ void report_tied_adhesive(const model::Model& model, const std::vector<Tie>& tie
       before += side * model.nodes.x[static_cast<std::size_t>(n)];
       after += side * (tie && tie->moved > 0.0 ? tie->point : model.nodes.x[static_cast<std::size_t>(n)]);
       if (tie && tie->moved > 0.0) moved = tie;
-      if (tie && tie->spring && !std::exchange(seen[static_cast<std::size_t>(n)], 1)) ++told[tie->contact].sprung;
+      if (tie && tie->spring && !std::exchange(seen[static_cast<std::size_t>(n)], 1)) ++reported[tie->contact].sprung;
     }
     if (moved == nullptr || std::abs(norm(after) - norm(before)) <= 0.1 * std::max(norm(after), norm(before))) continue;
-    Told& t = told[moved->contact];
+    Told& t = reported[moved->contact];
     if (t.bricks++ == 0) t.before = norm(before), t.after = norm(after);
     t.matters = t.matters || (bond->yields() && bond->glue.thickness == 0.0);
   }
-  for (std::size_t c = 0; c < told.size(); ++c) {
+  for (std::size_t c = 0; c < reported.size(); ++c) {
     const model::Contact& contact = model.contacts[c];
-    const Told& t = told[c];
+    const Told& t = reported[c];
     if (t.sprung > 0)
       findings.warning(
           contact.place, name_contact(contact),
@@ -295,7 +296,7 @@ void report_untied_welds(const model::Model& model, const std::vector<const Weld
 }
 
 bool untracked(const Projection& p) {
-  return p.kase == 0 && !p.tied;
+  return p.projection_case == 0 && !p.tied;
 }
 
 /// Weld nodes that no contact tracks: a few are named, many are one finding a part.
@@ -395,9 +396,9 @@ void report_what_is_not_built(const model::Model& model, const model::Contact& c
     findings.error(contact.place, name_contact(contact),
                    fmt::format("birth time {:.4g}: a tie that comes later than the start is not built", contact.birth),
                    "leave BT blank; DT, the end of a tie, is obeyed");
-  std::set<Index> told;
+  std::set<Index> reported;
   for (const ReferenceSegment& s : segments) {
-    if (s.shell == none || model.shells.offset[s.shell] == 0.0 || !told.insert(s.part).second) continue;
+    if (s.shell == none || model.shells.offset[s.shell] == 0.0 || !reported.insert(s.part).second) continue;
     findings.warning(
         contact.place, name_contact(contact),
         fmt::format("the mid-surface of part {} lies {:.4g} off its nodes; ties go to the surface of the nodes",
@@ -460,7 +461,7 @@ void report_welds(const model::Model& model, const Ties& ties, Findings& finding
   std::vector<const Weld*> untied;
   for (const Weld& weld : ties.welds) {
     for (const Projection& p : weld.ends) report_end(model, weld, p, findings);
-    const auto tracked = [](const Projection& p) { return p.kase != 0; };
+    const auto tracked = [](const Projection& p) { return p.projection_case != 0; };
     if (!weld.tied && std::any_of(weld.ends.begin(), weld.ends.end(), tracked)) untied.push_back(&weld);
   }
   report_untracked_welds(model, ties, findings);

@@ -33,12 +33,12 @@ constexpr double no_length_share = 1e-6;
 struct Record {
   Index node = none;
   bool found = false;             ///< a segment; `closest` is the chosen one
-  bool tied = false;              ///< found, and not let go with its weld
+  bool tied = false;              ///< found, and not released with its weld
   bool only_sheet_taken = false;  ///< its candidates lie on the sheet that holds the weld's other end
   Candidate closest;              ///< `contact` none: there is no segment at all
   Index tie = none;               ///< in Ties::ties
   double plane_of_other_sheet = infinity;
-  std::vector<Candidate> in_reach;  ///< in the contact that is being worked on
+  std::vector<Candidate> within_tolerance;  ///< in the contact that is being worked on
 };
 
 /// One end of a weld: the mean of its face's nodes.
@@ -95,13 +95,13 @@ class Tying {
   }
 
   Ties run() {
-    demand_parts();
+    read_required_parts();
     for (Index c = 0; c < static_cast<Index>(model_.contacts.size()); ++c)
       if (model_.contacts[c].tie()) work_through(c);
     const auto sheet = [this](Index node) { return sheet_at(node); };
     result_.welds = join_clusters(model_, std::move(result_.welds), sheet, findings_);
-    fates_.resize(result_.welds.size(), 0);
-    for (std::size_t w = 0; w < result_.welds.size(); ++w) judge(w);
+    rejection_.resize(result_.welds.size(), 0);
+    for (std::size_t w = 0; w < result_.welds.size(); ++w) classify_weld(w);
     release_nodes_of_lost_welds();
     make_ties();
     for (std::size_t w = 0; w < result_.welds.size(); ++w) describe_weld(w);
@@ -109,22 +109,22 @@ class Tying {
   }
 
  private:
-  void demand_parts();
+  void read_required_parts();
   void work_through(Index contact);
   std::vector<Tracked> tracked_nodes(Index contact);
-  void take_offers(Index contact, const std::vector<Tracked>& tracked, std::vector<Offer> offers);
-  void settle_beam(const Weld& weld);
+  void collect_candidates(Index contact, const std::vector<Tracked>& tracked, std::vector<NearbySegments> offers);
+  void choose_beam_segments(const Weld& weld);
   static const Candidate* best(const Record& record, Index part_to_avoid);
-  static void settle(Record& record, const Candidate* candidate);
+  static void choose_segment(Record& record, const Candidate* candidate);
   void report_loose_nodes(Index contact, const std::vector<Tracked>& tracked);
-  void judge(std::size_t w);
+  void classify_weld(std::size_t w);
   int distorted(const End& a, const End& b, double diameter) const;
   void release_nodes_of_lost_welds();
   void make_ties();
-  void choose_hold(Tie& tie, const model::Contact& contact) const;
+  void choose_constraint_or_spring(Tie& tie, const model::Contact& contact) const;
   void describe_weld(std::size_t w);
   Projection projection(std::size_t w, Index node, double penetration) const;
-  Projection held_rigidly(Index node) const;
+  Projection rigid_projection(Index node) const;
   std::array<Index, 2> sheets_of(const std::vector<Projection>& ends) const;
   int position_case(const Record& r) const;
   std::string reason(const Record& r, const Projection& p, double penetration) const;
@@ -136,10 +136,10 @@ class Tying {
   }
   const Record* record(Index node) const { return record_of_[node] == none ? nullptr : &records_[record_of_[node]]; }
   /// A node that needs no tie: a node of a sheet, or of a rigid body.
-  bool held(Index node) const { return around_.shell[node] != none || around_.rigid_body[node] != none; }
+  bool belongs_to_sheet(Index node) const { return around_.shell[node] != none || around_.rigid_body[node] != none; }
   bool attached(Index node) const {
     const Record* r = record(node);
-    return held(node) || (r && r->tied);
+    return belongs_to_sheet(node) || (r && r->tied);
   }
   Index sheet_at(Index node) const;
   Vec3d foot(Index node) const;
@@ -153,12 +153,12 @@ class Tying {
   std::vector<Index> record_of_;  // of each node, in records_
   std::vector<Record> records_;
   std::vector<Index> only_part_;  // of each node, by *ELEMENT_BEAM_PID
-  std::vector<int> fates_;        // of each weld: 0, or the projection case 7 or 8
+  std::vector<int> rejection_;    // of each weld: 0, or the projection case 7 or 8
   Ties result_;
 };
 
 /// Gathers the parts that *ELEMENT_BEAM_PID asks for.
-void Tying::demand_parts() {
+void Tying::read_required_parts() {
   for (const Weld& weld : result_.welds)
     for (std::size_t end = 0; end < 2; ++end) {
       const Index wanted = weld.tied_parts[end];
@@ -184,17 +184,17 @@ void Tying::work_through(Index contact) {
     report_empty_side(model_.contacts[contact], reference.empty(), findings_);
     return;
   }
-  std::vector<Offer> offers(tracked.size());
+  std::vector<NearbySegments> offers(tracked.size());
   parallel_for(tracked.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) offers[i] = reference.search(tracked[i]);
   });
-  take_offers(contact, tracked, std::move(offers));
+  collect_candidates(contact, tracked, std::move(offers));
 
   for (const Weld& weld : result_.welds)
-    if (weld.kind == Weld::Kind::beam || weld.kind == Weld::Kind::connector) settle_beam(weld);
+    if (weld.kind == Weld::Kind::beam || weld.kind == Weld::Kind::connector) choose_beam_segments(weld);
   for (const Tracked& t : tracked)
-    if (Record& r = *record(t.node); !r.tied && !r.only_sheet_taken) settle(r, best(r, none));
-  for (const Tracked& t : tracked) record(t.node)->in_reach.clear();
+    if (Record& r = *record(t.node); !r.tied && !r.only_sheet_taken) choose_segment(r, best(r, none));
+  for (const Tracked& t : tracked) record(t.node)->within_tolerance.clear();
   report_loose_nodes(contact, tracked);
 }
 
@@ -218,7 +218,7 @@ std::vector<Tracked> Tying::tracked_nodes(Index contact) {
 }
 
 /// Writes into the records what the search in this contact has found.
-void Tying::take_offers(Index contact, const std::vector<Tracked>& tracked, std::vector<Offer> offers) {
+void Tying::collect_candidates(Index contact, const std::vector<Tracked>& tracked, std::vector<NearbySegments> offers) {
   for (std::size_t i = 0; i < tracked.size(); ++i) {
     const Index node = tracked[i].node;
     if (record_of_[node] == none) {
@@ -226,28 +226,30 @@ void Tying::take_offers(Index contact, const std::vector<Tracked>& tracked, std:
       records_.emplace_back().node = node;
     }
     Record& r = *record(node);
-    Offer& offer = offers[i];
+    NearbySegments& nearby = offers[i];
     if (r.tied) {
-      if (!offer.in_reach.empty()) report_second_tie(model_, node, r.closest.contact, contact, findings_);
+      if (!nearby.within_tolerance.empty()) report_second_tie(model_, node, r.closest.contact, contact, findings_);
       continue;
     }
     r.only_sheet_taken = false;
-    const bool nearer = r.closest.contact == none || offer.closest.foot.reach < r.closest.foot.reach;
-    if (offer.closest.contact != none && nearer) r.closest = offer.closest;
-    r.plane_of_other_sheet = offer.plane_of_other_sheet;
-    r.in_reach = std::move(offer.in_reach);
+    const bool nearer = r.closest.contact == none || nearby.closest.foot.distance < r.closest.foot.distance;
+    if (nearby.closest.contact != none && nearer) r.closest = nearby.closest;
+    r.plane_of_other_sheet = nearby.plane_of_other_sheet;
+    r.within_tolerance = std::move(nearby.within_tolerance);
   }
 }
 
 /// Ties the two ends to different parts: of two on the same part the farther one takes its next best; if that would
 /// turn the weld over and the other way round would not, the nearer one does.
-void Tying::settle_beam(const Weld& weld) {
+void Tying::choose_beam_segments(const Weld& weld) {
   const std::array<Record*, 2> r{record(weld.ends[0].node), record(weld.ends[1].node)};
-  const auto is_open = [](const Record* record) { return record && !record->tied && !record->in_reach.empty(); };
+  const auto is_open = [](const Record* record) {
+    return record && !record->tied && !record->within_tolerance.empty();
+  };
   const std::array<bool, 2> open{is_open(r[0]), is_open(r[1])};
   if (open[0] != open[1]) {
     const int end = open[0] ? 0 : 1;
-    settle(*r[end], best(*r[end], sheet_at(weld.ends[1 - end].node)));
+    choose_segment(*r[end], best(*r[end], sheet_at(weld.ends[1 - end].node)));
   }
   if (!open[0] || !open[1]) return;
 
@@ -262,29 +264,30 @@ void Tying::settle_beam(const Weld& weld) {
   const auto turns_over = [&](const Choice& c) {
     return c[0] && c[1] && dot(c[1]->foot.point - c[0]->foot.point, axis) <= 0.0;
   };
-  const int nearer = r[0]->in_reach.front().foot.reach > r[1]->in_reach.front().foot.reach ? 1 : 0;
+  const int nearer =
+      r[0]->within_tolerance.front().foot.distance > r[1]->within_tolerance.front().foot.distance ? 1 : 0;
   Choice choice = choose(nearer);
   if (turns_over(choice)) {
     const Choice other = choose(1 - nearer);
     if (other[0] && other[1] && !turns_over(other)) choice = other;
   }
-  for (int end = 0; end < 2; ++end) settle(*r[end], choice[end]);
+  for (int end = 0; end < 2; ++end) choose_segment(*r[end], choice[end]);
 }
 
 /// The best that a node is offered elsewhere than on one part; null if there is nothing.
 const Candidate* Tying::best(const Record& record, Index part_to_avoid) {
   const auto elsewhere = [&](const Candidate& c) { return part_to_avoid == none || c.segment.part != part_to_avoid; };
-  const auto found = std::find_if(record.in_reach.begin(), record.in_reach.end(), elsewhere);
-  return found == record.in_reach.end() ? nullptr : &*found;
+  const auto found = std::find_if(record.within_tolerance.begin(), record.within_tolerance.end(), elsewhere);
+  return found == record.within_tolerance.end() ? nullptr : &*found;
 }
 
 /// Ties a node to the candidate; null: it stays free.
-void Tying::settle(Record& record, const Candidate* candidate) {
+void Tying::choose_segment(Record& record, const Candidate* candidate) {
   if (candidate) {
     record.found = record.tied = true;
     record.closest = *candidate;
   } else {
-    record.only_sheet_taken = !record.in_reach.empty();
+    record.only_sheet_taken = !record.within_tolerance.empty();
   }
 }
 
@@ -295,7 +298,7 @@ void Tying::report_loose_nodes(Index contact, const std::vector<Tracked>& tracke
     if (!around_.of_weld[t.node] && !record(t.node)->tied) loose.push_back(t.node);
   if (loose.empty()) return;
   const Candidate& closest = record(loose.front())->closest;
-  report_untied_nodes(model_, model_.contacts[contact], loose, closest.foot.reach, closest.tolerance, findings_);
+  report_untied_nodes(model_, model_.contacts[contact], loose, closest.foot.distance, closest.tolerance, findings_);
 }
 
 Index Tying::sheet_at(Index node) const {
@@ -358,9 +361,9 @@ int Tying::distorted(const End& a, const End& b, double diameter) const {
 }
 
 /// Whether weld `w` is refused, tied, to be deleted.
-void Tying::judge(std::size_t w) {
+void Tying::classify_weld(std::size_t w) {
   Weld& weld = result_.welds[w];
-  if (weld.of_bricks()) lay_faces(model_, weld, [this](Index node) { return sheet_at(node); });
+  if (weld.of_bricks()) find_end_faces(model_, weld, [this](Index node) { return sheet_at(node); });
   const WeldSize size = measure(weld, model_.nodes.x);
   weld.length = weld.length_before = size.length;
   weld.diameter = size.diameter;
@@ -369,10 +372,10 @@ void Tying::judge(std::size_t w) {
     return;
   }
   const End a = end(weld, 0), b = end(weld, 1);
-  if (a.moved || b.moved) fates_[w] = distorted(a, b, weld.diameter);
+  if (a.moved || b.moved) rejection_[w] = distorted(a, b, weld.diameter);
   const auto is_attached = [&](const Projection& p) { return attached(p.node); };
   const auto is_tracked = [&](const Projection& p) { return record(p.node) != nullptr; };
-  weld.tied = fates_[w] == 0 && std::all_of(weld.ends.begin(), weld.ends.end(), is_attached);
+  weld.tied = rejection_[w] == 0 && std::all_of(weld.ends.begin(), weld.ends.end(), is_attached);
   // SPOTSTP is about nodes that a contact tracks in vain.
   const bool in_vain = !weld.tied && std::any_of(weld.ends.begin(), weld.ends.end(), is_tracked);
   weld.deleted = in_vain && model_.control.untied_weld == 2;
@@ -383,7 +386,7 @@ void Tying::release_nodes_of_lost_welds() {
   std::vector<char> kept(records_.size(), 0);
   for (std::size_t r = 0; r < records_.size(); ++r) kept[r] = !around_.of_weld[records_[r].node];
   for (std::size_t w = 0; w < result_.welds.size(); ++w) {
-    if (fates_[w] != 0 || result_.welds[w].deleted) continue;
+    if (rejection_[w] != 0 || result_.welds[w].deleted) continue;
     for (const Projection& p : result_.welds[w].ends)
       if (record_of_[p.node] != none) kept[record_of_[p.node]] = 1;
   }
@@ -411,7 +414,7 @@ void Tying::make_ties() {
     tie.gap = c.foot.gap > round_off * c.tolerance ? c.foot.gap : 0.0;
     tie.moved = projects(c.contact) ? tie.gap : 0.0;
     if (projects(c.contact)) result_.x[node] = tie.point;
-    choose_hold(tie, contact);
+    choose_constraint_or_spring(tie, contact);
     r->tie = static_cast<Index>(result_.ties.size());
     result_.ties.push_back(tie);
   }
@@ -419,7 +422,7 @@ void Tying::make_ties() {
 }
 
 /// What the tie hands over, and by what means.
-void Tying::choose_hold(Tie& tie, const model::Contact& contact) const {
+void Tying::choose_constraint_or_spring(Tie& tie, const model::Contact& contact) const {
   using Offset = model::Contact::Offset;
   const bool on_shell = tie.shell != none;
   const bool with_couples = contact.kind == model::Contact::Kind::tied_shell_edge_to_solid;
@@ -443,9 +446,9 @@ double Tying::penetration(const Weld& weld) const {
 
 void Tying::describe_weld(std::size_t w) {
   Weld& weld = result_.welds[w];
-  const double depth = fates_[w] == 0 ? penetration(weld) : 0.0;
+  const double depth = rejection_[w] == 0 ? penetration(weld) : 0.0;
   for (Projection& p : weld.ends)
-    p = weld.kind == Weld::Kind::rigid ? held_rigidly(p.node) : projection(w, p.node, depth);
+    p = weld.kind == Weld::Kind::rigid ? rigid_projection(p.node) : projection(w, p.node, depth);
   if (weld.kind == Weld::Kind::rigid) {
     weld.sheets = sheets_of(weld.ends);
     return;
@@ -456,7 +459,7 @@ void Tying::describe_weld(std::size_t w) {
   weld.diameter = size.diameter;
 }
 
-Projection Tying::held_rigidly(Index node) const {
+Projection Tying::rigid_projection(Index node) const {
   Projection p;
   p.node = node;
   p.tied = true;
@@ -484,8 +487,8 @@ Projection Tying::projection(std::size_t w, Index node, double penetration) cons
   Projection p;
   p.node = node;
   const Record* r = record(node);
-  if (!r || (!r->found && held(node))) {
-    p.tied = held(node);
+  if (!r || (!r->found && belongs_to_sheet(node))) {
+    p.tied = belongs_to_sheet(node);
     p.reason = around_.rigid_body[node] != none
                    ? fmt::format("belongs to rigid body {}", model_.rigid_bodies[around_.rigid_body[node]].id)
                : around_.shell[node] != none
@@ -494,12 +497,12 @@ Projection Tying::projection(std::size_t w, Index node, double penetration) cons
     return p;
   }
   p.closest_shell = r->closest.segment.shell;
-  p.distance = r->closest.contact == none ? infinity : r->found ? r->closest.foot.gap : r->closest.foot.reach;
+  p.distance = r->closest.contact == none ? infinity : r->found ? r->closest.foot.gap : r->closest.foot.distance;
   p.tolerance = r->closest.tolerance;
   p.only_sheet_taken = !r->found && r->only_sheet_taken;
-  p.tied = r->tied && fates_[w] == 0;
+  p.tied = r->tied && rejection_[w] == 0;
   if (p.tied) p.tie = result_.ties[r->tie];
-  p.kase = fates_[w] != 0 ? fates_[w] : !r->found ? 5 : penetration > 0.0 ? 4 : position_case(*r);
+  p.projection_case = rejection_[w] != 0 ? rejection_[w] : !r->found ? 5 : penetration > 0.0 ? 4 : position_case(*r);
   p.reason = reason(*r, p, penetration);
   return p;
 }
@@ -525,7 +528,7 @@ std::string Tying::reason(const Record& r, const Projection& p, double penetrati
   const std::string segment = name_segment(model_, r.closest.segment.shell, r.closest.segment.part);
   const std::string distance = fmt::format("{:.4g}", foot.gap);
   std::string text;
-  switch (p.kase) {
+  switch (p.projection_case) {
     case 1: text = "over " + segment; break;
     case 2: text = "on an edge of " + segment; break;
     case 3: text = "on a corner of " + segment; break;

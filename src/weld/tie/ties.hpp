@@ -41,17 +41,17 @@ struct Tie {
 
 /// What became of one node of a weld.
 ///
-/// `kase`, after the talk: 1 over the interior of an element (its centroid is the ideal), 2 on an element's edge, 3 on
-/// a corner node, 4 over sheets that penetrate each other, 5 no segment in reach, 6 not over its own sheet but another
-/// segment is in reach, 7 sheets that cross so that the weld would be turned over or crushed, 8 the same with normals
-/// that point outward. 5, 7 and 8 are not tied. 0: no projection is needed (the node is a sheet's own node or belongs
-/// to a rigid body) or none was asked for (no contact tracks it).
+/// `projection_case`, after docs/theory/projection.md#the-eight-cases: 1 over the interior of an element (its centroid
+/// is the ideal), 2 on an element's edge, 3 on a corner node, 4 over sheets that penetrate each other, 5 no segment in
+/// reach, 6 not over its own sheet but another segment is in reach, 7 sheets that cross so that the weld would be
+/// turned over or crushed, 8 the same with normals that point outward. 5, 7 and 8 are not tied. 0: no projection is
+/// needed (the node is a sheet's own node or belongs to a rigid body) or none was asked for (no contact tracks it).
 struct Projection {
   Index node = none;
   bool tied = false;  ///< attached to a sheet, by a tie or otherwise
-  int kase = 0;
+  int projection_case = 0;
   std::string reason;             ///< one sentence for welds.csv
-  Tie tie;                        ///< meaningful if `tied` and `kase` is not 0
+  Tie tie;                        ///< meaningful if `tied` and `projection_case` is not 0
   Index closest_shell = none;     ///< of the closest segment, tied or not; none: there is none, or it is no shell's
   double distance = 0.0;          ///< to the closest segment; infinite: there is none [length]
   double tolerance = 0.0;         ///< within which that segment would be in reach [length]

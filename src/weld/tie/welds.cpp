@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "weld/tie/connectors.hpp"
-#include "weld/tie/presumed.hpp"
+#include "weld/tie/inferred_welds.hpp"
 
 namespace nugget::weld {
 namespace {
@@ -69,7 +69,7 @@ Weld defined_assembly(const model::Model& model, const model::HexAssembly& assem
 
 /// Assemblies as the deck defines them and single bricks, in the order of their first bricks.
 void find_brick_welds(const model::Model& model, std::vector<Weld>& welds) {
-  const std::vector<Index> presumed = presumed_bricks(model);
+  const std::vector<Index> inferred = inferred_bricks(model);
   std::vector<Index> first(model.solids.size(), none), taken(model.solids.size(), none);
   for (Index a = 0; a < static_cast<Index>(model.hex_assemblies.size()); ++a) {
     const std::vector<Index>& solids = model.hex_assemblies[a].solids;
@@ -80,7 +80,7 @@ void find_brick_welds(const model::Model& model, std::vector<Weld>& welds) {
     if (first[e] != none)
       welds.push_back(defined_assembly(model, model.hex_assemblies[first[e]]));
     else if (taken[e] == none &&
-             (of_weld_material(model, model.solids.part[e]) || std::binary_search(presumed.begin(), presumed.end(), e)))
+             (of_weld_material(model, model.solids.part[e]) || std::binary_search(inferred.begin(), inferred.end(), e)))
       welds.push_back(brick_weld(model, {e}));
   }
 }
@@ -167,7 +167,7 @@ std::vector<Weld> find_welds(const model::Model& model) {
   std::vector<Weld> welds;
   for (Index e = 0; e < static_cast<Index>(model.beams.size()); ++e)
     if (of_weld_material(model, model.beams.part[e])) welds.push_back(beam_weld(model, e));
-  for (const Index e : presumed_beams(model)) welds.push_back(beam_weld(model, e));
+  for (const Index e : inferred_beams(model)) welds.push_back(beam_weld(model, e));
   for (const Index e : find_connectors(model)) {
     welds.push_back(beam_weld(model, e));
     welds.back().kind = Weld::Kind::connector;

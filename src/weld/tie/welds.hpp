@@ -21,7 +21,7 @@ std::string name_weld(const Weld& weld);
 std::string keyword_of(const Weld& weld);
 
 /// All welds of a model, in the order of Ties::welds, not yet tied: identity, elements; ends and diameter of beams and
-/// rigid welds (those of bricks: lay_faces).
+/// rigid welds (those of bricks: find_end_faces).
 std::vector<Weld> find_welds(const model::Model& model);
 
 /// Length along the axis and, for bricks, the diameter of the circle with its mean cross-section.

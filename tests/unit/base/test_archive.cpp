@@ -88,9 +88,9 @@ TEST(Archive, PlainValuesComeBackBitByBit) {
   EXPECT_EQ(through(std::optional(7L), {}), 7L);
   using Either = std::variant<int, double>;
   EXPECT_EQ(std::get<double>(through(Either(2.5), Either(1))), 2.5);
-  std::atomic<int> deaths{3}, others{0};
+  std::atomic<int> deletions{3}, others{0};
   IntoMemory out;
-  out(deaths);
+  out(deletions);
   FromMemory in(out.kept);
   in(others);
   EXPECT_EQ(others, 3);

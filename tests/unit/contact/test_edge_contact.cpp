@@ -120,7 +120,7 @@ TEST(EdgeContact, CrossingBarsReboundAsTheClosedFormSays) {
 TEST(EdgeContact, AFastBarDoesNotTunnel) {
   for (const double speed : {2e5, 1e6, 2e6}) {  // 0.02, 0.1, 0.2 of the thickness in a step
     Crossing s(speed);
-    for (Edge& e : s.setup.edges) e.stiffness = 1e10;  // as stiff as the step bears
+    for (Edge& e : s.setup.edges) e.stiffness = 1e10;  // as stiff as the step allows
     EdgeContact contact = s.contact();
     s.evaluate(contact, 0.0);
     for (int i = 0; i < 2000; ++i) s.step(contact);
@@ -204,7 +204,7 @@ TEST(EdgeContact, FrictionStopsAtItsBound) {
   EXPECT_NEAR(-s.force[2].x, 0.3 * normal, 1e-6 * normal);
 }
 
-// A square of two by two shells: eight exterior edges, and four more inside that appear as shells die.
+// A square of two by two shells: eight exterior edges, and four more inside that appear as shells are deleted.
 TEST(EdgeContact, EdgesOfShells) {
   std::vector<Segment> segments;
   std::vector<Row> x;

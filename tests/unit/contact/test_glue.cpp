@@ -51,7 +51,8 @@ constexpr double area = 25.0;  // of a node
 // That of the lower segment, by area.
 const double stiffness = 0.1 * 1e5 * 1600.0 / (40.0 * std::sqrt(2.0)) * area / 1600.0;
 
-// The force is that of the spring; at (25 area) x strength the node is let go. Sabotage: the area of the whole segment.
+// The force is that of the spring; at (25 area) x strength the node is released. Sabotage: the area of the whole
+// segment.
 TEST(Glue, FailsAtItsStrengthInTension) {
   TwoPlates s;
   Glue glue(s.setup, brittle(10.0, 0.0), s.x);
@@ -66,7 +67,7 @@ TEST(Glue, FailsAtItsStrengthInTension) {
   s.pull(glue, {0, 0, 0.02 * at_failure});
   EXPECT_EQ(glue.failed(), 4);
   EXPECT_EQ(s.force[4].z, 0.0);
-  EXPECT_EQ(glue.held(), (std::vector<unsigned char>{0, 0, 0, 0}));
+  EXPECT_EQ(glue.bonded(), (std::vector<unsigned char>{0, 0, 0, 0}));
 }
 
 TEST(Glue, TensionAndShearAddUpByTheirSquares) {

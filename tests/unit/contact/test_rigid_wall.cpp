@@ -252,9 +252,9 @@ TEST(RigidWall, PrescribedMotionPushesNodes) {
   }
 }
 
-// The wall, born at 1e-3, moves by 1 in the 1e-3 after that, and meets the node at 0.5 half-way (keyword manual, BIRTH:
-// the times of the curve are offset by it). Sabotage: the curve over the time of the run (the node stands behind the
-// wall when it is born, and is taken along at once).
+// The wall, activated at 1e-3, moves by 1 in the 1e-3 after that, and meets the node at 0.5 half-way (keyword manual,
+// BIRTH: the times of the curve are offset by it). Sabotage: the curve over the time of the run (the node stands behind
+// the wall when it is activated, and is taken along immediately).
 TEST(RigidWall, MotionBeginsWithItsBirth) {
   model::RigidWall card = floor_wall();
   card.motion_direction = {0.0, 0.0, 1.0};

@@ -117,8 +117,8 @@ TEST(SurfaceContact, PlateStopsANodeOnBothSides) {
   }
 }
 
-// The face between two bricks stops a node once the brick before it has died. Sabotage: faces that are always bare, or
-// surface_changed() left out.
+// The face between two bricks stops a node once the brick before it is deleted. Sabotage: faces that are always
+// exposed, or surface_changed() left out.
 TEST(SurfaceContact, AFaceComesToLightWhenTheBrickBeforeItDies) {
   PlateAndNode s({3.0, 2.0, 0.4}, {0.0, 0.0, -1000.0});
   for (Segment& segment : s.setup.segments) {
@@ -143,7 +143,7 @@ TEST(SurfaceContact, AFaceComesToLightWhenTheBrickBeforeItDies) {
   EXPECT_LT(deepest, 0.5);
   EXPECT_GT(deepest, -0.5);
   EXPECT_NEAR(s.v[s.node].z, 1000.0, 10.0);
-  s.alive = {0, 0};  // and when its own brick dies it is gone
+  s.alive = {0, 0};  // and when its own brick is deleted the face is gone
   contact.surface_changed();
   s.evaluate(contact, 1e-7);
   EXPECT_EQ(contact.listed(), 0u);
@@ -241,7 +241,7 @@ TEST(SurfaceContact, FrictionlessBounceKeepsEnergyAndTheLedgerIsExact) {
   }
   EXPECT_EQ(contact.touching(), 0);
   EXPECT_GT(stored, 0.5 * start);                       // the spring took most of it
-  EXPECT_NEAR(contact.energy(), -work, 1e-12 * start);  // the ledger is the work, to round-off
+  EXPECT_NEAR(contact.energy(), -work, 1e-12 * start);  // the energy is the work, to round-off
   EXPECT_NEAR(s.kinetic() + contact.energy(), start, 1e-12 * start);
   EXPECT_NEAR(contact.energy(), 0.0, 0.01 * start);  // and gave it back
 }
@@ -546,7 +546,7 @@ struct PressedNode : PlateAndNode {
   }
 };
 
-// Sabotage caught: friction that opposes nothing, or that takes no energy from the ledger.
+// Sabotage caught: friction that opposes nothing, or that takes no energy from the balance.
 TEST(SurfaceContact, SlidingNodeStopsByCoulombsLaw) {
   PressedNode s(0.2);
   SurfaceContact contact = s.contact();
@@ -899,7 +899,7 @@ std::vector<double> crumple(int thread_count) {
   return out;
 }
 
-// Pairs found apart sleep. Sabotage it must catch: a wake at twice the gap, or steps that are not added up.
+// Pairs found apart are not checked. Sabotage it must catch: a wake at twice the gap, or steps that are not added up.
 TEST(SurfaceContact, SleepingPairsWakeInTime) {
   Scene scene;
   scene.dt = 1e-6;

@@ -239,7 +239,7 @@ TEST(Cards, ListsOfIds) {
 
 TEST(Cards, ComplainingAboutAField) {
   Reading r = material("         1       1.0       5.0");
-  r.row("MAT_ELASTIC", elastic).complain(r.findings, Severity::warning, "e", "is small", "use MPa");
+  r.row("MAT_ELASTIC", elastic).report(r.findings, Severity::warning, "e", "is small", "use MPa");
   EXPECT_ONE_FINDING(r.findings, "(text):3:28: warning: *MAT_ELASTIC e = 5.0: is small [use MPa]");
   EXPECT_THROW(r.row("MAT_ELASTIC", elastic).real("nonsense"), std::logic_error);
 }

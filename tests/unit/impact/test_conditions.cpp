@@ -72,8 +72,8 @@ TEST(Loads, ConstantForceDoesTheWorkThatMoves) {
   run.run();
   EXPECT_NEAR(vec(run.simulation->state().x[run.node(1)]).x, 0.5 * 3.0, 1e-12);
   EXPECT_NEAR(run.energy().external, 0.5 * 2.0 * 9.0, 1e-4);
-  // A force that is there at once: the first kick takes half a step, its work is booked for a whole one. That is a step
-  // that grows from nothing, 1/2 m (F dt / 2m)^2 (docs/decisions/0021).
+  // A force that is there at once: the first update of the velocities takes half a step, its work is booked for a whole
+  // one. That is a step that grows from nothing, 1/2 m (F dt / 2m)^2 (docs/decisions/0021).
   EXPECT_NEAR(run.energy().step_change, 2.25e-6, 1e-10);
   EXPECT_LT(run.worst, 1e-12);
 }
@@ -126,7 +126,7 @@ TEST(Loads, PressurePushesOntoTheFace) {
 }
 
 // A mass that is driven from rest at once: the support does 1/2 m v^2, no more.
-// Sabotage to be caught: the impulse of the first half kick times the full velocity (twice the energy).
+// Sabotage to be caught: the impulse of the first half step times the full velocity (twice the energy).
 TEST(Supports, DrivenFromRestAtOnceCostsItsKineticEnergy) {
   Trial run(until_one + mass + "*DEFINE_CURVE\n1\n0.0,1.0\n10.0,1.0\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,1,0,1,5.0\n");
   run.run();
@@ -162,7 +162,7 @@ TEST(Supports, MotionsOfEachKindGiveTheSameReaction) {
   }
 }
 
-// A support that is born on a moving mass takes its energy out.
+// A support that is activated on a moving mass takes its energy out.
 TEST(Supports, BornLaterTakesTheEnergyOut) {
   Trial run(until_one + mass +
             "*INITIAL_VELOCITY_NODE\n1,3.0\n*BOUNDARY_SPC_NODE_BIRTH_DEATH\n1,0,1,0,0,0,0,0\n0.5,0.8\n");

@@ -57,12 +57,12 @@ struct OnePoint {
   static constexpr int corners = 4, columns = 1;
   static Motion some(Random& random) { return warped(random); }
   template <class Law>
-  static ShellLayout layout(const ShellProperties& shell, const Prepared<Law>& law) {
+  static ShellLayout layout(const ShellProperties& shell, const LawKernel<Law>& law) {
     return shell_layout(shell, law);
   }
   template <class R, class Law>
-  static NodalForces<R, 4> cycle(const ShellProperties& shell, const Prepared<Law>& law, const NodalMotion<R, 4>& nodes,
-                                 double dt, double* state) {
+  static NodalForces<R, 4> cycle(const ShellProperties& shell, const LawKernel<Law>& law,
+                                 const NodalMotion<R, 4>& nodes, double dt, double* state) {
     return shell_cycle<R>(shell, law, nodes, dt, state);
   }
 };
@@ -70,12 +70,12 @@ struct Full {
   static constexpr int corners = 4, columns = 4;
   static Motion some(Random& random) { return warped(random); }
   template <class Law>
-  static ShellLayout layout(const ShellProperties& shell, const Prepared<Law>& law) {
+  static ShellLayout layout(const ShellProperties& shell, const LawKernel<Law>& law) {
     return full_shell_layout(shell, law);
   }
   template <class R, class Law>
-  static NodalForces<R, 4> cycle(const ShellProperties& shell, const Prepared<Law>& law, const NodalMotion<R, 4>& nodes,
-                                 double dt, double* state) {
+  static NodalForces<R, 4> cycle(const ShellProperties& shell, const LawKernel<Law>& law,
+                                 const NodalMotion<R, 4>& nodes, double dt, double* state) {
     return full_shell_cycle<R>(shell, law, nodes, dt, state);
   }
 };
@@ -83,12 +83,12 @@ struct C0 {
   static constexpr int corners = 3, columns = 1;
   static NodalMotion<double, 3> some(Random& random) { return triangle(random); }
   template <class Law>
-  static ShellLayout layout(const ShellProperties& shell, const Prepared<Law>& law) {
+  static ShellLayout layout(const ShellProperties& shell, const LawKernel<Law>& law) {
     return shell_layout(shell, law);
   }
   template <class R, class Law>
-  static NodalForces<R, 3> cycle(const ShellProperties& shell, const Prepared<Law>& law, const NodalMotion<R, 3>& nodes,
-                                 double dt, double* state) {
+  static NodalForces<R, 3> cycle(const ShellProperties& shell, const LawKernel<Law>& law,
+                                 const NodalMotion<R, 3>& nodes, double dt, double* state) {
     return triangle_cycle<R>(shell, law, nodes, dt, state);
   }
 };
@@ -96,12 +96,12 @@ struct Kirchhoff {
   static constexpr int corners = 3, columns = kirchhoff_columns;
   static NodalMotion<double, 3> some(Random& random) { return triangle(random); }
   template <class Law>
-  static ShellLayout layout(const ShellProperties& shell, const Prepared<Law>& law) {
+  static ShellLayout layout(const ShellProperties& shell, const LawKernel<Law>& law) {
     return kirchhoff_layout(shell, law);
   }
   template <class R, class Law>
-  static NodalForces<R, 3> cycle(const ShellProperties& shell, const Prepared<Law>& law, const NodalMotion<R, 3>& nodes,
-                                 double dt, double* state) {
+  static NodalForces<R, 3> cycle(const ShellProperties& shell, const LawKernel<Law>& law,
+                                 const NodalMotion<R, 3>& nodes, double dt, double* state) {
     return kirchhoff_triangle_cycle<R>(shell, law, nodes, dt, state);
   }
 };
@@ -110,7 +110,7 @@ struct Kirchhoff {
 template <class Law, class Kind = OnePoint>
 struct Driven {
   ShellProperties shell;
-  Prepared<Law> law;
+  LawKernel<Law> law;
   ShellLayout layout;
   std::vector<double> state;
   NodalMotion<double, Kind::corners> nodes;
@@ -151,7 +151,7 @@ template <class Kind = OnePoint, class Law>
 void batch_gives_the_bits_of_double(const ShellProperties& shell, const Law& parameters, double speed) {
   constexpr int W = native_width;
   const double dt = 1e-6;
-  const Prepared<Law> law(parameters);
+  const LawKernel<Law> law(parameters);
   const ShellLayout layout = Kind::layout(shell, law);
   const auto size = static_cast<std::size_t>(layout.size());
   std::vector<double> together(size * W), alone(size);
@@ -189,13 +189,13 @@ void batch_gives_the_bits_of_double(const ShellProperties& shell, const Law& par
       EXPECT_EQ(lane(force.stable_step, l), one.force.stable_step);
       for (int i = 0; i < layout.size(); ++i)
         ASSERT_EQ(together[static_cast<std::size_t>(i * W + l)], one.at(i)) << "field " << i << " cycle " << cycle;
-      if constexpr (Prepared<Law>::has_plastic_strain) {
+      if constexpr (LawKernel<Law>::has_plastic_strain) {
         yielded += one.at(layout.history_of(0)) > 0.0;
       }
     }
     if (testing::Test::HasFailure()) return;
   }
-  if constexpr (Prepared<Law>::has_plastic_strain) {
+  if constexpr (LawKernel<Law>::has_plastic_strain) {
     EXPECT_GT(yielded, 60);
   }
 }
@@ -274,7 +274,7 @@ template <class Kind = OnePoint>
 std::vector<double> stiffness_by_dual(const ShellProperties& shell, const NodalMotion<double, Kind::corners>& m) {
   using D = Dual<6 * Kind::corners>;
   NodalMotion<D, Kind::corners> nodes;
-  const Prepared<Elastic> law(steel);
+  const LawKernel<Elastic> law(steel);
   std::vector<double> state(static_cast<std::size_t>(Kind::layout(shell, law).size()));
   start_shell(Kind::layout(shell, law), 1.2, state.data(), 1, 0);
   for (int i = 0; i < Kind::corners; ++i) {

@@ -24,7 +24,7 @@ template <class Element, class Law>
 struct DrivenSolid {
   using Forces = typename Element::template Forces<double>;
   HexahedronProperties properties;
-  Prepared<Law> law;
+  LawKernel<Law> law;
   typename Element::Layout layout;
   std::vector<double> state;
   typename Element::template Motion<double> nodes;
@@ -49,7 +49,7 @@ double largest(const Forces& f) {
   return most;
 }
 
-/// Elements of different shape and motion, one of them dead, alone and as lanes of a batch. The first one
+/// Elements of different shape and motion, one of them deleted, alone and as lanes of a batch. The first one
 /// must have flowed where its law can.
 template <class Element, class Law>
 void batch_gives_the_bits_of_double(const HexahedronProperties& properties, const Law& parameters,
@@ -98,7 +98,7 @@ void batch_gives_the_bits_of_double(const HexahedronProperties& properties, cons
         ASSERT_EQ(together[i * W + static_cast<std::size_t>(l)], one.state[i]) << i;
     }
   }
-  if constexpr (Prepared<Law>::has_plastic_strain) {
+  if constexpr (LawKernel<Law>::has_plastic_strain) {
     EXPECT_GT(single[0].at(Element::plastic_strain(single[0].layout)), 0.0);
   }
 }

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <vector>
 
-#include "kernel/law/prepared_compound.hpp"
+#include "kernel/law/composed_law_kernel.hpp"
 
 // One point of a law in one stress space, driven by strain increments.
 namespace nugget::kernel {
 
 template <class Law>
 struct LayerPoint {
-  Prepared<Law> law;
+  LawKernel<Law> law;
   std::vector<double> history = std::vector<double>(128);
   LayerTensor<double> s{};
   ThicknessStrain<double> thickness{};
@@ -46,7 +46,7 @@ struct LayerPoint {
 
 template <class Law>
 struct SolidPoint {
-  Prepared<Law> law;
+  LawKernel<Law> law;
   std::vector<double> history = std::vector<double>(128);
   SolidTensor<double> s{};
   double dt = 1.0;

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "law_point.hpp"
 #include "motion.hpp"
 
@@ -50,12 +50,12 @@ void cycle(const std::function<void(double)>& strain) {
 }
 
 /// Layer and solid follow the bar through tension, compression and shear. `gate`: share of the yield stress.
-void expect_follows(const std::string& name, const Compound& law, const Yield& yield, double rate, double gate) {
+void expect_follows(const std::string& name, const ComposedLaw& law, const Yield& yield, double rate, double gate) {
   const double dt = 1e-4 / rate;
   for (const double sign : {1.0, -1.0}) {
     Bar bar{yield};
-    LayerPoint<Compound> layer(law);
-    SolidPoint<Compound> solid(law);
+    LayerPoint<ComposedLaw> layer(law);
+    SolidPoint<ComposedLaw> solid(law);
     bar.dt = layer.dt = solid.dt = dt;
     cycle([&](double e) {
       bar.strain(sign * e);
@@ -69,8 +69,8 @@ void expect_follows(const std::string& name, const Compound& law, const Yield& y
     EXPECT_GT(bar.ep, 0.08) << name;
   }
   Bar bar{yield, G, std::sqrt(3.0)};
-  LayerPoint<Compound> layer(law), across(law);
-  SolidPoint<Compound> solid(law);
+  LayerPoint<ComposedLaw> layer(law), across(law);
+  SolidPoint<ComposedLaw> solid(law);
   bar.dt = layer.dt = across.dt = solid.dt = dt;
   cycle([&](double g) {
     bar.strain(g);
@@ -92,41 +92,41 @@ JohnsonCook johnson_cook() {
   flow.exponent = 0.3;
   return flow;
 }
-Composition failing(double strain) {
-  Composition law{johnson_cook()};
+LawComponents failing(double strain) {
+  LawComponents law{johnson_cook()};
   law.failure_strain = strain;
   return law;
 }
 
-TEST(Compound, JohnsonCookWithoutRates) {
+TEST(ComposedLaw, JohnsonCookWithoutRates) {
   expect_follows(
-      "MAT_098", compound({johnson_cook()}), [](double ep, double) { return 300.0 + 500.0 * std::pow(ep, 0.3); }, 1.0,
-      1e-6);
+      "MAT_098", composed_law({johnson_cook()}), [](double ep, double) { return 300.0 + 500.0 * std::pow(ep, 0.3); },
+      1.0, 1e-6);
 }
 
-TEST(Compound, JohnsonCookRates) {
+TEST(ComposedLaw, JohnsonCookRates) {
   for (const double rate : {0.5, 100.0, 5000.0}) {  // EPSO 2: the first has no effect
     JohnsonCook flow = johnson_cook();
     flow.rate_factor = 0.05;
-    flow.rest_rate = 2.0;
+    flow.reference_rate = 2.0;
     const Yield yield = [](double ep, double r) {
       const double over = std::max(1.0, r / 2.0);
       return (300.0 + 500.0 * std::pow(ep, 0.3)) * (1.0 + 0.05 * std::log(over));
     };
-    expect_follows("MAT_098 with rates", compound({flow}), yield, rate, 2e-3);
+    expect_follows("MAT_098 with rates", composed_law({flow}), yield, rate, 2e-3);
   }
 }
 
-TEST(Compound, JohnsonCookLimits) {
+TEST(ComposedLaw, JohnsonCookLimits) {
   JohnsonCook flow = johnson_cook();
-  flow.most_hardened = 420.0;
+  flow.static_stress_limit = 420.0;
   expect_follows(
-      "SIGMAX", compound({flow}), [](double ep, double) { return std::min(420.0, 300.0 + 500.0 * std::pow(ep, 0.3)); },
-      1.0, 1e-6);
+      "SIGMAX", composed_law({flow}),
+      [](double ep, double) { return std::min(420.0, 300.0 + 500.0 * std::pow(ep, 0.3)); }, 1.0, 1e-6);
   flow.rate_factor = 0.05;
   flow.saturation = 470.0;
   expect_follows(
-      "SIGMAX and SIGSAT", compound({flow}),
+      "SIGMAX and SIGSAT", composed_law({flow}),
       [](double ep, double rate) {
         const double hardened = std::min(420.0, 300.0 + 500.0 * std::pow(ep, 0.3));
         return std::min(470.0, hardened * (1.0 + 0.05 * std::log(std::max(1.0, rate))));
@@ -134,22 +134,22 @@ TEST(Compound, JohnsonCookLimits) {
       100.0, 5e-3);
 }
 
-TEST(Compound, PowerLaw) {
+TEST(ComposedLaw, PowerLaw) {
   // First yield where E e = k e^n.
   const double k = 600.0, n = 0.2, e0 = std::pow(E / k, 1.0 / (n - 1.0));
   EXPECT_NEAR(E * e0, k * std::pow(e0, n), 1e-9 * k);
   PowerLaw flow{E, nu, k, n, e0, 0.0, 1.0};
   expect_follows(
-      "MAT_018", compound({flow}), [&](double ep, double) { return k * std::pow(e0 + ep, n); }, 1.0, 1e-6);
+      "MAT_018", composed_law({flow}), [&](double ep, double) { return k * std::pow(e0 + ep, n); }, 1.0, 1e-6);
   flow.rate_c = 40.4;
   flow.rate_p = 5.0;
   expect_follows(
-      "MAT_018 with rates", compound({flow}),
+      "MAT_018 with rates", composed_law({flow}),
       [&](double ep, double rate) { return k * std::pow(e0 + ep, n) * (1.0 + std::pow(rate / 40.4, 0.2)); }, 100.0,
       3e-3);
 }
 
-TEST(Compound, StraightYieldCurvesOverTheRate) {
+TEST(ComposedLaw, StraightYieldCurvesOverTheRate) {
   const Curve yield{0, {0.0, 10.0, 1000.0}, {250.0, 300.0, 400.0}};
   PiecewiseLinear flow;
   flow.E = E;
@@ -158,13 +158,14 @@ TEST(Compound, StraightYieldCurvesOverTheRate) {
   for (const double y : yield.y) flow.yield.push_back({0, {0.0, 1.0}, {y, y + 1000.0}});
   for (const double rate : {5.0, 500.0, 5000.0})
     expect_follows(
-        "MAT_019", compound({flow}), [&](double ep, double r) { return yield.clamped(r) + 1000.0 * ep; }, rate, 2e-2);
+        "MAT_019", composed_law({flow}), [&](double ep, double r) { return yield.clamped(r) + 1000.0 * ep; }, rate,
+        2e-2);
 }
 
-TEST(Compound, LargeStepsKeepTheYieldCondition) {
+TEST(ComposedLaw, LargeStepsKeepTheYieldCondition) {
   Random random;
-  LayerPoint<Compound> layer(compound({johnson_cook()}));
-  SolidPoint<Compound> solid(compound({johnson_cook()}));
+  LayerPoint<ComposedLaw> layer(composed_law({johnson_cook()}));
+  SolidPoint<ComposedLaw> solid(composed_law({johnson_cook()}));
   for (int i = 0; i < 2000; ++i) {
     const double size = i % 7 ? 1e-5 : 0.03, before = layer.plastic_strain(), begun = solid.plastic_strain();
     layer.strain({size * random(), size * random(), size * random(), size * random(), size * random()});
@@ -181,13 +182,13 @@ TEST(Compound, LargeStepsKeepTheYieldCondition) {
   EXPECT_GT(solid.plastic_strain(), 1.0);
 }
 
-TEST(Compound, OtherFlowsAreThoseOfTheirOwnKernels) {
+TEST(ComposedLaw, OtherFlowsAreThoseOfTheirOwnKernels) {
   // Bit for bit the law that stands alone, back stress included.
   const PlasticKinematic alone = mixed(0.4);
   LayerPoint<PlasticKinematic> layer(alone);
   SolidPoint<PlasticKinematic> solid(alone);
-  LayerPoint<Compound> same_layer(compound({alone}));
-  SolidPoint<Compound> same_solid(compound({alone}));
+  LayerPoint<ComposedLaw> same_layer(composed_law({alone}));
+  SolidPoint<ComposedLaw> same_solid(composed_law({alone}));
   Random random;
   for (int i = 0; i < 500; ++i) {
     const double a = 1e-3 * random(), b = 1e-3 * random(), c = 1e-3 * random();
@@ -201,13 +202,13 @@ TEST(Compound, OtherFlowsAreThoseOfTheirOwnKernels) {
   EXPECT_GT(solid.plastic_strain(), 0.01);
 }
 
-TEST(Compound, BatchesDoWhatSinglePointsDo) {
-  const Compound law = compound(failing(0.05));
-  const Prepared<Compound> prepared(law);
+TEST(ComposedLaw, BatchesDoWhatSinglePointsDo) {
+  const ComposedLaw law = composed_law(failing(0.05));
+  const LawKernel<ComposedLaw> prepared(law);
   constexpr int width = native_width;
   std::vector<double> history(static_cast<std::size_t>(width * prepared.layer_history()));
   LayerTensor<NativeBatch> s;
-  std::vector<LayerPoint<Compound>> single(static_cast<std::size_t>(width), LayerPoint<Compound>(law));
+  std::vector<LayerPoint<ComposedLaw>> single(static_cast<std::size_t>(width), LayerPoint<ComposedLaw>(law));
   Random random;
   for (int i = 0; i < 200; ++i) {
     LayerTensor<NativeBatch> rate;
@@ -227,10 +228,10 @@ TEST(Compound, BatchesDoWhatSinglePointsDo) {
   }
 }
 
-TEST(Compound, FailedPointsCarryNothing) {
-  const Compound law = compound(failing(0.02));
-  LayerPoint<Compound> layer(law);
-  SolidPoint<Compound> solid(law);
+TEST(ComposedLaw, FailedPointsCarryNothing) {
+  const ComposedLaw law = composed_law(failing(0.02));
+  LayerPoint<ComposedLaw> layer(law);
+  SolidPoint<ComposedLaw> solid(law);
   while (layer.plastic_strain() < 0.02) {
     EXPECT_FALSE(layer.law.failed<double>(layer.history.data()));
     layer.uniaxial(1e-4);

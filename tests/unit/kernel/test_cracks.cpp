@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "law_point.hpp"
 
 // Damage of a layer by direction: MAT_082 and MAT_099.
@@ -20,18 +20,18 @@ PiecewiseLinear plastic() {
   return law;
 }
 
-Compound damaged(double onset, double rupture, Curve growth = {}) {
-  Composition law{plastic()};
+ComposedLaw damaged(double onset, double rupture, Curve growth = {}) {
+  LawComponents law{plastic()};
   law.directional_damage = PlasticDamage{onset, rupture, std::move(growth)};
-  return compound(std::move(law));
+  return composed_law(std::move(law));
 }
-Compound sound() {
-  return compound({plastic()});
+ComposedLaw sound() {
+  return composed_law({plastic()});
 }
 
 // Sabotage: damage by the effective plastic strain, which in equal pulls is twice the principal one.
 TEST(Cracks, APullSoftensAsItsPlasticStrainSays) {
-  LayerPoint<Compound> p(damaged(0.05, 0.25)), whole(sound());
+  LayerPoint<ComposedLaw> p(damaged(0.05, 0.25)), whole(sound());
   for (int i = 0; i < 2200; ++i) {
     p.uniaxial(1e-4);
     whole.uniaxial(1e-4);
@@ -42,7 +42,7 @@ TEST(Cracks, APullSoftensAsItsPlasticStrainSays) {
   EXPECT_EQ(p.s.xx, 0.0);
   EXPECT_TRUE(p.law.failed<double>(p.history.data()));
 
-  LayerPoint<Compound> both(damaged(0.05, 0.25)), sound_both(sound());
+  LayerPoint<ComposedLaw> both(damaged(0.05, 0.25)), sound_both(sound());
   for (int i = 0; i < 1000; ++i) {
     both.strain({1e-4, 1e-4, 0, 0, 0});
     sound_both.strain({1e-4, 1e-4, 0, 0, 0});
@@ -54,16 +54,16 @@ TEST(Cracks, APullSoftensAsItsPlasticStrainSays) {
 }
 
 TEST(Cracks, AlongTheCrackAllIsLeft) {
-  LayerPoint<Compound> p(damaged(0.05, 0.25)), whole(sound());
-  for (LayerPoint<Compound>* each : {&p, &whole})
+  LayerPoint<ComposedLaw> p(damaged(0.05, 0.25)), whole(sound());
+  for (LayerPoint<ComposedLaw>* each : {&p, &whole})
     for (int i = 0; i < 1500; ++i) each->uniaxial(1e-4);
   const double w = (whole.plastic_strain() - 0.05) / 0.2;
   EXPECT_NEAR(p.s.xx, (1.0 - w) * whole.s.xx, 0.5);
   // Unload across, then elastic steps in each component: the stiffness left is that of M C M.
-  for (LayerPoint<Compound>* each : {&p, &whole}) each->uniaxial(-2e-4);
+  for (LayerPoint<ComposedLaw>* each : {&p, &whole}) each->uniaxial(-2e-4);
   const LayerTensor<double> a = p.s, b = whole.s;
   const double e = 1e-5, plane = E / (1 - nu * nu), left = 1.0 - w;
-  for (LayerPoint<Compound>* each : {&p, &whole}) each->strain({0, e, e, e, e});
+  for (LayerPoint<ComposedLaw>* each : {&p, &whole}) each->strain({0, e, e, e, e});
   EXPECT_NEAR((whole.s.yy - b.yy) / e, plane, 1.0);
   EXPECT_NEAR((p.s.yy - a.yy) / e, plane, 1.0);
   EXPECT_NEAR((p.s.xx - a.xx) / e, left * nu * plane, 5.0);
@@ -74,7 +74,7 @@ TEST(Cracks, AlongTheCrackAllIsLeft) {
 
 // Sabotage: crack axes along those of the element.
 TEST(Cracks, DirectionOfTheCrackDoesNotDependOnTheAxes) {
-  LayerPoint<Compound> p(damaged(0.02, 0.2)), turned(damaged(0.02, 0.2));
+  LayerPoint<ComposedLaw> p(damaged(0.02, 0.2)), turned(damaged(0.02, 0.2));
   const double angle = 0.7, c = std::cos(angle), t = std::sin(angle);
   for (int i = 0; i < 1200; ++i) {
     p.strain({1e-4, -0.3e-4, 0, 0, 0});
@@ -88,7 +88,7 @@ TEST(Cracks, DirectionOfTheCrackDoesNotDependOnTheAxes) {
 
 TEST(Cracks, PressureDoesNotCrack) {
   // Pressed along x the layer grows along y by half as much: no damage before that is the onset.
-  LayerPoint<Compound> p(damaged(0.05, 0.25)), whole(sound());
+  LayerPoint<ComposedLaw> p(damaged(0.05, 0.25)), whole(sound());
   for (int i = 0; i < 900; ++i) {
     p.uniaxial(-1e-4);
     whole.uniaxial(-1e-4);
@@ -97,8 +97,8 @@ TEST(Cracks, PressureDoesNotCrack) {
 }
 
 TEST(Cracks, ByACurve) {
-  LayerPoint<Compound> p(damaged(0.05, 0.0, {1, {0.0, 0.1, 0.2}, {0.0, 0.1, 1.0}})), whole(sound());
-  for (LayerPoint<Compound>* each : {&p, &whole})
+  LayerPoint<ComposedLaw> p(damaged(0.05, 0.0, {1, {0.0, 0.1, 0.2}, {0.0, 0.1, 1.0}})), whole(sound());
+  for (LayerPoint<ComposedLaw>* each : {&p, &whole})
     for (int i = 0; i < 2000; ++i) each->uniaxial(1e-4);
   const double beyond = whole.plastic_strain() - 0.05;
   ASSERT_GT(beyond, 0.1);

@@ -4,21 +4,21 @@
 #include <array>
 #include <cmath>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "law_point.hpp"
 
 // What of foams depends on the rate: MAT_083, damping, creep and relaxation of MAT_057 and 063.
 namespace nugget::kernel {
 namespace {
 
-using Point = SolidPoint<Compound>;
+using Point = SolidPoint<ComposedLaw>;
 
 /// A length along x that is 1 at first and changes by the speed given, the others held.
 struct Bar {
   Point point;
   double length = 1.0;
 
-  Bar(const Composition& law, double dt) : point(compound(law)) { point.dt = dt; }
+  Bar(const LawComponents& law, double dt) : point(composed_law(law)) { point.dt = dt; }
   /// True stress after `steps` with a change of length d a step.
   double move(double d, int steps) {
     for (int i = 0; i < steps; ++i) {
@@ -72,7 +72,7 @@ TEST(FoamRates, WhoseRateItIs) {
   for (const auto of : {RateFoam::RateOf::most_strained, RateFoam::RateOf::each_direction, RateFoam::RateOf::volume}) {
     RateFoam law = rate_foam();
     law.rate_of = of;
-    Point p(compound({law}));
+    Point p(composed_law({law}));
     const int steps = 500;
     p.dt = -std::log(0.7) / 60.0 / steps;
     double x = 1.0, y = 1.0;
@@ -122,10 +122,10 @@ TEST(FoamRates, Tension) {
   Bar linear({law}, 1e-5);
   EXPECT_NEAR(linear.move(1e-3, 100), 0.2, 1e-9);
   EXPECT_NEAR(linear.move(1e-3, 100), 0.3, 1e-9);
-  law.tears = true;
+  law.tension_failure = true;
   Bar torn({law}, 1e-5);
   EXPECT_NEAR(torn.move(1e-3, 200), 0.0, 1e-12);
-  law.tears = false;
+  law.tension_failure = false;
   law.tension_by_curves = true;
   law.engineering_rate = true;
   law.curves[0] = {1, {-0.4, 0.0, 0.8}, {-0.16, 0.0, 0.8}};
@@ -138,7 +138,7 @@ TEST(FoamRates, Tension) {
 TEST(FoamRates, ShearHasItsPrincipalStresses) {
   // A pure stretch along the diagonals: pressed along one, pulled along the other.
   RateFoam law = rate_foam();
-  Point p(compound({law}));
+  Point p(composed_law({law}));
   p.dt = 1e-5;
   for (int i = 0; i < 1000; ++i) p.strain({0, 0, 0, 2.0 * 60.0 * p.dt, 0, 0});  // true strains +-0.6
   const double longer = std::exp(0.6), shorter = std::exp(-0.6);
@@ -148,7 +148,7 @@ TEST(FoamRates, ShearHasItsPrincipalStresses) {
 }
 
 /// A mass on a spring of this law, one length, by central differences: share of its amplitude left after one swing.
-double left_after_a_swing(const Composition& law, double modulus, double omega_dt) {
+double left_after_a_swing(const LawComponents& law, double modulus, double omega_dt) {
   Bar bar(law, 1.0);
   const double mass = modulus / (omega_dt * omega_dt);  // dt = 1
   bar.length = 1.0;
@@ -181,7 +181,7 @@ TEST(FoamRates, DampingIsAShareOfCriticalDamping) {
     by_table.curves = {{1, {0.0, 1.0}, {0.0, 2.0}}};
     by_table.rates = {0.0};
     by_table.damping = damping;
-    for (const Composition& law : {Composition{low}, Composition{crushable}, Composition{by_table}}) {
+    for (const LawComponents& law : {LawComponents{low}, LawComponents{crushable}, LawComponents{by_table}}) {
       const double w = 0.1, zeta = 0.5 * damping * w;
       EXPECT_NEAR(left_after_a_swing(law, 2.0, w), std::exp(-6.2832 * zeta), 0.006) << damping;
       // The stable step falls by sqrt(1 + D^2) - D.
@@ -214,7 +214,7 @@ TEST(FoamRates, LowDensityFoamRelaxes) {
   LowDensityFoam law;
   law.E = 2.0;
   law.compression = {1, {0.0, 1.0}, {0.0, 2.0}};
-  law.relaxing = 7.0;
+  law.maxwell_modulus = 7.0;
   law.decay = 300.0;
   Bar bar({law}, 1e-5);
   const double rate = 10.0;

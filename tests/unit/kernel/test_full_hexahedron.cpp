@@ -40,12 +40,12 @@ struct FullBrick {
   template <class R>
   using Forces = SolidForces<R>;
   template <class Law>
-  static L layout(const Prepared<Law>& law) {
+  static L layout(const LawKernel<Law>& law) {
     return full_hexahedron_layout(law);
   }
   static void start(const L& layout, const Corners&, double* state) { start_full_hexahedron(layout, state, 1, 0); }
   template <class R, class Law>
-  static Forces<R> cycle(const HexahedronProperties& brick, const Prepared<Law>& law, const L&, const Motion<R>& nodes,
+  static Forces<R> cycle(const HexahedronProperties& brick, const LawKernel<Law>& law, const L&, const Motion<R>& nodes,
                          double dt, double* state) {
     return full_hexahedron_cycle<R>(brick, strains, law, nodes, dt, state);
   }

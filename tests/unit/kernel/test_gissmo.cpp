@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "law_point.hpp"
 #include "motion.hpp"
 
@@ -28,10 +28,10 @@ Gissmo damage() {
   g.fading = constant(1.0);
   return g;
 }
-Compound steel(const Gissmo& g) {
-  Composition law{bilinear(yield, 0.0)};
+ComposedLaw steel(const Gissmo& g) {
+  LawComponents law{bilinear(yield, 0.0)};
   law.gissmo = g;
-  return compound(law);
+  return composed_law(law);
 }
 
 template <class Point>
@@ -41,9 +41,9 @@ Point point(const Gissmo& g, double size = 1.0) {
   return p;
 }
 
-const auto pull = [](LayerPoint<Compound>& p) { p.uniaxial(step); };
-const auto shear = [](LayerPoint<Compound>& p) { p.strain({0, 0, step, 0, 0}); };
-const auto pull_both = [](LayerPoint<Compound>& p) { p.strain({step, step, 0, 0, 0}); };
+const auto pull = [](LayerPoint<ComposedLaw>& p) { p.uniaxial(step); };
+const auto shear = [](LayerPoint<ComposedLaw>& p) { p.strain({0, 0, step, 0, 0}); };
+const auto pull_both = [](LayerPoint<ComposedLaw>& p) { p.strain({step, step, 0, 0, 0}); };
 
 /// Plastic strain at which the point fails; loads until then.
 template <class Point, class Load>
@@ -61,7 +61,7 @@ TEST(Gissmo, StressFadesBetweenInstabilityAndFracture) {
   g.growth = 2.0;
   g.instability = constant(0.1);
   g.fading = constant(3.0);
-  auto p = point<LayerPoint<Compound>>(g);
+  auto p = point<LayerPoint<ComposedLaw>>(g);
   const double critical = std::pow(0.1 / 0.3, 2);
   for (double before = 0.0; before < 0.2995; before = p.plastic_strain()) {
     p.uniaxial(step);
@@ -70,14 +70,14 @@ TEST(Gissmo, StressFadesBetweenInstabilityAndFracture) {
     ASSERT_NEAR(p.s.xx / yield, 1.0 - std::pow(beyond, 3), 2e-3) << p.plastic_strain();
   }
   EXPECT_LT(p.s.xx, 0.02 * yield);
-  EXPECT_NEAR(strain_at_fracture(point<LayerPoint<Compound>>(g), pull), 0.3, 2 * step);
+  EXPECT_NEAR(strain_at_fracture(point<LayerPoint<ComposedLaw>>(g), pull), 0.3, 2 * step);
 }
 
 TEST(Gissmo, StrainAtFractureIsThatOfTheStressState) {
-  EXPECT_NEAR(strain_at_fracture(point<LayerPoint<Compound>>(damage()), pull), 0.3, 2 * step);
-  EXPECT_NEAR(strain_at_fracture(point<LayerPoint<Compound>>(damage()), shear), 0.6, 2 * step);
-  EXPECT_NEAR(strain_at_fracture(point<LayerPoint<Compound>>(damage()), pull_both), 0.5, 4 * step);
-  EXPECT_NEAR(strain_at_fracture(point<LayerPoint<Compound>>(damage()), [](auto& p) { p.uniaxial(-step); }), 0.9,
+  EXPECT_NEAR(strain_at_fracture(point<LayerPoint<ComposedLaw>>(damage()), pull), 0.3, 2 * step);
+  EXPECT_NEAR(strain_at_fracture(point<LayerPoint<ComposedLaw>>(damage()), shear), 0.6, 2 * step);
+  EXPECT_NEAR(strain_at_fracture(point<LayerPoint<ComposedLaw>>(damage()), pull_both), 0.5, 4 * step);
+  EXPECT_NEAR(strain_at_fracture(point<LayerPoint<ComposedLaw>>(damage()), [](auto& p) { p.uniaxial(-step); }), 0.9,
               2 * step);
 }
 
@@ -86,7 +86,7 @@ TEST(Gissmo, DamageOfUnlikeStatesAddsUp) {
   for (const double n : {1.0, 2.0, 0.5}) {
     Gissmo g = damage();
     g.growth = n;
-    auto p = point<LayerPoint<Compound>>(g);
+    auto p = point<LayerPoint<ComposedLaw>>(g);
     while (p.plastic_strain() < 0.2) shear(p);
     // Back from shear to tension the stress turns within a few elastic strains.
     EXPECT_NEAR(strain_at_fracture(p, pull), 0.2 + 0.2, 2e-3) << n;
@@ -96,13 +96,13 @@ TEST(Gissmo, DamageOfUnlikeStatesAddsUp) {
 TEST(Gissmo, ThresholdInPlaceOfInstability) {
   Gissmo g = damage();
   g.threshold = 0.5;
-  auto p = point<LayerPoint<Compound>>(g);
+  auto p = point<LayerPoint<ComposedLaw>>(g);
   while (p.plastic_strain() < 0.149) pull(p);
   EXPECT_NEAR(p.s.xx, yield, 1e-6);
   while (p.plastic_strain() < 0.225) pull(p);
   EXPECT_NEAR(p.s.xx, 0.5 * yield, 0.01 * yield);
   g.threshold = 1.0;  // all the stress until the end
-  auto q = point<LayerPoint<Compound>>(g);
+  auto q = point<LayerPoint<ComposedLaw>>(g);
   while (q.plastic_strain() < 0.299) pull(q);
   EXPECT_NEAR(q.s.xx, yield, 1e-6);
 }
@@ -110,18 +110,18 @@ TEST(Gissmo, ThresholdInPlaceOfInstability) {
 TEST(Gissmo, LodeParameterOfSolids) {
   Gissmo g = damage();  // 0.2 compressed, 0.4 in shear, 0.8 pulled
   g.fracture = {1, {-1.0, 0.0, 1.0}, {Curve{1, {0.0}, {0.2}}, Curve{2, {0.0}, {0.4}}, Curve{3, {0.0}, {0.8}}}};
-  const auto solid = [&] { return point<SolidPoint<Compound>>(g); };
+  const auto solid = [&] { return point<SolidPoint<ComposedLaw>>(g); };
   EXPECT_NEAR(strain_at_fracture(solid(), [](auto& p) { p.uniaxial(-step); }), 0.2, 2 * step);
   EXPECT_NEAR(strain_at_fracture(solid(), [](auto& p) { p.strain({0, 0, 0, step, 0, 0}); }), 0.4, 2 * step);
   EXPECT_NEAR(strain_at_fracture(solid(), [](auto& p) { p.uniaxial(step); }), 0.8, 2 * step);
-  EXPECT_NEAR(strain_at_fracture(point<LayerPoint<Compound>>(g), pull_both), 0.2, 4 * step);  // as if pressed
+  EXPECT_NEAR(strain_at_fracture(point<LayerPoint<ComposedLaw>>(g), pull_both), 0.2, 4 * step);  // as if pressed
 }
 
 TEST(Gissmo, FactorOfTheElementSize) {
   Gissmo g = damage();
   g.mesh = {2, {0.0}, {Curve{2, {1.0, 5.0}, {1.0, 0.6}}}};
   const auto fails_at = [&](double size, const auto& load) {
-    return strain_at_fracture(point<LayerPoint<Compound>>(g, size), load);
+    return strain_at_fracture(point<LayerPoint<ComposedLaw>>(g, size), load);
   };
   EXPECT_NEAR(fails_at(3.0, pull), 0.8 * 0.3, 2 * step);
   EXPECT_NEAR(fails_at(9.0, pull), 0.6 * 0.3, 2 * step);
@@ -143,7 +143,7 @@ TEST(Gissmo, FadingOverTheElementSize) {
   Gissmo g = damage();
   g.fading = {3, {0.0}, {Curve{3, {1.0, 5.0}, {4.0, 2.0}}}};
   for (const double size : {1.0, 5.0}) {
-    auto p = point<LayerPoint<Compound>>(g, size);
+    auto p = point<LayerPoint<ComposedLaw>>(g, size);
     while (p.plastic_strain() < 0.24) pull(p);
     EXPECT_NEAR(p.s.xx / yield, 1.0 - std::pow(0.8, size < 2.0 ? 4 : 2), 3e-3);
   }
@@ -155,12 +155,12 @@ TEST(Gissmo, FactorOfTheRate) {
     g.log_rates = logarithms;
     g.rate = logarithms ? Curve{4, {std::log(0.01), std::log(100.0)}, {1.0, 2.0}} : Curve{4, {0.0, 2.0}, {1.0, 2.0}};
     g.instability = constant(0.1);
-    auto p = point<LayerPoint<Compound>>(g);
+    auto p = point<LayerPoint<ComposedLaw>>(g);
     p.dt = step;  // a rate of 1
     EXPECT_NEAR(strain_at_fracture(p, pull), 1.5 * 0.3, 4e-3);
     for (const bool too : {false, true}) {  // stress is lost from 0.1 or 0.15 on
       g.rate_of_instability = too;
-      auto q = point<LayerPoint<Compound>>(g);
+      auto q = point<LayerPoint<ComposedLaw>>(g);
       q.dt = step;
       while (q.plastic_strain() < 0.13) pull(q);
       EXPECT_EQ(q.s.xx > yield - 1e-6, too);
@@ -171,7 +171,7 @@ TEST(Gissmo, FactorOfTheRate) {
 TEST(Gissmo, DamageThatIsOnlySummed) {
   Gissmo g = damage();
   g.weakens = false;
-  auto p = point<LayerPoint<Compound>>(g);
+  auto p = point<LayerPoint<ComposedLaw>>(g);
   while (p.plastic_strain() < 0.5) pull(p);
   EXPECT_NEAR(p.s.xx, yield, 1e-6);
   EXPECT_FALSE(p.law.failed<double>(p.history.data()));

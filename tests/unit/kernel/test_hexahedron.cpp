@@ -28,12 +28,12 @@ struct Brick {
   template <class R>
   using Forces = SolidForces<R>;
   template <class Law>
-  static L layout(const Prepared<Law>& law) {
+  static L layout(const LawKernel<Law>& law) {
     return hexahedron_layout(law);
   }
   static void start(const L& layout, const Corners& x, double* state) { start_hexahedron(layout, x, state, 1, 0); }
   template <class R, class Law>
-  static Forces<R> cycle(const HexahedronProperties& brick, const Prepared<Law>& law, const L&, const Motion<R>& nodes,
+  static Forces<R> cycle(const HexahedronProperties& brick, const LawKernel<Law>& law, const L&, const Motion<R>& nodes,
                          double dt, double* state) {
     return hexahedron_cycle<R>(brick, law, nodes, dt, state);
   }
@@ -339,27 +339,28 @@ TEST(Hexahedron, WeldBrickDamagesOverPlasticStrain) {
 }
 
 TEST(Hexahedron, ForcesFollowTheIntegrityOfTheWeld) {
-  WeldBrick whole(weld()), half(weld());
+  WeldBrick weld_integrity(weld()), half(weld());
   half.state[L::integrity] = 0.5;
   Random random;
   for (int cycle = 0; cycle < 20; ++cycle) {
-    for (int i = 0; i < 8; ++i) half.nodes.v[i] = whole.nodes.v[i] = random.vector(2000.0);
-    whole.step(1e-6);
+    for (int i = 0; i < 8; ++i) half.nodes.v[i] = weld_integrity.nodes.v[i] = random.vector(2000.0);
+    weld_integrity.step(1e-6);
     half.step(1e-6);
-    for (int i = 0; i < 8; ++i) EXPECT_LT(norm(half.force.f[i] - 0.5 * whole.force.f[i]), 1e-9 * largest(whole.force));
-    EXPECT_NEAR(half.at(L::hourglass_energy), 0.5 * whole.at(L::hourglass_energy),
-                1e-9 * std::abs(whole.at(L::hourglass_energy)));
+    for (int i = 0; i < 8; ++i)
+      EXPECT_LT(norm(half.force.f[i] - 0.5 * weld_integrity.force.f[i]), 1e-9 * largest(weld_integrity.force));
+    EXPECT_NEAR(half.at(L::hourglass_energy), 0.5 * weld_integrity.at(L::hourglass_energy),
+                1e-9 * std::abs(weld_integrity.at(L::hourglass_energy)));
   }
-  EXPECT_NE(whole.at(L::hourglass_energy), 0.0);
+  EXPECT_NE(weld_integrity.at(L::hourglass_energy), 0.0);
 }
 
 TEST(Hexahedron, HeldYieldStressLetsNoForceGrow) {
   Spotweld law = uniaxial_weld(weld());
-  law.yield_can_be_held = true;
+  law.yield_can_be_frozen = true;
   WeldBrick d(law);
   for (int i = 0; i < 20; ++i) d.move({0, 0, 1e-4});
   const double force = d.force_on_top().z;
-  hold_yield(d.law, d.state.data(), 1, 0);
+  freeze_yield(d.law, d.state.data(), 1, 0);
   for (int i = 0; i < 50; ++i) d.move({0, 0, 1e-4});
   EXPECT_NEAR(d.force_on_top().z, force, 1e-9 * force);
 }

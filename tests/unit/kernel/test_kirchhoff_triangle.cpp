@@ -171,7 +171,7 @@ TEST(KirchhoffTriangle, OnlyRigidMotionsAreFree) {
   expect_free_motions(stiffness_by_dual<Kirchhoff>(section(), m), 18, 9);
 }
 
-// No element, however thick or flat, vibrates faster than its step bears: the lowest limit 2 / omega of elements
+// No element, however thick or flat, vibrates faster than its step allows: the lowest limit 2 / omega of elements
 // of all shapes, by their own masses.
 TEST(KirchhoffTriangle, BendingIsNeverFasterThanTheStep) {
   Random random;

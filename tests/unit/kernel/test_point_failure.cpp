@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "kernel/law/point_failure.hpp"
 #include "law_point.hpp"
 #include "motion.hpp"
@@ -14,16 +14,16 @@ namespace {
 
 constexpr double E = 210000.0, nu = 0.3;
 
-Composition perfectly_plastic(double yield) {
+LawComponents perfectly_plastic(double yield) {
   return {bilinear(yield, 0.0)};
 }
-Composition elastic() {
+LawComponents elastic() {
   return {Elastic{E, nu}};
 }
 
 /// Strain increments until the point fails; how many it took, 0 if it never did.
-int steps_to_failure(const Composition& law, const SolidTensor<double>& increment, double dt = 1.0, int most = 2000) {
-  SolidPoint<Compound> p(compound(law));
+int steps_to_failure(const LawComponents& law, const SolidTensor<double>& increment, double dt = 1.0, int most = 2000) {
+  SolidPoint<ComposedLaw> p(composed_law(law));
   p.dt = dt;
   for (int i = 1; i <= most; ++i) {
     p.strain(increment);
@@ -34,8 +34,8 @@ int steps_to_failure(const Composition& law, const SolidTensor<double>& incremen
   }
   return 0;
 }
-int steps_to_failure(const Composition& law, const LayerTensor<double>& increment, int most = 2000) {
-  LayerPoint<Compound> p(compound(law));
+int steps_to_failure(const LawComponents& law, const LayerTensor<double>& increment, int most = 2000) {
+  LayerPoint<ComposedLaw> p(composed_law(law));
   for (int i = 1; i <= most; ++i) {
     p.strain(increment);
     if (p.law.failed<double>(p.history.data())) return i;
@@ -61,10 +61,10 @@ TEST(PointFailure, PrincipalValues) {
 
 TEST(PointFailure, DamageTakesTheStress) {
   // MAT_081: (1 - w) 250, w from 0 at 0.01 to 1 at 0.03.
-  Composition law = perfectly_plastic(250.0);
+  LawComponents law = perfectly_plastic(250.0);
   law.damage = PlasticDamage{0.01, 0.03, {}};
-  LayerPoint<Compound> layer(compound(law));
-  SolidPoint<Compound> solid(compound(law));
+  LayerPoint<ComposedLaw> layer(composed_law(law));
+  SolidPoint<ComposedLaw> solid(composed_law(law));
   const auto expected = [](double ep) { return 250.0 * std::clamp(1.0 - (ep - 0.01) / 0.02, 0.0, 1.0); };
   while (layer.plastic_strain() < 0.029) {
     layer.strain({1e-4, -0.5e-4, 0, 0, 0});
@@ -83,9 +83,9 @@ TEST(PointFailure, DamageTakesTheStress) {
 }
 
 TEST(PointFailure, DamageByCurve) {
-  Composition law = perfectly_plastic(250.0);
+  LawComponents law = perfectly_plastic(250.0);
   law.damage = PlasticDamage{0.01, 0.0, Curve{0, {0.0, 0.01, 0.05}, {0.0, 0.6, 0.8}}};
-  SolidPoint<Compound> p(compound(law));
+  SolidPoint<ComposedLaw> p(composed_law(law));
   while (p.plastic_strain() < 0.02) p.strain({0, 0, 0, 1e-5, 0, 0});
   EXPECT_NEAR(p.effective(), 250.0 * 0.4, 0.1);
   while (p.plastic_strain() < 0.2) p.strain({0, 0, 0, 1e-4, 0, 0});
@@ -95,11 +95,11 @@ TEST(PointFailure, DamageByCurve) {
 
 TEST(PointFailure, JohnsonCookFracture) {
   // Perfectly plastic in shear (no mean stress) and in tension (a third), at a rate of 100 with EPSO 1.
-  Composition law = perfectly_plastic(250.0);
+  LawComponents law = perfectly_plastic(250.0);
   law.fracture = JohnsonCookFracture{0.05, 0.1, -1.5, 0.02, 0.0};
   const double by_rate = 1.0 + 0.02 * std::log(100.0);
   for (const double triaxiality : {0.0, 1.0 / 3.0, -1.0 / 3.0}) {
-    SolidPoint<Compound> p(compound(law));
+    SolidPoint<ComposedLaw> p(composed_law(law));
     p.dt = 1e-6;
     while (!p.law.failed<double>(p.history.data()) && p.plastic_strain() < 1.0) {
       if (triaxiality == 0.0)
@@ -110,7 +110,7 @@ TEST(PointFailure, JohnsonCookFracture) {
     EXPECT_NEAR(p.plastic_strain(), (0.05 + 0.1 * std::exp(-1.5 * triaxiality)) * by_rate, 4e-4) << triaxiality;
   }
   law.fracture = JohnsonCookFracture{-1.0, 0.0, 0.0, 0.0, 0.0, 0.02};  // EFMIN
-  SolidPoint<Compound> p(compound(law));
+  SolidPoint<ComposedLaw> p(composed_law(law));
   while (!p.law.failed<double>(p.history.data())) p.strain({0, 0, 0, 1e-4, 0, 0});
   EXPECT_NEAR(p.plastic_strain(), 0.02, 1e-4);
 }
@@ -126,8 +126,8 @@ TEST(PointFailure, PlasticWorkHeats) {
   flow.melting_rise = 1500.0;
   for (const double exponent : {1.0, 0.5}) {
     flow.softening = exponent;
-    LayerPoint<Compound> layer(compound({flow}));
-    SolidPoint<Compound> solid(compound({flow}));
+    LayerPoint<ComposedLaw> layer(composed_law({flow}));
+    SolidPoint<ComposedLaw> solid(composed_law({flow}));
     double rise = 0.0, before = 0.0;  // plainly, by the midpoint rule
     for (int i = 0; i < 10000; ++i) {
       layer.strain({0, 0, 1e-4, 0, 0});
@@ -148,13 +148,13 @@ TEST(PointFailure, PlasticWorkHeats) {
 }
 
 TEST(PointFailure, StrainLimitsOfALayer) {
-  Composition law = perfectly_plastic(250.0);
+  LawComponents law = perfectly_plastic(250.0);
   law.limits.major = 0.0305;
   EXPECT_EQ(steps_to_failure(law, LayerTensor<double>{1e-3, 0.3e-3, 0, 0, 0}), 31);
   EXPECT_EQ(steps_to_failure(law, LayerTensor<double>{0, 0, 2e-3, 0, 0}), 31);  // shear: major = gamma / 2
   EXPECT_EQ(steps_to_failure(law, LayerTensor<double>{-1e-3, -1e-3, 0, 0, 0}), 0);
   law.limits = {0.03, 0.0};
-  LayerPoint<Compound> p(compound(law));
+  LayerPoint<ComposedLaw> p(composed_law(law));
   double thinning = 0.0;
   while (!p.law.failed<double>(p.history.data())) {
     EXPECT_LT(thinning, 0.03);
@@ -168,7 +168,7 @@ TEST(PointFailure, EachErosionCriterion) {
   const SolidTensor<double> pull{1e-4, 0, 0, 0, 0, 0}, push{-1e-4, 0, 0, 0, 0, 0}, shear{0, 0, 0, 1e-4, 0, 0};
   const double lambda = E * nu / (1.3 * 0.4), G = E / 2.6, K = E / 1.2;
   const auto after = [&](const Erosion& erosion, const SolidTensor<double>& increment, double dt = 1.0) {
-    Composition law = elastic();
+    LawComponents law = elastic();
     law.erosion = erosion;
     return steps_to_failure(law, increment, dt, 200);
   };
@@ -208,13 +208,13 @@ TEST(PointFailure, EachErosionCriterion) {
 
 TEST(PointFailure, ErosionOfALayer) {
   // Principal strains of all three axes; thinning; the first forces of a run come with no step.
-  Composition law = perfectly_plastic(250.0);
+  LawComponents law = perfectly_plastic(250.0);
   law.erosion = Erosion{};
   law.erosion->most_strain = 0.0305;
   EXPECT_EQ(steps_to_failure(law, LayerTensor<double>{1e-3, 0.2e-3, 0, 0, 0}), 31);
   law.erosion = Erosion{};
   law.erosion->thinning = 0.03;
-  LayerPoint<Compound> p(compound(law));
+  LayerPoint<ComposedLaw> p(composed_law(law));
   p.law.layer<double>(p.s, {}, 0.0, p.history.data());
   double thinning = 0.0;
   while (!p.law.failed<double>(p.history.data())) {
@@ -228,7 +228,7 @@ TEST(PointFailure, ErosionOfALayer) {
 TEST(PointFailure, ErosionByImpulse) {
   // Tuler and Butcher: integral of (s1 - s0)^2; s1 = c i.
   const double stress = (E * nu / (1.3 * 0.4) + 2.0 * E / 2.6) * 1e-4, threshold = 4.0 * stress, dt = 2e-6;
-  Composition law = elastic();
+  LawComponents law = elastic();
   law.erosion = Erosion{};
   law.erosion->threshold = threshold;
   law.erosion->impulse = 30.0 * stress * stress * dt;  // 1 + 4 + 9 + 16 = 30
@@ -236,7 +236,7 @@ TEST(PointFailure, ErosionByImpulse) {
 }
 
 TEST(PointFailure, SeveralErosionCriteriaAtOnce) {
-  Composition law = elastic();
+  LawComponents law = elastic();
   law.erosion = Erosion{};
   law.erosion->most_strain = 9.5e-4;
   law.erosion->time = 19.5;
@@ -248,10 +248,10 @@ TEST(PointFailure, SeveralErosionCriteriaAtOnce) {
 
 TEST(PointFailure, StrainsTurnWithTheMaterial) {
   // Pulled along x, turned by a right angle about z, pulled along y: the same fibre.
-  Composition law = elastic();
+  LawComponents law = elastic();
   law.erosion = Erosion{};
   law.erosion->most_strain = 19.5e-4;
-  SolidPoint<Compound> p(compound(law));
+  SolidPoint<ComposedLaw> p(composed_law(law));
   for (int i = 0; i < 10; ++i) p.strain({1e-4, 0, 0, 0, 0, 0});
   const Frame3d turn{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
   p.s = rotated(turn, p.s);

@@ -48,7 +48,7 @@ Motion tetrahedron(Random& random, double size = 0.4, double bent = 0.0) {
 template <class Law>
 struct Driven {
   HexahedronProperties solid = inviscid();
-  Prepared<Law> law;
+  LawKernel<Law> law;
   L layout;
   std::vector<double> state;
   Motion nodes;
@@ -280,7 +280,7 @@ TEST(QuadraticTetrahedron, MassesAreTheScaledDiagonal) {
   EXPECT_NEAR(quadratic_tetrahedron_edge_mass, edge / sum, 1e-15);
 }
 
-// No element of any shape vibrates faster than its step bears. Sabotage: `most` of the kernel a fifth of itself.
+// No element of any shape vibrates faster than its step allows. Sabotage: `most` of the kernel a fifth of itself.
 TEST(QuadraticTetrahedron, StepIsStable) {
   Random random;
   double least = 1e9, most = 0.0;

@@ -37,7 +37,7 @@ Motion tetrahedron(Random& random, double size = 0.4) {
 template <class Law>
 struct Driven {
   HexahedronProperties solid = inviscid();
-  Prepared<Law> law;
+  LawKernel<Law> law;
   L layout;
   std::vector<double> state;
   Motion nodes;
@@ -241,7 +241,7 @@ TEST(RotationalTetrahedron, OnlyRigidMotionsAreFree) {
   EXPECT_EQ(zero_modes(k, 24), 6);
 }
 
-// No element of any shape vibrates faster than its step bears; a regular one comes close.
+// No element of any shape vibrates faster than its step allows; a regular one comes close.
 TEST(RotationalTetrahedron, StepIsStable) {
   Random random;
   double least = 1e9;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "kernel/law/single_points.hpp"
 #include "law_point.hpp"
 #include "motion.hpp"
@@ -13,7 +13,7 @@
 namespace nugget::kernel {
 namespace {
 
-using Point = SolidPoint<Compound>;
+using Point = SolidPoint<ComposedLaw>;
 
 /// Strain increment of the mid-step rate by which a length l becomes l + d.
 double mid(double l, double d) {
@@ -48,10 +48,10 @@ std::array<double, 3> by_energy(const std::function<double(double, double, doubl
   return s;
 }
 
-void expect_energy(const Composition& law, const std::function<double(double, double, double)>& W, double gate) {
+void expect_energy(const LawComponents& law, const std::function<double(double, double, double)>& W, double gate) {
   for (const std::array<double, 3>& to : {std::array{1.8, 0.75, 0.75}, std::array{0.6, 1.28, 1.3},
                                           std::array{1.2, 1.3, 0.65}, std::array{1.0, 1.0, 1.0}}) {
-    Point p(compound(law));
+    Point p(composed_law(law));
     std::array<double, 3> l{1, 1, 1};
     pull(p, l, {1.3, 0.9, 1.0}, 100);  // any way there
     pull(p, l, to, 100);
@@ -128,9 +128,9 @@ TEST(SinglePoints, RubberIsElasticAtSmallStrains) {
   const Ogden ogden{2 * 0.5 * (1 + nu), nu, {{0.5, 2.0}}, {}};
   PolynomialRubber quarter;
   quarter.c10 = 0.2, quarter.c01 = 0.05, quarter.c20 = 3.0, quarter.nu = nu, quarter.E = 1.0 * (1 + nu);
-  for (const Composition& law : {Composition{mooney(0.2, 0.05, nu)}, Composition{ogden}, Composition{quarter}})
+  for (const LawComponents& law : {LawComponents{mooney(0.2, 0.05, nu)}, LawComponents{ogden}, LawComponents{quarter}})
     for (const double size : {1e-12, 1e-5}) {
-      Point p(compound(law));
+      Point p(composed_law(law));
       SolidPoint<Elastic> e(Elastic{1.0 * (1 + nu), nu});
       p.strain({size, -0.2 * size, 0.1 * size, size, 0.3 * size, 0});
       e.strain({size, -0.2 * size, 0.1 * size, size, 0.3 * size, 0});
@@ -143,7 +143,7 @@ TEST(SinglePoints, RubberIsElasticAtSmallStrains) {
 TEST(SinglePoints, RubberInSimpleShear) {
   // Neo-Hookean and Mooney: tau = 2 (A + B) g at constant volume; normal stress difference 2 (A + B) g^2.
   const double a = 0.8, b = 0.2;
-  Point p(compound({mooney(a, b, 0.45)}));
+  Point p(composed_law({mooney(a, b, 0.45)}));
   // v_x = g y: rate of strain g/2 and spin g/2 together, as a brick applies them.
   const double dg = 1e-3;
   for (int i = 0; i < 1000; ++i) {
@@ -160,10 +160,10 @@ TEST(SinglePoints, RubberInSimpleShear) {
 
 TEST(SinglePoints, TheStableStepKnowsTheStiffnessReached) {
   // Wave modulus at least the tangent of a laterally held pull.
-  for (const Composition& law :
-       {Composition{mooney(0.8, 0.2, 0.49)}, Composition{polynomial(0.3)}, Composition{blatz_ko(1.0)}})
+  for (const LawComponents& law :
+       {LawComponents{mooney(0.8, 0.2, 0.49)}, LawComponents{polynomial(0.3)}, LawComponents{blatz_ko(1.0)}})
     for (const double to : {0.4, 0.7, 1.0, 1.4, 2.5}) {
-      Point p(compound(law));
+      Point p(composed_law(law));
       std::array<double, 3> l{1, 1, 1};
       pull(p, l, {to, 1.0, 1.0}, 50);
       const double wave = p.law.wave_modulus<double>(p.history.data()), before = p.s.xx;
@@ -180,10 +180,10 @@ TEST(SinglePoints, RubberRelaxes) {
   PolynomialRubber polynomial_with = polynomial(0.49);
   polynomial_with.overstress = viscous;
   const Ogden ogden{3.0, 0.49, {{1.0, 2.0}}, {}}, ogden_with{3.0, 0.49, {{1.0, 2.0}}, viscous};
-  const std::pair<Composition, Composition> pairs[] = {{{polynomial(0.49)}, {polynomial_with}},
-                                                       {{ogden}, {ogden_with}}};
+  const std::pair<LawComponents, LawComponents> pairs[] = {{{polynomial(0.49)}, {polynomial_with}},
+                                                           {{ogden}, {ogden_with}}};
   for (const auto& [without, with] : pairs) {
-    Point a(compound(without)), b(compound(with));
+    Point a(composed_law(without)), b(composed_law(with));
     EXPECT_NEAR(b.law.wave_modulus<double>(b.history.data()) - a.law.wave_modulus<double>(a.history.data()),
                 4.0 / 3.0 * 8.0, 1e-9);
     a.dt = b.dt = 1e-4;
@@ -194,7 +194,7 @@ TEST(SinglePoints, RubberRelaxes) {
     };
     for (int i = 0; i < 100; ++i) step(rate);
     double more = 0.0, left = 0.0;
-    for (const auto& [G, beta] : viscous.relaxing) {
+    for (const auto& [G, beta] : viscous.maxwell_branches) {
       const double grown = G * rate * (1.0 - std::exp(-beta * t)) / beta;
       more += grown;
       left += grown * std::exp(-beta * t);
@@ -209,10 +209,10 @@ TEST(SinglePoints, RubberRelaxes) {
 // Sabotage: the limit on the shear stress instead of the effective one.
 TEST(SinglePoints, FrictionInRubberIsALoopOfTheSameSizeAtAnyRate) {
   PolynomialRubber with = polynomial(0.49);
-  with.overstress.sliding_shear = 40.0;
-  with.overstress.sliding_limit = 0.09;
+  with.overstress.friction_shear = 40.0;
+  with.overstress.friction_limit = 0.09;
   for (const double dt : {1.0, 1e-3}) {
-    Point a(compound({polynomial(0.49)})), b(compound({with}));
+    Point a(composed_law({polynomial(0.49)})), b(composed_law({with}));
     a.dt = b.dt = dt;
     const auto shear = [&](double by, int steps) {
       for (int i = 0; i < steps; ++i) {
@@ -237,7 +237,7 @@ LowDensityFoam foam() {
 }
 
 TEST(SinglePoints, LowDensityFoamFollowsItsCurve) {
-  Point p(compound({foam()}));
+  Point p(composed_law({foam()}));
   std::array<double, 3> l{1, 1, 1};
   for (const double to : {0.97, 0.7, 0.4, 0.15, 0.6, 1.0}) {
     pull(p, l, {to, 1.0, 1.0}, 200);
@@ -256,7 +256,7 @@ TEST(SinglePoints, LowDensityFoamUnloadsAlongAnotherPath) {
   LowDensityFoam law = foam();
   law.unloading = 0.1;
   law.shape = 2.0;
-  Point p(compound({law}));
+  Point p(composed_law({law}));
   std::array<double, 3> l{1, 1, 1};
   pull(p, l, {0.3, 1.0, 1.0}, 200);
   const auto area = [&](double x) {  // plainly, by the midpoint rule
@@ -273,18 +273,18 @@ TEST(SinglePoints, LowDensityFoamUnloadsAlongAnotherPath) {
 }
 
 TEST(SinglePoints, LowDensityFoamTears) {
-  for (const bool tears : {false, true}) {
+  for (const bool tension_failure : {false, true}) {
     LowDensityFoam law = foam();
     law.cutoff = 0.3;
-    law.tears = tears;
-    Point p(compound({law}));
+    law.tension_failure = tension_failure;
+    Point p(composed_law({law}));
     std::array<double, 3> l{1, 1, 1};
     pull(p, l, {1.1, 1.0, 1.0}, 100);
     EXPECT_NEAR(p.s.xx, 0.2, 1e-9);
     pull(p, l, {1.2, 1.0, 1.0}, 100);
-    EXPECT_NEAR(p.s.xx, tears ? 0.0 : 0.3, 1e-9);
+    EXPECT_NEAR(p.s.xx, tension_failure ? 0.0 : 0.3, 1e-9);
     pull(p, l, {1.1, 1.0, 1.0}, 100);
-    EXPECT_NEAR(p.s.xx, tears ? 0.0 : 0.2, 1e-9);
+    EXPECT_NEAR(p.s.xx, tension_failure ? 0.0 : 0.2, 1e-9);
     pull(p, l, {0.95, 1.0, 1.0}, 100);
     EXPECT_NEAR(p.s.xx, -0.1, 1e-9);
   }
@@ -295,7 +295,7 @@ TEST(SinglePoints, CrushableFoamYieldsByVolumeAndDoesNotRecover) {
   law.E = 50.0;
   law.yield = Curve{0, {0.0, 0.4, 0.8}, {0.5, 0.7, 20.7}};
   law.cutoff = 0.2;
-  Point p(compound({law}));
+  Point p(composed_law({law}));
   std::array<double, 3> l{1, 1, 1};
   pull(p, l, {0.995, 1.0, 1.0}, 10);
   EXPECT_NEAR(p.s.xx, 50.0 * std::log(0.995), 1e-6);
@@ -308,7 +308,7 @@ TEST(SinglePoints, CrushableFoamYieldsByVolumeAndDoesNotRecover) {
   pull(p, l, {0.7, 1.0, 1.0}, 100);
   EXPECT_NEAR(p.s.xx, 0.2, 1e-9);  // the cutoff
   // In shear: principal stresses +- tau, tension cut off at 0.2.
-  Point q(compound({law}));
+  Point q(composed_law({law}));
   for (int i = 0; i < 500; ++i) q.strain({0, 0, 0, 1e-4, 0, 0});
   const Principal axes = principal_axes(q.s);
   EXPECT_NEAR(axes.value[2], 0.2, 1e-9);
@@ -319,7 +319,7 @@ TEST(SinglePoints, ViscoelasticRelaxation) {
   const double K = 2000.0, G0 = 50.0, G1 = 10.0, beta = 100.0;
   const Viscoelastic law{9 * K * G0 / (3 * K + G0), (3 * K - 2 * G0) / (6 * K + 2 * G0), K, G0, G1, beta};
   for (const double dt : {1e-5, 2e-3}) {  // exact for any step
-    Point p(compound({law}));
+    Point p(composed_law({law}));
     p.dt = dt;
     // A constant rate of shear g: tau = GI g t + (G0 - GI) g (1 - exp(-beta t)) / beta.
     const int steps = static_cast<int>(std::lround(0.02 / dt));
@@ -329,7 +329,7 @@ TEST(SinglePoints, ViscoelasticRelaxation) {
     // Held: GI g + what decays.
     for (int i = 0; i < steps; ++i) p.strain({});
     EXPECT_NEAR(p.s.xy, G1 * 0.5 * 0.02 + (G0 - G1) * relaxing * std::exp(-beta * 0.02), 1e-9);
-    Point q(compound({law}));
+    Point q(composed_law({law}));
     q.dt = dt;
     q.strain({1e-3, 1e-3, 1e-3, 0, 0, 0});
     for (int i = 0; i < 100; ++i) q.strain({});

@@ -88,8 +88,8 @@ TEST(ReversingSpring, OneStepIsAsGoodAsMany) {
 // A ramp and then a hold, by the convolution integral.
 TEST(MaxwellSpring, RelaxesByItsIntegral) {
   MaxwellSpring spring;
-  spring.early = 100.0;
-  spring.late = 30.0;
+  spring.instantaneous_stiffness = 100.0;
+  spring.long_term_stiffness = 30.0;
   spring.decay = 5.0;
   for (const int steps : {10, 1000}) {
     MaxwellSpring::State state;

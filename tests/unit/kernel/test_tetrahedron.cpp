@@ -34,12 +34,12 @@ struct Tetrahedron {
   template <class R>
   using Forces = TetrahedronForces<R>;
   template <class Law>
-  static L layout(const Prepared<Law>& law) {
+  static L layout(const LawKernel<Law>& law) {
     return tetrahedron_layout(law);
   }
   static void start(const L& layout, const Corners&, double* state) { start_tetrahedron(layout, state, 1, 0); }
   template <class R, class Law>
-  static Forces<R> cycle(const HexahedronProperties& solid, const Prepared<Law>& law, const L& layout,
+  static Forces<R> cycle(const HexahedronProperties& solid, const LawKernel<Law>& law, const L& layout,
                          const Motion<R>& nodes, double dt, double* state) {
     return tetrahedron_cycle<R>(solid, law, layout, nodes, dt, state);
   }

@@ -26,7 +26,7 @@ Spotweld weld(double yield = 400.0, double hardening = 1000.0) {
 template <class Law = Spotweld>
 struct Driven {
   WeldBeamProperties beam;
-  Prepared<Law> law;
+  LawKernel<Law> law;
   WeldBeamLayout layout;
   std::vector<double> state;
   Motion nodes;
@@ -133,7 +133,7 @@ TEST(WeldBeam, ShearPlasticity) {
   EXPECT_NEAR(cycle * 1e-6 / length, 0.020251, 2e-4);
 }
 
-TEST(WeldBeam, LimitMoments) {  // the table of spotweld-theory 2.3
+TEST(WeldBeam, LimitMoments) {  // the table of docs/theory/beam.md#section-points
   const double torque[] = {13852.0, 13059.4 * 1.011, 13059.4 * 1.004};
   const double moment[] = {16965.0, 14400.0 * 1.037, 14400.0 * 1.010};
   for (const int i : {0, 1, 2}) {
@@ -254,10 +254,10 @@ Spotweld rated() {
   return law;
 }
 
-Spotweld damaging(PointDamage::Growth growth, double rupture, bool holds_yield = false, double beta = 0.0) {
+Spotweld damaging(PointDamage::Growth growth, double rupture, bool freezes_yield = false, double beta = 0.0) {
   Spotweld law = weld();
   law.failure_strain = 0.2;
-  law.damage = {growth, rupture, beta, holds_yield};
+  law.damage = {growth, rupture, beta, freezes_yield};
   return law;
 }
 
@@ -409,13 +409,13 @@ TEST(WeldBeam, ForcesFollowTheIntegrityOfTheWeld) {
 
 TEST(WeldBeam, HeldYieldStressLetsNoForceGrow) {
   Spotweld law = weld();
-  law.yield_can_be_held = true;
+  law.yield_can_be_frozen = true;
   Driven<> d(law);
   d.nodes.v[1].z = 1e-5;
   for (int i = 0; i < 100; ++i) d.step(1.0);  // elastic
   const double force = d.resultant(Nrr);
   ASSERT_LT(force, 0.6 * 400.0 * A);
-  hold_yield(d.layout, d.law, d.state.data(), 1, 0);
+  freeze_yield(d.layout, d.law, d.state.data(), 1, 0);
   for (int i = 0; i < 200; ++i) d.step(1.0);
   EXPECT_NEAR(d.resultant(Nrr), force, 1e-9 * force);
   EXPECT_GT(d.plastic_strain(), 0.0);

@@ -90,7 +90,7 @@ TEST(Stiffness, OfABrickIsTheDerivativeByDualNumbers) {
   const Assembled a(deck_text);
   ASSERT_EQ(a.findings.errors(), 0);
   using D = Dual<24>;
-  const kernel::Prepared<kernel::Elastic> law(kernel::Elastic{210000.0, 0.3});
+  const kernel::LawKernel<kernel::Elastic> law(kernel::Elastic{210000.0, 0.3});
   const kernel::HexahedronProperties brick{7.85e-9, 6, 1.0, 0.0, 0.0};
   std::array<Vec3d, 8> x;
   kernel::SolidMotion<D> motion;
@@ -106,14 +106,14 @@ TEST(Stiffness, OfABrickIsTheDerivativeByDualNumbers) {
   std::vector<double> k;
   for (const Vec3<D>& f : out.f)
     for (const D* c : {&f.x, &f.y, &f.z}) k.insert(k.end(), c->d.begin(), c->d.end());
-  expect_equal(stiffness(a, *a.system.groups[at(a.system.solid_seat[0].group)]), k);
+  expect_equal(stiffness(a, *a.system.groups[at(a.system.solid_location[0].group)]), k);
 }
 
 TEST(Stiffness, OfAWeldBeamIsTheDerivativeByDualNumbers) {
   const Assembled a(deck_text);
   ASSERT_EQ(a.findings.errors(), 0);
   using D = Dual<12>;
-  const kernel::Prepared<kernel::Elastic> law(kernel::Elastic{210000.0, 0.3});
+  const kernel::LawKernel<kernel::Elastic> law(kernel::Elastic{210000.0, 0.3});
   kernel::WeldBeamProperties beam;
   beam.density = 7.85e-9;
   beam.fibres = kernel::disc_fibres(6.0, 0.0, 2);
@@ -132,7 +132,7 @@ TEST(Stiffness, OfAWeldBeamIsTheDerivativeByDualNumbers) {
   for (int i = 0; i < 2; ++i)
     for (const Vec3<D>& f : {out.f[i], out.m[i]})
       for (const D* c : {&f.x, &f.y, &f.z}) k.insert(k.end(), c->d.begin(), c->d.end());
-  expect_equal(stiffness(a, *a.system.groups[at(a.system.beam_seat[0].group)]), k);
+  expect_equal(stiffness(a, *a.system.groups[at(a.system.beam_location[0].group)]), k);
 }
 
 // The brick and the beam are free: T^t K T has no force for any rigid motion of either.

@@ -136,7 +136,7 @@ TEST(RestartFile, AResultFileIsCutBack) {
   }
   std::string warning;
   {
-    ResultFile file(scratch / "glstat", Opening::go_on);
+    ResultFile file(scratch / "glstat", OpenMode::append);
     (*open_restart(scratch.path(), warning))(file);
     file.buffer() = "state 2";
     file.commit();
@@ -144,9 +144,9 @@ TEST(RestartFile, AResultFileIsCutBack) {
   EXPECT_EQ(content(scratch / "glstat"), "head, state 1, state 2");
 
   fs::resize_file(scratch / "glstat", 3);
-  ResultFile file(scratch / "glstat", Opening::go_on);
+  ResultFile file(scratch / "glstat", OpenMode::append);
   EXPECT_THROW((*open_restart(scratch.path(), warning))(file), ArchiveError) << "it is shorter than it was";
-  EXPECT_THROW(ResultFile(scratch / "gone", Opening::go_on), ArchiveError);
+  EXPECT_THROW(ResultFile(scratch / "gone", OpenMode::append), ArchiveError);
 }
 
 }  // namespace

@@ -381,8 +381,8 @@ TEST(Contacts, SingleSurfaceOverAllParts) {
   EXPECT_EQ(contact.kind, Contact::Kind::single_surface);
   EXPECT_TRUE(contact.a.everything);
   EXPECT_TRUE(contact.b.empty());
-  EXPECT_EQ(contact.friction.at_rest, 0.2);
-  EXPECT_EQ(contact.friction.sliding, 0.1);
+  EXPECT_EQ(contact.friction.static_coefficient, 0.2);
+  EXPECT_EQ(contact.friction.dynamic_coefficient, 0.1);
   EXPECT_EQ(contact.damping, 20.0);
   EXPECT_EQ(contact.birth, 0.5);
   EXPECT_EQ(contact.death, forever);

@@ -46,7 +46,7 @@ TEST(BrickClusters, TemplatesKeepTheAreaAndTheCentre) {
     EXPECT_NEAR(s, 0.0, 1e-12);
     EXPECT_NEAR(t, 0.0, 1e-12);
   }
-  EXPECT_NEAR(cluster_template(4, wanted).nodes[1][0], 0.5270 * d, 1e-4 * d);  // spotweld-theory.md 3.4
+  EXPECT_NEAR(cluster_template(4, wanted).nodes[1][0], 0.5270 * d, 1e-4 * d);  // docs/theory/weld.md
   EXPECT_NEAR(cluster_template(1, wanted).nodes[2][0], 0.5 * 0.8862 * d, 1e-4 * d);
 }
 

@@ -124,13 +124,12 @@ TEST(Database, WhatIsNotWrittenIsSaid) {
   EXPECT_TRUE(built.warning("not written", "option1"));
   EXPECT_TRUE(built.warning("the mean over a shell's in-plane points", "maxint"));
   EXPECT_EQ(built.model.requests.layers, 3);
-  const auto verdict = [&](std::string_view keyword) {
-    const auto& ledger = built.model.ledger;
-    return std::find_if(ledger.begin(), ledger.end(), [&](const LedgerEntry& e) { return e.keyword == keyword; })
-        ->verdict;
+  const auto status = [&](std::string_view keyword) {
+    const auto& uses = built.model.keyword_uses;
+    return std::find_if(uses.begin(), uses.end(), [&](const KeywordUse& e) { return e.keyword == keyword; })->status;
   };
-  EXPECT_EQ(verdict("DATABASE_BINARY_RUNRSF"), Verdict::ignored);
-  EXPECT_EQ(verdict("DATABASE_SOMETHING_NEW"), Verdict::refused);
+  EXPECT_EQ(status("DATABASE_BINARY_RUNRSF"), KeywordStatus::ignored);
+  EXPECT_EQ(status("DATABASE_SOMETHING_NEW"), KeywordStatus::refused);
   EXPECT_TRUE(Built(small_deck("*DATABASE_BINARY_D3PLOT\n       0.1        77\n")).error("not defined", "lcdt"));
 }
 
@@ -244,10 +243,10 @@ TEST(Boundary, MotionsAroundAnAxis) {
   EXPECT_TRUE(built.warning("VAD 4", "lrb"));
   const auto& motions = built.model.motions;
   ASSERT_EQ(motions.size(), 2u);
-  EXPECT_TRUE(motions[0].circular && !motions[0].rotation && !motions[0].radius_held);
+  EXPECT_TRUE(motions[0].circular && !motions[0].rotation && !motions[0].radius_fixed);
   expect_vector(motions[0].direction, 0, 1, 0);
   expect_vector(motions[0].center, 4, 0, 3);
-  EXPECT_TRUE(motions[1].circular && motions[1].radius_held);
+  EXPECT_TRUE(motions[1].circular && motions[1].radius_fixed);
   expect_vector(motions[1].direction, 1, 0, 0);
   expect_vector(motions[1].center, 0, 3, 4);
 }
@@ -399,7 +398,7 @@ TEST(Load, ForcesAndMoments) {
   expect_vector(loads[0].direction, 0, 0, 1);
   EXPECT_EQ(loads[0].scale, 0.0025);
   EXPECT_TRUE(loads[1].moment);
-  EXPECT_EQ(loads[1].follow[2], built.model.node_index(3));
+  EXPECT_EQ(loads[1].follower_nodes[2], built.model.node_index(3));
   EXPECT_TRUE(loads[2].moment);
   EXPECT_EQ(loads[2].nodes.size(), 3u);
   EXPECT_EQ(loads[2].scale, 1.0);

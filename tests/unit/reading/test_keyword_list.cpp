@@ -19,13 +19,13 @@ TEST(KeywordList, EveryRowIsComplete) {
   for (const Keyword& keyword : keywords()) {
     ++names[keyword.name];
     for (const auto alias : keyword.aliases) ++names[alias];
-    if (keyword.verdict == Verdict::used) {
+    if (keyword.status == KeywordStatus::used) {
       EXPECT_NE(keyword.read, nullptr) << keyword.name;
       EXPECT_FALSE(keyword.name.ends_with('*')) << keyword.name;
     } else {
       EXPECT_FALSE(keyword.why.empty()) << keyword.name << " has no reason";
       // An ignored one may have a reader that warns of what is missed.
-      EXPECT_TRUE(keyword.read == nullptr || keyword.verdict == Verdict::ignored) << keyword.name;
+      EXPECT_TRUE(keyword.read == nullptr || keyword.status == KeywordStatus::ignored) << keyword.name;
     }
     EXPECT_THAT(std::string(keyword.name), Not(testing::StartsWith("*")));
     EXPECT_EQ(keyword.name.substr(0, keyword.name.size() - 1).find('*'), std::string_view::npos)
@@ -87,7 +87,7 @@ TEST(KeywordList, IgnoredKeywordsMakeNoFindingButStandInTheLedger) {
       small_deck("*SENSOR_DEFINE_FORCE\n         1RWALL              2X                  0\n*CONTROL_PARALLEL\n        "
                  " 2\n*CONTROL_PARALLEL\n         2\n"));
   EXPECT_EQ(built.findings.errors() + built.findings.warnings(), 0) << built.all_findings();
-  const std::string table = ledger_table(built.model);
+  const std::string table = keyword_use_table(built.model);
   EXPECT_THAT(table, HasSubstr("*SENSOR_DEFINE_FORCE"));
   EXPECT_THAT(table, testing::ContainsRegex("\\*CONTROL_PARALLEL +2 ignored +threads"));
   EXPECT_THAT(table, testing::ContainsRegex("\\*ELEMENT_SHELL +1 used"));

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "small_model.hpp"
 
 // Layers of shells: *PART_COMPOSITE, *INTEGRATION_SHELL with parts.
@@ -80,15 +80,15 @@ TEST(Layers, FaultsOfAComposite) {
 TEST(Layers, LaminatedShearInTriangles) {
   const std::string soft = "*MAT_ELASTIC\n5,5e-11,50.0,0.1\n", third = "*ELEMENT_SHELL\n2,1,1,2,3,3\n",
                     shear = "*CONTROL_SHELL\n\n,,1\n", sorted = "*CONTROL_SHELL\n,2\n,,1\n";
-  const auto told = [&](const std::string& layers, const std::string& control, const std::string& more) {
+  const auto reported = [&](const std::string& layers, const std::string& control, const std::string& more) {
     return composite(layers, soft + control + more).warning("no effect in its 1 triangles of formulation 17");
   };
   const std::string core = "1,0.8,,,5,10.0\n5,10.0,,,1,0.8\n";
-  EXPECT_TRUE(told(core, sorted, third));
-  EXPECT_FALSE(told(core, shear, third));                   // formulation 4, or a collapsed quad
-  EXPECT_FALSE(told(core, sorted, ""));                     // no triangles
-  EXPECT_FALSE(told(core, "*CONTROL_SHELL\n,2\n", third));  // not asked for
-  EXPECT_FALSE(told("1,0.8,,,1,10.0\n", sorted, third));    // one material
+  EXPECT_TRUE(reported(core, sorted, third));
+  EXPECT_FALSE(reported(core, shear, third));                   // formulation 4, or a collapsed quad
+  EXPECT_FALSE(reported(core, sorted, ""));                     // no triangles
+  EXPECT_FALSE(reported(core, "*CONTROL_SHELL\n,2\n", third));  // not asked for
+  EXPECT_FALSE(reported("1,0.8,,,1,10.0\n", sorted, third));    // one material
 }
 
 TEST(Layers, OfParts) {
@@ -97,7 +97,7 @@ TEST(Layers, OfParts) {
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
   const auto& law =
       std::get<kernel::Laminate>(b.model.materials.at(static_cast<std::size_t>(b.model.parts.at(0).material)).law);
-  EXPECT_TRUE(law.outlived_by_sound);
+  EXPECT_TRUE(law.kept_by_unfailing_layers);
   ASSERT_EQ(law.layers->size(), 3u);
   EXPECT_DOUBLE_EQ((*law.layers)[1].law.E, 500.0);
   EXPECT_TRUE(built(section + "*INTEGRATION_SHELL\n7,1\n0.0,1.0,9\n").error("part 9 is not defined", "pid"));
@@ -127,7 +127,7 @@ TEST(Layers, AxesAreThoseOfTheShellsOwnPart) {
   const auto layer = [](const Built& b) {
     const auto& law =
         std::get<kernel::Laminate>(b.model.materials.at(static_cast<std::size_t>(b.model.parts.at(0).material)).law);
-    return std::get<kernel::Orthotropic>((*law.layers)[1].law.made_of->flow);
+    return std::get<kernel::Orthotropic>((*law.layers)[1].law.components->flow);
   };
   const auto crossed = stacked("0,1,0", 5);
   EXPECT_EQ(crossed.findings.errors(), 0) << crossed.all_findings();

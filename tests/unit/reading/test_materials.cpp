@@ -288,7 +288,7 @@ TEST(Controls, WhatCannotBeObeyed) {
 TEST(Controls, UnitsRemarkIsIgnored) {
   const auto b = built("*CONTROL_UNITS\nmm,s,ton\n");
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
-  EXPECT_EQ(b.model.ledger.back().verdict, Verdict::ignored);
+  EXPECT_EQ(b.model.keyword_uses.back().status, KeywordStatus::ignored);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "kernel/law/composition.hpp"
+#include "kernel/law/law_components.hpp"
 #include "small_model.hpp"
 
 namespace nugget::reading {
@@ -13,8 +13,8 @@ Built built(const std::string& more) {
   return Built("*KEYWORD\n*CONTROL_TERMINATION\n1.0\n" + more);
 }
 
-const kernel::Composition& composition(const Built& b) {
-  return *std::get<kernel::Compound>(b.model.materials.at(0).law).made_of;
+const kernel::LawComponents& composition(const Built& b) {
+  return *std::get<kernel::ComposedLaw>(b.model.materials.at(0).law).components;
 }
 template <class Flow>
 const Flow& flow(const Built& b) {
@@ -32,18 +32,18 @@ TEST(PlasticMaterials, SimplifiedJohnsonCook) {
   EXPECT_DOUBLE_EQ(law.hardening, 500.0);
   EXPECT_DOUBLE_EQ(law.exponent, 0.3);
   EXPECT_DOUBLE_EQ(law.rate_factor, 0.05);
-  EXPECT_DOUBLE_EQ(law.most_hardened, 700.0);
+  EXPECT_DOUBLE_EQ(law.static_stress_limit, 700.0);
   EXPECT_DOUBLE_EQ(law.saturation, 900.0);
-  EXPECT_DOUBLE_EQ(law.rest_rate, 0.1);
+  EXPECT_DOUBLE_EQ(law.reference_rate, 0.1);
   EXPECT_DOUBLE_EQ(composition(b).failure_strain, 0.4);
 }
 
 TEST(PlasticMaterials, SimplifiedJohnsonCookZerosAreDefaults) {
   const auto b = built("*MAT_SIMPLIFIED_JOHNSON_COOK\n4,7.85e-9,210000.0,0.3\n300.0,500.0,0.3,0.0,0.0,0.0,0.0,0.0\n");
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
-  EXPECT_GT(flow<kernel::JohnsonCook>(b).most_hardened, 1e20);
+  EXPECT_GT(flow<kernel::JohnsonCook>(b).static_stress_limit, 1e20);
   EXPECT_GT(flow<kernel::JohnsonCook>(b).saturation, 1e20);
-  EXPECT_DOUBLE_EQ(flow<kernel::JohnsonCook>(b).rest_rate, 1.0);
+  EXPECT_DOUBLE_EQ(flow<kernel::JohnsonCook>(b).reference_rate, 1.0);
   EXPECT_DOUBLE_EQ(composition(b).failure_strain, 0.0);
   EXPECT_TRUE(built("*MAT_098\n4,7.85e-9,210000.0,0.3\n,500.0\n").error("must be given", "a"));
   EXPECT_TRUE(built("*MAT_098\n4,7.85e-9,210000.0,0.3,2.0\n300.0\n").error("expected 0 to 1", "vp"));
@@ -199,7 +199,7 @@ TEST(PlasticMaterials, DamageByDirection) {
   EXPECT_TRUE(built(main + brick).error("layers of shells", "mid"));
   const auto c = built("*MAT_099\n4,7.85e-9,210000.0,0.3,1.0,0.4,,3\n300.0,500.0,0.3,0.01,0.1,,,2.0\n");
   EXPECT_EQ(c.findings.errors(), 0) << c.all_findings();
-  EXPECT_DOUBLE_EQ(flow<kernel::JohnsonCook>(c).rest_rate, 2.0);
+  EXPECT_DOUBLE_EQ(flow<kernel::JohnsonCook>(c).reference_rate, 2.0);
   EXPECT_DOUBLE_EQ(composition(c).failure_strain, 0.0);
   EXPECT_DOUBLE_EQ(composition(c).directional_damage->onset, 0.1);
   EXPECT_DOUBLE_EQ(composition(c).directional_damage->rupture, 0.4);
@@ -222,7 +222,7 @@ TEST(PlasticMaterials, ErosionIsAddedToALaw) {
   const auto b =
       built("*MAT_ADD_EROSION\n4,,1000.0,-0.3,-0.2,0.1,-50.0\n-500.0,800.0,,0.25,0.3,700.0,0.01,2.0\n" + material);
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
-  const kernel::Composition& law = composition(b);
+  const kernel::LawComponents& law = composition(b);
   EXPECT_DOUBLE_EQ(std::get<kernel::PiecewiseLinear>(law.flow).yield.at(0).y[0], 300.0);
   EXPECT_DOUBLE_EQ(law.failure_strain, 0.2);  // EFFEPS below 0, less than FAIL
   EXPECT_DOUBLE_EQ(law.deletion_step, 1e-8);
@@ -288,9 +288,9 @@ TEST(SoftMaterials, Rubbers) {
   EXPECT_EQ(polynomial.findings.errors(), 0) << polynomial.all_findings();
   const auto& rubber = flow<kernel::PolynomialRubber>(polynomial);
   EXPECT_DOUBLE_EQ(rubber.c30, 0.05);
-  EXPECT_DOUBLE_EQ(rubber.overstress.sliding_limit, 0.1);
-  ASSERT_EQ(rubber.overstress.relaxing.size(), 2u);
-  EXPECT_DOUBLE_EQ(rubber.overstress.relaxing[1].decay, 700.0);
+  EXPECT_DOUBLE_EQ(rubber.overstress.friction_limit, 0.1);
+  ASSERT_EQ(rubber.overstress.maxwell_branches.size(), 2u);
+  EXPECT_DOUBLE_EQ(rubber.overstress.maxwell_branches[1].decay, 700.0);
   EXPECT_NEAR(polynomial.model.materials.at(0).young(), 2.0 * 0.8 * 1.49, 1e-12);
   const std::string tail = "\n0.3,0.1\n";
   EXPECT_TRUE(built("*MAT_077_H\n4,1.2e-9,0.49,2" + tail).error("only 0 is supported", "n"));
@@ -312,7 +312,7 @@ TEST(SoftMaterials, Foams) {
   EXPECT_DOUBLE_EQ(foam.cutoff, 0.3);
   EXPECT_DOUBLE_EQ(foam.unloading, 0.1);
   EXPECT_DOUBLE_EQ(foam.shape, 2.0);
-  EXPECT_TRUE(foam.tears);
+  EXPECT_TRUE(foam.tension_failure);
   EXPECT_TRUE(composition(low).bulk_viscosity);
   EXPECT_FALSE(composition(built("*MAT_057\n4,5e-11,2.0,5\n" + curve)).bulk_viscosity);
   const auto slow = built("*MAT_057\n4,5e-11,2.0,5,,,20.0,0.1\n,,,3.0,50.0\n" + curve);
@@ -340,7 +340,7 @@ TEST(SoftMaterials, FoamByATableOverTheRate) {
   EXPECT_DOUBLE_EQ(foam.rates.at(1), 100.0);
   EXPECT_DOUBLE_EQ(foam.curves.at(1).y[1], 0.4);
   EXPECT_DOUBLE_EQ(foam.cutoff, 0.3);
-  EXPECT_TRUE(foam.tears);
+  EXPECT_TRUE(foam.tension_failure);
   EXPECT_DOUBLE_EQ(foam.damping, 0.2);
   EXPECT_TRUE(foam.engineering_rate);
   EXPECT_EQ(foam.rate_of, kernel::RateFoam::RateOf::volume);
@@ -366,7 +366,7 @@ TEST(SoftMaterials, FoamByATableOverTheRate) {
 TEST(SoftMaterials, Viscoelastic) {
   const auto b = built("*MAT_006\n4,1.2e-9,2000.0,50.0,10.0,100.0\n");
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
-  EXPECT_DOUBLE_EQ(flow<kernel::Viscoelastic>(b).in_the_end, 10.0);
+  EXPECT_DOUBLE_EQ(flow<kernel::Viscoelastic>(b).long_term_shear, 10.0);
   EXPECT_NEAR(b.model.materials.at(0).young() / (2.0 * (1.0 + b.model.materials.at(0).poisson())), 50.0, 1e-9);
 }
 

@@ -69,7 +69,7 @@ TEST(WeldCards, DamageOfTheWholeWeld) {
   EXPECT_DOUBLE_EQ(weld(b).damage.cap, 1.5);
   EXPECT_EQ(point(b).failure_strain, 0.0);  // no point fails by itself
   EXPECT_EQ(point(b).damage.growth, kernel::PointDamage::Growth::none);
-  EXPECT_TRUE(point(b).yield_can_be_held);
+  EXPECT_TRUE(point(b).yield_can_be_frozen);
 }
 
 TEST(WeldCards, ConnectionOfAWeld) {
@@ -121,12 +121,12 @@ TEST(WeldCards, DamageOfPoints) {
   EXPECT_EQ(point(plain).damage.growth, Growth::strain);
   EXPECT_DOUBLE_EQ(point(plain).damage.rupture, 0.3);
   EXPECT_DOUBLE_EQ(point(plain).failure_strain, 0.2);
-  EXPECT_FALSE(point(plain).damage.holds_yield);
+  EXPECT_FALSE(point(plain).damage.freezes_yield);
   const auto in_time = with("1.0e-4,,,,,2.5,,-1\n2\n");  // DMGOPT on the card of its own
   EXPECT_EQ(in_time.findings.errors(), 0) << in_time.all_findings();
   EXPECT_EQ(point(in_time).damage.growth, Growth::time);
   EXPECT_DOUBLE_EQ(point(in_time).damage.beta, 2.5);
-  EXPECT_TRUE(point(in_time).damage.holds_yield);
+  EXPECT_TRUE(point(in_time).damage.freezes_yield);
   EXPECT_EQ(point(with("\n")).damage.growth, Growth::none);
   EXPECT_EQ(point(with("1.0e20\n")).damage.growth, Growth::none);
   EXPECT_TRUE(with("0.2\n").error("must be above EFAIL = 0.2", "rs"));

@@ -73,7 +73,7 @@ TEST(ConstraintMap, VirtualPowerIsTheSameOnBothSides) {
   Random random;
   std::vector<Vec3d> x;
   ConstraintMap map = some_map(random, x);
-  ASSERT_TRUE(map.close(all).empty());
+  ASSERT_TRUE(map.sort_rows(all).empty());
   for (int trial = 0; trial < 20; ++trial) {
     std::vector<Row> f = random.rows(all), m = random.rows(all), v = random.rows(all), w = random.rows(all);
     for (std::size_t d : dependents) {
@@ -81,9 +81,9 @@ TEST(ConstraintMap, VirtualPowerIsTheSameOnBothSides) {
       if (d != 8) w[d] = Row{};
     }
     std::vector<Row> tv = v, tw = w;
-    map.follow(0.0, tv, tw);
+    map.apply_to_velocities(0.0, tv, tw);
     const double before = power(f, tv) + power(m, tw);
-    map.collect(f, m);
+    map.transfer_forces(f, m);
     EXPECT_NEAR(power(f, v) + power(m, w), before, 1e-12);
     for (std::size_t d : dependents) EXPECT_EQ(dot(vec(f[d]), vec(f[d])), 0.0);
   }
@@ -94,10 +94,10 @@ TEST(ConstraintMap, BlocksAreTheMapItself) {
   Random random;
   std::vector<Vec3d> x;
   ConstraintMap map = some_map(random, x);
-  map.close(all);
+  map.sort_rows(all);
   std::vector<Row> v = random.rows(all), w = random.rows(all);
   const std::vector<Row> qv = v, qw = w;
-  map.follow(0.0, v, w);
+  map.apply_to_velocities(0.0, v, w);
   for (std::size_t d : dependents) {
     double sum[6] = {};
     for (const ConstraintMap::Block& b : map.blocks(static_cast<int>(d))) {
@@ -113,7 +113,7 @@ TEST(ConstraintMap, BlocksAreTheMapItself) {
   }
 }
 
-// spotweld-theory.md, section 9, item 6: on a square of side a each corner gets M / (2 sqrt(2) a), tangentially.
+// docs/theory/weld.md#reference-values: on a square of side a each corner gets M / (2 sqrt(2) a), tangentially.
 TEST(ConstraintMap, ATwistBecomesInPlaneForces) {
   const double a = 7.0, moment = 300.0;
   const Vec3d x[4] = {{0, 0, 0}, {a, 0, 0}, {a, a, 0}, {0, a, 0}};
@@ -125,10 +125,10 @@ TEST(ConstraintMap, ATwistBecomesInPlaneForces) {
   }
   ConstraintMap map;
   map.add(4, true, terms, Turn::twist, corners);
-  map.close(5);
+  map.sort_rows(5);
   std::vector<Row> f(5), m(5);
   set(m[4], {20.0, -10.0, moment});
-  map.collect(f, m);
+  map.transfer_forces(f, m);
   Vec3d force{}, twist{}, couples{};
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(norm(vec(f[i])), moment / (2.0 * std::sqrt(2.0) * a), 1e-12);
@@ -147,7 +147,7 @@ TEST(ConstraintMap, ChainsAreWorkedThroughInOrder) {
   Random random;
   std::vector<Vec3d> x;
   ConstraintMap map = some_map(random, x);
-  map.close(all);
+  map.sort_rows(all);
   double sum = 0.0;
   for (const ConstraintMap::Block& b : map.blocks(9)) {
     EXPECT_LT(b.node, 6);
@@ -164,9 +164,9 @@ TEST(ConstraintMap, MassIsHandedOverWholeButBodiesNodesKeepTheirs) {
   map.add(4, true, std::vector<Term>{{3, 0.5, {}}, {0, 0.5, {0, 2, 0}}});
   map.add(3, true, std::vector<Term>{{2, 0.25, {}}, {1, 0.75, {}}});
   map.add(2, true, std::vector<Term>{{5, 1.0, {1, 2, 3}}});
-  map.close(6);
+  map.sort_rows(6);
   std::vector<double> mass{1, 1, 1, 1, 1, 0}, inertia{0, 0, 0, 0.5, 0.25, 0};
-  map.hand_over(mass, inertia, 5);
+  map.transfer_mass(mass, inertia, 5);
   EXPECT_EQ(mass, (std::vector<double>{1.5, 2.125, 1.375, 0, 0, 0}));
   EXPECT_EQ(inertia, (std::vector<double>{0.5 * (0.25 + 4.0), 0.75 * 0.625, 0.25 * 0.625, 0, 0, 0}));
 }
@@ -174,9 +174,9 @@ TEST(ConstraintMap, MassIsHandedOverWholeButBodiesNodesKeepTheirs) {
 TEST(ConstraintMap, ANodeOfTranslationsAloneKeepsItsRotaryInertia) {
   ConstraintMap map;
   map.add(2, false, std::vector<Term>{{0, 0.25, {}}, {1, 0.75, {0, 2, 0}}});
-  map.close(3);
+  map.sort_rows(3);
   std::vector<double> mass{1, 1, 2}, inertia{0, 0, 0.5};
-  map.hand_over(mass, inertia, 3);
+  map.transfer_mass(mass, inertia, 3);
   EXPECT_EQ(mass, (std::vector<double>{1.5, 2.5, 0}));
   EXPECT_EQ(inertia, (std::vector<double>{0, 0.75 * 2.0 * 4.0, 0.5}));
 }
@@ -185,12 +185,12 @@ TEST(ConstraintMap, ARemovedRowLetsItsNodeGo) {
   Random random;
   std::vector<Vec3d> x;
   ConstraintMap map = some_map(random, x);
-  map.close(all);
+  map.sort_rows(all);
   map.remove(6);
   EXPECT_FALSE(map.dependent(6));
   std::vector<Row> v = random.rows(all), w = random.rows(all);
   const std::vector<Row> before = v;
-  map.follow(0.01, v, w);
+  map.apply_to_velocities(0.01, v, w);
   EXPECT_EQ(vec(v[6]).x, vec(before[6]).x);
   EXPECT_TRUE(std::any_of(map.terms(9).begin(), map.terms(9).end(), [](const Term& t) { return t.node == 6; }));
 }
@@ -201,7 +201,7 @@ TEST(ConstraintMap, FollowsARigidMotion) {
   Random random;
   std::vector<Vec3d> x;
   ConstraintMap map = some_map(random, x);
-  map.close(all);
+  map.sort_rows(all);
   const Vec3d phi{3e-5, -5e-5, 2e-5};
   const double dt = 0.1;
   for (int step = 0; step < 200; ++step) {  // arms turn along
@@ -211,7 +211,7 @@ TEST(ConstraintMap, FollowsARigidMotion) {
       set(w[i], (1.0 / dt) * phi);
     }
     set(w[8], (1.0 / dt) * phi);
-    map.follow(dt, v, w);
+    map.apply_to_velocities(dt, v, w);
     for (std::size_t i = 0; i < all; ++i) {
       const Vec3d end = turned(x[i], phi);
       const Vec3d moved = x[i] + dt * vec(v[i]);
@@ -227,7 +227,7 @@ TEST(ConstraintMap, CirclesAreFound) {
   map.add(0, true, std::vector<Term>{{1, 1.0, {}}});
   map.add(1, true, std::vector<Term>{{2, 0.5, {}}, {3, 0.5, {}}});
   map.add(2, true, std::vector<Term>{{0, 1.0, {}}});
-  EXPECT_FALSE(map.close(4).empty());
+  EXPECT_FALSE(map.sort_rows(4).empty());
 }
 
 TEST(ConstraintMap, ThreadsDoNotChangeTheResult) {
@@ -240,9 +240,9 @@ TEST(ConstraintMap, ThreadsDoNotChangeTheResult) {
       const Vec3d arm = random.vector();
       map.add(2000 + d, true, std::vector<Term>{{d, 0.3, arm}, {(d + 7) % 2000, 0.7, arm}});
     }
-    map.close(4000);
+    map.sort_rows(4000);
     std::vector<Row> v = random.rows(4000), w = random.rows(4000);
-    map.follow(0.01, v, w);
+    map.apply_to_velocities(0.01, v, w);
     if (reference.empty()) reference = v;
     for (std::size_t i = 0; i < v.size(); ++i) ASSERT_EQ(vec(v[i]).y, vec(reference[i]).y);
   }

@@ -23,8 +23,8 @@ struct Top {
     set(state.w[0], spin);
     body.angular_momentum = body.momentum(spin, body.axes);
   }
-  void step(double kick, double dt) {
-    body.advance(kick, dt, state);
+  void step(double velocity_interval, double dt) {
+    body.advance(velocity_interval, dt, state);
     body.turn(dt, state);
   }
   Vec3d spin() const { return vec(state.w[0]); }

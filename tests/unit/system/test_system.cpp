@@ -85,8 +85,8 @@ TEST(System, NodesAreRenumberedBothWays) {
   for (std::size_t k = 0; k < a.system.nodes; ++k)
     EXPECT_EQ(a.system.node_of[at(a.system.model_node[k])], static_cast<int>(k));
   EXPECT_EQ(a.system.all_nodes(), a.system.nodes + 1);
-  EXPECT_EQ(a.system.shell_seat[0].group >= 0, true);
-  EXPECT_EQ(a.system.shell_seat.back().group, -1);  // rigid
+  EXPECT_EQ(a.system.shell_location[0].group >= 0, true);
+  EXPECT_EQ(a.system.shell_location.back().group, -1);  // rigid
 }
 
 // Sabotage to be caught: forces added up in the order in which threads finish.

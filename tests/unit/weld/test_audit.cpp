@@ -340,7 +340,7 @@ TEST(Audit, TimeStepAndPriceOfABeam) {
   for (auto& material : a.model.materials) material.density = 7.8e-9;
   std::get<kernel::Spotweld>(a.model.materials.back().law).mass_step = 1e-6;
   a.beam(a.welds, {16, 16, 0}, {16, 16, 1.5});
-  Price report = Audited(a).reports[0].price;
+  MassScalingCost report = Audited(a).reports[0].cost;
   EXPECT_NEAR(report.time_step, 2.89087e-7, 1e-12);
   EXPECT_NEAR(report.mass, 3.308097e-7, 1e-13);
   EXPECT_NEAR(report.mass_by_dt, 3.627597e-6, 1e-11);
@@ -348,24 +348,24 @@ TEST(Audit, TimeStepAndPriceOfABeam) {
 
   std::get<kernel::Spotweld>(a.model.materials.back().law).mass_step = 0.0;
   a.model.control.mass_step = -1e-6;
-  report = Audited(a).reports[0].price;
+  report = Audited(a).reports[0].cost;
   EXPECT_EQ(report.mass_by_dt, 0.0);
   EXPECT_NEAR(report.mass_by_dt2ms, 3.308097e-7 * (std::pow(9e-7 / 2.89087e-7, 2) - 1.0), 1e-11);
 }
 
-// Mass scaling of a weld, spotweld-theory 6: E = 210000, rho = 7.89e-9, d = 5, L = 0.5 takes 106.46 times the mass, or
-// the E of the talk, 1972 MPa, for a microsecond.
+// Mass scaling of a weld, docs/theory/time_step.md#step-of-a-weld: E = 210000, rho = 7.89e-9, d = 5, L = 0.5 takes
+// 106.46 times the mass, or a modulus of 1972 MPa, for a microsecond.
 TEST(Audit, TwoWaysToATargetStep) {
-  Price weld;
+  MassScalingCost weld;
   weld.young = 210000.0;
   weld.time_step = 0.5 / std::sqrt(210000.0 / 7.89e-9);
   weld.mass = 7.89e-9 * 0.25 * std::numbers::pi * 25.0 * 0.5;
-  const Target target = reach(weld, 1e-6);
+  const StepCost target = cost_of_step(weld, 1e-6);
   EXPECT_NEAR(target.young, 0.5 * 0.5 * 7.89e-9 / 1e-12, 1e-6);
   EXPECT_NEAR(target.mass, 8.169e-6, 1e-9);
   EXPECT_NEAR((weld.mass + target.mass) / weld.mass, 106.46, 0.01);
-  EXPECT_EQ(reach(weld, 5e-8).mass, 0.0);
-  EXPECT_EQ(reach(weld, 5e-8).young, 210000.0);
+  EXPECT_EQ(cost_of_step(weld, 5e-8).mass, 0.0);
+  EXPECT_EQ(cost_of_step(weld, 5e-8).young, 210000.0);
 }
 
 // Step of a brick: 5 x 5 x 1.5, steel.
@@ -377,12 +377,12 @@ TEST(Audit, TimeStepOfABrick) {
   a.model.contacts[0].a.parts = {bricks};
   a.brick(bricks, 16, 16, 0, 1.5, 5.0);
   a.model.control.hourglass.bulk_linear = 0.0;
-  const Price report = Audited(a).reports[0].price;
+  const MassScalingCost report = Audited(a).reports[0].cost;
   const double c = std::sqrt(210000.0 * 0.7 / (1.3 * 0.4 * 7.85e-9));
   EXPECT_NEAR(report.time_step, 1.5 / c, 1e-12);
   EXPECT_NEAR(report.mass, 7.85e-9 * 37.5, 1e-15);
   a.model.control.hourglass.bulk_linear = 0.06;  // as a brick at rest runs
-  EXPECT_NEAR(Audited(a).reports[0].price.time_step, 1.5 / c / (0.06 + std::sqrt(1.0036)), 1e-12);
+  EXPECT_NEAR(Audited(a).reports[0].cost.time_step, 1.5 / c / (0.06 + std::sqrt(1.0036)), 1e-12);
 }
 
 void weld_rigidly(Flange& a, Index first, Index second) {
@@ -400,7 +400,7 @@ TEST(Audit, ARigidWeldLimitsNoStep) {
   Flange a;
   weld_rigidly(a, 12, 37);
   const Audited audited(a);
-  EXPECT_TRUE(std::isinf(audited.reports.at(0).price.time_step));
+  EXPECT_TRUE(std::isinf(audited.reports.at(0).cost.time_step));
   EXPECT_THAT(audited.names(0), IsEmpty());
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Damage of a weld as a whole, and what *DEFINE_CONNECTION_PROPERTIES says of one, by given loads (spotweld-theory 4.6,
-// 4.7).
+// Damage of a weld as a whole, and what *DEFINE_CONNECTION_PROPERTIES says of one, by given loads
+// (docs/theory/failure.md#damage-of-the-whole-weld and docs/theory/failure.md#connections).
 #include "weld/failure/damage.hpp"
 
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@ model::WeldDamage option(int dmgopt, double rupture = 0.3) {
   d.rupture = rupture;
   return d;
 }
-Damage::Seen seen(double value, double strain = 0.0, double time = 0.0) {
-  Damage::Seen s;
+Damage::WeldState seen(double value, double strain = 0.0, double time = 0.0) {
+  Damage::WeldState s;
   s.value = value;
   s.at_surface = value >= 1.0;
   s.plastic_strain = strain;
@@ -33,27 +33,27 @@ Damage::Seen seen(double value, double strain = 0.0, double time = 0.0) {
 
 TEST(WeldDamage, WithoutALawTheWeldIsGoneAtTheSurface) {
   Damage damage{damage_law(option(0))};
-  EXPECT_EQ(damage.update(seen(0.999)), State::sound);
-  EXPECT_EQ(damage.update(seen(1.0)), State::gone);
+  EXPECT_EQ(damage.update(seen(0.999)), State::intact);
+  EXPECT_EQ(damage.update(seen(1.0)), State::failed);
 }
 
 TEST(WeldDamage, GrowsOverThePlasticStrainFromTheOnsetOn) {
   Damage damage{damage_law(option(10))};
-  EXPECT_EQ(damage.update(seen(0.9, 0.1)), State::sound);
+  EXPECT_EQ(damage.update(seen(0.9, 0.1)), State::intact);
   EXPECT_EQ(damage.update(seen(1.0, 0.1)), State::damaged);
   EXPECT_DOUBLE_EQ(damage.integrity(), 1.0);
   damage.update(seen(0.7, 0.15));
   EXPECT_DOUBLE_EQ(damage.integrity(), 0.75);
   damage.update(seen(0.7, 0.15, 1.0));
   EXPECT_DOUBLE_EQ(damage.integrity(), 0.75);
-  EXPECT_EQ(damage.update(seen(0.1, 0.3)), State::gone);
+  EXPECT_EQ(damage.update(seen(0.1, 0.3)), State::failed);
 }
 
 TEST(WeldDamage, BeginsByEfailToo) {
   model::WeldDamage d = option(10);
   d.failure_strain = 0.2;
   Damage damage{damage_law(d)};
-  EXPECT_EQ(damage.update(seen(0.5, 0.2)), State::sound);
+  EXPECT_EQ(damage.update(seen(0.5, 0.2)), State::intact);
   EXPECT_EQ(damage.update(seen(0.5, 0.2001)), State::damaged);
 }
 
@@ -65,19 +65,19 @@ TEST(WeldDamage, GrowsOverTimeAndDecaysWithBeta) {
   damage.update(seen(0.0, 0.0, 11.0));
   EXPECT_DOUBLE_EQ(damage.damage(), 0.25);
   EXPECT_DOUBLE_EQ(damage.integrity(), std::exp(-0.5));
-  EXPECT_EQ(damage.update(seen(0.0, 0.0, 14.0)), State::gone);
-  EXPECT_TRUE(damage.law().holds_yield);
+  EXPECT_EQ(damage.update(seen(0.0, 0.0, 14.0)), State::failed);
+  EXPECT_TRUE(damage.law().freezes_yield);
 }
 
 TEST(WeldDamage, ShearBeyondFmodeFailsAtOnce) {
   model::WeldDamage d = option(10);
   d.mode = 0.8;
   Damage pulled{damage_law(d)}, sheared{damage_law(d)};
-  Damage::Seen s = seen(1.0);
+  Damage::WeldState s = seen(1.0);
   s.sliding = 0.63;  // sqrt 0.7937
   EXPECT_EQ(pulled.update(s), State::damaged);
   s.sliding = 0.65;  // sqrt 0.806
-  EXPECT_EQ(sheared.update(s), State::gone);
+  EXPECT_EQ(sheared.update(s), State::failed);
 }
 
 TEST(WeldDamage, FfcapEndsADamagedWeld) {
@@ -86,7 +86,7 @@ TEST(WeldDamage, FfcapEndsADamagedWeld) {
   Damage damage{damage_law(d)};
   EXPECT_EQ(damage.update(seen(1.6)), State::damaged);  // the onset itself
   EXPECT_EQ(damage.update(seen(1.4)), State::damaged);
-  EXPECT_EQ(damage.update(seen(1.5)), State::gone);
+  EXPECT_EQ(damage.update(seen(1.5)), State::failed);
 }
 
 /// A spring of stiffness k beyond a load of 1000, stretched on: the load fades linearly and the work is GFAD.
@@ -97,7 +97,7 @@ TEST(WeldDamage, FadingEnergyIsDissipated) {
   Damage damage{damage_law(properties, properties.standard, {})};
   const double onset = 1000.0, k = 1e5, du = 1e-5, u_max = 2.0 * 50.0 / onset;
   double force = onset, work = 0.0, u = 0.0;
-  Damage::Seen s = seen(1.0);
+  Damage::WeldState s = seen(1.0);
   s.load = 1.0;
   ASSERT_EQ(damage.update(s), State::damaged);
   while (u < 0.2) {
@@ -108,7 +108,7 @@ TEST(WeldDamage, FadingEnergyIsDissipated) {
     s = seen(force / onset);
     s.load = (onset + k * u) / onset;
     s.energy = work;
-    if (damage.update(s) == State::gone) break;
+    if (damage.update(s) == State::failed) break;
     if (u < 0.95 * u_max) {
       ASSERT_NEAR(force, onset * (1.0 - u / u_max), 0.01 * onset) << u;
     }
@@ -121,7 +121,7 @@ TEST(WeldDamage, LoadStaysOnTheSurface) {
   model::ConnectionProperties properties;
   properties.damage_type = 2;
   Damage damage{damage_law(properties, properties.standard, option(0, 0.3))};
-  Damage::Seen s = seen(1.0);
+  Damage::WeldState s = seen(1.0);
   s.load = 1.0;
   damage.update(s);
   s.load = 1.25;
@@ -131,7 +131,7 @@ TEST(WeldDamage, LoadStaysOnTheSurface) {
   damage.update(s);
   EXPECT_DOUBLE_EQ(damage.integrity(), 0.8);  // it does not heal
   s.plastic_strain = 0.31;
-  EXPECT_EQ(damage.update(s), State::gone);
+  EXPECT_EQ(damage.update(s), State::failed);
 }
 
 // ---- connections

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-// The failure functions of MAT_100 against numbers worked from their formulas (spotweld-theory.md sections 4.3 to 4.5)
+// The failure functions of MAT_100 against numbers worked from their formulas (docs/theory/failure.md)
 // outside of this program.
 namespace nugget::weld {
 namespace {
@@ -75,7 +75,7 @@ TEST(BeamStress, FourResultantsTogether) {
   EXPECT_EQ(v.largest(), FailureMode::normal_stress);
 }
 
-// spotweld-theory.md, section 9, item 3.
+// docs/theory/weld.md#reference-values.
 TEST(BeamStress, FailureLoadsOfA5mmWeld) {
   const auto f = failure::beam_stress({500.0, {}}, {300.0, {}}, failure::disc(5.0));
   EXPECT_NEAR(value(*f, {9817.5}), 1.0, 1e-4);

@@ -124,7 +124,7 @@ TEST(Placement, SectionsHaveTheAreaOfTheCircleAndAreNumberedOneWay) {
     }
     EXPECT_NEAR(sum, 9.0 * std::acos(-1.0), 1e-12) << quads;
   }
-  EXPECT_NEAR(model::weld_section(4, 1.0).point[0][0], 0.5270, 1e-4);  // circumradius of the octagon (theory 3.4)
+  EXPECT_NEAR(model::weld_section(4, 1.0).point[0][0], 0.5270, 1e-4);  // circumradius of the octagon
   EXPECT_NEAR(model::weld_section(1, 1.0).point[2][0], 0.5 * 0.8862, 1e-4);
 }
 

@@ -11,7 +11,7 @@ namespace {
 const Corners rectangle{Vec3d{0, 0, 0}, {10, 0, 0}, {10, 8, 0}, {0, 8, 0}};
 const Corners triangle{Vec3d{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 10, 0}};
 
-// Shares of a tie's force and mass. Sabotage: exchange N2 and N3, as the talk does.
+// Shares of a tie's force and mass. Sabotage: exchange N2 and N3, as one public talk does.
 TEST(Segment, WeightsOfTheValidationExample) {
   const Foot foot = project(rectangle, false, {7, 2, 0.9});
   EXPECT_NEAR(foot.xi, 0.4, 1e-12);
@@ -35,7 +35,7 @@ TEST(Segment, ClampsToItsBorderBeyondTheParametricExtension) {
   EXPECT_TRUE(within.over);
   EXPECT_NEAR(within.xi, 1.02, 1e-12);
   EXPECT_NEAR(within.gap, 0.5, 1e-12);
-  EXPECT_NEAR(within.reach, std::hypot(0.1, 0.5), 1e-12);
+  EXPECT_NEAR(within.distance, std::hypot(0.1, 0.5), 1e-12);
   const Foot beyond = project(rectangle, false, {10.2, 4, 0.5});  // xi = 1.04
   EXPECT_FALSE(beyond.over);
   EXPECT_NEAR(beyond.xi, 1.0, 1e-12);
@@ -89,8 +89,8 @@ TEST(Segment, ClosestPointOfWarpedSegments) {
         const std::array<double, 4> w = shape_functions(-1.0 + i / 200.0, -1.0 + j / 200.0);
         least = std::min(least, norm(w[0] * k[0] + w[1] * k[1] + w[2] * k[2] + w[3] * k[3] - x));
       }
-    EXPECT_LE(foot.reach, least + 1e-9);
-    EXPECT_GE(foot.reach, least - 2e-2);
+    EXPECT_LE(foot.distance, least + 1e-9);
+    EXPECT_GE(foot.distance, least - 2e-2);
     if (!foot.over) continue;
     ++inner;
     const Vec3d x_xi = 0.25 * ((1 - foot.eta) * (k[1] - k[0]) + (1 + foot.eta) * (k[2] - k[3]));

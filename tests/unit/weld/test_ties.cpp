@@ -43,7 +43,7 @@ TEST(ProjectionCase1, OverTheCentroidAllFourNodesCarryAQuarter) {
   ASSERT_EQ(ties.ties.size(), 2u);
   EXPECT_TRUE(weld.tied);
   for (const Projection& p : weld.ends) {
-    EXPECT_EQ(p.kase, 1);
+    EXPECT_EQ(p.projection_case, 1);
     EXPECT_TRUE(p.tied);
     EXPECT_NEAR(p.tie.xi, 0.0, 1e-12);
     EXPECT_NEAR(p.tie.eta, 0.0, 1e-12);
@@ -66,7 +66,7 @@ TEST(ProjectionCase2, OnAnEdgeOnlyItsTwoNodesCarry) {
   a.beam(a.welds, {17, 10, 0}, {17, 10, 1});
   const Ties ties = a.tied();
   for (const Projection& p : ties.welds.at(0).ends) {
-    EXPECT_EQ(p.kase, 2);
+    EXPECT_EQ(p.projection_case, 2);
     EXPECT_NEAR(p.tie.eta, 1.0, 1e-12);       // of the two shells at the edge, the one with the lower index
     expect_weights(p.tie, {0, 0, 0.7, 0.3});  // (1 -+ xi)/2 with xi = 0.4
   }
@@ -78,7 +78,7 @@ TEST(ProjectionCase3, OnACornerItsNodeCarriesAll) {
   a.beam(a.welds, {10, 10, 0}, {10, 10, 1});
   const Ties ties = a.tied();
   for (const Projection& p : ties.welds.at(0).ends) {
-    EXPECT_EQ(p.kase, 3);
+    EXPECT_EQ(p.projection_case, 3);
     expect_weights(p.tie, {0, 0, 1, 0});
     EXPECT_EQ(a.model.nodes.x[p.tie.segment[2]].x, 10.0);
   }
@@ -91,7 +91,7 @@ TEST(ProjectionCase4, PenetratingSheetsInOrderAreTiedWithTheDistanceMoved) {
   const Weld& weld = ties.welds.at(0);
   EXPECT_TRUE(weld.tied);
   for (const Projection& p : weld.ends) {
-    EXPECT_EQ(p.kase, 4);
+    EXPECT_EQ(p.projection_case, 4);
     EXPECT_NEAR(p.tie.moved, 0.125, 1e-12);
     expect_weights(p.tie, {0.25, 0.25, 0.25, 0.25});
   }
@@ -108,10 +108,10 @@ TEST(ProjectionCase5, NoSegmentInReachIsNotTied) {
   const Weld& weld = ties.welds.at(0);
   EXPECT_FALSE(weld.tied);
   EXPECT_FALSE(weld.ends[0].tied);
-  EXPECT_EQ(weld.ends[0].kase, 5);
+  EXPECT_EQ(weld.ends[0].projection_case, 5);
   EXPECT_NEAR(weld.ends[0].distance, 15.0, 1e-12);
   EXPECT_NEAR(weld.ends[0].tolerance, 3.6, 1e-12);
-  EXPECT_EQ(weld.ends[1].kase, 1);
+  EXPECT_EQ(weld.ends[1].projection_case, 1);
   EXPECT_EQ(ties.ties.size(), 1u);
   EXPECT_EQ(ties.x[weld.ends[0].node].x, 45.0);
   EXPECT_THAT(text(a.findings),
@@ -139,11 +139,11 @@ TEST(ProjectionCase6, BesideItsOwnSheetTheClosestOtherSegmentIsTaken) {
     a.beam(a.welds, {30 + beyond, 15, 0}, {30 + beyond, 15, 2});
     const Ties ties = a.tied();
     const Weld& weld = ties.welds.at(0);
-    EXPECT_EQ(weld.ends[0].kase, 6);
+    EXPECT_EQ(weld.ends[0].projection_case, 6);
     EXPECT_TRUE(weld.ends[0].tied);
     EXPECT_EQ(weld.sheets[0], below);
     EXPECT_NEAR(weld.ends[0].tie.moved, 1.0, 1e-12);
-    EXPECT_EQ(weld.ends[1].kase, 1);
+    EXPECT_EQ(weld.ends[1].projection_case, 1);
     EXPECT_THAT(text(a.findings), HasSubstr("over no segment of its own sheet; the closest is"));
     EXPECT_THAT(text(a.findings), HasSubstr("1 away, moved 1"));
   }
@@ -154,7 +154,7 @@ TEST(ProjectionCase6, BesideAllSheetsTheClosestBorderIsTaken) {
   a.beam(a.welds, {32, 15, 0}, {32, 15, 1});
   const Ties ties = a.tied();
   for (const Projection& p : ties.welds.at(0).ends) {
-    EXPECT_EQ(p.kase, 6);
+    EXPECT_EQ(p.projection_case, 6);
     EXPECT_NEAR(p.tie.xi, 1.0, 1e-12);
     EXPECT_NEAR(p.tie.moved, 2.0, 1e-12);
   }
@@ -177,7 +177,7 @@ void expect_crossing_sheets_refused(const Vec3d& e1, const Vec3d& e2, const Vec3
   EXPECT_TRUE(ties.ties.empty());
   for (const Projection& p : weld.ends) {
     EXPECT_FALSE(p.tied);
-    EXPECT_EQ(p.kase, expected_case);
+    EXPECT_EQ(p.projection_case, expected_case);
   }
   EXPECT_EQ(ties.x[weld.ends[0].node].z, 0.0);  // not projected
   EXPECT_NEAR(weld.length, 1.0, 1e-12);
@@ -202,8 +202,8 @@ TEST(ProjectionCase7, WhereSheetsCutEachOtherTheWeldWouldBeCrushed) {
   a.beam(welds, {15, 15, -0.1}, {15, 15, 0.1});
   a.tie({welds}, {flat, inclined});
   const Ties ties = weld::tie(a.model, findings);
-  EXPECT_EQ(ties.welds.at(0).ends[0].kase, 7);
-  EXPECT_EQ(ties.welds.at(0).ends[1].kase, 7);
+  EXPECT_EQ(ties.welds.at(0).ends[0].projection_case, 7);
+  EXPECT_EQ(ties.welds.at(0).ends[1].projection_case, 7);
   EXPECT_TRUE(ties.ties.empty());
 }
 
@@ -277,11 +277,11 @@ TEST(Ties, TrianglesTakeBarycentricWeights) {
   const Ties ties = weld::tie(a.model, findings);
   ASSERT_EQ(ties.ties.size(), 3u);
   expect_weights(ties.ties[0], {0.5, 0.2, 0.3, 0.0});
-  EXPECT_EQ(ties.welds[0].ends[0].kase, 1);
+  EXPECT_EQ(ties.welds[0].ends[0].projection_case, 1);
   expect_weights(ties.ties[1], {0.8, 0.2, 0.0, 0.0});
-  EXPECT_EQ(ties.welds[1].ends[0].kase, 2);
+  EXPECT_EQ(ties.welds[1].ends[0].projection_case, 2);
   expect_weights(ties.ties[2], {0.0, 0.0, 1.0, 0.0});
-  EXPECT_EQ(ties.welds[2].ends[0].kase, 3);
+  EXPECT_EQ(ties.welds[2].ends[0].projection_case, 3);
 }
 
 TEST(Ties, BothEndsOfABeamGoToDifferentSheets) {
@@ -308,7 +308,7 @@ TEST(Ties, WithoutASecondSheetTheFartherEndStaysFree) {
   const Ties ties = a.tied();
   const Weld& weld = ties.welds.at(0);
   EXPECT_FALSE(weld.ends[0].tied);
-  EXPECT_EQ(weld.ends[0].kase, 5);
+  EXPECT_EQ(weld.ends[0].projection_case, 5);
   EXPECT_TRUE(weld.ends[1].tied);
   EXPECT_EQ(weld.sheets, (std::array<Index, 2>{none, a.lower}));
   EXPECT_THAT(text(a.findings),
@@ -333,7 +333,7 @@ TEST(Ties, APartOutOfReachIsNotReplacedByAnother) {
   const Index beam = a.beam(a.welds, {15, 15, 0}, {15, 15, 1});
   a.model.beams.tied_parts[beam] = {a.lower, far};
   const Ties ties = a.tied();
-  EXPECT_EQ(ties.welds.at(0).ends[1].kase, 5);
+  EXPECT_EQ(ties.welds.at(0).ends[1].projection_case, 5);
   EXPECT_NEAR(ties.welds[0].ends[1].distance, 8.0, 1e-12);
 }
 
@@ -562,7 +562,7 @@ TEST(Ties, ATrackedNodeOfARigidBodyStaysWithIt) {
   const Ties ties = a.tied();
   EXPECT_EQ(ties.ties.size(), 1u);
   EXPECT_TRUE(ties.welds[0].tied);
-  EXPECT_EQ(ties.welds[0].ends[1].kase, 0);
+  EXPECT_EQ(ties.welds[0].ends[1].projection_case, 0);
   EXPECT_EQ(ties.welds[0].ends[1].reason, "belongs to rigid body 9");
   EXPECT_THAT(text(a.findings), HasSubstr("1 tracked nodes belong to rigid bodies and stay with them"));
 }
@@ -740,7 +740,7 @@ TEST(Ties, ABrickWeldIsTiedByItsEightNodes) {
   EXPECT_EQ(weld.sheets, (std::array<Index, 2>{a.lower, a.upper}));
   EXPECT_NEAR(weld.length_before, 1.1, 1e-12);
   EXPECT_NEAR(weld.length, 1.0, 1e-12);
-  EXPECT_NEAR(weld.diameter, std::sqrt(4 * 16.0 / 3.14159265358979), 1e-9);  // the talk's sqrt(A/pi) is the radius
+  EXPECT_NEAR(weld.diameter, std::sqrt(4 * 16.0 / 3.14159265358979), 1e-9);  // sqrt(A/pi) would be the radius
 }
 
 TEST(Ties, TheFacesOfABrickAreThoseOnItsSheets) {
@@ -837,7 +837,7 @@ TEST(Ties, SearchAgreesWithBruteForce) {
     double least = 1e30;
     for (const auto& n : a.model.shells.node) {
       const auto& x = a.model.nodes.x;
-      least = std::min(least, project({x[n[0]], x[n[1]], x[n[2]], x[n[3]]}, false, x[p.node]).reach);
+      least = std::min(least, project({x[n[0]], x[n[1]], x[n[2]], x[n[3]]}, false, x[p.node]).distance);
     }
     if (p.tied) ++tied;
     EXPECT_EQ(p.tied, least <= 1.8);

@@ -70,7 +70,8 @@ TEST(ShellSize, FactorsComeFromTheCurvesAtTheShells) {
   EXPECT_EQ(ends[1].shear, 1.0);
 }
 
-// spotweld-theory.md 4.9. Sabotage to be caught: the angle in radians; the smaller of the coordinates for the place.
+// docs/theory/failure.md#size-of-the-shell. Sabotage to be caught: the angle in radians; the smaller of the coordinates
+// for the place.
 TEST(ShellSize, FactorsComeFromTheTablesAtThePlaceOnTheShell) {
   test::Assembly a;
   const model::Index fine = a.sheet(1.0, {0, 0, 0}, 6, 6, 5.0), coarse = a.sheet(1.0, {0, 0, 1});

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/prepared_deck.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "app/clock.hpp"
+#include "app/refused_welds.hpp"
+#include "base/index.hpp"
+#include "deck/checksum.hpp"
+#include "reading/build.hpp"
+#include "weld/failure/missing_data.hpp"
+#include "weld/tie/inferred_welds.hpp"
+#include "weld/tie/welds.hpp"
+
+namespace nugget::app {
+namespace {
+
+output::WeldReport weld_report(const model::Model& model, const std::vector<Vec3d>& x, const weld::Weld& w,
+                               const weld::Report& audit) {
+  output::WeldReport r;
+  r.id = w.id;
+  r.kind = weld::to_string(w.kind);
+  r.part = w.part == model::none ? 0 : model.parts[at(w.part)].id;
+  for (model::Index sheet : w.sheets)
+    if (sheet != model::none) r.sheets.push_back(model.parts[at(sheet)].id);
+  r.middle = 0.5 * (weld::face_centre(w, 0, x) + weld::face_centre(w, 1, x));
+  r.diameter = w.diameter;
+  r.length = w.length;
+  r.tied = w.tied;
+  for (const weld::Projection& p : w.ends) {
+    output::WeldProjection out;
+    out.node = model.nodes.id[at(p.node)];
+    if (p.tied && p.projection_case != 0)
+      for (model::Index n : p.tie.segment) out.segment.push_back(model.nodes.id[at(n)]);
+    out.xi = p.tie.xi;
+    out.eta = p.tie.eta;
+    out.moved = p.tie.moved;
+    out.case_number = p.projection_case;
+    out.reason = p.reason;
+    r.projections.push_back(std::move(out));
+  }
+  for (std::size_t c = 0; c < weld::checks().size(); ++c)
+    if (const std::string_view column = weld::checks()[c].column; !column.empty())
+      r.audit.emplace_back(column, audit.values.empty() ? std::numeric_limits<double>::quiet_NaN() : audit.values[c]);
+  r.audit.emplace_back("time_step", audit.cost.time_step);
+  r.audit.emplace_back("mass", audit.cost.mass);
+  r.audit.emplace_back("mass_by_dt", audit.cost.mass_by_dt);
+  r.audit.emplace_back("mass_by_dt2ms", audit.cost.mass_by_dt2ms);
+  if (w.deleted) r.remarks.emplace_back("deleted, as it is not tied (SPOTSTP = 2)");
+  if (weld::is_inferred(model, w)) r.remarks.emplace_back("its part has no material: taken for a weld");
+  if (w.kind == weld::Weld::Kind::connector)
+    r.remarks.push_back(
+        fmt::format("discrete beam of *{}", model.materials[at(model.parts[at(w.part)].material)].keyword));
+  for (const weld::Remark& remark : audit.remarks)
+    r.remarks.push_back(fmt::format("{}: {}", remark.check->name, remark.text));
+  return r;
+}
+
+void tie_and_audit(PreparedDeck& p, Findings& findings) {
+  Clock clock;
+  p.ties = weld::tie(p.model, findings);
+  p.tie_seconds = clock.seconds();
+  p.audit = weld::audit(p.model, p.ties, findings);
+  for (std::size_t i = 0; i < p.ties.welds.size(); ++i)
+    p.welds.push_back(weld_report(p.model, p.ties.x, p.ties.welds[i], p.audit[i]));
+  p.audit_seconds = clock.seconds();
+  p.is_tied = true;
+}
+
+}  // namespace
+
+PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
+  PreparedDeck p;
+  Clock clock;
+  const deck::Deck deck = deck::read(arguments.deck, findings);
+  p.has_text = deck.bytes > 0;
+  p.deck_checksum = deck::checksum(deck);
+  if (findings.errors() > 0 && deck.blocks.empty()) return p;  // nothing was read; no more is to be said about it
+  p.model = reading::build(deck, findings, arguments.skip_unsupported);
+  p.read_seconds = clock.seconds();
+  if (findings.errors() > 0) return p;
+  tie_and_audit(p, findings);
+  return p;
+}
+
+std::string report_refused_welds(PreparedDeck& p, Findings& findings) {
+  std::vector<std::string> left_out;
+  if (!p.is_tied) {
+    left_out = leave_out_broken_ties(p.model);
+    Findings found;
+    tie_and_audit(p, found);
+    weld::failure::report_missing_data(p.model, p.ties, found);
+    for (Finding finding : found.all()) {
+      // A weld without a hold may follow from what was refused before: the errors are those.
+      finding.severity = std::min(finding.severity, Severity::warning);
+      findings.add(std::move(finding));
+    }
+  }
+  return summarize_refused_welds(p.model, p.ties, left_out, findings);
+}
+
+}  // namespace nugget::app

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "base/finding.hpp"
+#include "output/summary.hpp"
+#include "weld/audit/audit.hpp"
+#include "weld/tie/ties.hpp"
+
+namespace nugget::app {
+
+/// What comes out of reading, checking, tying and auditing a deck.
+struct PreparedDeck {
+  bool has_text = false;  ///< the deck could be opened and is not empty
+  std::uint64_t deck_checksum = 0;
+  model::Model model;
+  weld::Ties ties;
+  bool is_tied = false;                   ///< ties, audit and welds are there
+  std::vector<weld::Report> audit;        ///< one a weld
+  std::vector<output::WeldReport> welds;  ///< one a weld, for welds.csv and summary.json
+  double read_seconds = 0.0, tie_seconds = 0.0, audit_seconds = 0.0;
+};
+
+/// Reads, checks, ties and audits. Findings hold what was wrong; after errors nothing is tied.
+PreparedDeck prepare(const RunArguments& arguments, Findings& findings);
+
+/// Ties and audits what there is of the welds of a deck that has errors, unless that was done before they came, for
+/// `nugget check`: the account of them, empty where there are none.
+std::string report_refused_welds(PreparedDeck& prepared, Findings& findings);
+
+}  // namespace nugget::app
