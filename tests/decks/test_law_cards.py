@@ -156,7 +156,7 @@ class LawCards(CommandTest):
 
     def test_energy_of_debris(self):
         """Two cubes in a row fly; the second one is deleted. Its four nodes without an element take their kinetic energy, a quarter of all, to
-        the eroded one, as in LS-DYNA's d3plot of its projectile (docs/book/decks.md). Sabotage: nodes that another cube has count too."""
+        the eroded one, as in LS-DYNA's d3plot of its projectile (docs/evidence/decks.md). Sabotage: nodes that another cube has count too."""
         nodes = "".join(f"{i + 1:8}{x:16}{y:16}{z:16}\n" for i, (x, y, z) in enumerate((x, y, z) for x in range(3) for y in (0, 1) for z in (0, 1)))
         cubes = "".join("".join(f"{n:8}" for n in (e, e, *(4 * (e - 1) + c for c in (1, 5, 7, 3, 2, 6, 8, 4)))) + "\n" for e in (1, 2))
         parts = "".join("*PART\n\n" + card(p, 1, p) for p in (1, 2))

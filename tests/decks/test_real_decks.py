@@ -127,7 +127,7 @@ class RealDecks(CommandTest):
             self.assertAlmostEqual(value / expected, 1.0, delta=tolerance, msg=f"{name}: {value}")
 
     def test_single_hex_against_ls_dyna_and_the_static_answer(self):
-        """LS-DYNA's glstat beside the deck has the same first step; its later energies are unstable (docs/book/single_hex.md)."""
+        """LS-DYNA's glstat beside the deck has the same first step; its later energies are unstable (docs/evidence/single_hex.md)."""
         deck = self.shared("decks/single_hex/single_hex_tension.k")
         theirs = re.search(r"time step\.+\s*(\S+)", (deck.parent / "glstat").read_text(encoding="latin-1"))[1]
         self.nugget("run", deck, "--quiet")

@@ -151,7 +151,7 @@ double tip_deflection(int n, double couple, double force, double coefficient) {
   beam.z.clear();
   for (int k = 0; k <= n; ++k) beam.z.push_back(100.0 * k / n);
   const double end = 24e-3;       // 20 periods of the first mode
-  const double step_scale = 0.6;  // a single row of bricks is not stable at 0.9: docs/book/elements.md
+  const double step_scale = 0.6;  // a single row of bricks is not stable at 0.9: docs/manual/time_step.md
   std::string loads = "*LOAD_NODE_POINT\n";
   for (int id : beam.top()) {
     const double pull = beam.place(id).x > 0.0 ? 1.0 : -1.0;

@@ -299,7 +299,7 @@ TEST(CohesiveBricks, BondedSheetsBendAsOne) {
       for (int row = 0; row < 2; ++row) deck += fields({1.0 * Pair::node(sheet, 50, row), 3, 9, 0.25 * load});
     const Static solved(deck);
     // In a brick of 19 the axes are the same all over, so that a curvature is a separation on either side of its
-    // middle: it adds ET gap^2 dx^2 / 12 to the bending stiffness (docs/book/adhesive.md).
+    // middle: it adds ET gap^2 dx^2 / 12 to the bending stiffness (docs/manual/adhesive.md).
     const double inertia = 8.0 * t * t * t / 12.0 + (elform == 19 ? stiff * t * t / 12.0 / E : 0.0);
     const double exact =
         load * length * length * length / (3.0 * E * inertia) + load * length / (5.0 / 6.0 * 0.5 * E * 2.0 * t);

@@ -245,7 +245,7 @@ WeldData strong_weld() {
   return w;
 }
 
-// On elements as large as the weld the force is too high up to 0.75 mm (docs/book/coupons.md).
+// On elements as large as the weld the force is too high up to 0.75 mm (docs/evidence/coupons.md).
 // Sabotage: a weld that hands over no moment; shells whose thickness does not follow.
 TEST(PlasticCoupons, LapShear) {
   const Pull nine(Coupon::lap_shear(9), 2.0, 0.01, strong_weld()),

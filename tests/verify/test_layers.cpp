@@ -339,7 +339,7 @@ double step_over_bound(const std::string& cards, double width, bool triangle) {
 }
 
 // A single free shell swells and shrinks in both directions at sqrt(1 + nu) times the frequency of its step L/c, and
-// its rotary inertia is raised to bear 1/0.93 of what that leaves (docs/book/elements.md): no more for layers that make
+// its rotary inertia is raised to bear 1/0.93 of what that leaves (docs/theory/shell.md): no more for layers that make
 // it a sandwich or put the centre of its stiffness off the nodes. Sabotage: rotary inertia of one material.
 TEST(Layers, StepOfASingleShell) {
   const std::string cards = elastic(1, 2.5e-9, 70e3, 0.2) + elastic(2, 1.1e-9, 3e3, 0.2) + elastic(3, 1e-10, 30.0, 0.2);

@@ -2,7 +2,7 @@
 // Factors of *CONTROL_SPOTWELD_BEAM on the strength of a weld: LCT and LCS over the size of the shells that it is tied
 // to, on beams and on the bricks in their place, T_ORT and T_ORS over the place of a beam on its shells. A factor T
 // divides a squared term of the failure value, so a strength becomes sqrt(T) of itself. See
-// docs/theory/failure.md#size-of-the-shell and docs/book/brick_welds.md.
+// docs/theory/failure.md#size-of-the-shell and docs/manual/weld_factors.md.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

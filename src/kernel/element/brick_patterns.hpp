@@ -115,7 +115,7 @@ struct BulkViscosity {
     pressure = select(compressed, viscous, none);
     // The linear viscosity counts in expansion too: a brick that breathes is compressed half a period later, and
     // LS-DYNA's first step of a brick at rest contains it (1.40796e-4 in the public example single_hex,
-    // docs/book/single_hex.md).
+    // docs/evidence/single_hex.md).
     const R slow = brick.bulk_linear * c - select(compressed, brick.bulk_quadratic * length * trace, none);
     step = length / (slow + sqrt(slow * slow + c2));
   }

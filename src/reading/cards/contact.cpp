@@ -449,7 +449,7 @@ void take_optional_cards(Builder& builder, Cursor& cursor, Contact& contact) {
 // --------------------------------------------------------------------------------------------------------------------
 
 /// Of the cards of the distributed-memory version those fields count that say what the contact is: CPARM8 (what it
-/// holds; docs/book/decks.md, the bolted connection) and IGNORE. The others tune its search.
+/// holds; docs/evidence/decks.md, the bolted connection) and IGNORE. The others tune its search.
 void read_mpp(Builder& builder, Cursor& cursor, const Options& options, Contact& contact) {
   if (!options.contains("MPP")) return;
   const Row row = cursor.read(mpp_card1);

@@ -11,7 +11,7 @@
 #include "weld/tie/ties.hpp"
 
 // Is a weld modelled as it should be? Looked at once, after tying. Limits follow S. Bala, "Deformable Spotwelds in
-// LS-DYNA for Impact and NVH Applications", where it gives them; docs/book/audit.md says where each comes from.
+// LS-DYNA for Impact and NVH Applications", where it gives them; docs/manual/audit.md says where each comes from.
 namespace nugget::weld {
 
 class Inspection;
