@@ -5,7 +5,9 @@
 
 A class with a function `archive(Archive&)` must name each of its data members in it: handed to the archive where it changes
 while the model moves, to `built` where it follows from the deck (src/base/archive.hpp). So must a class derived from one that
-has such a function. And what goes into the archive byte by byte must not hold a pointer, a reference or a span.
+has such a function. Members that a function of the class lists for archive() are named too. The function stands with its
+class: in the same file, or for NAME.hpp in NAME.cpp beside it. And what goes into the archive byte by byte must not hold a
+pointer, a reference or a span.
 
 Prints `file:line: what is wrong` for each breach and exits with 1, or with 0 where there is none. It reads the sources as the
 house writes them (clang-format), a declaration a line or more; it is no C++ parser.
@@ -118,6 +120,18 @@ def classes_of(path, place):
     return text, found
 
 
+def listed_by(body, whole):
+    """The bodies of those functions in the body `whole` of a class that the text `body` calls, and of those that they call."""
+    text, called, new = body, set(), {""}
+    while new:
+        new = set(re.findall(r"\b(\w+)\s*\(", text)) - called - {"archive", "built", "section"}
+        called |= new
+        for name in sorted(new):
+            for match in re.finditer(rf"\b{name}\s*\([^;{{}}]*\)[^;{{}}()]*\{{", whole):
+                text += whole[match.end():closing(whole, match.end() - 1)]
+    return text
+
+
 def pointers(declaration, room, place, scope, classes, seen=()):
     """Members that are no plain values in the classes that a declaration names, as `file:line: Class::member`."""
     found = []
@@ -147,17 +161,18 @@ def breaches(root):
             place = path.relative_to(root).as_posix()
             text, found = classes_of(path, place)
             room = path.relative_to(root / "src").parts[0]
-            texts.append((room, text))
+            texts.append((room, place, text))
             for name, c in found.items():
                 classes[room, place, name] = c
     if (root / "src/base/archive.hpp").exists():
         classes = {key: c for key, c in classes.items() if key[1] != "src/base/archive.hpp"}
 
-    bodies = {}  # (room, class) -> text of its function
-    for room, text in texts:
+    bodies, places = {}, {}  # (room, class) -> text of its function, and where it is
+    for room, place, text in texts:
         for match in ARCHIVE.finditer(text):
             if match[1] and match[3] == "{":
                 bodies[room, match[1]] = text[match.end():closing(text, match.end() - 1)]
+                places[room, match[1]] = (place, text.count("\n", 0, match.start()) + 1)
 
     found = []
     bases = {c.name.split("::")[-1] for c in classes.values() if c.archive is not None}
@@ -172,6 +187,10 @@ def breaches(root):
         if not body:
             found.append(f"{where}::archive is not defined in src/{room}")
             continue
+        if not c.archive and pathlib.PurePath(places[room, name][0]).with_suffix("") != pathlib.PurePath(place).with_suffix(""):
+            found.append("{}:{}: ".format(*places[room, name]) + f"{name}::archive is not with its class: "
+                         f"it belongs in {pathlib.PurePath(place).with_suffix('.cpp')}")
+        body = listed_by(body, c.whole)
         for member, declaration in c.members:
             if not re.search(rf"\b{member}\b", body):
                 found.append(f"{where}::{member} is not in archive(): hand it over if it changes while the model moves, "

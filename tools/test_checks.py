@@ -217,13 +217,13 @@ void Contact::archive(Archive& a) {
 }
 """
 
-    def archives(self, *changes, function=FUNCTION):
+    def archives(self, *changes, function=FUNCTION, file="contact.cpp"):
         text = self.CLASS
         for old, new in changes:
             self.assertEqual(text.count(old), 1)
             text = text.replace(old, new)
         self.write("src/contact/contact.hpp", text)
-        self.write("src/contact/archive.cpp", function)
+        self.write(f"src/contact/{file}", function)
         return self.run_check("check_archives.py")
 
     def test_all_members_named(self):
@@ -244,6 +244,34 @@ void Contact::archive(Archive& a) {
         code, output = self.archives(function="")
         self.assertEqual(code, 1)
         self.assertIn("Contact::archive is not defined", output)
+
+    def test_a_function_away_from_its_class(self):
+        code, output = self.archives(file="archive.cpp")
+        self.assertEqual(code, 1)
+        self.assertIn("src/contact/archive.cpp:1: Contact::archive is not with its class: it belongs in "
+                      "src/contact/contact.cpp", output)
+
+    LIST = """\
+class Run {
+ public:
+  void archive(Archive& a) { each([&](auto& one) { a(one); }); }
+
+ private:
+  template <class Visit>
+  void each(Visit visit) {
+    visit(loads_), visit(walls_);
+  }
+  std::vector<double> loads_, walls_;
+};
+"""
+
+    def test_members_that_a_function_lists(self):
+        self.write("src/impact/run.hpp", self.LIST)
+        self.assertEqual(self.run_check("check_archives.py"), (0, ""))
+        self.write("src/impact/run.hpp", self.LIST.replace(", visit(walls_)", ""))
+        code, output = self.run_check("check_archives.py")
+        self.assertEqual(code, 1)
+        self.assertIn("Run::walls_ is not in archive()", output)
 
     def test_a_derived_class_without_one(self):
         code, output = self.archives(("class Contact :", "class Glue : public Contact {\n  double limit_;\n};\nclass Contact :"))

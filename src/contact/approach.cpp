@@ -26,4 +26,8 @@ void Approach::update(std::span<const Row> x) {
   travelled_ += norm(step.high - step.low);
 }
 
+void Approach::archive(Archive& a) {
+  a(nodes_, start_, last_, since_start_, travelled_);
+}
+
 }  // namespace nugget::contact

@@ -642,4 +642,16 @@ Vec3d EdgeContact::force_between(const TwoBodies& bodies) const {
   return sum;
 }
 
+void EdgeContact::Block::archive(Archive& a) {
+  a(pairs);
+  a.built(begin, end, close);
+}
+
+void EdgeContact::archive(Archive& a) {
+  a.section("contact of edges");
+  a(approach_, searched_, searches_, active_, blocks_, touches_, touched_before_, forces_, energy_, resultant_,
+    deepest_, frictions_, friction_energy_);
+  a.built(setup_, first_at_, edge_at_, margin_, close_);
+}
+
 }  // namespace nugget::contact

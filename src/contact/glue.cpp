@@ -297,4 +297,11 @@ Vec3d Glue::force_between(const TwoBodies& bodies) const {
   return sum;
 }
 
+void Glue::archive(Archive& a) {
+  a.section("glue");
+  a(bonds_, bonded_, was_bonded_, forces_, energy_, resultant_, failed_, first_node_, first_time_, last_time_,
+    frictions_, friction_energy_);
+  a.built(setup_, card_, around_, around_listed_, segment_stiffness_, at_start_);
+}
+
 }  // namespace nugget::contact

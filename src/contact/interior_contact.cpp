@@ -67,4 +67,10 @@ void InteriorContact::apply(const Step& step, std::span<Row> force) {
   energy_ -= forces_.work(step.dt, step.v)[0];
 }
 
+void InteriorContact::archive(Archive& a) {
+  a.section("interior contact");
+  a(forces_, energy_, pressed_);
+  a.built(bricks_, threshold_, stiffness_, squeezed_);
+}
+
 }  // namespace nugget::contact

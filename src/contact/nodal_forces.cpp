@@ -93,4 +93,9 @@ std::array<double, 2> NodalForces::work(double dt, std::span<const Row> v) const
   return work;
 }
 
+void NodalForces::archive(Archive& a) {
+  a(now_, before_, touched_now_, touched_before_, stamp_, cycle_);
+  a.built(nodes_, index_, side_);
+}
+
 }  // namespace nugget::contact

@@ -69,4 +69,11 @@ Vec3d PenaltyContact::force_between(const TwoBodies& bodies) const {
   return sum;
 }
 
+void PenaltyContact::archive(Archive& a) {
+  a(surface_);
+  if (edges_) a(*edges_);
+  a(glue_);
+  a.built(can_expose_faces_);
+}
+
 }  // namespace nugget::contact

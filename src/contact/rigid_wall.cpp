@@ -203,4 +203,13 @@ void RigidWall::stop(const Shape& shape, Tracked& tracked, const Step& step, Sum
   ++sum.touching;
 }
 
+void RigidWall::archive(Archive& a) {
+  a.section("wall");
+  a(origin_, velocity_, tracked_, started_, force_, impulse_, normal_force_, normal_impulse_, energy_, pending_energy_,
+    power_on_change_, touching_, wall_velocity_);
+  if (bodies_) a(*bodies_);
+  a.built(shape_, normal_, friction_, weld_velocity_, mass_, motion_, motion_is_displacement_, motion_direction_,
+          birth_, death_, sums_);
+}
+
 }  // namespace nugget::contact

@@ -576,4 +576,19 @@ Vec3d SurfaceContact::force_between(const TwoBodies& bodies) const {
   return sum;
 }
 
+void SurfaceContact::Block::archive(Archive& a) {
+  a(first, next_check_travel, pairs, hits);
+  a.built(begin, end, old_first, old_pairs, candidates, resultant, deepest, lowest, highest);
+}
+
+/// With the search lists: a pair remembers on which side it stands, and a search at another cycle would give other
+/// last digits.
+void SurfaceContact::archive(Archive& a) {
+  a.section("contact of surfaces");
+  a(forces_, active_nodes_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, moved_,
+    active_segments_, blocks_, active_blocks_, energy_, resultant_, touching_, deepest_, frictions_, friction_energy_);
+  a.built(setup_, around_, segment_stiffness_, inner_, node_stiffness_, node_mass_, excluded_, stays_active_,
+          thickest_segment_, pressing_, margin_, boxes_, tree_);
+}
+
 }  // namespace nugget::contact

@@ -155,4 +155,9 @@ void WallPenalty::release() {
   touching_ = 0;
 }
 
+void WallPenalty::archive(Archive& a) {
+  a(touches_, force_, normal_force_, energy_, touching_);
+  a.built(system_, scale_, friction_, inverse_wall_mass_, touching_of_);
+}
+
 }  // namespace nugget::contact

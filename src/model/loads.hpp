@@ -3,8 +3,10 @@
 
 #include <array>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "model/control_volume.hpp"
 #include "model/parts.hpp"
 
 namespace nugget::model {
@@ -78,6 +80,29 @@ struct PressureLoad {
   double scale = 1.0;
   double arrival = 0.0;
 };
+
+/// The loads of a model, a list for each kind. A new kind is a list here and a name in `kinds`; impact and linear
+/// statics go through these, and do not compile, or refuse the load by name, where they lack it.
+struct Loads {
+  std::vector<NodalLoad> nodal_loads;
+  std::vector<PressureLoad> pressure_loads;
+  std::vector<ControlVolume> control_volumes;
+  std::vector<BodyLoad> body_loads;
+
+  /// All lists, in the order in which they act.
+  auto kinds() const { return std::tie(nodal_loads, pressure_loads, control_volumes, body_loads); }
+};
+static_assert(sizeof(Loads) == std::tuple_size_v<decltype(Loads{}.kinds())> * sizeof(std::vector<NodalLoad>),
+              "kinds() lacks a list");
+
+/// Calls `visit(load)` for every load, kind after kind.
+template <class Visit>
+void for_each_load(const Loads& loads, Visit visit) {
+  const auto each = [&](const auto& list) {
+    for (const auto& load : list) visit(load);
+  };
+  std::apply([&](const auto&... list) { (each(list), ...); }, loads.kinds());
+}
 
 /// *RIGIDWALL_...
 struct RigidWall {

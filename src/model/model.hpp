@@ -14,7 +14,6 @@
 #include "base/vec3.hpp"
 #include "model/contact.hpp"
 #include "model/control.hpp"
-#include "model/control_volume.hpp"
 #include "model/damping.hpp"
 #include "model/discrete.hpp"
 #include "model/frequency.hpp"
@@ -158,7 +157,7 @@ struct KeywordUse {
   Place first;
 };
 
-struct Model {
+struct Model : Loads {
   std::string title;
   std::string deck;  ///< path of the master file as given
   Control control;
@@ -208,10 +207,6 @@ struct Model {
   std::vector<PrescribedMotion> motions;
   std::vector<Vec3d> initial_velocity;  ///< per node; empty: all zero [length/time]
   std::vector<Vec3d> initial_spin;      ///< per node; empty: all zero [1/time]
-  std::vector<NodalLoad> nodal_loads;
-  std::vector<BodyLoad> body_loads;
-  std::vector<PressureLoad> pressure_loads;
-  std::vector<ControlVolume> control_volumes;
   Damping damping;
   InitialState initial_state;
   std::vector<RigidWall> walls;

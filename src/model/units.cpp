@@ -8,23 +8,31 @@
 namespace nugget::model {
 namespace {
 
-constexpr std::array<Units, 8> systems{{
-    {"mm, t, s", 1.0, 7.85e-9, 2.1e5, 1.0, 1e-6},
-    {"mm, kg, ms", 1.0, 7.85e-6, 2.1e2, 1e-3, 1e-3},
-    {"mm, g, ms", 1.0, 7.85e-3, 2.1e5, 1.0, 1e-3},
-    {"mm, kg, s", 1.0, 7.85e-6, 2.1e8, 1e3, 1e-6},
-    {"m, kg, s", 1e-3, 7.85e3, 2.1e11, 1.0, 1e-6},
-    {"cm, g, us", 0.1, 7.85, 2.1, 1e-7, 1.0},
-    {"cm, g, s", 0.1, 7.85, 2.1e12, 1e5, 1e-6},
-    {"in, lbf s2/in, s", 1.0 / 25.4, 7.35e-4, 3.05e7, 1.0 / 4.4482216, 1e-6},
+constexpr double inch = 25.4, foot = 304.8, pound_force = 4.4482216;  // in millimetres and newtons
+
+constexpr std::array<Units, 10> systems{{
+    {"mm, t, s", "mm t s (N, MPa)", 1.0, 1e-6, 1.0, 1e3, 1e-12, 7.85e-9, 2.1e5},
+    {"m, kg, s", "m kg s (N, Pa)", 1e-3, 1e-6, 1.0, 1.0, 1.0, 7.85e3, 2.1e11},
+    {"mm, kg, ms", "mm kg ms (kN, GPa)", 1.0, 1e-3, 1e-3, 1.0, 1e-9, 7.85e-6, 2.1e2},
+    {"mm, g, ms", "mm g ms (N, MPa)", 1.0, 1e-3, 1.0, 1.0, 1e-6, 7.85e-3, 2.1e5},
+    {"mm, kg, s", "mm kg s (mN, kPa)", 1.0, 1e-6, 1e3, 1e3, 1e-9, 7.85e-6, 2.1e8},
+    {"cm, g, us", "cm g us (Mbar)", 0.1, 1.0, 1e-7, 1e-4, 1e-3, 7.85, 2.1},
+    {"mm, mg, us", "mm mg us (kN, GPa)", 1.0, 1.0, 1e-3, 1e-3, 1e-3, 7.85, 2.1e2},
+    {"cm, g, s", "cm g s (dyn)", 0.1, 1e-6, 1e5, 1e2, 1e-3, 7.85, 2.1e12},
+    {"in, lbf s2/in, s", "in lbf s (psi)", 1.0 / inch, 1e-6, 1.0 / pound_force, 39.3701, 9.3572e-8, 7.35e-4, 3.05e7},
+    {"ft, slug, s", "ft slug s (psf)", 1.0 / foot, 1e-6, 1.0 / pound_force, 3.28084, 1.9403e-3, 15.2, 4.39e9},
 }};
 
 bool is_metal(const Units& units, double density, double young) {
-  return density > 0.2 * units.density && density < 2.5 * units.density && young > 0.15 * units.young &&
-         young < 2.0 * units.young;
+  return density > 0.2 * units.steel_density && density < 2.5 * units.steel_density &&
+         young > 0.15 * units.steel_young && young < 2.0 * units.steel_young;
 }
 
 }  // namespace
+
+std::span<const Units> unit_systems() {
+  return systems;
+}
 
 std::optional<Units> recognise_units(const Model& model) {
   std::vector<std::size_t> shells(model.parts.size(), 0);

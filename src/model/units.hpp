@@ -2,21 +2,28 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "model/model.hpp"
 
 namespace nugget::model {
 
-/// A consistent set of units, known by what steel weighs and how stiff it is in it.
+/// A consistent set of units.
 struct Units {
-  std::string_view name;     ///< length, mass, time: `mm, t, s`
-  double millimetre = 1.0;   ///< one millimetre [length]
-  double density = 0.0;      ///< of steel [mass/length^3]
-  double young = 0.0;        ///< of steel [stress]
-  double newton = 1.0;       ///< one newton [force]
-  double microsecond = 1.0;  ///< [time]
+  std::string_view name;         ///< length, mass, time: `mm, t, s`
+  std::string_view description;  ///< with force and stress: `mm t s (N, MPa)`
+  double millimetre = 1.0;       ///< one millimetre [length]
+  double microsecond = 1.0;      ///< [time]
+  double newton = 1.0;           ///< [force]
+  double metre_per_second = 1.0;
+  double kilogram_per_cubic_metre = 1.0;
+  double steel_density = 0.0;  ///< [mass/length^3]
+  double steel_young = 0.0;    ///< [stress]
 };
+
+/// The sets that decks are written in, the commonest first.
+std::span<const Units> unit_systems();
 
 /// The units of a deck, from density and Young's modulus of most of its sheets: those in which they are a metal between
 /// magnesium (0.23 and 0.21 of steel's) and lead or tungsten (1.5 and 2 of steel's). Nothing where none fits or there

@@ -291,4 +291,9 @@ std::vector<ConstraintMap::Block> ConstraintMap::blocks(int dependent) const {
   return all;
 }
 
+void ConstraintMap::archive(Archive& a) {
+  a(rows_, terms_, corners_, row_of_);
+  a.built(levels_);
+}
+
 }  // namespace nugget::system

@@ -105,4 +105,9 @@ void RigidBody::set_spin(const Vec3d& axis, double value, double dt, State& stat
   set(state.w[k], w);
 }
 
+void RigidBody::archive(Archive& a) {
+  a(mass, inertia, axes, center0, angular_momentum);
+  a.built(source, id, title, node, fixed, fixed_axes);
+}
+
 }  // namespace nugget::system

@@ -334,4 +334,16 @@ void check_springs(const System& system, Findings& findings) {
   }
 }
 
+void SpringGroup::Entry::archive(Archive& a) {
+  a(state, elongation, pressed, force, energy, step, line, alive, started, inverse_mass, stiffness_rate,
+    viscosity_rate);
+  a.built(source, node, direction, ground, length);
+}
+
+void SpringGroup::archive(Archive& a) {
+  ElementGroup::archive(a);
+  a(springs_);
+  a.built(section_, law_, model_);
+}
+
 }  // namespace nugget::system

@@ -588,4 +588,14 @@ double System::part_mass(model::Index part) const {
   return sum;
 }
 
+void System::archive(Archive& a) {
+  a.section("system");
+  a(mass, inertia, own_mass, own_inertia_, carried_mass_, carried_inertia_, map, bodies, slots_);
+  a.built(model, ties, nodes, node_of, model_node, body_of, springs, shell_location, solid_location, beam_location,
+          discrete_location, start_, mass_only_elements_, constraint_source_, damping_slots, gather_start_, gather_,
+          blocks_);
+  a.section("elements");
+  a(groups);
+}
+
 }  // namespace nugget::system

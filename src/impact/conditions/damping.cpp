@@ -353,4 +353,19 @@ void Damping::add(const Relative& damping, const system::State& state) {
   }
 }
 
+void Damping::ByRange::archive(Archive& a) {
+  a(v, w, started);
+  a.built(card, filters, members);
+}
+
+void Damping::Deforming::archive(Archive& a) {
+  a(passed, across, started);
+  a.built(group, filters);
+}
+
+void Damping::archive(Archive& a) {
+  a(range_, deforming_, force_, moment_, last_force_, last_moment_, energy_);
+  a.built(system_, mass_, deform_, relative_, deforming_of_);
+}
+
 }  // namespace nugget::impact

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "impact/conditions/loads.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "base/index.hpp"
-#include "impact/conditions/conditions.hpp"
+#include "impact/conditions/in_force.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -295,6 +297,31 @@ void Loads::apply_centrifugal(Body& body, system::State& state, double dt, doubl
     add(state.f[k], force);
     body.last_force[k] = force;
   }
+}
+
+void Loads::Nodal::archive(Archive& a) {
+  a(last);
+  a.built(load, nodes);
+}
+
+void Loads::Pressure::archive(Archive& a) {
+  a(last);
+  a.built(load);
+}
+
+void Loads::Volume::archive(Archive& a) {
+  a(at_start, volume, pressure, relative_pressure, work, preload_over, bag, last);
+  a.built(source);
+}
+
+void Loads::Body::archive(Archive& a) {
+  a(last, last_force, nodes, mass);
+  a.built(load);
+}
+
+void Loads::archive(Archive& a) {
+  a(nodal_, pressure_, volumes_, body_, work_);
+  a.built(system_);
 }
 
 }  // namespace nugget::impact

@@ -48,4 +48,19 @@ output::NodforState NodalForceGroups::state(const system::State& now) const {
   return s;
 }
 
+void NodalForceGroups::Node::archive(Archive& a) {
+  a(force, work);
+  a.built(node, corners);
+}
+
+void NodalForceGroups::Group::archive(Archive& a) {
+  a(nodes);
+  a.built(card);
+}
+
+void NodalForceGroups::archive(Archive& a) {
+  a(groups_);
+  a.built(system_);
+}
+
 }  // namespace nugget::impact

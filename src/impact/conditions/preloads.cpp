@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/index.hpp"
-#include "impact/conditions/conditions.hpp"
+#include "impact/conditions/in_force.hpp"
 #include "model/bond.hpp"
 #include "model/lumped_mass.hpp"
 #include "system/shell_elements.hpp"
@@ -180,6 +180,10 @@ void Preloads::apply(const system::State& state) {
         [](const system::ImposedStress& a, const system::ImposedStress& b) { return a.element < b.element; });
     dynamic_cast<system::TakesStress&>(*system_.groups[at(group)]).impose(std::move(stresses));
   }
+}
+
+void Preloads::archive(Archive& a) {
+  a.built(system_, prescribed_, groups_);
 }
 
 }  // namespace nugget::impact

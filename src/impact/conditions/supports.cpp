@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "impact/conditions/supports.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +8,7 @@
 #include <map>
 
 #include "base/index.hpp"
-#include "impact/conditions/conditions.hpp"
+#include "impact/conditions/in_force.hpp"
 #include "model/circular_motion.hpp"
 
 namespace nugget::impact {
@@ -422,6 +424,22 @@ void Supports::book_opening_work(double dt) {
   };
   for (const ConstrainedDof& h : constrained_dofs_) open(h, spc_[h.reaction]);
   for (const PrescribedDof& d : prescribed_dofs_) open(d, motion_[d.reaction]);
+}
+
+void Supports::ConstrainedDof::archive(Archive& a) {
+  a(axis, force, before, velocity, active);
+  a.built(reaction, node, rotation, birth, death);
+}
+
+void Supports::PrescribedDof::archive(Archive& a) {
+  ConstrainedDof::archive(a);
+  a(left, rate);
+  a.built(motion, body, constrain_others, at_start, oblique_to);
+}
+
+void Supports::archive(Archive& a) {
+  a(constrained_dofs_, prescribed_dofs_, spc_, motion_, work_, dt_previous_, power_on_change_);
+  a.built(system_);
 }
 
 }  // namespace nugget::impact

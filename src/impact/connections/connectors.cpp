@@ -36,4 +36,9 @@ void Connectors::update(const system::State& state) {
   }
 }
 
+void Connectors::archive(Archive& a) {
+  a(records_, failed_, events_);
+  a.built(system_);
+}
+
 }  // namespace nugget::impact

@@ -132,4 +132,20 @@ double JointSprings::energy() const {
   return sum;
 }
 
+void JointSprings::Freedom::archive(Archive& a) {
+  a(friction, now.place, now.rate, now.stiffness, now.damping);
+  a.built(load, damper, stiffness, friction_limit, low, high);
+}
+
+void JointSprings::Spring::archive(Archive& a) {
+  for (Freedom& f : freedom) a(f);
+  a(force, moment, energy);
+  a.built(rotational, body, arm, axes);
+}
+
+void JointSprings::archive(Archive& a) {
+  a(springs_);
+  a.built(stable_step_);
+}
+
 }  // namespace nugget::impact

@@ -223,4 +223,14 @@ double Joints::energy() const {
   return sum;
 }
 
+void Joints::Joint::archive(Archive& a) {
+  a(force, moment, load, slip, energy, opening, largest_opening, failed, failure_time);
+  a.built(source, body, arm, axis, other, constrained, directions, bound, rotary_bound, damping, rotary_damping);
+}
+
+void Joints::archive(Archive& a) {
+  a(joints_, springs_, longest_step_);
+  a.built(system_);
+}
+
 }  // namespace nugget::impact

@@ -193,4 +193,19 @@ double RigidWelds::length(std::size_t i, const system::State& state) const {
   return norm(place(nodes.back()) - place(nodes.front()));
 }
 
+void RigidWelds::Weld::archive(Archive& a) {
+  a(nodes, loads, around, axis);
+  // A weld of many nodes that has lost some has one joint in place of two.
+  std::size_t count = joints.size();
+  a(count);
+  joints.resize(count, joints.front());
+  a(joints);
+  a.built(source, body);
+}
+
+void RigidWelds::archive(Archive& a) {
+  a(welds_, failed_, events_);
+  a.built(system_);
+}
+
 }  // namespace nugget::impact

@@ -152,4 +152,14 @@ double Rivets::length(std::size_t i, const system::State& state) const {
   return norm(vec(state.x[node[1]]) - vec(state.x[node[0]]));
 }
 
+void Rivets::Rivet::archive(Archive& a) {
+  a(force, peak, failed, failure_time);
+  a.built(source, node, mobility, length);
+}
+
+void Rivets::archive(Archive& a) {
+  a(rivets_, failed_, events_);
+  a.built(system_);
+}
+
 }  // namespace nugget::impact

@@ -184,4 +184,9 @@ Vec3d TieForces::resultant(model::Index contact) const {
   return sum;
 }
 
+void TieForces::archive(Archive& a) {
+  a(springs_, longest_step_, energy_);
+  a.built(system_);
+}
+
 }  // namespace nugget::impact

@@ -86,4 +86,9 @@ void TieReleases::delete_welds_without_sheet(const system::State& state) {
   }
 }
 
+void TieReleases::archive(Archive& a) {
+  a(ended_, lost_, death_times_, events_);
+  a.built(system_, welds_, springs_, nodes_released_);
+}
+
 }  // namespace nugget::impact

@@ -209,4 +209,14 @@ void Welds::report(std::size_t i, const system::State& state) {
                                 w.id, state.time, state.cycle, weld::to_string(histories_[i]->mode())));
 }
 
+void Welds::Bricks::archive(Archive& a) {
+  a(load, area);
+  a.built(section, corners, nodes, x, force, jacobian, locations);
+}
+
+void Welds::archive(Archive& a) {
+  a(histories_, bricks_, failed_, events_);
+  a.built(system_);
+}
+
 }  // namespace nugget::impact

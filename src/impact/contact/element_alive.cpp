@@ -33,4 +33,8 @@ ElementAlive::Deletions ElementAlive::update(const system::System& system) {
   return news;
 }
 
+void ElementAlive::archive(Archive& a) {
+  a(alive_, deletions_, shell_deletions_);
+}
+
 }  // namespace nugget::impact

@@ -140,4 +140,9 @@ void Erosion::check_distortion(system::ElementGroup& group, int rule, const syst
   }
 }
 
+void Erosion::archive(Archive& a) {
+  a(deleted_, events_, stop_);
+  a.built(system_);
+}
+
 }  // namespace nugget::impact

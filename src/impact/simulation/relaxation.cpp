@@ -46,4 +46,9 @@ void Relaxation::watch(const system::System& system, const system::State& state)
   recent_ = 0.0;
 }
 
+void Relaxation::archive(Archive& a) {
+  a(recent_, largest_, kinetic_energy_ratio_, time_, cycles_, at_rest_);
+  a.built(control_);
+}
+
 }  // namespace nugget::impact

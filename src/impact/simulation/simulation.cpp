@@ -603,4 +603,24 @@ void Simulation::update_energy_balance() {
   energy_ = before;
 }
 
+void Simulation::archive(Archive& a) {
+  a(system_);
+  a.section("nodes");
+  a(state_, history_rotation_);
+  a.section("conditions");
+  a(supports_, loads_, damping_, preloads_);
+  a.section("contacts");
+  a(contacts_, interiors_, walls_, element_alive_, erosion_);
+  a.section("welds");
+  a(welds_, rigid_welds_, rivets_, connectors_, tie_forces_, tie_releases_, joints_);
+  a.section("results");
+  a(strains_, nodal_forces_, accelerometers_, energy_, parts_, controlling_);
+  a(masses_.physical, masses_.added, masses_.added_to_welds, masses_.added_by_part);
+  a(inverse_mass_, inverse_inertia_, contact_mass_, dependent_);
+  a(diverged_, relaxation_, step_change_, power_on_change_, first_step_, smallest_step_, stable_step_, longest_step_,
+    smallest_by_, seconds_, solve_seconds_);
+  a.built(stopped_springs_, v_before_, w_before_, momentum_before_, block_power_, stop_requested_, checkpoint_cycle_,
+          checkpoint_time_, checkpoint_seconds_, begin_, timed_until_);
+}
+
 }  // namespace nugget::impact

@@ -208,4 +208,9 @@ Strains::Tensor Strains::solid(std::size_t e) const {
   return solids_.empty() ? Tensor{} : solids_[e];
 }
 
+void Strains::archive(Archive& a) {
+  a(shells_, solids_);
+  a.built(system_, zeta_);
+}
+
 }  // namespace nugget::impact

@@ -9,6 +9,7 @@
 #include "base/index.hpp"
 #include "model/circular_motion.hpp"
 #include "nvh/matrices/nodal.hpp"
+#include "nvh/statics/static_loads.hpp"
 #include "weld/failure/brick_section.hpp"
 #include "weld/failure/failure.hpp"
 #include "weld/tie/welds.hpp"
@@ -28,54 +29,6 @@ double largest(std::span<const double> v) {
   for (const double x : v) most = std::max(most, std::abs(x));
   return most;
 }
-
-/// What the deck's load cards put on the nodes at a time.
-class Loads {
- public:
-  Loads(const Matrices& matrices, double time) : m_(matrices), time_(time), load_(matrices.system.all_nodes()) {
-    const model::Model& model = m_.system.model;
-    for (const model::NodalLoad& load : model.nodal_loads) add(load);
-    for (const model::PressureLoad& load : model.pressure_loads) add(load);
-    for (const model::BodyLoad& load : model.body_loads) add(load);
-  }
-  const Nodal& nodal() const { return load_; }
-
- private:
-  double level(model::Index curve, double time) const {
-    const Curve& c = m_.system.model.curves[at(curve)];
-    return c.in_run ? c.zero_outside(time) : 0.0;
-  }
-  int node(model::Index n) const { return m_.system.node_of[at(n)]; }
-  Vec3d place(model::Index n) const { return m_.system.ties.x[at(n)]; }
-
-  void add(const model::NodalLoad& load) {
-    const std::array<model::Index, 3>& f = load.follower_nodes;
-    const Vec3d direction =
-        f[0] == model::none ? load.direction : unit(cross(place(f[1]) - place(f[0]), place(f[2]) - place(f[0])));
-    const Vec3d force = load.scale * level(load.curve, time_) * direction;
-    for (const model::Index n : load.nodes) add_to(load_[at(node(n))], load.moment, force);
-    if (load.rigid_body == model::none) return;
-    const system::RigidBody& body = m_.system.bodies[at(m_.system.body_of[at(load.rigid_body)])];
-    add_to(load_[at(body.node)], load.moment, force);
-  }
-  void add(const model::PressureLoad& load) {
-    const double time = time_ - load.arrival;
-    const double p = time >= 0.0 ? load.scale * level(load.curve, time) : 0.0;
-    for (std::size_t i = 0; i < load.segments.size(); ++i) {
-      const model::Segment& s = load.segments[i];
-      const Vec3d force = p * force_of_pressure(m_, s);
-      for (std::size_t a = 0; a < 4; ++a) add_to(load_[at(node(s[a]))], false, load.share[i][a] * force);
-    }
-  }
-  void add(const model::BodyLoad& load) {
-    const double a = -load.scale * level(load.curve, time_);
-    for (std::size_t k = 0; k < load_.size(); ++k) add_to(load_[k], false, a * m_.nodal_mass[k].mass * load.direction);
-  }
-
-  const Matrices& m_;
-  double time_;
-  Nodal load_;
-};
 
 /// Motions that supports prescribe, and those of the nodes that follow them.
 Nodal prescribed(const Matrices& m, double time, Findings& findings) {
@@ -177,10 +130,16 @@ void check_statics(const model::Model& model, Findings& findings) {
                      "a motion that is not there from time 0 to ENDTIM is not built in linear statics",
                      "leave BIRTH and DEATH empty");
   }
-  for (const model::BodyLoad& load : model.body_loads)
+  for (const model::BodyLoad& load : model.body_loads) {
+    if (load.centrifugal)
+      findings.error(deck, "*LOAD_BODY_RX",
+                     "centrifugal forces (*LOAD_BODY_RX, _RY, _RZ) are not built in linear statics",
+                     "put nodal forces in their place");
     if (!load.parts.empty() || !load.nodes.empty())
       findings.error(deck, "*LOAD_BODY", "body loads on some parts or nodes only are not built in linear statics",
                      "load all parts, or put nodal forces on these");
+  }
+  model::for_each_load(model, [&](const auto& load) { refuse_unknown(load, findings); });
   const auto sliding =
       std::count_if(model.contacts.begin(), model.contacts.end(), [](const model::Contact& c) { return c.slides(); });
   if (sliding > 0 || !model.walls.empty())
@@ -194,7 +153,7 @@ void check_statics(const model::Model& model, Findings& findings) {
 
 Statics solve_statics(const Matrices& m, Findings& findings) {
   const double time = m.system.model.control.end_time;
-  const Nodal load = Loads(m, time).nodal();
+  const Nodal load = static_loads(m, time);
   Statics s;
   s.motion = prescribed(m, time, findings);
   const Nodal driving = internal_forces(m, s.motion).force;

@@ -5,27 +5,17 @@
 #include <cmath>
 
 #include "kernel/law/law_components.hpp"
+#include "model/units.hpp"
 #include "reading/builder/passes.hpp"
 
 namespace nugget::reading {
 namespace {
 
-struct UnitSystem {
-  std::string_view name;
-  double speed;    ///< of one metre per second
-  double density;  ///< of one kilogram per cubic metre
-};
-
-constexpr UnitSystem unit_systems[] = {{"mm t s (N, MPa)", 1e3, 1e-12},        {"m kg s (N, Pa)", 1.0, 1.0},
-                                       {"mm kg ms (kN, GPa)", 1.0, 1e-9},      {"mm g ms (N, MPa)", 1.0, 1e-6},
-                                       {"mm kg s (mN, kPa)", 1e3, 1e-9},       {"cm g us (Mbar)", 1e-4, 1e-3},
-                                       {"mm mg us (kN, GPa)", 1e-3, 1e-3},     {"cm g s (dyn)", 1e2, 1e-3},
-                                       {"in lbf s (psi)", 39.3701, 9.3572e-8}, {"ft slug s (psf)", 3.28084, 1.9403e-3}};
-
 /// Do modulus and density look like a structural material in these units? Speed of sound in a bar 300 to 12000 m/s
 /// (plastics to ceramics); density from 500 kg/m3 to ten times that of tungsten, since decks carry missing mass there.
-bool fits(const Material& m, const UnitSystem& u) {
-  const double speed = std::sqrt(m.young() / m.density) / u.speed, density = m.density / u.density;
+bool fits(const Material& m, const Units& u) {
+  const double speed = std::sqrt(m.young() / m.density) / u.metre_per_second,
+               density = m.density / u.kilogram_per_cubic_metre;
   return speed >= 300.0 && speed <= 12000.0 && density >= 500.0 && density <= 200000.0;
 }
 
@@ -60,12 +50,13 @@ void check_relaxation(Builder& b) {
 
 void check_units(Builder& b) {
   const auto& materials = b.model.materials;
-  const auto fitting = [&](const UnitSystem& u) {
+  const auto fitting = [&](const Units& u) {
     return std::count_if(materials.begin(), materials.end(),
                          [&](const Material& m) { return is_elastic_plastic(m) && fits(m, u); });
   };
-  const auto* common = std::max_element(std::begin(unit_systems), std::end(unit_systems),
-                                        [&](const auto& u, const auto& v) { return fitting(u) < fitting(v); });
+  const auto usual = unit_systems();
+  const auto common = std::max_element(usual.begin(), usual.end(),
+                                       [&](const auto& u, const auto& v) { return fitting(u) < fitting(v); });
   for (const Material& m : materials) {
     if (!is_elastic_plastic(m) || fits(m, *common)) continue;
     const double speed = std::sqrt(m.young() / m.density);
@@ -73,7 +64,7 @@ void check_units(Builder& b) {
     b.findings.warning(
         m.place, '*' + m.keyword,
         fmt::format("material {}: sqrt(E/rho) = {:g} with density {:g} {}", m.id, speed, m.density,
-                    has_common ? fmt::format("does not fit {}, the units of the other materials", common->name)
+                    has_common ? fmt::format("does not fit {}, the units of the other materials", common->description)
                                : "fits no usual system of units"),
         "see that E and density are in the units of the mesh, e.g. mm t s: 210000, 7.85e-9");
   }

@@ -91,4 +91,9 @@ double Damage::integrity() const {
   return law_.beta > 0.0 ? std::exp(-law_.beta * damage_) : 1.0 - damage_;
 }
 
+void Damage::archive(Archive& a) {
+  a(begun_, onset_, damage_, work_);
+  a.built(law_);
+}
+
 }  // namespace nugget::weld

@@ -99,4 +99,15 @@ void History::fail(double time, FailureMode mode) {
   now_ = {};  // a failed weld carries nothing
 }
 
+void Filter::archive(Archive& a) {
+  a(next_, kept_);
+  a.built(length_);
+}
+
+void History::archive(Archive& a) {
+  a(function_, filter_, now_, last_, value_, peak_value_, peak_time_, beyond_, damage_, onset_mode_, failure_time_,
+    mode_, peaks_);
+  a.built(law_);
+}
+
 }  // namespace nugget::weld

@@ -59,4 +59,14 @@ void RigidWeldHistory::fail(double time, FailureMode mode) {
   axial_ = shear_ = moment_ = torsion_ = 0.0;  // what has failed carries nothing
 }
 
+void ForceFilter::archive(Archive& a) {
+  a(kept_);
+  a.built(length_, window_);
+}
+
+void RigidWeldHistory::archive(Archive& a) {
+  a(filter_, axial_, shear_, moment_, torsion_, value_, failure_time_, mode_, peaks_, last_, peak_value_, peak_time_);
+  a.built(law_);
+}
+
 }  // namespace nugget::weld

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "impact/conditions/conditions.hpp"
+#include "impact/conditions/supports.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/finding.hpp"
+#include "base/index.hpp"
+#include "nvh/matrices/matrices.hpp"
+#include "nvh/matrices/nodal.hpp"
+
+namespace nugget::nvh {
+
+/// What the loads of a model put on the nodes at one time. A kind of load that linear statics knows has a function
+/// `add` here; gas in control volumes has an empty one, since it takes no part (linear_model warns of it).
+class StaticLoads {
+ public:
+  StaticLoads(const Matrices& matrices, double time) : m_(matrices), time_(time), load_(matrices.system.all_nodes()) {}
+
+  void add(const model::NodalLoad& load);
+  void add(const model::PressureLoad& load);
+  void add(const model::ControlVolume&) {}
+  void add(const model::BodyLoad& load);
+  const Nodal& nodal() const { return load_; }
+
+  template <class Load>
+  static constexpr bool knows = requires(StaticLoads& loads, const Load& load) {
+    loads.add(load);
+  };
+
+ private:
+  double level(model::Index curve, double time) const;
+  int node(model::Index n) const { return m_.system.node_of[at(n)]; }
+  Vec3d place(model::Index n) const { return m_.system.ties.x[at(n)]; }
+
+  const Matrices& m_;
+  double time_;
+  Nodal load_;
+};
+
+/// An error for a load of a kind that StaticLoads does not know, by its `keyword` (without star) and `place`.
+template <class Load>
+void refuse_unknown(const Load& load, Findings& findings) {
+  if constexpr (!StaticLoads::knows<Load>)
+    findings.error(load.place, '*' + load.keyword, "this load is not built in linear statics",
+                   "take it out, or solve the deck by explicit dynamics (*CONTROL_IMPLICIT_GENERAL IMFLAG 0)");
+}
+
+/// All loads of the model that linear statics knows, at a time.
+Nodal static_loads(const Matrices& matrices, double time);
+
+}  // namespace nugget::nvh

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "system/state.hpp"
+
+namespace nugget::system {
+
+void State::archive(Archive& a) {
+  a(time, dt, dt_previous, cycle, relaxing, x, v, w, f, m);
+}
+
+}  // namespace nugget::system
