@@ -83,7 +83,7 @@ struct PressureLoad {
 
 /// The loads of a model, a list for each kind. A new kind is a list here and a name in `kinds`; impact and linear
 /// statics go through these, and do not compile, or refuse the load by name, where they lack it.
-struct Loads {
+struct LoadLists {
   std::vector<NodalLoad> nodal_loads;
   std::vector<PressureLoad> pressure_loads;
   std::vector<ControlVolume> control_volumes;
@@ -92,12 +92,12 @@ struct Loads {
   /// All lists, in the order in which they act.
   auto kinds() const { return std::tie(nodal_loads, pressure_loads, control_volumes, body_loads); }
 };
-static_assert(sizeof(Loads) == std::tuple_size_v<decltype(Loads{}.kinds())> * sizeof(std::vector<NodalLoad>),
+static_assert(sizeof(LoadLists) == std::tuple_size_v<decltype(LoadLists{}.kinds())> * sizeof(std::vector<NodalLoad>),
               "kinds() lacks a list");
 
 /// Calls `visit(load)` for every load, kind after kind.
 template <class Visit>
-void for_each_load(const Loads& loads, Visit visit) {
+void for_each_load(const LoadLists& loads, Visit visit) {
   const auto each = [&](const auto& list) {
     for (const auto& load : list) visit(load);
   };

@@ -157,7 +157,7 @@ struct KeywordUse {
   Place first;
 };
 
-struct Model : Loads {
+struct Model : LoadLists {
   std::string title;
   std::string deck;  ///< path of the master file as given
   Control control;
