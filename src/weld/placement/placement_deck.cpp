@@ -214,9 +214,11 @@ class PlacementWriter {
     for (const std::string& name : weld_fields()) usual.try_emplace(name, 0.0);
     for (const char* name : {"ro", "e", "sigy", "eh"}) usual.erase(name);
     if (units_) {
-      const double megapascal = units_->young / 210000.0;
-      usual.insert(
-          {{"ro", units_->density}, {"e", units_->young}, {"sigy", 500.0 * megapascal}, {"eh", 1000.0 * megapascal}});
+      const double megapascal = units_->steel_young / 210000.0;
+      usual.insert({{"ro", units_->steel_density},
+                    {"e", units_->steel_young},
+                    {"sigy", 500.0 * megapascal},
+                    {"eh", 1000.0 * megapascal}});
     }
     std::string s;
     for (const auto& [spot_class, id] : material_of_) {
