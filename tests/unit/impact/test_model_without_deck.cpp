@@ -22,17 +22,32 @@ model::Model falling_shell(double gravity, double end_time) {
   m.control.end_time = end_time;
   m.nodes.id = {1, 2, 3, 4};
   m.nodes.x = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
-  m.materials.push_back({.id = 1, .keyword = "MAT_ELASTIC", .density = 7.85e-9, .law = kernel::Elastic{210e3, 0.3}});
-  m.shell_sections.push_back({.id = 1, .thickness = 1.0});
-  m.parts.push_back({.id = 1, .kind = model::ElementKind::shell, .section = 0, .material = 0});
+
+  model::Material& steel = m.materials.emplace_back();
+  steel.id = 1;
+  steel.keyword = "MAT_ELASTIC";
+  steel.density = 7.85e-9;
+  steel.law = kernel::Elastic{210e3, 0.3};
+  model::SectionShell& section = m.shell_sections.emplace_back();
+  section.id = 1;
+  section.thickness = 1.0;
+  model::Part& part = m.parts.emplace_back();
+  part.id = 1;
+  part.kind = model::ElementKind::shell;
+  part.section = part.material = 0;
   m.shells.id = {1};
   m.shells.part = {0};
   m.shells.node = {{0, 1, 2, 3}};
   m.shells.thickness = {1.0};
   m.shells.offset = {0.0};
   m.shells.place.push_back(0, 0);
-  m.curves.push_back({.id = 1, .x = {0.0, 1.0}, .y = {gravity, gravity}});
-  m.body_loads.push_back({.direction = {0.0, 0.0, 1.0}, .curve = 0});
+
+  Curve& curve = m.curves.emplace_back();
+  curve.x = {0.0, 1.0};
+  curve.y = {gravity, gravity};
+  model::BodyLoad& load = m.body_loads.emplace_back();
+  load.direction = {0.0, 0.0, 1.0};
+  load.curve = 0;
   return m;
 }
 
