@@ -27,7 +27,7 @@ HOUSE = {
     "contact": ("contacts, glue and walls as they run", ["system"], []),
     "output": ("file formats: d3plot, binout, ASCII histories", ["system"], []),
     "impact": ("explicit dynamics", ["contact", "output"],
-               ["conditions", "connections", "contact", "simulation", "recording"]),
+               ["energy", "conditions", "connections", "contact", "simulation", "recording"]),
     "nvh": ("modes, frequency response, linear statics", ["output"], ["matrices", "eigen", "response", "statics"]),
     "report": ("report.html", ["impact", "nvh"], []),
     "app": ("the command nugget", ["report", "reading"], []),

@@ -90,7 +90,7 @@ void fill_weld_report(const weld::RigidWeldHistory& history, output::WeldReport&
 double damage_of(const impact::Simulation& run, std::size_t i) {
   const system::System& system = run.system();
   const weld::Weld& w = system.ties.welds[i];
-  const weld::History& history = *run.welds().history(i);
+  const weld::History& history = *run.components().welds.history(i);
   if (history.failed()) return 1.0;
   if (history.damage().law().growth != weld::DamageLaw::Growth::immediate) return history.damage().damage();
   const auto& law = std::get<kernel::Spotweld>(system.model.materials[at(system.model.parts[at(w.part)].material)].law);
@@ -131,13 +131,14 @@ void fill_rivet_report(const impact::Rivets& rivets, std::size_t i, output::Weld
 /// Adds to the welds' reports what happened to them.
 void fill_weld_reports(const impact::Simulation& run, std::vector<output::WeldReport>& welds) {
   const system::System& system = run.system();
+  const impact::Components& components = run.components();
   for (std::size_t i = 0; i < welds.size(); ++i) {
     if (is_rivet(system.ties.welds[i]))
-      fill_rivet_report(run.rivets(), run.rivets().find(welds[i].id), welds[i]);
+      fill_rivet_report(components.rivets, components.rivets.find(welds[i].id), welds[i]);
     else if (system.ties.welds[i].kind == weld::Weld::Kind::rigid)
-      if (const auto* rigid = run.rigid_welds().history_of_body(system.ties.welds[i].element))
+      if (const auto* rigid = components.rigid_welds.history_of_body(system.ties.welds[i].element))
         fill_weld_report(*rigid, welds[i]);
-    if (const impact::Connectors::Record* record = run.connectors().record(i)) {
+    if (const impact::Connectors::Record* record = components.connectors.record(i)) {
       welds[i].failed = record->failed;
       if (record->failed) welds[i].failure_time = record->failure_time;
       if (record->failed) welds[i].failure_mode = "limit of its law";
@@ -154,7 +155,7 @@ void fill_weld_reports(const impact::Simulation& run, std::vector<output::WeldRe
       const system::System::ElementLocation location = system.beam_location[at(system.ties.welds[i].element)];
       welds[i].energy = system.groups[at(location.group)]->internal_energy(at(location.element));
     }
-    const weld::History* history = run.welds().history(i);
+    const weld::History* history = components.welds.history(i);
     if (history == nullptr) continue;
     for (model::Index element : system.ties.welds[i].elements) {
       const system::System::ElementLocation location = system.location_of(system.ties.welds[i], element);

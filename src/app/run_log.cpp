@@ -188,19 +188,20 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
       e.kinetic, e.internal, e.hourglass, e.contact, e.external, e.eroded, e.step_change, e.initial, e.ratio,
       e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0);
   std::string events;
-  for (const auto* list : {&run.welds().events(), &run.rigid_welds().events(), &run.rivets().events(),
-                           &run.connectors().events(), &run.tie_releases().events(), &run.erosion().events()})
-    for (const std::string& event : *list) events += ' ' + event + '\n';
+  run.components().for_each([&](const auto& component) {
+    if constexpr (requires { component.events(); })
+      for (const std::string& event : component.events()) events += ' ' + event + '\n';
+  });
   for (const std::string& event : run.events()) events += ' ' + event + '\n';
-  if (run.joints().size() > 0) {
+  const impact::Joints& joints = run.components().joints;
+  if (joints.size() > 0) {
     s += "Joints: largest distance between the points that they hold together\n\n";
-    for (std::size_t i = 0; i < run.joints().size(); ++i)
-      s += fmt::format(" joint {:>8} {:12.4e}\n", run.system().model.joints[i].id, run.joints().largest_opening(i));
+    for (std::size_t i = 0; i < joints.size(); ++i)
+      s += fmt::format(" joint {:>8} {:12.4e}\n", run.system().model.joints[i].id, joints.largest_opening(i));
     s += '\n';
-    for (std::size_t i = 0; i < run.joints().size(); ++i)
-      if (run.joints().failed(i))
-        events +=
-            fmt::format(" joint {} fails at {:.6e}\n", run.system().model.joints[i].id, run.joints().failure_time(i));
+    for (std::size_t i = 0; i < joints.size(); ++i)
+      if (joints.failed(i))
+        events += fmt::format(" joint {} fails at {:.6e}\n", run.system().model.joints[i].id, joints.failure_time(i));
   }
   if (!events.empty()) s += "Events\n\n" + events + '\n';
   s += fmt::format("Seconds\n\n read {:.3f}  setup {:.3f}  solve {:.3f}  output {:.3f}\n", summary.seconds.read,

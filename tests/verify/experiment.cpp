@@ -112,8 +112,8 @@ void Experiment::expect_same_end(const std::string& kept, double until) const {
   EXPECT_TRUE(same_bits(a.m, b.m)) << "moments";
   EXPECT_EQ(whole.energy().total(), resumed.energy().total());
   EXPECT_EQ(whole.energy().external, resumed.energy().external);
-  EXPECT_EQ(whole.welds().events(), resumed.welds().events());
-  EXPECT_EQ(whole.rigid_welds().events(), resumed.rigid_welds().events());
+  EXPECT_EQ(whole.components().welds.events(), resumed.components().welds.events());
+  EXPECT_EQ(whole.components().rigid_welds.events(), resumed.components().rigid_welds.events());
 }
 
 std::size_t Experiment::node(int id) const {

@@ -369,7 +369,7 @@ std::string crushed(const std::string& more) {
 impact::Outcome outcome_of(const std::string& deck, impact::Erosion::Count* count = nullptr) {
   Experiment experiment(deck);
   const impact::Outcome outcome = experiment.run([](const impact::Snapshot&) {});
-  if (count) *count = experiment.simulation().erosion().deleted();
+  if (count) *count = experiment.simulation().components().erosion.deleted();
   return outcome;
 }
 

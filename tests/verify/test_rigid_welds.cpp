@@ -74,8 +74,8 @@ TEST(RigidWelds, TensionFailsAtItsStrengthAndMomentumStays) {
   EXPECT_NEAR(later_change, 0.0, 1e-12) << "the other mass coasts";
   EXPECT_NEAR(speed_at_failure, -0.8, 1e-3);
   EXPECT_NEAR(energy.back(), 1.0, 1e-6);
-  EXPECT_EQ(experiment.simulation().rigid_welds().failed(), 1);
-  EXPECT_THAT(experiment.simulation().rigid_welds().events().at(0), HasSubstr("axial force"));
+  EXPECT_EQ(experiment.simulation().components().rigid_welds.failed(), 1);
+  EXPECT_THAT(experiment.simulation().components().rigid_welds.events().at(0), HasSubstr("axial force"));
 }
 
 TEST(RigidWelds, CompressionDoesNotFail) {
@@ -88,7 +88,7 @@ TEST(RigidWelds, CompressionDoesNotFail) {
   double axial = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) { axial = now.rigid_welds.history(0).axial(); });
   EXPECT_NEAR(axial, -10.0, 1e-6);
-  EXPECT_EQ(experiment.simulation().rigid_welds().failed(), 0);
+  EXPECT_EQ(experiment.simulation().components().rigid_welds.failed(), 0);
 }
 
 // Two masses at one place, pulled at 30 degrees to the normal z of a coordinate system:
@@ -107,7 +107,7 @@ TEST(RigidWelds, CombinedLoadFailsOnItsCurve) {
   // f = 20 t along the load: 20 t sqrt((cos 30/10)^2 + (sin 30/6)^2) = 1.
   const double expected = 1.0 / (20.0 * std::hypot(std::cos(M_PI / 6.0) / 10.0, std::sin(M_PI / 6.0) / 6.0));
   expect_reference("rigid weld", "spot at one place, 30 degrees, round failure curve: time of failure",
-                   experiment.simulation().rigid_welds().history(0).failure_time(), expected, 1e-3);
+                   experiment.simulation().components().rigid_welds.history(0).failure_time(), expected, 1e-3);
 }
 
 // A mean of 101 force vectors of a ramp lags by 50 steps; a window of 20.5 steps keeps 21 of them, which lag by 10.
@@ -121,7 +121,7 @@ TEST(RigidWelds, AFilterDelaysFailureByHalfItsLength) {
     timing(s, 0.5);
     Experiment experiment(s.deck());
     run_to_end(experiment, [](const impact::Snapshot&) {});
-    return experiment.simulation().rigid_welds().history(0).failure_time();
+    return experiment.simulation().components().rigid_welds.history(0).failure_time();
   };
   EXPECT_NEAR(failure_time(0, 0), 0.4, 1.01 * step);
   EXPECT_NEAR(failure_time(101, 0) - failure_time(0, 0), 50.0 * step, 1.01 * step);
@@ -179,7 +179,7 @@ TEST(RigidWelds, ReleaseOfASpinningPairKeepsItsMomenta) {
     turn = std::max(turn, norm(angular - first));
     kinetic = now.energy.kinetic;
   });
-  EXPECT_EQ(experiment.simulation().rigid_welds().failed(), 1);
+  EXPECT_EQ(experiment.simulation().components().rigid_welds.failed(), 1);
   EXPECT_NEAR(drift, 0.0, 1e-6);
   // L = 3*(1,0,5)-motion about the origin is constant as well: the sum of both is what counts.
   EXPECT_NEAR(turn, 0.0, 2e-4);
@@ -207,8 +207,8 @@ TEST(RigidWelds, ThreeNodesFailFromTheOutside) {
   EXPECT_NEAR(apart, 0.0, 1e-12) << "the inner joint carries nothing any more";
   EXPECT_NEAR(at_release, 0.4, 0.003) << "8 of 30 t: two thirds of the load";
   EXPECT_NEAR(momentum, 15.0 * 0.36, 30.0 * step);
-  EXPECT_EQ(experiment.simulation().rigid_welds().failed(), 0) << "two of its nodes still hold";
-  EXPECT_EQ(experiment.simulation().rigid_welds().events().size(), 1u);
+  EXPECT_EQ(experiment.simulation().components().rigid_welds.failed(), 0) << "two of its nodes still hold";
+  EXPECT_EQ(experiment.simulation().components().rigid_welds.events().size(), 1u);
 }
 
 // A weld on a sheet that is stretched into the plastic range opens when an element at it has strained enough, and does
@@ -239,10 +239,10 @@ TEST(RigidWelds, PlasticStrainOfTheSheetOpensTheWeld) {
     if (!now.rigid_welds.history(0).failed()) before = largest;
   });
   EXPECT_EQ(plain.simulation().first_step(), welded.simulation().first_step());
-  EXPECT_EQ(welded.simulation().rigid_welds().failed(), 1);
+  EXPECT_EQ(welded.simulation().components().rigid_welds.failed(), 1);
   EXPECT_LE(before, 0.02);
   EXPECT_GT(before, 0.0195);
-  EXPECT_THAT(welded.simulation().rigid_welds().events().at(0), HasSubstr("plastic strain"));
+  EXPECT_THAT(welded.simulation().components().rigid_welds.events().at(0), HasSubstr("plastic strain"));
 }
 
 }  // namespace

@@ -117,8 +117,8 @@ TEST(Rivets, FailAtTheirTime) {
   });
   EXPECT_NEAR(after, 0.0, 1e-12);
   EXPECT_NEAR(speed, 3.0, 1e-5);
-  EXPECT_NEAR(experiment.simulation().rivets().failure_time(0), 0.25, 1.01 * step);
-  EXPECT_THAT(experiment.simulation().rivets().events().at(0), HasSubstr("rivet failed  id=      77"));
+  EXPECT_NEAR(experiment.simulation().components().rivets.failure_time(0), 0.25, 1.01 * step);
+  EXPECT_THAT(experiment.simulation().components().rivets.events().at(0), HasSubstr("rivet failed  id=      77"));
 }
 
 TEST(Rivets, NodesThatCannotBePulledAreRefusedByName) {

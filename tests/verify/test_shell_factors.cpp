@@ -42,7 +42,7 @@ double force_at_failure(const std::string& control, bool pulled, double x = 0.0,
     const weld::History& h = *now.welds.history(0);
     if (!h.failed()) last = pulled ? h.resultants().axial : h.resultants().shear();
   });
-  EXPECT_TRUE(run.simulation().welds().history(0)->failed());
+  EXPECT_TRUE(run.simulation().components().welds.history(0)->failed());
   return last;
 }
 

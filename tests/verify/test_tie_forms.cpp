@@ -349,10 +349,10 @@ TEST(TieReleases, SpotdelZeroLetsTheNodeGo) {
   EXPECT_EQ(run.system().mass[node], 0.0);
   run.run([](const impact::Snapshot&) {});
   EXPECT_FALSE(run.system().map.dependent(static_cast<int>(node)));
-  EXPECT_FALSE(run.simulation().welds().history(0)->failed());
-  ASSERT_EQ(run.simulation().tie_releases().events().size(), 1u);
-  EXPECT_THAT(run.simulation().tie_releases().events()[0], HasSubstr("tie ended  node=5"));
-  EXPECT_THAT(run.simulation().tie_releases().events()[0], HasSubstr("with shell 1"));
+  EXPECT_FALSE(run.simulation().components().welds.history(0)->failed());
+  ASSERT_EQ(run.simulation().components().tie_releases.events().size(), 1u);
+  EXPECT_THAT(run.simulation().components().tie_releases.events()[0], HasSubstr("tie ended  node=5"));
+  EXPECT_THAT(run.simulation().components().tie_releases.events()[0], HasSubstr("with shell 1"));
   double after = 0.0;
   for (double m : run.system().mass) after += m;
   expect_reference("tie that ends", "total mass, after over before", after / before, 1.0, 1e-12);
@@ -363,11 +363,11 @@ TEST(TieReleases, SpotdelZeroLetsTheNodeGo) {
 TEST(TieReleases, SpotdelOneDeletesTheWeld) {
   Experiment run = torn_sheet(1);
   run.run([](const impact::Snapshot&) {});
-  const weld::History& history = *run.simulation().welds().history(0);
+  const weld::History& history = *run.simulation().components().welds.history(0);
   EXPECT_TRUE(history.failed());
   EXPECT_EQ(history.mode(), weld::FailureMode::sheet_deleted);
-  ASSERT_EQ(run.simulation().welds().events().size(), 1u);
-  EXPECT_THAT(run.simulation().welds().events()[0], HasSubstr("deleted sheet"));
+  ASSERT_EQ(run.simulation().components().welds.events().size(), 1u);
+  EXPECT_THAT(run.simulation().components().welds.events()[0], HasSubstr("deleted sheet"));
 }
 
 TEST(TieReleases, DeathTimeEndsATie) {
@@ -379,8 +379,8 @@ TEST(TieReleases, DeathTimeEndsATie) {
     EXPECT_FALSE(now.system.map.dependent(static_cast<int>(run.node(5))));
   });
   EXPECT_EQ(force, 0.0);
-  EXPECT_THAT(run.simulation().tie_releases().events().at(0), HasSubstr("by DT of *CONTACT_SPOTWELD 1"));
-  EXPECT_FALSE(run.simulation().welds().history(0)->failed());
+  EXPECT_THAT(run.simulation().components().tie_releases.events().at(0), HasSubstr("by DT of *CONTACT_SPOTWELD 1"));
+  EXPECT_FALSE(run.simulation().components().welds.history(0)->failed());
 }
 
 // ---- Weld group between rigid plates
@@ -457,13 +457,13 @@ TEST(WeldGroup, FirstFailure) {
   Experiment run(weld_group(end, curve(1, {{0, 0}, {end, 8000}}), {8000, 6000, 6000, 9000, 7000, 7000}));
   run.run([](const impact::Snapshot&) {});
   std::vector<double> times;
-  for (std::size_t i = 0; i < 4; ++i) times.push_back(run.simulation().welds().history(i)->failure_time());
-  ASSERT_TRUE(run.simulation().welds().history(0)->failed() && run.simulation().welds().history(1)->failed());
+  for (std::size_t i = 0; i < 4; ++i) times.push_back(run.simulation().components().welds.history(i)->failure_time());
+  ASSERT_TRUE(run.simulation().components().welds.history(0)->failed() && run.simulation().components().welds.history(1)->failed());
   expect_reference("weld group between rigid plates", "load at the first failure, weld (30, 20) [N]",
                    8000.0 * times[0] / end, 7744.9, 1e-2);
   expect_reference("weld group between rigid plates", "load at the first failure, weld (30, -20) [N]",
                    8000.0 * times[1] / end, 7744.9, 1e-2);
-  EXPECT_EQ(run.simulation().welds().failed(), 4) << "the other two follow";
+  EXPECT_EQ(run.simulation().components().welds.failed(), 4) << "the other two follow";
 }
 
 // ---- Rigid boss in a clamped disc

@@ -344,7 +344,7 @@ TEST(FreeAssembly, KeepsMomentumAndEnergyToRoundOff) {
     scale = std::max(scale, now.energy.initial);
     worst = std::max(worst, std::abs(now.energy.total() - now.energy.initial));
   });
-  ASSERT_TRUE(run.simulation().welds().history(0)->failed());
+  ASSERT_TRUE(run.simulation().components().welds.history(0)->failed());
   EXPECT_GT(run.simulation().energy().eroded, 0.0);
   double drift = 0.0, turn = 0.0;
   for (const Momenta& m : seen) {

@@ -400,7 +400,7 @@ TEST(WeldConnection, SheetsChooseTheStrength) {
     double most = 0.0;
     run.run([&](const impact::Snapshot& now) { most = std::max(most, now.welds.history(0)->resultants().axial); });
     EXPECT_EQ(run.ties().welds.size(), 1u);
-    EXPECT_TRUE(run.simulation().welds().history(0)->failed());
+    EXPECT_TRUE(run.simulation().components().welds.history(0)->failed());
     return most / real_area;
   };
   expect_reference("weld strengths by sheet", "stress at failure, sheet 1 of lower RANK [MPa]",

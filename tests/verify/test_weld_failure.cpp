@@ -82,7 +82,7 @@ Outcome pull(const Joint& joint, const SixDof& load, double up_to = 1.25, int cy
   };
   Experiment run(joint.text(path, cycles));
   run.run([](const impact::Snapshot&) {});
-  const weld::History& h = *run.simulation().welds().history(0);
+  const weld::History& h = *run.simulation().components().welds.history(0);
   const double scale = up_to / (cycles * step);
   return {scale * h.failure_time(), h.mode(), h.peak_failure_value(), scale * h.peak_failure_time(),
           h.last_load().rate};
@@ -277,7 +277,7 @@ TEST(WeldFailureFunctions, RigidCoachPeel) {
         beam_between(11, 2, 5, {0, 0, 0}, 6, {0, 0, 1.5}) + "*NODE\n" + node_line(7, lever, 0, 1.5) + fixed({5}) +
         curve(1, {{0.0, 0.0}, {end, most}}) + "*LOAD_NODE_POINT\n" + fields({7, 3, 1, 1}) + "*END\n");
     run.run([](const impact::Snapshot&) {});
-    const weld::History& history = *run.simulation().welds().history(0);
+    const weld::History& history = *run.simulation().components().welds.history(0);
     ASSERT_TRUE(history.failed());
     expect_reference("peel of rigid sheets at a lever", fmt::format("force at failure, lever {} [N]", lever),
                      most * history.failure_time() / end, force, 1e-2);

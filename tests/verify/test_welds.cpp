@@ -401,7 +401,7 @@ TEST(WeldFailure, FailureTime) {
   });
   EXPECT_NEAR(last_time, tfail, 3e-7);
   expect_reference("weld failure at a time", "time of failure, TFAIL = 1e-3 [s]",
-                   run.simulation().welds().history(0)->failure_time(), tfail, 3e-4);
+                   run.simulation().components().welds.history(0)->failure_time(), tfail, 3e-4);
   // The load came slowly enough that the weld follows it within the oscillation that the ramp leaves (a few percent).
   expect_reference("weld failure at a time", "force just before TFAIL [N]", last_force, force, 5e-2);
   expect_reference("weld failure at a time", "eroded energy over F^2/2k [N mm]", energy.eroded,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "impact/energy/energy.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -47,6 +48,7 @@ class Damping {
     for (ByRange& d : range_) d.started = false;
   }
 
+  void add_energy(Energy& energy) const { energy.damping += energy_; }
   void archive(Archive& a);
 
  private:

@@ -5,6 +5,7 @@
 
 #include "base/archive.hpp"
 #include "impact/conditions/bag.hpp"
+#include "impact/energy/energy.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -21,6 +22,7 @@ class Loads {
   void apply(system::State& state, double dt);
   double work() const { return work_; }
   /// As that of the supports; the gas in volumes keeps what it has given.
+  void add_energy(Energy& energy) const { energy.external += work_; }
   void reset_work() { work_ = 0.0; }
   /// Takes the masses that body loads act on from the system, of what mass scaling added the share EMSCL: to be called
   /// when they have changed.

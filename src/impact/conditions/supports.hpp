@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "impact/energy/energy.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -44,6 +45,7 @@ class Supports {
   const std::vector<Reaction>& spc_reactions() const { return spc_; }
   const std::vector<Reaction>& motion_reactions() const { return motion_; }
 
+  void add_energy(Energy& energy) const { energy.external += work_; }
   void archive(Archive& a);
 
  private:

@@ -6,6 +6,7 @@
 
 #include "base/archive.hpp"
 #include "impact/connections/joint_springs.hpp"
+#include "impact/energy/energy.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -60,6 +61,7 @@ class Joints {
   double opening(std::size_t joint) const { return joints_[joint].opening; }
   double largest_opening(std::size_t joint) const { return joints_[joint].largest_opening; }
 
+  void add_energy(Energy& sum) const { sum.internal += energy(); }
   void archive(Archive& a);
 
  private:

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "impact/energy/energy.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -41,6 +42,7 @@ class TieForces {
   /// Sum of the forces on the tied nodes of a contact, an index of Model::contacts.
   Vec3d resultant(model::Index contact) const;
 
+  void add_energy(Energy& energy) const { energy.contact += energy_; }
   void archive(Archive& a);
 
  private:

@@ -30,7 +30,7 @@ void fill_shells(const Snapshot& now, output::D3plotState& s) {
       shell.internal_energy = group->mass(i) > 0.0 ? group->internal_energy(i) * density / group->mass(i) : 0.0;
       s.shell_alive[e] = group->alive(i);
       if (!model.requests.strains) continue;
-      const Strains::Faces faces = now.strains.shell(e, now.state);
+      const Strains::Faces faces = now.components.strains.shell(e, now.state);
       const auto axes = [&](int layer, const Strains::Tensor& strain) {
         return output::by_cmpflg(model, *group, i, layer, now.state, strain);
       };
@@ -47,7 +47,8 @@ void fill_solids(const Snapshot& now, output::D3plotState& s) {
     const system::System::ElementLocation location = now.system.solid_location[e];
     const system::ElementGroup* group = group_of(now, location);
     if (group == nullptr) continue;
-    s.solids[e].strain = output::by_cmpflg(model, *group, at(location.element), 0, now.state, now.strains.solid(e));
+    s.solids[e].strain =
+        output::by_cmpflg(model, *group, at(location.element), 0, now.state, now.components.strains.solid(e));
     s.solid_alive[e] = group->alive(at(location.element));
   }
 }
@@ -82,7 +83,7 @@ output::D3plotState d3plot_state(const Snapshot& now) {
     s.parts.push_back(
         {p.internal, p.kinetic, p.hourglass, p.mass, p.mass > 0.0 ? (1.0 / p.mass) * p.momentum : Vec3d{}});
   s.velocity = mean_velocity(now.energy, now.parts);
-  for (const contact::RigidWall& w : now.walls) s.wall_forces.push_back(w.normal_force());
+  for (const contact::RigidWall& w : now.components.walls.all()) s.wall_forces.push_back(w.normal_force());
 
   s.x.resize(model.nodes.size());
   s.v.resize(model.nodes.size());

@@ -29,7 +29,7 @@ output::EloutSolid solid(const Snapshot& now, model::Index index, const system::
   const model::Model& model = now.system.model;
   const auto turned = [&](const output::Tensor& t) { return output::by_cmpflg(model, group, e, 0, now.state, t); };
   output::EloutSolid row{model.solids.id[at(index)], model.parts[at(group.part)].id, point(group, e, 0, now),
-                         turned(now.strains.solid(at(index)))};
+                         turned(now.components.strains.solid(at(index)))};
   row.point.stress = turned(row.point.stress);
   return row;
 }
@@ -56,7 +56,7 @@ output::EloutShell shell(const Snapshot& now, model::Index index, const system::
     row.layers.push_back(point(group, e, k, now));
     turn(row.layers.back().stress, k);
   }
-  const Strains::Faces faces = now.strains.shell(at(index), now.state);
+  const Strains::Faces faces = now.components.strains.shell(at(index), now.state);
   row.lower_strain = faces.lower;
   row.upper_strain = faces.upper;
   turn(row.lower_strain, 0);

@@ -56,13 +56,13 @@ output::GlstatState glstat_state(const Snapshot& now) {
   s.time_step = now.state.dt;
   s.kinetic = e.kinetic;
   s.internal = e.internal;
-  for (const contact::RigidWall& wall : now.walls) s.walls.push_back(wall.energy_at_time());
+  for (const contact::RigidWall& wall : now.components.walls.all()) s.walls.push_back(wall.energy_at_time());
   if (!model.discretes.empty()) {
     s.spring_and_damper = 0.0;  // part of the internal energy, as in LS-DYNA
     for (std::size_t p = 0; p < now.parts.size(); ++p)
       if (model.parts[p].kind == model::ElementKind::discrete) *s.spring_and_damper += now.parts[p].internal;
   }
-  if (!now.joints.empty()) s.joint = now.joints.energy();  // also part of it
+  if (!now.components.joints.empty()) s.joint = now.components.joints.energy();  // also part of it
   if (model.control.hourglass_energy) s.hourglass = e.hourglass;
   s.system_damping = e.damping;
   s.sliding_interface = e.contact;
@@ -142,8 +142,9 @@ static void turn_into_accelerometer(const Snapshot& now, model::Index node, outp
   if (!found->sums_local) return;
   const auto k = at(now.system.node_of[at(node)]);
   const Vec3d change = vec(now.state.v[k]) - vec(now.v_before[k]);
-  row.velocity = now.accelerometers.velocity(static_cast<std::size_t>(found - model.accelerometers.begin())) +
-                 share_before_now(now.state) * axes.local(change);
+  row.velocity =
+      now.components.accelerometers.velocity(static_cast<std::size_t>(found - model.accelerometers.begin())) +
+      share_before_now(now.state) * axes.local(change);
 }
 
 /// The motion of a node in the axes that its history asks for; coordinates stay global.
@@ -202,7 +203,7 @@ output::SwforcState swforc_state(const Snapshot& now) {
   s.time = now.state.time;
   const std::vector<weld::Weld>& welds = now.system.ties.welds;
   for (std::size_t i = 0; i < welds.size(); ++i) {
-    const weld::History* history = now.welds.history(i);
+    const weld::History* history = now.components.welds.history(i);
     if (history == nullptr) continue;
     const model::Part& part = model.parts[at(welds[i].part)];
     const bool wanted = welds[i].of_bricks() ? model.solid_sections[at(part.section)].in_swforc
@@ -213,7 +214,7 @@ output::SwforcState swforc_state(const Snapshot& now) {
                       kind(welds[i].kind),
                       r.axial,
                       r.shear(),
-                      now.welds.length(i, now.state),
+                      now.components.welds.length(i, now.state),
                       r.moment(),
                       r.torsion,
                       history->failed() ? 1.0 : history->failure_value(),
@@ -222,31 +223,31 @@ output::SwforcState swforc_state(const Snapshot& now) {
     if (model.weld_laws[at(model.materials[at(part.material)].weld)].option == -2)
       s.rows.back().peak = {history->peak_failure_value(), history->peak_failure_time()};
   }
-  for (std::size_t i = 0; i < now.rigid_welds.size(); ++i) {
-    const model::RigidWeld& weld = now.rigid_welds.weld(i);
-    const weld::RigidWeldHistory& h = now.rigid_welds.history(i);
+  for (std::size_t i = 0; i < now.components.rigid_welds.size(); ++i) {
+    const model::RigidWeld& weld = now.components.rigid_welds.weld(i);
+    const weld::RigidWeldHistory& h = now.components.rigid_welds.history(i);
     s.rows.push_back({weld.id,
                       weld.kind == model::RigidWeld::Kind::generalized ? output::WeldKind::generalized
                                                                        : output::WeldKind::constraint,
                       h.axial(),
                       h.shear(),
-                      now.rigid_welds.length(i, now.state),
+                      now.components.rigid_welds.length(i, now.state),
                       h.moment(),
                       h.torsion(),
                       h.failed() ? 1.0 : h.failure_value(),
                       h.failure_time(),
                       {}});
   }
-  for (std::size_t i = 0; i < now.rivets.size(); ++i)
-    s.rows.push_back({now.rivets.rivet(i).id,
+  for (std::size_t i = 0; i < now.components.rivets.size(); ++i)
+    s.rows.push_back({now.components.rivets.rivet(i).id,
                       output::WeldKind::constraint,
-                      now.rivets.axial(i),
+                      now.components.rivets.axial(i),
                       0.0,
-                      now.rivets.length(i, now.state),
+                      now.components.rivets.length(i, now.state),
                       0.0,
                       0.0,
-                      now.rivets.failed(i) ? 1.0 : 0.0,
-                      now.rivets.failure_time(i),
+                      now.components.rivets.failed(i) ? 1.0 : 0.0,
+                      now.components.rivets.failure_time(i),
                       {}});
   return s;
 }
@@ -257,7 +258,7 @@ output::DcfailState dcfail_state(const Snapshot& now) {
   s.time = now.state.time;
   const std::vector<weld::Weld>& welds = now.system.ties.welds;
   for (std::size_t i = 0; i < welds.size(); ++i) {
-    const weld::History* history = now.welds.history(i);
+    const weld::History* history = now.components.welds.history(i);
     if (history == nullptr) continue;
     const model::WeldLaw& law = weld::law_of(model, welds[i]);
     if (!law.connection || law.properties == model::none) continue;
@@ -300,9 +301,10 @@ output::DeforcState deforc_state(const Snapshot& now) {
 output::JntforcState jntforc_state(const Snapshot& now) {
   output::JntforcState s;
   s.time = now.state.time;
-  for (std::size_t i = 0; i < now.joints.size(); ++i) {
+  for (std::size_t i = 0; i < now.components.joints.size(); ++i) {
     const model::Joint& source = now.system.model.joints[i];
-    output::JntforcRow row{source.id, now.joints.force(i), now.joints.moment(i), now.joints.energy(i)};
+    output::JntforcRow row{source.id, now.components.joints.force(i), now.components.joints.moment(i),
+                           now.components.joints.energy(i)};
     if (source.output) {
       const Frame3d& turned = now.system.bodies[at(now.system.body_of[at(source.output->body)])].axes;
       row.local = true;
@@ -310,7 +312,7 @@ output::JntforcState jntforc_state(const Snapshot& now) {
     }
     s.rows.push_back(row);
   }
-  const JointSprings& springs = now.joints.springs();
+  const JointSprings& springs = now.components.joints.springs();
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const model::JointStiffness& source = now.system.model.joint_stiffnesses[i];
     const double unit = source.rotational ? 180.0 / std::numbers::pi : 1.0;
@@ -328,7 +330,7 @@ output::AbstatState abstat_state(const Snapshot& now) {
   output::AbstatState s;
   s.time = now.state.time;
   int number = 0;
-  for (const Loads::Volume& volume : now.loads.volumes()) {
+  for (const Loads::Volume& volume : now.components.loads.volumes()) {
     const model::ControlVolume& source = *volume.source;
     output::AbstatRow row;
     row.id = source.id > 0 ? source.id : number + 1;
@@ -362,8 +364,9 @@ output::AbstatState abstat_state(const Snapshot& now) {
 output::RwforcState rwforc_state(const Snapshot& now) {
   output::RwforcState s;
   s.time = now.state.time;
-  for (std::size_t w = 0; w < now.walls.size(); ++w)
-    s.rows.push_back({now.system.model.walls[w].id, now.walls[w].normal_force(), now.walls[w].force()});
+  for (std::size_t w = 0; w < now.components.walls.all().size(); ++w)
+    s.rows.push_back({now.system.model.walls[w].id, now.components.walls.all()[w].normal_force(),
+                      now.components.walls.all()[w].force()});
   return s;
 }
 
@@ -371,7 +374,7 @@ output::SpcforcState spcforc_state(const Snapshot& now) {
   const model::Model& model = now.system.model;
   output::SpcforcState s;
   s.time = now.state.time;
-  for (const Supports::Reaction& r : now.supports.spc_reactions()) {
+  for (const Supports::Reaction& r : now.components.supports.spc_reactions()) {
     const model::SinglePointConstraint& spc = model.spcs[at(r.source)];
     const Frame3d axes =
         spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model.systems[at(spc.system)].axes;
@@ -391,7 +394,7 @@ output::BndoutState bndout_state(const Snapshot& now) {
   const model::Model& model = now.system.model;
   output::BndoutState s;
   s.time = now.state.time;
-  for (const Supports::Reaction& r : now.supports.motion_reactions()) {
+  for (const Supports::Reaction& r : now.components.supports.motion_reactions()) {
     const model::PrescribedMotion& motion = model.motions[at(r.source)];
     if (motion.target == model::PrescribedMotion::Target::nodes)
       s.nodes.push_back({node_id(now, r.node), r.force, r.energy, motion.id});
@@ -454,19 +457,19 @@ output::RcforcState rcforc_state(const Snapshot& now) {
       s.rows.push_back({card.id, side, force, 0.0});
     };
     if (card.slides()) {
-      const Vec3d force = now.contacts[c++].resultant();
+      const Vec3d force = now.components.contacts.all()[c++].resultant();
       add(output::ContactSide::tracked, force);
       if (card.kind != model::Contact::Kind::single_surface) add(output::ContactSide::reference, -force);
     } else if (card.kind == model::Contact::Kind::transducer) {
       const contact::TwoBodies bodies{nodes_of(now.system, card.a), nodes_of(now.system, card.b)};
       const bool of_two = !card.b.empty();
       Vec3d sum;
-      for (const contact::PenaltyContact& contact : now.contacts)
+      for (const contact::PenaltyContact& contact : now.components.contacts.all())
         sum += of_two ? contact.force_between(bodies) : contact.force_on(bodies.in_a);
       add(output::ContactSide::tracked, sum);
       if (of_two) add(output::ContactSide::reference, -sum);
     } else if (card.tie_by_springs() || card.penalty_fallback) {
-      const Vec3d force = now.tie_forces.resultant(static_cast<model::Index>(i));
+      const Vec3d force = now.components.tie_forces.resultant(static_cast<model::Index>(i));
       add(output::ContactSide::tracked, force);
       add(output::ContactSide::reference, -force);
     }
@@ -481,13 +484,13 @@ output::SleoutState sleout_state(const Snapshot& now) {
   std::size_t c = 0;
   for (const model::Contact& card : now.system.model.contacts) {
     if (!card.slides()) continue;
-    const contact::PenaltyContact& contact = now.contacts[c++];
+    const contact::PenaltyContact& contact = now.components.contacts.all()[c++];
     const std::array<double, 2> energy = contact.energy_of_sides();
     const bool single = card.kind == model::Contact::Kind::single_surface;
     s.rows.push_back({card.id, energy[0], energy[1], single, contact.friction_energy()});
   }
-  for (std::size_t i = 0; i < now.interiors.size(); ++i)
-    s.rows.push_back({now.system.model.interiors[i].id, now.interiors[i].energy(), 0.0, true, 0.0});
+  for (std::size_t i = 0; i < now.components.interiors.all().size(); ++i)
+    s.rows.push_back({now.system.model.interiors[i].id, now.components.interiors.all()[i].energy(), 0.0, true, 0.0});
   return s;
 }
 

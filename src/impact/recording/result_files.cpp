@@ -151,7 +151,8 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
         ask.secforc, "secforc", [through](const Snapshot& now) { return through->state(now); }, sections);
   }
   if (!ask.nodal_force_groups.empty())
-    add<output::Nodfor>(ask.nodfor, "nodfor", [](const Snapshot& now) { return now.nodal_forces.state(now.state); });
+    add<output::Nodfor>(ask.nodfor, "nodfor",
+                        [](const Snapshot& now) { return now.components.nodal_forces.state(now.state); });
   if (!ask.history_shells.empty() || !ask.history_solids.empty() || !ask.history_beams.empty()) add_elout();
   const bool slides = !model_.interiors.empty() || std::any_of(model_.contacts.begin(), model_.contacts.end(),
                                                                [](const auto& c) { return c.slides(); });

@@ -25,28 +25,6 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-void report_tiebreak(const model::Contact& card, const contact::Glue& glue, Findings& findings) {
-  if (glue.at_start() > 0)
-    findings.note(card.place, '*' + card.keyword,
-                  fmt::format("{} nodes of SURFA are glued to SURFB at the start", glue.at_start()));
-  else if (!card.glue->bonds_later)
-    findings.warning(card.place, '*' + card.keyword, "no node of SURFA touches SURFB at the start: nothing is glued",
-                     "check the sides, and the gap between them against the thicknesses (SFSAT, SFSBT, SAST, SBST)");
-}
-
-/// A wall leaves alone what is tied, and what belongs to a rigid body unless RWPNAL has it stopped by penalty.
-void report_constrained_wall_nodes(const model::RigidWall& wall, const std::vector<int>& nodes,
-                                   const system::System& system, Findings& findings) {
-  const bool by_penalty = system.model.control.wall_penalty > 0.0;
-  const auto held = std::count_if(nodes.begin(), nodes.end(), [&](int n) {
-    return system.map.dependent(n) && !(by_penalty && system.rigid_body_of_node(n) >= 0);
-  });
-  if (held > 0)
-    findings.note(wall.place, "*RIGIDWALL",
-                  fmt::format("{} of the nodes of wall {} are tied{}: the wall stops what they hang on, not them", held,
-                              wall.id, by_penalty ? "" : " or belong to nodal rigid bodies"));
-}
-
 /// What a node of a rigid part brings to a contact is its share of the body's mass, whatever the density of its mesh;
 /// of a body that nothing can move, none, which counts as held.
 void set_rigid_contact_mass(const system::System& system, std::vector<double>& contact_mass) {
@@ -71,82 +49,15 @@ void Simulation::interrupt() {
 }
 
 Simulation::Simulation(system::System& system, Findings& findings)
-    : system_(system),
-      state_(system.initial_state()),
-      supports_(system, findings),
-      loads_(system),
-      element_alive_(system.model),
-      welds_(system, findings),
-      rigid_welds_(system, findings),
-      rivets_(system, findings),
-      connectors_(system),
-      tie_forces_(system),
-      joints_(system),
-      tie_releases_(system, welds_, tie_forces_),
-      damping_(system),
-      preloads_(system, findings),
-      erosion_(system),
-      strains_(system, system.model.requests.strains),
-      nodal_forces_(system),
-      accelerometers_(system) {
-  const model::Model& model = system.model;
-  history_rotation_.resize(model.requests.history_nodes.size() + system.bodies.size());
-  for (const model::Contact& card : model.contacts) {
-    if (!card.slides()) continue;
-    contact::SurfaceContactSetup setup = contact_setup(system, card);
-    if (!setup.segments.empty()) treat_initial_penetrations(system, card, setup, state_.x, findings);
-    auto edges = edge_setup(system, card, setup, state_.x);
-    if (setup.segments.empty() && !(edges && !edges->edges.empty())) {
-      findings.error(card.place, '*' + card.keyword,
-                     "the contact has no segments: none of its parts has shells or bricks",
-                     "check SURFA and SURFATYP; beams alone are pressed by _GENERAL");
-      continue;
-    }
-    contacts_.emplace_back(std::move(setup), std::move(edges), card.glue, state_.x);
-    if (card.glue) report_tiebreak(card, *contacts_.back().glue(), findings);
-  }
-  for (const model::InteriorContact& card : model.interiors) {
-    auto bricks = bricks_of(system, card);
-    if (bricks.empty())
-      findings.warning(card.place, "*CONTACT_INTERIOR", "none of its parts has deformable bricks: it does nothing");
-    interiors_.emplace_back(std::move(bricks), state_.x);
-  }
+    : system_(system), state_(system.initial_state()), components_(system, state_.x, findings) {
+  history_rotation_.resize(system.model.requests.history_nodes.size() + system.bodies.size());
   for (const auto& group : system.groups)
     if (auto* springs = dynamic_cast<system::SpringGroup*>(group.get()); springs && springs->has_stops())
       stopped_springs_.push_back(springs);
-  for (const model::RigidWall& wall : model.walls) {
-    std::vector<int> nodes;
-    for (model::Index n : wall.nodes) nodes.push_back(system.node_of[at(n)]);
-    report_constrained_wall_nodes(wall, nodes, system, findings);
-    const Curve* curve = wall.motion_curve == model::none ? nullptr : &model.curves[at(wall.motion_curve)];
-    std::optional<contact::WallPenalty> bodies;
-    if (const double scale = model.control.wall_penalty; scale > 0.0) bodies.emplace(system, wall, nodes, scale);
-    if (bodies && !bodies->empty() && wall.friction >= 2.0)
-      findings.warning(wall.place, "*RIGIDWALL",
-                       fmt::format("FRIC {:g}: nodes of rigid bodies stay on wall {} only as long as they are pressed "
-                                   "on it, {}",
-                                   wall.friction, wall.id, wall.friction == 2.0 ? "without friction" : "and stick"),
-                       "hold such bodies by a constraint if they are to stay there");
-    walls_.emplace_back(wall, std::move(nodes), curve, std::move(bodies));
-  }
 }
 
 std::vector<std::string> Simulation::events() const {
-  std::vector<std::string> lines;
-  std::size_t next = 0;
-  for (const model::Contact& card : system_.model.contacts) {
-    if (!card.slides()) continue;
-    const contact::Glue* glue = contacts_[next++].glue();
-    if (glue == nullptr) continue;
-    std::string line = fmt::format("glue of contact {}: {} nodes at the start", card.id, glue->at_start());
-    if (card.glue->bonds_later) line += fmt::format(", {} later", glue->later());
-    line += fmt::format("; {} failed", glue->failed());
-    if (glue->failed() > 0)
-      line += fmt::format(", node {} first at time={:.5E}, the last at time={:.5E}",
-                          system_.model.nodes.id[at(system_.model_node[at(glue->first_node())])], glue->first_time(),
-                          glue->last_time());
-    lines.push_back(std::move(line));
-  }
+  std::vector<std::string> lines = components_.contacts.glue_summary(system_);
   std::map<model::Index, std::array<std::size_t, 2>> of_part;  // deleted, and all elements
   for (const auto& group : system_.groups) {
     const model::Part& part = system_.model.parts[at(group->part)];
@@ -189,61 +100,70 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   interrupted = 0;
   begin_ = timed_until_ = std::chrono::steady_clock::now();
   const double end_time = options.until > 0.0 ? options.until : system_.model.control.end_time;
-  Outcome outcome;
-  double next_report = 0.0;
 
   start();
-  if (options.restore) {
-    options.restore();
-    begin_ -=
-        std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(solve_seconds_));
-  }
+  if (options.restore) resume(options);
   checkpoint_cycle_ = state_.cycle;
   checkpoint_time_ = state_.time;
   checkpoint_seconds_ = solve_seconds_;
   add_time(elements);
   const Outcome relaxed = options.restore ? Outcome{} : relax(options, progress);
+  Outcome outcome;
+  double next_report = 0.0;
   for (bool last = false; !last;) {
     if (!relaxed.stops()) write_checkpoint_if_due(options);
     choose_step(end_time);
-    const Outcome stop = relaxed.stops() ? relaxed : reason_to_stop(options, end_time);
-    last = stop.stops() || state_.time >= end_time;
-    if (last) outcome = stop;
+    outcome = relaxed.stops() ? relaxed : reason_to_stop(options, end_time);
+    last = outcome.stops() || state_.time >= end_time;
     const bool record = last || recorder.due(state_);
-    const bool known = record || state_.cycle % 100 == 0;
-    if (known) {
-      v_before_ = state_.v;
-      w_before_ = state_.w;
-      for (std::size_t b = 0; b < system_.bodies.size(); ++b) momentum_before_[b] = system_.bodies[b].angular_momentum;
-    }
+    const bool balance = record || state_.cycle % 100 == 0;
+    if (balance) store_velocities();
     update_velocities();
-    if (known) {
-      // Dependent nodes follow at the start of the step, which turns the arms of their rows: here those of a copy.
-      system::ConstraintMap(system_.map).apply_to_velocities(state_.dt, state_.v, state_.w);
-      update_energy_balance();
-    }
+    if (balance) update_energy_balance();
     // Numbers that are none would only spoil files that are good up to here.
-    if (record && !diverged_) {
-      masses_ = system_.masses();
-      const Snapshot now{
-          system_,   state_,  v_before_, w_before_,     energy_,           parts_,         controlling_, masses_,
-          supports_, loads_,  walls_,    contacts_,     interiors_,        tie_forces_,    welds_,       rigid_welds_,
-          rivets_,   joints_, strains_,  nodal_forces_, history_rotation_, accelerometers_};
-      recorder.write(now, last);
-    }
+    if (record && !diverged_) write_results(recorder, last);
     if (progress && elapsed() >= next_report) {
-      progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()),
-                failed_welds(), elapsed()});
+      report_progress(progress, end_time);
       next_report = elapsed() + 0.2;
     }
     add_time(output);
     if (!last) step();
   }
   solve_seconds_ = elapsed();
-  if (progress)
-    progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(welds_.size()),
-              failed_welds(), elapsed()});
+  if (progress) report_progress(progress, end_time);
   return outcome;
+}
+
+void Simulation::resume(const Options& options) {
+  options.restore();
+  begin_ -=
+      std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(solve_seconds_));
+}
+
+void Simulation::store_velocities() {
+  v_before_ = state_.v;
+  w_before_ = state_.w;
+  for (std::size_t b = 0; b < system_.bodies.size(); ++b) momentum_before_[b] = system_.bodies[b].angular_momentum;
+}
+
+void Simulation::write_results(Recorder& recorder, bool last) {
+  masses_ = system_.masses();
+  recorder.write({.system = system_,
+                  .state = state_,
+                  .components = components_,
+                  .v_before = v_before_,
+                  .w_before = w_before_,
+                  .energy = energy_,
+                  .parts = parts_,
+                  .controlling = controlling_,
+                  .masses = masses_,
+                  .history_rotation = history_rotation_},
+                 last);
+}
+
+void Simulation::report_progress(const ProgressCallback& progress, double end_time) const {
+  progress({state_.time, end_time, state_.dt, state_.cycle, energy_.ratio(), static_cast<int>(components_.welds.size()),
+            components_.failed_welds(), elapsed()});
 }
 
 void Simulation::write_checkpoint_if_due(const Options& options) {
@@ -266,12 +186,12 @@ void Simulation::write_checkpoint_if_due(const Options& options) {
 }
 
 void Simulation::update_velocities() {
-  rivets_.apply(state_, 0.5 * (state_.dt + state_.dt_previous), inverse_mass_);
+  components_.rivets.apply(state_, 0.5 * (state_.dt + state_.dt_previous), inverse_mass_);
   accelerate();
-  supports_.prescribe(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
-  power_on_change_ += supports_.power_on_change();
+  components_.supports.prescribe(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
+  power_on_change_ += components_.supports.power_on_change();
   for (system::SpringGroup* springs : stopped_springs_) springs->stop(state_, system_.mass);
-  constrain_by_walls();
+  components_.walls.constrain(system_, state_, dependent_, power_on_change_);
   add_time(motion);
 }
 
@@ -279,19 +199,19 @@ void Simulation::step() {
   // The forces' work is booked with each velocity over its own step, 1/2 F . (v dt before + v dt after), while the
   // kinetic energy changes by F . (v before + v after) (dt before + dt after) / 4 (docs/decisions/0021).
   step_change_ += 0.25 * (state_.dt - state_.dt_previous) * power_on_change_;
-  supports_.book_opening_work(state_.dt);
+  components_.supports.book_opening_work(state_.dt);
   system_.map.apply_to_velocities(state_.dt, state_.v, state_.w);
-  accelerometers_.add_step(state_);
+  components_.accelerometers.add_step(state_);
   add_time(constraints);
   move();
   add_time(motion);
-  preloads_.apply(state_);
+  components_.preloads.apply(state_);
   system_.internal_force(state_);
-  erosion_.update(state_, first_step_);
-  strains_.update(state_);
-  nodal_forces_.update(state_);
-  welds_.update(state_);
-  connectors_.update(state_);
+  components_.erosion.update(state_, first_step_);
+  components_.strains.update(state_);
+  components_.nodal_forces.update(state_);
+  components_.welds.update(state_);
+  components_.connectors.update(state_);
   remove_deleted_elements();
   add_time(elements);
   contact_forces();
@@ -307,14 +227,14 @@ void Simulation::start() {
   v_before_ = state_.v;
   w_before_ = state_.w;
   momentum_before_.resize(system_.bodies.size());
-  supports_.constrain_at_start(state_);
+  components_.supports.constrain_at_start(state_);
   system_.map.apply_to_velocities(0.0, state_.v, state_.w);
 
   // Stable steps of the undeformed mesh: one pass without a step, then mass scaling, then a second pass with the new
   // masses.
-  preloads_.start(state_);
-  strains_.start(state_);
-  accelerometers_.start(state_);
+  components_.preloads.start(state_);
+  components_.strains.start(state_);
+  components_.accelerometers.start(state_);
   internal_force_at_rest();
   system_.scale_mass(true);
   update_mass_bounds();
@@ -333,7 +253,7 @@ void Simulation::internal_force_at_rest() {
   std::vector<Row> v(state_.v.size()), w(state_.w.size());
   v.swap(state_.v);
   w.swap(state_.w);
-  preloads_.apply(state_);
+  components_.preloads.apply(state_);
   system_.internal_force(state_);
   v.swap(state_.v);
   w.swap(state_.w);
@@ -352,7 +272,7 @@ Outcome Simulation::relax(const Options& options, const ProgressCallback& progre
     state_.time = 0.0;
     state_.cycle = 0;
     internal_force_at_rest();
-    damping_.reset();
+    components_.damping.reset();
     contact_forces();
     applied_forces();
     transfer_dependent_forces();
@@ -386,10 +306,10 @@ Outcome Simulation::relax(const Options& options, const ProgressCallback& progre
   state_.w = w;
   for (std::size_t b = 0; b < momentum.size(); ++b) system_.bodies[b].angular_momentum = momentum[b];
   restart_at_zero(false);
-  accelerometers_.start(state_);
-  supports_.reset_work();
-  loads_.reset_work();
-  nodal_forces_.reset_work();
+  components_.accelerometers.start(state_);
+  components_.for_each([](auto& component) {
+    if constexpr (requires { component.reset_work(); }) component.reset_work();
+  });
   step_change_ = 0.0;
   smallest_step_ = std::numeric_limits<double>::infinity();
   return {};
@@ -397,7 +317,7 @@ Outcome Simulation::relax(const Options& options, const ProgressCallback& progre
 
 void Simulation::update_mass_bounds() {
   update_inverse_mass();
-  tie_forces_.find_bounds();
+  components_.tie_forces.find_bounds();
   system::bound_springs(system_);
 }
 
@@ -413,7 +333,7 @@ void Simulation::update_inverse_mass() {
     contact_mass_[k] = dependent_[k] ? system_.own_mass[k] : system_.mass[k];
   }
   set_rigid_contact_mass(system_, contact_mass_);
-  loads_.update_load_masses();
+  components_.loads.update_load_masses();
 }
 
 void Simulation::choose_step(double end_time) {
@@ -429,7 +349,7 @@ void Simulation::choose_step(double end_time) {
   if (state_.relaxing && control.relaxation.step_scale > 0.0) dt *= control.relaxation.step_scale / control.step_scale;
   if (control.step_curve != model::none)
     dt = std::min(dt, system_.model.curves[at(control.step_curve)].clamped(state_.time));
-  const double of_joints = control.step_scale * joints_.stable_step();
+  const double of_joints = control.step_scale * components_.joints.stable_step();
   const bool by_joints = of_joints < dt;
   if (by_joints) dt = of_joints;
   if (!std::isfinite(dt) && !std::isnan(dt))  // rigid bodies only
@@ -467,7 +387,7 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
     return error(
         fmt::format("the solution diverged: its energy is no number that results can hold at time {:.6g}, cycle {}",
                     state_.time, state_.cycle));
-  if (!erosion_.reason_to_stop().empty()) return error(erosion_.reason_to_stop());
+  if (!components_.erosion.reason_to_stop().empty()) return error(components_.erosion.reason_to_stop());
   if (std::isnan(state_.dt))
     return error(
         fmt::format("the solution diverged: {} has no stable time step (not a number) at time {:.6g}, cycle {}",
@@ -519,22 +439,6 @@ void Simulation::accelerate() {
   for (system::RigidBody& body : system_.bodies) power_on_change_ += body.advance(velocity_interval, state_.dt, state_);
 }
 
-void Simulation::constrain_by_walls() {
-  const model::Model& model = system_.model;
-  for (std::size_t w = 0; w < walls_.size(); ++w) {
-    contact::RigidWall& wall = walls_[w];
-    const model::RigidWall& card = model.walls[w];
-    double time = state_.time;
-    // The step at the end of the run is not taken, but the wall's force then is that of half of it. A motion whose
-    // curve ends there continues as in the step before.
-    if (card.motion_curve != model::none && model.control.end_time > 0.0 && time >= model.control.end_time &&
-        std::abs(model.curves[at(card.motion_curve)].x.back() + card.birth - time) <= 1e-6 * state_.dt)
-      time -= state_.dt;
-    wall.constrain(time, state_.dt, state_.dt_previous, state_.x, state_.v, state_.f, system_.mass, dependent_);
-    power_on_change_ += wall.power_on_change();
-  }
-}
-
 void Simulation::move() {
   parallel_for(system_.all_nodes(), 2048, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -555,46 +459,43 @@ void Simulation::move() {
 void Simulation::contact_forces() {
   longest_step_ = std::max(longest_step_, stable_step_);
   const contact::Step step{state_.time, state_.dt, stable_step_,  longest_step_,
-                           state_.x,    state_.v,  contact_mass_, element_alive_.all()};
-  for (contact::PenaltyContact& c : contacts_) c.apply(step, state_.f);
-  for (contact::InteriorContact& c : interiors_) c.apply(step, state_.f);
-  for (contact::RigidWall& w : walls_) w.press(step, state_.f);
+                           state_.x,    state_.v,  contact_mass_, components_.element_alive.all()};
+  components_.contacts.apply(step, state_.f);
+  components_.interiors.apply(step, state_.f);
+  components_.walls.press(step, state_.f);
 }
 
 void Simulation::applied_forces() {
-  tie_forces_.apply(state_);
-  joints_.apply(state_);
-  loads_.apply(state_, state_.dt);
-  damping_.apply(state_, state_.dt);
+  components_.tie_forces.apply(state_);
+  components_.joints.apply(state_);
+  components_.loads.apply(state_, state_.dt);
+  components_.damping.apply(state_, state_.dt);
 }
 
 void Simulation::remove_deleted_elements() {
-  const ElementAlive::Deletions deletions = element_alive_.update(system_);
-  if (deletions.any)
-    for (contact::PenaltyContact& c : contacts_) c.surface_changed();
-  if (!tie_releases_.update(state_, element_alive_.all(), deletions.shells)) return;
+  const ElementAlive::Deletions deletions = components_.element_alive.update(system_);
+  if (deletions.any) components_.contacts.surface_changed();
+  if (!components_.tie_releases.update(state_, components_.element_alive.all(), deletions.shells)) return;
   update_mass_bounds();
 }
 
 void Simulation::transfer_dependent_forces() {
-  rigid_welds_.store_loads(state_);
+  components_.rigid_welds.store_loads(state_);
   system_.map.transfer_forces(state_.f, state_.m);
-  if (!rigid_welds_.update(state_)) return;
+  if (!components_.rigid_welds.update(state_)) return;
   update_mass_bounds();
 }
 
 void Simulation::update_energy_balance() {
+  // Dependent nodes follow at the start of the step, which turns the arms of their rows: here those of a copy.
+  system::ConstraintMap(system_.map).apply_to_velocities(state_.dt, state_.v, state_.w);
   const Energy before = energy_;
   element_energies(system_, state_, v_before_, w_before_, momentum_before_, energy_, parts_);
   energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_) - energy_.eroded_kinetic;
-  energy_.internal += joints_.energy();
-  energy_.contact = tie_forces_.energy();
-  for (const contact::PenaltyContact& c : contacts_) energy_.contact += c.energy();
-  for (const contact::InteriorContact& c : interiors_) energy_.contact += c.energy();
-  energy_.wall = 0.0;
-  for (const contact::RigidWall& w : walls_) energy_.wall += w.energy_at_time();
-  energy_.external = supports_.work() + loads_.work();
-  energy_.damping = damping_.energy();
+  energy_.contact = energy_.wall = energy_.external = energy_.damping = 0.0;
+  components_.for_each([&](const auto& component) {
+    if constexpr (requires { component.add_energy(energy_); }) component.add_energy(energy_);
+  });
   energy_.step_change = step_change_;
   if (state_.cycle == 0) energy_.initial = energy_.total();
   // Beyond what the result files' words hold a number is none either.
@@ -607,14 +508,9 @@ void Simulation::archive(Archive& a) {
   a(system_);
   a.section("nodes");
   a(state_, history_rotation_);
-  a.section("conditions");
-  a(supports_, loads_, damping_, preloads_);
-  a.section("contacts");
-  a(contacts_, interiors_, walls_, element_alive_, erosion_);
-  a.section("welds");
-  a(welds_, rigid_welds_, rivets_, connectors_, tie_forces_, tie_releases_, joints_);
-  a.section("results");
-  a(strains_, nodal_forces_, accelerometers_, energy_, parts_, controlling_);
+  a(components_);
+  a.section("balance");
+  a(energy_, parts_, controlling_);
   a(masses_.physical, masses_.added, masses_.added_to_welds, masses_.added_by_part);
   a(inverse_mass_, inverse_inertia_, contact_mass_, dependent_);
   a(diverged_, relaxation_, step_change_, power_on_change_, first_step_, smallest_step_, stable_step_, longest_step_,

@@ -7,15 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "impact/conditions/damping.hpp"
-#include "impact/conditions/preloads.hpp"
-#include "impact/connections/connectors.hpp"
-#include "impact/connections/joints.hpp"
-#include "impact/connections/rigid_welds.hpp"
-#include "impact/connections/rivets.hpp"
-#include "impact/connections/tie_release.hpp"
-#include "impact/contact/element_alive.hpp"
-#include "impact/simulation/erosion.hpp"
 #include "impact/simulation/options.hpp"
 #include "impact/simulation/relaxation.hpp"
 #include "impact/simulation/snapshot.hpp"
@@ -37,14 +28,7 @@ class Simulation {
   const system::System& system() const { return system_; }
   const system::State& state() const { return state_; }
   const Energy& energy() const { return energy_; }
-  const Welds& welds() const { return welds_; }
-  const TieForces& tie_forces() const { return tie_forces_; }
-  const TieReleases& tie_releases() const { return tie_releases_; }
-  const RigidWelds& rigid_welds() const { return rigid_welds_; }
-  const Rivets& rivets() const { return rivets_; }
-  const Joints& joints() const { return joints_; }
-  const Connectors& connectors() const { return connectors_; }
-  const Erosion& erosion() const { return erosion_; }
+  const Components& components() const { return components_; }
   const Relaxation& relaxation() const { return relaxation_; }
   /// How many nodes the glue of each contact held and lost, and how many elements of each part are deleted (of adhesive
   /// also where none is; welds have their own account), a line each, for run.log.
@@ -66,6 +50,8 @@ class Simulation {
 
  private:
   void start();
+  /// Takes over the state of a restart file.
+  void resume(const Options& options);
   /// Internal forces of what is there, without a step.
   void internal_force_at_rest();
   /// Dynamic relaxation, where the deck asks for it. Afterwards the run begins at time 0 with the stresses and places
@@ -78,7 +64,6 @@ class Simulation {
   void choose_step(double end_time);
   /// Gives the free nodes and bodies their velocities at t(n+1/2); `power_on_change_` begins anew.
   void accelerate();
-  void constrain_by_walls();
   void move();
   void contact_forces();
   void applied_forces();  // of ties with springs, joints, loads and damping
@@ -86,11 +71,13 @@ class Simulation {
   void remove_deleted_elements();
   /// Transfers the loads of dependent nodes to the independent ones; rigid welds that they overload are released.
   void transfer_dependent_forces();
-  /// Welds of every kind that have failed so far.
-  int failed_welds() const { return welds_.failed() + rigid_welds_.failed() + rivets_.failed() + connectors_.failed(); }
   void update_inverse_mass();
   /// At the start, and where nodes were released: bounds that follow from nodal masses.
   void update_mass_bounds();
+  /// Stores the velocities at t(n-1/2), before `update_velocities`.
+  void store_velocities();
+  void write_results(Recorder& recorder, bool last);
+  void report_progress(const ProgressCallback& progress, double end_time) const;
   /// Energies at the present time; the previous ones stay where the solution is not a number.
   void update_energy_balance();
   /// Between two cycles: writes a restart file if one is due, or the run was interrupted.
@@ -102,32 +89,14 @@ class Simulation {
 
   system::System& system_;
   system::State state_;
-  Supports supports_;
-  Loads loads_;
-  std::vector<contact::PenaltyContact> contacts_;
-  std::vector<contact::InteriorContact> interiors_;
-  std::vector<contact::RigidWall> walls_;
+  Components components_;
   std::vector<system::SpringGroup*> stopped_springs_;  ///< those with stops
   std::vector<double> contact_mass_;                   ///< by node, dependent nodes with what they had of their own
   std::vector<unsigned char> dependent_;               ///< by node
-  ElementAlive element_alive_;
   std::vector<double> inverse_mass_, inverse_inertia_;
   std::vector<Row> v_before_, w_before_;
   std::vector<Vec3d> momentum_before_;
   std::vector<Vec3d> history_rotation_;
-  Welds welds_;
-  RigidWelds rigid_welds_;
-  Rivets rivets_;
-  Connectors connectors_;
-  TieForces tie_forces_;
-  Joints joints_;
-  TieReleases tie_releases_;
-  Damping damping_;
-  Preloads preloads_;
-  Erosion erosion_;
-  Strains strains_;
-  NodalForceGroups nodal_forces_;
-  Accelerometers accelerometers_;
   bool stop_requested_ = false;  ///< the run was interrupted before this cycle
   long checkpoint_cycle_ = 0;    ///< of the last restart file; its time, and the clock then
   double checkpoint_time_ = 0.0, checkpoint_seconds_ = 0.0;

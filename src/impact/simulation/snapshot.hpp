@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "base/archive.hpp"
-#include "contact/interior_contact.hpp"
-#include "contact/penalty_contact.hpp"
-#include "contact/rigid_wall.hpp"
-#include "impact/conditions/accelerometers.hpp"
-#include "impact/conditions/loads.hpp"
-#include "impact/conditions/nodal_force_groups.hpp"
-#include "impact/conditions/supports.hpp"
-#include "impact/connections/joints.hpp"
-#include "impact/connections/rigid_welds.hpp"
-#include "impact/connections/rivets.hpp"
-#include "impact/connections/tie_forces.hpp"
-#include "impact/connections/welds.hpp"
-#include "impact/simulation/energy.hpp"
-#include "impact/simulation/strains.hpp"
+#include "impact/energy/energy.hpp"
+#include "impact/simulation/components.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -31,26 +17,14 @@ namespace nugget::impact {
 struct Snapshot {
   const system::System& system;
   const system::State& state;
+  const Components& components;
   std::span<const Row> v_before, w_before;  ///< at t(n-1/2); those in state stand at t(n+1/2)
   const Energy& energy;
   const std::vector<PartEnergy>& parts;
   const system::System::Controlling& controlling;
   const system::System::Masses& masses;
-  const Supports& supports;
-  const Loads& loads;
-  std::span<const contact::RigidWall> walls;
-  std::span<const contact::PenaltyContact> contacts;
-  std::span<const contact::InteriorContact> interiors;
-  const TieForces& tie_forces;
-  const Welds& welds;
-  const RigidWelds& rigid_welds;
-  const Rivets& rivets;
-  const Joints& joints;
-  const Strains& strains;
-  const NodalForceGroups& nodal_forces;
   /// Of the requests' history nodes, then of the rigid bodies: their spins, added up over time.
   std::span<const Vec3d> history_rotation;
-  const Accelerometers& accelerometers;
 
   Vec3d velocity(std::size_t node) const { return at_now(vec(v_before[node]), vec(state.v[node])); }
   Vec3d spin(std::size_t node) const { return at_now(vec(w_before[node]), vec(state.w[node])); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "impact/simulation/energy.hpp"
+#include "impact/energy/energy.hpp"
 
 #include <algorithm>
 

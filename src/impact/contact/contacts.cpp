@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/contact/contacts.hpp"
+
+#include <fmt/format.h>
+
+#include "base/index.hpp"
+#include "impact/contact/contact_setup.hpp"
+#include "impact/contact/edge_setup.hpp"
+#include "impact/contact/initial_penetrations.hpp"
+
+namespace nugget::impact {
+namespace {
+
+void report_tiebreak(const model::Contact& card, const contact::Glue& glue, Findings& findings) {
+  if (glue.at_start() > 0)
+    findings.note(card.place, '*' + card.keyword,
+                  fmt::format("{} nodes of SURFA are glued to SURFB at the start", glue.at_start()));
+  else if (!card.glue->bonds_later)
+    findings.warning(card.place, '*' + card.keyword, "no node of SURFA touches SURFB at the start: nothing is glued",
+                     "check the sides, and the gap between them against the thicknesses (SFSAT, SFSBT, SAST, SBST)");
+}
+
+}  // namespace
+
+Contacts::Contacts(const system::System& system, std::vector<Row>& x, Findings& findings) {
+  for (const model::Contact& card : system.model.contacts) {
+    if (!card.slides()) continue;
+    contact::SurfaceContactSetup setup = contact_setup(system, card);
+    if (!setup.segments.empty()) treat_initial_penetrations(system, card, setup, x, findings);
+    auto edges = edge_setup(system, card, setup, x);
+    if (setup.segments.empty() && !(edges && !edges->edges.empty())) {
+      findings.error(card.place, '*' + card.keyword,
+                     "the contact has no segments: none of its parts has shells or bricks",
+                     "check SURFA and SURFATYP; beams alone are pressed by _GENERAL");
+      continue;
+    }
+    contacts_.emplace_back(std::move(setup), std::move(edges), card.glue, x);
+    if (card.glue) report_tiebreak(card, *contacts_.back().glue(), findings);
+  }
+}
+
+void Contacts::apply(const contact::Step& step, std::span<Row> force) {
+  for (contact::PenaltyContact& c : contacts_) c.apply(step, force);
+}
+
+void Contacts::surface_changed() {
+  for (contact::PenaltyContact& c : contacts_) c.surface_changed();
+}
+
+std::vector<std::string> Contacts::glue_summary(const system::System& system) const {
+  std::vector<std::string> lines;
+  std::size_t next = 0;
+  for (const model::Contact& card : system.model.contacts) {
+    if (!card.slides()) continue;
+    const contact::Glue* glue = contacts_[next++].glue();
+    if (glue == nullptr) continue;
+    std::string line = fmt::format("glue of contact {}: {} nodes at the start", card.id, glue->at_start());
+    if (card.glue->bonds_later) line += fmt::format(", {} later", glue->later());
+    line += fmt::format("; {} failed", glue->failed());
+    if (glue->failed() > 0)
+      line += fmt::format(", node {} first at time={:.5E}, the last at time={:.5E}",
+                          system.model.nodes.id[at(system.model_node[at(glue->first_node())])], glue->first_time(),
+                          glue->last_time());
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+void Contacts::add_energy(Energy& energy) const {
+  for (const contact::PenaltyContact& c : contacts_) energy.contact += c.energy();
+}
+
+}  // namespace nugget::impact

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contact/penalty_contact.hpp"
+#include "impact/energy/energy.hpp"
+#include "system/system.hpp"
+
+namespace nugget::impact {
+
+/// The *CONTACT_... of a run that slide, separate or are glued, in the order of the deck.
+class Contacts {
+ public:
+  /// Resolves initial penetrations, which moves nodes of `x` [length]. An error where a contact has no segments.
+  Contacts(const system::System& system, std::vector<Row>& x, Findings& findings);
+
+  /// Adds the forces of this step.
+  void apply(const contact::Step& step, std::span<Row> force);
+  /// Elements were deleted.
+  void surface_changed();
+
+  const std::vector<contact::PenaltyContact>& all() const { return contacts_; }
+  /// How many nodes the glue of each contact held and lost, a line each.
+  std::vector<std::string> glue_summary(const system::System& system) const;
+
+  void add_energy(Energy& energy) const;
+  void archive(Archive& a) { a(contacts_); }
+
+ private:
+  std::vector<contact::PenaltyContact> contacts_;
+};
+
+}  // namespace nugget::impact

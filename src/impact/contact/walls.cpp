@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/contact/walls.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/index.hpp"
+
+namespace nugget::impact {
+namespace {
+
+/// A wall leaves alone what is tied, and what belongs to a rigid body unless RWPNAL has it stopped by penalty.
+void report_constrained_nodes(const model::RigidWall& wall, const std::vector<int>& nodes, const system::System& system,
+                              Findings& findings) {
+  const bool by_penalty = system.model.control.wall_penalty > 0.0;
+  const auto constrained = std::count_if(nodes.begin(), nodes.end(), [&](int n) {
+    return system.map.dependent(n) && !(by_penalty && system.rigid_body_of_node(n) >= 0);
+  });
+  if (constrained > 0)
+    findings.note(wall.place, "*RIGIDWALL",
+                  fmt::format("{} of the nodes of wall {} are tied{}: the wall stops what they hang on, not them",
+                              constrained, wall.id, by_penalty ? "" : " or belong to nodal rigid bodies"));
+}
+
+}  // namespace
+
+Walls::Walls(const system::System& system, Findings& findings) {
+  const model::Model& model = system.model;
+  for (const model::RigidWall& wall : model.walls) {
+    std::vector<int> nodes;
+    for (model::Index n : wall.nodes) nodes.push_back(system.node_of[at(n)]);
+    report_constrained_nodes(wall, nodes, system, findings);
+    const Curve* curve = wall.motion_curve == model::none ? nullptr : &model.curves[at(wall.motion_curve)];
+    std::optional<contact::WallPenalty> bodies;
+    if (const double scale = model.control.wall_penalty; scale > 0.0) bodies.emplace(system, wall, nodes, scale);
+    if (bodies && !bodies->empty() && wall.friction >= 2.0)
+      findings.warning(wall.place, "*RIGIDWALL",
+                       fmt::format("FRIC {:g}: nodes of rigid bodies stay on wall {} only as long as they are pressed "
+                                   "on it, {}",
+                                   wall.friction, wall.id, wall.friction == 2.0 ? "without friction" : "and stick"),
+                       "hold such bodies by a constraint if they are to stay there");
+    walls_.emplace_back(wall, std::move(nodes), curve, std::move(bodies));
+  }
+}
+
+void Walls::constrain(const system::System& system, system::State& state, std::span<const unsigned char> dependent,
+                      double& power_on_change) {
+  const model::Model& model = system.model;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const model::RigidWall& card = model.walls[w];
+    double time = state.time;
+    // The step at the end of the run is not taken, but the wall's force then is that of half of it. A motion whose
+    // curve ends there continues as in the step before.
+    if (card.motion_curve != model::none && model.control.end_time > 0.0 && time >= model.control.end_time &&
+        std::abs(model.curves[at(card.motion_curve)].x.back() + card.birth - time) <= 1e-6 * state.dt)
+      time -= state.dt;
+    walls_[w].constrain(time, state.dt, state.dt_previous, state.x, state.v, state.f, system.mass, dependent);
+    power_on_change += walls_[w].power_on_change();
+  }
+}
+
+void Walls::press(const contact::Step& step, std::span<Row> force) {
+  for (contact::RigidWall& w : walls_) w.press(step, force);
+}
+
+void Walls::add_energy(Energy& energy) const {
+  for (const contact::RigidWall& w : walls_) energy.wall += w.energy_at_time();
+}
+
+}  // namespace nugget::impact

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "impact/conditions/accelerometers.hpp"
+#include "impact/conditions/damping.hpp"
+#include "impact/conditions/loads.hpp"
+#include "impact/conditions/nodal_force_groups.hpp"
+#include "impact/conditions/preloads.hpp"
+#include "impact/conditions/supports.hpp"
+#include "impact/connections/connectors.hpp"
+#include "impact/connections/joints.hpp"
+#include "impact/connections/rigid_welds.hpp"
+#include "impact/connections/rivets.hpp"
+#include "impact/connections/tie_forces.hpp"
+#include "impact/connections/tie_release.hpp"
+#include "impact/connections/welds.hpp"
+#include "impact/contact/contacts.hpp"
+#include "impact/contact/element_alive.hpp"
+#include "impact/contact/interiors.hpp"
+#include "impact/contact/walls.hpp"
+#include "impact/simulation/erosion.hpp"
+#include "impact/simulation/strains.hpp"
+
+namespace nugget::impact {
+
+/// What acts on the structure during a run, and what watches it. To add one: a member, its line in the constructor and
+/// in `for_each`, and its place in Simulation::step() and start(). What a component can do beyond that is found by
+/// name: `add_energy(Energy&)`, `reset_work()`, `events()` (lines of run.log), `failed()` (welds). All of them go into
+/// restart files.
+struct Components {
+  Supports supports;
+  Loads loads;
+  Damping damping;
+  Preloads preloads;
+  Welds welds;
+  RigidWelds rigid_welds;
+  Rivets rivets;
+  Connectors connectors;
+  TieForces tie_forces;
+  TieReleases tie_releases;  ///< of `welds` and `tie_forces`
+  Joints joints;
+  ElementAlive element_alive;
+  Erosion erosion;
+  Strains strains;
+  NodalForceGroups nodal_forces;
+  Accelerometers accelerometers;
+  Contacts contacts;
+  Interiors interiors;
+  Walls walls;
+
+  /// Faults of the input become findings. Contacts move nodes of `x` [length] where they resolve initial penetrations.
+  Components(system::System& system, std::vector<Row>& x, Findings& findings);
+
+  /// Calls `visit` with each component; sums of energies are added up in this order.
+  template <class Visit>
+  void for_each(Visit&& visit) {
+    visit_all(*this, visit);
+  }
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    visit_all(*this, visit);
+  }
+
+  /// Welds of every kind that have failed so far.
+  int failed_welds() const;
+  void archive(Archive& a);
+
+ private:
+  template <class Self, class Visit>
+  static void visit_all(Self& c, Visit& visit) {
+    const auto all = [&](auto&... component) { (visit(component), ...); };
+    all(c.supports, c.loads, c.damping, c.preloads, c.welds, c.rigid_welds, c.rivets, c.connectors, c.tie_forces,
+        c.tie_releases, c.joints, c.element_alive, c.erosion, c.strains, c.nodal_forces, c.accelerometers, c.contacts,
+        c.interiors, c.walls);
+  }
+};
+
+}  // namespace nugget::impact
