@@ -8,7 +8,6 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
-#include <limits>
 #include <optional>
 
 #include "app/audit_table.hpp"
@@ -24,6 +23,7 @@
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "impact/recording/result_files.hpp"
+#include "impact/recording/weld_results.hpp"
 #include "impact/simulation/free_bricks.hpp"
 #include "impact/simulation/simulation.hpp"
 #include "nvh/matrices/ranks.hpp"
@@ -35,146 +35,6 @@ namespace nugget::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double not_available = std::numeric_limits<double>::quiet_NaN();  ///< an empty cell
-
-void add_term(std::string& terms, weld::FailureMode mode, double value) {
-  if (value > 0.0) terms += fmt::format("{}{} {:.3g}", terms.empty() ? "" : ", ", weld::to_string(mode), value);
-}
-
-/// `length`: of the weld, over which the shear force makes moments at its ends.
-output::WeldLoad last_load(const weld::History& history, double length) {
-  const weld::Resultants& r = history.last_load().resultants;
-  std::string terms;
-  for (int i = 0; i < history.last_value().terms; ++i) {
-    const auto& [mode, value] = history.last_value().term[at(i)];
-    add_term(terms, mode, value);
-  }
-  const auto at_end = [&](double half) {
-    return std::hypot(r.moment_s + half * r.shear_t, r.moment_t - half * r.shear_s);
-  };
-  return {r.axial,
-          r.shear(),
-          r.moment(),
-          r.torsion,
-          history.last_load().rate,
-          history.failure_value(),
-          terms,
-          {at_end(-0.5 * length), at_end(0.5 * length)}};
-}
-
-void fill_weld_report(const weld::RigidWeldHistory& history, output::WeldReport& report) {
-  report.failed = history.failed();
-  if (history.failed()) report.failure_time = history.failure_time();
-  report.failure_mode = weld::to_string(history.mode());
-  const auto& peak = history.peaks();
-  report.peak = {peak[0], peak[1], peak[2], peak[3]};
-  report.peak_failure = history.peak_failure_value();
-  report.peak_failure_time = history.peak_failure_time();
-  const weld::RigidWeldHistory::Last& last = history.last();
-  report.last = {last.axial,
-                 last.shear,
-                 last.moment,
-                 last.torsion,
-                 not_available,
-                 last.normal_term + last.shear_term,
-                 {},
-                 {not_available, not_available}};
-  add_term(report.last.terms, weld::FailureMode::axial, last.normal_term);
-  add_term(report.last.terms, weld::FailureMode::shear, last.shear_term);
-  report.energy = not_available;
-}
-
-/// How far the damage of a weld has gone at the end, of points that are damaged one by one the mean; not a number where
-/// its law has none.
-double damage_of(const impact::Simulation& run, std::size_t i) {
-  const system::System& system = run.system();
-  const weld::Weld& w = system.ties.welds[i];
-  const weld::History& history = *run.components().welds.history(i);
-  if (history.failed()) return 1.0;
-  if (history.damage().law().growth != weld::DamageLaw::Growth::immediate) return history.damage().damage();
-  const auto& law = std::get<kernel::Spotweld>(system.model.materials[at(system.model.parts[at(w.part)].material)].law);
-  if (law.damage.growth == kernel::PointDamage::Growth::none) return std::numeric_limits<double>::quiet_NaN();
-  double sum = 0.0;
-  for (const model::Index element : w.elements) {
-    const system::System::ElementLocation location = system.location_of(w, element);
-    const system::ElementGroup& group = *system.groups[at(location.group)];
-    const double left = group.alive(at(location.element)) ? group.integrity(at(location.element)) : 0.0;
-    const double beta = law.damage.beta;
-    sum += left <= 0.0 ? 1.0 : beta == 0.0 ? 1.0 - left : std::min(-std::log(left) / beta, 1.0);
-  }
-  return w.elements.empty() ? 0.0 : sum / static_cast<double>(w.elements.size());
-}
-
-bool is_rivet(const weld::Weld& weld) {
-  return weld.kind == weld::Weld::Kind::rigid && weld.rigid == weld::Weld::Rigid::rivet;
-}
-
-void fill_rivet_report(const impact::Rivets& rivets, std::size_t i, output::WeldReport& report) {
-  report.failed = rivets.failed(i);
-  if (report.failed) {
-    report.failure_time = rivets.failure_time(i);
-    report.failure_mode = weld::to_string(weld::FailureMode::time);
-  }
-  report.peak.axial = rivets.peak(i);
-  report.last = {rivets.axial(i),
-                 not_available,
-                 not_available,
-                 not_available,
-                 not_available,
-                 not_available,
-                 {},
-                 {not_available, not_available}};
-  report.peak_failure = report.peak_failure_time = report.energy = not_available;
-}
-
-/// Adds to the welds' reports what happened to them.
-void fill_weld_reports(const impact::Simulation& run, std::vector<output::WeldReport>& welds) {
-  const system::System& system = run.system();
-  const impact::Components& components = run.components();
-  for (std::size_t i = 0; i < welds.size(); ++i) {
-    if (is_rivet(system.ties.welds[i]))
-      fill_rivet_report(components.rivets, components.rivets.find(welds[i].id), welds[i]);
-    else if (system.ties.welds[i].kind == weld::Weld::Kind::rigid)
-      if (const auto* rigid = components.rigid_welds.history_of_body(system.ties.welds[i].element))
-        fill_weld_report(*rigid, welds[i]);
-    if (const impact::Connectors::Record* record = components.connectors.record(i)) {
-      welds[i].failed = record->failed;
-      if (record->failed) welds[i].failure_time = record->failure_time;
-      if (record->failed) welds[i].failure_mode = "limit of its law";
-      welds[i].peak = {record->peaks[0], record->peaks[1], record->peaks[2], record->peaks[3]};
-      welds[i].last = {not_available,
-                       not_available,
-                       not_available,
-                       not_available,
-                       not_available,
-                       not_available,
-                       {},
-                       {not_available, not_available}};
-      welds[i].peak_failure = welds[i].peak_failure_time = not_available;
-      const system::System::ElementLocation location = system.beam_location[at(system.ties.welds[i].element)];
-      welds[i].energy = system.groups[at(location.group)]->internal_energy(at(location.element));
-    }
-    const weld::History* history = components.welds.history(i);
-    if (history == nullptr) continue;
-    for (model::Index element : system.ties.welds[i].elements) {
-      const system::System::ElementLocation location = system.location_of(system.ties.welds[i], element);
-      const system::ElementGroup& group = *system.groups[at(location.group)];
-      const auto e = at(location.element);
-      welds[i].added_mass += group.mass(e) * (group.mass_scale(e) - 1.0);
-      welds[i].energy += group.internal_energy(e) + group.hourglass_energy(e);
-    }
-    welds[i].failed = history->failed();
-    if (history->failed()) welds[i].failure_time = history->failure_time();
-    welds[i].failure_mode = weld::to_string(history->mode());
-    const auto& peak = history->peaks();
-    welds[i].peak = {peak[0], peak[1], peak[2], peak[3]};
-    welds[i].peak_failure = history->peak_failure_value();
-    welds[i].peak_failure_time = history->peak_failure_time();
-    welds[i].last = last_load(*history, system.ties.welds[i].length);
-    welds[i].damage = damage_of(run, i);
-  }
-}
 
 output::Summary summarise(const RunArguments& arguments, const impact::Simulation& run, const impact::Outcome& outcome,
                           const PreparedDeck& p, double setup_seconds) {
@@ -391,7 +251,7 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
   const impact::Outcome outcome =
       simulate(*simulation, directory, arguments, head_of(arguments, p.deck_checksum), from, log);
 
-  fill_weld_reports(*simulation, p.welds);
+  impact::add_weld_results(simulation->system(), simulation->components(), p.welds);
   const output::Summary summary = summarise(arguments, *simulation, outcome, p, setup_seconds);
   output::write_welds(directory, p.welds);
   output::write_summary(directory, summary);

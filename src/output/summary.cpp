@@ -93,7 +93,7 @@ Json to_json(const Summary& s) {
   if (s.relaxation)
     json["relaxation"] = {{"cycles", s.relaxation->cycles},
                           {"time", s.relaxation->time},
-                          {"unrest", s.relaxation->kinetic_energy_ratio},
+                          {"kinetic_energy_ratio", s.relaxation->kinetic_energy_ratio},
                           {"at_rest", s.relaxation->at_rest}};
   json["mass"] = {{"physical", s.mass.physical}, {"added", s.mass.added}, {"added_to_welds", s.mass.added_to_welds}};
   json["energy"] = to_json(s.energy);

@@ -49,7 +49,7 @@ class RealDecks(CommandTest):
         errors = self.refused(found)
         self.assertEqual(errors, {})
         told = {(f["keyword"], f["field"]): f["text"] for f in found}
-        self.assertIn("born after the end of the run", told[("*RIGIDWALL_GEOMETRIC_CYLINDER_ID", "birth")])
+        self.assertIn("activated after the end of the run", told[("*RIGIDWALL_GEOMETRIC_CYLINDER_ID", "birth")])
         self.assertIn("the body is held", told[("*BOUNDARY_SPC_SET", "nsid")])
         self.assertTrue(any("cannot turn, so it does not matter" in f["text"] for f in found))
         about_welds = [f for f in found if f["severity"] == "error" and

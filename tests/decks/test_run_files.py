@@ -85,7 +85,7 @@ class RunFiles(CommandTest):
         log, summary = self.read("run.log"), self.json("summary.json")
         self.assertTrue(log.startswith("nugget "))
         self.assertTrue(log.endswith("\n N o r m a l    t e r m i n a t i o n\n"), log[-100:])
-        for pattern in (r"\*CONTACT_SPOTWELD +1 used", r"\*ELEMENT_SHELL +1 used",       # ledger
+        for pattern in (r"\*CONTACT_SPOTWELD +1 used", r"\*ELEMENT_SHELL +1 used",       # keyword summary
                         r"nodes 34, shells 18, solids 0, beams 1, parts 3",              # model
                         r"2 +9  shell, ELFORM 2, 3 layers, t = 1.2 +\*MAT_PIECEWISE_LINEAR_PLASTICITY +upper sheet",
                         r"Welds: 1, tied at all their nodes: 1; tied nodes: 2", r"case 1 +2 nodes",  # ties

@@ -128,7 +128,7 @@ Vec3d Experiment::displacement(const impact::Snapshot& now, int id) const {
 
 const weld::History& Experiment::history(const impact::Snapshot& now, int id) const {
   for (std::size_t i = 0; i < ties_->welds.size(); ++i)
-    if (ties_->welds[i].id == id && now.welds.history(i) != nullptr) return *now.welds.history(i);
+    if (ties_->welds[i].id == id && now.components.welds.history(i) != nullptr) return *now.components.welds.history(i);
   throw std::runtime_error(fmt::format("no weld {}", id));
 }
 

@@ -50,11 +50,11 @@ class Clamped {
       }
       last_ = h.resultants();
       failure_ = h.failure_value();
-      load_ = *now.welds.brick_load(0);
+      load_ = *now.components.welds.brick_load(0);
       reaction_ = moment_ = {};
       Vec3d centre;
       for (int n : prism_.bottom()) centre += (1.0 / prism_.count()) * run_.position(now, n);
-      for (const auto& r : now.supports.spc_reactions()) {
+      for (const auto& r : now.components.supports.spc_reactions()) {
         reaction_ += r.force;
         moment_ += cross(vec(now.state.x[static_cast<std::size_t>(r.node)]) - centre, r.force);
       }

@@ -40,7 +40,7 @@ std::vector<Sample> run(const std::string& material, const Motion& top, const Mo
                  moved(prism, prism.top(), {1, 1, 1}, top, end, 1, 500) + "*END\n");
   std::vector<Sample> samples;
   run.run([&](const impact::Snapshot& now) {
-    const weld::History& h = *now.welds.history(0);
+    const weld::History& h = *now.components.welds.history(0);
     Sample s{now.state.time / end,
              h.resultants().axial,
              h.resultants().shear(),

@@ -75,7 +75,7 @@ Bounce bounce(const std::string& deck) {
     b.momentum = std::max(b.momentum, norm(sum - first) / norm(first));
     b.energy = now.energy.contact / kinetic;
     b.kinetic = now.energy.kinetic;
-    const double force = -now.contacts[0].resultant().z;  // on part 2, SURFA where there are sides
+    const double force = -now.components.contacts.all()[0].resultant().z;  // on part 2, SURFA where there are sides
     up = std::max(up, -force);
     down = std::max(down, force);
   });
@@ -266,7 +266,7 @@ TEST(ContactBalance, MomentsOfFriction) {
       Experiment experiment(s.deck());
       double worst = 0.0, energy = 1.0;
       run_to_end(experiment, [&](const impact::Snapshot& now) {
-        const Moment moment(now, now.contacts[0]);
+        const Moment moment(now, now.components.contacts.all()[0]);
         if (moment.sizes > 0.0) worst = std::max(worst, norm(moment.sum) / moment.sizes);
         energy = now.energy.ratio();
       });
@@ -526,7 +526,7 @@ TEST(ContactBalance, GlueThatHandsOverMoments) {
     Experiment experiment(s.deck());
     double worst = 0.0;
     run_to_end(experiment, [&](const impact::Snapshot& now) {
-      const Moment moment(now, now.contacts[0]);
+      const Moment moment(now, now.components.contacts.all()[0]);
       if (moment.sizes > 0.0) worst = std::max(worst, norm(moment.sum) / moment.sizes);
     });
     if (option < 0)

@@ -210,7 +210,7 @@ class Pull {
       failed_ = run.history(now, 90001).failed();
       if (failed_) return;
       double force = 0.0;
-      for (const auto& r : now.supports.spc_reactions()) force -= along(r.force);
+      for (const auto& r : now.components.supports.spc_reactions()) force -= along(r.force);
       points_.emplace_back(along(run.displacement(now, coupon.driven().front())), force);
     });
     EXPECT_EQ(outcome.termination, impact::Termination::normal) << outcome.message;

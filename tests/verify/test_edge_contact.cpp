@@ -85,11 +85,11 @@ Meeting meet(const Bodies& bodies) {
     if (m.contact > m.stored) {
       std::vector<unsigned char> lower(now.state.x.size(), 0);
       for (int id : bodies.lower.all()) lower[experiment.node(id)] = 1;
-      const Vec3d force = now.contacts[0].force_on(lower);
+      const Vec3d force = now.components.contacts.all()[0].force_on(lower);
       m.stiffness = dot(force, force) / (2.0 * now.energy.contact);
     }
     m.stored = std::max(m.stored, m.contact);
-    impulse += now.contacts[0].resultant().z * now.velocity_interval();
+    impulse += now.components.contacts.all()[0].resultant().z * now.velocity_interval();
     m.impulse = impulse / sum[0].z;
     if (std::abs(now.energy.ratio() - 1.0) > std::abs(m.energy - 1.0)) m.energy = now.energy.ratio();
   });

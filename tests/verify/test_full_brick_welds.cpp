@@ -42,7 +42,7 @@ Outcome run(const std::string& law, const Motion& motion, int cycles = 2000, int
                  moved(prism, prism.top(), {1, 1, 1}, motion, cycles * step, 1) + "*END\n");
   Outcome out;
   run.run([&](const impact::Snapshot& now) {
-    const weld::History& h = *now.welds.history(0);
+    const weld::History& h = *now.components.welds.history(0);
     out.failed = h.failed();
     if (out.failed) {
       out.time_share = h.failure_time() / (cycles * step);
@@ -51,7 +51,7 @@ Outcome run(const std::string& law, const Motion& motion, int cycles = 2000, int
     out.weld = h.resultants();
     out.plastic_strain = h.last_load().plastic_strain;
     out.force = out.moment = {};
-    for (const auto& r : now.supports.spc_reactions()) {
+    for (const auto& r : now.components.supports.spc_reactions()) {
       out.force -= r.force;
       out.moment -= cross(vec(now.state.x[static_cast<std::size_t>(r.node)]), r.force);
     }

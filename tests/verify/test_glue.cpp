@@ -69,7 +69,7 @@ Parting part(const std::string& contact, const std::vector<Leg>& way, const Plat
   Parting p;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
     p.work = now.energy.contact;
-    const Vec3d force = now.contacts[0].resultant();
+    const Vec3d force = now.components.contacts.all()[0].resultant();
     p.tension = std::max(p.tension, -force.z);
     if (-force.x > p.shear) {
       p.shear = -force.x;
@@ -79,7 +79,7 @@ Parting part(const std::string& contact, const std::vector<Leg>& way, const Plat
     p.last_shear = force.x;
     p.height = experiment.position(now, upper(1, 1)).z;
     p.ratio = now.energy.ratio();
-    const auto& glue = *now.contacts[0].glue();
+    const auto& glue = *now.components.contacts.all()[0].glue();
     p.start = glue.at_start();
     p.later = glue.later();
     p.failed = glue.failed();

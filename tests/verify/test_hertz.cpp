@@ -58,11 +58,12 @@ TEST(Hertz, SphereOnARigidWall) {
     deepest = std::max(deepest, -experiment.displacement(now, center).z);
     // The mean force over 2 % of the contact's time: single nodes come to rest with a knock.
     if (now.state.time - before_time > 1e-6) {
-      const double force = 4.0 * (now.walls[0].normal_impulse() - impulse) / (now.state.time - before_time);
+      const double force =
+          4.0 * (now.components.walls.all()[0].normal_impulse() - impulse) / (now.state.time - before_time);
       largest = std::max(largest, force);
-      impulse = now.walls[0].normal_impulse(), before_time = now.state.time;
+      impulse = now.components.walls.all()[0].normal_impulse(), before_time = now.state.time;
     }
-    if (now.walls[0].normal_force() > 0.0) last_touch = now.state.time;
+    if (now.components.walls.all()[0].normal_force() > 0.0) last_touch = now.state.time;
   });
   // Timoshenko & Goodier, Theory of Elasticity: F = 4/3 E' sqrt(R) d^(3/2), 1/2 m v^2 = 2/5 F d, t = 2.943 d / v.
   const double stiffness = 4.0 / 3.0 * E / (1.0 - nu * nu) * std::sqrt(radius);

@@ -185,14 +185,14 @@ TEST(NodalForceGroups, AreTheReactionsOfDrivenNodes) {
   double worst = 0.0, work = 0.0, reaction_work = 0.0, largest = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
     if (now.velocity_interval() <= 0.0) return;
-    const output::NodforState state = now.nodal_forces.state(now.state);
+    const output::NodforState state = now.components.nodal_forces.state(now.state);
     std::map<int, Vec3d> inner;
     work = reaction_work = 0.0;
     for (const output::NodforRow& row : state.groups.at(0).rows) {
       inner[row.node] = row.force;
       work += row.energy;
     }
-    for (const impact::Supports::Reaction& r : now.supports.motion_reactions()) {
+    for (const impact::Supports::Reaction& r : now.components.supports.motion_reactions()) {
       const auto k = static_cast<std::size_t>(r.node);
       const int id = experiment.model().nodes.id[static_cast<std::size_t>(experiment.system().model_node[k])];
       const double expected = r.force.x - experiment.system().mass[k] * now.acceleration(k).x;

@@ -36,11 +36,11 @@ void pendulum(bool by_points) {
       period = last + (now.state.time - last) * before / (before - rate);
     if (std::abs(rate) > fastest) {
       fastest = std::abs(rate);
-      reaction = now.joints.force(0).z;
+      reaction = now.components.joints.force(0).z;
     }
     before = rate;
     last = now.state.time;
-    twist = std::max(twist, std::abs(now.joints.moment(0).y));
+    twist = std::max(twist, std::abs(now.components.joints.moment(0).y));
     drift = std::max(drift, std::abs(now.energy.total() - now.energy.external));
   });
   expect_reference("pendulum", "rod on a hinge: period [s]", period, 1.222748, 5e-3);
@@ -78,7 +78,7 @@ TEST(Joints, DoublePendulumKeepsItsEnergy) {
   run_to_end(experiment, [&](const impact::Snapshot& now) {
     drift = std::max(drift, std::abs(now.energy.total() - now.energy.external - now.energy.initial));
     kinetic = std::max(kinetic, now.energy.kinetic);
-    for (std::size_t j = 0; j < 2; ++j) open = std::max(open, now.joints.largest_opening(j));
+    for (std::size_t j = 0; j < 2; ++j) open = std::max(open, now.components.joints.largest_opening(j));
   });
   expect_reference("joints", "double pendulum: drift of the total energy, of the largest kinetic one", drift, 0.0, 1e-3,
                    kinetic);
@@ -242,9 +242,9 @@ double failing(const std::string& kind, const std::string& cards, double arm, co
   Experiment experiment(s.deck());
   double at = -1.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    if (at < 0.0 && now.joints.failed(0)) at = now.joints.failure_time(0);
+    if (at < 0.0 && now.components.joints.failed(0)) at = now.components.joints.failure_time(0);
     if (at > 0.0) {
-      EXPECT_EQ(norm(now.joints.force(0)) + norm(now.joints.moment(0)), 0.0);
+      EXPECT_EQ(norm(now.components.joints.force(0)) + norm(now.components.joints.moment(0)), 0.0);
     }
   });
   return at;

@@ -285,7 +285,7 @@ TEST(QuadraticTetrahedra, PlasticBar) {
     }
     shown = 0.0;
     for (std::size_t e = 0; e < experiment.model().solids.size(); ++e)
-      shown += now.strains.solid(e)[0] / static_cast<double>(experiment.model().solids.size());
+      shown += now.components.strains.solid(e)[0] / static_cast<double>(experiment.model().solids.size());
   });
   const double strain = std::log(1.0 + stretch / length);
   const double stress = yield + tangent * (strain - yield / young);

@@ -67,7 +67,7 @@ TEST(DynamicRelaxation, BarUnderGravityIsAtRestWhenTheRunBegins) {
   expect_reference("dynamic relaxation", "energy ratio of the run", ratio, 1.0, 1e-8);
 }
 
-// Stretched by a force that is there in the relaxation only, then let go: the end snaps back and is at -u0 after half
+// Stretched by a force that is there in the relaxation only, then released: the end snaps back and is at -u0 after half
 // a period, t = 2 L / c (waves in a bar). Before that the end stands still but for the unloading wave: v = -c sigma /
 // E.
 TEST(DynamicRelaxation, StretchedBarIsLetGo) {
@@ -91,8 +91,8 @@ TEST(DynamicRelaxation, StretchedBarIsLetGo) {
     back = std::min(back, u);
   });
   expect_reference("dynamic relaxation", "stretched bar: its end at time 0 [mm]", first, u0, 1e-4);
-  expect_reference("dynamic relaxation", "let go: it is unstretched after L / c [s]", passage, 0.5 * half_period, 0.02);
-  expect_reference("dynamic relaxation", "let go: how far it comes back [mm]", back, -u0, 0.08);
+  expect_reference("dynamic relaxation", "released: it is unstretched after L / c [s]", passage, 0.5 * half_period, 0.02);
+  expect_reference("dynamic relaxation", "released: how far it comes back [mm]", back, -u0, 0.08);
 }
 
 // Initial velocities wait for the run, and SIDR alone asks for the relaxation.

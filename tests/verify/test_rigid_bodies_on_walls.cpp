@@ -87,11 +87,11 @@ Result run(const Body& body, const std::string& wall, const Vec3d& seen = below)
   run_to_end(experiment, [&](const impact::Snapshot& now) {
     const auto k = static_cast<std::size_t>(now.system.bodies.at(0).node);
     result.end = {now.velocity(k), now.spin(k)};
-    result.impulse = now.walls[0].impulse();
-    result.wall_velocity = now.walls[0].velocity();
+    result.impulse = now.components.walls.all()[0].impulse();
+    result.wall_velocity = now.components.walls.all()[0].velocity();
     result.wall_energy = now.energy.wall;
     result.initial = now.energy.initial;
-    result.touching = now.walls[0].touching();
+    result.touching = now.components.walls.all()[0].touching();
     if (now.energy.initial > 0.0) result.ratio = std::max(result.ratio, std::abs(now.energy.ratio() - 1.0));
   });
   return result;

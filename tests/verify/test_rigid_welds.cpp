@@ -45,7 +45,7 @@ TEST(RigidWelds, TensionFailsAtItsStrengthAndMomentumStays) {
   double worst = 0.0, failed_at = 0.0, momentum_error = 0.0, shear = 0.0, later_change = 0.0, speed_at_failure = 0.0;
   std::vector<double> energy;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    const weld::RigidWeldHistory& h = now.rigid_welds.history(0);
+    const weld::RigidWeldHistory& h = now.components.rigid_welds.history(0);
     const double t = now.state.time, force = 30.0 * t;
     if (!h.failed()) {
       worst = std::max(worst, std::abs(h.axial() - force / 3.0));
@@ -86,7 +86,7 @@ TEST(RigidWelds, CompressionDoesNotFail) {
   timing(s, 1.0);
   Experiment experiment(s.deck());
   double axial = 0.0;
-  run_to_end(experiment, [&](const impact::Snapshot& now) { axial = now.rigid_welds.history(0).axial(); });
+  run_to_end(experiment, [&](const impact::Snapshot& now) { axial = now.components.rigid_welds.history(0).axial(); });
   EXPECT_NEAR(axial, -10.0, 1e-6);
   EXPECT_EQ(experiment.simulation().components().rigid_welds.failed(), 0);
 }
@@ -142,7 +142,7 @@ TEST(RigidWelds, SpinningPairCarriesItsCentrifugalForce) {
   double worst_axial = 0.0, worst_shear = 0.0, worst_moment = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
     if (now.state.cycle == 0) return;
-    const weld::RigidWeldHistory& h = now.rigid_welds.history(0);
+    const weld::RigidWeldHistory& h = now.components.rigid_welds.history(0);
     worst_axial = std::max(worst_axial, std::abs(h.axial() - 2.0 * omega * omega));
     worst_shear = std::max(worst_shear, h.shear());
     worst_moment = std::max({worst_moment, h.moment(), std::abs(h.torsion())});
@@ -236,7 +236,7 @@ TEST(RigidWelds, PlasticStrainOfTheSheetOpensTheWeld) {
   run_to_end(welded, [&](const impact::Snapshot& now) {
     double largest = 0.0;
     for (const int e : {2, 3}) largest = std::max(largest, shell_layer(welded, now, e, 0).plastic_strain);
-    if (!now.rigid_welds.history(0).failed()) before = largest;
+    if (!now.components.rigid_welds.history(0).failed()) before = largest;
   });
   EXPECT_EQ(plain.simulation().first_step(), welded.simulation().first_step());
   EXPECT_EQ(welded.simulation().components().rigid_welds.failed(), 1);

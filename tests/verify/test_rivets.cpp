@@ -36,7 +36,7 @@ TEST(Rivets, ASpinningPairKeepsItsDistance) {
   double tension = 0.0, distance = 0.0, ratio = 0.0, drift = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
     if (now.state.cycle < 2) return;
-    const impact::Rivets& rivets = now.rivets;
+    const impact::Rivets& rivets = now.components.rivets;
     tension = std::max(tension, std::abs(rivets.axial(0) - 32.0));
     distance = std::max(distance, std::abs(rivets.length(0, now.state) - 3.0));
     ratio = std::max(ratio, std::abs(now.energy.ratio() - 1.0));
@@ -50,8 +50,8 @@ TEST(Rivets, ASpinningPairKeepsItsDistance) {
   EXPECT_NEAR(drift, 0.0, 1e-9);
 }
 
-// A pendulum let go from the horizontal: 3 m g in the truss at the bottom, and in the support. Sabotage: the held node
-// taken for a free one; the reaction without the truss.
+// A pendulum released from the horizontal: 3 m g in the truss at the bottom, and in the support. Sabotage: the held
+// node taken for a free one; the reaction without the truss.
 TEST(Rivets, APendulumPullsThreeTimesItsWeightAtTheBottom) {
   Specimen s;
   const int pivot = s.mass_point({0, 0, 0}, 1.0, 0.1), bob = s.mass_point({2, 0, 0}, 1.5, 0.15);
@@ -63,10 +63,11 @@ TEST(Rivets, APendulumPullsThreeTimesItsWeightAtTheBottom) {
   Experiment experiment(s.deck());
   double largest = 0.0, support = 0.0, distance = 0.0, speed = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    largest = std::max(largest, now.rivets.axial(0));
-    distance = std::max(distance, std::abs(now.rivets.length(0, now.state) - 2.0));
+    largest = std::max(largest, now.components.rivets.axial(0));
+    distance = std::max(distance, std::abs(now.components.rivets.length(0, now.state) - 2.0));
     speed = std::max(speed, norm(experiment.velocity(now, bob)));
-    for (const impact::Supports::Reaction& r : now.supports.spc_reactions()) support = std::max(support, norm(r.force));
+    for (const impact::Supports::Reaction& r : now.components.supports.spc_reactions())
+      support = std::max(support, norm(r.force));
   });
   expect_reference("rivet", "pendulum from the horizontal: largest tension over its weight", largest / weight, 3.0,
                    1e-5);
@@ -90,7 +91,8 @@ TEST(Rivets, ChainsAreSolvedTogether) {
   Experiment experiment(s.deck());
   double error = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    error = std::max({error, std::abs(now.rivets.axial(0) - 2.0), std::abs(now.rivets.axial(1) - 4.0)});
+    error = std::max(
+        {error, std::abs(now.components.rivets.axial(0) - 2.0), std::abs(now.components.rivets.axial(1) - 4.0)});
   });
   // 1e-13 of the length is a force of 1e-13 L m / step^2 = 2e-5.
   expect_reference("rivet", "three masses on two rivets, pulled with 6: largest error of the tensions 2 and 4", error,
@@ -109,11 +111,11 @@ TEST(Rivets, FailAtTheirTime) {
   double after = 0.0, speed = 0.0;
   Vec3d at_failure;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    if (!now.rivets.failed(0)) return;
+    if (!now.components.rivets.failed(0)) return;
     if (norm(at_failure) == 0.0) at_failure = vec(now.state.v[experiment.node(b)]);
     after = std::max(after, norm(vec(now.state.v[experiment.node(b)]) - at_failure));
     speed = norm(at_failure);
-    EXPECT_EQ(now.rivets.axial(0), 0.0);
+    EXPECT_EQ(now.components.rivets.axial(0), 0.0);
   });
   EXPECT_NEAR(after, 0.0, 1e-12);
   EXPECT_NEAR(speed, 3.0, 1e-5);

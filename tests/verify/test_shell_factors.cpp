@@ -39,7 +39,7 @@ double force_at_failure(const std::string& control, bool pulled, double x = 0.0,
   Experiment run(deck + "*END\n");
   double last = 0.0;
   run.run([&](const impact::Snapshot& now) {
-    const weld::History& h = *now.welds.history(0);
+    const weld::History& h = *now.components.welds.history(0);
     if (!h.failed()) last = pulled ? h.resultants().axial : h.resultants().shear();
   });
   EXPECT_TRUE(run.simulation().components().welds.history(0)->failed());

@@ -46,7 +46,7 @@ TEST(Sliding, TwoBarsCollide) {
   double begin = 0.0, end = 0.0, impulse = 0.0, after_left = 0.0, after_right = 0.0, worst = 1.0, before = 0.0;
   TimeMean plateau;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    const double force = -now.contacts[0].resultant().x, t = now.state.time;
+    const double force = -now.components.contacts.all()[0].resultant().x, t = now.state.time;
     impulse += force * now.velocity_interval();
     if (force > 0.5 * 20300.9) end = t;
     if (begin == 0.0 && force > 0.5 * 20300.9) begin = t;
@@ -75,7 +75,8 @@ TEST(Sliding, TwoBarsCollideBySegmentMasses) {
   TimeMean plateau;
   double before = 0.0, after_left = 0.0, after_right = 0.0, worst = 1.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    if (now.state.time > 8e-6 && now.state.time < 2e-5) plateau.add(-now.contacts[0].resultant().x, now.state.dt);
+    if (now.state.time > 8e-6 && now.state.time < 2e-5)
+      plateau.add(-now.components.contacts.all()[0].resultant().x, now.state.dt);
     after_left = momentum(experiment, now, bars.left.all()).x;
     after_right = momentum(experiment, now, bars.right.all()).x;
     if (now.state.cycle == 0) before = after_left;
@@ -105,7 +106,7 @@ TEST(Sliding, AShortLastStepDoesNotStiffenContact) {
   Experiment cut(Bars(40, end).s.deck());
   run_to_end(cut, [&](const impact::Snapshot& now) {
     last_step = now.state.dt_previous;
-    force = -now.contacts[0].resultant().x;
+    force = -now.components.contacts.all()[0].resultant().x;
   });
   ASSERT_NEAR(last_step, 0.1 * step, 0.01 * step);
   expect_reference("impact of two rods", "coaxial bars, contact force after a last step of a tenth [N]", force, plateau,

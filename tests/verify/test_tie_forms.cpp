@@ -58,12 +58,12 @@ struct OnAPlate {
   void go() {
     run.run([&](const impact::Snapshot& now) {
       plate = end = {};
-      for (const auto& r : now.supports.spc_reactions()) {
+      for (const auto& r : now.components.supports.spc_reactions()) {
         const Vec3d x = vec(now.state.x[at(r.node)]);
         plate.force += r.force;
         plate.moment += r.moment + cross(x, r.force);
       }
-      for (const auto& r : now.supports.motion_reactions()) {
+      for (const auto& r : now.components.supports.motion_reactions()) {
         const Vec3d x = vec(now.state.x[at(r.node)]);
         end.force += r.force;
         end.moment += r.moment + cross(x, r.force);
@@ -145,12 +145,12 @@ TEST(TieForms, TorsionBecomesInPlaneForces) {
   s.run.run([&](const impact::Snapshot& now) {
     s.plate = s.end = {};
     at_corners.clear();
-    for (const auto& r : now.supports.spc_reactions()) {
+    for (const auto& r : now.components.supports.spc_reactions()) {
       s.plate.force += r.force;
       s.plate.moment += r.moment + cross(vec(now.state.x[at(r.node)]), r.force);
       at_corners.push_back(norm(r.force));
     }
-    for (const auto& r : now.supports.motion_reactions()) s.end.moment += r.moment;
+    for (const auto& r : now.components.supports.motion_reactions()) s.end.moment += r.moment;
   });
   expect_reference("torsion on shells", "moment in over G J / L x angle", s.end.moment.z / torque, 1.0, 1e-9);
   expect_reference("torsion on shells", "moment out over moment in", -s.plate.moment.z / s.end.moment.z, 1.0, 1e-9);
@@ -306,11 +306,11 @@ TEST(TieForms, MomentsOnBrickFacesAreCouples) {
   Load block, end;
   run.run([&](const impact::Snapshot& now) {
     block = end = {};
-    for (const auto& r : now.supports.spc_reactions()) {
+    for (const auto& r : now.components.supports.spc_reactions()) {
       block.force += r.force;
       block.moment += cross(vec(now.state.x[at(r.node)]), r.force);
     }
-    for (const auto& r : now.supports.motion_reactions()) {
+    for (const auto& r : now.components.supports.motion_reactions()) {
       end.force += r.force;
       end.moment += r.moment + cross(vec(now.state.x[at(r.node)]), r.force);
     }
@@ -356,7 +356,7 @@ TEST(TieReleases, SpotdelZeroLetsTheNodeGo) {
   double after = 0.0;
   for (double m : run.system().mass) after += m;
   expect_reference("tie that ends", "total mass, after over before", after / before, 1.0, 1e-12);
-  expect_reference("tie that ends", "mass of the node let go, over its own", run.system().mass[node],
+  expect_reference("tie that ends", "mass of the released node, over its own", run.system().mass[node],
                    run.system().own_mass[node], 1e-12);
 }
 
@@ -458,7 +458,8 @@ TEST(WeldGroup, FirstFailure) {
   run.run([](const impact::Snapshot&) {});
   std::vector<double> times;
   for (std::size_t i = 0; i < 4; ++i) times.push_back(run.simulation().components().welds.history(i)->failure_time());
-  ASSERT_TRUE(run.simulation().components().welds.history(0)->failed() && run.simulation().components().welds.history(1)->failed());
+  ASSERT_TRUE(run.simulation().components().welds.history(0)->failed() &&
+              run.simulation().components().welds.history(1)->failed());
   expect_reference("weld group between rigid plates", "load at the first failure, weld (30, 20) [N]",
                    8000.0 * times[0] / end, 7744.9, 1e-2);
   expect_reference("weld group between rigid plates", "load at the first failure, weld (30, -20) [N]",
@@ -503,7 +504,7 @@ double boss_stiffness(int dof, double amount, double end = 1e-3) {
   double sum = 0.0, time = 0.0;
   run.run([&](const impact::Snapshot& now) {
     if (now.state.time < 0.85 * end) return;
-    const auto& r = now.supports.motion_reactions().at(0);
+    const auto& r = now.components.supports.motion_reactions().at(0);
     sum += now.state.dt * (dof < 5 ? norm(r.force) : norm(r.moment));
     time += now.state.dt;
   });
@@ -555,7 +556,7 @@ double equivalent_radius(int n) {
   double sum = 0.0, sink = 0.0;
   run.run([&](const impact::Snapshot& now) {
     if (now.state.time < 0.85 * end) return;
-    for (const auto& r : now.supports.motion_reactions()) sum += now.state.dt * r.force.z;
+    for (const auto& r : now.components.supports.motion_reactions()) sum += now.state.dt * r.force.z;
     sink += now.state.dt * run.displacement(now, 9001).z;
   });
   const double stiffness = sum / sink;

@@ -54,14 +54,14 @@ void expect_split(const std::string& test_case, const Vec3d& place, const std::a
   std::array<Vec3d, 4> reaction, couple;
   Vec3d pull, twist;
   s.run.run([&](const impact::Snapshot& now) {
-    for (const auto& r : now.supports.spc_reactions())
+    for (const auto& r : now.components.supports.spc_reactions())
       for (std::size_t i = 0; i < 4; ++i)
         if (static_cast<std::size_t>(r.node) == s.run.node(corners[i])) {
           reaction[i] = r.force;
           couple[i] = r.moment;
         }
     pull = twist = {};
-    for (const auto& r : now.supports.motion_reactions()) {
+    for (const auto& r : now.components.supports.motion_reactions()) {
       pull += r.force;
       twist += r.moment;
     }

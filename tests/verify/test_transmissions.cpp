@@ -56,8 +56,8 @@ TEST(Transmissions, WheelsShareTheirSpin) {
         first = spin(now, 1);
         second = spin(now, 2);
         // The force of the teeth times R1 is the moment on A, which is 1/rho of that on B.
-        force = norm(now.joints.force(0)) * 2.0;
-        moment = norm(now.joints.moment(0)) / rho;
+        force = norm(now.components.joints.force(0)) * 2.0;
+        moment = norm(now.components.joints.moment(0)) / rho;
         apart = std::max(apart, std::abs(force - moment) / (1e-9 + moment));
         EXPECT_LT(now.energy.ratio(), 1.0 + 1e-3);
       });
@@ -91,7 +91,7 @@ TEST(Transmissions, PinionDrivesItsRack) {
     run_to_end(experiment, [&](const impact::Snapshot& now) {
       angle += now.state.dt * vec(now.state.w[static_cast<std::size_t>(body_of(now, 1).node)]).z;
       way = place(now, 2).x - 20.0;
-      force = now.joints.force(0).x;
+      force = now.components.joints.force(0).x;
       drift = std::max(drift, std::abs(now.energy.total() - now.energy.external));
     });
     const std::string what = by_points ? "rack and pinion by points: " : "rack and pinion: ";

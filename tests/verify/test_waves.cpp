@@ -139,7 +139,7 @@ TEST(Waves, RodOnARigidWall) {
   constexpr double contact = 1.160049e-4;
   double release = 0.0, early = 0.0, late = 0.0, early_time = 0.0, late_time = 0.0, rebound = 0.0, ratio = 1.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    const contact::RigidWall& wall = now.walls[0];
+    const contact::RigidWall& wall = now.components.walls.all()[0];
     if (wall.touching() > 0) release = now.state.time;
     if (now.state.time < 0.1 * contact) early = wall.normal_impulse(), early_time = now.state.time;
     if (now.state.time < 0.9 * contact) late = wall.normal_impulse(), late_time = now.state.time;

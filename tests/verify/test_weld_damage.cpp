@@ -245,7 +245,7 @@ std::vector<BrickSample> brick_run(const std::string& material, const Motion& to
                  moved(prism, prism.top(), {1, 1, 1}, top, cycles * dt, points, 200) + "*END\n");
   std::vector<BrickSample> samples;
   run.run([&](const impact::Snapshot& now) {
-    const weld::History& h = *now.welds.history(0);
+    const weld::History& h = *now.components.welds.history(0);
     const system::System::ElementLocation location = now.system.solid_location[0];
     const auto& group = *now.system.groups[static_cast<std::size_t>(location.group)];
     samples.push_back({now.state.time / (cycles * dt), h.resultants().axial, h.failure_value(),
@@ -398,7 +398,9 @@ TEST(WeldConnection, SheetsChooseTheStrength) {
   const auto stress = [](double rank_3, double rank_4, int area_rule, int n, double real_area) {
     Experiment run(two_sheets(rank_3, rank_4, area_rule, n));
     double most = 0.0;
-    run.run([&](const impact::Snapshot& now) { most = std::max(most, now.welds.history(0)->resultants().axial); });
+    run.run([&](const impact::Snapshot& now) {
+      most = std::max(most, now.components.welds.history(0)->resultants().axial);
+    });
     EXPECT_EQ(run.ties().welds.size(), 1u);
     EXPECT_TRUE(run.simulation().components().welds.history(0)->failed());
     return most / real_area;

@@ -94,11 +94,11 @@ Outcome run(const Kind& kind, const std::string& material, const std::string& mo
   Experiment run(deck_of(kind, material, more, u, cycles));
   Outcome out;
   run.run([&](const impact::Snapshot& now) {
-    const weld::History& h = *now.welds.history(0);
+    const weld::History& h = *now.components.welds.history(0);
     out.failed = h.failed();
     if (out.failed) return;
     Vec3d n, m;
-    for (const auto& r : now.supports.spc_reactions()) {
+    for (const auto& r : now.components.supports.spc_reactions()) {
       n -= r.force;
       m -= r.moment + cross(vec(now.state.x[static_cast<std::size_t>(r.node)]), r.force);
     }

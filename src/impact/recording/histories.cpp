@@ -28,17 +28,6 @@ output::ElementKind kind(model::ElementKind k) {
   }
 }
 
-output::WeldKind kind(weld::Weld::Kind k) {
-  switch (k) {
-    case weld::Weld::Kind::beam: return output::WeldKind::beam;
-    case weld::Weld::Kind::solid: return output::WeldKind::solid;
-    case weld::Weld::Kind::assembly: return output::WeldKind::assembly;
-    case weld::Weld::Kind::rigid:
-    case weld::Weld::Kind::connector: return output::WeldKind::generalized;
-  }
-  return output::WeldKind::beam;
-}
-
 }  // namespace
 
 output::GlstatState glstat_state(const Snapshot& now) {
@@ -192,92 +181,6 @@ output::NodoutState nodout_state(const Snapshot& now) {
     row.rotation = now.history_rotation[i];
     turn_into_local_axes(now, entity, row);
     turn_into_accelerometer(now, entity.index, row);
-    s.rows.push_back(row);
-  }
-  return s;
-}
-
-output::SwforcState swforc_state(const Snapshot& now) {
-  const model::Model& model = now.system.model;
-  output::SwforcState s;
-  s.time = now.state.time;
-  const std::vector<weld::Weld>& welds = now.system.ties.welds;
-  for (std::size_t i = 0; i < welds.size(); ++i) {
-    const weld::History* history = now.components.welds.history(i);
-    if (history == nullptr) continue;
-    const model::Part& part = model.parts[at(welds[i].part)];
-    const bool wanted = welds[i].of_bricks() ? model.solid_sections[at(part.section)].in_swforc
-                                             : model.beam_sections[at(part.section)].in_swforc;
-    if (!wanted) continue;
-    const weld::Resultants& r = history->resultants();
-    s.rows.push_back({welds[i].id,
-                      kind(welds[i].kind),
-                      r.axial,
-                      r.shear(),
-                      now.components.welds.length(i, now.state),
-                      r.moment(),
-                      r.torsion,
-                      history->failed() ? 1.0 : history->failure_value(),
-                      history->failure_time(),
-                      {}});
-    if (model.weld_laws[at(model.materials[at(part.material)].weld)].option == -2)
-      s.rows.back().peak = {history->peak_failure_value(), history->peak_failure_time()};
-  }
-  for (std::size_t i = 0; i < now.components.rigid_welds.size(); ++i) {
-    const model::RigidWeld& weld = now.components.rigid_welds.weld(i);
-    const weld::RigidWeldHistory& h = now.components.rigid_welds.history(i);
-    s.rows.push_back({weld.id,
-                      weld.kind == model::RigidWeld::Kind::generalized ? output::WeldKind::generalized
-                                                                       : output::WeldKind::constraint,
-                      h.axial(),
-                      h.shear(),
-                      now.components.rigid_welds.length(i, now.state),
-                      h.moment(),
-                      h.torsion(),
-                      h.failed() ? 1.0 : h.failure_value(),
-                      h.failure_time(),
-                      {}});
-  }
-  for (std::size_t i = 0; i < now.components.rivets.size(); ++i)
-    s.rows.push_back({now.components.rivets.rivet(i).id,
-                      output::WeldKind::constraint,
-                      now.components.rivets.axial(i),
-                      0.0,
-                      now.components.rivets.length(i, now.state),
-                      0.0,
-                      0.0,
-                      now.components.rivets.failed(i) ? 1.0 : 0.0,
-                      now.components.rivets.failure_time(i),
-                      {}});
-  return s;
-}
-
-output::DcfailState dcfail_state(const Snapshot& now) {
-  const model::Model& model = now.system.model;
-  output::DcfailState s;
-  s.time = now.state.time;
-  const std::vector<weld::Weld>& welds = now.system.ties.welds;
-  for (std::size_t i = 0; i < welds.size(); ++i) {
-    const weld::History* history = now.components.welds.history(i);
-    if (history == nullptr) continue;
-    const model::WeldLaw& law = weld::law_of(model, welds[i]);
-    if (!law.connection || law.properties == model::none) continue;
-    output::DcfailRow row;
-    row.id = welds[i].id;
-    row.connection = model.connections[at(law.properties)].id;
-    const weld::failure::Value& value = history->last_value();
-    row.failure = value.value;
-    row.normal = value.term[0].value;
-    row.bending = value.term[1].value;
-    row.shear = value.term[2].value;
-    row.area = value.area;
-    row.solid_area = value.solid_area;
-    row.strain_rate = value.rate;
-    const weld::Resultants& r = history->resultants();
-    row.axial_force = r.axial;
-    row.shear_force = r.shear();
-    row.torsional_moment = r.torsion;
-    row.bending_moment = r.moment();
     s.rows.push_back(row);
   }
   return s;

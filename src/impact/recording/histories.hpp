@@ -4,7 +4,6 @@
 #include "impact/simulation/snapshot.hpp"
 #include "output/abstat.hpp"
 #include "output/bndout.hpp"
-#include "output/dcfail.hpp"
 #include "output/deforc.hpp"
 #include "output/glstat.hpp"
 #include "output/jntforc.hpp"
@@ -15,7 +14,6 @@
 #include "output/rwforc.hpp"
 #include "output/sleout.hpp"
 #include "output/spcforc.hpp"
-#include "output/swforc.hpp"
 
 // What the history files want to know of a moment, one function a file.
 namespace nugget::impact {
@@ -23,8 +21,6 @@ namespace nugget::impact {
 output::GlstatState glstat_state(const Snapshot& now);
 output::MatsumState matsum_state(const Snapshot& now);
 output::NodoutState nodout_state(const Snapshot& now);
-output::SwforcState swforc_state(const Snapshot& now);
-output::DcfailState dcfail_state(const Snapshot& now);
 output::DeforcState deforc_state(const Snapshot& now);
 output::JntforcState jntforc_state(const Snapshot& now);
 output::AbstatState abstat_state(const Snapshot& now);

@@ -10,6 +10,7 @@
 #include "impact/recording/d3plot_states.hpp"
 #include "impact/recording/element_histories.hpp"
 #include "impact/recording/histories.hpp"
+#include "impact/recording/weld_results.hpp"
 #include "output/model_geometry.hpp"
 
 namespace nugget::impact {

@@ -144,8 +144,8 @@ NodalMass triangle_nodal_mass(const std::array<Vec3d, 3>& x, double thickness, d
     const auto [by_motion, by_spin] = greatest_shear(x);
     const Vec3d nodes[3] = {x[0], x[1], x[2]};
     const double altitude2 = length2(nodes, area, ShellLength::area_over_side, 0.0);
-    const double borne = 4.0 / (stable_courant_number * stable_courant_number * altitude2);
-    if (const double left = borne / (3.0 * shear_share) - by_motion; left > 0.0)
+    const double stable = 4.0 / (stable_courant_number * stable_courant_number * altitude2);
+    if (const double left = stable / (3.0 * shear_share) - by_motion; left > 0.0)
       gyration2 = std::max(gyration2, by_spin / left);
   }
   return {mass, mass * gyration2};

@@ -99,8 +99,8 @@ void report_passing_spcs(const model::Model& model, Findings& findings) {
   }
   if (late + early > 0)
     findings.warning({model.deck, 0, 0}, "*BOUNDARY_SPC",
-                     fmt::format("SPCs that are born later hold nothing in a linear analysis ({} nodes), those that "
-                                 "die during the run hold ({} nodes): what is in force at time 0 counts",
+                     fmt::format("in a linear analysis SPCs count as they are at time 0: those activated later hold "
+                                 "nothing ({} nodes), those deactivated during the run hold ({} nodes)",
                                  late, early),
                      "write BIRTH 0 and no DEATH for what holds, take out what does not");
 }

@@ -90,7 +90,7 @@ const Card card_a{{
     integer("frcfrq", 1, any_value, "cycles between forces; here each cycle"),
 }};
 const Card card_b{{
-    real("penmax", dimension::number, 0, at_least(0), "a node deeper than so many thicknesses is let go; 0: never"),
+    real("penmax", dimension::number, 0, at_least(0), "a node deeper than so many thicknesses is released; 0: never"),
     integer("thkopt", 0, any_value, "thickness option of contacts that are not automatic"),
     integer("shlthk", 0, any_value, "the same"),
     integer("snlog", 0, any_value, "nodes that penetrate far within a cycle"),

@@ -119,7 +119,7 @@ const Card contact_card_4{{
     integer("outseg", 0, between(0, 1), "1: list weld nodes and their segments"),
     integer("spotstp", 0, between(0, 3), "weld without a sheet: 0 warn, 1 stop, 2 delete it, 3 keep it"),
     integer("spotdel", 0, between(0, 1),
-            "when the shells that a weld is tied to are deleted: 0 its nodes are let go, 1 it is deleted too"),
+            "when the shells that a weld is tied to are deleted: 0 its nodes are released, 1 it is deleted too"),
     real("spothin", dimension::number, 0, between(0, 1),
          "factor on the contact thickness of shells near welds; 0: as it is"),
     flag("dir_tie", "of LS-DYNA over several processes, no effect"),

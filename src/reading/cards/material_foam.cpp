@@ -141,7 +141,7 @@ void set_crushable_foam(Builder& b, Index material, const Row& row) {
   check_compression(b, row, "lcid", flow.yield, false);
   flow.cutoff = row.real("tsc");
   if (flow.cutoff == 0.0)
-    row.report(b.findings, Severity::warning, "tsc", "no tension is borne at all", "give the tensile strength");
+    row.report(b.findings, Severity::warning, "tsc", "it carries no tension at all", "give the tensile strength");
   flow.damping = row.real("damp");
   set_foam(b, material, {flow});
 }

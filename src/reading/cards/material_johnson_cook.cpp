@@ -64,7 +64,7 @@ const Card johnson_cook_yield_card{{
 const Card johnson_cook_heat_card{{
     real("cp", {0, 2, -2}, 0, at_least(0), "heat capacity a mass and degree; 0: plastic work does not heat"),
     real("pc", dimension::stress, 0, any_value,
-         "tension borne by solids with an equation of state, as a pressure below 0; 0: any"),
+         "tension carried by solids with an equation of state, as a pressure below 0; 0: any"),
     real("spall", dimension::number, 2, between(0, 3),
          "at PC 1: the pressure falls no further; 2 (and 0): a point breaks by its largest principal stress, 3: by its "
          "mean stress"),

@@ -108,7 +108,7 @@ const Card long_layer_card{{
     real("b1", dimension::number, 0, any_value, "angle in degrees that turns its material axes about the normal"),
     id("tmid1", IdSpace::material, 0, "thermal material; no effect on mechanics"),
     integer("plyid", 0, any_value, "number of the ply for postprocessors; no effect"),
-    real("shrfac", dimension::number, 1, above_zero(), "scale of the transverse shear stress that the layer bears"),
+    real("shrfac", dimension::number, 1, above_zero(), "scale of the transverse shear stress that the layer carries"),
 }};
 
 const Card print_card{{integer("prbf", 0, any_value, "which listings show the part: not obeyed, all do")}};

@@ -264,7 +264,7 @@ void leave_wall(Builder& builder, const Row& row, double reach, RigidWall wall, 
     take_nodes(b, row, reach, wall);
     if (const double end = b.model.control.end_time; end > 0.0 && wall.birth >= end)
       row.report(b.findings, Severity::warning, "birth",
-                 fmt::format("the wall is born after the end of the run ({:g}): it stops nothing", end),
+                 fmt::format("the wall is activated after the end of the run ({:g}): it stops nothing", end),
                  "give 0 if it is to act from the start");
     if (motion) take_curve(b, *motion, wall);
     if (wall.id == 0) {

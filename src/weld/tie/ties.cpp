@@ -543,7 +543,7 @@ std::string Tying::reason(const Record& r, const Projection& p, double penetrati
     case 6: text = "over no segment of its own sheet; the closest is " + segment + ", " + distance + " away"; break;
     default: return "projection onto " + segment + ", " + distance + " away, would turn the weld over or crush it";
   }
-  return p.tied ? text : text + "; let go with the weld";
+  return p.tied ? text : text + "; released with the weld";
 }
 
 }  // namespace

@@ -154,7 +154,8 @@ TEST(Supports, MotionsOfEachKindGiveTheSameReaction) {
     run.run([&](const Snapshot& now) {
       if (now.state.cycle < 2 || now.state.time > 0.99) return;
       const double t = now.state.time;
-      worst = std::max(worst, std::abs(now.supports.motion_reactions().at(0).force.x + 2.0 * w * w * std::sin(w * t)));
+      worst = std::max(
+          worst, std::abs(now.components.supports.motion_reactions().at(0).force.x + 2.0 * w * w * std::sin(w * t)));
       EXPECT_NEAR(vec(now.state.x[run.node(1)]).x, std::sin(w * t), 3e-3);
     });
     EXPECT_LT(worst, 1e-2 * 2.0 * w * w) << "VAD " << kind;
@@ -178,7 +179,7 @@ TEST(Supports, HoldWhatTheLoadsPush) {
   Trial run(until_one + mass +
             "*DEFINE_CURVE\n1\n0.0,1.0\n10.0,1.0\n*LOAD_NODE_POINT\n1,2,1,7.0\n*BOUNDARY_SPC_NODE\n1,0,0,1,0,0,0,0\n");
   Vec3d reaction;
-  run.run([&](const Snapshot& now) { reaction = now.supports.spc_reactions().at(0).force; });
+  run.run([&](const Snapshot& now) { reaction = now.components.supports.spc_reactions().at(0).force; });
   EXPECT_NEAR(reaction.y, -7.0, 1e-12);
   EXPECT_EQ(vec(run.simulation->state().x[run.node(1)]).y, 0.0);
   EXPECT_EQ(run.energy().external, 0.0);
@@ -219,7 +220,7 @@ TEST(Supports, ANodeGoesAroundAnAxis) {
       if (now.state.time < 0.5 || now.state.time > 0.99) return;
       const double w = 2.0 * now.state.time;
       const Vec3d out = (1.0 / way) * Vec3d{x.x - 1.0, x.y + 1.0, 0.0}, around{-out.y, out.x, 0.0};
-      const Vec3d force = now.supports.motion_reactions().at(0).force;
+      const Vec3d force = now.components.supports.motion_reactions().at(0).force;
       wrong = std::max(wrong, norm(force - (-2.0 * w * w * way) * out - (2.0 * way * 2.0) * around));
     });
     EXPECT_LT(off, 1e-9) << motion.substr(0, 60);
@@ -244,7 +245,7 @@ TEST(Supports, ABeadSlidesAlongATurningWire) {
     radius = std::max(radius, std::abs(r / (way * std::cosh(w * t)) - 1.0));
     if (t < 0.5 || t > 0.99) return;
     const double wanted = 2.0 * 2.0 * w * w * way * std::sinh(w * t);
-    const Vec3d f = now.supports.motion_reactions().at(0).force;
+    const Vec3d f = now.components.supports.motion_reactions().at(0).force;
     push = std::max(push, std::abs((f.y * (x.x - 1.0) - f.x * (x.y + 1.0)) / (r * wanted) - 1.0));
   });
   EXPECT_LT(angle, 1e-11);

@@ -420,7 +420,7 @@ TEST(Spotstp, TwoDeletesTheWeldAndLetsItsNodesGo) {
   EXPECT_TRUE(s.ties.welds[2].deleted);
   EXPECT_EQ(s.ties.ties.size(), 2u);
   EXPECT_FALSE(s.ties.welds[1].ends[0].tied);
-  EXPECT_THAT(s.ties.welds[1].ends[0].reason, HasSubstr("let go with the weld"));
+  EXPECT_THAT(s.ties.welds[1].ends[0].reason, HasSubstr("released with the weld"));
   EXPECT_EQ(s.ties.x[s.ties.welds[1].ends[0].node].z, 0.5);
   EXPECT_THAT(text(s.findings), HasSubstr("they are deleted"));
 }

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <map>
+
+#include "kernel/law/law_components.hpp"
+#include "model/bond.hpp"
+#include "system/brick_element.hpp"
+#include "system/cohesive_brick_element.hpp"
+#include "system/groups.hpp"
+#include "system/quadratic_tetrahedron_element.hpp"
+#include "system/rotational_tetrahedron_element.hpp"
+#include "system/tetrahedron_element.hpp"
+#include "weld/failure/connection.hpp"
+#include "weld/tie/welds.hpp"
+
+// Which kernel runs which bricks.
+namespace nugget::system {
+namespace {
+
+double bulk_modulus(const kernel::ElasticConstants& e) {
+  return e.E / (3.0 * (1.0 - 2.0 * e.nu));
+}
+
+std::vector<std::array<int, 4>> first_four(const std::vector<ElementNodes>& nodes) {
+  std::vector<std::array<int, 4>> four;
+  for (const auto& n : nodes) four.push_back({n[0], n[1], n[2], n[3]});
+  return four;
+}
+
+bool bends_without_locking(int elform) {
+  return elform == -1 || elform == -2 || elform == 3;
+}
+
+template <class Law>
+FullBrickElement<Law> full_brick(const BrickElement<Law>& of, const model::SectionSolid& section) {
+  return {of, bends_without_locking(section.elform) ? kernel::BrickStrains::assumed
+                                                    : kernel::BrickStrains::shape_functions};
+}
+
+/// The nodes of a weld's brick, so that zeta runs along the weld: the kernel's uniaxial stress state wants that.
+std::array<model::Index, 8> laid_along(const weld::Weld& weld, const std::array<model::Index, 8>& brick,
+                                       const std::vector<Vec3d>& x) {
+  const Vec3d axis = weld::face_centre(weld, 1, x) - weld::face_centre(weld, 0, x);
+  std::array<model::Index, 8> best = brick;
+  double most = -1.0;
+  for (const auto& [low, up] : weld::opposite_faces(brick)) {
+    Vec3d along;
+    for (std::size_t a = 0; a < 4; ++a) along += x[at(up[a])] - x[at(low[a])];
+    const double cosine = std::abs(dot(along, axis)) / norm(along);
+    if (!(cosine > most * (1.0 + 1e-9))) continue;
+    most = cosine;
+    best = {low[0], low[1], low[2], low[3], up[0], up[1], up[2], up[3]};
+  }
+  return best;
+}
+
+}  // namespace
+
+void System::make_bricks() {
+  solid_location.assign(model.solids.size(), {});
+  const std::vector<bool> deleted = deleted_with_welds(true);
+  auto sorted = by_part(model.solids, model.parts.size(), ties.x);
+  for (std::size_t p = 0; p < model.parts.size(); ++p) {
+    std::erase_if(sorted[p], [&](model::Index e) { return deleted[at(e)]; });
+    if (sorted[p].empty()) continue;
+    const model::Part& part = model.parts[p];
+    const model::Material& material = model.materials[at(part.material)];
+    const model::Hourglass& hourglass = hourglass_of(part);
+    const auto* compound = std::get_if<kernel::ComposedLaw>(&material.law);
+    if (compound != nullptr && compound->components->bond) {
+      const Members m = members(model.solids, sorted[p]);
+      if (model::is_between_shells(model.solid_sections[at(part.section)].elform))
+        add_group(CohesiveBrickElement<true>{material.density, compound->components->bond}, model::ElementKind::solid,
+                  p, m, solid_location);
+      else
+        add_group(CohesiveBrickElement<false>{material.density, compound->components->bond}, model::ElementKind::solid,
+                  p, m, solid_location);
+      continue;
+    }
+    const bool viscous = compound == nullptr || compound->components->bulk_viscosity;
+    // Without a card: viscous on the patterns orthogonal to linear fields (docs/decisions/0007).
+    const kernel::HexahedronProperties brick{material.density, hourglass.type == 0 ? 2 : hourglass.type,
+                                             hourglass.membrane, viscous ? hourglass.bulk_quadratic : 0.0,
+                                             viscous ? hourglass.bulk_linear : 0.0};
+    if (const auto* law = std::get_if<kernel::Spotweld>(&material.law)) {
+      add_weld_bricks(p, sorted[p], brick, *law);
+      continue;
+    }
+    const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
+      const BrickElement<Law> element{brick, kernel::LawKernel<Law>(law)};
+      const auto [quadratic, tetrahedra, full, others] =
+          by_formulation(sorted[p], model.solid_sections[at(part.section)].elform);
+      if (!quadratic.empty())
+        add_group(QuadraticTetrahedronElement<Law>{{brick, element.law}}, model::ElementKind::solid, p,
+                  different_nodes(quadratic), solid_location);
+      if (!tetrahedra.empty()) {
+        const Members m = different_nodes(tetrahedra);
+        const int elform = model.solid_sections[at(part.section)].elform;
+        std::shared_ptr<NodalPressure> shared;
+        if (!std::is_same_v<Law, kernel::ComposedLaw> && elform == 13)
+          shared = std::make_shared<NodalPressure>(first_four(m.node), start_, bulk_modulus(element.law.elastic()));
+        if (elform == 4)
+          add_group(RotationalTetrahedronElement<Law>{{brick, element.law}}, model::ElementKind::solid, p, m,
+                    solid_location);
+        else
+          add_group(TetrahedronElement<Law>{brick, element.law, shared}, model::ElementKind::solid, p, m,
+                    solid_location);
+      }
+      if (!full.empty())
+        add_group(full_brick(element, model.solid_sections[at(part.section)]), model::ElementKind::solid, p,
+                  members(model.solids, full), solid_location);
+      if (!others.empty())
+        add_group(element, model::ElementKind::solid, p, members(model.solids, others), solid_location);
+    });
+    if (computed) continue;
+    const Members m = different_nodes(sorted[p]);
+    for (std::size_t i = 0; i < sorted[p].size(); ++i) {
+      const double whole = material.density * model::solid_volume(model, at(sorted[p][i]));
+      const int count = static_cast<int>(model.solids.different_nodes(at(sorted[p][i])).size());
+      mass_only_elements_.push_back({static_cast<model::Index>(p), count, m.node[i], whole, 0.0});
+    }
+  }
+}
+
+System::Members System::different_nodes(const std::vector<model::Index>& solids) const {
+  Members m;
+  m.element = solids;
+  for (const model::Index e : solids) {
+    ElementNodes node{};
+    const std::vector<model::Index> different = model.solids.different_nodes(at(e));
+    for (std::size_t a = 0; a < different.size(); ++a) node[a] = node_of[at(different[a])];
+    m.node.push_back(node);
+  }
+  return m;
+}
+
+System::Formulations System::by_formulation(const std::vector<model::Index>& solids, int elform) const {
+  const bool sorts = model.control.sort_solids;
+  Formulations f;
+  for (const model::Index e : solids) {
+    const std::size_t corners = model.solids.corners(at(e)).size();
+    const bool tetrahedron = corners == 4 && (sorts || elform == 4 || elform == 10 || elform == 13),
+               wedge = corners == 6 && sorts;
+    const bool full = wedge || elform == 2 || elform == 15 || bends_without_locking(elform);
+    (model.solids.quadratic(at(e)) ? f.quadratic : tetrahedron ? f.tetrahedra : full ? f.full : f.others).push_back(e);
+  }
+  return f;
+}
+
+void System::add_weld_bricks(std::size_t p, const std::vector<model::Index>& chosen,
+                             const kernel::HexahedronProperties& brick, const kernel::Spotweld& law) {
+  std::vector<const weld::Weld*> weld_of(model.solids.size(), nullptr);
+  for (const weld::Weld& w : ties.welds)
+    if (w.kind != weld::Weld::Kind::rigid && w.of_bricks())
+      for (model::Index e : w.elements) weld_of[at(e)] = &w;
+  // Connections have yield stresses of their own: a group for each law.
+  std::map<std::pair<double, double>, std::pair<kernel::Spotweld, std::vector<model::Index>>> by_law;
+  for (model::Index e : chosen) {
+    const kernel::Spotweld own = weld_of[at(e)] ? weld::points_of(model, *weld_of[at(e)], law) : law;
+    auto& [shared, bricks] = by_law[{own.yield, own.hardening}];
+    shared = own;
+    bricks.push_back(e);
+  }
+  for (const auto& [key, entry] : by_law) {
+    const auto& [own, bricks] = entry;
+    Members m = members(model.solids, bricks);
+    for (std::size_t i = 0; i < bricks.size(); ++i) {
+      if (weld_of[at(bricks[i])] == nullptr) continue;
+      const auto laid = laid_along(*weld_of[at(bricks[i])], model.solids.node[at(bricks[i])], ties.x);
+      for (std::size_t a = 0; a < 8; ++a) m.node[i][a] = node_of[at(laid[a])];
+    }
+    const BrickElement<kernel::Spotweld> element{brick, kernel::LawKernel<kernel::Spotweld>(own)};
+    const model::SectionSolid& section = model.solid_sections[at(model.parts[p].section)];
+    if (section.elform == 2 || bends_without_locking(section.elform))
+      add_group(full_brick(element, section), model::ElementKind::solid, p, m, solid_location);
+    else
+      add_group(element, model::ElementKind::solid, p, m, solid_location);
+    scale_weld_mass(*groups.back(), own);
+  }
+}
+
+}  // namespace nugget::system
