@@ -91,7 +91,8 @@ TEST(DynamicRelaxation, StretchedBarIsLetGo) {
     back = std::min(back, u);
   });
   expect_reference("dynamic relaxation", "stretched bar: its end at time 0 [mm]", first, u0, 1e-4);
-  expect_reference("dynamic relaxation", "released: it is unstretched after L / c [s]", passage, 0.5 * half_period, 0.02);
+  expect_reference("dynamic relaxation", "released: it is unstretched after L / c [s]", passage, 0.5 * half_period,
+                   0.02);
   expect_reference("dynamic relaxation", "released: how far it comes back [mm]", back, -u0, 0.08);
 }
 

@@ -95,8 +95,8 @@ TEST(StepChange, LedgerWithSupportsWallsAndBodies) {
   std::string driven = "*BOUNDARY_PRESCRIBED_MOTION_NODE\n", body = "*SET_NODE_LIST\n" + fields({1});
   for (int node : {25, 26, 27, 28}) driven += fields({double(node), 3, 0, 1});
   body += fields({25, 26, 27, 28}) + "*CONSTRAINED_NODAL_RIGID_BODY\n" + fields({1, 0, 1});
-  expect_reference("step change", "energy balance of a bar against a wall", worst_energy_balance(thrown + wall), 0.0, 1e-9,
-                   1.0);
+  expect_reference("step change", "energy balance of a bar against a wall", worst_energy_balance(thrown + wall), 0.0,
+                   1e-9, 1.0);
   expect_reference("step change", "energy balance of a bar pulled at an end",
                    worst_energy_balance(ramp + driven + held({1, 2, 3, 4}, {1, 1, 1})), 0.0, 1e-9, 1.0);
   expect_reference("step change", "energy balance of a bar with a rigid end against a wall",
