@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <initializer_list>
 #include <limits>
+#include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
-// The vocabulary in which the cards of a deck are described. A card is a table of fields; the reader, its checks, its
-// messages, the unit and id offsets of *INCLUDE_TRANSFORM and `nugget keywords` all come from that one table.
+// The vocabulary in which the cards of a deck are described. A card is a table of fields, each bound to the member of a
+// struct that takes its value; the reader, its checks, its messages, the unit and id offsets of *INCLUDE_TRANSFORM and
+// `nugget keywords` all come from that one table.
 namespace nugget {
 
 /// Exponents of mass, length and time.
@@ -63,6 +70,9 @@ constexpr Range only(double value) {
 /// Marks a field that must be given.
 inline constexpr double required = std::numeric_limits<double>::quiet_NaN();
 
+/// As what a field's value is written to the member that it is bound to.
+enum class Store : unsigned char { nowhere, real, integer, flag, text };
+
 /// One field of a card. A blank field takes `fallback`. `zero_is_default` says that a written 0 takes it too (LS-DYNA's
 /// habit).
 struct Field {
@@ -76,38 +86,107 @@ struct Field {
   int width = 10;              ///< columns in standard format
   bool zero_is_default = true;
   IdSpace negative = IdSpace::none;  ///< a negative value is no value but, without its sign, an id of this name space
+  Store store = Store::nowhere;      ///< nowhere: the field is checked, and no more is made of it
+  std::ptrdiff_t offset = 0;         ///< of the member, in bytes from the beginning of its struct
 };
 
+/// A field whose kind is known to the compiler, so that it is bound to a member of that kind only.
+template <Kind kind_of_value>
+struct FieldOfKind : Field {};
+using RealField = FieldOfKind<Kind::real>;
+using IntegerField = FieldOfKind<Kind::integer>;
+using TextField = FieldOfKind<Kind::text>;
+
 // Makers, so that a table reads like the manual.
-constexpr Field real(std::string_view name, Dimension d, double fallback, Range range, std::string_view meaning) {
-  return {name, Kind::real, d, fallback, range, meaning, IdSpace::none, 10, true};
+constexpr RealField real(std::string_view name, Dimension d, double fallback, Range range, std::string_view meaning) {
+  return {{name, Kind::real, d, fallback, range, meaning, IdSpace::none, 10, true}};
 }
-constexpr Field integer(std::string_view name, double fallback, Range range, std::string_view meaning) {
-  return {name, Kind::integer, {}, fallback, range, meaning, IdSpace::none, 10, true};
+constexpr IntegerField integer(std::string_view name, double fallback, Range range, std::string_view meaning) {
+  return {{name, Kind::integer, {}, fallback, range, meaning, IdSpace::none, 10, true}};
 }
-constexpr Field id(std::string_view name, IdSpace space, double fallback, std::string_view meaning) {
-  return {name, Kind::integer, {}, fallback, any_value, meaning, space, 10, true};
+constexpr IntegerField id(std::string_view name, IdSpace space, double fallback, std::string_view meaning) {
+  return {{name, Kind::integer, {}, fallback, any_value, meaning, space, 10, true}};
 }
-constexpr Field text(std::string_view name, int width, std::string_view meaning) {
-  return {name, Kind::text, {}, 0.0, any_value, meaning, IdSpace::none, width, true};
+constexpr TextField text(std::string_view name, int width, std::string_view meaning) {
+  return {{name, Kind::text, {}, 0.0, any_value, meaning, IdSpace::none, width, true}};
 }
 constexpr Field unused(int width = 10) {
   return {{}, Kind::text, {}, 0.0, any_value, {}, IdSpace::none, width, true};
 }
 /// The same field with another number of columns.
-constexpr Field wide(Field f, int width) {
+template <class AnyField>
+constexpr AnyField wide(AnyField f, int width) {
   f.width = width;
   return f;
 }
 
 /// The same field, of which a negative value stands for an id: moved like one, and free of units.
-constexpr Field or_negative(Field f, IdSpace space) {
+template <class AnyField>
+constexpr AnyField or_negative(AnyField f, IdSpace space) {
   f.negative = space;
   return f;
 }
 
 struct Card {
   std::vector<Field> fields;
+};
+
+/// Where a value of type V lies in a T: `&T::member`, or a part of one: `at(&T::list, 3)`, `within(&T::law, &Law::e)`.
+template <class T, class V>
+struct Member {
+  // A pointer to a data member is its distance in bytes from the beginning (Itanium ABI, 2.3.1: GCC and Clang).
+  static_assert(sizeof(V T::*) == sizeof(std::ptrdiff_t));
+  constexpr explicit Member(std::ptrdiff_t bytes) : offset(bytes) {}
+  Member(V T::*member) : offset(std::bit_cast<std::ptrdiff_t>(member)) {}
+  std::ptrdiff_t offset;
+};
+/// Component `i` of an array that is a member.
+template <class T, class V, std::size_t n>
+Member<T, V> at(std::array<V, n> T::*list, std::size_t i) {
+  return Member<T, V>(Member(list).offset + static_cast<std::ptrdiff_t>(i * sizeof(V)));
+}
+/// A member of a struct that is a member.
+template <class T, class S, class V>
+Member<T, V> within(S T::*outer, V S::*inner) {
+  return Member<T, V>(Member(outer).offset + Member(inner).offset);
+}
+
+/// A field and the member of T that takes its value. A real stands in a double, a whole number or an id in an int, a
+/// bool (not 0) or an enumeration, a text in a string; else the table does not compile.
+template <class T>
+struct FieldOf : Field {
+  FieldOf(const Field& unbound) : Field(unbound) {}
+  FieldOf(Member<T, double> member, const RealField& field) : Field(field) { bind(Store::real, member.offset); }
+  FieldOf(Member<T, int> member, const IntegerField& field) : Field(field) { bind(Store::integer, member.offset); }
+  FieldOf(Member<T, bool> member, const IntegerField& field) : Field(field) { bind(Store::flag, member.offset); }
+  FieldOf(Member<T, std::string> member, const TextField& field) : Field(field) { bind(Store::text, member.offset); }
+  template <class Choice, class Base>
+    requires std::is_enum_v<Choice> && (sizeof(Choice) == sizeof(int)) && std::is_base_of_v<Base, T>
+  FieldOf(Choice Base::*member, const IntegerField& field) : Field(field) {
+    bind(Store::integer, Member<T, Choice>(member).offset);
+  }
+
+ private:
+  void bind(Store as, std::ptrdiff_t bytes) {
+    store = as;
+    offset = bytes;
+  }
+};
+
+/// Puts fields behind those of the card.
+void append(Card& card, const Field* fields, std::size_t count);
+
+/// A card whose fields are bound to members of T:
+///     const CardOf<Hourglass> hourglass_card{
+///         {&Hourglass::type, integer("ihq", 0, between(0, 10), "type")},
+///         unused(),
+///     };
+template <class T>
+struct CardOf : Card {
+  CardOf(std::initializer_list<FieldOf<T>> table) {
+    static_assert(sizeof(FieldOf<T>) == sizeof(Field));
+    append(*this, table.begin(), table.size());
+  }
 };
 
 }  // namespace nugget

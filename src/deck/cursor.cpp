@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
 
@@ -90,25 +91,48 @@ const std::string& Row::text(std::string_view name) const {
 bool Row::blank(std::string_view name) const {
   return cells_[index(name)].blank;
 }
-Place Row::place() const {
-  return place_;
+Place Row::place(std::string_view name) const {
+  return entry(name).place;
+}
+Entry Row::entry(std::string_view name) const {
+  return entry_at(index(name));
 }
 
-Place Row::place(std::string_view name) const {
-  Place p = place_;
-  p.column = cells_[index(name)].column;
-  return p;
+Entry Row::entry_of(std::ptrdiff_t offset) const {
+  for (std::size_t i = 0; i < card_->fields.size(); ++i)
+    if (card_->fields[i].store != Store::nowhere && card_->fields[i].offset == offset) return entry_at(i);
+  throw std::logic_error(fmt::format("card of *{} has no field for the member at {}", keyword_, offset));
+}
+
+Entry Row::entry_at(std::size_t field) const {
+  const Cell& cell = cells_[field];
+  return {keyword(), card_->fields[field].name, cell.text, cell.value, cell.blank,
+          {place_.file, place_.line, cell.column}};
 }
 
 void Row::report(Findings& findings, Severity severity, std::string_view name, std::string text,
                  std::string remedy) const {
-  report(findings, severity, index(name), std::move(text), std::move(remedy));
+  entry(name).report(findings, severity, std::move(text), std::move(remedy));
 }
 
-void Row::report(Findings& findings, Severity severity, std::size_t field, std::string text, std::string remedy) const {
-  const Place where{place_.file, place_.line, cells_[field].column};
-  findings.add({severity, where, '*' + keyword_, std::string(card_->fields[field].name), cells_[field].text,
-                std::move(text), std::move(remedy)});
+void Row::store(std::byte* object) const {
+  const auto put = [object](const Field& field, auto number) {
+    std::memcpy(object + field.offset, &number, sizeof number);
+  };
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const Field& field = card_->fields[i];
+    switch (field.store) {
+      case Store::nowhere: break;
+      case Store::real: put(field, cells_[i].value); break;
+      case Store::integer: put(field, static_cast<int>(cells_[i].value)); break;
+      case Store::flag: put(field, cells_[i].value != 0.0); break;
+      case Store::text: *reinterpret_cast<std::string*>(object + field.offset) = cells_[i].text; break;
+    }
+  }
+}
+
+void Entry::report(Findings& findings, Severity severity, std::string what, std::string remedy) const {
+  findings.add({severity, place, keyword, std::string(field), text, std::move(what), std::move(remedy)});
 }
 
 // ---- Cursor
@@ -159,13 +183,23 @@ double Cursor::peek_number(std::size_t index) const {
 
 Row Cursor::read(const Card& card) {
   Row row;
+  read_cells(row, card);
+  return row;
+}
+
+void Cursor::read_members(Row& row, const Card& card, std::byte* object) {
+  read_cells(row, card);
+  row.store(object);
+}
+
+void Cursor::read_cells(Row& row, const Card& card) {
   row.card_ = &card;
   row.keyword_ = block_.keyword;
   row.place_ = place();
   row.cells_.resize(card.fields.size());
   if (next_ >= block_.lines.size()) {
     fill_missing(row);
-    return row;
+    return;
   }
   std::vector<CellText> cells;
   const CellText surplus = split(card, block_.format, block_.lines[next_].text, cells);
@@ -179,7 +213,6 @@ Row Cursor::read(const Card& card) {
   // Zeros ask for nothing: decks fill fields with them that other releases have, or none.
   if (surplus.text.find_first_not_of("0., \t") != std::string_view::npos) report_surplus(surplus.text, surplus.column);
   ++next_;
-  return row;
 }
 
 void Cursor::fill_missing(Row& row) {
@@ -211,7 +244,7 @@ void Cursor::fill(Row& row, std::size_t i, std::string_view text) {
   const bool needed = std::isnan(field.fallback);
   cell.value = needed ? 0.0 : field.fallback;
   const auto report = [&](Fault fault) {
-    row.report(findings_, Severity::error, i, std::move(fault.text), std::move(fault.remedy));
+    row.entry_at(i).report(findings_, Severity::error, std::move(fault.text), std::move(fault.remedy));
   };
   if (cell.blank) {
     if (needed) report({with_meaning(field, "must be given"), "write its value there"});
@@ -250,9 +283,9 @@ void Cursor::fill_text(Row& row, std::size_t i, std::string_view text) {
   cell.text = readable(substituted(text, deck_.impl->parameters, block_.scope, &unknown));
   // In a heading an ampersand may be just that ("R&D"); a field that is nothing but `&name` means a parameter.
   if (text.front() == '&' && unknown.size() == 1 && unknown.front().size() + 1 == text.size()) {
-    row.report(findings_, Severity::error, i,
-               fmt::format("the parameter '{}' is not defined before this line", unknown.front()),
-               "define it with *PARAMETER above this keyword, or correct the name");
+    row.entry_at(i).report(findings_, Severity::error,
+                           fmt::format("the parameter '{}' is not defined before this line", unknown.front()),
+                           "define it with *PARAMETER above this keyword, or correct the name");
   }
 }
 

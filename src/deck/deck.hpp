@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -80,9 +81,28 @@ Deck read(const std::filesystem::path& master, Findings& findings);
 /// The same from memory (tests, fuzzing). Includes are looked up relative to `directory`.
 Deck read_text(std::string text, Findings& findings, const std::filesystem::path& directory = ".");
 
+/// What stands in one field of a card, for what is looked up by it and for findings about it.
+struct Entry {
+  std::string keyword;     ///< that the card belongs to, with its star
+  std::string_view field;  ///< its name
+  std::string text;        ///< as written, trimmed
+  double value = 0.0;      ///< of a number
+  bool blank = true;       ///< the field is blank (or the line ended before it, or the card is missing)
+  Place place;             ///< with its column
+
+  int integer() const { return static_cast<int>(value); }
+  /// Writes a finding: `keyword` field = text: what is wrong [remedy].
+  void report(Findings& findings, Severity severity, std::string what, std::string remedy = {}) const;
+};
+
 /// One card, read by its table: numbers checked, defaults filled in, ids and units transformed.
 class Row {
  public:
+  Place place() const { return place_; }                  ///< of the line
+  std::string keyword() const { return '*' + keyword_; }  ///< that the card belongs to, for messages
+
+  // By name. All of these throw std::logic_error for a name that the card does not have: a fault of the program, not of
+  // the deck.
   double real(std::string_view name) const;
   int integer(std::string_view name) const;
   const std::string& text(std::string_view name) const;
@@ -90,12 +110,13 @@ class Row {
   bool blank(std::string_view name) const;
   /// Where the field stands.
   Place place(std::string_view name) const;
-  Place place() const;                                    ///< of the line
-  std::string keyword() const { return '*' + keyword_; }  ///< that the card belongs to, for messages
-  /// Writes a finding about a field: `keyword` field = value: text [remedy]. (All of these throw std::logic_error for a
-  /// name that the card does not have: a fault of the program, not of the deck.)
+  Entry entry(std::string_view name) const;
   void report(Findings& findings, Severity severity, std::string_view name, std::string text,
               std::string remedy = {}) const;
+
+ protected:
+  /// Of the field that is bound to the member there; std::logic_error where none is.
+  Entry entry_of(std::ptrdiff_t offset) const;
 
  private:
   friend class Cursor;
@@ -106,11 +127,34 @@ class Row {
     int column = 1;
   };
   std::size_t index(std::string_view name) const;
-  void report(Findings& findings, Severity severity, std::size_t field, std::string text, std::string remedy) const;
+  Entry entry_at(std::size_t field) const;
+  void store(std::byte* object) const;
   const Card* card_ = nullptr;
   std::vector<Cell> cells_;
   Place place_;
   std::string keyword_;
+};
+
+/// A card read into the members that its fields are bound to: `row->type` is the value, `row[&Hourglass::type]` the
+/// field as it stands in the deck.
+template <class T>
+class RowOf : public Row {
+ public:
+  const T& operator*() const { return values_; }
+  const T* operator->() const { return &values_; }
+  Entry operator[](Member<T, double> member) const { return entry_of(member.offset); }
+  Entry operator[](Member<T, int> member) const { return entry_of(member.offset); }
+  Entry operator[](Member<T, bool> member) const { return entry_of(member.offset); }
+  Entry operator[](Member<T, std::string> member) const { return entry_of(member.offset); }
+  template <class Choice, class Base>
+    requires std::is_enum_v<Choice> && std::is_base_of_v<Base, T>
+  Entry operator[](Choice Base::*member) const {
+    return entry_of(Member<T, Choice>(member).offset);
+  }
+
+ private:
+  friend class Cursor;
+  T values_{};
 };
 
 /// Goes through the data lines of a block, card by card.
@@ -122,6 +166,21 @@ class Cursor {
   std::size_t left() const;  ///< how many, without the blank lines at the end
   /// The next line by `card`. At the end of the block: a row of defaults (an error where a field is required).
   Row read(const Card& card);
+  template <class T>
+  RowOf<T> read(const CardOf<T>& card) {
+    RowOf<T> row;
+    read_members(row, card, reinterpret_cast<std::byte*>(&row.values_));
+    return row;
+  }
+  /// The same into an object that is there already: the members without a field keep their values.
+  template <class T>
+  RowOf<T> read(const CardOf<T>& card, T& into) {
+    RowOf<T> row;
+    row.values_ = into;
+    read_members(row, card, reinterpret_cast<std::byte*>(&row.values_));
+    into = row.values_;
+    return row;
+  }
   /// The next line whole, blanks trimmed, parameters replaced (titles, file names). A `&name` that is no parameter
   /// stays as it is and is listed in `unknown`.
   std::string read_text(std::vector<std::string>* unknown = nullptr);
@@ -136,6 +195,8 @@ class Cursor {
   const Block& block() const { return block_; }
 
  private:
+  void read_cells(Row& row, const Card& card);
+  void read_members(Row& row, const Card& card, std::byte* object);
   void fill_missing(Row& row);
   void fill(Row& row, std::size_t field, std::string_view text);
   void fill_text(Row& row, std::size_t field, std::string_view text);

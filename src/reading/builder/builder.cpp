@@ -17,14 +17,14 @@ std::string text_of(const Place& place) {
 }
 
 /// The id that stands in a field, whatever its sign says.
-int id_of(const deck::Row& row, std::string_view field) {
-  return std::abs(row.integer(field));
+int id_of(const deck::Entry& field) {
+  return std::abs(field.integer());
 }
 
 template <class Member>
 const Set<Member>* find_set(Builder& b, const Ids& ids, const std::vector<Set<Member>>& sets, std::string_view what,
-                            const deck::Row& row, std::string_view field) {
-  const Index i = b.find(ids, what, row, field);
+                            const deck::Entry& field) {
+  const Index i = b.find(ids, what, field);
   return i == none ? nullptr : &sets[static_cast<std::size_t>(i)];
 }
 
@@ -90,21 +90,21 @@ void Builder::run(Phase phase) {
   work.clear();
 }
 
-Index Builder::find(const Ids& ids, std::string_view what, const deck::Row& row, std::string_view field) {
-  const int id = id_of(row, field);
+Index Builder::find(const Ids& ids, std::string_view what, const deck::Entry& field) {
+  const int id = id_of(field);
   if (id == 0) return none;
   const Index found = ids.find(id);
-  if (found == none) report_missing(ids, what, row, field);
+  if (found == none) report_missing(ids, what, field);
   return found;
 }
 
-void Builder::report_missing(const Ids& ids, std::string_view what, const deck::Row& row, std::string_view field) {
-  const int id = id_of(row, field);
+void Builder::report_missing(const Ids& ids, std::string_view what, const deck::Entry& field) {
+  const int id = id_of(field);
   const std::string* const refused = ids.left_out(id);
   if (refused == nullptr)
-    row.report(findings, Severity::error, field, fmt::format("{} {} is not defined", what, id));
+    field.report(findings, Severity::error, fmt::format("{} {} is not defined", what, id));
   else if (skip_unsupported)
-    row.report(findings, Severity::error, field,
+    field.report(findings, Severity::error,
                fmt::format("{} {} is left out, as {} is not supported", what, id, *refused),
                "define it by a supported keyword, or remove what needs it");
 }
@@ -151,81 +151,81 @@ void Builder::mark_ignored(const deck::Block& block) {
   }
 }
 
-Index Builder::node(const deck::Row& row, std::string_view field) {
-  return find(nodes, "node", row, field);
+Index Builder::node(const deck::Entry& field) {
+  return find(nodes, "node", field);
 }
-Index Builder::part(const deck::Row& row, std::string_view field) {
-  return find(parts, "part", row, field);
+Index Builder::part(const deck::Entry& field) {
+  return find(parts, "part", field);
 }
-Index Builder::curve(const deck::Row& row, std::string_view field) {
-  return find(curves, "curve", row, field);
+Index Builder::curve(const deck::Entry& field) {
+  return find(curves, "curve", field);
 }
-Index Builder::shell(const deck::Row& row, std::string_view field) {
-  return find(shells, "shell", row, field);
+Index Builder::shell(const deck::Entry& field) {
+  return find(shells, "shell", field);
 }
-Index Builder::solid(const deck::Row& row, std::string_view field) {
-  return find(solids, "solid", row, field);
+Index Builder::solid(const deck::Entry& field) {
+  return find(solids, "solid", field);
 }
-Index Builder::beam(const deck::Row& row, std::string_view field) {
-  return find(beams, "beam", row, field);
+Index Builder::beam(const deck::Entry& field) {
+  return find(beams, "beam", field);
 }
-Index Builder::system(const deck::Row& row, std::string_view field) {
-  const Index found = turning_or_fixed_system(row, field);
+Index Builder::system(const deck::Entry& field) {
+  const Index found = turning_or_fixed_system(field);
   if (found == none || !model.systems[static_cast<std::size_t>(found)].turning) return found;
   refuse(
-      *this, row, field,
-      fmt::format("coordinate system {} turns with its nodes (FLAG 1); fixed axes are built here", id_of(row, field)),
+      *this, field,
+      fmt::format("coordinate system {} turns with its nodes (FLAG 1); fixed axes are built here", id_of(field)),
       "define one with FLAG 0");
   return none;
 }
-Index Builder::system_of_directions(const deck::Row& row, std::string_view field) {
-  const Index found = system(row, field);
-  if (const auto curved = curved_systems.find(std::abs(row.integer(field)));
+Index Builder::system_of_directions(const deck::Entry& field) {
+  const Index found = system(field);
+  if (const auto curved = curved_systems.find(std::abs(field.integer()));
       found != none && curved != curved_systems.end())
-    refuse(*this, row, field,
+    refuse(*this, field,
            fmt::format("coordinate system {} is {}: directions that differ from node to node are not built",
                        curved->first, curved->second == 1 ? "cylindrical" : "spherical"),
            "write TYPE 0, and a Cartesian system for each direction");
   return found;
 }
 
-Index Builder::turning_or_fixed_system(const deck::Row& row, std::string_view field) {
-  return find(systems, "coordinate system", row, field);
+Index Builder::turning_or_fixed_system(const deck::Entry& field) {
+  return find(systems, "coordinate system", field);
 }
 
-const Vec3d* Builder::vector(const deck::Row& row, std::string_view field) {
-  const Index i = find(vectors, "vector", row, field);
+const Vec3d* Builder::vector(const deck::Entry& field) {
+  const Index i = find(vectors, "vector", field);
   return i == none ? nullptr : &vector_list[static_cast<std::size_t>(i)];
 }
-const Vec3d* Builder::vector_tail(const deck::Row& row, std::string_view field) {
-  const Index i = find(vectors, "vector", row, field);
+const Vec3d* Builder::vector_tail(const deck::Entry& field) {
+  const Index i = find(vectors, "vector", field);
   return i == none ? nullptr : &vector_tails[static_cast<std::size_t>(i)];
 }
-const Box* Builder::box(const deck::Row& row, std::string_view field) {
-  const Index i = find(boxes, "box", row, field);
+const Box* Builder::box(const deck::Entry& field) {
+  const Index i = find(boxes, "box", field);
   return i == none ? nullptr : &box_list[static_cast<std::size_t>(i)];
 }
 
-const Set<Index>* Builder::node_set(const deck::Row& row, std::string_view field) {
-  return find_set(*this, node_sets, model.sets.nodes, "node set", row, field);
+const Set<Index>* Builder::node_set(const deck::Entry& field) {
+  return find_set(*this, node_sets, model.sets.nodes, "node set", field);
 }
-const Set<Index>* Builder::part_set(const deck::Row& row, std::string_view field) {
-  return find_set(*this, part_sets, model.sets.parts, "part set", row, field);
+const Set<Index>* Builder::part_set(const deck::Entry& field) {
+  return find_set(*this, part_sets, model.sets.parts, "part set", field);
 }
-const Set<Index>* Builder::shell_set(const deck::Row& row, std::string_view field) {
-  return find_set(*this, shell_sets, model.sets.shells, "shell set", row, field);
+const Set<Index>* Builder::shell_set(const deck::Entry& field) {
+  return find_set(*this, shell_sets, model.sets.shells, "shell set", field);
 }
-const Set<Index>* Builder::solid_set(const deck::Row& row, std::string_view field) {
-  return find_set(*this, solid_sets, model.sets.solids, "solid set", row, field);
+const Set<Index>* Builder::solid_set(const deck::Entry& field) {
+  return find_set(*this, solid_sets, model.sets.solids, "solid set", field);
 }
-const Set<Index>* Builder::beam_set(const deck::Row& row, std::string_view field) {
-  return find_set(*this, beam_sets, model.sets.beams, "beam set", row, field);
+const Set<Index>* Builder::beam_set(const deck::Entry& field) {
+  return find_set(*this, beam_sets, model.sets.beams, "beam set", field);
 }
-const Set<Index>* Builder::branch(const deck::Row& row, std::string_view field) {
-  return find_set(*this, branches, model.sets.branches, "branch of parts", row, field);
+const Set<Index>* Builder::branch(const deck::Entry& field) {
+  return find_set(*this, branches, model.sets.branches, "branch of parts", field);
 }
-const Set<Segment>* Builder::segment_set(const deck::Row& row, std::string_view field) {
-  return find_set(*this, segment_sets, model.sets.segments, "segment set", row, field);
+const Set<Segment>* Builder::segment_set(const deck::Entry& field) {
+  return find_set(*this, segment_sets, model.sets.segments, "segment set", field);
 }
 
 bool at_end(const deck::Cursor& cursor) {
@@ -242,13 +242,13 @@ std::string read_title(deck::Cursor& cursor, const Options& options) {
   return options.contains("TITLE") ? cursor.read_text() : std::string{};
 }
 
-void refuse(Builder& builder, const deck::Row& row, std::string_view field, std::string text, std::string remedy) {
-  row.report(builder.findings, Severity::error, field, std::move(text), std::move(remedy));
+void refuse(Builder& builder, const deck::Entry& field, std::string text, std::string remedy) {
+  field.report(builder.findings, Severity::error, std::move(text), std::move(remedy));
 }
 
-void refuse_nonzero(Builder& builder, const deck::Row& row, std::string_view field, std::string text,
+void refuse_nonzero(Builder& builder, const deck::Entry& field, std::string text,
                     std::string remedy) {
-  if (!row.blank(field) && row.real(field) != 0.0) refuse(builder, row, field, std::move(text), std::move(remedy));
+  if (!field.blank && field.value != 0.0) refuse(builder, field, std::move(text), std::move(remedy));
 }
 
 void Tally::finish() {

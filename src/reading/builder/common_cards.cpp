@@ -6,17 +6,16 @@
 
 namespace nugget::reading {
 
-const Card heading_card{{
-    id("id", IdSpace::other, 0, "number of this definition in results and messages"),
-    text("heading", 70, "its name"),
-}};
+const CardOf<Heading> heading_card{
+    {&Heading::id, id("id", IdSpace::other, 0, "number of this definition in results and messages")},
+    {&Heading::text, text("heading", 70, "its name")},
+};
 
 const Card title_card{{text("title", 80, "its name")}};
 
 Heading read_heading(deck::Cursor& cursor, bool present) {
   if (!present) return {};
-  const deck::Row row = cursor.read(heading_card);
-  return {row.integer("id"), row.text("heading")};
+  return *cursor.read(heading_card);
 }
 
 Vec3d triple(const deck::Row& row, std::string_view x, std::string_view y, std::string_view z) {
@@ -25,15 +24,19 @@ Vec3d triple(const deck::Row& row, std::string_view x, std::string_view y, std::
 
 Vec3d direction(const deck::Block& block, const deck::Row& row, std::string_view x, std::string_view y,
                 std::string_view z) {
-  const Vec3d d = triple(row, x, y, z);
-  return block.transform ? block.transform->direction(d) : d;
+  return direction(block, triple(row, x, y, z));
+}
+
+Vec3d direction(const deck::Block& block, const Vec3d& written) {
+  return block.transform ? block.transform->direction(written) : written;
+}
+Vec3d position(const deck::Block& block, const Vec3d& written) {
+  return block.transform ? block.transform->moved(written) : written;
 }
 
 Vec3d position(const deck::Block& block, const deck::Row& row, std::string_view x, std::string_view y,
                std::string_view z) {
-  const Vec3d p = triple(row, x, y, z);
-  if (!block.transform) return p;
-  return block.transform->moved(p);
+  return position(block, triple(row, x, y, z));
 }
 
 Frame3d axes_of_include(const deck::Block& block) {
@@ -46,26 +49,30 @@ bool depends_on_axes(unsigned fixed) {
   return (translations != 0 && translations != 7u) || (rotations != 0 && rotations != 7u);
 }
 
-void warn_of_turned_codes(Builder& builder, const deck::Block& block, const deck::Row& row, std::string_view field,
-                          unsigned fixed) {
+void warn_of_turned_codes(Builder& builder, const deck::Block& block, const deck::Entry& field, unsigned fixed) {
   if (block.transform && block.transform->turns() && depends_on_axes(fixed))
-    row.report(builder.findings, Severity::warning, field, std::string(global_codes_text),
+    field.report(builder.findings, Severity::warning, std::string(global_codes_text),
                std::string(global_codes_remedy));
 }
 
-void warn_of_global_axis(Builder& builder, const deck::Block& block, const deck::Row& row, std::string_view field) {
+void warn_of_global_axis(Builder& builder, const deck::Block& block, const deck::Entry& field) {
   if (block.transform && block.transform->turns())
-    row.report(builder.findings, Severity::warning, field,
+    field.report(builder.findings, Severity::warning,
                "acts along the global axes, also where *INCLUDE_TRANSFORM turns the file",
                std::string(global_codes_remedy));
 }
 
-int curve_below_zero(const deck::Row& row, std::string_view field) {
-  return static_cast<int>(std::max(0.0, -row.real(field)));
+int curve_below_zero(double written) {
+  return static_cast<int>(std::max(0.0, -written));
 }
 
 double death_time(double written) {
   return written <= 0.0 || written >= forever ? forever : written;
+}
+
+void expect(Builder& builder, Severity severity, std::initializer_list<Supported> fields) {
+  for (const Supported& f : fields)
+    if (f.field.value != f.value) f.field.report(builder.findings, severity, std::string(f.otherwise));
 }
 
 void expect(Builder& builder, const deck::Row& row, Severity severity, std::initializer_list<SupportedValue> fields) {

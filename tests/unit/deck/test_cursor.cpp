@@ -43,6 +43,96 @@ TEST(Cards, CommasMakeALineFree) {
   EXPECT_CLEAN(trailing.findings);
 }
 
+// ---- fields bound to members
+
+enum class Shape : int { plain, waved };
+struct Ply {
+  double angle = 0.0;
+};
+struct Material {
+  int id = 0;
+  double density = 0.0;
+  Shape shape = Shape::plain;
+  std::string name = "as it was";
+};
+struct Laminate : Material {
+  double nothing_to_do_with_the_card = 7.0;
+  bool symmetric = true;
+  std::array<double, 3> share{};
+  Ply ply;
+};
+const CardOf<Laminate> laminate_card{
+    {&Laminate::id, nugget::id("mid", IdSpace::material, required, "material id")},
+    {&Laminate::density, real("ro", dimension::density, 1e-9, above_zero(), "density")},
+    {at(&Laminate::share, 0), real("s1", dimension::number, 0.25, any_value, "first share")},
+    {at(&Laminate::share, 2), real("s3", dimension::number, 0.75, any_value, "third share")},
+    {&Laminate::shape, integer("shape", 0, between(0, 1), "shape")},
+    {&Laminate::symmetric, integer("sym", 0, between(0, 1), "symmetric")},
+    {within(&Laminate::ply, &Ply::angle), real("beta", dimension::number, 0, any_value, "angle")},
+    integer("nodes", 0, only(0), "checked, and no more"),
+};
+
+TEST(BoundCards, ValuesComeIntoTheirMembers) {
+  Reading r = material("7, 2e-9, 0.5, , 1, 1, 30");
+  const auto row = r.cursor("MAT_ELASTIC").read(laminate_card);
+  EXPECT_CLEAN(r.findings);
+  EXPECT_EQ(row->id, 7);
+  EXPECT_EQ(row->density, 2e-9);
+  EXPECT_EQ(row->share, (std::array<double, 3>{0.5, 0.0, 0.75}));
+  EXPECT_EQ(row->shape, Shape::waved);
+  EXPECT_TRUE(row->symmetric);
+  EXPECT_EQ(row->ply.angle, 30.0);
+  EXPECT_EQ(row->nothing_to_do_with_the_card, 7.0);
+  EXPECT_EQ(row->name, "as it was");
+}
+
+TEST(BoundCards, AFieldIsFoundByItsMember) {
+  Reading r = material("7, 2e-9, 0.5, , 1, 1, 30");
+  const auto row = r.cursor("MAT_ELASTIC").read(laminate_card);
+  const Entry share = row[at(&Laminate::share, 0)];
+  EXPECT_EQ(share.field, "s1");
+  EXPECT_EQ(share.value, 0.5);
+  EXPECT_EQ(share.place.column, 10);
+  EXPECT_FALSE(share.blank);
+  EXPECT_TRUE(row[at(&Laminate::share, 2)].blank);
+  EXPECT_EQ(row[within(&Laminate::ply, &Ply::angle)].text, "30");
+  EXPECT_EQ(row[&Laminate::shape].integer(), 1);
+  EXPECT_THROW(row[&Laminate::nothing_to_do_with_the_card], std::logic_error);
+  row[&Laminate::id].report(r.findings, Severity::error, "material 7 is not defined", "define it");
+  EXPECT_ONE_FINDING(r.findings, "deck:3:1: error: *MAT_ELASTIC mid = 7: material 7 is not defined [define it]");
+}
+
+TEST(BoundCards, UncheckedMembersKeepWhatTheyHave) {
+  Reading r = material("7");
+  Laminate there;
+  there.name = "given before";
+  there.share = {0.1, 0.2, 0.3};
+  r.cursor("MAT_ELASTIC").read(laminate_card, there);
+  EXPECT_CLEAN(r.findings);
+  EXPECT_EQ(there.id, 7);
+  EXPECT_EQ(there.density, 1e-9);
+  EXPECT_EQ(there.share, (std::array<double, 3>{0.25, 0.2, 0.75}));
+  EXPECT_EQ(there.name, "given before");
+}
+
+TEST(BoundCards, AMissingCardGivesDefaults) {
+  Reading r = Reading("*KEYWORD\n*MAT_ELASTIC\n*NODE\n");
+  const auto row = r.cursor("MAT_ELASTIC").read(laminate_card);
+  EXPECT_EQ(r.findings.errors(), 1) << listed(r.findings);
+  EXPECT_EQ(row->density, 1e-9);
+  EXPECT_TRUE(row[&Laminate::density].blank);
+}
+
+TEST(BoundCards, TextsComeIntoStrings) {
+  const CardOf<Material> card{{&Material::name, text("title", 20, "title")},
+                              {&Material::id, nugget::id("id", IdSpace::part, 0, "id")}};
+  Reading r = material("Zwei W\xf6rter               12");
+  const auto row = r.cursor("MAT_ELASTIC").read(card);
+  EXPECT_CLEAN(r.findings);
+  EXPECT_EQ(row->name, row[&Material::name].text);
+  EXPECT_EQ(row->id, 12);
+}
+
 TEST(Cards, FixedAndFreeLinesAlternate) {
   Reading r = material("         1       1.0       1.0\n2,1,1\n         3       1.0       1.0");
   Cursor c = r.cursor("MAT_ELASTIC");
