@@ -131,24 +131,22 @@ struct Card {
   std::vector<Field> fields;
 };
 
-/// Where a value of type V lies in a T: `&T::member`, or a part of one: `at(&T::list, 3)`, `within(&T::law, &Law::e)`.
+/// Bytes from the beginning of a T to a member. A pointer to a data member is just that (Itanium C++ ABI, 2.3.1, which
+/// GCC and Clang follow).
 template <class T, class V>
-struct Member {
-  // A pointer to a data member is its distance in bytes from the beginning (Itanium ABI, 2.3.1: GCC and Clang).
-  static_assert(sizeof(V T::*) == sizeof(std::ptrdiff_t));
-  constexpr explicit Member(std::ptrdiff_t bytes) : offset(bytes) {}
-  Member(V T::*member) : offset(std::bit_cast<std::ptrdiff_t>(member)) {}
-  std::ptrdiff_t offset;
-};
-/// Component `i` of an array that is a member.
-template <class T, class V, std::size_t n>
-Member<T, V> at(std::array<V, n> T::*list, std::size_t i) {
-  return Member<T, V>(Member(list).offset + static_cast<std::ptrdiff_t>(i * sizeof(V)));
+std::ptrdiff_t offset_of(V T::*member) {
+  static_assert(sizeof(member) == sizeof(std::ptrdiff_t));
+  return std::bit_cast<std::ptrdiff_t>(member);
 }
-/// A member of a struct that is a member.
+/// Component `i` of an array that is a member, as if it were a member itself.
+template <class T, class V, std::size_t n>
+V T::*at(std::array<V, n> T::*list, std::size_t i) {
+  return std::bit_cast<V T::*>(offset_of(list) + static_cast<std::ptrdiff_t>(i * sizeof(V)));
+}
+/// A member of a struct that is a member, likewise.
 template <class T, class S, class V>
-Member<T, V> within(S T::*outer, V S::*inner) {
-  return Member<T, V>(Member(outer).offset + Member(inner).offset);
+V T::*within(S T::*outer, V S::*inner) {
+  return std::bit_cast<V T::*>(offset_of(outer) + offset_of(inner));
 }
 
 /// A field and the member of T that takes its value. A real stands in a double, a whole number or an id in an int, a
@@ -156,14 +154,14 @@ Member<T, V> within(S T::*outer, V S::*inner) {
 template <class T>
 struct FieldOf : Field {
   FieldOf(const Field& unbound) : Field(unbound) {}
-  FieldOf(Member<T, double> member, const RealField& field) : Field(field) { bind(Store::real, member.offset); }
-  FieldOf(Member<T, int> member, const IntegerField& field) : Field(field) { bind(Store::integer, member.offset); }
-  FieldOf(Member<T, bool> member, const IntegerField& field) : Field(field) { bind(Store::flag, member.offset); }
-  FieldOf(Member<T, std::string> member, const TextField& field) : Field(field) { bind(Store::text, member.offset); }
+  FieldOf(double T::*member, const RealField& field) : Field(field) { bind(Store::real, offset_of(member)); }
+  FieldOf(int T::*member, const IntegerField& field) : Field(field) { bind(Store::integer, offset_of(member)); }
+  FieldOf(bool T::*member, const IntegerField& field) : Field(field) { bind(Store::flag, offset_of(member)); }
+  FieldOf(std::string T::*member, const TextField& field) : Field(field) { bind(Store::text, offset_of(member)); }
   template <class Choice, class Base>
-    requires std::is_enum_v<Choice> && (sizeof(Choice) == sizeof(int)) && std::is_base_of_v<Base, T>
-  FieldOf(Choice Base::*member, const IntegerField& field) : Field(field) {
-    bind(Store::integer, Member<T, Choice>(member).offset);
+  requires std::is_enum_v<Choice> &&(sizeof(Choice) == sizeof(int)) &&
+      std::is_base_of_v<Base, T> FieldOf(Choice Base::*member, const IntegerField& field) : Field(field) {
+    bind(Store::integer, offset_of<T, Choice>(member));
   }
 
  private:

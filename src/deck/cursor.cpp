@@ -106,8 +106,8 @@ Entry Row::entry_of(std::ptrdiff_t offset) const {
 
 Entry Row::entry_at(std::size_t field) const {
   const Cell& cell = cells_[field];
-  return {keyword(), card_->fields[field].name, cell.text, cell.value, cell.blank,
-          {place_.file, place_.line, cell.column}};
+  return {
+      keyword(), card_->fields[field].name, cell.text, cell.value, cell.blank, {place_.file, place_.line, cell.column}};
 }
 
 void Row::report(Findings& findings, Severity severity, std::string_view name, std::string text,

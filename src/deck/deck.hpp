@@ -142,14 +142,13 @@ class RowOf : public Row {
  public:
   const T& operator*() const { return values_; }
   const T* operator->() const { return &values_; }
-  Entry operator[](Member<T, double> member) const { return entry_of(member.offset); }
-  Entry operator[](Member<T, int> member) const { return entry_of(member.offset); }
-  Entry operator[](Member<T, bool> member) const { return entry_of(member.offset); }
-  Entry operator[](Member<T, std::string> member) const { return entry_of(member.offset); }
+  Entry operator[](double T::*member) const { return entry_of(offset_of(member)); }
+  Entry operator[](int T::*member) const { return entry_of(offset_of(member)); }
+  Entry operator[](bool T::*member) const { return entry_of(offset_of(member)); }
+  Entry operator[](std::string T::*member) const { return entry_of(offset_of(member)); }
   template <class Choice, class Base>
-    requires std::is_enum_v<Choice> && std::is_base_of_v<Base, T>
-  Entry operator[](Choice Base::*member) const {
-    return entry_of(Member<T, Choice>(member).offset);
+  requires std::is_enum_v<Choice> && std::is_base_of_v<Base, T> Entry operator[](Choice Base::*member) const {
+    return entry_of(offset_of<T, Choice>(member));
   }
 
  private:

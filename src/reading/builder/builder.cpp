@@ -105,8 +105,8 @@ void Builder::report_missing(const Ids& ids, std::string_view what, const deck::
     field.report(findings, Severity::error, fmt::format("{} {} is not defined", what, id));
   else if (skip_unsupported)
     field.report(findings, Severity::error,
-               fmt::format("{} {} is left out, as {} is not supported", what, id, *refused),
-               "define it by a supported keyword, or remove what needs it");
+                 fmt::format("{} {} is left out, as {} is not supported", what, id, *refused),
+                 "define it by a supported keyword, or remove what needs it");
 }
 
 CurveTable Builder::table_with_curves(Index table) const {
@@ -172,10 +172,9 @@ Index Builder::beam(const deck::Entry& field) {
 Index Builder::system(const deck::Entry& field) {
   const Index found = turning_or_fixed_system(field);
   if (found == none || !model.systems[static_cast<std::size_t>(found)].turning) return found;
-  refuse(
-      *this, field,
-      fmt::format("coordinate system {} turns with its nodes (FLAG 1); fixed axes are built here", id_of(field)),
-      "define one with FLAG 0");
+  refuse(*this, field,
+         fmt::format("coordinate system {} turns with its nodes (FLAG 1); fixed axes are built here", id_of(field)),
+         "define one with FLAG 0");
   return none;
 }
 Index Builder::system_of_directions(const deck::Entry& field) {
@@ -246,8 +245,7 @@ void refuse(Builder& builder, const deck::Entry& field, std::string text, std::s
   field.report(builder.findings, Severity::error, std::move(text), std::move(remedy));
 }
 
-void refuse_nonzero(Builder& builder, const deck::Entry& field, std::string text,
-                    std::string remedy) {
+void refuse_nonzero(Builder& builder, const deck::Entry& field, std::string text, std::string remedy) {
   if (!field.blank && field.value != 0.0) refuse(builder, field, std::move(text), std::move(remedy));
 }
 

@@ -81,6 +81,16 @@ struct RigidCard {
   deck::Row row;                       ///< the card, for findings
 };
 
+/// *SECTION_SOLID: what its card says beside the section's own members.
+struct SolidCard : SectionSolid {
+  double cohoff = 0.0, gaskett = 0.0;
+};
+
+/// *PART: the ids that its card names.
+struct PartCard {
+  int pid = 0, secid = 0, mid = 0, eosid = 0, hgid = 0;
+};
+
 /// The codes 0..7 of LS-DYNA (x, y, z, xy, yz, zx, xyz) as bits 0..2.
 unsigned bits_of_code(int code);
 
@@ -108,12 +118,13 @@ class Builder {
 
   Ids bodies;  ///< rigid bodies by id of part (merged ones too) or nodal body; known after Phase::bodies
   std::vector<Index> body_of_node;  ///< by node: the rigid body that carries it, or none; known after Phase::bodies
-  std::vector<deck::Row> shell_section_rows, solid_section_rows, beam_section_rows;  ///< by section: first card
-  std::vector<std::pair<Index, deck::Row>> part_rows;  ///< by part: the card that names section, material and hourglass
-  /// *PART_COMPOSITE: its section and the card that names its hourglass control.
+  std::vector<deck::Entry> shell_formulations, beam_formulations;  ///< by section: its ELFORM
+  std::vector<deck::RowOf<SolidCard>> solid_section_rows;          ///< by section
+  std::vector<std::pair<Index, deck::RowOf<PartCard>>> part_rows;  ///< by part
+  /// *PART_COMPOSITE: its section, and the fields of its id and its hourglass control.
   struct CompositePart {
     Index part = none, section = none;
-    deck::Row row;
+    deck::Entry id, hourglass;
   };
   std::vector<CompositePart> composite_parts;
 
@@ -146,18 +157,24 @@ class Builder {
   const Set<Index>* beam_set(const deck::Entry& field);
   const Set<Index>* beam_set(const deck::Row& row, std::string_view field) { return beam_set(row.entry(field)); }
   const Set<Segment>* segment_set(const deck::Entry& field);
-  const Set<Segment>* segment_set(const deck::Row& row, std::string_view field) { return segment_set(row.entry(field)); }
+  const Set<Segment>* segment_set(const deck::Row& row, std::string_view field) {
+    return segment_set(row.entry(field));
+  }
   const Set<Index>* branch(const deck::Entry& field);
   const Set<Index>* branch(const deck::Row& row, std::string_view field) { return branch(row.entry(field)); }
   /// A coordinate system with fixed axes; one that turns with its nodes is refused there.
   Index system(const deck::Entry& field);
   Index system(const deck::Row& row, std::string_view field) { return system(row.entry(field)); }
   Index turning_or_fixed_system(const deck::Entry& field);
-  Index turning_or_fixed_system(const deck::Row& row, std::string_view field) { return turning_or_fixed_system(row.entry(field)); }
+  Index turning_or_fixed_system(const deck::Row& row, std::string_view field) {
+    return turning_or_fixed_system(row.entry(field));
+  }
   /// The same as `system` for directions of motions and loads, which LS-DYNA takes along cylindrical or spherical axes
   /// (TYPE): such a system is refused.
   Index system_of_directions(const deck::Entry& field);
-  Index system_of_directions(const deck::Row& row, std::string_view field) { return system_of_directions(row.entry(field)); }
+  Index system_of_directions(const deck::Row& row, std::string_view field) {
+    return system_of_directions(row.entry(field));
+  }
   const Vec3d* vector(const deck::Entry& field);
   const Vec3d* vector(const deck::Row& row, std::string_view field) { return vector(row.entry(field)); }
   const Vec3d* vector_tail(const deck::Entry& field);

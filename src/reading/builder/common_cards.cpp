@@ -51,15 +51,14 @@ bool depends_on_axes(unsigned fixed) {
 
 void warn_of_turned_codes(Builder& builder, const deck::Block& block, const deck::Entry& field, unsigned fixed) {
   if (block.transform && block.transform->turns() && depends_on_axes(fixed))
-    field.report(builder.findings, Severity::warning, std::string(global_codes_text),
-               std::string(global_codes_remedy));
+    field.report(builder.findings, Severity::warning, std::string(global_codes_text), std::string(global_codes_remedy));
 }
 
 void warn_of_global_axis(Builder& builder, const deck::Block& block, const deck::Entry& field) {
   if (block.transform && block.transform->turns())
     field.report(builder.findings, Severity::warning,
-               "acts along the global axes, also where *INCLUDE_TRANSFORM turns the file",
-               std::string(global_codes_remedy));
+                 "acts along the global axes, also where *INCLUDE_TRANSFORM turns the file",
+                 std::string(global_codes_remedy));
 }
 
 int curve_below_zero(double written) {

@@ -61,7 +61,9 @@ double death_time(double written);
 
 /// The id of a curve that a field below 0 (or_negative) gives with its sign turned; 0 from 0 on.
 int curve_below_zero(double written);
-inline int curve_below_zero(const deck::Row& row, std::string_view field) { return curve_below_zero(row.real(field)); }
+inline int curve_below_zero(const deck::Row& row, std::string_view field) {
+  return curve_below_zero(row.real(field));
+}
 
 /// A field that is obeyed at one value only.
 struct Supported {

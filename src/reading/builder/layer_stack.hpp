@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "deck/deck.hpp"
@@ -13,11 +12,10 @@ namespace nugget::reading {
 struct LayerCard {
   enum class Names { nothing, part, material };
   double place = 0.0, share = 1.0;  ///< from -1 (bottom) to 1 (top); share of the thickness
-  deck::Row row;
-  std::string_view field;        ///< of the row, for findings too
-  Names names = Names::nothing;  ///< what the field's id is; nothing: the layer has the material of the shells' part
-  double angle = 0.0;            ///< B [rad]
-  double shear_scale = 1.0;      ///< SHRFAC
+  deck::Entry id;                   ///< for findings too
+  Names names = Names::nothing;     ///< what the id is one of; nothing: the layer has the material of the shells' part
+  double angle = 0.0;               ///< B [rad]
+  double shear_scale = 1.0;         ///< SHRFAC
 };
 
 struct LayerStack {

@@ -17,164 +17,199 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
+using deck::RowOf;
 
 const Card heading_line{{text("heading", 70, "name of the part")}};
 
-const Card part_card{{
-    id("pid", IdSpace::part, required, "part id"),
-    id("secid", IdSpace::other, 0, "section; only a part without elements needs none"),
-    id("mid", IdSpace::material, 0, "material; only a part without elements needs none"),
-    id("eosid", IdSpace::material, 0, "*EOS_... of solids of *MAT_JOHNSON_COOK; ignored with other laws"),
-    id("hgid", IdSpace::other, 0, "*HOURGLASS; 0: *CONTROL_HOURGLASS"),
+const CardOf<PartCard> part_card{
+    {&PartCard::pid, id("pid", IdSpace::part, required, "part id")},
+    {&PartCard::secid, id("secid", IdSpace::other, 0, "section; only a part without elements needs none")},
+    {&PartCard::mid, id("mid", IdSpace::material, 0, "material; only a part without elements needs none")},
+    {&PartCard::eosid,
+     id("eosid", IdSpace::material, 0, "*EOS_... of solids of *MAT_JOHNSON_COOK; ignored with other laws")},
+    {&PartCard::hgid, id("hgid", IdSpace::other, 0, "*HOURGLASS; 0: *CONTROL_HOURGLASS")},
     integer("grav", 0, any_value, "for gravity initialization only"),
     integer("adpopt", 0, any_value, "adaptive meshing; without *CONTROL_ADAPTIVE no effect"),
     id("tmid", IdSpace::material, 0, "thermal material; no effect on mechanics"),
-}};
+};
 
-const Card centre_card{{
-    real("xc", dimension::length, 0, any_value, "centre of mass x, unless nodeid"),
-    real("yc", dimension::length, 0, any_value, "centre of mass y"),
-    real("zc", dimension::length, 0, any_value, "centre of mass z"),
-    real("tm", dimension::mass, required, above_zero(), "mass"),
-    integer("ircs", 0, between(0, 1), "axes of the tensor: 0 global, 1 local by the fourth card"),
-    id("nodeid", IdSpace::node, 0, "node at the centre of mass"),
-}};
+/// What the cards say beside mass, centre, tensor and velocities themselves.
+struct InertiaCards : RigidBody::Inertia {
+  int ircs = 0, nodeid = 0, cid = 0;
+  Vec3d along_x, in_plane;
+};
+const CardOf<InertiaCards> centre_card{
+    {within(&InertiaCards::center, &Vec3d::x),
+     real("xc", dimension::length, 0, any_value, "centre of mass x, unless nodeid")},
+    {within(&InertiaCards::center, &Vec3d::y), real("yc", dimension::length, 0, any_value, "centre of mass y")},
+    {within(&InertiaCards::center, &Vec3d::z), real("zc", dimension::length, 0, any_value, "centre of mass z")},
+    {&InertiaCards::mass, real("tm", dimension::mass, required, above_zero(), "mass")},
+    {&InertiaCards::ircs,
+     integer("ircs", 0, between(0, 1), "axes of the tensor: 0 global, 1 local by the fourth card")},
+    {&InertiaCards::nodeid, id("nodeid", IdSpace::node, 0, "node at the centre of mass")},
+};
 
-const Card tensor_card{{
-    real("ixx", dimension::inertia, required, above_zero(), "inertia tensor about the centre, xx"),
-    real("ixy", dimension::inertia, 0, any_value, "xy"),
-    real("ixz", dimension::inertia, 0, any_value, "xz"),
-    real("iyy", dimension::inertia, required, above_zero(), "yy"),
-    real("iyz", dimension::inertia, 0, any_value, "yz"),
-    real("izz", dimension::inertia, required, above_zero(), "zz"),
-}};
+const CardOf<InertiaCards> tensor_card{
+    {at(&InertiaCards::inertia, 0),
+     real("ixx", dimension::inertia, required, above_zero(), "inertia tensor about the centre, xx")},
+    {at(&InertiaCards::inertia, 1), real("ixy", dimension::inertia, 0, any_value, "xy")},
+    {at(&InertiaCards::inertia, 2), real("ixz", dimension::inertia, 0, any_value, "xz")},
+    {at(&InertiaCards::inertia, 3), real("iyy", dimension::inertia, required, above_zero(), "yy")},
+    {at(&InertiaCards::inertia, 4), real("iyz", dimension::inertia, 0, any_value, "yz")},
+    {at(&InertiaCards::inertia, 5), real("izz", dimension::inertia, required, above_zero(), "zz")},
+};
 
-const Card velocity_card{{
-    real("vtx", dimension::velocity, 0, any_value, "initial velocity x"),
-    real("vty", dimension::velocity, 0, any_value, "initial velocity y"),
-    real("vtz", dimension::velocity, 0, any_value, "initial velocity z"),
-    real("vrx", dimension::rate, 0, any_value, "initial angular velocity x"),
-    real("vry", dimension::rate, 0, any_value, "initial angular velocity y"),
-    real("vrz", dimension::rate, 0, any_value, "initial angular velocity z"),
-}};
+const CardOf<InertiaCards> velocity_card{
+    {within(&InertiaCards::velocity, &Vec3d::x), real("vtx", dimension::velocity, 0, any_value, "initial velocity x")},
+    {within(&InertiaCards::velocity, &Vec3d::y), real("vty", dimension::velocity, 0, any_value, "initial velocity y")},
+    {within(&InertiaCards::velocity, &Vec3d::z), real("vtz", dimension::velocity, 0, any_value, "initial velocity z")},
+    {within(&InertiaCards::spin, &Vec3d::x), real("vrx", dimension::rate, 0, any_value, "initial angular velocity x")},
+    {within(&InertiaCards::spin, &Vec3d::y), real("vry", dimension::rate, 0, any_value, "initial angular velocity y")},
+    {within(&InertiaCards::spin, &Vec3d::z), real("vrz", dimension::rate, 0, any_value, "initial angular velocity z")},
+};
 
-const Card axes_card{{
-    real("xl", dimension::number, 0, any_value, "local axis x, component x"),
-    real("yl", dimension::number, 0, any_value, "component y"),
-    real("zl", dimension::number, 0, any_value, "component z"),
-    real("xlip", dimension::number, 0, any_value, "vector in the local xy plane, component x"),
-    real("ylip", dimension::number, 0, any_value, "component y"),
-    real("zlip", dimension::number, 0, any_value, "component z"),
-    id("cid", IdSpace::define, 0, "coordinate system instead of the vectors"),
-}};
+const CardOf<InertiaCards> axes_card{
+    {within(&InertiaCards::along_x, &Vec3d::x),
+     real("xl", dimension::number, 0, any_value, "local axis x, component x")},
+    {within(&InertiaCards::along_x, &Vec3d::y), real("yl", dimension::number, 0, any_value, "component y")},
+    {within(&InertiaCards::along_x, &Vec3d::z), real("zl", dimension::number, 0, any_value, "component z")},
+    {within(&InertiaCards::in_plane, &Vec3d::x),
+     real("xlip", dimension::number, 0, any_value, "vector in the local xy plane, component x")},
+    {within(&InertiaCards::in_plane, &Vec3d::y), real("ylip", dimension::number, 0, any_value, "component y")},
+    {within(&InertiaCards::in_plane, &Vec3d::z), real("zlip", dimension::number, 0, any_value, "component z")},
+    {&InertiaCards::cid, id("cid", IdSpace::define, 0, "coordinate system instead of the vectors")},
+};
 
-const Card contact_card{{
-    real("fs", dimension::number, 0, any_value, "static friction, for contacts with FS = -1"),
-    real("fd", dimension::number, 0, any_value, "dynamic friction, for contacts with FS = -1"),
-    real("dc", {0, -1, 1}, 0, any_value, "decay of friction, for contacts with FS = -1"),
-    real("vc", dimension::stress, 0, any_value, "viscous friction, for contacts with FS = -1"),
-    real("optt", dimension::length, 0, at_least(0), "contact thickness; 0: of the shells"),
-    real("sft", dimension::number, 1, at_least(0), "scale of the contact thickness"),
-    real("ssf", dimension::number, 1, at_least(0), "scale of the contact stiffness"),
-    integer("cparm8", 0, any_value, "beams of the part in _GENERAL: of the contact's own CPARM8 alone"),
-}};
+struct ContactCard : Part {
+  int cparm8 = 0;
+};
+const CardOf<ContactCard> contact_card{
+    {within(&ContactCard::friction, &kernel::Friction::static_coefficient),
+     real("fs", dimension::number, 0, any_value, "static friction, for contacts with FS = -1")},
+    {within(&ContactCard::friction, &kernel::Friction::dynamic_coefficient),
+     real("fd", dimension::number, 0, any_value, "dynamic friction, for contacts with FS = -1")},
+    {within(&ContactCard::friction, &kernel::Friction::decay),
+     real("dc", {0, -1, 1}, 0, any_value, "decay of friction, for contacts with FS = -1")},
+    {within(&ContactCard::friction, &kernel::Friction::shear_strength),
+     real("vc", dimension::stress, 0, any_value, "viscous friction, for contacts with FS = -1")},
+    {&ContactCard::contact_thickness,
+     real("optt", dimension::length, 0, at_least(0), "contact thickness; 0: of the shells")},
+    {&ContactCard::contact_scale, real("sft", dimension::number, 1, at_least(0), "scale of the contact thickness")},
+    {&ContactCard::stiffness_scale, real("ssf", dimension::number, 1, at_least(0), "scale of the contact stiffness")},
+    {&ContactCard::cparm8,
+     integer("cparm8", 0, any_value, "beams of the part in _GENERAL: of the contact's own CPARM8 alone")},
+};
 
-const Card composite_card{{
-    id("pid", IdSpace::part, required, "part id"),
-    integer("elform", 0, any_value, "formulation of the shells, as in *SECTION_SHELL"),
-    real("shrf", dimension::number, 1, above_zero(), "shear correction factor; not used with LAMSHT of *CONTROL_SHELL"),
-    real("nloc", dimension::number, 0, any_value, "nodes on the top (1), mid (0) or bottom (-1) surface"),
-    real("marea", dimension::mass_per_area, 0, at_least(0), "non-structural mass per area"),
-    id("hgid", IdSpace::other, 0, "*HOURGLASS; 0: *CONTROL_HOURGLASS"),
+struct CompositeCard : SectionShell {
+  int pid = 0, hgid = 0;
+};
+const CardOf<CompositeCard> composite_card{
+    {&CompositeCard::pid, id("pid", IdSpace::part, required, "part id")},
+    {&CompositeCard::elform, integer("elform", 0, any_value, "formulation of the shells, as in *SECTION_SHELL")},
+    {&CompositeCard::shear_factor, real("shrf", dimension::number, 1, above_zero(),
+                                        "shear correction factor; not used with LAMSHT of *CONTROL_SHELL")},
+    {&CompositeCard::nloc,
+     real("nloc", dimension::number, 0, any_value, "nodes on the top (1), mid (0) or bottom (-1) surface")},
+    {&CompositeCard::extra_mass,
+     real("marea", dimension::mass_per_area, 0, at_least(0), "non-structural mass per area")},
+    {&CompositeCard::hgid, id("hgid", IdSpace::other, 0, "*HOURGLASS; 0: *CONTROL_HOURGLASS")},
     integer("adpopt", 0, any_value, "adaptive meshing; without *CONTROL_ADAPTIVE no effect"),
     integer("thshel", 0, any_value, "thermal shells; no effect on mechanics"),
-}};
+};
 
-const Card layers_card{{
-    id("mid1", IdSpace::material, 0, "material of the layer; the first layer is the lowest"),
-    real("thick1", dimension::length, 0, at_least(0), "its thickness; the shell's is the sum of all"),
-    real("b1", dimension::number, 0, any_value, "angle in degrees that turns its material axes about the normal"),
+/// Two layers, or with _LONG one.
+struct LayersCard {
+  std::array<int, 2> mid{};
+  std::array<double, 2> thick{}, b{};
+  double shrfac = 1.0;
+};
+const CardOf<LayersCard> layers_card{
+    {at(&LayersCard::mid, 0), id("mid1", IdSpace::material, 0, "material of the layer; the first layer is the lowest")},
+    {at(&LayersCard::thick, 0),
+     real("thick1", dimension::length, 0, at_least(0), "its thickness; the shell's is the sum of all")},
+    {at(&LayersCard::b, 0),
+     real("b1", dimension::number, 0, any_value, "angle in degrees that turns its material axes about the normal")},
     id("tmid1", IdSpace::material, 0, "thermal material; no effect on mechanics"),
-    id("mid2", IdSpace::material, 0, "material of the layer above it"),
-    real("thick2", dimension::length, 0, at_least(0), "its thickness"),
-    real("b2", dimension::number, 0, any_value, "its angle"),
+    {at(&LayersCard::mid, 1), id("mid2", IdSpace::material, 0, "material of the layer above it")},
+    {at(&LayersCard::thick, 1), real("thick2", dimension::length, 0, at_least(0), "its thickness")},
+    {at(&LayersCard::b, 1), real("b2", dimension::number, 0, any_value, "its angle")},
     id("tmid2", IdSpace::material, 0, "thermal material; no effect on mechanics"),
-}};
+};
 
-const Card long_layer_card{{
-    id("mid1", IdSpace::material, 0, "material of the layer; the first layer is the lowest"),
-    real("thick1", dimension::length, 0, at_least(0), "its thickness; the shell's is the sum of all"),
-    real("b1", dimension::number, 0, any_value, "angle in degrees that turns its material axes about the normal"),
+const CardOf<LayersCard> long_layer_card{
+    {at(&LayersCard::mid, 0), id("mid1", IdSpace::material, 0, "material of the layer; the first layer is the lowest")},
+    {at(&LayersCard::thick, 0),
+     real("thick1", dimension::length, 0, at_least(0), "its thickness; the shell's is the sum of all")},
+    {at(&LayersCard::b, 0),
+     real("b1", dimension::number, 0, any_value, "angle in degrees that turns its material axes about the normal")},
     id("tmid1", IdSpace::material, 0, "thermal material; no effect on mechanics"),
     integer("plyid", 0, any_value, "number of the ply for postprocessors; no effect"),
-    real("shrfac", dimension::number, 1, above_zero(), "scale of the transverse shear stress that the layer carries"),
-}};
+    {&LayersCard::shrfac,
+     real("shrfac", dimension::number, 1, above_zero(), "scale of the transverse shear stress that the layer carries")},
+};
 
-const Card print_card{{integer("prbf", 0, any_value, "which listings show the part: not obeyed, all do")}};
+struct PrintCard {
+  int prbf = 0;
+};
+const CardOf<PrintCard> print_card{
+    {&PrintCard::prbf, integer("prbf", 0, any_value, "which listings show the part: not obeyed, all do")},
+};
 
 /// The local axes of _INERTIA with IRCS = 1.
-bool inertia_axes(Builder& b, const Row& row, const Vec3d& x, const Vec3d& in_plane, Frame3d& frame) {
-  if (const Index s = b.system(row, "cid"); s != none) {
+bool inertia_axes(Builder& b, const RowOf<InertiaCards>& axes, const Vec3d& x, const Vec3d& in_plane, Frame3d& frame) {
+  if (const Index s = b.system(axes[&InertiaCards::cid]); s != none) {
     frame = b.model.systems[static_cast<std::size_t>(s)].axes;
     return true;
   }
   const bool found = frame_from(x, in_plane, frame);
-  if (!found) refuse(b, row, "xl", "the two vectors must differ in direction and from zero");
+  if (!found)
+    refuse(b, axes[within(&InertiaCards::along_x, &Vec3d::x)],
+           "the two vectors must differ in direction and from zero");
   return found;
 }
 
 /// *PART_INERTIA: mass, centre, tensor and velocity of a rigid part.
 void read_inertia(Builder& b, Cursor& cursor, Index part) {
-  const Row centre = cursor.read(centre_card);
-  const Row tensor = cursor.read(tensor_card);
-  const Row velocity = cursor.read(velocity_card);
-  const bool is_local = centre.integer("ircs") == 1;
-  const Row axes = is_local ? cursor.read(axes_card) : centre;
+  InertiaCards cards;
+  const auto centre = cursor.read(centre_card, cards);
+  cursor.read(tensor_card, cards);
+  cursor.read(velocity_card, cards);
+  const bool is_local = cards.ircs == 1;
+  const auto axes = is_local ? cursor.read(axes_card, cards) : centre;
   const Block& block = cursor.block();
   const Frame3d own = axes_of_include(block);
-  Vec3d x, in_plane;
-  if (is_local) {
-    x = direction(block, axes, "xl", "yl", "zl");
-    in_plane = direction(block, axes, "xlip", "ylip", "zlip");
-  }
-  const Vec3d place = position(block, centre, "xc", "yc", "zc"),
-              translation = direction(block, velocity, "vtx", "vty", "vtz"),
-              rotation = direction(block, velocity, "vrx", "vry", "vrz");
+  const Vec3d x = direction(block, cards.along_x), in_plane = direction(block, cards.in_plane);
+  RigidBody::Inertia inertia = cards;
+  inertia.center = position(block, cards.center);
+  inertia.velocity = direction(block, cards.velocity);
+  inertia.spin = direction(block, cards.spin);
   // A coordinate system may need nodes, so not before them; rigid bodies are made after.
   b.defer(Phase::sets, [=](Builder& later) {
-    RigidBody::Inertia given;
-    given.mass = centre.real("tm");
-    given.center = place;
+    RigidBody::Inertia given = inertia;
     // Behind what moves nodes in this phase.
-    if (const Index n = later.node(centre, "nodeid"); n != none)
+    if (const Index n = later.node(centre[&InertiaCards::nodeid]); n != none)
       later.defer(Phase::sets, [part, n](Builder& last) {
         last.part_inertia[part].center = last.model.nodes.x[static_cast<std::size_t>(n)];
       });
-    given.inertia = {tensor.real("ixx"), tensor.real("ixy"), tensor.real("ixz"),
-                     tensor.real("iyy"), tensor.real("iyz"), tensor.real("izz")};
     Frame3d frame;
     if (!is_local)
       given.inertia = to_global(given.inertia, own);
     else if (inertia_axes(later, axes, x, in_plane, frame))
       given.inertia = to_global(given.inertia, frame);
-    given.velocity = translation;
-    given.spin = rotation;
     later.part_inertia[part] = given;
     const Index material = later.model.parts[static_cast<std::size_t>(part)].material;
     if (material != none &&
         !std::holds_alternative<kernel::Rigid>(later.model.materials[static_cast<std::size_t>(material)].law))
-      refuse(later, centre, "tm", "inertia can be given only to parts of *MAT_RIGID", "use *PART");
+      refuse(later, centre[&InertiaCards::mass], "inertia can be given only to parts of *MAT_RIGID", "use *PART");
   });
 }
 
 void read_contact(Builder& b, Cursor& cursor, Part& part) {
-  const Row row = cursor.read(contact_card);
-  expect(b, row, Severity::warning, {{"cparm8", 0, "not obeyed: CPARM8 of *CONTACT_AUTOMATIC_GENERAL counts alone"}});
-  part.contact_thickness = row.real("optt");
-  part.contact_scale = row.real("sft");
-  part.stiffness_scale = row.real("ssf");
-  part.friction = {row.real("fs"), row.real("fd"), row.real("dc"), row.real("vc")};
+  ContactCard contact{part};
+  const auto row = cursor.read(contact_card, contact);
+  expect(b, Severity::warning,
+         {{row[&ContactCard::cparm8], 0, "not obeyed: CPARM8 of *CONTACT_AUTOMATIC_GENERAL counts alone"}});
+  part = contact;
 }
 
 /// The layers of *PART_COMPOSITE with their thicknesses as shares. Nothing, and findings, where there are none.
@@ -182,28 +217,29 @@ std::vector<LayerCard> read_layers(Builder& b, Cursor& cursor, bool one_a_line) 
   std::vector<LayerCard> layers;
   const Block& block = cursor.block();
   bool blank = false, reported = false;
-  const auto take = [&](const Row& row, std::string_view mid, std::string_view thick, std::string_view angle) {
-    const bool has_material = row.integer(mid) != 0, has_thickness = row.real(thick) > 0.0;
+  const auto take = [&](const RowOf<LayersCard>& row, std::size_t k) {
+    const deck::Entry mid = row[at(&LayersCard::mid, k)];
+    const bool has_material = row->mid[k] != 0, has_thickness = row->thick[k] > 0.0;
     if (!has_material && !has_thickness) {
       blank = true;
       return;
     }
     if (!has_material || !has_thickness)
-      refuse(b, row, has_material ? thick : mid,
+      refuse(b, has_material ? row[at(&LayersCard::thick, k)] : mid,
              has_material ? "a layer without a thickness" : "a layer without a material",
              "give each layer both, or leave it blank");
     else if (blank && !reported)
-      refuse(b, row, mid, "a layer above a blank one", "write the layers one after the other");
+      refuse(b, mid, "a layer above a blank one", "write the layers one after the other");
     reported = reported || blank || !has_material || !has_thickness;
-    LayerCard layer{0.0, row.real(thick), row, mid, LayerCard::Names::material};
-    layer.angle = row.real(angle) * (std::numbers::pi / 180.0);
-    if (one_a_line) layer.shear_scale = row.real("shrfac");
+    LayerCard layer{0.0, row->thick[k], mid, LayerCard::Names::material};
+    layer.angle = row->b[k] * (std::numbers::pi / 180.0);
+    if (one_a_line) layer.shear_scale = row->shrfac;
     layers.push_back(std::move(layer));
   };
   while (!at_end(cursor)) {
-    const Row row = cursor.read(one_a_line ? long_layer_card : layers_card);
-    take(row, "mid1", "thick1", "b1");
-    if (!one_a_line) take(row, "mid2", "thick2", "b2");
+    const auto row = cursor.read(one_a_line ? long_layer_card : layers_card);
+    take(row, 0);
+    if (!one_a_line) take(row, 1);
   }
   if (layers.empty() && !reported) {
     b.findings.error(block.place, block.starred(), "the part has no layers", "give MID1, THICK1 and so on");
@@ -222,16 +258,13 @@ void read_composite(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   Part part;
   part.title = cursor.read_text();
-  const Row row = cursor.read(composite_card);
-  part.id = row.integer("pid");
+  CompositeCard card;
+  const auto row = cursor.read(composite_card, card);
+  part.id = card.pid;
   part.place = row.place();
   if (options.contains("CONTACT")) read_contact(b, cursor, part);
   LayerStack stack{read_layers(b, cursor, options.contains("LONG"))};
-  SectionShell section;
-  section.elform = row.integer("elform");
-  section.shear_factor = row.real("shrf");
-  section.nloc = row.real("nloc");
-  section.extra_mass = row.real("marea");
+  SectionShell section = card;
   section.place = part.place;
   section.layers = static_cast<int>(stack.layers.size());
   for (const LayerCard& layer : stack.layers) section.thickness += layer.share;
@@ -247,8 +280,8 @@ void read_composite(Builder& b, const Block& block, const Options& options) {
   b.parts.add(part.id, index, part.place, block.starred(), "part", b.findings);
   b.model.parts.push_back(std::move(part));
   b.model.shell_sections.push_back(std::move(section));
-  b.shell_section_rows.push_back(row);
-  b.composite_parts.push_back({index, own, row});
+  b.shell_formulations.push_back(row[&CompositeCard::elform]);
+  b.composite_parts.push_back({index, own, row[&CompositeCard::pid], row[&CompositeCard::hgid]});
   b.layer_stacks[own] = std::move(stack);
 }
 
@@ -262,13 +295,13 @@ void read_part(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     Part part;
     part.title = cursor.read_text();
-    const Row row = cursor.read(part_card);
-    part.id = row.integer("pid");
+    const auto row = cursor.read(part_card);
+    part.id = row->pid;
     part.place = row.place();
     const auto index = static_cast<Index>(b.model.parts.size());
     if (options.contains("INERTIA")) read_inertia(b, cursor, index);
     if (options.contains("CONTACT")) read_contact(b, cursor, part);
-    if (options.contains("PRINT") && cursor.read(print_card).integer("prbf") != 0)
+    if (options.contains("PRINT") && cursor.read(print_card)->prbf != 0)
       b.findings.note(part.place, block.starred(), "PRBF is not obeyed: the part is listed in rbdout and matsum");
     b.parts.add(part.id, index, part.place, block.starred(), "part", b.findings);
     b.part_rows.emplace_back(index, row);

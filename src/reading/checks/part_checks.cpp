@@ -38,8 +38,8 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& re
   const bool is_built = section.elform == 2 || section.elform == 4 || section.elform == 16 || section.elform == 17;
   if (!is_computed || is_built || std::exchange(reported[s], char{1})) return;
   if (computed_as_full(section.elform)) {
-    b.shell_section_rows[s].report(
-        b.findings, Severity::warning, "elform",
+    b.shell_formulations[s].report(
+        b.findings, Severity::warning,
         fmt::format("shell formulation {} is computed as 16, fully integrated, with large rotations", section.elform),
         "write 16");
     section.elform = 16;
@@ -53,8 +53,8 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& re
     const char* const name = section.elform == 10  ? "Belytschko-Wong-Chiang"
                              : section.elform == 8 ? "Belytschko-Leviathan"
                                                    : "Hughes-Liu";
-    b.shell_section_rows[s].report(
-        b.findings, Severity::warning, "elform",
+    b.shell_formulations[s].report(
+        b.findings, Severity::warning,
         fmt::format("shell formulation {} ({}) is computed as 2 with its warping coupling, as with BWC = 1; the "
                     "transverse shear stays the one-point form",
                     section.elform, name),
@@ -64,12 +64,12 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& re
     return;
   }
   if (section.elform >= 12 && section.elform <= 15)
-    return refuse(b, b.shell_section_rows[s], "elform",
+    return refuse(b, b.shell_formulations[s],
                   fmt::format("formulation {} is {}; models in two dimensions are not built", section.elform,
                               section.elform < 14 ? "a plane element" : "an axisymmetric solid"),
                   "model it in three dimensions: a layer of bricks, or a sector of the body");
   refuse(
-      b, b.shell_section_rows[s], "elform",
+      b, b.shell_formulations[s],
       fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay), 4 and 17 (triangles), 10 (2 with "
                   "warping coupling) and 16 (fully integrated)",
                   section.elform),
@@ -80,27 +80,28 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& re
 void check_bond_formulation(Builder& b, const Part& part, std::vector<char>& reported) {
   const auto s = static_cast<std::size_t>(part.section);
   const int elform = b.model.solid_sections[s].elform;
-  const deck::Row& row = b.solid_section_rows[s];
+  const deck::RowOf<SolidCard>& row = b.solid_section_rows[s];
   const bool is_bond = bond_of(b.model, part) != nullptr;
   if (is<kernel::Rigid>(b.model, part) || (is_bond && is_cohesive(elform) && reported[s])) return;
   if (!is_bond)
-    return refuse(b, row, "elform",
+    return refuse(b, row[&SolidCard::elform],
                   fmt::format("solid formulation {} is adhesive, but the material of part {} is no law of adhesive",
                               elform, part.id),
                   "give the part *MAT_138, 184 or 240, or the section ELFORM 1");
   if (!is_cohesive(elform))
-    return refuse(b, row, "elform",
+    return refuse(b, row[&SolidCard::elform],
                   fmt::format("part {} has a law of adhesive, which bricks of ELFORM {} do not", part.id, elform),
                   "write 19, or 20 where its nodes are those of shells");
   reported[s] = 1;
-  if (row.real("cohoff") != 0.0)
-    refuse(b, row, "cohoff", "adhesive elsewhere than midway between its nodes is not built", "leave it 0");
-  if (row.real("gaskett") != 0.0) refuse(b, row, "gaskett", "gaskets are not built", "leave it 0");
+  if (row->cohoff != 0.0)
+    refuse(b, row[&SolidCard::cohoff], "adhesive elsewhere than midway between its nodes is not built", "leave it 0");
+  if (row->gaskett != 0.0) refuse(b, row[&SolidCard::gaskett], "gaskets are not built", "leave it 0");
   if (elform > 20)
-    row.report(b.findings, Severity::warning, "elform",
-               fmt::format("adhesive wedges are computed as bricks of {} whose nodes 3 and 4, 7 and 8 are one, with "
-                           "four points, not three",
-                           elform - 2));
+    row[&SolidCard::elform].report(
+        b.findings, Severity::warning,
+        fmt::format("adhesive wedges are computed as bricks of {} whose nodes 3 and 4, 7 and 8 are one, with "
+                    "four points, not three",
+                    elform - 2));
 }
 
 void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& reported) {
@@ -118,48 +119,48 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& re
   const bool is_wedge = elform == 15 && is_built;
   if (elform == 13 && is_built && is<kernel::ComposedLaw>(b.model, part) && !reported[s]) {
     reported[s] = 1;
-    return b.solid_section_rows[s].report(
-        b.findings, Severity::warning, "elform",
+    return b.solid_section_rows[s][&SolidCard::elform].report(
+        b.findings, Severity::warning,
         "the nodes' pressure is built for *MAT_001, 003, 012 and 024; with this law the tetrahedra are computed as 10");
   }
   const bool as_asked = is_built && !is_wedge && !is_scaled && !has_rotations && !is_composite;
   if (is<kernel::Rigid>(b.model, part) || as_asked || std::exchange(reported[s], char{1})) return;
   if (elform == 3)
-    return b.solid_section_rows[s].report(
-        b.findings, Severity::warning, "elform",
+    return b.solid_section_rows[s][&SolidCard::elform].report(
+        b.findings, Severity::warning,
         "solid formulation 3 is computed as a brick of eight points with assumed strains (as -1), which bends without "
         "locking, and without nodal rotations: LS-DYNA's are not public. Where shells, beams or supports are to turn "
         "its nodes, they turn freely",
         "write -1; tie shells to a face of it rather than to one row of nodes");
   if (has_rotations)
-    return b.solid_section_rows[s].report(
-        b.findings, Severity::warning, "elform",
+    return b.solid_section_rows[s][&SolidCard::elform].report(
+        b.findings, Severity::warning,
         "solid formulation 4 is computed as the tetrahedron of ten nodes whose mid-side nodes follow displacements and "
         "rotations of its corners (Allman; Pawlak, Yunus, Cook 1991); LS-DYNA's is not public and may differ. What "
         "turns its nodes, such as a shell on edge, meets next to no resistance",
         "hold the rotations that turn nodes out of planes of symmetry and grips; tie shells to a face");
   if (is_composite)
-    return b.solid_section_rows[s].report(
-        b.findings, Severity::warning, "elform",
+    return b.solid_section_rows[s][&SolidCard::elform].report(
+        b.findings, Severity::warning,
         "solid formulation 17, a tetrahedron composed of smaller ones on the same ten nodes, is computed as 16, the "
         "quadratic tetrahedron of four points",
         "write 16");
   if (is_scaled)
-    return b.solid_section_rows[s].report(
-        b.findings, Severity::warning, "elform",
+    return b.solid_section_rows[s][&SolidCard::elform].report(
+        b.findings, Severity::warning,
         fmt::format("solid formulation {} is computed as a brick of eight points with assumed strains, which does not "
                     "lock in bending either; LS-DYNA's changed Jacobian is not public in detail, and a patent "
                     "application, US 2011/0191072, covers it",
                     elform));
   if (is_wedge)
-    return b.solid_section_rows[s].report(b.findings, Severity::warning, "elform",
-                                          "wedges are computed as collapsed bricks of eight points (formulation 2)");
+    return b.solid_section_rows[s][&SolidCard::elform].report(
+        b.findings, Severity::warning, "wedges are computed as collapsed bricks of eight points (formulation 2)");
   if (elform == 0) {
     const bool own_strains =
         part.material != none &&
         b.model.materials[static_cast<std::size_t>(part.material)].keyword == "MAT_MODIFIED_HONEYCOMB";
-    b.solid_section_rows[s].report(
-        b.findings, Severity::warning, "elform",
+    b.solid_section_rows[s][&SolidCard::elform].report(
+        b.findings, Severity::warning,
         fmt::format("solid formulation 0 is the brick of LS-DYNA's honeycombs (*MAT_126); it is computed as 1, as a "
                     "blank field is{}",
                     own_strains ? ", but with the curves over engineering strains" : ""),
@@ -168,7 +169,7 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& re
     return;
   }
   const bool is_brick_that_bends = elform == 18 || is_weld;
-  refuse(b, b.solid_section_rows[s], "elform",
+  refuse(b, b.solid_section_rows[s][&SolidCard::elform],
          fmt::format("solid formulation {} is not built{}; built are 1 (constant stress), 2 (fully integrated), -1, -2 "
                      "and 3 (without locking in bending) and, not for welds, 4, 10 and 13 (tetrahedra), 15 (wedge), 16 "
                      "(tetrahedron of ten nodes) and 19 to 22 (adhesive)",
@@ -190,11 +191,11 @@ void check_discrete_beam(Builder& b, const Part& part) {
   const bool translations = works(0) || works(1) || works(2), rotations = works(3) || works(4) || works(5);
   const bool couples = std::abs(section.scoor) >= 2 && (works(1) || works(2));
   if (translations && !(section.volume > 0.0))
-    refuse(b, b.beam_section_rows[s], "elform", "a discrete beam of no volume (VOL) has no mass, so no time step",
+    refuse(b, b.beam_formulations[s], "a discrete beam of no volume (VOL) has no mass, so no time step",
            "give VOL; mass = density times VOL");
   if ((rotations || couples) && !(section.inertia > 0.0))
-    refuse(b, b.beam_section_rows[s], "elform",
-           "a discrete beam whose moments turn its nodes needs a rotary inertia (INER)", "give INER");
+    refuse(b, b.beam_formulations[s], "a discrete beam whose moments turn its nodes needs a rotary inertia (INER)",
+           "give INER");
 }
 
 void check_beam_formulation(Builder& b, const Part& part, std::vector<char>& reported) {
@@ -203,7 +204,7 @@ void check_beam_formulation(Builder& b, const Part& part, std::vector<char>& rep
   if (elform == 6) return check_discrete_beam(b, part);
   const bool is_built = elform == 9 || (elform >= 1 && elform <= 3);
   if (is_built || std::exchange(reported[s], char{1})) return;
-  refuse(b, b.beam_section_rows[s], "elform",
+  refuse(b, b.beam_formulations[s],
          fmt::format("beam formulation {} is not built; built are 1 (Hughes-Liu), 2 (Belytschko-Schwer), 3 (truss), 6 "
                      "(discrete) and 9 (spot weld)",
                      elform),
@@ -211,62 +212,66 @@ void check_beam_formulation(Builder& b, const Part& part, std::vector<char>& rep
 }
 
 /// Spot-weld beams have the weld's law, discrete beams one of springs, others that of a bar.
-void check_beam_law(Builder& b, const Part& part, const deck::Row& row) {
+void check_beam_law(Builder& b, const Part& part, const deck::RowOf<PartCard>& row) {
   const Model& m = b.model;
   const Material& material = m.materials[static_cast<std::size_t>(part.material)];
   const int elform = m.beam_sections[static_cast<std::size_t>(part.section)].elform;
   if (elform == 6) {
     if (!is<kernel::DiscreteBeam>(m, part))
-      refuse(b, row, "mid", fmt::format("*{} is not a law of discrete beams (ELFORM 6)", material.keyword),
+      refuse(b, row[&PartCard::mid], fmt::format("*{} is not a law of discrete beams (ELFORM 6)", material.keyword),
              "built are *MAT_066, 067, 068, 074, 119, 121 and 196");
   } else if (elform == 9) {
     if (!is<kernel::Spotweld>(m, part))
-      refuse(b, row, "mid", fmt::format("spot-weld beams (ELFORM 9) need *MAT_SPOTWELD, not *{}", material.keyword),
+      refuse(b, row[&PartCard::mid],
+             fmt::format("spot-weld beams (ELFORM 9) need *MAT_SPOTWELD, not *{}", material.keyword),
              "give the part *MAT_SPOTWELD, or its section ELFORM 1");
   } else if (is<kernel::Spotweld>(m, part)) {
-    refuse(b, row, "mid", fmt::format("*MAT_SPOTWELD needs spot-weld beams, but the section has ELFORM {}", elform),
-           "write ELFORM 9");
+    refuse(b, row[&PartCard::mid],
+           fmt::format("*MAT_SPOTWELD needs spot-weld beams, but the section has ELFORM {}", elform), "write ELFORM 9");
   } else if (elform <= 3) {
     const bool is_moved = is<kernel::Rigid>(m, part) || is<kernel::Null>(m, part),
                is_elastic = is<kernel::Elastic>(m, part);
     const bool is_plastic = is<kernel::PlasticKinematic>(m, part) || is<kernel::PiecewiseLinear>(m, part);
     if (elform == 2 && !is_moved && !is_elastic)
-      refuse(b, row, "mid",
+      refuse(b, row[&PartCard::mid],
              fmt::format("resultant beams (ELFORM 2) are elastic here, but the part has *{}", material.keyword),
              "write ELFORM 1 with the dimensions of the section");
     else if (const auto* compound = std::get_if<kernel::ComposedLaw>(&material.law);
              compound && (compound->components->erosion || compound->components->gissmo))
-      refuse(b, row, "mid", "*MAT_ADD_EROSION and *MAT_ADD_DAMAGE_GISSMO are not built for beams",
+      refuse(b, row[&PartCard::mid], "*MAT_ADD_EROSION and *MAT_ADD_DAMAGE_GISSMO are not built for beams",
              "take it away, or write the failure strain of *MAT_003 or 024");
     else if (!is_moved && !is_elastic && !is_plastic)
-      refuse(b, row, "mid", fmt::format("*{} is not built for beams", material.keyword),
+      refuse(b, row[&PartCard::mid], fmt::format("*{} is not built for beams", material.keyword),
              "built are *MAT_001, 003, 009, 020 and 024");
   }
 }
 
-void refuse_unknown_state(Builder& b, const deck::Row& row) {
-  refuse(b, row, "eosid",
-         fmt::format("equation of state {} is not defined, or of a kind that is not built", row.integer("eosid")),
+void refuse_unknown_state(Builder& b, const deck::RowOf<PartCard>& row) {
+  refuse(b, row[&PartCard::eosid],
+         fmt::format("equation of state {} is not defined, or of a kind that is not built", row->eosid),
          "define it by *EOS_LINEAR_POLYNOMIAL, _GRUNEISEN, _TABULATED or _IDEAL_GAS");
 }
 
 /// Solids of *MAT_JOHNSON_COOK have an equation of state, or an elastic bulk modulus; shells have the latter.
-void check_equation_of_state(Builder& b, const Part& part, const deck::Row& row, const kernel::ComposedLaw& law) {
+void check_equation_of_state(Builder& b, const Part& part, const deck::RowOf<PartCard>& row,
+                             const kernel::ComposedLaw& law) {
   const bool is_solid = part.kind == ElementKind::solid;
   if (is_solid && law.components->state) return;
-  if (is_solid && row.integer("eosid") != 0)
+  if (is_solid && row->eosid != 0)
     refuse_unknown_state(b, row);
   else if (!(law.E > 0.0))
-    refuse(b, row, "mid", "*MAT_JOHNSON_COOK without an equation of state needs E and PR", "give them");
+    refuse(b, row[&PartCard::mid], "*MAT_JOHNSON_COOK without an equation of state needs E and PR", "give them");
   else if (!is_solid && law.components->spall)
-    row.report(b.findings, Severity::warning, "mid",
-               "PC and SPALL of *MAT_JOHNSON_COOK are not obeyed in shells: no element is deleted by tension",
-               "use *MAT_ADD_EROSION with SIGP1, or leave PC 0");
+    row[&PartCard::mid].report(
+        b.findings, Severity::warning,
+        "PC and SPALL of *MAT_JOHNSON_COOK are not obeyed in shells: no element is deleted by tension",
+        "use *MAT_ADD_EROSION with SIGP1, or leave PC 0");
   else if (is_solid)
-    row.report(b.findings, Severity::warning, "eosid",
-               "*MAT_JOHNSON_COOK in solids without an equation of state, which LS-DYNA demands: pressure and shear "
-               "are those of E and PR",
-               "write *EOS_LINEAR_POLYNOMIAL with C1 = E/(3 (1 - 2 PR))");
+    row[&PartCard::eosid].report(
+        b.findings, Severity::warning,
+        "*MAT_JOHNSON_COOK in solids without an equation of state, which LS-DYNA demands: pressure and shear "
+        "are those of E and PR",
+        "write *EOS_LINEAR_POLYNOMIAL with C1 = E/(3 (1 - 2 PR))");
 }
 
 /// Whether some block of the deck has a keyword that begins so, with this option.
@@ -277,40 +282,39 @@ bool has_option(const Builder& b, std::string_view keyword, std::string_view opt
 }
 
 /// AOPT 3 in solids: hexahedra whose midway surface is not normal to v.
-void check_cross_axes(Builder& b, const Part& part, const deck::Row& row, const kernel::MaterialAxes& axes) {
+void check_cross_axes(Builder& b, const Part& part, const deck::Entry& field, const kernel::MaterialAxes& axes) {
   const Model& m = b.model;
   const auto index = static_cast<Index>(&part - m.parts.data());
   for (std::size_t e = 0; e < m.solids.size(); ++e) {
     if (m.solids.part[e] != index) continue;
     const auto& corner = m.solids.node[e];
     if (std::set<Index>(corner.begin(), corner.begin() + 8).size() < 8)
-      return refuse(b, row, "mid", fmt::format("AOPT 3 is for hexahedra, but solid {} is none", m.solids.id[e]),
+      return refuse(b, field, fmt::format("AOPT 3 is for hexahedra, but solid {} is none", m.solids.id[e]),
                     "use AOPT 2 with vectors a and d");
     std::array<Vec3d, 8> x;
     for (std::size_t i = 0; i < 8; ++i) x[i] = m.nodes.x[static_cast<std::size_t>(corner[i])];
     const Vec3d normal = kernel::MaterialAxes::midway_normal(x);
     if (norm(cross(axes.a, normal)) > 1e-6 * norm(axes.a) * norm(normal)) continue;
-    return refuse(b, row, "mid",
+    return refuse(b, field,
                   fmt::format("solid {}: the vector v of AOPT 3 stands normal to its midway surface", m.solids.id[e]),
                   "give another vector, or AOPT 2");
   }
 }
 
 /// Material axes that the elements of a part cannot have.
-void check_material_axes(Builder& b, const Part& part, const deck::Row& row, std::string_view field,
-                         const kernel::MaterialAxes& axes) {
+void check_material_axes(Builder& b, const Part& part, const deck::Entry& field, const kernel::MaterialAxes& axes) {
   using By = kernel::MaterialAxes::By;
   const Model& m = b.model;
   if (part.kind == ElementKind::solid) {
-    if (axes.by == By::cross) check_cross_axes(b, part, row, axes);
+    if (axes.by == By::cross) check_cross_axes(b, part, field, axes);
     if (axes.by == By::vectors && norm(cross(axes.a, axes.d)) == 0.0)
-      refuse(b, row, "mid", "AOPT 2 needs a vector d that is not along a", "give D1 to D3 of the material");
+      refuse(b, field, "AOPT 2 needs a vector d that is not along a", "give D1 to D3 of the material");
     if (has_option(b, "ELEMENT_SOLID", "_ORTHO"))
-      refuse(b, row, "mid", "axes of single solids (*ELEMENT_SOLID_ORTHO) are not built", "use AOPT 2 of the material");
+      refuse(b, field, "axes of single solids (*ELEMENT_SOLID_ORTHO) are not built", "use AOPT 2 of the material");
     return;
   }
   if (has_option(b, "ELEMENT_SHELL", "_MCID"))
-    refuse(b, row, field, "axes of single shells by coordinate system (_MCID) are not built",
+    refuse(b, field, "axes of single shells by coordinate system (_MCID) are not built",
            "use BETA of *ELEMENT_SHELL_BETA, or AOPT 2 of the material");
   const auto index = static_cast<Index>(&part - m.parts.data());
   for (std::size_t e = 0; e < m.shells.size(); ++e) {
@@ -322,7 +326,7 @@ void check_material_axes(Builder& b, const Part& part, const deck::Row& row, std
     const Vec3d seen = axes.in_shell(x[1] - x[0], unit(normal), {});
     if (norm(seen) > 1e-6 * (axes.by == By::nodes ? norm(x[1] - x[0]) : norm(axes.a))) continue;
     return refuse(
-        b, row, field,
+        b, field,
         fmt::format("shell {}: the vector of AOPT stands so that it gives no direction in its plane", m.shells.id[e]),
         "give another vector, or AOPT 0");
   }
@@ -335,27 +339,28 @@ void check_layers(Builder& b, const Part& part) {
   const auto& cards = b.layer_stacks.at(part.section).layers;
   for (std::size_t k = 0; k < cards.size(); ++k)
     if (const auto* flow = std::get_if<kernel::Orthotropic>(&(*law.layers)[k].law.components->flow))
-      check_material_axes(b, part, cards[k].row, cards[k].field, flow->axes);
+      check_material_axes(b, part, cards[k].id, flow->axes);
 }
 
 /// The brick of formulation 0 has curves over engineering strains; of bending formulations the law makes no sense.
-void check_honeycomb(Builder& b, const Part& part, const deck::Row& row, kernel::Honeycomb flow) {
+void check_honeycomb(Builder& b, const Part& part, const deck::RowOf<PartCard>& row, kernel::Honeycomb flow) {
   Model& m = b.model;
   if (part.kind != ElementKind::solid || part.section == none) return;
   const auto section = static_cast<std::size_t>(part.section);
   if (m.solid_sections[section].elform < 0)
-    refuse(b, row, "secid", "honeycomb has no Poisson effect, which bricks of ELFORM -1 and -2 count on in bending",
+    refuse(b, row[&PartCard::secid],
+           "honeycomb has no Poisson effect, which bricks of ELFORM -1 and -2 count on in bending",
            "write ELFORM 1 or 2");
   if (flow.over == kernel::Honeycomb::Over::volume) return;
   // 0 is computed as 1 by now; the card still counts.
   const auto is_formulation_0 = [&](const Part& p) {
-    return b.solid_section_rows[static_cast<std::size_t>(p.section)].integer("elform") == 0;
+    return b.solid_section_rows[static_cast<std::size_t>(p.section)]->elform == 0;
   };
   const bool engineering = is_formulation_0(part);
   for (const Part& other : m.parts)
     if (other.material == part.material && other.kind == ElementKind::solid && other.section != none &&
         is_formulation_0(other) != engineering)
-      return refuse(b, row, "mid",
+      return refuse(b, row[&PartCard::mid],
                     "the material is in bricks of ELFORM 0, whose curves are over engineering strains, and in others, "
                     "whose curves are over logarithmic ones",
                     "give each its own material");
@@ -368,74 +373,78 @@ void check_honeycomb(Builder& b, const Part& part, const deck::Row& row, kernel:
 }
 
 /// Some laws are made for shells or bricks only.
-void check_compound(Builder& b, const Part& part, const deck::Row& row) {
+void check_compound(Builder& b, const Part& part, const deck::RowOf<PartCard>& row) {
   const Material& material = b.model.materials[static_cast<std::size_t>(part.material)];
   const auto* law = std::get_if<kernel::ComposedLaw>(&material.law);
   if (law == nullptr) return;
   if (part.kind == ElementKind::solid && law->components->directional_damage)
-    refuse(b, row, "mid", fmt::format("*{} damages the layers of shells, but the part has solids", material.keyword),
+    refuse(b, row[&PartCard::mid],
+           fmt::format("*{} damages the layers of shells, but the part has solids", material.keyword),
            "use *MAT_PLASTICITY_WITH_DAMAGE, or *MAT_SIMPLIFIED_JOHNSON_COOK with PSFAIL");
   else if (part.kind == ElementKind::solid && !law->components->for_bricks)
-    refuse(b, row, "mid", fmt::format("*{} is a law of shells, but the part has solids", material.keyword),
+    refuse(b, row[&PartCard::mid], fmt::format("*{} is a law of shells, but the part has solids", material.keyword),
            "use a law of solids");
   const kernel::LawComponents& components = *law->components;
   if (part.kind == ElementKind::solid &&
       (components.limits.plastic_thinning > 0.0 || (components.erosion && components.erosion->thinning)))
-    row.report(
-        b.findings, Severity::warning, "mid",
+    row[&PartCard::mid].report(
+        b.findings, Severity::warning,
         fmt::format("EPSTHIN of material {} is a limit of layers and has no effect in this part's solids", material.id),
         "limit the plastic strain or the major strain");
   if (takes_equation_of_state(material) && material.keyword != "MAT_NULL") check_equation_of_state(b, part, row, *law);
   if (const auto* flow = std::get_if<kernel::Orthotropic>(&law->components->flow))
-    check_material_axes(b, part, row, "mid", flow->axes);
+    check_material_axes(b, part, row[&PartCard::mid], flow->axes);
   if (part.kind == ElementKind::shell && !law->components->for_shells)
-    refuse(b, row, "mid", fmt::format("*{} is a law of solids, but the part has shells", material.keyword),
+    refuse(b, row[&PartCard::mid], fmt::format("*{} is a law of solids, but the part has shells", material.keyword),
            "give it the law of a sheet");
   if (const auto* flow = std::get_if<kernel::Honeycomb>(&law->components->flow);
       flow && part.kind == ElementKind::solid) {
-    check_material_axes(b, part, row, "mid", flow->axes);
+    check_material_axes(b, part, row[&PartCard::mid], flow->axes);
     check_honeycomb(b, part, row, *flow);
   }
 }
 
 /// Which law may be used by which elements.
-void check_law(Builder& b, const Part& part, const deck::Row& row) {
+void check_law(Builder& b, const Part& part, const deck::RowOf<PartCard>& row) {
   if (part.material == none) return;
   const Model& m = b.model;
   const Material& material = m.materials[static_cast<std::size_t>(part.material)];
   const bool is_weld = is<kernel::Spotweld>(m, part);
   check_compound(b, part, row);
   const bool is_fluid = part.kind == ElementKind::solid && is<kernel::Null>(m, part);
-  if (row.integer("eosid") != 0 && !is_fluid && !(takes_equation_of_state(material) && part.kind == ElementKind::solid))
-    row.report(b.findings, Severity::warning, "eosid",
-               fmt::format("ignored: *{} in these elements has no equation of state", material.keyword));
+  if (row->eosid != 0 && !is_fluid && !(takes_equation_of_state(material) && part.kind == ElementKind::solid))
+    row[&PartCard::eosid].report(
+        b.findings, Severity::warning,
+        fmt::format("ignored: *{} in these elements has no equation of state", material.keyword));
   if (is_weld && part.kind == ElementKind::shell)
-    refuse(b, row, "mid", "*MAT_SPOTWELD is a law of weld beams, but the part has shells", "give it a sheet's law");
+    refuse(b, row[&PartCard::mid], "*MAT_SPOTWELD is a law of weld beams, but the part has shells",
+           "give it a sheet's law");
   else if (is_weld && part.kind == ElementKind::beam && material.weld != none &&
            m.weld_laws[static_cast<std::size_t>(material.weld)].connection)
-    refuse(b, row, "mid", "*MAT_SPOTWELD_DAIMLERCHRYSLER is a law of welds of bricks, but the part has beams",
+    refuse(b, row[&PartCard::mid], "*MAT_SPOTWELD_DAIMLERCHRYSLER is a law of welds of bricks, but the part has beams",
            "model the welds by bricks, or use *MAT_SPOTWELD_DAMAGE-FAILURE");
   else if (part.kind == ElementKind::discrete && !is<kernel::Spring>(m, part))
-    refuse(b, row, "mid", fmt::format("*{} is not a law of springs and dampers", material.keyword),
+    refuse(b, row[&PartCard::mid], fmt::format("*{} is not a law of springs and dampers", material.keyword),
            "give one of *MAT_S01 to *MAT_S08");
   else if (is<kernel::Spring>(m, part) && part.kind != ElementKind::discrete && part.kind != ElementKind::nothing)
     refuse(
-        b, row, "mid",
+        b, row[&PartCard::mid],
         fmt::format("*{} is a law of springs (*ELEMENT_DISCRETE), but the part has other elements", material.keyword),
         "give it the law of its elements");
   else if (part.kind == ElementKind::beam && part.section != none)
     check_beam_law(b, part, row);
   else if (is<kernel::DiscreteBeam>(m, part) && (part.kind == ElementKind::shell || part.kind == ElementKind::solid))
-    refuse(b, row, "mid",
+    refuse(b, row[&PartCard::mid],
            fmt::format("*{} is a law of discrete beams, but the part has other elements", material.keyword),
            "give it the law of a sheet");
-  else if (is_fluid && row.integer("eosid") != 0)
+  else if (is_fluid && row->eosid != 0)
     refuse_unknown_state(b, row);
   else if (is_fluid)
-    refuse(b, row, "eosid", "*MAT_NULL in solids is a fluid, whose pressure is that of an equation of state",
+    refuse(b, row[&PartCard::eosid], "*MAT_NULL in solids is a fluid, whose pressure is that of an equation of state",
            "name an *EOS_... in EOSID of the part");
   else if (part.kind == ElementKind::solid && material.poisson() >= 0.5 && !is<kernel::Rigid>(m, part))
-    refuse(b, row, "mid", "a Poisson's ratio of 0.5 makes solids incompressible", "give a ratio below 0.5, e.g. 0.495");
+    refuse(b, row[&PartCard::mid], "a Poisson's ratio of 0.5 makes solids incompressible",
+           "give a ratio below 0.5, e.g. 0.495");
 }
 
 /// Hourglass types that the elements of parts do not have: one finding for all parts that share the card. The control
@@ -556,23 +565,23 @@ void check_parts(Builder& b) {
   std::set<int> of_layers;  // parts that only give layers their materials have no elements
   for (const auto& [section, stack] : b.layer_stacks)
     for (const LayerCard& layer : stack.layers)
-      if (layer.names == LayerCard::Names::part) of_layers.insert(layer.row.integer(layer.field));
+      if (layer.names == LayerCard::Names::part) of_layers.insert(layer.id.integer());
   std::vector<char> reported_shell(b.model.shell_sections.size(), 0), reported_solid(b.model.solid_sections.size(), 0),
       reported_beam(b.model.beam_sections.size(), 0);
-  const auto warn_of_none = [&](const Part& part, Index index, const deck::Row& row) {
+  const auto warn_of_none = [&](const Part& part, Index index, const std::string& keyword) {
     const bool is_twin = b.parts.find(part.id) != index;  // its id is another part's already; told
     if (part.kind == ElementKind::nothing && part.rigid_body == none && !is_twin && !of_layers.contains(part.id))
-      b.findings.warning(part.place, row.keyword(), fmt::format("part {} has no elements", part.id));
+      b.findings.warning(part.place, keyword, fmt::format("part {} has no elements", part.id));
   };
-  for (const auto& [index, section, row] : b.composite_parts) {
+  for (const auto& [index, section, id, hourglass] : b.composite_parts) {
     const Part& part = b.model.parts[static_cast<std::size_t>(index)];
-    warn_of_none(part, index, row);
+    warn_of_none(part, index, id.keyword);
     if (part.section != none) check_shell_formulation(b, part, reported_shell);
   }
   for (const Part& part : b.model.parts) check_layers(b, part);
   for (const auto& [index, row] : b.part_rows) {
     const Part& part = b.model.parts[static_cast<std::size_t>(index)];
-    warn_of_none(part, index, row);
+    warn_of_none(part, index, row.keyword());
     check_law(b, part, row);
     if (part.section == none) continue;
     if (part.kind == ElementKind::shell) check_shell_formulation(b, part, reported_shell);

@@ -24,14 +24,13 @@ Material& material_at(Builder& b, Index material) {
 
 /// The material that a layer's card names, or none and a finding.
 Index material_of(Builder& b, const LayerCard& layer, const Part& part) {
-  if (layer.names == LayerCard::Names::material) return b.find(b.materials, "material", layer.row, layer.field);
+  if (layer.names == LayerCard::Names::material) return b.find(b.materials, "material", layer.id);
   if (layer.names == LayerCard::Names::nothing) return part.material;
-  const Index other = b.part(layer.row, layer.field);
+  const Index other = b.part(layer.id);
   if (other == none) return none;
   const Index material = b.model.parts[static_cast<std::size_t>(other)].material;
   if (material == none || std::holds_alternative<kernel::Laminate>(material_at(b, material).law))
-    refuse(b, layer.row, layer.field,
-           fmt::format("part {} has no single material for the layer", layer.row.integer(layer.field)),
+    refuse(b, layer.id, fmt::format("part {} has no single material for the layer", layer.id.integer()),
            "name a part whose *PART gives a material");
   return material;
 }
@@ -47,7 +46,7 @@ class Laws {
     const Material& m = material_at(b_, material);
     std::optional<kernel::LawComponents> made = components_of(m.law);
     if (!made || !made->for_shells) {
-      refuse(b_, layer.row, layer.field, fmt::format("*{} is not a law of a shell's layers", m.keyword),
+      refuse(b_, layer.id, fmt::format("*{} is not a law of a shell's layers", m.keyword),
              "give the layer the law of a sheet, e.g. *MAT_ELASTIC");
       return {};
     }
@@ -78,11 +77,11 @@ kernel::ComposedLaw turned_as_own(Builder& b, const Part& part, const LayerCard&
   const kernel::MaterialAxes* given = axes_of(law);
   const kernel::MaterialAxes* own = part.material == none ? nullptr : axes_of(material_at(b, part.material).law);
   if (layer.names != LayerCard::Names::part || given == nullptr || own == nullptr || same(*given, *own)) return law;
-  layer.row.report(b.findings, Severity::warning, layer.field,
-                   fmt::format("AOPT and BETA of material {} are not looked at: a layer's axes are those of material "
-                               "{}, of the shells' own part",
-                               material.id, material_at(b, part.material).id),
-                   "turn layers by B of *PART_COMPOSITE, or write the same axes in both materials");
+  layer.id.report(b.findings, Severity::warning,
+                  fmt::format("AOPT and BETA of material {} are not looked at: a layer's axes are those of material "
+                              "{}, of the shells' own part",
+                              material.id, material_at(b, part.material).id),
+                  "turn layers by B of *PART_COMPOSITE, or write the same axes in both materials");
   kernel::LawComponents turned = *law.components;
   std::get<kernel::Orthotropic>(turned.flow).axes = *own;
   return kernel::composed_law(std::move(turned));
@@ -92,18 +91,18 @@ kernel::ComposedLaw turned_as_own(Builder& b, const Part& part, const LayerCard&
 void check_layer(Builder& b, const LayerCard& layer, const kernel::ComposedLaw& law, const Material& material) {
   const bool has_axes = std::holds_alternative<kernel::Orthotropic>(law.components->flow);
   if (layer.angle != 0.0 && !has_axes)
-    layer.row.report(b.findings, Severity::note, layer.field,
-                     fmt::format("the layer's angle has no effect: *{} has no axes", material.keyword));
+    layer.id.report(b.findings, Severity::note,
+                    fmt::format("the layer's angle has no effect: *{} has no axes", material.keyword));
   if (has_axes && b.model.control.laminated_shear)
-    refuse(b, layer.row, layer.field,
+    refuse(b, layer.id,
            "laminated shell theory (LAMSHT of *CONTROL_SHELL) is not built for layers of *MAT_ORTHOTROPIC_ELASTIC",
            "write LAMSHT 0 and choose SHRF, or give the layer *MAT_ELASTIC");
   if (const double points = law.components->points_to_delete; points == 1.0)
-    layer.row.report(b.findings, Severity::note, layer.field,
-                     fmt::format("material {}: the first point of the layer that fails deletes the shell with all "
-                                 "its layers, as NUMFIP or NUMINT of 1 says",
-                                 material.id),
-                     "write -100 there: it then goes with the last layer that can fail");
+    layer.id.report(b.findings, Severity::note,
+                    fmt::format("material {}: the first point of the layer that fails deletes the shell with all "
+                                "its layers, as NUMFIP or NUMINT of 1 says",
+                                material.id),
+                    "write -100 there: it then goes with the last layer that can fail");
 }
 
 /// Points of one a layer bend as if each layer were thin: reported where that matters.

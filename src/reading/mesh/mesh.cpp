@@ -449,12 +449,12 @@ std::string_view name_of(ElementKind kind) {
 }
 
 /// The section that a part's elements need: same id, of their kind.
-void link_section(Builder& b, Part& part, const deck::Row& row) {
+void link_section(Builder& b, Part& part, const deck::RowOf<PartCard>& row) {
   const std::array<std::pair<ElementKind, const Ids*>, 4> kinds{{{ElementKind::shell, &b.shell_sections},
                                                                  {ElementKind::solid, &b.solid_sections},
                                                                  {ElementKind::beam, &b.beam_sections},
                                                                  {ElementKind::discrete, &b.discrete_sections}}};
-  const int id = row.integer("secid");
+  const int id = row->secid;
   if (id == 0) return;
   bool exists = false;
   for (const auto& [kind, ids] : kinds) {
@@ -463,20 +463,21 @@ void link_section(Builder& b, Part& part, const deck::Row& row) {
     if (kind == part.kind) part.section = found;
   }
   if (part.section != none || (part.kind == ElementKind::nothing && exists)) return;
-  if (part.kind == ElementKind::nothing || !exists) return b.report_missing(b.shell_sections, "section", row, "secid");
-  refuse(b, row, "secid",
+  if (part.kind == ElementKind::nothing || !exists)
+    return b.report_missing(b.shell_sections, "section", row[&PartCard::secid]);
+  refuse(b, row[&PartCard::secid],
          fmt::format("section {} is of another kind; the part has {} elements", id, name_of(part.kind)),
          "give the part the *SECTION_... of its elements");
 }
 
 /// A part with elements needs both.
-void require_section_and_material(const Part& part, const deck::Row& row, Tally& incomplete) {
+void require_section_and_material(const Part& part, const deck::RowOf<PartCard>& row, Tally& incomplete) {
   if (part.kind == ElementKind::nothing) return;
-  const bool no_section = row.integer("secid") == 0, no_material = row.integer("mid") == 0;
+  const bool no_section = row->secid == 0, no_material = row->mid == 0;
   if (!no_section && !no_material) return;
   const char* const what = no_section && no_material ? "section and no material" : no_section ? "section" : "material";
   incomplete.add(
-      row.place(no_section ? "secid" : "mid"),
+      row[no_section ? &PartCard::secid : &PartCard::mid].place,
       [&] { return fmt::format("part {} has elements, but no {}", part.id, what); }, "give their ids in SECID and MID");
 }
 
@@ -510,17 +511,17 @@ void make_mesh(Builder& b) {
   for (const auto& [index, row] : b.part_rows) {
     Part& part = b.model.parts[static_cast<std::size_t>(index)];
     link_section(b, part, row);
-    part.material = b.find(b.materials, "material", row, "mid");
+    part.material = b.find(b.materials, "material", row[&PartCard::mid]);
     require_section_and_material(part, row, incomplete);
-    part.hourglass = b.find(b.hourglass, "hourglass control", row, "hgid");
+    part.hourglass = b.find(b.hourglass, "hourglass control", row[&PartCard::hgid]);
   }
-  for (const auto& [index, section, row] : b.composite_parts) {
+  for (const auto& [index, section, id, hourglass] : b.composite_parts) {
     Part& part = b.model.parts[static_cast<std::size_t>(index)];
     if (part.kind == ElementKind::shell) part.section = section;
     if (part.kind != ElementKind::shell && part.kind != ElementKind::nothing)
-      refuse(b, row, "pid", fmt::format("*PART_COMPOSITE is of shells; the part has {} elements", name_of(part.kind)),
+      refuse(b, id, fmt::format("*PART_COMPOSITE is of shells; the part has {} elements", name_of(part.kind)),
              "use *PART with their *SECTION_...");
-    part.hourglass = b.find(b.hourglass, "hourglass control", row, "hgid");
+    part.hourglass = b.find(b.hourglass, "hourglass control", hourglass);
   }
   fold_tetrahedra(b.model);
   set_thickness(b, shell_rows);

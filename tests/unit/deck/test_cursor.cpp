@@ -99,7 +99,7 @@ TEST(BoundCards, AFieldIsFoundByItsMember) {
   EXPECT_EQ(row[&Laminate::shape].integer(), 1);
   EXPECT_THROW(row[&Laminate::nothing_to_do_with_the_card], std::logic_error);
   row[&Laminate::id].report(r.findings, Severity::error, "material 7 is not defined", "define it");
-  EXPECT_ONE_FINDING(r.findings, "deck:3:1: error: *MAT_ELASTIC mid = 7: material 7 is not defined [define it]");
+  EXPECT_ONE_FINDING(r.findings, "(text):3:1: error: *MAT_ELASTIC mid = 7: material 7 is not defined [define it]");
 }
 
 TEST(BoundCards, UncheckedMembersKeepWhatTheyHave) {
