@@ -106,13 +106,19 @@ Entry Row::entry_of(std::ptrdiff_t offset) const {
 
 Entry Row::entry_at(std::size_t field) const {
   const Cell& cell = cells_[field];
-  return {
-      keyword(), card_->fields[field].name, cell.text, cell.value, cell.blank, {place_.file, place_.line, cell.column}};
+  Entry entry;
+  entry.keyword = keyword();
+  entry.field = card_->fields[field].name;
+  entry.text = cell.text;
+  entry.value = cell.value;
+  entry.blank = cell.blank;
+  entry.place = {place_.file, place_.line, cell.column};
+  return entry;
 }
 
-void Row::report(Findings& findings, Severity severity, std::string_view name, std::string text,
-                 std::string remedy) const {
-  entry(name).report(findings, severity, std::move(text), std::move(remedy));
+void Row::report(Findings& findings, Severity severity, std::string_view name, std::string_view text,
+                 std::string_view remedy) const {
+  entry(name).report(findings, severity, text, remedy);
 }
 
 void Row::store(std::byte* object) const {
@@ -131,8 +137,24 @@ void Row::store(std::byte* object) const {
   }
 }
 
-void Entry::report(Findings& findings, Severity severity, std::string what, std::string remedy) const {
-  findings.add({severity, place, keyword, std::string(field), text, std::move(what), std::move(remedy)});
+Row::Row() = default;
+Row::Row(const Row&) = default;
+Row::Row(Row&&) noexcept = default;
+Row& Row::operator=(const Row&) = default;
+Row& Row::operator=(Row&&) noexcept = default;
+Row::~Row() = default;
+
+// ---- Entry
+
+Entry::Entry() = default;
+Entry::Entry(const Entry&) = default;
+Entry::Entry(Entry&&) noexcept = default;
+Entry& Entry::operator=(const Entry&) = default;
+Entry& Entry::operator=(Entry&&) noexcept = default;
+Entry::~Entry() = default;
+
+void Entry::report(Findings& findings, Severity severity, std::string_view what, std::string_view remedy) const {
+  findings.add({severity, place, keyword, std::string(field), text, std::string(what), std::string(remedy)});
 }
 
 // ---- Cursor
@@ -244,7 +266,7 @@ void Cursor::fill(Row& row, std::size_t i, std::string_view text) {
   const bool needed = std::isnan(field.fallback);
   cell.value = needed ? 0.0 : field.fallback;
   const auto report = [&](Fault fault) {
-    row.entry_at(i).report(findings_, Severity::error, std::move(fault.text), std::move(fault.remedy));
+    row.entry_at(i).report(findings_, Severity::error, fault.text, fault.remedy);
   };
   if (cell.blank) {
     if (needed) report({with_meaning(field, "must be given"), "write its value there"});

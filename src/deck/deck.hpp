@@ -83,6 +83,13 @@ Deck read_text(std::string text, Findings& findings, const std::filesystem::path
 
 /// What stands in one field of a card, for what is looked up by it and for findings about it.
 struct Entry {
+  Entry();  // these are long, and made in many places: out of line
+  Entry(const Entry&);
+  Entry(Entry&&) noexcept;
+  Entry& operator=(const Entry&);
+  Entry& operator=(Entry&&) noexcept;
+  ~Entry();
+
   std::string keyword;     ///< that the card belongs to, with its star
   std::string_view field;  ///< its name
   std::string text;        ///< as written, trimmed
@@ -92,12 +99,19 @@ struct Entry {
 
   int integer() const { return static_cast<int>(value); }
   /// Writes a finding: `keyword` field = text: what is wrong [remedy].
-  void report(Findings& findings, Severity severity, std::string what, std::string remedy = {}) const;
+  void report(Findings& findings, Severity severity, std::string_view what, std::string_view remedy = {}) const;
 };
 
 /// One card, read by its table: numbers checked, defaults filled in, ids and units transformed.
 class Row {
  public:
+  Row();  // likewise out of line
+  Row(const Row&);
+  Row(Row&&) noexcept;
+  Row& operator=(const Row&);
+  Row& operator=(Row&&) noexcept;
+  ~Row();
+
   Place place() const { return place_; }                  ///< of the line
   std::string keyword() const { return '*' + keyword_; }  ///< that the card belongs to, for messages
 
@@ -111,8 +125,8 @@ class Row {
   /// Where the field stands.
   Place place(std::string_view name) const;
   Entry entry(std::string_view name) const;
-  void report(Findings& findings, Severity severity, std::string_view name, std::string text,
-              std::string remedy = {}) const;
+  void report(Findings& findings, Severity severity, std::string_view name, std::string_view text,
+              std::string_view remedy = {}) const;
 
  protected:
   /// Of the field that is bound to the member there; std::logic_error where none is.

@@ -241,12 +241,12 @@ std::string read_title(deck::Cursor& cursor, const Options& options) {
   return options.contains("TITLE") ? cursor.read_text() : std::string{};
 }
 
-void refuse(Builder& builder, const deck::Entry& field, std::string text, std::string remedy) {
-  field.report(builder.findings, Severity::error, std::move(text), std::move(remedy));
+void refuse(Builder& builder, const deck::Entry& field, std::string_view text, std::string_view remedy) {
+  field.report(builder.findings, Severity::error, text, remedy);
 }
 
-void refuse_nonzero(Builder& builder, const deck::Entry& field, std::string text, std::string remedy) {
-  if (!field.blank && field.value != 0.0) refuse(builder, field, std::move(text), std::move(remedy));
+void refuse_nonzero(Builder& builder, const deck::Entry& field, std::string_view text, std::string_view remedy) {
+  if (!field.blank && field.value != 0.0) refuse(builder, field, text, remedy);
 }
 
 void Tally::finish() {

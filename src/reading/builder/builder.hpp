@@ -227,16 +227,16 @@ void expect_end(Builder& builder, const deck::Cursor& cursor);
 /// The title line if the option is there.
 std::string read_title(deck::Cursor& cursor, const Options& options);
 /// An error "... not supported" at a field whose value is not one of those this program computes.
-void refuse(Builder& builder, const deck::Entry& field, std::string text, std::string remedy = {});
-inline void refuse(Builder& builder, const deck::Row& row, std::string_view field, std::string text,
-                   std::string remedy = {}) {
-  refuse(builder, row.entry(field), std::move(text), std::move(remedy));
+void refuse(Builder& builder, const deck::Entry& field, std::string_view text, std::string_view remedy = {});
+inline void refuse(Builder& builder, const deck::Row& row, std::string_view field, std::string_view text,
+                   std::string_view remedy = {}) {
+  refuse(builder, row.entry(field), text, remedy);
 }
 /// refuse(), if the field holds anything but blank or zero.
-void refuse_nonzero(Builder& builder, const deck::Entry& field, std::string text, std::string remedy = {});
-inline void refuse_nonzero(Builder& builder, const deck::Row& row, std::string_view field, std::string text,
-                           std::string remedy = {}) {
-  refuse_nonzero(builder, row.entry(field), std::move(text), std::move(remedy));
+void refuse_nonzero(Builder& builder, const deck::Entry& field, std::string_view text, std::string_view remedy = {});
+inline void refuse_nonzero(Builder& builder, const deck::Row& row, std::string_view field, std::string_view text,
+                           std::string_view remedy = {}) {
+  refuse_nonzero(builder, row.entry(field), text, remedy);
 }
 
 /// Findings of one kind, of which the first ones are written out and the rest counted: lists of findings sum up what is

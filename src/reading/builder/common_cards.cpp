@@ -51,14 +51,13 @@ bool depends_on_axes(unsigned fixed) {
 
 void warn_of_turned_codes(Builder& builder, const deck::Block& block, const deck::Entry& field, unsigned fixed) {
   if (block.transform && block.transform->turns() && depends_on_axes(fixed))
-    field.report(builder.findings, Severity::warning, std::string(global_codes_text), std::string(global_codes_remedy));
+    field.report(builder.findings, Severity::warning, global_codes_text, global_codes_remedy);
 }
 
 void warn_of_global_axis(Builder& builder, const deck::Block& block, const deck::Entry& field) {
   if (block.transform && block.transform->turns())
     field.report(builder.findings, Severity::warning,
-                 "acts along the global axes, also where *INCLUDE_TRANSFORM turns the file",
-                 std::string(global_codes_remedy));
+                 "acts along the global axes, also where *INCLUDE_TRANSFORM turns the file", global_codes_remedy);
 }
 
 int curve_below_zero(double written) {
@@ -71,12 +70,12 @@ double death_time(double written) {
 
 void expect(Builder& builder, Severity severity, std::initializer_list<Supported> fields) {
   for (const Supported& f : fields)
-    if (f.field.value != f.value) f.field.report(builder.findings, severity, std::string(f.otherwise));
+    if (f.field.value != f.value) f.field.report(builder.findings, severity, f.otherwise);
 }
 
 void expect(Builder& builder, const deck::Row& row, Severity severity, std::initializer_list<SupportedValue> fields) {
   for (const SupportedValue& f : fields)
-    if (row.real(f.field) != f.value) row.report(builder.findings, severity, f.field, std::string(f.otherwise));
+    if (row.real(f.field) != f.value) row.report(builder.findings, severity, f.field, f.otherwise);
 }
 
 void make_unique(std::vector<Index>& indices) {
