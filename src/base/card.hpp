@@ -127,6 +127,13 @@ constexpr AnyField or_negative(AnyField f, IdSpace space) {
   return f;
 }
 
+/// The same field with other values allowed.
+template <class AnyField>
+constexpr AnyField within_range(AnyField f, Range range) {
+  f.range = range;
+  return f;
+}
+
 struct Card {
   std::vector<Field> fields;
 };

@@ -52,19 +52,18 @@ RigidBody& body_of(Builder& b, Index node) {
 }
 
 /// One finding about some nodes of an SPC, which names the first.
-void report_nodes(Builder& b, const deck::Row& row, std::string_view field, Severity severity,
-                  const std::vector<Index>& nodes, std::string_view what, std::string remedy) {
+void report_nodes(Builder& b, const deck::Entry& field, Severity severity, const std::vector<Index>& nodes,
+                  std::string_view what, std::string_view remedy) {
   if (nodes.empty()) return;
-  row.report(b.findings, severity, field,
-             fmt::format("node {} belongs to rigid body {}, which moves as one: {} ({} such node{})",
-                         b.model.nodes.id[static_cast<std::size_t>(nodes.front())], body_of(b, nodes.front()).id, what,
-                         nodes.size(), nodes.size() == 1 ? "" : "s"),
-             std::move(remedy));
+  field.report(b.findings, severity,
+               fmt::format("node {} belongs to rigid body {}, which moves as one: {} ({} such node{})",
+                           b.model.nodes.id[static_cast<std::size_t>(nodes.front())], body_of(b, nodes.front()).id,
+                           what, nodes.size(), nodes.size() == 1 ? "" : "s"),
+               remedy);
 }
 
 /// The translations, when all rotations that are held are known: a body that cannot turn has one velocity.
-void constrain_translations(Builder& b, const deck::Row& row, std::string_view field, unsigned fixed,
-                            const std::vector<Index>& nodes) {
+void constrain_translations(Builder& b, const deck::Entry& field, unsigned fixed, const std::vector<Index>& nodes) {
   std::vector<Index> constrained, left;
   Center center(b);
   for (const Index node : nodes) {
@@ -73,8 +72,8 @@ void constrain_translations(Builder& b, const deck::Row& row, std::string_view f
     if (exact) body.fixed |= fixed & translations;
     (exact ? constrained : left).push_back(node);
   }
-  report_nodes(b, row, field, Severity::note, constrained, "the body is held; spcforc has no such reaction", {});
-  report_nodes(b, row, field, Severity::warning, left, "its translation is not held",
+  report_nodes(b, field, Severity::note, constrained, "the body is held; spcforc has no such reaction", {});
+  report_nodes(b, field, Severity::warning, left, "its translation is not held",
                "hold the body by CMO of *MAT_RIGID, or _SPC of the nodal rigid body");
 }
 
@@ -89,7 +88,7 @@ bool is_positive_definite(const std::array<double, 6>& i) {
 
 }  // namespace
 
-void constrain_bodies(Builder& builder, const deck::Row& row, std::string_view field, const SinglePointConstraint& spc,
+void constrain_bodies(Builder& builder, const deck::Entry& field, const SinglePointConstraint& spc,
                       std::vector<Index>& nodes) {
   const auto in_body = [&](Index n) { return builder.body_of_node[static_cast<std::size_t>(n)] != none; };
   const bool plain = spc.system == none && spc.birth <= 0.0 && spc.death >= forever;
@@ -97,13 +96,12 @@ void constrain_bodies(Builder& builder, const deck::Row& row, std::string_view f
   for (const Index node : nodes)
     if (in_body(node)) (plain && takes_global_codes(body_of(builder, node)) ? taken : left).push_back(node);
   std::erase_if(nodes, in_body);
-  report_nodes(builder, row, field, Severity::warning, left, "nothing is prescribed to it",
+  report_nodes(builder, field, Severity::warning, left, "nothing is prescribed to it",
                "hold the body by CMO of *MAT_RIGID, or _SPC of the nodal rigid body");
   if (taken.empty()) return;
   for (const Index node : taken) body_of(builder, node).fixed |= spc.fixed & rotations;
-  builder.defer(Phase::checks, [row, name = std::string(field), fixed = spc.fixed, taken](Builder& b) {
-    constrain_translations(b, row, name, fixed, taken);
-  });
+  builder.defer(Phase::checks,
+                [field, fixed = spc.fixed, taken](Builder& b) { constrain_translations(b, field, fixed, taken); });
 }
 
 void check_inertia(Builder& builder) {

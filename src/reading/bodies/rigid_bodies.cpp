@@ -544,13 +544,13 @@ void make_rigid_bodies(Builder& builder) {
   Maker(builder).make();
 }
 
-Index find_body(Builder& builder, const Row& row, std::string_view field) {
-  const int id = row.integer(field);
+Index find_body(Builder& builder, const deck::Entry& field) {
+  const int id = field.integer();
   if (id == 0) return none;
   const Index body = builder.bodies.find(id);
   if (body == none) {
     const bool is_part = builder.parts.find(id) != none;
-    refuse(builder, row, field,
+    refuse(builder, field,
            is_part ? fmt::format("part {} is not rigid", id) : fmt::format("rigid body {} is not defined", id),
            "name a part with *MAT_RIGID or a *CONSTRAINED_NODAL_RIGID_BODY");
   }

@@ -17,7 +17,10 @@ void make_rigid_bodies(Builder& builder);
 
 /// The body of a MAT_RIGID part (that of its lead part where merged) or of a nodal rigid body, by the id in a field;
 /// none and a finding where there is no such body.
-Index find_body(Builder& builder, const deck::Row& row, std::string_view field);
+Index find_body(Builder& builder, const deck::Entry& field);
+inline Index find_body(Builder& builder, const deck::Row& row, std::string_view field) {
+  return find_body(builder, row.entry(field));
+}
 
 /// Local axes of a body by the deck: LCO of *MAT_RIGID or its two vectors, CID of *CONSTRAINED_NODAL_RIGID_BODY; null
 /// where it names none.
@@ -29,7 +32,7 @@ Vec3d center_of_mass(Builder& builder, const RigidBody& body);
 /// Phase::conditions. Takes the nodes of rigid bodies out of the `nodes` of an SPC. Where the constraint of such a node
 /// is exactly one of its body, the body is held instead: rotations at any node, translations at the centre of mass, or
 /// at any node of a body that cannot turn. The others do nothing and are reported.
-void constrain_bodies(Builder& builder, const deck::Row& row, std::string_view field, const SinglePointConstraint& spc,
+void constrain_bodies(Builder& builder, const deck::Entry& field, const SinglePointConstraint& spc,
                       std::vector<Index>& nodes);
 /// Phase::checks, when all that holds the bodies is known: a body that can turn and whose given tensor of inertia is
 /// not positive definite is refused.

@@ -15,84 +15,115 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
+using deck::RowOf;
 
-const Card volume_card{{
-    id("sid", IdSpace::set, required, "segment set or part set that encloses the gas"),
-    integer("sidtyp", 0, any_value, "0 segment set; others: part set, its shells"),
+struct VolumeCard {
+  int sid = 0, sidtyp = 0;
+  double vsca = 0, psca = 0, mwd = 0;
+};
+const CardOf<VolumeCard> volume_card{
+    {&VolumeCard::sid, id("sid", IdSpace::set, required, "segment set or part set that encloses the gas")},
+    {&VolumeCard::sidtyp, integer("sidtyp", 0, any_value, "0 segment set; others: part set, its shells")},
     integer("rbid", 0, only(0), "rigid body of a sensor of the user"),
-    real("vsca", dimension::number, 1, above_zero(), "scale of the volume"),
-    real("psca", dimension::number, 1, above_zero(), "scale of the pressure"),
+    {&VolumeCard::vsca, real("vsca", dimension::number, 1, above_zero(), "scale of the volume")},
+    {&VolumeCard::psca, real("psca", dimension::number, 1, above_zero(), "scale of the pressure")},
     real("vini", dimension::volume, 0, only(0), "volume filled at the start"),
-    real("mwd", dimension::number, 0, any_value, "damping weighted by mass"),
+    {&VolumeCard::mwd, real("mwd", dimension::number, 0, any_value, "damping weighted by mass")},
     real("spsf", dimension::number, 0, only(0), "scale of the stagnation pressure"),
-}};
-const Card coefficient_card{{
-    or_negative(real("cn", dimension::stress, 0, any_value,
-                     "pressure at the volume of the start over beta; below 0: -CN is a curve of it over time"),
-                IdSpace::function),
-    real("beta", dimension::number, 0, any_value, "factor on CN"),
-    id("lcid", IdSpace::function, 0, "curve of the pressure over volume by volume at the start, in the place of both"),
-    id("lciddr", IdSpace::function, 0, "curve of CN over time in dynamic relaxation"),
-}};
-const Card adiabatic_card{{
-    real("psf", dimension::number, 1, any_value, "factor on the pressure"),
-    id("lcid", IdSpace::function, 0, "curve over time: until its first value above 0 the pressure is PSF P0"),
-    real("gamma", dimension::number, required, above_zero(), "ratio of heat capacities"),
-    real("p0", dimension::stress, required, any_value, "pressure at the start, above the ambient one"),
-    real("pe", dimension::stress, 0, at_least(0), "ambient pressure"),
-    real("ro", dimension::density, 0, at_least(0), "density at the start, for abstat; has no effect on the pressure"),
-}};
+};
+struct CoefficientCard {
+  double cn = 0, beta = 0;
+  int lcid = 0, lciddr = 0;
+};
+const CardOf<CoefficientCard> coefficient_card{
+    {&CoefficientCard::cn,
+     or_negative(real("cn", dimension::stress, 0, any_value,
+                      "pressure at the volume of the start over beta; below 0: -CN is a curve of it over time"),
+                 IdSpace::function)},
+    {&CoefficientCard::beta, real("beta", dimension::number, 0, any_value, "factor on CN")},
+    {&CoefficientCard::lcid, id("lcid", IdSpace::function, 0,
+                                "curve of the pressure over volume by volume at the start, in the place of both")},
+    {&CoefficientCard::lciddr, id("lciddr", IdSpace::function, 0, "curve of CN over time in dynamic relaxation")},
+};
+struct AdiabaticCard {
+  double psf = 0;
+  int lcid = 0;
+  double gamma = 0, p0 = 0, pe = 0, ro = 0;
+};
+const CardOf<AdiabaticCard> adiabatic_card{
+    {&AdiabaticCard::psf, real("psf", dimension::number, 1, any_value, "factor on the pressure")},
+    {&AdiabaticCard::lcid,
+     id("lcid", IdSpace::function, 0, "curve over time: until its first value above 0 the pressure is PSF P0")},
+    {&AdiabaticCard::gamma, real("gamma", dimension::number, required, above_zero(), "ratio of heat capacities")},
+    {&AdiabaticCard::p0,
+     real("p0", dimension::stress, required, any_value, "pressure at the start, above the ambient one")},
+    {&AdiabaticCard::pe, real("pe", dimension::stress, 0, at_least(0), "ambient pressure")},
+    {&AdiabaticCard::ro,
+     real("ro", dimension::density, 0, at_least(0), "density at the start, for abstat; has no effect on the pressure")},
+};
 constexpr Dimension specific_heat{0, 2, -2}, molar_heat{1, 2, -2};  // per mass or mole and temperature
-const Card heat_card{{
-    real("cv", specific_heat, 0, at_least(0), "heat capacity at constant volume; 0: of A, B, MW and GASC"),
-    real("cp", specific_heat, 0, at_least(0), "heat capacity at constant pressure"),
-    real("t", dimension::number, 0, at_least(0), "absolute temperature of the gas that flows in"),
-    id("lcid", IdSpace::function, 0, "curve over time of the mass flow into the volume"),
-    or_negative(real("mu", dimension::number, 0, any_value,
-                     "shape factor of the vent; below 0: -MU is a curve of it over the absolute pressure"),
-                IdSpace::function),
-    or_negative(real("area", dimension::area, 0, any_value,
-                     "area of the vent; below 0: -AREA is a curve of it over the absolute pressure"),
-                IdSpace::function),
-    real("pe", dimension::stress, 0, at_least(0), "ambient pressure, that of the gas at the start"),
-    real("ro", dimension::density, 0, at_least(0), "ambient density, that of the gas at the start"),
-}};
-const Card outflow_card{{
-    id("lou", IdSpace::function, 0,
-       "curve over the pressure above PE of the mass flow out of it, in the place of the vent"),
-    real("text", dimension::number, 0, at_least(0), "with CV 0: absolute temperature of the gas at the start"),
-    real("a", molar_heat, 0, any_value, "with CV 0: heat capacity of a mole at constant pressure, at temperature 0"),
-    real("b", molar_heat, 0, any_value, "with CV 0: what it grows by, per temperature"),
-    real("mw", dimension::mass, 0, at_least(0), "with CV 0: mass of a mole"),
-    real("gasc", molar_heat, 0, at_least(0), "with CV 0: universal gas constant"),
-}};
+struct HeatCard {
+  double cv = 0, cp = 0, t = 0;
+  int lcid = 0;
+  double mu = 0, area = 0, pe = 0, ro = 0;
+};
+const CardOf<HeatCard> heat_card{
+    {&HeatCard::cv,
+     real("cv", specific_heat, 0, at_least(0), "heat capacity at constant volume; 0: of A, B, MW and GASC")},
+    {&HeatCard::cp, real("cp", specific_heat, 0, at_least(0), "heat capacity at constant pressure")},
+    {&HeatCard::t, real("t", dimension::number, 0, at_least(0), "absolute temperature of the gas that flows in")},
+    {&HeatCard::lcid, id("lcid", IdSpace::function, 0, "curve over time of the mass flow into the volume")},
+    {&HeatCard::mu,
+     or_negative(real("mu", dimension::number, 0, any_value,
+                      "shape factor of the vent; below 0: -MU is a curve of it over the absolute pressure"),
+                 IdSpace::function)},
+    {&HeatCard::area, or_negative(real("area", dimension::area, 0, any_value,
+                                       "area of the vent; below 0: -AREA is a curve of it over the absolute pressure"),
+                                  IdSpace::function)},
+    {&HeatCard::pe, real("pe", dimension::stress, 0, at_least(0), "ambient pressure, that of the gas at the start")},
+    {&HeatCard::ro, real("ro", dimension::density, 0, at_least(0), "ambient density, that of the gas at the start")},
+};
+struct OutflowCard {
+  int lou = 0;
+  double text = 0, a = 0, b = 0, mw = 0, gasc = 0;
+};
+const CardOf<OutflowCard> outflow_card{
+    {&OutflowCard::lou, id("lou", IdSpace::function, 0,
+                           "curve over the pressure above PE of the mass flow out of it, in the place of the vent")},
+    {&OutflowCard::text,
+     real("text", dimension::number, 0, at_least(0), "with CV 0: absolute temperature of the gas at the start")},
+    {&OutflowCard::a,
+     real("a", molar_heat, 0, any_value, "with CV 0: heat capacity of a mole at constant pressure, at temperature 0")},
+    {&OutflowCard::b, real("b", molar_heat, 0, any_value, "with CV 0: what it grows by, per temperature")},
+    {&OutflowCard::mw, real("mw", dimension::mass, 0, at_least(0), "with CV 0: mass of a mole")},
+    {&OutflowCard::gasc, real("gasc", molar_heat, 0, at_least(0), "with CV 0: universal gas constant")},
+};
 
-std::vector<Segment> faces(Builder& b, const Row& row) {
+std::vector<Segment> faces(Builder& b, const RowOf<VolumeCard>& row) {
   std::vector<Segment> segments;
-  if (row.integer("sidtyp") == 0) {
-    if (const auto* set = b.segment_set(row, "sid")) segments = set->members;
+  if (row->sidtyp == 0) {
+    if (const auto* set = b.segment_set(row[&VolumeCard::sid])) segments = set->members;
     return segments;
   }
-  const auto* parts = b.part_set(row, "sid");
+  const auto* parts = b.part_set(row[&VolumeCard::sid]);
   if (parts == nullptr) return segments;
   const Shells& shells = b.model.shells;
   for (std::size_t e = 0; e < shells.size(); ++e)
     if (std::find(parts->members.begin(), parts->members.end(), shells.part[e]) != parts->members.end())
       segments.push_back(shells.node[e]);
-  if (segments.empty()) refuse(b, row, "sid", "the parts of this set have no shells", "give a segment set");
+  if (segments.empty()) refuse(b, row[&VolumeCard::sid], "the parts of this set have no shells", "give a segment set");
   return segments;
 }
 
 /// Finds the surface, its openings and its volume at the start.
-void add_volume(Builder& b, const Row& row, ControlVolume volume) {
+void add_volume(Builder& b, const RowOf<VolumeCard>& row, ControlVolume volume) {
   volume.segments = faces(b, row);
   volume.share = share_pressure(b.model, volume.segments);
   if (volume.segments.empty()) return;
   SurfaceBorder border = surface_border(volume.segments);
   if (!border.twisted.empty()) {
     const auto& edge = border.twisted.front();
-    return refuse(b, row, "sid",
+    return refuse(b, row[&VolumeCard::sid],
                   fmt::format("the normals of neighbours disagree at {} edge{}, the first from node {} to {}",
                               border.twisted.size(), border.twisted.size() == 1 ? "" : "s",
                               b.model.nodes.id[at(edge[0])], b.model.nodes.id[at(edge[1])]),
@@ -101,10 +132,11 @@ void add_volume(Builder& b, const Row& row, ControlVolume volume) {
   volume.openings = std::move(border.openings);
   const double v = enclosed_volume(volume.segments, volume.openings, [&](Index n) { return b.model.nodes.x[at(n)]; });
   if (!(v > 0.0))
-    return refuse(b, row, "sid", fmt::format("the enclosed volume is {:.6g}: the normals point into it", v),
+    return refuse(b, row[&VolumeCard::sid], fmt::format("the enclosed volume is {:.6g}: the normals point into it", v),
                   "turn the elements so that the normals point outwards");
-  if (row.real("mwd") != 0.0)
-    row.report(b.findings, Severity::warning, "mwd", "not obeyed: the surface is not damped", "use *DAMPING_PART_MASS");
+  if (row->mwd != 0.0)
+    row[&VolumeCard::mwd].report(b.findings, Severity::warning, "not obeyed: the surface is not damped",
+                                 "use *DAMPING_PART_MASS");
   b.findings.note(volume.place, row.keyword(),
                   fmt::format("{} faces enclose a volume of {:.6g}{}", volume.segments.size(), v,
                               volume.openings.empty() ? std::string{}
@@ -113,44 +145,46 @@ void add_volume(Builder& b, const Row& row, ControlVolume volume) {
   b.model.control_volumes.push_back(std::move(volume));
 }
 
-ControlVolume read_volume(const Block& block, const Row& row, const Heading& heading) {
+ControlVolume read_volume(const Block& block, const RowOf<VolumeCard>& row, const Heading& heading) {
   ControlVolume volume;
   volume.id = heading.id;
   volume.title = heading.text;
   volume.keyword = block.keyword;
-  volume.volume_scale = row.real("vsca");
-  volume.pressure_scale = row.real("psca");
+  volume.volume_scale = row->vsca;
+  volume.pressure_scale = row->psca;
   volume.place = row.place();
   return volume;
 }
 
 /// Finds a curve by its id, if that is not 0; false where there is none.
-bool find_curve(Builder& b, const Row& row, std::string_view field, int id, Index& curve) {
+bool find_curve(Builder& b, const deck::Entry& field, int id, Index& curve) {
   if (id == 0) return true;
   curve = b.curves.find(id);
-  if (curve == none) refuse(b, row, field, fmt::format("curve {} is not defined", id));
+  if (curve == none) refuse(b, field, fmt::format("curve {} is not defined", id));
   return curve != none;
 }
 
 void read_pressure_volume(Builder& builder, const Block& block, const Options& options) {
   for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
     const Heading heading = read_heading(cursor, options.contains("ID"));
-    const Row row = cursor.read(volume_card), gas = cursor.read(coefficient_card);
+    const auto row = cursor.read(volume_card);
+    const auto gas = cursor.read(coefficient_card);
     ControlVolume volume = read_volume(block, row, heading);
-    const double cn = gas.real("cn");
-    volume.beta = gas.real("beta");
+    const double cn = gas->cn;
+    volume.beta = gas->beta;
     volume.coefficient = volume.beta * cn;
-    const int cn_curve = curve_below_zero(gas, "cn");
-    const bool by_curve = gas.integer("lcid") != 0;
+    const int cn_curve = curve_below_zero(gas->cn);
+    const bool by_curve = gas->lcid != 0;
     if (by_curve)
       volume.gas = ControlVolume::Gas::curve;
     else if (volume.coefficient == 0.0)
-      refuse(builder, gas, cn == 0.0 ? "cn" : "beta", "there is no pressure: neither LCID nor CN times BETA is given",
+      refuse(builder, gas[cn == 0.0 ? &CoefficientCard::cn : &CoefficientCard::beta],
+             "there is no pressure: neither LCID nor CN times BETA is given",
              "give CN, the pressure at the start, and BETA 1");
     builder.defer(Phase::conditions, [row, gas, volume, by_curve, cn_curve](Builder& b) mutable {
-      volume.curve = b.curve(gas, "lcid");
-      volume.relaxation_curve = b.curve(gas, "lciddr");
-      if (!by_curve && !find_curve(b, gas, "cn", cn_curve, volume.coefficient_curve)) return;
+      volume.curve = b.curve(gas[&CoefficientCard::lcid]);
+      volume.relaxation_curve = b.curve(gas[&CoefficientCard::lciddr]);
+      if (!by_curve && !find_curve(b, gas[&CoefficientCard::cn], cn_curve, volume.coefficient_curve)) return;
       if (by_curve && volume.curve == none) return;
       add_volume(b, row, std::move(volume));
     });
@@ -160,105 +194,113 @@ void read_pressure_volume(Builder& builder, const Block& block, const Options& o
 void read_adiabatic(Builder& builder, const Block& block, const Options& options) {
   for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
     const Heading heading = read_heading(cursor, options.contains("ID"));
-    const Row row = cursor.read(volume_card), gas = cursor.read(adiabatic_card);
+    const auto row = cursor.read(volume_card);
+    const auto gas = cursor.read(adiabatic_card);
     ControlVolume volume = read_volume(block, row, heading);
     volume.gas = ControlVolume::Gas::adiabatic;
-    volume.beta = gas.real("psf");
-    volume.gamma = gas.real("gamma");
-    volume.ambient = gas.real("pe");
-    volume.absolute = gas.real("p0") + volume.ambient;
-    volume.density = gas.real("ro");
+    volume.beta = gas->psf;
+    volume.gamma = gas->gamma;
+    volume.ambient = gas->pe;
+    volume.absolute = gas->p0 + volume.ambient;
+    volume.density = gas->ro;
     if (!(volume.absolute > 0.0))
-      refuse(builder, gas, "p0", "the absolute pressure P0 + PE is not above 0",
+      refuse(builder, gas[&AdiabaticCard::p0], "the absolute pressure P0 + PE is not above 0",
              "give P0 above the ambient pressure PE");
     if (volume.gamma <= 1.0)
-      refuse(builder, gas, "gamma", "a ratio of heat capacities is above 1", "write 1.4 for air");
+      refuse(builder, gas[&AdiabaticCard::gamma], "a ratio of heat capacities is above 1", "write 1.4 for air");
     builder.defer(Phase::conditions, [row, gas, volume](Builder& b) mutable {
-      volume.preload_curve = b.curve(gas, "lcid");
+      volume.preload_curve = b.curve(gas[&AdiabaticCard::lcid]);
       add_volume(b, row, std::move(volume));
     });
   }
 }
 
 /// The heat capacities, and with them what is known of the gas at the start.
-FlowingGas read_heat(Builder& b, const Row& heat, const Row& outflow, double ambient) {
+FlowingGas read_heat(Builder& b, const RowOf<HeatCard>& heat, const RowOf<OutflowCard>& outflow, double ambient) {
   FlowingGas gas;
-  gas.density = heat.real("ro");
-  if (heat.real("cv") > 0.0) {
-    gas.heat = heat.real("cp");
-    gas.constant = gas.heat - heat.real("cv");
+  gas.density = heat->ro;
+  if (heat->cv > 0.0) {
+    gas.heat = heat->cp;
+    gas.constant = gas.heat - heat->cv;
     if (gas.constant <= 0.0)
-      refuse(b, heat, "cp", "the heat capacity at constant pressure is not above CV", "CP is 1.4 times CV for air");
-    for (const std::string_view field : {"text", "a", "b", "mw", "gasc"})
-      if (outflow.real(field) != 0.0)
-        outflow.report(b.findings, Severity::warning, field, "not obeyed: it is for CV 0, and CV is given");
-  } else if (const double mole = outflow.real("mw"); mole > 0.0 && outflow.real("gasc") > 0.0) {
-    gas.heat = outflow.real("a") / mole;
-    gas.heat_slope = outflow.real("b") / mole;
-    gas.constant = outflow.real("gasc") / mole;
+      refuse(b, heat[&HeatCard::cp], "the heat capacity at constant pressure is not above CV",
+             "CP is 1.4 times CV for air");
+    for (double OutflowCard::*const field :
+         {&OutflowCard::text, &OutflowCard::a, &OutflowCard::b, &OutflowCard::mw, &OutflowCard::gasc})
+      if (outflow[field].value != 0.0)
+        outflow[field].report(b.findings, Severity::warning, "not obeyed: it is for CV 0, and CV is given");
+  } else if (const double mole = outflow->mw; mole > 0.0 && outflow->gasc > 0.0) {
+    gas.heat = outflow->a / mole;
+    gas.heat_slope = outflow->b / mole;
+    gas.constant = outflow->gasc / mole;
     if (gas.heat <= gas.constant || gas.heat_slope < 0.0)
-      refuse(b, outflow, gas.heat_slope < 0.0 ? "b" : "a",
+      refuse(b, outflow[gas.heat_slope < 0.0 ? &OutflowCard::b : &OutflowCard::a],
              "the heat capacity at constant volume, A + B T - GASC, is not above 0 at all temperatures",
              "A is 29.1 J/K and B 0 for a mole of air");
-    if (heat.real("cp") > 0.0)
-      heat.report(b.findings, Severity::warning, "cp", "not obeyed: with CV 0 it comes from A, B and MW");
-    gas.temperature = outflow.real("text");
+    if (heat->cp > 0.0)
+      heat[&HeatCard::cp].report(b.findings, Severity::warning, "not obeyed: with CV 0 it comes from A, B and MW");
+    gas.temperature = outflow->text;
     if (gas.temperature > 0.0) gas.density = ambient / (gas.constant * gas.temperature);
-    if (heat.real("ro") > 0.0 && std::abs(gas.density / heat.real("ro") - 1.0) > 0.01)
-      heat.report(b.findings, Severity::warning, "ro",
-                  fmt::format("not obeyed: PE, TEXT, MW and GASC give {:.4g}", gas.density));
+    if (heat->ro > 0.0 && std::abs(gas.density / heat->ro - 1.0) > 0.01)
+      heat[&HeatCard::ro].report(b.findings, Severity::warning,
+                                 fmt::format("not obeyed: PE, TEXT, MW and GASC give {:.4g}", gas.density));
   } else {
-    refuse(b, heat, "cv", "without CV the gas needs MW and GASC", "give CV and CP, or A, B, MW, GASC and TEXT");
+    refuse(b, heat[&HeatCard::cv], "without CV the gas needs MW and GASC",
+           "give CV and CP, or A, B, MW, GASC and TEXT");
   }
   if (gas.temperature == 0.0 && gas.density > 0.0 && gas.constant > 0.0)
     gas.temperature = ambient / (gas.density * gas.constant);
   if (gas.density == 0.0 && ambient > 0.0)
-    refuse(b, heat, "ro", "there is no mass at the start, at a pressure of PE", "give the density of the ambient gas");
+    refuse(b, heat[&HeatCard::ro], "there is no mass at the start, at a pressure of PE",
+           "give the density of the ambient gas");
   if (gas.density > 0.0 && ambient == 0.0)
-    refuse(b, heat, "pe", "the gas at the start has mass, but no pressure", "give the ambient pressure, or RO 0");
+    refuse(b, heat[&HeatCard::pe], "the gas at the start has mass, but no pressure",
+           "give the ambient pressure, or RO 0");
   return gas;
 }
 
 /// Flows are one way each.
-void expect_no_backflow(Builder& b, const Row& row, std::string_view field, Index curve) {
+void expect_no_backflow(Builder& b, const deck::Entry& field, Index curve) {
   if (curve == none) return;
   const Curve& c = b.model.curves[static_cast<std::size_t>(curve)];
   if (std::any_of(c.y.begin(), c.y.end(), [](double y) { return y < 0.0; }))
-    refuse(b, row, field, "this curve has values below 0",
+    refuse(b, field, "this curve has values below 0",
            "use LCID for what flows in and the vent or LOU for what flows out");
 }
 
 void read_simple_airbag(Builder& builder, const Block& block, const Options& options) {
   for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
     const Heading heading = read_heading(cursor, options.contains("ID"));
-    const Row row = cursor.read(volume_card), heat = cursor.read(heat_card), outflow = cursor.read(outflow_card);
+    const auto row = cursor.read(volume_card);
+    const auto heat = cursor.read(heat_card);
+    const auto outflow = cursor.read(outflow_card);
     ControlVolume volume = read_volume(block, row, heading);
     volume.gas = ControlVolume::Gas::flowing;
-    volume.ambient = heat.real("pe");
+    volume.ambient = heat->pe;
     FlowingGas& gas = volume.flowing;
     gas = read_heat(builder, heat, outflow, volume.ambient);
-    gas.inflow_temperature = heat.real("t");
-    gas.shape = std::max(0.0, heat.real("mu"));
-    gas.area = std::max(0.0, heat.real("area"));
-    const int shape = curve_below_zero(heat, "mu"), area = curve_below_zero(heat, "area");
-    if (heat.integer("lcid") != 0 && gas.inflow_temperature == 0.0)
-      refuse(builder, heat, "t", "the gas that flows in has no temperature", "give its absolute temperature");
-    if (heat.real("area") != 0.0 && heat.real("mu") == 0.0)
-      heat.report(builder.findings, Severity::warning, "mu", "the vent is closed: its shape factor is 0",
-                  "give MU, e.g. 0.7 for a sharp edge, or AREA 0");
-    if (outflow.integer("lou") != 0 && heat.real("area") != 0.0 && heat.real("mu") != 0.0)
-      refuse(builder, outflow, "lou", "the outflow is given twice, by this curve and by MU and AREA",
+    gas.inflow_temperature = heat->t;
+    gas.shape = std::max(0.0, heat->mu);
+    gas.area = std::max(0.0, heat->area);
+    const int shape = curve_below_zero(heat->mu), area = curve_below_zero(heat->area);
+    if (heat->lcid != 0 && gas.inflow_temperature == 0.0)
+      refuse(builder, heat[&HeatCard::t], "the gas that flows in has no temperature", "give its absolute temperature");
+    if (heat->area != 0.0 && heat->mu == 0.0)
+      heat[&HeatCard::mu].report(builder.findings, Severity::warning, "the vent is closed: its shape factor is 0",
+                                 "give MU, e.g. 0.7 for a sharp edge, or AREA 0");
+    if (outflow->lou != 0 && heat->area != 0.0 && heat->mu != 0.0)
+      refuse(builder, outflow[&OutflowCard::lou], "the outflow is given twice, by this curve and by MU and AREA",
              "set MU and AREA, or LOU, to 0");
     builder.defer(Phase::conditions, [row, heat, outflow, volume, shape, area](Builder& b) mutable {
       FlowingGas& flowing = volume.flowing;
-      flowing.inflow_curve = b.curve(heat, "lcid");
-      flowing.outflow_curve = b.curve(outflow, "lou");
-      if (!find_curve(b, heat, "mu", shape, flowing.shape_curve)) return;
-      if (!find_curve(b, heat, "area", area, flowing.area_curve)) return;
-      expect_no_backflow(b, heat, "lcid", flowing.inflow_curve);
-      expect_no_backflow(b, heat, "mu", flowing.shape_curve);
-      expect_no_backflow(b, heat, "area", flowing.area_curve);
-      expect_no_backflow(b, outflow, "lou", flowing.outflow_curve);
+      flowing.inflow_curve = b.curve(heat[&HeatCard::lcid]);
+      flowing.outflow_curve = b.curve(outflow[&OutflowCard::lou]);
+      if (!find_curve(b, heat[&HeatCard::mu], shape, flowing.shape_curve)) return;
+      if (!find_curve(b, heat[&HeatCard::area], area, flowing.area_curve)) return;
+      expect_no_backflow(b, heat[&HeatCard::lcid], flowing.inflow_curve);
+      expect_no_backflow(b, heat[&HeatCard::mu], flowing.shape_curve);
+      expect_no_backflow(b, heat[&HeatCard::area], flowing.area_curve);
+      expect_no_backflow(b, outflow[&OutflowCard::lou], flowing.outflow_curve);
       b.findings.note(volume.place, row.keyword(),
                       fmt::format("the gas at the start has a temperature of {:.4g} and a density of {:.4g}; its gas "
                                   "constant is {:.4g}",

@@ -17,49 +17,55 @@ namespace {
 using deck::Block;
 using deck::Cursor;
 using deck::Row;
+using deck::RowOf;
 
 // ---- single point constraints
 // ----------------------------------------------------------------------------------------
 
-constexpr std::array<std::string_view, 6> spc_fields{"dofx", "dofy", "dofz", "dofrx", "dofry", "dofrz"};
-
-Card spc_card(Field target) {
-  return {{
+struct SpcCard {
+  int target = 0, cid = 0;
+  std::array<int, 6> dof{};
+};
+CardOf<SpcCard> spc_card(const FieldOf<SpcCard>& target) {
+  return {
       target,
-      id("cid", IdSpace::define, 0, "coordinate system of the constraint; 0: global axes"),
-      integer("dofx", 0, between(0, 1), "1: no translation along x"),
-      integer("dofy", 0, between(0, 1), "1: no translation along y"),
-      integer("dofz", 0, between(0, 1), "1: no translation along z"),
-      integer("dofrx", 0, between(0, 1), "1: no rotation about x"),
-      integer("dofry", 0, between(0, 1), "1: no rotation about y"),
-      integer("dofrz", 0, between(0, 1), "1: no rotation about z"),
-  }};
+      {&SpcCard::cid, id("cid", IdSpace::define, 0, "coordinate system of the constraint; 0: global axes")},
+      {at(&SpcCard::dof, 0), integer("dofx", 0, between(0, 1), "1: no translation along x")},
+      {at(&SpcCard::dof, 1), integer("dofy", 0, between(0, 1), "1: no translation along y")},
+      {at(&SpcCard::dof, 2), integer("dofz", 0, between(0, 1), "1: no translation along z")},
+      {at(&SpcCard::dof, 3), integer("dofrx", 0, between(0, 1), "1: no rotation about x")},
+      {at(&SpcCard::dof, 4), integer("dofry", 0, between(0, 1), "1: no rotation about y")},
+      {at(&SpcCard::dof, 5), integer("dofrz", 0, between(0, 1), "1: no rotation about z")},
+  };
 }
-const Card spc_node_card = spc_card(id("nid", IdSpace::node, required, "node"));
-const Card spc_set_card = spc_card(id("nsid", IdSpace::set, required, "node set"));
+const CardOf<SpcCard> spc_node_card = spc_card({&SpcCard::target, id("nid", IdSpace::node, required, "node")});
+const CardOf<SpcCard> spc_set_card = spc_card({&SpcCard::target, id("nsid", IdSpace::set, required, "node set")});
 
-const Card birth_death_card{{
-    real("birth", dimension::time, 0, at_least(0), "the constraint acts from this time on"),
-    real("death", dimension::time, forever, at_least(0), "until this time"),
-}};
+struct BirthDeathCard {
+  double birth = 0, death = 0;
+};
+const CardOf<BirthDeathCard> birth_death_card{
+    {&BirthDeathCard::birth, real("birth", dimension::time, 0, at_least(0), "the constraint acts from this time on")},
+    {&BirthDeathCard::death, real("death", dimension::time, forever, at_least(0), "until this time")},
+};
 
-unsigned fixed_bits(const Row& row) {
+unsigned fixed_bits(const std::array<int, 6>& dof) {
   unsigned bits = 0;
-  for (std::size_t i = 0; i < spc_fields.size(); ++i)
-    if (row.integer(spc_fields[i]) == 1) bits |= 1U << i;
+  for (std::size_t i = 0; i < dof.size(); ++i)
+    if (dof[i] == 1) bits |= 1U << i;
   return bits;
 }
 
 /// A rigid body moves as one, so nothing can be prescribed to one of its nodes: they are taken out of `nodes`, with a
 /// finding.
-void leave_out_rigid(Builder& builder, const Row& row, std::string_view field, Severity severity,
-                     std::vector<Index>& nodes, std::string_view remedy) {
+void leave_out_rigid(Builder& builder, const deck::Entry& field, Severity severity, std::vector<Index>& nodes,
+                     std::string_view remedy) {
   const auto body_of = [&](Index node) { return builder.body_of_node[static_cast<std::size_t>(node)]; };
   const auto first = std::find_if(nodes.begin(), nodes.end(), [&](Index node) { return body_of(node) != none; });
   if (first == nodes.end()) return;
   const auto count = std::count_if(nodes.begin(), nodes.end(), [&](Index node) { return body_of(node) != none; });
-  row.report(
-      builder.findings, severity, field,
+  field.report(
+      builder.findings, severity,
       fmt::format("node {} belongs to rigid body {}, which moves as one: nothing is prescribed to it ({} such node{})",
                   builder.model.nodes.id[static_cast<std::size_t>(*first)],
                   builder.model.rigid_bodies[static_cast<std::size_t>(body_of(*first))].id, count,
@@ -69,21 +75,21 @@ void leave_out_rigid(Builder& builder, const Row& row, std::string_view field, S
 }
 
 /// A card whose time ends before it begins does nothing, which is reported.
-void warn_of_no_time(Builder& builder, const Row& row, double birth, double death) {
+void warn_of_no_time(Builder& builder, const deck::Entry& field, double birth, double death) {
   if (birth < death) return;
-  row.report(builder.findings, Severity::warning, "death",
-             fmt::format("it ends before it begins (birth {}): the card does nothing", birth),
-             "give a death later than the birth, or 0 for none");
+  field.report(builder.findings, Severity::warning,
+               fmt::format("it ends before it begins (birth {}): the card does nothing", birth),
+               "give a death later than the birth, or 0 for none");
 }
 
 /// The nodes of a card for one node or a set.
 template <bool set>
-std::vector<Index> nodes_of(Builder& builder, const Row& row) {
+std::vector<Index> nodes_of(Builder& builder, const deck::Entry& field) {
   if constexpr (set) {
-    const auto* nodes = builder.node_set(row, "nsid");
+    const auto* nodes = builder.node_set(field);
     return nodes ? nodes->members : std::vector<Index>{};
   } else {
-    const Index node = builder.node(row, "nid");
+    const Index node = builder.node(field);
     return node == none ? std::vector<Index>{} : std::vector<Index>{node};
   }
 }
@@ -94,20 +100,20 @@ void read_spc(Builder& builder, const Block& block, const Options& options) {
   while (!at_end(cursor)) {
     SinglePointConstraint spc;
     spc.id = read_heading(cursor, options.contains("ID")).id;
-    const Row row = cursor.read(set ? spc_set_card : spc_node_card);
+    const auto row = cursor.read(set ? spc_set_card : spc_node_card);
     if (options.contains("BIRTH_DEATH")) {
-      const Row times = cursor.read(birth_death_card);
-      spc.birth = times.real("birth");
-      spc.death = death_time(times.real("death"));
-      warn_of_no_time(builder, times, spc.birth, spc.death);
+      const auto times = cursor.read(birth_death_card);
+      spc.birth = times->birth;
+      spc.death = death_time(times->death);
+      warn_of_no_time(builder, times[&BirthDeathCard::death], spc.birth, spc.death);
     }
-    spc.fixed = fixed_bits(row);
-    if (row.integer("cid") == 0) warn_of_turned_codes(builder, block, row, set ? "nsid" : "nid", spc.fixed);
+    spc.fixed = fixed_bits(row->dof);
+    if (row->cid == 0) warn_of_turned_codes(builder, block, row[&SpcCard::target], spc.fixed);
     builder.defer(Phase::conditions, [row, spc](Builder& b) mutable {
-      spc.system = b.system(row, "cid");
-      if constexpr (set) spc.set_id = row.integer("nsid");
-      auto nodes = nodes_of<set>(b, row);
-      constrain_bodies(b, row, set ? "nsid" : "nid", spc, nodes);
+      spc.system = b.system(row[&SpcCard::cid]);
+      if constexpr (set) spc.set_id = row->target;
+      auto nodes = nodes_of<set>(b, row[&SpcCard::target]);
+      constrain_bodies(b, row[&SpcCard::target], spc, nodes);
       for (const Index node : nodes) {
         spc.node = node;
         b.model.spcs.push_back(spc);
@@ -119,16 +125,21 @@ void read_spc(Builder& builder, const Block& block, const Options& options) {
 // ---- planes of nodes held
 // ----------------------------------------------------------------------------------------------
 
-const Card plane_card{{
-    integer("tc", 0, between(0, 7), "translations that are held: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz"),
-    integer("rc", 0, between(0, 7), "rotations that are held, by the same codes"),
-    integer("dir", 0, between(0, 3), "normal of the plane: 1 x, 2 y, 3 z; 0: the card does nothing"),
-    real("x", dimension::length, 0, any_value, "a point of the plane: x"),
-    real("y", dimension::length, 0, any_value, "y"),
-    real("z", dimension::length, 0, any_value, "z"),
-    real("tol", dimension::length, 0, at_least(0),
-         "nodes so near to the plane are held; 0: a millionth of the model's diagonal"),
-}};
+struct PlaneCard {
+  int tc = 0, rc = 0, dir = 0;
+  double x = 0, y = 0, z = 0, tol = 0;
+};
+const CardOf<PlaneCard> plane_card{
+    {&PlaneCard::tc,
+     integer("tc", 0, between(0, 7), "translations that are held: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz")},
+    {&PlaneCard::rc, integer("rc", 0, between(0, 7), "rotations that are held, by the same codes")},
+    {&PlaneCard::dir, integer("dir", 0, between(0, 3), "normal of the plane: 1 x, 2 y, 3 z; 0: the card does nothing")},
+    {&PlaneCard::x, real("x", dimension::length, 0, any_value, "a point of the plane: x")},
+    {&PlaneCard::y, real("y", dimension::length, 0, any_value, "y")},
+    {&PlaneCard::z, real("z", dimension::length, 0, any_value, "z")},
+    {&PlaneCard::tol, real("tol", dimension::length, 0, at_least(0),
+                           "nodes so near to the plane are held; 0: a millionth of the model's diagonal")},
+};
 
 double component(const Vec3d& v, int direction) {
   return direction == 1 ? v.x : direction == 2 ? v.y : v.z;
@@ -147,27 +158,27 @@ double diagonal(const std::vector<Vec3d>& x) {
 void read_planes(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const Row row = cursor.read(plane_card);
-    const int normal = row.integer("dir");
+    const auto row = cursor.read(plane_card);
+    const int normal = row->dir;
     if (normal == 0) {
-      row.report(builder.findings, Severity::warning, "dir", "no plane is named, so nothing is held",
-                 "write 1, 2 or 3");
+      row[&PlaneCard::dir].report(builder.findings, Severity::warning, "no plane is named, so nothing is held",
+                                  "write 1, 2 or 3");
       continue;
     }
-    warn_of_global_axis(builder, block, row, "dir");
-    const double at = component(position(block, row, "x", "y", "z"), normal);
-    SinglePointConstraint spc{.fixed = bits_of_code(row.integer("tc")) | bits_of_code(row.integer("rc")) << 3};
+    warn_of_global_axis(builder, block, row[&PlaneCard::dir]);
+    const double at = component(position(block, {row->x, row->y, row->z}), normal);
+    SinglePointConstraint spc{.fixed = bits_of_code(row->tc) | bits_of_code(row->rc) << 3};
     builder.defer(Phase::conditions, [row, spc, normal, at](Builder& b) mutable {
       const std::vector<Vec3d>& x = b.model.nodes.x;
       if (x.empty()) return;
-      const double tolerance = row.real("tol") > 0.0 ? row.real("tol") : 1e-6 * diagonal(x);
+      const double tolerance = row->tol > 0.0 ? row->tol : 1e-6 * diagonal(x);
       std::vector<Index> nodes;
       for (std::size_t n = 0; n < x.size(); ++n)
         if (std::abs(component(x[n], normal) - at) <= tolerance) nodes.push_back(static_cast<Index>(n));
       if (nodes.empty())
-        row.report(b.findings, Severity::warning, "dir", "no node lies in this plane",
-                   "correct the point, or give TOL");
-      constrain_bodies(b, row, "tc", spc, nodes);
+        row[&PlaneCard::dir].report(b.findings, Severity::warning, "no node lies in this plane",
+                                    "correct the point, or give TOL");
+      constrain_bodies(b, row[&PlaneCard::tc], spc, nodes);
       for (const Index node : nodes) {
         spc.node = node;
         b.model.spcs.push_back(spc);
@@ -179,35 +190,53 @@ void read_planes(Builder& builder, const Block& block, const Options&) {
 // ---- prescribed motions
 // ----------------------------------------------------------------------------------------------
 
-Card motion_card(Field target) {
-  return {{
+struct MotionCard {
+  int target = 0, dof = 0, vad = 0, lcid = 0;
+  double sf = 0;
+  int vid = 0;
+  double death = 0, birth = 0;
+};
+CardOf<MotionCard> motion_card(const FieldOf<MotionCard>& target) {
+  return {
       target,
-      integer("dof", required, any_value,
-              "1, 2, 3 translation along x, y, z; 4 along the vector; -4 the same, motion normal to it held; 5, 6, 7 "
-              "rotation about x, y, z; 8 about the vector; -8 the same, rotation normal to it held; nodes only: 9, 10, "
-              "11 around an axis along x, y, z through the offsets; -9, -10, -11 the same, the radius free"),
-      integer("vad", 0, any_value, "0 velocity, 1 acceleration, 2 displacement"),
-      {"lcid", Kind::integer, {}, required, at_least(1), "curve of the motion over time", IdSpace::function},
-      real("sf", dimension::number, 1, any_value, "scale of the curve"),
-      or_negative(
-          id("vid", IdSpace::define, 0, "vector of dof 4, -4, 8, -8; below 0: coordinate system of dof 1 to 3, 5 to 7"),
-          IdSpace::define),
-      real("death", dimension::time, 1e28, at_least(0), "the motion ends at this time"),
-      real("birth", dimension::time, 0, at_least(0), "and begins at this time; the curve starts then"),
-  }};
+      {&MotionCard::dof,
+       integer(
+           "dof", required, any_value,
+           "1, 2, 3 translation along x, y, z; 4 along the vector; -4 the same, motion normal to it held; 5, 6, 7 "
+           "rotation about x, y, z; 8 about the vector; -8 the same, rotation normal to it held; nodes only: 9, 10, "
+           "11 around an axis along x, y, z through the offsets; -9, -10, -11 the same, the radius free")},
+      {&MotionCard::vad, integer("vad", 0, any_value, "0 velocity, 1 acceleration, 2 displacement")},
+      {&MotionCard::lcid,
+       within_range(id("lcid", IdSpace::function, required, "curve of the motion over time"), at_least(1))},
+      {&MotionCard::sf, real("sf", dimension::number, 1, any_value, "scale of the curve")},
+      {&MotionCard::vid, or_negative(id("vid", IdSpace::define, 0,
+                                        "vector of dof 4, -4, 8, -8; below 0: coordinate system of dof 1 to 3, 5 to 7"),
+                                     IdSpace::define)},
+      {&MotionCard::death, real("death", dimension::time, 1e28, at_least(0), "the motion ends at this time")},
+      {&MotionCard::birth,
+       real("birth", dimension::time, 0, at_least(0), "and begins at this time; the curve starts then")},
+  };
 }
-const Card motion_node_card = motion_card(id("nid", IdSpace::node, required, "node"));
-const Card motion_set_card = motion_card(id("nsid", IdSpace::set, required, "node set"));
-const Card motion_body_card =
-    motion_card(id("pid", IdSpace::part, required, "part of *MAT_RIGID, or nodal rigid body"));
+const CardOf<MotionCard> motion_node_card =
+    motion_card({&MotionCard::target, id("nid", IdSpace::node, required, "node")});
+const CardOf<MotionCard> motion_set_card =
+    motion_card({&MotionCard::target, id("nsid", IdSpace::set, required, "node set")});
+const CardOf<MotionCard> motion_body_card =
+    motion_card({&MotionCard::target, id("pid", IdSpace::part, required, "part of *MAT_RIGID, or nodal rigid body")});
 
-const Card motion_axis_card{{
-    real("offset1", dimension::length, 0, any_value, "where the axis is: y (dof 9), z (10), x (11)"),
-    real("offset2", dimension::length, 0, any_value, "where the axis is: z (dof 9), x (10), y (11)"),
-    id("lrb", IdSpace::part, 0, "leading rigid body of vad 4, which is not built"),
-    id("node1", IdSpace::node, 0, "orientation of vad 4, which is not built"),
-    id("node2", IdSpace::node, 0, "orientation of vad 4, which is not built"),
-}};
+struct MotionAxisCard {
+  double offset1 = 0, offset2 = 0;
+  int lrb = 0, node1 = 0, node2 = 0;
+};
+const CardOf<MotionAxisCard> motion_axis_card{
+    {&MotionAxisCard::offset1,
+     real("offset1", dimension::length, 0, any_value, "where the axis is: y (dof 9), z (10), x (11)")},
+    {&MotionAxisCard::offset2,
+     real("offset2", dimension::length, 0, any_value, "where the axis is: z (dof 9), x (10), y (11)")},
+    {&MotionAxisCard::lrb, id("lrb", IdSpace::part, 0, "leading rigid body of vad 4, which is not built")},
+    {&MotionAxisCard::node1, id("node1", IdSpace::node, 0, "orientation of vad 4, which is not built")},
+    {&MotionAxisCard::node2, id("node2", IdSpace::node, 0, "orientation of vad 4, which is not built")},
+};
 
 using Target = PrescribedMotion::Target;
 
@@ -220,20 +249,20 @@ bool takes_vector(int dof) {
 }
 
 /// LS-DYNA's degree of freedom and kind of motion; false (and findings) for those that are not built.
-bool take_degree_of_freedom(Builder& builder, const Row& row, PrescribedMotion& motion) {
-  const int dof = row.integer("dof"), vad = row.integer("vad");
+bool take_degree_of_freedom(Builder& builder, const RowOf<MotionCard>& row, PrescribedMotion& motion) {
+  const int dof = row->dof, vad = row->vad;
   if (dof == 0) return false;  // missing: the row has said so
   const bool of_nodes = motion.target == Target::nodes, circular = is_circular(dof);
   const bool known = (dof >= 1 && dof <= 8) || dof == -4 || dof == -8 || (circular && of_nodes);
   if (circular && !of_nodes)
-    refuse(builder, row, "dof", "dof 9 to 11 drive nodes, not rigid bodies",
+    refuse(builder, row[&MotionCard::dof], "dof 9 to 11 drive nodes, not rigid bodies",
            "drive the body's rotation with dof 5 to 8, and its centre with 1 to 4");
   else if (!known)
-    refuse(builder, row, "dof",
+    refuse(builder, row[&MotionCard::dof],
            fmt::format("this degree of freedom is not built; expected 1 to 8, -4 or -8{}",
                        of_nodes ? ", or 9 to 11, -9 to -11" : ""));
   const bool quantity = vad >= 0 && vad <= 2;
-  if (!quantity) refuse(builder, row, "vad", "expected 0 (velocity), 1 (acceleration) or 2 (displacement)");
+  if (!quantity) refuse(builder, row[&MotionCard::vad], "expected 0 (velocity), 1 (acceleration) or 2 (displacement)");
   if (!known || !quantity) return false;
   motion.rotation = std::abs(dof) >= 5 && !circular;
   motion.only_direction = dof > 0 || circular;
@@ -249,45 +278,45 @@ Vec3d axis(int dof) {
 }
 
 /// VID < 0: the motion is along, or about, an axis of a coordinate system as it is at the start.
-bool turn_into_system(Builder& builder, const Row& row, PrescribedMotion& motion) {
+bool turn_into_system(Builder& builder, const RowOf<MotionCard>& row, PrescribedMotion& motion) {
   if (motion.circular || motion.target == Target::rigid_body_local) {
-    refuse(builder, row, "vid", "a coordinate system beside axes of the body or an axis by offsets is not built",
-           "leave VID empty");
+    refuse(builder, row[&MotionCard::vid],
+           "a coordinate system beside axes of the body or an axis by offsets is not built", "leave VID empty");
     return false;
   }
-  const Index system = builder.system_of_directions(row, "vid");
+  const Index system = builder.system_of_directions(row[&MotionCard::vid]);
   if (system == none) return false;
   motion.direction = builder.model.systems[static_cast<std::size_t>(system)].axes.global(motion.direction);
   return true;
 }
 
 /// The unit vector of the motion, or nothing and a finding.
-bool resolve_direction(Builder& builder, const Row& row, PrescribedMotion& motion) {
-  const int dof = row.integer("dof");
+bool resolve_direction(Builder& builder, const RowOf<MotionCard>& row, PrescribedMotion& motion) {
+  const int dof = row->dof;
   if (!takes_vector(dof)) {
     motion.direction = axis(dof);
-    return row.integer("vid") >= 0 || turn_into_system(builder, row, motion);
+    return row->vid >= 0 || turn_into_system(builder, row, motion);
   }
-  if (row.integer("vid") <= 0) {
-    refuse(builder, row, "vid", fmt::format("dof {} needs a vector", dof), "name a *DEFINE_VECTOR");
+  if (row->vid <= 0) {
+    refuse(builder, row[&MotionCard::vid], fmt::format("dof {} needs a vector", dof), "name a *DEFINE_VECTOR");
     return false;
   }
-  const Vec3d* vector = builder.vector(row, "vid");
+  const Vec3d* vector = builder.vector(row[&MotionCard::vid]);
   if (!vector) return false;
   if (norm(*vector) == 0.0) {
-    refuse(builder, row, "vid", "the vector has no length");
+    refuse(builder, row[&MotionCard::vid], "the vector has no length");
     return false;
   }
   motion.direction = unit(*vector);
   return true;
 }
 
-void resolve_body(Builder& builder, const Row& row, PrescribedMotion& motion) {
-  motion.rigid_body = find_body(builder, row, "pid");
+void resolve_body(Builder& builder, const RowOf<MotionCard>& row, PrescribedMotion& motion) {
+  motion.rigid_body = find_body(builder, row[&MotionCard::target]);
   if (motion.rigid_body == none || motion.target != Target::rigid_body_local) return;
-  const Frame3d* axes = body_axes(builder, row.integer("pid"));
+  const Frame3d* axes = body_axes(builder, row->target);
   if (!axes) {
-    refuse(builder, row, "pid", "local axes of this body are not known: its principal axes are not used",
+    refuse(builder, row[&MotionCard::target], "local axes of this body are not known: its principal axes are not used",
            "name a coordinate system in LCO of *MAT_RIGID, or in CID of *CONSTRAINED_NODAL_RIGID_BODY");
     return;
   }
@@ -295,15 +324,17 @@ void resolve_body(Builder& builder, const Row& row, PrescribedMotion& motion) {
 }
 
 /// Where the axis of a circular motion is.
-void take_axis(Builder& builder, const Block& block, const Row& row, int dof, PrescribedMotion& motion) {
+void take_axis(Builder& builder, const Block& block, const RowOf<MotionAxisCard>& row, int dof,
+               PrescribedMotion& motion) {
   if (block.transform && block.transform->matrix != deck::Transform{}.matrix)
-    refuse(builder, row, "offset1", "an axis by offsets in an include that is turned or moved is not built",
+    refuse(builder, row[&MotionAxisCard::offset1],
+           "an axis by offsets in an include that is turned or moved is not built",
            "write the motion in the main file");
-  expect(builder, row, Severity::warning,
-         {{"lrb", 0, "belongs to VAD 4: it does nothing here"},
-          {"node1", 0, "belongs to VAD 4: it does nothing here"},
-          {"node2", 0, "belongs to VAD 4: it does nothing here"}});
-  const double first = row.real("offset1"), second = row.real("offset2");
+  expect(builder, Severity::warning,
+         {{row[&MotionAxisCard::lrb], 0, "belongs to VAD 4: it does nothing here"},
+          {row[&MotionAxisCard::node1], 0, "belongs to VAD 4: it does nothing here"},
+          {row[&MotionAxisCard::node2], 0, "belongs to VAD 4: it does nothing here"}});
+  const double first = row->offset1, second = row->offset2;
   const int k = std::abs(dof) - 9;
   motion.center = k == 0 ? Vec3d{0, first, second} : k == 1 ? Vec3d{second, 0, first} : Vec3d{first, second, 0};
 }
@@ -315,24 +346,23 @@ void read_motion(Builder& builder, const Block& block, const Options& options) {
     PrescribedMotion motion;
     motion.id = read_heading(cursor, options.contains("ID")).id;
     motion.place = cursor.place();
-    const Row row = cursor.read(target != Target::nodes ? motion_body_card : set ? motion_set_card : motion_node_card);
+    const auto row = cursor.read(target != Target::nodes ? motion_body_card : set ? motion_set_card : motion_node_card);
     motion.target = target;
-    motion.scale = row.real("sf");
-    motion.birth = row.real("birth");
-    motion.death = death_time(row.real("death"));
-    warn_of_no_time(builder, row, motion.birth, motion.death);
+    motion.scale = row->sf;
+    motion.birth = row->birth;
+    motion.death = death_time(row->death);
+    warn_of_no_time(builder, row[&MotionCard::death], motion.birth, motion.death);
     // A motion that is refused may have a second card, which would be taken for the next definition.
     if (!take_degree_of_freedom(builder, row, motion)) return;
-    if (!motion.circular && !takes_vector(row.integer("dof")) && row.integer("vid") >= 0 &&
-        target != Target::rigid_body_local)
-      warn_of_global_axis(builder, block, row, "dof");
-    if (motion.circular) take_axis(builder, block, cursor.read(motion_axis_card), row.integer("dof"), motion);
+    if (!motion.circular && !takes_vector(row->dof) && row->vid >= 0 && target != Target::rigid_body_local)
+      warn_of_global_axis(builder, block, row[&MotionCard::dof]);
+    if (motion.circular) take_axis(builder, block, cursor.read(motion_axis_card), row->dof, motion);
     builder.defer(Phase::conditions, [row, motion](Builder& b) mutable {
-      motion.curve = b.curve(row, "lcid");
+      motion.curve = b.curve(row[&MotionCard::lcid]);
       if (!resolve_direction(b, row, motion)) return;
       if constexpr (target == Target::nodes) {
-        motion.nodes = nodes_of<set>(b, row);
-        leave_out_rigid(b, row, set ? "nsid" : "nid", Severity::error, motion.nodes,
+        motion.nodes = nodes_of<set>(b, row[&MotionCard::target]);
+        leave_out_rigid(b, row[&MotionCard::target], Severity::error, motion.nodes,
                         "use *BOUNDARY_PRESCRIBED_MOTION_RIGID");
       } else {
         resolve_body(b, row, motion);

@@ -10,28 +10,31 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
 
-const Card interior_card{{
-    id("psid", IdSpace::set, required,
-       "set of parts; attributes DA1 = PSF (1), DA2 = Fa (0.1), DA3 = ED, DA4 = TYPE (1, 2: the same here), by part in "
-       "*SET_PART_COLUMN"),
-}};
+struct InteriorCard {
+  int psid = 0;
+};
+const CardOf<InteriorCard> interior_card{
+    {&InteriorCard::psid, id("psid", IdSpace::set, required,
+                             "set of parts; attributes DA1 = PSF (1), DA2 = Fa (0.1), DA3 = ED, DA4 = TYPE (1, 2: the "
+                             "same here), by part in "
+                             "*SET_PART_COLUMN")},
+};
 
 void read_interior(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   const Heading heading = read_heading(cursor, options.contains("ID") || options.contains("TITLE"));
-  const Row row = cursor.read(interior_card);
+  const auto row = cursor.read(interior_card);
   expect_end(builder, cursor);
   builder.defer(Phase::conditions, [row, heading, place = block.place](Builder& b) {
-    const auto* set = b.part_set(row, "psid");
+    const auto* set = b.part_set(row[&InteriorCard::psid]);
     if (!set) return;
     InteriorContact contact;
     for (const Index index : set->members) {
       const auto [scale, activation, modulus, type] = set->attributes_of(index);
       if (scale < 0.0 || activation < 0.0 || activation >= 1.0 || modulus < 0.0 || type < 0.0 || type > 2.0)
         return refuse(
-            b, row, "psid",
+            b, row[&InteriorCard::psid],
             fmt::format("attributes {:g}, {:g}, {:g}, {:g} of part {} in part set {}: expected PSF and ED of "
                         "0 or more, Fa below 1, TYPE 0 to 2",
                         scale, activation, modulus, type, b.model.parts[static_cast<std::size_t>(index)].id, set->id),

@@ -16,49 +16,75 @@ namespace {
 using deck::Block;
 using deck::Cursor;
 using deck::Row;
+using deck::RowOf;
 
-const Card curve_card{{
-    id("lcid", IdSpace::function, required, "curve id"),
-    integer("sidr", 0, between(0, 2), "loads follow the curve 0 in the run, 1 in dynamic relaxation, 2 in both"),
+struct CurveCard {
+  int lcid = 0, sidr = 0;
+};
+const CardOf<CurveCard> curve_card{
+    {&CurveCard::lcid, id("lcid", IdSpace::function, required, "curve id")},
+    {&CurveCard::sidr,
+     integer("sidr", 0, between(0, 2), "loads follow the curve 0 in the run, 1 in dynamic relaxation, 2 in both")},
     real("sfa", dimension::number, 1, any_value, "factor on the abscissae"),
     real("sfo", dimension::number, 1, any_value, "factor on the ordinates"),
     real("offa", dimension::number, 0, any_value, "offset of the abscissae, before the factor"),
     real("offo", dimension::number, 0, any_value, "offset of the ordinates, before the factor"),
     integer("dattyp", 0, any_value, "kind of data, no effect"),
     integer("lcint", 0, any_value, "points of LS-DYNA's resampling; curves are evaluated as they are"),
-}};
+};
 
-const Card point_card{{
-    wide(real("a", dimension::number, 0, any_value, "abscissa"), 20),
-    wide(real("o", dimension::number, 0, any_value, "ordinate"), 20),
-}};
+struct PointCard {
+  double a = 0, o = 0;
+};
+const CardOf<PointCard> point_card{
+    {&PointCard::a, wide(real("a", dimension::number, 0, any_value, "abscissa"), 20)},
+    {&PointCard::o, wide(real("o", dimension::number, 0, any_value, "ordinate"), 20)},
+};
 
-const Card smooth_card{{
-    id("lcid", IdSpace::function, required, "curve id"),
-    integer("sidr", 0, between(0, 2), "loads follow the curve 0 in the run, 1 in dynamic relaxation, 2 in both"),
-    real("dist", dimension::number, required, any_value, "distance to go: the area under the curve"),
-    real("tstart", dimension::number, 0, at_least(0), "time at which it rises"),
-    real("tend", dimension::number, 0, at_least(0), "time at which it is back at 0; 0: by VMAX"),
-    real("trise", dimension::number, required, above_zero(), "time of the rise, and of the fall"),
-    real("vmax", dimension::number, 0, any_value, "velocity in between; used where TEND is 0"),
-}};
+struct SmoothCard {
+  int lcid = 0, sidr = 0;
+  double dist = 0, tstart = 0, tend = 0, trise = 0, vmax = 0;
+};
+const CardOf<SmoothCard> smooth_card{
+    {&SmoothCard::lcid, id("lcid", IdSpace::function, required, "curve id")},
+    {&SmoothCard::sidr,
+     integer("sidr", 0, between(0, 2), "loads follow the curve 0 in the run, 1 in dynamic relaxation, 2 in both")},
+    {&SmoothCard::dist,
+     real("dist", dimension::number, required, any_value, "distance to go: the area under the curve")},
+    {&SmoothCard::tstart, real("tstart", dimension::number, 0, at_least(0), "time at which it rises")},
+    {&SmoothCard::tend, real("tend", dimension::number, 0, at_least(0), "time at which it is back at 0; 0: by VMAX")},
+    {&SmoothCard::trise, real("trise", dimension::number, required, above_zero(), "time of the rise, and of the fall")},
+    {&SmoothCard::vmax, real("vmax", dimension::number, 0, any_value, "velocity in between; used where TEND is 0")},
+};
 
-const Card copy_card{{
-    id("lcid", IdSpace::function, required, "curve id"),
-    id("rlcid", IdSpace::function, required, "curve to be copied"),
+struct CopyCard {
+  int lcid = 0, rlcid = 0;
+};
+const CardOf<CopyCard> copy_card{
+    {&CopyCard::lcid, id("lcid", IdSpace::function, required, "curve id")},
+    {&CopyCard::rlcid, id("rlcid", IdSpace::function, required, "curve to be copied")},
     real("sfa", dimension::number, 1, any_value, "factor on the abscissae"),
     real("sfo", dimension::number, 1, any_value, "factor on the ordinates"),
     real("offa", dimension::number, 0, any_value, "offset of the abscissae, before the factor"),
     real("offo", dimension::number, 0, any_value, "offset of the ordinates, before the factor"),
-}};
+};
 
-const Card table_card{{
-    id("tbid", IdSpace::function, required, "table id"),
-    real("sfa", dimension::number, 1, any_value, "factor on the values"),
-    real("offa", dimension::number, 0, any_value, "offset of the values, before the factor"),
-}};
+struct TableCard {
+  int tbid = 0;
+  double sfa = 0, offa = 0;
+};
+const CardOf<TableCard> table_card{
+    {&TableCard::tbid, id("tbid", IdSpace::function, required, "table id")},
+    {&TableCard::sfa, real("sfa", dimension::number, 1, any_value, "factor on the values")},
+    {&TableCard::offa, real("offa", dimension::number, 0, any_value, "offset of the values, before the factor")},
+};
 
-const Card value_card{{wide(real("value", dimension::number, 0, any_value, "value; its curve follows the table"), 20)}};
+struct ValueCard {
+  double value = 0;
+};
+const CardOf<ValueCard> value_card{
+    {&ValueCard::value, wide(real("value", dimension::number, 0, any_value, "value; its curve follows the table"), 20)},
+};
 
 const Card value_2d_card{{
     wide(real("value", dimension::number, 0, any_value, "value"), 20),
@@ -100,15 +126,15 @@ Curve read_points(Builder& b, Cursor& cursor, int id) {
   curve.id = id;
   bool is_reported = false;
   while (!at_end(cursor)) {
-    const Row point = cursor.read(point_card);
-    const double a = point.real("a");
+    const auto point = cursor.read(point_card);
+    const double a = point->a;
     if (!curve.empty() && a <= curve.x.back() && !is_reported) {
-      refuse(b, point, "a", fmt::format("expected more than {:g}: abscissae must ascend", curve.x.back()),
+      refuse(b, point[&PointCard::a], fmt::format("expected more than {:g}: abscissae must ascend", curve.x.back()),
              "sort the points; a step needs two abscissae a little apart");
       is_reported = true;
     }
     curve.x.push_back(a);
-    curve.y.push_back(point.real("o"));
+    curve.y.push_back(point->o);
   }
   return curve;
 }
@@ -116,11 +142,11 @@ Curve read_points(Builder& b, Cursor& cursor, int id) {
 void read_curve(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  const Row row = cursor.read(curve_card);
+  const auto row = cursor.read(curve_card);
   refuse_unit_factors(b, block);
-  Curve curve = read_points(b, cursor, row.integer("lcid"));
-  curve.in_run = row.integer("sidr") != 1;
-  curve.in_relaxation = row.integer("sidr") != 0;
+  Curve curve = read_points(b, cursor, row->lcid);
+  curve.in_run = row->sidr != 1;
+  curve.in_relaxation = row->sidr != 0;
   if (curve.in_relaxation) b.model.control.relaxation.asked = true;
   rescale(curve, row);
   add_curve(b, row, std::move(curve));
@@ -146,28 +172,30 @@ Curve smooth_curve(int id, double start, double end, double rise, double velocit
 void read_smooth(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  const Row row = cursor.read(smooth_card);
+  const auto row = cursor.read(smooth_card);
   expect_end(b, cursor);
   refuse_unit_factors(b, block);
-  const double distance = row.real("dist"), start = row.real("tstart"), rise = row.real("trise");
-  double end = row.real("tend"), velocity = row.real("vmax");
+  const double distance = row->dist, start = row->tstart, rise = row->trise;
+  double end = row->tend, velocity = row->vmax;
   if (!(rise > 0.0)) return;  // refused by its range
   if (end == 0.0 && velocity == 0.0)
-    return refuse(b, row, "vmax", "neither TEND nor VMAX is given", "give one of them; DIST gives the other");
+    return refuse(b, row[&SmoothCard::vmax], "neither TEND nor VMAX is given",
+                  "give one of them; DIST gives the other");
   if (end == 0.0)
     end = start + distance / velocity + rise;
   else
     velocity = distance / (end - start - rise);
-  if (const double given = row.real("vmax"); given != 0.0 && std::abs(given - velocity) > 1e-3 * std::abs(given))
-    row.report(b.findings, Severity::warning, "vmax", fmt::format("not obeyed: DIST and TEND give {:.6g}", velocity),
-               "leave one of TEND and VMAX 0");
+  if (const double given = row->vmax; given != 0.0 && std::abs(given - velocity) > 1e-3 * std::abs(given))
+    row[&SmoothCard::vmax].report(b.findings, Severity::warning,
+                                  fmt::format("not obeyed: DIST and TEND give {:.6g}", velocity),
+                                  "leave one of TEND and VMAX 0");
   if (!(end - start >= 2.0 * rise) || !std::isfinite(velocity))
-    return refuse(b, row, "trise",
+    return refuse(b, row[&SmoothCard::trise],
                   fmt::format("from TSTART to TEND, {:.6g}, there is no room for a rise and a fall", end - start),
                   "give a shorter TRISE, or a smaller VMAX");
-  Curve curve = smooth_curve(row.integer("lcid"), start, end, rise, velocity);
-  curve.in_run = row.integer("sidr") != 1;
-  curve.in_relaxation = row.integer("sidr") != 0;
+  Curve curve = smooth_curve(row->lcid, start, end, rise, velocity);
+  curve.in_run = row->sidr != 1;
+  curve.in_relaxation = row->sidr != 0;
   if (curve.in_relaxation) b.model.control.relaxation.asked = true;
   add_curve(b, row, std::move(curve));
 }
@@ -175,23 +203,23 @@ void read_smooth(Builder& b, const Block& block, const Options& options) {
 void read_copy(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  const Row row = cursor.read(copy_card);
+  const auto row = cursor.read(copy_card);
   expect_end(b, cursor);
   b.defer(Phase::curves, [row](Builder& later) {
-    const Index original = later.curve(row, "rlcid");
+    const Index original = later.curve(row[&CopyCard::rlcid]);
     if (original == none) return;
     Curve curve = later.model.curves[static_cast<std::size_t>(original)];
-    curve.id = row.integer("lcid");
+    curve.id = row->lcid;
     rescale(curve, row);
     add_curve(later, row, std::move(curve));
   });
 }
 
 /// Adds a table under its id, its values checked and scaled.
-Index add_table(Builder& b, const Row& row, std::vector<double> values) {
+Index add_table(Builder& b, const RowOf<TableCard>& row, std::vector<double> values) {
   Table table;
-  table.id = row.integer("tbid");
-  for (double& v : values) v = row.real("sfa") * (v + row.real("offa"));
+  table.id = row->tbid;
+  for (double& v : values) v = row->sfa * (v + row->offa);
   if (values.empty() || !std::is_sorted(values.begin(), values.end(), std::less_equal<>{}))
     b.findings.error(row.place(), row.keyword(), fmt::format("the values of table {} must ascend", table.id),
                      "sort the values, and their curves with them");
@@ -209,10 +237,10 @@ Index add_table(Builder& b, const Row& row, std::vector<double> values) {
 void read_table(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  const Row row = cursor.read(table_card);
+  const auto row = cursor.read(table_card);
   refuse_unit_factors(b, block);
   std::vector<double> values;
-  while (!at_end(cursor)) values.push_back(cursor.read(value_card).real("value"));
+  while (!at_end(cursor)) values.push_back(cursor.read(value_card)->value);
   const std::size_t count = values.size();
   const Index table = add_table(b, row, std::move(values));
   const std::size_t first = b.model.curves.size();
@@ -230,7 +258,7 @@ void read_table(Builder& b, const Block& block, const Options& options) {
 void read_table_2d(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  const Row row = cursor.read(table_card);
+  const auto row = cursor.read(table_card);
   refuse_unit_factors(b, block);
   std::vector<double> values;
   std::vector<Row> rows;

@@ -15,74 +15,115 @@ namespace {
 using deck::Block;
 using deck::Cursor;
 using deck::Row;
+using deck::RowOf;
 
-const Card global_card{{
-    or_negative(id("lcid", IdSpace::function, 0, "curve of the damping constant over time, instead of valdmp"),
-                IdSpace::function),
-    real("valdmp", dimension::rate, 0, at_least(0), "damping constant D of the force -D m v; critical: 2 w"),
-    real("stx", dimension::number, 0, any_value, "scale of the force along x; all six 0: all 1"),
-    real("sty", dimension::number, 0, any_value, "along y"),
-    real("stz", dimension::number, 0, any_value, "along z"),
-    real("srx", dimension::number, 0, any_value, "scale of the moment about x"),
-    real("sry", dimension::number, 0, any_value, "about y"),
-    real("srz", dimension::number, 0, any_value, "about z"),
-}};
+struct Scales {
+  Vec3d translations, rotations;
+};
+struct GlobalCard : Scales {
+  int lcid = 0;
+  double valdmp = 0;
+};
+const CardOf<GlobalCard> global_card{
+    {&GlobalCard::lcid,
+     or_negative(id("lcid", IdSpace::function, 0, "curve of the damping constant over time, instead of valdmp"),
+                 IdSpace::function)},
+    {&GlobalCard::valdmp,
+     real("valdmp", dimension::rate, 0, at_least(0), "damping constant D of the force -D m v; critical: 2 w")},
+    {within(&GlobalCard::translations, &Vec3d::x),
+     real("stx", dimension::number, 0, any_value, "scale of the force along x; all six 0: all 1")},
+    {within(&GlobalCard::translations, &Vec3d::y), real("sty", dimension::number, 0, any_value, "along y")},
+    {within(&GlobalCard::translations, &Vec3d::z), real("stz", dimension::number, 0, any_value, "along z")},
+    {within(&GlobalCard::rotations, &Vec3d::x),
+     real("srx", dimension::number, 0, any_value, "scale of the moment about x")},
+    {within(&GlobalCard::rotations, &Vec3d::y), real("sry", dimension::number, 0, any_value, "about y")},
+    {within(&GlobalCard::rotations, &Vec3d::z), real("srz", dimension::number, 0, any_value, "about z")},
+};
 
-Card part_mass_card(Field target) {
-  return {{
+struct PartMassCard {
+  int target = 0;
+  int lcid = 0;
+  double sf = 0;
+  int flag = 0;
+};
+CardOf<PartMassCard> part_mass_card(const FieldOf<PartMassCard>& target) {
+  return {
       target,
-      id("lcid", IdSpace::function, required, "curve of the damping constant over time"),
-      real("sf", dimension::number, 1, any_value, "scale of the curve"),
-      integer("flag", 0, between(0, 1), "1: a card with scales follows"),
+      {&PartMassCard::lcid, id("lcid", IdSpace::function, required, "curve of the damping constant over time")},
+      {&PartMassCard::sf, real("sf", dimension::number, 1, any_value, "scale of the curve")},
+      {&PartMassCard::flag, integer("flag", 0, between(0, 1), "1: a card with scales follows")},
       integer("struc", 0, only(0), "structural damping of frequency analyses"),
-  }};
+  };
 }
-const Card part_mass = part_mass_card(id("pid", IdSpace::part, required, "part"));
-const Card part_mass_set = part_mass_card(id("psid", IdSpace::set, required, "part set"));
-const Card scales_card{{
-    real("stx", dimension::number, 0, any_value, "scale of the force along x"),
-    real("sty", dimension::number, 0, any_value, "along y"),
-    real("stz", dimension::number, 0, any_value, "along z"),
-    real("srx", dimension::number, 0, any_value, "scale of the moment about x"),
-    real("sry", dimension::number, 0, any_value, "about y"),
-    real("srz", dimension::number, 0, any_value, "about z"),
-}};
+const CardOf<PartMassCard> part_mass =
+    part_mass_card({&PartMassCard::target, id("pid", IdSpace::part, required, "part")});
+const CardOf<PartMassCard> part_mass_set =
+    part_mass_card({&PartMassCard::target, id("psid", IdSpace::set, required, "part set")});
+const CardOf<Scales> scales_card{
+    {within(&Scales::translations, &Vec3d::x),
+     real("stx", dimension::number, 0, any_value, "scale of the force along x")},
+    {within(&Scales::translations, &Vec3d::y), real("sty", dimension::number, 0, any_value, "along y")},
+    {within(&Scales::translations, &Vec3d::z), real("stz", dimension::number, 0, any_value, "along z")},
+    {within(&Scales::rotations, &Vec3d::x),
+     real("srx", dimension::number, 0, any_value, "scale of the moment about x")},
+    {within(&Scales::rotations, &Vec3d::y), real("sry", dimension::number, 0, any_value, "about y")},
+    {within(&Scales::rotations, &Vec3d::z), real("srz", dimension::number, 0, any_value, "about z")},
+};
 
-Card stiffness_card(Field target) {
-  return {{
+struct StiffnessCard {
+  int target = 0;
+  double coef = 0;
+};
+CardOf<StiffnessCard> stiffness_card(const FieldOf<StiffnessCard>& target) {
+  return {
       target,
-      real("coef", dimension::number, 0, any_value,
-           "> 0: share of critical damping at the highest frequency, 0.01 to 0.25; < 0: Rayleigh's beta, a time"),
-  }};
+      {&StiffnessCard::coef,
+       real("coef", dimension::number, 0, any_value,
+            "> 0: share of critical damping at the highest frequency, 0.01 to 0.25; < 0: Rayleigh's beta, a time")},
+  };
 }
-const Card part_stiffness = stiffness_card(id("pid", IdSpace::part, required, "part"));
-const Card part_stiffness_set = stiffness_card(id("psid", IdSpace::set, required, "part set"));
+const CardOf<StiffnessCard> part_stiffness =
+    stiffness_card({&StiffnessCard::target, id("pid", IdSpace::part, required, "part")});
+const CardOf<StiffnessCard> part_stiffness_set =
+    stiffness_card({&StiffnessCard::target, id("psid", IdSpace::set, required, "part set")});
 
-const Card range_card{{
-    real("cdamp", dimension::number, required, between(0, 0.2), "share of critical damping, 0.01 as an example"),
-    real("flow", dimension::rate, required, above_zero(), "lowest frequency, cycles per time"),
-    real("fhigh", dimension::rate, required, above_zero(), "highest frequency, cycles per time"),
-    id("psid", IdSpace::set, 0, "part set; 0: all parts"),
+struct RangeCard {
+  double cdamp = 0, flow = 0, fhigh = 0;
+  int psid = 0, pidrel = 0;
+};
+const CardOf<RangeCard> range_card{
+    {&RangeCard::cdamp,
+     real("cdamp", dimension::number, required, between(0, 0.2), "share of critical damping, 0.01 as an example")},
+    {&RangeCard::flow, real("flow", dimension::rate, required, above_zero(), "lowest frequency, cycles per time")},
+    {&RangeCard::fhigh, real("fhigh", dimension::rate, required, above_zero(), "highest frequency, cycles per time")},
+    {&RangeCard::psid, id("psid", IdSpace::set, 0, "part set; 0: all parts")},
     unused(),
-    id("pidrel", IdSpace::part, 0, "rigid body relative to whose motion is damped"),
+    {&RangeCard::pidrel, id("pidrel", IdSpace::part, 0, "rigid body relative to whose motion is damped")},
     integer("iflg", 0, only(0), "method of LS-DYNA's releases"),
     integer("icard2", 0, only(0), "1: a second card follows"),
-}};
+};
 
-const Card relative_card{{
-    real("cdamp", dimension::number, 0, at_least(0), "share of critical damping at freq"),
-    real("freq", dimension::rate, 0, at_least(0), "frequency at which cdamp holds, cycles per time"),
-    id("pidrb", IdSpace::part, required, "rigid body relative to whose motion is damped"),
-    id("psid", IdSpace::set, required, "part set that is damped"),
-    real("dv2", Dimension{0, -1, 0}, 0, at_least(0), "damping by the square of the velocity"),
-    id("lcid", IdSpace::function, 0, "curve of a factor over time"),
-}};
+struct RelativeCard {
+  double cdamp = 0, freq = 0;
+  int pidrb = 0, psid = 0;
+  double dv2 = 0;
+  int lcid = 0;
+};
+const CardOf<RelativeCard> relative_card{
+    {&RelativeCard::cdamp, real("cdamp", dimension::number, 0, at_least(0), "share of critical damping at freq")},
+    {&RelativeCard::freq,
+     real("freq", dimension::rate, 0, at_least(0), "frequency at which cdamp holds, cycles per time")},
+    {&RelativeCard::pidrb, id("pidrb", IdSpace::part, required, "rigid body relative to whose motion is damped")},
+    {&RelativeCard::psid, id("psid", IdSpace::set, required, "part set that is damped")},
+    {&RelativeCard::dv2, real("dv2", Dimension{0, -1, 0}, 0, at_least(0), "damping by the square of the velocity")},
+    {&RelativeCard::lcid, id("lcid", IdSpace::function, 0, "curve of a factor over time")},
+};
 
 // ---- by mass -------------------------------------------------------------------------------------------------------
 
 /// The six scales; where all are 0 they stay 1.
-void take_scales(const Row& row, MassDamping& damping) {
-  const Vec3d translations = triple(row, "stx", "sty", "stz"), rotations = triple(row, "srx", "sry", "srz");
+void take_scales(const Scales& scales, MassDamping& damping) {
+  const auto& [translations, rotations] = scales;
   if (norm(translations) == 0.0 && norm(rotations) == 0.0) return;
   damping.scale = translations;
   damping.rotary_scale = rotations;
@@ -90,29 +131,29 @@ void take_scales(const Row& row, MassDamping& damping) {
 
 void read_global(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
-  const Row row = cursor.read(global_card);
+  const auto row = cursor.read(global_card);
   expect_end(builder, cursor);
-  if (row.integer("lcid") < 0)
-    return refuse(builder, row, "lcid", "damping constants of single parts by *DEFINE_CURVE pairs are not built",
-                  "use *DAMPING_PART_MASS");
+  if (row->lcid < 0)
+    return refuse(builder, row[&GlobalCard::lcid],
+                  "damping constants of single parts by *DEFINE_CURVE pairs are not built", "use *DAMPING_PART_MASS");
   builder.defer(Phase::conditions, [row](Builder& b) {
     MassDamping damping;
     damping.everything = true;
-    damping.curve = b.curve(row, "lcid");
-    damping.factor = row.integer("lcid") != 0 ? 1.0 : row.real("valdmp");
-    take_scales(row, damping);
+    damping.curve = b.curve(row[&GlobalCard::lcid]);
+    damping.factor = row->lcid != 0 ? 1.0 : row->valdmp;
+    take_scales(*row, damping);
     b.model.damping.mass.push_back(damping);
   });
 }
 
 /// The parts that a card names: one, or those of a set.
 template <bool set>
-std::vector<Index> parts_of(Builder& builder, const Row& row) {
+std::vector<Index> parts_of(Builder& builder, const deck::Entry& field) {
   if constexpr (set) {
-    const auto* parts = builder.part_set(row, "psid");
+    const auto* parts = builder.part_set(field);
     return parts ? parts->members : std::vector<Index>{};
   } else {
-    const Index part = builder.part(row, "pid");
+    const Index part = builder.part(field);
     return part == none ? std::vector<Index>{} : std::vector<Index>{part};
   }
 }
@@ -121,13 +162,13 @@ template <bool set>
 void read_part_mass(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const Row row = cursor.read(set ? part_mass_set : part_mass);
+    const auto row = cursor.read(set ? part_mass_set : part_mass);
     MassDamping damping;
-    if (row.integer("flag") == 1) take_scales(cursor.read(scales_card), damping);
+    if (row->flag == 1) take_scales(*cursor.read(scales_card), damping);
     builder.defer(Phase::conditions, [row, damping](Builder& b) mutable {
-      damping.curve = b.curve(row, "lcid");
-      damping.factor = row.real("sf");
-      for (const Index part : parts_of<set>(b, row)) {
+      damping.curve = b.curve(row[&PartMassCard::lcid]);
+      damping.factor = row->sf;
+      for (const Index part : parts_of<set>(b, row[&PartMassCard::target])) {
         damping.part = part;
         b.model.damping.mass.push_back(damping);
       }
@@ -141,20 +182,20 @@ template <bool set>
 void read_part_stiffness(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const Row row = cursor.read(set ? part_stiffness_set : part_stiffness);
-    double coefficient = row.real("coef");
+    const auto row = cursor.read(set ? part_stiffness_set : part_stiffness);
+    double coefficient = row->coef;
     // A share or, below 0, a time: the table cannot say which.
     if (coefficient < 0.0 && block.transform) coefficient *= block.transform->factor(dimension::time);
     if (coefficient > 1.0)
-      refuse(builder, row, "coef", "more than critical damping at the highest frequency",
+      refuse(builder, row[&StiffnessCard::coef], "more than critical damping at the highest frequency",
              "give 0.01 to 0.25, or a negative value for Rayleigh's beta");
     builder.defer(Phase::conditions, [row, coefficient](Builder& b) {
-      for (const Index part : parts_of<set>(b, row)) {
+      for (const Index part : parts_of<set>(b, row[&StiffnessCard::target])) {
         const Part& damped = b.model.parts[at(part)];
         if (coefficient == 0.0 || damped.rigid_body != none) continue;
         const bool is_beam = damped.kind == ElementKind::beam && damped.section != none;
         if (is_beam && b.model.beam_sections[at(damped.section)].elform == 2)
-          refuse(b, row, set ? "psid" : "pid", "damping by stiffness of resultant beams (ELFORM 2) is not built",
+          refuse(b, row[&StiffnessCard::target], "damping by stiffness of resultant beams (ELFORM 2) is not built",
                  "write ELFORM 1 in their section");
         auto& all = b.model.damping.stiffness;
         std::erase_if(all, [part](const StiffnessDamping& d) { return d.part == part; });  // the last one holds
@@ -173,18 +214,19 @@ bool is_discrete(const Model& m, const Part& part) {
 
 /// The parts whose elements _DEFORM damps: all but those of springs, dampers and discrete beams, whose forces are those
 /// of cards of their own.
-std::vector<Index> deformed_parts(Builder& b, const Row& row, const std::vector<Index>& set) {
+std::vector<Index> deformed_parts(Builder& b, const RowOf<RangeCard>& row, const std::vector<Index>& set) {
   std::vector<Index> parts;
-  const bool all = row.integer("psid") == 0;
+  const bool all = row->psid == 0;
   for (std::size_t i = 0; i < (all ? b.model.parts.size() : set.size()); ++i) {
     const Index part = all ? static_cast<Index>(i) : set[i];
     const Part& p = b.model.parts[at(part)];
     if (!is_discrete(b.model, p))
       parts.push_back(part);
     else if (!all)
-      row.report(b.findings, Severity::warning, "psid",
-                 fmt::format("part {} is of discrete elements, which _DEFORM does not damp here", p.id),
-                 "give them a damper of their own, as *MAT_S02");
+      row[&RangeCard::psid].report(
+          b.findings, Severity::warning,
+          fmt::format("part {} is of discrete elements, which _DEFORM does not damp here", p.id),
+          "give them a damper of their own, as *MAT_S02");
   }
   return parts;
 }
@@ -193,17 +235,17 @@ void read_range(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   const bool deform = options.contains("DEFORM");
   while (!at_end(cursor)) {
-    const Row row = cursor.read(range_card);
-    if (row.real("fhigh") < row.real("flow"))
-      refuse(builder, row, "fhigh", "the range ends before it begins", "swap flow and fhigh");
+    const auto row = cursor.read(range_card);
+    if (row->fhigh < row->flow)
+      refuse(builder, row[&RangeCard::fhigh], "the range ends before it begins", "swap flow and fhigh");
     if (deform)
-      expect(builder, row, Severity::warning, {{"pidrel", 0, "does not apply to _DEFORM: it does nothing here"}});
+      expect(builder, Severity::warning,
+             {{row[&RangeCard::pidrel], 0, "does not apply to _DEFORM: it does nothing here"}});
     builder.defer(Phase::conditions, [row, deform](Builder& b) {
-      FrequencyRangeDamping damping{
-          row.real("cdamp"), row.real("flow"), row.real("fhigh"), row.integer("psid") == 0, {}, none, deform};
-      if (const auto* parts = b.part_set(row, "psid")) damping.parts = parts->members;
+      FrequencyRangeDamping damping{row->cdamp, row->flow, row->fhigh, row->psid == 0, {}, none, deform};
+      if (const auto* parts = b.part_set(row[&RangeCard::psid])) damping.parts = parts->members;
       if (deform) damping.parts = deformed_parts(b, row, damping.parts);
-      if (row.integer("pidrel") != 0 && !deform) damping.relative_to = find_body(b, row, "pidrel");
+      if (row->pidrel != 0 && !deform) damping.relative_to = find_body(b, row[&RangeCard::pidrel]);
       if (damping.share > 0.0) b.model.damping.range.push_back(std::move(damping));
     });
   }
@@ -212,11 +254,11 @@ void read_range(Builder& builder, const Block& block, const Options& options) {
 void read_relative(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const Row row = cursor.read(relative_card);
+    const auto row = cursor.read(relative_card);
     builder.defer(Phase::conditions, [row](Builder& b) {
-      RelativeDamping damping{row.real("cdamp"), row.real("freq"),    find_body(b, row, "pidrb"), {},
-                              row.real("dv2"),   b.curve(row, "lcid")};
-      if (const auto* parts = b.part_set(row, "psid")) damping.parts = parts->members;
+      RelativeDamping damping{row->cdamp, row->freq, find_body(b, row[&RelativeCard::pidrb]),
+                              {},         row->dv2,  b.curve(row[&RelativeCard::lcid])};
+      if (const auto* parts = b.part_set(row[&RelativeCard::psid])) damping.parts = parts->members;
       if (damping.rigid_body != none) b.model.damping.relative.push_back(std::move(damping));
     });
   }

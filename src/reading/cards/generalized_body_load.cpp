@@ -10,49 +10,62 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
+using deck::RowOf;
 
-Card region_card(Field first, Field second) {
-  return {{
+struct RegionCard {
+  int first = 0, last = 0;  ///< a set is named by the first
+  int lcid = 0, drlcid = 0;
+};
+CardOf<RegionCard> region_card(const FieldOf<RegionCard>& first, const FieldOf<RegionCard>& second) {
+  return {
       first,
       second,
-      {"lcid", Kind::integer, {}, required, at_least(1), "curve of the base acceleration over time", IdSpace::function},
-      id("drlcid", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2"),
+      {&RegionCard::lcid,
+       within_range(id("lcid", IdSpace::function, required, "curve of the base acceleration over time"), at_least(1))},
+      {&RegionCard::drlcid,
+       id("drlcid", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2")},
       real("xc", dimension::length, 0, any_value, "centre of rotation, for angular motion"),
       real("yc", dimension::length, 0, any_value, "the same"),
       real("zc", dimension::length, 0, any_value, "the same"),
-  }};
+  };
 }
-const Card node_range_card = region_card(id("n1", IdSpace::node, required, "first node"),
-                                         id("n2", IdSpace::node, required, "last node: those with ids from n1 to n2"));
-const Card node_set_card = region_card(id("nsid", IdSpace::set, required, "node set"), unused());
-const Card part_set_card = region_card(id("psid", IdSpace::set, required, "part set"), unused());
+const CardOf<RegionCard> node_range_card =
+    region_card({&RegionCard::first, id("n1", IdSpace::node, required, "first node")},
+                {&RegionCard::last, id("n2", IdSpace::node, required, "last node: those with ids from n1 to n2")});
+const CardOf<RegionCard> node_set_card =
+    region_card({&RegionCard::first, id("nsid", IdSpace::set, required, "node set")}, unused());
+const CardOf<RegionCard> part_set_card =
+    region_card({&RegionCard::first, id("psid", IdSpace::set, required, "part set")}, unused());
 
-const Card motion_card{{
-    real("ax", dimension::number, 0, any_value,
-         "scale of the curve for the acceleration along x; the base accelerates, so positive pulls against x"),
-    real("ay", dimension::number, 0, any_value, "along y"),
-    real("az", dimension::number, 0, any_value, "along z"),
+struct MotionCard {
+  double ax = 0, ay = 0, az = 0;
+  int cid = 0;
+};
+const CardOf<MotionCard> motion_card{
+    {&MotionCard::ax,
+     real("ax", dimension::number, 0, any_value,
+          "scale of the curve for the acceleration along x; the base accelerates, so positive pulls against x")},
+    {&MotionCard::ay, real("ay", dimension::number, 0, any_value, "along y")},
+    {&MotionCard::az, real("az", dimension::number, 0, any_value, "along z")},
     real("omx", dimension::number, 0, only(0), "angular motion about x: not built"),
     real("omy", dimension::number, 0, only(0), "about y: not built"),
     real("omz", dimension::number, 0, only(0), "about z: not built"),
-    id("cid", IdSpace::define, 0, "coordinate system of these directions; 0: global axes"),
+    {&MotionCard::cid, id("cid", IdSpace::define, 0, "coordinate system of these directions; 0: global axes")},
     text("angtyp", 10, "kind of angular motion"),
-}};
+};
 
 enum class Region { node_range, node_set, part_set };
 
-const Card& card_of(Region region) {
+const CardOf<RegionCard>& card_of(Region region) {
   return region == Region::node_range ? node_range_card : region == Region::node_set ? node_set_card : part_set_card;
 }
 
-std::vector<Index> nodes_in_range(Builder& builder, const Row& row) {
+std::vector<Index> nodes_in_range(Builder& builder, const RowOf<RegionCard>& row) {
   const auto& ids = builder.model.nodes.id;
   std::vector<Index> nodes;
-  const auto first = std::lower_bound(ids.begin(), ids.end(), row.integer("n1"));
-  for (auto i = first; i != ids.end() && *i <= row.integer("n2"); ++i)
-    nodes.push_back(static_cast<Index>(i - ids.begin()));
-  if (nodes.empty()) refuse(builder, row, "n1", "there is no node from n1 to n2");
+  const auto first = std::lower_bound(ids.begin(), ids.end(), row->first);
+  for (auto i = first; i != ids.end() && *i <= row->last; ++i) nodes.push_back(static_cast<Index>(i - ids.begin()));
+  if (nodes.empty()) refuse(builder, row[&RegionCard::first], "there is no node from n1 to n2");
   return nodes;
 }
 
@@ -61,19 +74,20 @@ std::vector<Index> members(const Set<Index>* set) {
   return set ? set->members : std::vector<Index>{};
 }
 
-void make_load(Builder& b, Region region, const Row& row, const Row& motion, const Vec3d& scales) {
+void make_load(Builder& b, Region region, const RowOf<RegionCard>& row, const RowOf<MotionCard>& motion,
+               const Vec3d& scales) {
   BodyLoad load;
   load.own_parts = true;
   load.direction = unit(scales);
   load.scale = norm(scales);
-  load.curve = b.curve(row, "lcid");
-  load.relaxation_curve = b.curve(row, "drlcid");
-  if (const Index system = b.system(motion, "cid"); system != none)
+  load.curve = b.curve(row[&RegionCard::lcid]);
+  load.relaxation_curve = b.curve(row[&RegionCard::drlcid]);
+  if (const Index system = b.system(motion[&MotionCard::cid]); system != none)
     load.direction = b.model.systems[static_cast<std::size_t>(system)].axes.global(load.direction);
   switch (region) {
     case Region::node_range: load.nodes = nodes_in_range(b, row); break;
-    case Region::node_set: load.nodes = members(b.node_set(row, "nsid")); break;
-    case Region::part_set: load.parts = members(b.part_set(row, "psid")); break;
+    case Region::node_set: load.nodes = members(b.node_set(row[&RegionCard::first])); break;
+    case Region::part_set: load.parts = members(b.part_set(row[&RegionCard::first])); break;
   }
   if (!load.nodes.empty() || !load.parts.empty()) b.model.body_loads.push_back(std::move(load));
 }
@@ -82,14 +96,16 @@ template <Region region>
 void read_load(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const Row row = cursor.read(card_of(region));
-    const Row motion = cursor.read(motion_card);
-    const bool local = motion.integer("cid") != 0;
-    const Vec3d scales = local ? triple(motion, "ax", "ay", "az") : direction(block, motion, "ax", "ay", "az");
+    const auto row = cursor.read(card_of(region));
+    const auto motion = cursor.read(motion_card);
+    const bool local = motion->cid != 0;
+    const Vec3d scales =
+        local ? Vec3d{motion->ax, motion->ay, motion->az} : direction(block, {motion->ax, motion->ay, motion->az});
     if (norm(scales) > 0.0)
       builder.defer(Phase::conditions, [=](Builder& b) { make_load(b, region, row, motion, scales); });
     else
-      refuse(builder, motion, "ax", "the load has no direction", "give the scales of the acceleration's components");
+      refuse(builder, motion[&MotionCard::ax], "the load has no direction",
+             "give the scales of the acceleration's components");
   }
 }
 

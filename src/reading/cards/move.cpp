@@ -12,26 +12,34 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
 
-const Card transform_card{{
-    id("trsid", IdSpace::define, required, "*DEFINE_TRANSFORMATION"),
-    id("nsid", IdSpace::set, required, "node set to be moved"),
+struct TransformCard {
+  int trsid = 0, nsid = 0;
+};
+const CardOf<TransformCard> transform_card{
+    {&TransformCard::trsid, id("trsid", IdSpace::define, required, "*DEFINE_TRANSFORMATION")},
+    {&TransformCard::nsid, id("nsid", IdSpace::set, required, "node set to be moved")},
     integer("immed", 0, between(0, 1), "1: before other cards are looked at; the order makes no difference here"),
-}};
-const Card part_move_card{{
-    wide(id("pid", IdSpace::part, required, "part, or part set (ifset 1): the nodes of its elements move"), 8),
-    wide(real("xmov", dimension::length, 0, any_value, "by this along x"), 16),
-    wide(real("ymov", dimension::length, 0, any_value, "along y"), 16),
-    wide(real("zmov", dimension::length, 0, any_value, "along z"), 16),
-    wide(id("cid", IdSpace::define, 0, "coordinate system of these directions; 0: global axes"), 8),
-    wide(integer("ifset", 0, between(0, 1), "1: pid is a part set"), 8),
-}};
+};
+struct PartMoveCard {
+  int pid = 0;
+  double xmov = 0, ymov = 0, zmov = 0;
+  int cid = 0, ifset = 0;
+};
+const CardOf<PartMoveCard> part_move_card{
+    {&PartMoveCard::pid,
+     wide(id("pid", IdSpace::part, required, "part, or part set (ifset 1): the nodes of its elements move"), 8)},
+    {&PartMoveCard::xmov, wide(real("xmov", dimension::length, 0, any_value, "by this along x"), 16)},
+    {&PartMoveCard::ymov, wide(real("ymov", dimension::length, 0, any_value, "along y"), 16)},
+    {&PartMoveCard::zmov, wide(real("zmov", dimension::length, 0, any_value, "along z"), 16)},
+    {&PartMoveCard::cid,
+     wide(id("cid", IdSpace::define, 0, "coordinate system of these directions; 0: global axes"), 8)},
+    {&PartMoveCard::ifset, wide(integer("ifset", 0, between(0, 1), "1: pid is a part set"), 8)},
+};
 
 /// Moves nodes to where `moved` says. Axes through nodes are known already by then.
 template <class Moved>
-void move_nodes(Builder& b, const Row& row, std::string_view field, const std::vector<Index>& nodes,
-                const Moved& moved) {
+void move_nodes(Builder& b, const deck::Entry& field, const std::vector<Index>& nodes, const Moved& moved) {
   for (const Index n : nodes) {
     Vec3d& x = b.model.nodes.x[static_cast<std::size_t>(n)];
     x = moved(x);
@@ -40,7 +48,7 @@ void move_nodes(Builder& b, const Row& row, std::string_view field, const std::v
     if (!system.nodes) continue;
     for (const Index n : {system.nodes->origin, system.nodes->on_axis, system.nodes->in_plane})
       if (std::find(nodes.begin(), nodes.end(), n) != nodes.end()) {
-        refuse(b, row, field,
+        refuse(b, field,
                fmt::format("moves node {}, which gives coordinate system {} its axes: not supported",
                            b.model.nodes.id[static_cast<std::size_t>(n)], system.id),
                "write the node where it shall be, or give the system by *DEFINE_COORDINATE_SYSTEM");
@@ -58,19 +66,20 @@ bool mirrors(const deck::Transform& transform) {
 void read_node_transform(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const Row row = cursor.read(transform_card);
+    const auto row = cursor.read(transform_card);
     builder.defer(Phase::sets, [row](Builder& b) {
-      const auto* nodes = b.node_set(row, "nsid");
-      const deck::Transform* transform = b.deck.transformation(row.integer("trsid"));
+      const auto* nodes = b.node_set(row[&TransformCard::nsid]);
+      const deck::Transform* transform = b.deck.transformation(row->trsid);
       if (transform == nullptr)
-        refuse(b, row, "trsid", "no *DEFINE_TRANSFORMATION has this id", "define it");
+        refuse(b, row[&TransformCard::trsid], "no *DEFINE_TRANSFORMATION has this id", "define it");
       else if (nodes != nullptr) {
         if (mirrors(*transform))
-          row.report(b.findings, Severity::warning, "trsid",
-                     "mirrors the nodes; elements keep their numbering: shells have their normals on the other side, "
-                     "and bricks are inside out",
-                     "renumber the elements of mirrored parts in the pre-processor");
-        move_nodes(b, row, "nsid", nodes->members, [&](const Vec3d& x) { return transform->moved(x); });
+          row[&TransformCard::trsid].report(
+              b.findings, Severity::warning,
+              "mirrors the nodes; elements keep their numbering: shells have their normals on the other side, "
+              "and bricks are inside out",
+              "renumber the elements of mirrored parts in the pre-processor");
+        move_nodes(b, row[&TransformCard::nsid], nodes->members, [&](const Vec3d& x) { return transform->moved(x); });
       }
     });
   }
@@ -79,20 +88,21 @@ void read_node_transform(Builder& builder, const Block& block, const Options&) {
 void read_part_move(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const Row row = cursor.read(part_move_card);
-    const bool local = row.integer("cid") != 0;
-    const Vec3d by = local ? triple(row, "xmov", "ymov", "zmov") : direction(block, row, "xmov", "ymov", "zmov");
+    const auto row = cursor.read(part_move_card);
+    const bool local = row->cid != 0;
+    const Vec3d by =
+        local ? Vec3d{row->xmov, row->ymov, row->zmov} : direction(block, {row->xmov, row->ymov, row->zmov});
     builder.defer(Phase::sets, [row, by](Builder& b) {
       std::vector<Index> parts;
-      if (row.integer("ifset") == 1) {
-        if (const auto* set = b.part_set(row, "pid")) parts = set->members;
-      } else if (const Index part = b.part(row, "pid"); part != none) {
+      if (row->ifset == 1) {
+        if (const auto* set = b.part_set(row[&PartMoveCard::pid])) parts = set->members;
+      } else if (const Index part = b.part(row[&PartMoveCard::pid]); part != none) {
         parts = {part};
       }
       Vec3d shift = by;
-      if (const Index system = b.system(row, "cid"); system != none)
+      if (const Index system = b.system(row[&PartMoveCard::cid]); system != none)
         shift = b.model.systems[static_cast<std::size_t>(system)].axes.global(by);
-      move_nodes(b, row, "pid", nodes_of_parts(b.model, parts), [&](const Vec3d& x) { return x + shift; });
+      move_nodes(b, row[&PartMoveCard::pid], nodes_of_parts(b.model, parts), [&](const Vec3d& x) { return x + shift; });
     });
   }
 }

@@ -14,11 +14,15 @@ namespace {
 using deck::Block;
 using deck::Cursor;
 using deck::Row;
+using deck::RowOf;
 using Source = SetStep::Source;
 using Action = SetStep::Action;
 
-const Card head_card{{
-    id("sid", IdSpace::set, required, "id of the set"),
+struct HeadCard {
+  int sid = 0;
+};
+const CardOf<HeadCard> head_card{
+    {&HeadCard::sid, id("sid", IdSpace::set, required, "id of the set")},
     real("da1", dimension::number, 0, any_value, "default attribute; of parts: PSF of *CONTACT_INTERIOR"),
     real("da2", dimension::number, 0, any_value, "default attribute; of parts: Fa of *CONTACT_INTERIOR"),
     real("da3", dimension::number, 0, any_value, "default attribute; of parts: ED of *CONTACT_INTERIOR"),
@@ -26,7 +30,7 @@ const Card head_card{{
     text("solver", 10, "no effect"),
     text("its", 10, "no effect"),
     unused(),
-}};
+};
 
 const Card short_head_card{{
     id("sid", IdSpace::set, required, "id of the set"),
@@ -68,8 +72,12 @@ const Card segment_card{{
 }};
 
 // What the numbers are depends on the option, so their offsets are applied by `general_step`.
-const Card general_card{{
-    text("option", 10, "ALL, NODE, ELEM, PART, SEG, BOX, BRANCH, SET_... to add; with a D in front to take away"),
+struct GeneralCard {
+  std::string option;
+};
+const CardOf<GeneralCard> general_card{
+    {&GeneralCard::option,
+     text("option", 10, "ALL, NODE, ELEM, PART, SEG, BOX, BRANCH, SET_... to add; with a D in front to take away")},
     integer("id1", 0, any_value, "id"),
     integer("id2", 0, any_value, "id"),
     integer("id3", 0, any_value, "id"),
@@ -78,7 +86,7 @@ const Card general_card{{
     real("id5", dimension::number, 0, any_value, "id"),
     real("id6", dimension::number, 0, any_value, "id"),
     real("id7", dimension::number, 0, any_value, "id"),
-}};
+};
 
 const Card advanced_card{{
     id("sid1", IdSpace::set, 0, "set whose nodes are taken; up to four a line, any number of lines"),
@@ -91,7 +99,12 @@ const Card advanced_card{{
     integer("type4", 1, between(1, 7), "the same"),
 }};
 
-const Card branch_card{{id("brid", IdSpace::set, required, "number of the branch")}};
+struct BranchCard {
+  int brid = 0;
+};
+const CardOf<BranchCard> branch_card{
+    {&BranchCard::brid, id("brid", IdSpace::set, required, "number of the branch")},
+};
 const Card branch_heading{{text("heading", 80, "its name")}};
 // Parts and branches have offsets of their own, so these are applied by `read_branch`.
 Card branch_members() {
@@ -186,13 +199,14 @@ std::string upper(std::string text) {
   return text;
 }
 
-std::optional<SetStep> general_step(Builder& b, const Block& block, const KindCards& cards, const Row& row) {
-  const std::string name = upper(row.text("option"));
+std::optional<SetStep> general_step(Builder& b, const Block& block, const KindCards& cards,
+                                    const RowOf<GeneralCard>& row) {
+  const std::string name = upper(row->option);
   auto option = general_option(cards, name);
   const bool takes_away = !option && name.starts_with('D');
   if (takes_away) option = general_option(cards, std::string_view(name).substr(1));
   if (!option) {
-    refuse(b, row, "option", "this option is not supported",
+    refuse(b, row[&GeneralCard::option], "this option is not supported",
            "use ALL, NODE, ELEM, PART, SEG, BOX, SET or SET_..., or list the members");
     return std::nullopt;
   }
@@ -311,11 +325,10 @@ void read_advanced(Builder& b, const Block& block, const Options& options) {
   static constexpr SetKind kinds[] = {SetKind::node, SetKind::shell, SetKind::beam, SetKind::solid, SetKind::segment};
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  const Row head = cursor.read(head_card);
-  SetRecipe recipe{
-      SetKind::node, head.integer("sid"), options.contains("COLLECT"), block.starred(), head.place(), {}, {}};
+  const auto head = cursor.read(head_card);
+  SetRecipe recipe{SetKind::node, head->sid, options.contains("COLLECT"), block.starred(), head.place(), {}, {}};
   while (!at_end(cursor)) {
-    const Row row = cursor.read(advanced_card);
+    const auto row = cursor.read(advanced_card);
     for (const auto& [set, type_field] : {std::pair{"sid1", "type1"}, std::pair{"sid2", "type2"},
                                           std::pair{"sid3", "type3"}, std::pair{"sid4", "type4"}}) {
       if (row.integer(set) == 0) continue;
@@ -340,9 +353,9 @@ void read_advanced(Builder& b, const Block& block, const Options& options) {
 void read_branch(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  const Row head = cursor.read(branch_card);
+  const auto head = cursor.read(branch_card);
   cursor.read_text();  // the heading
-  SetRecipe recipe{SetKind::branch, head.integer("brid"), false, block.starred(), head.place(), {}, {}};
+  SetRecipe recipe{SetKind::branch, head->brid, false, block.starred(), head.place(), {}, {}};
   const auto offset = [&](IdSpace space) {
     return block.transform ? static_cast<int>(block.transform->id_offset[static_cast<std::size_t>(space)]) : 0;
   };
