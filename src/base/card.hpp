@@ -188,10 +188,12 @@ void append(Card& card, const Field* fields, std::size_t count);
 ///     };
 template <class T>
 struct CardOf : Card {
+  CardOf() = default;
   CardOf(std::initializer_list<FieldOf<T>> table) {
     static_assert(sizeof(FieldOf<T>) == sizeof(Field));
     append(*this, table.begin(), table.size());
   }
+  void add(const FieldOf<T>& field) { append(*this, &field, 1); }
 };
 
 }  // namespace nugget

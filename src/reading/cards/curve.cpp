@@ -18,17 +18,21 @@ using deck::Cursor;
 using deck::Row;
 using deck::RowOf;
 
-struct CurveCard {
+/// Factors and offsets of abscissae and ordinates.
+struct Rescaling {
+  double sfa = 1, sfo = 1, offa = 0, offo = 0;
+};
+struct CurveCard : Rescaling {
   int lcid = 0, sidr = 0;
 };
 const CardOf<CurveCard> curve_card{
     {&CurveCard::lcid, id("lcid", IdSpace::function, required, "curve id")},
     {&CurveCard::sidr,
      integer("sidr", 0, between(0, 2), "loads follow the curve 0 in the run, 1 in dynamic relaxation, 2 in both")},
-    real("sfa", dimension::number, 1, any_value, "factor on the abscissae"),
-    real("sfo", dimension::number, 1, any_value, "factor on the ordinates"),
-    real("offa", dimension::number, 0, any_value, "offset of the abscissae, before the factor"),
-    real("offo", dimension::number, 0, any_value, "offset of the ordinates, before the factor"),
+    {&CurveCard::sfa, real("sfa", dimension::number, 1, any_value, "factor on the abscissae")},
+    {&CurveCard::sfo, real("sfo", dimension::number, 1, any_value, "factor on the ordinates")},
+    {&CurveCard::offa, real("offa", dimension::number, 0, any_value, "offset of the abscissae, before the factor")},
+    {&CurveCard::offo, real("offo", dimension::number, 0, any_value, "offset of the ordinates, before the factor")},
     integer("dattyp", 0, any_value, "kind of data, no effect"),
     integer("lcint", 0, any_value, "points of LS-DYNA's resampling; curves are evaluated as they are"),
 };
@@ -57,16 +61,16 @@ const CardOf<SmoothCard> smooth_card{
     {&SmoothCard::vmax, real("vmax", dimension::number, 0, any_value, "velocity in between; used where TEND is 0")},
 };
 
-struct CopyCard {
+struct CopyCard : Rescaling {
   int lcid = 0, rlcid = 0;
 };
 const CardOf<CopyCard> copy_card{
     {&CopyCard::lcid, id("lcid", IdSpace::function, required, "curve id")},
     {&CopyCard::rlcid, id("rlcid", IdSpace::function, required, "curve to be copied")},
-    real("sfa", dimension::number, 1, any_value, "factor on the abscissae"),
-    real("sfo", dimension::number, 1, any_value, "factor on the ordinates"),
-    real("offa", dimension::number, 0, any_value, "offset of the abscissae, before the factor"),
-    real("offo", dimension::number, 0, any_value, "offset of the ordinates, before the factor"),
+    {&CopyCard::sfa, real("sfa", dimension::number, 1, any_value, "factor on the abscissae")},
+    {&CopyCard::sfo, real("sfo", dimension::number, 1, any_value, "factor on the ordinates")},
+    {&CopyCard::offa, real("offa", dimension::number, 0, any_value, "offset of the abscissae, before the factor")},
+    {&CopyCard::offo, real("offo", dimension::number, 0, any_value, "offset of the ordinates, before the factor")},
 };
 
 struct TableCard {
@@ -86,10 +90,14 @@ const CardOf<ValueCard> value_card{
     {&ValueCard::value, wide(real("value", dimension::number, 0, any_value, "value; its curve follows the table"), 20)},
 };
 
-const Card value_2d_card{{
-    wide(real("value", dimension::number, 0, any_value, "value"), 20),
-    wide(id("curveid", IdSpace::function, required, "its curve"), 20),
-}};
+struct Value2dCard {
+  double value = 0;
+  int curveid = 0;
+};
+const CardOf<Value2dCard> value_2d_card{
+    {&Value2dCard::value, wide(real("value", dimension::number, 0, any_value, "value"), 20)},
+    {&Value2dCard::curveid, wide(id("curveid", IdSpace::function, required, "its curve"), 20)},
+};
 
 /// A unit factor would have to know what the numbers of a curve are; the curve itself does not say.
 void refuse_unit_factors(Builder& b, const Block& block) {
@@ -100,10 +108,10 @@ void refuse_unit_factors(Builder& b, const Block& block) {
 }
 
 /// Scales and offsets as *DEFINE_CURVE means them: factor (value + offset).
-void rescale(Curve& curve, const Row& row) {
-  for (double& x : curve.x) x = row.real("sfa") * (x + row.real("offa"));
-  for (double& y : curve.y) y = row.real("sfo") * (y + row.real("offo"));
-  if (row.real("sfa") < 0.0) {
+void rescale(Curve& curve, const Rescaling& by) {
+  for (double& x : curve.x) x = by.sfa * (x + by.offa);
+  for (double& y : curve.y) y = by.sfo * (y + by.offo);
+  if (by.sfa < 0.0) {
     std::reverse(curve.x.begin(), curve.x.end());
     std::reverse(curve.y.begin(), curve.y.end());
   }
@@ -148,7 +156,7 @@ void read_curve(Builder& b, const Block& block, const Options& options) {
   curve.in_run = row->sidr != 1;
   curve.in_relaxation = row->sidr != 0;
   if (curve.in_relaxation) b.model.control.relaxation.asked = true;
-  rescale(curve, row);
+  rescale(curve, *row);
   add_curve(b, row, std::move(curve));
 }
 
@@ -210,7 +218,7 @@ void read_copy(Builder& b, const Block& block, const Options& options) {
     if (original == none) return;
     Curve curve = later.model.curves[static_cast<std::size_t>(original)];
     curve.id = row->lcid;
-    rescale(curve, row);
+    rescale(curve, *row);
     add_curve(later, row, std::move(curve));
   });
 }
@@ -261,15 +269,16 @@ void read_table_2d(Builder& b, const Block& block, const Options& options) {
   const auto row = cursor.read(table_card);
   refuse_unit_factors(b, block);
   std::vector<double> values;
-  std::vector<Row> rows;
+  std::vector<deck::Entry> curves;
   while (!at_end(cursor)) {
-    rows.push_back(cursor.read(value_2d_card));
-    values.push_back(rows.back().real("value"));
+    const auto line = cursor.read(value_2d_card);
+    values.push_back(line->value);
+    curves.push_back(line[&Value2dCard::curveid]);
   }
   const Index table = add_table(b, row, std::move(values));
-  b.defer(Phase::curves, [table, rows](Builder& later) {
-    for (const Row& line : rows)
-      if (const Index curve = later.curve(line, "curveid"); curve != none)
+  b.defer(Phase::curves, [table, curves](Builder& later) {
+    for (const deck::Entry& id : curves)
+      if (const Index curve = later.curve(id); curve != none)
         later.model.tables[static_cast<std::size_t>(table)].curve.push_back(curve);
   });
 }

@@ -43,11 +43,12 @@ const CardOf<PlanePointCard> plane_point_card{
 };
 
 struct VectorsCard {
+  int cid = 0;
   double xx = 0, yx = 0, zx = 0, xv = 0, yv = 0, zv = 0;
   int nid = 0;
 };
 const CardOf<VectorsCard> vectors_card{
-    id("cid", IdSpace::define, required, "id of the system"),
+    {&VectorsCard::cid, id("cid", IdSpace::define, required, "id of the system")},
     {&VectorsCard::xx, real("xx", dimension::number, 0, any_value, "local x axis, x")},
     {&VectorsCard::yx, real("yx", dimension::number, 0, any_value, "y")},
     {&VectorsCard::zx, real("zx", dimension::number, 0, any_value, "z")},
@@ -111,12 +112,12 @@ void add_system(Builder& b, const Row& row, const CoordinateSystem& system) {
   b.model.systems.push_back(system);
 }
 
-void add_system(Builder& b, const RowOf<PointsCard>& row, const Vec3d& origin, const Vec3d& x, const Vec3d& in_plane,
-                std::string_view field, int type = 0) {
-  CoordinateSystem s{row->cid, origin, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+void add_system(Builder& b, const Row& row, int id, const Vec3d& origin, const Vec3d& x, const Vec3d& in_plane,
+                const deck::Entry& field, int type = 0) {
+  CoordinateSystem s{id, origin, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   if (type != 0) b.curved_systems[s.id] = type;
   if (!frame_from(x, in_plane, s.axes))
-    refuse(b, row, field, "the axis and the vector in the plane must differ in direction and from zero",
+    refuse(b, field, "the axis and the vector in the plane must differ in direction and from zero",
            "choose three points that do not lie on a line");
   add_system(b, row, s);
 }
@@ -129,8 +130,8 @@ void read_points(Builder& b, const Block& block, const Options& options) {
     refuse_nonzero(b, row[&PointsCard::cidl], "points in another coordinate system are not supported",
                    "give them in global axes");
     const Vec3d origin = position(block, {row->xo, row->yo, row->zo});
-    add_system(b, row, origin, position(block, {row->xl, row->yl, row->zl}) - origin,
-               position(block, {plane->xp, plane->yp, plane->zp}) - origin, "xl", plane->type);
+    add_system(b, row, row->cid, origin, position(block, {row->xl, row->yl, row->zl}) - origin,
+               position(block, {plane->xp, plane->yp, plane->zp}) - origin, row[&PointsCard::xl], plane->type);
   }
 }
 
@@ -140,8 +141,8 @@ void read_vectors(Builder& b, const Block& block, const Options& options) {
     const auto row = cursor.read(vectors_card);
     refuse_nonzero(b, row[&VectorsCard::nid], "axes that turn with a node are not supported",
                    "leave it 0 for fixed axes");
-    add_system(b, row, {}, direction(block, {row->xx, row->yx, row->zx}), direction(block, {row->xv, row->yv, row->zv}),
-               "xx");
+    add_system(b, row, row->cid, {}, direction(block, {row->xx, row->yx, row->zx}),
+               direction(block, {row->xv, row->yv, row->zv}), row[&VectorsCard::xx]);
   }
 }
 
@@ -205,9 +206,10 @@ void read_box(Builder& b, const Block& block, const Options& options) {
     if (t && (t->turns() || t->scales()))
       refuse(b, row[&BoxCard::boxid], "a box cannot be turned or scaled with its include",
              "define it in the main deck");
-    for (const auto& [low, high] : {std::pair{"xmn", "xmx"}, {"ymn", "ymx"}, {"zmn", "zmx"}})
-      if (row.real(low) > row.real(high))
-        refuse(b, row, low, "the smallest value is larger than the largest", "swap them");
+    const std::pair<double BoxCard::*, double BoxCard::*> extents[] = {
+        {&BoxCard::xmn, &BoxCard::xmx}, {&BoxCard::ymn, &BoxCard::ymx}, {&BoxCard::zmn, &BoxCard::zmx}};
+    for (const auto& [low, high] : extents)
+      if ((*row).*low > (*row).*high) refuse(b, row[low], "the smallest value is larger than the largest", "swap them");
     b.boxes.add(row->boxid, static_cast<Index>(b.box_list.size()), row.place(), block.starred(), "box", b.findings);
     b.box_list.push_back(
         {position(block, {row->xmn, row->ymn, row->zmn}), position(block, {row->xmx, row->ymx, row->zmx})});

@@ -13,91 +13,110 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
 using deck::RowOf;
 using Source = SetStep::Source;
 using Action = SetStep::Action;
 
 struct HeadCard {
   int sid = 0;
+  std::array<double, 4> attributes{};
 };
 const CardOf<HeadCard> head_card{
     {&HeadCard::sid, id("sid", IdSpace::set, required, "id of the set")},
-    real("da1", dimension::number, 0, any_value, "default attribute; of parts: PSF of *CONTACT_INTERIOR"),
-    real("da2", dimension::number, 0, any_value, "default attribute; of parts: Fa of *CONTACT_INTERIOR"),
-    real("da3", dimension::number, 0, any_value, "default attribute; of parts: ED of *CONTACT_INTERIOR"),
-    real("da4", dimension::number, 0, any_value, "default attribute; of parts: TYPE of *CONTACT_INTERIOR"),
+    {at(&HeadCard::attributes, 0),
+     real("da1", dimension::number, 0, any_value, "default attribute; of parts: PSF of *CONTACT_INTERIOR")},
+    {at(&HeadCard::attributes, 1),
+     real("da2", dimension::number, 0, any_value, "default attribute; of parts: Fa of *CONTACT_INTERIOR")},
+    {at(&HeadCard::attributes, 2),
+     real("da3", dimension::number, 0, any_value, "default attribute; of parts: ED of *CONTACT_INTERIOR")},
+    {at(&HeadCard::attributes, 3),
+     real("da4", dimension::number, 0, any_value, "default attribute; of parts: TYPE of *CONTACT_INTERIOR")},
     text("solver", 10, "no effect"),
     text("its", 10, "no effect"),
     unused(),
 };
 
-const Card short_head_card{{
-    id("sid", IdSpace::set, required, "id of the set"),
+const CardOf<HeadCard> short_head_card{
+    {&HeadCard::sid, id("sid", IdSpace::set, required, "id of the set")},
     text("solver", 10, "no effect"),
-}};
+};
 
-Card eight_ids(IdSpace space, std::string_view meaning) {
-  Card card;
-  for (const auto* name : {"id1", "id2", "id3", "id4", "id5", "id6", "id7", "id8"})
-    card.fields.push_back(id(name, space, 0, meaning));
+/// A line of members, or of numbers that stand for some.
+struct MembersCard {
+  std::array<int, 8> id{};
+  std::array<double, 4> attributes{};
+};
+constexpr std::string_view id_names[] = {"id1", "id2", "id3", "id4", "id5", "id6", "id7", "id8"};
+
+CardOf<MembersCard> eight_ids(IdSpace space, std::string_view meaning) {
+  CardOf<MembersCard> card;
+  for (std::size_t i = 0; i < 8; ++i) card.add({at(&MembersCard::id, i), id(id_names[i], space, 0, meaning)});
   return card;
 }
 
-const Card node_ids = eight_ids(IdSpace::node, "node");
-const Card part_ids = eight_ids(IdSpace::part, "part");
-const Card element_ids = eight_ids(IdSpace::element, "element");
-const Card set_ids = eight_ids(IdSpace::set, "set");
+const CardOf<MembersCard> node_ids = eight_ids(IdSpace::node, "node");
+const CardOf<MembersCard> part_ids = eight_ids(IdSpace::part, "part");
+const CardOf<MembersCard> element_ids = eight_ids(IdSpace::element, "element");
+const CardOf<MembersCard> set_ids = eight_ids(IdSpace::set, "set");
 
-Card one_with_attributes(IdSpace space, std::string_view meaning = "attribute, no effect") {
-  Card card{{id("id1", space, 0, "member")}};
-  for (const auto* name : {"a1", "a2", "a3", "a4"})
-    card.fields.push_back(real(name, dimension::number, 0, any_value, meaning));
+CardOf<MembersCard> with_attributes(CardOf<MembersCard> card, std::string_view meaning) {
+  static constexpr std::string_view names[] = {"a1", "a2", "a3", "a4"};
+  for (std::size_t i = 0; i < 4; ++i)
+    card.add({at(&MembersCard::attributes, i), real(names[i], dimension::number, 0, any_value, meaning)});
   return card;
 }
+CardOf<MembersCard> one_with_attributes(IdSpace space, std::string_view meaning = "attribute, no effect") {
+  return with_attributes({{at(&MembersCard::id, 0), id("id1", space, 0, "member")}}, meaning);
+}
 
-const Card node_column = one_with_attributes(IdSpace::node);
-const Card part_column = one_with_attributes(IdSpace::part, "attribute of this part; 0: da1 to da4 of the set");
-const Card element_column = one_with_attributes(IdSpace::element);
+const CardOf<MembersCard> node_column = one_with_attributes(IdSpace::node);
+const CardOf<MembersCard> part_column =
+    one_with_attributes(IdSpace::part, "attribute of this part; 0: da1 to da4 of the set");
+const CardOf<MembersCard> element_column = one_with_attributes(IdSpace::element);
 
-const Card segment_card{{
-    id("id1", IdSpace::node, required, "node 1"),
-    id("id2", IdSpace::node, required, "node 2"),
-    id("id3", IdSpace::node, required, "node 3"),
-    id("id4", IdSpace::node, 0, "node 4; 0 or n3: a triangle"),
-    real("a1", dimension::number, 0, any_value, "attribute, no effect"),
-    real("a2", dimension::number, 0, any_value, "attribute, no effect"),
-    real("a3", dimension::number, 0, any_value, "attribute, no effect"),
-    real("a4", dimension::number, 0, any_value, "attribute, no effect"),
-}};
+const CardOf<MembersCard> segment_card = with_attributes(
+    {
+        {at(&MembersCard::id, 0), id("id1", IdSpace::node, required, "node 1")},
+        {at(&MembersCard::id, 1), id("id2", IdSpace::node, required, "node 2")},
+        {at(&MembersCard::id, 2), id("id3", IdSpace::node, required, "node 3")},
+        {at(&MembersCard::id, 3), id("id4", IdSpace::node, 0, "node 4; 0 or n3: a triangle")},
+    },
+    "attribute, no effect");
 
 // What the numbers are depends on the option, so their offsets are applied by `general_step`.
 struct GeneralCard {
   std::string option;
+  std::array<int, 3> id{};
+  std::array<double, 4> more{};
 };
 const CardOf<GeneralCard> general_card{
     {&GeneralCard::option,
      text("option", 10, "ALL, NODE, ELEM, PART, SEG, BOX, BRANCH, SET_... to add; with a D in front to take away")},
-    integer("id1", 0, any_value, "id"),
-    integer("id2", 0, any_value, "id"),
-    integer("id3", 0, any_value, "id"),
-    real("id4", dimension::number, 0, any_value,
-         "id; segments of parts, boxes, shells, sets of elements: attribute, no effect"),
-    real("id5", dimension::number, 0, any_value, "id"),
-    real("id6", dimension::number, 0, any_value, "id"),
-    real("id7", dimension::number, 0, any_value, "id"),
+    {at(&GeneralCard::id, 0), integer("id1", 0, any_value, "id")},
+    {at(&GeneralCard::id, 1), integer("id2", 0, any_value, "id")},
+    {at(&GeneralCard::id, 2), integer("id3", 0, any_value, "id")},
+    {at(&GeneralCard::more, 0), real("id4", dimension::number, 0, any_value,
+                                     "id; segments of parts, boxes, shells, sets of elements: attribute, no effect")},
+    {at(&GeneralCard::more, 1), real("id5", dimension::number, 0, any_value, "id")},
+    {at(&GeneralCard::more, 2), real("id6", dimension::number, 0, any_value, "id")},
+    {at(&GeneralCard::more, 3), real("id7", dimension::number, 0, any_value, "id")},
 };
 
-const Card advanced_card{{
-    id("sid1", IdSpace::set, 0, "set whose nodes are taken; up to four a line, any number of lines"),
-    integer("type1", 1, between(1, 7), "1 node, 2 shell, 3 beam, 4 solid, 5 segment set; 6, 7: not built"),
-    id("sid2", IdSpace::set, 0, "the same"),
-    integer("type2", 1, between(1, 7), "the same"),
-    id("sid3", IdSpace::set, 0, "the same"),
-    integer("type3", 1, between(1, 7), "the same"),
-    id("sid4", IdSpace::set, 0, "the same"),
-    integer("type4", 1, between(1, 7), "the same"),
-}};
+struct AdvancedCard {
+  std::array<int, 4> sid{}, type{};
+};
+const CardOf<AdvancedCard> advanced_card{
+    {at(&AdvancedCard::sid, 0),
+     id("sid1", IdSpace::set, 0, "set whose nodes are taken; up to four a line, any number of lines")},
+    {at(&AdvancedCard::type, 0),
+     integer("type1", 1, between(1, 7), "1 node, 2 shell, 3 beam, 4 solid, 5 segment set; 6, 7: not built")},
+    {at(&AdvancedCard::sid, 1), id("sid2", IdSpace::set, 0, "the same")},
+    {at(&AdvancedCard::type, 1), integer("type2", 1, between(1, 7), "the same")},
+    {at(&AdvancedCard::sid, 2), id("sid3", IdSpace::set, 0, "the same")},
+    {at(&AdvancedCard::type, 2), integer("type3", 1, between(1, 7), "the same")},
+    {at(&AdvancedCard::sid, 3), id("sid4", IdSpace::set, 0, "the same")},
+    {at(&AdvancedCard::type, 3), integer("type4", 1, between(1, 7), "the same")},
+};
 
 struct BranchCard {
   int brid = 0;
@@ -107,21 +126,22 @@ const CardOf<BranchCard> branch_card{
 };
 const Card branch_heading{{text("heading", 80, "its name")}};
 // Parts and branches have offsets of their own, so these are applied by `read_branch`.
-Card branch_members() {
-  Card card;
-  for (const auto* name : {"id1", "id2", "id3", "id4", "id5", "id6", "id7", "id8"})
-    card.fields.push_back(integer(name, 0, any_value, "more than 0: a branch; less: a part, by its number"));
+CardOf<MembersCard> branch_members() {
+  CardOf<MembersCard> card;
+  for (std::size_t i = 0; i < 8; ++i)
+    card.add({at(&MembersCard::id, i),
+              integer(id_names[i], 0, any_value, "more than 0: a branch; less: a part, by its number")});
   return card;
 }
-const Card branch_ids = branch_members();
+const CardOf<MembersCard> branch_ids = branch_members();
 
 /// What differs between the kinds of sets.
 struct KindCards {
   SetKind kind;
   IdSpace space;
-  const Card* head;
-  const Card* ids;
-  const Card* column;
+  const CardOf<HeadCard>* head;
+  const CardOf<MembersCard>* ids;
+  const CardOf<MembersCard>* column;
 };
 
 const KindCards node_kind{SetKind::node, IdSpace::node, &head_card, &node_ids, &node_column};
@@ -130,14 +150,6 @@ const KindCards segment_kind{SetKind::segment, IdSpace::node, &head_card, &segme
 const KindCards shell_kind{SetKind::shell, IdSpace::element, &head_card, &element_ids, &element_column};
 const KindCards solid_kind{SetKind::solid, IdSpace::element, &short_head_card, &element_ids, &element_column};
 const KindCards beam_kind{SetKind::beam, IdSpace::element, &short_head_card, &element_ids, &element_column};
-
-/// The numbers in the fields id1, id2 ... of a row, zeros left out.
-std::vector<int> ids_of(const Row& row, int count) {
-  std::vector<int> ids;
-  for (int i = 1; i <= count; ++i)
-    if (const int id = row.integer(fmt::format("id{}", i)); id != 0) ids.push_back(id);
-  return ids;
-}
 
 /// A line of *SET_..._GENERAL without its ids, and the name space that these are of; nothing for an unknown option.
 struct GeneralOption {
@@ -218,40 +230,50 @@ std::optional<SetStep> general_step(Builder& b, const Block& block, const KindCa
       cards.kind == SetKind::segment && !takes_away && (step.source == Source::boxes || step.kind != SetKind::segment);
   const bool is_face =
       cards.kind == SetKind::segment && step.source == Source::members && step.kind == SetKind::segment;
-  const int most = has_attributes ? 3 : is_face ? 4 : 7;
+  const std::size_t most = has_attributes ? 3 : is_face ? 4 : 7;
   const long offset = block.transform ? block.transform->id_offset[static_cast<std::size_t>(option->space)] : 0;
-  for (int i = 1; i <= most; ++i)
-    if (const auto id = static_cast<long>(row.real(fmt::format("id{}", i))); id != 0)
+  for (std::size_t i = 0; i < most; ++i)
+    if (const long id = i < 3 ? row->id[i] : static_cast<long>(row->more[i - 3]); id != 0)
       step.ids.push_back(static_cast<int>(id + offset));
   return step;
 }
 
 /// The lines GENERATE (pairs) and GENERATE_INCREMENT (begin, end, increment).
 void read_ranges(Builder& b, Cursor& cursor, const KindCards& cards, bool has_increment, std::vector<SetStep>& steps) {
-  const Card increments{{id("id1", cards.space, 0, "begin"), id("id2", cards.space, 0, "end"),
-                         integer("id3", 1, at_least(1), "increment")}};
+  const CardOf<MembersCard> increments{
+      {at(&MembersCard::id, 0), id("id1", cards.space, 0, "begin")},
+      {at(&MembersCard::id, 1), id("id2", cards.space, 0, "end")},
+      {at(&MembersCard::id, 2), integer("id3", 1, at_least(1), "increment")},
+  };
   while (!at_end(cursor)) {
-    const Row row = cursor.read(has_increment ? increments : *cards.ids);
-    for (int i = 1; i < (has_increment ? 3 : 8); i += 2) {
-      const int begin = row.integer(fmt::format("id{}", i)), end = row.integer(fmt::format("id{}", i + 1));
+    const auto row = cursor.read(has_increment ? increments : *cards.ids);
+    for (std::size_t i = 0; i < (has_increment ? 2 : 8); i += 2) {
+      const int begin = row->id[i], end = row->id[i + 1];
       if (begin == 0 && end == 0) continue;
       if (end < begin)
-        row.report(b.findings, Severity::warning, fmt::format("id{}", i + 1),
-                   fmt::format("the range from {} to {} ends before it begins: it has no members", begin, end),
-                   "write begin and end in pairs");
+        row[at(&MembersCard::id, i + 1)].report(
+            b.findings, Severity::warning,
+            fmt::format("the range from {} to {} ends before it begins: it has no members", begin, end),
+            "write begin and end in pairs");
       SetStep step;
       step.source = Source::range;
       step.kind = cards.kind;
-      step.ids = {begin, end, has_increment ? row.integer("id3") : 1};
+      step.ids = {begin, end, has_increment ? row->id[2] : 1};
       step.place = row.place();
       steps.push_back(std::move(step));
     }
   }
 }
 
+/// The numbers of a line, zeros left out.
+std::vector<int> ids_of(const MembersCard& line) {
+  std::vector<int> ids;
+  std::copy_if(line.id.begin(), line.id.end(), std::back_inserter(ids), [](int id) { return id != 0; });
+  return ids;
+}
+
 /// A1..A4 of a line of _COLUMN; where they are 0, DA1..DA4 of the set.
-std::array<double, 4> own_attributes(const Row& row, const std::array<double, 4>& of_set) {
-  std::array<double, 4> own{row.real("a1"), row.real("a2"), row.real("a3"), row.real("a4")};
+std::array<double, 4> own_attributes(std::array<double, 4> own, const std::array<double, 4>& of_set) {
   if (own == std::array<double, 4>{}) return own;
   for (std::size_t i = 0; i < 4; ++i)
     if (own[i] == 0.0) own[i] = of_set[i];
@@ -259,22 +281,19 @@ std::array<double, 4> own_attributes(const Row& row, const std::array<double, 4>
 }
 
 /// Lines of members (LIST, COLUMN) or of sets (ADD, INTERSECT).
-void read_members(Cursor& cursor, const KindCards& cards, const Card& card, Source source, Action action,
+void read_members(Cursor& cursor, const KindCards& cards, const CardOf<MembersCard>& card, Source source, Action action,
                   SetRecipe& recipe) {
   std::vector<SetStep>& steps = recipe.steps;
-  const int count = &card == cards.column && cards.kind != SetKind::segment       ? 1
-                    : cards.kind == SetKind::segment && source == Source::members ? 4
-                                                                                  : 8;
   while (!at_end(cursor)) {
-    const Row row = cursor.read(card);
+    const auto row = cursor.read(card);
     SetStep step;
     step.source = source;
     step.action = steps.empty() ? Action::add : action;
     step.kind = cards.kind;
-    step.ids = ids_of(row, count);
+    step.ids = ids_of(*row);
     step.place = row.place();
     if (step.ids.empty()) continue;
-    if (&card == cards.column) step.attributes = own_attributes(row, recipe.attributes);
+    if (&card == cards.column) step.attributes = own_attributes(row->attributes, recipe.attributes);
     steps.push_back(std::move(step));
   }
 }
@@ -294,10 +313,9 @@ void split_intersection(std::vector<SetStep>& steps) {
 void read_set(Builder& b, const Block& block, const Options& options, const KindCards& cards) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  const Row head = cursor.read(*cards.head);
-  SetRecipe recipe{cards.kind, head.integer("sid"), options.contains("COLLECT"), block.starred(), head.place(), {}, {}};
-  if (cards.head == &head_card)
-    recipe.attributes = {head.real("da1"), head.real("da2"), head.real("da3"), head.real("da4")};
+  const auto head = cursor.read(*cards.head);
+  SetRecipe recipe{cards.kind, head->sid, options.contains("COLLECT"), block.starred(), head.place(), {}, {}};
+  recipe.attributes = head->attributes;
   auto& steps = recipe.steps;
   if (options.contains("GENERAL")) {
     while (!at_end(cursor))
@@ -329,19 +347,18 @@ void read_advanced(Builder& b, const Block& block, const Options& options) {
   SetRecipe recipe{SetKind::node, head->sid, options.contains("COLLECT"), block.starred(), head.place(), {}, {}};
   while (!at_end(cursor)) {
     const auto row = cursor.read(advanced_card);
-    for (const auto& [set, type_field] : {std::pair{"sid1", "type1"}, std::pair{"sid2", "type2"},
-                                          std::pair{"sid3", "type3"}, std::pair{"sid4", "type4"}}) {
-      if (row.integer(set) == 0) continue;
-      const int type = row.integer(type_field);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (row->sid[i] == 0) continue;
+      const int type = row->type[i];
       if (type > 5) {
-        refuse(b, row, type_field, "sets of discrete elements and of thick shells are not built",
+        refuse(b, row[at(&AdvancedCard::type, i)], "sets of discrete elements and of thick shells are not built",
                "list their nodes in a *SET_NODE");
         continue;
       }
       SetStep step;
       step.source = Source::sets;
       step.kind = kinds[type - 1];
-      step.ids = {row.integer(set)};
+      step.ids = {row->sid[i]};
       step.place = row.place();
       recipe.steps.push_back(std::move(step));
     }
@@ -360,8 +377,8 @@ void read_branch(Builder& b, const Block& block, const Options& options) {
     return block.transform ? static_cast<int>(block.transform->id_offset[static_cast<std::size_t>(space)]) : 0;
   };
   while (!at_end(cursor)) {
-    const Row row = cursor.read(branch_ids);
-    for (const int id : ids_of(row, 8)) {
+    const auto row = cursor.read(branch_ids);
+    for (const int id : ids_of(*row)) {
       SetStep step;
       step.source = id > 0 ? Source::sets : Source::members;
       step.kind = id > 0 ? SetKind::branch : SetKind::part;
