@@ -91,6 +91,21 @@ struct PartCard {
   int pid = 0, secid = 0, mid = 0, eosid = 0, hgid = 0;
 };
 
+/// *ELEMENT_DISCRETE.
+struct DiscreteCard {
+  int eid = 0, pid = 0, n1 = 0, n2 = 0, vid = 0;
+  double s = 0.0;
+  int pf = 0;
+  double offset = 0.0;
+};
+
+/// *ELEMENT_MASS_PART.
+struct PartMassCard {
+  int pid = 0;
+  double addmass = 0.0, finmass = 0.0;
+  int lcid = 0;
+};
+
 /// The codes 0..7 of LS-DYNA (x, y, z, xy, yz, zx, xyz) as bits 0..2.
 unsigned bits_of_code(int code);
 
@@ -105,7 +120,8 @@ class Builder {
   // Cards as read, until their phase.
   deck::NodeTable node_table;
   deck::ElementTable shell_table, solid_table, beam_table;
-  std::vector<deck::Row> discrete_rows, part_mass_rows;
+  std::vector<deck::RowOf<DiscreteCard>> discrete_rows;
+  std::vector<deck::RowOf<PartMassCard>> part_mass_rows;
   std::unordered_map<Index, RigidCard> rigid_cards;            ///< by material
   std::unordered_map<Index, RigidBody::Inertia> part_inertia;  ///< by part; known after Phase::sets
   std::vector<Box> box_list;                                   ///< by index of `boxes`

@@ -15,84 +15,112 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
+using deck::RowOf;
 
-const Card velocity_card1{{
-    id("nsid", IdSpace::set, 0, "node set; 0: all nodes"),
-    id("nsidex", IdSpace::set, 0, "node set whose nodes get the velocities of the third card"),
-    id("boxid", IdSpace::define, 0, "box: only nodes inside"),
-    {"irigid",
-     Kind::integer,
-     {},
-     0,
-     at_least(-2),
-     "part set of bodies with given inertia that get this velocity too, whatever nsid; -1: all of them, with a box "
-     "those whose centre is in it (so of a set); -2: all, whatever the box",
-     IdSpace::set},
-    id("icid", IdSpace::define, 0, "coordinate system of the velocities; 0: global axes"),
-}};
-const Card velocity_card2{{
-    real("vx", dimension::velocity, 0, any_value, "velocity along x"),
-    real("vy", dimension::velocity, 0, any_value, "velocity along y"),
-    real("vz", dimension::velocity, 0, any_value, "velocity along z"),
-    real("vxr", dimension::rate, 0, any_value, "spin about x"),
-    real("vyr", dimension::rate, 0, any_value, "spin about y"),
-    real("vzr", dimension::rate, 0, any_value, "spin about z"),
-}};
-const Card velocity_card3{{
-    real("vxe", dimension::velocity, 0, any_value, "velocity along x of the nodes of nsidex"),
-    real("vye", dimension::velocity, 0, any_value, "velocity along y of these nodes"),
-    real("vze", dimension::velocity, 0, any_value, "velocity along z of these nodes"),
-    real("vxre", dimension::rate, 0, any_value, "spin about x of these nodes"),
-    real("vyre", dimension::rate, 0, any_value, "spin about y of these nodes"),
-    real("vzre", dimension::rate, 0, any_value, "spin about z of these nodes"),
-}};
+struct VelocityCard1 {
+  int nsid = 0, nsidex = 0, boxid = 0, irigid = 0, icid = 0;
+};
+const CardOf<VelocityCard1> velocity_card1{
+    {&VelocityCard1::nsid, id("nsid", IdSpace::set, 0, "node set; 0: all nodes")},
+    {&VelocityCard1::nsidex,
+     id("nsidex", IdSpace::set, 0, "node set whose nodes get the velocities of the third card")},
+    {&VelocityCard1::boxid, id("boxid", IdSpace::define, 0, "box: only nodes inside")},
+    {&VelocityCard1::irigid, within_range(id("irigid", IdSpace::set, 0,
+                                             "part set of bodies with given inertia that get this velocity too, "
+                                             "whatever nsid; -1: all of them, with a box "
+                                             "those whose centre is in it (so of a set); -2: all, whatever the box"),
+                                          at_least(-2))},
+    {&VelocityCard1::icid, id("icid", IdSpace::define, 0, "coordinate system of the velocities; 0: global axes")},
+};
+struct VelocityCard {
+  double vx = 0, vy = 0, vz = 0, vxr = 0, vyr = 0, vzr = 0;
+  int icid = 0, target = 0;
+};
+const CardOf<VelocityCard> velocity_card2{
+    {&VelocityCard::vx, real("vx", dimension::velocity, 0, any_value, "velocity along x")},
+    {&VelocityCard::vy, real("vy", dimension::velocity, 0, any_value, "velocity along y")},
+    {&VelocityCard::vz, real("vz", dimension::velocity, 0, any_value, "velocity along z")},
+    {&VelocityCard::vxr, real("vxr", dimension::rate, 0, any_value, "spin about x")},
+    {&VelocityCard::vyr, real("vyr", dimension::rate, 0, any_value, "spin about y")},
+    {&VelocityCard::vzr, real("vzr", dimension::rate, 0, any_value, "spin about z")},
+};
+struct VelocityCard3 {
+  double vxe = 0, vye = 0, vze = 0, vxre = 0, vyre = 0, vzre = 0;
+};
+const CardOf<VelocityCard3> velocity_card3{
+    {&VelocityCard3::vxe, real("vxe", dimension::velocity, 0, any_value, "velocity along x of the nodes of nsidex")},
+    {&VelocityCard3::vye, real("vye", dimension::velocity, 0, any_value, "velocity along y of these nodes")},
+    {&VelocityCard3::vze, real("vze", dimension::velocity, 0, any_value, "velocity along z of these nodes")},
+    {&VelocityCard3::vxre, real("vxre", dimension::rate, 0, any_value, "spin about x of these nodes")},
+    {&VelocityCard3::vyre, real("vyre", dimension::rate, 0, any_value, "spin about y of these nodes")},
+    {&VelocityCard3::vzre, real("vzre", dimension::rate, 0, any_value, "spin about z of these nodes")},
+};
 
-Card one_velocity(Field target) {
-  Card card{{target}};
-  card.fields.insert(card.fields.end(), velocity_card2.fields.begin(), velocity_card2.fields.end());
-  card.fields.push_back(id("icid", IdSpace::define, 0, "coordinate system of the velocities; 0: global axes"));
-  return card;
+CardOf<VelocityCard> one_velocity(const FieldOf<VelocityCard>& target) {
+  return {
+      target,
+      {&VelocityCard::vx, real("vx", dimension::velocity, 0, any_value, "velocity along x")},
+      {&VelocityCard::vy, real("vy", dimension::velocity, 0, any_value, "velocity along y")},
+      {&VelocityCard::vz, real("vz", dimension::velocity, 0, any_value, "velocity along z")},
+      {&VelocityCard::vxr, real("vxr", dimension::rate, 0, any_value, "spin about x")},
+      {&VelocityCard::vyr, real("vyr", dimension::rate, 0, any_value, "spin about y")},
+      {&VelocityCard::vzr, real("vzr", dimension::rate, 0, any_value, "spin about z")},
+      {&VelocityCard::icid, id("icid", IdSpace::define, 0, "coordinate system of the velocities; 0: global axes")},
+  };
 }
-const Card node_card = one_velocity(id("nid", IdSpace::node, required, "node"));
-const Card body_card = one_velocity(id("pid", IdSpace::part, required, "part of *MAT_RIGID, or nodal rigid body"));
+const CardOf<VelocityCard> node_card =
+    one_velocity({&VelocityCard::target, id("nid", IdSpace::node, required, "node")});
+const CardOf<VelocityCard> body_card = one_velocity(
+    {&VelocityCard::target, id("pid", IdSpace::part, required, "part of *MAT_RIGID, or nodal rigid body")});
 
-Card generation_card(IdSpace space) {
-  return {{
-      id("id", space, 0, "part set, part or node set, by styp; 0: all nodes"),
-      integer("styp", 1, between(1, 3), "1 part set, 2 part, 3 node set"),
-      real("omega", dimension::rate, 0, any_value, "angular velocity about the axis"),
-      real("vx", dimension::velocity, 0, any_value, "velocity along x"),
-      real("vy", dimension::velocity, 0, any_value, "velocity along y"),
-      real("vz", dimension::velocity, 0, any_value, "velocity along z"),
-      integer("ivatn", 0, between(0, 1),
-              "1: also all nodes of rigid bodies of which the parts have nodes; with 0 such a body starts with the "
-              "momentum of its nodes, a rigid part moves as one with either"),
-      id("icid", IdSpace::define, 0, "coordinate system of velocity and axis; 0: global axes"),
-  }};
+struct GenerationCard {
+  int id = 0, styp = 0;
+  double omega = 0, vx = 0, vy = 0, vz = 0;
+  int ivatn = 0, icid = 0;
+};
+CardOf<GenerationCard> generation_card(IdSpace space) {
+  return {
+      {&GenerationCard::id, id("id", space, 0, "part set, part or node set, by styp; 0: all nodes")},
+      {&GenerationCard::styp, integer("styp", 1, between(1, 3), "1 part set, 2 part, 3 node set")},
+      {&GenerationCard::omega, real("omega", dimension::rate, 0, any_value, "angular velocity about the axis")},
+      {&GenerationCard::vx, real("vx", dimension::velocity, 0, any_value, "velocity along x")},
+      {&GenerationCard::vy, real("vy", dimension::velocity, 0, any_value, "velocity along y")},
+      {&GenerationCard::vz, real("vz", dimension::velocity, 0, any_value, "velocity along z")},
+      {&GenerationCard::ivatn,
+       integer("ivatn", 0, between(0, 1),
+               "1: also all nodes of rigid bodies of which the parts have nodes; with 0 such a body starts with the "
+               "momentum of its nodes, a rigid part moves as one with either")},
+      {&GenerationCard::icid, id("icid", IdSpace::define, 0, "coordinate system of velocity and axis; 0: global axes")},
+  };
 }
 // Which offset of *INCLUDE_TRANSFORM holds for the id depends on what it is the id of.
-const Card generation_of_set = generation_card(IdSpace::set);
-const Card generation_of_part = generation_card(IdSpace::part);
+const CardOf<GenerationCard> generation_of_set = generation_card(IdSpace::set);
+const CardOf<GenerationCard> generation_of_part = generation_card(IdSpace::part);
 /// `y`, `z`: NY and NZ, components of the axis or, with NX -999, nodes on it.
-Card axis_card(Field y, Field z) {
-  return {{
-      real("xc", dimension::length, 0, any_value,
-           "point on the axis of rotation, x; with nx -999 the node ny takes its place"),
-      real("yc", dimension::length, 0, any_value, "y"),
-      real("zc", dimension::length, 0, any_value, "z"),
-      real("nx", dimension::number, 0, any_value,
-           "direction of the axis, x; -999: ny and nz are two nodes on the axis"),
+struct AxisCard {
+  double y = 0, z = 0, xc = 0, yc = 0, zc = 0, nx = 0;
+  int first_node = 0, second_node = 0, phase = 0, irigid = 0;
+};
+CardOf<AxisCard> axis_card(const FieldOf<AxisCard>& y, const FieldOf<AxisCard>& z) {
+  return {
+      {&AxisCard::xc, real("xc", dimension::length, 0, any_value,
+                           "point on the axis of rotation, x; with nx -999 the node ny takes its place")},
+      {&AxisCard::yc, real("yc", dimension::length, 0, any_value, "y")},
+      {&AxisCard::zc, real("zc", dimension::length, 0, any_value, "z")},
+      {&AxisCard::nx, real("nx", dimension::number, 0, any_value,
+                           "direction of the axis, x; -999: ny and nz are two nodes on the axis")},
       y,
       z,
-      integer("phase", 0, between(0, 1), "0, 1: at the start of the run, after dynamic relaxation where there is one"),
-      integer("irigid", 0, between(0, 1), "1: bodies with given inertia get this velocity too"),
-  }};
+      {&AxisCard::phase, integer("phase", 0, between(0, 1),
+                                 "0, 1: at the start of the run, after dynamic relaxation where there is one")},
+      {&AxisCard::irigid, integer("irigid", 0, between(0, 1), "1: bodies with given inertia get this velocity too")},
+  };
 }
-const Card generation_card2 =
-    axis_card(real("ny", dimension::number, 0, any_value, "y"), real("nz", dimension::number, 0, any_value, "z"));
-const Card generation_by_nodes =
-    axis_card(id("ny", IdSpace::node, required, "first node"), id("nz", IdSpace::node, required, "second node"));
+const CardOf<AxisCard> generation_card2 = axis_card({&AxisCard::y, real("ny", dimension::number, 0, any_value, "y")},
+                                                    {&AxisCard::z, real("nz", dimension::number, 0, any_value, "z")});
+const CardOf<AxisCard> generation_by_nodes =
+    axis_card({&AxisCard::first_node, id("ny", IdSpace::node, required, "first node")},
+              {&AxisCard::second_node, id("nz", IdSpace::node, required, "second node")});
 
 /// A rigid field of motion: v = velocity + spin x (x - center) when `turns`, else the same velocity everywhere.
 struct Motion {
@@ -104,7 +132,7 @@ struct Motion {
 /// Puts a motion on nodes, and keeps away from bodies that have their own.
 class Starter {
  public:
-  Starter(Builder& builder, const Row& row, std::string_view field) : b_(builder), row_(row), field_(field) {
+  Starter(Builder& builder, deck::Entry field) : b_(builder), field_(std::move(field)) {
     b_.model.initial_velocity.resize(b_.model.nodes.size());
     b_.model.initial_spin.resize(b_.model.nodes.size());
   }
@@ -145,26 +173,24 @@ class Starter {
     if (norm(motion.at(body.inertia.center) - body.inertia.velocity) == 0.0 &&
         norm(motion.spin - body.inertia.spin) == 0.0)
       return;
-    row_.report(b_.findings, Severity::warning, field_,
-                fmt::format("rigid body {} keeps the initial velocity of its inertia cards ({} {} {})", body.id,
-                            body.inertia.velocity.x, body.inertia.velocity.y, body.inertia.velocity.z),
-                "set IRIGID, use *INITIAL_VELOCITY_RIGID_BODY, or give the velocity on the inertia cards");
+    field_.report(b_.findings, Severity::warning,
+                  fmt::format("rigid body {} keeps the initial velocity of its inertia cards ({} {} {})", body.id,
+                              body.inertia.velocity.x, body.inertia.velocity.y, body.inertia.velocity.z),
+                  "set IRIGID, use *INITIAL_VELOCITY_RIGID_BODY, or give the velocity on the inertia cards");
   }
 
   Builder& b_;
-  const Row& row_;
-  std::string_view field_;
+  deck::Entry field_;
 };
 
-Vec3d in_global(Builder& builder, const Row& row, const Vec3d& local) {
-  const Index system = builder.system(row, "icid");
+Vec3d in_global(Builder& builder, const deck::Entry& icid, const Vec3d& local) {
+  const Index system = builder.system(icid);
   return system == none ? local : builder.model.systems[static_cast<std::size_t>(system)].axes.global(local);
 }
 
 /// In local axes the components are as written; else *INCLUDE_TRANSFORM turns them.
-Vec3d velocity_of(const Block& block, const Row& row, bool local, std::string_view x, std::string_view y,
-                  std::string_view z) {
-  return local ? triple(row, x, y, z) : direction(block, row, x, y, z);
+Vec3d velocity_of(const Block& block, bool local, const Vec3d& written) {
+  return local ? written : direction(block, written);
 }
 
 std::vector<Index> all_nodes(const Model& model) {
@@ -178,13 +204,13 @@ std::vector<Index> all_nodes(const Model& model) {
 
 /// The bodies of given inertia that IRIGID names: by a part set or all of them, of which the box, except with -2, takes
 /// those whose centre it holds (manual vol. I, *INITIAL_VELOCITY).
-std::vector<Index> named_by_irigid(Builder& builder, const Row& row, const Box* box) {
-  const int irigid = row.integer("irigid");
+std::vector<Index> named_by_irigid(Builder& builder, const RowOf<VelocityCard1>& row, const Box* box) {
+  const int irigid = row->irigid;
   const auto& bodies = builder.model.rigid_bodies;
   std::vector<Index> named;
   if (irigid < 0)
     for (std::size_t i = 0; i < bodies.size(); ++i) named.push_back(static_cast<Index>(i));
-  else if (const auto* parts = builder.part_set(row, "irigid"))
+  else if (const auto* parts = builder.part_set(row[&VelocityCard1::irigid]))
     for (const Index p : parts->members) named.push_back(builder.model.parts[static_cast<std::size_t>(p)].rigid_body);
   make_unique(named);
   const auto left_out = [&](Index i) {
@@ -195,22 +221,22 @@ std::vector<Index> named_by_irigid(Builder& builder, const Row& row, const Box* 
   return named;
 }
 
-void start_set(Builder& builder, const Row& row, const Motion& motion, const Motion& exempt) {
+void start_set(Builder& builder, const RowOf<VelocityCard1>& row, const Motion& motion, const Motion& exempt) {
   std::vector<Index> nodes, exempted;
-  if (row.integer("nsid") == 0)
+  if (row->nsid == 0)
     nodes = all_nodes(builder.model);
-  else if (const auto* set = builder.node_set(row, "nsid"))
+  else if (const auto* set = builder.node_set(row[&VelocityCard1::nsid]))
     nodes = set->members;
-  if (const auto* set = builder.node_set(row, "nsidex")) exempted = set->members;
+  if (const auto* set = builder.node_set(row[&VelocityCard1::nsidex])) exempted = set->members;
   make_unique(exempted);
-  const Box* box = builder.box(row, "boxid");
+  const Box* box = builder.box(row[&VelocityCard1::boxid]);
   const auto left_out = [&](Index node) {
     return std::binary_search(exempted.begin(), exempted.end(), node) ||
            (box && !box->holds(builder.model.nodes.x[static_cast<std::size_t>(node)]));
   };
   nodes.erase(std::remove_if(nodes.begin(), nodes.end(), left_out), nodes.end());
 
-  Starter starter(builder, row, "nsid");
+  Starter starter(builder, row[&VelocityCard1::nsid]);
   const std::vector<Index> named = named_by_irigid(builder, row, box);
   const auto overwrites = [&](Index body) { return std::binary_search(named.begin(), named.end(), body); };
   starter.start(nodes, motion, overwrites);
@@ -221,19 +247,20 @@ void start_set(Builder& builder, const Row& row, const Motion& motion, const Mot
 void read_velocity(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const Row row = cursor.read(velocity_card1);
-    const Row values = cursor.read(velocity_card2);
-    const bool local = row.integer("icid") != 0;
+    const auto row = cursor.read(velocity_card1);
+    const auto values = cursor.read(velocity_card2);
+    const bool local = row->icid != 0;
     Motion motion, exempt;
-    motion.velocity = velocity_of(block, values, local, "vx", "vy", "vz");
-    motion.spin = velocity_of(block, values, local, "vxr", "vyr", "vzr");
-    if (row.integer("nsidex") != 0) {
-      const Row others = cursor.read(velocity_card3);
-      exempt.velocity = velocity_of(block, others, local, "vxe", "vye", "vze");
-      exempt.spin = velocity_of(block, others, local, "vxre", "vyre", "vzre");
+    motion.velocity = velocity_of(block, local, Vec3d{values->vx, values->vy, values->vz});
+    motion.spin = velocity_of(block, local, Vec3d{values->vxr, values->vyr, values->vzr});
+    if (row->nsidex != 0) {
+      const auto others = cursor.read(velocity_card3);
+      exempt.velocity = velocity_of(block, local, Vec3d{others->vxe, others->vye, others->vze});
+      exempt.spin = velocity_of(block, local, Vec3d{others->vxre, others->vyre, others->vzre});
     }
     builder.defer(Phase::conditions, [row, motion, exempt](Builder& b) mutable {
-      for (Vec3d* v : {&motion.velocity, &motion.spin, &exempt.velocity, &exempt.spin}) *v = in_global(b, row, *v);
+      for (Vec3d* v : {&motion.velocity, &motion.spin, &exempt.velocity, &exempt.spin})
+        *v = in_global(b, row[&VelocityCard1::icid], *v);
       start_set(b, row, motion, exempt);
     });
   }
@@ -242,24 +269,26 @@ void read_velocity(Builder& builder, const Block& block, const Options&) {
 // ---- *INITIAL_VELOCITY_NODE and _RIGID_BODY
 // --------------------------------------------------------------------------------
 
-Motion motion_of(const Block& block, const Row& row) {
-  const bool local = row.integer("icid") != 0;
-  return {
-      velocity_of(block, row, local, "vx", "vy", "vz"), velocity_of(block, row, local, "vxr", "vyr", "vzr"), {}, false};
+Motion motion_of(const Block& block, const RowOf<VelocityCard>& row) {
+  const bool local = row->icid != 0;
+  return {velocity_of(block, local, Vec3d{row->vx, row->vy, row->vz}),
+          velocity_of(block, local, Vec3d{row->vxr, row->vyr, row->vzr}),
+          {},
+          false};
 }
 
-void start_node(Builder& builder, const Row& row, Motion motion) {
-  const Index node = builder.node(row, "nid");
+void start_node(Builder& builder, const RowOf<VelocityCard>& row, Motion motion) {
+  const Index node = builder.node(row[&VelocityCard::target]);
   if (node == none) return;
-  motion.velocity = in_global(builder, row, motion.velocity);
-  motion.spin = in_global(builder, row, motion.spin);
-  Starter(builder, row, "nid").start({node}, motion, [](Index) { return false; });
+  motion.velocity = in_global(builder, row[&VelocityCard::icid], motion.velocity);
+  motion.spin = in_global(builder, row[&VelocityCard::icid], motion.spin);
+  Starter(builder, row[&VelocityCard::target]).start({node}, motion, [](Index) { return false; });
 }
 
 void read_node_velocity(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const Row row = cursor.read(node_card);
+    const auto row = cursor.read(node_card);
     // Left behind once more, so that it comes after all sets of nodes.
     builder.defer(Phase::conditions, [row, motion = motion_of(block, row)](Builder& b) {
       b.defer(Phase::conditions, [row, motion](Builder& last) { start_node(last, row, motion); });
@@ -267,12 +296,12 @@ void read_node_velocity(Builder& builder, const Block& block, const Options&) {
   }
 }
 
-void start_body(Builder& builder, const Row& row, const Motion& motion) {
-  const Index index = find_body(builder, row, "pid");
+void start_body(Builder& builder, const RowOf<VelocityCard>& row, const Motion& motion) {
+  const Index index = find_body(builder, row[&VelocityCard::target]);
   if (index == none) return;
   RigidBody& body = builder.model.rigid_bodies[static_cast<std::size_t>(index)];
-  body.inertia.velocity = in_global(builder, row, motion.velocity);
-  body.inertia.spin = in_global(builder, row, motion.spin);
+  body.inertia.velocity = in_global(builder, row[&VelocityCard::icid], motion.velocity);
+  body.inertia.spin = in_global(builder, row[&VelocityCard::icid], motion.spin);
   const Vec3d center = norm(body.inertia.spin) > 0.0 ? center_of_mass(builder, body) : Vec3d{};
   set_motion(builder.model, body, center, body.inertia.velocity, body.inertia.spin);
 }
@@ -280,7 +309,7 @@ void start_body(Builder& builder, const Row& row, const Motion& motion) {
 void read_body_velocity(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const Row row = cursor.read(body_card);
+    const auto row = cursor.read(body_card);
     // Left behind twice more, so that it comes after those of nodes too.
     builder.defer(Phase::conditions, [row, motion = motion_of(block, row)](Builder& b) {
       b.defer(Phase::conditions, [row, motion](Builder& nodes) {
@@ -293,16 +322,16 @@ void read_body_velocity(Builder& builder, const Block& block, const Options&) {
 // ---- *INITIAL_VELOCITY_GENERATION
 // ------------------------------------------------------------------------------------------
 
-std::vector<Index> generation_nodes(Builder& builder, const Row& row) {
-  if (row.integer("id") == 0) return all_nodes(builder.model);
-  if (row.integer("styp") == 3) {
-    const auto* set = builder.node_set(row, "id");
+std::vector<Index> generation_nodes(Builder& builder, const RowOf<GenerationCard>& row) {
+  if (row->id == 0) return all_nodes(builder.model);
+  if (row->styp == 3) {
+    const auto* set = builder.node_set(row[&GenerationCard::id]);
     return set ? set->members : std::vector<Index>{};
   }
   std::vector<Index> parts;
-  if (row.integer("styp") == 1) {
-    if (const auto* set = builder.part_set(row, "id")) parts = set->members;
-  } else if (const Index part = builder.part(row, "id"); part != none) {
+  if (row->styp == 1) {
+    if (const auto* set = builder.part_set(row[&GenerationCard::id])) parts = set->members;
+  } else if (const Index part = builder.part(row[&GenerationCard::id]); part != none) {
     parts = {part};
   }
   std::vector<Index> nodes = nodes_of_parts(builder.model, parts);
@@ -313,7 +342,7 @@ std::vector<Index> generation_nodes(Builder& builder, const Row& row) {
       nodes.insert(nodes.end(), carried.begin(), carried.end());
     }
   make_unique(nodes);
-  if (row.integer("ivatn") == 1) {
+  if (row->ivatn == 1) {
     std::vector<Index> bodies;
     for (const Index node : nodes) bodies.push_back(builder.body_of_node[static_cast<std::size_t>(node)]);
     make_unique(bodies);
@@ -328,30 +357,36 @@ std::vector<Index> generation_nodes(Builder& builder, const Row& row) {
 }
 
 /// Direction of the axis in global axes, not normalized; through two nodes where NX = -999.
-Vec3d generation_axis(Builder& builder, const Block& block, const Row& row1, const Row& row2) {
-  if (row2.real("nx") != -999.0)
-    return in_global(builder, row1, velocity_of(block, row2, row1.integer("icid") != 0, "nx", "ny", "nz"));
-  const Index from = builder.node(row2, "ny"), to = builder.node(row2, "nz");
+Vec3d generation_axis(Builder& builder, const Block& block, const RowOf<GenerationCard>& row1,
+                      const RowOf<AxisCard>& row2) {
+  if (row2->nx != -999.0)
+    return in_global(builder, row1[&GenerationCard::icid],
+                     velocity_of(block, row1->icid != 0, Vec3d{row2->nx, row2->y, row2->z}));
+  const Index from = builder.node(row2[&AxisCard::first_node]), to = builder.node(row2[&AxisCard::second_node]);
   if (from == none || to == none) return {};
   return builder.model.nodes.x[static_cast<std::size_t>(to)] - builder.model.nodes.x[static_cast<std::size_t>(from)];
 }
 
-void generate(Builder& builder, const Block& block, const Row& row1, const Row& row2) {
+void generate(Builder& builder, const Block& block, const RowOf<GenerationCard>& row1, const RowOf<AxisCard>& row2) {
   Motion motion;
-  motion.velocity = in_global(builder, row1, velocity_of(block, row1, row1.integer("icid") != 0, "vx", "vy", "vz"));
-  if (const double omega = row1.real("omega"); omega != 0.0) {
+  motion.velocity = in_global(builder, row1[&GenerationCard::icid],
+                              velocity_of(block, row1->icid != 0, Vec3d{row1->vx, row1->vy, row1->vz}));
+  if (const double omega = row1->omega; omega != 0.0) {
     const Vec3d axis = generation_axis(builder, block, row1, row2);
     if (norm(axis) == 0.0)
-      return refuse(builder, row2, "nx", "the axis of rotation has no length", "give its direction, or two nodes");
+      return refuse(builder, row2[&AxisCard::nx], "the axis of rotation has no length",
+                    "give its direction, or two nodes");
     motion.spin = omega * unit(axis);
     // The axis goes through the first of its two nodes; XC, YC, ZC are for the other form.
-    const Index first = row2.real("nx") == -999.0 ? builder.node(row2, "ny") : none;
-    motion.center = first == none ? position(block, row2, "xc", "yc", "zc")
+    const Index first = row2->nx == -999.0 ? builder.node(row2[&AxisCard::y]) : none;
+    motion.center = first == none ? position(block, {row2->xc, row2->yc, row2->zc})
                                   : builder.model.nodes.x[static_cast<std::size_t>(first)];
     motion.turns = true;
   }
-  const bool overwrites = row2.integer("irigid") == 1;
-  Starter(builder, row1, "id").start(generation_nodes(builder, row1), motion, [&](Index) { return overwrites; });
+  const bool overwrites = row2->irigid == 1;
+  Starter(builder, row1[&GenerationCard::id]).start(generation_nodes(builder, row1), motion, [&](Index) {
+    return overwrites;
+  });
 }
 
 void warn_of_mixture(Builder& builder, const Block& block) {
@@ -371,14 +406,15 @@ void read_generation(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   warn_of_mixture(builder, block);
   while (!at_end(cursor)) {
-    const Row row1 = cursor.read(cursor.peek_number(1) == 2.0 ? generation_of_part : generation_of_set);
-    const Row row2 = cursor.read(cursor.peek_number(3) == -999.0 ? generation_by_nodes : generation_card2);
+    const auto row1 = cursor.read(cursor.peek_number(1) == 2.0 ? generation_of_part : generation_of_set);
+    const auto row2 = cursor.read(cursor.peek_number(3) == -999.0 ? generation_by_nodes : generation_card2);
     builder.defer(Phase::conditions, [&block, row1, row2](Builder& b) { generate(b, block, row1, row2); });
-    if (row2.integer("phase") == 0)
+    if (row2->phase == 0)
       builder.defer(Phase::checks, [row2](Builder& b) {
         if (b.model.control.relaxation.on())
-          row2.report(b.findings, Severity::note, "phase",
-                      "the velocity begins after dynamic relaxation, as with 1; LS-DYNA has it in the relaxation too");
+          row2[&AxisCard::phase].report(
+              b.findings, Severity::note,
+              "the velocity begins after dynamic relaxation, as with 1; LS-DYNA has it in the relaxation too");
       });
   }
 }

@@ -16,39 +16,47 @@ namespace {
 using deck::Block;
 using deck::Cursor;
 using deck::Row;
+using deck::RowOf;
 
 // ---- stresses of an earlier run ------------------------------------------------------------------------------------
 
-const Card shell_card{{
-    id("eid", IdSpace::element, required, "shell"),
-    integer("nplane", 1, at_least(1), "number of in-plane points; the mean of those at one height is taken"),
-    integer("nthick", 1, at_least(1), "number of points through the thickness"),
-    integer("nhisv", 0, at_least(0), "number of history variables of a point; they are read past"),
+struct PointsCard {
+  int eid = 0, nplane = 0, nthick = 0, nhisv = 0, large = 0, nint = 0;
+};
+const CardOf<PointsCard> shell_card{
+    {&PointsCard::eid, id("eid", IdSpace::element, required, "shell")},
+    {&PointsCard::nplane,
+     integer("nplane", 1, at_least(1), "number of in-plane points; the mean of those at one height is taken")},
+    {&PointsCard::nthick, integer("nthick", 1, at_least(1), "number of points through the thickness")},
+    {&PointsCard::nhisv,
+     integer("nhisv", 0, at_least(0), "number of history variables of a point; they are read past")},
     integer("ntensr", 0, only(0), "number of tensors of a point"),
-    integer("large", 0, between(0, 1), "1: fields of 16 columns, five a line"),
+    {&PointsCard::large, integer("large", 0, between(0, 1), "1: fields of 16 columns, five a line")},
     integer("nthint", 0, only(0), "thermal points"),
     integer("nthhsv", 0, only(0), "thermal history variables"),
-}};
-const Card solid_card{{
-    id("eid", IdSpace::element, required, "brick"),
-    integer("nint", 1, at_least(1), "number of points; their mean is taken"),
-    integer("nhisv", 0, at_least(0), "number of history variables of a point; they are read past"),
-    integer("large", 0, between(0, 1), "1: fields of 16 columns, five a line"),
+};
+const CardOf<PointsCard> solid_card{
+    {&PointsCard::eid, id("eid", IdSpace::element, required, "brick")},
+    {&PointsCard::nint, integer("nint", 1, at_least(1), "number of points; their mean is taken")},
+    {&PointsCard::nhisv,
+     integer("nhisv", 0, at_least(0), "number of history variables of a point; they are read past")},
+    {&PointsCard::large, integer("large", 0, between(0, 1), "1: fields of 16 columns, five a line")},
     integer("iveflg", 0, only(0), "initial volume or energy"),
     integer("ialegp", 0, any_value, "ALE group"),
     integer("nthint", 0, only(0), "thermal points"),
     integer("nthhsv", 0, only(0), "thermal history variables"),
-}};
-const Card strain_card{{
-    id("eid", IdSpace::element, required, "shell"),
-    integer("nplane", 1, at_least(1), "number of in-plane points"),
-    integer("nthick", 2, at_least(1), "number of points through the thickness; blank: the lower and the upper"),
-    integer("large", 0, between(0, 1), "1: fields of 16 columns, five a line"),
+};
+const CardOf<PointsCard> strain_card{
+    {&PointsCard::eid, id("eid", IdSpace::element, required, "shell")},
+    {&PointsCard::nplane, integer("nplane", 1, at_least(1), "number of in-plane points")},
+    {&PointsCard::nthick,
+     integer("nthick", 2, at_least(1), "number of points through the thickness; blank: the lower and the upper")},
+    {&PointsCard::large, integer("large", 0, between(0, 1), "1: fields of 16 columns, five a line")},
     unused(),
     unused(),
     unused(),
     integer("ilocal", 0, only(0), "strains in the axes of the element"),
-}};
+};
 
 const Field place_field = real("t", dimension::number, 0, between(-1, 1), "place through the thickness");
 std::vector<Field> tensor_fields(std::string_view meaning, Dimension d) {
@@ -123,35 +131,35 @@ bool turned(Builder& builder, const Block& block) {
 
 /// Points that the row announces. Nothing and a finding where they are more than the lines of the block, of which a
 /// point takes one or more.
-std::optional<int> points_of(Builder& builder, const Cursor& cursor, const Row& row, bool in_layers) {
-  const std::int64_t announced =
-      in_layers ? std::int64_t{row.integer("nplane")} * row.integer("nthick") : std::int64_t{row.integer("nint")};
+std::optional<int> points_of(Builder& builder, const Cursor& cursor, const RowOf<PointsCard>& row, bool in_layers) {
+  const std::int64_t announced = in_layers ? std::int64_t{row->nplane} * row->nthick : std::int64_t{row->nint};
   const std::size_t lines = cursor.block().lines.size();
   if (announced <= static_cast<std::int64_t>(lines)) return static_cast<int>(announced);
-  refuse(builder, row, in_layers ? "nthick" : "nint",
+  refuse(builder, row[in_layers ? &PointsCard::nthick : &PointsCard::nint],
          fmt::format("{} points are announced, but the keyword has only {} lines", announced, lines),
          "see the number of points, or whether lines are missing");
   return std::nullopt;
 }
 
-void refuse_short(Builder& builder, const Row& row, bool in_layers, int announced, int found) {
-  refuse(builder, row, in_layers ? "nthick" : "nint",
+void refuse_short(Builder& builder, const RowOf<PointsCard>& row, bool in_layers, int announced, int found) {
+  refuse(builder, row[in_layers ? &PointsCard::nthick : &PointsCard::nint],
          fmt::format("{} points are announced, but the keyword ends after {}", announced, found),
          "see the number of points, or whether lines are missing");
 }
 
 /// Points of one place are averaged: where places are missing, the bending is lost.
-void expect_places(Builder& builder, const Row& row, const std::vector<InitialPoint>& points) {
+void expect_places(Builder& builder, const RowOf<PointsCard>& row, const std::vector<InitialPoint>& points) {
   std::vector<double> places;
   for (const InitialPoint& p : points) places.push_back(p.zeta);
   std::sort(places.begin(), places.end());
   const auto different = std::unique(places.begin(), places.end()) - places.begin();
-  if (different != row.integer("nthick"))
-    row.report(builder.findings, Severity::warning, "nthick",
-               fmt::format("the points are at {} different place{} T through the thickness, and those of one place "
-                           "are averaged",
-                           different, different == 1 ? "" : "s"),
-               "give each of the NTHICK places its T, from -1 at the bottom to 1");
+  if (different != row->nthick)
+    row[&PointsCard::nthick].report(
+        builder.findings, Severity::warning,
+        fmt::format("the points are at {} different place{} T through the thickness, and those of one place "
+                    "are averaged",
+                    different, different == 1 ? "" : "s"),
+        "give each of the NTHICK places its T, from -1 at the bottom to 1");
 }
 
 template <bool shell>
@@ -160,12 +168,12 @@ void read_stress(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   bool reported = false;
   while (!at_end(cursor)) {
-    const Row row = cursor.read(shell ? shell_card : solid_card);
-    const bool large = row.integer("large") == 1;
+    const auto row = cursor.read(shell ? shell_card : solid_card);
+    const bool large = row->large == 1;
     const std::optional<int> points = points_of(builder, cursor, row, shell);
     if (!points) return;
     // With LARGE the history of bricks begins on the line on which their tensor ends, in its last three fields.
-    const int per_line = large ? 5 : 8, history = std::max(0, row.integer("nhisv") - (!shell && large ? 3 : 0));
+    const int per_line = large ? 5 : 8, history = std::max(0, row->nhisv - (!shell && large ? 3 : 0));
     const int history_lines = history / per_line + (history % per_line > 0 ? 1 : 0);
     InitialStress stress;
     stress.place = row.place();
@@ -176,13 +184,14 @@ void read_stress(Builder& builder, const Block& block, const Options&) {
       stress.points.push_back({point["t"], point.tensor(), point["eps"]});
     }
     if (shell) expect_places(builder, row, stress.points);
-    if (row.integer("nhisv") > 0 && !reported) {
+    if (row->nhisv > 0 && !reported) {
       reported = true;
-      row.report(builder.findings, Severity::warning, "nhisv",
-                 "history variables of another program's laws are not taken over; stress and plastic strain are");
+      row[&PointsCard::nhisv].report(
+          builder.findings, Severity::warning,
+          "history variables of another program's laws are not taken over; stress and plastic strain are");
     }
     builder.defer(Phase::conditions, [row, stress](Builder& b) mutable {
-      stress.element = shell ? b.shell(row, "eid") : b.solid(row, "eid");
+      stress.element = shell ? b.shell(row[&PointsCard::eid]) : b.solid(row[&PointsCard::eid]);
       if (stress.element == none) return;
       InitialState& state = b.model.initial_state;
       (shell ? state.shells : state.solids).push_back(std::move(stress));
@@ -194,21 +203,21 @@ void read_strain(Builder& builder, const Block& block, const Options&) {
   if (turned(builder, block)) return;
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const Row row = cursor.read(strain_card);
+    const auto row = cursor.read(strain_card);
     const std::optional<int> points = points_of(builder, cursor, row, true);
     if (!points) return;
     InitialStrain strain;
     double lowest = 2.0, highest = -2.0;
     for (int i = 0; i < *points; ++i) {
       if (!cursor.more()) return refuse_short(builder, row, true, *points, i);
-      const Point point(cursor, strain_point_cards.of(row.integer("large") == 1));
+      const Point point(cursor, strain_point_cards.of(row->large == 1));
       if (point["t"] < lowest) lowest = point["t"], strain.lower = point.tensor();
       if (point["t"] > highest) highest = point["t"], strain.upper = point.tensor();
       // Without places the last point is the upper one.
       if (i + 1 == *points && lowest == highest) strain.upper = point.tensor();
     }
     builder.defer(Phase::conditions, [row, strain](Builder& b) mutable {
-      strain.shell = b.shell(row, "eid");
+      strain.shell = b.shell(row[&PointsCard::eid]);
       if (strain.shell != none) b.model.initial_state.shell_strains.push_back(strain);
     });
   }
@@ -216,20 +225,27 @@ void read_strain(Builder& builder, const Block& block, const Options&) {
 
 // ---- preloads ------------------------------------------------------------------------------------------------------
 
-const Card axial_card{{
-    id("bsid", IdSpace::set, required, "beam set"),
-    id("lcid", IdSpace::function, required, "curve of the force over time; the preload ends with the curve"),
-    real("scale", dimension::number, 1, any_value, "scale of the curve"),
-    integer("kbend", 0, between(0, 1), "0: all points of a section get the same axial stress; 1: the same mean"),
-}};
+struct AxialCard {
+  int bsid = 0, lcid = 0;
+  double scale = 0;
+  int kbend = 0;
+};
+const CardOf<AxialCard> axial_card{
+    {&AxialCard::bsid, id("bsid", IdSpace::set, required, "beam set")},
+    {&AxialCard::lcid,
+     id("lcid", IdSpace::function, required, "curve of the force over time; the preload ends with the curve")},
+    {&AxialCard::scale, real("scale", dimension::number, 1, any_value, "scale of the curve")},
+    {&AxialCard::kbend,
+     integer("kbend", 0, between(0, 1), "0: all points of a section get the same axial stress; 1: the same mean")},
+};
 
 void read_axial(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const Row row = cursor.read(axial_card);
+    const auto row = cursor.read(axial_card);
     builder.defer(Phase::conditions, [row](Builder& b) {
-      const auto* beams = b.beam_set(row, "bsid");
-      AxialForce force{{}, b.curve(row, "lcid"), row.real("scale"), row.integer("kbend") == 1, row.place()};
+      const auto* beams = b.beam_set(row[&AxialCard::bsid]);
+      AxialForce force{{}, b.curve(row[&AxialCard::lcid]), row->scale, row->kbend == 1, row.place()};
       if (!beams || force.curve == none) return;
       force.beams = beams->members;
       b.model.initial_state.axial_forces.push_back(std::move(force));
@@ -237,33 +253,38 @@ void read_axial(Builder& builder, const Block& block, const Options&) {
   }
 }
 
-const Card section_card{{
+struct SectionCard {
+  int csid = 0, lcid = 0, psid = 0, vid = 0, izshear = 0;
+};
+const CardOf<SectionCard> section_card{
     id("issid", IdSpace::other, 0, "number of this preload"),
-    id("csid", IdSpace::other, required, "cross section (*DATABASE_CROSS_SECTION_..._ID)"),
-    id("lcid", IdSpace::function, required, "curve of the normal stress over time; the preload ends with the curve"),
-    id("psid", IdSpace::set, 0, "part set; 0: all parts of the section"),
-    id("vid", IdSpace::define, 0, "vector of the normal; 0: that of the plane"),
-    integer("izshear", 0, between(0, 2),
-            "0: the other stresses are 0; 1: they grow as the material says; 2: so does bending within a brick"),
+    {&SectionCard::csid, id("csid", IdSpace::other, required, "cross section (*DATABASE_CROSS_SECTION_..._ID)")},
+    {&SectionCard::lcid,
+     id("lcid", IdSpace::function, required, "curve of the normal stress over time; the preload ends with the curve")},
+    {&SectionCard::psid, id("psid", IdSpace::set, 0, "part set; 0: all parts of the section")},
+    {&SectionCard::vid, id("vid", IdSpace::define, 0, "vector of the normal; 0: that of the plane")},
+    {&SectionCard::izshear,
+     integer("izshear", 0, between(0, 2),
+             "0: the other stresses are 0; 1: they grow as the material says; 2: so does bending within a brick")},
     integer("istiff", 0, only(0), "artificial stiffness during the preload"),
-}};
+};
 
 /// The bricks of a section and, where it is a plane, its normal.
-void resolve_section_stress(Builder& builder, const Row& row) {
+void resolve_section_stress(Builder& builder, const RowOf<SectionCard>& row) {
   const auto& sections = builder.model.requests.cross_sections;
-  const int id = row.integer("csid");
+  const int id = row->csid;
   const auto found =
       std::find_if(sections.begin(), sections.end(), [id](const CrossSection& section) { return section.id == id; });
   if (found == sections.end())
-    return refuse(builder, row, "csid", fmt::format("cross section {} is not defined", id),
+    return refuse(builder, row[&SectionCard::csid], fmt::format("cross section {} is not defined", id),
                   "define it by *DATABASE_CROSS_SECTION_PLANE_ID or _SET_ID");
   SectionStress stress{
-      {},         found->normal, builder.curve(row, "lcid"), row.integer("izshear") > 0, row.integer("izshear") == 2,
-      row.place()};
-  if (const Vec3d* vector = builder.vector(row, "vid")) stress.normal = unit(*vector);
+      {}, found->normal, builder.curve(row[&SectionCard::lcid]), row->izshear > 0, row->izshear == 2, row.place()};
+  if (const Vec3d* vector = builder.vector(row[&SectionCard::vid])) stress.normal = unit(*vector);
   if (norm(stress.normal) == 0.0)
-    return refuse(builder, row, "vid", "a cross section by sets has no normal of its own", "name a *DEFINE_VECTOR");
-  const auto* parts = builder.part_set(row, "psid");
+    return refuse(builder, row[&SectionCard::vid], "a cross section by sets has no normal of its own",
+                  "name a *DEFINE_VECTOR");
+  const auto* parts = builder.part_set(row[&SectionCard::psid]);
   for (const CrossSection::Facet& facet : found->facets) {
     if (facet.kind != ElementKind::solid) continue;
     const Index part = builder.model.solids.part[at(facet.element)];
@@ -276,7 +297,7 @@ void resolve_section_stress(Builder& builder, const Row& row) {
 void read_section_stress(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const Row row = cursor.read(section_card);
+    const auto row = cursor.read(section_card);
     // In the phase of the checks, when all cross sections are there.
     builder.defer(Phase::checks, [row](Builder& b) { resolve_section_stress(b, row); });
   }

@@ -18,36 +18,40 @@ namespace {
 using deck::Block;
 using deck::Cursor;
 using deck::Row;
+using deck::RowOf;
 
 // ---- forces and moments
 // ------------------------------------------------------------------------------------------------
 
-Card force_card(Field target) {
-  return {{
+struct ForceCard {
+  int target = 0, dof = 0, lcid = 0;
+  double sf = 0;
+  int cid = 0, m1 = 0;
+};
+CardOf<ForceCard> force_card(const FieldOf<ForceCard>& target) {
+  return {
       target,
-      integer("dof", required, between(1, 8),
-              "1, 2, 3 force along x, y, z; 4 along the normal of m1, m2, m3; 5, 6, 7 moment about x, y, z; 8 about "
-              "that normal"),
-      {"lcid",
-       Kind::integer,
-       {},
-       required,
-       at_least(1),
-       "curve of the load over time; below 0, over the displacement: not built",
-       IdSpace::function},
-      real("sf", dimension::number, 1, any_value, "scale of the curve"),
-      id("cid", IdSpace::define, 0, "coordinate system of the direction; 0: global axes"),
-      id("m1", IdSpace::node, 0, "first of the nodes whose normal the load follows"),
+      {&ForceCard::dof,
+       integer("dof", required, between(1, 8),
+               "1, 2, 3 force along x, y, z; 4 along the normal of m1, m2, m3; 5, 6, 7 moment about x, y, z; 8 about "
+               "that normal")},
+      {&ForceCard::lcid, within_range(id("lcid", IdSpace::function, required,
+                                         "curve of the load over time; below 0, over the displacement: not built"),
+                                      at_least(1))},
+      {&ForceCard::sf, real("sf", dimension::number, 1, any_value, "scale of the curve")},
+      {&ForceCard::cid, id("cid", IdSpace::define, 0, "coordinate system of the direction; 0: global axes")},
+      {&ForceCard::m1, id("m1", IdSpace::node, 0, "first of the nodes whose normal the load follows")},
       id("m2", IdSpace::node, 0, "second"),
       id("m3", IdSpace::node, 0, "third"),
-  }};
+  };
 }
-const Card force_node_card = force_card(id("nid", IdSpace::node, required, "node"));
-const Card force_set_card =
-    force_card(id("nsid", IdSpace::set, required, "node set; the load acts on each of its nodes"));
-const Card force_body_card = force_card(id("pid", IdSpace::part, required, "part of *MAT_RIGID, or nodal rigid body"));
+const CardOf<ForceCard> force_node_card = force_card({&ForceCard::target, id("nid", IdSpace::node, required, "node")});
+const CardOf<ForceCard> force_set_card = force_card(
+    {&ForceCard::target, id("nsid", IdSpace::set, required, "node set; the load acts on each of its nodes")});
+const CardOf<ForceCard> force_body_card =
+    force_card({&ForceCard::target, id("pid", IdSpace::part, required, "part of *MAT_RIGID, or nodal rigid body")});
 
-void resolve_follower(Builder& builder, const Row& row, NodalLoad& load) {
+void resolve_follower(Builder& builder, const RowOf<ForceCard>& row, NodalLoad& load) {
   constexpr std::array<std::string_view, 3> fields{"m1", "m2", "m3"};
   for (std::size_t i = 0; i < 3; ++i) {
     if (row.integer(fields[i]) == 0)
@@ -60,7 +64,7 @@ void resolve_follower(Builder& builder, const Row& row, NodalLoad& load) {
   };
   const Vec3d first = place(1) - place(0), second = place(2) - place(0);
   if (norm(cross(first, second)) <= 1e-6 * norm(first) * norm(second))
-    refuse(builder, row, "m1", "the three nodes are on a line at the start: they have no normal",
+    refuse(builder, row[&ForceCard::m1], "the three nodes are on a line at the start: they have no normal",
            "name three nodes that span a plane");
 }
 
@@ -91,33 +95,35 @@ std::vector<char> nodes_that_turn(const Builder& b) {
 }
 
 /// A moment on a node of bricks alone finds no rotation to act on.
-void warn_of_lost_moments(Builder& b, const Row& row, const std::vector<Index>& nodes, const std::vector<char>& turns) {
+void warn_of_lost_moments(Builder& b, const RowOf<ForceCard>& row, const std::vector<Index>& nodes,
+                          const std::vector<char>& turns) {
   const auto stands = [&](Index n) { return turns[static_cast<std::size_t>(n)] == 0; };
   const auto count = std::count_if(nodes.begin(), nodes.end(), stands);
   if (count == 0) return;
   const int first = b.model.nodes.id[static_cast<std::size_t>(*std::find_if(nodes.begin(), nodes.end(), stands))];
-  row.report(b.findings, Severity::warning, "dof",
-             fmt::format("{} of {} nodes (the first is {}) have no rotation: the moment has no effect there", count,
-                         nodes.size(), first),
-             "give the moment as forces, or put it on a *CONSTRAINED_NODAL_RIGID_BODY of nodes around");
+  row[&ForceCard::dof].report(
+      b.findings, Severity::warning,
+      fmt::format("{} of {} nodes (the first is {}) have no rotation: the moment has no effect there", count,
+                  nodes.size(), first),
+      "give the moment as forces, or put it on a *CONSTRAINED_NODAL_RIGID_BODY of nodes around");
 }
 
-void resolve_fixed_direction(Builder& builder, const Row& row, NodalLoad& load) {
-  const int axis = (row.integer("dof") - 1) % 4;
+void resolve_fixed_direction(Builder& builder, const RowOf<ForceCard>& row, NodalLoad& load) {
+  const int axis = (row->dof - 1) % 4;
   load.direction = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
-  if (const Index system = builder.system_of_directions(row, "cid"); system != none)
+  if (const Index system = builder.system_of_directions(row[&ForceCard::cid]); system != none)
     load.direction = builder.model.systems[static_cast<std::size_t>(system)].axes.global(load.direction);
 }
 
 enum class On { node, set, body };
 
 template <On on>
-void resolve_target(Builder& builder, const Row& row, NodalLoad& load) {
+void resolve_target(Builder& builder, const RowOf<ForceCard>& row, NodalLoad& load) {
   if constexpr (on == On::body) {
-    load.rigid_body = find_body(builder, row, "pid");
+    load.rigid_body = find_body(builder, row[&ForceCard::target]);
   } else if constexpr (on == On::set) {
-    if (const auto* nodes = builder.node_set(row, "nsid")) load.nodes = nodes->members;
-  } else if (const Index node = builder.node(row, "nid"); node != none) {
+    if (const auto* nodes = builder.node_set(row[&ForceCard::target])) load.nodes = nodes->members;
+  } else if (const Index node = builder.node(row[&ForceCard::target]); node != none) {
     load.nodes = {node};
   }
 }
@@ -127,14 +133,14 @@ void read_force(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   const auto turns = std::make_shared<std::vector<char>>();  // found for the first moment of the block
   while (!at_end(cursor)) {
-    const Row row = cursor.read(on == On::node ? force_node_card : on == On::set ? force_set_card : force_body_card);
-    if (row.integer("dof") % 4 != 0 && row.integer("cid") == 0) warn_of_global_axis(builder, block, row, "dof");
+    const auto row = cursor.read(on == On::node ? force_node_card : on == On::set ? force_set_card : force_body_card);
+    if (row->dof % 4 != 0 && row->cid == 0) warn_of_global_axis(builder, block, row[&ForceCard::dof]);
     builder.defer(Phase::conditions, [row, turns](Builder& b) {
       NodalLoad load;
-      const int dof = row.integer("dof");
+      const int dof = row->dof;
       load.moment = dof >= 5;
-      load.scale = row.real("sf");
-      load.curve = b.curve(row, "lcid");
+      load.scale = row->sf;
+      load.curve = b.curve(row[&ForceCard::lcid]);
       if (dof == 4 || dof == 8)
         resolve_follower(b, row, load);
       else
@@ -153,45 +159,58 @@ void read_force(Builder& builder, const Block& block, const Options&) {
 // ---- base acceleration
 // -------------------------------------------------------------------------------------------------
 
-const Card body_load_card{{
-    {"lcid",
-     Kind::integer,
-     {},
-     required,
-     at_least(1),
-     "curve over time of the base acceleration (positive in z pulls down), or of the angular velocity (RX, RY, RZ)",
-     IdSpace::function},
-    real("sf", dimension::number, 1, any_value, "scale of the curve"),
-    id("lciddr", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2"),
-    real("xc", dimension::length, 0, any_value, "centre of rotation, for the rotational forms"),
-    real("yc", dimension::length, 0, any_value, "the same"),
-    real("zc", dimension::length, 0, any_value, "the same"),
-    id("cid", IdSpace::define, 0, "coordinate system of the direction; 0: global axes"),
-}};
-const Card body_vector_card{{
-    real("v1", dimension::number, 0, any_value, "direction of the acceleration, x component"),
-    real("v2", dimension::number, 0, any_value, "y component"),
-    real("v3", dimension::number, 0, any_value, "z component"),
-}};
-const Card body_parts_card{{id("psid", IdSpace::set, required, "part set that all *LOAD_BODY_... are restricted to")}};
+struct BodyLoadCard {
+  int lcid = 0;
+  double sf = 0;
+  int lciddr = 0;
+  double xc = 0, yc = 0, zc = 0;
+  int cid = 0;
+};
+const CardOf<BodyLoadCard> body_load_card{
+    {&BodyLoadCard::lcid, within_range(id("lcid", IdSpace::function, required,
+                                          "curve over time of the base acceleration (positive in z pulls down), or of "
+                                          "the angular velocity (RX, RY, RZ)"),
+                                       at_least(1))},
+    {&BodyLoadCard::sf, real("sf", dimension::number, 1, any_value, "scale of the curve")},
+    {&BodyLoadCard::lciddr,
+     id("lciddr", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2")},
+    {&BodyLoadCard::xc, real("xc", dimension::length, 0, any_value, "centre of rotation, for the rotational forms")},
+    {&BodyLoadCard::yc, real("yc", dimension::length, 0, any_value, "the same")},
+    {&BodyLoadCard::zc, real("zc", dimension::length, 0, any_value, "the same")},
+    {&BodyLoadCard::cid, id("cid", IdSpace::define, 0, "coordinate system of the direction; 0: global axes")},
+};
+struct BodyVectorCard {
+  double v1 = 0, v2 = 0, v3 = 0;
+};
+const CardOf<BodyVectorCard> body_vector_card{
+    {&BodyVectorCard::v1, real("v1", dimension::number, 0, any_value, "direction of the acceleration, x component")},
+    {&BodyVectorCard::v2, real("v2", dimension::number, 0, any_value, "y component")},
+    {&BodyVectorCard::v3, real("v3", dimension::number, 0, any_value, "z component")},
+};
+struct BodyPartsCard {
+  int psid = 0;
+};
+const CardOf<BodyPartsCard> body_parts_card{
+    {&BodyPartsCard::psid, id("psid", IdSpace::set, required, "part set that all *LOAD_BODY_... are restricted to")},
+};
 
 // ---- centrifugal force ---------------------------------------------------------------------------------------------
 
 template <int axis>
 void read_body_rotation(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
-  const Row row = cursor.read(body_load_card);
+  const auto row = cursor.read(body_load_card);
   expect_end(builder, cursor);
-  const Vec3d center = position(block, row, "xc", "yc", "zc");
+  const Vec3d center = position(block, {row->xc, row->yc, row->zc});
   builder.defer(Phase::conditions, [row, center](Builder& b) {
     BodyLoad load;
     load.direction = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
-    load.scale = row.real("sf");
-    load.curve = b.curve(row, "lcid");
-    load.relaxation_curve = b.curve(row, "lciddr");
+    load.scale = row->sf;
+    load.curve = b.curve(row[&BodyLoadCard::lcid]);
+    load.relaxation_curve = b.curve(row[&BodyLoadCard::lciddr]);
     load.centrifugal = true;
     load.center = center;
-    if (const Index system = b.system(row, "cid"); system != none)
+    if (const Index system = b.system(row[&BodyLoadCard::cid]); system != none)
       load.direction = b.model.systems[static_cast<std::size_t>(system)].axes.global(load.direction);
     b.model.body_loads.push_back(std::move(load));
   });
@@ -200,52 +219,62 @@ void read_body_rotation(Builder& builder, const Block& block, const Options&) {
 // ---- gravity of parts
 // -----------------------------------------------------------------------------------------
 
-Card gravity_card(Field target) {
-  return {{
+struct GravityCard {
+  int target = 0, dof = 0, lc = 0;
+  double accel = 0;
+  int lcdr = 0;
+};
+CardOf<GravityCard> gravity_card(const FieldOf<GravityCard>& target) {
+  return {
       target,
-      integer("dof", required, between(1, 3), "1, 2, 3: along x, y, z"),
-      {"lc", Kind::integer, {}, 0, at_least(0), "curve of a factor over time; 0: 1", IdSpace::function},
-      real("accel", dimension::acceleration, 0, any_value, "base acceleration; positive in z pulls down"),
-      id("lcdr", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2"),
+      {&GravityCard::dof, integer("dof", required, between(1, 3), "1, 2, 3: along x, y, z")},
+      {&GravityCard::lc,
+       within_range(id("lc", IdSpace::function, 0, "curve of a factor over time; 0: 1"), at_least(0))},
+      {&GravityCard::accel,
+       real("accel", dimension::acceleration, 0, any_value, "base acceleration; positive in z pulls down")},
+      {&GravityCard::lcdr,
+       id("lcdr", IdSpace::function, 0, "curve in dynamic relaxation; 0: lcid, if its SIDR is 1 or 2")},
       integer("stga", 0, only(0), "construction stage at which the part is added"),
       integer("stgr", 0, only(0), "construction stage at which it is removed"),
-  }};
+  };
 }
-const Card gravity_part_card = gravity_card(id("pid", IdSpace::part, required, "part"));
-const Card gravity_part_set_card = gravity_card(id("psid", IdSpace::set, required, "part set"));
+const CardOf<GravityCard> gravity_part_card =
+    gravity_card({&GravityCard::target, id("pid", IdSpace::part, required, "part")});
+const CardOf<GravityCard> gravity_part_set_card =
+    gravity_card({&GravityCard::target, id("psid", IdSpace::set, required, "part set")});
 
 template <bool set>
 void read_gravity(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const Row row = cursor.read(set ? gravity_part_set_card : gravity_part_card);
+    const auto row = cursor.read(set ? gravity_part_set_card : gravity_part_card);
     builder.defer(Phase::conditions, [row](Builder& b) {
       BodyLoad load;
       if constexpr (set) {
-        if (const auto* parts = b.part_set(row, "psid")) load.parts = parts->members;
-      } else if (const Index part = b.part(row, "pid"); part != none) {
+        if (const auto* parts = b.part_set(row[&GravityCard::target])) load.parts = parts->members;
+      } else if (const Index part = b.part(row[&GravityCard::target]); part != none) {
         load.parts = {part};
       }
       if (load.parts.empty()) return;
-      const int axis = row.integer("dof");
+      const int axis = row->dof;
       load.direction = {axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0, axis == 3 ? 1.0 : 0.0};
-      load.scale = row.real("accel");
-      load.curve = b.curve(row, "lc");
-      load.relaxation_curve = b.curve(row, "lcdr");
+      load.scale = row->accel;
+      load.curve = b.curve(row[&GravityCard::lc]);
+      load.relaxation_curve = b.curve(row[&GravityCard::lcdr]);
       load.own_parts = true;
       b.model.body_loads.push_back(std::move(load));
     });
   }
 }
 
-void leave_body_load(Builder& builder, const Row& row, const Vec3d& local) {
+void leave_body_load(Builder& builder, const RowOf<BodyLoadCard>& row, const Vec3d& local) {
   builder.defer(Phase::conditions, [row, local](Builder& b) {
     BodyLoad load;
     load.direction = local;
-    load.scale = row.real("sf");
-    load.curve = b.curve(row, "lcid");
-    load.relaxation_curve = b.curve(row, "lciddr");
-    if (const Index system = b.system(row, "cid"); system != none)
+    load.scale = row->sf;
+    load.curve = b.curve(row[&BodyLoadCard::lcid]);
+    load.relaxation_curve = b.curve(row[&BodyLoadCard::lciddr]);
+    if (const Index system = b.system(row[&BodyLoadCard::cid]); system != none)
       load.direction = b.model.systems[static_cast<std::size_t>(system)].axes.global(local);
     b.model.body_loads.push_back(load);
   });
@@ -261,24 +290,26 @@ void read_body_load(Builder& builder, const Block& block, const Options&) {
 
 void read_body_vector(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
-  const Row row = cursor.read(body_load_card);
-  const Row vector = cursor.read(body_vector_card);
+  const auto row = cursor.read(body_load_card);
+  const auto vector = cursor.read(body_vector_card);
   expect_end(builder, cursor);
-  const bool local = row.integer("cid") != 0;
-  const Vec3d v = local ? triple(vector, "v1", "v2", "v3") : direction(block, vector, "v1", "v2", "v3");
+  const bool local = row->cid != 0;
+  const Vec3d v =
+      local ? Vec3d{vector->v1, vector->v2, vector->v3} : direction(block, {vector->v1, vector->v2, vector->v3});
   if (norm(v) == 0.0)
-    refuse(builder, vector, "v1", "the direction has no length", "give the components of the acceleration's direction");
+    refuse(builder, vector[&BodyVectorCard::v1], "the direction has no length",
+           "give the components of the acceleration's direction");
   else
     leave_body_load(builder, row, unit(v));
 }
 
 void read_body_parts(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
-  const Row row = cursor.read(body_parts_card);
+  const auto row = cursor.read(body_parts_card);
   expect_end(builder, cursor);
   // In the phase of the checks, when every body load is there: the restriction holds for all of them.
   builder.defer(Phase::checks, [row](Builder& b) {
-    if (const auto* parts = b.part_set(row, "psid"))
+    if (const auto* parts = b.part_set(row[&BodyPartsCard::psid]))
       for (BodyLoad& load : b.model.body_loads)
         if (!load.own_parts) load.parts = parts->members;
   });
@@ -287,32 +318,43 @@ void read_body_parts(Builder& builder, const Block& block, const Options&) {
 // ---- pressure
 // ----------------------------------------------------------------------------------------------------------
 
-const Card segment_card{{
-    or_negative(id("lcid", IdSpace::function, required, "curve of the pressure over time"), IdSpace::function),
-    real("sf", dimension::number, 1, any_value, "scale of the curve"),
-    real("at", dimension::time, 0, at_least(0), "arrival time: the curve starts then"),
-    id("n1", IdSpace::node, required, "corner of the segment; positive pressure pushes against the right-hand normal"),
-    id("n2", IdSpace::node, required, "second corner"),
-    id("n3", IdSpace::node, required, "third corner"),
-    id("n4", IdSpace::node, 0, "fourth corner; 0 or n3: a triangle"),
-    id("n5", IdSpace::node, 0, "mid-side node"),
-}};
-Card pressure_card(Field target) {
-  return {{
+struct PressureCard {
+  int lcid = 0;
+  double sf = 0, at = 0;
+  int n1 = 0, n2 = 0, n3 = 0, n4 = 0, n5 = 0, target = 0;
+};
+const CardOf<PressureCard> segment_card{
+    {&PressureCard::lcid,
+     or_negative(id("lcid", IdSpace::function, required, "curve of the pressure over time"), IdSpace::function)},
+    {&PressureCard::sf, real("sf", dimension::number, 1, any_value, "scale of the curve")},
+    {&PressureCard::at, real("at", dimension::time, 0, at_least(0), "arrival time: the curve starts then")},
+    {&PressureCard::n1, id("n1", IdSpace::node, required,
+                           "corner of the segment; positive pressure pushes against the right-hand normal")},
+    {&PressureCard::n2, id("n2", IdSpace::node, required, "second corner")},
+    {&PressureCard::n3, id("n3", IdSpace::node, required, "third corner")},
+    {&PressureCard::n4, id("n4", IdSpace::node, 0, "fourth corner; 0 or n3: a triangle")},
+    {&PressureCard::n5, id("n5", IdSpace::node, 0, "mid-side node")},
+};
+CardOf<PressureCard> pressure_card(const FieldOf<PressureCard>& target) {
+  return {
       target,
-      or_negative(id("lcid", IdSpace::function, required, "curve of the pressure over time"), IdSpace::function),
-      real("sf", dimension::number, 1, any_value, "scale of the curve"),
-      real("at", dimension::time, 0, at_least(0), "arrival time: the curve starts then"),
-  }};
+      {&PressureCard::lcid,
+       or_negative(id("lcid", IdSpace::function, required, "curve of the pressure over time"), IdSpace::function)},
+      {&PressureCard::sf, real("sf", dimension::number, 1, any_value, "scale of the curve")},
+      {&PressureCard::at, real("at", dimension::time, 0, at_least(0), "arrival time: the curve starts then")},
+  };
 }
-const Card segment_set_card = pressure_card(id("ssid", IdSpace::set, required, "segment set"));
-const Card shell_card =
-    pressure_card(id("eid", IdSpace::element, required, "shell; positive pressure pushes against its normal"));
-const Card shell_set_card =
-    pressure_card(id("esid", IdSpace::set, required, "shell set; positive pressure pushes against the normals"));
+const CardOf<PressureCard> segment_set_card =
+    pressure_card({&PressureCard::target, id("ssid", IdSpace::set, required, "segment set")});
+const CardOf<PressureCard> shell_card =
+    pressure_card({&PressureCard::target,
+                   id("eid", IdSpace::element, required, "shell; positive pressure pushes against its normal")});
+const CardOf<PressureCard> shell_set_card =
+    pressure_card({&PressureCard::target,
+                   id("esid", IdSpace::set, required, "shell set; positive pressure pushes against the normals")});
 
 /// Nodes in the wrong order, around a segment that crosses itself, span no area.
-void warn_of_no_area(Builder& b, const Row& row, const std::vector<Segment>& segments) {
+void warn_of_no_area(Builder& b, const RowOf<PressureCard>& row, const std::vector<Segment>& segments) {
   const auto place = [&](Index n) { return b.model.nodes.x[static_cast<std::size_t>(n)]; };
   const auto is_none = [&](const Segment& s) {
     const Vec3d one = place(s[2]) - place(s[0]), other = place(s[3]) - place(s[1]);
@@ -321,23 +363,24 @@ void warn_of_no_area(Builder& b, const Row& row, const std::vector<Segment>& seg
   const auto count = std::count_if(segments.begin(), segments.end(), is_none);
   if (count == 0) return;
   const Segment& first = *std::find_if(segments.begin(), segments.end(), is_none);
-  row.report(b.findings, Severity::warning, "lcid",
-             fmt::format("{} of {} segments (the first begins with node {}) have no area: no pressure acts there",
-                         count, segments.size(), b.model.nodes.id[static_cast<std::size_t>(first[0])]),
-             "give the nodes in their order around the segment");
+  row[&PressureCard::lcid].report(
+      b.findings, Severity::warning,
+      fmt::format("{} of {} segments (the first begins with node {}) have no area: no pressure acts there", count,
+                  segments.size(), b.model.nodes.id[static_cast<std::size_t>(first[0])]),
+      "give the nodes in their order around the segment");
 }
 
 /// Makes a pressure load of what `segments` returns, in its phase.
 template <class Segments>
-void leave_pressure(Builder& builder, const Row& row, Segments segments) {
-  if (row.integer("lcid") < 0)
-    return refuse(builder, row, "lcid", "blast loads (Brode, ConWep) are not built",
+void leave_pressure(Builder& builder, const RowOf<PressureCard>& row, Segments segments) {
+  if (row->lcid < 0)
+    return refuse(builder, row[&PressureCard::lcid], "blast loads (Brode, ConWep) are not built",
                   "give a curve of pressure over time");
   builder.defer(Phase::conditions, [row, segments](Builder& b) {
     PressureLoad load;
-    load.curve = b.curve(row, "lcid");
-    load.scale = row.real("sf");
-    load.arrival = row.real("at");
+    load.curve = b.curve(row[&PressureCard::lcid]);
+    load.scale = row->sf;
+    load.arrival = row->at;
     load.segments = segments(b, row);
     warn_of_no_area(b, row, load.segments);
     load.share = share_pressure(b.model, load.segments);
@@ -345,9 +388,10 @@ void leave_pressure(Builder& builder, const Row& row, Segments segments) {
   });
 }
 
-std::vector<Segment> one_segment(Builder& builder, const Row& row) {
-  Segment segment{builder.node(row, "n1"), builder.node(row, "n2"), builder.node(row, "n3"), builder.node(row, "n4")};
-  if (row.integer("n4") == 0) segment[3] = segment[2];
+std::vector<Segment> one_segment(Builder& builder, const RowOf<PressureCard>& row) {
+  Segment segment{builder.node(row[&PressureCard::n1]), builder.node(row[&PressureCard::n2]),
+                  builder.node(row[&PressureCard::n3]), builder.node(row[&PressureCard::n4])};
+  if (row->n4 == 0) segment[3] = segment[2];
   for (const Index node : segment)
     if (node == none) return {};
   return {segment};
@@ -357,9 +401,10 @@ void read_segment(Builder& builder, const Block& block, const Options& options) 
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     read_heading(cursor, options.contains("ID"));
-    const Row row = cursor.read(segment_card);
-    if (row.integer("n5") != 0)
-      return refuse(builder, row, "n5", "segments of quadratic elements are not built", "give three or four corners");
+    const auto row = cursor.read(segment_card);
+    if (row->n5 != 0)
+      return refuse(builder, row[&PressureCard::n5], "segments of quadratic elements are not built",
+                    "give three or four corners");
     leave_pressure(builder, row, one_segment);
   }
 }
@@ -368,8 +413,8 @@ void read_segment_set(Builder& builder, const Block& block, const Options& optio
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     read_heading(cursor, options.contains("ID"));
-    leave_pressure(builder, cursor.read(segment_set_card), [](Builder& b, const Row& row) {
-      const auto* set = b.segment_set(row, "ssid");
+    leave_pressure(builder, cursor.read(segment_set_card), [](Builder& b, const RowOf<PressureCard>& row) {
+      const auto* set = b.segment_set(row[&PressureCard::target]);
       return set ? set->members : std::vector<Segment>{};
     });
   }
@@ -380,17 +425,20 @@ void read_shell_pressure(Builder& builder, const Block& block, const Options& op
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     read_heading(cursor, options.contains("ID"));
-    leave_pressure(builder, cursor.read(set ? shell_set_card : shell_card), [](Builder& b, const Row& row) {
-      std::vector<Segment> segments;
-      const auto add = [&](Index shell) { segments.push_back(b.model.shells.node[static_cast<std::size_t>(shell)]); };
-      if constexpr (set) {
-        if (const auto* shells = b.shell_set(row, "esid"))
-          for (const Index shell : shells->members) add(shell);
-      } else if (const Index shell = b.shell(row, "eid"); shell != none) {
-        add(shell);
-      }
-      return segments;
-    });
+    leave_pressure(builder, cursor.read(set ? shell_set_card : shell_card),
+                   [](Builder& b, const RowOf<PressureCard>& row) {
+                     std::vector<Segment> segments;
+                     const auto add = [&](Index shell) {
+                       segments.push_back(b.model.shells.node[static_cast<std::size_t>(shell)]);
+                     };
+                     if constexpr (set) {
+                       if (const auto* shells = b.shell_set(row[&PressureCard::target]))
+                         for (const Index shell : shells->members) add(shell);
+                     } else if (const Index shell = b.shell(row[&PressureCard::target]); shell != none) {
+                       add(shell);
+                     }
+                     return segments;
+                   });
   }
 }
 
