@@ -14,6 +14,7 @@ namespace nugget::reading {
 namespace {
 
 using deck::Row;
+using deck::RowOf;
 
 bool is_rigid(const Model& model, const Part& part) {
   return part.material != none &&
@@ -41,7 +42,7 @@ class Maker {
   void make() {
     add_parts();
     for (const auto& card : b_.body_cards.nodal) add_nodal(card);
-    for (const Row& row : b_.body_cards.merges) merge(row);
+    for (const auto& row : b_.body_cards.merges) merge(row);
     merge_neighbours();
     emit();
     add_element_nodes();
@@ -80,12 +81,11 @@ class Maker {
 
   /// A rigid part without elements is a body only where a card gives it nodes.
   bool is_named(int id) const {
-    const auto names = [id](const Row& row, std::string_view field) { return row.integer(field) == id; };
     const auto& cards = b_.body_cards;
     return std::any_of(cards.extra_nodes.begin(), cards.extra_nodes.end(),
-                       [&](const auto& card) { return names(card.row, "pid"); }) ||
+                       [&](const auto& card) { return card.row->pid == id; }) ||
            std::any_of(cards.merges.begin(), cards.merges.end(),
-                       [&](const Row& row) { return names(row, "pidl") || names(row, "pidc"); });
+                       [&](const auto& row) { return row->pidl == id || row->pidc == id; });
   }
 
   void constrain(RigidBody& body, const RigidCard& card) {
@@ -113,14 +113,15 @@ class Maker {
   void add_nodal(const BodyCards::Nodal& card) {
     RigidBody body;
     body.origin = RigidBody::Origin::nodal;
-    body.id = card.row.integer("pid");
+    body.id = card.row->pid;
     body.title = card.title;
     body.place = card.row.place();
     body.fixed = card.fixed;
     if (card.spc) constrain_along_axes(body, *card.spc);
-    if (const Index system = b_.system(card.row, "cid"); system != none)
+    if (const Index system = b_.system(card.row[&NodalBodyCard::cid]); system != none)
       body.own_axes = model_.systems[static_cast<std::size_t>(system)].axes;
-    if (const Set<Index>* nodes = b_.node_set(card.row, card.row.integer("nsid") == 0 ? "pid" : "nsid"))
+    if (const Set<Index>* nodes =
+            b_.node_set(card.row[card.row->nsid == 0 ? &NodalBodyCard::pid : &NodalBodyCard::nsid]))
       body.nodes = nodes->members;
     if (card.given) {
       body.given = true;
@@ -131,10 +132,10 @@ class Maker {
 
   RigidBody::Inertia inertia_of(const BodyCards::Nodal& card) {
     RigidBody::Inertia inertia = card.inertia;
-    if (const Index node = b_.node(*card.inertia_row, "nodeid"); node != none)
+    if (const Index node = b_.node(card.center_node); node != none)
       inertia.center = model_.nodes.x[static_cast<std::size_t>(node)];
-    if (card.axes_row) {
-      const Index system = b_.system(*card.axes_row, "cid");
+    if (card.axes) {
+      const Index system = b_.system(*card.axes);
       if (system != none)
         inertia.inertia = to_global(inertia.inertia, model_.systems[static_cast<std::size_t>(system)].axes);
     }
@@ -155,21 +156,23 @@ class Maker {
     return seed;
   }
 
-  void merge(const Row& row) {
-    const Index l = b_.find(seed_ids_, "rigid body", row, "pidl"), c = b_.find(seed_ids_, "rigid body", row, "pidc");
+  void merge(const RowOf<MergeCard>& row) {
+    const Index l = b_.find(seed_ids_, "rigid body", row[&MergeCard::pidl]),
+                c = b_.find(seed_ids_, "rigid body", row[&MergeCard::pidc]);
     if (l == none || c == none) return;
     const Index to = lead(l), from = lead(c);
     if (to == from) {
-      row.report(b_.findings, Severity::warning, "pidc", "is merged into this body already");
+      row[&MergeCard::pidc].report(b_.findings, Severity::warning, "is merged into this body already");
       return;
     }
     RigidBody& into = seeds_[static_cast<std::size_t>(to)];
     RigidBody& merged = seeds_[static_cast<std::size_t>(from)];
-    if (into.given && row.integer("iflag") != 0)
-      refuse(b_, row, "iflag", "adding to a mass that *PART_INERTIA or _INERTIA gives is not built",
+    if (into.given && row->iflag != 0)
+      refuse(b_, row[&MergeCard::iflag], "adding to a mass that *PART_INERTIA or _INERTIA gives is not built",
              "use 0, with the mass of both given for the lead body");
     if (!into.given && merged.given)
-      refuse(b_, row, "pidc", "its given mass would have to be added to one that follows from elements: not built",
+      refuse(b_, row[&MergeCard::pidc],
+             "its given mass would have to be added to one that follows from elements: not built",
              "give the mass of both for the lead body");
     report_what_ends(row, into, merged);
     into.parts.insert(into.parts.end(), merged.parts.begin(), merged.parts.end());
@@ -178,20 +181,20 @@ class Maker {
   }
 
   /// The lead body's supports and motion are those of both.
-  void report_what_ends(const Row& row, const RigidBody& into, const RigidBody& merged) {
+  void report_what_ends(const RowOf<MergeCard>& row, const RigidBody& into, const RigidBody& merged) {
     if (merged.fixed != 0 && !constrained_alike(into, merged))
-      row.report(b_.findings, Severity::warning, "pidc",
-                 fmt::format("{} is held, which ends with the merger: both move as {} is held", name_of(merged),
-                             name_of(into)),
-                 "hold the lead body (CMO of its *MAT_RIGID, _SPC of a nodal rigid body)");
+      row[&MergeCard::pidc].report(b_.findings, Severity::warning,
+                                   fmt::format("{} is held, which ends with the merger: both move as {} is held",
+                                               name_of(merged), name_of(into)),
+                                   "hold the lead body (CMO of its *MAT_RIGID, _SPC of a nodal rigid body)");
     if (!merged.given) return;
     const auto &v = merged.inertia.velocity, &w = merged.inertia.spin;
     const bool same = into.given && norm(into.inertia.velocity - v) == 0.0 && norm(into.inertia.spin - w) == 0.0;
     if (norm(v) + norm(w) > 0.0 && !same)
-      row.report(b_.findings, Severity::warning, "pidc",
-                 fmt::format("the initial velocity of {} does not count: both have that of {}", name_of(merged),
-                             name_of(into)),
-                 "give the velocity with the lead body");
+      row[&MergeCard::pidc].report(b_.findings, Severity::warning,
+                                   fmt::format("the initial velocity of {} does not count: both have that of {}",
+                                               name_of(merged), name_of(into)),
+                                   "give the velocity with the lead body");
   }
 
   static bool constrained_alike(const RigidBody& a, const RigidBody& b) {
@@ -301,12 +304,13 @@ class Maker {
   }
 
   void add_extra_nodes(const BodyCards::ExtraNodes& card) {
-    const Index owner = find_body(b_, card.row, "pid");
-    refuse_nonzero(b_, card.row, "iflag", "adding the mass of extra nodes to a given inertia is not built", "use 0");
+    const Index owner = find_body(b_, card.row[&ExtraNodesCard::pid]);
+    refuse_nonzero(b_, card.row[&ExtraNodesCard::iflag],
+                   "adding the mass of extra nodes to a given inertia is not built", "use 0");
     std::vector<Index> nodes;
     if (card.set) {
-      if (const Set<Index>* set = b_.node_set(card.row, "nsid")) nodes = set->members;
-    } else if (const Index node = b_.node(card.row, "nid"); node != none) {
+      if (const Set<Index>* set = b_.node_set(card.row[&ExtraNodesCard::nodes])) nodes = set->members;
+    } else if (const Index node = b_.node(card.row[&ExtraNodesCard::nodes]); node != none) {
       nodes = {node};
     }
     if (owner != none) give(owner, nodes);
@@ -324,19 +328,20 @@ class Maker {
 
   /// PNODE: a node without elements goes with the body, drawn at its centre of mass.
   void add_reference_node(const BodyCards::Nodal& card) {
-    const Index node = b_.node(card.row, "pnode"), owner = b_.bodies.find(card.row.integer("pid"));
+    const Index node = b_.node(card.row[&NodalBodyCard::pnode]), owner = b_.bodies.find(card.row->pid);
     if (node == none || owner == none || b_.body_of_node[static_cast<std::size_t>(node)] != none) return;
     if (has_element(node)) {
-      card.row.report(b_.findings, Severity::warning, "pnode",
-                      "belongs to an element but not to the body: it stays where it is",
-                      "name a node without elements, or add it to the body's nodes");
+      card.row[&NodalBodyCard::pnode].report(b_.findings, Severity::warning,
+                                             "belongs to an element but not to the body: it stays where it is",
+                                             "name a node without elements, or add it to the body's nodes");
       return;
     }
     const Vec3d center = center_of_mass(b_, body(owner));
     Vec3d& x = model_.nodes.x[static_cast<std::size_t>(node)];
     if (norm(x - center) > 0.0) {
-      card.row.report(b_.findings, Severity::note, "pnode",
-                      fmt::format("is moved by {:.4g} to the centre of mass of its body", norm(x - center)));
+      card.row[&NodalBodyCard::pnode].report(
+          b_.findings, Severity::note,
+          fmt::format("is moved by {:.4g} to the centre of mass of its body", norm(x - center)));
       x = center;
     }
     give(owner, {node});
@@ -388,26 +393,25 @@ class Maker {
   void add_weld(const BodyCards::Weld& card) {
     RigidWeld weld = card.weld;
     const bool generalized = weld.kind == RigidWeld::Kind::generalized;
-    const std::string_view field = generalized ? "nsid" : "n1";
-    if (!find_weld_nodes(card.row, weld)) return;
+    if (!find_weld_nodes(card, weld)) return;
     std::vector<Index> different = weld.nodes;
     make_unique(different);
     if (different.size() < 2)
-      return refuse(b_, card.row, field, "a weld joins two nodes or more",
+      return refuse(b_, card.first, "a weld joins two nodes or more",
                     generalized ? "add nodes to the set" : "give two different nodes");
     if (const Index part_body = touched_part(weld.nodes); part_body != none) {
       if (weld.can_fail())
         return refuse(
-            b_, card.row, field,
+            b_, card.first,
             fmt::format("a weld to {} cannot fail: its nodes would be part of that body", name_of(body(part_body))),
             "weld deformable sheets, or take the failure values out");
-      card.row.report(b_.findings, Severity::note, field,
-                      fmt::format("touches {}: its nodes become extra nodes of that body", name_of(body(part_body))));
+      card.first.report(b_.findings, Severity::note,
+                        fmt::format("touches {}: its nodes become extra nodes of that body", name_of(body(part_body))));
       give(part_body, weld.nodes);
       claim(part_body);
       return;
     }
-    if (!find_axis(card.row, weld)) return;
+    if (!find_axis(card, weld)) return;
     RigidBody held;
     held.origin = RigidBody::Origin::weld;
     held.id = weld.id;
@@ -419,30 +423,30 @@ class Maker {
     claim(static_cast<Index>(model_.rigid_bodies.size()) - 1);
   }
 
-  bool find_weld_nodes(const Row& row, RigidWeld& weld) {
+  bool find_weld_nodes(const BodyCards::Weld& card, RigidWeld& weld) {
     if (weld.kind == RigidWeld::Kind::generalized) {
-      const Set<Index>* set = b_.node_set(row, "nsid");
+      const Set<Index>* set = b_.node_set(card.first);
       if (set) weld.nodes = set->members;
       return set != nullptr;
     }
-    weld.nodes = {b_.node(row, "n1"), b_.node(row, "n2")};
+    weld.nodes = {b_.node(card.first), b_.node(card.second)};
     return weld.nodes[0] != none && weld.nodes[1] != none;
   }
 
   /// The axis of CID. Without one the first and the last node must determine it, where it is needed.
-  bool find_axis(const Row& row, RigidWeld& weld) {
+  bool find_axis(const BodyCards::Weld& card, RigidWeld& weld) {
     const bool generalized = weld.kind == RigidWeld::Kind::generalized;
     if (generalized)
-      if (const Index system = b_.system(row, "cid"); system != none)
+      if (const Index system = b_.system(card.second); system != none)
         weld.axis = model_.systems[static_cast<std::size_t>(system)].axes.e3;
     const auto place = [&](Index node) { return model_.nodes.x[static_cast<std::size_t>(node)]; };
     const bool apart = norm(place(weld.nodes.back()) - place(weld.nodes.front())) > 0.0;
     if (apart || weld.axis || (generalized && !weld.can_fail())) return true;
     if (generalized)
-      refuse(b_, row, "cid", "the nodes are at one place, so they do not tell in which direction the weld fails",
+      refuse(b_, card.second, "the nodes are at one place, so they do not tell in which direction the weld fails",
              "give a coordinate system whose z axis is the normal of the sheets");
     else
-      refuse(b_, row, "n2", "both nodes are at one place", "use *CONSTRAINED_GENERALIZED_WELD_SPOT for such nodes");
+      refuse(b_, card.second, "both nodes are at one place", "use *CONSTRAINED_GENERALIZED_WELD_SPOT for such nodes");
     return false;
   }
 
@@ -567,7 +571,7 @@ const Frame3d* body_axes(Builder& builder, int id) {
     return card->second.output_axes ? &*card->second.output_axes : axes(builder.systems.find(card->second.lco));
   }
   for (const auto& nodal : builder.body_cards.nodal)
-    if (nodal.row.integer("pid") == id) return axes(builder.systems.find(nodal.row.integer("cid")));
+    if (nodal.row->pid == id) return axes(builder.systems.find(nodal.row->cid));
   return nullptr;
 }
 

@@ -16,6 +16,7 @@ namespace {
 using deck::Block;
 using deck::Cursor;
 using deck::Row;
+using deck::RowOf;
 
 const Card nodal_card{{
     id("pid", IdSpace::part, required, "number of the body, as of a part"),
@@ -26,39 +27,54 @@ const Card nodal_card{{
     integer("drflag", 0, only(0), "released translations: not built"),
     integer("rrflag", 0, only(0), "released rotations: not built"),
 }};
-const Card inertia_card1{{
-    real("xc", dimension::length, 0, any_value, "centre of mass: x"),
-    real("yc", dimension::length, 0, any_value, "y"),
-    real("zc", dimension::length, 0, any_value, "z"),
-    real("tm", dimension::mass, required, above_zero(), "mass"),
-    integer("ircs", 0, between(0, 1), "1: the tensor is in local axes"),
+struct InertiaCard1 {
+  double xc = 0, yc = 0, zc = 0, tm = 0;
+  int ircs = 0;
+};
+const CardOf<InertiaCard1> inertia_card1{
+    {&InertiaCard1::xc, real("xc", dimension::length, 0, any_value, "centre of mass: x")},
+    {&InertiaCard1::yc, real("yc", dimension::length, 0, any_value, "y")},
+    {&InertiaCard1::zc, real("zc", dimension::length, 0, any_value, "z")},
+    {&InertiaCard1::tm, real("tm", dimension::mass, required, above_zero(), "mass")},
+    {&InertiaCard1::ircs, integer("ircs", 0, between(0, 1), "1: the tensor is in local axes")},
     id("nodeid", IdSpace::node, 0, "node at the centre of mass, instead of its coordinates"),
-}};
-const Card inertia_card2{{
-    real("ixx", dimension::inertia, required, at_least(0), "tensor of inertia about the centre: xx"),
-    real("ixy", dimension::inertia, 0, any_value, "xy"),
-    real("ixz", dimension::inertia, 0, any_value, "xz"),
-    real("iyy", dimension::inertia, required, at_least(0), "yy"),
-    real("iyz", dimension::inertia, 0, any_value, "yz"),
-    real("izz", dimension::inertia, required, at_least(0), "zz"),
-}};
-const Card inertia_card3{{
-    real("vtx", dimension::velocity, 0, any_value, "initial velocity along x"),
-    real("vty", dimension::velocity, 0, any_value, "along y"),
-    real("vtz", dimension::velocity, 0, any_value, "along z"),
-    real("vrx", dimension::rate, 0, any_value, "initial spin about x"),
-    real("vry", dimension::rate, 0, any_value, "about y"),
-    real("vrz", dimension::rate, 0, any_value, "about z"),
-}};
-const Card inertia_card4{{
-    real("xl", dimension::number, 0, any_value, "local x axis: x"),
-    real("yl", dimension::number, 0, any_value, "y"),
-    real("zl", dimension::number, 0, any_value, "z"),
-    real("xlip", dimension::number, 0, any_value, "vector in the local xy plane: x"),
-    real("ylip", dimension::number, 0, any_value, "y"),
-    real("zlip", dimension::number, 0, any_value, "z"),
-    id("cid", IdSpace::define, 0, "coordinate system, instead of these"),
-}};
+};
+struct InertiaCard2 {
+  double ixx = 0, ixy = 0, ixz = 0, iyy = 0, iyz = 0, izz = 0;
+};
+const CardOf<InertiaCard2> inertia_card2{
+    {&InertiaCard2::ixx,
+     real("ixx", dimension::inertia, required, at_least(0), "tensor of inertia about the centre: xx")},
+    {&InertiaCard2::ixy, real("ixy", dimension::inertia, 0, any_value, "xy")},
+    {&InertiaCard2::ixz, real("ixz", dimension::inertia, 0, any_value, "xz")},
+    {&InertiaCard2::iyy, real("iyy", dimension::inertia, required, at_least(0), "yy")},
+    {&InertiaCard2::iyz, real("iyz", dimension::inertia, 0, any_value, "yz")},
+    {&InertiaCard2::izz, real("izz", dimension::inertia, required, at_least(0), "zz")},
+};
+struct InertiaCard3 {
+  double vtx = 0, vty = 0, vtz = 0, vrx = 0, vry = 0, vrz = 0;
+};
+const CardOf<InertiaCard3> inertia_card3{
+    {&InertiaCard3::vtx, real("vtx", dimension::velocity, 0, any_value, "initial velocity along x")},
+    {&InertiaCard3::vty, real("vty", dimension::velocity, 0, any_value, "along y")},
+    {&InertiaCard3::vtz, real("vtz", dimension::velocity, 0, any_value, "along z")},
+    {&InertiaCard3::vrx, real("vrx", dimension::rate, 0, any_value, "initial spin about x")},
+    {&InertiaCard3::vry, real("vry", dimension::rate, 0, any_value, "about y")},
+    {&InertiaCard3::vrz, real("vrz", dimension::rate, 0, any_value, "about z")},
+};
+struct InertiaCard4 {
+  double xl = 0, yl = 0, zl = 0, xlip = 0, ylip = 0, zlip = 0;
+  int cid = 0;
+};
+const CardOf<InertiaCard4> inertia_card4{
+    {&InertiaCard4::xl, real("xl", dimension::number, 0, any_value, "local x axis: x")},
+    {&InertiaCard4::yl, real("yl", dimension::number, 0, any_value, "y")},
+    {&InertiaCard4::zl, real("zl", dimension::number, 0, any_value, "z")},
+    {&InertiaCard4::xlip, real("xlip", dimension::number, 0, any_value, "vector in the local xy plane: x")},
+    {&InertiaCard4::ylip, real("ylip", dimension::number, 0, any_value, "y")},
+    {&InertiaCard4::zlip, real("zlip", dimension::number, 0, any_value, "z")},
+    {&InertiaCard4::cid, id("cid", IdSpace::define, 0, "coordinate system, instead of these")},
+};
 const Card extra_node_card{{
     id("pid", IdSpace::part, required, "part of *MAT_RIGID"),
     id("nid", IdSpace::node, required, "node that goes with it"),
@@ -74,19 +90,31 @@ const Card merge_card{{
     id("pidc", IdSpace::part, required, "body that is merged into it"),
     integer("iflag", 0, any_value, "0: a given inertia of the lead body holds for both"),
 }};
-Card switched_card(IdSpace space) {
-  return {{
-      id("pid", space, required, "part, or set of parts, that is rigid from the start"),
-      id("lrb", IdSpace::part, 0, "lead body into which it is merged: not built, 0"),
-      text("ptype", 10, "PART or PSET: what pid is; blank: PART"),
-  }};
+struct SwitchedCard {
+  int pid = 0, lrb = 0;
+  std::string ptype;
+};
+CardOf<SwitchedCard> switched_card(IdSpace space) {
+  return {
+      {&SwitchedCard::pid, id("pid", space, required, "part, or set of parts, that is rigid from the start")},
+      {&SwitchedCard::lrb, id("lrb", IdSpace::part, 0, "lead body into which it is merged: not built, 0")},
+      {&SwitchedCard::ptype, text("ptype", 10, "PART or PSET: what pid is; blank: PART")},
+  };
 }
-const Card switched_part_card = switched_card(IdSpace::part), switched_set_card = switched_card(IdSpace::set);
-const Card weld_id_card{{id("wid", IdSpace::other, 0, "number of the weld")}};
-constexpr Field normal_strength = real("sn", dimension::force, 0, at_least(0), "normal force at failure; 0: left out");
-constexpr Field shear_strength = real("ss", dimension::force, 0, at_least(0), "shear force at failure; 0: left out");
-constexpr Field normal_exponent = real("n", dimension::number, 0, at_least(0), "exponent of the normal force");
-constexpr Field shear_exponent = real("m", dimension::number, 0, at_least(0), "exponent of the shear force");
+const CardOf<SwitchedCard> switched_part_card = switched_card(IdSpace::part);
+const CardOf<SwitchedCard> switched_set_card = switched_card(IdSpace::set);
+struct WeldIdCard {
+  int wid = 0;
+};
+const CardOf<WeldIdCard> weld_id_card{
+    {&WeldIdCard::wid, id("wid", IdSpace::other, 0, "number of the weld")},
+};
+constexpr RealField normal_strength =
+    real("sn", dimension::force, 0, at_least(0), "normal force at failure; 0: left out");
+constexpr RealField shear_strength =
+    real("ss", dimension::force, 0, at_least(0), "shear force at failure; 0: left out");
+constexpr RealField normal_exponent = real("n", dimension::number, 0, at_least(0), "exponent of the normal force");
+constexpr RealField shear_exponent = real("m", dimension::number, 0, at_least(0), "exponent of the shear force");
 const Card weld_card1{{
     id("nsid", IdSpace::set, required, "nodes that are welded together, in their order along the weld"),
     id("cid", IdSpace::define, 0, "coordinate system whose z is the normal direction; 0: first node to last"),
@@ -95,15 +123,19 @@ const Card weld_card1{{
     integer("npr", 0, any_value, "pairs of nodes for output"),
     integer("nprt", 0, any_value, "output in rbdout"),
 }};
-const Card weld_card2{{
-    real("tfail", dimension::time, forever, at_least(0), "time of failure"),
-    real("epsf", dimension::number, 0, at_least(0), "plastic strain of the adjoining elements at failure; 0: none"),
+struct StrengthCard {
+  double tfail = 0, epsf = 0;
+};
+const CardOf<StrengthCard> weld_card2{
+    {&StrengthCard::tfail, real("tfail", dimension::time, forever, at_least(0), "time of failure")},
+    {&StrengthCard::epsf,
+     real("epsf", dimension::number, 0, at_least(0), "plastic strain of the adjoining elements at failure; 0: none")},
     normal_strength,
     shear_strength,
     normal_exponent,
     shear_exponent,
-}};
-const Card spotweld_card{{
+};
+const CardOf<StrengthCard> spotweld_card{
     id("n1", IdSpace::node, required, "node 1"),
     id("n2", IdSpace::node, required, "node 2, at another place"),
     normal_strength,
@@ -112,40 +144,59 @@ const Card spotweld_card{{
     shear_exponent,
     real("tf", dimension::time, forever, at_least(0), "time of failure"),
     real("ep", dimension::number, forever, at_least(0), "plastic strain of the adjoining elements at failure"),
-}};
-const Card spotweld_filter_card{{
-    integer("nf", 0, at_least(0), "force vectors that are averaged for failure; up to 1: none"),
-    real("tw", dimension::time, 0, at_least(0), "time window of that average; 0: all NF vectors"),
-}};
-const Card rivet_card{{
-    id("n1", IdSpace::node, required, "node 1"),
-    id("n2", IdSpace::node, required, "node 2, at another place"),
-    real("tf", dimension::time, forever, at_least(0), "time of failure; 0: none"),
-}};
+};
+struct SpotweldFilterCard {
+  int nf = 0;
+  double tw = 0;
+};
+const CardOf<SpotweldFilterCard> spotweld_filter_card{
+    {&SpotweldFilterCard::nf,
+     integer("nf", 0, at_least(0), "force vectors that are averaged for failure; up to 1: none")},
+    {&SpotweldFilterCard::tw,
+     real("tw", dimension::time, 0, at_least(0), "time window of that average; 0: all NF vectors")},
+};
+struct RivetCard {
+  int n1 = 0, n2 = 0;
+  double tf = 0;
+};
+const CardOf<RivetCard> rivet_card{
+    {&RivetCard::n1, id("n1", IdSpace::node, required, "node 1")},
+    {&RivetCard::n2, id("n2", IdSpace::node, required, "node 2, at another place")},
+    {&RivetCard::tf, real("tf", dimension::time, forever, at_least(0), "time of failure; 0: none")},
+};
 
-const Card interpolation_card1{{
-    id("icid", IdSpace::other, 0, "number of the interpolation"),
-    id("dnid", IdSpace::node, required, "dependent node"),
-    integer("ddof", 123456, between(123, 123456), "its dependent degrees of freedom: 123456, or 123 (translations)"),
+struct InterpolationCard1 {
+  int icid = 0, dnid = 0, ddof = 0, ityp = 0;
+};
+const CardOf<InterpolationCard1> interpolation_card1{
+    {&InterpolationCard1::icid, id("icid", IdSpace::other, 0, "number of the interpolation")},
+    {&InterpolationCard1::dnid, id("dnid", IdSpace::node, required, "dependent node")},
+    {&InterpolationCard1::ddof,
+     integer("ddof", 123456, between(123, 123456), "its dependent degrees of freedom: 123456, or 123 (translations)")},
     unused(),
-    integer("ityp", 0, between(0, 1), "INID is 0 a node, 1 a node set"),
+    {&InterpolationCard1::ityp, integer("ityp", 0, between(0, 1), "INID is 0 a node, 1 a node set")},
     integer("idnsw", 1, only(1), "switch of the explicit solution"),
     integer("fgm", 0, any_value, "output of the weights, no effect"),
-}};
+};
 /// The name space of INID depends on ITYP of the first card.
-Card independent_card(IdSpace space) {
-  return {{
-      {"inid", Kind::integer, {}, required, at_least(1), "independent node, or set", space},
-      integer("idof", 0, any_value, "its degrees of freedom: 123; rotations are not built"),
-      real("twghtx", dimension::number, 1, above_zero(), "weight of its translation"),
+struct IndependentCard {
+  int inid = 0, idof = 0;
+  double twghtx = 0;
+};
+CardOf<IndependentCard> independent_card(IdSpace space) {
+  return {
+      {&IndependentCard::inid, within_range(id("inid", space, required, "independent node, or set"), at_least(1))},
+      {&IndependentCard::idof, integer("idof", 0, any_value, "its degrees of freedom: 123; rotations are not built")},
+      {&IndependentCard::twghtx, real("twghtx", dimension::number, 1, above_zero(), "weight of its translation")},
       real("twghty", dimension::number, 0, at_least(0), "along y; 0: as along x, and nothing else"),
       real("twghtz", dimension::number, 0, at_least(0), "along z; 0: as along x, and nothing else"),
       real("rwghtx", dimension::number, 0, only(0), "weight of its rotation: not built"),
       real("rwghty", dimension::number, 0, only(0), "not built"),
       real("rwghtz", dimension::number, 0, only(0), "not built"),
-  }};
+  };
 }
-const Card interpolation_node = independent_card(IdSpace::node), interpolation_set = independent_card(IdSpace::set);
+const CardOf<IndependentCard> interpolation_node = independent_card(IdSpace::node);
+const CardOf<IndependentCard> interpolation_set = independent_card(IdSpace::set);
 
 // ---- nodal rigid bodies
 // ----------------------------------------------------------------------------------------------------
@@ -162,32 +213,32 @@ void read_spc(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
 
 /// The local axes of the tensor as vectors on the card; a coordinate system is looked up when the bodies are made.
 void take_axes(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
-  const Row row = cursor.read(inertia_card4);
-  if (row.integer("cid") != 0) {
+  const auto row = cursor.read(inertia_card4);
+  if (row->cid != 0) {
     body.axes_row = row;
     return;
   }
   Frame3d axes;
   const Block& block = cursor.block();
-  if (!frame_from(direction(block, row, "xl", "yl", "zl"), direction(block, row, "xlip", "ylip", "zlip"), axes))
-    return refuse(builder, row, "xl", "the two vectors of the local axes are parallel or have no length",
+  if (!frame_from(direction(block, {row->xl, row->yl, row->zl}), direction(block, {row->xlip, row->ylip, row->zlip}),
+                  axes))
+    return refuse(builder, row[&InertiaCard4::xl], "the two vectors of the local axes are parallel or have no length",
                   "give a local x axis and another vector");
   body.inertia.inertia = to_global(body.inertia.inertia, axes);
 }
 
 void read_inertia(Builder& builder, const Block& block, Cursor& cursor, BodyCards::Nodal& body) {
   body.given = true;
-  const Row row1 = cursor.read(inertia_card1);
+  const auto row1 = cursor.read(inertia_card1);
   body.inertia_row = row1;
-  body.inertia.center = position(block, row1, "xc", "yc", "zc");
-  body.inertia.mass = row1.real("tm");
-  const Row row2 = cursor.read(inertia_card2);
-  body.inertia.inertia = {row2.real("ixx"), row2.real("ixy"), row2.real("ixz"),
-                          row2.real("iyy"), row2.real("iyz"), row2.real("izz")};
-  const Row row3 = cursor.read(inertia_card3);
-  body.inertia.velocity = direction(block, row3, "vtx", "vty", "vtz");
-  body.inertia.spin = direction(block, row3, "vrx", "vry", "vrz");
-  if (row1.integer("ircs") == 1)
+  body.inertia.center = position(block, {row1->xc, row1->yc, row1->zc});
+  body.inertia.mass = row1->tm;
+  const auto row2 = cursor.read(inertia_card2);
+  body.inertia.inertia = {row2->ixx, row2->ixy, row2->ixz, row2->iyy, row2->iyz, row2->izz};
+  const auto row3 = cursor.read(inertia_card3);
+  body.inertia.velocity = direction(block, {row3->vtx, row3->vty, row3->vtz});
+  body.inertia.spin = direction(block, {row3->vrx, row3->vry, row3->vrz});
+  if (row1->ircs == 1)
     take_axes(builder, cursor, body);
   else
     body.inertia.inertia = to_global(body.inertia.inertia, axes_of_include(block));
@@ -223,13 +274,13 @@ void read_mergers(Builder& builder, const Block& block, const Options&) {
 }
 
 /// Before the rigid bodies are made: from there on the part is one of *MAT_RIGID with its own density and moduli.
-void make_rigid(Builder& b, const Row& row, Index p) {
+void make_rigid(Builder& b, const RowOf<SwitchedCard>& row, Index p) {
   Part& part = b.model.parts[static_cast<std::size_t>(p)];
   if (part.material == none) return;
   Material rigid = b.model.materials[static_cast<std::size_t>(part.material)];
   if (std::holds_alternative<kernel::Spotweld>(rigid.law) || part.kind == ElementKind::discrete)
-    return refuse(b, row, "pid", fmt::format("part {} has welds or springs, which cannot be rigid", part.id),
-                  "take it out");
+    return refuse(b, row[&SwitchedCard::pid],
+                  fmt::format("part {} has welds or springs, which cannot be rigid", part.id), "take it out");
   if (std::holds_alternative<kernel::Rigid>(rigid.law)) return;
   rigid.law = kernel::Rigid{rigid.young(), rigid.poisson()};
   rigid.keyword = "MAT_RIGID";
@@ -241,14 +292,15 @@ void read_switched(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     const bool set = cursor.peek().find("PSET") != std::string::npos;
-    const Row row = cursor.read(set ? switched_set_card : switched_part_card);
-    if (const std::string& type = row.text("ptype"); !set && !type.empty() && type != "PART")
-      refuse(builder, row, "ptype", "expected PART or PSET", "leave it blank for a part");
-    refuse_nonzero(builder, row, "lrb", "merging into a lead body here is not built", "use *CONSTRAINED_RIGID_BODIES");
+    const auto row = cursor.read(set ? switched_set_card : switched_part_card);
+    if (const std::string& type = row->ptype; !set && !type.empty() && type != "PART")
+      refuse(builder, row[&SwitchedCard::ptype], "expected PART or PSET", "leave it blank for a part");
+    refuse_nonzero(builder, row[&SwitchedCard::lrb], "merging into a lead body here is not built",
+                   "use *CONSTRAINED_RIGID_BODIES");
     builder.defer(Phase::sets, [row, set](Builder& b) {
       if (!set) {
-        if (const Index part = b.part(row, "pid"); part != none) make_rigid(b, row, part);
-      } else if (const Set<Index>* parts = b.part_set(row, "pid")) {
+        if (const Index part = b.part(row[&SwitchedCard::pid]); part != none) make_rigid(b, row, part);
+      } else if (const Set<Index>* parts = b.part_set(row[&SwitchedCard::pid])) {
         for (const Index part : parts->members) make_rigid(b, row, part);
       }
     });
@@ -259,7 +311,7 @@ void read_switched(Builder& builder, const Block& block, const Options&) {
 // -------------------------------------------------------------------------------------------------------------
 
 /// SN SS N M. A strength without an exponent would be reached at once.
-void take_strength(Builder& builder, const Row& row, RigidWeld& weld) {
+void take_strength(Builder& builder, const RowOf<StrengthCard>& row, RigidWeld& weld) {
   const auto take = [&](std::string_view force, std::string_view exponent, double& strength, double& power) {
     if (row.real(force) <= 0.0 || row.real(force) >= forever) return;
     strength = row.real(force);
@@ -273,8 +325,8 @@ void take_strength(Builder& builder, const Row& row, RigidWeld& weld) {
 }
 
 /// LS-DYNA's 0 and 1e20 both mean that there is no such failure; ours is 0.
-double failure_value(const Row& row, std::string_view field) {
-  return row.real(field) >= forever ? 0.0 : row.real(field);
+double failure_value(const deck::Entry& field) {
+  return field.value >= forever ? 0.0 : field.value;
 }
 
 void keep_weld(Builder& builder, BodyCards::Weld weld) {
@@ -288,13 +340,13 @@ void read_weld_spot(Builder& builder, const Block& block, const Options& options
   while (!at_end(cursor)) {
     BodyCards::Weld weld;
     weld.weld.kind = RigidWeld::Kind::generalized;
-    if (options.contains("ID")) weld.weld.id = cursor.read(weld_id_card).integer("wid");
+    if (options.contains("ID")) weld.weld.id = cursor.read(weld_id_card)->wid;
     weld.row = cursor.read(weld_card1);
     weld.weld.filter = weld.row.integer("filter");
     weld.weld.window = weld.row.real("window");
-    const Row failure = cursor.read(weld_card2);
-    weld.weld.failure_time = failure_value(failure, "tfail");
-    weld.weld.failure_strain = failure_value(failure, "epsf");
+    const auto failure = cursor.read(weld_card2);
+    weld.weld.failure_time = failure_value(failure[&StrengthCard::tfail]);
+    weld.weld.failure_strain = failure_value(failure[&StrengthCard::epsf]);
     take_strength(builder, failure, weld.weld);
     keep_weld(builder, std::move(weld));
   }
@@ -305,25 +357,25 @@ void read_spotweld(Builder& builder, const Block& block, const Options& options)
   while (!at_end(cursor)) {
     BodyCards::Weld weld;
     weld.weld.kind = RigidWeld::Kind::spotweld;
-    if (options.contains("ID")) weld.weld.id = cursor.read(weld_id_card).integer("wid");
+    if (options.contains("ID")) weld.weld.id = cursor.read(weld_id_card)->wid;
     weld.row = cursor.read(spotweld_card);
     weld.weld.failure_time = failure_value(weld.row, "tf");
     weld.weld.failure_strain = failure_value(weld.row, "ep");
     take_strength(builder, weld.row, weld.weld);
     if (options.contains("FILTERED_FORCE")) {
-      const Row filter = cursor.read(spotweld_filter_card);
-      weld.weld.filter = filter.integer("nf");
-      weld.weld.window = filter.real("tw");
+      const auto filter = cursor.read(spotweld_filter_card);
+      weld.weld.filter = filter->nf;
+      weld.weld.window = filter->tw;
     }
     keep_weld(builder, std::move(weld));
   }
 }
 
-void make_rivet(Builder& b, const Row& row, int id) {
+void make_rivet(Builder& b, const RowOf<RivetCard>& row, int id) {
   RigidWeld rivet;
   rivet.kind = RigidWeld::Kind::rivet;
-  rivet.nodes = {b.node(row, "n1"), b.node(row, "n2")};
-  rivet.failure_time = failure_value(row, "tf");
+  rivet.nodes = {b.node(row[&RivetCard::n1]), b.node(row[&RivetCard::n2])};
+  rivet.failure_time = failure_value(row[&RivetCard::tf]);
   rivet.place = row.place();
   const auto is_rivet = [](const RigidWeld& w) { return w.kind == RigidWeld::Kind::rivet; };
   const auto& welds = b.model.rigid_welds;
@@ -331,7 +383,7 @@ void make_rivet(Builder& b, const Row& row, int id) {
   if (rivet.nodes[0] == none || rivet.nodes[1] == none) return;
   const auto place = [&](std::size_t end) { return b.model.nodes.x[static_cast<std::size_t>(rivet.nodes[end])]; };
   if (norm(place(1) - place(0)) == 0.0)
-    return refuse(b, row, "n2", "both nodes are at one place, so the rivet has no direction",
+    return refuse(b, row[&RivetCard::n2], "both nodes are at one place, so the rivet has no direction",
                   "move one of them, or use *CONSTRAINED_GENERALIZED_WELD_SPOT for such nodes");
   b.model.rigid_welds.push_back(std::move(rivet));
 }
@@ -339,8 +391,8 @@ void make_rivet(Builder& b, const Row& row, int id) {
 void read_rivet(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const int id = options.contains("ID") ? cursor.read(weld_id_card).integer("wid") : 0;
-    const Row row = cursor.read(rivet_card);
+    const int id = options.contains("ID") ? cursor.read(weld_id_card)->wid : 0;
+    const auto row = cursor.read(rivet_card);
     builder.defer(Phase::conditions, [row, id](Builder& later) { make_rivet(later, row, id); });
   }
 }
@@ -349,19 +401,22 @@ void read_rivet(Builder& builder, const Block& block, const Options& options) {
 // -------------------------------------------------------------------------------------------------------------
 
 /// The nodes of one row, with their weight.
-void take_independent(Builder& b, const Row& head, const Row& row, Interpolation& out) {
+void take_independent(Builder& b, const RowOf<InterpolationCard1>& head, const RowOf<IndependentCard>& row,
+                      Interpolation& out) {
   for (const std::string_view field : {"twghty", "twghtz"})
-    if (row.real(field) != 0.0 && row.real(field) != row.real("twghtx"))
+    if (row.real(field) != 0.0 && row.real(field) != row->twghtx)
       refuse(b, row, field, "weights that differ between the directions are not built", "leave it blank");
-  if (row.integer("idof") > 123)
-    refuse(b, row, "idof", "rotations of the independent nodes have no part in this average", "write 123");
+  if (row->idof > 123)
+    refuse(b, row[&IndependentCard::idof], "rotations of the independent nodes have no part in this average",
+           "write 123");
   const auto add = [&](Index node) {
     out.independent.push_back(node);
-    out.weight.push_back(row.real("twghtx"));
+    out.weight.push_back(row->twghtx);
   };
-  if (head.integer("ityp") == 1) {
-    if (const Set<Index>* set = b.node_set(row, "inid")) std::for_each(set->members.begin(), set->members.end(), add);
-  } else if (const Index node = b.node(row, "inid"); node != none) {
+  if (head->ityp == 1) {
+    if (const Set<Index>* set = b.node_set(row[&IndependentCard::inid]))
+      std::for_each(set->members.begin(), set->members.end(), add);
+  } else if (const Index node = b.node(row[&IndependentCard::inid]); node != none) {
     add(node);
   }
 }
@@ -381,15 +436,16 @@ bool on_a_line(const Model& model, const Interpolation& i) {
   return !(across > 1e-6 * size);
 }
 
-void make_interpolation(Builder& b, const Row& head, const std::vector<Row>& rows) {
+void make_interpolation(Builder& b, const RowOf<InterpolationCard1>& head, const std::vector<Row>& rows) {
   Interpolation out;
-  out.id = head.integer("icid");
-  out.node = b.node(head, "dnid");
+  out.id = head->icid;
+  out.node = b.node(head[&InterpolationCard1::dnid]);
   out.place = head.place();
-  const int ddof = head.integer("ddof");
+  const int ddof = head->ddof;
   out.rotations = ddof == 123456;
   if (ddof != 123 && ddof != 123456)
-    refuse(b, head, "ddof", "some degrees of freedom of a node cannot be interpolated without the others",
+    refuse(b, head[&InterpolationCard1::ddof],
+           "some degrees of freedom of a node cannot be interpolated without the others",
            "write 123456, or 123 for its translations");
   const int errors = b.findings.errors();
   for (const Row& row : rows) take_independent(b, head, row, out);
@@ -398,19 +454,19 @@ void make_interpolation(Builder& b, const Row& head, const std::vector<Row>& row
   for (const double w : out.weight) sum += w;
   for (double& w : out.weight) w /= sum;
   if (std::find(out.independent.begin(), out.independent.end(), out.node) != out.independent.end())
-    return refuse(b, head, "dnid", "is among its own independent nodes", "take it out of them");
+    return refuse(b, head[&InterpolationCard1::dnid], "is among its own independent nodes", "take it out of them");
   if (out.weight.size() < 3 || on_a_line(b.model, out))
-    return refuse(b, head, "icid", "the independent nodes lie on a line, so they do not tell a rotation",
+    return refuse(b, head[&InterpolationCard1::icid],
+                  "the independent nodes lie on a line, so they do not tell a rotation",
                   "give three or more that do not");
   b.model.interpolations.push_back(std::move(out));
 }
 
 void read_interpolation(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
-  const Row head = cursor.read(interpolation_card1);
+  const auto head = cursor.read(interpolation_card1);
   std::vector<Row> rows;
-  while (!at_end(cursor))
-    rows.push_back(cursor.read(head.integer("ityp") == 1 ? interpolation_set : interpolation_node));
+  while (!at_end(cursor)) rows.push_back(cursor.read(head->ityp == 1 ? interpolation_set : interpolation_node));
   builder.defer(Phase::conditions, [head, rows](Builder& later) { make_interpolation(later, head, rows); });
 }
 

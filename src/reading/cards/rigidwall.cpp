@@ -13,157 +13,200 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
+using deck::RowOf;
 using Shape = RigidWall::Shape;
 
-const Card wall_id_card{{
-    id("id", IdSpace::other, 0, "number of the wall in rwforc; 0: place in the deck, or the next free"),
-    text("title", 70, "its name"),
-}};
+struct WallIdCard {
+  int id = 0;
+  std::string title;
+};
+const CardOf<WallIdCard> wall_id_card{
+    {&WallIdCard::id,
+     id("id", IdSpace::other, 0, "number of the wall in rwforc; 0: place in the deck, or the next free")},
+    {&WallIdCard::title, text("title", 70, "its name")},
+};
 
-const Card planar_card1{{
-    id("nsid", IdSpace::set, 0, "nodes that the wall stops; 0: all"),
-    id("nsidex", IdSpace::set, 0, "nodes left out"),
-    id("boxid", IdSpace::define, 0, "only nodes inside this box"),
-    real("offset", dimension::length, 0, at_least(0),
-         "only nodes within this distance of the wall; 0: at any distance"),
-    real("birth", dimension::time, 0, at_least(0), "the wall acts, and moves, from this time on"),
-    real("death", dimension::time, forever, at_least(0), "until this time"),
+struct WallCard {
+  int nsid = 0, nsidex = 0, boxid = 0;
+  double offset = 0, birth = 0, death = 0;
+};
+const CardOf<WallCard> planar_card1{
+    {&WallCard::nsid, id("nsid", IdSpace::set, 0, "nodes that the wall stops; 0: all")},
+    {&WallCard::nsidex, id("nsidex", IdSpace::set, 0, "nodes left out")},
+    {&WallCard::boxid, id("boxid", IdSpace::define, 0, "only nodes inside this box")},
+    {&WallCard::offset, real("offset", dimension::length, 0, at_least(0),
+                             "only nodes within this distance of the wall; 0: at any distance")},
+    {&WallCard::birth, real("birth", dimension::time, 0, at_least(0), "the wall acts, and moves, from this time on")},
+    {&WallCard::death, real("death", dimension::time, forever, at_least(0), "until this time")},
     real("rwksf", dimension::number, 1, any_value, "stiffness in implicit runs"),
-}};
-const Card planar_card2{{
-    real("xt", dimension::length, 0, any_value, "tail of the outward normal, a point on the wall: x"),
-    real("yt", dimension::length, 0, any_value, "y"),
-    real("zt", dimension::length, 0, any_value, "z"),
-    real("xh", dimension::length, 0, any_value, "head of the normal: x"),
-    real("yh", dimension::length, 0, any_value, "y"),
-    real("zh", dimension::length, 0, any_value, "z"),
-    real("fric", dimension::number, 0, between(0, 3),
-         "0 none, below 1 Coulomb, 1 no sliding, 2 and 3 fixed above wvel"),
-    real("wvel", dimension::velocity, 0, at_least(0), "normal velocity above which a node stays fixed (fric 2, 3)"),
-}};
-const Card finite_card{{
-    real("xhev", dimension::length, 0, any_value, "head of the first edge from the tail: x"),
-    real("yhev", dimension::length, 0, any_value, "y"),
-    real("zhev", dimension::length, 0, any_value, "z"),
-    real("lenl", dimension::length, 0, at_least(0), "length of that edge; 0 infinite"),
-    real("lenm", dimension::length, 0, at_least(0), "length of the other edge; 0 infinite"),
-}};
-const Card moving_card{{
-    real("mass", dimension::mass, required, above_zero(), "mass of the moving wall"),
-    real("v0", dimension::velocity, 0, any_value, "its initial velocity along the normal"),
-}};
-const Card forces_card{{
-    integer("soft", 0, at_least(0), "cycles in which the relative velocity goes to zero"),
-    id("ssid", IdSpace::set, 0, "segment sets whose forces are listed apart"),
+};
+struct NormalCard {
+  double xt = 0, yt = 0, zt = 0, xh = 0, yh = 0, zh = 0, fric = 0, wvel = 0;
+};
+const CardOf<NormalCard> planar_card2{
+    {&NormalCard::xt,
+     real("xt", dimension::length, 0, any_value, "tail of the outward normal, a point on the wall: x")},
+    {&NormalCard::yt, real("yt", dimension::length, 0, any_value, "y")},
+    {&NormalCard::zt, real("zt", dimension::length, 0, any_value, "z")},
+    {&NormalCard::xh, real("xh", dimension::length, 0, any_value, "head of the normal: x")},
+    {&NormalCard::yh, real("yh", dimension::length, 0, any_value, "y")},
+    {&NormalCard::zh, real("zh", dimension::length, 0, any_value, "z")},
+    {&NormalCard::fric, real("fric", dimension::number, 0, between(0, 3),
+                             "0 none, below 1 Coulomb, 1 no sliding, 2 and 3 fixed above wvel")},
+    {&NormalCard::wvel,
+     real("wvel", dimension::velocity, 0, at_least(0), "normal velocity above which a node stays fixed (fric 2, 3)")},
+};
+struct EdgeCard {
+  double xhev = 0, yhev = 0, zhev = 0, lenl = 0, lenm = 0, lenp = 0;
+};
+const CardOf<EdgeCard> finite_card{
+    {&EdgeCard::xhev, real("xhev", dimension::length, 0, any_value, "head of the first edge from the tail: x")},
+    {&EdgeCard::yhev, real("yhev", dimension::length, 0, any_value, "y")},
+    {&EdgeCard::zhev, real("zhev", dimension::length, 0, any_value, "z")},
+    {&EdgeCard::lenl, real("lenl", dimension::length, 0, at_least(0), "length of that edge; 0 infinite")},
+    {&EdgeCard::lenm, real("lenm", dimension::length, 0, at_least(0), "length of the other edge; 0 infinite")},
+};
+struct MovingCard {
+  double mass = 0, v0 = 0;
+};
+const CardOf<MovingCard> moving_card{
+    {&MovingCard::mass, real("mass", dimension::mass, required, above_zero(), "mass of the moving wall")},
+    {&MovingCard::v0, real("v0", dimension::velocity, 0, any_value, "its initial velocity along the normal")},
+};
+struct ForcesCard {
+  int soft = 0, ssid = 0;
+};
+const CardOf<ForcesCard> forces_card{
+    {&ForcesCard::soft, integer("soft", 0, at_least(0), "cycles in which the relative velocity goes to zero")},
+    {&ForcesCard::ssid, id("ssid", IdSpace::set, 0, "segment sets whose forces are listed apart")},
     id("n1", IdSpace::node, 0, "node of a picture of the wall"),
     id("n2", IdSpace::node, 0, "second"),
     id("n3", IdSpace::node, 0, "third"),
     id("n4", IdSpace::node, 0, "fourth"),
-}};
-const Card display_card{{
-    id("pid", IdSpace::part, 0, "part of a picture of the wall in d3plot"),
+};
+struct DisplayCard {
+  int pid = 0;
+};
+const CardOf<DisplayCard> display_card{
+    {&DisplayCard::pid, id("pid", IdSpace::part, 0, "part of a picture of the wall in d3plot")},
     real("ro", dimension::density, 0, any_value, "its density"),
     real("e", dimension::stress, 0, any_value, "its modulus"),
     real("pr", dimension::number, 0, any_value, "its Poisson's ratio"),
     id("vid", IdSpace::define, 0, "vector of its orientation"),
-}};
+};
 
-const Card geometric_card1{{
-    id("nsid", IdSpace::set, 0, "nodes that the wall stops; 0: all"),
-    id("nsidex", IdSpace::set, 0, "nodes left out"),
-    id("boxid", IdSpace::define, 0, "only nodes inside this box"),
-    real("birth", dimension::time, 0, at_least(0), "the wall acts, and moves, from this time on"),
-    real("death", dimension::time, forever, at_least(0), "until this time"),
-}};
-const Card geometric_card2{{
-    real("xt", dimension::length, 0, any_value,
-         "tail: a point on the plane, the foot of the cylinder, the centre of the sphere: x"),
-    real("yt", dimension::length, 0, any_value, "y"),
-    real("zt", dimension::length, 0, any_value, "z"),
-    real("xh", dimension::length, 0, any_value,
-         "head of the outward normal of the plane, or of the cylinder's axis: x"),
-    real("yh", dimension::length, 0, any_value, "y"),
-    real("zh", dimension::length, 0, any_value, "z"),
-    real("fric", dimension::number, 0, between(0, 1), "0 none, below 1 Coulomb, 1 no sliding"),
-}};
-const Card cylinder_card{{
-    real("radcyl", dimension::length, required, above_zero(), "radius"),
-    real("lencyl", dimension::length, 0, at_least(0), "length; 0 infinite"),
-    integer("nsegs", 0, at_least(0), "sections whose forces are listed apart; as many cards follow"),
-}};
+const CardOf<WallCard> geometric_card1{
+    {&WallCard::nsid, id("nsid", IdSpace::set, 0, "nodes that the wall stops; 0: all")},
+    {&WallCard::nsidex, id("nsidex", IdSpace::set, 0, "nodes left out")},
+    {&WallCard::boxid, id("boxid", IdSpace::define, 0, "only nodes inside this box")},
+    {&WallCard::birth, real("birth", dimension::time, 0, at_least(0), "the wall acts, and moves, from this time on")},
+    {&WallCard::death, real("death", dimension::time, forever, at_least(0), "until this time")},
+};
+const CardOf<NormalCard> geometric_card2{
+    {&NormalCard::xt, real("xt", dimension::length, 0, any_value,
+                           "tail: a point on the plane, the foot of the cylinder, the centre of the sphere: x")},
+    {&NormalCard::yt, real("yt", dimension::length, 0, any_value, "y")},
+    {&NormalCard::zt, real("zt", dimension::length, 0, any_value, "z")},
+    {&NormalCard::xh, real("xh", dimension::length, 0, any_value,
+                           "head of the outward normal of the plane, or of the cylinder's axis: x")},
+    {&NormalCard::yh, real("yh", dimension::length, 0, any_value, "y")},
+    {&NormalCard::zh, real("zh", dimension::length, 0, any_value, "z")},
+    {&NormalCard::fric, real("fric", dimension::number, 0, between(0, 1), "0 none, below 1 Coulomb, 1 no sliding")},
+};
+struct CylinderCard {
+  double radcyl = 0, lencyl = 0;
+  int nsegs = 0;
+};
+const CardOf<CylinderCard> cylinder_card{
+    {&CylinderCard::radcyl, real("radcyl", dimension::length, required, above_zero(), "radius")},
+    {&CylinderCard::lencyl, real("lencyl", dimension::length, 0, at_least(0), "length; 0 infinite")},
+    {&CylinderCard::nsegs,
+     integer("nsegs", 0, at_least(0), "sections whose forces are listed apart; as many cards follow")},
+};
 const Card section_card{{
     real("vl", dimension::length, 0, any_value, "distance of a section from the cylinder's foot, no effect"),
     real("height", dimension::length, 0, any_value, "its height, no effect"),
 }};
-const Card sphere_card{{real("radsph", dimension::length, required, above_zero(), "radius")}};
-const Card flat_card{{
-    real("xhev", dimension::length, 0, any_value, "head of the first edge from the tail: x"),
-    real("yhev", dimension::length, 0, any_value, "y"),
-    real("zhev", dimension::length, 0, any_value, "z"),
-    real("lenl", dimension::length, 0, at_least(0), "length of that edge; 0 infinite"),
-    real("lenm", dimension::length, 0, at_least(0), "length of the other edge; 0 infinite"),
-}};
-const Card prism_card{{
-    real("xhev", dimension::length, 0, any_value, "head of the first edge of its front face from the tail: x"),
-    real("yhev", dimension::length, 0, any_value, "y"),
-    real("zhev", dimension::length, 0, any_value, "z"),
-    real("lenl", dimension::length, 0, at_least(0), "length of that edge; 0 infinite"),
-    real("lenm", dimension::length, 0, at_least(0), "length of the other edge; 0 infinite"),
-    real("lenp", dimension::length, 0, at_least(0), "depth behind the face; 0 infinite"),
-}};
-const Card motion_card{{
-    id("lcid", IdSpace::function, required, "curve of the wall's motion over the time since its birth"),
-    integer("opt", 0, between(0, 1), "0 the curve is a velocity, 1 a displacement"),
-    real("vx", dimension::number, 0, any_value, "direction of the motion: x"),
-    real("vy", dimension::number, 0, any_value, "y"),
-    real("vz", dimension::number, 0, any_value, "z"),
-}};
+struct SphereCard {
+  double radsph = 0;
+};
+const CardOf<SphereCard> sphere_card{
+    {&SphereCard::radsph, real("radsph", dimension::length, required, above_zero(), "radius")},
+};
+const CardOf<EdgeCard> flat_card{
+    {&EdgeCard::xhev, real("xhev", dimension::length, 0, any_value, "head of the first edge from the tail: x")},
+    {&EdgeCard::yhev, real("yhev", dimension::length, 0, any_value, "y")},
+    {&EdgeCard::zhev, real("zhev", dimension::length, 0, any_value, "z")},
+    {&EdgeCard::lenl, real("lenl", dimension::length, 0, at_least(0), "length of that edge; 0 infinite")},
+    {&EdgeCard::lenm, real("lenm", dimension::length, 0, at_least(0), "length of the other edge; 0 infinite")},
+};
+const CardOf<EdgeCard> prism_card{
+    {&EdgeCard::xhev,
+     real("xhev", dimension::length, 0, any_value, "head of the first edge of its front face from the tail: x")},
+    {&EdgeCard::yhev, real("yhev", dimension::length, 0, any_value, "y")},
+    {&EdgeCard::zhev, real("zhev", dimension::length, 0, any_value, "z")},
+    {&EdgeCard::lenl, real("lenl", dimension::length, 0, at_least(0), "length of that edge; 0 infinite")},
+    {&EdgeCard::lenm, real("lenm", dimension::length, 0, at_least(0), "length of the other edge; 0 infinite")},
+    {&EdgeCard::lenp, real("lenp", dimension::length, 0, at_least(0), "depth behind the face; 0 infinite")},
+};
+struct MotionCard {
+  int lcid = 0, opt = 0;
+  double vx = 0, vy = 0, vz = 0;
+};
+const CardOf<MotionCard> motion_card{
+    {&MotionCard::lcid,
+     id("lcid", IdSpace::function, required, "curve of the wall's motion over the time since its birth")},
+    {&MotionCard::opt, integer("opt", 0, between(0, 1), "0 the curve is a velocity, 1 a displacement")},
+    {&MotionCard::vx, real("vx", dimension::number, 0, any_value, "direction of the motion: x")},
+    {&MotionCard::vy, real("vy", dimension::number, 0, any_value, "y")},
+    {&MotionCard::vz, real("vz", dimension::number, 0, any_value, "z")},
+};
 
 // ---- what all walls have in common
 // ---------------------------------------------------------------------------------------
 
 /// The sum of squares that counts as no length is exactly zero: decks write equal points there, not nearly equal ones.
-bool take_normal(Builder& builder, const Block& block, const Row& row, RigidWall& wall) {
-  wall.origin = position(block, row, "xt", "yt", "zt");
-  const Vec3d normal = position(block, row, "xh", "yh", "zh") - wall.origin;
+bool take_normal(Builder& builder, const Block& block, const RowOf<NormalCard>& row, RigidWall& wall) {
+  wall.origin = position(block, {row->xt, row->yt, row->zt});
+  const Vec3d normal = position(block, {row->xh, row->yh, row->zh}) - wall.origin;
   if (norm(normal) > 0.0) {
     wall.normal = unit(normal);
     return true;
   }
   if (wall.shape == Shape::sphere) return true;
-  refuse(builder, row, "xh", "head and tail of the wall's vector are the same point",
+  refuse(builder, row[&NormalCard::xh], "head and tail of the wall's vector are the same point",
          "give the head of the normal or of the axis");
   return false;
 }
 
 /// The edges of a bounded plane: l from the tail to the given head, laid into the plane; m = n x l.
-bool take_edges(Builder& builder, const Block& block, const Row& row, RigidWall& wall) {
-  const Vec3d edge = position(block, row, "xhev", "yhev", "zhev") - wall.origin;
+bool take_edges(Builder& builder, const Block& block, const RowOf<EdgeCard>& row, RigidWall& wall) {
+  const Vec3d edge = position(block, {row->xhev, row->yhev, row->zhev}) - wall.origin;
   const Vec3d in_plane = edge - dot(edge, wall.normal) * wall.normal;
   if (norm(in_plane) <= 1e-10 * norm(edge)) {
-    refuse(builder, row, "xhev", "the edge from the tail to this point does not lie in the wall",
+    refuse(builder, row[&EdgeCard::xhev], "the edge from the tail to this point does not lie in the wall",
            "give a point of the wall other than its tail");
     return false;
   }
   wall.finite = true;
   wall.edge_l = unit(in_plane);
   wall.edge_m = cross(wall.normal, wall.edge_l);
-  wall.length_l = row.real("lenl");
-  wall.length_m = row.real("lenm");
+  wall.length_l = row->lenl;
+  wall.length_m = row->lenm;
   return true;
 }
 
 /// A picture of the wall is not drawn. LS-PrePost leaves its card out where all of it is default, so it may be missing.
 void skip_display(Builder& builder, Cursor& cursor, const Options& options) {
   if (!options.contains("DISPLAY") || cursor.left() == 0) return;
-  const Row row = cursor.read(display_card);
-  row.report(builder.findings, Severity::note, "pid", "the wall is not drawn in d3plot; its forces are in rwforc");
+  const auto row = cursor.read(display_card);
+  row[&DisplayCard::pid].report(builder.findings, Severity::note,
+                                "the wall is not drawn in d3plot; its forces are in rwforc");
 }
 
-std::vector<Index> candidates(Builder& builder, const Row& row) {
-  if (row.integer("nsid") != 0) {
-    const auto* set = builder.node_set(row, "nsid");
+std::vector<Index> candidates(Builder& builder, const RowOf<WallCard>& row) {
+  if (row->nsid != 0) {
+    const auto* set = builder.node_set(row[&WallCard::nsid]);
     return set ? set->members : std::vector<Index>{};
   }
   std::vector<Index> nodes(builder.model.nodes.size());
@@ -200,7 +243,7 @@ double depth_in(const RigidWall& wall, const Vec3d& x) {
 }
 
 /// Nodes that a wall starts behind its face are not pushed out.
-void report_nodes_behind(Builder& builder, const Row& row, const RigidWall& wall) {
+void report_nodes_behind(Builder& builder, const RowOf<WallCard>& row, const RigidWall& wall) {
   constexpr double round_off = 1e-6;  // of the node's distance from the wall's reference point
   std::size_t behind = 0;
   Index deepest = none;
@@ -213,20 +256,21 @@ void report_nodes_behind(Builder& builder, const Row& row, const RigidWall& wall
     if (own > depth) depth = own, deepest = node;
   }
   if (behind == 0) return;
-  row.report(builder.findings, Severity::warning, "nsid",
-             fmt::format("{} nodes start behind the wall, node {} the deepest, by {:.4g}: they are kept from going "
-                         "deeper, not pushed out",
-                         behind, builder.model.nodes.id[static_cast<std::size_t>(deepest)], depth),
-             "shift the wall, turn its normal, or leave them out by nsidex");
+  row[&WallCard::nsid].report(
+      builder.findings, Severity::warning,
+      fmt::format("{} nodes start behind the wall, node {} the deepest, by {:.4g}: they are kept from going "
+                  "deeper, not pushed out",
+                  behind, builder.model.nodes.id[static_cast<std::size_t>(deepest)], depth),
+      "shift the wall, turn its normal, or leave them out by nsidex");
 }
 
 /// The nodes that the wall stops: NSID or all, in the box, near enough, without NSIDEX and, as in LS-DYNA, without
 /// rigid parts where RWPNAL is 0.
-void take_nodes(Builder& builder, const Row& row, double reach, RigidWall& wall) {
+void take_nodes(Builder& builder, const RowOf<WallCard>& row, double reach, RigidWall& wall) {
   std::vector<Index> left_out;
-  if (const auto* set = builder.node_set(row, "nsidex")) left_out = set->members;
+  if (const auto* set = builder.node_set(row[&WallCard::nsidex])) left_out = set->members;
   make_unique(left_out);
-  const Box* box = builder.box(row, "boxid");
+  const Box* box = builder.box(row[&WallCard::boxid]);
   const bool by_penalty = builder.model.control.wall_penalty > 0.0;
   std::size_t rigid = 0;
   for (const Index node : candidates(builder, row)) {
@@ -239,34 +283,36 @@ void take_nodes(Builder& builder, const Row& row, double reach, RigidWall& wall)
   }
   make_unique(wall.nodes);
   if (rigid > 0 && !by_penalty)
-    row.report(
-        builder.findings, Severity::warning, "nsid",
+    row[&WallCard::nsid].report(
+        builder.findings, Severity::warning,
         fmt::format("{} nodes of rigid parts pass through the wall: it stops deformable ones (RWPNAL = 0)", rigid),
         "give RWPNAL 1 on *CONTROL_CONTACT to have them stopped by penalty");
-  if (wall.nodes.empty()) row.report(builder.findings, Severity::warning, "nsid", "the wall stops no node");
+  if (wall.nodes.empty()) row[&WallCard::nsid].report(builder.findings, Severity::warning, "the wall stops no node");
   if (wall.birth == 0.0) report_nodes_behind(builder, row, wall);
 }
 
-void take_curve(Builder& builder, const Row& motion, RigidWall& wall) {
-  wall.motion_curve = builder.curve(motion, "lcid");
+void take_curve(Builder& builder, const deck::Entry& lcid, RigidWall& wall) {
+  wall.motion_curve = builder.curve(lcid);
   if (!wall.motion_is_displacement || wall.motion_curve == none) return;
   const Curve& curve = builder.model.curves[static_cast<std::size_t>(wall.motion_curve)];
   if (const double first = curve.clamped(0.0); first != 0.0)
-    motion.report(builder.findings, Severity::warning, "lcid",
-                  fmt::format("the wall is displaced by {:g} at its start: it starts where its card puts it and moves "
-                              "by what the curve adds",
-                              first),
-                  "let the curve begin with 0");
+    lcid.report(builder.findings, Severity::warning,
+                fmt::format("the wall is displaced by {:g} at its start: it starts where its card puts it and moves "
+                            "by what the curve adds",
+                            first),
+                "let the curve begin with 0");
 }
 
-void leave_wall(Builder& builder, const Row& row, double reach, RigidWall wall, const std::optional<Row>& motion = {}) {
-  builder.defer(Phase::conditions, [row, reach, wall = std::move(wall), motion](Builder& b) mutable {
+void leave_wall(Builder& builder, const RowOf<WallCard>& row, double reach, RigidWall wall,
+                const std::optional<deck::Entry>& curve = {}) {
+  builder.defer(Phase::conditions, [row, reach, wall = std::move(wall), curve](Builder& b) mutable {
     take_nodes(b, row, reach, wall);
     if (const double end = b.model.control.end_time; end > 0.0 && wall.birth >= end)
-      row.report(b.findings, Severity::warning, "birth",
-                 fmt::format("the wall is activated after the end of the run ({:g}): it stops nothing", end),
-                 "give 0 if it is to act from the start");
-    if (motion) take_curve(b, *motion, wall);
+      row[&WallCard::birth].report(
+          b.findings, Severity::warning,
+          fmt::format("the wall is activated after the end of the run ({:g}): it stops nothing", end),
+          "give 0 if it is to act from the start");
+    if (curve) take_curve(b, *curve, wall);
     if (wall.id == 0) {
       wall.id = static_cast<int>(b.model.walls.size());
       const auto taken = [&](const RigidWall& other) { return other.id == wall.id; };
@@ -282,9 +328,9 @@ RigidWall begin_wall(Cursor& cursor, const Options& options, Shape shape) {
   wall.shape = shape;
   wall.place = cursor.place();
   if (options.contains("ID")) {
-    const Row row = cursor.read(wall_id_card);
-    wall.id = row.integer("id");
-    wall.title = row.text("title");
+    const auto row = cursor.read(wall_id_card);
+    wall.id = row->id;
+    wall.title = row->title;
   }
   return wall;
 }
@@ -292,41 +338,43 @@ RigidWall begin_wall(Cursor& cursor, const Options& options, Shape shape) {
 // ---- *RIGIDWALL_PLANAR
 // -----------------------------------------------------------------------------------------------------
 
-void take_friction(Builder& builder, const Row& row, RigidWall& wall) {
-  wall.friction = row.real("fric");
-  wall.weld_velocity = row.real("wvel");
+void take_friction(Builder& builder, const RowOf<NormalCard>& row, RigidWall& wall) {
+  wall.friction = row->fric;
+  wall.weld_velocity = row->wvel;
   if (wall.friction > 1.0 && wall.friction != 2.0 && wall.friction != 3.0)
-    refuse(builder, row, "fric", "expected 0 to 1, 2 or 3");
+    refuse(builder, row[&NormalCard::fric], "expected 0 to 1, 2 or 3");
 }
 
 void read_planar(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     RigidWall wall = begin_wall(cursor, options, Shape::plane);
-    const Row row1 = cursor.read(planar_card1);
-    const Row row2 = cursor.read(planar_card2);
-    wall.birth = row1.real("birth");
-    wall.death = death_time(row1.real("death"));
+    const auto row1 = cursor.read(planar_card1);
+    const auto row2 = cursor.read(planar_card2);
+    wall.birth = row1->birth;
+    wall.death = death_time(row1->death);
     bool sound = take_normal(builder, block, row2, wall);
     take_friction(builder, row2, wall);
     if (options.contains("FINITE")) {
-      const Row row = cursor.read(finite_card);
-      sound = sound && take_edges(builder, block, row, wall);
+      const auto edge = cursor.read(finite_card);
+      sound = sound && take_edges(builder, block, edge, wall);
     }
     if (options.contains("MOVING")) {
-      const Row row = cursor.read(moving_card);
-      wall.mass = row.real("mass");
-      wall.velocity = row.real("v0");
+      const auto moving = cursor.read(moving_card);
+      wall.mass = moving->mass;
+      wall.velocity = moving->v0;
     }
     if (options.contains("FORCES")) {
-      const Row row = cursor.read(forces_card);
-      wall.soft = row.integer("soft");
-      expect(builder, row, Severity::warning,
-             {{"soft", 0, "the wall stops a node in one cycle, not in so many: its first force is that much higher"},
-              {"ssid", 0, "forces by segment set are not written yet; rwforc holds the wall's sum"}});
+      const auto forces = cursor.read(forces_card);
+      wall.soft = forces->soft;
+      expect(
+          builder, Severity::warning,
+          {{forces[&ForcesCard::soft], 0,
+            "the wall stops a node in one cycle, not in so many: its first force is that much higher"},
+           {forces[&ForcesCard::ssid], 0, "forces by segment set are not written yet; rwforc holds the wall's sum"}});
     }
     skip_display(builder, cursor, options);
-    if (sound) leave_wall(builder, row1, row1.real("offset"), std::move(wall));
+    if (sound) leave_wall(builder, row1, row1->offset, std::move(wall));
   }
 }
 
@@ -338,36 +386,36 @@ enum class Form { flat, cylinder, sphere, prism };
 template <Form form>
 bool take_form(Builder& builder, const Block& block, Cursor& cursor, RigidWall& wall) {
   if constexpr (form == Form::cylinder) {
-    const Row row = cursor.read(cylinder_card);
-    wall.radius = row.real("radcyl");
-    wall.length = row.real("lencyl");
-    const int sections = row.integer("nsegs");
+    const auto cylinder = cursor.read(cylinder_card);
+    wall.radius = cylinder->radcyl;
+    wall.length = cylinder->lencyl;
+    const int sections = cylinder->nsegs;
     for (int i = 0; i < sections; ++i) cursor.read(section_card);
     if (sections > 1)
-      row.report(builder.findings, Severity::warning, "nsegs",
-                 "forces by section are not written yet; rwforc holds the wall's sum");
+      cylinder[&CylinderCard::nsegs].report(builder.findings, Severity::warning,
+                                            "forces by section are not written yet; rwforc holds the wall's sum");
   } else if constexpr (form == Form::sphere) {
-    wall.radius = cursor.read(sphere_card).real("radsph");
+    wall.radius = cursor.read(sphere_card)->radsph;
   } else if constexpr (form == Form::prism) {
-    const Row row = cursor.read(prism_card);
-    wall.depth = row.real("lenp");
-    return take_edges(builder, block, row, wall);
+    const auto prism = cursor.read(prism_card);
+    wall.depth = prism->lenp;
+    return take_edges(builder, block, prism, wall);
   } else {
-    const Row row = cursor.read(flat_card);
-    if (row.real("lenl") > 0.0 || row.real("lenm") > 0.0) return take_edges(builder, block, row, wall);
+    const auto row = cursor.read(flat_card);
+    if (row->lenl > 0.0 || row->lenm > 0.0) return take_edges(builder, block, row, wall);
   }
   return true;
 }
 
 /// False (and a finding) where the motion has no direction. The curve is looked up later.
-bool take_motion(Builder& builder, const Block& block, const Row& row, RigidWall& wall) {
-  const Vec3d along = direction(block, row, "vx", "vy", "vz");
+bool take_motion(Builder& builder, const Block& block, const RowOf<MotionCard>& row, RigidWall& wall) {
+  const Vec3d along = direction(block, {row->vx, row->vy, row->vz});
   if (norm(along) == 0.0) {
-    refuse(builder, row, "vx", "the direction of the wall's motion has no length", "give its components");
+    refuse(builder, row[&MotionCard::vx], "the direction of the wall's motion has no length", "give its components");
     return false;
   }
   wall.motion_direction = unit(along);
-  wall.motion_is_displacement = row.integer("opt") == 1;
+  wall.motion_is_displacement = row->opt == 1;
   return true;
 }
 
@@ -380,20 +428,21 @@ void read_geometric(Builder& builder, const Block& block, const Options& options
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     RigidWall wall = begin_wall(cursor, options, shape);
-    const Row row1 = cursor.read(geometric_card1);
-    const Row row2 = cursor.read(geometric_card2);
-    wall.birth = row1.real("birth");
-    wall.death = death_time(row1.real("death"));
-    wall.friction = row2.real("fric");
+    const auto row1 = cursor.read(geometric_card1);
+    const auto row2 = cursor.read(geometric_card2);
+    wall.birth = row1->birth;
+    wall.death = death_time(row1->death);
+    wall.friction = row2->fric;
     bool sound = take_normal(builder, block, row2, wall);
     sound = take_form<form>(builder, block, cursor, wall) && sound;
-    std::optional<Row> motion;
+    std::optional<deck::Entry> curve;
     if (options.contains("MOTION")) {
-      motion = cursor.read(motion_card);
-      sound = take_motion(builder, block, *motion, wall) && sound;
+      const auto motion = cursor.read(motion_card);
+      sound = take_motion(builder, block, motion, wall) && sound;
+      curve = motion[&MotionCard::lcid];
     }
     skip_display(builder, cursor, options);
-    if (sound) leave_wall(builder, row1, 0.0, std::move(wall), motion);
+    if (sound) leave_wall(builder, row1, 0.0, std::move(wall), curve);
   }
 }
 
