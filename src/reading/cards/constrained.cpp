@@ -18,18 +18,19 @@ using deck::Cursor;
 using deck::Row;
 using deck::RowOf;
 
-const Card nodal_card{{
-    id("pid", IdSpace::part, required, "number of the body, as of a part"),
-    id("cid", IdSpace::define, 0, "coordinate system of local motions"),
-    id("nsid", IdSpace::set, 0, "node set; 0: the one numbered as the body"),
-    or_negative(id("pnode", IdSpace::node, 0, "node at which the body is drawn"), IdSpace::node),
-    integer("iprt", 0, between(0, 2), "output in rbdout"),
+const CardOf<NodalBodyCard> nodal_card{
+    {&NodalBodyCard::pid, id("pid", IdSpace::part, required, "number of the body, as of a part")},
+    {&NodalBodyCard::cid, id("cid", IdSpace::define, 0, "coordinate system of local motions")},
+    {&NodalBodyCard::nsid, id("nsid", IdSpace::set, 0, "node set; 0: the one numbered as the body")},
+    {&NodalBodyCard::pnode,
+     or_negative(id("pnode", IdSpace::node, 0, "node at which the body is drawn"), IdSpace::node)},
+    {&NodalBodyCard::iprt, integer("iprt", 0, between(0, 2), "output in rbdout")},
     integer("drflag", 0, only(0), "released translations: not built"),
     integer("rrflag", 0, only(0), "released rotations: not built"),
-}};
+};
 struct InertiaCard1 {
   double xc = 0, yc = 0, zc = 0, tm = 0;
-  int ircs = 0;
+  int ircs = 0, nodeid = 0;
 };
 const CardOf<InertiaCard1> inertia_card1{
     {&InertiaCard1::xc, real("xc", dimension::length, 0, any_value, "centre of mass: x")},
@@ -37,7 +38,7 @@ const CardOf<InertiaCard1> inertia_card1{
     {&InertiaCard1::zc, real("zc", dimension::length, 0, any_value, "z")},
     {&InertiaCard1::tm, real("tm", dimension::mass, required, above_zero(), "mass")},
     {&InertiaCard1::ircs, integer("ircs", 0, between(0, 1), "1: the tensor is in local axes")},
-    id("nodeid", IdSpace::node, 0, "node at the centre of mass, instead of its coordinates"),
+    {&InertiaCard1::nodeid, id("nodeid", IdSpace::node, 0, "node at the centre of mass, instead of its coordinates")},
 };
 struct InertiaCard2 {
   double ixx = 0, ixy = 0, ixz = 0, iyy = 0, iyz = 0, izz = 0;
@@ -75,21 +76,21 @@ const CardOf<InertiaCard4> inertia_card4{
     {&InertiaCard4::zlip, real("zlip", dimension::number, 0, any_value, "z")},
     {&InertiaCard4::cid, id("cid", IdSpace::define, 0, "coordinate system, instead of these")},
 };
-const Card extra_node_card{{
-    id("pid", IdSpace::part, required, "part of *MAT_RIGID"),
-    id("nid", IdSpace::node, required, "node that goes with it"),
-    integer("iflag", 0, any_value, "mass of the node with a given inertia"),
-}};
-const Card extra_set_card{{
-    id("pid", IdSpace::part, required, "part of *MAT_RIGID"),
-    id("nsid", IdSpace::set, required, "nodes that go with it"),
-    integer("iflag", 0, any_value, "mass of the nodes with a given inertia"),
-}};
-const Card merge_card{{
-    id("pidl", IdSpace::part, required, "lead body"),
-    id("pidc", IdSpace::part, required, "body that is merged into it"),
-    integer("iflag", 0, any_value, "0: a given inertia of the lead body holds for both"),
-}};
+const CardOf<ExtraNodesCard> extra_node_card{
+    {&ExtraNodesCard::pid, id("pid", IdSpace::part, required, "part of *MAT_RIGID")},
+    {&ExtraNodesCard::nodes, id("nid", IdSpace::node, required, "node that goes with it")},
+    {&ExtraNodesCard::iflag, integer("iflag", 0, any_value, "mass of the node with a given inertia")},
+};
+const CardOf<ExtraNodesCard> extra_set_card{
+    {&ExtraNodesCard::pid, id("pid", IdSpace::part, required, "part of *MAT_RIGID")},
+    {&ExtraNodesCard::nodes, id("nsid", IdSpace::set, required, "nodes that go with it")},
+    {&ExtraNodesCard::iflag, integer("iflag", 0, any_value, "mass of the nodes with a given inertia")},
+};
+const CardOf<MergeCard> merge_card{
+    {&MergeCard::pidl, id("pidl", IdSpace::part, required, "lead body")},
+    {&MergeCard::pidc, id("pidc", IdSpace::part, required, "body that is merged into it")},
+    {&MergeCard::iflag, integer("iflag", 0, any_value, "0: a given inertia of the lead body holds for both")},
+};
 struct SwitchedCard {
   int pid = 0, lrb = 0;
   std::string ptype;
@@ -115,35 +116,46 @@ constexpr RealField shear_strength =
     real("ss", dimension::force, 0, at_least(0), "shear force at failure; 0: left out");
 constexpr RealField normal_exponent = real("n", dimension::number, 0, at_least(0), "exponent of the normal force");
 constexpr RealField shear_exponent = real("m", dimension::number, 0, at_least(0), "exponent of the shear force");
-const Card weld_card1{{
-    id("nsid", IdSpace::set, required, "nodes that are welded together, in their order along the weld"),
-    id("cid", IdSpace::define, 0, "coordinate system whose z is the normal direction; 0: first node to last"),
-    integer("filter", 0, at_least(0), "force vectors that are averaged for failure; up to 1: none"),
-    real("window", dimension::time, 0, at_least(0), "time window of that average; 0: all FILTER vectors"),
+struct WeldCard1 {
+  int nsid = 0, cid = 0, filter = 0;
+  double window = 0;
+};
+const CardOf<WeldCard1> weld_card1{
+    {&WeldCard1::nsid,
+     id("nsid", IdSpace::set, required, "nodes that are welded together, in their order along the weld")},
+    {&WeldCard1::cid,
+     id("cid", IdSpace::define, 0, "coordinate system whose z is the normal direction; 0: first node to last")},
+    {&WeldCard1::filter,
+     integer("filter", 0, at_least(0), "force vectors that are averaged for failure; up to 1: none")},
+    {&WeldCard1::window,
+     real("window", dimension::time, 0, at_least(0), "time window of that average; 0: all FILTER vectors")},
     integer("npr", 0, any_value, "pairs of nodes for output"),
     integer("nprt", 0, any_value, "output in rbdout"),
-}};
+};
 struct StrengthCard {
-  double tfail = 0, epsf = 0;
+  double tfail = 0, epsf = 0, sn = 0, ss = 0, n = 0, m = 0;
+  int n1 = 0, n2 = 0;
+  double tf = 0, ep = 0;
 };
 const CardOf<StrengthCard> weld_card2{
     {&StrengthCard::tfail, real("tfail", dimension::time, forever, at_least(0), "time of failure")},
     {&StrengthCard::epsf,
      real("epsf", dimension::number, 0, at_least(0), "plastic strain of the adjoining elements at failure; 0: none")},
-    normal_strength,
-    shear_strength,
-    normal_exponent,
-    shear_exponent,
+    {&StrengthCard::sn, normal_strength},
+    {&StrengthCard::ss, shear_strength},
+    {&StrengthCard::n, normal_exponent},
+    {&StrengthCard::m, shear_exponent},
 };
 const CardOf<StrengthCard> spotweld_card{
-    id("n1", IdSpace::node, required, "node 1"),
-    id("n2", IdSpace::node, required, "node 2, at another place"),
-    normal_strength,
-    shear_strength,
-    normal_exponent,
-    shear_exponent,
-    real("tf", dimension::time, forever, at_least(0), "time of failure"),
-    real("ep", dimension::number, forever, at_least(0), "plastic strain of the adjoining elements at failure"),
+    {&StrengthCard::n1, id("n1", IdSpace::node, required, "node 1")},
+    {&StrengthCard::n2, id("n2", IdSpace::node, required, "node 2, at another place")},
+    {&StrengthCard::sn, normal_strength},
+    {&StrengthCard::ss, shear_strength},
+    {&StrengthCard::n, normal_exponent},
+    {&StrengthCard::m, shear_exponent},
+    {&StrengthCard::tf, real("tf", dimension::time, forever, at_least(0), "time of failure")},
+    {&StrengthCard::ep,
+     real("ep", dimension::number, forever, at_least(0), "plastic strain of the adjoining elements at failure")},
 };
 struct SpotweldFilterCard {
   int nf = 0;
@@ -181,15 +193,17 @@ const CardOf<InterpolationCard1> interpolation_card1{
 /// The name space of INID depends on ITYP of the first card.
 struct IndependentCard {
   int inid = 0, idof = 0;
-  double twghtx = 0;
+  double twghtx = 0, twghty = 0, twghtz = 0;
 };
 CardOf<IndependentCard> independent_card(IdSpace space) {
   return {
       {&IndependentCard::inid, within_range(id("inid", space, required, "independent node, or set"), at_least(1))},
       {&IndependentCard::idof, integer("idof", 0, any_value, "its degrees of freedom: 123; rotations are not built")},
       {&IndependentCard::twghtx, real("twghtx", dimension::number, 1, above_zero(), "weight of its translation")},
-      real("twghty", dimension::number, 0, at_least(0), "along y; 0: as along x, and nothing else"),
-      real("twghtz", dimension::number, 0, at_least(0), "along z; 0: as along x, and nothing else"),
+      {&IndependentCard::twghty,
+       real("twghty", dimension::number, 0, at_least(0), "along y; 0: as along x, and nothing else")},
+      {&IndependentCard::twghtz,
+       real("twghtz", dimension::number, 0, at_least(0), "along z; 0: as along x, and nothing else")},
       real("rwghtx", dimension::number, 0, only(0), "weight of its rotation: not built"),
       real("rwghty", dimension::number, 0, only(0), "not built"),
       real("rwghtz", dimension::number, 0, only(0), "not built"),
@@ -215,7 +229,7 @@ void read_spc(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
 void take_axes(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
   const auto row = cursor.read(inertia_card4);
   if (row->cid != 0) {
-    body.axes_row = row;
+    body.axes = row[&InertiaCard4::cid];
     return;
   }
   Frame3d axes;
@@ -230,7 +244,7 @@ void take_axes(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
 void read_inertia(Builder& builder, const Block& block, Cursor& cursor, BodyCards::Nodal& body) {
   body.given = true;
   const auto row1 = cursor.read(inertia_card1);
-  body.inertia_row = row1;
+  body.center_node = row1[&InertiaCard1::nodeid];
   body.inertia.center = position(block, {row1->xc, row1->yc, row1->zc});
   body.inertia.mass = row1->tm;
   const auto row2 = cursor.read(inertia_card2);
@@ -249,9 +263,10 @@ void read_nodal_body(Builder& builder, const Block& block, const Options& option
   while (!at_end(cursor)) {
     BodyCards::Nodal body;
     body.title = read_title(cursor, options);
-    body.row = cursor.read(nodal_card);
-    if (body.row.integer("iprt") == 2)
-      body.row.report(builder.findings, Severity::warning, "iprt", "rbdout lists this body all the same");
+    const auto row = cursor.read(nodal_card);
+    body.row = row;
+    if (row->iprt == 2)
+      row[&NodalBodyCard::iprt].report(builder.findings, Severity::warning, "rbdout lists this body all the same");
     if (options.contains("SPC")) read_spc(builder, cursor, body);
     if (options.contains("INERTIA")) read_inertia(builder, block, cursor, body);
     builder.body_cards.nodal.push_back(std::move(body));
@@ -312,25 +327,24 @@ void read_switched(Builder& builder, const Block& block, const Options&) {
 
 /// SN SS N M. A strength without an exponent would be reached at once.
 void take_strength(Builder& builder, const RowOf<StrengthCard>& row, RigidWeld& weld) {
-  const auto take = [&](std::string_view force, std::string_view exponent, double& strength, double& power) {
-    if (row.real(force) <= 0.0 || row.real(force) >= forever) return;
-    strength = row.real(force);
-    power = row.real(exponent);
+  const auto take = [&](const deck::Entry& force, const deck::Entry& exponent, double& strength, double& power) {
+    if (force.value <= 0.0 || force.value >= forever) return;
+    strength = force.value;
+    power = exponent.value;
     if (!(power > 0.0))
-      refuse(builder, row, exponent, fmt::format("the exponent that goes with {} must be more than 0", force),
+      refuse(builder, exponent, fmt::format("the exponent that goes with {} must be more than 0", force.field),
              "give 1 for a straight and 2 for a round failure curve");
   };
-  take("sn", "n", weld.normal_strength, weld.normal_exponent);
-  take("ss", "m", weld.shear_strength, weld.shear_exponent);
+  take(row[&StrengthCard::sn], row[&StrengthCard::n], weld.normal_strength, weld.normal_exponent);
+  take(row[&StrengthCard::ss], row[&StrengthCard::m], weld.shear_strength, weld.shear_exponent);
 }
 
 /// LS-DYNA's 0 and 1e20 both mean that there is no such failure; ours is 0.
-double failure_value(const deck::Entry& field) {
-  return field.value >= forever ? 0.0 : field.value;
+double failure_value(double written) {
+  return written >= forever ? 0.0 : written;
 }
 
 void keep_weld(Builder& builder, BodyCards::Weld weld) {
-  weld.weld.place = weld.row.place();
   if (weld.weld.id == 0) weld.weld.id = static_cast<int>(builder.body_cards.welds.size()) + 1;
   builder.body_cards.welds.push_back(std::move(weld));
 }
@@ -341,12 +355,15 @@ void read_weld_spot(Builder& builder, const Block& block, const Options& options
     BodyCards::Weld weld;
     weld.weld.kind = RigidWeld::Kind::generalized;
     if (options.contains("ID")) weld.weld.id = cursor.read(weld_id_card)->wid;
-    weld.row = cursor.read(weld_card1);
-    weld.weld.filter = weld.row.integer("filter");
-    weld.weld.window = weld.row.real("window");
+    const auto row = cursor.read(weld_card1);
+    weld.weld.place = row.place();
+    weld.first = row[&WeldCard1::nsid];
+    weld.second = row[&WeldCard1::cid];
+    weld.weld.filter = row->filter;
+    weld.weld.window = row->window;
     const auto failure = cursor.read(weld_card2);
-    weld.weld.failure_time = failure_value(failure[&StrengthCard::tfail]);
-    weld.weld.failure_strain = failure_value(failure[&StrengthCard::epsf]);
+    weld.weld.failure_time = failure_value(failure->tfail);
+    weld.weld.failure_strain = failure_value(failure->epsf);
     take_strength(builder, failure, weld.weld);
     keep_weld(builder, std::move(weld));
   }
@@ -358,10 +375,13 @@ void read_spotweld(Builder& builder, const Block& block, const Options& options)
     BodyCards::Weld weld;
     weld.weld.kind = RigidWeld::Kind::spotweld;
     if (options.contains("ID")) weld.weld.id = cursor.read(weld_id_card)->wid;
-    weld.row = cursor.read(spotweld_card);
-    weld.weld.failure_time = failure_value(weld.row, "tf");
-    weld.weld.failure_strain = failure_value(weld.row, "ep");
-    take_strength(builder, weld.row, weld.weld);
+    const auto row = cursor.read(spotweld_card);
+    weld.weld.place = row.place();
+    weld.first = row[&StrengthCard::n1];
+    weld.second = row[&StrengthCard::n2];
+    weld.weld.failure_time = failure_value(row->tf);
+    weld.weld.failure_strain = failure_value(row->ep);
+    take_strength(builder, row, weld.weld);
     if (options.contains("FILTERED_FORCE")) {
       const auto filter = cursor.read(spotweld_filter_card);
       weld.weld.filter = filter->nf;
@@ -375,7 +395,7 @@ void make_rivet(Builder& b, const RowOf<RivetCard>& row, int id) {
   RigidWeld rivet;
   rivet.kind = RigidWeld::Kind::rivet;
   rivet.nodes = {b.node(row[&RivetCard::n1]), b.node(row[&RivetCard::n2])};
-  rivet.failure_time = failure_value(row[&RivetCard::tf]);
+  rivet.failure_time = failure_value(row->tf);
   rivet.place = row.place();
   const auto is_rivet = [](const RigidWeld& w) { return w.kind == RigidWeld::Kind::rivet; };
   const auto& welds = b.model.rigid_welds;
@@ -403,9 +423,9 @@ void read_rivet(Builder& builder, const Block& block, const Options& options) {
 /// The nodes of one row, with their weight.
 void take_independent(Builder& b, const RowOf<InterpolationCard1>& head, const RowOf<IndependentCard>& row,
                       Interpolation& out) {
-  for (const std::string_view field : {"twghty", "twghtz"})
-    if (row.real(field) != 0.0 && row.real(field) != row->twghtx)
-      refuse(b, row, field, "weights that differ between the directions are not built", "leave it blank");
+  for (const deck::Entry& weight : {row[&IndependentCard::twghty], row[&IndependentCard::twghtz]})
+    if (weight.value != 0.0 && weight.value != row->twghtx)
+      refuse(b, weight, "weights that differ between the directions are not built", "leave it blank");
   if (row->idof > 123)
     refuse(b, row[&IndependentCard::idof], "rotations of the independent nodes have no part in this average",
            "write 123");
@@ -436,7 +456,8 @@ bool on_a_line(const Model& model, const Interpolation& i) {
   return !(across > 1e-6 * size);
 }
 
-void make_interpolation(Builder& b, const RowOf<InterpolationCard1>& head, const std::vector<Row>& rows) {
+void make_interpolation(Builder& b, const RowOf<InterpolationCard1>& head,
+                        const std::vector<RowOf<IndependentCard>>& rows) {
   Interpolation out;
   out.id = head->icid;
   out.node = b.node(head[&InterpolationCard1::dnid]);
@@ -448,7 +469,7 @@ void make_interpolation(Builder& b, const RowOf<InterpolationCard1>& head, const
            "some degrees of freedom of a node cannot be interpolated without the others",
            "write 123456, or 123 for its translations");
   const int errors = b.findings.errors();
-  for (const Row& row : rows) take_independent(b, head, row, out);
+  for (const auto& row : rows) take_independent(b, head, row, out);
   if (out.node == none || b.findings.errors() > errors) return;
   double sum = 0.0;
   for (const double w : out.weight) sum += w;
@@ -465,7 +486,7 @@ void make_interpolation(Builder& b, const RowOf<InterpolationCard1>& head, const
 void read_interpolation(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   const auto head = cursor.read(interpolation_card1);
-  std::vector<Row> rows;
+  std::vector<RowOf<IndependentCard>> rows;
   while (!at_end(cursor)) rows.push_back(cursor.read(head->ityp == 1 ? interpolation_set : interpolation_node));
   builder.defer(Phase::conditions, [head, rows](Builder& later) { make_interpolation(later, head, rows); });
 }

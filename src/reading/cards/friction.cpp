@@ -17,19 +17,14 @@ using deck::Block;
 using deck::Cursor;
 using deck::Row;
 
-struct DefaultCard {
-  int id = 0;
-  double fs_d = 0, fd_d = 0, dc_d = 0, vc_d = 0;
-  int icnep = 0;
-};
-const CardOf<DefaultCard> default_card{
-    {&DefaultCard::id, id("id", IdSpace::define, 0, "friction; FD of a contact names it")},
-    {&DefaultCard::fs_d, real("fs_d", dimension::number, 0, at_least(0), "static friction of parts that no pair has")},
-    {&DefaultCard::fd_d, real("fd_d", dimension::number, 0, at_least(0), "dynamic friction")},
-    {&DefaultCard::dc_d, real("dc_d", {0, -1, 1}, 0, at_least(0), "decay of the friction with the speed")},
-    {&DefaultCard::vc_d, real("vc_d", dimension::stress, 0, at_least(0), "greatest shear stress; 0: none")},
-    {&DefaultCard::icnep, integer("icnep", 0, between(0, 1), "1: pairs of parts that are not there are left out")},
-};
+const Card default_card{{
+    id("id", IdSpace::define, 0, "friction; FD of a contact names it"),
+    real("fs_d", dimension::number, 0, at_least(0), "static friction of parts that no pair has"),
+    real("fd_d", dimension::number, 0, at_least(0), "dynamic friction"),
+    real("dc_d", {0, -1, 1}, 0, at_least(0), "decay of the friction with the speed"),
+    real("vc_d", dimension::stress, 0, at_least(0), "greatest shear stress; 0: none"),
+    integer("icnep", 0, between(0, 1), "1: pairs of parts that are not there are left out"),
+}};
 
 Card pair_card(IdSpace one, IdSpace other) {
   return {{
@@ -59,7 +54,7 @@ struct PairRow {
 
 PairRow read_pair(Builder& b, Cursor& cursor) {
   Cursor ahead = cursor;
-  const auto words = ahead.read(words_card);
+  const Row words = ahead.read(words_card);
   const auto is_set = [&](std::string_view field) {
     const std::string& type = words.text(field);
     if (!type.empty() && type != "PART" && type != "PSET")
@@ -74,14 +69,14 @@ PairRow read_pair(Builder& b, Cursor& cursor) {
 void read_friction(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  const auto row = cursor.read(default_card);
+  const Row row = cursor.read(default_card);
   PartFriction f;
-  f.id = row->id;
-  f.otherwise = {row->fs_d, row->fd_d, row->dc_d, row->vc_d};
+  f.id = row.integer("id");
+  f.otherwise = {row.real("fs_d"), row.real("fd_d"), row.real("dc_d"), row.real("vc_d")};
   const auto index = static_cast<Index>(b.model.part_friction.size());
   b.part_friction.add(f.id, index, row.place(), row.keyword(), "friction", b.findings);
   b.model.part_friction.push_back(f);
-  const bool may_be_absent = row->icnep == 1;
+  const bool may_be_absent = row.integer("icnep") == 1;
   std::vector<PairRow> rows;
   while (!at_end(cursor)) rows.push_back(read_pair(b, cursor));
   b.defer(Phase::bodies, [index, rows, may_be_absent](Builder& later) {
