@@ -15,138 +15,201 @@ namespace {
 using deck::Block;
 using deck::Cursor;
 using deck::Row;
+using deck::RowOf;
 using Kind = Contact::Kind;
 
-const Card mpp_card1{{
-    integer("ignore", 0, any_value, "1, 2: as on card C, where that is 0; others are not built"),
+struct MppCard1 {
+  int ignore = 0, cparm8 = 0;
+};
+const CardOf<MppCard1> mpp_card1{
+    {&MppCard1::ignore, integer("ignore", 0, any_value, "1, 2: as on card C, where that is 0; others are not built")},
     integer("bckt", 200, any_value, "search interval"),
     integer("lcbckt", 0, any_value, "curve of that interval"),
     integer("ns2trk", 3, any_value, "contacts tracked a node"),
     integer("inititr", 2, any_value, "iterations for initial penetrations"),
     real("parmax", dimension::number, 0, any_value, "extension of segments"),
     unused(),
-    integer("cparm8", 0, any_value,
-            "_GENERAL: 1 beams of one part do not press each other; 2 and weld beams take part"),
-}};
-const Card mpp_card2{{
+    {&MppCard1::cparm8, integer("cparm8", 0, any_value,
+                                "_GENERAL: 1 beams of one part do not press each other; 2 and weld beams take part")},
+};
+struct MppCard2 {
+  double pensf = 0;
+};
+const CardOf<MppCard2> mpp_card2{
     text("mark", 10, "& in column 1"),
     integer("chksegs", 0, any_value, "check of segments"),
-    real("pensf", dimension::number, 1, any_value, "penalty scale"),
+    {&MppCard2::pensf, real("pensf", dimension::number, 1, any_value, "penalty scale")},
     integer("grpable", 0, any_value, "search method"),
-}};
+};
 
 /// The first card; the name space of the ids of either side depends on its type.
-Card sides_card(IdSpace a, IdSpace b) {
-  return {{
-      id("surfa", a, 0, "tracked side (SSID); 0 in a single surface contact: all parts"),
-      id("surfb", b, 0, "reference side (MSID)"),
-      integer("surfatyp", 0, between(0, 7),
-              "0 segment set, 1 shell set, 2 part set, 3 part, 4 node set, 5 all, 6 all but a part set, 7 branch of "
-              "parts (*SET_PART_TREE)"),
-      integer("surfbtyp", 0, between(0, 7), "the same, without 4"),
-      or_negative(id("saboxid", IdSpace::define, 0, "only what lies in this box, of the tracked side"),
-                  IdSpace::define),
-      or_negative(id("sbboxid", IdSpace::define, 0, "only what lies in this box, of the reference side"),
-                  IdSpace::define),
+struct SidesCard {
+  int surfa = 0, surfb = 0, surfatyp = 0, surfbtyp = 0, saboxid = 0, sbboxid = 0;
+};
+CardOf<SidesCard> sides_card(IdSpace a, IdSpace b) {
+  return {
+      {&SidesCard::surfa, id("surfa", a, 0, "tracked side (SSID); 0 in a single surface contact: all parts")},
+      {&SidesCard::surfb, id("surfb", b, 0, "reference side (MSID)")},
+      {&SidesCard::surfatyp,
+       integer("surfatyp", 0, between(0, 7),
+               "0 segment set, 1 shell set, 2 part set, 3 part, 4 node set, 5 all, 6 all but a part set, 7 branch of "
+               "parts (*SET_PART_TREE)")},
+      {&SidesCard::surfbtyp, integer("surfbtyp", 0, between(0, 7), "the same, without 4")},
+      {&SidesCard::saboxid,
+       or_negative(id("saboxid", IdSpace::define, 0, "only what lies in this box, of the tracked side"),
+                   IdSpace::define)},
+      {&SidesCard::sbboxid,
+       or_negative(id("sbboxid", IdSpace::define, 0, "only what lies in this box, of the reference side"),
+                   IdSpace::define)},
       integer("sapr", 0, any_value, "forces of the tracked side in ncforc and intfor"),
       integer("sbpr", 0, any_value, "forces of the reference side in ncforc and intfor"),
-  }};
+  };
 }
-const Card sides_of_sets = sides_card(IdSpace::set, IdSpace::set);
-const Card sides_part_set = sides_card(IdSpace::part, IdSpace::set);
-const Card sides_set_part = sides_card(IdSpace::set, IdSpace::part);
-const Card sides_of_parts = sides_card(IdSpace::part, IdSpace::part);
+const CardOf<SidesCard> sides_of_sets = sides_card(IdSpace::set, IdSpace::set);
+const CardOf<SidesCard> sides_part_set = sides_card(IdSpace::part, IdSpace::set);
+const CardOf<SidesCard> sides_set_part = sides_card(IdSpace::set, IdSpace::part);
+const CardOf<SidesCard> sides_of_parts = sides_card(IdSpace::part, IdSpace::part);
 
-const Card friction_card{{
-    real("fs", dimension::number, 0, any_value,
-         "static friction; -1: of *PART_CONTACT; -2: of *DEFINE_FRICTION; ties have none"),
-    real("fd", dimension::number, 0, any_value, "dynamic friction; with FS -2: id of *DEFINE_FRICTION, 0: the first"),
-    real("dc", {0, -1, 1}, 0, any_value, "decay from the static to the dynamic coefficient"),
-    real("vc", dimension::stress, 0, any_value, "viscous friction"),
-    real("vdc", dimension::number, 0, at_least(0), "damping, percent of critical"),
+struct FrictionCard {
+  double fs = 0, fd = 0, dc = 0, vc = 0, vdc = 0, bt = 0, dt = 0;
+};
+const CardOf<FrictionCard> friction_card{
+    {&FrictionCard::fs, real("fs", dimension::number, 0, any_value,
+                             "static friction; -1: of *PART_CONTACT; -2: of *DEFINE_FRICTION; ties have none")},
+    {&FrictionCard::fd,
+     real("fd", dimension::number, 0, any_value, "dynamic friction; with FS -2: id of *DEFINE_FRICTION, 0: the first")},
+    {&FrictionCard::dc, real("dc", {0, -1, 1}, 0, any_value, "decay from the static to the dynamic coefficient")},
+    {&FrictionCard::vc, real("vc", dimension::stress, 0, any_value, "viscous friction")},
+    {&FrictionCard::vdc, real("vdc", dimension::number, 0, at_least(0), "damping, percent of critical")},
     integer("penchk", 0, any_value, "check of small penetrations; none in automatic contacts"),
-    real("bt", dimension::time, 0, at_least(0), "the contact acts from this time on"),
-    real("dt", dimension::time, forever, at_least(0), "until this time; 0: for ever"),
-}};
-const Card scale_card{{
-    real("sfsa", dimension::number, 1, at_least(0), "scale of the tracked side's stiffness (SFS)"),
-    real("sfsb", dimension::number, 1, at_least(0), "scale of the reference side's stiffness (SFM)"),
-    real("sast", dimension::length, 0, any_value,
-         "thickness of the tracked side (SST); ties: a negative value is the tolerance"),
-    real("sbst", dimension::length, 0, any_value, "thickness of the reference side (MST)"),
-    real("sfsat", dimension::number, 1, at_least(0), "scale of the tracked side's thickness (SFST)"),
-    real("sfsbt", dimension::number, 1, at_least(0), "scale of the reference side's thickness (SFMT)"),
-    real("fsf", dimension::number, 1, at_least(0), "scale of friction"),
-    real("vsf", dimension::number, 1, at_least(0), "scale of viscous friction"),
-}};
-const Card card_a{{
-    integer("soft", 0, any_value, "0 penalty by material, 1 by nodal masses and step, 2 by segment masses and step"),
-    real("sofscl", dimension::number, 0.1, at_least(0), "scale of the stiffness with soft 1"),
-    integer("lcidab", 0, any_value, "curve of airbag contact"),
-    real("maxpar", dimension::number, 1.025, any_value, "extension of segments"),
+    {&FrictionCard::bt, real("bt", dimension::time, 0, at_least(0), "the contact acts from this time on")},
+    {&FrictionCard::dt, real("dt", dimension::time, forever, at_least(0), "until this time; 0: for ever")},
+};
+struct ScaleCard {
+  double sfsa = 0, sfsb = 0, sast = 0, sbst = 0, sfsat = 0, sfsbt = 0, fsf = 0, vsf = 0;
+};
+const CardOf<ScaleCard> scale_card{
+    {&ScaleCard::sfsa, real("sfsa", dimension::number, 1, at_least(0), "scale of the tracked side's stiffness (SFS)")},
+    {&ScaleCard::sfsb,
+     real("sfsb", dimension::number, 1, at_least(0), "scale of the reference side's stiffness (SFM)")},
+    {&ScaleCard::sast, real("sast", dimension::length, 0, any_value,
+                            "thickness of the tracked side (SST); ties: a negative value is the tolerance")},
+    {&ScaleCard::sbst, real("sbst", dimension::length, 0, any_value, "thickness of the reference side (MST)")},
+    {&ScaleCard::sfsat,
+     real("sfsat", dimension::number, 1, at_least(0), "scale of the tracked side's thickness (SFST)")},
+    {&ScaleCard::sfsbt,
+     real("sfsbt", dimension::number, 1, at_least(0), "scale of the reference side's thickness (SFMT)")},
+    {&ScaleCard::fsf, real("fsf", dimension::number, 1, at_least(0), "scale of friction")},
+    {&ScaleCard::vsf, real("vsf", dimension::number, 1, at_least(0), "scale of viscous friction")},
+};
+struct CardA {
+  int soft = 0;
+  double sofscl = 0;
+  int lcidab = 0;
+  double maxpar = 0;
+  int depth = 0, bsort = 0, frcfrq = 0;
+};
+const CardOf<CardA> card_a{
+    {&CardA::soft,
+     integer("soft", 0, any_value, "0 penalty by material, 1 by nodal masses and step, 2 by segment masses and step")},
+    {&CardA::sofscl, real("sofscl", dimension::number, 0.1, at_least(0), "scale of the stiffness with soft 1")},
+    {&CardA::lcidab, integer("lcidab", 0, any_value, "curve of airbag contact")},
+    {&CardA::maxpar, real("maxpar", dimension::number, 1.025, any_value, "extension of segments")},
     real("sbopt", dimension::number, 2, any_value, "soft 2: segments may be warped and hand contacts on in any case"),
-    integer("depth", 2, any_value, "soft 2: from 3 on edges of shells too; else all pairs are found in any case"),
-    integer("bsort", 0, any_value, "cycles between searches; 0: chosen by the program"),
-    integer("frcfrq", 1, any_value, "cycles between forces; here each cycle"),
-}};
-const Card card_b{{
-    real("penmax", dimension::number, 0, at_least(0), "a node deeper than so many thicknesses is released; 0: never"),
+    {&CardA::depth,
+     integer("depth", 2, any_value, "soft 2: from 3 on edges of shells too; else all pairs are found in any case")},
+    {&CardA::bsort, integer("bsort", 0, any_value, "cycles between searches; 0: chosen by the program")},
+    {&CardA::frcfrq, integer("frcfrq", 1, any_value, "cycles between forces; here each cycle")},
+};
+struct CardB {
+  double penmax = 0;
+  int snlog = 0, isym = 0, i2d3d = 0;
+  double sldthk = 0, sldstf = 0;
+};
+const CardOf<CardB> card_b{
+    {&CardB::penmax,
+     real("penmax", dimension::number, 0, at_least(0), "a node deeper than so many thicknesses is released; 0: never")},
     integer("thkopt", 0, any_value, "thickness option of contacts that are not automatic"),
     integer("shlthk", 0, any_value, "the same"),
-    integer("snlog", 0, any_value, "nodes that penetrate far within a cycle"),
-    integer("isym", 0, any_value, "symmetry planes"),
-    integer("i2d3d", 0, any_value, "which elements give segments"),
-    real("sldthk", dimension::length, 0, any_value, "thickness on solids"),
-    real("sldstf", dimension::stress, 0, any_value, "stiffness on solids"),
-}};
-const Card card_c{{
-    integer("igap", 1, any_value, "convergence of implicit runs"),
-    integer("ignore", 0, between(0, 2),
-            "initial penetrations: 0 by the control card, 1 tracked, 2 tracked and reported"),
-    real("dprfac", dimension::number, 0, any_value, "soft 2: initial overlap that is given up with time"),
-    real("dtstif", dimension::time, 0, any_value,
-         "step for which soft 1 and 2 find their stiffness; 0: that of the run"),
-    real("edgek", dimension::number, 0, any_value, "stiffness of edges"),
+    {&CardB::snlog, integer("snlog", 0, any_value, "nodes that penetrate far within a cycle")},
+    {&CardB::isym, integer("isym", 0, any_value, "symmetry planes")},
+    {&CardB::i2d3d, integer("i2d3d", 0, any_value, "which elements give segments")},
+    {&CardB::sldthk, real("sldthk", dimension::length, 0, any_value, "thickness on solids")},
+    {&CardB::sldstf, real("sldstf", dimension::stress, 0, any_value, "stiffness on solids")},
+};
+struct CardC {
+  int igap = 0, ignore = 0;
+  double dprfac = 0, dtstif = 0, edgek = 0, flangl = 0;
+  int cid_rcf = 0;
+};
+const CardOf<CardC> card_c{
+    {&CardC::igap, integer("igap", 1, any_value, "convergence of implicit runs")},
+    {&CardC::ignore, integer("ignore", 0, between(0, 2),
+                             "initial penetrations: 0 by the control card, 1 tracked, 2 tracked and reported")},
+    {&CardC::dprfac,
+     real("dprfac", dimension::number, 0, any_value, "soft 2: initial overlap that is given up with time")},
+    {&CardC::dtstif, real("dtstif", dimension::time, 0, any_value,
+                          "step for which soft 1 and 2 find their stiffness; 0: that of the run")},
+    {&CardC::edgek, real("edgek", dimension::number, 0, any_value, "stiffness of edges")},
     unused(),
-    real("flangl", dimension::number, 0, any_value, "angle of feature lines"),
-    id("cid_rcf", IdSpace::define, 0, "coordinate system of rcforc"),
-}};
-const Card card_d{{
-    integer("q2tri", 0, any_value, "quadrilaterals as triangles"),
-    real("dtpchk", dimension::time, 0, any_value, "time between reports of penetration"),
-    real("sfnbr", dimension::number, 0, any_value, "scale of neighbours"),
-    real("fnlscl", dimension::number, 0, any_value, "scale of a nonlinear force"),
-    real("dnlscl", dimension::number, 0, any_value, "distance of that force"),
-    integer("tcso", 0, any_value, "thickness from the section"),
-    integer("tiedid", 0, any_value, "incremental ties"),
-    integer("shledg", 0, any_value, "shell edges"),
-}};
-const Card card_e{{
+    {&CardC::flangl, real("flangl", dimension::number, 0, any_value, "angle of feature lines")},
+    {&CardC::cid_rcf, id("cid_rcf", IdSpace::define, 0, "coordinate system of rcforc")},
+};
+struct CardD {
+  int q2tri = 0;
+  double dtpchk = 0, sfnbr = 0, fnlscl = 0, dnlscl = 0;
+  int tcso = 0, tiedid = 0, shledg = 0;
+};
+const CardOf<CardD> card_d{
+    {&CardD::q2tri, integer("q2tri", 0, any_value, "quadrilaterals as triangles")},
+    {&CardD::dtpchk, real("dtpchk", dimension::time, 0, any_value, "time between reports of penetration")},
+    {&CardD::sfnbr, real("sfnbr", dimension::number, 0, any_value, "scale of neighbours")},
+    {&CardD::fnlscl, real("fnlscl", dimension::number, 0, any_value, "scale of a nonlinear force")},
+    {&CardD::dnlscl, real("dnlscl", dimension::number, 0, any_value, "distance of that force")},
+    {&CardD::tcso, integer("tcso", 0, any_value, "thickness from the section")},
+    {&CardD::tiedid, integer("tiedid", 0, any_value, "incremental ties")},
+    {&CardD::shledg, integer("shledg", 0, any_value, "shell edges")},
+};
+struct CardE {
+  int cparm8 = 0, ipback = 0, srnde = 0;
+  double fricsf = 0;
+  int icor = 0, ftorq = 0, region = 0;
+};
+const CardOf<CardE> card_e{
     integer("sharec", 0, any_value, "shared constraints"),
-    integer("cparm8", 0, any_value,
-            "_GENERAL: 1 beams of one part do not press each other; 2 and weld beams take part"),
-    integer("ipback", 0, any_value, "ties: not 0: springs where a node or its segment is constrained already"),
-    integer("srnde", 0, any_value, "round edges of shells"),
-    real("fricsf", dimension::number, 1, any_value, "scale of the stiffness of friction"),
-    integer("icor", 0, any_value, "restitution"),
-    integer("ftorq", 0, between(0, 1), "1: the moments of friction are balanced"),
-    integer("region", 0, any_value, "region of contact"),
-}};
-const Card card_f{{
-    integer("pstiff", 0, any_value, "how the stiffness is found"),
-    integer("ignroff", 0, any_value, "thickness offsets"),
+    {&CardE::cparm8, integer("cparm8", 0, any_value,
+                             "_GENERAL: 1 beams of one part do not press each other; 2 and weld beams take part")},
+    {&CardE::ipback,
+     integer("ipback", 0, any_value, "ties: not 0: springs where a node or its segment is constrained already")},
+    {&CardE::srnde, integer("srnde", 0, any_value, "round edges of shells")},
+    {&CardE::fricsf, real("fricsf", dimension::number, 1, any_value, "scale of the stiffness of friction")},
+    {&CardE::icor, integer("icor", 0, any_value, "restitution")},
+    {&CardE::ftorq, integer("ftorq", 0, between(0, 1), "1: the moments of friction are balanced")},
+    {&CardE::region, integer("region", 0, any_value, "region of contact")},
+};
+struct CardF {
+  int pstiff = 0, ignroff = 0, ssftyp = 0, swtpr = 0;
+  double tetfac = 0;
+};
+const CardOf<CardF> card_f{
+    {&CardF::pstiff, integer("pstiff", 0, any_value, "how the stiffness is found")},
+    {&CardF::ignroff, integer("ignroff", 0, any_value, "thickness offsets")},
     unused(),
     real("fstol", dimension::number, 2, any_value, "tolerance of smoothing"),
     integer("2dbinr", 0, any_value, "two-dimensional binning"),
-    integer("ssftyp", 0, any_value, "which scale holds"),
-    integer("swtpr", 0, any_value, "use of thickness"),
-    real("tetfac", dimension::number, 0, any_value, "stiffness of tetrahedra"),
-}};
+    {&CardF::ssftyp, integer("ssftyp", 0, any_value, "which scale holds")},
+    {&CardF::swtpr, integer("swtpr", 0, any_value, "use of thickness")},
+    {&CardF::tetfac, real("tetfac", dimension::number, 0, any_value, "stiffness of tetrahedra")},
+};
 
-const Card card_g{{
+struct CardG {
+  double shloff = 0;
+};
+const CardOf<CardG> card_g{
     unused(),
-    real("shloff", dimension::number, 0, any_value, "contact surfaces of shells that lie off their nodes"),
-}};
+    {&CardG::shloff,
+     real("shloff", dimension::number, 0, any_value, "contact surfaces of shells that lie off their nodes")},
+};
 
 const Card eroding_card{{
     integer("isym", 0, any_value, "planes of symmetry: nothing to do here"),
@@ -154,7 +217,7 @@ const Card eroding_card{{
     integer("iadj", 0, any_value, "faces between materials take part where the parts are all in the contact"),
 }};
 
-const Card& card_of_sides(const Cursor& cursor) {
+const CardOf<SidesCard>& card_of_sides(const Cursor& cursor) {
   const bool a = cursor.peek_number(2) == 3.0, b = cursor.peek_number(3) == 3.0;
   return a ? (b ? sides_of_parts : sides_part_set) : (b ? sides_set_part : sides_of_sets);
 }
@@ -171,263 +234,279 @@ void take_all_but(const Builder& builder, const std::vector<Index>& exempt, Surf
 
 /// Attributes of sets (of memory: DA1 and DA2 are strengths of glue, DA3 and DA4 scales of friction) are not heeded.
 template <class Set>
-void report_attributes(Builder& builder, const Row& row, std::string_view field, const Contact& contact,
-                       const Set& set) {
+void report_attributes(Builder& builder, const deck::Entry& field, const Contact& contact, const Set& set) {
   const std::array<double, 4>& a = set.attributes;
   if (!contact.slides() || (a[2] == 0.0 && a[3] == 0.0 && (!contact.glue || (a[0] == 0.0 && a[1] == 0.0)))) return;
-  row.report(builder.findings, Severity::warning, field,
-             fmt::format("attributes {:g}, {:g}, {:g}, {:g} of set {} (strengths, scales of friction) are not obeyed: "
-                         "those of the contact's cards hold",
-                         a[0], a[1], a[2], a[3], set.id),
-             "give a contact of its own to what has other strengths or friction");
+  field.report(
+      builder.findings, Severity::warning,
+      fmt::format("attributes {:g}, {:g}, {:g}, {:g} of set {} (strengths, scales of friction) are not obeyed: "
+                  "those of the contact's cards hold",
+                  a[0], a[1], a[2], a[3], set.id),
+      "give a contact of its own to what has other strengths or friction");
 }
 
 /// What a side's id and type stand for. Nothing but findings where the id is unknown.
-Surface surface_of(Builder& builder, const Row& row, std::string_view field, std::string_view type_field,
-                   const Contact& contact) {
+Surface surface_of(Builder& builder, const deck::Entry& field, int type, const Contact& contact) {
   Surface surface;
-  switch (row.integer(type_field)) {
+  switch (type) {
     case 0:
-      if (const auto* set = builder.segment_set(row, field)) {
+      if (const auto* set = builder.segment_set(field)) {
         surface.segments = set->members;
-        report_attributes(builder, row, field, contact, *set);
+        report_attributes(builder, field, contact, *set);
       }
       break;
     case 1:
-      if (const auto* set = builder.shell_set(row, field)) {
+      if (const auto* set = builder.shell_set(field)) {
         add_shells(builder.model, set->members, surface);
-        report_attributes(builder, row, field, contact, *set);
+        report_attributes(builder, field, contact, *set);
       }
       break;
     case 2:
-      if (row.integer(field) == 0)
+      if (field.integer() == 0)
         surface.everything = true;
-      else if (const auto* set = builder.part_set(row, field))
+      else if (const auto* set = builder.part_set(field))
         surface.parts = set->members;
       break;
     case 3:
-      if (const Index part = builder.part(row, field); part != none) surface.parts = {part};
+      if (const Index part = builder.part(field); part != none) surface.parts = {part};
       break;
     case 4:
-      if (const auto* set = builder.node_set(row, field)) {
+      if (const auto* set = builder.node_set(field)) {
         surface.nodes = set->members;
-        report_attributes(builder, row, field, contact, *set);
+        report_attributes(builder, field, contact, *set);
       }
       break;
     case 5: surface.everything = true; break;
     case 6:
-      if (const auto* set = builder.part_set(row, field)) take_all_but(builder, set->members, surface);
+      if (const auto* set = builder.part_set(field)) take_all_but(builder, set->members, surface);
       break;
     case 7:
-      if (const auto* branch = builder.branch(row, field)) surface.parts = branch->members;
+      if (const auto* branch = builder.branch(field)) surface.parts = branch->members;
       break;
     default: break;
   }
   return surface;
 }
 
-void take_box(Builder& builder, const Row& row, std::string_view field, Surface& surface) {
-  const Box* box = builder.box(row, field);
+void take_box(Builder& builder, const deck::Entry& field, Surface& surface) {
+  const Box* box = builder.box(field);
   if (box == nullptr) return;
   surface.boxed = true;
   surface.box_low = box->low;
   surface.box_high = box->high;
 }
 
-void take_boxes(Builder& builder, const Row& row, Contact& contact) {
-  for (const std::string_view field : {"saboxid", "sbboxid"})
-    if (row.integer(field) < 0)
-      refuse(builder, row, field, "a box that moves on is not built; expected the id of a *DEFINE_BOX",
+void take_boxes(Builder& builder, const RowOf<SidesCard>& row, Contact& contact) {
+  for (const deck::Entry& field : {row[&SidesCard::saboxid], row[&SidesCard::sbboxid]})
+    if (field.integer() < 0)
+      refuse(builder, field, "a box that moves on is not built; expected the id of a *DEFINE_BOX",
              "give the id without its sign: what lies in the box at the start takes part");
-  take_box(builder, row, "saboxid", contact.a);
-  take_box(builder, row, "sbboxid", contact.b);
+  take_box(builder, row[&SidesCard::saboxid], contact.a);
+  take_box(builder, row[&SidesCard::sbboxid], contact.b);
 }
 
-void take_single_surface(Builder& builder, const Row& row, Contact& contact) {
-  if (row.integer("surfatyp") == 4)
-    return refuse(builder, row, "surfatyp", "a single surface has no node set for a side",
+void take_single_surface(Builder& builder, const RowOf<SidesCard>& row, Contact& contact) {
+  if (row->surfatyp == 4)
+    return refuse(builder, row[&SidesCard::surfatyp], "a single surface has no node set for a side",
                   "name parts, shells or segments");
-  if (row.integer("surfa") == 0)
+  if (row->surfa == 0)
     contact.a.everything = true;
   else
-    contact.a = surface_of(builder, row, "surfa", "surfatyp", contact);
+    contact.a = surface_of(builder, row[&SidesCard::surfa], row->surfatyp, contact);
 }
 
-void refuse_missing_sides(Builder& builder, const Row& row, const char* advice) {
-  for (const auto& [field, type] : {std::pair{"surfa", "surfatyp"}, std::pair{"surfb", "surfbtyp"}})
-    if (row.integer(field) == 0 && row.integer(type) != 5 && row.integer(type) != 2)
-      refuse(builder, row, field, "must be given", advice);
+void refuse_missing_sides(Builder& builder, const RowOf<SidesCard>& row, const char* advice) {
+  const auto check = [&](const deck::Entry& side, int type) {
+    if (side.integer() == 0 && type != 5 && type != 2) refuse(builder, side, "must be given", advice);
+  };
+  check(row[&SidesCard::surfa], row->surfatyp);
+  check(row[&SidesCard::surfb], row->surfbtyp);
 }
 
 /// Both sides of a contact of two surfaces; a tracked side may be a set of nodes where only its nodes are looked at.
-void take_two_sides(Builder& builder, const Row& row, Contact& contact) {
-  if (row.integer("surfatyp") == 4 && contact.kind == Kind::two_surfaces)
-    refuse(builder, row, "surfatyp", "a set of nodes has no segments for the nodes of the other side",
+void take_two_sides(Builder& builder, const RowOf<SidesCard>& row, Contact& contact) {
+  if (row->surfatyp == 4 && contact.kind == Kind::two_surfaces)
+    refuse(builder, row[&SidesCard::surfatyp], "a set of nodes has no segments for the nodes of the other side",
            "use *CONTACT_AUTOMATIC_NODES_TO_SURFACE");
-  if (row.integer("surfbtyp") == 4)
-    refuse(builder, row, "surfbtyp", "the reference side needs segments", "name parts, shells or a segment set");
+  if (row->surfbtyp == 4)
+    refuse(builder, row[&SidesCard::surfbtyp], "the reference side needs segments",
+           "name parts, shells or a segment set");
   refuse_missing_sides(builder, row,
                        "name both sides; *CONTACT_AUTOMATIC_SINGLE_SURFACE with SURFA 0 is for all parts and all");
-  contact.a = surface_of(builder, row, "surfa", "surfatyp", contact);
-  contact.b = surface_of(builder, row, "surfb", "surfbtyp", contact);
+  contact.a = surface_of(builder, row[&SidesCard::surfa], row->surfatyp, contact);
+  contact.b = surface_of(builder, row[&SidesCard::surfb], row->surfbtyp, contact);
 }
 
-void take_transducer(Builder& builder, const Row& row, Contact& contact) {
-  contact.a = surface_of(builder, row, "surfa", "surfatyp", contact);
-  if (row.integer("surfb") != 0) contact.b = surface_of(builder, row, "surfb", "surfbtyp", contact);
+void take_transducer(Builder& builder, const RowOf<SidesCard>& row, Contact& contact) {
+  contact.a = surface_of(builder, row[&SidesCard::surfa], row->surfatyp, contact);
+  if (row->surfb != 0) contact.b = surface_of(builder, row[&SidesCard::surfb], row->surfbtyp, contact);
 }
 
-void take_tie(Builder& builder, const Row& row, Contact& contact) {
-  if (row.integer("surfbtyp") == 4)
-    return refuse(builder, row, "surfbtyp", "the reference side of a tie needs segments",
+void take_tie(Builder& builder, const RowOf<SidesCard>& row, Contact& contact) {
+  if (row->surfbtyp == 4)
+    return refuse(builder, row[&SidesCard::surfbtyp], "the reference side of a tie needs segments",
                   "name parts, shells or a segment set");
   refuse_missing_sides(builder, row, "name what is tied, and to what");
-  contact.a = surface_of(builder, row, "surfa", "surfatyp", contact);
-  contact.b = surface_of(builder, row, "surfb", "surfbtyp", contact);
+  contact.a = surface_of(builder, row[&SidesCard::surfa], row->surfatyp, contact);
+  contact.b = surface_of(builder, row[&SidesCard::surfb], row->surfbtyp, contact);
 }
 
 // ---- the cards that always stand
 // --------------------------------------------------------------------------------------------
 
-bool slides_by_table(const Contact& contact, const Row& row) {
-  return contact.slides() && row.real("fs") == -2.0;
+bool slides_by_table(const Contact& contact, const RowOf<FrictionCard>& row) {
+  return contact.slides() && row->fs == -2.0;
 }
 
-void take_friction(Builder& builder, const Row& row, Contact& contact) {
-  contact.friction_by_part = contact.slides() && row.real("fs") == -1.0;
+void take_friction(Builder& builder, const RowOf<FrictionCard>& row, Contact& contact) {
+  contact.friction_by_part = contact.slides() && row->fs == -1.0;
   const bool by_table = slides_by_table(contact, row);
   if (contact.slides() && !contact.friction_by_part && !by_table)
-    for (const std::string_view field : {"fs", "fd", "dc", "vc"})
-      if (row.real(field) < 0.0)
-        refuse(builder, row, field,
-               "friction by a curve or function is not built; expected 0 or more, or FS = -1 or -2",
+    for (const deck::Entry& field :
+         {row[&FrictionCard::fs], row[&FrictionCard::fd], row[&FrictionCard::dc], row[&FrictionCard::vc]})
+      if (field.value < 0.0)
+        refuse(builder, field, "friction by a curve or function is not built; expected 0 or more, or FS = -1 or -2",
                "give the coefficients here, in *PART_CONTACT with FS = -1, or in *DEFINE_FRICTION with FS = -2");
-  if (contact.slides() && row.real("fs") == 2.0)
-    refuse(builder, row, "fs", "2 asks for friction by a table (its id in FD), which is not built",
+  if (contact.slides() && row->fs == 2.0)
+    refuse(builder, row[&FrictionCard::fs], "2 asks for friction by a table (its id in FD), which is not built",
            "give the coefficients, 1.99 or 2.01 where 2 is one");
-  contact.friction = {row.real("fs"), row.real("fd"), row.real("dc"), row.real("vc")};
+  contact.friction = {row->fs, row->fd, row->dc, row->vc};
   if (contact.friction_by_part || by_table) contact.friction = {1.0, 1.0, 0.0, 1.0};
-  contact.damping = row.real("vdc");
-  contact.birth = row.real("bt");
-  contact.death = death_time(row.real("dt"));
+  contact.damping = row->vdc;
+  contact.birth = row->bt;
+  contact.death = death_time(row->dt);
   if (contact.kind == Kind::transducer && (contact.birth > 0.0 || contact.death < forever))
-    row.report(builder.findings, Severity::warning, contact.birth > 0.0 ? "bt" : "dt",
-               "not obeyed: a transducer sums up the forces of the whole run", "leave BT and DT 0");
+    row[contact.birth > 0.0 ? &FrictionCard::bt : &FrictionCard::dt].report(
+        builder.findings, Severity::warning, "not obeyed: a transducer sums up the forces of the whole run",
+        "leave BT and DT 0");
   if (contact.tie_by_springs())
-    expect(builder, row, Severity::warning, {{"vdc", 0, "the springs of a tie have no damping here"}});
+    expect(builder, Severity::warning, {{row[&FrictionCard::vdc], 0, "the springs of a tie have no damping here"}});
 }
 
-void take_scales(Builder& builder, const Row& row, Contact& contact) {
+void take_scales(Builder& builder, const RowOf<ScaleCard>& row, Contact& contact) {
   if (contact.slides())
-    for (const std::string_view field : {"sast", "sbst"})
-      if (row.real(field) < 0.0)
-        refuse(builder, row, field, "a negative thickness has a meaning for ties alone; expected 0 or more",
+    for (const deck::Entry& field : {row[&ScaleCard::sast], row[&ScaleCard::sbst]})
+      if (field.value < 0.0)
+        refuse(builder, field, "a negative thickness has a meaning for ties alone; expected 0 or more",
                "leave it 0 for the thickness of the shells");
-  contact.stiffness_scale_a = row.real("sfsa");
-  contact.stiffness_scale_b = row.real("sfsb");
-  contact.thickness_a = row.real("sast");
-  contact.thickness_b = row.real("sbst");
-  contact.thickness_scale_a = row.real("sfsat");
-  contact.thickness_scale_b = row.real("sfsbt");
-  contact.friction.static_coefficient *= row.real("fsf");
-  contact.friction.dynamic_coefficient *= row.real("fsf");
-  contact.friction.shear_strength *= row.real("vsf");
+  contact.stiffness_scale_a = row->sfsa;
+  contact.stiffness_scale_b = row->sfsb;
+  contact.thickness_a = row->sast;
+  contact.thickness_b = row->sbst;
+  contact.thickness_scale_a = row->sfsat;
+  contact.thickness_scale_b = row->sfsbt;
+  contact.friction.static_coefficient *= row->fsf;
+  contact.friction.dynamic_coefficient *= row->fsf;
+  contact.friction.shear_strength *= row->vsf;
 }
 
 constexpr std::string_view left = "not built: runs as with the default";
 
-void take_a(Builder& builder, const Row& row, Contact& contact) {
-  contact.soft = row.integer("soft");
-  contact.soft_scale = row.real("sofscl");
-  contact.search_interval = std::max(0, row.integer("bsort"));
+void take_a(Builder& builder, const RowOf<CardA>& row, Contact& contact) {
+  contact.soft = row->soft;
+  contact.soft_scale = row->sofscl;
+  contact.search_interval = std::max(0, row->bsort);
   if (contact.tie()) return;  // of these fields none acts on a constraint
-  expect(builder, row, Severity::note,
-         {{"maxpar", 1.025, "segments are extended as with 1.025"}, {"frcfrq", 1, "forces are found in each cycle"}});
-  contact.depth = row.integer("depth");
+  expect(builder, Severity::note,
+         {{row[&CardA::maxpar], 1.025, "segments are extended as with 1.025"},
+          {row[&CardA::frcfrq], 1, "forces are found in each cycle"}});
+  contact.depth = row->depth;
   if (contact.soft == 2 && contact.keyword.find("NODES_TO_SURFACE") != std::string::npos) {
-    row.report(builder.findings, Severity::warning, "soft",
-               "a contact of nodes has no segments on one side; it runs as with soft = 1",
-               "use a contact of surfaces for segment-based contact");
+    row[&CardA::soft].report(builder.findings, Severity::warning,
+                             "a contact of nodes has no segments on one side; it runs as with soft = 1",
+                             "use a contact of surfaces for segment-based contact");
     contact.soft = 1;
   }
   if (contact.soft < 0 || contact.soft > 2)
-    refuse(builder, row, "soft", "this form of the penalty is not built; expected 0, 1 or 2",
+    refuse(builder, row[&CardA::soft], "this form of the penalty is not built; expected 0, 1 or 2",
            "use 2 for segment-based contact");
   if (contact.soft == 2 && contact.depth < 0)
-    refuse(builder, row, "depth", "a depth by curve is not built; expected 0 or more", "give the depth");
-  expect(builder, row, Severity::error, {{"lcidab", 0, "airbag contact is not built"}});
+    refuse(builder, row[&CardA::depth], "a depth by curve is not built; expected 0 or more", "give the depth");
+  expect(builder, Severity::error, {{row[&CardA::lcidab], 0, "airbag contact is not built"}});
 }
 
-void take_b(Builder& builder, const Row& row, Contact& contact) {
+void take_b(Builder& builder, const RowOf<CardB>& row, Contact& contact) {
   if (contact.tie()) return;
-  expect(builder, row, Severity::error,
-         {{"sldthk", 0, "a contact thickness on solids is not built"},
-          {"sldstf", 0, "a contact stiffness on solids is not built"}});
-  expect(builder, row, Severity::warning, {{"snlog", 0, left}, {"isym", 0, left}, {"i2d3d", 0, left}});
-  contact.deepest = row.real("penmax");
+  expect(builder, Severity::error,
+         {{row[&CardB::sldthk], 0, "a contact thickness on solids is not built"},
+          {row[&CardB::sldstf], 0, "a contact stiffness on solids is not built"}});
+  expect(builder, Severity::warning,
+         {{row[&CardB::snlog], 0, left}, {row[&CardB::isym], 0, left}, {row[&CardB::i2d3d], 0, left}});
+  contact.deepest = row->penmax;
 }
 
-void take_c(Builder& builder, const Row& row, Contact& contact) {
-  if (const int ignore = row.integer("ignore"); ignore != 0) contact.ignore = ignore;
+void take_c(Builder& builder, const RowOf<CardC>& row, Contact& contact) {
+  if (const int ignore = row->ignore; ignore != 0) contact.ignore = ignore;
   if (contact.tie()) return;
-  if (contact.keyword.find("MORTAR") != std::string::npos) expect(builder, row, Severity::warning, {{"igap", 1, left}});
-  contact.soft_step = row.real("dtstif");
+  if (contact.keyword.find("MORTAR") != std::string::npos)
+    expect(builder, Severity::warning, {{row[&CardC::igap], 1, left}});
+  contact.soft_step = row->dtstif;
   if (contact.soft_step < 0.0)
-    refuse(builder, row, "dtstif", "a step by a curve or by a running mean is not built; expected 0 or a step",
+    refuse(builder, row[&CardC::dtstif], "a step by a curve or by a running mean is not built; expected 0 or a step",
            "leave it 0 for the step of the run, or give the step");
-  expect(builder, row, Severity::warning,
-         {{"dprfac", 0, "not built: what overlaps at the start keeps its offset, as with 0"},
-          {"edgek", 0, left},
-          {"flangl", 0, left},
-          {"cid_rcf", 0, "forces are written in global axes"}});
+  expect(builder, Severity::warning,
+         {{row[&CardC::dprfac], 0, "not built: what overlaps at the start keeps its offset, as with 0"},
+          {row[&CardC::edgek], 0, left},
+          {row[&CardC::flangl], 0, left},
+          {row[&CardC::cid_rcf], 0, "forces are written in global axes"}});
 }
 
-void take_d(Builder& builder, const Row& row, const Contact& contact) {
+void take_d(Builder& builder, const RowOf<CardD>& row, const Contact& contact) {
   if (contact.tie())
-    expect(builder, row, Severity::error, {{"tiedid", 0, "incremental ties are not built"}});
+    expect(builder, Severity::error, {{row[&CardD::tiedid], 0, "incremental ties are not built"}});
   else
-    expect(builder, row, Severity::warning,
-           {{"q2tri", 0, left},
-            {"dtpchk", 0, left},
-            {"sfnbr", 0, left},
-            {"fnlscl", 0, left},
-            {"dnlscl", 0, left},
-            {"tcso", 0, left},
-            {"shledg", 0, left}});
+    expect(builder, Severity::warning,
+           {{row[&CardD::q2tri], 0, left},
+            {row[&CardD::dtpchk], 0, left},
+            {row[&CardD::sfnbr], 0, left},
+            {row[&CardD::fnlscl], 0, left},
+            {row[&CardD::dnlscl], 0, left},
+            {row[&CardD::tcso], 0, left},
+            {row[&CardD::shledg], 0, left}});
 }
 
-void take_cparm8(Builder& builder, const Row& row, Contact& contact) {
+void take_cparm8(Builder& builder, const deck::Entry& field, Contact& contact) {
   if (contact.keyword.find("GENERAL") == std::string::npos)
-    return expect(builder, row, Severity::warning, {{"cparm8", 0, "has an effect in _GENERAL alone"}});
-  const int value = row.integer("cparm8"), beams = value % 10;
-  if (value < 0 || beams > 2 || value / 10 > 1) return refuse(builder, row, "cparm8", "expected 0, 1 or 2, or 10 more");
+    return expect(builder, Severity::warning, {{field, 0, "has an effect in _GENERAL alone"}});
+  const int value = field.integer(), beams = value % 10;
+  if (value < 0 || beams > 2 || value / 10 > 1) return refuse(builder, field, "expected 0, 1 or 2, or 10 more");
   if (value >= 10)
-    row.report(builder.findings, Severity::warning, "cparm8",
-               "not obeyed: the bars around shell edges are not shifted into the shells");
+    field.report(builder.findings, Severity::warning,
+                 "not obeyed: the bars around shell edges are not shifted into the shells");
   if (beams > 0) contact.parts_apart = true;
   if (beams == 2) contact.takes_welds = true;
 }
 
-void take_e(Builder& builder, const Row& row, Contact& contact) {
+void take_e(Builder& builder, const RowOf<CardE>& row, Contact& contact) {
   if (contact.tie()) {
-    contact.penalty_fallback = row.integer("ipback") != 0;
+    contact.penalty_fallback = row->ipback != 0;
     return;
   }
-  take_cparm8(builder, row, contact);
-  contact.balances_friction = row.integer("ftorq") != 0;
-  if (row.integer("icor") != 0) {
-    row.report(builder.findings, Severity::warning, "icor",
-               "restitution in percent (VDC) is not built: this contact is not damped",
-               "give VDC in percent of critical damping, without ICOR");
+  take_cparm8(builder, row[&CardE::cparm8], contact);
+  contact.balances_friction = row->ftorq != 0;
+  if (row->icor != 0) {
+    row[&CardE::icor].report(builder.findings, Severity::warning,
+                             "restitution in percent (VDC) is not built: this contact is not damped",
+                             "give VDC in percent of critical damping, without ICOR");
     contact.damping = 0.0;
   }
-  expect(builder, row, Severity::warning, {{"srnde", 0, left}, {"region", 0, left}, {"fricsf", 1, left}});
+  expect(builder, Severity::warning,
+         {{row[&CardE::srnde], 0, left}, {row[&CardE::region], 0, left}, {row[&CardE::fricsf], 1, left}});
 }
 
-void take_f(Builder& builder, const Row& row, const Contact& contact) {
+void take_f(Builder& builder, const RowOf<CardF>& row, const Contact& contact) {
   if (contact.tie()) return;
-  expect(builder, row, Severity::warning,
-         {{"pstiff", 0, left}, {"ignroff", 0, left}, {"ssftyp", 0, left}, {"swtpr", 0, left}, {"tetfac", 0, left}});
+  expect(builder, Severity::warning,
+         {{row[&CardF::pstiff], 0, left},
+          {row[&CardF::ignroff], 0, left},
+          {row[&CardF::ssftyp], 0, left},
+          {row[&CardF::swtpr], 0, left},
+          {row[&CardF::tetfac], 0, left}});
+}
+
+void take_g(Builder& builder, const RowOf<CardG>& row) {
+  expect(builder, Severity::warning,
+         {{row[&CardG::shloff], 0, "not obeyed: contact surfaces lie about the mid-surface, as with 0"}});
 }
 
 void take_optional_cards(Builder& builder, Cursor& cursor, Contact& contact) {
@@ -438,8 +517,7 @@ void take_optional_cards(Builder& builder, Cursor& cursor, Contact& contact) {
   if (cursor.more()) take_e(builder, cursor.read(card_e), contact);
   if (cursor.more()) take_f(builder, cursor.read(card_f), contact);
   if (cursor.more() && !contact.tie())
-    expect(builder, cursor.read(card_g), Severity::warning,
-           {{"shloff", 0, "not obeyed: contact surfaces lie about the mid-surface, as with 0"}});
+    take_g(builder, cursor.read(card_g));
   else if (cursor.more())
     cursor.read(card_g);
   expect_end(builder, cursor);
@@ -452,19 +530,20 @@ void take_optional_cards(Builder& builder, Cursor& cursor, Contact& contact) {
 /// holds; docs/evidence/decks.md, the bolted connection) and IGNORE. The others tune its search.
 void read_mpp(Builder& builder, Cursor& cursor, const Options& options, Contact& contact) {
   if (!options.contains("MPP")) return;
-  const Row row = cursor.read(mpp_card1);
-  take_cparm8(builder, row, contact);
+  const auto row = cursor.read(mpp_card1);
+  take_cparm8(builder, row[&MppCard1::cparm8], contact);
   if (contact.slides()) {
-    if (const int ignore = row.integer("ignore"); ignore == 1 || ignore == 2)
+    if (const int ignore = row->ignore; ignore == 1 || ignore == 2)
       contact.ignore = ignore;
     else
-      expect(builder, row, Severity::warning,
-             {{"ignore", 0, "not built: IGNORE of card C or of *CONTROL_CONTACT holds"}});
+      expect(builder, Severity::warning,
+             {{row[&MppCard1::ignore], 0, "not built: IGNORE of card C or of *CONTROL_CONTACT holds"}});
   }
   if (!cursor.peek().starts_with('&')) return;
-  const Row second = cursor.read(mpp_card2);
+  const auto second = cursor.read(mpp_card2);
   if (contact.slides())
-    expect(builder, second, Severity::warning, {{"pensf", 1, "not built: an initial overlap is kept as it is"}});
+    expect(builder, Severity::warning,
+           {{second[&MppCard2::pensf], 1, "not built: an initial overlap is kept as it is"}});
 }
 
 /// The forms of a tie that its keyword names.
@@ -566,12 +645,12 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   contact.id = heading.id;
   contact.title = heading.text;
   read_mpp(builder, cursor, options, contact);
-  const Row sides = cursor.read(card_of_sides(cursor));
+  const auto sides = cursor.read(card_of_sides(cursor));
   if (!contact.slides())
-    expect(builder, sides, Severity::error,
-           {{"saboxid", 0, "a box around a side of a tie or a transducer is not built"},
-            {"sbboxid", 0, "a box around a side of a tie or a transducer is not built"}});
-  const Row friction = cursor.read(friction_card);
+    expect(builder, Severity::error,
+           {{sides[&SidesCard::saboxid], 0, "a box around a side of a tie or a transducer is not built"},
+            {sides[&SidesCard::sbboxid], 0, "a box around a side of a tie or a transducer is not built"}});
+  const auto friction = cursor.read(friction_card);
   take_friction(builder, friction, contact);
   take_scales(builder, cursor.read(scale_card), contact);
   if (erodes(contact) && cursor.more()) cursor.read(eroding_card);
@@ -579,7 +658,8 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   take_optional_cards(builder, cursor, contact);
   const long offset = block.transform ? block.transform->id_offset[static_cast<std::size_t>(IdSpace::define)] : 0;
   builder.defer(Phase::conditions, [sides, friction, offset, glue, contact = std::move(contact)](Builder& b) mutable {
-    if (slides_by_table(contact, friction)) contact.friction_table = friction_table(b, friction, offset);
+    if (slides_by_table(contact, friction))
+      contact.friction_table = friction_table(b, friction[&FrictionCard::fs], friction[&FrictionCard::fd], offset);
     if (kind == Kind::single_surface)
       take_single_surface(b, sides, contact);
     else if (contact.slides())
