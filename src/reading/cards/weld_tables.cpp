@@ -13,120 +13,176 @@ namespace {
 using deck::Block;
 using deck::Cursor;
 using deck::Row;
+using deck::RowOf;
 
-const Card rupture_stress_card{{
-    id("pid", IdSpace::part, required, "part of a sheet"),
-    real("srsig", dimension::stress, 0, at_least(0), "axial stress at failure; 0: left out"),
-    real("sigtau", dimension::stress, 0, at_least(0), "shear stress at failure; 0: left out"),
-}};
+struct RuptureStressCard {
+  int pid = 0;
+  double srsig = 0, sigtau = 0;
+};
+const CardOf<RuptureStressCard> rupture_stress_card{
+    {&RuptureStressCard::pid, id("pid", IdSpace::part, required, "part of a sheet")},
+    {&RuptureStressCard::srsig,
+     real("srsig", dimension::stress, 0, at_least(0), "axial stress at failure; 0: left out")},
+    {&RuptureStressCard::sigtau,
+     real("sigtau", dimension::stress, 0, at_least(0), "shear stress at failure; 0: left out")},
+};
 
-const Card pair_default_card{{
-    id("id", IdSpace::define, 0, "number of this table"),
-    real("dsn", dimension::stress, 0, at_least(0), "axial stress at failure of pairs that are not listed; 0: left out"),
-    real("dss", dimension::stress, 0, at_least(0), "shear stress at failure of them; 0: left out"),
-    id("dlcidsn", IdSpace::function, 0, "curve: factor on DSN over the strain rate"),
-    id("dlcidss", IdSpace::function, 0, "curve: factor on DSS over the strain rate"),
-}};
+struct PairDefaultCard {
+  int id = 0;
+  double dsn = 0, dss = 0;
+  int dlcidsn = 0, dlcidss = 0;
+};
+const CardOf<PairDefaultCard> pair_default_card{
+    {&PairDefaultCard::id, id("id", IdSpace::define, 0, "number of this table")},
+    {&PairDefaultCard::dsn, real("dsn", dimension::stress, 0, at_least(0),
+                                 "axial stress at failure of pairs that are not listed; 0: left out")},
+    {&PairDefaultCard::dss,
+     real("dss", dimension::stress, 0, at_least(0), "shear stress at failure of them; 0: left out")},
+    {&PairDefaultCard::dlcidsn, id("dlcidsn", IdSpace::function, 0, "curve: factor on DSN over the strain rate")},
+    {&PairDefaultCard::dlcidss, id("dlcidss", IdSpace::function, 0, "curve: factor on DSS over the strain rate")},
+};
 
-const Card pair_card{{
-    id("pid_i", IdSpace::part, required, "part of one sheet"),
-    id("pid_j", IdSpace::part, required, "part of the other"),
-    real("snij", dimension::stress, 0, at_least(0), "axial stress at failure; 0: left out"),
-    real("ssij", dimension::stress, 0, at_least(0), "shear stress at failure; 0: left out"),
-    id("lcidsnij", IdSpace::function, 0, "curve: factor on SNIJ over the strain rate"),
-    id("lcidssij", IdSpace::function, 0, "curve: factor on SSIJ over the strain rate"),
-}};
+struct PairCard {
+  int pid_i = 0, pid_j = 0;
+  double snij = 0, ssij = 0;
+  int lcidsnij = 0, lcidssij = 0;
+};
+const CardOf<PairCard> pair_card{
+    {&PairCard::pid_i, id("pid_i", IdSpace::part, required, "part of one sheet")},
+    {&PairCard::pid_j, id("pid_j", IdSpace::part, required, "part of the other")},
+    {&PairCard::snij, real("snij", dimension::stress, 0, at_least(0), "axial stress at failure; 0: left out")},
+    {&PairCard::ssij, real("ssij", dimension::stress, 0, at_least(0), "shear stress at failure; 0: left out")},
+    {&PairCard::lcidsnij, id("lcidsnij", IdSpace::function, 0, "curve: factor on SNIJ over the strain rate")},
+    {&PairCard::lcidssij, id("lcidssij", IdSpace::function, 0, "curve: factor on SSIJ over the strain rate")},
+};
 
-const Card load_rate_card{{
-    id("id", IdSpace::define, required, "number of this table, FVAL of *MAT_SPOTWELD"),
-    integer("tflag", 0, between(0, 3), "thickness: 0 thinner sheet, 1 mean, 2 thicker sheet, 3 sum"),
-    real("dc1", dimension::number, 1.183, any_value, "dynamic coefficient: constant"),
-    real("dc2", dimension::number, 0.002963, any_value, "dynamic coefficient of the rate of the force"),
-    real("dc3", dimension::number, 0.0458, any_value, "dynamic coefficient of its logarithm"),
-    real("dc4", {1, 1, -3}, 0.1, above_zero(), "rate of the force by which that rate is divided"),
-    real("exn", dimension::number, 2, above_zero(), "exponent of the normal term"),
-    real("exs", dimension::number, 2, above_zero(), "exponent of the shear term"),
-}};
+struct LoadRateCard {
+  int id = 0, tflag = 0;
+  double dc1 = 0, dc2 = 0, dc3 = 0, dc4 = 0, exn = 0, exs = 0;
+};
+const CardOf<LoadRateCard> load_rate_card{
+    {&LoadRateCard::id, id("id", IdSpace::define, required, "number of this table, FVAL of *MAT_SPOTWELD")},
+    {&LoadRateCard::tflag,
+     integer("tflag", 0, between(0, 3), "thickness: 0 thinner sheet, 1 mean, 2 thicker sheet, 3 sum")},
+    {&LoadRateCard::dc1, real("dc1", dimension::number, 1.183, any_value, "dynamic coefficient: constant")},
+    {&LoadRateCard::dc2,
+     real("dc2", dimension::number, 0.002963, any_value, "dynamic coefficient of the rate of the force")},
+    {&LoadRateCard::dc3, real("dc3", dimension::number, 0.0458, any_value, "dynamic coefficient of its logarithm")},
+    {&LoadRateCard::dc4, real("dc4", {1, 1, -3}, 0.1, above_zero(), "rate of the force by which that rate is divided")},
+    {&LoadRateCard::exn, real("exn", dimension::number, 2, above_zero(), "exponent of the normal term")},
+    {&LoadRateCard::exs, real("exs", dimension::number, 2, above_zero(), "exponent of the shear term")},
+};
 
-const Card load_rate_default_card{{
-    integer("navg", 0, at_least(0), "load rates averaged"),
-    real("d_sn", dimension::stress, 0, at_least(0), "normal stress at failure of sheets that are not listed"),
-    real("d_ss", dimension::stress, 0, at_least(0), "shear stress at failure of them"),
-    real("r_sult", dimension::stress, 0, only(0), "reference strength; its use is not public"),
-    real("tscale", dimension::number, 1, above_zero(), "factor on the thickness"),
-}};
+struct LoadRateDefaultCard {
+  int navg = 0;
+  double d_sn = 0, d_ss = 0, r_sult = 0, tscale = 0;
+};
+const CardOf<LoadRateDefaultCard> load_rate_default_card{
+    {&LoadRateDefaultCard::navg, integer("navg", 0, at_least(0), "load rates averaged")},
+    {&LoadRateDefaultCard::d_sn,
+     real("d_sn", dimension::stress, 0, at_least(0), "normal stress at failure of sheets that are not listed")},
+    {&LoadRateDefaultCard::d_ss, real("d_ss", dimension::stress, 0, at_least(0), "shear stress at failure of them")},
+    {&LoadRateDefaultCard::r_sult,
+     real("r_sult", dimension::stress, 0, only(0), "reference strength; its use is not public")},
+    {&LoadRateDefaultCard::tscale, real("tscale", dimension::number, 1, above_zero(), "factor on the thickness")},
+};
 
-const Card load_rate_material_card{{
-    id("mid", IdSpace::material, required, "material of a sheet"),
-    real("sn", dimension::stress, 0, at_least(0), "normal stress at failure; 0: left out"),
-    real("ss", dimension::stress, 0, at_least(0), "shear stress at failure; 0: left out"),
-}};
+struct LoadRateMaterialCard {
+  int mid = 0;
+  double sn = 0, ss = 0;
+  int pid1 = 0, pid2 = 0;
+};
+const CardOf<LoadRateMaterialCard> load_rate_material_card{
+    {&LoadRateMaterialCard::mid, id("mid", IdSpace::material, required, "material of a sheet")},
+    {&LoadRateMaterialCard::sn, real("sn", dimension::stress, 0, at_least(0), "normal stress at failure; 0: left out")},
+    {&LoadRateMaterialCard::ss, real("ss", dimension::stress, 0, at_least(0), "shear stress at failure; 0: left out")},
+};
 
-const Card load_rate_pair_card{{
-    id("pid1", IdSpace::part, required, "part of one sheet"),
-    id("pid2", IdSpace::part, required, "part of the other"),
-    real("sn", dimension::stress, 0, at_least(0), "normal stress at failure; 0: left out"),
-    real("ss", dimension::stress, 0, at_least(0), "shear stress at failure; 0: left out"),
-}};
+const CardOf<LoadRateMaterialCard> load_rate_pair_card{
+    {&LoadRateMaterialCard::pid1, id("pid1", IdSpace::part, required, "part of one sheet")},
+    {&LoadRateMaterialCard::pid2, id("pid2", IdSpace::part, required, "part of the other")},
+    {&LoadRateMaterialCard::sn, real("sn", dimension::stress, 0, at_least(0), "normal stress at failure; 0: left out")},
+    {&LoadRateMaterialCard::ss, real("ss", dimension::stress, 0, at_least(0), "shear stress at failure; 0: left out")},
+};
 
-const Card load_rate_add_card{{id("id", IdSpace::define, required, "table to which materials are added")}};
+struct LoadRateAddCard {
+  int id = 0;
+};
+const CardOf<LoadRateAddCard> load_rate_add_card{
+    {&LoadRateAddCard::id, id("id", IdSpace::define, required, "table to which materials are added")},
+};
 
-const Card connection_card{{
-    id("con_id", IdSpace::define, required, "number of this connection"),
-    integer("proprul", 0, between(0, 1), "which sheet counts: 0 and 1 that of lower rank; functions are not built"),
-    integer("areaeq", 0, between(-1, 1), "area: 0 as modelled, 1 of diameter 5 sqrt(t) in mm, -1 the same in m"),
+struct ConnectionCard {
+  int con_id = 0, proprul = 0, areaeq = 0, dgtyp = 0, moarfl = 0;
+};
+const CardOf<ConnectionCard> connection_card{
+    {&ConnectionCard::con_id, id("con_id", IdSpace::define, required, "number of this connection")},
+    {&ConnectionCard::proprul,
+     integer("proprul", 0, between(0, 1), "which sheet counts: 0 and 1 that of lower rank; functions are not built")},
+    {&ConnectionCard::areaeq,
+     integer("areaeq", 0, between(-1, 1), "area: 0 as modelled, 1 of diameter 5 sqrt(t) in mm, -1 the same in m")},
     unused(),
-    integer("dgtyp", 0, between(0, 5), "damage: 0 none, 1 by strain, 2 by failure value, 3 4 5 by fading energy"),
-    integer("moarfl", 0, between(0, 1), "modelled area: 0 falls with shear, 1 is constant"),
-}};
+    {&ConnectionCard::dgtyp,
+     integer("dgtyp", 0, between(0, 5), "damage: 0 none, 1 by strain, 2 by failure value, 3 4 5 by fading energy")},
+    {&ConnectionCard::moarfl, integer("moarfl", 0, between(0, 1), "modelled area: 0 falls with shear, 1 is constant")},
+};
 
-const Card connection_default_card{{
+struct RecordCard {
+  int mid = 0;
+  double sigy = 0, etan = 0, dg_pr = 0, rank = 0, sn = 0, sb = 0, ss = 0;
+};
+struct MoreCard {
+  double exsn = 0, exsb = 0, exss = 0;
+  int lcsn = 0, lcsb = 0, lcss = 0;
+  double gfad = 0, sclmrr = 0;
+};
+const CardOf<RecordCard> connection_default_card{
     unused(),
-    real("dsigy", dimension::stress, 0, at_least(0), "yield stress"),
-    real("detan", dimension::stress, 0, at_least(0), "tangent modulus"),
-    real("ddg_pr", dimension::number, 1e10, at_least(0), "damage parameter of DGTYP 1"),
-    real("drank", dimension::number, 0, any_value, "rank of sheets that are not listed"),
-    real("dsn", dimension::stress, 0, at_least(0), "normal stress at failure; 0: left out"),
-    real("dsb", dimension::stress, 0, at_least(0), "bending stress at failure; 0: left out"),
-    real("dss", dimension::stress, 0, at_least(0), "shear stress at failure; 0: left out"),
-}};
+    {&RecordCard::sigy, real("dsigy", dimension::stress, 0, at_least(0), "yield stress")},
+    {&RecordCard::etan, real("detan", dimension::stress, 0, at_least(0), "tangent modulus")},
+    {&RecordCard::dg_pr, real("ddg_pr", dimension::number, 1e10, at_least(0), "damage parameter of DGTYP 1")},
+    {&RecordCard::rank, real("drank", dimension::number, 0, any_value, "rank of sheets that are not listed")},
+    {&RecordCard::sn, real("dsn", dimension::stress, 0, at_least(0), "normal stress at failure; 0: left out")},
+    {&RecordCard::sb, real("dsb", dimension::stress, 0, at_least(0), "bending stress at failure; 0: left out")},
+    {&RecordCard::ss, real("dss", dimension::stress, 0, at_least(0), "shear stress at failure; 0: left out")},
+};
 
-const Card connection_default_more_card{{
-    real("dexsn", dimension::number, 1, above_zero(), "exponent of the normal term"),
-    real("dexsb", dimension::number, 1, above_zero(), "exponent of the bending term"),
-    real("dexss", dimension::number, 1, above_zero(), "exponent of the shear term"),
-    id("dlcsn", IdSpace::function, 0, "curve: factor on DSN over the strain rate"),
-    id("dlcsb", IdSpace::function, 0, "curve: factor on DSB over the strain rate"),
-    id("dlcss", IdSpace::function, 0, "curve: factor on DSS over the strain rate"),
-    real("dgfad", {1, 2, -2}, 0, at_least(0), "fading energy of DGTYP 3 4 5"),
-    real("dsclmrr", dimension::number, 1, at_least(0), "factor on the torsion"),
-}};
+const CardOf<MoreCard> connection_default_more_card{
+    {&MoreCard::exsn, real("dexsn", dimension::number, 1, above_zero(), "exponent of the normal term")},
+    {&MoreCard::exsb, real("dexsb", dimension::number, 1, above_zero(), "exponent of the bending term")},
+    {&MoreCard::exss, real("dexss", dimension::number, 1, above_zero(), "exponent of the shear term")},
+    {&MoreCard::lcsn, id("dlcsn", IdSpace::function, 0, "curve: factor on DSN over the strain rate")},
+    {&MoreCard::lcsb, id("dlcsb", IdSpace::function, 0, "curve: factor on DSB over the strain rate")},
+    {&MoreCard::lcss, id("dlcss", IdSpace::function, 0, "curve: factor on DSS over the strain rate")},
+    {&MoreCard::gfad, real("dgfad", {1, 2, -2}, 0, at_least(0), "fading energy of DGTYP 3 4 5")},
+    {&MoreCard::sclmrr, real("dsclmrr", dimension::number, 1, at_least(0), "factor on the torsion")},
+};
 
-const Card connection_material_card{{
-    id("mid", IdSpace::material, required, "material of a sheet"),
-    real("sigy", dimension::stress, 0, at_least(0), "yield stress"),
-    real("etan", dimension::stress, 0, at_least(0), "tangent modulus"),
-    real("dg_pr", dimension::number, 1e10, at_least(0), "damage parameter of DGTYP 1"),
-    real("rank", dimension::number, 0, any_value, "rank: of two sheets the lower counts"),
-    real("sn", dimension::stress, 0, at_least(0), "normal stress at failure; 0: left out"),
-    real("sb", dimension::stress, 0, at_least(0), "bending stress at failure; 0: left out"),
-    real("ss", dimension::stress, 0, at_least(0), "shear stress at failure; 0: left out"),
-}};
+const CardOf<RecordCard> connection_material_card{
+    {&RecordCard::mid, id("mid", IdSpace::material, required, "material of a sheet")},
+    {&RecordCard::sigy, real("sigy", dimension::stress, 0, at_least(0), "yield stress")},
+    {&RecordCard::etan, real("etan", dimension::stress, 0, at_least(0), "tangent modulus")},
+    {&RecordCard::dg_pr, real("dg_pr", dimension::number, 1e10, at_least(0), "damage parameter of DGTYP 1")},
+    {&RecordCard::rank, real("rank", dimension::number, 0, any_value, "rank: of two sheets the lower counts")},
+    {&RecordCard::sn, real("sn", dimension::stress, 0, at_least(0), "normal stress at failure; 0: left out")},
+    {&RecordCard::sb, real("sb", dimension::stress, 0, at_least(0), "bending stress at failure; 0: left out")},
+    {&RecordCard::ss, real("ss", dimension::stress, 0, at_least(0), "shear stress at failure; 0: left out")},
+};
 
-const Card connection_material_more_card{{
-    real("exsn", dimension::number, 1, above_zero(), "exponent of the normal term"),
-    real("exsb", dimension::number, 1, above_zero(), "exponent of the bending term"),
-    real("exss", dimension::number, 1, above_zero(), "exponent of the shear term"),
-    id("lcsn", IdSpace::function, 0, "curve: factor on SN over the strain rate"),
-    id("lcsb", IdSpace::function, 0, "curve: factor on SB over the strain rate"),
-    id("lcss", IdSpace::function, 0, "curve: factor on SS over the strain rate"),
-    real("gfad", {1, 2, -2}, 0, at_least(0), "fading energy of DGTYP 3 4 5"),
-    real("sclmrr", dimension::number, 1, at_least(0), "factor on the torsion"),
-}};
+const CardOf<MoreCard> connection_material_more_card{
+    {&MoreCard::exsn, real("exsn", dimension::number, 1, above_zero(), "exponent of the normal term")},
+    {&MoreCard::exsb, real("exsb", dimension::number, 1, above_zero(), "exponent of the bending term")},
+    {&MoreCard::exss, real("exss", dimension::number, 1, above_zero(), "exponent of the shear term")},
+    {&MoreCard::lcsn, id("lcsn", IdSpace::function, 0, "curve: factor on SN over the strain rate")},
+    {&MoreCard::lcsb, id("lcsb", IdSpace::function, 0, "curve: factor on SB over the strain rate")},
+    {&MoreCard::lcss, id("lcss", IdSpace::function, 0, "curve: factor on SS over the strain rate")},
+    {&MoreCard::gfad, real("gfad", {1, 2, -2}, 0, at_least(0), "fading energy of DGTYP 3 4 5")},
+    {&MoreCard::sclmrr, real("sclmrr", dimension::number, 1, at_least(0), "factor on the torsion")},
+};
 
-RateValue rate_value(Builder& b, const Row& row, std::string_view value, std::string_view curve) {
-  RateValue strength{row.real(value), {}};
-  if (const Index c = b.curve(row, curve); c != none) strength.factor = b.model.curves[static_cast<std::size_t>(c)];
+RateValue rate_value(Builder& b, double value, const deck::Entry& curve) {
+  RateValue strength{value, {}};
+  if (const Index c = b.curve(curve); c != none) strength.factor = b.model.curves[static_cast<std::size_t>(c)];
   return strength;
 }
 
@@ -137,28 +193,27 @@ void read_rupture_stress(Builder& b, const Block& block, const Options& options)
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
   while (!at_end(cursor)) {
-    const Row row = cursor.read(rupture_stress_card);
+    const auto row = cursor.read(rupture_stress_card);
     b.defer(Phase::curves, [row](Builder& later) {
-      if (const Index part = later.part(row, "pid"); part != none)
-        later.model.rupture_stresses.push_back({part, row.real("srsig"), row.real("sigtau")});
+      if (const Index part = later.part(row[&RuptureStressCard::pid]); part != none)
+        later.model.rupture_stresses.push_back({part, row->srsig, row->sigtau});
     });
   }
 }
 
-std::vector<Row> rest_of(Cursor& cursor, const Card& card) {
-  std::vector<Row> rows;
+template <class Values>
+std::vector<RowOf<Values>> rest_of(Cursor& cursor, const CardOf<Values>& card) {
+  std::vector<RowOf<Values>> rows;
   while (!at_end(cursor)) rows.push_back(cursor.read(card));
   return rows;
 }
 
 /// Adds an empty table under the id of its first card.
 template <class Table>
-Table* add_table(Builder& b, std::vector<Table>& tables, Ids& ids, const Row& row, std::string_view id,
-                 std::string_view what) {
-  if (!ids.add(row.integer(id), static_cast<Index>(tables.size()), row.place(), row.keyword(), what, b.findings))
-    return nullptr;
+Table* add_table(Builder& b, std::vector<Table>& tables, Ids& ids, const Row& row, int id, std::string_view what) {
+  if (!ids.add(id, static_cast<Index>(tables.size()), row.place(), row.keyword(), what, b.findings)) return nullptr;
   Table& table = tables.emplace_back();
-  table.id = row.integer(id);
+  table.id = id;
   table.place = row.place();
   return &table;
 }
@@ -166,29 +221,30 @@ Table* add_table(Builder& b, std::vector<Table>& tables, Ids& ids, const Row& ro
 void read_pair_strengths(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  const Row first = cursor.read(pair_default_card);
-  const std::vector<Row> pairs = rest_of(cursor, pair_card);
+  const auto first = cursor.read(pair_default_card);
+  const auto pairs = rest_of(cursor, pair_card);
   b.defer(Phase::curves, [first, pairs](Builder& later) {
     PairStrengths* table =
-        add_table(later, later.model.pair_strengths, later.pair_strengths, first, "id", "table of pairs");
+        add_table(later, later.model.pair_strengths, later.pair_strengths, first, first->id, "table of pairs");
     if (!table) return;
-    table->standard = {
-        {none, none}, rate_value(later, first, "dsn", "dlcidsn"), rate_value(later, first, "dss", "dlcidss")};
-    for (const Row& row : pairs)
-      table->pairs.push_back({{later.part(row, "pid_i"), later.part(row, "pid_j")},
-                              rate_value(later, row, "snij", "lcidsnij"),
-                              rate_value(later, row, "ssij", "lcidssij")});
+    table->standard = {{none, none},
+                       rate_value(later, first->dsn, first[&PairDefaultCard::dlcidsn]),
+                       rate_value(later, first->dss, first[&PairDefaultCard::dlcidss])};
+    for (const auto& row : pairs)
+      table->pairs.push_back({{later.part(row[&PairCard::pid_i]), later.part(row[&PairCard::pid_j])},
+                              rate_value(later, row->snij, row[&PairCard::lcidsnij]),
+                              rate_value(later, row->ssij, row[&PairCard::lcidssij])});
   });
 }
 
-LoadRateStrengths::Entry load_rate_entry(Builder& b, const Row& row, bool by_pair) {
+LoadRateStrengths::Entry load_rate_entry(Builder& b, const RowOf<LoadRateMaterialCard>& row, bool by_pair) {
   LoadRateStrengths::Entry entry;
-  entry.normal = row.real("sn");
-  entry.shear = row.real("ss");
+  entry.normal = row->sn;
+  entry.shear = row->ss;
   if (by_pair)
-    entry.parts = {b.part(row, "pid1"), b.part(row, "pid2")};
+    entry.parts = {b.part(row[&LoadRateMaterialCard::pid1]), b.part(row[&LoadRateMaterialCard::pid2])};
   else
-    entry.material = b.find(b.materials, "material", row, "mid");
+    entry.material = b.find(b.materials, "material", row[&LoadRateMaterialCard::mid]);
   return entry;
 }
 
@@ -196,115 +252,113 @@ void read_load_rate(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
   const bool by_pair = options.contains("PID");
-  const Row first = cursor.read(load_rate_card), second = cursor.read(load_rate_default_card);
-  const std::vector<Row> rows = rest_of(cursor, by_pair ? load_rate_pair_card : load_rate_material_card);
+  const auto first = cursor.read(load_rate_card);
+  const auto second = cursor.read(load_rate_default_card);
+  const auto rows = rest_of(cursor, by_pair ? load_rate_pair_card : load_rate_material_card);
   b.defer(Phase::curves, [first, second, rows, by_pair](Builder& later) {
-    LoadRateStrengths* table = add_table(later, later.model.load_rate_strengths, later.load_rate_strengths, first, "id",
-                                         "table of weld strengths");
+    LoadRateStrengths* table = add_table(later, later.model.load_rate_strengths, later.load_rate_strengths, first,
+                                         first->id, "table of weld strengths");
     if (!table) return;
-    table->thickness_rule = first.integer("tflag");
-    table->dynamic = {first.real("dc1"), first.real("dc2"), first.real("dc3"), first.real("dc4")};
-    table->normal_exponent = first.real("exn");
-    table->shear_exponent = first.real("exs");
-    table->averaged = second.integer("navg");
-    table->normal = second.real("d_sn");
-    table->shear = second.real("d_ss");
-    table->reference = second.real("r_sult");
-    table->thickness_scale = second.real("tscale");
-    for (const Row& row : rows) table->entries.push_back(load_rate_entry(later, row, by_pair));
+    table->thickness_rule = first->tflag;
+    table->dynamic = {first->dc1, first->dc2, first->dc3, first->dc4};
+    table->normal_exponent = first->exn;
+    table->shear_exponent = first->exs;
+    table->averaged = second->navg;
+    table->normal = second->d_sn;
+    table->shear = second->d_ss;
+    table->reference = second->r_sult;
+    table->thickness_scale = second->tscale;
+    for (const auto& row : rows) table->entries.push_back(load_rate_entry(later, row, by_pair));
   });
 }
 
 void read_load_rate_add(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  const Row first = cursor.read(load_rate_add_card);
-  const std::vector<Row> rows = rest_of(cursor, load_rate_material_card);
+  const auto first = cursor.read(load_rate_add_card);
+  const auto rows = rest_of(cursor, load_rate_material_card);
   // One phase later than the tables themselves.
   b.defer(Phase::mesh, [first, rows](Builder& later) {
-    const Index table = later.find(later.load_rate_strengths, "*DEFINE_SPOTWELD_FAILURE", first, "id");
+    const Index table = later.find(later.load_rate_strengths, "*DEFINE_SPOTWELD_FAILURE", first[&LoadRateAddCard::id]);
     if (table == none) return;
-    for (const Row& row : rows)
+    for (const auto& row : rows)
       later.model.load_rate_strengths[static_cast<std::size_t>(table)].entries.push_back(
           load_rate_entry(later, row, false));
   });
 }
 
 struct MaterialRows {
-  Row strength, more;
+  RowOf<RecordCard> strength;
+  RowOf<MoreCard> more;
 };
 
 std::vector<MaterialRows> material_rows(Cursor& cursor) {
   std::vector<MaterialRows> rows;
   while (!at_end(cursor)) {
-    Row strength = cursor.read(connection_material_card);
+    auto strength = cursor.read(connection_material_card);
     rows.push_back({std::move(strength), cursor.read(connection_material_more_card)});
   }
   return rows;
 }
 
-/// A record; the default's fields are the material's with a D before them.
-ConnectionProperties::Record record(Builder& b, const Row& first, const Row& more, bool of_default) {
-  const auto name = [of_default](const char* field) { return fmt::format("{}{}", of_default ? "d" : "", field); };
+/// A record; the default has no material.
+ConnectionProperties::Record record(Builder& b, const RowOf<RecordCard>& first, const RowOf<MoreCard>& more,
+                                    bool of_default) {
   ConnectionProperties::Record r;
-  r.yield = first.real(name("sigy"));
-  r.tangent_modulus = first.real(name("etan"));
-  r.damage_parameter = first.real(name("dg_pr"));
-  r.rank = first.real(name("rank"));
-  const auto strength = [&](const char* value, const char* curve) {
-    RateValue v{first.real(name(value)), {}};
-    if (const Index c = b.curve(more, name(curve)); c != none) v.factor = b.model.curves[static_cast<std::size_t>(c)];
-    return v;
-  };
-  r.normal = strength("sn", "lcsn");
-  r.bending = strength("sb", "lcsb");
-  r.shear = strength("ss", "lcss");
-  r.normal_exponent = more.real(name("exsn"));
-  r.bending_exponent = more.real(name("exsb"));
-  r.shear_exponent = more.real(name("exss"));
-  r.fading_energy = more.real(name("gfad"));
-  r.torsion_factor = more.real(name("sclmrr"));
-  if (!of_default) r.material = b.find(b.materials, "material", first, "mid");
+  r.yield = first->sigy;
+  r.tangent_modulus = first->etan;
+  r.damage_parameter = first->dg_pr;
+  r.rank = first->rank;
+  r.normal = rate_value(b, first->sn, more[&MoreCard::lcsn]);
+  r.bending = rate_value(b, first->sb, more[&MoreCard::lcsb]);
+  r.shear = rate_value(b, first->ss, more[&MoreCard::lcss]);
+  r.normal_exponent = more->exsn;
+  r.bending_exponent = more->exsb;
+  r.shear_exponent = more->exss;
+  r.fading_energy = more->gfad;
+  r.torsion_factor = more->sclmrr;
+  if (!of_default) r.material = b.find(b.materials, "material", first[&RecordCard::mid]);
   return r;
 }
 
 /// DG_PR: how it bends the damage of DGTYP 1 is not public.
-void warn_of_hyperbola(Builder& b, const Row& row, std::string_view field) {
-  if (row.real(field) != 1e10)
-    row.report(b.findings, Severity::warning, field, "hyperbolic damage is not public: the damage is linear",
-               "leave it blank");
+void warn_of_hyperbola(Builder& b, const RowOf<RecordCard>& row) {
+  if (row->dg_pr != 1e10)
+    row[&RecordCard::dg_pr].report(b.findings, Severity::warning,
+                                   "hyperbolic damage is not public: the damage is linear", "leave it blank");
 }
 
 void read_connection(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  const Row first = cursor.read(connection_card), second = cursor.read(connection_default_card),
-            third = cursor.read(connection_default_more_card);
+  const auto first = cursor.read(connection_card);
+  const auto second = cursor.read(connection_default_card);
+  const auto third = cursor.read(connection_default_more_card);
   const std::vector<MaterialRows> rows = material_rows(cursor);
   b.defer(Phase::curves, [=](Builder& later) {
     ConnectionProperties* table =
-        add_table(later, later.model.connections, later.connections, first, "con_id", "connection");
+        add_table(later, later.model.connections, later.connections, first, first->con_id, "connection");
     if (!table) return;
-    table->rule = first.integer("proprul");
-    table->area_rule = first.integer("areaeq");
-    table->damage_type = first.integer("dgtyp");
-    table->area_change = first.integer("moarfl");
+    table->rule = first->proprul;
+    table->area_rule = first->areaeq;
+    table->damage_type = first->dgtyp;
+    table->area_change = first->moarfl;
     table->standard = record(later, second, third, true);
     for (const MaterialRows& row : rows) table->records.push_back(record(later, row.strength, row.more, false));
     if (table->damage_type != 1) return;
-    warn_of_hyperbola(later, second, "ddg_pr");
-    for (const MaterialRows& row : rows) warn_of_hyperbola(later, row.strength, "dg_pr");
+    warn_of_hyperbola(later, second);
+    for (const MaterialRows& row : rows) warn_of_hyperbola(later, row.strength);
   });
 }
 
 void read_connection_add(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  const Row first = cursor.read(connection_card);
+  const auto first = cursor.read(connection_card);
   const std::vector<MaterialRows> rows = material_rows(cursor);
   // One phase later than the connections themselves.
   b.defer(Phase::mesh, [first, rows](Builder& later) {
-    const Index table = later.find(later.connections, "*DEFINE_CONNECTION_PROPERTIES", first, "con_id");
+    const Index table = later.find(later.connections, "*DEFINE_CONNECTION_PROPERTIES", first[&ConnectionCard::con_id]);
     if (table == none) return;
     for (const MaterialRows& row : rows)
       later.model.connections[static_cast<std::size_t>(table)].records.push_back(
