@@ -31,10 +31,10 @@ bool has_plastic_strain(const kernel::Flow& flow) {
          std::holds_alternative<kernel::PowerLaw>(flow);
 }
 
-void take_points_to_delete(Builder& b, const deck::Row& row, kernel::LawComponents& law, bool said_before) {
-  const double numfip = row.real("numfip"), points = numfip < -100.0 ? -numfip - 100.0 : numfip;
+void take_points_to_delete(Builder& b, const deck::Entry& numfip, kernel::LawComponents& law, bool said_before) {
+  const double points = numfip.value < -100.0 ? -numfip.value - 100.0 : numfip.value;
   if (said_before && law.points_to_delete != points)
-    refuse(b, row, "numfip", "differs between *MAT_ADD_EROSION and *MAT_ADD_DAMAGE_GISSMO of the material",
+    refuse(b, numfip, "differs between *MAT_ADD_EROSION and *MAT_ADD_DAMAGE_GISSMO of the material",
            "write the same number on both");
   law.points_to_delete = points;
 }
