@@ -378,7 +378,7 @@ void generate(Builder& builder, const Block& block, const RowOf<GenerationCard>&
                     "give its direction, or two nodes");
     motion.spin = omega * unit(axis);
     // The axis goes through the first of its two nodes; XC, YC, ZC are for the other form.
-    const Index first = row2->nx == -999.0 ? builder.node(row2[&AxisCard::y]) : none;
+    const Index first = row2->nx == -999.0 ? builder.node(row2[&AxisCard::first_node]) : none;
     motion.center = first == none ? position(block, {row2->xc, row2->yc, row2->zc})
                                   : builder.model.nodes.x[static_cast<std::size_t>(first)];
     motion.turns = true;
