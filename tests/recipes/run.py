@@ -39,6 +39,8 @@ class Recipe:
 RECIPES = {
     "keyword_known_data": Recipe(new_files=0, changed_files=1, changed_lines=60, room="reading",
                                  title="A keyword onto data that the model has: one file"),
+    "history": Recipe(new_files=1, changed_files=1, changed_lines=1, room="impact",
+                      title="A history file: one file and one line"),
 }
 
 
