@@ -116,6 +116,8 @@ class Builder {
     deck::Row row;
   };
   std::vector<CompositePart> composite_parts;
+  /// By material: what its law asks of the parts that have it, and of their cards.
+  std::map<Index, std::function<void(Builder&, const Part&, const deck::Row&)>> part_checks;
 
   Ids nodes, shells, solids, beams, discretes, parts, shell_sections, solid_sections, beam_sections, discrete_sections,
       materials, hourglass, curves, tables, systems, vectors, boxes, spring_orientations, part_friction;
