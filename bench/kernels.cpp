@@ -14,6 +14,8 @@
 #include "kernel/element/full_shell.hpp"
 #include "kernel/element/hexahedron.hpp"
 #include "kernel/element/weld_beam.hpp"
+#include "kernel/law/laws.hpp"
+#include "kernel/law/spotweld_kernel.hpp"
 
 // Cost of one element in one cycle: gather of nodal rows, kernel, forces into slots; one core, double against batch.
 // Nodes stand still and keep their velocities, so that every cycle brings the same strain: small and elastic, or every

@@ -39,8 +39,8 @@ def read_keywords(listing):
             yield tuple(row[a:b].strip() for a, b in zip(starts, starts[1:] + [None]))
 
 
-def card_table(lines):
-    """The table of one card: the headline's words say where its columns start."""
+def table(lines):
+    """The table of one card or history file: the headline's words say where its columns start."""
     head = lines[0]
     words = re.findall(r"\S+", head)
     starts = [0] + [head.index(word) for word in words[1:]]
@@ -48,23 +48,23 @@ def card_table(lines):
     out = ["| " + " | ".join(rows[0]) + " |", "|" + "---|" * len(rows[0])]
     for row in rows[1:]:
         row = [cell(value) for value in row]
-        row[1] = f"**{row[1].upper()}**"
+        row[1] = f"**{row[1].upper() if words[1] == 'field' else row[1]}**"
         out.append("| " + " | ".join(row) + " |")
     return "\n".join(out)
 
 
 def keyword_section(name, text):
-    """One keyword: what the program says of it, cards as tables."""
+    """One keyword: what the program says of it, cards and the columns of a history file as tables."""
     out = [f"## `{name}` {{: #{anchor(name)} }}"]
     block = []
 
     def close():
         if block:
-            out.append(card_table(block))
+            out.append(table(block))
             block.clear()
 
     for line in text.splitlines()[1:]:
-        if line.startswith("  ") and (block or line.split()[0] == "columns"):
+        if line.startswith("  ") and (block or line.split()[0] in ("columns", "branch")):
             block.append(line)
             continue
         close()

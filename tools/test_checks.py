@@ -412,6 +412,11 @@ class Site(CheckCase):
         self.assertIn("## `*MAT_024` {: #mat_024 }", section)
         self.assertIn("| columns | field | kind | default | meaning |\n|---|---|---|---|---|\n"
                       "| 1-10 | **MID** | id | required | material \\| id |", section)
+        history = site.keyword_section("*DATABASE_DEFORC", "*DATABASE_DEFORC: used\n\ndeforc in binout0000\n"
+                                       "  branch  column            dimension  meaning\n"
+                                       "  deforc  x_force, y_force  M L T^-2   of a spring\n")
+        self.assertIn("deforc in binout0000\n\n| branch | column | dimension | meaning |\n|---|---|---|---|\n"
+                      "| deforc | **x\\_force, y\\_force** | M L T^-2 | of a spring |", history)
 
     def test_a_folder_in_the_navigation_stands_for_its_pages(self):
         for name, text in [("b/z.md", "# Z\n"), ("b/a.md", "# A\n"), ("b/index.md", "# First\n")]:

@@ -14,6 +14,7 @@
 #include "app/clock.hpp"
 #include "app/command.hpp"
 #include "app/frf.hpp"
+#include "app/history_columns.hpp"
 #include "app/modes.hpp"
 #include "app/outcome.hpp"
 #include "app/progress.hpp"
@@ -294,7 +295,10 @@ ExitCode run(const RunArguments& arguments) {
 }
 
 ExitCode keywords(const std::string& name) {
-  fmt::print("{}", name.empty() ? reading::describe_keywords() : reading::describe_keyword(name));
+  if (name.empty())
+    fmt::print("{}", reading::describe_keywords());
+  else
+    fmt::print("{}{}", reading::describe_keyword(name), describe_history(name));
   return ExitCode::normal;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -34,11 +36,15 @@ struct NamedEntity {
   bool relative = false;  ///< REF 2: the motion as seen from these axes, their origin included
 };
 
+struct HistoryName;  // history_files.hpp
+
 /// The *DATABASE_... cards.
 struct Requests {
-  Request glstat, matsum, nodout, swforc, dcfail, rwforc, spcforc, bndout, rbdout, rcforc, secforc, elout, deforc,
-      jntforc, nodfor, sleout, abstat;
-  Request d3plot;  ///< interval; `binary` unused
+  /// Of a history file: `requests["glstat"]`. One that no card asks for is not asked.
+  Request& operator[](HistoryName file);
+  const Request& operator[](HistoryName file) const;
+  std::map<std::string, Request, std::less<>> histories;  ///< by name of the file
+  Request d3plot;                                         ///< interval; `binary` unused
   std::vector<NamedEntity> history_nodes, history_shells, history_solids, history_beams;
   std::vector<CrossSection> cross_sections;         ///< of secforc
   std::vector<NodalForceGroup> nodal_force_groups;  ///< of nodfor

@@ -3,19 +3,36 @@
 
 namespace nugget::output {
 
-Abstat::Abstat(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend)
-    : file_(std::move(path), header, legend_lines(legend)) {}
-
-void Abstat::write(const AbstatState& state) {
-  file_.print(
-      "\n\n      time   airbag/cv #  volume        pressure    internal energy      dm/dt in      density dm/dt out  "
-      "total mass gas temp. surface area   reaction\n");
-  for (const AbstatRow& r : state.rows)
-    file_.print("{:12.5E}{:8}{:15.4E}{:15.4E}{:15.4E}{:15.4E}{:15.4E}{:11.3E}{:11.3E}{:11.3E}{:11.3E}{:11.3E}\n",
-                column(state.time), r.id, column(r.volume), column(r.pressure), column(r.internal_energy),
-                column(r.inflow), column(r.density), column(r.outflow), column(r.total_mass), column(r.temperature),
-                column(r.surface_area), 0.0);
-  file_.end_state();
+const HistoryFormat<AbstatState>& abstat() {
+  static const HistoryFormat<AbstatState> format{
+      .branches = {{
+          .path = "abstat",
+          .ids = ids(&AbstatState::rows, &AbstatRow::id),
+          .columns = columns(
+              &AbstatState::rows,
+              {
+                  {"time", &AbstatState::time, dimension::time, "time"},
+                  {"volume", &AbstatRow::volume, dimension::volume, "volume inside the faces"},
+                  {"pressure", &AbstatRow::pressure, dimension::stress, "pressure on the faces"},
+                  {"internal_energy", &AbstatRow::internal_energy, dimension::energy, "internal energy of the gas"},
+                  {"density", &AbstatRow::density, dimension::density, "density of the gas"},
+                  {"total_mass", &AbstatRow::total_mass, dimension::mass, "mass of the gas"},
+                  {"surface_area", &AbstatRow::surface_area, dimension::area, "area of the faces"},
+                  {"dm_dt_in", &AbstatRow::inflow, dimension::mass_flow, "mass that flows in over time"},
+                  {"dm_dt_out", &AbstatRow::outflow, dimension::mass_flow, "mass that flows out over time"},
+                  {"gas_temp", &AbstatRow::temperature, dimension::number, "absolute temperature of the gas"},
+                  {"reaction", [](const AbstatRow&) { return 0.0; }, dimension::force, "of the format; always 0"},
+              }),
+      }},
+      .legend = LegendLines::titles,
+      .lines = {.head = "\n\n      time   airbag/cv #  volume        pressure    internal energy      dm/dt in      "
+                        "density dm/dt out  total mass gas temp. surface area   reaction\n",
+                .row =
+                    "{time:12.5E}{id:8}{volume:15.4E}{pressure:15.4E}{internal_energy:15.4E}{dm_dt_in:15.4E}{density:"
+                    "15.4E}{dm_dt_out:11.3E}{total_mass:11.3E}{gas_temp:11.3E}{surface_area:11.3E}{reaction:11.3E}\n",
+                .tail = ""},
+  };
+  return format;
 }
 
 }  // namespace nugget::output

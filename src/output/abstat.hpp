@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
 
@@ -26,16 +26,8 @@ struct AbstatState {
   std::vector<AbstatRow> rows;  ///< the same volumes in the same order in every state
 };
 
-/// The ASCII file `abstat`, as LSTC's own translator of binout prints it; the legend holds the headings of
+/// The file `abstat`, as LSTC's own translator of binout prints it; the legend holds the headings of
 /// *AIRBAG_..._ID.
-class Abstat {
- public:
-  Abstat(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
-  void write(const AbstatState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  AsciiFile file_;
-};
+const HistoryFormat<AbstatState>& abstat();
 
 }  // namespace nugget::output

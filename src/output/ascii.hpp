@@ -6,6 +6,7 @@
 #include <iterator>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -56,6 +57,7 @@ class AsciiFile {
   void print(fmt::format_string<Args...> format, Args&&... args) {
     fmt::format_to(std::back_inserter(file_.buffer()), format, std::forward<Args>(args)...);
   }
+  void print_text(std::string_view text) { file_.buffer() += text; }
   void end_state() { file_.commit(); }
   void archive(Archive& a) { a(file_); }
 

@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "base/vec3.hpp"
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
 
@@ -37,15 +36,7 @@ struct BndoutTotal {
 BndoutTotal total(std::span<const BndoutNode> nodes);
 BndoutTotal total(std::span<const BndoutBody> bodies);
 
-/// The ASCII file `bndout`, section of the prescribed motions.
-class Bndout {
- public:
-  Bndout(std::filesystem::path path, const Header& header);
-  void write(const BndoutState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  AsciiFile file_;
-};
+/// The file `bndout`, section of the prescribed motions.
+const HistoryFormat<BndoutState>& bndout();
 
 }  // namespace nugget::output

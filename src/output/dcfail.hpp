@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
 
@@ -25,15 +25,7 @@ struct DcfailState {
   std::vector<DcfailRow> rows;  ///< the same welds in the same order in every state
 };
 
-/// The ASCII file `dcfail`.
-class Dcfail {
- public:
-  Dcfail(std::filesystem::path path, const Header& header);
-  void write(const DcfailState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  AsciiFile file_;
-};
+/// The file `dcfail`.
+const HistoryFormat<DcfailState>& dcfail();
 
 }  // namespace nugget::output

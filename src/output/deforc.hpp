@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "base/vec3.hpp"
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
 
@@ -23,15 +22,7 @@ struct DeforcState {
   std::vector<DeforcRow> rows;  ///< the same springs in the same order in every state
 };
 
-/// The ASCII file `deforc`.
-class Deforc {
- public:
-  Deforc(std::filesystem::path path, const Header& header);
-  void write(const DeforcState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  AsciiFile file_;
-};
+/// The file `deforc`.
+const HistoryFormat<DeforcState>& deforc();
 
 }  // namespace nugget::output

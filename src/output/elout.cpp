@@ -24,6 +24,113 @@ void head(AsciiFile& file, const char* what, const EloutState& state) {
       what, state.cycle, column(state.time));
 }
 
+bool has_strains(const EloutState& s) {
+  return s.strains;
+}
+
+/// Place in the list of states, counted from 1.
+int state_number(const EloutPoint& point) {
+  return point.plastic_strain > 0.0 ? 2 : 1;
+}
+const char* states(const EloutState&) {
+  return "elastic,plastic";
+}
+
+/// Of all elements, one after the other.
+std::vector<EloutPoint> layers_of_shells(const EloutState& s) {
+  std::vector<EloutPoint> all;
+  for (const EloutShell& e : s.shells) all.insert(all.end(), e.layers.begin(), e.layers.end());
+  return all;
+}
+std::vector<EloutBeam::Point> points_of_beams(const EloutState& s) {
+  std::vector<EloutBeam::Point> all;
+  for (const EloutBeam& b : s.beams) all.insert(all.end(), b.points.begin(), b.points.end());
+  return all;
+}
+
+void write_solids(AsciiFile& file, const EloutState& state) {
+  head(file, "s t r e s s", state);
+  file.print(
+      " element  materl\n"
+      "     ipt  stress       sig-xx      sig-yy      sig-zz      sig-xy      sig-yz      sig-zx                       "
+      "yield\n"
+      "           state                                                                                  effsg      "
+      "function\n");
+  for (const EloutSolid& solid : state.solids) {
+    element(file, solid.id, solid.part);
+    file.print("       1 {:<7} ", state_of(solid.point));
+    tensor(file, solid.point.stress);
+    file.print("{:14.4E}{:14.4E}\n", column(effective(solid.point.stress)), column(solid.point.plastic_strain));
+  }
+  if (!state.strains) return;
+  head(file, "s t r a i n", state);
+  file.print(
+      " element  strain       eps-xx      eps-yy      eps-zz      eps-xy      eps-yz      eps-zx                       "
+      " "
+      "    yield\n num/ipt   state\n");
+  for (const EloutSolid& solid : state.solids) {
+    element(file, solid.id, solid.part);
+    file.print("      1  {:<7} ", state_of(solid.point));
+    tensor(file, solid.strain);
+    file.print("\n");
+  }
+}
+
+void write_beams(AsciiFile& file, const EloutState& state) {
+  file.print(" r e s u l t a n t s   a n d   s t r e s s e s   f o r   t i m e  s t e p{:9}   ( at time{:12.5E} )\n",
+             state.cycle, column(state.time));
+  for (const EloutBeam& beam : state.beams) {
+    file.print("\n\n beam/truss # ={:8}      part ID  ={:10}      material type={:8}\n", beam.id, beam.part,
+               beam.material_type);
+    file.print("\n resultants      axial    shear-s    shear-t    moment-s   moment-t   torsion\n{:11}", "");
+    for (const double r : {beam.axial, beam.shear_s, beam.shear_t, beam.moment_s, beam.moment_t, beam.torsion})
+      file.print("{:11.3E}", column(r));
+    file.print("\n");
+    if (beam.points.empty()) continue;
+    file.print("\n\n integration point stresses\n{:23}sigma 11       sigma 12       sigma 31   plastic  eps\n", "");
+    int number = 0;
+    for (const EloutBeam::Point& p : beam.points)
+      file.print("{:5}           {:15.6E}{:15.6E}{:15.6E}{:15.6E}\n", ++number, column(p.axial), column(p.rs),
+                 column(p.tr), column(p.plastic_strain));
+  }
+}
+
+void write_shells(AsciiFile& file, const EloutState& state) {
+  const char* axes = state.local_shells ? "(local)" : "(global)";
+  head(file, "s t r e s s", state);
+  file.print(
+      " element  materl{:<8}\n"
+      " ipt-shl  stress       sig-xx      sig-yy      sig-zz      sig-xy      sig-yz      sig-zx       plastic\n"
+      "           state                                                                                 strain \n",
+      axes);
+  for (const EloutShell& shell : state.shells) {
+    element(file, shell.id, shell.part);
+    int number = 0;
+    for (const EloutPoint& layer : shell.layers) {
+      file.print("{:4}-{:3} {:<7} ", ++number, 0, state_of(layer));
+      tensor(file, layer.stress);
+      file.print("{:14.4E}\n", column(layer.plastic_strain));
+    }
+  }
+  if (!state.strains) return;
+  file.print("\n strains {:<8}      eps-xx      eps-yy      eps-zz      eps-xy      eps-yz      eps-zx{:36}\n{:117}\n",
+             axes, "", "");
+  for (const EloutShell& shell : state.shells) {
+    element(file, shell.id, shell.part);
+    file.print(" lower ipt       ");
+    tensor(file, shell.lower_strain);
+    file.print("\n upper ipt       ");
+    tensor(file, shell.upper_strain);
+    file.print("\n");
+  }
+}
+
+void print(AsciiFile& file, const EloutState& state) {
+  if (!state.solids.empty()) write_solids(file, state);
+  if (!state.beams.empty()) write_beams(file, state);
+  if (!state.shells.empty()) write_shells(file, state);
+}
+
 }  // namespace
 
 double effective(const Tensor& s) {
@@ -31,91 +138,103 @@ double effective(const Tensor& s) {
   return std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
 }
 
-Elout::Elout(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend)
-    : file_(std::move(path), header, legend_lines(legend)) {}
-
-void Elout::write(const EloutState& state) {
-  if (!state.solids.empty()) write_solids(state);
-  if (!state.beams.empty()) write_beams(state);
-  if (!state.shells.empty()) write_shells(state);
-  file_.end_state();
-}
-
-void Elout::write_solids(const EloutState& state) {
-  head(file_, "s t r e s s", state);
-  file_.print(
-      " element  materl\n"
-      "     ipt  stress       sig-xx      sig-yy      sig-zz      sig-xy      sig-yz      sig-zx                       "
-      "yield\n"
-      "           state                                                                                  effsg      "
-      "function\n");
-  for (const EloutSolid& solid : state.solids) {
-    element(file_, solid.id, solid.part);
-    file_.print("       1 {:<7} ", state_of(solid.point));
-    tensor(file_, solid.point.stress);
-    file_.print("{:14.4E}{:14.4E}\n", column(effective(solid.point.stress)), column(solid.point.plastic_strain));
-  }
-  if (!state.strains) return;
-  head(file_, "s t r a i n", state);
-  file_.print(
-      " element  strain       eps-xx      eps-yy      eps-zz      eps-xy      eps-yz      eps-zx                       "
-      " "
-      "    yield\n num/ipt   state\n");
-  for (const EloutSolid& solid : state.solids) {
-    element(file_, solid.id, solid.part);
-    file_.print("      1  {:<7} ", state_of(solid.point));
-    tensor(file_, solid.strain);
-    file_.print("\n");
-  }
-}
-
-void Elout::write_beams(const EloutState& state) {
-  file_.print(" r e s u l t a n t s   a n d   s t r e s s e s   f o r   t i m e  s t e p{:9}   ( at time{:12.5E} )\n",
-              state.cycle, column(state.time));
-  for (const EloutBeam& beam : state.beams) {
-    file_.print("\n\n beam/truss # ={:8}      part ID  ={:10}      material type={:8}\n", beam.id, beam.part,
-                beam.material_type);
-    file_.print("\n resultants      axial    shear-s    shear-t    moment-s   moment-t   torsion\n{:11}", "");
-    for (const double r : {beam.axial, beam.shear_s, beam.shear_t, beam.moment_s, beam.moment_t, beam.torsion})
-      file_.print("{:11.3E}", column(r));
-    file_.print("\n");
-    if (beam.points.empty()) continue;
-    file_.print("\n\n integration point stresses\n{:23}sigma 11       sigma 12       sigma 31   plastic  eps\n", "");
-    int number = 0;
-    for (const EloutBeam::Point& p : beam.points)
-      file_.print("{:5}           {:15.6E}{:15.6E}{:15.6E}{:15.6E}\n", ++number, column(p.axial), column(p.rs),
-                  column(p.tr), column(p.plastic_strain));
-  }
-}
-
-void Elout::write_shells(const EloutState& state) {
-  const char* axes = state.local_shells ? "(local)" : "(global)";
-  head(file_, "s t r e s s", state);
-  file_.print(
-      " element  materl{:<8}\n"
-      " ipt-shl  stress       sig-xx      sig-yy      sig-zz      sig-xy      sig-yz      sig-zx       plastic\n"
-      "           state                                                                                 strain \n",
-      axes);
-  for (const EloutShell& shell : state.shells) {
-    element(file_, shell.id, shell.part);
-    int number = 0;
-    for (const EloutPoint& layer : shell.layers) {
-      file_.print("{:4}-{:3} {:<7} ", ++number, 0, state_of(layer));
-      tensor(file_, layer.stress);
-      file_.print("{:14.4E}\n", column(layer.plastic_strain));
-    }
-  }
-  if (!state.strains) return;
-  file_.print("\n strains {:<8}      eps-xx      eps-yy      eps-zz      eps-xy      eps-yz      eps-zx{:36}\n{:117}\n",
-              axes, "", "");
-  for (const EloutShell& shell : state.shells) {
-    element(file_, shell.id, shell.part);
-    file_.print(" lower ipt       ");
-    tensor(file_, shell.lower_strain);
-    file_.print("\n upper ipt       ");
-    tensor(file_, shell.upper_strain);
-    file_.print("\n");
-  }
+const HistoryFormat<EloutState>& elout() {
+  static const HistoryFormat<EloutState> format{
+      .branches =
+          {
+              {.path = "elout/beam",
+               .columns =
+                   columns(
+                       &EloutState::beams,
+                       {
+                           {"time", &EloutState::time, dimension::time, "time"},
+                           {"cycle", &EloutState::cycle, dimension::number, "number of the cycle, from 1"},
+                           {"ids", &EloutBeam::id, dimension::number, "id of a beam"},
+                           {"mat", &EloutBeam::part, dimension::number, "id of its part"},
+                           {"mtype", &EloutBeam::material_type, dimension::number, "LS-DYNA's number of its law, or 0"},
+                           {"nip", [](const EloutBeam& b) { return static_cast<int>(b.points.size()); },
+                            dimension::number, "points that are written"},
+                           {"axial", &EloutBeam::axial, dimension::force, "axial force"},
+                           {"shear_s", &EloutBeam::shear_s, dimension::force, "shear force along s"},
+                           {"shear_t", &EloutBeam::shear_t, dimension::force, "shear force along t"},
+                           {"moment_s", &EloutBeam::moment_s, dimension::moment, "bending moment about s"},
+                           {"moment_t", &EloutBeam::moment_t, dimension::moment, "bending moment about t"},
+                           {"torsion", &EloutBeam::torsion, dimension::moment, "torsional moment"},
+                           // Readers of files with `mtype` expect these two.
+                           {"coef_length", [](const EloutBeam&) { return 0.0; }, dimension::number,
+                            "of muscles only; always 0"},
+                           {"visc_force", [](const EloutBeam&) { return 0.0; }, dimension::force,
+                            "of muscles only; always 0"},
+                       }) +
+                   columns(points_of_beams,
+                           {
+                               {"sigma_11", &EloutBeam::Point::axial, dimension::stress, "axial stress of a point"},
+                               {"sigma_12", &EloutBeam::Point::rs, dimension::stress, "shear stress rs of a point"},
+                               {"sigma_31", &EloutBeam::Point::tr, dimension::stress, "shear stress tr of a point"},
+                               {"plastic_eps", &EloutBeam::Point::plastic_strain, dimension::number,
+                                "plastic strain of a point"},
+                           })
+                       .where([](const EloutState& s) { return !points_of_beams(s).empty(); }),
+               .written = [](const EloutState& s) { return !s.beams.empty(); }},
+              {.path = "elout/shell",
+               .once = columns<EloutState>({
+                   {"states", states, dimension::number, "names of `state`, from 1"},
+                   {"system", [](const EloutState& s) { return s.local_shells ? "local " : "global"; },
+                    dimension::number, "axes of the stresses"},
+               }),
+               .columns = columns(&EloutState::shells,
+                                  {
+                                      {"time", &EloutState::time, dimension::time, "time"},
+                                      {"cycle", &EloutState::cycle, dimension::number, "number of the cycle, from 1"},
+                                      {"ids", &EloutShell::id, dimension::number, "id of a shell"},
+                                      {"mat", &EloutShell::part, dimension::number, "id of its part"},
+                                      {"nip", [](const EloutShell& e) { return static_cast<int>(e.layers.size()); },
+                                       dimension::number, "layers that are written"},
+                                      {"iop", [](const EloutShell&) { return 0; }, dimension::number,
+                                       "of the format; always 0"},
+                                  }) +
+                          columns(layers_of_shells,
+                                  {
+                                      {"state", state_number, dimension::number, "1 elastic, 2 plastic"},
+                                      {"sig_*", &EloutPoint::stress, dimension::stress, "stress of a layer"},
+                                      {"plastic_strain", &EloutPoint::plastic_strain, dimension::number,
+                                       "plastic strain of a layer"},
+                                  }) +
+                          columns(&EloutState::shells,
+                                  {
+                                      {"lower_eps_*", &EloutShell::lower_strain, dimension::number,
+                                       "logarithmic strain of the lowest layer"},
+                                      {"upper_eps_*", &EloutShell::upper_strain, dimension::number,
+                                       "logarithmic strain of the uppermost layer"},
+                                  })
+                              .where(has_strains),
+               .written = [](const EloutState& s) { return !s.shells.empty(); }},
+              {.path = "elout/solid",
+               .once = columns<EloutState>({{"states", states, dimension::number, "names of `state`, from 1"}}),
+               .columns = columns(&EloutState::solids,
+                                  {
+                                      {"time", &EloutState::time, dimension::time, "time"},
+                                      {"cycle", &EloutState::cycle, dimension::number, "number of the cycle, from 1"},
+                                      {"ids", &EloutSolid::id, dimension::number, "id of a solid"},
+                                      {"mtype", &EloutSolid::part, dimension::number, "id of its part"},
+                                      {"state", [](const EloutSolid& e) { return state_number(e.point); },
+                                       dimension::number, "1 elastic, 2 plastic"},
+                                      {"sig_*", [](const EloutSolid& e) { return e.point.stress; }, dimension::stress,
+                                       "stress"},
+                                      {"yield", [](const EloutSolid& e) { return e.point.plastic_strain; },
+                                       dimension::number, "plastic strain"},
+                                      {"effsg", [](const EloutSolid& e) { return effective(e.point.stress); },
+                                       dimension::stress, "von Mises stress"},
+                                  }) +
+                          columns(&EloutState::solids,
+                                  {{"eps_*", &EloutSolid::strain, dimension::number, "logarithmic strain"}})
+                              .where(has_strains),
+               .written = [](const EloutState& s) { return !s.solids.empty(); }},
+          },
+      .legend = LegendLines::titles,
+      .print = print,
+  };
+  return format;
 }
 
 }  // namespace nugget::output

@@ -4,12 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
-
-/// Six components xx yy zz xy yz zx.
-using Tensor = std::array<double, 6>;
 
 /// One integration point: stress, of shells in the axes that EloutState says, of bricks in global ones
 /// [force/length^2].
@@ -56,20 +53,8 @@ struct EloutState {
   std::vector<EloutShell> shells;
 };
 
-/// The ASCII file `elout`; the legend holds the headings of *DATABASE_HISTORY_..._ID. The state of a point is `plastic`
+/// The file `elout`; the legend holds the headings of *DATABASE_HISTORY_..._ID. The state of a point is `plastic`
 /// once it has a plastic strain.
-class Elout {
- public:
-  Elout(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
-  void write(const EloutState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  void write_solids(const EloutState& state);
-  void write_beams(const EloutState& state);
-  void write_shells(const EloutState& state);
-
-  AsciiFile file_;
-};
+const HistoryFormat<EloutState>& elout();
 
 }  // namespace nugget::output

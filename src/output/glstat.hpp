@@ -4,8 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/vec3.hpp"
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
 
@@ -37,15 +36,7 @@ struct GlstatState {
   std::optional<double> percent_increase;  ///< added mass in percent of the physical mass
 };
 
-/// The ASCII file `glstat`. Lines of absent quantities are left out, as LS-DYNA does.
-class Glstat {
- public:
-  Glstat(std::filesystem::path path, const Header& header);
-  void write(const GlstatState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  AsciiFile file_;
-};
+/// The file `glstat`. Lines of absent quantities are left out, as LS-DYNA does.
+const HistoryFormat<GlstatState>& glstat();
 
 }  // namespace nugget::output

@@ -4,8 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "base/vec3.hpp"
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
 
@@ -36,15 +35,7 @@ struct JntforcState {
   std::vector<JntforcStiffness> displacements, rotations;
 };
 
-/// The ASCII file `jntforc`; the legend holds the headings of *CONSTRAINED_JOINT_..._ID.
-class Jntforc {
- public:
-  Jntforc(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
-  void write(const JntforcState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  AsciiFile file_;
-};
+/// The file `jntforc`; the legend holds the headings of *CONSTRAINED_JOINT_..._ID.
+const HistoryFormat<JntforcState>& jntforc();
 
 }  // namespace nugget::output

@@ -4,8 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/vec3.hpp"
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
 
@@ -25,15 +24,7 @@ struct MatsumState {
   std::optional<double> lumped_kinetic;  ///< of masses that belong to no part; in the ASCII file as part 0
 };
 
-/// The ASCII file `matsum`; the legend holds the parts' titles.
-class Matsum {
- public:
-  Matsum(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
-  void write(const MatsumState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  AsciiFile file_;
-};
+/// The file `matsum`; the legend holds the parts' titles.
+const HistoryFormat<MatsumState>& matsum();
 
 }  // namespace nugget::output

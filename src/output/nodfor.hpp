@@ -4,8 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/vec3.hpp"
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
 
@@ -29,15 +28,7 @@ struct NodforState {
   std::vector<NodforGroup> groups;  ///< the same groups and nodes in the same order in every state
 };
 
-/// The ASCII file `nodfor`.
-class Nodfor {
- public:
-  Nodfor(std::filesystem::path path, const Header& header);
-  void write(const NodforState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  AsciiFile file_;
-};
+/// The file `nodfor`.
+const HistoryFormat<NodforState>& nodfor();
 
 }  // namespace nugget::output

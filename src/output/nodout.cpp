@@ -14,44 +14,70 @@ void node_and_vector(AsciiFile& file, int node, const Vec3d& v) {
   vector(file, v);
 }
 
-}  // namespace
-
-Nodout::Nodout(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend)
-    : file_(std::move(path), header, legend_lines(legend)) {}
-
-void Nodout::table_head(const NodoutState& state) {
-  file_.print(
+void table_head(AsciiFile& file, const NodoutState& state) {
+  file.print(
       "\n\n\n n o d a l   p r i n t   o u t   f o r   t i m e  s t e p{:8}                              ( at "
       "time{:14.7E} )\n",
       state.cycle, column(state.time));
 }
 
-void Nodout::write(const NodoutState& state) {
-  table_head(state);
-  file_.print(
+void print(AsciiFile& file, const NodoutState& state) {
+  table_head(file, state);
+  file.print(
       "\n nodal point  x-disp     y-disp      z-disp      x-vel       y-vel       z-vel      x-accl      y-accl      "
       "z-accl      x-coor      y-coor      z-coor\n");
   for (const NodoutRow& row : state.rows) {
-    node_and_vector(file_, row.node, row.displacement);
-    vector(file_, row.velocity);
-    vector(file_, row.acceleration);
-    vector(file_, row.coordinate);
-    file_.print("\n");
+    node_and_vector(file, row.node, row.displacement);
+    vector(file, row.velocity);
+    vector(file, row.acceleration);
+    vector(file, row.coordinate);
+    file.print("\n");
   }
   if (state.rotations) {
-    table_head(state);
-    file_.print(
+    table_head(file, state);
+    file.print(
         "\n nodal point  x-rot      y-rot       z-rot       x-rot vel   y-rot vel   z-rot vel   x-rot acc   y-rot acc  "
         " "
         "z-rot acc\n");
     for (const NodoutRow& row : state.rows) {
-      node_and_vector(file_, row.node, row.rotation);
-      vector(file_, row.rotational_velocity);
-      vector(file_, row.rotational_acceleration);
-      file_.print("\n");
+      node_and_vector(file, row.node, row.rotation);
+      vector(file, row.rotational_velocity);
+      vector(file, row.rotational_acceleration);
+      file.print("\n");
     }
   }
-  file_.end_state();
+}
+
+}  // namespace
+
+const HistoryFormat<NodoutState>& nodout() {
+  static const HistoryFormat<NodoutState> format{
+      .branches = {{
+          .path = "nodout",
+          .ids = ids(&NodoutState::rows, &NodoutRow::node),
+          .columns =
+              columns(&NodoutState::rows,
+                      {
+                          {"time", &NodoutState::time, dimension::time, "time"},
+                          {"cycle", &NodoutState::cycle, dimension::number, "number of the cycle, from 1"},
+                          {"*_displacement", &NodoutRow::displacement, dimension::length, "displacement of a node"},
+                          {"*_velocity", &NodoutRow::velocity, dimension::velocity, "velocity"},
+                          {"*_acceleration", &NodoutRow::acceleration, dimension::acceleration, "acceleration"},
+                          {"*_coordinate", &NodoutRow::coordinate, dimension::length, "coordinate now"},
+                      }) +
+              columns(&NodoutState::rows,
+                      {
+                          {"r*_displacement", &NodoutRow::rotation, dimension::angle, "rotation"},
+                          {"r*_velocity", &NodoutRow::rotational_velocity, dimension::rate, "rotational velocity"},
+                          {"r*_acceleration", &NodoutRow::rotational_acceleration, dimension::angular_acceleration,
+                           "rotational acceleration"},
+                      })
+                  .where([](const NodoutState& s) { return s.rotations; }),
+      }},
+      .legend = LegendLines::titles,
+      .print = print,
+  };
+  return format;
 }
 
 }  // namespace nugget::output

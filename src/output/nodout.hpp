@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "base/vec3.hpp"
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
 
@@ -23,17 +22,7 @@ struct NodoutState {
   std::vector<NodoutRow> rows;  ///< the same nodes in the same order in every state
 };
 
-/// The ASCII file `nodout`; the legend holds the headings of *DATABASE_HISTORY_NODE_ID.
-class Nodout {
- public:
-  Nodout(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
-  void write(const NodoutState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  void table_head(const NodoutState& state);
-
-  AsciiFile file_;
-};
+/// The file `nodout`; the legend holds the headings of *DATABASE_HISTORY_NODE_ID.
+const HistoryFormat<NodoutState>& nodout();
 
 }  // namespace nugget::output

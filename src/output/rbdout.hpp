@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "base/vec3.hpp"
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
 
@@ -25,15 +24,7 @@ struct RbdoutState {
   std::vector<RbdoutRow> nodal;  ///< nodal rigid bodies; the same in every state
 };
 
-/// The ASCII file `rbdout`.
-class Rbdout {
- public:
-  Rbdout(std::filesystem::path path, const Header& header);
-  void write(const RbdoutState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  AsciiFile file_;
-};
+/// The file `rbdout`.
+const HistoryFormat<RbdoutState>& rbdout();
 
 }  // namespace nugget::output

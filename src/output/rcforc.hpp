@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "base/vec3.hpp"
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
 
@@ -15,7 +14,7 @@ struct RcforcRow {
   int contact = 0;  ///< user id
   ContactSide side = ContactSide::tracked;
   Vec3d force;        ///< [force]
-  double mass = 0.0;  ///< of the nodes on this side [mass]; histories.cpp leaves it 0
+  double mass = 0.0;  ///< of the nodes on this side [mass]; recorders leave it 0
 };
 
 struct RcforcState {
@@ -23,15 +22,7 @@ struct RcforcState {
   std::vector<RcforcRow> rows;  ///< the same sides in the same order in every state
 };
 
-/// The ASCII file `rcforc`; the legend holds the titles of *CONTACT_..._TITLE.
-class Rcforc {
- public:
-  Rcforc(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
-  void write(const RcforcState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  AsciiFile file_;
-};
+/// The file `rcforc`; the legend holds the titles of *CONTACT_..._TITLE.
+const HistoryFormat<RcforcState>& rcforc();
 
 }  // namespace nugget::output

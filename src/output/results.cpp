@@ -6,11 +6,13 @@
 #include <string_view>
 #include <system_error>
 
+#include "model/history_files.hpp"
 #include "output/result_file.hpp"
 
 namespace nugget::output {
 namespace {
 
+/// Besides the history files.
 constexpr auto names = std::to_array<std::string_view>({"run.log",
                                                         "check.log",
                                                         "summary.json",
@@ -33,23 +35,6 @@ constexpr auto names = std::to_array<std::string_view>({"run.log",
                                                         "d3plot",
                                                         "d3eigv",
                                                         "d3ssd",
-                                                        "swforc",
-                                                        "dcfail",
-                                                        "glstat",
-                                                        "matsum",
-                                                        "nodout",
-                                                        "elout",
-                                                        "rcforc",
-                                                        "sleout",
-                                                        "secforc",
-                                                        "rwforc",
-                                                        "spcforc",
-                                                        "bndout",
-                                                        "abstat",
-                                                        "rbdout",
-                                                        "deforc",
-                                                        "jntforc",
-                                                        "nodfor",
                                                         "eigout",
                                                         "binout0000",
                                                         "summary.json.part",
@@ -68,7 +53,9 @@ bool is_member(std::string_view name, std::string_view stem) {
 
 bool is_ours(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
-  return std::find(names.begin(), names.end(), name) != names.end() || is_member(name, "d3plot") ||
+  const auto& histories = model::history_files;
+  return std::find(names.begin(), names.end(), name) != names.end() ||
+         std::find(histories.begin(), histories.end(), name) != histories.end() || is_member(name, "d3plot") ||
          is_member(name, "d3eigv") || is_member(name, "d3ssd") || name.starts_with("d3ssd_") ||
          name.starts_with("nodout_ssd_");  // of subcases
 }

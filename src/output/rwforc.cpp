@@ -2,20 +2,28 @@
 #include "output/rwforc.hpp"
 
 namespace nugget::output {
-namespace {
 
-constexpr const char* columns = "\n\n    time       wall#   normal-force    x-force        y-force        z-force\n";
-
-}  // namespace
-
-Rwforc::Rwforc(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend)
-    : file_(std::move(path), header, legend_lines(legend) + columns) {}
-
-void Rwforc::write(const RwforcState& state) {
-  for (const RwforcRow& row : state.rows)
-    file_.print("{:12.5E}{:8}{:15.6E}{:15.6E}{:15.6E}{:15.6E}\n", column(state.time), row.wall, column(row.normal),
-                column(row.force.x), column(row.force.y), column(row.force.z));
-  file_.end_state();
+const HistoryFormat<RwforcState>& rwforc() {
+  static const HistoryFormat<RwforcState> format{
+      .branches = {{
+          .path = "rwforc/forces",
+          .ids = ids(&RwforcState::rows, &RwforcRow::wall),
+          .once = columns(&RwforcState::rows, {{"setid", &RwforcRow::wall, dimension::number, "id of the wall again"}}),
+          .columns =
+              columns(&RwforcState::rows,
+                      {
+                          {"time", &RwforcState::time, dimension::time, "time"},
+                          {"normal_force", &RwforcRow::normal, dimension::force, "force of a wall along its normal"},
+                          {"*_force", &RwforcRow::force, dimension::force, "force of a wall on the model"},
+                      }),
+      }},
+      .legend = LegendLines::titles,
+      .heading = "\n\n    time       wall#   normal-force    x-force        y-force        z-force\n",
+      .lines = {.head = "",
+                .row = "{time:12.5E}{id:8}{normal_force:15.6E}{x_force:15.6E}{y_force:15.6E}{z_force:15.6E}\n",
+                .tail = ""},
+  };
+  return format;
 }
 
 }  // namespace nugget::output

@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "base/vec3.hpp"
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
 
@@ -20,15 +19,7 @@ struct RwforcState {
   std::vector<RwforcRow> rows;  ///< the same walls in the same order in every state
 };
 
-/// The ASCII file `rwforc`; the legend holds the headings of *RIGIDWALL_..._ID.
-class Rwforc {
- public:
-  Rwforc(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
-  void write(const RwforcState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  AsciiFile file_;
-};
+/// The file `rwforc`; the legend holds the headings of *RIGIDWALL_..._ID.
+const HistoryFormat<RwforcState>& rwforc();
 
 }  // namespace nugget::output

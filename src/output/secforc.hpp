@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "base/vec3.hpp"
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
 
@@ -27,15 +26,7 @@ struct SecforcState {
   std::vector<SecforcRow> rows;  ///< the same sections in the same order in every state
 };
 
-/// The ASCII file `secforc`; the legend holds the titles of *DATABASE_CROSS_SECTION_..._ID.
-class Secforc {
- public:
-  Secforc(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
-  void write(const SecforcState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  AsciiFile file_;
-};
+/// The file `secforc`; the legend holds the titles of *DATABASE_CROSS_SECTION_..._ID.
+const HistoryFormat<SecforcState>& secforc();
 
 }  // namespace nugget::output

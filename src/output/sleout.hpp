@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
 
@@ -25,15 +25,7 @@ struct SleoutState {
   double total_friction() const;
 };
 
-/// The ASCII file `sleout`; the legend holds the titles of *CONTACT_..._TITLE.
-class Sleout {
- public:
-  Sleout(std::filesystem::path path, const Header& header, std::span<const LegendEntry> legend = {});
-  void write(const SleoutState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  AsciiFile file_;
-};
+/// The file `sleout`; the legend holds the titles of *CONTACT_..._TITLE.
+const HistoryFormat<SleoutState>& sleout();
 
 }  // namespace nugget::output

@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "base/vec3.hpp"
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
 
@@ -22,15 +21,7 @@ struct SpcforcState {
   Vec3d resultant;                  ///< sum of the forces in global axes [force]
 };
 
-/// The ASCII file `spcforc`. A node's force stands before its moment.
-class Spcforc {
- public:
-  Spcforc(std::filesystem::path path, const Header& header);
-  void write(const SpcforcState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  AsciiFile file_;
-};
+/// The file `spcforc`. A node's force stands before its moment.
+const HistoryFormat<SpcforcState>& spcforc();
 
 }  // namespace nugget::output

@@ -53,6 +53,23 @@ std::string tail(const SwforcRow& row) {
                      column(row.torsion), peak(row));
 }
 
+void print(AsciiFile& file, const SwforcState& state) {
+  file.print(
+      "\n constraint #      axial        shear         time  failure                                       length  "
+      "rslt "
+      "moment      torsion\n");
+  int number = 0;
+  for (const SwforcRow& row : state.rows) {
+    file.print("      {:5}{:13.5E}{:13.5E}{:13.5E}", ++number, column(row.axial), column(row.shear),
+               column(state.time));
+    if (is_brick(row.kind))
+      file.print(" {:8.4f}    ", row.failure);
+    else
+      file.print("  {}    ", failure_column(row.failure, row.failure_time > 0.0));
+    file.print("{}{:8}{}\n", label(row.kind), row.id, tail(row));
+  }
+}
+
 }  // namespace
 
 std::string failure_column(double failure, bool has_failed) {
@@ -60,24 +77,48 @@ std::string failure_column(double failure, bool has_failed) {
   return number_in_seven(failure);
 }
 
-Swforc::Swforc(std::filesystem::path path, const Header& header) : file_(std::move(path), header) {}
-
-void Swforc::write(const SwforcState& state) {
-  file_.print(
-      "\n constraint #      axial        shear         time  failure                                       length  "
-      "rslt "
-      "moment      torsion\n");
-  int number = 0;
-  for (const SwforcRow& row : state.rows) {
-    file_.print("      {:5}{:13.5E}{:13.5E}{:13.5E}", ++number, column(row.axial), column(row.shear),
-                column(state.time));
-    if (is_brick(row.kind))
-      file_.print(" {:8.4f}    ", row.failure);
-    else
-      file_.print("  {}    ", failure_column(row.failure, row.failure_time > 0.0));
-    file_.print("{}{:8}{}\n", label(row.kind), row.id, tail(row));
-  }
-  file_.end_state();
+const HistoryFormat<SwforcState>& swforc() {
+  static const HistoryFormat<SwforcState> format{
+      .branches = {{
+          .path = "swforc",
+          .ids = ids(&SwforcState::rows, &SwforcRow::id),
+          .once =
+              columns(&SwforcState::rows,
+                      {
+                          {"typenames",
+                           [](const SwforcState&) { return "constraint,weld,beam,solid,non nodal, ,solid assembly"; },
+                           dimension::number, "names of the types, from 0"},
+                          {"types", &SwforcRow::kind, dimension::number, "what kind of weld it is"},
+                      }),
+          .columns = columns(&SwforcState::rows,
+                             {
+                                 {"time", &SwforcState::time, dimension::time, "time"},
+                                 {"axial", &SwforcRow::axial, dimension::force, "axial force of a weld"},
+                                 {"shear", &SwforcRow::shear, dimension::force, "resultant shear force"},
+                                 {"failure", &SwforcRow::failure, dimension::number,
+                                  "value of the failure function; 1 is failure"},
+                                 {"failure_time", &SwforcRow::failure_time, dimension::time,
+                                  "when the weld failed; 0: it has not"},
+                                 {"length", &SwforcRow::length, dimension::length, "length now"},
+                                 {"resultant_moment", &SwforcRow::resultant_moment, dimension::moment,
+                                  "resultant bending moment"},
+                                 {"torsion", &SwforcRow::torsion, dimension::moment, "torsional moment"},
+                             }) +
+                     columns(&SwforcState::rows,
+                             {
+                                 {"max_failure", [](const SwforcRow& r) { return r.peak ? r.peak->first : 0.0; },
+                                  dimension::number, "largest failure value so far, of OPT -2"},
+                                 {"max_failure_time", [](const SwforcRow& r) { return r.peak ? r.peak->second : 0.0; },
+                                  dimension::time, "its time"},
+                             })
+                         .where([](const SwforcState& s) {
+                           return std::any_of(s.rows.begin(), s.rows.end(),
+                                              [](const SwforcRow& r) { return r.peak.has_value(); });
+                         }),
+      }},
+      .print = print,
+  };
+  return format;
 }
 
 }  // namespace nugget::output

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "output/ascii.hpp"
+#include "output/history.hpp"
 
 namespace nugget::output {
 
@@ -37,15 +37,7 @@ struct SwforcState {
 /// has failed. A value of 1 and more of one that has not (OPT -1, -2, or OPT 6 for a while) is a number, `1.29+00`.
 std::string failure_column(double failure, bool has_failed);
 
-/// The ASCII file `swforc` in the layout of LS-DYNA R13, where weld beams carry torsion.
-class Swforc {
- public:
-  Swforc(std::filesystem::path path, const Header& header);
-  void write(const SwforcState& state);
-  void archive(Archive& a) { a(file_); }
-
- private:
-  AsciiFile file_;
-};
+/// The file `swforc` in the layout of LS-DYNA R13, where weld beams carry torsion.
+const HistoryFormat<SwforcState>& swforc();
 
 }  // namespace nugget::output

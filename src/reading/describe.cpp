@@ -12,18 +12,7 @@
 #include "reading/builder/builder.hpp"
 
 namespace nugget::reading {
-namespace {
 
-std::string_view word(KeywordStatus status) {
-  switch (status) {
-    case KeywordStatus::used: return "used";
-    case KeywordStatus::ignored: return "ignored";
-    case KeywordStatus::refused: break;
-  }
-  return "refused";
-}
-
-/// `M L^-1 T^-2`, or `-` for a pure number.
 std::string text_of(const Dimension& dimension) {
   std::string text;
   const auto add = [&](char symbol, int exponent) {
@@ -36,6 +25,17 @@ std::string text_of(const Dimension& dimension) {
   add('L', dimension.length);
   add('T', dimension.time);
   return text.empty() ? "-" : text;
+}
+
+namespace {
+
+std::string_view word(KeywordStatus status) {
+  switch (status) {
+    case KeywordStatus::used: return "used";
+    case KeywordStatus::ignored: return "ignored";
+    case KeywordStatus::refused: break;
+  }
+  return "refused";
 }
 
 std::string kind_of(const Field& field) {

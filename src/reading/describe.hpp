@@ -4,10 +4,14 @@
 #include <string>
 #include <string_view>
 
+#include "base/card.hpp"
 #include "model/model.hpp"
 
 // Texts out of the list of keywords: what `nugget keywords` prints, and the table of keywords of a run.
 namespace nugget::reading {
+
+/// `M L^-1 T^-2`, or `-` for a pure number.
+std::string text_of(const Dimension& dimension);
 
 /// All keywords as a table: name, status, options, and why a keyword is ignored or refused.
 std::string describe_keywords();

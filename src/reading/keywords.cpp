@@ -28,6 +28,7 @@ std::vector<Keyword> all_families() {
            gissmo_keywords,
            friction_keywords,
            orthotropic_material_keywords,
+           plain_law_keywords,
            rubber_material_keywords,
            foam_material_keywords,
            honeycomb_material_keywords,

@@ -7,6 +7,7 @@
 #include "kernel/element/resultant_beam.hpp"
 #include "kernel/element/truss.hpp"
 #include "kernel/element/weld_beam.hpp"
+#include "kernel/law/elastic_constants.hpp"
 #include "model/model.hpp"
 #include "system/beam.hpp"
 #include "system/element_group.hpp"

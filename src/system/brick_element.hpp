@@ -56,10 +56,10 @@ struct BrickElement {
     return field(Layout::first_history);
   }
   template <class Field>
-  double integrity(const Field& field) const requires std::is_same_v<Law, kernel::Spotweld> {
+  double integrity(const Field& field) const requires kernel::LawOfWelds<Law> {
     return point_integrity(law, field, 1, [](int) { return Layout::first_history; });
   }
-  void freeze_yield(double* state, int lane) const requires std::is_same_v<Law, kernel::Spotweld> {
+  void freeze_yield(double* state, int lane) const requires kernel::LawOfWelds<Law> {
     kernel::freeze_yield(law, state, native_width, lane);
   }
 
@@ -126,7 +126,7 @@ struct FullBrickElement : BrickElement<Law> {
   kernel::SolidForces<R> cycle(const Motion<R>& motion, double dt, double* state) const {
     return kernel::full_hexahedron_cycle(this->brick, strains, this->law, motion, dt, state);
   }
-  void freeze_yield(double* state, int lane) const requires std::is_same_v<Law, kernel::Spotweld> {
+  void freeze_yield(double* state, int lane) const requires kernel::LawOfWelds<Law> {
     kernel::freeze_yield(layout(), this->law, state, native_width, lane);
   }
   template <class Field>
@@ -141,7 +141,7 @@ struct FullBrickElement : BrickElement<Law> {
     return mean;
   }
   template <class Field>
-  double integrity(const Field& field) const requires std::is_same_v<Law, kernel::Spotweld> {
+  double integrity(const Field& field) const requires kernel::LawOfWelds<Law> {
     return point_integrity(this->law, field, Layout::points, [this](int p) { return layout().history_of(p); });
   }
   FullBrickElement inviscid() const {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/index.hpp"
-#include "kernel/law/composed_law_kernel.hpp"
+#include "kernel/law/own_kernels.hpp"
 #include "system/batch_group.hpp"
 #include "system/order.hpp"
 #include "system/system.hpp"

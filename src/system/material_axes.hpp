@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "kernel/law/axes_field.hpp"
 #include "kernel/law/composed_law_kernel.hpp"
-#include "kernel/law/orthotropic_point.hpp"
 
 namespace nugget::system {
 
@@ -17,9 +17,6 @@ const kernel::MaterialAxes* material_axes(const kernel::LawKernel<Law>& law) {
     return nullptr;
 }
 
-/// Field of a point's history in which its material axes begin.
-inline constexpr int first_material_axis = kernel::LawKernel<kernel::Orthotropic>::first_axis;
-
 /// Axes a, b, c of a solid now: the mean over its points, whose histories begin at the fields `history_of(point)`.
 template <class Law, class Field, class HistoryOf>
 std::optional<Frame3d> solid_material_axes(const kernel::LawKernel<Law>& law, const Field& field, int points,
@@ -27,7 +24,7 @@ std::optional<Frame3d> solid_material_axes(const kernel::LawKernel<Law>& law, co
   if (material_axes(law) == nullptr) return {};
   Vec3d a, b;
   for (int p = 0; p < points; ++p) {
-    const int i = history_of(p) + first_material_axis;
+    const int i = history_of(p) + kernel::first_axis_field;
     a += Vec3d{field(i), field(i + 1), field(i + 2)};
     b += Vec3d{field(i + 3), field(i + 4), field(i + 5)};
   }

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "kernel/law/law_kernel.hpp"
+#include "kernel/law/spotweld_kernel.hpp"
 
 namespace nugget::system {
 
@@ -12,7 +12,7 @@ namespace nugget::system {
 template <class Field, class Start>
 double point_integrity(const kernel::LawKernel<kernel::Spotweld>& law, const Field& field, int count,
                        const Start& history_of) {
-  constexpr int numbers = kernel::LawKernel<kernel::Spotweld>::undamaged_stress;
+  constexpr int numbers = kernel::LawKernel<kernel::Spotweld>::undamaged_stress_field;
   double sum = 0.0;
   for (int k = 0; k < count; ++k) {
     std::array<double, numbers> history;

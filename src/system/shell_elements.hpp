@@ -144,7 +144,7 @@ struct ShellElement {
   template <class Field>
   std::optional<Frame3d> material_axes_of(const Field& field, int k, const Places& x) const {
     if (material_axes(kernel::law_of(law, k)) == nullptr) return {};
-    const int i = layout().history_of(k) + first_material_axis;
+    const int i = layout().history_of(k) + kernel::first_axis_field;
     const Frame3d frame = frame_of(x);
     const Vec3d a = field(i) * frame.e1 + field(i + 1) * frame.e2;
     return Frame3d{a, cross(frame.e3, a), frame.e3};

@@ -30,7 +30,7 @@ struct WeldBeamElement : IntegratedBeamElement<kernel::Spotweld> {
   template <class Field, class Put, class Change>
   void change_stresses(const Field& field, const Put& put, const Change& change) const {
     for (int k = 0; k < layers(); ++k) {
-      const int undamaged = layout().history_of(k) + kernel::LawKernel<kernel::Spotweld>::undamaged_stress;
+      const int undamaged = layout().history_of(k) + kernel::LawKernel<kernel::Spotweld>::undamaged_stress_field;
       change_fibre_point(
           field,
           [&](int i, double value) {

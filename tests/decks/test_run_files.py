@@ -192,6 +192,7 @@ class RunFiles(CommandTest):
         table = self.nugget("keywords").stdout
         for keyword, verdict in (("MAT_SPOTWELD", "used"), ("CONTROL_CPU", "ignored"), ("ICFD_*", "refused")):
             self.assertRegex(table, rf"(?m)^\*{re.escape(keyword)} +{verdict}\b")
+        self.assertRegex(self.nugget("keywords", "*database_swforc").stdout, r"swforc +torsion +M L\^2 T\^-2 +torsional moment")
         one = self.nugget("keywords", "MAT_024").stdout
         self.assertTrue(one.startswith("*MAT_PIECEWISE_LINEAR_PLASTICITY: used\nalso written: *MAT_024\n"), one)
         self.assertRegex(one, r"31-40 +pr +real .*0 to 0\.5 .*Poisson's ratio")

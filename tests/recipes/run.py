@@ -39,6 +39,12 @@ class Recipe:
 RECIPES = {
     "keyword_known_data": Recipe(new_files=0, changed_files=1, changed_lines=60, room="reading",
                                  title="A keyword onto data that the model has: one file"),
+    "history": Recipe(new_files=1, changed_files=1, changed_lines=1, room="impact",
+                      title="A history file: one file and one line"),
+    "law": Recipe(new_files=1, changed_files=1, changed_lines=2, room="kernel",
+                  title="A law, with its card: one file, and its include and its name in the list of laws"),
+    "failure_rule": Recipe(new_files=1, changed_files=1, changed_lines=2, room="kernel",
+                           title="A failure rule for points of all elements, with its card: the same in the list of rules"),
 }
 
 

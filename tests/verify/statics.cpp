@@ -6,6 +6,7 @@
 
 #include "kernel/element/belytschko_tsay.hpp"
 #include "kernel/element/full_shell.hpp"
+#include "kernel/law/elastic_kernel.hpp"
 #include "system/shell_elements.hpp"
 
 namespace nugget::verify {

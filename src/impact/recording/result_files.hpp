@@ -4,12 +4,10 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <vector>
 
+#include "impact/recording/histories.hpp"
 #include "impact/simulation/snapshot.hpp"
-#include "output/ascii.hpp"
-#include "output/binout.hpp"
 #include "output/d3plot.hpp"
 
 namespace nugget::impact {
@@ -29,7 +27,7 @@ class ResultFiles : public Recorder {
  private:
   /// One file with its rhythm.
   struct Channel {
-    const model::Request* request;
+    model::Request request;
     std::function<void(const Snapshot&)> write;
     std::function<void(Archive&)> archive_file;
     double next = 0.0;
@@ -37,16 +35,12 @@ class ResultFiles : public Recorder {
   };
   bool due(const Channel& channel, const system::State& state) const;
   /// A channel for an ASCII file, for binout, or for both, as the request says.
-  template <class File, class MakeState>
-  void add(const model::Request& request, const char* name, MakeState make_state,
-           std::vector<output::LegendEntry> legend = {});
-  void add_elout();
-  output::Binout& binout();  ///< made where it is asked for first
+  void add(const HistoryFile& history, const system::System& system);
+  std::shared_ptr<output::Binout> binout();  ///< made where it is asked for first
 
   const model::Model& model_;
   std::filesystem::path directory_;
   output::Header header_;
-  model::Request energies_;  ///< of glstat
   std::shared_ptr<output::Binout> binout_;
   std::vector<Channel> channels_;
 };

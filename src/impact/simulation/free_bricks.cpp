@@ -9,6 +9,7 @@
 
 #include "base/index.hpp"
 #include "kernel/element/hexahedron.hpp"
+#include "kernel/law/elastic_kernel.hpp"
 #include "model/bond.hpp"
 
 namespace nugget::impact {

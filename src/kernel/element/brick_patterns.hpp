@@ -125,7 +125,8 @@ struct BulkViscosity {
 template <class R, class Law>
 [[gnu::always_inline]] inline void heat_by_viscosity(const LawKernel<Law>& law, const R& pressure, const R& trace,
                                                      double dt, double* history) {
-  if constexpr (std::is_same_v<Law, ComposedLaw>) law.add_viscous_work(R(-dt) * pressure * trace, history);
+  const R work = R(-dt) * pressure * trace;
+  if constexpr (requires { law.add_viscous_work(work, history); }) law.add_viscous_work(work, history);
 }
 
 /// A step of a brick in patterns: velocities, and the geometry in its middle and at its end. A deleted brick stands
@@ -155,8 +156,8 @@ Frame<R> weld_axes(const Patterns<R>& x) {
 }
 
 /// Stress of a weld of uniaxial stress state, in global axes: rr, rs and rt only.
-template <class R>
-SolidTensor<R> section_stress(const LawKernel<Spotweld>& law, const Matrix<R>& l, const Patterns<R>& mid,
+template <class R, class Law>
+SolidTensor<R> section_stress(const LawKernel<Law>& law, const Matrix<R>& l, const Patterns<R>& mid,
                               const Patterns<R>& end, double dt, double* history) {
   const Frame<R> m = weld_axes(mid);
   const Vec3<R> along = l * m.e1;

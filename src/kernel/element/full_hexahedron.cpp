@@ -7,7 +7,7 @@
 
 #include "kernel/element/assumed_strain.hpp"
 #include "kernel/element/brick_patterns.hpp"
-#include "kernel/law/composed_law_kernel.hpp"
+#include "kernel/law/own_kernels.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -97,7 +97,7 @@ double points_to_delete(const LawKernel<Law>& law) {
 /// Whether the law has the stresses on a weld's cross-section only.
 template <class Law>
 bool is_uniaxial(const LawKernel<Law>& law) {
-  if constexpr (std::is_same_v<Law, Spotweld>)
+  if constexpr (LawOfWelds<Law>)
     return law.uniaxial();
   else
     return false;
@@ -126,7 +126,7 @@ template <class R, class Law, class FieldOn>
   }
   const R trace = growth / volume;
 
-  constexpr bool weld = std::is_same_v<Law, Spotweld>;
+  constexpr bool weld = LawOfWelds<Law>;
   const bool uniaxial = is_uniaxial(law);
   const R share = R(1.0 / points), weld_integrity = load_field<R>(state, L::integrity);
   R rate = none, left = none;  // means over the points: effective strain rate, what damage has left
@@ -221,15 +221,16 @@ void start_full_hexahedron(const FullHexahedronLayout& layout, double* state, in
   state[L::integrity * width + lane] = 1.0;
 }
 
-void freeze_yield(const FullHexahedronLayout& layout, const LawKernel<Spotweld>& law, double* state, int width,
-                  int lane) {
+template <LawOfWelds Law>
+void freeze_yield(const FullHexahedronLayout& layout, const LawKernel<Law>& law, double* state, int width, int lane) {
   for (int p = 0; p < points; ++p) {
     const auto at = [&](int i) { return state[(layout.point(p) + i) * width + lane]; };
-    state[(layout.history_of(p) + LawKernel<Spotweld>::frozen_yield) * width + lane] =
+    state[(layout.history_of(p) + LawKernel<Law>::frozen_yield_field) * width + lane] =
         law.frozen_stress(effective_stress({at(0), at(1), at(2), at(3), at(4), at(5)}));
   }
 }
 
+template void freeze_yield(const FullHexahedronLayout&, const LawKernel<Spotweld>&, double*, int, int);
 template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains, const LawKernel<Elastic>&,
                                                    const SolidMotion<double>&, double, double*);
 template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,

@@ -56,7 +56,7 @@ SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, BrickStr
                                      const SolidMotion<R>& nodes, double dt, double* state);
 
 /// Freezes each point's yield stress at its present effective stress; see freeze_yield of weld_beam.hpp.
-void freeze_yield(const FullHexahedronLayout& layout, const LawKernel<Spotweld>& law, double* state, int width,
-                  int lane);
+template <LawOfWelds Law>
+void freeze_yield(const FullHexahedronLayout& layout, const LawKernel<Law>& law, double* state, int width, int lane);
 
 }  // namespace nugget::kernel

@@ -4,6 +4,7 @@
 #include "kernel/element/quadrilateral.hpp"
 #include "kernel/element/shell_layers.hpp"
 #include "kernel/law/laminate_kernel.hpp"
+#include "kernel/law/own_kernels.hpp"
 
 namespace nugget::kernel {
 namespace {

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "kernel/element/uniform_gradient.hpp"
-#include "kernel/law/composed_law_kernel.hpp"
+#include "kernel/law/own_kernels.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -115,7 +115,7 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const LawKern
   SolidTensor<R> s = rotated(turn, load_solid<R>(state + L::stress * lanes<R>));
   law.rotate(turn, history);
   R integrity(1.0), weld_integrity(1.0);  // of hourglass forces and bulk viscosity; of the weld as a whole
-  if constexpr (std::is_same_v<Law, Spotweld>) {
+  if constexpr (LawOfWelds<Law>) {
     store_field(state, L::strain_rate, effective_rate(d));
     if (law.uniaxial())
       s = section_stress(law, l, mid, end, dt, history);
@@ -131,7 +131,8 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const LawKern
   const bool orthogonal = brick.hourglass != 1;
   const Hourglass<R> rate = orthogonal ? hourglass_rates(v, l, mid) : Hourglass<R>{{v.h[0], v.h[1], v.h[2], v.h[3]}};
   R share(1.0);
-  if constexpr (std::is_same_v<Law, ComposedLaw>) share = law.template stiffness_share<R>(history);
+  if constexpr (requires { law.template stiffness_share<R>(history); })
+    share = law.template stiffness_share<R>(history);
   const Hourglass<R> q = resist_hourglass(brick, e, g, mid, end, rate, turn, half, side, share, integrity, dt, state);
 
   const R density = brick.density * load_field<R>(state, L::density_scale), none = R(0.0);
@@ -139,7 +140,7 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const LawKern
   const BulkViscosity<R> bulk(brick, law.template wave_modulus<R>(history), density, length, l.x.x + l.y.y + l.z.z);
   const R pressure = integrity * bulk.pressure;
   heat_by_viscosity(law, pressure, l.x.x + l.y.y + l.z.z, dt, history);
-  if constexpr (std::is_same_v<Law, Spotweld>) s = weld_integrity * s;
+  if constexpr (LawOfWelds<Law>) s = weld_integrity * s;
   s.xx -= pressure;
   s.yy -= pressure;
   s.zz -= pressure;
@@ -168,10 +169,11 @@ void start_hexahedron(const HexahedronLayout& layout, const std::array<Vec3d, 8>
   state[L::side * width + lane] = std::cbrt(hexahedron_volume(x));
 }
 
-void freeze_yield(const LawKernel<Spotweld>& law, double* state, int width, int lane) {
+template <LawOfWelds Law>
+void freeze_yield(const LawKernel<Law>& law, double* state, int width, int lane) {
   using L = HexahedronLayout;
   const auto at = [&](int i) { return state[(L::stress + i) * width + lane]; };
-  state[(L::first_history + LawKernel<Spotweld>::frozen_yield) * width + lane] =
+  state[(L::first_history + LawKernel<Law>::frozen_yield_field) * width + lane] =
       law.frozen_stress(effective_stress({at(0), at(1), at(2), at(3), at(4), at(5)}));
 }
 
@@ -188,6 +190,7 @@ double hexahedron_nodal_mass(const std::array<Vec3d, 8>& x, double density) {
   return 0.125 * density * hexahedron_volume(x);
 }
 
+template void freeze_yield(const LawKernel<Spotweld>&, double*, int, int);
 template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const LawKernel<Elastic>&,
                                               const SolidMotion<double>&, double, double*);
 template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const LawKernel<PlasticKinematic>&,

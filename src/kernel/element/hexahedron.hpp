@@ -83,7 +83,8 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const LawKern
 
 /// Freezes the yield stress of a weld brick at its present effective stress, from now on; see freeze_yield of
 /// weld_beam.hpp.
-void freeze_yield(const LawKernel<Spotweld>& law, double* state, int width, int lane);
+template <LawOfWelds Law>
+void freeze_yield(const LawKernel<Law>& law, double* state, int width, int lane);
 
 /// Volume; negative for inverted node order [length^3].
 double hexahedron_volume(const std::array<Vec3d, 8>& x);

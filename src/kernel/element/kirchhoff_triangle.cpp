@@ -6,6 +6,7 @@
 #include "kernel/element/gyration.hpp"
 #include "kernel/element/triangle.hpp"
 #include "kernel/law/laminate_kernel.hpp"
+#include "kernel/law/own_kernels.hpp"
 
 namespace nugget::kernel {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "kernel/element/tetrahedron_gradients.hpp"
-#include "kernel/law/composed_law_kernel.hpp"
+#include "kernel/law/own_kernels.hpp"
 
 namespace nugget::kernel {
 namespace {

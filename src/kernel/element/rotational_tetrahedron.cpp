@@ -6,7 +6,7 @@
 
 #include "kernel/element/tetrahedron.hpp"
 #include "kernel/element/tetrahedron_gradients.hpp"
-#include "kernel/law/composed_law_kernel.hpp"
+#include "kernel/law/own_kernels.hpp"
 
 namespace nugget::kernel {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernel/element/truss.hpp"
+#include "kernel/law/own_kernels.hpp"
 
 #include <limits>
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "kernel/element/gyration.hpp"
+#include "kernel/law/own_kernels.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -194,11 +195,12 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const LawKerne
   return out;
 }
 
-void freeze_yield(const WeldBeamLayout& layout, const LawKernel<Spotweld>& law, double* state, int width, int lane) {
+template <LawOfWelds Law>
+void freeze_yield(const WeldBeamLayout& layout, const LawKernel<Law>& law, double* state, int width, int lane) {
   for (int k = 0; k < layout.fibres; ++k) {
     const auto stress = [&](int i) { return state[(layout.fibre(k) + i) * width + lane]; };
     const double shear2 = stress(1) * stress(1) + stress(2) * stress(2);
-    state[(layout.history_of(k) + LawKernel<Spotweld>::frozen_yield) * width + lane] =
+    state[(layout.history_of(k) + LawKernel<Law>::frozen_yield_field) * width + lane] =
         law.frozen_stress(std::sqrt(stress(0) * stress(0) + 3.0 * shear2));
   }
 }
@@ -223,6 +225,7 @@ NodalMass weld_beam_nodal_mass(const WeldBeamProperties& beam, double length, do
   return {mass, std::max({bending, torsion, shear_mode, eccentric})};
 }
 
+template void freeze_yield(const WeldBeamLayout&, const LawKernel<Spotweld>&, double*, int, int);
 template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<Elastic>&,
                                                 const NodalMotion<double, 2>&, double, double*);
 template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<Spotweld>&,

@@ -88,7 +88,8 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const LawKerne
 
 /// Freezes the yield stress of every point at its present effective stress, from now on: the stress limit after the
 /// onset of damage of the weld as a whole (DMGOPT 11, 12). The law must allow it (Spotweld::yield_can_be_frozen).
-void freeze_yield(const WeldBeamLayout& layout, const LawKernel<Spotweld>& law, double* state, int width, int lane);
+template <LawOfWelds Law>
+void freeze_yield(const WeldBeamLayout& layout, const LawKernel<Law>& law, double* state, int width, int lane);
 
 /// Stable time step L / sqrt(E / rho) before TSSFAC [time].
 double weld_beam_stable_step(double length, double E, double density);

@@ -4,148 +4,10 @@
 #include <utility>
 
 #include "kernel/law/composed_law_kernel.hpp"
-#include "kernel/law/foam_points.hpp"
-#include "kernel/law/honeycomb_point.hpp"
 #include "kernel/law/law_components.hpp"
-#include "kernel/law/orthotropic_point.hpp"
 #include "kernel/law/point_failure.hpp"
-#include "kernel/law/relaxation.hpp"
-#include "kernel/law/rubber_points.hpp"
-#include "kernel/law/smooth_hardening.hpp"
 
 namespace nugget::kernel {
-
-/// History of a point: plastic strain and, where plastic work heats it, its temperature rise.
-template <>
-class LawKernel<JohnsonCook> : public J2<SmoothHardening<JohnsonCookFormula>, false> {
-  using Base = J2<SmoothHardening<JohnsonCookFormula>, false>;
-
- public:
-  explicit LawKernel(const JohnsonCook& law)
-      : J2(law.E, law.nu, SmoothHardening<JohnsonCookFormula>(law), 0.0),
-        heating_(law.heating),
-        melting_rise_(law.melting_rise) {}
-
-  int layer_history() const { return heats() ? 2 : 1; }
-  int solid_history() const { return heats() ? 2 : 1; }
-  bool heats() const { return heating_ > 0.0; }
-
-  template <class R>
-  ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, double* history) const {
-    const R before = load_field<R>(history, 0);
-    const ThicknessStrain<R> thickness = Base::layer(s, rate, dt, history);
-    if (heats())
-      heat(sqrt(s.xx * s.xx + s.yy * s.yy - s.xx * s.yy + 3.0 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz)), before,
-           history);
-    return thickness;
-  }
-  template <class R>
-  void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
-    const R before = load_field<R>(history, 0);
-    Base::solid(s, rate, dt, history);
-    if (!heats()) return;
-    const R xy = s.xx - s.yy, yz = s.yy - s.zz, zx = s.zz - s.xx;
-    heat(sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * (s.xy * s.xy + s.yz * s.yz + s.zx * s.zx)), before, history);
-  }
-
- private:
-  template <class R>
-  void heat(const R& effective, const R& before, double* history) const {
-    const R rise = load_field<R>(history, 1) + heating_ * effective * (load_field<R>(history, 0) - before);
-    store_field(history, 1, min(rise, R(melting_rise_)));
-  }
-
-  double heating_, melting_rise_;
-};
-
-template <>
-class LawKernel<PowerLaw> : public J2<SmoothHardening<PowerLawFormula>, false> {
- public:
-  explicit LawKernel(const PowerLaw& law) : J2(law.E, law.nu, SmoothHardening<PowerLawFormula>(law), 0.0) {}
-};
-
-template <>
-class LawKernel<MooneyRivlin> : public SolidPointLaw<MooneyRivlinPoint> {
- public:
-  using SolidPointLaw::SolidPointLaw;
-};
-
-template <>
-class LawKernel<BlatzKo> : public SolidPointLaw<BlatzKoPoint> {
- public:
-  using SolidPointLaw::SolidPointLaw;
-};
-
-template <>
-class LawKernel<Ogden> : public SolidPointLaw<OgdenPoint> {
- public:
-  using SolidPointLaw::SolidPointLaw;
-};
-
-template <>
-class LawKernel<PolynomialRubber> : public SolidPointLaw<PolynomialPoint> {
- public:
-  using SolidPointLaw::SolidPointLaw;
-};
-
-template <>
-class LawKernel<LowDensityFoam> : public SolidPointLaw<LowDensityFoamPoint> {
- public:
-  using SolidPointLaw::SolidPointLaw;
-};
-
-template <>
-class LawKernel<CrushableFoam> : public SolidPointLaw<CrushableFoamPoint> {
- public:
-  using SolidPointLaw::SolidPointLaw;
-};
-
-template <>
-class LawKernel<RateFoam> : public SolidPointLaw<RateFoamPoint> {
- public:
-  using SolidPointLaw::SolidPointLaw;
-};
-
-template <>
-class LawKernel<Viscoelastic> : public SolidPointLaw<ViscoelasticPoint> {
- public:
-  using SolidPointLaw::SolidPointLaw;
-};
-
-/// History of a point: plastic strain, which stays 0, and the last step.
-template <>
-class LawKernel<Fluid> {
- public:
-  explicit LawKernel(const Fluid& law) : viscosity_(law.viscosity) {}
-
-  static constexpr int layer_history() { return 2; }
-  static constexpr int solid_history() { return 2; }
-
-  template <class R>
-  ThicknessStrain<R> layer(LayerTensor<R>&, const LayerTensor<R>&, double, double*) const {
-    return {};
-  }
-  template <class R>
-  void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
-    const R mean = (1.0 / 3.0) * (rate.xx + rate.yy + rate.zz);
-    const double twice = 2.0 * viscosity_;
-    s = {twice * (rate.xx - mean), twice * (rate.yy - mean), twice * (rate.zz - mean),
-         viscosity_ * rate.xy,     viscosity_ * rate.yz,     viscosity_ * rate.zx};
-    store_field(history, 1, R(dt));
-  }
-  template <class R>
-  void rotate(const Frame<R>&, double*) const {}
-  /// The modulus of an elastic solid of the same stable step: with velocities of half a step before, a dashpot C is as
-  /// stable as a spring 2 C/dt would be.
-  template <class R>
-  R wave_modulus(const double* history) const {
-    const R dt = load_field<R>(history, 1);
-    return select(dt > 0.0, (8.0 / 3.0) * viscosity_ / select(dt > 0.0, dt, R(1.0)), R(0.0));
-  }
-
- private:
-  double viscosity_;
-};
 
 namespace {
 
@@ -189,28 +51,88 @@ R largest_principal(const SolidTensor<R>& s) {
 
 }  // namespace
 
+bool for_shells(const LawComponents& law) {
+  return !law.bond && std::visit([]<class Law>(const Law&) { return LawOfLayers<Law>; }, law.flow);
+}
+
+bool for_bricks(const LawComponents& law) {
+  return !law.for_layers_only && std::visit([]<class Law>(const Law&) { return LawOfSolids<Law>; }, law.flow);
+}
+
+bool has_plastic_strain(const Flow& flow) {
+  return std::visit([]<class Law>(const Law&) { return LawKernel<Law>::has_plastic_strain; }, flow);
+}
+
 struct LawKernel<ComposedLaw>::Parts {
   using Flows = PreparedFlows<Flow>::Type;
 
   explicit Parts(const LawComponents& c)
       : flow(std::visit([]<class Law>(const Law& law) -> Flows { return LawKernel<Law>(law); }, c.flow)),
-        failure(c),
-        spall(c.spall),
-        heats(std::holds_alternative<LawKernel<JohnsonCook>>(flow) && std::get<LawKernel<JohnsonCook>>(flow).heats()) {
+        temperature_field(std::visit(
+            [](const auto& law) {
+              if constexpr (requires { law.temperature_field(); }) return law.temperature_field();
+              return 0;
+            },
+            flow)),
+        flow_can_fail(std::visit(
+            [](const auto& law) {
+              if constexpr (requires { law.can_fail(); }) return law.can_fail();
+              return false;
+            },
+            flow)),
+        has_stiffness_share(std::visit(
+            [](const auto& law) {
+              return requires {
+                law.template stiffness_share<double>(nullptr);
+              };
+            },
+            flow)),
+        failure(c, flow_can_fail),
+        spall(c.spall) {
     if (c.state) pressure.emplace(*c.state);
   }
 
+  /// Numbers of history that the flow needs in any stress space, with the place of a plastic strain.
+  int flow_history() const {
+    return std::visit(
+        [](const auto& law) {
+          int size = first_own_field;
+          if constexpr (requires { law.layer_history(); }) size = std::max(size, law.layer_history());
+          if constexpr (requires { law.solid_history(); }) size = std::max(size, law.solid_history());
+          return size;
+        },
+        flow);
+  }
+  template <class R>
+  R heating(const double* history) const {
+    return temperature_field > 0 ? load_field<R>(history, temperature_field) : R(0.0);
+  }
+  /// 1 where the flow itself says that the point has failed.
+  template <class R>
+  R flow_failed(const double* history) const {
+    if (!flow_can_fail) return R(0.0);
+    return std::visit(
+        [&](const auto& law) {
+          if constexpr (requires { law.template failed<R>(history); })
+            return select(law.template failed<R>(history), R(1.0), R(0.0));
+          else
+            return R(0.0);
+        },
+        flow);
+  }
+
   Flows flow;
+  int temperature_field;  ///< in the history; 0: there is none
+  bool flow_can_fail, has_stiffness_share;
   PointFailure failure;
   std::optional<EquationOfStateKernel> pressure;
   std::optional<Spall> spall;
-  bool heats;  ///< the second number of the history is a temperature rise
 };
 
 LawKernel<ComposedLaw>::LawKernel(const ComposedLaw& law)
     : elastic_(law.E, law.nu),
       parts_(std::make_shared<const Parts>(*law.components)),
-      lost_(std::visit([](const auto& flow) { return std::max(flow.solid_history(), 1); }, parts_->flow)),
+      lost_(parts_->flow_history()),
       pressure_(lost_ + parts_->failure.history()),
       history_(pressure_ + (parts_->pressure ? EquationOfStateKernel::size + 1 : 0)),
       points_to_delete_(law.components->points_to_delete),
@@ -221,18 +143,25 @@ template <class R>
 ThicknessStrain<R> LawKernel<ComposedLaw>::layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt,
                                                  double* history) const {
   const auto flow = [&] {
-    return std::visit([&](const auto& law) { return law.layer(s, rate, dt, history); }, parts_->flow);
+    return std::visit(
+        [&]<class Law>(const LawKernel<Law>& law) {
+          if constexpr (LawOfLayers<Law>)
+            return law.layer(s, rate, dt, history);
+          else
+            return ThicknessStrain<R>{};  // refused by the model
+        },
+        parts_->flow);
   };
   if (!can_fail_) return flow();
   double* failure = history + lost_ * lanes<R>;
   if (parts_->failure.softens()) parts_->failure.restore_undamaged(s, failure);
-  const R before = load_field<R>(history, 0);
+  const R before = load_field<R>(history, plastic_strain_field);
   const ThicknessStrain<R> thickness = flow();
-  const R strain = load_field<R>(history, 0);
+  const R strain = load_field<R>(history, plastic_strain_field);
   const double over_dt = dt > 0.0 ? 1.0 / dt : 0.0;  // the first forces of a run are those of no step
   parts_->failure.advance(
       PointStep<R>{as_solid(s, R(0.0)), as_solid(rate, over_dt * thickness.total), strain, strain - before,
-                   -thickness.plastic, parts_->heats ? load_field<R>(history, 1) : R(0.0), dt, true},
+                   -thickness.plastic, parts_->heating<R>(history), dt, true, parts_->flow_failed<R>(history)},
       failure);
   parts_->failure.weaken(s, failure);
   return thickness;
@@ -242,19 +171,22 @@ template <class R>
 void LawKernel<ComposedLaw>::solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
   const auto flow = [&] {
     const SolidTensor<R> start = s;
-    std::visit([&](const auto& law) { law.solid(s, rate, dt, history); }, parts_->flow);
+    std::visit(
+        [&]<class Law>(const LawKernel<Law>& law) {
+          if constexpr (LawOfSolids<Law>) law.solid(s, rate, dt, history);
+        },
+        parts_->flow);
     if (parts_->pressure) set_pressure(s, start, rate, dt, history);
   };
   if (!can_fail_) return flow();
   double* failure = history + lost_ * lanes<R>;
   if (parts_->failure.softens()) parts_->failure.restore_undamaged(s, failure);
-  const R before = load_field<R>(history, 0);
+  const R before = load_field<R>(history, plastic_strain_field);
   flow();
-  const R strain = load_field<R>(history, 0);
-  PointStep<R> step{s, rate, strain, strain - before, R(0.0), parts_->heats ? load_field<R>(history, 1) : R(0.0), dt};
-  if (const auto* honeycomb = std::get_if<LawKernel<Honeycomb>>(&parts_->flow))
-    step.flow_failed = select(honeycomb->beyond_strain_limits<R>(history), R(1.0), R(0.0));
-  parts_->failure.advance(step, failure);
+  const R strain = load_field<R>(history, plastic_strain_field);
+  parts_->failure.advance(PointStep<R>{s, rate, strain, strain - before, R(0.0), parts_->heating<R>(history), dt, false,
+                                       parts_->flow_failed<R>(history)},
+                          failure);
   parts_->failure.weaken(s, failure);
 }
 
@@ -317,25 +249,47 @@ DamageNumbers LawKernel<ComposedLaw>::damage(const std::function<double(int)>& h
 
 template <class R>
 R LawKernel<ComposedLaw>::stiffness_share(const double* history) const {
-  const auto* honeycomb = std::get_if<LawKernel<Honeycomb>>(&parts_->flow);
-  return honeycomb ? honeycomb->stiffness_share<R>(history) : R(1.0);
+  if (!parts_->has_stiffness_share) return R(1.0);
+  return std::visit(
+      [&](const auto& flow) {
+        if constexpr (requires { flow.template stiffness_share<R>(history); })
+          return flow.template stiffness_share<R>(history);
+        else
+          return R(1.0);
+      },
+      parts_->flow);
 }
 
 template <class R>
 void LawKernel<ComposedLaw>::rotate(const Frame<R>& q, double* history) const {
-  std::visit([&](const auto& flow) { flow.rotate(q, history); }, parts_->flow);
+  std::visit(
+      [&](const auto& flow) {
+        if constexpr (requires { flow.rotate(q, history); }) flow.rotate(q, history);
+      },
+      parts_->flow);
   parts_->failure.rotate(q, history + lost_ * lanes<R>);
 }
 
 template <class R>
 R LawKernel<ComposedLaw>::wave_modulus(const double* history) const {
-  if (parts_->pressure) {
-    const R bulk = parts_->pressure->template modulus<R>(history + pressure_ * lanes<R>);
-    if (const auto* fluid = std::get_if<LawKernel<Fluid>>(&parts_->flow))
-      return max(bulk, R(0.0)) + fluid->wave_modulus<R>(history);
-    return max(bulk, R(0.0)) + (4.0 / 3.0) * elastic_.shear;
-  }
-  return std::visit([&](const auto& flow) { return flow.template wave_modulus<R>(history); }, parts_->flow);
+  if (!parts_->pressure)
+    return std::visit(
+        [&](const auto& flow) {
+          if constexpr (requires { flow.template wave_modulus<R>(history); })
+            return flow.template wave_modulus<R>(history);
+          else
+            return R(elastic_.bulk_wave());  // of layers, which have no such step
+        },
+        parts_->flow);
+  const R bulk = max(parts_->pressure->template modulus<R>(history + pressure_ * lanes<R>), R(0.0));
+  return std::visit(
+      [&](const auto& flow) {
+        if constexpr (requires { flow.template shear_wave_modulus<R>(history); })
+          return bulk + flow.template shear_wave_modulus<R>(history);
+        else
+          return bulk + (4.0 / 3.0) * elastic_.shear;
+      },
+      parts_->flow);
 }
 
 template ThicknessStrain<double> LawKernel<ComposedLaw>::layer(LayerTensor<double>&, const LayerTensor<double>&, double,

@@ -107,7 +107,7 @@ PressureLine<R> pressure_line(const TabulatedPressure& p, const R& mu) {
 /// last step, viscous pressure at its end.
 class EquationOfStateKernel {
  public:
-  static constexpr int size = 4;  ///< of the history
+  static constexpr int size = 4;  ///< of the history: the fields named below
 
   explicit EquationOfStateKernel(const EquationOfState& of) : law_(of) {}
 
@@ -116,25 +116,25 @@ class EquationOfStateKernel {
   /// linear in it.
   template <class R>
   R advance(const R& rate, const R& sheared, const R& old_pressure, const R& least, double dt, double* history) const {
-    const R old = load_field<R>(history, 0) + law_.start_volume, half = 0.5 * dt * rate;
+    const R old = load_field<R>(history, volume_field) + law_.start_volume, half = 0.5 * dt * rate;
     const R volume = old * (1.0 + half) / (1.0 - half), growth = 0.5 * (volume - old);
-    const R before = load_field<R>(history, 1) + law_.start_energy + volume * sheared -
-                     growth * (old_pressure + load_field<R>(history, viscous));
+    const R before = load_field<R>(history, energy_field) + law_.start_energy + volume * sheared -
+                     growth * (old_pressure + load_field<R>(history, viscous_field));
     const PressureLine<R> line = line_at<R>(volume);
     R energy = (before - growth * line.cold) / (1.0 + growth * line.heat), pressure = line.cold + line.heat * energy;
     const auto limited = pressure < least;
     pressure = select(limited, least, pressure);
     energy = select(limited, before - growth * least, energy);
-    store_field(history, 0, volume - law_.start_volume);
-    store_field(history, 1, energy - law_.start_energy);
-    store_field(history, grown, growth);
+    store_field(history, volume_field, volume - law_.start_volume);
+    store_field(history, energy_field, energy - law_.start_energy);
+    store_field(history, growth_field, growth);
     return pressure;
   }
   /// d p / d mu at constant entropy, as the point stands: rho0 times the square of the bulk speed of sound [stress].
   template <class R>
   R modulus(const double* history) const {
-    const R volume = load_field<R>(history, 0) + law_.start_volume,
-            energy = load_field<R>(history, 1) + law_.start_energy;
+    const R volume = load_field<R>(history, volume_field) + law_.start_volume,
+            energy = load_field<R>(history, energy_field) + law_.start_energy;
     const PressureLine<R> line = line_at<R>(volume);
     const R pressure = max(line.cold + line.heat * energy, R(0.0));
     return line.cold_slope + line.heat_slope * energy + line.heat * pressure * volume * volume;
@@ -143,15 +143,16 @@ class EquationOfStateKernel {
   /// stress it is taken with the mean of the values before and after: half of it now, half in the next step.
   template <class R>
   void add_viscous_work(const R& work, double* history) const {
-    const R volume = load_field<R>(history, 0) + law_.start_volume, growth = load_field<R>(history, grown);
+    const R volume = load_field<R>(history, volume_field) + law_.start_volume,
+            growth = load_field<R>(history, growth_field);
     const auto squeezed = growth < 0.0;
     const R pressure = select(squeezed, 0.5 * volume * work / select(squeezed, -growth, R(1.0)), R(0.0));
-    store_field(history, 1, load_field<R>(history, 1) - growth * pressure);
-    store_field(history, viscous, pressure);
+    store_field(history, energy_field, load_field<R>(history, energy_field) - growth * pressure);
+    store_field(history, viscous_field, pressure);
   }
 
  private:
-  static constexpr int grown = 2, viscous = 3;
+  static constexpr int volume_field = 0, energy_field = 1, growth_field = 2, viscous_field = 3;
 
   template <class R>
   PressureLine<R> line_at(const R& volume) const {

@@ -2,19 +2,27 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "base/curve.hpp"
+#include "kernel/law/single_points.hpp"
 
 // Foams, laws of solids without lateral contraction: each principal direction has a stress of its own. Damping is a
 // viscous stress DAMP M dt d, M modulus of the stable step, d strain rate: of the fastest vibration that is stable at
 // the step it is the share DAMP of critical damping.
 namespace nugget::kernel {
 
+class LowDensityFoamPoint;
+class CrushableFoamPoint;
+class RateFoamPoint;
+
 /// Highly compressible foam (MAT_057): each principal direction has the nominal stress of its own stretch, in
 /// compression by a curve, in tension linear up to a cutoff. Unloading keeps HU + (1 - HU) (W / Wmax)^SHAPE of the
 /// stress, W energy of the curve; Wmax - W decays with the rate BETA.
 struct LowDensityFoam {
+  using Point = LowDensityFoamPoint;
+
   double E = 0.0;     ///< Young's modulus in tension [stress]
   double nu = 0.0;    ///< 0
   Curve compression;  ///< nominal stress over nominal strain, both positive in compression
@@ -31,6 +39,8 @@ struct LowDensityFoam {
 /// Crushable foam (MAT_063, MODEL 0): elastic, each principal stress at most the yield stress of the volume reached in
 /// compression, the cutoff in tension. It does not recover.
 struct CrushableFoam {
+  using Point = CrushableFoamPoint;
+
   double E = 0.0;        ///< Young's modulus of loading and unloading: the last slope of the curve [stress]
   double nu = 0.0;       ///< 0
   Curve yield;           ///< yield stress over volumetric strain 1 - V / V0
@@ -41,6 +51,8 @@ struct CrushableFoam {
 /// Foam by a table of nominal stress over nominal strain for rates of loading (MAT_083). What does not load follows the
 /// curve of the lowest rate, of which unloading keeps 1 - (1 - HU) [1 - (W / Wmax)^SHAPE]^EXPON, W its energy.
 struct RateFoam {
+  using Point = RateFoamPoint;
+
   /// Whose rate looks a stress up.
   enum class RateOf { most_strained, each_direction, volume };
 
@@ -56,6 +68,45 @@ struct RateFoam {
   double unloading = 0.0;                                   ///< HU [1]; 0: along the curve of the lowest rate
   double shape = 1.0, exponent = 1.0;                       ///< SHAPE, EXPON [1]
   double damping = 0.0;                                     ///< DAMP, share of critical damping [1]
+};
+
+// Point by point.
+
+class LowDensityFoamPoint {
+ public:
+  explicit LowDensityFoamPoint(const LowDensityFoam& law) : law_(law) {}
+  int history() const { return tensors() * SolidTensor<double>::size + 2; }
+  int tensors() const { return law_.maxwell_modulus > 0.0 ? 2 : 1; }  // b - 1, the stress that relaxes
+  PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
+
+ private:
+  LowDensityFoam law_;
+};
+
+class CrushableFoamPoint {
+ public:
+  explicit CrushableFoamPoint(const CrushableFoam& law) : law_(law) {}
+  int history() const { return tensors() * SolidTensor<double>::size + 1; }
+  int tensors() const { return law_.damping > 0.0 ? 1 : 0; }  // the viscous part of the stress
+  PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
+
+ private:
+  CrushableFoam law_;
+};
+
+class RateFoamPoint {
+ public:
+  explicit RateFoamPoint(const RateFoam& law);
+  int history() const { return SolidTensor<double>::size + 8; }
+  int tensors() const { return 1; }  // b - 1
+  PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
+
+ private:
+  double look_up(double strain, double rate) const;
+  std::array<double, 3> loading_rates(const Principal& axes, const SolidTensor<double>& d, double J, double dt) const;
+
+  RateFoam law_;
+  double growth_;  ///< slope by which what the rate adds to the stress grows at most [stress]
 };
 
 }  // namespace nugget::kernel

@@ -45,8 +45,9 @@ double Gissmo::grown(double root) const {
 }
 
 double Gissmo::advance(const SolidTensor<double>& stress, double increment, double dt, double* h, int stride) const {
-  const double size = h[0];
-  double &damage = h[stride], &unstable = h[2 * stride], &onset = h[3 * stride];
+  const double size = h[size_field * stride];
+  double &damage = h[damage_field * stride], &unstable = h[instability_field * stride],
+         &onset = h[onset_field * stride];
   const StressState state = state_of(stress);
   if (increment > 0.0) {
     const double of_rate = rate_factor(increment / dt);

@@ -31,8 +31,8 @@ struct Gissmo {
   bool rate_of_instability = false;  ///< the factor is on ec too
   bool weakens = true;               ///< DTYP: false: damage is summed and has no effect
 
-  /// Numbers of a point's history: size of its element, D^(1/n), F^(1/n), Dc (0 until F is 1).
-  static constexpr int history = 4;
+  // History of a point: size of its element, D^(1/n), F^(1/n), Dc (0 until F is 1).
+  static constexpr int size_field = 0, damage_field = 1, instability_field = 2, onset_field = 3, history = 4;
 
   /// D and F of a point whose history holds these roots, at most 1.
   double grown(double root) const;

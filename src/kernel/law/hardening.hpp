@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/real.hpp"
+#include "kernel/law/law_kernel.hpp"
 #include "kernel/law/piecewise_linear.hpp"
 #include "kernel/law/plastic_kinematic.hpp"
 #include "kernel/law/rate_effects.hpp"
@@ -39,7 +40,8 @@ class BilinearHardening {
    public:
     static constexpr bool limited = false;
     At(const BilinearHardening& hardening, const double* history)
-        : slope_(hardening.isotropic_), start_(hardening.yield_ + hardening.isotropic_ * load_field<R>(history, 0)) {}
+        : slope_(hardening.isotropic_),
+          start_(hardening.yield_ + hardening.isotropic_ * load_field<R>(history, plastic_strain_field)) {}
     YieldStress<R> operator()(const R& increment) const { return {start_ + slope_ * increment, slope_}; }
 
    private:
@@ -74,7 +76,7 @@ class CurveHardening {
    public:
     static constexpr bool limited = false;
     At(const CurveHardening& hardening, const double* history)
-        : hardening_(hardening), plastic_strain_(load_field<R>(history, 0)) {
+        : hardening_(hardening), plastic_strain_(load_field<R>(history, plastic_strain_field)) {
       if (hardening.straight_) {
         const YieldCurve::Piece& line = hardening.curve_.last();
         x_ = R(line.x);
@@ -128,7 +130,7 @@ class CurveHardening {
 class WeldHardening : public CurveHardening {
  public:
   /// Of a point's history: yield stress at which it is frozen; 0: not frozen [stress].
-  static constexpr int frozen_yield = 1;
+  static constexpr int frozen_yield_field = plastic_strain_field + 1;
 
   explicit WeldHardening(const Spotweld& law);
 
@@ -141,7 +143,7 @@ class WeldHardening : public CurveHardening {
     At(const WeldHardening& hardening, const double* history)
         : curve_(hardening, history), can_be_frozen_(hardening.can_be_frozen_) {
       if (!can_be_frozen_) return;
-      const R at = load_field<R>(history, frozen_yield);
+      const R at = load_field<R>(history, frozen_yield_field);
       limit_ = select(at > 0.0, at, R(std::numeric_limits<double>::infinity()));
     }
     const R& plastic_strain() const { return curve_.plastic_strain(); }

@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/law/honeycomb_point.hpp"
+#include "kernel/law/honeycomb.hpp"
+#include "kernel/law/orthotropic.hpp"
 
 namespace nugget::kernel {
 namespace {

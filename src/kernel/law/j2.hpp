@@ -6,6 +6,7 @@
 
 #include "kernel/law/elastic_constants.hpp"
 #include "kernel/law/hardening.hpp"
+#include "kernel/law/law_kernel.hpp"
 #include "kernel/law/plastic_return.hpp"
 
 namespace nugget::kernel {
@@ -16,10 +17,10 @@ namespace nugget::kernel {
 template <class Hardening, bool back_stress>
 class J2 {
  public:
-  static constexpr int layer_history() { return 1 + (back_stress ? LayerTensor<double>::size : 0); }
-  static constexpr int solid_history() { return 1 + (back_stress ? SolidTensor<double>::size : 0); }
-  static constexpr int fibre_history() { return 1 + (back_stress ? FibreTensor<double>::size : 0); }
-  static constexpr bool has_plastic_strain = true;  // the first number of the history
+  static constexpr int layer_history() { return history_with(LayerTensor<double>::size); }
+  static constexpr int solid_history() { return history_with(SolidTensor<double>::size); }
+  static constexpr int fibre_history() { return history_with(FibreTensor<double>::size); }
+  static constexpr bool has_plastic_strain = true;
 
   J2(double E, double nu, Hardening hardening, double failure_strain)
       : elastic_(E, nu),
@@ -39,7 +40,7 @@ class J2 {
   /// Which points have failed.
   template <class R>
   MaskOf<R> failed(const double* history) const {
-    return load_field<R>(history, 0) >= R(failure_strain_);
+    return load_field<R>(history, plastic_strain_field) >= R(failure_strain_);
   }
 
   /// Adds a step of strain rate to a layer's stress (docs/theory/laws.md#j2-in-a-layer).
@@ -68,7 +69,9 @@ class J2 {
   /// Turns the history of a solid point with the material.
   template <class R>
   void rotate(const Frame<R>& q, double* history) const {
-    if constexpr (back_stress) store_solid(history + lanes<R>, rotated(q, load_solid<R>(history + lanes<R>)));
+    if constexpr (back_stress)
+      store_solid(history + back_stress_field * lanes<R>,
+                  rotated(q, load_solid<R>(history + back_stress_field * lanes<R>)));
   }
 
   /// Adds a step of strain rate to a beam fibre's stress (docs/theory/laws.md#j2-in-a-fibre).
@@ -82,6 +85,9 @@ class J2 {
   }
 
  private:
+  static constexpr int back_stress_field = plastic_strain_field + 1;
+  static constexpr int history_with(int tensor) { return back_stress_field + (back_stress ? tensor : 0); }
+
   /// A trial stress less the back stress, and the squares of the parts of its effective value.
   template <class Tensor, class R>
   struct Parts {
@@ -95,7 +101,7 @@ class J2 {
     Parts<LayerTensor<R>, R> p;
     p.relative = s;
     if constexpr (back_stress) {
-      p.back = load_layer<R>(history + lanes<R>);
+      p.back = load_layer<R>(history + back_stress_field * lanes<R>);
       p.relative = {s.xx - p.back.xx, s.yy - p.back.yy, s.xy - p.back.xy, s.xz - p.back.xz, s.yz - p.back.yz};
     }
     const LayerTensor<R>& d = p.relative;
@@ -110,7 +116,7 @@ class J2 {
     p.mean = (1.0 / 3.0) * (s.xx + s.yy + s.zz);
     p.relative = {s.xx - p.mean, s.yy - p.mean, s.zz - p.mean, s.xy, s.yz, s.zx};
     if constexpr (back_stress) {
-      p.back = load_solid<R>(history + lanes<R>);
+      p.back = load_solid<R>(history + back_stress_field * lanes<R>);
       p.relative = p.relative + R(-1.0) * p.back;
     }
     const SolidTensor<R>& d = p.relative;
@@ -124,7 +130,7 @@ class J2 {
     Parts<FibreTensor<R>, R> p;
     p.relative = s;
     if constexpr (back_stress) {
-      p.back = load_fibre<R>(history + lanes<R>);
+      p.back = load_fibre<R>(history + back_stress_field * lanes<R>);
       p.relative = {s.rr - p.back.rr, s.rs - p.back.rs, s.rt - p.back.rt};
     }
     const FibreTensor<R>& d = p.relative;
@@ -137,7 +143,7 @@ class J2 {
   template <class R>
   [[gnu::noinline]] void flow(LayerTensor<R>& s, double dt, double* history, ThicknessStrain<R>& thickness) const {
     const Parts<LayerTensor<R>, R> trial = parts(s, history);
-    const R plastic_strain = load_field<R>(history, 0), trial2 = trial.A + trial.B;
+    const R plastic_strain = load_field<R>(history, plastic_strain_field), trial2 = trial.A + trial.B;
     typename Hardening::template At<R> yield(hardening_, history);
     const YieldStress<R> start = yield(R(0.0));
     const auto plastic = trial2 > start.value * start.value;
@@ -159,11 +165,11 @@ class J2 {
     if constexpr (back_stress) {
       const R grow = shift * r.increment;
       const LayerTensor<R> back = trial.back + shrunk(grow * r.over_a, grow * r.over_b);
-      store_layer(history + lanes<R>, select(plastic, back, trial.back));
+      store_layer(history + back_stress_field * lanes<R>, select(plastic, back, trial.back));
       returned = returned + back;
     }
     s = select(plastic, returned, s);
-    store_field(history, 0, plastic_strain + select(plastic, r.increment, R(0.0)));
+    store_field(history, plastic_strain_field, plastic_strain + select(plastic, r.increment, R(0.0)));
     if (can_fail()) s = select(failed<R>(history), LayerTensor<R>{}, s);
 
     const R flow_sum = select(plastic, 0.5 * r.increment * r.over_a * sum, R(0.0));  // plastic strain xx + yy
@@ -174,7 +180,7 @@ class J2 {
   template <class R>
   [[gnu::noinline]] void flow(SolidTensor<R>& s, double dt, double* history) const {
     const Parts<SolidTensor<R>, R> trial = parts(s, history);
-    const R plastic_strain = load_field<R>(history, 0);
+    const R plastic_strain = load_field<R>(history, plastic_strain_field);
     typename Hardening::template At<R> yield(hardening_, history);
     const YieldStress<R> start = yield(R(0.0));
     const auto plastic = trial.B > start.value * start.value;
@@ -187,14 +193,14 @@ class J2 {
     SolidTensor<R> returned = (r.yield * r.over_b) * trial.relative;
     if constexpr (back_stress) {
       const SolidTensor<R> back = trial.back + (shift * r.increment * r.over_b) * trial.relative;
-      store_solid(history + lanes<R>, select(plastic, back, trial.back));
+      store_solid(history + back_stress_field * lanes<R>, select(plastic, back, trial.back));
       returned = returned + back;
     }
     returned.xx += trial.mean;
     returned.yy += trial.mean;
     returned.zz += trial.mean;
     s = select(plastic, returned, s);
-    store_field(history, 0, plastic_strain + select(plastic, r.increment, R(0.0)));
+    store_field(history, plastic_strain_field, plastic_strain + select(plastic, r.increment, R(0.0)));
     if (can_fail()) s = select(failed<R>(history), SolidTensor<R>{}, s);
   }
 
@@ -202,7 +208,7 @@ class J2 {
   [[gnu::noinline]] void flow(FibreTensor<R>& s, double dt, double* history) const {
     const Parts<FibreTensor<R>, R> trial = parts(s, history);
     const R A = trial.A, B = trial.B, trial2 = A + B;
-    const R plastic_strain = load_field<R>(history, 0);
+    const R plastic_strain = load_field<R>(history, plastic_strain_field);
     typename Hardening::template At<R> yield(hardening_, history);
     const YieldStress<R> start = yield(R(0.0));
     const auto plastic = trial2 > start.value * start.value;
@@ -220,11 +226,11 @@ class J2 {
       const R grow = shift * r.increment;
       const FibreTensor<R> more = shrunk(grow * r.over_a, grow * r.over_b);
       const FibreTensor<R> back{trial.back.rr + more.rr, trial.back.rs + more.rs, trial.back.rt + more.rt};
-      store_fibre(history + lanes<R>, select(plastic, back, trial.back));
+      store_fibre(history + back_stress_field * lanes<R>, select(plastic, back, trial.back));
       returned = {returned.rr + back.rr, returned.rs + back.rs, returned.rt + back.rt};
     }
     s = select(plastic, returned, s);
-    store_field(history, 0, plastic_strain + select(plastic, r.increment, R(0.0)));
+    store_field(history, plastic_strain_field, plastic_strain + select(plastic, r.increment, R(0.0)));
     if (can_fail()) s = select(failed<R>(history), FibreTensor<R>{}, s);
   }
 

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "kernel/law/j2.hpp"
+#include "kernel/law/smooth_hardening.hpp"
 
 namespace nugget::kernel {
 
@@ -23,6 +28,81 @@ struct JohnsonCook {
   double heating = 0.0;       ///< rise of temperature a work, 1 / (RO CP) [temperature/stress]; 0: none
   double melting_rise = 1.0;  ///< TM - TR [temperature]
   double softening = 1.0;     ///< M [1]
+};
+
+/// Johnson and Cook's yield stress.
+class JohnsonCookFormula {
+ public:
+  explicit JohnsonCookFormula(const JohnsonCook& law)
+      : law_(law), power_(law.hardening, law.exponent), rate_(law.rate_factor, law.reference_rate) {}
+
+  double lowest() const { return heats() ? 0.0 : std::min({law_.yield, law_.static_stress_limit, law_.saturation}); }
+  bool heats() const { return law_.heating > 0.0; }
+  double power(double strain) const { return power_(strain); }
+  const LogarithmicRate& rate() const { return rate_; }
+  double limit(double heating) const { return law_.saturation * cold(heating); }
+  YieldStress<double> yield(const YieldPoint& p) const {
+    YieldStress<double> y = power_.after(p.strain, p.power, p.increment);
+    y.value += law_.yield;
+    if (y.value > law_.static_stress_limit) y = {law_.static_stress_limit, 0.0};
+    const double left = cold(p.heating);
+    return {y.value * left, y.slope * left};
+  }
+
+ private:
+  /// Share of the yield stress that the heat leaves.
+  double cold(double heating) const {
+    return heats() ? std::max(1.0 - std::pow(heating / law_.melting_rise, law_.softening), 1e-6) : 1.0;
+  }
+
+  JohnsonCook law_;
+  PowerOfStrain power_;
+  LogarithmicRate rate_;
+};
+
+/// History of a point: plastic strain and, where plastic work heats it, its temperature rise.
+template <>
+class LawKernel<JohnsonCook> : public J2<SmoothHardening<JohnsonCookFormula>, false> {
+  using Base = J2<SmoothHardening<JohnsonCookFormula>, false>;
+
+ public:
+  explicit LawKernel(const JohnsonCook& law)
+      : J2(law.E, law.nu, SmoothHardening<JohnsonCookFormula>(law), 0.0),
+        heating_(law.heating),
+        melting_rise_(law.melting_rise) {}
+
+  int layer_history() const { return heats() ? temperature_rise_field + 1 : Base::layer_history(); }
+  int solid_history() const { return layer_history(); }
+  bool heats() const { return heating_ > 0.0; }
+  int temperature_field() const { return heats() ? temperature_rise_field : 0; }
+
+  template <class R>
+  ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, double* history) const {
+    const R before = load_field<R>(history, plastic_strain_field);
+    const ThicknessStrain<R> thickness = Base::layer(s, rate, dt, history);
+    if (heats())
+      heat(sqrt(s.xx * s.xx + s.yy * s.yy - s.xx * s.yy + 3.0 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz)), before,
+           history);
+    return thickness;
+  }
+  template <class R>
+  void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
+    const R before = load_field<R>(history, plastic_strain_field);
+    Base::solid(s, rate, dt, history);
+    if (!heats()) return;
+    const R xy = s.xx - s.yy, yz = s.yy - s.zz, zx = s.zz - s.xx;
+    heat(sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * (s.xy * s.xy + s.yz * s.yz + s.zx * s.zx)), before, history);
+  }
+
+ private:
+  template <class R>
+  void heat(const R& effective, const R& before, double* history) const {
+    const R rise = load_field<R>(history, temperature_rise_field) +
+                   heating_ * effective * (load_field<R>(history, plastic_strain_field) - before);
+    store_field(history, temperature_rise_field, min(rise, R(melting_rise_)));
+  }
+
+  double heating_, melting_rise_;
 };
 
 }  // namespace nugget::kernel

@@ -2,42 +2,31 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "kernel/law/composed_law.hpp"
-#include "kernel/law/elastic.hpp"
 #include "kernel/law/equation_of_state.hpp"
-#include "kernel/law/fluid.hpp"
-#include "kernel/law/foam.hpp"
+#include "kernel/law/failure_rules.hpp"
 #include "kernel/law/gissmo.hpp"
-#include "kernel/law/honeycomb.hpp"
-#include "kernel/law/johnson_cook.hpp"
-#include "kernel/law/orthotropic.hpp"
-#include "kernel/law/piecewise_linear.hpp"
-#include "kernel/law/plastic_kinematic.hpp"
+#include "kernel/law/laws.hpp"
+#include "kernel/law/material_axes.hpp"
 #include "kernel/law/point_damage.hpp"
-#include "kernel/law/power_law.hpp"
-#include "kernel/law/rubber.hpp"
-#include "kernel/law/viscoelastic.hpp"
 
 namespace nugget::kernel {
 
 struct CohesiveBond;  // law/cohesive_bond.hpp
 
-/// How a point flows.
-using Flow = std::variant<Elastic, PlasticKinematic, PiecewiseLinear, JohnsonCook, PowerLaw, BlatzKo, MooneyRivlin,
-                          Ogden, PolynomialRubber, LowDensityFoam, CrushableFoam, RateFoam, Viscoelastic, Orthotropic,
-                          Honeycomb, Fluid>;
-
 /// What a compound law is made of: how a point flows, and when it and its element fail.
 struct LawComponents {
-  Flow flow;                              ///< its own failure strain and deletion step are not used
+  Flow flow;                              ///< its own deletion step is not used
   double failure_strain = 0.0;            ///< effective plastic strain at which a point fails [1]; 0: none
   Curve failure_strain_over_rate{};       ///< the same over the total strain rate; empty: none
   std::optional<PlasticDamage> damage{};  ///< takes (1 - w) of all stresses, over the effective plastic strain
   std::optional<PlasticDamage> directional_damage{};  ///< of layers, see Cracks
-  std::optional<JohnsonCookFracture> fracture{};
+  std::vector<FailureRule> rules{};                   ///< by any of which a point fails
   std::optional<Gissmo> gissmo{};
   StrainLimits limits{};
   std::optional<Erosion> erosion{};
@@ -47,8 +36,8 @@ struct LawComponents {
   double points_to_delete = 0.0;  ///< failed points of an element that delete it; 0: all; below 0: percentage of a
                                   ///< shell's layers, of which one failed point makes a layer a failed one
   double deletion_step = 0.0;     ///< an element whose stable time step falls below is deleted [time]; 0: never
-  bool for_shells = true, for_bricks = true;  ///< elements that may have the law
-  bool bulk_viscosity = true;                 ///< whether bricks have it
+  bool for_layers_only = false;   ///< bricks may not have the law, though its flow could be theirs
+  bool bulk_viscosity = true;     ///< whether bricks have it
   /// Of cohesive bricks, which have no strains and for which nothing else of this holds; null: of other elements.
   std::shared_ptr<const CohesiveBond> bond{};
 };
@@ -56,6 +45,45 @@ struct LawComponents {
 inline ComposedLaw composed_law(LawComponents components) {
   const auto [E, nu] = std::visit([](const auto& flow) { return std::pair{flow.E, flow.nu}; }, components.flow);
   return {E, nu, std::make_shared<const LawComponents>(std::move(components))};
+}
+
+/// Whether shells, and bricks, may have the law.
+bool for_shells(const LawComponents& law);
+bool for_bricks(const LawComponents& law);
+bool has_plastic_strain(const Flow& flow);
+
+/// Material axes of a flow at the start; null: it has none.
+inline MaterialAxes* axes_of(Flow& flow) {
+  return std::visit(
+      [](auto& law) -> MaterialAxes* {
+        if constexpr (requires { law.axes; })
+          return &law.axes;
+        else
+          return nullptr;
+      },
+      flow);
+}
+inline const MaterialAxes* axes_of(const Flow& flow) {
+  return axes_of(const_cast<Flow&>(flow));
+}
+
+template <class Law, class... Laws>
+constexpr bool is_among(const std::variant<Laws...>*) {
+  return (std::is_same_v<Law, Laws> || ...);
+}
+
+/// Laws that can be put together with others at run time.
+template <class Law>
+concept ComposableLaw = is_among<Law>(static_cast<const Flow*>(nullptr));
+
+/// A flow as a law put together at run time. What it says of failure and deletion becomes that of the whole.
+template <ComposableLaw Law>
+LawComponents components_of(Law flow) {
+  LawComponents law{Elastic{}};
+  if constexpr (requires { flow.failure_strain; }) law.failure_strain = std::exchange(flow.failure_strain, 0.0);
+  if constexpr (requires { flow.deletion_step; }) law.deletion_step = std::exchange(flow.deletion_step, 0.0);
+  law.flow = std::move(flow);
+  return law;
 }
 
 }  // namespace nugget::kernel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <numbers>
 
-#include "kernel/law/orthotropic_point.hpp"
+#include "kernel/law/orthotropic.hpp"
 #include "kernel/law/single_points.hpp"
 
 namespace nugget::kernel {
@@ -32,20 +32,6 @@ double fastest_wave_modulus(const std::array<std::array<double, 3>, 3>& normal, 
       fastest = std::max(fastest, principal_axes(christoffel).value[2]);
     }
   return fastest;
-}
-
-void start_layer_axes(double* history, int stride, double cosine, double sine) {
-  double* axis = history + LawKernel<Orthotropic>::first_axis * stride;
-  axis[0] = cosine;
-  axis[stride] = sine;
-}
-
-void start_solid_axes(double* history, int stride, const Frame3d& axes) {
-  double* axis = history + LawKernel<Orthotropic>::first_axis * stride;
-  for (const double component : {axes.e1.x, axes.e1.y, axes.e1.z, axes.e2.x, axes.e2.y, axes.e2.z}) {
-    *axis = component;
-    axis += stride;
-  }
 }
 
 LawKernel<Orthotropic>::LawKernel(const Orthotropic& law)

@@ -2,49 +2,12 @@
 #pragma once
 
 #include <array>
-#include <cmath>
-#include <optional>
 
-#include "base/vec3.hpp"
+#include "kernel/law/axes_field.hpp"
+#include "kernel/law/elastic_constants.hpp"
+#include "kernel/law/law_kernel.hpp"
 
 namespace nugget::kernel {
-
-/// How the material axes a, b, c of an element lie at the start (AOPT); from then on they turn with it.
-struct MaterialAxes {
-  enum class By {
-    nodes,    ///< AOPT 0: a along nodes 1-2, c normal to 1-2 and 1-4 (in shells: to the element)
-    vectors,  ///< AOPT 2: a and d, c = a x d; in shells a as seen along the normal
-    cross     ///< AOPT 3: a = v x normal, in bricks that of the surface midway between the first and last four nodes
-  };
-  By by = By::nodes;
-  Vec3d a, d;          ///< vectors of AOPT 2; `a` is v of AOPT 3
-  double angle = 0.0;  ///< BETA: of AOPT 0 and 3 in shells, turns a about the normal [rad]
-
-  /// Direction a in the plane of a shell with unit normal `normal`: not of unit length; zero where the vector that
-  /// gives it stands along the normal. `along`: from node 1 to node 2; `own`: the element's BETA, if it has one [rad].
-  Vec3d in_shell(const Vec3d& along, const Vec3d& normal, std::optional<double> own) const {
-    Vec3d seen = by == By::cross ? cross(a, normal) : by == By::vectors ? a : along;
-    seen -= dot(seen, normal) * normal;
-    if (by == By::vectors) return seen;
-    const double beta = own.value_or(angle);
-    return std::cos(beta) * seen + std::sin(beta) * cross(normal, seen);
-  }
-  /// Direction normal to the surface midway between nodes 1 to 4 and 5 to 8 of a brick: not of unit length.
-  template <class Places>
-  static Vec3d midway_normal(const Places& x) {
-    return nugget::cross(x[2] + x[6] - x[0] - x[4], x[3] + x[7] - x[1] - x[5]);
-  }
-  /// Axes of a solid; `along`, `across`: from node 1 to nodes 2 and 4. `normal`: midway_normal(), of hexahedra only.
-  Frame3d in_brick(const Vec3d& along, const Vec3d& across, const Vec3d& normal = {}) const {
-    if (by == By::cross) {
-      const Vec3d e1 = unit(nugget::cross(a, normal)), e3 = unit(normal);
-      return {e1, nugget::cross(e3, e1), e3};
-    }
-    const Vec3d first = by == By::vectors ? a : along, second = by == By::vectors ? d : across;
-    const Vec3d e1 = unit(first), e3 = unit(cross(first, second));
-    return {e1, cross(e3, e1), e3};
-  }
-};
 
 /// Orthotropic linear elasticity in rate form (MAT_002): strain_a = stress_a/EA - PRBA stress_b/EB - PRCA stress_c/EC
 /// and so on, shears by GAB, GBC, GCA.
@@ -67,9 +30,62 @@ struct Orthotropic {
 double fastest_wave_modulus(const std::array<std::array<double, 3>, 3>& normal, double shear_ab, double shear_bc,
                             double shear_ca);
 
-/// Puts the material axes into the history of a point that begins at `history`, its numbers `stride` apart: of a layer
-/// the components of a in the element's frame, of a solid a and b in global axes.
-void start_layer_axes(double* history, int stride, double cosine, double sine);
-void start_solid_axes(double* history, int stride, const Frame3d& axes);
+/// History of a point: the material axes: of a layer, cosine and sine of the angle from the
+/// element's axis to a; of a solid, a and b in global axes.
+template <>
+class LawKernel<Orthotropic> {
+ public:
+  static constexpr bool has_plastic_strain = false;
+
+  explicit LawKernel(const Orthotropic& law);
+
+  int layer_history() const { return first_axis_field + 2; }
+  int solid_history() const { return first_axis_field + 6; }
+  const MaterialAxes& axes() const { return axes_; }
+
+  template <class R>
+  R wave_modulus(const double*) const {
+    return R(wave_modulus_);
+  }
+
+  template <class R>
+  ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, double* history) const {
+    const R c = load_field<R>(history, first_axis_field), t = load_field<R>(history, first_axis_field + 1);
+    const R cc = c * c, tt = t * t, ct = c * t;
+    const LayerTensor<R> e = R(dt) * rate;
+    const R ea = cc * e.xx + tt * e.yy + ct * e.xy, eb = tt * e.xx + cc * e.yy - ct * e.xy;
+    const R a = layer_aa_ * ea + layer_ab_ * eb, b = layer_ab_ * ea + layer_bb_ * eb;
+    const R ab = shear_ab_ * (2.0 * ct * (e.yy - e.xx) + (cc - tt) * e.xy);
+    const R az = shear_ca_ * (c * e.xz + t * e.yz), bz = shear_bc_ * (c * e.yz - t * e.xz);
+    s.xx += cc * a + tt * b - 2.0 * ct * ab;
+    s.yy += tt * a + cc * b + 2.0 * ct * ab;
+    s.xy += ct * (a - b) + (cc - tt) * ab;
+    s.xz += c * az - t * bz;
+    s.yz += t * az + c * bz;
+    return {thinning_a_ * a + thinning_b_ * b, R(0.0)};
+  }
+
+  template <class R>
+  void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
+    const Frame<R> axes = load_solid_axes<R>(history);
+    const SolidTensor<R> e = strain_in_axes(axes, rate, dt);
+    const auto normal = [&](int i) { return solid_[i][0] * e.xx + solid_[i][1] * e.yy + solid_[i][2] * e.zz; };
+    const SolidTensor<R> change{
+        normal(0), normal(1), normal(2), 2.0 * shear_ab_ * e.xy, 2.0 * shear_bc_ * e.yz, 2.0 * shear_ca_ * e.zx};
+    s = s + out_of_axes(axes, change);
+  }
+  template <class R>
+  void rotate(const Frame<R>& q, double* history) const {
+    turn_solid_axes(q, history);
+  }
+
+ private:
+  MaterialAxes axes_;
+  double layer_aa_, layer_ab_, layer_bb_;  // plane stress
+  double thinning_a_, thinning_b_;         // strain through the thickness over the stresses
+  std::array<std::array<double, 3>, 3> solid_;
+  double shear_ab_, shear_bc_, shear_ca_;
+  double wave_modulus_;  // of the fastest plane wave
+};
 
 }  // namespace nugget::kernel

@@ -23,7 +23,7 @@ struct PiecewiseLinear {
   double rate_yield = 0.0;      ///< yield stress that C and P raise, added to that at rest [stress]; 0: all of it
   Curve rate_scale;             ///< factor on the yield stress over strain rate (LCSR); empty: none
   double failure_strain = 0.0;  ///< FAIL, effective plastic strain at which a point fails [1]; 0: none
-  double tdel = 0.0;            ///< TDEL, an element whose stable time step falls below is deleted [time]; 0: never
+  double deletion_step = 0.0;   ///< TDEL, an element whose stable time step falls below is deleted [time]; 0: never
 };
 
 }  // namespace nugget::kernel

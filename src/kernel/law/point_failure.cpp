@@ -27,18 +27,11 @@ void set_layer_lane(LayerTensor<R>& s, int l, const LayerTensor<double>& one) {
   set_lane(s.yz, l, one.yz);
 }
 
-/// a:a of the deviator.
-template <class R>
-R deviator2(const SolidTensor<R>& a) {
-  const R m = (1.0 / 3.0) * (a.xx + a.yy + a.zz), x = a.xx - m, y = a.yy - m, z = a.zz - m;
-  return x * x + y * y + z * z + 2.0 * (a.xy * a.xy + a.yz * a.yz + a.zx * a.zx);
-}
-
 /// Bounds of the principal values, cheaper than they.
 template <class R>
-struct Range {
+struct PrincipalRange {
   R low, high;
-  explicit Range(const SolidTensor<R>& a) {
+  explicit PrincipalRange(const SolidTensor<R>& a) {
     const R mean = (1.0 / 3.0) * (a.xx + a.yy + a.zz), radius = (1.0 + 1e-12) * sqrt((2.0 / 3.0) * deviator2(a));
     low = mean - radius;
     high = mean + radius;
@@ -56,6 +49,18 @@ double effective_rate(const SolidTensor<double>& d) {
                    (1.0 / 3.0) * (d.xy * d.xy + d.yz * d.yz + d.zx * d.zx));
 }
 
+int history_of(const std::vector<FailureRule>& rules) {
+  int size = 0;
+  for (const FailureRule& rule : rules) size += std::visit([]<class Rule>(const Rule&) { return Rule::history; }, rule);
+  return size;
+}
+
+bool need_plastic_flow(const std::vector<FailureRule>& rules) {
+  return std::all_of(rules.begin(), rules.end(), [](const FailureRule& rule) {
+    return std::visit([]<class Rule>(const Rule&) { return Rule::needs_plastic_flow; }, rule);
+  });
+}
+
 }  // namespace
 
 std::array<double, 3> principal_values(const SolidTensor<double>& a) {
@@ -68,6 +73,19 @@ std::array<double, 3> principal_values(const SolidTensor<double>& a) {
   const double angle = std::acos(cosine) / 3.0, third = 2.0 * std::numbers::pi / 3.0;
   return {mean + radius * std::cos(angle + third), mean + radius * std::cos(angle - third),
           mean + radius * std::cos(angle)};
+}
+
+bool PointFailure::advance_rules(const PointNow& now, double* h, int stride) const {
+  bool used_up = false;
+  for (const FailureRule& rule : rules_)
+    std::visit(
+        [&]<class Rule>(const Rule& r) {
+          r.advance(now, h, stride);
+          used_up = used_up || r.used(h, stride) >= 1.0;
+          h += Rule::history * stride;
+        },
+        rule);
+  return used_up;
 }
 
 int PointFailure::add(bool needed, int numbers) {
@@ -97,47 +115,37 @@ PointFailure::Bounds::Bounds(const Erosion& erosion, const StrainLimits& limits)
   of_strain = std::min({high, low, effective_strain, growth, shrinkage, shear, thinning}) < none;
 }
 
-PointFailure::PointFailure(const LawComponents& law)
+PointFailure::PointFailure(const LawComponents& law, bool flow_can_fail)
     : failure_strain_(law.failure_strain),
       failure_strain_over_rate_(law.failure_strain_over_rate),
       damage_(law.damage),
       cracks_(law.directional_damage),
-      fracture_(law.fracture),
+      rules_(law.rules),
       gissmo_(law.gissmo),
       erosion_(law.erosion),
       limits_(law.limits),
       bounds_(law.erosion.value_or(Erosion{}), law.limits),
       cracked_(add(cracks_.has_value(), Cracks::history)),
-      fractured_(add(fracture_.has_value(), 1)),
+      ruled_(add(!rules_.empty(), history_of(rules_))),
       damaged_(add(gissmo_.has_value(), Gissmo::history)),
       thinned_(add(limits_.plastic_thinning > 0.0, 1)),
       strain_(add(erosion_.has_value() || limits_.major > 0.0, SolidTensor<double>::size)),
       impulse_(add(erosion_ && erosion_->impulse, 1)),
       age_(add(erosion_ && erosion_->time, 1)),
-      flow_can_fail_(
-          std::holds_alternative<Honeycomb>(law.flow) &&
-          (std::get<Honeycomb>(law.flow).tensile_failure > 0.0 || std::get<Honeycomb>(law.flow).shear_failure > 0.0)),
+      flow_can_fail_(flow_can_fail),
       active_(flow_can_fail_ || failure_strain_ > 0.0 || !failure_strain_over_rate_.empty() || damage_ || size_ > 1),
       by_plastic_strain_only_(!flow_can_fail_ && failure_strain_ > 0.0 && failure_strain_over_rate_.empty() &&
                               !damage_ && size_ == 1),
-      bounded_(failure_strain_over_rate_.empty() && !damage_ && !cracks_ && !fracture_ && !gissmo_ &&
+      bounded_(failure_strain_over_rate_.empty() && !damage_ && !cracks_ && rules_.empty() && !gissmo_ &&
                !(erosion_ && (erosion_->impulse || !erosion_->effective_stress_over_rate.empty()))),
       needs_plastic_flow_(!flow_can_fail_ && !(failure_strain_ > 0.0) && failure_strain_over_rate_.empty() &&
-                          !damage_ && !(limits_.major > 0.0) && !erosion_) {}
+                          !damage_ && !(limits_.major > 0.0) && !erosion_ && need_plastic_flow(rules_)) {}
 
-double PointFailure::fracture_strain(double triaxiality, double rate, double heating) const {
-  const JohnsonCookFracture& f = *fracture_;
-  const double over = std::max(rate / f.reference_rate, 1.0);
-  const double warmth = f.melting_rise > 0.0 ? std::min(heating / f.melting_rise, 1.0) : 0.0;
-  return std::max((f.d1 + f.d2 * std::exp(f.d3 * triaxiality)) * (1.0 + f.d4 * std::log(over)) * (1.0 + f.d5 * warmth),
-                  f.least);
-}
-
-bool PointFailure::eroded(const Now& now) const {
+bool PointFailure::eroded(const PointNow& now) const {
   const Erosion& e = *erosion_;
   const double pressure = -(now.stress.xx + now.stress.yy + now.stress.zz) / 3.0;
   const double volume = now.strain.xx + now.strain.yy + now.strain.zz;
-  const Range<double> strain(now.strain);
+  const PrincipalRange<double> strain(now.strain);
   int met = 0;
   // A limit of 0 must be passed: at rest it is reached already.
   const auto reaches = [&met](const std::optional<double>& limit, double value) {
@@ -152,7 +160,7 @@ bool PointFailure::eroded(const Now& now) const {
   if (e.most_strain && strain.high >= *e.most_strain) reaches(e.most_strain, principal_values(now.strain)[2]);
   reaches(e.effective_strain, std::sqrt(2.0 / 3.0 * deviator2(now.strain)));
   if (e.volume_strain) (*e.volume_strain > 0.0 ? reaches(e.volume_strain, volume) : falls_to(e.volume_strain, volume));
-  if (e.most_stress && Range<double>(now.stress).high >= *e.most_stress)
+  if (e.most_stress && PrincipalRange<double>(now.stress).high >= *e.most_stress)
     reaches(e.most_stress, principal_values(now.stress)[2]);
   const double effective = std::sqrt(1.5 * deviator2(now.stress));
   reaches(e.effective_stress, effective);
@@ -167,19 +175,27 @@ bool PointFailure::eroded(const Now& now) const {
   return met >= e.needed;
 }
 
-bool PointFailure::beyond_strain_limits(const Now& now, double thinning) const {
+bool PointFailure::beyond_strain_limits(const PointNow& now, double thinning) const {
   if (limits_.plastic_thinning > 0.0 && thinning >= limits_.plastic_thinning) return true;
   if (!(limits_.major > 0.0)) return false;
   return (now.layer ? major_in_plane(now.strain) : principal_values(now.strain)[2]) >= limits_.major;
 }
 
 DamageNumbers PointFailure::damage(const std::function<double(int)>& history) const {
-  DamageNumbers d{history(0)};
+  DamageNumbers d{history(lost_field)};
   if (gissmo_) {
-    d[1] = gissmo_->grown(history(damaged_ + 1));
-    d[2] = gissmo_->grown(history(damaged_ + 2));
-  } else if (fracture_) {
-    d[1] = std::min(history(fractured_), 1.0);
+    d[1] = gissmo_->grown(history(damaged_ + Gissmo::damage_field));
+    d[2] = gissmo_->grown(history(damaged_ + Gissmo::instability_field));
+  } else {
+    int field = ruled_;
+    for (const FailureRule& rule : rules_)
+      std::visit(
+          [&]<class Rule>(const Rule& r) {
+            std::array<double, Rule::history> own;
+            for (double& number : own) number = history(field++);
+            d[1] = std::max(d[1], std::min(r.used(own.data(), 1), 1.0));
+          },
+          rule);
   }
   return d;
 }
@@ -194,12 +210,12 @@ MaskOf<R> PointFailure::may_fail(const PointStep<R>& step, const double* history
   if (bounds_.of_stress) {
     const R mean = (1.0 / 3.0) * (step.stress.xx + step.stress.yy + step.stress.zz);
     may = may || -mean >= R(bounds_.pressure) || mean >= R(bounds_.tension) ||
-          Range<R>(step.stress).high >= R(bounds_.principal_stress) ||
+          PrincipalRange<R>(step.stress).high >= R(bounds_.principal_stress) ||
           more * sqrt(1.5 * deviator2(step.stress)) >= R(bounds_.effective_stress);
   }
   if (bounds_.of_strain) {
     const SolidTensor<R> strain = load_solid<R>(history + strain_ * lanes<R>);
-    const Range<R> range(strain);
+    const PrincipalRange<R> range(strain);
     const R volume = strain.xx + strain.yy + strain.zz;
     may = may || range.high >= R(bounds_.high) || -range.low >= R(bounds_.low) ||
           more * sqrt((2.0 / 3.0) * deviator2(strain)) >= R(bounds_.effective_strain) || volume >= R(bounds_.growth) ||
@@ -212,11 +228,12 @@ MaskOf<R> PointFailure::may_fail(const PointStep<R>& step, const double* history
 template <class R>
 void PointFailure::advance(const PointStep<R>& step, double* history) const {
   if (by_plastic_strain_only_) {
-    const auto has_failed = load_field<R>(history, 0) >= R(1.0) || step.plastic_strain >= R(failure_strain_);
-    return store_field(history, 0, select(has_failed, R(1.0), R(0.0)));
+    const auto has_failed = load_field<R>(history, lost_field) >= R(1.0) || step.plastic_strain >= R(failure_strain_);
+    return store_field(history, lost_field, select(has_failed, R(1.0), R(0.0)));
   }
-  if (flow_can_fail_) store_field(history, 0, select(step.flow_failed > 0.5, R(1.0), load_field<R>(history, 0)));
-  const auto carries = load_field<R>(history, 0) < R(1.0);
+  if (flow_can_fail_)
+    store_field(history, lost_field, select(step.flow_failed > 0.5, R(1.0), load_field<R>(history, lost_field)));
+  const auto carries = load_field<R>(history, lost_field) < R(1.0);
   const auto grow = [&](int field, const R& by) {
     store_field(history, field, load_field<R>(history, field) + select(carries, by, R(0.0)));
   };
@@ -232,7 +249,7 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
 
   const auto at = [&](int field, int l) -> double& { return history[field * lanes<R> + l]; };
   for (int l = 0; l < lanes<R>; ++l) {
-    double& lost = at(0, l);
+    double& lost = at(lost_field, l);
     if (lost >= 1.0) continue;
     const double strain = lane(step.plastic_strain, l), increment = lane(step.plastic_increment, l);
     if (damage_) lost = std::max(lost, damage_->at(strain));
@@ -242,7 +259,15 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
       lost = std::max(lost, gissmo_->advance(undamaged, increment, step.dt, &at(damaged_, l), lanes<R>));
       if (lost >= 1.0) continue;
     }
-    Now now{(1.0 - lost) * undamaged, {}, effective_rate(rate), 0.0, 0.0, step.layer};
+    PointNow now{(1.0 - lost) * undamaged,
+                 {},
+                 effective_rate(rate),
+                 increment,
+                 step.dt,
+                 lane(step.heating, l),
+                 0.0,
+                 0.0,
+                 step.layer};
     bool ruptured = false;
     if (cracks_) {
       double* cracks = &at(cracked_, l);
@@ -260,17 +285,11 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
     }
     if (age_ > 0) now.age = at(age_, l);
 
-    if (fracture_ && increment > 0.0) {
-      const double mean = (now.stress.xx + now.stress.yy + now.stress.zz) / 3.0;
-      const double fracture_rate = fracture_->by_plastic_rate ? increment / step.dt : now.rate;
-      at(fractured_, l) += increment / fracture_strain(mean / std::sqrt(1.5 * deviator2(now.stress)), fracture_rate,
-                                                       lane(step.heating, l));
-    }
+    const bool used_up = !rules_.empty() && advance_rules(now, &at(ruled_, l), lanes<R>);
     const bool has_failed =
         ruptured || (failure_strain_ > 0.0 && strain >= failure_strain_) ||
         (!failure_strain_over_rate_.empty() && strain > 0.0 && strain >= failure_strain_over_rate_.clamped(now.rate)) ||
-        (fracture_ && at(fractured_, l) >= 1.0) || beyond_strain_limits(now, thinned_ > 0 ? at(thinned_, l) : 0.0) ||
-        (erosion_ && eroded(now));
+        used_up || beyond_strain_limits(now, thinned_ > 0 ? at(thinned_, l) : 0.0) || (erosion_ && eroded(now));
     if (has_failed) lost = 1.0;
   }
 }

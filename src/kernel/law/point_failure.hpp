@@ -4,10 +4,12 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "base/batch.hpp"
 #include "kernel/law/cracks.hpp"
 #include "kernel/law/law_components.hpp"
+#include "kernel/law/point_now.hpp"
 #include "kernel/law/stress_space.hpp"
 
 namespace nugget::kernel {
@@ -26,14 +28,12 @@ struct PointStep {
   R flow_failed{};  ///< 1 where the flow itself says that the point fails
 };
 
-/// Principal values of a symmetric tensor with tensorial shears, ascending.
-std::array<double, 3> principal_values(const SolidTensor<double>& a);
-
-/// Damage and failure of a point of a compound law. Of its history, the first number is the share of its stress that a
-/// point has lost, 1 once it has failed; the others are what its criteria need.
+/// Damage and failure of a point of a compound law. Its history begins with the share of its stress that the point has
+/// lost, 1 once it has failed; the other numbers are what its criteria need.
 class PointFailure {
  public:
-  explicit PointFailure(const LawComponents& law);
+  /// `flow_can_fail`: the flow itself says when a point fails (PointStep::flow_failed).
+  PointFailure(const LawComponents& law, bool flow_can_fail);
 
   bool active() const { return active_; }
   int history() const { return size_; }
@@ -41,13 +41,13 @@ class PointFailure {
   /// Share of the undamaged point's stress that is left.
   template <class R>
   static R left(const double* history) {
-    return R(1.0) - load_field<R>(history, 0);
+    return R(1.0) - load_field<R>(history, lost_field);
   }
   template <class R>
   void advance(const PointStep<R>& step, double* history) const;
 
   /// Where the history holds the size of the element, which is set before the first step; 0: nowhere.
-  int size_field() const { return damaged_; }
+  int size_field() const { return gissmo_ ? damaged_ + Gissmo::size_field : 0; }
 
   /// `history(i)`: the i-th number of the point's history.
   DamageNumbers damage(const std::function<double(int)>& history) const;
@@ -77,12 +77,8 @@ class PointFailure {
   }
 
  private:
-  /// One point, where it stands at the end of a step.
-  struct Now {
-    SolidTensor<double> stress, strain;  ///< both with tensorial shears
-    double rate, impulse, age;
-    bool layer;
-  };
+  static constexpr int lost_field = 0;
+
   /// Limits of what is known of a stress or strain without its principal values; infinite where there is none.
   struct Bounds {
     explicit Bounds(const Erosion& erosion, const StrainLimits& limits);
@@ -91,25 +87,26 @@ class PointFailure {
     bool of_stress, of_strain;
   };
   /// Which points may have failed: a cheap test that lets through all that have. Only for laws without damage, cracks,
-  /// fracture or a criterion over the rate or time.
+  /// rules or a criterion over the rate or time.
   template <class R>
   MaskOf<R> may_fail(const PointStep<R>& step, const double* history) const;
-  double fracture_strain(double triaxiality, double rate, double heating) const;
-  bool eroded(const Now& now) const;
-  bool beyond_strain_limits(const Now& now, double thinning) const;
+  /// Takes the step in the history of all rules; whether one of them is used up.
+  bool advance_rules(const PointNow& now, double* history, int stride) const;
+  bool eroded(const PointNow& now) const;
+  bool beyond_strain_limits(const PointNow& now, double thinning) const;
   int add(bool needed, int numbers);
 
   double failure_strain_;
   Curve failure_strain_over_rate_;
   std::optional<PlasticDamage> damage_;
   std::optional<Cracks> cracks_;
-  std::optional<JohnsonCookFracture> fracture_;
+  std::vector<FailureRule> rules_;
   std::optional<Gissmo> gissmo_;
   std::optional<Erosion> erosion_;
   StrainLimits limits_;
   Bounds bounds_;
-  int size_ = 1;
-  int cracked_, fractured_, damaged_, thinned_, strain_, impulse_, age_;  ///< places in the history; 0: not kept
+  int size_ = lost_field + 1;
+  int cracked_, ruled_, damaged_, thinned_, strain_, impulse_, age_;  ///< places in the history; 0: not kept
   bool flow_can_fail_, active_, by_plastic_strain_only_;
   bool bounded_;             ///< may_fail() can be asked
   bool needs_plastic_flow_;  ///< a point that has not failed only can in a step with plastic strain

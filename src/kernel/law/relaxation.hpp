@@ -4,10 +4,9 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <vector>
 
-#include "kernel/law/rubber.hpp"
 #include "kernel/law/single_points.hpp"
-#include "kernel/law/viscoelastic.hpp"
 
 // Stresses that relax or slide, point by point.
 namespace nugget::kernel {
@@ -19,6 +18,18 @@ inline SolidTensor<double> relaxed(const SolidTensor<double>& stress, double mod
   const double x = decay * dt, mean = x > 0.0 ? -std::expm1(-x) / x : 1.0;
   return std::exp(-x) * stress + (modulus * mean * dt) * d;
 }
+
+/// What a rubber has beside its energy: stresses that relax, each a spring (2 G of the deviator) and a damper in
+/// series, and one that slides, a spring and a friction element in series.
+struct Overstress {
+  struct MaxwellBranch {
+    double shear = 0.0;  ///< GI [stress]
+    double decay = 0.0;  ///< BETAI [1/time]
+  };
+  std::vector<MaxwellBranch> maxwell_branches;
+  double friction_shear = 0.0;  ///< G of the friction branch [stress]; 0: none
+  double friction_limit = 0.0;  ///< SIGF, its greatest effective stress [stress]
+};
 
 /// The branches of an Overstress. History: a tensor each.
 class OverstressBranches {
@@ -35,17 +46,6 @@ class OverstressBranches {
  private:
   bool has_friction() const { return law_.friction_shear > 0.0; }
   Overstress law_;
-};
-
-class ViscoelasticPoint {
- public:
-  explicit ViscoelasticPoint(const Viscoelastic& law) : law_(law) {}
-  int history() const { return SolidTensor<double>::size; }  // the part of the stress that decays
-  int tensors() const { return 1; }
-  PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
-
- private:
-  Viscoelastic law_;
 };
 
 }  // namespace nugget::kernel

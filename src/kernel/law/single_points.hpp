@@ -7,6 +7,7 @@
 
 #include "base/batch.hpp"
 #include "kernel/law/elastic_constants.hpp"
+#include "kernel/law/law_kernel.hpp"
 #include "kernel/law/stress_space.hpp"
 
 // Laws of solids that are computed point by point, lane after lane: rubbers, foams, viscoelasticity. Their principal
@@ -37,12 +38,12 @@ struct PointUpdate {
 ///   history()   numbers it needs beside plastic strain and wave modulus, at most `most_history`
 ///   tensors()   how many tensors these begin with: they turn with the material
 ///   update()    stress after a step from the one before, its history, and the wave modulus for the stable step.
-/// History: plastic strain (0), wave modulus, then the point's own. In layers the law has no stress; the model refuses
-/// it there.
+/// History: wave modulus, then the point's own.
 template <class Point>
 class SolidPointLaw {
  public:
   static constexpr std::size_t most_history = 96;
+  static constexpr bool has_plastic_strain = false;
 
   template <class Law>
   explicit SolidPointLaw(const Law& law) : point_(law) {
@@ -51,15 +52,10 @@ class SolidPointLaw {
         std::max(ElasticConstants(law.E, law.nu).bulk_wave(), point_.update({}, {}, 0.0, nothing).wave_modulus);
   }
 
-  int layer_history() const { return solid_history(); }
-  int solid_history() const { return own + point_.history(); }
+  int solid_history() const { return own_fields + point_.history(); }
   template <class R>
   R wave_modulus(const double* history) const {
-    return max(R(initial_wave_modulus_), load_field<R>(history, 1));
-  }
-  template <class R>
-  ThicknessStrain<R> layer(LayerTensor<R>&, const LayerTensor<R>&, double, double*) const {
-    return {};
+    return max(R(initial_wave_modulus_), load_field<R>(history, wave_modulus_field));
   }
   template <class R>
   void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
@@ -69,11 +65,11 @@ class SolidPointLaw {
     };
     std::array<double, most_history> h;
     for (int l = 0; l < lanes<R>; ++l) {
-      const auto at = [&](int i) -> double& { return history[(own + i) * lanes<R> + l]; };
+      const auto at = [&](int i) -> double& { return history[(own_fields + i) * lanes<R> + l]; };
       for (int i = 0; i < point_.history(); ++i) h[static_cast<std::size_t>(i)] = at(i);
       const PointUpdate now = point_.update(lane_of(s, l), lane_of(rate, l), dt, h);
       for (int i = 0; i < point_.history(); ++i) at(i) = h[static_cast<std::size_t>(i)];
-      history[lanes<R> + l] = now.wave_modulus;
+      history[wave_modulus_field * lanes<R> + l] = now.wave_modulus;
       set_lane(s.xx, l, now.stress.xx);
       set_lane(s.yy, l, now.stress.yy);
       set_lane(s.zz, l, now.stress.zz);
@@ -85,15 +81,25 @@ class SolidPointLaw {
   template <class R>
   void rotate(const Frame<R>& q, double* history) const {
     for (int t = 0; t < point_.tensors(); ++t) {
-      double* tensor = history + (own + t * SolidTensor<double>::size) * lanes<R>;
+      double* tensor = history + (own_fields + t * SolidTensor<double>::size) * lanes<R>;
       store_solid(tensor, rotated(q, load_solid<R>(tensor)));
     }
   }
 
  private:
-  static constexpr int own = 2;
+  static constexpr int wave_modulus_field = first_own_field, own_fields = wave_modulus_field + 1;
   Point point_;
   double initial_wave_modulus_ = 0.0;
+};
+
+/// The kernel of a law that names the class of its points.
+template <class Law>
+requires requires {
+  typename Law::Point;
+}
+class LawKernel<Law> : public SolidPointLaw<typename Law::Point> {
+ public:
+  using SolidPointLaw<typename Law::Point>::SolidPointLaw;
 };
 
 }  // namespace nugget::kernel

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <limits>
+#include <cmath>
 
 #include "base/batch.hpp"
 #include "kernel/law/hardening.hpp"
-#include "kernel/law/johnson_cook.hpp"
-#include "kernel/law/power_law.hpp"
 #include "kernel/law/rate_effects.hpp"
 
 // Hardenings by formulas rather than curves; see hardening.hpp for what a hardening gives.
@@ -20,9 +18,12 @@ struct YieldPoint {
   double heating = 0.0;    ///< temperature rise at the start of the step, where the formula keeps one
 };
 
+/// Field of a point's history, behind the plastic strain: its temperature rise, of formulas with heats().
+inline constexpr int temperature_rise_field = 1;
+
 /// Hardening by a formula. `Formula` has lowest(), yield(YieldPoint), at rest; rate(), the rate effect, and
 /// limit(heating), which no rate exceeds; power(): what of it is dear and depends on the plastic strain at the start
-/// only; heats(): whether the second number of the history is a temperature rise.
+/// only; heats(): whether the history has a temperature rise.
 template <class Formula>
 class SmoothHardening : public Formula {
  public:
@@ -35,8 +36,8 @@ class SmoothHardening : public Formula {
    public:
     static constexpr bool limited = true;
     At(const SmoothHardening& hardening, const double* history)
-        : hardening_(hardening), plastic_strain_(load_field<R>(history, 0)) {
-      if (hardening.heats()) heating_ = load_field<R>(history, 1);
+        : hardening_(hardening), plastic_strain_(load_field<R>(history, plastic_strain_field)) {
+      if (hardening.heats()) heating_ = load_field<R>(history, temperature_rise_field);
       power_ = map([&](double strain) { return hardening.power(strain); }, plastic_strain_);
       limit_ = map([&](double heating) { return hardening.limit(heating); }, heating_);
     }
@@ -94,57 +95,6 @@ class PowerOfStrain {
   static constexpr int terms = 8;
   double factor_, exponent_, start_;
   double ratio_[terms];
-};
-
-/// Johnson and Cook's yield stress.
-class JohnsonCookFormula {
- public:
-  explicit JohnsonCookFormula(const JohnsonCook& law)
-      : law_(law), power_(law.hardening, law.exponent), rate_(law.rate_factor, law.reference_rate) {}
-
-  double lowest() const { return heats() ? 0.0 : std::min({law_.yield, law_.static_stress_limit, law_.saturation}); }
-  bool heats() const { return law_.heating > 0.0; }
-  double power(double strain) const { return power_(strain); }
-  const LogarithmicRate& rate() const { return rate_; }
-  double limit(double heating) const { return law_.saturation * cold(heating); }
-  YieldStress<double> yield(const YieldPoint& p) const {
-    YieldStress<double> y = power_.after(p.strain, p.power, p.increment);
-    y.value += law_.yield;
-    if (y.value > law_.static_stress_limit) y = {law_.static_stress_limit, 0.0};
-    const double left = cold(p.heating);
-    return {y.value * left, y.slope * left};
-  }
-
- private:
-  /// Share of the yield stress that the heat leaves.
-  double cold(double heating) const {
-    return heats() ? std::max(1.0 - std::pow(heating / law_.melting_rise, law_.softening), 1e-6) : 1.0;
-  }
-
-  JohnsonCook law_;
-  PowerOfStrain power_;
-  LogarithmicRate rate_;
-};
-
-/// Power law of the elastic and plastic strain.
-class PowerLawFormula {
- public:
-  explicit PowerLawFormula(const PowerLaw& law)
-      : law_(law), power_(law.strength, law.exponent), rate_(law.rate_c, law.rate_p) {}
-
-  double lowest() const { return power(0.0); }
-  double power(double strain) const { return power_(law_.yield_strain + strain); }
-  static constexpr bool heats() { return false; }
-  const CowperSymonds& rate() const { return rate_; }
-  static double limit(double) { return std::numeric_limits<double>::infinity(); }
-  YieldStress<double> yield(const YieldPoint& p) const {
-    return power_.after(law_.yield_strain + p.strain, p.power, p.increment);
-  }
-
- private:
-  PowerLaw law_;
-  PowerOfStrain power_;
-  CowperSymonds rate_;
 };
 
 }  // namespace nugget::kernel

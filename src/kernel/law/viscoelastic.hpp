@@ -1,16 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
+#include "kernel/law/law_cards.hpp"
+#include "kernel/law/single_points.hpp"
+
 namespace nugget::kernel {
+
+class ViscoelasticPoint;
 
 /// Linear viscoelastic shear, elastic volume (MAT_006), a law of solids: shear modulus GI + (G0 - GI) exp(-BETA t).
 struct Viscoelastic {
+  using Point = ViscoelasticPoint;
+
   double E = 0.0;                    ///< instantaneous Young's modulus, from BULK and G0 [stress]
   double nu = 0.0;                   ///< instantaneous Poisson's ratio [1]
   double bulk = 0.0;                 ///< [stress]
   double instantaneous_shear = 0.0;  ///< G0 [stress]
   double long_term_shear = 0.0;      ///< GI [stress]
   double decay = 0.0;                ///< BETA [1/time]
+
+  static LawCards<Viscoelastic> cards() {
+    using Law = Viscoelastic;
+    return {
+        .name = "MAT_VISCOELASTIC",
+        .aliases = {"MAT_006"},
+        .cards = {{{real("bulk", dimension::stress, required, above_zero(), "bulk modulus"), &Law::bulk},
+                   {real("g0", dimension::stress, required, above_zero(), "shear modulus at once"),
+                    &Law::instantaneous_shear},
+                   {real("gi", dimension::stress, 0, at_least(0), "shear modulus in the end"), &Law::long_term_shear},
+                   {real("beta", dimension::rate, 0, at_least(0), "decay: GI + (G0 - GI) exp(-BETA t)"), &Law::decay}}},
+        .complete =
+            [](Law& law) {
+              const double K = law.bulk, G = law.instantaneous_shear;
+              law.E = 9.0 * K * G / (3.0 * K + G);
+              law.nu = (3.0 * K - 2.0 * G) / (6.0 * K + 2.0 * G);
+            },
+        .demands = {{[](const Law& law) { return !(law.nu < 0.0); }, "bulk",
+                     "G0 and BULK make a negative Poisson's ratio", "3 BULK must be above 2 G0"}}};
+  }
+};
+
+class ViscoelasticPoint {
+ public:
+  explicit ViscoelasticPoint(const Viscoelastic& law) : law_(law) {}
+  int history() const { return SolidTensor<double>::size; }  // the part of the stress that decays
+  int tensors() const { return 1; }
+  PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
+
+ private:
+  Viscoelastic law_;
 };
 
 }  // namespace nugget::kernel

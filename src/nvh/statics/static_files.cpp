@@ -4,11 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "base/index.hpp"
+#include "model/history_files.hpp"
 #include "nvh/matrices/stresses.hpp"
 #include "output/binout.hpp"
+#include "output/bndout.hpp"
+#include "output/jntforc.hpp"
 #include "output/model_geometry.hpp"
+#include "output/nodout.hpp"
+#include "output/spcforc.hpp"
+#include "output/swforc.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -191,37 +198,27 @@ void write_statics(const std::filesystem::path& directory, const output::Header&
   for (const double share : {0.0, 1.0}) plot.write(states.d3plot(share, geometry));
 
   std::unique_ptr<output::Binout> binout;
-  const auto write = [&](const model::Request& request, bool any, auto open, auto state) {
+  const auto write = [&](model::HistoryName name, const auto& format, bool any, auto state,
+                         const std::vector<output::LegendEntry>& legend = {}) {
+    const model::Request& request = ask[name];
     if (!request.asked() || !any) return;
     if (request.binout() && !binout) binout = std::make_unique<output::Binout>(directory, header);
-    auto file = request.ascii() ? open() : nullptr;
+    std::optional<output::AsciiHistory<decltype(state(0.0))>> file;
+    if (request.ascii()) file.emplace(format, directory / name.text(), header, legend);
     for (const double share : {0.0, 1.0}) {
       if (file) file->write(state(share));
-      if (request.binout()) binout->write(state(share));
+      if (request.binout()) binout->write(format, state(share));
     }
   };
-  write(
-      ask.nodout, !ask.history_nodes.empty(),
-      [&] { return std::make_unique<output::Nodout>(directory / "nodout", header); },
-      [&](double share) { return states.nodout(share); });
-  write(
-      ask.spcforc, !model.spcs.empty(),
-      [&] { return std::make_unique<output::Spcforc>(directory / "spcforc", header); },
-      [&](double share) { return states.spcforc(share); });
-  write(
-      ask.bndout, !model.motions.empty(),
-      [&] { return std::make_unique<output::Bndout>(directory / "bndout", header); },
-      [&](double share) { return states.bndout(share); });
+  write("nodout", output::nodout(), !ask.history_nodes.empty(), [&](double share) { return states.nodout(share); });
+  write("spcforc", output::spcforc(), !model.spcs.empty(), [&](double share) { return states.spcforc(share); });
+  write("bndout", output::bndout(), !model.motions.empty(), [&](double share) { return states.bndout(share); });
   std::vector<output::LegendEntry> joints;
   for (const model::Joint& j : model.joints)
     if (!j.title.empty()) joints.push_back({j.id, j.title});
   write(
-      ask.jntforc, !model.joints.empty(),
-      [&] { return std::make_unique<output::Jntforc>(directory / "jntforc", header, joints); },
-      [&](double share) { return states.jntforc(share); });
-  write(
-      ask.swforc, !statics.weld.empty(), [&] { return std::make_unique<output::Swforc>(directory / "swforc", header); },
-      [&](double share) { return states.swforc(share); });
+      "jntforc", output::jntforc(), !model.joints.empty(), [&](double share) { return states.jntforc(share); }, joints);
+  write("swforc", output::swforc(), !statics.weld.empty(), [&](double share) { return states.swforc(share); });
 }
 
 }  // namespace nugget::nvh

@@ -13,9 +13,6 @@ namespace nugget::reading {
 /// discrete beams and adhesive.
 std::optional<kernel::LawComponents> components_of(const Law& law);
 
-/// Whether a point of this flow has a plastic strain.
-bool has_plastic_strain(const kernel::Flow& flow);
-
 /// Takes NUMFIP of a row into the law; an error where it differs from what another card has said, if one has.
 void take_points_to_delete(Builder& builder, const deck::Entry& numfip, kernel::LawComponents& law, bool said_before);
 

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // *DATABASE_...: which results are written, how often, and of what.
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
+#include <iterator>
+#include <string>
+#include <utility>
 
+#include "model/history_files.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 
@@ -117,11 +122,21 @@ const Card set_id_heading = headed(IdSpace::set, "set whose members have time hi
 
 // ---- intervals -----------------------------------------------------------------------------------------------------
 
+/// Where the request of one file stands.
+using RequestOf = Request& (*)(Requests&);
+template <model::HistoryName file>
+Request& of_history(Requests& requests) {
+  return requests[file];
+}
+Request& of_d3plot(Requests& requests) {
+  return requests.d3plot;
+}
+
 /// The curve of an interval, and how it counts.
-void take_curve(Builder& builder, const Row& row, std::string_view field, int ioopt, Request Requests::*file) {
+void take_curve(Builder& builder, const Row& row, std::string_view field, int ioopt, RequestOf file) {
   if (row.integer(field) == 0) return;
   builder.defer(Phase::conditions, [row, field = std::string(field), ioopt, file](Builder& b) {
-    Request& asked = b.model.requests.*file;
+    Request& asked = file(b.model.requests);
     asked.curve = b.curve(row, field);
     if (asked.curve == none) return;
     using enum Request::Rule;
@@ -134,20 +149,20 @@ void take_curve(Builder& builder, const Row& row, std::string_view field, int io
   });
 }
 
-void take_request(Builder& builder, const Row& row, Request Requests::*file) {
-  Request& request = builder.model.requests.*file;
+void take_request(Builder& builder, const Block& block, RequestOf file) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  const Row row = cursor.read(interval_card);
+  Request& request = file(builder.model.requests);
   request.interval = row.real("dt");
   request.binary = row.integer("binary");
   take_curve(builder, row, "lcur", row.integer("ioopt"), file);
-}
-
-template <Request Requests::*file>
-void read_request(Builder& builder, const Block& block, const Options&) {
-  Cursor cursor(builder.deck, block, builder.findings);
-  const Row row = cursor.read(interval_card);
-  take_request(builder, row, file);
   for (const std::string_view option : {"option1", "option2", "option3", "option4"})
     expect(builder, row, Severity::warning, {{option, 0, "this additional output is not written"}});
+}
+
+template <model::HistoryName file>
+void read_request(Builder& builder, const Block& block, const Options&) {
+  take_request(builder, block, of_history<file>);
 }
 
 void read_d3plot(Builder& builder, const Block& block, const Options&) {
@@ -161,7 +176,7 @@ void read_d3plot(Builder& builder, const Block& block, const Options&) {
     expect(builder, second, Severity::warning, {{"rate", 0, plain}, {"cutoff", 0, plain}, {"window", 0, plain}});
     ioopt = second.integer("ioopt");
   }
-  if (row.integer("npltc") == 0) take_curve(builder, row, "lcdt", ioopt, &Requests::d3plot);
+  if (row.integer("npltc") == 0) take_curve(builder, row, "lcdt", ioopt, of_d3plot);
   if (const int states = row.integer("npltc"); states > 0)
     builder.defer(Phase::conditions,
                   [states](Builder& b) { b.model.requests.d3plot.interval = b.model.control.end_time / states; });
@@ -346,9 +361,22 @@ void read_local_history(Builder& builder, const Block& block, const Options& opt
 
 // ---- the list ------------------------------------------------------------------------------------------------------
 
-template <Request Requests::*file>
-Keyword file_keyword(std::string_view name) {
-  return {name, {}, {}, KeywordStatus::used, {}, {{{}, &interval_card}}, read_request<file>};
+/// *DATABASE_ABSTAT of abstat.
+template <model::HistoryName file>
+Keyword file_keyword() {
+  static const std::string name = [] {
+    std::string written = "DATABASE_";
+    std::ranges::transform(file.text(), std::back_inserter(written),
+                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return written;
+  }();
+  return {.name = name, .layout = {{{}, &interval_card}}, .read = read_request<file>};
+}
+
+/// One of each history file.
+template <std::size_t... file>
+std::vector<Keyword> file_keywords(std::index_sequence<file...>) {
+  return {file_keyword<model::HistoryName(file)>()...};
 }
 
 template <const History& history, bool set>
@@ -372,24 +400,8 @@ Keyword without_effect(std::string_view name, std::string_view why) {
 }  // namespace
 
 std::vector<Keyword> database_keywords() {
-  return {
-      file_keyword<&Requests::glstat>("DATABASE_GLSTAT"),
-      file_keyword<&Requests::elout>("DATABASE_ELOUT"),
-      file_keyword<&Requests::secforc>("DATABASE_SECFORC"),
-      file_keyword<&Requests::nodfor>("DATABASE_NODFOR"),
-      file_keyword<&Requests::matsum>("DATABASE_MATSUM"),
-      file_keyword<&Requests::nodout>("DATABASE_NODOUT"),
-      file_keyword<&Requests::swforc>("DATABASE_SWFORC"),
-      file_keyword<&Requests::dcfail>("DATABASE_DCFAIL"),
-      file_keyword<&Requests::rwforc>("DATABASE_RWFORC"),
-      file_keyword<&Requests::spcforc>("DATABASE_SPCFORC"),
-      file_keyword<&Requests::bndout>("DATABASE_BNDOUT"),
-      file_keyword<&Requests::rbdout>("DATABASE_RBDOUT"),
-      file_keyword<&Requests::rcforc>("DATABASE_RCFORC"),
-      file_keyword<&Requests::deforc>("DATABASE_DEFORC"),
-      file_keyword<&Requests::jntforc>("DATABASE_JNTFORC"),
-      file_keyword<&Requests::sleout>("DATABASE_SLEOUT"),
-      file_keyword<&Requests::abstat>("DATABASE_ABSTAT"),
+  std::vector<Keyword> rows = file_keywords(std::make_index_sequence<model::history_files.size()>());
+  const std::vector<Keyword> others{
       {"DATABASE_BINARY_D3PLOT",
        {},
        {},
@@ -441,6 +453,8 @@ std::vector<Keyword> database_keywords() {
       without_effect("DATABASE_BINARY_D3DRLF",
                      "states of dynamic relaxation are not written; the run begins with its last one"),
   };
+  rows.insert(rows.end(), others.begin(), others.end());
+  return rows;
 }
 
 }  // namespace nugget::reading

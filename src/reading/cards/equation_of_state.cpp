@@ -131,12 +131,12 @@ double start_volume(const StartCard& start) {
 
 /// Young's modulus and Poisson's ratio of a flow that goes with bulk modulus K.
 bool set_elastic(kernel::LawComponents& law, double K) {
-  if (auto* fluid = std::get_if<kernel::Fluid>(&law.flow)) {
-    fluid->E = 3.0 * K * (1.0 - 2.0 * fluid->nu);
-    return true;
-  }
   return std::visit(
       [&](auto& flow) {
+        if constexpr (requires { flow.set_bulk_modulus(K); }) {
+          flow.set_bulk_modulus(K);
+          return true;
+        }
         const double G = law.solid_shear > 0.0 ? law.solid_shear : flow.E / (2.0 * (1.0 + flow.nu));
         if (!(G > 0.0)) return false;
         flow.E = 9.0 * K * G / (3.0 * K + G);
@@ -158,7 +158,6 @@ kernel::LawComponents components(const Material& material) {
   if (null == nullptr) return *std::get<kernel::ComposedLaw>(material.law).components;
   kernel::LawComponents law{kernel::Fluid{.viscosity = null->viscosity}};
   if (null->tension > 0.0) law.spall = kernel::Spall{kernel::Spall::Form::limited_tension, null->tension};
-  law.for_shells = false;
   return law;
 }
 
@@ -301,6 +300,12 @@ void read_gruneisen(Builder& b, const Block& block, const Options& options) {
 }
 
 }  // namespace
+
+void refuse_unknown_state(Builder& b, const RowOf<PartCard>& row) {
+  refuse(b, row[&PartCard::eosid],
+         fmt::format("equation of state {} is not defined, or of a kind that is not built", row->eosid),
+         "define it by *EOS_LINEAR_POLYNOMIAL, _GRUNEISEN, _TABULATED or _IDEAL_GAS");
+}
 
 bool takes_equation_of_state(const Material& material) {
   if (std::holds_alternative<kernel::Null>(material.law)) return true;

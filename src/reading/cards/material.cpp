@@ -184,7 +184,7 @@ void read_plastic(Builder& b, const Block& block, const Options& options) {
   law.E = cards.main.real("e");
   law.nu = cards.main.real("pr");
   law.failure_strain = failure_value(cards.main.real("fail"));
-  law.tdel = cards.main.real("tdel");
+  law.deletion_step = cards.main.real("tdel");
   const Index material = add_material(b, cards.main, std::move(title), "MAT_PIECEWISE_LINEAR_PLASTICITY", law);
   // Curves may be defined later in the deck.
   b.defer(Phase::parts, [material, cards](Builder& later) {

@@ -3,7 +3,8 @@
 
 #include <optional>
 
-#include "kernel/law/orthotropic.hpp"
+#include "kernel/law/law_cards.hpp"
+#include "kernel/law/material_axes.hpp"
 #include "kernel/law/point_damage.hpp"
 #include "reading/builder/builder.hpp"
 
@@ -12,8 +13,8 @@ namespace nugget::reading {
 
 inline constexpr Field material_id = id("mid", IdSpace::material, required, "material id");
 inline constexpr Field density = real("ro", dimension::density, required, above_zero(), "density");
-inline constexpr Field young = real("e", dimension::stress, required, above_zero(), "Young's modulus");
-inline constexpr Field poisson = real("pr", dimension::number, 0, between(0, 0.5), "Poisson's ratio");
+using kernel::law_field::poisson;
+using kernel::law_field::young;
 
 // Of metals. Whatever VP says, the yield stress goes by the rate of the plastic strain, found together with the stress:
 // a stress that leaps with the total strain rate is a dashpot for which the elements' step is too long

@@ -50,15 +50,11 @@ void take_axes_of_system(Builder& b, const Row& option, Index material) {
     auto* compound = std::get_if<kernel::ComposedLaw>(&later.model.materials[static_cast<std::size_t>(material)].law);
     if (compound == nullptr) return;  // refused
     kernel::LawComponents made = *compound->components;
-    std::visit(
-        [&](auto& flow) {
-          if constexpr (requires { flow.axes; }) {
-            flow.axes.by = By::vectors;
-            flow.axes.a = system.axes.e1;
-            flow.axes.d = system.axes.e2;
-          }
-        },
-        made.flow);
+    if (kernel::MaterialAxes* axes = axes_of(made.flow)) {
+      axes->by = By::vectors;
+      axes->a = system.axes.e1;
+      axes->d = system.axes.e2;
+    }
     *compound = kernel::composed_law(std::move(made));
   });
 }

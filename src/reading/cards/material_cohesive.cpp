@@ -122,7 +122,6 @@ kernel::CohesiveBond bond_of_row(Builder& b, const Row& row, std::string_view no
 void add_bond(Builder& b, const Row& row, std::string title, std::string_view name, kernel::CohesiveBond bond) {
   kernel::LawComponents law;
   law.flow = kernel::Elastic{};
-  law.for_shells = false;
   law.bond = std::make_shared<const kernel::CohesiveBond>(std::move(bond));
   add_material(b, row, std::move(title), name, kernel::composed_law(std::move(law)));
 }

@@ -17,14 +17,13 @@ using deck::Block;
 using deck::Cursor;
 using deck::Row;
 
-constexpr Field reference = real("ref", dimension::number, 0, only(0), "stress from a reference geometry");
+using kernel::law_field::reference;
 
 constexpr Field damping =
     real("damp", dimension::number, 0, between(0, 1), "viscous stress, as a share of critical damping in each element");
 
 /// Gives a material its law, which only solids can have.
 void set_foam(Builder& b, Index material, kernel::LawComponents law) {
-  law.for_shells = false;
   b.model.materials[static_cast<std::size_t>(material)].law = composed_law(std::move(law));
 }
 

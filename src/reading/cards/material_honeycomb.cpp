@@ -197,6 +197,36 @@ bool check_limit(Builder& b, const Row& row, std::string_view field, const Curve
   return true;
 }
 
+/// The brick of formulation 0 has curves over engineering strains; of bending formulations the law makes no sense.
+void check_honeycomb(Builder& b, const Part& part, const deck::RowOf<PartCard>& row) {
+  Model& m = b.model;
+  if (part.kind != ElementKind::solid || part.section == none) return;
+  const auto section = static_cast<std::size_t>(part.section);
+  if (m.solid_sections[section].elform < 0)
+    refuse(b, row[&PartCard::secid], "honeycomb has no Poisson effect, which bricks of ELFORM -1 and -2 count on in bending",
+           "write ELFORM 1 or 2");
+  const auto* made = std::get_if<kernel::ComposedLaw>(&m.materials[static_cast<std::size_t>(part.material)].law);
+  if (made == nullptr) return;  // refused
+  kernel::LawComponents law = *made->components;
+  auto& flow = std::get<Honeycomb>(law.flow);
+  if (flow.over == Honeycomb::Over::volume) return;
+  // 0 is computed as 1 by now; the card still counts.
+  const auto is_formulation_0 = [&](const Part& p) {
+    return b.solid_section_rows[static_cast<std::size_t>(p.section)]->elform == 0;
+  };
+  const bool engineering = is_formulation_0(part);
+  for (const Part& other : m.parts)
+    if (other.material == part.material && other.kind == ElementKind::solid && other.section != none &&
+        is_formulation_0(other) != engineering)
+      return refuse(b, row[&PartCard::mid],
+                    "the material is in bricks of ELFORM 0, whose curves are over engineering strains, and in others, "
+                    "whose curves are over logarithmic ones",
+                    "give each its own material");
+  if (!engineering || flow.over == Honeycomb::Over::engineering_strain) return;
+  flow.over = Honeycomb::Over::engineering_strain;
+  m.materials[static_cast<std::size_t>(part.material)].law = kernel::composed_law(std::move(law));
+}
+
 struct HoneycombCards {
   Row dense, curves, core, vectors;
   Honeycomb::Over over = Honeycomb::Over::volume;
@@ -233,9 +263,9 @@ void set_honeycomb(Builder& b, Index material, const HoneycombCards& cards) {
     flow.rate_factor = b.model.curves[static_cast<std::size_t>(found)];
   }
   kernel::LawComponents law{std::move(flow)};
-  law.for_shells = false;
   law.bulk_viscosity = is_bulk;
   b.model.materials[static_cast<std::size_t>(material)].law = composed_law(std::move(law));
+  b.part_checks[material] = check_honeycomb;
 }
 
 void add_honeycomb(Builder& b, HoneycombCards cards, std::string title, std::string_view name) {

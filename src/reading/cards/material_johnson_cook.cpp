@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
+#include "reading/cards/equation_of_state.hpp"
 #include "reading/cards/families.hpp"
 #include "reading/cards/material.hpp"
 
@@ -128,7 +129,7 @@ void read_orthotropic_johnson_cook(Builder& b, const Block& block, const Options
     kernel::LawComponents law{simplified_johnson_cook(row, yield)};
     law.directional_damage = plastic_damage(later, yield, "psfail", row);
     law.points_to_delete = row.real("numint");
-    law.for_bricks = false;
+    law.for_layers_only = true;
     later.model.materials[static_cast<std::size_t>(material)].law = composed_law(std::move(law));
   });
 }
@@ -147,6 +148,26 @@ void heat(Builder& b, const Row& main, const Row& yield, const Row& heat, kernel
   flow.softening = yield.real("m");
 }
 
+/// Solids of *MAT_JOHNSON_COOK have an equation of state, or an elastic bulk modulus; shells have the latter.
+void check_equation_of_state(Builder& b, const Part& part, const deck::RowOf<PartCard>& row) {
+  const auto& law = std::get<kernel::ComposedLaw>(b.model.materials[static_cast<std::size_t>(part.material)].law);
+  const bool is_solid = part.kind == ElementKind::solid;
+  if (is_solid && law.components->state) return;
+  if (is_solid && row->eosid != 0)
+    refuse_unknown_state(b, row);
+  else if (!(law.E > 0.0))
+    refuse(b, row[&PartCard::mid], "*MAT_JOHNSON_COOK without an equation of state needs E and PR", "give them");
+  else if (!is_solid && law.components->spall)
+    row[&PartCard::mid].report(b.findings, Severity::warning,
+               "PC and SPALL of *MAT_JOHNSON_COOK are not obeyed in shells: no element is deleted by tension",
+               "use *MAT_ADD_EROSION with SIGP1, or leave PC 0");
+  else if (is_solid)
+    row[&PartCard::eosid].report(b.findings, Severity::warning,
+               "*MAT_JOHNSON_COOK in solids without an equation of state, which LS-DYNA demands: pressure and shear "
+               "are those of E and PR",
+               "write *EOS_LINEAR_POLYNOMIAL with C1 = E/(3 (1 - 2 PR))");
+}
+
 void read_johnson_cook(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
@@ -163,7 +184,7 @@ void read_johnson_cook(Builder& b, const Block& block, const Options& options) {
       fourth.real("d5"),    fourth.real("efmin"), flow.reference_rate, flow.heating > 0.0 ? flow.melting_rise : 0.0,
       row.real("vp") == 1.0};
   if (fracture.d1 != 0.0 || fracture.d2 != 0.0 || fracture.d3 != 0.0 || fracture.d4 != 0.0 || fracture.d5 != 0.0)
-    law.fracture = fracture;
+    law.rules = {fracture};
   if (fracture.d2 > 0.0 && fracture.d3 > 0.0)
     third.report(b.findings, Severity::warning, "d3",
                  "tension is positive here: with D3 above 0 the strain at fracture grows with tension",
@@ -175,7 +196,8 @@ void read_johnson_cook(Builder& b, const Block& block, const Options& options) {
     const int form = static_cast<int>(third.real("spall"));
     law.spall = kernel::Spall{static_cast<kernel::Spall::Form>(form == 0 ? 2 : form), -cutoff};
   }
-  add_material(b, row, std::move(title), "MAT_JOHNSON_COOK", composed_law(std::move(law)));
+  const Index material = add_material(b, row, std::move(title), "MAT_JOHNSON_COOK", composed_law(std::move(law)));
+  b.part_checks[material] = check_equation_of_state;
 }
 
 }  // namespace

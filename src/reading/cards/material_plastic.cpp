@@ -240,7 +240,7 @@ void add_damage(Builder& b, const YieldCards& cards, kernel::LawComponents& law)
 
 void add_directional_damage(Builder& b, const YieldCards& cards, kernel::LawComponents& law) {
   law.directional_damage = plastic_damage(b, cards.main, "eppf", cards.rate);
-  law.for_bricks = false;
+  law.for_layers_only = true;
 }
 
 void add_strain_limits(Builder&, const YieldCards& cards, kernel::LawComponents& law) {

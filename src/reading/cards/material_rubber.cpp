@@ -6,7 +6,7 @@
 #include "reading/cards/families.hpp"
 #include "reading/cards/material.hpp"
 
-// *MAT_... of rubber and of a viscoelastic solid.
+// *MAT_... of rubbers with terms that relax. The plain ones have their cards in kernel/law/rubber.hpp.
 namespace nugget::reading {
 
 namespace {
@@ -15,85 +15,11 @@ using deck::Block;
 using deck::Cursor;
 using deck::Row;
 
-constexpr Field compressible =
-    real("pr", dimension::number, required, between(0, 0.49999), "Poisson's ratio, below 0.5");
-constexpr Field reference = real("ref", dimension::number, 0, only(0), "stress from a reference geometry");
+using kernel::law_field::compressible;
+using kernel::law_field::reference;
 
 Index add_solid_law(Builder& b, const Row& row, std::string title, std::string_view name, kernel::LawComponents law) {
-  law.for_shells = false;
   return add_material(b, row, std::move(title), name, composed_law(std::move(law)));
-}
-
-// ---- 006
-
-const Card viscoelastic_card{{
-    material_id,
-    density,
-    real("bulk", dimension::stress, required, above_zero(), "bulk modulus"),
-    real("g0", dimension::stress, required, above_zero(), "shear modulus at once"),
-    real("gi", dimension::stress, 0, at_least(0), "shear modulus in the end"),
-    real("beta", dimension::rate, 0, at_least(0), "decay: GI + (G0 - GI) exp(-BETA t)"),
-}};
-
-void read_viscoelastic(Builder& b, const Block& block, const Options& options) {
-  Cursor cursor(b.deck, block, b.findings);
-  std::string title = read_title(cursor, options);
-  const Row row = cursor.read(viscoelastic_card);
-  expect_end(b, cursor);
-  const double K = row.real("bulk"), G = row.real("g0");
-  const kernel::Viscoelastic flow{
-      9.0 * K * G / (3.0 * K + G), (3.0 * K - 2.0 * G) / (6.0 * K + 2.0 * G), K, G, row.real("gi"), row.real("beta")};
-  if (flow.nu < 0.0) refuse(b, row, "bulk", "G0 and BULK make a negative Poisson's ratio", "3 BULK must be above 2 G0");
-  add_solid_law(b, row, std::move(title), "MAT_VISCOELASTIC", {flow});
-}
-
-// ---- 007
-
-const Card blatz_ko_card{{
-    material_id,
-    density,
-    real("g", dimension::stress, required, above_zero(), "shear modulus; Poisson's ratio is 0.463"),
-    reference,
-}};
-
-void read_blatz_ko(Builder& b, const Block& block, const Options& options) {
-  Cursor cursor(b.deck, block, b.findings);
-  std::string title = read_title(cursor, options);
-  const Row row = cursor.read(blatz_ko_card);
-  expect_end(b, cursor);
-  kernel::BlatzKo flow;
-  flow.shear = row.real("g");
-  flow.E = 2.0 * flow.shear * (1.0 + flow.nu);
-  add_solid_law(b, row, std::move(title), "MAT_BLATZ-KO_RUBBER", {flow});
-}
-
-// ---- 027
-
-const Card mooney_rivlin_card{{
-    material_id,
-    density,
-    compressible,
-    real("a", dimension::stress, required, above_zero(), "constant A of the energy"),
-    real("b", dimension::stress, 0, at_least(0), "constant B of the energy"),
-    reference,
-}};
-
-const Card mooney_rivlin_fit_card{{
-    real("sgl", dimension::length, 0, any_value, "specimen, for LCID only"),
-    real("sw", dimension::length, 0, any_value, "specimen, for LCID only"),
-    real("st", dimension::length, 0, any_value, "specimen, for LCID only"),
-    integer("lcid", 0, only(0), "curve to which A and B would be fitted"),
-}};
-
-void read_mooney_rivlin(Builder& b, const Block& block, const Options& options) {
-  Cursor cursor(b.deck, block, b.findings);
-  std::string title = read_title(cursor, options);
-  const Row row = cursor.read(mooney_rivlin_card);
-  cursor.read(mooney_rivlin_fit_card);
-  expect_end(b, cursor);
-  const double a = row.real("a"), bb = row.real("b"), nu = row.real("pr");
-  add_solid_law(b, row, std::move(title), "MAT_MOONEY-RIVLIN_RUBBER",
-                {kernel::MooneyRivlin{4.0 * (a + bb) * (1.0 + nu), nu, a, bb}});
 }
 
 // ---- 077_O, 077_H
@@ -231,21 +157,6 @@ void read_polynomial(Builder& b, const Block& block, const Options& options) {
 
 std::vector<Keyword> rubber_material_keywords() {
   return {
-      {.name = "MAT_VISCOELASTIC",
-       .aliases = {"MAT_006"},
-       .options = {"TITLE"},
-       .layout = {{"", &viscoelastic_card}},
-       .read = read_viscoelastic},
-      {.name = "MAT_BLATZ-KO_RUBBER",
-       .aliases = {"MAT_007"},
-       .options = {"TITLE"},
-       .layout = {{"", &blatz_ko_card}},
-       .read = read_blatz_ko},
-      {.name = "MAT_MOONEY-RIVLIN_RUBBER",
-       .aliases = {"MAT_027"},
-       .options = {"TITLE"},
-       .layout = {{"", &mooney_rivlin_card}, {"", &mooney_rivlin_fit_card}},
-       .read = read_mooney_rivlin},
       {.name = "MAT_OGDEN_RUBBER",
        .aliases = {"MAT_077_O"},
        .options = {"TITLE"},

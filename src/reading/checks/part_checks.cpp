@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kernel/law/law_components.hpp"
+#include "kernel/law/own_kernels.hpp"
 #include "model/bond.hpp"
 #include "reading/builder/passes.hpp"
 #include "reading/cards/equation_of_state.hpp"
@@ -211,6 +212,11 @@ void check_beam_formulation(Builder& b, const Part& part, std::vector<char>& rep
          "write 1 with the dimensions of the section, or 2 with its moments");
 }
 
+/// Whether the law has a kernel for the fibres of beams.
+bool has_fibres(const Law& law) {
+  return std::visit([]<class Own>(const Own&) { return kernel::LawOfFibres<Own>; }, law);
+}
+
 /// Spot-weld beams have the weld's law, discrete beams one of springs, others that of a bar.
 void check_beam_law(Builder& b, const Part& part, const deck::RowOf<PartCard>& row) {
   const Model& m = b.model;
@@ -231,7 +237,6 @@ void check_beam_law(Builder& b, const Part& part, const deck::RowOf<PartCard>& r
   } else if (elform <= 3) {
     const bool is_moved = is<kernel::Rigid>(m, part) || is<kernel::Null>(m, part),
                is_elastic = is<kernel::Elastic>(m, part);
-    const bool is_plastic = is<kernel::PlasticKinematic>(m, part) || is<kernel::PiecewiseLinear>(m, part);
     if (elform == 2 && !is_moved && !is_elastic)
       refuse(b, row[&PartCard::mid],
              fmt::format("resultant beams (ELFORM 2) are elastic here, but the part has *{}", material.keyword),
@@ -240,38 +245,10 @@ void check_beam_law(Builder& b, const Part& part, const deck::RowOf<PartCard>& r
              compound && (compound->components->erosion || compound->components->gissmo))
       refuse(b, row[&PartCard::mid], "*MAT_ADD_EROSION and *MAT_ADD_DAMAGE_GISSMO are not built for beams",
              "take it away, or write the failure strain of *MAT_003 or 024");
-    else if (!is_moved && !is_elastic && !is_plastic)
+    else if (!is_moved && !has_fibres(material.law))
       refuse(b, row[&PartCard::mid], fmt::format("*{} is not built for beams", material.keyword),
              "built are *MAT_001, 003, 009, 020 and 024");
   }
-}
-
-void refuse_unknown_state(Builder& b, const deck::RowOf<PartCard>& row) {
-  refuse(b, row[&PartCard::eosid],
-         fmt::format("equation of state {} is not defined, or of a kind that is not built", row->eosid),
-         "define it by *EOS_LINEAR_POLYNOMIAL, _GRUNEISEN, _TABULATED or _IDEAL_GAS");
-}
-
-/// Solids of *MAT_JOHNSON_COOK have an equation of state, or an elastic bulk modulus; shells have the latter.
-void check_equation_of_state(Builder& b, const Part& part, const deck::RowOf<PartCard>& row,
-                             const kernel::ComposedLaw& law) {
-  const bool is_solid = part.kind == ElementKind::solid;
-  if (is_solid && law.components->state) return;
-  if (is_solid && row->eosid != 0)
-    refuse_unknown_state(b, row);
-  else if (!(law.E > 0.0))
-    refuse(b, row[&PartCard::mid], "*MAT_JOHNSON_COOK without an equation of state needs E and PR", "give them");
-  else if (!is_solid && law.components->spall)
-    row[&PartCard::mid].report(
-        b.findings, Severity::warning,
-        "PC and SPALL of *MAT_JOHNSON_COOK are not obeyed in shells: no element is deleted by tension",
-        "use *MAT_ADD_EROSION with SIGP1, or leave PC 0");
-  else if (is_solid)
-    row[&PartCard::eosid].report(
-        b.findings, Severity::warning,
-        "*MAT_JOHNSON_COOK in solids without an equation of state, which LS-DYNA demands: pressure and shear "
-        "are those of E and PR",
-        "write *EOS_LINEAR_POLYNOMIAL with C1 = E/(3 (1 - 2 PR))");
 }
 
 /// Whether some block of the deck has a keyword that begins so, with this option.
@@ -338,38 +315,8 @@ void check_layers(Builder& b, const Part& part) {
   const auto& law = std::get<kernel::Laminate>(b.model.materials[static_cast<std::size_t>(part.material)].law);
   const auto& cards = b.layer_stacks.at(part.section).layers;
   for (std::size_t k = 0; k < cards.size(); ++k)
-    if (const auto* flow = std::get_if<kernel::Orthotropic>(&(*law.layers)[k].law.components->flow))
-      check_material_axes(b, part, cards[k].id, flow->axes);
-}
-
-/// The brick of formulation 0 has curves over engineering strains; of bending formulations the law makes no sense.
-void check_honeycomb(Builder& b, const Part& part, const deck::RowOf<PartCard>& row, kernel::Honeycomb flow) {
-  Model& m = b.model;
-  if (part.kind != ElementKind::solid || part.section == none) return;
-  const auto section = static_cast<std::size_t>(part.section);
-  if (m.solid_sections[section].elform < 0)
-    refuse(b, row[&PartCard::secid],
-           "honeycomb has no Poisson effect, which bricks of ELFORM -1 and -2 count on in bending",
-           "write ELFORM 1 or 2");
-  if (flow.over == kernel::Honeycomb::Over::volume) return;
-  // 0 is computed as 1 by now; the card still counts.
-  const auto is_formulation_0 = [&](const Part& p) {
-    return b.solid_section_rows[static_cast<std::size_t>(p.section)]->elform == 0;
-  };
-  const bool engineering = is_formulation_0(part);
-  for (const Part& other : m.parts)
-    if (other.material == part.material && other.kind == ElementKind::solid && other.section != none &&
-        is_formulation_0(other) != engineering)
-      return refuse(b, row[&PartCard::mid],
-                    "the material is in bricks of ELFORM 0, whose curves are over engineering strains, and in others, "
-                    "whose curves are over logarithmic ones",
-                    "give each its own material");
-  if (!engineering || flow.over == kernel::Honeycomb::Over::engineering_strain) return;
-  kernel::LawComponents law =
-      *std::get<kernel::ComposedLaw>(m.materials[static_cast<std::size_t>(part.material)].law).components;
-  flow.over = kernel::Honeycomb::Over::engineering_strain;
-  law.flow = std::move(flow);
-  m.materials[static_cast<std::size_t>(part.material)].law = kernel::composed_law(std::move(law));
+    if (const auto* axes = axes_of((*law.layers)[k].law.components->flow))
+      check_material_axes(b, part, cards[k].id, *axes);
 }
 
 /// Some laws are made for shells or bricks only.
@@ -381,7 +328,7 @@ void check_compound(Builder& b, const Part& part, const deck::RowOf<PartCard>& r
     refuse(b, row[&PartCard::mid],
            fmt::format("*{} damages the layers of shells, but the part has solids", material.keyword),
            "use *MAT_PLASTICITY_WITH_DAMAGE, or *MAT_SIMPLIFIED_JOHNSON_COOK with PSFAIL");
-  else if (part.kind == ElementKind::solid && !law->components->for_bricks)
+  else if (part.kind == ElementKind::solid && !for_bricks(*law->components))
     refuse(b, row[&PartCard::mid], fmt::format("*{} is a law of shells, but the part has solids", material.keyword),
            "use a law of solids");
   const kernel::LawComponents& components = *law->components;
@@ -391,17 +338,14 @@ void check_compound(Builder& b, const Part& part, const deck::RowOf<PartCard>& r
         b.findings, Severity::warning,
         fmt::format("EPSTHIN of material {} is a limit of layers and has no effect in this part's solids", material.id),
         "limit the plastic strain or the major strain");
-  if (takes_equation_of_state(material) && material.keyword != "MAT_NULL") check_equation_of_state(b, part, row, *law);
-  if (const auto* flow = std::get_if<kernel::Orthotropic>(&law->components->flow))
-    check_material_axes(b, part, row[&PartCard::mid], flow->axes);
-  if (part.kind == ElementKind::shell && !law->components->for_shells)
+  const bool is_of_shells = for_shells(components);
+  if (const auto* axes = axes_of(components.flow); axes && (is_of_shells || part.kind == ElementKind::solid))
+    check_material_axes(b, part, row[&PartCard::mid], *axes);
+  if (part.kind == ElementKind::shell && !is_of_shells)
     refuse(b, row[&PartCard::mid], fmt::format("*{} is a law of solids, but the part has shells", material.keyword),
            "give it the law of a sheet");
-  if (const auto* flow = std::get_if<kernel::Honeycomb>(&law->components->flow);
-      flow && part.kind == ElementKind::solid) {
-    check_material_axes(b, part, row[&PartCard::mid], flow->axes);
-    check_honeycomb(b, part, row, *flow);
-  }
+  // The check may give the material another law.
+  if (const auto own = b.part_checks.find(part.material); own != b.part_checks.end()) own->second(b, part, row);
 }
 
 /// Which law may be used by which elements.

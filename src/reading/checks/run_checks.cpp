@@ -24,7 +24,7 @@ bool is_elastic_plastic(const Material& m) {
   const bool is_fluid_or_moved = m.keyword == "MAT_NULL" || std::holds_alternative<kernel::Rigid>(m.law) ||
                                  std::holds_alternative<kernel::Laminate>(m.law);  // its layers' materials are judged
   const auto* law = std::get_if<kernel::ComposedLaw>(&m.law);
-  const bool is_soft = law != nullptr && !law->components->for_shells;
+  const bool is_soft = law != nullptr && !for_shells(*law->components);
   return !is_fluid_or_moved && !is_soft && m.density > 0.0 && m.young() > 0.0;
 }
 

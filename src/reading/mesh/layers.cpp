@@ -45,7 +45,7 @@ class Laws {
     if (const auto found = laws_.find(material); found != laws_.end()) return found->second;
     const Material& m = material_at(b_, material);
     std::optional<kernel::LawComponents> made = components_of(m.law);
-    if (!made || !made->for_shells) {
+    if (!made || !for_shells(*made)) {
       refuse(b_, layer.id, fmt::format("*{} is not a law of a shell's layers", m.keyword),
              "give the layer the law of a sheet, e.g. *MAT_ELASTIC");
       return {};
@@ -62,8 +62,7 @@ class Laws {
 /// Material axes of a law at the start; null: it has none.
 const kernel::MaterialAxes* axes_of(const Law& law) {
   const auto* compound = std::get_if<kernel::ComposedLaw>(&law);
-  const auto* flow = compound ? std::get_if<kernel::Orthotropic>(&compound->components->flow) : nullptr;
-  return flow ? &flow->axes : nullptr;
+  return compound ? axes_of(compound->components->flow) : nullptr;
 }
 
 bool same(const kernel::MaterialAxes& one, const kernel::MaterialAxes& other) {
@@ -83,13 +82,13 @@ kernel::ComposedLaw turned_as_own(Builder& b, const Part& part, const LayerCard&
                               material.id, material_at(b, part.material).id),
                   "turn layers by B of *PART_COMPOSITE, or write the same axes in both materials");
   kernel::LawComponents turned = *law.components;
-  std::get<kernel::Orthotropic>(turned.flow).axes = *own;
+  *axes_of(turned.flow) = *own;
   return kernel::composed_law(std::move(turned));
 }
 
 /// What of a layer's card has no effect, or none that is built.
 void check_layer(Builder& b, const LayerCard& layer, const kernel::ComposedLaw& law, const Material& material) {
-  const bool has_axes = std::holds_alternative<kernel::Orthotropic>(law.components->flow);
+  const bool has_axes = axes_of(law.components->flow) != nullptr;
   if (layer.angle != 0.0 && !has_axes)
     layer.id.report(b.findings, Severity::note,
                     fmt::format("the layer's angle has no effect: *{} has no axes", material.keyword));

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <set>
 
+#include "model/history_files.hpp"
 #include "model/units.hpp"
 #include "model/weld_section.hpp"
 #include "weld/tie/welds.hpp"
@@ -270,7 +271,7 @@ class PlacementWriter {
         "$#   surfa     surfb  surfatyp  surfbtyp\n{:10d}{:10d}{:10d}{:10d}\n$#      fs\n\n$#    sfsa\n\n",
         weld_set, id_lines(welds), sheet_set, id_lines({sheet_parts_.begin(), sheet_parts_.end()}), ++contact_,
         weld_set, sheet_set, 2, 2);
-    if (!model_.requests.swforc.asked())
+    if (!model_.requests["swforc"].asked())
       s += fmt::format("*DATABASE_SWFORC\n$#      dt\n{}\n",
                        field(model_.control.end_time > 0.0 ? 1e-3 * model_.control.end_time : 1.0));
     return s;

@@ -8,6 +8,7 @@
 
 #include "base/batch.hpp"
 #include "kernel/element/shell.hpp"
+#include "kernel/law/own_kernels.hpp"
 
 // Motions, rotations and random numbers for the kernel tests.
 namespace nugget::kernel {

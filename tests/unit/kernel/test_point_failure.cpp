@@ -96,7 +96,7 @@ TEST(PointFailure, DamageByCurve) {
 TEST(PointFailure, JohnsonCookFracture) {
   // Perfectly plastic in shear (no mean stress) and in tension (a third), at a rate of 100 with EPSO 1.
   LawComponents law = perfectly_plastic(250.0);
-  law.fracture = JohnsonCookFracture{0.05, 0.1, -1.5, 0.02, 0.0};
+  law.rules = {JohnsonCookFracture{0.05, 0.1, -1.5, 0.02, 0.0}};
   const double by_rate = 1.0 + 0.02 * std::log(100.0);
   for (const double triaxiality : {0.0, 1.0 / 3.0, -1.0 / 3.0}) {
     SolidPoint<ComposedLaw> p(composed_law(law));
@@ -109,7 +109,7 @@ TEST(PointFailure, JohnsonCookFracture) {
     }
     EXPECT_NEAR(p.plastic_strain(), (0.05 + 0.1 * std::exp(-1.5 * triaxiality)) * by_rate, 4e-4) << triaxiality;
   }
-  law.fracture = JohnsonCookFracture{-1.0, 0.0, 0.0, 0.0, 0.0, 0.02};  // EFMIN
+  law.rules = {JohnsonCookFracture{-1.0, 0.0, 0.0, 0.0, 0.0, 0.02}};  // EFMIN
   SolidPoint<ComposedLaw> p(composed_law(law));
   while (!p.law.failed<double>(p.history.data())) p.strain({0, 0, 0, 1e-4, 0, 0});
   EXPECT_NEAR(p.plastic_strain(), 0.02, 1e-4);

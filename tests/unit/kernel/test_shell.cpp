@@ -266,11 +266,11 @@ TEST(Shell, HourglassStiffnessOfAYieldedShellIsThatOfTheTangent) {
 
 TEST(Shell, SmallStepDeletes) {
   PiecewiseLinear law = bilinear(250, 0);
-  law.tdel = 9.3e-7;
+  law.deletion_step = 9.3e-7;
   Driven<PiecewiseLinear> d(section(), law, square());
   d.step(0.0);
   EXPECT_EQ(d.at(ShellLayout::alive), 0.0);
-  law.tdel = 9.2e-7;
+  law.deletion_step = 9.2e-7;
   Driven<PiecewiseLinear> lives(section(), law, square());
   lives.step(0.0);
   EXPECT_EQ(lives.at(ShellLayout::alive), 1.0);

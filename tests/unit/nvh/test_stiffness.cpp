@@ -9,6 +9,7 @@
 #include "deck/deck.hpp"
 #include "kernel/element/hexahedron.hpp"
 #include "kernel/element/weld_beam.hpp"
+#include "kernel/law/elastic_kernel.hpp"
 #include "nvh/matrices/linear_model.hpp"
 #include "nvh/matrices/matrices.hpp"
 #include "reading/build.hpp"

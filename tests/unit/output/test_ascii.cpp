@@ -48,7 +48,7 @@ TEST(Ascii, TinyNumbersDoNotLetColumnsGrowTogether) {
 
 TEST(Dcfail, ARowHoldsTheTermsAndTheResultants) {
   Scratch scratch;
-  Dcfail file(scratch / "dcfail", header);
+  AsciiHistory file(dcfail(), scratch / "dcfail", header);
   file.write({0.5, {{11, 7, 0.9, 0.4, 0.3, 0.2, 28.0, 25.0, 60.0, 1000.0, 200.0, 30.0, 4.0}}});
   const std::string text = content(scratch / "dcfail");
   EXPECT_NE(text.find("\n define connection failure, time=  5.00000E-01\n"), std::string::npos);
@@ -60,7 +60,7 @@ TEST(Dcfail, ARowHoldsTheTermsAndTheResultants) {
 // The line is of LS-DYNA R13.1.1, one weld beam (shared/decks/README.md).
 TEST(Swforc, BeamLineIsLsDynasOwn) {
   Scratch scratch;
-  Swforc file(scratch / "swforc", header);
+  AsciiHistory file(swforc(), scratch / "swforc", header);
   file.write(
       {4.87301e-3, {{1000000, WeldKind::beam, 1.40343e-1, 3.93039e-8, 12.5999, 1.96262e-17, 3.93459e-14, 0.0, 0.0}}});
   EXPECT_EQ(
@@ -74,7 +74,7 @@ TEST(Swforc, BeamLineIsLsDynasOwn) {
 
 TEST(Swforc, PeakOfOptMinus2StandsBehindTheMoments) {
   Scratch scratch;
-  Swforc file(scratch / "swforc", header);
+  AsciiHistory file(swforc(), scratch / "swforc", header);
   file.write({2e-3, {{7, WeldKind::beam, 10.0, 0.0, 1.5, 2.0, 3.0, 0.5, 0.0, std::pair{1.29097, 1.25e-3}}}});
   EXPECT_THAT(content(scratch / "swforc"),
               testing::HasSubstr("  5.00-01    spotweld beam  ID          7  1.50000E+00  2.00000E+00  3.00000E+00"
@@ -83,7 +83,7 @@ TEST(Swforc, PeakOfOptMinus2StandsBehindTheMoments) {
 
 TEST(Swforc, EachKindHasItsLabelAndTail) {
   Scratch scratch;
-  Swforc file(scratch / "swforc", header);
+  AsciiHistory file(swforc(), scratch / "swforc", header);
   SwforcState state;
   state.time = 1e-3;
   state.rows = {{10002, WeldKind::beam, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 8.25e-4},
@@ -171,7 +171,7 @@ TEST(Glstat, RewritesLsDynasFileByteForByte) {
     expected.erase(extra, expected.find(" time per zone") - extra);
     const Header real_header{"Single hex element tension test", "smp s R14 R14.1_205_eb5348f", "10/16/2023"};
     Scratch scratch;
-    Glstat(scratch / "glstat", real_header).write(s);
+    AsciiHistory(glstat(), scratch / "glstat", real_header).write(s);
     EXPECT_EQ(content(scratch / "glstat"), real.substr(0, real.find("\n\n dt of cycle")) + expected);
   }
 }
@@ -185,7 +185,7 @@ TEST(Glstat, WritesWallsMassAndLoadCurve) {
   s.nodes = 8;
   s.added_mass = 0.25;
   s.percent_increase = 12.5;
-  Glstat(scratch / "glstat", header).write(s);
+  AsciiHistory(glstat(), scratch / "glstat", header).write(s);
   const std::string text = content(scratch / "glstat");
   EXPECT_THAT(text, testing::HasSubstr("\n\n dt of cycle      12 is controlled by load curve\n\n time....."));
   EXPECT_THAT(text, testing::HasSubstr("\n stonewall energy...............   1.00000E+00 wall# 1\n"
@@ -207,7 +207,7 @@ TEST(Matsum, WritesAPart) {
   row.eroded_internal = 5.0, row.eroded_kinetic = 6.0;
   row.momentum = {7.0, 8.0, 9.0};
   row.velocity = {-1.0, -2.0, -3.0};
-  Matsum(scratch / "matsum", header, legend).write({0.5, {row}, 0.25});
+  AsciiHistory(matsum(), scratch / "matsum", header, legend).write({0.5, {row}, 0.25});
   EXPECT_EQ(content(scratch / "matsum"),
             head + legend_lines(legend) +
                 "\n\n time =   5.0000E-01\n"
@@ -229,7 +229,7 @@ TEST(Nodout, WritesTranslationsThenRotations) {
   row.acceleration = {7.0, 8.0, 9.0};
   row.coordinate = {10.0, 11.0, 12.0};
   row.rotation = {0.1, 0.2, 0.3};
-  Nodout(scratch / "nodout", header).write({77, 0.25, true, {row}});
+  AsciiHistory(nodout(), scratch / "nodout", header).write({77, 0.25, true, {row}});
   EXPECT_EQ(
       content(scratch / "nodout"),
       head + "\n\n" +
@@ -253,7 +253,8 @@ TEST(Nodout, WritesTranslationsThenRotations) {
 
 TEST(Rwforc, WritesEachWall) {
   Scratch scratch;
-  Rwforc(scratch / "rwforc", header).write({1e-5, {{1, 5.0, {3.0, 4.0, 0.0}}, {2, 772837.0, {772837.0, 0.0, 0.0}}}});
+  AsciiHistory(rwforc(), scratch / "rwforc", header)
+      .write({1e-5, {{1, 5.0, {3.0, 4.0, 0.0}}, {2, 772837.0, {772837.0, 0.0, 0.0}}}});
   EXPECT_EQ(content(scratch / "rwforc"),
             head +
                 "\n\n\n\n    time       wall#   normal-force    x-force        y-force        z-force\n"
@@ -268,7 +269,7 @@ TEST(Spcforc, ForceStandsBeforeMomentOfTheSameNode) {
   s.forces = {{2, {1.0, 2.0, 3.0}, 9}};
   s.moments = {{1, {0.0, 0.0, 4.0}, 0}, {2, {5.0, 0.0, 0.0}, 9}};
   s.resultant = {1.0, 2.0, 3.0};
-  Spcforc(scratch / "spcforc", header).write(s);
+  AsciiHistory(spcforc(), scratch / "spcforc", header).write(s);
   EXPECT_EQ(content(scratch / "spcforc"),
             head +
                 "\n\n single point constraint forces\n\n output at time =   5.00000E-01\n"
@@ -284,7 +285,7 @@ TEST(Bndout, SumsNodesAndBodies) {
   s.time = 0.5;
   s.nodes = {{11, {1.0, 2.0, 3.0}, 4.0, 5}};
   s.bodies = {{7, {10.0, 20.0, 30.0}, {1.0, 0.0, 0.0}, 40.0}};
-  Bndout(scratch / "bndout", header).write(s);
+  AsciiHistory(bndout(), scratch / "bndout", header).write(s);
   EXPECT_EQ(
       content(scratch / "bndout"),
       head + "\n\n" +
@@ -308,7 +309,7 @@ TEST(Rbdout, LocalMotionIsInTheBodysAxes) {
   row.velocity = {1.0, 2.0, 3.0};
   row.axes = {{0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};  // a quarter turn about z
   s.nodal = {row};
-  Rbdout(scratch / "rbdout", header).write(s);
+  AsciiHistory(rbdout(), scratch / "rbdout", header).write(s);
   const std::string text = content(scratch / "rbdout");
   EXPECT_THAT(text,
               testing::StartsWith(head + "1\n\n  r i g i d   b o d y   m o t i o n   a t  cycle=       3    time=   "
@@ -323,7 +324,7 @@ TEST(Rbdout, LocalMotionIsInTheBodysAxes) {
 
 TEST(Rcforc, NamesBothSides) {
   Scratch scratch;
-  Rcforc(scratch / "rcforc", header)
+  AsciiHistory(rcforc(), scratch / "rcforc", header)
       .write({0.5,
               {{3, ContactSide::tracked, {1.0, 2.0, 3.0}, 4.0}, {3, ContactSide::reference, {-1.0, -2.0, -3.0}, 5.0}}});
   EXPECT_EQ(
@@ -335,7 +336,8 @@ TEST(Rcforc, NamesBothSides) {
 
 TEST(Sleout, AddsUpTheSidesAndFriction) {
   Scratch scratch;
-  Sleout(scratch / "sleout", header).write({0.5, 7, {{3, 2.0, 0.0, true, 1.5}, {4, 5.0, -1.0, false, 0.25}}});
+  AsciiHistory(sleout(), scratch / "sleout", header)
+      .write({0.5, 7, {{3, 2.0, 0.0, true, 1.5}, {4, 5.0, -1.0, false, 0.25}}});
   EXPECT_EQ(content(scratch / "sleout"),
             head +
                 "\n\n\n"

@@ -4,6 +4,17 @@
 #include <algorithm>
 
 #include "output/binout.hpp"
+#include "output/bndout.hpp"
+#include "output/dcfail.hpp"
+#include "output/glstat.hpp"
+#include "output/matsum.hpp"
+#include "output/nodout.hpp"
+#include "output/rbdout.hpp"
+#include "output/rcforc.hpp"
+#include "output/rwforc.hpp"
+#include "output/sleout.hpp"
+#include "output/spcforc.hpp"
+#include "output/swforc.hpp"
 #include "unit/output/lsda.hpp"
 #include "unit/output/scratch.hpp"
 
@@ -23,8 +34,8 @@ SwforcState welds(double time) {
 TEST(Binout, HoldsEachStateOfSwforc) {
   Scratch scratch;
   Binout file(scratch.path(), header);
-  file.write(welds(0.5));
-  file.write(welds(1.0));
+  file.write(swforc(), welds(0.5));
+  file.write(swforc(), welds(1.0));
   const Lsda lsda(content(scratch / "binout0000"));
   EXPECT_EQ(lsda.text("/swforc/metadata/title"), "two plates" + std::string(70, ' '));
   EXPECT_EQ(lsda.text("/swforc/metadata/version"), "nugget 0.1.0");
@@ -47,7 +58,7 @@ TEST(Binout, HoldsEachStateOfSwforc) {
 TEST(Binout, HoldsTheTermsOfConnections) {
   Scratch scratch;
   Binout file(scratch.path(), header);
-  file.write(DcfailState{0.5, {{11, 7, 0.9, 0.4, 0.3, 0.2, 28.0, 25.0, 60.0, 1000.0, 200.0, 30.0, 4.0}}});
+  file.write(dcfail(), {0.5, {{11, 7, 0.9, 0.4, 0.3, 0.2, 28.0, 25.0, 60.0, 1000.0, 200.0, 30.0, 4.0}}});
   const Lsda lsda(content(scratch / "binout0000"));
   EXPECT_THAT(lsda.integers("/dcfail/metadata/ids"), ElementsAre(11));
   EXPECT_THAT(lsda.integers("/dcfail/metadata/type"), ElementsAre(7));
@@ -70,7 +81,7 @@ TEST(Binout, HoldsTheTermsOfConnections) {
 TEST(Binout, EachTableIsAlphabetical) {
   Scratch scratch;
   Binout file(scratch.path(), header);
-  file.write(welds(0.5));
+  file.write(swforc(), welds(0.5));
   const Lsda lsda(content(scratch / "binout0000"));
   EXPECT_TRUE(std::is_sorted(lsda.paths().begin(), lsda.paths().end()));
   EXPECT_EQ(lsda.paths().front(), "/swforc/d000001/axial");
@@ -79,9 +90,9 @@ TEST(Binout, EachTableIsAlphabetical) {
 TEST(Binout, AHalfWrittenStateIsNotSeen) {
   Scratch scratch;
   Binout file(scratch.path(), header);
-  file.write(welds(0.5));
+  file.write(swforc(), welds(0.5));
   const std::string first = content(scratch / "binout0000");
-  file.write(welds(1.0));
+  file.write(swforc(), welds(1.0));
   const std::string both = content(scratch / "binout0000");
   const Lsda killed(first + both.substr(first.size(), 100));
   EXPECT_TRUE(killed.has("/swforc/d000001/axial"));
@@ -99,7 +110,7 @@ TEST(Binout, GlstatLeavesOutWhatIsAbsent) {
   s.walls = {1.0, 2.0};
   s.hourglass = 4.0;
   s.velocity = {1.0, 2.0, 3.0};
-  file.write(s);
+  file.write(glstat(), s);
   const Lsda lsda(content(scratch / "binout0000"));
   EXPECT_EQ(lsda.text("/glstat/metadata/element_types"), "solid,beam,shell,thick shell,discrete");
   EXPECT_THAT(lsda.integers("/glstat/d000001/cycle"), ElementsAre(42));
@@ -121,13 +132,13 @@ TEST(Binout, HoldsPartsNodesWallsAndContacts) {
   MatsumRow part;
   part.part = 4;
   part.internal = 1.0, part.momentum = {1.0, 2.0, 3.0}, part.velocity = {4.0, 5.0, 6.0}, part.added_mass = 7.0;
-  file.write(MatsumState{0.5, {part}, 0.25});
+  file.write(matsum(), {0.5, {part}, 0.25});
   NodoutRow node;
   node.node = 605;
   node.displacement = {-641.87, 1.0, 2.0}, node.rotation = {0.1, 0.2, 0.3};
-  file.write(NodoutState{7, 0.5, true, {node}});
-  file.write(RwforcState{0.5, {{1, 5.0, {3.0, 4.0, 0.0}}}});
-  file.write(RcforcState{0.5, {{3, ContactSide::reference, {1.0, 2.0, 3.0}, 4.0}}});
+  file.write(nodout(), {7, 0.5, true, {node}});
+  file.write(rwforc(), {0.5, {{1, 5.0, {3.0, 4.0, 0.0}}}});
+  file.write(rcforc(), {0.5, {{3, ContactSide::reference, {1.0, 2.0, 3.0}, 4.0}}});
   const Lsda lsda(content(scratch / "binout0000"));
   EXPECT_EQ(lsda.text("/matsum/metadata/legend"), "hat" + std::string(67, ' '));
   EXPECT_THAT(lsda.integers("/matsum/metadata/legend_ids"), ElementsAre(4));
@@ -151,7 +162,7 @@ TEST(Binout, HoldsPartsNodesWallsAndContacts) {
 TEST(Binout, HoldsTheEnergiesOfContacts) {
   Scratch scratch;
   Binout file(scratch.path(), header);
-  file.write(SleoutState{0.5, 7, {{3, 2.0, 0.0, true, 1.5}, {4, 5.0, -1.0, false, 0.25}}});
+  file.write(sleout(), {0.5, 7, {{3, 2.0, 0.0, true, 1.5}, {4, 5.0, -1.0, false, 0.25}}});
   const Lsda lsda(content(scratch / "binout0000"));
   EXPECT_THAT(lsda.integers("/sleout/metadata/ids"), ElementsAre(3, 4));
   EXPECT_THAT(lsda.integers("/sleout/metadata/single_sided"), ElementsAre(1, 0));
@@ -169,17 +180,17 @@ TEST(Binout, HoldsSupportsAndRigidBodies) {
   spc.forces = {{2, {1.0, 2.0, 3.0}, 9}};
   spc.moments = {{1, {0.0, 0.0, 4.0}, 8}};
   spc.resultant = {1.0, 2.0, 3.0};
-  file.write(spc);
+  file.write(spcforc(), spc);
   BndoutState bnd;
   bnd.nodes = {{11, {1.0, 2.0, 3.0}, 4.0, 5}, {12, {1.0, 0.0, 0.0}, 2.0, 5}};
   bnd.bodies = {{7, {10.0, 20.0, 30.0}, {1.0, 0.0, 0.5}, 40.0}};
-  file.write(bnd);
+  file.write(bndout(), bnd);
   RbdoutState rbd;
   rbd.parts.resize(1), rbd.nodal.resize(1);
   rbd.parts[0].id = 4, rbd.nodal[0].id = 9;
   rbd.nodal[0].velocity = {1.0, 2.0, 3.0};
   rbd.nodal[0].axes = {{0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
-  file.write(rbd);
+  file.write(rbdout(), rbd);
   const Lsda lsda(content(scratch / "binout0000"));
   EXPECT_THAT(lsda.integers("/spcforc/metadata/force_ids"), ElementsAre(2));
   EXPECT_THAT(lsda.integers("/spcforc/metadata/moment_ids"), ElementsAre(1));
@@ -201,10 +212,10 @@ TEST(Binout, HoldsSupportsAndRigidBodies) {
 TEST(Binout, RefusesEntitiesThatChange) {
   Scratch scratch;
   Binout file(scratch.path(), header);
-  file.write(welds(0.5));
+  file.write(swforc(), welds(0.5));
   SwforcState fewer = welds(1.0);
   fewer.rows.pop_back();
-  EXPECT_THROW(file.write(fewer), std::logic_error);
+  EXPECT_THROW(file.write(swforc(), fewer), std::logic_error);
 }
 
 }  // namespace

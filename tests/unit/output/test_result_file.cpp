@@ -65,7 +65,7 @@ TEST(ResultFile, FullDiskIsAWriteErrorForEachKindOfFile) {
   Scratch scratch;
   for (const char* name : {"swforc", "binout0000", "d3plot"})
     std::filesystem::create_symlink("/dev/full", scratch / name);
-  expect_disk_full([&] { Swforc(scratch / "swforc", {}); });
+  expect_disk_full([&] { AsciiHistory(swforc(), scratch / "swforc", {}); });
   expect_disk_full([&] { Binout(scratch.path(), {}); });
   expect_disk_full([&] { D3plot(scratch.path(), {}); });
   for (const char* name : {"summary.json.part", "welds.csv.part"})

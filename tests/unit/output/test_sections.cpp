@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 
 #include "output/binout.hpp"
+#include "output/elout.hpp"
+#include "output/nodfor.hpp"
+#include "output/secforc.hpp"
 #include "unit/output/lsda.hpp"
 #include "unit/output/scratch.hpp"
 
@@ -23,7 +26,7 @@ SecforcState sections() {
 TEST(Secforc, HasThreeLinesForEachSection) {
   Scratch scratch;
   const std::vector<LegendEntry> legend{{7, "rail"}};
-  Secforc(scratch / "secforc", header, legend).write(sections());
+  AsciiHistory(secforc(), scratch / "secforc", header, legend).write(sections());
   const std::string text = content(scratch / "secforc");
   EXPECT_THAT(text, HasSubstr("        7     rail"));
   EXPECT_THAT(text, HasSubstr("\n\n line#1  section#     time        x-force     y-force     z-force    magnitude\n"
@@ -38,7 +41,7 @@ TEST(Secforc, HasThreeLinesForEachSection) {
 
 TEST(Secforc, StandsInBinout) {
   Scratch scratch;
-  Binout(scratch.path(), header).write(sections());
+  Binout(scratch.path(), header).write(secforc(), sections());
   const Lsda lsda(content(scratch / "binout0000"));
   EXPECT_THAT(lsda.integers("/secforc/metadata/ids"), ElementsAre(7, 9));
   EXPECT_THAT(lsda.integers("/secforc/metadata/rigidbody"), ElementsAre(0, 0));
@@ -59,7 +62,7 @@ NodforState groups() {
 
 TEST(Nodfor, ListsGroupsWithTheirSums) {
   Scratch scratch;
-  Nodfor(scratch / "nodfor", header).write(groups());
+  AsciiHistory(nodfor(), scratch / "nodfor", header).write(groups());
   const std::string text = content(scratch / "nodfor");
   EXPECT_THAT(text,
               HasSubstr("\n\n\n\n\n n o d a l   f o r c e   g r o u p    o u t p u t   t=2.500E-01\n"
@@ -74,7 +77,7 @@ TEST(Nodfor, ListsGroupsWithTheirSums) {
 
 TEST(Nodfor, StandsInBinout) {
   Scratch scratch;
-  Binout(scratch.path(), header).write(groups());
+  Binout(scratch.path(), header).write(nodfor(), groups());
   const Lsda lsda(content(scratch / "binout0000"));
   EXPECT_THAT(lsda.integers("/nodfor/metadata/ids"), ElementsAre(101, 102, 103));
   EXPECT_THAT(lsda.integers("/nodfor/metadata/groups"), ElementsAre(2, 1));
@@ -98,7 +101,7 @@ EloutState elements() {
 
 TEST(Elout, ListsBricksBeamsAndShells) {
   Scratch scratch;
-  Elout(scratch / "elout", header).write(elements());
+  AsciiHistory(elout(), scratch / "elout", header).write(elements());
   const std::string text = content(scratch / "elout");
   EXPECT_THAT(text,
               HasSubstr(" e l e m e n t   s t r e s s   c a l c u l a t i o n s   f o r   t i m e  s t e p       12   "
@@ -124,8 +127,8 @@ TEST(Elout, StandsInBinoutKindByKind) {
   Scratch scratch;
   Binout file(scratch.path(), header);
   file.set_legend("elout/shell", {{21, "door"}});
-  file.write(elements());
-  file.write(elements());
+  file.write(elout(), elements());
+  file.write(elout(), elements());
   const Lsda lsda(content(scratch / "binout0000"));
   EXPECT_THAT(lsda.integers("/elout/shell/d000002/ids"), ElementsAre(21));
   EXPECT_THAT(lsda.integers("/elout/shell/d000001/nip"), ElementsAre(2));

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "model/history_files.hpp"
 #include "small_model.hpp"
 
 namespace nugget::reading {
@@ -54,12 +55,12 @@ TEST(Database, IntervalsAndFormats) {
 )"));
   ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
   const Requests& requests = built.model.requests;
-  EXPECT_EQ(requests.glstat.interval, 1e-3);
-  EXPECT_TRUE(requests.glstat.binout());
-  EXPECT_FALSE(requests.glstat.ascii());
-  EXPECT_FALSE(requests.matsum.asked());
-  EXPECT_NE(requests.swforc.curve, none);
-  EXPECT_EQ(requests.swforc.interval, 2.0);
+  EXPECT_EQ(requests["glstat"].interval, 1e-3);
+  EXPECT_TRUE(requests["glstat"].binout());
+  EXPECT_FALSE(requests["glstat"].ascii());
+  EXPECT_FALSE(requests["matsum"].asked());
+  EXPECT_NE(requests["swforc"].curve, none);
+  EXPECT_EQ(requests["swforc"].interval, 2.0);
   EXPECT_DOUBLE_EQ(requests.d3plot.interval, 0.05);
   EXPECT_EQ(requests.layers, 5);
   EXPECT_TRUE(requests.strains);

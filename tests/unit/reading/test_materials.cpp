@@ -68,7 +68,7 @@ TEST(Materials, BilinearHardeningHasThePlasticModulus) {
   EXPECT_DOUBLE_EQ(l.yield[0].extrapolated(0.0), 300.0);
   EXPECT_NEAR(l.yield[0].slope(5.0), 210000.0 * 1000.0 / 209000.0, 1e-9);
   EXPECT_DOUBLE_EQ(l.failure_strain, 0.4);
-  EXPECT_DOUBLE_EQ(l.tdel, 1e-8);
+  EXPECT_DOUBLE_EQ(l.deletion_step, 1e-8);
   EXPECT_DOUBLE_EQ(l.rate_c, 40.0);
   EXPECT_TRUE(l.rates.empty());
 }

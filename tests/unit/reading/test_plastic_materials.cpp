@@ -65,14 +65,14 @@ TEST(PlasticMaterials, JohnsonCook) {
   EXPECT_DOUBLE_EQ(law.heating, 1.0 / (7.85e-9 * 4.77e8));
   EXPECT_DOUBLE_EQ(law.melting_rise, 1500.0);
   EXPECT_DOUBLE_EQ(law.softening, 1.03);
-  EXPECT_DOUBLE_EQ(composition(b).fracture->d3, -2.12);
-  EXPECT_DOUBLE_EQ(composition(b).fracture->d5, 0.61);
-  EXPECT_DOUBLE_EQ(composition(b).fracture->least, 1e-4);
+  EXPECT_DOUBLE_EQ(std::get<kernel::JohnsonCookFracture>(composition(b).rules.at(0)).d3, -2.12);
+  EXPECT_DOUBLE_EQ(std::get<kernel::JohnsonCookFracture>(composition(b).rules.at(0)).d5, 0.61);
+  EXPECT_DOUBLE_EQ(std::get<kernel::JohnsonCookFracture>(composition(b).rules.at(0)).least, 1e-4);
   EXPECT_DOUBLE_EQ(composition(b).points_to_delete, 2.0);
   EXPECT_DOUBLE_EQ(composition(b).deletion_step, 1e-7);
   const auto cold = built(std::string("*MAT_JOHNSON_COOK\n4,7.85e-9,80000.0,210000.0,0.3\n") + johnson_cook_yield);
   EXPECT_EQ(cold.findings.errors(), 0) << cold.all_findings();
-  EXPECT_FALSE(composition(cold).fracture);
+  EXPECT_TRUE(composition(cold).rules.empty());
   EXPECT_DOUBLE_EQ(flow<kernel::JohnsonCook>(cold).heating, 0.0);
 }
 
@@ -270,12 +270,12 @@ TEST(SoftMaterials, Rubbers) {
   EXPECT_EQ(blatz_ko.findings.errors(), 0) << blatz_ko.all_findings();
   EXPECT_DOUBLE_EQ(flow<kernel::BlatzKo>(blatz_ko).shear, 2.0);
   EXPECT_DOUBLE_EQ(blatz_ko.model.materials.at(0).young(), 2.0 * 2.0 * 1.463);
-  EXPECT_FALSE(composition(blatz_ko).for_shells);
+  EXPECT_FALSE(for_shells(composition(blatz_ko)));
   const auto mooney = built("*MAT_027\n4,1.2e-9,0.49,0.8,0.2\n");
   EXPECT_EQ(mooney.findings.errors(), 0) << mooney.all_findings();
   EXPECT_DOUBLE_EQ(flow<kernel::MooneyRivlin>(mooney).a, 0.8);
   EXPECT_DOUBLE_EQ(mooney.model.materials.at(0).young(), 4.0 * 1.0 * 1.49);
-  EXPECT_FALSE(composition(mooney).for_shells);
+  EXPECT_FALSE(for_shells(composition(mooney)));
   EXPECT_TRUE(built("*MAT_027\n4,1.2e-9,0.5,0.8,0.2\n").error("expected 0 to", "pr"));
   EXPECT_TRUE(built("*MAT_027\n4,1.2e-9,0.49,0.8,0.2\n,,,5\n").error("only 0 is supported", "lcid"));
   const auto ogden = built("*MAT_077_O\n4,1.2e-9,0.49\n0.63,0.0012,-0.01\n1.3,5.0,-2.0\n");

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "model/history_files.hpp"
 #include "reading/build.hpp"
 #include "reading/builder/builder.hpp"
 
@@ -42,7 +43,7 @@ TEST(RealDecks, Car6) {
   EXPECT_EQ(model.shells.size(), 2424u);
   EXPECT_EQ(model.parts.size(), 7u);
   EXPECT_EQ(model.control.end_time, 0.2);
-  EXPECT_EQ(model.requests.rwforc.interval, 1e-5);
+  EXPECT_EQ(model.requests["rwforc"].interval, 1e-5);
   EXPECT_EQ(model.requests.history_nodes.size(), 5u);
 
   ASSERT_EQ(model.rigid_bodies.size(), 3u) << "generalized weld spots";
@@ -75,7 +76,7 @@ TEST(RealDecks, SingleHex) {
   EXPECT_EQ(hex.model.spcs.size(), 4u);
   EXPECT_EQ(hex.model.nodal_loads.size(), 4u);
   EXPECT_EQ(hex.model.nodal_loads[0].scale, 0.0025);
-  EXPECT_EQ(hex.model.requests.glstat.interval, 0.01);
+  EXPECT_EQ(hex.model.requests["glstat"].interval, 0.01);
 }
 
 TEST(RealDecks, BallOnPlate) {

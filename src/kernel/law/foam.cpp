@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kernel/law/foam_points.hpp"
+#include "kernel/law/foam.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kernel/law/rubber_points.hpp"
+#include "kernel/law/rubber.hpp"
 
 #include <cmath>
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/elout.hpp"
+
+#include "base/index.hpp"
+#include "impact/recording/element_histories.hpp"
+#include "impact/recording/histories.hpp"
+
+namespace nugget::impact {
+namespace {
+
+Legend headings(const char* branch, const std::vector<model::NamedEntity>& entities, const std::vector<int>& ids) {
+  Legend legend{branch, {}};
+  for (const model::NamedEntity& e : entities)
+    if (!e.heading.empty()) legend.entries.push_back({ids[at(e.index)], e.heading});
+  return legend;
+}
+
+}  // namespace
+
+template <>
+HistoryFile history<"elout">() {
+  return make_history(
+      output::elout(), elout_state,
+      {.concerns =
+           [](const system::System& system) {
+             const model::Requests& ask = system.model.requests;
+             return !ask.history_shells.empty() || !ask.history_solids.empty() || !ask.history_beams.empty();
+           },
+       .legends =
+           [](const model::Model& model) {
+             return std::vector<Legend>{headings("elout/solid", model.requests.history_solids, model.solids.id),
+                                        headings("elout/beam", model.requests.history_beams, model.beams.id),
+                                        headings("elout/shell", model.requests.history_shells, model.shells.id)};
+           }});
+}
+
+}  // namespace nugget::impact

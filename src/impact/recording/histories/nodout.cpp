@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/nodout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/index.hpp"
+#include "impact/recording/histories.hpp"
+#include "impact/recording/node_motion.hpp"
+#include "model/axes.hpp"
+
+namespace nugget::impact {
+namespace {
+
+/// Acceleration that body loads on all parts give every node.
+Vec3d gravity(const Snapshot& now) {
+  const model::Model& model = now.system.model;
+  Vec3d sum;
+  for (const model::BodyLoad& load : model.body_loads) {
+    if (!load.parts.empty() || !load.nodes.empty() || load.centrifugal) continue;
+    const Curve& curve = model.curves[at(load.curve)];
+    if (curve.in_run) sum -= load.scale * curve.zero_outside(now.state.time) * load.direction;
+  }
+  return sum;
+}
+
+/// Bits of the global accelerations of body loads that an accelerometer leaves out now.
+unsigned without_gravity(const Snapshot& now, const model::Accelerometer& a) {
+  if (a.gravity_curve == model::none) return a.without_gravity;
+  const double flag = now.system.model.curves[at(a.gravity_curve)].clamped(now.state.time);
+  return model::gravity_left_out(static_cast<int>(std::lround(flag)));
+}
+
+/// Histories of accelerometers are in axes that turn with the nodes.
+void turn_into_accelerometer(const Snapshot& now, model::Index node, output::NodoutRow& row) {
+  const model::Model& model = now.system.model;
+  const auto found = std::find_if(model.accelerometers.begin(), model.accelerometers.end(),
+                                  [&](const model::Accelerometer& a) { return a.node[0] == node; });
+  if (found == model.accelerometers.end()) return;
+  const Frame3d axes = accelerometer_axes(now.system, now.state, *found);
+  const unsigned without = without_gravity(now, *found);
+  const Vec3d g = without != 0 ? gravity(now) : Vec3d{};
+  const auto left_out = [&](unsigned i, double value) { return without >> i & 1u ? value : 0.0; };
+  row.acceleration -= Vec3d{left_out(0, g.x), left_out(1, g.y), left_out(2, g.z)};
+  for (Vec3d* v : {&row.displacement, &row.velocity, &row.acceleration, &row.rotation, &row.rotational_velocity,
+                   &row.rotational_acceleration})
+    *v = axes.local(*v);
+  if (!found->sums_local) return;
+  const auto k = at(now.system.node_of[at(node)]);
+  const Vec3d change = vec(now.state.v[k]) - vec(now.v_before[k]);
+  row.velocity =
+      now.components.accelerometers.velocity(static_cast<std::size_t>(found - model.accelerometers.begin())) +
+      share_before_now(now.state) * axes.local(change);
+}
+
+/// The motion of a node in the axes that its history asks for; coordinates stay global.
+void turn_into_local_axes(const Snapshot& now, const model::NamedEntity& entity, output::NodoutRow& row) {
+  if (entity.system == model::none) return;
+  const model::CoordinateSystem& system = now.system.model.systems[at(entity.system)];
+  Frame3d axes = system.axes;
+  const auto index = [&](model::Index n) { return at(now.system.node_of[at(n)]); };
+  const auto place = [&](model::Index n) { return vec(now.state.x[index(n)]); };
+  if (entity.turning)
+    model::frame_of_points(place(system.nodes->origin), place(system.nodes->on_axis), place(system.nodes->in_plane),
+                           system.nodes->axis, axes);
+  if (entity.relative) {
+    const model::Index origin = system.nodes->origin;
+    const NodeMotion of_origin = node_motion(now, index(origin));
+    row.velocity -= of_origin.velocity;
+    row.acceleration -= of_origin.acceleration;
+    const auto start = [&](model::Index n) { return now.system.model.nodes.x[at(n)]; };
+    row.displacement =
+        row.coordinate - place(origin) - axes.global(system.axes.local(start(entity.index) - start(origin)));
+  }
+  for (Vec3d* vector : {&row.displacement, &row.velocity, &row.acceleration, &row.rotation, &row.rotational_velocity,
+                        &row.rotational_acceleration})
+    *vector = axes.local(*vector);
+}
+
+}  // namespace
+
+output::NodoutState nodout_state(const Snapshot& now) {
+  const model::Model& model = now.system.model;
+  output::NodoutState s;
+  s.cycle = now.state.cycle + 1;
+  s.time = now.state.time;
+  s.rotations = model.shells.size() > 0 || model.beams.size() > 0;
+  for (std::size_t i = 0; i < model.requests.history_nodes.size(); ++i) {
+    const model::NamedEntity& entity = model.requests.history_nodes[i];
+    const auto k = at(now.system.node_of[at(entity.index)]);
+    output::NodoutRow row;
+    row.node = model.nodes.id[at(entity.index)];
+    row.coordinate = vec(now.state.x[k]);
+    row.displacement = row.coordinate - model.nodes.x[at(entity.index)];
+    const NodeMotion motion = node_motion(now, k);
+    row.velocity = motion.velocity;
+    row.acceleration = motion.acceleration;
+    row.rotational_velocity = motion.rotational_velocity;
+    row.rotational_acceleration = motion.rotational_acceleration;
+    row.rotation = now.history_rotation[i];
+    turn_into_local_axes(now, entity, row);
+    turn_into_accelerometer(now, entity.index, row);
+    s.rows.push_back(row);
+  }
+  return s;
+}
+
+template <>
+HistoryFile history<"nodout">() {
+  return make_history(
+      output::nodout(), nodout_state,
+      {.concerns = [](const system::System& system) { return !system.model.requests.history_nodes.empty(); },
+       .legends =
+           [](const model::Model& model) {
+             std::vector<output::LegendEntry> headings;
+             for (const model::NamedEntity& n : model.requests.history_nodes)
+               if (!n.heading.empty()) headings.push_back({model.nodes.id[at(n.index)], n.heading});
+             return std::vector<Legend>{{"nodout", headings}};
+           }});
+}
+
+}  // namespace nugget::impact

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <variant>
+
+#include "kernel/law/elastic_kernel.hpp"
+#include "kernel/law/fluid.hpp"
+#include "kernel/law/foam.hpp"
+#include "kernel/law/honeycomb.hpp"
+#include "kernel/law/johnson_cook.hpp"
+#include "kernel/law/orthotropic.hpp"
+#include "kernel/law/piecewise_linear_kernel.hpp"
+#include "kernel/law/plastic_kinematic_kernel.hpp"
+#include "kernel/law/power_law.hpp"
+#include "kernel/law/rubber.hpp"
+#include "kernel/law/viscoelastic.hpp"
+
+namespace nugget::kernel {
+
+/// How a point flows: the list of laws. A law is its own file, and its include and its line here; laws with curves or
+/// axes have a card file besides (law_cards.hpp).
+using Flow = std::variant<  //
+    Elastic,                //
+    PlasticKinematic,       //
+    PiecewiseLinear,        //
+    JohnsonCook,            //
+    PowerLaw,               //
+    Viscoelastic,           //
+    BlatzKo,                //
+    MooneyRivlin,           //
+    Ogden,                  //
+    PolynomialRubber,       //
+    LowDensityFoam,         //
+    CrushableFoam,          //
+    RateFoam,               //
+    Orthotropic,            //
+    Honeycomb,              //
+    Fluid>;
+
+}  // namespace nugget::kernel
