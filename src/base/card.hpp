@@ -194,6 +194,14 @@ struct CardOf : Card {
     append(*this, table.begin(), table.size());
   }
   void add(const FieldOf<T>& field) { append(*this, &field, 1); }
+  /// Puts the fields of a member's own card behind those of the card.
+  template <class Inner>
+  void add(Inner T::*member, const CardOf<Inner>& card) {
+    for (Field field : card.fields) {
+      field.offset += offset_of(member);
+      append(*this, &field, 1);
+    }
+  }
 };
 
 }  // namespace nugget

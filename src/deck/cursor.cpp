@@ -104,6 +104,11 @@ Entry Row::entry_of(std::ptrdiff_t offset) const {
   throw std::logic_error(fmt::format("card of *{} has no field for the member at {}", keyword_, offset));
 }
 
+bool Row::has_field_of(std::ptrdiff_t offset) const {
+  return std::any_of(card_->fields.begin(), card_->fields.end(),
+                     [&](const Field& f) { return f.store != Store::nowhere && f.offset == offset; });
+}
+
 Entry Row::entry_at(std::size_t field) const {
   const Cell& cell = cells_[field];
   Entry entry;

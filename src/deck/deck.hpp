@@ -131,6 +131,7 @@ class Row {
  protected:
   /// Of the field that is bound to the member there; std::logic_error where none is.
   Entry entry_of(std::ptrdiff_t offset) const;
+  bool has_field_of(std::ptrdiff_t offset) const;
 
  private:
   friend class Cursor;
@@ -156,6 +157,8 @@ class RowOf : public Row {
  public:
   const T& operator*() const { return values_; }
   const T* operator->() const { return &values_; }
+  /// Whether the card has a field for the member.
+  bool has(double T::*member) const { return has_field_of(offset_of(member)); }
   Entry operator[](double T::*member) const { return entry_of(offset_of(member)); }
   Entry operator[](int T::*member) const { return entry_of(offset_of(member)); }
   Entry operator[](bool T::*member) const { return entry_of(offset_of(member)); }

@@ -11,26 +11,21 @@
 // Laws with curves, tables or axes have a card file of their own in reading/cards.
 namespace nugget::kernel {
 
-/// A field of a law's card, and the parameter that takes its value.
-template <class Law>
-struct LawField {
-  Field field;
-  double Law::*parameter = nullptr;  ///< null: the field is read and checked, and has no effect
-};
-
 /// What the parameters of a law must fulfil beyond the range of each.
 template <class Law>
 struct LawDemand {
   bool (*holds)(const Law&);
-  std::string_view field, otherwise, remedy;  ///< of the error where it does not
+  double Law::*parameter;              ///< whose field the error names where it does not hold
+  std::string_view otherwise, remedy;  ///< of that error
 };
 
 template <class Law>
 struct LawCards {
   std::string_view name;                    ///< of the keyword: MAT_...
   std::vector<std::string_view> aliases{};  ///< MAT_024
-  /// Card by card. The first begins with the material's id, and of a law its density, which are not listed here.
-  std::vector<std::vector<LawField<Law>>> cards;
+  /// Card by card. The first begins with the material's id, and of a law its density, which are not listed here. A
+  /// field that is bound to no parameter is read and checked, and has no effect.
+  std::vector<CardOf<Law>> cards;
   void (*complete)(Law&) = nullptr;  ///< sets the parameters that follow from those on the cards
   std::vector<LawDemand<Law>> demands{};
 };
@@ -43,11 +38,11 @@ concept LawWithCards = requires {
 
 // Fields that many laws have.
 namespace law_field {
-inline constexpr Field young = real("e", dimension::stress, required, above_zero(), "Young's modulus");
-inline constexpr Field poisson = real("pr", dimension::number, 0, between(0, 0.5), "Poisson's ratio");
-inline constexpr Field compressible =
+inline constexpr RealField young = real("e", dimension::stress, required, above_zero(), "Young's modulus");
+inline constexpr RealField poisson = real("pr", dimension::number, 0, between(0, 0.5), "Poisson's ratio");
+inline constexpr RealField compressible =
     real("pr", dimension::number, required, between(0, 0.49999), "Poisson's ratio, below 0.5");
-inline constexpr Field reference = real("ref", dimension::number, 0, only(0), "stress from a reference geometry");
+inline constexpr RealField reference = real("ref", dimension::number, 0, only(0), "stress from a reference geometry");
 }  // namespace law_field
 
 }  // namespace nugget::kernel

@@ -32,14 +32,14 @@ struct MooneyRivlin {
     using Law = MooneyRivlin;
     return {.name = "MAT_MOONEY-RIVLIN_RUBBER",
             .aliases = {"MAT_027"},
-            .cards = {{{law_field::compressible, &Law::nu},
-                       {real("a", dimension::stress, required, above_zero(), "constant A of the energy"), &Law::a},
-                       {real("b", dimension::stress, 0, at_least(0), "constant B of the energy"), &Law::b},
-                       {law_field::reference}},
-                      {{real("sgl", dimension::length, 0, any_value, "specimen, for LCID only")},
-                       {real("sw", dimension::length, 0, any_value, "specimen, for LCID only")},
-                       {real("st", dimension::length, 0, any_value, "specimen, for LCID only")},
-                       {integer("lcid", 0, only(0), "curve to which A and B would be fitted")}}},
+            .cards = {{{&Law::nu, law_field::compressible},
+                       {&Law::a, real("a", dimension::stress, required, above_zero(), "constant A of the energy")},
+                       {&Law::b, real("b", dimension::stress, 0, at_least(0), "constant B of the energy")},
+                       law_field::reference},
+                      {real("sgl", dimension::length, 0, any_value, "specimen, for LCID only"),
+                       real("sw", dimension::length, 0, any_value, "specimen, for LCID only"),
+                       real("st", dimension::length, 0, any_value, "specimen, for LCID only"),
+                       integer("lcid", 0, only(0), "curve to which A and B would be fitted")}},
             .complete = [](Law& law) { law.E = 4.0 * (law.a + law.b) * (1.0 + law.nu); }};
   }
 };
@@ -57,9 +57,9 @@ struct BlatzKo {
     using Law = BlatzKo;
     return {.name = "MAT_BLATZ-KO_RUBBER",
             .aliases = {"MAT_007"},
-            .cards = {{{real("g", dimension::stress, required, above_zero(), "shear modulus; Poisson's ratio is 0.463"),
-                        &Law::shear},
-                       {law_field::reference}}},
+            .cards = {{{&Law::shear, real("g", dimension::stress, required, above_zero(),
+                                          "shear modulus; Poisson's ratio is 0.463")},
+                       law_field::reference}},
             .complete = [](Law& law) { law.E = 2.0 * law.shear * (1.0 + law.nu); }};
   }
 };

@@ -26,18 +26,18 @@ struct Viscoelastic {
     return {
         .name = "MAT_VISCOELASTIC",
         .aliases = {"MAT_006"},
-        .cards = {{{real("bulk", dimension::stress, required, above_zero(), "bulk modulus"), &Law::bulk},
-                   {real("g0", dimension::stress, required, above_zero(), "shear modulus at once"),
-                    &Law::instantaneous_shear},
-                   {real("gi", dimension::stress, 0, at_least(0), "shear modulus in the end"), &Law::long_term_shear},
-                   {real("beta", dimension::rate, 0, at_least(0), "decay: GI + (G0 - GI) exp(-BETA t)"), &Law::decay}}},
+        .cards = {{{&Law::bulk, real("bulk", dimension::stress, required, above_zero(), "bulk modulus")},
+                   {&Law::instantaneous_shear,
+                    real("g0", dimension::stress, required, above_zero(), "shear modulus at once")},
+                   {&Law::long_term_shear, real("gi", dimension::stress, 0, at_least(0), "shear modulus in the end")},
+                   {&Law::decay, real("beta", dimension::rate, 0, at_least(0), "decay: GI + (G0 - GI) exp(-BETA t)")}}},
         .complete =
             [](Law& law) {
               const double K = law.bulk, G = law.instantaneous_shear;
               law.E = 9.0 * K * G / (3.0 * K + G);
               law.nu = (3.0 * K - 2.0 * G) / (6.0 * K + 2.0 * G);
             },
-        .demands = {{[](const Law& law) { return !(law.nu < 0.0); }, "bulk",
+        .demands = {{[](const Law& law) { return !(law.nu < 0.0); }, &Law::bulk,
                      "G0 and BULK make a negative Poisson's ratio", "3 BULK must be above 2 G0"}}};
   }
 };

@@ -118,7 +118,7 @@ void read_kinematic(Builder& b, const Block& block, const Options& options) {
   const Row rate = cursor.read(kinematic_rate_card);
   expect_end(b, cursor);
   check_tangent(b, row);
-  warn_of_half_a_rate(b, rate, "src", "srp");
+  warn_of_half_a_rate(b, rate.entry("src"), rate.entry("srp"));
   kernel::PlasticKinematic law;
   law.E = row.real("e");
   law.nu = row.real("pr");
@@ -214,33 +214,33 @@ double plastic_strain_at_failure(double written) {
   return written >= 1e12 ? 0.0 : written;
 }
 
-std::optional<kernel::PlasticDamage> plastic_damage(Builder& b, const Row& onset_row, std::string_view onset_field,
-                                                    const Row& row) {
-  const double onset = plastic_strain_at_failure(onset_row.real(onset_field));
-  const double rupture = plastic_strain_at_failure(row.real("eppfr"));
-  if (const Index curve = b.curve(row, "lcdm"); curve != none) {
+std::optional<kernel::PlasticDamage> plastic_damage(Builder& b, const deck::Entry& onset_entry,
+                                                    const deck::Entry& rupture_entry, const deck::Entry& lcdm) {
+  const double onset = plastic_strain_at_failure(onset_entry.value);
+  const double rupture = plastic_strain_at_failure(rupture_entry.value);
+  if (const Index curve = b.curve(lcdm); curve != none) {
     if (rupture > 0.0)
-      refuse(b, row, "lcdm", "a damage curve together with EPPFR is not supported", "give the onset and LCDM only");
+      refuse(b, lcdm, "a damage curve together with EPPFR is not supported", "give the onset and LCDM only");
     const Curve& growth = b.model.curves[static_cast<std::size_t>(curve)];
     if (growth.x.front() < 0.0 || growth.y.front() < 0.0 || !std::is_sorted(growth.y.begin(), growth.y.end()))
-      refuse(b, row, "lcdm",
+      refuse(b, lcdm,
              fmt::format("curve {} is not a damage that grows from 0 over the strain beyond its onset", growth.id),
              "give damage from 0 to 1 over plastic strain, from strain 0 on");
     else if (growth.y.back() < 1.0)
-      row.report(b.findings, Severity::warning, "lcdm",
-                 fmt::format("the damage ends at {:g}: nothing fails", growth.y.back()), "let it end at 1");
+      lcdm.report(b.findings, Severity::warning, fmt::format("the damage ends at {:g}: nothing fails", growth.y.back()),
+                  "let it end at 1");
     else if (growth.y.front() > 0.0)
-      row.report(b.findings, Severity::warning, "lcdm",
-                 fmt::format("the damage leaps to {:g} at its onset", growth.y.front()), "let it begin at 0");
+      lcdm.report(b.findings, Severity::warning, fmt::format("the damage leaps to {:g} at its onset", growth.y.front()),
+                  "let it begin at 0");
     return kernel::PlasticDamage{onset, 0.0, b.model.curves[static_cast<std::size_t>(curve)]};
   }
   if (rupture > 0.0) {
-    if (rupture <= onset) refuse(b, row, "eppfr", "rupture must come after the onset of damage");
+    if (rupture <= onset) refuse(b, rupture_entry, "rupture must come after the onset of damage");
     return kernel::PlasticDamage{onset > 0.0 ? onset : rupture, rupture};
   }
   if (onset > 0.0)
-    onset_row.report(b.findings, Severity::warning, onset_field, "without EPPFR or LCDM nothing is damaged",
-                     "give EPPFR, the plastic strain at rupture");
+    onset_entry.report(b.findings, Severity::warning, "without EPPFR or LCDM nothing is damaged",
+                       "give EPPFR, the plastic strain at rupture");
   return std::nullopt;
 }
 
@@ -291,8 +291,13 @@ int system_id(const Block& block, double written) {
 }
 
 Index add_material(Builder& b, const Row& row, std::string title, std::string_view name, Law law) {
+  return add_material(b, {row.integer("mid"), row.real("ro")}, row, std::move(title), name, std::move(law));
+}
+
+Index add_material(Builder& b, const MaterialCard& card, const Row& row, std::string title, std::string_view name,
+                   Law law) {
   const auto index = static_cast<Index>(b.model.materials.size());
-  Material m{row.integer("mid"), std::move(title), std::string(name), row.real("ro"), std::move(law), row.place()};
+  Material m{card.mid, std::move(title), std::string(name), card.ro, std::move(law), row.place()};
   b.materials.add(m.id, index, m.place, row.keyword(), "material", b.findings);
   b.model.materials.push_back(std::move(m));
   return index;

@@ -127,7 +127,7 @@ void read_orthotropic_johnson_cook(Builder& b, const Block& block, const Options
                                       kernel::Elastic{row.real("e"), row.real("pr")});
   b.defer(Phase::parts, [=](Builder& later) {
     kernel::LawComponents law{simplified_johnson_cook(row, yield)};
-    law.directional_damage = plastic_damage(later, yield, "psfail", row);
+    law.directional_damage = plastic_damage(later, yield.entry("psfail"), row.entry("eppfr"), row.entry("lcdm"));
     law.points_to_delete = row.real("numint");
     law.for_layers_only = true;
     later.model.materials[static_cast<std::size_t>(material)].law = composed_law(std::move(law));
@@ -158,14 +158,16 @@ void check_equation_of_state(Builder& b, const Part& part, const deck::RowOf<Par
   else if (!(law.E > 0.0))
     refuse(b, row[&PartCard::mid], "*MAT_JOHNSON_COOK without an equation of state needs E and PR", "give them");
   else if (!is_solid && law.components->spall)
-    row[&PartCard::mid].report(b.findings, Severity::warning,
-               "PC and SPALL of *MAT_JOHNSON_COOK are not obeyed in shells: no element is deleted by tension",
-               "use *MAT_ADD_EROSION with SIGP1, or leave PC 0");
+    row[&PartCard::mid].report(
+        b.findings, Severity::warning,
+        "PC and SPALL of *MAT_JOHNSON_COOK are not obeyed in shells: no element is deleted by tension",
+        "use *MAT_ADD_EROSION with SIGP1, or leave PC 0");
   else if (is_solid)
-    row[&PartCard::eosid].report(b.findings, Severity::warning,
-               "*MAT_JOHNSON_COOK in solids without an equation of state, which LS-DYNA demands: pressure and shear "
-               "are those of E and PR",
-               "write *EOS_LINEAR_POLYNOMIAL with C1 = E/(3 (1 - 2 PR))");
+    row[&PartCard::eosid].report(
+        b.findings, Severity::warning,
+        "*MAT_JOHNSON_COOK in solids without an equation of state, which LS-DYNA demands: pressure and shear "
+        "are those of E and PR",
+        "write *EOS_LINEAR_POLYNOMIAL with C1 = E/(3 (1 - 2 PR))");
 }
 
 void read_johnson_cook(Builder& b, const Block& block, const Options& options) {

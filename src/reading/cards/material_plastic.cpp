@@ -88,7 +88,7 @@ void read_power_law(Builder& b, const Block& block, const Options& options) {
   const Row row = cursor.read(power_law_card);
   const Row yield = cursor.read(power_law_yield_card);
   expect_end(b, cursor);
-  warn_of_half_a_rate(b, row, "src", "srp");
+  warn_of_half_a_rate(b, row.entry("src"), row.entry("srp"));
   kernel::PowerLaw flow{
       row.real("e"), row.real("pr"), row.real("k"), row.real("n"),
       yield_strain(b, row, yield, block.transform ? block.transform->factor(dimension::stress) : 1.0)};
@@ -128,7 +128,7 @@ void set_rate_curves(Builder& b, Index material, const Row& main, const Row& row
   for (const double y : yield.y)
     if (!(y > 0.0)) return refuse(b, row, "lc1", "a yield stress is not above 0");
   if (!std::is_sorted(yield.y.begin(), yield.y.end()))
-    warn_of_softening_by_rate(b, row, "lc1", fmt::format("curve {}", yield.id));
+    warn_of_softening_by_rate(b, row.entry("lc1"), fmt::format("curve {}", yield.id));
   Curve modulus{0, {0.0}, {row.real("etan")}};
   if (const Index tangent = b.curve(row, "lc3"); tangent != none) {
     modulus = curve(tangent);
@@ -235,11 +235,12 @@ void read_with_curves(Builder& b, const Block& block, const Options& options, st
 }
 
 void add_damage(Builder& b, const YieldCards& cards, kernel::LawComponents& law) {
-  law.damage = plastic_damage(b, cards.main, "eppf", cards.rate);
+  law.damage = plastic_damage(b, cards.main.entry("eppf"), cards.rate.entry("eppfr"), cards.rate.entry("lcdm"));
 }
 
 void add_directional_damage(Builder& b, const YieldCards& cards, kernel::LawComponents& law) {
-  law.directional_damage = plastic_damage(b, cards.main, "eppf", cards.rate);
+  law.directional_damage =
+      plastic_damage(b, cards.main.entry("eppf"), cards.rate.entry("eppfr"), cards.rate.entry("lcdm"));
   law.for_layers_only = true;
 }
 

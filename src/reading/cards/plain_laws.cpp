@@ -17,41 +17,44 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
+using deck::RowOf;
 
 template <class Rule>
 concept FailureRuleWithCards = kernel::LawWithCards<Rule> && requires {
   Rule::needs_plastic_flow;
 };
 
-constexpr Field ruled_material = id("mid", IdSpace::material, required, "material to which the rule is added");
+/// The first card of a law, with all parameters of the law, also those of later cards.
+template <class Law>
+struct FirstCard : MaterialCard {
+  Law law{};
+};
 
 /// The cards of a law, or of a rule of failure, as the deck has them.
 template <class Law>
-const std::vector<Card>& layout_of() {
-  static const std::vector<Card> layout = [] {
-    std::vector<Card> all;
-    for (const auto& fields : Law::cards().cards) {
-      Card& card = all.emplace_back();
-      if (all.size() == 1 && FailureRuleWithCards<Law>)
-        card.fields = {ruled_material};
-      else if (all.size() == 1)
-        card.fields = {material_id, density};
-      for (const auto& f : fields) card.fields.push_back(f.field);
+const std::vector<CardOf<FirstCard<Law>>>& layout_of() {
+  static const std::vector<CardOf<FirstCard<Law>>> layout = [] {
+    using First = FirstCard<Law>;
+    std::vector<CardOf<First>> all;
+    for (const auto& own : Law::cards().cards) {
+      CardOf<First>& card = all.emplace_back();
+      if (all.size() == 1 && FailureRuleWithCards<Law>) {
+        card.add({&First::mid, id("mid", IdSpace::material, required, "material to which the rule is added")});
+      } else if (all.size() == 1) {
+        card.add({&First::mid, material_id});
+        card.add({&First::ro, density});
+      }
+      card.add(&First::law, own);
     }
     return all;
   }();
   return layout;
 }
 
-bool has_field(const Card& card, std::string_view name) {
-  return std::any_of(card.fields.begin(), card.fields.end(), [&](const Field& f) { return f.name == name; });
-}
-
 template <class Law>
 struct CardsRead {
+  RowOf<FirstCard<Law>> first;
   Law law;
-  Row first;
   std::string title;
 };
 
@@ -59,27 +62,27 @@ struct CardsRead {
 template <class Law>
 CardsRead<Law> read_cards(Builder& b, const Block& block, const Options& options) {
   static const kernel::LawCards<Law> form = Law::cards();
-  const std::vector<Card>& layout = layout_of<Law>();
   Cursor cursor(b.deck, block, b.findings);
-  std::string title = read_title(cursor, options);
-  std::vector<Row> rows;
-  for (const Card& card : layout) rows.push_back(cursor.read(card));
+  CardsRead<Law> read;
+  read.title = read_title(cursor, options);
+  FirstCard<Law> values;
+  std::vector<RowOf<FirstCard<Law>>> rows;
+  for (const auto& card : layout_of<Law>()) rows.push_back(cursor.read(card, values));
   expect_end(b, cursor);
-  Law law;
-  for (std::size_t c = 0; c < rows.size(); ++c)
-    for (const auto& [field, parameter] : form.cards[c])
-      if (parameter) law.*parameter = rows[c].real(field.name);
-  if (form.complete) form.complete(law);
+  read.law = values.law;
+  read.first = rows.front();
+  if (form.complete) form.complete(read.law);
   for (const auto& demand : form.demands)
-    for (std::size_t c = 0; c < rows.size(); ++c)
-      if (has_field(layout[c], demand.field) && !demand.holds(law))
-        refuse(b, rows[c], demand.field, std::string(demand.otherwise), std::string(demand.remedy));
-  return {std::move(law), std::move(rows.front()), std::move(title)};
+    if (!demand.holds(read.law))
+      for (const auto& row : rows)
+        if (const auto parameter = within(&FirstCard<Law>::law, demand.parameter); row.has(parameter))
+          refuse(b, row[parameter], demand.otherwise, demand.remedy);
+  return read;
 }
 
 template <class Law>
 void read_law(Builder& b, const Block& block, const Options& options) {
-  auto [law, first, title] = read_cards<Law>(b, block, options);
+  auto [first, law, title] = read_cards<Law>(b, block, options);
   add_material(b, first, std::move(title), Law::cards().name, composed_law(components_of(std::move(law))));
 }
 
@@ -88,12 +91,12 @@ void read_rule(Builder& b, const Block& block, const Options& options) {
   const auto read = read_cards<Rule>(b, block, options);
   // After the laws have their curves.
   b.defer(Phase::systems, [row = read.first, rule = read.law](Builder& later) {
-    const Index index = later.find(later.materials, "material", row, "mid");
+    const Index index = later.find(later.materials, "material", row[&FirstCard<Rule>::mid]);
     if (index == none) return;
     Material& material = later.model.materials[static_cast<std::size_t>(index)];
     std::optional<kernel::LawComponents> law = components_of(material.law);
     if (!law)
-      return refuse(later, row, "mid", fmt::format("failure cannot be added to *{}", material.keyword),
+      return refuse(later, row[&FirstCard<Rule>::mid], fmt::format("failure cannot be added to *{}", material.keyword),
                     "welds, discrete beams and adhesive have failure criteria of their own");
     law->rules.push_back(rule);
     material.law = composed_law(std::move(*law));

@@ -21,12 +21,13 @@ using deck::Row;
 
 // ---- cards ----------------------------------------------------------------------------------------------------------
 
-constexpr Field modulus =
+constexpr RealField modulus =
     real("e", dimension::stress, required, any_value, "Young's modulus; negative: its value, bricks uniaxial");
-constexpr Field mass_step =
+constexpr RealField mass_step =
     real("dt", dimension::time, 0, at_least(0), "time step to which the weld's mass is scaled; 0: none");
-constexpr Field fail_time = real("tfail", dimension::time, 0, at_least(0), "time of failure; 0: none");
-constexpr Field fail_strain = real("efail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none");
+constexpr RealField fail_time = real("tfail", dimension::time, 0, at_least(0), "time of failure; 0: none");
+constexpr RealField fail_strain =
+    real("efail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none");
 constexpr Field filter_length = integer("nf", 0, at_least(0), "force vectors averaged for the failure");
 
 /// A strength, of which a negative value is the id of a curve.
@@ -411,7 +412,7 @@ void set_weld_damage(WeldDamage& damage, kernel::Spotweld& law) {
 void set_yield_curve(Builder& b, const Row& row, kernel::Spotweld& law) {
   if (row.real("sigy") >= 0.0) return;
   const int id = static_cast<int>(std::lround(-row.real("sigy")));
-  YieldTable table = yield_table(b, row, "sigy", id, false);
+  YieldTable table = yield_table(b, row.entry("sigy"), id, false);
   law.yield_curves = std::move(table.curves);
   law.rates = std::move(table.rates);
   law.log_rates = table.log_rates;

@@ -47,7 +47,7 @@ void set_points(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& la
 void set_curve_or_table(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law) {
   const int id = cards.rate.integer("lcss");
   if (id < 0) return refuse(b, cards.rate, "lcss", "a negative id is not supported", "give the curve's id");
-  YieldTable table = yield_table(b, cards.rate, "lcss", id, cards.log_rates);
+  YieldTable table = yield_table(b, cards.rate.entry("lcss"), id, cards.log_rates);
   if (table.curves.empty()) return;
   law.yield = std::move(table.curves);
   law.rates = std::move(table.rates);
@@ -67,7 +67,7 @@ void set_rates(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law
   if (const Index scale = b.curve(row, "lcsr"); scale != none && !table)
     law.rate_scale = b.model.curves[static_cast<std::size_t>(scale)];
   if (!std::is_sorted(law.rate_scale.y.begin(), law.rate_scale.y.end()))
-    warn_of_softening_by_rate(b, row, "lcsr", fmt::format("curve {}", law.rate_scale.id));
+    warn_of_softening_by_rate(b, row.entry("lcsr"), fmt::format("curve {}", law.rate_scale.id));
   if (!table && !scaled && row.real("c") > 0.0 && row.real("p") > 0.0) {
     law.rate_c = row.real("c");
     law.rate_p = row.real("p");
@@ -111,21 +111,21 @@ void check_tangent(Builder& b, const Row& row) {
     refuse(b, row, "etan", fmt::format("the tangent modulus must be below Young's modulus {:g}", row.real("e")));
 }
 
-void warn_of_half_a_rate(Builder& b, const Row& row, std::string_view c, std::string_view p) {
-  if ((row.real(c) > 0.0) == (row.real(p) > 0.0)) return;
-  const bool has_c = row.real(c) > 0.0;
-  row.report(b.findings, Severity::warning, has_c ? p : c, "Cowper-Symonds needs both constants: no rate effect",
-             "give both, or neither");
+void warn_of_half_a_rate(Builder& b, const deck::Entry& c, const deck::Entry& p) {
+  if ((c.value > 0.0) == (p.value > 0.0)) return;
+  (c.value > 0.0 ? p : c)
+      .report(b.findings, Severity::warning, "Cowper-Symonds needs both constants: no rate effect",
+              "give both, or neither");
 }
 
-void warn_of_softening_by_rate(Builder& b, const Row& row, std::string_view field, const std::string& where) {
-  row.report(
-      b.findings, Severity::warning, field,
+void warn_of_softening_by_rate(Builder& b, const deck::Entry& field, const std::string& where) {
+  field.report(
+      b.findings, Severity::warning,
       fmt::format("the yield stress falls with the rate ({}): the rate of a point then leaps from step to step", where),
       "let it rise with the rate, or stay");
 }
 
-YieldTable yield_table(Builder& b, const Row& row, std::string_view field, int id, bool log_rates) {
+YieldTable yield_table(Builder& b, const deck::Entry& field, int id, bool log_rates) {
   YieldTable y;
   y.log_rates = log_rates;
   std::vector<Index> curves;
@@ -138,30 +138,30 @@ YieldTable yield_table(Builder& b, const Row& row, std::string_view field, int i
       y.log_rates = true;
       for (double& rate : y.rates) rate = std::exp(rate);
     } else if (log_rates && y.rates.front() == 0.0) {
-      refuse(b, row, field, "a rate of 0 has no logarithm", "start the table at the lowest rate of the tests");
+      refuse(b, field, "a rate of 0 has no logarithm", "start the table at the lowest rate of the tests");
     }
   } else if (const Index c = b.curves.find(id); c != none) {
     curves = {c};
   } else {
-    refuse(b, row, field, fmt::format("curve or table {} is not defined", id), "define it");
+    refuse(b, field, fmt::format("curve or table {} is not defined", id), "define it");
   }
   for (const Index c : curves) {
     y.curves.push_back(b.model.curves[static_cast<std::size_t>(c)]);
     const Curve& curve = y.curves.back();
     if (!curve.empty() && *std::min_element(curve.y.begin(), curve.y.end()) <= 0.0)
-      refuse(b, row, field, fmt::format("curve {} has a yield stress that is not above 0", curve.id),
+      refuse(b, field, fmt::format("curve {} has a yield stress that is not above 0", curve.id),
              "give the true yield stress over plastic strain, from strain 0 on");
     if (curve.x.size() < 2) continue;
     if (curve.x.front() != 0.0)
-      row.report(b.findings, Severity::warning, field,
-                 fmt::format("curve {} begins at a plastic strain of {:g}: {}", curve.id, curve.x.front(),
-                             curve.x.front() > 0.0 ? "before it the yield stress is its first"
-                                                   : "what lies below 0 has no effect"),
-                 "begin it at plastic strain 0");
+      field.report(b.findings, Severity::warning,
+                   fmt::format("curve {} begins at a plastic strain of {:g}: {}", curve.id, curve.x.front(),
+                               curve.x.front() > 0.0 ? "before it the yield stress is its first"
+                                                     : "what lies below 0 has no effect"),
+                   "begin it at plastic strain 0");
     if (!std::is_sorted(curve.y.begin(), curve.y.end()))
-      row.report(b.findings, Severity::warning, field,
-                 fmt::format("curve {} falls: results depend on the size of the elements there", curve.id),
-                 "let it rise, and say by a failure strain or damage where the sheet ends");
+      field.report(b.findings, Severity::warning,
+                   fmt::format("curve {} falls: results depend on the size of the elements there", curve.id),
+                   "let it rise, and say by a failure strain or damage where the sheet ends");
   }
   for (std::size_t k = 1; k < y.curves.size(); ++k) {
     const Curve &slow = y.curves[k - 1], &fast = y.curves[k];
@@ -170,7 +170,7 @@ YieldTable yield_table(Builder& b, const Row& row, std::string_view field, int i
     strains.insert(strains.end(), fast.x.begin(), fast.x.end());
     for (const double e : strains)
       if (e >= 0.0 && fast.extrapolated(e) < (1.0 - 1e-6) * slow.extrapolated(e)) {
-        warn_of_softening_by_rate(b, row, field,
+        warn_of_softening_by_rate(b, field,
                                   fmt::format("at a plastic strain of {:g} from curve {} to {}", e, slow.id, fast.id));
         break;
       }
@@ -186,7 +186,7 @@ void set_yield_curves(Builder& b, const YieldCards& cards, kernel::PiecewiseLine
     set_points(b, cards, law, std::move(curve));
   else if (!(cards.main.real("sigy") > 0.0))
     refuse(b, cards.main, "sigy", "the yield stress must be given", "give SIGY and ETAN, EPS and ES, or LCSS");
-  warn_of_half_a_rate(b, cards.rate, "c", "p");
+  warn_of_half_a_rate(b, cards.rate.entry("c"), cards.rate.entry("p"));
   set_rates(b, cards, law);
 }
 
