@@ -70,14 +70,20 @@ inline constexpr RealField v3 = real("v3", dimension::number, 0, any_value, "z")
 inline constexpr IntegerField macf = integer("macf", 1, between(0, 1), "exchange of axes: 1, none");
 }  // namespace aopt
 
-/// Material axes by AOPT of a row, with a1 to a3, v1 to v3 and d1 to d3 of three, which turn with
-/// *INCLUDE_TRANSFORM; a finding where they are not built.
-/// Those of a coordinate system (AOPT below 0) come later, by take_axes_of_system.
-kernel::MaterialAxes read_axes(Builder& builder, const deck::Block& block, const deck::Row& option, const deck::Row& a,
-                               const deck::Row& v, const deck::Row& d);
+/// What AOPT needs, on whichever of a material's cards it stands: the fields of namespace aopt.
+struct AxesCards {
+  double aopt = 0.0;
+  double a1 = 0.0, a2 = 0.0, a3 = 0.0, d1 = 0.0, d2 = 0.0, d3 = 0.0, v1 = 0.0, v2 = 0.0, v3 = 0.0;
+};
+
+/// Material axes by AOPT, with the vectors a, v and d, which turn with *INCLUDE_TRANSFORM; a finding where they are not
+/// built. `option`, `a1`, `v1`: the fields of these names. Those of a coordinate system (AOPT below 0) come later, by
+/// take_axes_of_system.
+kernel::MaterialAxes material_axes(Builder& builder, const deck::Block& block, const AxesCards& cards,
+                                   const deck::Entry& option, const deck::Entry& a1, const deck::Entry& v1);
 
 /// Where AOPT is below 0, gives the material's law, once that is there, the x and y axes of the system as a and d.
-void take_axes_of_system(Builder& builder, const deck::Row& option, Index material);
+void take_axes_of_system(Builder& builder, const deck::Entry& option, Index material);
 
 /// Adds a material with the id and density of its first card `row`; gives its index.
 Index add_material(Builder& builder, const MaterialCard& card, const deck::Row& row, std::string title,

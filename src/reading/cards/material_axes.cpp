@@ -9,42 +9,38 @@
 namespace nugget::reading {
 
 using deck::Block;
-using deck::Row;
 using By = kernel::MaterialAxes::By;
 
-kernel::MaterialAxes read_axes(Builder& b, const Block& block, const Row& option, const Row& a, const Row& v,
-                               const Row& d) {
+kernel::MaterialAxes material_axes(Builder& b, const Block& block, const AxesCards& cards, const deck::Entry& option,
+                                   const deck::Entry& a1, const deck::Entry& v1) {
   kernel::MaterialAxes axes;
-  const double aopt = option.real("aopt");
-  if (aopt == 2.0) {
+  if (cards.aopt == 2.0) {
     axes.by = By::vectors;
-    axes.a = direction(block, a, "a1", "a2", "a3");
-    axes.d = direction(block, d, "d1", "d2", "d3");
-    if (!(norm(axes.a) > 0.0))
-      refuse(b, a, "a1", "AOPT 2 needs the vector a", "give A1 to A3; for bricks also D1 to D3");
-  } else if (aopt == 3.0) {
+    axes.a = direction(block, {cards.a1, cards.a2, cards.a3});
+    axes.d = direction(block, {cards.d1, cards.d2, cards.d3});
+    if (!(norm(axes.a) > 0.0)) refuse(b, a1, "AOPT 2 needs the vector a", "give A1 to A3; for bricks also D1 to D3");
+  } else if (cards.aopt == 3.0) {
     axes.by = By::cross;
-    axes.a = direction(block, v, "v1", "v2", "v3");
-    if (!(norm(axes.a) > 0.0)) refuse(b, v, "v1", "AOPT 3 needs the vector v", "give V1 to V3");
-  } else if (aopt > 0.0) {
-    refuse(b, option, "aopt", "only 0, 2, 3 and the id of a coordinate system below 0 are built",
-           "use vectors of AOPT 2");
+    axes.a = direction(block, {cards.v1, cards.v2, cards.v3});
+    if (!(norm(axes.a) > 0.0)) refuse(b, v1, "AOPT 3 needs the vector v", "give V1 to V3");
+  } else if (cards.aopt > 0.0) {
+    refuse(b, option, "only 0, 2, 3 and the id of a coordinate system below 0 are built", "use vectors of AOPT 2");
   }
   return axes;
 }
 
-void take_axes_of_system(Builder& b, const Row& option, Index material) {
-  const int id = -option.integer("aopt");
+void take_axes_of_system(Builder& b, const deck::Entry& option, Index material) {
+  const int id = -option.integer();
   if (id <= 0) return;
   b.defer(Phase::sets, [=](Builder& later) {
     const Index found = later.systems.find(id);
     if (found == none)
-      return refuse(later, option, "aopt", fmt::format("coordinate system {} is not defined", id),
+      return refuse(later, option, fmt::format("coordinate system {} is not defined", id),
                     "define it with *DEFINE_COORDINATE_...");
     const CoordinateSystem& system = later.model.systems[static_cast<std::size_t>(found)];
     if (system.turning)
       return refuse(
-          later, option, "aopt",
+          later, option,
           fmt::format("coordinate system {} turns with its nodes (FLAG 1); the axes are those of the start", id),
           "define one with FLAG 0");
     auto* compound = std::get_if<kernel::ComposedLaw>(&later.model.materials[static_cast<std::size_t>(material)].law);

@@ -15,125 +15,130 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
+using deck::RowOf;
 using kernel::Honeycomb;
 
-const Card dense_card{{
-    material_id,
-    density,
-    real("e", dimension::stress, required, above_zero(), "Young's modulus of the compacted material"),
-    real("pr", dimension::number, 0, between(0, 0.49), "its Poisson's ratio"),
-    real("sigy", dimension::stress, required, above_zero(), "its yield stress"),
-    real("vf", dimension::number, required, between(0, 1), "relative volume at which it is compacted"),
-    real("mu", dimension::number, 0.05, between(0, 1), "viscosity, as a share of critical damping; 0: 0.05"),
-    integer("bulk", 0, between(0, 1), "0: viscosity MU; 1: bulk viscosity instead, by the compacted sound speed"),
-}};
+/// All cards of both keywords.
+struct HoneycombCards : MaterialCard, Honeycomb, AxesCards {
+  double mu = 0, tsef = 0, ssef = 0;
+  int bulk = 0, lcs = 0, lcsr = 0, pru = 0;
+  std::array<int, 6> curve{};  ///< LCA LCB LCC LCAB LCBC LCCA
+};
+const CardOf<HoneycombCards> dense_card{
+    {&MaterialCard::mid, material_id},
+    {&MaterialCard::ro, density},
+    {&Honeycomb::E, real("e", dimension::stress, required, above_zero(), "Young's modulus of the compacted material")},
+    {&Honeycomb::nu, real("pr", dimension::number, 0, between(0, 0.49), "its Poisson's ratio")},
+    {&Honeycomb::yield, real("sigy", dimension::stress, required, above_zero(), "its yield stress")},
+    {&Honeycomb::compacted_volume,
+     real("vf", dimension::number, required, between(0, 1), "relative volume at which it is compacted")},
+    {&HoneycombCards::mu,
+     real("mu", dimension::number, 0.05, between(0, 1), "viscosity, as a share of critical damping; 0: 0.05")},
+    {&HoneycombCards::bulk,
+     integer("bulk", 0, between(0, 1), "0: viscosity MU; 1: bulk viscosity instead, by the compacted sound speed")},
+};
 
-constexpr Field curve_bb = id("lcb", IdSpace::function, 0, "the same of bb; 0: LCA");
-constexpr Field curve_cc = id("lcc", IdSpace::function, 0, "the same of cc; 0: LCA");
-constexpr Field curve_ab = id("lcab", IdSpace::function, 0, "the same of ab; 0: LCS");
-constexpr Field curve_bc = id("lcbc", IdSpace::function, 0, "the same of bc; 0: LCS");
-constexpr Field curve_ca = id("lcca", IdSpace::function, 0, "the same of ca; 0: LCS");
-constexpr Field rate_curve = id("lcsr", IdSpace::function, 0, "curve: factor on the largest stresses over the rate");
+constexpr IntegerField curve_bb = id("lcb", IdSpace::function, 0, "the same of bb; 0: LCA");
+constexpr IntegerField curve_cc = id("lcc", IdSpace::function, 0, "the same of cc; 0: LCA");
+constexpr IntegerField curve_ab = id("lcab", IdSpace::function, 0, "the same of ab; 0: LCS");
+constexpr IntegerField curve_bc = id("lcbc", IdSpace::function, 0, "the same of bc; 0: LCS");
+constexpr IntegerField curve_ca = id("lcca", IdSpace::function, 0, "the same of ca; 0: LCS");
+constexpr IntegerField rate_curve =
+    id("lcsr", IdSpace::function, 0, "curve: factor on the largest stresses over the rate");
 
-const Card curves_card{{
-    id("lca", IdSpace::function, required,
-       "curve: largest stress aa over relative volume (begins above 0) or volumetric strain (at or below 0)"),
-    curve_bb,
-    curve_cc,
-    id("lcs", IdSpace::function, 0, "the same of the shears; 0: LCA"),
-    curve_ab,
-    curve_bc,
-    curve_ca,
-    rate_curve,
-}};
+const CardOf<HoneycombCards> curves_card{
+    {at(&HoneycombCards::curve, 0),
+     id("lca", IdSpace::function, required,
+        "curve: largest stress aa over relative volume (begins above 0) or volumetric strain (at or below 0)")},
+    {at(&HoneycombCards::curve, 1), curve_bb},
+    {at(&HoneycombCards::curve, 2), curve_cc},
+    {&HoneycombCards::lcs, id("lcs", IdSpace::function, 0, "the same of the shears; 0: LCA")},
+    {at(&HoneycombCards::curve, 3), curve_ab},
+    {at(&HoneycombCards::curve, 4), curve_bc},
+    {at(&HoneycombCards::curve, 5), curve_ca},
+    {&HoneycombCards::lcsr, rate_curve},
+};
 
-const Card own_curves_card{{
-    or_negative(id("lca", IdSpace::function, required,
-                   "curve: largest stress aa over the strain aa, compression positive; below 0, another yield surface: "
-                   "not built"),
-                IdSpace::function),
-    curve_bb,
-    curve_cc,
-    id("lcs", IdSpace::function, 0, "the same of the shears, over gamma of either sign; 0: LCA"),
-    curve_ab,
-    curve_bc,
-    curve_ca,
-    or_negative(id("lcsr", IdSpace::function, 0, "curve: factor on the largest stresses over the rate; -1: not built"),
-                IdSpace::function),
-}};
+const CardOf<HoneycombCards> own_curves_card{
+    {at(&HoneycombCards::curve, 0),
+     or_negative(
+         id("lca", IdSpace::function, required,
+            "curve: largest stress aa over the strain aa, compression positive; below 0, another yield surface: "
+            "not built"),
+         IdSpace::function)},
+    {at(&HoneycombCards::curve, 1), curve_bb},
+    {at(&HoneycombCards::curve, 2), curve_cc},
+    {&HoneycombCards::lcs,
+     id("lcs", IdSpace::function, 0, "the same of the shears, over gamma of either sign; 0: LCA")},
+    {at(&HoneycombCards::curve, 3), curve_ab},
+    {at(&HoneycombCards::curve, 4), curve_bc},
+    {at(&HoneycombCards::curve, 5), curve_ca},
+    {&HoneycombCards::lcsr,
+     or_negative(id("lcsr", IdSpace::function, 0, "curve: factor on the largest stresses over the rate; -1: not built"),
+                 IdSpace::function)},
+};
 
-const Card core_card{{
-    real("eaau", dimension::stress, required, above_zero(), "modulus along a of the uncrushed core"),
-    real("ebbu", dimension::stress, required, above_zero(), "the same along b"),
-    real("eccu", dimension::stress, required, above_zero(), "the same along c"),
-    real("gabu", dimension::stress, required, above_zero(), "shear modulus ab of the uncrushed core"),
-    real("gbcu", dimension::stress, required, above_zero(), "the same of bc"),
-    real("gcau", dimension::stress, required, above_zero(), "the same of ca"),
-    aopt::option,
+const CardOf<HoneycombCards> core_card{
+    {at(&Honeycomb::modulus, 0),
+     real("eaau", dimension::stress, required, above_zero(), "modulus along a of the uncrushed core")},
+    {at(&Honeycomb::modulus, 1), real("ebbu", dimension::stress, required, above_zero(), "the same along b")},
+    {at(&Honeycomb::modulus, 2), real("eccu", dimension::stress, required, above_zero(), "the same along c")},
+    {at(&Honeycomb::modulus, 3),
+     real("gabu", dimension::stress, required, above_zero(), "shear modulus ab of the uncrushed core")},
+    {at(&Honeycomb::modulus, 4), real("gbcu", dimension::stress, required, above_zero(), "the same of bc")},
+    {at(&Honeycomb::modulus, 5), real("gcau", dimension::stress, required, above_zero(), "the same of ca")},
+    {&AxesCards::aopt, aopt::option},
     aopt::macf,
-}};
+};
 
-const Card point_card{{
+const CardOf<HoneycombCards> point_card{
+    aopt::xp, aopt::yp, aopt::zp, {&AxesCards::a1, aopt::a1}, {&AxesCards::a2, aopt::a2}, {&AxesCards::a3, aopt::a3},
+};
+
+const CardOf<HoneycombCards> own_point_card{
     aopt::xp,
     aopt::yp,
     aopt::zp,
-    aopt::a1,
-    aopt::a2,
-    aopt::a3,
-}};
-
-const Card own_point_card{{
-    aopt::xp,
-    aopt::yp,
-    aopt::zp,
-    aopt::a1,
-    aopt::a2,
-    aopt::a3,
+    {&AxesCards::a1, aopt::a1},
+    {&AxesCards::a2, aopt::a2},
+    {&AxesCards::a3, aopt::a3},
     real("rfac", dimension::number, 0, only(0), "filter of the strain rate"),
-    integer("pru", 0, only(0), "Poisson effect before compaction"),
-}};
+    {&HoneycombCards::pru, integer("pru", 0, only(0), "Poisson effect before compaction")},
+};
 
-constexpr Field tensile =
+constexpr RealField tensile =
     real("tsef", dimension::number, 0, at_least(0), "strain along a, b or c that deletes; 0: none");
-constexpr Field shearing = real("ssef", dimension::number, 0, at_least(0), "gamma ab, bc or ca that deletes; 0: none");
+constexpr RealField shearing =
+    real("ssef", dimension::number, 0, at_least(0), "gamma ab, bc or ca that deletes; 0: none");
 
-const Card vectors_card{{
-    aopt::d1,
-    aopt::d2,
-    aopt::d3,
-    tensile,
-    shearing,
-    aopt::v1,
-    aopt::v2,
-    aopt::v3,
-}};
+const CardOf<HoneycombCards> vectors_card{
+    {&AxesCards::d1, aopt::d1},       {&AxesCards::d2, aopt::d2},        {&AxesCards::d3, aopt::d3},
+    {&HoneycombCards::tsef, tensile}, {&HoneycombCards::ssef, shearing}, {&AxesCards::v1, aopt::v1},
+    {&AxesCards::v2, aopt::v2},       {&AxesCards::v3, aopt::v3},
+};
 
-const Card own_vectors_card{{
-    aopt::d1,
-    aopt::d2,
-    aopt::d3,
-    tensile,
-    shearing,
+const CardOf<HoneycombCards> own_vectors_card{
+    {&AxesCards::d1, aopt::d1},
+    {&AxesCards::d2, aopt::d2},
+    {&AxesCards::d3, aopt::d3},
+    {&HoneycombCards::tsef, tensile},
+    {&HoneycombCards::ssef, shearing},
     real("vref", dimension::number, 0, only(0), "relative volume from which the element is a spring"),
     real("tref", dimension::time, 0, only(0), "step from which the element is a spring"),
     real("shdflg", dimension::number, 0, any_value, "damage of LCA below 0: no effect"),
-}};
+};
 
-const Card cross_card{{
-    aopt::v1,
-    aopt::v2,
-    aopt::v3,
-}};
-
-constexpr std::string_view limit_fields[] = {"lca", "lcb", "lcc", "lcab", "lcbc", "lcca"};
-constexpr std::string_view modulus_fields[] = {"eaau", "ebbu", "eccu", "gabu", "gbcu", "gcau"};
+const CardOf<HoneycombCards> cross_card{
+    {&AxesCards::v1, aopt::v1},
+    {&AxesCards::v2, aopt::v2},
+    {&AxesCards::v3, aopt::v3},
+};
 
 /// The field that names the curve of component i: where it is 0, LCA stands for normal stresses, and LCS, then LCA, for
 /// shears.
-std::string_view field_of_limit(const Row& curves, std::size_t i) {
-  if (curves.integer(limit_fields[i]) != 0) return limit_fields[i];
-  return i >= 3 && curves.integer("lcs") != 0 ? "lcs" : "lca";
+deck::Entry field_of_limit(const RowOf<HoneycombCards>& curves, std::size_t i) {
+  if (curves->curve[i] != 0) return curves[at(&HoneycombCards::curve, i)];
+  return i >= 3 && curves->lcs != 0 ? curves[&HoneycombCards::lcs] : curves[at(&HoneycombCards::curve, 0)];
 }
 
 /// A curve over the relative volume as one over 1 - V.
@@ -146,17 +151,17 @@ Curve over_strain(const Curve& over_volume) {
 }
 
 /// The curve of MAT_026 in a field, over 1 - V; empty where it is refused.
-Curve limit_over_volume(Builder& b, const Row& row, std::string_view field, const Curve& curve, double compacted) {
+Curve limit_over_volume(Builder& b, const deck::Entry& field, const Curve& curve, double compacted) {
   if (curve.x.front() <= 0.0) return curve;
   if (curve.x.front() < 1.0 && curve.x.back() >= 1.0) {
     if (curve.x.front() > compacted)
-      row.report(b.findings, Severity::warning, field,
-                 fmt::format("curve {} begins at the relative volume {:g}, but VF is {:g}: its first slope goes on",
-                             curve.id, curve.x.front(), compacted),
-                 "let it begin a little below VF");
+      field.report(b.findings, Severity::warning,
+                   fmt::format("curve {} begins at the relative volume {:g}, but VF is {:g}: its first slope goes on",
+                               curve.id, curve.x.front(), compacted),
+                   "let it begin a little below VF");
     return over_strain(curve);
   }
-  refuse(b, row, field,
+  refuse(b, field,
          fmt::format("curve {} goes from {:g} to {:g}: neither over the relative volume, from below VF to 1, nor over "
                      "the volumetric strain, from 0 or below",
                      curve.id, curve.x.front(), curve.x.back()),
@@ -165,17 +170,17 @@ Curve limit_over_volume(Builder& b, const Row& row, std::string_view field, cons
 }
 
 /// Whether a curve of a largest stress over strains can be used; warns of one steeper than the modulus it meets.
-bool check_limit(Builder& b, const Row& row, std::string_view field, const Curve& curve, const Honeycomb& law,
+bool check_limit(Builder& b, const deck::Entry& field, const Curve& curve, const Honeycomb& law,
                  std::size_t component) {
   if (*std::min_element(curve.y.begin(), curve.y.end()) < 0.0) {
-    refuse(b, row, field, fmt::format("curve {}: a largest stress is below 0", curve.id),
+    refuse(b, field, fmt::format("curve {}: a largest stress is below 0", curve.id),
            "give magnitudes, positive in compression and in tension");
     return false;
   }
   const double end = 1.0 - law.compacted_volume;
   if (law.over == Honeycomb::Over::volume && curve.extrapolated(end) < 0.0) {
     refuse(
-        b, row, field,
+        b, field,
         fmt::format("curve {}: its last slope goes on to a stress below 0 before the material is compacted", curve.id),
         "let it reach to VF");
     return false;
@@ -186,11 +191,11 @@ bool check_limit(Builder& b, const Row& row, std::string_view field, const Curve
     const double slope = (curve.y[k + 1] - curve.y[k]) / (curve.x[k + 1] - curve.x[k]), beta = curve.x[k] / end;
     const double modulus = law.modulus[component] + beta * (dense - law.modulus[component]);
     if (law.over == Honeycomb::Over::volume && slope * (1.0 - curve.x[k]) > modulus) {
-      row.report(b.findings, Severity::warning, field,
-                 fmt::format("curve {} rises by {:g} behind {:g}, more than the modulus {:g} there: the stress lags "
-                             "behind it",
-                             curve.id, slope, curve.x[k], modulus),
-                 "unloading must be steeper than the curve: raise the modulus of the core");
+      field.report(b.findings, Severity::warning,
+                   fmt::format("curve {} rises by {:g} behind {:g}, more than the modulus {:g} there: the stress lags "
+                               "behind it",
+                               curve.id, slope, curve.x[k], modulus),
+                   "unloading must be steeper than the curve: raise the modulus of the core");
       break;
     }
   }
@@ -203,7 +208,8 @@ void check_honeycomb(Builder& b, const Part& part, const deck::RowOf<PartCard>& 
   if (part.kind != ElementKind::solid || part.section == none) return;
   const auto section = static_cast<std::size_t>(part.section);
   if (m.solid_sections[section].elform < 0)
-    refuse(b, row[&PartCard::secid], "honeycomb has no Poisson effect, which bricks of ELFORM -1 and -2 count on in bending",
+    refuse(b, row[&PartCard::secid],
+           "honeycomb has no Poisson effect, which bricks of ELFORM -1 and -2 count on in bending",
            "write ELFORM 1 or 2");
   const auto* made = std::get_if<kernel::ComposedLaw>(&m.materials[static_cast<std::size_t>(part.material)].law);
   if (made == nullptr) return;  // refused
@@ -227,38 +233,25 @@ void check_honeycomb(Builder& b, const Part& part, const deck::RowOf<PartCard>& 
   m.materials[static_cast<std::size_t>(part.material)].law = kernel::composed_law(std::move(law));
 }
 
-struct HoneycombCards {
-  Row dense, curves, core, vectors;
-  Honeycomb::Over over = Honeycomb::Over::volume;
-  kernel::MaterialAxes axes;
-};
-
-void set_honeycomb(Builder& b, Index material, const HoneycombCards& cards) {
-  Honeycomb flow;
-  flow.E = cards.dense.real("e");
-  flow.nu = cards.dense.real("pr");
-  flow.yield = cards.dense.real("sigy");
-  flow.compacted_volume = cards.dense.real("vf");
-  flow.over = cards.over;
-  flow.axes = cards.axes;
-  for (std::size_t i = 0; i < 6; ++i) flow.modulus[i] = cards.core.real(modulus_fields[i]);
-  const bool is_bulk = cards.dense.integer("bulk") == 1;
-  flow.viscosity = is_bulk ? 0.0 : cards.dense.real("mu") > 0.0 ? cards.dense.real("mu") : 0.05;
-  flow.tensile_failure = failure_value(cards.vectors.real("tsef"));
-  flow.shear_failure = failure_value(cards.vectors.real("ssef"));
+/// `curves`: the second card.
+void set_honeycomb(Builder& b, Index material, const HoneycombCards& cards, const RowOf<HoneycombCards>& curves) {
+  Honeycomb flow = cards;
+  const bool is_bulk = cards.bulk == 1;
+  flow.viscosity = is_bulk ? 0.0 : cards.mu > 0.0 ? cards.mu : 0.05;
+  flow.tensile_failure = failure_value(cards.tsef);
+  flow.shear_failure = failure_value(cards.ssef);
   for (std::size_t i = 0; i < 6; ++i) {
-    const std::string_view field = field_of_limit(cards.curves, i);
-    const Index found = b.curve(cards.curves, field);
+    const deck::Entry field = field_of_limit(curves, i);
+    const Index found = b.curve(field);
     if (found == none) return;
     const Curve& curve = b.model.curves[static_cast<std::size_t>(found)];
     if (curve.empty()) return;  // reported where it is defined
-    flow.limit[i] = flow.over == Honeycomb::Over::volume
-                        ? limit_over_volume(b, cards.curves, field, curve, flow.compacted_volume)
-                        : curve;
-    if (flow.limit[i].empty() || !check_limit(b, cards.curves, field, flow.limit[i], flow, i)) return;
+    flow.limit[i] =
+        flow.over == Honeycomb::Over::volume ? limit_over_volume(b, field, curve, flow.compacted_volume) : curve;
+    if (flow.limit[i].empty() || !check_limit(b, field, flow.limit[i], flow, i)) return;
   }
-  if (cards.curves.integer("lcsr") != 0) {
-    const Index found = b.curve(cards.curves, "lcsr");
+  if (cards.lcsr != 0) {
+    const Index found = b.curve(curves[&HoneycombCards::lcsr]);
     if (found == none) return;
     flow.rate_factor = b.model.curves[static_cast<std::size_t>(found)];
   }
@@ -268,53 +261,63 @@ void set_honeycomb(Builder& b, Index material, const HoneycombCards& cards) {
   b.part_checks[material] = check_honeycomb;
 }
 
-void add_honeycomb(Builder& b, HoneycombCards cards, std::string title, std::string_view name) {
-  const double vf = cards.dense.real("vf");
+/// The rows of the cards that findings are about.
+struct HoneycombRows {
+  RowOf<HoneycombCards> dense, curves, core;
+};
+
+void add_honeycomb(Builder& b, const HoneycombCards& cards, const HoneycombRows& rows, std::string title,
+                   std::string_view name) {
+  const double vf = cards.compacted_volume;
   if (!(vf > 0.0 && vf < 1.0))
-    refuse(b, cards.dense, "vf", "the relative volume of the compacted material lies between 0 and 1", "e.g. 0.2");
-  const Index material = add_material(b, cards.dense, std::move(title), name,
-                                      kernel::Elastic{cards.dense.real("e"), cards.dense.real("pr")});
+    refuse(b, rows.dense[&Honeycomb::compacted_volume],
+           "the relative volume of the compacted material lies between 0 and 1", "e.g. 0.2");
+  const Index material = add_material(b, rows.dense, std::move(title), name, kernel::Elastic{cards.E, cards.nu});
   if (!(vf > 0.0 && vf < 1.0)) return;
-  b.defer(Phase::parts, [=](Builder& later) { set_honeycomb(later, material, cards); });
-  take_axes_of_system(b, cards.core, material);
+  b.defer(Phase::parts, [=, curves = rows.curves](Builder& later) { set_honeycomb(later, material, cards, curves); });
+  take_axes_of_system(b, rows.core[&AxesCards::aopt], material);
 }
 
 void read_honeycomb(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
   HoneycombCards cards;
-  cards.dense = cursor.read(dense_card);
-  cards.curves = cursor.read(curves_card);
-  cards.core = cursor.read(core_card);
-  const Row point = cursor.read(point_card);
-  cards.vectors = cursor.read(vectors_card);
+  HoneycombRows rows;
+  rows.dense = cursor.read(dense_card, cards);
+  rows.curves = cursor.read(curves_card, cards);
+  rows.core = cursor.read(core_card, cards);
+  const auto point = cursor.read(point_card, cards);
+  const auto vectors = cursor.read(vectors_card, cards);
   expect_end(b, cursor);
-  cards.axes = read_axes(b, block, cards.core, point, cards.vectors, cards.vectors);
-  add_honeycomb(b, std::move(cards), std::move(title), "MAT_HONEYCOMB");
+  cards.axes =
+      material_axes(b, block, cards, rows.core[&AxesCards::aopt], point[&AxesCards::a1], vectors[&AxesCards::v1]);
+  add_honeycomb(b, cards, rows, std::move(title), "MAT_HONEYCOMB");
 }
 
 void read_modified_honeycomb(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
   HoneycombCards cards;
-  cards.dense = cursor.read(dense_card);
-  cards.curves = cursor.read(own_curves_card);
-  cards.core = cursor.read(core_card);
-  const Row point = cursor.read(own_point_card);
-  cards.vectors = cursor.read(own_vectors_card);
+  HoneycombRows rows;
+  rows.dense = cursor.read(dense_card, cards);
+  rows.curves = cursor.read(own_curves_card, cards);
+  rows.core = cursor.read(core_card, cards);
+  const auto point = cursor.read(own_point_card, cards);
+  cursor.read(own_vectors_card, cards);
   cards.over = Honeycomb::Over::strain;
-  if (cards.curves.integer("lca") < 0)
-    return refuse(b, cards.curves, "lca", "LCA below 0, a yield surface by the angle off the strong axis, is not built",
+  if (cards.curve[0] < 0)
+    return refuse(b, rows.curves[at(&HoneycombCards::curve, 0)],
+                  "LCA below 0, a yield surface by the angle off the strong axis, is not built",
                   "give six curves over the strains (LCA to LCCA), or use *MAT_HONEYCOMB");
-  if (cards.curves.integer("lcsr") < 0)
-    return refuse(b, cards.curves, "lcsr", "rates of each direction by itself (LCSR -1) are not built",
+  if (cards.lcsr < 0)
+    return refuse(b, rows.curves[&HoneycombCards::lcsr], "rates of each direction by itself (LCSR -1) are not built",
                   "give one curve over the norm of the deviatoric rate");
-  if (point.integer("pru") != 0) return;  // refused; further cards would follow
-  const double aopt = cards.core.real("aopt");
-  const Row v = aopt == 3.0 || aopt == 4.0 ? cursor.read(cross_card) : Row();
+  if (cards.pru != 0) return;  // refused; further cards would follow
+  deck::Entry v1;
+  if (cards.aopt == 3.0 || cards.aopt == 4.0) v1 = cursor.read(cross_card, cards)[&AxesCards::v1];
   expect_end(b, cursor);
-  cards.axes = read_axes(b, block, cards.core, point, v, cards.vectors);
-  add_honeycomb(b, std::move(cards), std::move(title), "MAT_MODIFIED_HONEYCOMB");
+  cards.axes = material_axes(b, block, cards, rows.core[&AxesCards::aopt], point[&AxesCards::a1], v1);
+  add_honeycomb(b, cards, rows, std::move(title), "MAT_MODIFIED_HONEYCOMB");
 }
 
 }  // namespace
