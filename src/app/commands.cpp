@@ -194,39 +194,49 @@ ExitCode modes_after(const fs::path& directory, const RunArguments& arguments, c
   return modes_of(folder, modes, prepared, findings, {}, &run);
 }
 
-/// `from`: the restart file of a run that is resumed; null: a new one.
-ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output::RestartReader* from) {
-  use_threads(arguments.threads);
-  Findings findings;
-  PreparedDeck p = prepare(arguments, findings);
-  if (!p.has_text) return refuse_missing(findings);
-  if (p.model.implicit.active && !arguments.checkpoint.empty()) {
-    fmt::print(stderr, "nugget: --checkpoint: this deck asks for an implicit solution, which has no restart files\n");
-    return ExitCode::wrong_command;
-  }
-  if (findings.errors() == 0 && !p.model.implicit.active && nvh::ranks() > 1) {
-    fmt::print(
-        stderr,
-        "nugget: {}: this is an explicit run, which is one process with -j N threads; several ranks are for modes, "
-        "responses and statics; nothing was run\n",
+/// What the deck asks for (*CONTROL_IMPLICIT_GENERAL, _EIGENVALUE, *FREQUENCY_DOMAIN_...).
+enum class Analysis { explicit_dynamics, direct_response, modes_and_responses, statics };
+
+Analysis analysis_of(const model::Model& model) {
+  if (!model.implicit.active) return Analysis::explicit_dynamics;
+  if (model.implicit.modes != 0) return Analysis::modes_and_responses;
+  if (all_direct(model)) return Analysis::direct_response;
+  return model.frequency_response || model.steady_state ? Analysis::modes_and_responses : Analysis::statics;
+}
+
+/// What is wrong with the command for such an analysis; empty: nothing.
+std::string wrong_command(Analysis analysis, const RunArguments& arguments, const Findings& findings) {
+  const bool is_explicit = analysis == Analysis::explicit_dynamics;
+  if (!is_explicit && !arguments.checkpoint.empty())
+    return "--checkpoint: this deck asks for an implicit solution, which has no restart files";
+  if (findings.errors() == 0 && is_explicit && nvh::ranks() > 1)
+    return fmt::format(
+        "{}: this is an explicit run, which is one process with -j N threads; several ranks are for modes, responses "
+        "and statics; nothing was run",
         arguments.deck);
-    return ExitCode::wrong_command;
-  }
-  if (from != nullptr)
-    expect_same_deck(arguments.deck, p.deck_checksum, from->head());
-  else
-    output::remove_old_results(directory);
-  const bool response = p.model.frequency_response || p.model.steady_state;
-  if (p.model.implicit.active && p.model.implicit.modes == 0 && all_direct(p.model))
-    return direct_responses(directory, arguments, std::move(p), findings);
-  if (p.model.implicit.active && p.model.implicit.modes == 0 && !response)
-    return statics_of(directory, arguments, std::move(p), findings);
-  if (p.model.implicit.active) {
-    ModesArguments modes;
-    modes.run = arguments;
-    modes.response = true;
-    return modes_of(directory, modes, std::move(p), findings);
-  }
+  return {};
+}
+
+/// run.log and the terminal, from the end of the run on.
+void report_end(const RunArguments& arguments, const fs::path& directory, const impact::Simulation& simulation,
+                const impact::Outcome& outcome, const output::Summary& summary, Log& log) {
+  log.add(log_mass(simulation.system()));
+  log.add(log_run(simulation, summary));
+  const std::array<std::string, 3> warnings{energy_warning(summary), hourglass_warning(summary),
+                                            instability_hint(simulation, summary)};
+  for (const std::string& line : warnings) log.add(line.empty() ? "" : ' ' + line + "\n\n");
+  log.add(log_termination(outcome));
+  for (const std::string& line : {outcome.message, warnings[0], warnings[1], warnings[2]})
+    if (!line.empty()) fmt::print(stderr, "{}\n", line);
+  if (!arguments.quiet)
+    fmt::print(stderr, "{} cycles in {:.2f} s, energy ratio {:.5f}; results in {}\n", summary.cycles,
+               summary.seconds.solve, summary.energy.ratio, directory.string());
+  fmt::print("{}", log_termination({outcome.termination, {}}));
+}
+
+/// `from`: the restart file of a run that is resumed; null: a new one.
+ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, PreparedDeck p, Findings& findings,
+                      output::RestartReader* from) {
   Log log(directory / "run.log");
   Clock clock;
   std::optional<system::System> system;
@@ -257,23 +267,41 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
   output::write_welds(directory, p.welds);
   output::write_summary(directory, summary);
   report::write_report(directory);
-  log.add(log_mass(*system));
-  log.add(log_run(*simulation, summary));
-  const std::array<std::string, 3> warnings{energy_warning(summary), hourglass_warning(summary),
-                                            instability_hint(*simulation, summary)};
-  for (const std::string& line : warnings) log.add(line.empty() ? "" : ' ' + line + "\n\n");
-  log.add(log_termination(outcome));
-  for (const std::string& line : {outcome.message, warnings[0], warnings[1], warnings[2]})
-    if (!line.empty()) fmt::print(stderr, "{}\n", line);
-  if (!arguments.quiet)
-    fmt::print(stderr, "{} cycles in {:.2f} s, energy ratio {:.5f}; results in {}\n", summary.cycles,
-               summary.seconds.solve, summary.energy.ratio, directory.string());
-  fmt::print("{}", log_termination({outcome.termination, {}}));
+  report_end(arguments, directory, *simulation, outcome, summary, log);
   switch (outcome.termination) {
     case impact::Termination::normal:
       return p.model.implicit.after_run ? modes_after(directory, arguments, p, *simulation) : ExitCode::normal;
     case impact::Termination::error: return ExitCode::error_termination;
     case impact::Termination::interrupted: return ExitCode::interrupted;
+  }
+  return ExitCode::error_termination;
+}
+
+/// `from` as of run_explicit.
+ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output::RestartReader* from) {
+  use_threads(arguments.threads);
+  Findings findings;
+  PreparedDeck p = prepare(arguments, findings);
+  if (!p.has_text) return refuse_missing(findings);
+  const Analysis analysis = analysis_of(p.model);
+  if (const std::string why = wrong_command(analysis, arguments, findings); !why.empty()) {
+    fmt::print(stderr, "nugget: {}\n", why);
+    return ExitCode::wrong_command;
+  }
+  if (from != nullptr)
+    expect_same_deck(arguments.deck, p.deck_checksum, from->head());
+  else
+    output::remove_old_results(directory);
+  switch (analysis) {
+    case Analysis::explicit_dynamics: return run_explicit(directory, arguments, std::move(p), findings, from);
+    case Analysis::direct_response: return direct_responses(directory, arguments, std::move(p), findings);
+    case Analysis::statics: return statics_of(directory, arguments, std::move(p), findings);
+    case Analysis::modes_and_responses: {
+      ModesArguments modes;
+      modes.run = arguments;
+      modes.response = true;
+      return modes_of(directory, modes, std::move(p), findings);
+    }
   }
   return ExitCode::error_termination;
 }

@@ -115,7 +115,9 @@ class Build:
         self.command_of = {}  # by object, relative to the build folder
         for entry in commands:
             words = shlex.split(entry["command"])
-            self.command_of[words[words.index("-o") + 1]] = words
+            made = words[words.index("-o") + 1]
+            if made.endswith(".o"):  # not what CMake parses once for all
+                self.command_of[made] = words
 
     def sources_of(self) -> dict[str, set[str]]:
         """By object: the files of the sources that it was made from, relative to the root."""

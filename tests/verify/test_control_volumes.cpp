@@ -224,7 +224,7 @@ impact::Bag gas_of(
   Experiment experiment(chamber.specimen.deck());
   impact::Bag end;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    end = now.components.loads.volumes().front().bag;
+    end = now.components.loads.of<model::ControlVolume>().front().gas().bag;
     watch(now.state.time, end);
   });
   return end;
@@ -293,7 +293,7 @@ TEST(FlowingGas, ALidIsLiftedByWhatFlowsIn) {
   double balance = 0.0, kinetic = 0.0, h = 0.0;
   Experiment experiment(chamber.specimen.deck());
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    gas = now.components.loads.volumes().front().bag;
+    gas = now.components.loads.of<model::ControlVolume>().front().gas().bag;
     const double v = experiment.velocity(now, chamber.lid(2, 2)).z;
     h = height + experiment.displacement(now, chamber.lid(2, 2)).z;
     kinetic = 0.5 * mass * v * v;

@@ -10,10 +10,7 @@
 namespace nugget::impact {
 
 /// The gas of *AIRBAG_SIMPLE_AIRBAG_MODEL: one ideal gas of uniform pressure and temperature, in walls that take no
-/// heat. Its mass and internal energy E follow
-///     dm/dt = q_in - q_out,   dE/dt = q_in h(T_in) - q_out h(T) - p dV/dt,
-/// h the integral of cp from absolute zero, E / m = h - R T, p = m R T / V (LS-DYNA Theory Manual, Airbags: the control
-/// volume of Wang and Nefske, SAE 880654, 1988).
+/// heat (docs/theory/gas.md#gas-that-flows).
 struct Bag {
   double volume = 0.0;  ///< [length^3]
   double mass = 0.0;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <tuple>
 #include <vector>
 
-#include "base/archive.hpp"
-#include "impact/conditions/bag.hpp"
+#include "impact/conditions/body_load.hpp"
+#include "impact/conditions/gas_volume.hpp"
+#include "impact/conditions/nodal_load.hpp"
+#include "impact/conditions/pressure_load.hpp"
 #include "impact/energy/energy.hpp"
-#include "system/system.hpp"
 
 namespace nugget::impact {
 
-/// Forces, moments, pressures, body loads and the gas in control volumes.
+/// All loads of the model (model::LoadLists::kinds); each kind has its file, which is included here.
 /// The work is booked so that it fits the discrete energy balance of the central-difference scheme
 /// (docs/decisions/0002): a force F at t(n) does 1/2 F . (v(n-1/2) dt(n-1) + v(n+1/2) dt(n)).
 class Loads {
@@ -24,66 +26,37 @@ class Loads {
   /// As that of the supports; the gas in volumes keeps what it has given.
   void add_energy(Energy& energy) const { energy.external += work_; }
   void reset_work() { work_ = 0.0; }
-  /// Takes the masses that body loads act on from the system, of what mass scaling added the share EMSCL: to be called
-  /// when they have changed.
-  void update_load_masses();
+  /// To be called when masses have changed.
+  void update_masses();
 
-  /// Gas at the moment of the last `apply`.
-  struct Volume {
-    const model::ControlVolume* source = nullptr;
-    double at_start = 0.0, volume = 0.0;  ///< times VSCA
-    double pressure = 0.0;                ///< on the faces
-    double relative_pressure = 1.0;       ///< of an adiabatic gas: absolute pressure over that at the start
-    double work = 0.0;                    ///< done on the faces so far
-    bool preload_over = false;
-    Bag bag;                  ///< of a gas that flows
-    std::vector<Vec3d> last;  ///< as of a pressure
-    void archive(Archive& a);
-  };
-  const std::vector<Volume>& volumes() const { return volumes_; }
+  /// Those of one kind, in the order of the model.
+  template <class Load>
+  const std::vector<ActingLoad<Load>>& of() const {
+    return std::get<std::vector<ActingLoad<Load>>>(loads_);
+  }
 
   void archive(Archive& a);
 
  private:
-  struct Nodal {
-    const model::NodalLoad* load;
-    std::vector<int> nodes;
-    Vec3d last;
-    void archive(Archive& a);
-  };
-  struct Pressure {
-    const model::PressureLoad* load;
-    std::vector<Vec3d> last;  // force on each node of each segment
-    void archive(Archive& a);
-  };
-  struct Body {
-    const model::BodyLoad* load;
-    std::vector<int> nodes;
-    std::vector<double> mass;
-    double last = 0.0;
-    std::vector<Vec3d> last_force;  ///< by node of the system, of a centrifugal load
-    void archive(Archive& a);
-  };
-  void apply(Nodal& nodal, system::State& state, double dt);
-  void apply(Pressure& pressure, system::State& state, double dt);
-  void apply(Volume& volume, system::State& state, double dt);
-  double pressure(Volume& volume, const system::State& state, double dt) const;
-  /// `pressure` on faces; `last` holds the forces on their corners.
-  void press(const std::vector<model::Segment>& segments, const std::vector<model::CornerShares>& share,
-             double pressure, std::vector<Vec3d>& last, system::State& state, double dt);
-  void apply(Body& body, system::State& state, double dt);
-  double curve_value(const model::BodyLoad& load, const system::State& state) const;
-  std::vector<double> nodes_without_weight() const;
-  void load_nodes(Body& body) const;
-  void load_everything(Body& body) const;
-  void load_parts(Body& body) const;
-  void apply_centrifugal(Body& body, system::State& state, double dt, double omega);
+  template <class... Load>
+  static std::tuple<std::vector<ActingLoad<Load>>...> acting(const std::tuple<const std::vector<Load>&...>& kinds,
+                                                             const system::System& system) {
+    const auto each = [&]<class One>(const std::vector<One>& loads) {
+      std::vector<ActingLoad<One>> made;
+      for (const One& load : loads) made.emplace_back(load, system);
+      return made;
+    };
+    return {each(std::get<const std::vector<Load>&>(kinds))...};
+  }
+  template <class Visit>
+  void for_each(Visit visit) {
+    const auto each = [&](auto& list) {
+      for (auto& load : list) visit(load);
+    };
+    std::apply([&](auto&... list) { (each(list), ...); }, loads_);
+  }
 
-  const system::System& system_;
-  std::vector<Nodal> nodal_;
-  std::vector<Pressure> pressure_;
-  std::vector<Volume> volumes_;
-  std::vector<Body> body_;
+  decltype(acting(model::LoadLists{}.kinds(), std::declval<const system::System&>())) loads_;
   double work_ = 0.0;
 };
 

@@ -333,7 +333,7 @@ void Simulation::update_inverse_mass() {
     contact_mass_[k] = dependent_[k] ? system_.own_mass[k] : system_.mass[k];
   }
   set_rigid_contact_mass(system_, contact_mass_);
-  components_.loads.update_load_masses();
+  components_.loads.update_masses();
 }
 
 void Simulation::choose_step(double end_time) {

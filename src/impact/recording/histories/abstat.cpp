@@ -11,8 +11,9 @@ output::AbstatState abstat_state(const Snapshot& now) {
   output::AbstatState s;
   s.time = now.state.time;
   int number = 0;
-  for (const Loads::Volume& volume : now.components.loads.volumes()) {
-    const model::ControlVolume& source = *volume.source;
+  for (const ActingLoad<model::ControlVolume>& acting : now.components.loads.of<model::ControlVolume>()) {
+    const auto& volume = acting.gas();
+    const model::ControlVolume& source = acting.source();
     output::AbstatRow row;
     row.id = source.id > 0 ? source.id : number + 1;
     ++number;

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "impact/conditions/body_load.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "base/index.hpp"
+
+namespace nugget::impact {
+
+ActingLoad<model::BodyLoad>::ActingLoad(const model::BodyLoad& load, const system::System& system)
+    : load_(load), system_(system), last_force_(load.centrifugal ? system.all_nodes() : 0) {
+  update_masses();
+}
+
+void ActingLoad<model::BodyLoad>::update_masses() {
+  nodes_.clear();
+  mass_.clear();
+  if (!load_.nodes.empty())
+    load_nodes();
+  else if (load_.parts.empty())
+    load_everything();
+  else
+    load_parts();
+}
+
+/// By node as its elements have it: what mass scaling added and EMSCL leaves without weight [mass].
+std::vector<double> ActingLoad<model::BodyLoad>::nodes_without_weight() const {
+  const double share = 1.0 - system_.model.control.weight_of_added_mass;
+  std::vector<double> without(system_.nodes, 0.0);
+  for (const auto& group : system_.groups) {
+    if (group->added_mass_is_physical) continue;
+    for (std::size_t e = 0; e < group->size(); ++e) {
+      const double added = group->mass_scale(e) - 1.0;
+      if (!(added > 0.0)) continue;
+      const auto nodes = group->nodes(e);
+      for (int a = 0; a < group->nodes_per_element; ++a)
+        without[at(nodes[at(a)])] += share * added * group->nodal_mass(e, a);
+    }
+  }
+  return without;
+}
+
+void ActingLoad<model::BodyLoad>::load_everything() {
+  const std::vector<double> own = nodes_without_weight();
+  std::vector<double> without(system_.nodes + system_.bodies.size(), 0.0);
+  for (std::size_t k = 0; k < system_.nodes; ++k) {
+    if (!system_.map.dependent(static_cast<int>(k)))
+      without[k] += own[k];
+    else
+      for (const system::ConstraintMap::Term& t : system_.map.terms(static_cast<int>(k)))
+        without[at(t.node)] += t.weight * own[k];
+  }
+  for (std::size_t k = 0; k < without.size(); ++k) {
+    const bool rigid = k >= system_.nodes;
+    // The mass that a deck gives a body is not that of its elements, scaled or not.
+    if (rigid && system_.model.rigid_bodies[at(system_.bodies[k - system_.nodes].source)].given) without[k] = 0.0;
+    const double m = (rigid ? system_.bodies[k - system_.nodes].mass : system_.mass[k]) - without[k];
+    if (m <= 0.0) continue;
+    nodes_.push_back(static_cast<int>(k));
+    mass_.push_back(m);
+  }
+}
+
+/// The parts' own nodal masses; what they put on dependent nodes reaches the independent ones through `collect`.
+void ActingLoad<model::BodyLoad>::load_parts() {
+  const std::vector<model::Index>& parts = load_.parts;
+  const auto wanted = [&](model::Index part) { return std::find(parts.begin(), parts.end(), part) != parts.end(); };
+  std::map<int, double> mass;
+  for (const auto& group : system_.groups) {
+    if (!wanted(group->part)) continue;
+    for (std::size_t e = 0; e < group->size(); ++e) {
+      const auto nodes = group->nodes(e);
+      const double added = group->mass_scale(e) - 1.0;
+      const double weight =
+          1.0 + (group->added_mass_is_physical ? added : system_.model.control.weight_of_added_mass * added);
+      for (int a = 0; a < group->nodes_per_element; ++a)
+        mass[nodes[static_cast<std::size_t>(a)]] += weight * group->nodal_mass(e, a);
+    }
+  }
+  // Rigid parts, and what else has mass without a kernel. A body of given mass weighs that, not what its mesh would.
+  struct Mesh {
+    double wanted = 0.0, all = 0.0;
+  };
+  std::map<model::Index, Mesh> meshes;
+  for (const system::System::MassOnlyElement& mass_only : system_.mass_only_elements()) {
+    const model::Index source = system_.model.parts[at(mass_only.part)].rigid_body;
+    const bool given = source != model::none && system_.model.rigid_bodies[at(source)].given;
+    if (given) {
+      meshes[source].all += mass_only.mass;
+      if (wanted(mass_only.part)) meshes[source].wanted += mass_only.mass;
+    } else if (wanted(mass_only.part)) {
+      for (int a = 0; a < mass_only.corners; ++a)
+        mass[mass_only.node[static_cast<std::size_t>(a)]] += mass_only.nodal_mass(a);
+    }
+  }
+  for (const auto& [source, mesh] : meshes) {
+    const system::RigidBody& rigid = system_.bodies[at(system_.body_of[at(source)])];
+    if (mesh.wanted > 0.0) mass[rigid.node] += mesh.wanted / mesh.all * rigid.mass;
+  }
+  for (const auto& [node, m] : mass) {
+    nodes_.push_back(node);
+    mass_.push_back(m);
+  }
+}
+
+/// The nodes of a set with their own masses. A rigid body that is in the set as a whole weighs what it weighs: its
+/// given mass is not that of its nodes.
+void ActingLoad<model::BodyLoad>::load_nodes() {
+  const model::Model& model = system_.model;
+  std::vector<char> wanted(system_.nodes, 0);
+  const auto place = [&](model::Index n) { return at(system_.node_of[at(n)]); };
+  for (const model::Index n : load_.nodes) wanted[place(n)] = 1;
+  const auto take = [&](int node, double mass) {
+    if (!(mass > 0.0)) return;
+    nodes_.push_back(node);
+    mass_.push_back(mass);
+  };
+  for (const system::RigidBody& rigid : system_.bodies) {
+    const std::vector<model::Index>& nodes = model.rigid_bodies[at(rigid.source)].nodes;
+    if (!std::all_of(nodes.begin(), nodes.end(), [&](model::Index n) { return wanted[place(n)] != 0; })) continue;
+    for (const model::Index n : nodes) wanted[place(n)] = 0;
+    take(rigid.node, rigid.mass);
+  }
+  const std::vector<double> without = nodes_without_weight();
+  for (std::size_t k = 0; k < system_.nodes; ++k)
+    if (wanted[k]) take(static_cast<int>(k), system_.own_mass[k] - without[k]);
+}
+
+double ActingLoad<model::BodyLoad>::motion(const system::State& state) const {
+  if (state.relaxing && load_.relaxation_curve != model::none)
+    return load_.scale * system_.model.curves[at(load_.relaxation_curve)].zero_outside(state.time);
+  if (load_.curve == model::none) return load_.scale;
+  return load_.scale * load_value(system_.model.curves[at(load_.curve)], state.time, state);
+}
+
+void ActingLoad<model::BodyLoad>::apply(system::State& state, double dt, double& work) {
+  if (load_.centrifugal) return apply_centrifugal(state, dt, motion(state), work);
+  // Base acceleration: the structure feels -m a.
+  const double a = -motion(state);
+  double momentum = 0.0;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const auto k = at(nodes_[i]);
+    momentum += mass_[i] * dot(load_.direction, vec(state.v[k]));
+    add(state.f[k], (a * mass_[i]) * load_.direction);
+  }
+  work += 0.5 * dt * (last_ + a) * momentum;
+  last_ = a;
+}
+
+void ActingLoad<model::BodyLoad>::apply_centrifugal(system::State& state, double dt, double omega, double& work) {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const auto k = at(nodes_[i]);
+    const Vec3d arm = vec(state.x[k]) - load_.center;
+    const Vec3d outwards = arm - dot(arm, load_.direction) * load_.direction;
+    const Vec3d force = (mass_[i] * omega * omega) * outwards;
+    work += 0.5 * dt * dot(last_force_[k] + force, vec(state.v[k]));
+    add(state.f[k], force);
+    last_force_[k] = force;
+  }
+}
+
+void ActingLoad<model::BodyLoad>::archive(Archive& a) {
+  a(last_, last_force_, nodes_, mass_);
+  a.built(load_, system_);
+}
+
+}  // namespace nugget::impact
