@@ -69,7 +69,7 @@ class Maker {
       body.parts = {static_cast<Index>(p)};
       body.place = part.place;
       if (const auto card = b_.rigid_cards.find(part.material); card != b_.rigid_cards.end())
-        constrain(body, card->second);
+        constrain(body, card->second.constraint);
       if (const Frame3d* axes = body_axes(b_, part.id)) body.own_axes = *axes;
       if (const auto inertia = b_.part_inertia.find(static_cast<Index>(p)); inertia != b_.part_inertia.end()) {
         body.given = true;
@@ -88,24 +88,25 @@ class Maker {
                        [&](const auto& row) { return row->pidl == id || row->pidc == id; });
   }
 
-  void constrain(RigidBody& body, const RigidCard& card) {
-    if (card.cmo == 1) body.fixed = bits_of_code(card.con1) | bits_of_code(card.con2) << 3;
-    if (card.cmo == -1) constrain_along_axes(body, card.row);
+  void constrain(RigidBody& body, const deck::RowOf<RigidConstraintCard>& card) {
+    if (card->cmo == 1.0) body.fixed = card->fixed_by_codes();
+    if (card->cmo == -1.0) constrain_along_axes(body, card);
   }
 
   /// CMO -1: CON1 is a coordinate system, CON2 has the digits of what is held.
-  void constrain_along_axes(RigidBody& body, const Row& card) {
-    const Index system = b_.system(card, "con1");
+  void constrain_along_axes(RigidBody& body, const deck::RowOf<RigidConstraintCard>& card) {
+    const deck::Entry con1 = card[&RigidConstraintCard::system];
+    const Index system = b_.system(con1);
     if (system == none) {
-      if (card.integer("con1") == 0)
-        refuse(b_, card, "con1", "CMO -1 needs the coordinate system of its directions", "give its id");
+      if (con1.integer() == 0) refuse(b_, con1, "CMO -1 needs the coordinate system of its directions", "give its id");
       return;
     }
     body.fixed_axes = model_.systems[static_cast<std::size_t>(system)].axes;
     // Digits x y z rx ry rz, leading zeros may be missing.
-    auto digits = static_cast<int>(card.real("con2"));
+    auto digits = static_cast<int>(card->con2);
     for (int i = 5; i >= 0; --i, digits /= 10) {
-      if (digits % 10 > 1) return refuse(b_, card, "con2", "expected six digits, each 0 or 1, e.g. 110111");
+      if (digits % 10 > 1)
+        return refuse(b_, card[&RigidConstraintCard::con2], "expected six digits, each 0 or 1, e.g. 110111");
       if (digits % 10 == 1) body.fixed |= 1u << i;
     }
   }

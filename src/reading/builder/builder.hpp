@@ -71,16 +71,6 @@ struct Box {
   }
 };
 
-/// What holds a *MAT_RIGID's parts (its second card); the rigid bodies are made of it.
-struct RigidCard {
-  int cmo = 0;   ///< 1: codes in global axes, -1: six digits in the axes of a coordinate system, 0: free
-  int con1 = 0;  ///< CMO 1: code of held translations 0..7; CMO -1: id of the coordinate system
-  int con2 = 0;  ///< CMO 1: code of held rotations 0..7; CMO -1: digits xyz and rx ry rz, e.g. 110111
-  int lco = 0;   ///< LCO: id of the coordinate system of local motions and output, 0 none
-  std::optional<Frame3d> output_axes;  ///< instead of it, by two vectors
-  deck::Row row;                       ///< the card, for findings
-};
-
 /// *SECTION_SOLID: what its card says beside the section's own members.
 struct SolidCard : SectionSolid {
   double cohoff = 0.0, gaskett = 0.0;
@@ -105,9 +95,6 @@ struct PartMassCard {
   double addmass = 0.0, finmass = 0.0;
   int lcid = 0;
 };
-
-/// The codes 0..7 of LS-DYNA (x, y, z, xy, yz, zx, xyz) as bits 0..2.
-unsigned bits_of_code(int code);
 
 class Builder {
  public:

@@ -216,12 +216,12 @@ const CardOf<IndependentCard> interpolation_set = independent_card(IdSpace::set)
 // ----------------------------------------------------------------------------------------------------
 
 void read_spc(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
-  const RigidCard constraint = read_rigid_constraint(builder, cursor);
-  const Row& row = constraint.row;
-  if (constraint.cmo == 1) body.fixed = bits_of_code(constraint.con1) | bits_of_code(constraint.con2) << 3;
-  if (constraint.cmo == -1) body.spc = row;
-  for (const std::string_view field : {"spcnid", "xspc", "yspc", "zspc"})
-    refuse_nonzero(builder, row, field, "a body is held at its centre of mass; another point is not built",
+  using Card = RigidConstraintCard;
+  const auto row = read_rigid_constraint(builder, cursor);
+  if (row->cmo == 1.0) body.fixed = row->fixed_by_codes();
+  if (row->cmo == -1.0) body.spc = row;
+  for (const deck::Entry& field : {row[&Card::spcnid], row[&Card::xspc], row[&Card::yspc], row[&Card::zspc]})
+    refuse_nonzero(builder, field, "a body is held at its centre of mass; another point is not built",
                    "leave it blank");
 }
 

@@ -18,178 +18,200 @@ namespace {
 using deck::Block;
 using deck::Cursor;
 using deck::Row;
+using deck::RowOf;
 
-const Card elastic_card{{
-    material_id,
-    density,
-    young,
-    poisson,
+struct ElasticCard : MaterialCard, kernel::Elastic {};
+const CardOf<ElasticCard> elastic_card{
+    {&MaterialCard::mid, material_id},
+    {&MaterialCard::ro, density},
+    {&kernel::Elastic::E, young},
+    {&kernel::Elastic::nu, poisson},
     real("da", dimension::number, 0, any_value, "axial damping of Belytschko-Schwer beams, no effect here"),
     real("db", dimension::number, 0, any_value, "bending damping of Belytschko-Schwer beams, no effect here"),
     unused(),
     unused(),
-}};
+};
 
-const Card kinematic_card{{
-    material_id,
-    density,
-    young,
-    poisson,
-    real("sigy", dimension::stress, required, above_zero(), "yield stress"),
-    real("etan", dimension::stress, 0, at_least(0), "tangent modulus, below E"),
-    real("beta", dimension::number, 0, between(0, 1), "hardening: 0 kinematic, 1 isotropic"),
+/// Both cards of *MAT_PLASTIC_KINEMATIC.
+struct KinematicCards : MaterialCard, kernel::PlasticKinematic {
+  double src = 0, srp = 0;
+};
+const CardOf<KinematicCards> kinematic_card{
+    {&MaterialCard::mid, material_id},
+    {&MaterialCard::ro, density},
+    {&kernel::PlasticKinematic::E, young},
+    {&kernel::PlasticKinematic::nu, poisson},
+    {&kernel::PlasticKinematic::yield, real("sigy", dimension::stress, required, above_zero(), "yield stress")},
+    {&kernel::PlasticKinematic::tangent_modulus,
+     real("etan", dimension::stress, 0, at_least(0), "tangent modulus, below E")},
+    {&kernel::PlasticKinematic::beta,
+     real("beta", dimension::number, 0, between(0, 1), "hardening: 0 kinematic, 1 isotropic")},
     unused(),
-}};
+};
 
-const Card kinematic_rate_card{{
-    real("src", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect"),
-    real("srp", dimension::number, 0, at_least(0), "Cowper-Symonds P"),
-    real("fs", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none"),
+const CardOf<KinematicCards> kinematic_rate_card{
+    {&KinematicCards::src, real("src", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect")},
+    {&KinematicCards::srp, real("srp", dimension::number, 0, at_least(0), "Cowper-Symonds P")},
+    {&kernel::PlasticKinematic::failure_strain,
+     real("fs", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none")},
     vp,
-}};
+};
 
-const Card null_card{{
-    material_id,
-    density,
-    real("pc", dimension::stress, 0, any_value, "solids: the pressure falls no further; below 0, or 0: no limit"),
-    real("mu", {1, -1, -1}, 0, at_least(0), "solids: viscosity; deviators are 2 MU times those of the strain rate"),
-    real("terod", dimension::number, 0, any_value, "solids: relative volume at which they erode in tension: not built"),
-    real("cerod", dimension::number, 0, any_value, "the same in compression: not built"),
-    real("ym", dimension::stress, 0, at_least(0), "shells, beams: Young's modulus, for contact only"),
-    real("pr", dimension::number, 0, between(0, 0.5), "shells, beams: Poisson's ratio, for contact only"),
-}};
+struct NullCard : MaterialCard {
+  double pc = 0, mu = 0, terod = 0, cerod = 0, ym = 0, pr = 0;
+};
+const CardOf<NullCard> null_card{
+    {&MaterialCard::mid, material_id},
+    {&MaterialCard::ro, density},
+    {&NullCard::pc,
+     real("pc", dimension::stress, 0, any_value, "solids: the pressure falls no further; below 0, or 0: no limit")},
+    {&NullCard::mu,
+     real("mu", {1, -1, -1}, 0, at_least(0), "solids: viscosity; deviators are 2 MU times those of the strain rate")},
+    {&NullCard::terod, real("terod", dimension::number, 0, any_value,
+                            "solids: relative volume at which they erode in tension: not built")},
+    {&NullCard::cerod, real("cerod", dimension::number, 0, any_value, "the same in compression: not built")},
+    {&NullCard::ym, real("ym", dimension::stress, 0, at_least(0), "shells, beams: Young's modulus, for contact only")},
+    {&NullCard::pr,
+     real("pr", dimension::number, 0, between(0, 0.5), "shells, beams: Poisson's ratio, for contact only")},
+};
 
-const Card rigid_card{{
-    material_id,
-    density,
-    real("e", dimension::stress, 0, at_least(0), "Young's modulus, for contact only"),
-    real("pr", dimension::number, 0, between(0, 0.5), "Poisson's ratio, for contact only"),
+struct RigidMaterialCard : MaterialCard, kernel::Rigid {};
+const CardOf<RigidMaterialCard> rigid_card{
+    {&MaterialCard::mid, material_id},
+    {&MaterialCard::ro, density},
+    {&kernel::Rigid::E, real("e", dimension::stress, 0, at_least(0), "Young's modulus, for contact only")},
+    {&kernel::Rigid::nu, real("pr", dimension::number, 0, between(0, 0.5), "Poisson's ratio, for contact only")},
     real("n", dimension::number, 0, only(0), "coupling with MADYMO or CAL3D"),
     real("couple", dimension::number, 0, only(0), "coupling with MADYMO or CAL3D"),
     real("m", dimension::number, 0, only(0), "coupling with MADYMO or CAL3D"),
     text("alias", 10, "name for MADYMO, no effect"),
-}};
+};
 
-const Card rigid_output_card{{
-    real("lco_or_a1", dimension::number, 0, any_value,
-         "LCO, coordinate system of local motions; else first of two vectors"),
-    real("a2", dimension::number, 0, any_value, "first vector a: first of the body's own axes"),
-    real("a3", dimension::number, 0, any_value, "first vector a: first of the body's own axes"),
-    real("v1", dimension::number, 0, any_value, "second vector v: third axis c = a x v, second c x a"),
-    real("v2", dimension::number, 0, any_value, "second vector v: third axis c = a x v, second c x a"),
-    real("v3", dimension::number, 0, any_value, "second vector v: third axis c = a x v, second c x a"),
+struct RigidOutputCard {
+  double a1 = 0, a2 = 0, a3 = 0, v1 = 0, v2 = 0, v3 = 0;
+};
+const CardOf<RigidOutputCard> rigid_output_card{
+    {&RigidOutputCard::a1, real("lco_or_a1", dimension::number, 0, any_value,
+                                "LCO, coordinate system of local motions; else first of two vectors")},
+    {&RigidOutputCard::a2, real("a2", dimension::number, 0, any_value, "first vector a: first of the body's own axes")},
+    {&RigidOutputCard::a3, real("a3", dimension::number, 0, any_value, "first vector a: first of the body's own axes")},
+    {&RigidOutputCard::v1,
+     real("v1", dimension::number, 0, any_value, "second vector v: third axis c = a x v, second c x a")},
+    {&RigidOutputCard::v2,
+     real("v2", dimension::number, 0, any_value, "second vector v: third axis c = a x v, second c x a")},
+    {&RigidOutputCard::v3,
+     real("v3", dimension::number, 0, any_value, "second vector v: third axis c = a x v, second c x a")},
     integer("bndlco", 0, any_value, "axes of bndout, no effect"),
-}};
+};
 
-const Card plastic_card{{
-    material_id,
-    density,
-    young,
-    poisson,
-    real("sigy", dimension::stress, 0, at_least(0), "yield stress, unless LCSS or EPS and ES are given"),
-    real("etan", dimension::stress, 0, at_least(0), "tangent modulus, below E"),
-    real("fail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none"),
-    real("tdel", dimension::time, 0, at_least(0), "smallest time step of an element before it is deleted; 0: none"),
-}};
+const CardOf<YieldCards> plastic_card{
+    {&MaterialCard::mid, material_id},
+    {&MaterialCard::ro, density},
+    {&YieldCards::e, young},
+    {&YieldCards::pr, poisson},
+    {&YieldCards::sigy,
+     real("sigy", dimension::stress, 0, at_least(0), "yield stress, unless LCSS or EPS and ES are given")},
+    {&YieldCards::etan, real("etan", dimension::stress, 0, at_least(0), "tangent modulus, below E")},
+    {&YieldCards::fail, real("fail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none")},
+    {&YieldCards::tdel,
+     real("tdel", dimension::time, 0, at_least(0), "smallest time step of an element before it is deleted; 0: none")},
+};
 
-const Card plastic_rate_card{{
-    real("c", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect"),
-    real("p", dimension::number, 0, at_least(0), "Cowper-Symonds P"),
-    id("lcss", IdSpace::function, 0, "yield stress over plastic strain: curve, or table over the strain rate"),
-    id("lcsr", IdSpace::function, 0, "curve: factor on the yield stress over the strain rate"),
-    vp_of_curves,
+const CardOf<YieldCards> plastic_rate_card{
+    {&YieldCards::c, real("c", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect")},
+    {&YieldCards::p, real("p", dimension::number, 0, at_least(0), "Cowper-Symonds P")},
+    {&YieldCards::lcss,
+     id("lcss", IdSpace::function, 0, "yield stress over plastic strain: curve, or table over the strain rate")},
+    {&YieldCards::lcsr, id("lcsr", IdSpace::function, 0, "curve: factor on the yield stress over the strain rate")},
+    {&YieldCards::vp, vp_of_curves},
     unused(),
     real("rfiltf", dimension::number, 0, any_value, "filter of the plastic rate of vp 4: not needed, no effect"),
     unused(),
-}};
+};
 
 void read_elastic(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  const Row row = cursor.read(elastic_card);
+  const auto row = cursor.read(elastic_card);
   expect_end(b, cursor);
-  add_material(b, row, std::move(title), "MAT_ELASTIC", kernel::Elastic{row.real("e"), row.real("pr")});
+  add_material(b, row, std::move(title), "MAT_ELASTIC", static_cast<const kernel::Elastic&>(*row));
 }
 
 void read_kinematic(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  const Row row = cursor.read(kinematic_card);
-  const Row rate = cursor.read(kinematic_rate_card);
+  KinematicCards cards;
+  const auto row = cursor.read(kinematic_card, cards);
+  const auto rate = cursor.read(kinematic_rate_card, cards);
   expect_end(b, cursor);
-  check_tangent(b, row);
-  warn_of_half_a_rate(b, rate.entry("src"), rate.entry("srp"));
-  kernel::PlasticKinematic law;
-  law.E = row.real("e");
-  law.nu = row.real("pr");
-  law.yield = row.real("sigy");
-  law.tangent_modulus = row.real("etan");
-  law.beta = row.real("beta");
-  if (rate.real("src") > 0.0 && rate.real("srp") > 0.0) {
-    law.rate_c = rate.real("src");
-    law.rate_p = rate.real("srp");
+  check_tangent(b, cards.E, row[&kernel::PlasticKinematic::tangent_modulus]);
+  warn_of_half_a_rate(b, rate[&KinematicCards::src], rate[&KinematicCards::srp]);
+  kernel::PlasticKinematic law = cards;
+  if (cards.src > 0.0 && cards.srp > 0.0) {
+    law.rate_c = cards.src;
+    law.rate_p = cards.srp;
   }
-  law.failure_strain = failure_value(rate.real("fs"));
+  law.failure_strain = failure_value(law.failure_strain);
   add_material(b, row, std::move(title), "MAT_PLASTIC_KINEMATIC", law);
 }
 
 void read_null(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  const Row row = cursor.read(null_card);
+  const auto row = cursor.read(null_card);
   expect_end(b, cursor);
-  if (row.real("pc") > 0.0)
-    row.report(b.findings, Severity::warning, "pc", "a limit of the pressure is below 0; taken as none",
-               "write a negative pressure");
+  if (row->pc > 0.0)
+    row[&NullCard::pc].report(b.findings, Severity::warning, "a limit of the pressure is below 0; taken as none",
+                              "write a negative pressure");
   add_material(b, row, std::move(title), "MAT_NULL",
-               kernel::Null{row.real("ym"), row.real("pr"), row.real("mu"), std::max(-row.real("pc"), 0.0),
-                            row.real("terod") > 0.0 || row.real("cerod") > 0.0});
+               kernel::Null{row->ym, row->pr, row->mu, std::max(-row->pc, 0.0), row->terod > 0.0 || row->cerod > 0.0});
 }
 
 /// The third card: LCO, the coordinate system of local motions and output, or two vectors a and v that give the axes of
 /// output a, c = a x v and b = c x a.
-void take_local_axes(Builder& b, const Block& block, const Row& row, RigidCard& constraint) {
-  const Vec3d v = direction(block, row, "v1", "v2", "v3");
-  if (row.real("a2") == 0.0 && row.real("a3") == 0.0 && norm(v) == 0.0) {
-    constraint.lco = system_id(block, row.real("lco_or_a1"));
+void take_local_axes(Builder& b, const Block& block, const RowOf<RigidOutputCard>& row, RigidCard& card) {
+  const Vec3d v = direction(block, {row->v1, row->v2, row->v3});
+  if (row->a2 == 0.0 && row->a3 == 0.0 && norm(v) == 0.0) {
+    card.lco = system_id(block, row->a1);
     return;
   }
   Frame3d axes;
-  if (!frame_from(direction(block, row, "lco_or_a1", "a2", "a3"), v, axes))
-    return refuse(b, row, "v1", "the two vectors are parallel, or one is missing",
+  if (!frame_from(direction(block, {row->a1, row->a2, row->a3}), v, axes))
+    return refuse(b, row[&RigidOutputCard::v1], "the two vectors are parallel, or one is missing",
                   "give two vectors that span a plane");
-  constraint.output_axes = axes;
+  card.output_axes = axes;
 }
 
 void read_rigid(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  const Row row = cursor.read(rigid_card);
-  RigidCard constraint = read_rigid_constraint(b, cursor);
-  take_local_axes(b, block, cursor.read(rigid_output_card), constraint);
+  const auto row = cursor.read(rigid_card);
+  RigidCard card;
+  card.constraint = read_rigid_constraint(b, cursor);
+  take_local_axes(b, block, cursor.read(rigid_output_card), card);
   expect_end(b, cursor);
-  const Index material =
-      add_material(b, row, std::move(title), "MAT_RIGID", kernel::Rigid{row.real("e"), row.real("pr")});
-  b.rigid_cards[material] = std::move(constraint);
+  const Index material = add_material(b, row, std::move(title), "MAT_RIGID", static_cast<const kernel::Rigid&>(*row));
+  b.rigid_cards[material] = std::move(card);
 }
 
 void read_plastic(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  YieldCards cards{cursor.read(plastic_card), cursor.read(plastic_rate_card), cursor.read(yield_strain_card),
-                   cursor.read(yield_stress_card), options.contains("LOG_INTERPOLATION")};
+  const YieldRows rows =
+      read_yield_cards(cursor, plastic_card, plastic_rate_card, options.contains("LOG_INTERPOLATION"));
   expect_end(b, cursor);
-  check_tangent(b, cards.main);
+  const YieldCards& cards = rows.cards();
+  check_tangent(b, cards.e, rows.main[&YieldCards::etan]);
   kernel::PiecewiseLinear law;
-  law.E = cards.main.real("e");
-  law.nu = cards.main.real("pr");
-  law.failure_strain = failure_value(cards.main.real("fail"));
-  law.deletion_step = cards.main.real("tdel");
-  const Index material = add_material(b, cards.main, std::move(title), "MAT_PIECEWISE_LINEAR_PLASTICITY", law);
+  law.E = cards.e;
+  law.nu = cards.pr;
+  law.failure_strain = failure_value(cards.fail);
+  law.deletion_step = cards.tdel;
+  const Index material = add_material(b, rows.main, std::move(title), "MAT_PIECEWISE_LINEAR_PLASTICITY", law);
   // Curves may be defined later in the deck.
-  b.defer(Phase::parts, [material, cards](Builder& later) {
+  b.defer(Phase::parts, [material, rows](Builder& later) {
     auto& m = later.model.materials[static_cast<std::size_t>(material)];
-    set_yield_curves(later, cards, std::get<kernel::PiecewiseLinear>(m.law));
+    set_yield_curves(later, rows, std::get<kernel::PiecewiseLinear>(m.law));
   });
 }
 
@@ -246,52 +268,45 @@ std::optional<kernel::PlasticDamage> plastic_damage(Builder& b, const deck::Entr
 
 namespace {
 
-constexpr Field point_of_constraint(std::string_view name) {
+constexpr RealField point_of_constraint(std::string_view name) {
   return real(name, dimension::length, 0, any_value, "for cmo 2 only, which is not built");
 }
 
 }  // namespace
 
-const Card rigid_constraint_card{{
-    real("cmo", dimension::number, 0, between(-1, 1), "held: 0 nothing, 1 in global axes"),
-    real("con1", dimension::number, 0, between(0, 7), "held translations: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz"),
-    real("con2", dimension::number, 0, between(0, 7), "held rotations, by the same codes"),
-    integer("spcnid", 0, any_value, "for cmo 2 only, which is not built"),
-    point_of_constraint("xspc"),
-    point_of_constraint("yspc"),
-    point_of_constraint("zspc"),
-}};
-const Card rigid_constraint_local_card{{
-    real("cmo", dimension::number, 0, between(-1, 1), "-1: held in local axes"),
-    id("con1", IdSpace::define, 0, "coordinate system"),
-    real("con2", dimension::number, 0, between(0, 111111), "six digits, 1: held along x, y, z, about x, y, z"),
-    integer("spcnid", 0, any_value, "for cmo 2 only, which is not built"),
-    point_of_constraint("xspc"),
-    point_of_constraint("yspc"),
-    point_of_constraint("zspc"),
-}};
+const CardOf<RigidConstraintCard> rigid_constraint_card{
+    {&RigidConstraintCard::cmo, real("cmo", dimension::number, 0, between(-1, 1), "held: 0 nothing, 1 in global axes")},
+    {&RigidConstraintCard::con1,
+     real("con1", dimension::number, 0, between(0, 7), "held translations: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz")},
+    {&RigidConstraintCard::con2,
+     real("con2", dimension::number, 0, between(0, 7), "held rotations, by the same codes")},
+    {&RigidConstraintCard::spcnid, integer("spcnid", 0, any_value, "for cmo 2 only, which is not built")},
+    {&RigidConstraintCard::xspc, point_of_constraint("xspc")},
+    {&RigidConstraintCard::yspc, point_of_constraint("yspc")},
+    {&RigidConstraintCard::zspc, point_of_constraint("zspc")},
+};
+const CardOf<RigidConstraintCard> rigid_constraint_local_card{
+    {&RigidConstraintCard::cmo, real("cmo", dimension::number, 0, between(-1, 1), "-1: held in local axes")},
+    {&RigidConstraintCard::system, id("con1", IdSpace::define, 0, "coordinate system")},
+    {&RigidConstraintCard::con2,
+     real("con2", dimension::number, 0, between(0, 111111), "six digits, 1: held along x, y, z, about x, y, z")},
+    {&RigidConstraintCard::spcnid, integer("spcnid", 0, any_value, "for cmo 2 only, which is not built")},
+    {&RigidConstraintCard::xspc, point_of_constraint("xspc")},
+    {&RigidConstraintCard::yspc, point_of_constraint("yspc")},
+    {&RigidConstraintCard::zspc, point_of_constraint("zspc")},
+};
 
-RigidCard read_rigid_constraint(Builder& b, Cursor& cursor) {
+deck::RowOf<RigidConstraintCard> read_rigid_constraint(Builder& b, Cursor& cursor) {
   const bool local = cursor.more() && cursor.peek_number(0) == -1.0;
-  RigidCard constraint;
-  constraint.row = cursor.read(local ? rigid_constraint_local_card : rigid_constraint_card);
-  constraint.cmo = static_cast<int>(constraint.row.real("cmo"));
-  constraint.con2 = static_cast<int>(constraint.row.real("con2"));
-  constraint.con1 = local ? constraint.row.integer("con1") : static_cast<int>(constraint.row.real("con1"));
-  if (constraint.cmo == 1)
-    warn_of_turned_codes(b, cursor.block(), constraint.row, "con1",
-                         bits_of_code(constraint.con1) | bits_of_code(constraint.con2) << 3);
-  return constraint;
+  auto row = cursor.read(local ? rigid_constraint_local_card : rigid_constraint_card);
+  if (row->cmo == 1.0) warn_of_turned_codes(b, cursor.block(), row[&RigidConstraintCard::con1], row->fixed_by_codes());
+  return row;
 }
 
 int system_id(const Block& block, double written) {
   const int id = static_cast<int>(written);
   if (id == 0 || !block.transform) return id;
   return id + static_cast<int>(block.transform->id_offset[static_cast<std::size_t>(IdSpace::define)]);
-}
-
-Index add_material(Builder& b, const Row& row, std::string title, std::string_view name, Law law) {
-  return add_material(b, {row.integer("mid"), row.real("ro")}, row, std::move(title), name, std::move(law));
 }
 
 Index add_material(Builder& b, const MaterialCard& card, const Row& row, std::string title, std::string_view name,

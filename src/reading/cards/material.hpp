@@ -93,6 +93,5 @@ requires std::is_base_of_v<MaterialCard, Card> Index add_material(Builder& build
                                                                   std::string title, std::string_view name, Law law) {
   return add_material(builder, *row, row, std::move(title), name, std::move(law));
 }
-Index add_material(Builder& builder, const deck::Row& row, std::string title, std::string_view name, Law law);
 
 }  // namespace nugget::reading

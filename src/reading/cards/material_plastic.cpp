@@ -19,121 +19,148 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
+using deck::RowOf;
 
-constexpr Field tdel =
+constexpr RealField tdel =
     real("tdel", dimension::time, 0, at_least(0), "smallest time step of an element before it is deleted; 0: none");
 
 // ---- 012
 
-const Card isotropic_card{{
-    material_id,
-    density,
-    real("g", dimension::stress, required, above_zero(), "shear modulus"),
-    real("sigy", dimension::stress, required, above_zero(), "yield stress"),
-    real("etan", dimension::stress, 0, at_least(0), "plastic hardening modulus"),
-    real("bulk", dimension::stress, required, above_zero(), "bulk modulus"),
-}};
+struct IsotropicCard : MaterialCard {
+  double g = 0, sigy = 0, etan = 0, bulk = 0;
+};
+const CardOf<IsotropicCard> isotropic_card{
+    {&MaterialCard::mid, material_id},
+    {&MaterialCard::ro, density},
+    {&IsotropicCard::g, real("g", dimension::stress, required, above_zero(), "shear modulus")},
+    {&IsotropicCard::sigy, real("sigy", dimension::stress, required, above_zero(), "yield stress")},
+    {&IsotropicCard::etan, real("etan", dimension::stress, 0, at_least(0), "plastic hardening modulus")},
+    {&IsotropicCard::bulk, real("bulk", dimension::stress, required, above_zero(), "bulk modulus")},
+};
 
 void read_isotropic(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  const Row row = cursor.read(isotropic_card);
+  const auto row = cursor.read(isotropic_card);
   expect_end(b, cursor);
-  const double G = row.real("g"), K = row.real("bulk"), yield = row.real("sigy");
+  const double G = row->g, K = row->bulk;
   kernel::PiecewiseLinear law;
   law.E = 9.0 * K * G / (3.0 * K + G);
   law.nu = (3.0 * K - 2.0 * G) / (6.0 * K + 2.0 * G);
-  if (law.nu < 0.0) refuse(b, row, "bulk", "G and BULK make a negative Poisson's ratio", "3 BULK must be above 2 G");
-  law.yield = {{0, {0.0, 1.0}, {yield, yield + row.real("etan")}}};
+  if (law.nu < 0.0)
+    refuse(b, row[&IsotropicCard::bulk], "G and BULK make a negative Poisson's ratio", "3 BULK must be above 2 G");
+  law.yield = {{0, {0.0, 1.0}, {row->sigy, row->sigy + row->etan}}};
   add_material(b, row, std::move(title), "MAT_ISOTROPIC_ELASTIC_PLASTIC", law);
 }
 
 // ---- 018
 
-const Card power_law_card{{
-    material_id,
-    density,
-    young,
-    poisson,
-    real("k", dimension::stress, required, above_zero(), "yield stress at an elastic and plastic strain of 1"),
-    real("n", dimension::number, required, above_zero(), "hardening: exponent of the strain"),
-    real("src", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect"),
-    real("srp", dimension::number, 0, at_least(0), "Cowper-Symonds P"),
-}};
+/// Both cards of *MAT_POWER_LAW_PLASTICITY.
+struct PowerLawCards : MaterialCard {
+  double e = 0, pr = 0, k = 0, n = 0, src = 0, srp = 0;
+  double sigy = 0, epsf = 0;
+};
+const CardOf<PowerLawCards> power_law_card{
+    {&MaterialCard::mid, material_id},
+    {&MaterialCard::ro, density},
+    {&PowerLawCards::e, young},
+    {&PowerLawCards::pr, poisson},
+    {&PowerLawCards::k,
+     real("k", dimension::stress, required, above_zero(), "yield stress at an elastic and plastic strain of 1")},
+    {&PowerLawCards::n, real("n", dimension::number, required, above_zero(), "hardening: exponent of the strain")},
+    {&PowerLawCards::src, real("src", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect")},
+    {&PowerLawCards::srp, real("srp", dimension::number, 0, at_least(0), "Cowper-Symonds P")},
+};
 
-const Card power_law_yield_card{{
-    real("sigy", dimension::number, 0, at_least(0),
-         "first yield; 0: where E e = K e^N; up to 0.02 the strain at first yield, else its stress, as written"),
+const CardOf<PowerLawCards> power_law_yield_card{
+    {&PowerLawCards::sigy,
+     real("sigy", dimension::number, 0, at_least(0),
+          "first yield; 0: where E e = K e^N; up to 0.02 the strain at first yield, else its stress, as written")},
     vp,
-    real("epsf", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none"),
-}};
+    {&PowerLawCards::epsf, real("epsf", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none")},
+};
 
 /// Elastic strain at first yield. `stress`: factor of stresses by *INCLUDE_TRANSFORM; the number that stands in the
 /// deck says whether it is one.
-double yield_strain(Builder& b, const Row& row, const Row& yield, double stress) {
-  const double k = row.real("k"), n = row.real("n"), sigy = yield.real("sigy");
+double yield_strain(Builder& b, const PowerLawCards& cards, const deck::Entry& exponent, double stress) {
+  const double k = cards.k, n = cards.n, sigy = cards.sigy;
   if (sigy > 0.02) return std::pow(sigy * stress / k, 1.0 / n);
   if (sigy > 0.0) return sigy;
   if (n >= 1.0) {
-    refuse(b, row, "n", "with an exponent of 1 or more the line E e does not meet the curve K e^N", "give SIGY");
+    refuse(b, exponent, "with an exponent of 1 or more the line E e does not meet the curve K e^N", "give SIGY");
     return 1.0;
   }
-  return std::pow(row.real("e") / k, 1.0 / (n - 1.0));
+  return std::pow(cards.e / k, 1.0 / (n - 1.0));
 }
 
 void read_power_law(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  const Row row = cursor.read(power_law_card);
-  const Row yield = cursor.read(power_law_yield_card);
+  PowerLawCards cards;
+  const auto row = cursor.read(power_law_card, cards);
+  cursor.read(power_law_yield_card, cards);
   expect_end(b, cursor);
-  warn_of_half_a_rate(b, row.entry("src"), row.entry("srp"));
-  kernel::PowerLaw flow{
-      row.real("e"), row.real("pr"), row.real("k"), row.real("n"),
-      yield_strain(b, row, yield, block.transform ? block.transform->factor(dimension::stress) : 1.0)};
-  if (row.real("src") > 0.0 && row.real("srp") > 0.0) {
-    flow.rate_c = row.real("src");
-    flow.rate_p = row.real("srp");
+  warn_of_half_a_rate(b, row[&PowerLawCards::src], row[&PowerLawCards::srp]);
+  kernel::PowerLaw flow{cards.e, cards.pr, cards.k, cards.n,
+                        yield_strain(b, cards, row[&PowerLawCards::n],
+                                     block.transform ? block.transform->factor(dimension::stress) : 1.0)};
+  if (cards.src > 0.0 && cards.srp > 0.0) {
+    flow.rate_c = cards.src;
+    flow.rate_p = cards.srp;
   }
   kernel::LawComponents law{flow};
-  law.failure_strain = plastic_strain_at_failure(yield.real("epsf"));
+  law.failure_strain = plastic_strain_at_failure(cards.epsf);
   add_material(b, row, std::move(title), "MAT_POWER_LAW_PLASTICITY", composed_law(std::move(law)));
 }
 
 // ---- 019
 
-const Card rate_dependent_card{{material_id, density, young, poisson, vp}};
+/// Both cards of *MAT_STRAIN_RATE_DEPENDENT_PLASTICITY.
+struct RateDependentCards : MaterialCard {
+  double e = 0, pr = 0, etan = 0, tdel = 0;
+  int lc1 = 0, lc3 = 0, lc4 = 0;
+};
+const CardOf<RateDependentCards> rate_dependent_card{
+    {&MaterialCard::mid, material_id},
+    {&MaterialCard::ro, density},
+    {&RateDependentCards::e, young},
+    {&RateDependentCards::pr, poisson},
+    vp,
+};
 
-const Card rate_dependent_curves_card{{
-    id("lc1", IdSpace::function, required, "curve: yield stress over the strain rate"),
-    real("etan", dimension::stress, 0, at_least(0), "plastic hardening modulus"),
+const CardOf<RateDependentCards> rate_dependent_curves_card{
+    {&RateDependentCards::lc1, id("lc1", IdSpace::function, required, "curve: yield stress over the strain rate")},
+    {&RateDependentCards::etan, real("etan", dimension::stress, 0, at_least(0), "plastic hardening modulus")},
     integer("lc2", 0, only(0), "curve: Young's modulus over the strain rate"),
-    id("lc3", IdSpace::function, 0, "curve: tangent modulus over the strain rate, instead of ETAN"),
-    id("lc4", IdSpace::function, 0, "curve: plastic strain at failure over the strain rate"),
-    tdel,
+    {&RateDependentCards::lc3,
+     id("lc3", IdSpace::function, 0, "curve: tangent modulus over the strain rate, instead of ETAN")},
+    {&RateDependentCards::lc4,
+     id("lc4", IdSpace::function, 0, "curve: plastic strain at failure over the strain rate")},
+    {&RateDependentCards::tdel, tdel},
     real("rdef", dimension::number, 1, only(1), "what LC4 is: 1 the plastic strain at failure"),
-}};
+};
 
 /// Yield stress and plastic modulus over the rate, each between its neighbours, as a table of straight yield curves at
 /// the rates of both.
-void set_rate_curves(Builder& b, Index material, const Row& main, const Row& row) {
+/// `row`: the second card, with the values of both.
+void set_rate_curves(Builder& b, Index material, const RowOf<RateDependentCards>& row) {
   kernel::PiecewiseLinear flow;
-  flow.E = main.real("e");
-  flow.nu = main.real("pr");
-  const Index lc1 = b.curve(row, "lc1");
+  flow.E = row->e;
+  flow.nu = row->pr;
+  const Index lc1 = b.curve(row[&RateDependentCards::lc1]);
   if (lc1 == none) return;
   const auto curve = [&b](Index c) -> const Curve& { return b.model.curves[static_cast<std::size_t>(c)]; };
   const Curve& yield = curve(lc1);
   for (const double y : yield.y)
-    if (!(y > 0.0)) return refuse(b, row, "lc1", "a yield stress is not above 0");
+    if (!(y > 0.0)) return refuse(b, row[&RateDependentCards::lc1], "a yield stress is not above 0");
   if (!std::is_sorted(yield.y.begin(), yield.y.end()))
-    warn_of_softening_by_rate(b, row.entry("lc1"), fmt::format("curve {}", yield.id));
-  Curve modulus{0, {0.0}, {row.real("etan")}};
-  if (const Index tangent = b.curve(row, "lc3"); tangent != none) {
+    warn_of_softening_by_rate(b, row[&RateDependentCards::lc1], fmt::format("curve {}", yield.id));
+  Curve modulus{0, {0.0}, {row->etan}};
+  if (const Index tangent = b.curve(row[&RateDependentCards::lc3]); tangent != none) {
     modulus = curve(tangent);
     for (double& y : modulus.y) {
-      if (!(y >= 0.0 && y < flow.E)) return refuse(b, row, "lc3", "a tangent modulus is not between 0 and E");
+      if (!(y >= 0.0 && y < flow.E))
+        return refuse(b, row[&RateDependentCards::lc3], "a tangent modulus is not between 0 and E");
       y = flow.E * y / (flow.E - y);
     }
   }
@@ -147,106 +174,116 @@ void set_rate_curves(Builder& b, Index material, const Row& main, const Row& row
     flow.yield.push_back({0, {0.0, 1.0}, {at_first_yield, at_first_yield + modulus.clamped(rate)}});
   }
   kernel::LawComponents law{flow};
-  law.deletion_step = row.real("tdel");
-  if (const Index failure = b.curve(row, "lc4"); failure != none) law.failure_strain_over_rate = curve(failure);
+  law.deletion_step = row->tdel;
+  if (const Index failure = b.curve(row[&RateDependentCards::lc4]); failure != none)
+    law.failure_strain_over_rate = curve(failure);
   b.model.materials[static_cast<std::size_t>(material)].law = composed_law(std::move(law));
 }
 
 void read_rate_dependent(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  const Row row = cursor.read(rate_dependent_card);
-  const Row curves = cursor.read(rate_dependent_curves_card);
+  RateDependentCards cards;
+  const auto row = cursor.read(rate_dependent_card, cards);
+  const auto curves = cursor.read(rate_dependent_curves_card, cards);
   expect_end(b, cursor);
   const Index material = add_material(b, row, std::move(title), "MAT_STRAIN_RATE_DEPENDENT_PLASTICITY",
-                                      kernel::Elastic{row.real("e"), row.real("pr")});
-  b.defer(Phase::parts, [=](Builder& later) { set_rate_curves(later, material, row, curves); });
+                                      kernel::Elastic{cards.e, cards.pr});
+  b.defer(Phase::parts, [=](Builder& later) { set_rate_curves(later, material, curves); });
 }
 
 // ---- 081, 123
 
-const Card damage_card{{
-    material_id,
-    density,
-    young,
-    poisson,
-    real("sigy", dimension::stress, 0, at_least(0), "yield stress, unless LCSS or EPS and ES are given"),
-    real("etan", dimension::stress, 0, at_least(0), "tangent modulus, below E"),
-    real("eppf", dimension::number, 1e12, at_least(0), "plastic strain at which softening begins"),
-    tdel,
-}};
+const CardOf<YieldCards> damage_card{
+    {&MaterialCard::mid, material_id},
+    {&MaterialCard::ro, density},
+    {&YieldCards::e, young},
+    {&YieldCards::pr, poisson},
+    {&YieldCards::sigy,
+     real("sigy", dimension::stress, 0, at_least(0), "yield stress, unless LCSS or EPS and ES are given")},
+    {&YieldCards::etan, real("etan", dimension::stress, 0, at_least(0), "tangent modulus, below E")},
+    {&YieldCards::eppf, real("eppf", dimension::number, 1e12, at_least(0), "plastic strain at which softening begins")},
+    {&YieldCards::tdel, tdel},
+};
 
-const Card damage_rate_card{{
-    real("c", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect"),
-    real("p", dimension::number, 0, at_least(0), "Cowper-Symonds P"),
-    id("lcss", IdSpace::function, 0, "yield stress over plastic strain: curve, or table over the strain rate"),
-    id("lcsr", IdSpace::function, 0, "curve: factor on the yield stress over the strain rate"),
-    real("eppfr", dimension::number, 1e14, at_least(0), "plastic strain at rupture"),
-    vp_of_curves,
-    id("lcdm", IdSpace::function, 0, "curve: damage over plastic strain beyond EPPF"),
-    numint,
-}};
+const CardOf<YieldCards> damage_rate_card{
+    {&YieldCards::c, real("c", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect")},
+    {&YieldCards::p, real("p", dimension::number, 0, at_least(0), "Cowper-Symonds P")},
+    {&YieldCards::lcss,
+     id("lcss", IdSpace::function, 0, "yield stress over plastic strain: curve, or table over the strain rate")},
+    {&YieldCards::lcsr, id("lcsr", IdSpace::function, 0, "curve: factor on the yield stress over the strain rate")},
+    {&YieldCards::eppfr, real("eppfr", dimension::number, 1e14, at_least(0), "plastic strain at rupture")},
+    {&YieldCards::vp, vp_of_curves},
+    {&YieldCards::lcdm, id("lcdm", IdSpace::function, 0, "curve: damage over plastic strain beyond EPPF")},
+    {&YieldCards::numint, numint},
+};
 
-const Card modified_card{{
-    material_id,
-    density,
-    young,
-    poisson,
-    real("sigy", dimension::stress, 0, at_least(0), "yield stress, unless LCSS or EPS and ES are given"),
-    real("etan", dimension::stress, 0, at_least(0), "tangent modulus, below E"),
-    real("fail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none"),
-    tdel,
-}};
+const CardOf<YieldCards> modified_card{
+    {&MaterialCard::mid, material_id},
+    {&MaterialCard::ro, density},
+    {&YieldCards::e, young},
+    {&YieldCards::pr, poisson},
+    {&YieldCards::sigy,
+     real("sigy", dimension::stress, 0, at_least(0), "yield stress, unless LCSS or EPS and ES are given")},
+    {&YieldCards::etan, real("etan", dimension::stress, 0, at_least(0), "tangent modulus, below E")},
+    {&YieldCards::fail, real("fail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none")},
+    {&YieldCards::tdel, tdel},
+};
 
-const Card modified_rate_card{{
-    real("c", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect"),
-    real("p", dimension::number, 0, at_least(0), "Cowper-Symonds P"),
-    id("lcss", IdSpace::function, 0, "yield stress over plastic strain: curve, or table over the strain rate"),
-    id("lcsr", IdSpace::function, 0, "curve: factor on the yield stress over the strain rate"),
-    vp_of_curves,
-    real("epsthin", dimension::number, 0, at_least(0), "plastic thinning of a layer at failure; 0: none"),
-    real("epsmaj", dimension::number, 0, at_least(0), "major strain in the plane at failure; 0: none"),
-    numint,
-}};
+const CardOf<YieldCards> modified_rate_card{
+    {&YieldCards::c, real("c", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect")},
+    {&YieldCards::p, real("p", dimension::number, 0, at_least(0), "Cowper-Symonds P")},
+    {&YieldCards::lcss,
+     id("lcss", IdSpace::function, 0, "yield stress over plastic strain: curve, or table over the strain rate")},
+    {&YieldCards::lcsr, id("lcsr", IdSpace::function, 0, "curve: factor on the yield stress over the strain rate")},
+    {&YieldCards::vp, vp_of_curves},
+    {&YieldCards::epsthin,
+     real("epsthin", dimension::number, 0, at_least(0), "plastic thinning of a layer at failure; 0: none")},
+    {&YieldCards::epsmaj,
+     real("epsmaj", dimension::number, 0, at_least(0), "major strain in the plane at failure; 0: none")},
+    {&YieldCards::numint, numint},
+};
 
 /// Reads the four cards; `complete` adds to the law what is the keyword's own, once curves are known.
-void read_with_curves(Builder& b, const Block& block, const Options& options, std::string_view name, const Card& main,
-                      const Card& rate, void (*complete)(Builder&, const YieldCards&, kernel::LawComponents&)) {
+void read_with_curves(Builder& b, const Block& block, const Options& options, std::string_view name,
+                      const CardOf<YieldCards>& main, const CardOf<YieldCards>& rate,
+                      void (*complete)(Builder&, const YieldRows&, kernel::LawComponents&)) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  const YieldCards cards{cursor.read(main), cursor.read(rate), cursor.read(yield_strain_card),
-                         cursor.read(yield_stress_card), options.contains("LOG_INTERPOLATION")};
+  const YieldRows rows = read_yield_cards(cursor, main, rate, options.contains("LOG_INTERPOLATION"));
   expect_end(b, cursor);
-  check_tangent(b, cards.main);
-  const Index material =
-      add_material(b, cards.main, std::move(title), name, kernel::Elastic{cards.main.real("e"), cards.main.real("pr")});
+  const YieldCards& cards = rows.cards();
+  check_tangent(b, cards.e, rows.main[&YieldCards::etan]);
+  const Index material = add_material(b, rows.main, std::move(title), name, kernel::Elastic{cards.e, cards.pr});
   b.defer(Phase::parts, [=](Builder& later) {
+    const YieldCards& values = rows.cards();
     kernel::PiecewiseLinear flow;
-    flow.E = cards.main.real("e");
-    flow.nu = cards.main.real("pr");
-    set_yield_curves(later, cards, flow);
+    flow.E = values.e;
+    flow.nu = values.pr;
+    set_yield_curves(later, rows, flow);
     if (flow.yield.empty()) return;
     kernel::LawComponents law{flow};
-    law.deletion_step = cards.main.real("tdel");
-    law.points_to_delete = cards.rate.real("numint");
-    complete(later, cards, law);
+    law.deletion_step = values.tdel;
+    law.points_to_delete = values.numint;
+    complete(later, rows, law);
     later.model.materials[static_cast<std::size_t>(material)].law = composed_law(std::move(law));
   });
 }
 
-void add_damage(Builder& b, const YieldCards& cards, kernel::LawComponents& law) {
-  law.damage = plastic_damage(b, cards.main.entry("eppf"), cards.rate.entry("eppfr"), cards.rate.entry("lcdm"));
+void add_damage(Builder& b, const YieldRows& rows, kernel::LawComponents& law) {
+  law.damage =
+      plastic_damage(b, rows.main[&YieldCards::eppf], rows.rate[&YieldCards::eppfr], rows.rate[&YieldCards::lcdm]);
 }
 
-void add_directional_damage(Builder& b, const YieldCards& cards, kernel::LawComponents& law) {
+void add_directional_damage(Builder& b, const YieldRows& rows, kernel::LawComponents& law) {
   law.directional_damage =
-      plastic_damage(b, cards.main.entry("eppf"), cards.rate.entry("eppfr"), cards.rate.entry("lcdm"));
+      plastic_damage(b, rows.main[&YieldCards::eppf], rows.rate[&YieldCards::eppfr], rows.rate[&YieldCards::lcdm]);
   law.for_layers_only = true;
 }
 
-void add_strain_limits(Builder&, const YieldCards& cards, kernel::LawComponents& law) {
-  law.failure_strain = plastic_strain_at_failure(cards.main.real("fail"));
-  law.limits = {cards.rate.real("epsthin"), cards.rate.real("epsmaj")};
+void add_strain_limits(Builder&, const YieldRows& rows, kernel::LawComponents& law) {
+  law.failure_strain = plastic_strain_at_failure(rows.cards().fail);
+  law.limits = {rows.cards().epsthin, rows.cards().epsmaj};
 }
 
 void read_damage(Builder& b, const Block& block, const Options& options) {

@@ -17,9 +17,9 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
+using deck::RowOf;
 
-// ---- cards ----------------------------------------------------------------------------------------------------------
+// ---- cards
 
 constexpr RealField modulus =
     real("e", dimension::stress, required, any_value, "Young's modulus; negative: its value, bricks uniaxial");
@@ -28,161 +28,192 @@ constexpr RealField mass_step =
 constexpr RealField fail_time = real("tfail", dimension::time, 0, at_least(0), "time of failure; 0: none");
 constexpr RealField fail_strain =
     real("efail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none");
-constexpr Field filter_length = integer("nf", 0, at_least(0), "force vectors averaged for the failure");
+constexpr IntegerField filter_length = integer("nf", 0, at_least(0), "force vectors averaged for the failure");
 
 /// A strength, of which a negative value is the id of a curve.
-constexpr Field strength_or_curve(std::string_view name, Dimension d, double fallback, std::string_view meaning) {
+constexpr RealField strength_or_curve(std::string_view name, Dimension d, double fallback, std::string_view meaning) {
   return or_negative(real(name, d, fallback, any_value, meaning), IdSpace::function);
 }
 
-const Card weld_card{{
-    material_id,
-    density,
-    modulus,
-    poisson,
-    strength_or_curve("sigy", dimension::stress, required,
-                      "yield stress; negative: curve over plastic strain, or table over the strain rate"),
-    real("eh", dimension::stress, 0, at_least(0), "hardening: slope of the yield stress over plastic strain"),
-    mass_step,
-    fail_time,
-}};
+/// All cards of *MAT_SPOTWELD. What the second one holds follows from OPT.
+struct WeldCards : MaterialCard {
+  double e = 0, pr = 0, sigy = 0, eh = 0, dt = 0, tfail = 0;
+  double efail = 0;
+  std::array<double, 6> strength{};  ///< NRR NRS NRT MRR MSS MTT
+  double sigax = 0, sigtau = 0;
+  double zd = 0, zt = 0, zt2 = 0, zrrad = 0;
+  std::array<double, 3> zalp{};
+  int lct = 0, lcc = 0, nf = 0;
+  double rs = 0, opt = 0, fval = 0, true_t = 0, beta = 0, dmgopt = 0;
+  int table = 0;  ///< FVAL of OPT 7 and 10
+  int asff = 0, ttopt = 0;
+  double fmode = 0, ffcap = 0;
+  double rfiltf = 0, jtol = 0;
+  int con_id = 0, more = 0;
+};
 
-const Card resultant_card{{
-    fail_strain,
-    strength_or_curve("nrr", dimension::force, 0, "axial force at failure; 0: left out; negative: curve over the rate"),
-    strength_or_curve("nrs", dimension::force, 0, "shear force s at failure; 0 and negative as NRR"),
-    strength_or_curve("nrt", dimension::force, 0, "shear force t at failure; 0 and negative as NRR"),
-    strength_or_curve("mrr", dimension::moment, 0, "torsion at failure; 0 and negative as NRR"),
-    strength_or_curve("mss", dimension::moment, 0, "bending s at failure; 0 and negative as NRR"),
-    strength_or_curve("mtt", dimension::moment, 0, "bending t at failure; 0 and negative as NRR"),
-    filter_length,
-}};
+const CardOf<WeldCards> weld_card{
+    {&MaterialCard::mid, material_id},
+    {&MaterialCard::ro, density},
+    {&WeldCards::e, modulus},
+    {&WeldCards::pr, poisson},
+    {&WeldCards::sigy,
+     strength_or_curve("sigy", dimension::stress, required,
+                       "yield stress; negative: curve over plastic strain, or table over the strain rate")},
+    {&WeldCards::eh,
+     real("eh", dimension::stress, 0, at_least(0), "hardening: slope of the yield stress over plastic strain")},
+    {&WeldCards::dt, mass_step},
+    {&WeldCards::tfail, fail_time},
+};
 
-const Card stress_card{{
-    fail_strain,
-    strength_or_curve("sigax", dimension::stress, 0,
-                      "axial stress at failure; 0: left out; negative: curve over the rate"),
-    strength_or_curve("sigtau", dimension::stress, 0, "shear stress at failure; 0 and negative as SIGAX"),
-    unused(),
-    unused(),
-    unused(),
-    unused(),
-    filter_length,
-}};
+const CardOf<WeldCards> resultant_card{
+    {&WeldCards::efail, fail_strain},
+    {at(&WeldCards::strength, 0),
+     strength_or_curve("nrr", dimension::force, 0,
+                       "axial force at failure; 0: left out; negative: curve over the rate")},
+    {at(&WeldCards::strength, 1),
+     strength_or_curve("nrs", dimension::force, 0, "shear force s at failure; 0 and negative as NRR")},
+    {at(&WeldCards::strength, 2),
+     strength_or_curve("nrt", dimension::force, 0, "shear force t at failure; 0 and negative as NRR")},
+    {at(&WeldCards::strength, 3),
+     strength_or_curve("mrr", dimension::moment, 0, "torsion at failure; 0 and negative as NRR")},
+    {at(&WeldCards::strength, 4),
+     strength_or_curve("mss", dimension::moment, 0, "bending s at failure; 0 and negative as NRR")},
+    {at(&WeldCards::strength, 5),
+     strength_or_curve("mtt", dimension::moment, 0, "bending t at failure; 0 and negative as NRR")},
+    {&WeldCards::nf, filter_length},
+};
 
-const Card notch_card{{
-    fail_strain,
-    real("zd", dimension::length, 0, at_least(0), "diameter; 0: the weld's own"),
-    real("zt", dimension::length, 0, at_least(0), "sheet thickness; 0: of the thinner sheet"),
-    real("zalp1", dimension::number, 1, at_least(0), "factor on the term of shear"),
-    real("zalp2", dimension::number, 1, at_least(0), "factor on the term of bending"),
-    real("zalp3", dimension::number, 1, at_least(0), "factor on the term of tension"),
-    real("zrrad", dimension::length, 0, at_least(0), "radius of the notch, for OPT 3"),
-    filter_length,
-}};
+const CardOf<WeldCards> stress_card{
+    {&WeldCards::efail, fail_strain},
+    {&WeldCards::sigax, strength_or_curve("sigax", dimension::stress, 0,
+                                          "axial stress at failure; 0: left out; negative: curve over the rate")},
+    {&WeldCards::sigtau,
+     strength_or_curve("sigtau", dimension::stress, 0, "shear stress at failure; 0 and negative as SIGAX")},
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    {&WeldCards::nf, filter_length},
+};
 
-const Card structural_card{{
-    fail_strain,
-    real("zd", dimension::length, 0, at_least(0), "diameter; 0: the weld's own"),
-    real("zt", dimension::length, 0, at_least(0), "thickness of sheet 1; 0: the sheet's own"),
-    real("zt2", dimension::length, 0, at_least(0), "thickness of sheet 2; 0: the sheet's own"),
-    unused(),
-    unused(),
-    unused(),
-    unused(),
-}};
+const CardOf<WeldCards> notch_card{
+    {&WeldCards::efail, fail_strain},
+    {&WeldCards::zd, real("zd", dimension::length, 0, at_least(0), "diameter; 0: the weld's own")},
+    {&WeldCards::zt, real("zt", dimension::length, 0, at_least(0), "sheet thickness; 0: of the thinner sheet")},
+    {at(&WeldCards::zalp, 0), real("zalp1", dimension::number, 1, at_least(0), "factor on the term of shear")},
+    {at(&WeldCards::zalp, 1), real("zalp2", dimension::number, 1, at_least(0), "factor on the term of bending")},
+    {at(&WeldCards::zalp, 2), real("zalp3", dimension::number, 1, at_least(0), "factor on the term of tension")},
+    {&WeldCards::zrrad, real("zrrad", dimension::length, 0, at_least(0), "radius of the notch, for OPT 3")},
+    {&WeldCards::nf, filter_length},
+};
 
-const Card table_card{{
-    fail_strain,
+const CardOf<WeldCards> structural_card{
+    {&WeldCards::efail, fail_strain},
+    {&WeldCards::zd, real("zd", dimension::length, 0, at_least(0), "diameter; 0: the weld's own")},
+    {&WeldCards::zt, real("zt", dimension::length, 0, at_least(0), "thickness of sheet 1; 0: the sheet's own")},
+    {&WeldCards::zt2, real("zt2", dimension::length, 0, at_least(0), "thickness of sheet 2; 0: the sheet's own")},
     unused(),
     unused(),
     unused(),
     unused(),
-    unused(),
-    unused(),
-    filter_length,
-}};
+};
 
-const Card direction_card{{
-    fail_strain,
-    id("lct", IdSpace::function, 0, "tension: curve of allowed force over angle, or table over the rate; 0: no limit"),
-    id("lcc", IdSpace::function, 0, "compression: the same"),
-    unused(),
-    unused(),
-    unused(),
-    unused(),
-    filter_length,
-}};
+const CardOf<WeldCards> table_card{
+    {&WeldCards::efail, fail_strain}, unused(), unused(), unused(), unused(), unused(), unused(),
+    {&WeldCards::nf, filter_length},
+};
 
-constexpr Field rupture = real("rs", dimension::number, 0, at_least(0),
-                               "plastic strain (DMGOPT 2, 12: time after onset) at rupture; 0: none");
-constexpr Field true_thickness =
+const CardOf<WeldCards> direction_card{
+    {&WeldCards::efail, fail_strain},
+    {&WeldCards::lct, id("lct", IdSpace::function, 0,
+                         "tension: curve of allowed force over angle, or table over the rate; 0: no limit")},
+    {&WeldCards::lcc, id("lcc", IdSpace::function, 0, "compression: the same")},
+    unused(),
+    unused(),
+    unused(),
+    unused(),
+    {&WeldCards::nf, filter_length},
+};
+
+constexpr RealField rupture = real("rs", dimension::number, 0, at_least(0),
+                                   "plastic strain (DMGOPT 2, 12: time after onset) at rupture; 0: none");
+constexpr RealField true_thickness =
     real("true_t", dimension::length, 0, at_least(0), "true thickness of single brick welds; 0: as modelled");
-constexpr Field whole = integer("asff", 0, between(0, 1), "1: the first brick to fail takes its assembly with it");
-constexpr Field correction =
+constexpr IntegerField whole =
+    integer("asff", 0, between(0, 1), "1: the first brick to fail takes its assembly with it");
+constexpr IntegerField correction =
     integer("ttopt", 0, between(0, 2), "form of the TRUE_T correction; here as 2, free of the numbering");
 
 /// What FVAL is depends on OPT, so does its unit and how it moves with an include.
-Card failure_card_of(Field fval) {
-  return {{
-      rupture,
-      real("opt", dimension::number, 0, any_value, "failure function: -2 -1 0 1 3 4 5 6 7 10 11"),
+CardOf<WeldCards> failure_card_of(const FieldOf<WeldCards>& fval) {
+  return {
+      {&WeldCards::rs, rupture},
+      {&WeldCards::opt, real("opt", dimension::number, 0, any_value, "failure function: -2 -1 0 1 3 4 5 6 7 10 11")},
       fval,
-      true_thickness,
-      whole,
-      real("beta", dimension::number, 0, at_least(0), "decay of the damaged stress; 0: linear"),
+      {&WeldCards::true_t, true_thickness},
+      {&WeldCards::asff, whole},
+      {&WeldCards::beta, real("beta", dimension::number, 0, at_least(0), "decay of the damaged stress; 0: linear")},
       unused(),
-      real("dmgopt", dimension::number, 0, any_value, "damage: 0 1 2 10 11 12; -1: given on the next card"),
-  }};
+      {&WeldCards::dmgopt,
+       real("dmgopt", dimension::number, 0, any_value, "damage: 0 1 2 10 11 12; -1: given on the next card")},
+  };
 }
-const Card failure_card = failure_card_of(
-    real("fval", dimension::number, 0, any_value,
-         "OPT 3 4 5: stress at failure; 6: cycles; 7 10: *DEFINE_SPOTWELD_FAILURE_RESULTANTS, _FAILURE"));
-const Card failure_by_stress = failure_card_of(real("fval", dimension::stress, 0, any_value, "stress at failure"));
-const Card failure_by_table = failure_card_of(id("fval", IdSpace::define, 0, "table of strengths"));
+const CardOf<WeldCards> failure_card = failure_card_of(
+    {&WeldCards::fval,
+     real("fval", dimension::number, 0, any_value,
+          "OPT 3 4 5: stress at failure; 6: cycles; 7 10: *DEFINE_SPOTWELD_FAILURE_RESULTANTS, _FAILURE")});
+const CardOf<WeldCards> failure_by_stress =
+    failure_card_of({&WeldCards::fval, real("fval", dimension::stress, 0, any_value, "stress at failure")});
+const CardOf<WeldCards> failure_by_table =
+    failure_card_of({&WeldCards::table, id("fval", IdSpace::define, 0, "table of strengths")});
 
-const Card& failure_card_for(int option) {
+const CardOf<WeldCards>& failure_card_for(int option) {
   if (option >= 3 && option <= 5) return failure_by_stress;
   return option == 7 || option == 10 ? failure_by_table : failure_card;
 }
 
-const Card damage_card{{
-    real("dmgopt", dimension::number, 0, any_value, "damage: 0 1 2 10 11 12"),
-    real("fmode", dimension::number, 0, between(0, 1), "ratio of the failure surface that parts failure from damage"),
-    real("ffcap", dimension::number, 0, at_least(0), "failure value at which a damaged weld is deleted; 0: none"),
-    correction,
-}};
+const CardOf<WeldCards> damage_card{
+    {&WeldCards::dmgopt, real("dmgopt", dimension::number, 0, any_value, "damage: 0 1 2 10 11 12")},
+    {&WeldCards::fmode,
+     real("fmode", dimension::number, 0, between(0, 1), "ratio of the failure surface that parts failure from damage")},
+    {&WeldCards::ffcap,
+     real("ffcap", dimension::number, 0, at_least(0), "failure value at which a damaged weld is deleted; 0: none")},
+    {&WeldCards::ttopt, correction},
+};
 
-const Card connection_card{{
-    material_id,
-    density,
-    modulus,
-    poisson,
+const CardOf<WeldCards> connection_card{
+    {&MaterialCard::mid, material_id},
+    {&MaterialCard::ro, density},
+    {&WeldCards::e, modulus},
+    {&WeldCards::pr, poisson},
     unused(),
     unused(),
-    mass_step,
-    fail_time,
-}};
+    {&WeldCards::dt, mass_step},
+    {&WeldCards::tfail, fail_time},
+};
 
-const Card connection_failure_card{{
-    rupture,
-    whole,
+const CardOf<WeldCards> connection_failure_card{
+    {&WeldCards::rs, rupture},
+    {&WeldCards::asff, whole},
     unused(),
-    true_thickness,
-    or_negative(id("con_id", IdSpace::define, required, "*DEFINE_CONNECTION_PROPERTIES; negative: failure is off"),
-                IdSpace::define),
-    real("rfiltf", dimension::number, 0, between(0, 1), "share of the last strain rate that is kept"),
-    real("jtol", dimension::number, 0.01, at_least(0), "relative Jacobian below which a brick is deleted"),
-    integer("dmgopt", 0, between(-1, 0), "-1: one more card"),
-}};
+    {&WeldCards::true_t, true_thickness},
+    {&WeldCards::con_id,
+     or_negative(id("con_id", IdSpace::define, required, "*DEFINE_CONNECTION_PROPERTIES; negative: failure is off"),
+                 IdSpace::define)},
+    {&WeldCards::rfiltf,
+     real("rfiltf", dimension::number, 0, between(0, 1), "share of the last strain rate that is kept")},
+    {&WeldCards::jtol,
+     real("jtol", dimension::number, 0.01, at_least(0), "relative Jacobian below which a brick is deleted")},
+    {&WeldCards::more, integer("dmgopt", 0, between(-1, 0), "-1: one more card")},
+};
 
-const Card connection_more_card{{unused(), unused(), unused(), correction}};
+const CardOf<WeldCards> connection_more_card{unused(), unused(), unused(), {&WeldCards::ttopt, correction}};
 
 // ---- reading
-// ---------------------------------------------------------------------------------------------------------
 
 /// The second card's table for a failure function that is built; null for others.
-const Card* strength_card(int option) {
+const CardOf<WeldCards>* strength_card(int option) {
   switch (option) {
     case -2:
     case -1:
@@ -199,11 +230,9 @@ const Card* strength_card(int option) {
   }
 }
 
-void refuse_option(Builder& b, const Row& row, int option) {
+void refuse_option(Builder& b, const deck::Entry& opt, int option) {
   constexpr std::string_view built = "built are -2, -1, 0, 1, 3, 4, 5, 6, 7, 10 and 11";
-  const auto say = [&](std::string_view why) {
-    refuse(b, row, "opt", fmt::format("OPT {} {}", option, why), std::string(built));
-  };
+  const auto say = [&](std::string_view why) { refuse(b, opt, fmt::format("OPT {} {}", option, why), built); };
   if (option == 2 || option == 12 || option == 22) return say("calls a user subroutine, which a deck does not hold");
   if (option == 9 || option == -9)
     return say("(*DEFINE_SPOTWELD_RUPTURE_PARAMETER): the formula of its constants is not public");
@@ -211,7 +240,7 @@ void refuse_option(Builder& b, const Row& row, int option) {
 }
 
 /// The failure card without a finding: the cursor reads it once more in its turn.
-Row peek_option(const Builder& b, const Block& block, const Options& options) {
+RowOf<WeldCards> peek_option(const Builder& b, const Block& block, const Options& options) {
   Findings unheard;
   Cursor ahead(b.deck, block, unheard);
   read_title(ahead, options);
@@ -220,71 +249,71 @@ Row peek_option(const Builder& b, const Block& block, const Options& options) {
 }
 
 /// The curve that the negative value of a field for numbers names.
-Index curve_of(Builder& b, const Row& row, std::string_view field) {
-  const int id = static_cast<int>(std::lround(-row.real(field)));
+Index curve_of(Builder& b, const deck::Entry& field) {
+  const int id = static_cast<int>(std::lround(-field.value));
   const Index curve = b.curves.find(id);
-  if (curve == none) refuse(b, row, field, fmt::format("curve {} is not defined", id), "define it, or give a number");
+  if (curve == none) refuse(b, field, fmt::format("curve {} is not defined", id), "define it, or give a number");
   return curve;
 }
 
 /// A strength: 0 and 1e20 leave it out, a negative value is a curve over the strain rate.
-RateValue strength(Builder& b, const Row& row, std::string_view field) {
-  if (row.real(field) >= 0.0) return {failure_value(row.real(field)), {}};
-  const Index curve = curve_of(b, row, field);
+RateValue strength(Builder& b, const deck::Entry& field) {
+  if (field.value >= 0.0) return {failure_value(field.value), {}};
+  const Index curve = curve_of(b, field);
   if (curve == none) return {};
   return {1.0, b.model.curves[static_cast<std::size_t>(curve)]};
 }
 
 /// A curve, or a table over the strain rate.
-CurveTable direction_strength(Builder& b, const Row& row, std::string_view field) {
-  const int id = row.integer(field);
+CurveTable direction_strength(Builder& b, const deck::Entry& field) {
+  const int id = field.integer();
   if (id == 0) return {};
   if (const Index t = b.tables.find(id); t != none) return b.table_with_curves(t);
-  const Index c = b.find(b.curves, "curve or table", row, field);
+  const Index c = b.find(b.curves, "curve or table", field);
   return c == none ? CurveTable{} : CurveTable{id, {0.0}, {b.model.curves[static_cast<std::size_t>(c)]}};
 }
 
-void expect_positive(Builder& b, const Row& row, std::string_view field, std::string_view what) {
-  if (!(row.real(field) > 0.0)) refuse(b, row, field, fmt::format("{} must be given", what));
+void expect_positive(Builder& b, const deck::Entry& field, std::string_view what) {
+  if (!(field.value > 0.0)) refuse(b, field, fmt::format("{} must be given", what));
 }
 
 /// The strengths of the second card, as `law.option` has them.
-void set_strengths(Builder& b, WeldLaw& law, const Row& row) {
+void set_strengths(Builder& b, WeldLaw& law, const RowOf<WeldCards>& row) {
   switch (law.option) {
     case -2:
     case -1:
-    case 0: {
-      std::size_t i = 0;
-      for (const auto* field : {"nrr", "nrs", "nrt", "mrr", "mss", "mtt"}) law.strength[i++] = strength(b, row, field);
+    case 0:
+      for (std::size_t i = 0; i < law.strength.size(); ++i)
+        law.strength[i] = strength(b, row[at(&WeldCards::strength, i)]);
       break;
-    }
     case 1:
-      law.normal_stress = strength(b, row, "sigax");
-      law.shear_stress = strength(b, row, "sigtau");
+      law.normal_stress = strength(b, row[&WeldCards::sigax]);
+      law.shear_stress = strength(b, row[&WeldCards::sigtau]);
       break;
     case 3:
-      expect_positive(b, row, "zrrad", "the radius of the notch");
-      law.notch_radius = row.real("zrrad");
+      expect_positive(b, row[&WeldCards::zrrad], "the radius of the notch");
+      law.notch_radius = row->zrrad;
       [[fallthrough]];
     case 4:
-      law.alpha = {row.real("zalp1"), row.real("zalp2"), row.real("zalp3")};
-      law.diameter = row.real("zd");
-      law.thickness[0] = row.real("zt");
+      law.alpha = row->zalp;
+      law.diameter = row->zd;
+      law.thickness[0] = row->zt;
       break;
     case 5:
-      law.diameter = row.real("zd");
-      law.thickness = {row.real("zt"), row.real("zt2")};
+      law.diameter = row->zd;
+      law.thickness = {row->zt, row->zt2};
       break;
     case 11:
-      law.tension = direction_strength(b, row, "lct");
-      law.compression = direction_strength(b, row, "lcc");
+      law.tension = direction_strength(b, row[&WeldCards::lct]);
+      law.compression = direction_strength(b, row[&WeldCards::lcc]);
       break;
     default: break;
   }
 }
 
 /// A law that asks for failure but names nothing that fails the weld is hardly meant.
-void warn_of_no_failure(Builder& b, const WeldLaw& law, const kernel::Spotweld& points, const Row& second) {
+void warn_of_no_failure(Builder& b, const WeldLaw& law, const kernel::Spotweld& points,
+                        const RowOf<WeldCards>& second) {
   const auto given = [](const RateValue& strength) { return strength.given(); };
   const bool ends_otherwise =
       law.failure_time > 0.0 || points.failure_strain > 0.0 || law.damage.failure_strain > 0.0 || law.option < 0;
@@ -303,12 +332,12 @@ void warn_of_no_failure(Builder& b, const WeldLaw& law, const kernel::Spotweld& 
 
 /// The only one of some tables, or the one with the id in FVAL.
 template <class Tables>
-Index table_of(Builder& b, const Row& row, const Ids& ids, const Tables& tables, std::string_view keyword) {
-  const int id = row.integer("fval");
+Index table_of(Builder& b, const deck::Entry& fval, const Ids& ids, const Tables& tables, std::string_view keyword) {
+  const int id = fval.integer();
   if (id == 0 && tables.size() == 1) return 0;
   const Index table = ids.find(id);
   if (table == none)
-    refuse(b, row, "fval",
+    refuse(b, fval,
            id == 0 ? fmt::format("{} is defined {} times, and FVAL does not say which to take", keyword, tables.size())
                    : fmt::format("{} {} is not defined", keyword, id),
            fmt::format("define {} and give its id", keyword));
@@ -316,52 +345,58 @@ Index table_of(Builder& b, const Row& row, const Ids& ids, const Tables& tables,
 }
 
 /// What FVAL is depends on OPT. `length`: unit factor, for the stress intensity of OPT 4 (stress times root of length).
-void set_limit(Builder& b, WeldLaw& law, const Row& row, double length) {
+void set_limit(Builder& b, WeldLaw& law, const RowOf<WeldCards>& row, double length) {
   switch (law.option) {
     case 0:
-      refuse_nonzero(b, row, "fval", "a failure function of one's own (*DEFINE_FUNCTION) is not supported",
+      refuse_nonzero(b, row[&WeldCards::fval], "a failure function of one's own (*DEFINE_FUNCTION) is not supported",
                      "leave FVAL blank: the resultants NRR to MTT fail the weld");
       break;
     case 3:
     case 4:
     case 5:
-      expect_positive(b, row, "fval", law.option == 4 ? "the stress intensity at failure" : "the stress at failure");
-      law.limit = row.real("fval") * (law.option == 4 ? std::sqrt(length) : 1.0);
+      expect_positive(b, row[&WeldCards::fval],
+                      law.option == 4 ? "the stress intensity at failure" : "the stress at failure");
+      law.limit = row->fval * (law.option == 4 ? std::sqrt(length) : 1.0);
       break;
     case 6:
-      law.cycles = std::max(1, static_cast<int>(row.real("fval")));
+      law.cycles = std::max(1, static_cast<int>(row->fval));
       if (b.model.rupture_stresses.empty())
-        refuse(b, row, "opt", "*DEFINE_SPOTWELD_RUPTURE_STRESS is not in the deck", "define it for the sheets' parts");
+        refuse(b, row[&WeldCards::opt], "*DEFINE_SPOTWELD_RUPTURE_STRESS is not in the deck",
+               "define it for the sheets' parts");
       break;
     case 7:
-      law.table = table_of(b, row, b.pair_strengths, b.model.pair_strengths, "*DEFINE_SPOTWELD_FAILURE_RESULTANTS");
+      law.table = table_of(b, row[&WeldCards::table], b.pair_strengths, b.model.pair_strengths,
+                           "*DEFINE_SPOTWELD_FAILURE_RESULTANTS");
       break;
     case 10:
-      law.table = table_of(b, row, b.load_rate_strengths, b.model.load_rate_strengths, "*DEFINE_SPOTWELD_FAILURE");
+      law.table = table_of(b, row[&WeldCards::table], b.load_rate_strengths, b.model.load_rate_strengths,
+                           "*DEFINE_SPOTWELD_FAILURE");
       break;
     default: break;
   }
 }
 
 /// `row`: the card on which DMGOPT stands.
-void check_damage(Builder& b, const Row& failure, const Row& row, const WeldDamage& damage, double failure_strain) {
+void check_damage(Builder& b, const RowOf<WeldCards>& failure, const RowOf<WeldCards>& row, const WeldDamage& damage,
+                  double failure_strain) {
   const int option = damage.option, kind = option % 10;
   if (option < 0 || option > 12 || kind > 2)
-    return refuse(b, row, "dmgopt", fmt::format("DMGOPT {} is not a damage option of MAT_100", option),
+    return refuse(b, row[&WeldCards::dmgopt], fmt::format("DMGOPT {} is not a damage option of MAT_100", option),
                   "built are 0, 1, 2, 10, 11 and 12");
   if (damage.rupture <= 0.0 && (option != 0 || damage.beta > 0.0))
-    failure.report(b.findings, Severity::warning, "rs", "without RS there is no damage: the weld fails at once",
-                   "give RS");
+    failure[&WeldCards::rs].report(b.findings, Severity::warning,
+                                   "without RS there is no damage: the weld fails at once", "give RS");
   if (option < 2 && damage.rupture > 0.0 && damage.rupture <= failure_strain)
-    refuse(b, failure, "rs", fmt::format("the plastic strain at rupture must be above EFAIL = {:g}", failure_strain),
+    refuse(b, failure[&WeldCards::rs],
+           fmt::format("the plastic strain at rupture must be above EFAIL = {:g}", failure_strain),
            "give a larger RS, or leave it blank: points then fail at EFAIL at once");
 }
 
-void check_correction(Builder& b, const Row& row) {
-  if (row.integer("ttopt") == 1)
-    row.report(b.findings, Severity::warning, "ttopt",
-               "the correction of release 8 is not public: it is made free of the numbering, as with 2",
-               "write 0 or 2");
+void check_correction(Builder& b, const RowOf<WeldCards>& row) {
+  if (row->ttopt == 1)
+    row[&WeldCards::ttopt].report(
+        b.findings, Severity::warning,
+        "the correction of release 8 is not public: it is made free of the numbering, as with 2", "write 0 or 2");
 }
 
 /// RS is a time with DMGOPT 2 and 12, so its card cannot say its unit.
@@ -370,27 +405,27 @@ void scale_rupture(const Block& block, WeldDamage& damage) {
 }
 
 /// What the third card and the one after it say; `failure_strain`: EFAIL.
-void read_damage(Builder& b, Cursor& cursor, WeldLaw& law, const Row& row, double failure_strain) {
+void read_damage(Builder& b, Cursor& cursor, WeldLaw& law, const RowOf<WeldCards>& row, double failure_strain) {
   WeldDamage& damage = law.damage;
-  damage.rupture = failure_value(row.real("rs"));
-  damage.true_thickness = row.real("true_t");
-  damage.whole = row.integer("asff") == 1;
-  damage.beta = row.real("beta");
-  damage.option = static_cast<int>(row.real("dmgopt"));
+  damage.rupture = failure_value(row->rs);
+  damage.true_thickness = row->true_t;
+  damage.whole = row->asff == 1;
+  damage.beta = row->beta;
+  damage.option = static_cast<int>(row->dmgopt);
   if (damage.option != -1) {
     scale_rupture(cursor.block(), damage);
     return check_damage(b, row, row, damage, failure_strain);
   }
-  const Row more = cursor.read(damage_card);
-  damage.option = static_cast<int>(more.real("dmgopt"));
+  const auto more = cursor.read(damage_card);
+  damage.option = static_cast<int>(more->dmgopt);
   scale_rupture(cursor.block(), damage);
-  damage.mode = more.real("fmode");
-  damage.cap = more.real("ffcap");
+  damage.mode = more->fmode;
+  damage.cap = more->ffcap;
   check_correction(b, more);
   check_damage(b, row, more, damage, failure_strain);
-  for (const auto* field : {"fmode", "ffcap"})
-    if (damage.option < 10 && more.real(field) != 0.0)
-      more.report(b.findings, Severity::warning, field, "counts for DMGOPT 10, 11 and 12 only", "leave it blank");
+  for (const auto field : {&WeldCards::fmode, &WeldCards::ffcap})
+    if (damage.option < 10 && (*more).*field != 0.0)
+      more[field].report(b.findings, Severity::warning, "counts for DMGOPT 10, 11 and 12 only", "leave it blank");
 }
 
 /// DMGOPT 0 to 2: every point is damaged by itself.
@@ -409,63 +444,62 @@ void set_weld_damage(WeldDamage& damage, kernel::Spotweld& law) {
 }
 
 /// SIGY < 0: a yield curve over plastic strain, or a table of them over the strain rate.
-void set_yield_curve(Builder& b, const Row& row, kernel::Spotweld& law) {
-  if (row.real("sigy") >= 0.0) return;
-  const int id = static_cast<int>(std::lround(-row.real("sigy")));
-  YieldTable table = yield_table(b, row.entry("sigy"), id, false);
+void set_yield_curve(Builder& b, const deck::Entry& sigy, kernel::Spotweld& law) {
+  if (sigy.value >= 0.0) return;
+  YieldTable table = yield_table(b, sigy, static_cast<int>(std::lround(-sigy.value)), false);
   law.yield_curves = std::move(table.curves);
   law.rates = std::move(table.rates);
   law.log_rates = table.log_rates;
 }
 
 /// Adds the material and what it says of welds as a whole.
-Index add_weld(Builder& b, const Row& row, std::string title, std::string_view keyword, kernel::Spotweld law,
-               WeldLaw weld) {
+Index add_weld(Builder& b, const RowOf<WeldCards>& row, std::string title, std::string_view keyword,
+               kernel::Spotweld law, WeldLaw weld) {
   const Index material = add_material(b, row, std::move(title), keyword, law);
   b.model.materials[static_cast<std::size_t>(material)].weld = static_cast<Index>(b.model.weld_laws.size());
   b.model.weld_laws.push_back(std::move(weld));
   return b.model.materials[static_cast<std::size_t>(material)].weld;
 }
 
-kernel::Spotweld point_law(const Row& row) {
+kernel::Spotweld point_law(const WeldCards& cards) {
   kernel::Spotweld law;
-  law.E = std::abs(row.real("e"));
-  law.nu = row.real("pr");
-  law.mass_step = row.real("dt");
+  law.E = std::abs(cards.e);
+  law.nu = cards.pr;
+  law.mass_step = cards.dt;
   return law;
 }
 
 /// Young's modulus and its sign, which with _UNIAXIAL is the stress state of bricks.
-bool is_uniaxial(Builder& b, const Row& row, const Options& options) {
-  if (row.real("e") == 0.0) refuse(b, row, "e", "Young's modulus must not be 0");
-  return row.real("e") < 0.0 || options.contains("UNIAXIAL");
+bool is_uniaxial(Builder& b, const RowOf<WeldCards>& row, const Options& options) {
+  if (row->e == 0.0) refuse(b, row[&WeldCards::e], "Young's modulus must not be 0");
+  return row->e < 0.0 || options.contains("UNIAXIAL");
 }
 
 /// *MAT_SPOTWELD, with the failure card if `with_failure`.
 void read_weld(Builder& b, const Block& block, const Options& options, bool with_failure) {
   int option = 0;
   if (with_failure) {
-    const Row failure = peek_option(b, block, options);
-    option = static_cast<int>(failure.real("opt"));
+    const auto failure = peek_option(b, block, options);
+    option = static_cast<int>(failure->opt);
     if (!strength_card(option)) {
       b.mark_ignored(block);
-      return refuse_option(b, failure, option);
+      return refuse_option(b, failure[&WeldCards::opt], option);
     }
   }
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  const Row row = cursor.read(weld_card);
-  const Row second = cursor.read(*strength_card(option));
-  kernel::Spotweld law = point_law(row);
-  law.yield = row.real("sigy");
-  law.hardening = row.real("eh");
-  law.failure_strain = failure_value(second.real("efail"));
+  const auto row = cursor.read(weld_card);
+  const auto second = cursor.read(*strength_card(option));
+  kernel::Spotweld law = point_law(*row);
+  law.yield = row->sigy;
+  law.hardening = row->eh;
+  law.failure_strain = failure_value(second->efail);
   WeldLaw weld;
   weld.option = option;
   law.uniaxial = is_uniaxial(b, row, options);
-  weld.failure_time = failure_value(row.real("tfail"));
-  weld.filter = option == 5 ? 0 : second.integer("nf");
-  std::optional<Row> failure;
+  weld.failure_time = failure_value(row->tfail);
+  weld.filter = option == 5 ? 0 : second->nf;
+  std::optional<RowOf<WeldCards>> failure;
   if (with_failure) {
     failure = cursor.read(failure_card_for(option));
     read_damage(b, cursor, weld, *failure, law.failure_strain);
@@ -477,10 +511,10 @@ void read_weld(Builder& b, const Block& block, const Options& options, bool with
                                law, std::move(weld));
   // Curves and tables may be defined later in the deck.
   const std::size_t material = b.model.materials.size() - 1;
-  b.defer(Phase::parts, [material, index, row, second, failure,
+  b.defer(Phase::parts, [material, index, sigy = row[&WeldCards::sigy], second, failure,
                          length = block.transform ? block.transform->length : 1.0](Builder& later) {
     WeldLaw& built = later.model.weld_laws[static_cast<std::size_t>(index)];
-    set_yield_curve(later, row, std::get<kernel::Spotweld>(later.model.materials[material].law));
+    set_yield_curve(later, sigy, std::get<kernel::Spotweld>(later.model.materials[material].law));
     set_strengths(later, built, second);
     if (!failure) return;
     set_limit(later, built, *failure, length);
@@ -499,29 +533,29 @@ void read_failure(Builder& b, const Block& block, const Options& options) {
 void read_connection(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  const Row row = cursor.read(connection_card);
-  const Row second = cursor.read(table_card);
-  const Row third = cursor.read(connection_failure_card);
-  kernel::Spotweld law = point_law(row);
+  const auto row = cursor.read(connection_card);
+  const auto second = cursor.read(table_card);
+  const auto third = cursor.read(connection_failure_card);
+  kernel::Spotweld law = point_law(*row);
   law.yield = std::numeric_limits<double>::max();  // until the connection is known; it stays if CON_ID < 0
   WeldLaw weld;
-  weld.damage.failure_strain = failure_value(second.real("efail"));
+  weld.damage.failure_strain = failure_value(second->efail);
   weld.connection = true;
   law.uniaxial = is_uniaxial(b, row, options);
-  weld.failure_time = failure_value(row.real("tfail"));
-  weld.filter = second.integer("nf");
-  weld.rate_filter = third.real("rfiltf");
-  weld.jacobian_limit = third.real("jtol");
-  weld.damage.rupture = third.real("rs");
-  weld.damage.true_thickness = third.real("true_t");
-  weld.damage.whole = third.integer("asff") == 1;
-  if (third.integer("dmgopt") == -1) check_correction(b, cursor.read(connection_more_card));
+  weld.failure_time = failure_value(row->tfail);
+  weld.filter = second->nf;
+  weld.rate_filter = third->rfiltf;
+  weld.jacobian_limit = third->jtol;
+  weld.damage.rupture = third->rs;
+  weld.damage.true_thickness = third->true_t;
+  weld.damage.whole = third->asff == 1;
+  if (third->more == -1) check_correction(b, cursor.read(connection_more_card));
   expect_end(b, cursor);
   const Index index = add_weld(b, row, std::move(title), "MAT_SPOTWELD_DAIMLERCHRYSLER", law, std::move(weld));
-  b.defer(Phase::parts, [index, third](Builder& later) {
-    if (third.integer("con_id") > 0)
+  b.defer(Phase::parts, [index, con_id = third[&WeldCards::con_id]](Builder& later) {
+    if (con_id.integer() > 0)
       later.model.weld_laws[static_cast<std::size_t>(index)].properties =
-          later.find(later.connections, "connection", third, "con_id");
+          later.find(later.connections, "connection", con_id);
   });
 }
 

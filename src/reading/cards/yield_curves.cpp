@@ -10,23 +10,19 @@ namespace nugget::reading {
 
 namespace {
 
-using deck::Row;
-
-Curve bilinear(const Row& row) {
-  const double E = row.real("e"), tangent = row.real("etan"), yield = row.real("sigy");
-  const double slope = tangent < E ? E * tangent / (E - tangent) : 0.0;
-  return {0, {0.0, 1.0}, {yield, yield + slope}};
+Curve bilinear(const YieldCards& cards) {
+  const double slope = cards.etan < cards.e ? cards.e * cards.etan / (cards.e - cards.etan) : 0.0;
+  return {0, {0.0, 1.0}, {cards.sigy, cards.sigy + slope}};
 }
 
 /// The points EPS, ES: as many as are given. A first strain of 0 counts if it has a stress; from one above 0 the line
 /// goes back to strain 0 (LS-DYNA Manual vol. II, MAT_024, EPS1).
-Curve points(const Row& strain, const Row& stress) {
+Curve points(const YieldCards& cards) {
   Curve curve;
-  for (int i = 1; i <= 8; ++i) {
-    const double e = strain.real(fmt::format("eps{}", i)), s = stress.real(fmt::format("es{}", i));
-    if (s == 0.0 && e == 0.0) break;
-    curve.x.push_back(e);
-    curve.y.push_back(s);
+  for (std::size_t i = 0; i < cards.eps.size(); ++i) {
+    if (cards.es[i] == 0.0 && cards.eps[i] == 0.0) break;
+    curve.x.push_back(cards.eps[i]);
+    curve.y.push_back(cards.es[i]);
   }
   if (curve.x.size() > 1 && curve.x.front() > 0.0) {
     curve.y.insert(curve.y.begin(), curve.y.front() - curve.slope(curve.x.front()) * curve.x.front());
@@ -35,19 +31,20 @@ Curve points(const Row& strain, const Row& stress) {
   return curve;
 }
 
-void set_points(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law, Curve curve) {
+void set_points(Builder& b, const YieldRows& rows, kernel::PiecewiseLinear& law, Curve curve) {
   if (!std::is_sorted(curve.x.begin(), curve.x.end(), std::less_equal<>{}))
-    return refuse(b, cards.strain, "eps1", "plastic strains must ascend", "sort the points");
+    return refuse(b, rows.strain[at(&YieldCards::eps, 0)], "plastic strains must ascend", "sort the points");
   if (*std::min_element(curve.y.begin(), curve.y.end()) <= 0.0)
-    return refuse(b, cards.stress, "es1", "the points make a yield stress that is not above 0",
+    return refuse(b, rows.stress[at(&YieldCards::es, 0)], "the points make a yield stress that is not above 0",
                   "give a yield stress above 0 at each point, from plastic strain 0 on");
   law.yield = {std::move(curve)};
 }
 
-void set_curve_or_table(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law) {
-  const int id = cards.rate.integer("lcss");
-  if (id < 0) return refuse(b, cards.rate, "lcss", "a negative id is not supported", "give the curve's id");
-  YieldTable table = yield_table(b, cards.rate.entry("lcss"), id, cards.log_rates);
+void set_curve_or_table(Builder& b, const YieldRows& rows, kernel::PiecewiseLinear& law) {
+  const deck::Entry lcss = rows.rate[&YieldCards::lcss];
+  const int id = lcss.integer();
+  if (id < 0) return refuse(b, lcss, "a negative id is not supported", "give the curve's id");
+  YieldTable table = yield_table(b, lcss, id, rows.log_rates);
   if (table.curves.empty()) return;
   law.yield = std::move(table.curves);
   law.rates = std::move(table.rates);
@@ -56,59 +53,73 @@ void set_curve_or_table(Builder& b, const YieldCards& cards, kernel::PiecewiseLi
 
 /// What of the rate effects counts: those of a table, else LCSR, else C and P (documented for the table, the rest is
 /// of S. Bala's notes); how the rate is measured.
-void set_rates(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law) {
-  const Row& row = cards.rate;
-  const bool table = !law.rates.empty(), scaled = row.integer("lcsr") != 0;
-  for (const auto* field : {"c", "lcsr"})
-    if ((field[0] == 'c' ? row.real("c") > 0.0 : scaled) && (table || (field[0] == 'c' && scaled)))
-      row.report(b.findings, Severity::warning, field,
+void set_rates(Builder& b, const YieldRows& rows, kernel::PiecewiseLinear& law) {
+  const YieldCards& cards = rows.cards();
+  const deck::Entry lcsr = rows.rate[&YieldCards::lcsr], vp = rows.rate[&YieldCards::vp];
+  const bool table = !law.rates.empty(), scaled = cards.lcsr != 0;
+  const auto not_obeyed = [&](const deck::Entry& field) {
+    field.report(b.findings, Severity::warning,
                  table ? "not obeyed: the rates are those of the table in LCSS" : "C and P are not obeyed with LCSR",
                  "leave it empty");
-  if (const Index scale = b.curve(row, "lcsr"); scale != none && !table)
+  };
+  if (cards.c > 0.0 && (table || scaled)) not_obeyed(rows.rate[&YieldCards::c]);
+  if (scaled && table) not_obeyed(lcsr);
+  if (const Index scale = b.curve(lcsr); scale != none && !table)
     law.rate_scale = b.model.curves[static_cast<std::size_t>(scale)];
   if (!std::is_sorted(law.rate_scale.y.begin(), law.rate_scale.y.end()))
-    warn_of_softening_by_rate(b, row.entry("lcsr"), fmt::format("curve {}", law.rate_scale.id));
-  if (!table && !scaled && row.real("c") > 0.0 && row.real("p") > 0.0) {
-    law.rate_c = row.real("c");
-    law.rate_p = row.real("p");
+    warn_of_softening_by_rate(b, lcsr, fmt::format("curve {}", law.rate_scale.id));
+  if (!table && !scaled && cards.c > 0.0 && cards.p > 0.0) {
+    law.rate_c = cards.c;
+    law.rate_p = cards.p;
   }
-  const double vp = row.real("vp");
-  if (vp != -1.0 && vp != 0.0 && vp != 1.0 && vp != 3.0 && vp != 4.0)
-    return refuse(b, row, "vp", "expected -1, 0, 1, 3 or 4");
-  if (vp != 0.0 && vp != 1.0)
-    row.report(b.findings, Severity::warning, "vp",
-               "computed as 0: the rate of the plastic strain, found together with the stress, without a filter",
-               "write 0, or 1");
-  if (vp == 1.0 && law.rate_c > 0.0) law.rate_yield = cards.main.real("sigy");
+  if (cards.vp != -1.0 && cards.vp != 0.0 && cards.vp != 1.0 && cards.vp != 3.0 && cards.vp != 4.0)
+    return refuse(b, vp, "expected -1, 0, 1, 3 or 4");
+  if (cards.vp != 0.0 && cards.vp != 1.0)
+    vp.report(b.findings, Severity::warning,
+              "computed as 0: the rate of the plastic strain, found together with the stress, without a filter",
+              "write 0, or 1");
+  if (cards.vp == 1.0 && law.rate_c > 0.0) law.rate_yield = cards.sigy;
 }
 
 }  // namespace
 
-const Card yield_strain_card{{
-    real("eps1", dimension::number, 0, at_least(0), "plastic strain of point 1"),
-    real("eps2", dimension::number, 0, at_least(0), "point 2"),
-    real("eps3", dimension::number, 0, at_least(0), "point 3"),
-    real("eps4", dimension::number, 0, at_least(0), "point 4"),
-    real("eps5", dimension::number, 0, at_least(0), "point 5"),
-    real("eps6", dimension::number, 0, at_least(0), "point 6"),
-    real("eps7", dimension::number, 0, at_least(0), "point 7"),
-    real("eps8", dimension::number, 0, at_least(0), "point 8"),
-}};
+const CardOf<YieldCards> yield_strain_card{
+    {at(&YieldCards::eps, 0), real("eps1", dimension::number, 0, at_least(0), "plastic strain of point 1")},
+    {at(&YieldCards::eps, 1), real("eps2", dimension::number, 0, at_least(0), "point 2")},
+    {at(&YieldCards::eps, 2), real("eps3", dimension::number, 0, at_least(0), "point 3")},
+    {at(&YieldCards::eps, 3), real("eps4", dimension::number, 0, at_least(0), "point 4")},
+    {at(&YieldCards::eps, 4), real("eps5", dimension::number, 0, at_least(0), "point 5")},
+    {at(&YieldCards::eps, 5), real("eps6", dimension::number, 0, at_least(0), "point 6")},
+    {at(&YieldCards::eps, 6), real("eps7", dimension::number, 0, at_least(0), "point 7")},
+    {at(&YieldCards::eps, 7), real("eps8", dimension::number, 0, at_least(0), "point 8")},
+};
 
-const Card yield_stress_card{{
-    real("es1", dimension::stress, 0, at_least(0), "yield stress of point 1"),
-    real("es2", dimension::stress, 0, at_least(0), "point 2"),
-    real("es3", dimension::stress, 0, at_least(0), "point 3"),
-    real("es4", dimension::stress, 0, at_least(0), "point 4"),
-    real("es5", dimension::stress, 0, at_least(0), "point 5"),
-    real("es6", dimension::stress, 0, at_least(0), "point 6"),
-    real("es7", dimension::stress, 0, at_least(0), "point 7"),
-    real("es8", dimension::stress, 0, at_least(0), "point 8"),
-}};
+const CardOf<YieldCards> yield_stress_card{
+    {at(&YieldCards::es, 0), real("es1", dimension::stress, 0, at_least(0), "yield stress of point 1")},
+    {at(&YieldCards::es, 1), real("es2", dimension::stress, 0, at_least(0), "point 2")},
+    {at(&YieldCards::es, 2), real("es3", dimension::stress, 0, at_least(0), "point 3")},
+    {at(&YieldCards::es, 3), real("es4", dimension::stress, 0, at_least(0), "point 4")},
+    {at(&YieldCards::es, 4), real("es5", dimension::stress, 0, at_least(0), "point 5")},
+    {at(&YieldCards::es, 5), real("es6", dimension::stress, 0, at_least(0), "point 6")},
+    {at(&YieldCards::es, 6), real("es7", dimension::stress, 0, at_least(0), "point 7")},
+    {at(&YieldCards::es, 7), real("es8", dimension::stress, 0, at_least(0), "point 8")},
+};
 
-void check_tangent(Builder& b, const Row& row) {
-  if (row.real("etan") >= row.real("e") && row.real("e") > 0.0)
-    refuse(b, row, "etan", fmt::format("the tangent modulus must be below Young's modulus {:g}", row.real("e")));
+YieldRows read_yield_cards(deck::Cursor& cursor, const CardOf<YieldCards>& main, const CardOf<YieldCards>& rate,
+                           bool log_rates) {
+  YieldCards cards;
+  YieldRows rows;
+  rows.main = cursor.read(main, cards);
+  rows.rate = cursor.read(rate, cards);
+  rows.strain = cursor.read(yield_strain_card, cards);
+  rows.stress = cursor.read(yield_stress_card, cards);
+  rows.log_rates = log_rates;
+  return rows;
+}
+
+void check_tangent(Builder& b, double e, const deck::Entry& etan) {
+  if (etan.value >= e && e > 0.0)
+    refuse(b, etan, fmt::format("the tangent modulus must be below Young's modulus {:g}", e));
 }
 
 void warn_of_half_a_rate(Builder& b, const deck::Entry& c, const deck::Entry& p) {
@@ -178,16 +189,18 @@ YieldTable yield_table(Builder& b, const deck::Entry& field, int id, bool log_ra
   return y;
 }
 
-void set_yield_curves(Builder& b, const YieldCards& cards, kernel::PiecewiseLinear& law) {
-  law.yield = {bilinear(cards.main)};
-  if (cards.rate.integer("lcss") != 0)
-    set_curve_or_table(b, cards, law);
-  else if (Curve curve = points(cards.strain, cards.stress); !curve.empty())
-    set_points(b, cards, law, std::move(curve));
-  else if (!(cards.main.real("sigy") > 0.0))
-    refuse(b, cards.main, "sigy", "the yield stress must be given", "give SIGY and ETAN, EPS and ES, or LCSS");
-  warn_of_half_a_rate(b, cards.rate.entry("c"), cards.rate.entry("p"));
-  set_rates(b, cards, law);
+void set_yield_curves(Builder& b, const YieldRows& rows, kernel::PiecewiseLinear& law) {
+  const YieldCards& cards = rows.cards();
+  law.yield = {bilinear(cards)};
+  if (cards.lcss != 0)
+    set_curve_or_table(b, rows, law);
+  else if (Curve curve = points(cards); !curve.empty())
+    set_points(b, rows, law, std::move(curve));
+  else if (!(cards.sigy > 0.0))
+    refuse(b, rows.main[&YieldCards::sigy], "the yield stress must be given",
+           "give SIGY and ETAN, EPS and ES, or LCSS");
+  warn_of_half_a_rate(b, rows.rate[&YieldCards::c], rows.rate[&YieldCards::p]);
+  set_rates(b, rows, law);
 }
 
 }  // namespace nugget::reading

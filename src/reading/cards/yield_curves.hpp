@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "reading/builder/builder.hpp"
+#include <array>
+
+#include "reading/cards/material.hpp"
 
 namespace nugget::reading {
 
@@ -16,20 +18,29 @@ struct YieldTable {
 /// logarithms of its rates. Yield stresses must be above 0.
 YieldTable yield_table(Builder& builder, const deck::Entry& field, int id, bool log_rates);
 
-/// The cards of MAT_024, from which its yield stress follows.
-struct YieldCards {
-  deck::Row main;          ///< mid ro e pr sigy etan ...
-  deck::Row rate;          ///< c p lcss lcsr ...
-  deck::Row strain;        ///< eps1..8
-  deck::Row stress;        ///< es1..8
-  bool log_rates = false;  ///< _LOG_INTERPOLATION
+/// The four cards of MAT_024 and its relatives.
+struct YieldCards : MaterialCard {
+  double e = 0, pr = 0, sigy = 0, etan = 0;  // first
+  double c = 0, p = 0, vp = 0;               // second
+  int lcss = 0, lcsr = 0;
+  std::array<double, 8> eps{}, es{};  // third, fourth
+  // Of some of the laws.
+  double fail = 0, tdel = 0, eppf = 0, eppfr = 0, epsthin = 0, epsmaj = 0, numint = 0;
+  int lcdm = 0;
 };
-
-/// EPS1..8 and ES1..8, as in MAT_024.
-extern const Card yield_strain_card, yield_stress_card;
+struct YieldRows {
+  deck::RowOf<YieldCards> main, rate, strain, stress;
+  bool log_rates = false;  ///< _LOG_INTERPOLATION
+  /// Values of all four.
+  const YieldCards& cards() const { return *stress; }
+};
+/// Reads the two cards, EPS1..8 and ES1..8.
+YieldRows read_yield_cards(deck::Cursor& cursor, const CardOf<YieldCards>& main, const CardOf<YieldCards>& rate,
+                           bool log_rates);
+extern const CardOf<YieldCards> yield_strain_card, yield_stress_card;
 
 /// An error where ETAN is not below E.
-void check_tangent(Builder& builder, const deck::Row& row);
+void check_tangent(Builder& builder, double e, const deck::Entry& etan);
 /// A warning where only one of the constants of Cowper and Symonds is given.
 void warn_of_half_a_rate(Builder& builder, const deck::Entry& c, const deck::Entry& p);
 
@@ -39,6 +50,6 @@ void warn_of_softening_by_rate(Builder& builder, const deck::Entry& field, const
 
 /// Sets yield, rates and log_rates, from the first of these that is given: LCSS (curve or table), EPS and ES, SIGY and
 /// ETAN with the plastic modulus E ETAN / (E - ETAN); and what the rate does to them.
-void set_yield_curves(Builder& builder, const YieldCards& cards, kernel::PiecewiseLinear& law);
+void set_yield_curves(Builder& builder, const YieldRows& rows, kernel::PiecewiseLinear& law);
 
 }  // namespace nugget::reading
