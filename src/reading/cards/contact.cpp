@@ -654,7 +654,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   take_friction(builder, friction, contact);
   take_scales(builder, cursor.read(scale_card), contact);
   if (erodes(contact) && cursor.more()) cursor.read(eroding_card);
-  const std::optional<Row> glue = read_glue(builder, cursor, options, contact);
+  const auto glue = read_glue(builder, cursor, options, contact);
   take_optional_cards(builder, cursor, contact);
   const long offset = block.transform ? block.transform->id_offset[static_cast<std::size_t>(IdSpace::define)] : 0;
   builder.defer(Phase::conditions, [sides, friction, offset, glue, contact = std::move(contact)](Builder& b) mutable {
