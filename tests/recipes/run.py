@@ -39,6 +39,10 @@ class Recipe:
 RECIPES = {
     "keyword_known_data": Recipe(new_files=0, changed_files=1, changed_lines=60, room="reading",
                                  title="A keyword onto data that the model has: one file"),
+    "keyword_new_data": Recipe(new_files=0, changed_files=3, changed_lines=60, room="impact",
+                               title="A keyword with new data: its card, the data, and what obeys it"),
+    "load": Recipe(new_files=1, changed_files=3, changed_lines=60, room="impact",
+                   title="A load: its data and its list, one file for how it acts and its include, its card"),
     "history": Recipe(new_files=1, changed_files=1, changed_lines=1, room="impact",
                       title="A history file: one file and one line"),
     "law": Recipe(new_files=1, changed_files=1, changed_lines=2, room="kernel",
