@@ -180,7 +180,8 @@ def breaches(root):
         where = f"{place}:{c.line}: {name}"
         derived = [b for b in c.bases if b in bases]
         if c.archive is None:
-            if derived and c.members:
+            # Reading is over before a run begins; its cards share names with what acts in one.
+            if derived and c.members and room != "reading":
                 found.append(f"{where} has members, and no archive(Archive&) besides that of {derived[0]}")
             continue
         body = c.archive or bodies.get((room, name), "")
