@@ -10,7 +10,8 @@
 namespace nugget::reading {
 
 /// A number whose 0 has a meaning of its own beside the default.
-constexpr Field zero_counts(Field f) {
+template <class AnyField>
+constexpr AnyField zero_counts(AnyField f) {
   f.zero_is_default = false;
   return f;
 }
@@ -22,34 +23,50 @@ struct Driven {
   bool turning = false;
 };
 
-/// Names of an excitation's fields.
-struct ExcitationFields {
-  std::string_view entity, type, direction, kind, vector;
+/// Modes that take part (FNMAX, MDMIN, MDMAX), on whichever card they stand.
+struct SelectionCard {
+  double fnmax = 0;
+  int mdmin = 0, mdmax = 0;
+};
+/// A load: N1 N1TYP DOF1 VAD1 VID1 of *FREQUENCY_DOMAIN_FRF, NID NTYP DOF VAD VID of _SSD.
+struct ExcitationCard : SelectionCard {
+  int entity = 0, type = 0, direction = 0, vad = 0, vector = 0;
+  int lc1 = 0, lc2 = 0;  // of _SSD
+  double sf = 0;
+};
+struct DampingCard {
+  double dampf = 0, dmpmas = 0, dmpstf = 0;
+  int lcdam = 0, lctyp = 0, dmpflg = 0;
+};
+struct FrequencyCard {
+  double fmin = 0, fmax = 0;
+  int nfreq = 0, fspace = 0, lcfreq = 0;
+  int restrt = 0, output = 0;  // of FRF
 };
 
 /// What is driven, and where. An entity that is not built or a set without members is refused.
-FrequencyResponse::Excitation excitation_of(Builder& builder, const deck::Row& row, const ExcitationFields& fields,
+FrequencyResponse::Excitation excitation_of(Builder& builder, const deck::RowOf<ExcitationCard>& row,
                                             const Driven& driven);
 
-/// Nodes of a node or a node set, which must not be empty.
-std::vector<Index> nodes_of(Builder& builder, const deck::Row& row, std::string_view entity, std::string_view type);
+/// Nodes of a node (type 0) or a node set (1), which must not be empty.
+std::vector<Index> nodes_of(Builder& builder, const deck::Entry& entity, int type);
 /// A unit vector: axis 1, 2, 3, or else that of *DEFINE_VECTOR.
-Vec3d direction_of(Builder& builder, const deck::Row& row, std::string_view axis, std::string_view vector);
+Vec3d direction_of(Builder& builder, const deck::Entry& axis, const deck::Entry& vector);
 
 /// The fields FMIN to LCFREQ, which several cards have; `rest` follows them.
-Card frequency_card(std::initializer_list<Field> rest = {});
+CardOf<FrequencyCard> frequency_card(std::initializer_list<FieldOf<FrequencyCard>> rest = {});
 /// What they ask for.
-Frequencies frequencies_of(Builder& builder, const deck::Row& row);
-FrequencyResponse::Selection selection_of(Builder& builder, const deck::Row& row);
-FrequencyResponse::Damping damping_of(Builder& builder, const deck::Row& row);
+Frequencies frequencies_of(Builder& builder, const deck::RowOf<FrequencyCard>& row);
+/// `mdmax`: its field.
+FrequencyResponse::Selection selection_of(Builder& builder, const SelectionCard& card, const deck::Entry& mdmax);
+FrequencyResponse::Damping damping_of(Builder& builder, const deck::RowOf<DampingCard>& row);
 
-/// A warning where nothing damps. `row`: the card of the damping.
-void check_damped(Builder& builder, const deck::Row& row, const FrequencyResponse::Damping& damping);
+/// A warning where nothing damps. `dampf`: its field.
+void check_damped(Builder& builder, const deck::Entry& dampf, const FrequencyResponse::Damping& damping);
 
 /// What only the whole model shows: whether the analysis runs, whether there is a base to move. `field`: where findings
 /// stand. `modal`: by modes, which must be the lowest ones.
-void check_analysis(Builder& builder, const deck::Row& row, std::string_view field, bool modal);
-void check_excitation(Builder& builder, const deck::Row& row, std::string_view field,
-                      const FrequencyResponse::Excitation& excitation);
+void check_analysis(Builder& builder, const deck::Entry& field, bool modal);
+void check_excitation(Builder& builder, const deck::Entry& field, const FrequencyResponse::Excitation& excitation);
 
 }  // namespace nugget::reading
