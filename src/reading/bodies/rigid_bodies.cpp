@@ -13,7 +13,6 @@
 namespace nugget::reading {
 namespace {
 
-using deck::Row;
 using deck::RowOf;
 
 bool is_rigid(const Model& model, const Part& part) {

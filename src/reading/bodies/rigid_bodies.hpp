@@ -18,9 +18,6 @@ void make_rigid_bodies(Builder& builder);
 /// The body of a MAT_RIGID part (that of its lead part where merged) or of a nodal rigid body, by the id in a field;
 /// none and a finding where there is no such body.
 Index find_body(Builder& builder, const deck::Entry& field);
-inline Index find_body(Builder& builder, const deck::Row& row, std::string_view field) {
-  return find_body(builder, row.entry(field));
-}
 
 /// Local axes of a body by the deck: LCO of *MAT_RIGID or its two vectors, CID of *CONSTRAINED_NODAL_RIGID_BODY; null
 /// where it names none.

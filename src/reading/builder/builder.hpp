@@ -146,64 +146,33 @@ class Builder {
   // Look-ups that make a finding ("... is not defined") at the field where the id is unknown. Id 0 gives none,
   // silently.
   Index node(const deck::Entry& field);
-  Index node(const deck::Row& row, std::string_view field) { return node(row.entry(field)); }
   Index part(const deck::Entry& field);
-  Index part(const deck::Row& row, std::string_view field) { return part(row.entry(field)); }
   Index curve(const deck::Entry& field);
-  Index curve(const deck::Row& row, std::string_view field) { return curve(row.entry(field)); }
   const Set<Index>* node_set(const deck::Entry& field);
-  const Set<Index>* node_set(const deck::Row& row, std::string_view field) { return node_set(row.entry(field)); }
   const Set<Index>* part_set(const deck::Entry& field);
-  const Set<Index>* part_set(const deck::Row& row, std::string_view field) { return part_set(row.entry(field)); }
   const Set<Index>* shell_set(const deck::Entry& field);
-  const Set<Index>* shell_set(const deck::Row& row, std::string_view field) { return shell_set(row.entry(field)); }
   const Set<Index>* solid_set(const deck::Entry& field);
-  const Set<Index>* solid_set(const deck::Row& row, std::string_view field) { return solid_set(row.entry(field)); }
   const Set<Index>* beam_set(const deck::Entry& field);
-  const Set<Index>* beam_set(const deck::Row& row, std::string_view field) { return beam_set(row.entry(field)); }
   const Set<Segment>* segment_set(const deck::Entry& field);
-  const Set<Segment>* segment_set(const deck::Row& row, std::string_view field) {
-    return segment_set(row.entry(field));
-  }
   const Set<Index>* branch(const deck::Entry& field);
-  const Set<Index>* branch(const deck::Row& row, std::string_view field) { return branch(row.entry(field)); }
   /// A coordinate system with fixed axes; one that turns with its nodes is refused there.
   Index system(const deck::Entry& field);
-  Index system(const deck::Row& row, std::string_view field) { return system(row.entry(field)); }
   Index turning_or_fixed_system(const deck::Entry& field);
-  Index turning_or_fixed_system(const deck::Row& row, std::string_view field) {
-    return turning_or_fixed_system(row.entry(field));
-  }
   /// The same as `system` for directions of motions and loads, which LS-DYNA takes along cylindrical or spherical axes
   /// (TYPE): such a system is refused.
   Index system_of_directions(const deck::Entry& field);
-  Index system_of_directions(const deck::Row& row, std::string_view field) {
-    return system_of_directions(row.entry(field));
-  }
   const Vec3d* vector(const deck::Entry& field);
-  const Vec3d* vector(const deck::Row& row, std::string_view field) { return vector(row.entry(field)); }
   const Vec3d* vector_tail(const deck::Entry& field);
-  const Vec3d* vector_tail(const deck::Row& row, std::string_view field) { return vector_tail(row.entry(field)); }
   const Box* box(const deck::Entry& field);
-  const Box* box(const deck::Row& row, std::string_view field) { return box(row.entry(field)); }
   Index shell(const deck::Entry& field);
-  Index shell(const deck::Row& row, std::string_view field) { return shell(row.entry(field)); }
   Index solid(const deck::Entry& field);
-  Index solid(const deck::Row& row, std::string_view field) { return solid(row.entry(field)); }
   Index beam(const deck::Entry& field);
-  Index beam(const deck::Row& row, std::string_view field) { return beam(row.entry(field)); }
 
   /// Index of the id in a field, or none and a finding "... is not defined". Id 0 gives none, silently.
   Index find(const Ids& ids, std::string_view what, const deck::Entry& field);
-  Index find(const Ids& ids, std::string_view what, const deck::Row& row, std::string_view field) {
-    return find(ids, what, row.entry(field));
-  }
   /// That finding. Where the definition stands in the deck and was refused, the refusal has been reported: nothing more
   /// is said, unless such cards are only left out; then what needs them cannot be.
   void report_missing(const Ids& ids, std::string_view what, const deck::Entry& field);
-  void report_missing(const Ids& ids, std::string_view what, const deck::Row& row, std::string_view field) {
-    report_missing(ids, what, row.entry(field));
-  }
   /// A table with its curves; nothing for none and for one that is not whole (reported where it is defined).
   CurveTable table_with_curves(Index table) const;
   /// Remembers what a refused block would have defined, so that no finding says of its users that it is "not defined".
@@ -233,16 +202,8 @@ void expect_end(Builder& builder, const deck::Cursor& cursor);
 std::string read_title(deck::Cursor& cursor, const Options& options);
 /// An error "... not supported" at a field whose value is not one of those this program computes.
 void refuse(Builder& builder, const deck::Entry& field, std::string_view text, std::string_view remedy = {});
-inline void refuse(Builder& builder, const deck::Row& row, std::string_view field, std::string_view text,
-                   std::string_view remedy = {}) {
-  refuse(builder, row.entry(field), text, remedy);
-}
 /// refuse(), if the field holds anything but blank or zero.
 void refuse_nonzero(Builder& builder, const deck::Entry& field, std::string_view text, std::string_view remedy = {});
-inline void refuse_nonzero(Builder& builder, const deck::Row& row, std::string_view field, std::string_view text,
-                           std::string_view remedy = {}) {
-  refuse_nonzero(builder, row.entry(field), text, remedy);
-}
 
 /// Findings of one kind, of which the first ones are written out and the rest counted: lists of findings sum up what is
 /// alike, findings.json has each, but not millions of them.

@@ -18,25 +18,11 @@ Heading read_heading(deck::Cursor& cursor, bool present) {
   return *cursor.read(heading_card);
 }
 
-Vec3d triple(const deck::Row& row, std::string_view x, std::string_view y, std::string_view z) {
-  return {row.real(x), row.real(y), row.real(z)};
-}
-
-Vec3d direction(const deck::Block& block, const deck::Row& row, std::string_view x, std::string_view y,
-                std::string_view z) {
-  return direction(block, triple(row, x, y, z));
-}
-
 Vec3d direction(const deck::Block& block, const Vec3d& written) {
   return block.transform ? block.transform->direction(written) : written;
 }
 Vec3d position(const deck::Block& block, const Vec3d& written) {
   return block.transform ? block.transform->moved(written) : written;
-}
-
-Vec3d position(const deck::Block& block, const deck::Row& row, std::string_view x, std::string_view y,
-               std::string_view z) {
-  return position(block, triple(row, x, y, z));
 }
 
 Frame3d axes_of_include(const deck::Block& block) {
@@ -71,11 +57,6 @@ double death_time(double written) {
 void expect(Builder& builder, Severity severity, std::initializer_list<Supported> fields) {
   for (const Supported& f : fields)
     if (f.field.value != f.value) f.field.report(builder.findings, severity, f.otherwise);
-}
-
-void expect(Builder& builder, const deck::Row& row, Severity severity, std::initializer_list<SupportedValue> fields) {
-  for (const SupportedValue& f : fields)
-    if (row.real(f.field) != f.value) row.report(builder.findings, severity, f.field, f.otherwise);
 }
 
 void make_unique(std::vector<Index>& indices) {

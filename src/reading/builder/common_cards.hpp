@@ -25,14 +25,6 @@ Heading read_heading(deck::Cursor& cursor, bool present);
 /// are the row's business.
 Vec3d position(const deck::Block& block, const Vec3d& written);
 Vec3d direction(const deck::Block& block, const Vec3d& written);
-/// Three fields as a vector, as they stand.
-Vec3d triple(const deck::Row& row, std::string_view x, std::string_view y, std::string_view z);
-/// Three fields as a position or a direction in the axes of the model: *INCLUDE_TRANSFORM is applied. Units are the
-/// row's business.
-Vec3d position(const deck::Block& block, const deck::Row& row, std::string_view x, std::string_view y,
-               std::string_view z);
-Vec3d direction(const deck::Block& block, const deck::Row& row, std::string_view x, std::string_view y,
-                std::string_view z);
 
 /// The global axes of the file that the block stands in, as *INCLUDE_TRANSFORM turns them.
 Frame3d axes_of_include(const deck::Block& block);
@@ -45,25 +37,14 @@ inline constexpr std::string_view global_codes_remedy =
     "name a coordinate system in the file: it turns with it; or write it in the main file";
 /// A warning where such codes stand in a file that is turned.
 void warn_of_turned_codes(Builder& builder, const deck::Block& block, const deck::Entry& field, unsigned fixed);
-inline void warn_of_turned_codes(Builder& builder, const deck::Block& block, const deck::Row& row,
-                                 std::string_view field, unsigned fixed) {
-  warn_of_turned_codes(builder, block, row.entry(field), fixed);
-}
 /// A warning where what acts along a global axis stands in a file that is turned.
 void warn_of_global_axis(Builder& builder, const deck::Block& block, const deck::Entry& field);
-inline void warn_of_global_axis(Builder& builder, const deck::Block& block, const deck::Row& row,
-                                std::string_view field) {
-  warn_of_global_axis(builder, block, row.entry(field));
-}
 
 /// A death time as it acts: 0 and the deck's various large numbers mean for ever.
 double death_time(double written);
 
 /// The id of a curve that a field below 0 (or_negative) gives with its sign turned; 0 from 0 on.
 int curve_below_zero(double written);
-inline int curve_below_zero(const deck::Row& row, std::string_view field) {
-  return curve_below_zero(row.real(field));
-}
 
 /// A field that is obeyed at one value only.
 struct Supported {
@@ -73,12 +54,6 @@ struct Supported {
 };
 /// A finding for each of the fields that has another value.
 void expect(Builder& builder, Severity severity, std::initializer_list<Supported> fields);
-struct SupportedValue {
-  std::string_view field;
-  double value;
-  std::string_view otherwise;
-};
-void expect(Builder& builder, const deck::Row& row, Severity severity, std::initializer_list<SupportedValue> fields);
 
 /// The nodes of all elements of the parts, ascending, each once.
 std::vector<Index> nodes_of_parts(const Model& model, const std::vector<Index>& parts);

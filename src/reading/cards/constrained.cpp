@@ -15,7 +15,6 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
 using deck::RowOf;
 
 const CardOf<NodalBodyCard> nodal_card{

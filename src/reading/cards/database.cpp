@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // *DATABASE_...: which results are written, how often, and of what.
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdlib>
 #include <iterator>
@@ -16,109 +17,158 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
+using deck::RowOf;
 
-const Card interval_card{{
-    real("dt", dimension::time, 0, at_least(0), "time between two records; 0 writes none"),
-    integer("binary", 0, between(0, 3), "0, 1 ASCII file; 2 binout; 3 both"),
-    id("lcur", IdSpace::function, 0, "curve of the interval over time, instead of dt"),
-    integer("ioopt", 1, between(0, 3),
-            "next output: 1 after the curve's value at this one, 2 where its own value is what has passed, 3 at each "
-            "of the "
-            "curve's abscissas"),
-    real("option1", dimension::number, 0, any_value, "more output: a finer nodout, history variables in elout"),
-    real("option2", dimension::number, 0, any_value, "the same"),
-    real("option3", dimension::number, 0, any_value, "the same"),
-    real("option4", dimension::number, 0, any_value, "the same"),
-}};
+struct IntervalCard {
+  double dt = 0;
+  int binary = 0, lcur = 0, ioopt = 0;
+  std::array<double, 4> option{};
+};
+const CardOf<IntervalCard> interval_card{
+    {&IntervalCard::dt, real("dt", dimension::time, 0, at_least(0), "time between two records; 0 writes none")},
+    {&IntervalCard::binary, integer("binary", 0, between(0, 3), "0, 1 ASCII file; 2 binout; 3 both")},
+    {&IntervalCard::lcur, id("lcur", IdSpace::function, 0, "curve of the interval over time, instead of dt")},
+    {&IntervalCard::ioopt,
+     integer("ioopt", 1, between(0, 3),
+             "next output: 1 after the curve's value at this one, 2 where its own value is what has passed, 3 at each "
+             "of the "
+             "curve's abscissas")},
+    {at(&IntervalCard::option, 0),
+     real("option1", dimension::number, 0, any_value, "more output: a finer nodout, history variables in elout")},
+    {at(&IntervalCard::option, 1), real("option2", dimension::number, 0, any_value, "the same")},
+    {at(&IntervalCard::option, 2), real("option3", dimension::number, 0, any_value, "the same")},
+    {at(&IntervalCard::option, 3), real("option4", dimension::number, 0, any_value, "the same")},
+};
 
-const Card d3plot_card{{
-    real("dt", dimension::time, 0, at_least(0), "time between two states"),
-    id("lcdt", IdSpace::function, 0, "curve of the interval over time"),
+struct D3plotCard {
+  double dt = 0;
+  int lcdt = 0, npltc = 0;
+};
+const CardOf<D3plotCard> d3plot_card{
+    {&D3plotCard::dt, real("dt", dimension::time, 0, at_least(0), "time between two states")},
+    {&D3plotCard::lcdt, id("lcdt", IdSpace::function, 0, "curve of the interval over time")},
     integer("beam", 0, between(0, 2), "how discrete elements are shown"),
-    integer("npltc", 0, at_least(0), "number of states at equal intervals up to the end time, instead of dt"),
+    {&D3plotCard::npltc,
+     integer("npltc", 0, at_least(0), "number of states at equal intervals up to the end time, instead of dt")},
     id("psetid", IdSpace::set, 0, "part set of d3part"),
-}};
+};
 
-const Card d3plot_card2{{
-    integer("ioopt", 0, between(0, 3), "as of the ASCII files"),
-    real("rate", dimension::number, 0, any_value, "filter rate"),
-    real("cutoff", dimension::rate, 0, any_value, "filter frequency"),
-    real("window", dimension::number, 0, any_value, "width of the filter window"),
+struct D3plotCard2 {
+  int ioopt = 0;
+  double rate = 0, cutoff = 0, window = 0;
+};
+const CardOf<D3plotCard2> d3plot_card2{
+    {&D3plotCard2::ioopt, integer("ioopt", 0, between(0, 3), "as of the ASCII files")},
+    {&D3plotCard2::rate, real("rate", dimension::number, 0, any_value, "filter rate")},
+    {&D3plotCard2::cutoff, real("cutoff", dimension::rate, 0, any_value, "filter frequency")},
+    {&D3plotCard2::window, real("window", dimension::number, 0, any_value, "width of the filter window")},
     integer("type", 0, any_value, "what is filtered"),
     integer("pset", 0, any_value, "part set of what is filtered"),
-}};
+};
 
-const Card format_card{{
-    integer("iform", 0, any_value, "0 LS-DYNA's format"),
+struct FormatCard {
+  int iform = 0;
+};
+const CardOf<FormatCard> format_card{
+    {&FormatCard::iform, integer("iform", 0, any_value, "0 LS-DYNA's format")},
     integer("ibinary", 0, between(0, 1), "word size; this program writes 32-bit words in either case"),
-}};
+};
 
-const Card extent_card1{{
-    integer("neiph", 0, between(0, 1000), "extra history variables of solids"),
-    integer("neips", 0, between(0, 1000), "extra history variables of shells"),
-    integer("maxint", 3, any_value,
-            "3: middle, bottom and top of a shell; another number: so many layers from the bottom"),
-    integer("strflg", 0, between(0, 111), "last digit 1: strains are written; the other digits: not built"),
-    integer("sigflg", 1, any_value, "1: stresses of shells are written"),
-    integer("epsflg", 1, any_value, "1: plastic strains of shells are written"),
-    integer("rltflg", 1, any_value, "1: resultants of shells are written"),
-    integer("engflg", 1, any_value, "1: thickness and energy of shells are written"),
-}};
-const Card extent_card2{{
-    integer("cmpflg", 0, between(-1, 1),
-            "1, -1: stresses and strains where a material has axes of its own in these; 0: in global axes"),
-    integer("ieverp", 0, between(0, 1), "1: one state a file"),
-    integer("beamip", 0, at_least(0), "integration points of a beam that are written"),
-    integer("dcomp", 1, any_value, "1: no compression"),
-    integer("shge", 1, any_value, "2: hourglass energy of shells"),
-    integer("stssz", 1, any_value, "2: time step, 3: added mass of shells"),
+struct ExtentCard1 {
+  int neiph = 0, neips = 0, maxint = 0, strflg = 0, sigflg = 0, epsflg = 0, rltflg = 0, engflg = 0;
+};
+const CardOf<ExtentCard1> extent_card1{
+    {&ExtentCard1::neiph, integer("neiph", 0, between(0, 1000), "extra history variables of solids")},
+    {&ExtentCard1::neips, integer("neips", 0, between(0, 1000), "extra history variables of shells")},
+    {&ExtentCard1::maxint,
+     integer("maxint", 3, any_value,
+             "3: middle, bottom and top of a shell; another number: so many layers from the bottom")},
+    {&ExtentCard1::strflg,
+     integer("strflg", 0, between(0, 111), "last digit 1: strains are written; the other digits: not built")},
+    {&ExtentCard1::sigflg, integer("sigflg", 1, any_value, "1: stresses of shells are written")},
+    {&ExtentCard1::epsflg, integer("epsflg", 1, any_value, "1: plastic strains of shells are written")},
+    {&ExtentCard1::rltflg, integer("rltflg", 1, any_value, "1: resultants of shells are written")},
+    {&ExtentCard1::engflg, integer("engflg", 1, any_value, "1: thickness and energy of shells are written")},
+};
+struct ExtentCard2 {
+  int cmpflg = 0, ieverp = 0, beamip = 0, dcomp = 0, shge = 0, stssz = 0;
+};
+const CardOf<ExtentCard2> extent_card2{
+    {&ExtentCard2::cmpflg,
+     integer("cmpflg", 0, between(-1, 1),
+             "1, -1: stresses and strains where a material has axes of its own in these; 0: in global axes")},
+    {&ExtentCard2::ieverp, integer("ieverp", 0, between(0, 1), "1: one state a file")},
+    {&ExtentCard2::beamip, integer("beamip", 0, at_least(0), "integration points of a beam that are written")},
+    {&ExtentCard2::dcomp, integer("dcomp", 1, any_value, "1: no compression")},
+    {&ExtentCard2::shge, integer("shge", 1, any_value, "2: hourglass energy of shells")},
+    {&ExtentCard2::stssz, integer("stssz", 1, any_value, "2: time step, 3: added mass of shells")},
     integer("n3thdt", 2, any_value, "material energies in d3thdt"),
     integer("ialemat", 1, any_value, "ALE materials"),
-}};
-const Card extent_card3{{
-    integer("nintsld", 0, any_value, "integration points of a solid that are written"),
-    integer("pkp_sen", 0, any_value, "peak pressure of segments"),
+};
+struct ExtentCard3 {
+  int nintsld = 0, pkp_sen = 0, hydro = 0, msscl = 0, therm = 0;
+  std::string intout, nodout;
+};
+const CardOf<ExtentCard3> extent_card3{
+    {&ExtentCard3::nintsld, integer("nintsld", 0, any_value, "integration points of a solid that are written")},
+    {&ExtentCard3::pkp_sen, integer("pkp_sen", 0, any_value, "peak pressure of segments")},
     real("sclp", dimension::number, 1, any_value, "scale of that pressure"),
-    integer("hydro", 0, any_value, "extra variables of solids"),
-    integer("msscl", 0, any_value, "nodal mass scaling"),
-    integer("therm", 0, any_value, "thermal data"),
-    text("intout", 10, "stresses in eloutdet"),
-    text("nodout", 10, "extrapolated stresses in eloutdet"),
-}};
-const Card extent_card4{{
-    integer("dtdt", 0, any_value, "temperature rates"),
-    integer("resplt", 0, any_value, "residual forces"),
-    integer("neipb", 0, any_value, "extra history variables of beams"),
-    integer("quadsld", 0, any_value, "quadratic solids"),
+    {&ExtentCard3::hydro, integer("hydro", 0, any_value, "extra variables of solids")},
+    {&ExtentCard3::msscl, integer("msscl", 0, any_value, "nodal mass scaling")},
+    {&ExtentCard3::therm, integer("therm", 0, any_value, "thermal data")},
+    {&ExtentCard3::intout, text("intout", 10, "stresses in eloutdet")},
+    {&ExtentCard3::nodout, text("nodout", 10, "extrapolated stresses in eloutdet")},
+};
+struct ExtentCard4 {
+  int dtdt = 0, resplt = 0, neipb = 0, quadsld = 0, deleres = 0;
+};
+const CardOf<ExtentCard4> extent_card4{
+    {&ExtentCard4::dtdt, integer("dtdt", 0, any_value, "temperature rates")},
+    {&ExtentCard4::resplt, integer("resplt", 0, any_value, "residual forces")},
+    {&ExtentCard4::neipb, integer("neipb", 0, any_value, "extra history variables of beams")},
+    {&ExtentCard4::quadsld, integer("quadsld", 0, any_value, "quadratic solids")},
     integer("cubsld", 0, any_value, "cubic solids"),
-    integer("deleres", 0, any_value, "results of deleted elements"),
-}};
+    {&ExtentCard4::deleres, integer("deleres", 0, any_value, "results of deleted elements")},
+};
 
-Card eight(IdSpace space, std::string_view meaning) {
-  Card card;
-  for (const std::string_view name : {"id1", "id2", "id3", "id4", "id5", "id6", "id7", "id8"})
-    card.fields.push_back(id(name, space, 0, meaning));
+/// Eight ids, or one with a name.
+struct IdsCard {
+  std::array<int, 8> id{};
+  std::string heading;
+};
+CardOf<IdsCard> eight(IdSpace space, std::string_view meaning) {
+  constexpr std::array<std::string_view, 8> names{"id1", "id2", "id3", "id4", "id5", "id6", "id7", "id8"};
+  CardOf<IdsCard> card;
+  for (std::size_t i = 0; i < names.size(); ++i) card.add({at(&IdsCard::id, i), id(names[i], space, 0, meaning)});
   return card;
 }
-Card headed(IdSpace space, std::string_view meaning) {
-  return {{id("id", space, 0, meaning), text("heading", 70, "its name")}};
+CardOf<IdsCard> headed(IdSpace space, std::string_view meaning) {
+  return {{at(&IdsCard::id, 0), id("id", space, 0, meaning)}, {&IdsCard::heading, text("heading", 70, "its name")}};
 }
 
-const Card node_ids = eight(IdSpace::node, "node with a time history; 8 a line, any number of lines");
-const Card element_ids = eight(IdSpace::element, "element with a time history; 8 a line, any number of lines");
-const Card set_ids = eight(IdSpace::set, "set whose members have time histories; 8 a line, any number of lines");
-const Card local_node_card{{
-    id("id", IdSpace::node, 0, "node with a time history in local axes"),
-    id("cid", IdSpace::define, 0, "coordinate system; 0: global axes"),
-    integer("ref", 0, between(0, 2),
-            "0: its axes at time 0; 1: as they turn with their nodes; 2: likewise, and relative to their origin"),
+const CardOf<IdsCard> node_ids = eight(IdSpace::node, "node with a time history; 8 a line, any number of lines");
+const CardOf<IdsCard> element_ids =
+    eight(IdSpace::element, "element with a time history; 8 a line, any number of lines");
+const CardOf<IdsCard> set_ids =
+    eight(IdSpace::set, "set whose members have time histories; 8 a line, any number of lines");
+struct LocalNodeCard {
+  int id = 0, cid = 0, ref = 0;
+};
+const CardOf<LocalNodeCard> local_node_card{
+    {&LocalNodeCard::id, id("id", IdSpace::node, 0, "node with a time history in local axes")},
+    {&LocalNodeCard::cid, id("cid", IdSpace::define, 0, "coordinate system; 0: global axes")},
+    {&LocalNodeCard::ref,
+     integer("ref", 0, between(0, 2),
+             "0: its axes at time 0; 1: as they turn with their nodes; 2: likewise, and relative to their origin")},
     integer("hfo", 0, only(0), "high frequency output: not built"),
-}};
-const Card local_heading_card{{text("heading", 80, "its name")}};
-const Card node_id_heading = headed(IdSpace::node, "node with a time history; one a line");
-const Card element_id_heading = headed(IdSpace::element, "element with a time history; one a line");
-const Card set_id_heading = headed(IdSpace::set, "set whose members have time histories; one a line");
+};
+struct LocalHeadingCard {
+  std::string heading;
+};
+const CardOf<LocalHeadingCard> local_heading_card{{&LocalHeadingCard::heading, text("heading", 80, "its name")}};
+const CardOf<IdsCard> node_id_heading = headed(IdSpace::node, "node with a time history; one a line");
+const CardOf<IdsCard> element_id_heading = headed(IdSpace::element, "element with a time history; one a line");
+const CardOf<IdsCard> set_id_heading = headed(IdSpace::set, "set whose members have time histories; one a line");
 
 // ---- intervals -----------------------------------------------------------------------------------------------------
 
@@ -133,17 +183,17 @@ Request& of_d3plot(Requests& requests) {
 }
 
 /// The curve of an interval, and how it counts.
-void take_curve(Builder& builder, const Row& row, std::string_view field, int ioopt, RequestOf file) {
-  if (row.integer(field) == 0) return;
-  builder.defer(Phase::conditions, [row, field = std::string(field), ioopt, file](Builder& b) {
+void take_curve(Builder& builder, const deck::Entry& field, int ioopt, RequestOf file) {
+  if (field.integer() == 0) return;
+  builder.defer(Phase::conditions, [field, ioopt, file](Builder& b) {
     Request& asked = file(b.model.requests);
-    asked.curve = b.curve(row, field);
+    asked.curve = b.curve(field);
     if (asked.curve == none) return;
     using enum Request::Rule;
     asked.rule = ioopt == 2 ? to_next : ioopt == 3 ? at_points : from_last;
     const Curve& curve = b.model.curves[static_cast<std::size_t>(asked.curve)];
     if (asked.rule != at_points && *std::min_element(curve.y.begin(), curve.y.end()) <= 0.0)
-      return refuse(b, row, field, "an interval of 0 or below is none",
+      return refuse(b, field, "an interval of 0 or below is none",
                     "give a curve above 0, or IOOPT 3, which takes the curve's abscissas");
     asked.interval = asked.rule == at_points ? 1.0 : curve.y.front();  // of a curve: asked for, and no more
   });
@@ -151,13 +201,14 @@ void take_curve(Builder& builder, const Row& row, std::string_view field, int io
 
 void take_request(Builder& builder, const Block& block, RequestOf file) {
   Cursor cursor(builder.deck, block, builder.findings);
-  const Row row = cursor.read(interval_card);
+  const auto row = cursor.read(interval_card);
   Request& request = file(builder.model.requests);
-  request.interval = row.real("dt");
-  request.binary = row.integer("binary");
-  take_curve(builder, row, "lcur", row.integer("ioopt"), file);
-  for (const std::string_view option : {"option1", "option2", "option3", "option4"})
-    expect(builder, row, Severity::warning, {{option, 0, "this additional output is not written"}});
+  request.interval = row->dt;
+  request.binary = row->binary;
+  take_curve(builder, row[&IntervalCard::lcur], row->ioopt, file);
+  for (std::size_t i = 0; i < row->option.size(); ++i)
+    expect(builder, Severity::warning,
+           {{row[at(&IntervalCard::option, i)], 0, "this additional output is not written"}});
 }
 
 template <model::HistoryName file>
@@ -167,80 +218,92 @@ void read_request(Builder& builder, const Block& block, const Options&) {
 
 void read_d3plot(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
-  const Row row = cursor.read(d3plot_card);
-  builder.model.requests.d3plot.interval = row.real("dt");
+  const auto row = cursor.read(d3plot_card);
+  builder.model.requests.d3plot.interval = row->dt;
   int ioopt = 1;
   if (cursor.more()) {
     constexpr std::string_view plain = "states are written unfiltered";
-    const Row second = cursor.read(d3plot_card2);
-    expect(builder, second, Severity::warning, {{"rate", 0, plain}, {"cutoff", 0, plain}, {"window", 0, plain}});
-    ioopt = second.integer("ioopt");
+    const auto second = cursor.read(d3plot_card2);
+    expect(builder, Severity::warning,
+           {{second[&D3plotCard2::rate], 0, plain},
+            {second[&D3plotCard2::cutoff], 0, plain},
+            {second[&D3plotCard2::window], 0, plain}});
+    ioopt = second->ioopt;
   }
-  if (row.integer("npltc") == 0) take_curve(builder, row, "lcdt", ioopt, of_d3plot);
-  if (const int states = row.integer("npltc"); states > 0)
+  if (row->npltc == 0) take_curve(builder, row[&D3plotCard::lcdt], ioopt, of_d3plot);
+  if (const int states = row->npltc; states > 0)
     builder.defer(Phase::conditions,
                   [states](Builder& b) { b.model.requests.d3plot.interval = b.model.control.end_time / states; });
 }
 
 void read_format(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
-  expect(builder, cursor.read(format_card), Severity::warning,
-         {{"iform", 0, "results are written in LS-DYNA's format only"}});
+  const auto row = cursor.read(format_card);
+  expect(builder, Severity::warning, {{row[&FormatCard::iform], 0, "results are written in LS-DYNA's format only"}});
 }
 
 void read_extent_binary(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   Requests& requests = builder.model.requests;
-  const auto others = [&](const Row& row, std::initializer_list<SupportedValue> fields) {
-    expect(builder, row, Severity::warning, fields);
-  };
+  const auto others = [&](std::initializer_list<Supported> fields) { expect(builder, Severity::warning, fields); };
   constexpr std::string_view absent = "not written yet; d3plot comes without it",
                              present = "cannot be left out; d3plot has it";
 
-  const Row row1 = cursor.read(extent_card1);
-  requests.layers = std::abs(row1.integer("maxint"));
-  if (row1.integer("maxint") < 0)
-    row1.report(builder.findings, Severity::warning, "maxint",
-                "the mean over a shell's in-plane points is written, as many layers as with the positive number");
-  requests.strains = row1.integer("strflg") % 10 == 1;
-  if (row1.integer("strflg") > 1)
-    row1.report(builder.findings, Severity::warning, "strflg",
-                "plastic and thermal strain tensors are not written: only its last digit, 0 or 1, is obeyed");
-  requests.solid_histories = row1.integer("neiph");
-  requests.shell_histories = row1.integer("neips");
-  for (const std::string_view field : {"neiph", "neips"})
-    if (row1.integer(field) > 3)
-      row1.report(builder.findings, Severity::note, field,
-                  "1 is the lost share of the stress, 2 and 3 are damage and instability; zeros follow");
-  others(row1, {{"sigflg", 1, present}, {"epsflg", 1, present}, {"rltflg", 1, present}, {"engflg", 1, present}});
+  const auto row1 = cursor.read(extent_card1);
+  requests.layers = std::abs(row1->maxint);
+  if (row1->maxint < 0)
+    row1[&ExtentCard1::maxint].report(
+        builder.findings, Severity::warning,
+        "the mean over a shell's in-plane points is written, as many layers as with the positive number");
+  requests.strains = row1->strflg % 10 == 1;
+  if (row1->strflg > 1)
+    row1[&ExtentCard1::strflg].report(
+        builder.findings, Severity::warning,
+        "plastic and thermal strain tensors are not written: only its last digit, 0 or 1, is obeyed");
+  requests.solid_histories = row1->neiph;
+  requests.shell_histories = row1->neips;
+  for (const auto field : {&ExtentCard1::neiph, &ExtentCard1::neips})
+    if ((*row1).*field > 3)
+      row1[field].report(builder.findings, Severity::note,
+                         "1 is the lost share of the stress, 2 and 3 are damage and instability; zeros follow");
+  others({{row1[&ExtentCard1::sigflg], 1, present},
+          {row1[&ExtentCard1::epsflg], 1, present},
+          {row1[&ExtentCard1::rltflg], 1, present},
+          {row1[&ExtentCard1::engflg], 1, present}});
 
   if (!cursor.more()) return;
-  const Row row2 = cursor.read(extent_card2);
-  requests.one_state_a_file = row2.integer("ieverp") == 1;
-  requests.beam_points = row2.integer("beamip");
+  const auto row2 = cursor.read(extent_card2);
+  requests.one_state_a_file = row2->ieverp == 1;
+  requests.beam_points = row2->beamip;
   if (requests.beam_points > 0)
-    row2.report(builder.findings, Severity::note, "beamip",
-                "the axial strain of a beam's points is not known; d3plot has 0 in its place");
-  requests.material_axes = row2.integer("cmpflg") != 0;
-  others(row2, {{"dcomp", 1, "d3plot is written without compression, velocities and accelerations included"},
-                {"shge", 1, absent},
-                {"stssz", 1, absent}});
+    row2[&ExtentCard2::beamip].report(builder.findings, Severity::note,
+                                      "the axial strain of a beam's points is not known; d3plot has 0 in its place");
+  requests.material_axes = row2->cmpflg != 0;
+  others(
+      {{row2[&ExtentCard2::dcomp], 1, "d3plot is written without compression, velocities and accelerations included"},
+       {row2[&ExtentCard2::shge], 1, absent},
+       {row2[&ExtentCard2::stssz], 1, absent}});
 
   if (!cursor.more()) return;
-  const Row row3 = cursor.read(extent_card3);
-  if (row3.integer("nintsld") > 1)
-    row3.report(builder.findings, Severity::warning, "nintsld", "solids have one integration point; one is written");
-  others(row3, {{"pkp_sen", 0, absent}, {"hydro", 0, absent}, {"msscl", 0, absent}, {"therm", 0, absent}});
-  for (const std::string_view field : {"intout", "nodout"})
-    if (!row3.text(field).empty())
-      row3.report(builder.findings, Severity::warning, field, "eloutdet is not written; elout has the elements' means");
+  const auto row3 = cursor.read(extent_card3);
+  if (row3->nintsld > 1)
+    row3[&ExtentCard3::nintsld].report(builder.findings, Severity::warning,
+                                       "solids have one integration point; one is written");
+  others({{row3[&ExtentCard3::pkp_sen], 0, absent},
+          {row3[&ExtentCard3::hydro], 0, absent},
+          {row3[&ExtentCard3::msscl], 0, absent},
+          {row3[&ExtentCard3::therm], 0, absent}});
+  for (const auto field : {&ExtentCard3::intout, &ExtentCard3::nodout})
+    if (!((*row3).*field).empty())
+      row3[field].report(builder.findings, Severity::warning, "eloutdet is not written; elout has the elements' means");
 
-  if (cursor.more())
-    others(cursor.read(extent_card4), {{"dtdt", 0, absent},
-                                       {"resplt", 0, absent},
-                                       {"neipb", 0, absent},
-                                       {"quadsld", 0, "d3plot has the corners of quadratic solids only"},
-                                       {"deleres", 0, "deleted elements have no stress in d3plot, as with 0"}});
+  if (!cursor.more()) return;
+  const auto row4 = cursor.read(extent_card4);
+  others({{row4[&ExtentCard4::dtdt], 0, absent},
+          {row4[&ExtentCard4::resplt], 0, absent},
+          {row4[&ExtentCard4::neipb], 0, absent},
+          {row4[&ExtentCard4::quadsld], 0, "d3plot has the corners of quadratic solids only"},
+          {row4[&ExtentCard4::deleres], 0, "deleted elements have no stress in d3plot, as with 0"}});
 }
 
 // ---- time histories ------------------------------------------------------------------------------------------------
@@ -264,15 +327,15 @@ void add_history(Builder& builder, std::vector<NamedEntity>& list, Index index, 
   if (builder.in_history[&list].insert(index).second) list.push_back({index, heading});
 }
 
-void resolve_history(Builder& builder, const History& history, const Row& row, std::string_view field, bool set,
+void resolve_history(Builder& builder, const History& history, const deck::Entry& field, bool set,
                      const std::string& heading) {
-  const int id = row.integer(field);
+  const int id = field.integer();
   if (id == 0) return;
   auto& list = builder.model.requests.*history.list;
   const Index index = set ? (builder.*history.set_ids).find(id) : (builder.*history.ids).find(id);
   if (index == none) {
-    row.report(builder.findings, Severity::warning, field,
-               std::string(history.what) + (set ? " set" : "") + " is not in the model; it has no time history");
+    field.report(builder.findings, Severity::warning,
+                 std::string(history.what) + (set ? " set" : "") + " is not in the model; it has no time history");
   } else if (set) {
     for (const Index member : (builder.model.sets.*history.sets)[static_cast<std::size_t>(index)].members)
       add_history(builder, list, member, heading);
@@ -286,14 +349,13 @@ void read_history(Builder& builder, const Block& block, const Options& options) 
   Cursor cursor(builder.deck, block, builder.findings);
   const bool nodes = &history == &node_history;
   const bool headings = options.contains("ID");
-  const Card& plain = set ? set_ids : nodes ? node_ids : element_ids;
-  const Card& headed = set ? set_id_heading : nodes ? node_id_heading : element_id_heading;
+  const CardOf<IdsCard>& plain = set ? set_ids : nodes ? node_ids : element_ids;
+  const CardOf<IdsCard>& headed = set ? set_id_heading : nodes ? node_id_heading : element_id_heading;
   while (cursor.more()) {
-    const Row row = cursor.read(headings ? headed : plain);
+    const auto row = cursor.read(headings ? headed : plain);
     builder.defer(Phase::conditions, [row, headings](Builder& b) {
-      if (headings) return resolve_history(b, history, row, "id", set, row.text("heading"));
-      for (const std::string_view field : {"id1", "id2", "id3", "id4", "id5", "id6", "id7", "id8"})
-        resolve_history(b, history, row, field, set, {});
+      const std::size_t count = headings ? 1 : row->id.size();
+      for (std::size_t i = 0; i < count; ++i) resolve_history(b, history, row[at(&IdsCard::id, i)], set, row->heading);
     });
   }
 }
@@ -306,17 +368,17 @@ void read_discrete_history(Builder& builder, const Block& block, const Options& 
     for (Discrete& d : b.model.discretes) d.in_deforc = false;
   });
   while (cursor.more()) {
-    const Row row = cursor.read(headings ? element_id_heading : element_ids);
+    const auto row = cursor.read(headings ? element_id_heading : element_ids);
     builder.defer(Phase::conditions, [row, headings](Builder& b) {
-      for (const std::string_view field : {"id1", "id2", "id3", "id4", "id5", "id6", "id7", "id8"}) {
-        const std::string_view own = headings ? "id" : field;
-        const int id = row.integer(own);
+      const std::size_t count = headings ? 1 : row->id.size();
+      for (std::size_t i = 0; i < count; ++i) {
+        const int id = row->id[i];
         const Index index = b.discretes.find(id);
         if (index != none)
           b.model.discretes[static_cast<std::size_t>(index)].in_deforc = true;
         else if (id != 0)
-          row.report(b.findings, Severity::warning, own, "spring is not in the model; it has no time history");
-        if (headings) return;
+          row[at(&IdsCard::id, i)].report(b.findings, Severity::warning,
+                                          "spring is not in the model; it has no time history");
       }
     });
   }
@@ -326,31 +388,31 @@ void read_discrete_history(Builder& builder, const Block& block, const Options& 
 void read_local_history(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (cursor.more()) {
-    const Row row = cursor.read(local_node_card);
-    const std::string heading =
-        options.contains("ID") ? cursor.read(local_heading_card).text("heading") : std::string{};
+    const auto row = cursor.read(local_node_card);
+    const std::string heading = options.contains("ID") ? cursor.read(local_heading_card)->heading : std::string{};
     builder.defer(Phase::conditions, [row, heading](Builder& b) {
       auto& list = b.model.requests.history_nodes;
-      const Index node = b.nodes.find(row.integer("id"));
+      const Index node = b.nodes.find(row->id);
       if (node == none)
-        return row.report(b.findings, Severity::warning, "id", "node is not in the model; it has no time history");
-      if (row.integer("cid") == 0) return add_history(b, list, node, heading);
-      const bool turning = row.integer("ref") != 0, relative = row.integer("ref") == 2;
-      const Index system = b.turning_or_fixed_system(row, "cid");
+        return row[&LocalNodeCard::id].report(b.findings, Severity::warning,
+                                              "node is not in the model; it has no time history");
+      if (row->cid == 0) return add_history(b, list, node, heading);
+      const bool turning = row->ref != 0, relative = row->ref == 2;
+      const Index system = b.turning_or_fixed_system(row[&LocalNodeCard::cid]);
       if (system == none) return;
       // With REF 1 and 2 the axes turn whatever FLAG says.
       const CoordinateSystem& axes = b.model.systems[static_cast<std::size_t>(system)];
       if (turning && !axes.nodes)
-        return refuse(b, row, "ref", "axes that turn (REF 1 and 2) need the nodes that they turn with",
+        return refuse(b, row[&LocalNodeCard::ref], "axes that turn (REF 1 and 2) need the nodes that they turn with",
                       "define the system by *DEFINE_COORDINATE_NODES, or write 0");
       if (!turning && axes.turning)
-        return refuse(b, row, "ref", "fixed axes (REF 0) need a system of fixed axes",
+        return refuse(b, row[&LocalNodeCard::ref], "fixed axes (REF 0) need a system of fixed axes",
                       "write 1, or FLAG 0 in the system");
       list.push_back({node, heading, system, turning, relative});
       if (!relative) return;
       b.defer(Phase::checks, [row](Builder& later) {
         if (later.model.control.relaxation.on())
-          refuse(later, row, "ref",
+          refuse(later, row[&LocalNodeCard::ref],
                  "relative motion (REF 2) after a dynamic relaxation is not built: its places of "
                  "reference would be those at the end of it",
                  "write 1");

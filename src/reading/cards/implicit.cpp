@@ -16,7 +16,6 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
 using deck::RowOf;
 
 constexpr IntegerField choice(std::string_view name, int fallback, std::string_view meaning) {

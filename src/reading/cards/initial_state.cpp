@@ -15,7 +15,6 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
 using deck::RowOf;
 
 // ---- stresses of an earlier run ------------------------------------------------------------------------------------
@@ -58,68 +57,59 @@ const CardOf<PointsCard> strain_card{
     integer("ilocal", 0, only(0), "strains in the axes of the element"),
 };
 
-const Field place_field = real("t", dimension::number, 0, between(-1, 1), "place through the thickness");
-std::vector<Field> tensor_fields(std::string_view meaning, Dimension d) {
-  std::vector<Field> fields;
-  for (const std::string_view name : {"xx", "yy", "zz", "xy", "yz", "zx"})
-    fields.push_back(real(name, d, 0, any_value, meaning));
+/// The numbers of one point.
+struct Point {
+  double t = 0, eps = 0;
+  std::array<double, 6> tensor{};  ///< xx yy zz xy yz zx
+};
+using PointFields = std::vector<FieldOf<Point>>;
+
+const FieldOf<Point> place_field{&Point::t,
+                                 real("t", dimension::number, 0, between(-1, 1), "place through the thickness")};
+const FieldOf<Point> plastic_field{&Point::eps,
+                                   real("eps", dimension::number, 0, at_least(0), "effective plastic strain")};
+PointFields tensor_fields(std::string_view meaning, Dimension d) {
+  constexpr std::array<std::string_view, 6> names{"xx", "yy", "zz", "xy", "yz", "zx"};
+  PointFields fields;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    fields.push_back({at(&Point::tensor, i), real(names[i], d, 0, any_value, meaning)});
   return fields;
 }
-const Field plastic_field = real("eps", dimension::number, 0, at_least(0), "effective plastic strain");
 
-std::vector<Field> joined(std::vector<Field> a, const std::vector<Field>& b) {
+PointFields joined(PointFields a, const PointFields& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
-const std::vector<Field> stress_fields = tensor_fields("stress, global axes", dimension::stress);
-const std::vector<Field> shell_point = joined(joined({place_field}, stress_fields), {plastic_field});
-const std::vector<Field> solid_point = joined(stress_fields, {plastic_field});
-const std::vector<Field> strain_point = joined(tensor_fields("strain, global axes", dimension::number), {place_field});
+const PointFields stress_fields = tensor_fields("stress, global axes", dimension::stress);
+const PointFields shell_point = joined(joined({place_field}, stress_fields), {plastic_field});
+const PointFields solid_point = joined(stress_fields, {plastic_field});
+const PointFields strain_point = joined(tensor_fields("strain, global axes", dimension::number), {place_field});
 
 /// The fields of a point as cards: one of 10 columns each, or lines of five fields of 16.
-std::vector<Card> cards_of(const std::vector<Field>& fields, bool large) {
-  if (!large) return {{fields}};
-  std::vector<Card> cards;
+std::vector<CardOf<Point>> cards_of(const PointFields& fields, bool large) {
+  std::vector<CardOf<Point>> cards;
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (i % 5 == 0) cards.emplace_back();
-    cards.back().fields.push_back(wide(fields[i], 16));
+    if (large ? i % 5 == 0 : i == 0) cards.emplace_back();
+    cards.back().add(large ? wide(fields[i], 16) : fields[i]);
   }
   return cards;
 }
-/// Rows keep a pointer to their card, so the cards stay.
 struct PointCards {
-  std::vector<Card> normal, large;
-  explicit PointCards(const std::vector<Field>& fields)
-      : normal(cards_of(fields, false)), large(cards_of(fields, true)) {}
-  const std::vector<Card>& of(bool wants_large) const { return wants_large ? large : normal; }
+  std::vector<CardOf<Point>> normal, large;
+  explicit PointCards(const PointFields& fields) : normal(cards_of(fields, false)), large(cards_of(fields, true)) {}
 };
 const PointCards shell_point_cards(shell_point), strain_point_cards(strain_point);
 const PointCards solid_point_cards = [] {
   PointCards cards(solid_point);
-  for (int history = 0; history < 3; ++history) cards.large.back().fields.push_back(wide(unused(), 16));
+  for (int history = 0; history < 3; ++history) cards.large.back().add(wide(unused(), 16));
   return cards;
 }();
 
-/// The numbers of one point, by the names of its fields.
-class Point {
- public:
-  Point(Cursor& cursor, const std::vector<Card>& cards) : cards_(cards) {
-    for (const Card& card : cards) rows_.push_back(cursor.read(card));
-  }
-  double operator[](std::string_view name) const {
-    for (std::size_t c = 0; c < cards_.size(); ++c)
-      for (const Field& f : cards_[c].fields)
-        if (f.name == name) return rows_[c].real(name);
-    return 0.0;
-  }
-  std::array<double, 6> tensor() const {
-    return {(*this)["xx"], (*this)["yy"], (*this)["zz"], (*this)["xy"], (*this)["yz"], (*this)["zx"]};
-  }
-
- private:
-  const std::vector<Card>& cards_;
-  std::vector<Row> rows_;
-};
+Point read_point(Cursor& cursor, const PointCards& cards, bool large) {
+  Point point;
+  for (const CardOf<Point>& card : large ? cards.large : cards.normal) cursor.read(card, point);
+  return point;
+}
 
 /// A stress of a deck that *INCLUDE_TRANSFORM turns would have to be turned too.
 bool turned(Builder& builder, const Block& block) {
@@ -179,9 +169,9 @@ void read_stress(Builder& builder, const Block& block, const Options&) {
     stress.place = row.place();
     for (int i = 0; i < *points; ++i) {
       if (!cursor.more()) return refuse_short(builder, row, shell, *points, i);
-      const Point point(cursor, (shell ? shell_point_cards : solid_point_cards).of(large));
+      const Point point = read_point(cursor, shell ? shell_point_cards : solid_point_cards, large);
       for (int line = 0; line < history_lines && cursor.more(); ++line) cursor.skip();
-      stress.points.push_back({point["t"], point.tensor(), point["eps"]});
+      stress.points.push_back({point.t, point.tensor, point.eps});
     }
     if (shell) expect_places(builder, row, stress.points);
     if (row->nhisv > 0 && !reported) {
@@ -210,11 +200,11 @@ void read_strain(Builder& builder, const Block& block, const Options&) {
     double lowest = 2.0, highest = -2.0;
     for (int i = 0; i < *points; ++i) {
       if (!cursor.more()) return refuse_short(builder, row, true, *points, i);
-      const Point point(cursor, strain_point_cards.of(row->large == 1));
-      if (point["t"] < lowest) lowest = point["t"], strain.lower = point.tensor();
-      if (point["t"] > highest) highest = point["t"], strain.upper = point.tensor();
+      const Point point = read_point(cursor, strain_point_cards, row->large == 1);
+      if (point.t < lowest) lowest = point.t, strain.lower = point.tensor;
+      if (point.t > highest) highest = point.t, strain.upper = point.tensor;
       // Without places the last point is the upper one.
-      if (i + 1 == *points && lowest == highest) strain.upper = point.tensor();
+      if (i + 1 == *points && lowest == highest) strain.upper = point.tensor;
     }
     builder.defer(Phase::conditions, [row, strain](Builder& b) mutable {
       strain.shell = b.shell(row[&PointsCard::eid]);

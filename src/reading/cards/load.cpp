@@ -17,7 +17,6 @@ namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::Row;
 using deck::RowOf;
 
 // ---- forces and moments
@@ -26,7 +25,8 @@ using deck::RowOf;
 struct ForceCard {
   int target = 0, dof = 0, lcid = 0;
   double sf = 0;
-  int cid = 0, m1 = 0;
+  int cid = 0;
+  std::array<int, 3> m{};
 };
 CardOf<ForceCard> force_card(const FieldOf<ForceCard>& target) {
   return {
@@ -40,9 +40,9 @@ CardOf<ForceCard> force_card(const FieldOf<ForceCard>& target) {
                                       at_least(1))},
       {&ForceCard::sf, real("sf", dimension::number, 1, any_value, "scale of the curve")},
       {&ForceCard::cid, id("cid", IdSpace::define, 0, "coordinate system of the direction; 0: global axes")},
-      {&ForceCard::m1, id("m1", IdSpace::node, 0, "first of the nodes whose normal the load follows")},
-      id("m2", IdSpace::node, 0, "second"),
-      id("m3", IdSpace::node, 0, "third"),
+      {at(&ForceCard::m, 0), id("m1", IdSpace::node, 0, "first of the nodes whose normal the load follows")},
+      {at(&ForceCard::m, 1), id("m2", IdSpace::node, 0, "second")},
+      {at(&ForceCard::m, 2), id("m3", IdSpace::node, 0, "third")},
   };
 }
 const CardOf<ForceCard> force_node_card = force_card({&ForceCard::target, id("nid", IdSpace::node, required, "node")});
@@ -52,11 +52,11 @@ const CardOf<ForceCard> force_body_card =
     force_card({&ForceCard::target, id("pid", IdSpace::part, required, "part of *MAT_RIGID, or nodal rigid body")});
 
 void resolve_follower(Builder& builder, const RowOf<ForceCard>& row, NodalLoad& load) {
-  constexpr std::array<std::string_view, 3> fields{"m1", "m2", "m3"};
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (row.integer(fields[i]) == 0)
-      refuse(builder, row, fields[i], "a load with dof 4 or 8 follows the normal of three nodes; this one is missing");
-    load.follower_nodes[i] = builder.node(row, fields[i]);
+  for (std::size_t i = 0; i < row->m.size(); ++i) {
+    const deck::Entry field = row[at(&ForceCard::m, i)];
+    if (row->m[i] == 0)
+      refuse(builder, field, "a load with dof 4 or 8 follows the normal of three nodes; this one is missing");
+    load.follower_nodes[i] = builder.node(field);
   }
   if (std::find(load.follower_nodes.begin(), load.follower_nodes.end(), none) != load.follower_nodes.end()) return;
   const auto place = [&](std::size_t i) {
@@ -64,7 +64,7 @@ void resolve_follower(Builder& builder, const RowOf<ForceCard>& row, NodalLoad& 
   };
   const Vec3d first = place(1) - place(0), second = place(2) - place(0);
   if (norm(cross(first, second)) <= 1e-6 * norm(first) * norm(second))
-    refuse(builder, row[&ForceCard::m1], "the three nodes are on a line at the start: they have no normal",
+    refuse(builder, row[at(&ForceCard::m, 0)], "the three nodes are on a line at the start: they have no normal",
            "name three nodes that span a plane");
 }
 
