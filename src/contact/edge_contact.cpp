@@ -209,8 +209,7 @@ void EdgeContact::apply(const Step& step, std::span<Row> force) {
   if (setup_.law.friction.any()) friction_energy_ -= frictions_.work(step.dt, step.v)[0];
 }
 
-// ----------------------------------------------------------------------------------------------------------------
-// search
+// ---- search
 
 bool EdgeContact::takes_part(int edge, std::span<const unsigned char> alive) const {
   const Edge& e = setup_.edges[edge];
@@ -292,8 +291,7 @@ void EdgeContact::list_neighbours(Block& block, const std::vector<int>& listed, 
   block.close.reserve(block.pairs.size());
 }
 
-// ----------------------------------------------------------------------------------------------------------- every
-// cycle
+// ---- every cycle
 
 void EdgeContact::find_close(Block& block, const Step& step) const {
   block.close.clear();

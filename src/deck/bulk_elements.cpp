@@ -194,7 +194,6 @@ class ElementReader {
 };
 
 // ---- shells
-// ----------------------------------------------------------------------------------------------------------
 
 const Card& more_thickness_card() {
   using dimension::length;
@@ -296,7 +295,6 @@ class ShellReader : ElementReader {
 };
 
 // ---- solids
-// ----------------------------------------------------------------------------------------------------------
 
 /// `EID PID` alone, or with zeros behind: the first line of the two-line form.
 bool is_short(std::string_view line, std::size_t width) {
@@ -365,7 +363,6 @@ class SolidReader : ElementReader {
 };
 
 // ---- beams
-// -----------------------------------------------------------------------------------------------------------
 
 const Card beam_section_card{
     {real16("parm1", dimension::number, "section value"), real16("parm2", dimension::number, "section value"),

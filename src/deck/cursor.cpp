@@ -70,7 +70,6 @@ Fault fault_of(const Field& field, std::string_view text, const Value& value) {
 }  // namespace
 
 // ---- Row
-// -------------------------------------------------------------------------------------------------------------
 
 std::size_t Row::index(std::string_view name) const {
   for (std::size_t i = 0; i < card_->fields.size(); ++i) {
@@ -163,7 +162,6 @@ void Entry::report(Findings& findings, Severity severity, std::string_view what,
 }
 
 // ---- Cursor
-// ----------------------------------------------------------------------------------------------------------
 
 Cursor::Cursor(const Deck& deck, const Block& block, Findings& findings)
     : deck_(deck), block_(block), findings_(findings) {}

@@ -227,7 +227,6 @@ class Cursor {
 };
 
 // ---- bulk tables: the fast path. Rows are appended; `line` is the line number in the block's file.
-// -------------------
 
 struct NodeTable {
   std::vector<int> id;

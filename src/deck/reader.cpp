@@ -250,7 +250,6 @@ void Reader::take_keyword_options(const Block& block, Visit& visit) {
 }
 
 // ---- Deck
-// ------------------------------------------------------------------------------------------------------------
 
 Deck::Deck() : impl(std::make_unique<Impl>()) {}
 Deck::~Deck() = default;

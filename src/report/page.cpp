@@ -86,7 +86,6 @@ std::string head(const Json& s) {
 }
 
 // ---- soundness
-// --------------------------------------------------------------------------------------------------------------
 
 /// A number of summary.json; 0 where there is none, not a number where a run that diverged left null.
 double number_of(const Json& object, std::string_view key) {
@@ -154,7 +153,6 @@ std::string energy_curves(const RunData& run) {
 }
 
 // ---- welds
-// ------------------------------------------------------------------------------------------------------------------
 
 double real(const WeldRow& weld, std::string_view column) {
   const auto cell = weld.find(column);
@@ -233,7 +231,6 @@ std::string weld_table(const RunData& run) {
 }
 
 // ---- findings
-// ---------------------------------------------------------------------------------------------------------------
 
 std::string finding_list(const Json& findings) {
   constexpr std::size_t most = 200;

@@ -147,7 +147,7 @@ Coupon Coupon::cross_tension(int cells) {
 
 namespace {
 
-// ---- elastic, by linear statics -------------------------------------------------------------------------------
+// ---- elastic, by linear statics
 
 void expect_stiffness(const Coupon& coupon, const std::string& what, double expected, double gate, bool axial) {
   constexpr double u = 0.01;
@@ -188,7 +188,7 @@ TEST(ElasticCoupons, CrossTension) {
                    true);
 }
 
-// ---- plastic, explicit ----------------------------------------------------------------------------------------
+// ---- plastic, explicit
 
 /// Force in the grip over its displacement, pulled to `stroke` within `duration`.
 class Pull {

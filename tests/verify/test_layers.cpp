@@ -44,7 +44,7 @@ std::string plastic(int id, double density, double E, double nu, double yield, d
   return "*MAT_PIECEWISE_LINEAR_PLASTICITY\n" + fields({1.0 * id, density, E, nu, yield, 0.0, failure}) + "\n\n\n";
 }
 
-// ---- linear: classical laminate theory -----------------------------------------------------------------------------
+// ---- linear: classical laminate theory
 
 const char* const linear =
     "*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n*CONTROL_IMPLICIT_SOLUTION\n         1\n"
@@ -173,7 +173,7 @@ TEST(Layers, FirstFrequencyOfACantilever) {
                    LinearExperiment(deck.deck()).modes(2).frequency(0), reference, 5e-3);
 }
 
-// ---- explicit ------------------------------------------------------------------------------------------------------
+// ---- explicit
 
 /// One shell of 10 x 10 whose nodes are driven along smooth paths: `x`, `spin`: end displacement in x of the nodes at
 /// x = 10, and rotation about y of both ends, against each other. Everything else is held. Resultants at the end.

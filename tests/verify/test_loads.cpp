@@ -106,7 +106,7 @@ TEST(Loads, GravityOfAPartSet) {
   expect_two_of_three_parts_to_fall(true);
 }
 
-// ---- initial stresses and preloads ---------------------------------------------------------------------------------
+// ---- initial stresses and preloads
 
 /// A strip of shells 20 x 10 x 2 of `nip` layers, all nodes held, with a stress in its layers.
 double moment_of_initial_stress(double* force, double nip = 3, double rule = 0, const std::string& rules = {}) {
@@ -228,7 +228,7 @@ TEST(Preload, OfAWeldBeam) {
   expect_reference("preload", "*INITIAL_AXIAL_FORCE_BEAM: shear", shear, 0.0, 1e-9, 1.0);
 }
 
-// ---- pressure ------------------------------------------------------------------------------------------------------
+// ---- pressure
 
 /// A quarter of the spherical cap: `along` shells on the meridian, `around` on 90 degrees, pole of triangles.
 struct Cap {
@@ -345,7 +345,7 @@ TEST(Pressure, StepOnAPlasticSphericalCap) {
   }
 }
 
-// ---- deletion ------------------------------------------------------------------------------------------------------
+// ---- deletion
 
 /// A brick whose upper face is driven through its lower one.
 std::string crushed(const std::string& more) {

@@ -23,7 +23,6 @@ double share(int i, int n) {
 }
 
 // ---- patch tests
-// -----------------------------------------------------------------------------------------------------
 
 /// The distorted patch of five elements: outer corners first, then the inner ones.
 Statics patch() {
@@ -98,7 +97,6 @@ TEST(ShellStatics, BendingPatch) {
 }
 
 // ---- beams
-// -----------------------------------------------------------------------------------------------------------
 
 /// A strip with its root, u = 0, held, and a unit load spread over its end.
 struct Beam : Statics {
@@ -200,7 +198,6 @@ TEST(ShellStatics, RaaschHook) {
 }
 
 // ---- shells
-// ----------------------------------------------------------------------------------------------------------
 
 TEST(ShellStatics, ScordelisLoRoof) {
   for (int n : {8, 16}) {

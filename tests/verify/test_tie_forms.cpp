@@ -40,7 +40,6 @@ std::string contact(const std::string& form, int weld_part, int sheet_part) {
 }
 
 // ---- Tie: offset moment
-// --------------------------------------------------------------------------------------------------------------------
 
 /// A plate of one shell, 40 x 40 x 1, all its nodes clamped; a weld beam of 6 mm stands `gap` above its centre, its far
 /// end is driven.
@@ -128,7 +127,6 @@ TEST(TieForms, OffsetsKeepTheGapAsALever) {
 }
 
 // ---- torsion
-// -----------------------------------------------------------------------------------------------------------------
 
 Path twisted(double angle) {
   return [=](double s) { return std::array{0.0, 0.0, 0.0, 0.0, 0.0, angle * ramp(s)}; };
@@ -185,7 +183,6 @@ TEST(TieForms, TorsionBecomesInPlaneForces) {
 }
 
 // ---- free assemblies
-// -------------------------------------------------------------------------------------------------------------
 
 struct Momenta {
   Vec3d linear, angular;
@@ -281,7 +278,6 @@ TEST(TieForms, ManySpringsOnOneShellAreStable) {
 }
 
 // ---- bricks
-// -----------------------------------------------------------------------------------------------------------------
 
 /// A brick of 10 mm, its lower nodes held; a weld beam of 6 mm on its upper face.
 std::string on_a_brick(const std::string& form, const Path& path) {
@@ -323,7 +319,6 @@ TEST(TieForms, MomentsOnBrickFacesAreCouples) {
 }
 
 // ---- ties that end
-// -----------------------------------------------------------------------------------------------------------------
 
 /// A shell of mild steel that is torn at its nodes 3 and 4 and deleted at a plastic strain of 5 %; its weld's other end
 /// is held.
@@ -384,7 +379,6 @@ TEST(TieReleases, DeathTimeEndsATie) {
 }
 
 // ---- Weld group between rigid plates
-// --------------------------------------------------------------------------------------------------------------------
 
 /// Two rigid plates, four welds W1 at (+-30, +-20) tied to them, a force (0, F, 0) at (80, 0) in mid-height on the
 /// upper.
@@ -468,7 +462,6 @@ TEST(WeldGroup, FirstFailure) {
 }
 
 // ---- Rigid boss in a clamped disc
-// --------------------------------------------------------------------------------------------------------------------
 
 constexpr double outer = 25.0, boss = 3.0, thickness = 1.5;
 

@@ -25,7 +25,6 @@ std::string text(const Findings& findings) {
 }
 
 // ---- Tie: shares of force and mass
-// --------------------------------------------------------------------------------------------------------------------
 
 /// One held shell of 10 x 8, nodes 1 to 4; the weld's node 5 is tied to it at `place`, its node 6, 20 mm above, is
 /// moved.
@@ -113,7 +112,6 @@ TEST(Tie, MassSplit) {
 }
 
 // ---- Tie: tolerance
-// --------------------------------------------------------------------------------------------------------------------
 
 /// t_s = 1.0 (a beam of that diameter), t_m = 1.2, segment 10 x 8: tolerance 1.32.
 Experiment gap_deck(double gap, double sast = 0.0, double sbst = 0.0, double sheet = 1.2, double diameter = 1.0) {
@@ -160,7 +158,6 @@ TEST(Tie, Tolerance) {
 }
 
 // ---- the projection cases
-// ------------------------------------------------------------------------------------------------------
 
 /// Two sheets of 3 x 3 shells of 10 mm, t = 1, `height` apart, a weld beam of 5 mm from n1 to n2 with nodes 901 and
 /// 902.
@@ -298,7 +295,6 @@ TEST(ProjectionDeck, Case8CrossingSheetsNormalsOutward) {
 }
 
 // ---- free assemblies
-// -------------------------------------------------------------------------------------------------------------
 
 /// Momenta of everything that carries mass.
 struct Momenta {

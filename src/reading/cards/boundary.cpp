@@ -19,7 +19,6 @@ using deck::Cursor;
 using deck::RowOf;
 
 // ---- single point constraints
-// ----------------------------------------------------------------------------------------
 
 struct SpcCard {
   int target = 0, cid = 0;
@@ -122,7 +121,6 @@ void read_spc(Builder& builder, const Block& block, const Options& options) {
 }
 
 // ---- planes of nodes held
-// ----------------------------------------------------------------------------------------------
 
 struct PlaneCard {
   int tc = 0, rc = 0, dir = 0;
@@ -187,7 +185,6 @@ void read_planes(Builder& builder, const Block& block, const Options&) {
 }
 
 // ---- prescribed motions
-// ----------------------------------------------------------------------------------------------
 
 struct MotionCard {
   int target = 0, dof = 0, vad = 0, lcid = 0;

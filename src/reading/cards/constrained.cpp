@@ -212,7 +212,6 @@ const CardOf<IndependentCard> interpolation_node = independent_card(IdSpace::nod
 const CardOf<IndependentCard> interpolation_set = independent_card(IdSpace::set);
 
 // ---- nodal rigid bodies
-// ----------------------------------------------------------------------------------------------------
 
 void read_spc(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
   using Card = RigidConstraintCard;
@@ -273,7 +272,6 @@ void read_nodal_body(Builder& builder, const Block& block, const Options& option
 }
 
 // ---- others
-// ------------------------------------------------------------------------------------------------------------------
 
 template <bool set>
 void read_extra_nodes(Builder& builder, const Block& block, const Options&) {
@@ -322,7 +320,6 @@ void read_switched(Builder& builder, const Block& block, const Options&) {
 }
 
 // ---- rigid welds
-// -------------------------------------------------------------------------------------------------------------
 
 /// SN SS N M. A strength without an exponent would be reached at once.
 void take_strength(Builder& builder, const RowOf<StrengthCard>& row, RigidWeld& weld) {
@@ -417,7 +414,6 @@ void read_rivet(Builder& builder, const Block& block, const Options& options) {
 }
 
 // ---- interpolation
-// -------------------------------------------------------------------------------------------------------------
 
 /// The nodes of one row, with their weight.
 void take_independent(Builder& b, const RowOf<InterpolationCard1>& head, const RowOf<IndependentCard>& row,

@@ -351,7 +351,6 @@ void take_tie(Builder& builder, const RowOf<SidesCard>& row, Contact& contact) {
 }
 
 // ---- the cards that always stand
-// --------------------------------------------------------------------------------------------
 
 bool slides_by_table(const Contact& contact, const RowOf<FrictionCard>& row) {
   return contact.slides() && row->fs == -2.0;
@@ -523,7 +522,6 @@ void take_optional_cards(Builder& builder, Cursor& cursor, Contact& contact) {
 }
 
 // ---- reader
-// --------------------------------------------------------------------------------------------------------------------
 
 /// Of the cards of the distributed-memory version those fields count that say what the contact is: CPARM8 (what it
 /// holds; docs/evidence/decks.md, the bolted connection) and IGNORE. The others tune its search.

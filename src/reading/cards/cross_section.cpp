@@ -96,7 +96,7 @@ const CardOf<GroupCard> group_card{
     {&GroupCard::cid, id("cid", IdSpace::define, 0, "coordinate system in which the sum is written as well")},
 };
 
-// ---- axes ----------------------------------------------------------------------------------------------------------
+// ---- axes
 
 void resolve_axes(Builder& builder, const deck::Entry& id, int kind, CrossSection& section) {
   if (id.integer() == 0) return;
@@ -137,7 +137,7 @@ void add_section(Builder& builder, const deck::Entry& field, CrossSection sectio
   builder.model.requests.cross_sections.push_back(std::move(section));
 }
 
-// ---- by sets -------------------------------------------------------------------------------------------------------
+// ---- by sets
 
 /// Without the elements of rigid parts, which have no internal forces.
 std::vector<Index> deformable(const Model& model, const std::vector<Index>& elements,
@@ -190,7 +190,7 @@ void read_set(Builder& builder, const Block& block, const Options& options) {
   }
 }
 
-// ---- by a plane ----------------------------------------------------------------------------------------------------
+// ---- by a plane
 
 /// False (and a finding) where the card describes no plane.
 bool plane_of(Builder& builder, const Block& block, const RowOf<PlaneCard1>& row1, const RowOf<EdgeCard>& row2,
@@ -248,7 +248,7 @@ void read_plane(Builder& builder, const Block& block, const Options& options) {
   }
 }
 
-// ---- groups of nodes -----------------------------------------------------------------------------------------------
+// ---- groups of nodes
 
 void read_group(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);

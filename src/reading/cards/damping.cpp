@@ -118,7 +118,7 @@ const CardOf<RelativeCard> relative_card{
     {&RelativeCard::lcid, id("lcid", IdSpace::function, 0, "curve of a factor over time")},
 };
 
-// ---- by mass -------------------------------------------------------------------------------------------------------
+// ---- by mass
 
 /// The six scales; where all are 0 they stay 1.
 void take_scales(const Scales& scales, MassDamping& damping) {
@@ -175,7 +175,7 @@ void read_part_mass(Builder& builder, const Block& block, const Options&) {
   }
 }
 
-// ---- by stiffness --------------------------------------------------------------------------------------------------
+// ---- by stiffness
 
 template <bool set>
 void read_part_stiffness(Builder& builder, const Block& block, const Options&) {
@@ -204,7 +204,7 @@ void read_part_stiffness(Builder& builder, const Block& block, const Options&) {
   }
 }
 
-// ---- over a range of frequencies -----------------------------------------------------------------------------------
+// ---- over a range of frequencies
 
 bool is_discrete(const Model& m, const Part& part) {
   return part.kind == ElementKind::discrete ||

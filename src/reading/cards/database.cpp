@@ -170,7 +170,7 @@ const CardOf<IdsCard> node_id_heading = headed(IdSpace::node, "node with a time 
 const CardOf<IdsCard> element_id_heading = headed(IdSpace::element, "element with a time history; one a line");
 const CardOf<IdsCard> set_id_heading = headed(IdSpace::set, "set whose members have time histories; one a line");
 
-// ---- intervals -----------------------------------------------------------------------------------------------------
+// ---- intervals
 
 /// Where the request of one file stands.
 using RequestOf = Request& (*)(Requests&);
@@ -306,7 +306,7 @@ void read_extent_binary(Builder& builder, const Block& block, const Options&) {
           {row4[&ExtentCard4::deleres], 0, "deleted elements have no stress in d3plot, as with 0"}});
 }
 
-// ---- time histories ------------------------------------------------------------------------------------------------
+// ---- time histories
 
 /// What *DATABASE_HISTORY_ of one kind needs: where single ids and sets are looked up, and where the result goes.
 struct History {
@@ -421,7 +421,7 @@ void read_local_history(Builder& builder, const Block& block, const Options& opt
   }
 }
 
-// ---- the list ------------------------------------------------------------------------------------------------------
+// ---- the list
 
 /// *DATABASE_ABSTAT of abstat.
 template <model::HistoryName file>

@@ -200,7 +200,6 @@ std::vector<Index> all_nodes(const Model& model) {
 }
 
 // ---- *INITIAL_VELOCITY
-// ---------------------------------------------------------------------------------------------------
 
 /// The bodies of given inertia that IRIGID names: by a part set or all of them, of which the box, except with -2, takes
 /// those whose centre it holds (manual vol. I, *INITIAL_VELOCITY).
@@ -267,7 +266,6 @@ void read_velocity(Builder& builder, const Block& block, const Options&) {
 }
 
 // ---- *INITIAL_VELOCITY_NODE and _RIGID_BODY
-// --------------------------------------------------------------------------------
 
 Motion motion_of(const Block& block, const RowOf<VelocityCard>& row) {
   const bool local = row->icid != 0;
@@ -320,7 +318,6 @@ void read_body_velocity(Builder& builder, const Block& block, const Options&) {
 }
 
 // ---- *INITIAL_VELOCITY_GENERATION
-// ------------------------------------------------------------------------------------------
 
 std::vector<Index> generation_nodes(Builder& builder, const RowOf<GenerationCard>& row) {
   if (row->id == 0) return all_nodes(builder.model);

@@ -17,7 +17,7 @@ using deck::Block;
 using deck::Cursor;
 using deck::RowOf;
 
-// ---- stresses of an earlier run ------------------------------------------------------------------------------------
+// ---- stresses of an earlier run
 
 struct PointsCard {
   int eid = 0, nplane = 0, nthick = 0, nhisv = 0, large = 0, nint = 0;
@@ -213,7 +213,7 @@ void read_strain(Builder& builder, const Block& block, const Options&) {
   }
 }
 
-// ---- preloads ------------------------------------------------------------------------------------------------------
+// ---- preloads
 
 struct AxialCard {
   int bsid = 0, lcid = 0;

@@ -400,7 +400,7 @@ void read_joint(Builder& b, const Block& block, const Options& options) {
   }
 }
 
-// ---- by points -----------------------------------------------------------------------------------------------------
+// ---- by points
 
 PointFields body_fields(const RowOf<JointCard>& row) {
   PointFields fields;

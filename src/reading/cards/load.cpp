@@ -20,7 +20,6 @@ using deck::Cursor;
 using deck::RowOf;
 
 // ---- forces and moments
-// ------------------------------------------------------------------------------------------------
 
 struct ForceCard {
   int target = 0, dof = 0, lcid = 0;
@@ -157,7 +156,6 @@ void read_force(Builder& builder, const Block& block, const Options&) {
 }
 
 // ---- base acceleration
-// -------------------------------------------------------------------------------------------------
 
 struct BodyLoadCard {
   int lcid = 0;
@@ -194,7 +192,7 @@ const CardOf<BodyPartsCard> body_parts_card{
     {&BodyPartsCard::psid, id("psid", IdSpace::set, required, "part set that all *LOAD_BODY_... are restricted to")},
 };
 
-// ---- centrifugal force ---------------------------------------------------------------------------------------------
+// ---- centrifugal force
 
 template <int axis>
 void read_body_rotation(Builder& builder, const Block& block, const Options&) {
@@ -217,7 +215,6 @@ void read_body_rotation(Builder& builder, const Block& block, const Options&) {
 }
 
 // ---- gravity of parts
-// -----------------------------------------------------------------------------------------
 
 struct GravityCard {
   int target = 0, dof = 0, lc = 0;
@@ -316,7 +313,6 @@ void read_body_parts(Builder& builder, const Block& block, const Options&) {
 }
 
 // ---- pressure
-// ----------------------------------------------------------------------------------------------------------
 
 struct PressureCard {
   int lcid = 0;

@@ -163,7 +163,6 @@ const CardOf<MotionCard> motion_card{
 };
 
 // ---- what all walls have in common
-// ---------------------------------------------------------------------------------------
 
 /// The sum of squares that counts as no length is exactly zero: decks write equal points there, not nearly equal ones.
 bool take_normal(Builder& builder, const Block& block, const RowOf<NormalCard>& row, RigidWall& wall) {
@@ -336,7 +335,6 @@ RigidWall begin_wall(Cursor& cursor, const Options& options, Shape shape) {
 }
 
 // ---- *RIGIDWALL_PLANAR
-// -----------------------------------------------------------------------------------------------------
 
 void take_friction(Builder& builder, const RowOf<NormalCard>& row, RigidWall& wall) {
   wall.friction = row->fric;
@@ -379,7 +377,6 @@ void read_planar(Builder& builder, const Block& block, const Options& options) {
 }
 
 // ---- *RIGIDWALL_GEOMETRIC_...
-// ------------------------------------------------------------------------------------------------
 
 enum class Form { flat, cylinder, sphere, prism };
 

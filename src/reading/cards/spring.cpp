@@ -163,7 +163,6 @@ const CardOf<InelasticCard> inelastic_card{
 };
 
 // ---- elements
-// --------------------------------------------------------------------------------------------------------
 
 void add_element(Builder& b, const RowOf<DiscreteCard>& row) {
   Discrete d;
@@ -284,7 +283,6 @@ void read_orientation(Builder& b, const Block& block, const Options& options) {
 }
 
 // ---- laws
-// ------------------------------------------------------------------------------------------------------------
 
 // What fills a law from its row. The card's table gives the constants of a line, force and length; `lever` is the
 // length by which those of a twist, moment and angle, are converted besides: FCTLEN where the spring is torsional.

@@ -180,7 +180,7 @@ class Resolver {
     return out;
   }
 
-  // ---- sets of nodes, parts and elements ----
+  // ---- sets of nodes, parts and elements
 
   void work_out_members(WorkingSet& set) {
     const SetKind kind = set.recipe.kind;
@@ -313,7 +313,7 @@ class Resolver {
     return out;
   }
 
-  // ---- sets of segments ----
+  // ---- sets of segments
 
   void work_out_segments(WorkingSet& set) {
     Tally unknown(b_.findings, Severity::error, set.recipe.keyword);
@@ -399,7 +399,7 @@ class Resolver {
     unknown.add(step.place, [] { return std::string("a segment needs three or four different nodes"); });
   }
 
-  // ---- the result ----
+  // ---- the result
 
   void publish(WorkingSet& set) {
     const int id = set.recipe.id;

@@ -164,7 +164,6 @@ TEST(Include, OtherFormsAreRefusedByName) {
 }
 
 // ---- *INCLUDE_TRANSFORM
-// ----------------------------------------------------------------------------------------------
 
 const Card sheet{{id("secid", IdSpace::other, required, "section"),
                   or_negative(id("lcid", IdSpace::function, 0, "curve"), IdSpace::function),

@@ -25,7 +25,6 @@ void expect_vector(const Vec3d& v, double x, double y, double z) {
 }
 
 // ---- rigid bodies
-// ----------------------------------------------------------------------------------------------------------
 
 TEST(RigidBodies, PartsWithRigidMaterial) {
   const Built built(small_deck("", "       1.0         4         7"));
@@ -211,7 +210,6 @@ TEST(RigidBodies, FaultsOfRigidWelds) {
 }
 
 // ---- rigid walls
-// -------------------------------------------------------------------------------------------------------------
 
 // RWPNAL: nodes of rigid parts are the wall's too.
 TEST(RigidWalls, TakeRigidPartsByPenalty) {
@@ -359,7 +357,6 @@ TEST(RigidWalls, Faults) {
 }
 
 // ---- contacts
-// ----------------------------------------------------------------------------------------------------------------
 
 TEST(Contacts, SingleSurfaceOverAllParts) {
   const Built built(small_deck(R"(*CONTACT_AUTOMATIC_SINGLE_SURFACE_MPP_ID

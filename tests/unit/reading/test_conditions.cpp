@@ -18,7 +18,6 @@ void expect_vector(const Vec3d& v, double x, double y, double z) {
 }
 
 // ---- nodes held
-// -----------------------------------------------------------------------------------------------------------
 
 TEST(Constraints, NodesInAPlane) {
   const std::string more = "*NODE\n801,5.0,7.0,0.0\n802,5.0,8.0,1.0\n803,5.001,8.0,1.0\n";
@@ -40,7 +39,6 @@ TEST(Constraints, NodesInAPlane) {
 }
 
 // ---- *DATABASE
-// -----------------------------------------------------------------------------------------------------------
 
 TEST(Database, IntervalsAndFormats) {
   const Built built(small_deck(R"(*DATABASE_GLSTAT
@@ -135,7 +133,6 @@ TEST(Database, WhatIsNotWrittenIsSaid) {
 }
 
 // ---- *BOUNDARY
-// -----------------------------------------------------------------------------------------------------------
 
 TEST(Boundary, SinglePointConstraints) {
   const Built built(small_deck(R"(*BOUNDARY_SPC_NODE
@@ -278,7 +275,6 @@ TEST(Boundary, LocalMotionFollowsTheAxesOfItsBody) {
 }
 
 // ---- *INITIAL_VELOCITY
-// -----------------------------------------------------------------------------------------------------
 
 Vec3d velocity(const Built& built, int node) {
   return built.model.initial_velocity.at(static_cast<std::size_t>(built.model.node_index(node)));
@@ -378,7 +374,6 @@ TEST(InitialVelocity, MixtureOfKindsIsSaid) {
 }
 
 // ---- *LOAD
-// -----------------------------------------------------------------------------------------------------------------
 
 TEST(Load, ForcesAndMoments) {
   const Built built(small_deck(R"(*LOAD_NODE_POINT

@@ -17,7 +17,6 @@ Built built(const std::string& more) {
 const char* const two_curves = "*DEFINE_CURVE\n10\n0.0,300.0\n1.0,400.0\n*DEFINE_CURVE\n11\n0.0,330.0\n1.0,440.0\n";
 
 // ---- curves and tables
-// -----------------------------------------------------------------------------------------------
 
 TEST(Curves, OffsetsComeBeforeFactors) {
   const auto b = built(
@@ -87,7 +86,6 @@ TEST(Curves, TablesTakeTheCurvesThatFollow) {
 }
 
 // ---- coordinate systems, vectors, boxes
-// ------------------------------------------------------------------------------
 
 const char* const three_nodes = "*NODE\n1,1.0,1.0,1.0\n2,1.0,3.0,1.0\n3,0.0,1.0,1.0\n";
 
@@ -142,7 +140,6 @@ TEST(Frames, Faults) {
 }
 
 // ---- sets
-// ------------------------------------------------------------------------------------------------------------
 
 /// A strip of three shells (ids 1 2 3; parts 1 1 2) along x and a brick (part 3) that stands on the last of them.
 /// Nodes 1..8 below y = 0 and y = 1 in pairs, 11..14 on top of the brick.

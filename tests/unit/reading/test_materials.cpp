@@ -151,7 +151,6 @@ TEST(Materials, RefusedLawsNameTheNearestOne) {
 }
 
 // ---- sections and hourglass
-// ------------------------------------------------------------------------------------------
 
 TEST(Sections, LayersOfTheUser) {
   const auto b = built(
@@ -213,7 +212,6 @@ TEST(Sections, Hourglass) {
 }
 
 // ---- control cards
-// ---------------------------------------------------------------------------------------------------
 
 TEST(Controls, WhatIsObeyed) {
   const auto b = built(

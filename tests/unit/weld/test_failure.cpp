@@ -29,7 +29,7 @@ Curve doubling() {
   return {0, {0.0, 100.0}, {1.0, 2.0}};
 }
 
-// ---- OPT 0 ----
+// ---- OPT 0
 
 WeldLaw resultant_law() {
   WeldLaw law;
@@ -66,7 +66,7 @@ TEST(ResultantSurface, StrengthsFollowTheStrainRate) {
   EXPECT_DOUBLE_EQ(value(*f, {0, 6000}, 1e9), 1.0);
 }
 
-// ---- OPT 1, 6, 7 ----
+// ---- OPT 1, 6, 7
 
 TEST(BeamStress, FourResultantsTogether) {
   const auto f = failure::beam_stress({320.0, {}}, {190.0, {}}, failure::disc(6.0));
@@ -115,7 +115,7 @@ TEST(SheetStress, TheWeakerSheetCountsWithItsOwnRateFactor) {
   EXPECT_NEAR(value(*f, {0, 5890.486}, 25.0), std::pow(1.0 / 1.5, 2), 1e-6);
 }
 
-// ---- OPT 3, 4 ----
+// ---- OPT 3, 4
 
 WeldLaw notch_law(int option, double limit) {
   WeldLaw law;
@@ -151,7 +151,7 @@ TEST(NotchStress, StressIntensities) {
   EXPECT_NEAR(v.term[0].value + v.term[1].value + v.term[2].value, v.value, 1e-12);
 }
 
-// ---- OPT 5 ----
+// ---- OPT 5
 
 TEST(StructuralStress, SingleLoads) {
   const auto f = failure::structural_stress(5.0, {1.0, 2.0}, 100.0);
@@ -177,7 +177,7 @@ TEST(StructuralStress, LargestOverAllAngles) {
   EXPECT_EQ(v.largest(), FailureMode::sheet_1);
 }
 
-// ---- OPT 10 ----
+// ---- OPT 10
 
 model::LoadRateStrengths load_rate_table() {
   model::LoadRateStrengths t;
@@ -212,7 +212,7 @@ TEST(LoadRateStress, RatesAreAveragedOverNavgCycles) {
   EXPECT_NEAR(v.value, std::pow(1.0 / 4.462375192, 2), 1e-9);
 }
 
-// ---- OPT 11 ----
+// ---- OPT 11
 
 TEST(Direction, ForceAllowedAtItsAngle) {
   WeldLaw law;
@@ -230,7 +230,7 @@ TEST(Direction, ForceAllowedAtItsAngle) {
   EXPECT_EQ(v.largest(), FailureMode::compression);
 }
 
-// ---- which function a weld gets ----
+// ---- which function a weld gets
 
 TEST(MakeFunction, ThePairOfPartsInEitherOrder) {
   model::Model m;
@@ -300,7 +300,7 @@ TEST(MakeFunction, WhatIsMissingIsSaid) {
   EXPECT_EQ(findings.warnings(), 4);
 }
 
-// ---- history ----
+// ---- history
 
 History history(const WeldLaw& law) {
   return {law, failure::resultant_surface(law)};
