@@ -2,10 +2,12 @@
 """Proves the recipes of CONTRIBUTING.md: applies a patch that adds something to a copy of the sources, counts what it
 touches, builds what that needs and runs the tests that it adds.
 
-    tests/recipes/run.py NAME --build BUILD
+    tests/recipes/run.py NAME ... --build BUILD
+    tests/recipes/run.py --room ROOM --build BUILD
     tests/recipes/run.py --quote            writes what the patches do to src into CONTRIBUTING.md
 
-NAME is that of a patch beside this file; `RECIPES` says how little of `src` it may touch. BUILD is a build folder of these
+NAME is that of a patch beside this file; `RECIPES` says how little of `src` it may touch. Recipes whose tests are in one
+room are proved together, in one copy and one build; `--room` takes all of that room. BUILD is a build folder of these
 sources (Ninja, tests on) that is up to date. Only what the patch changes, and what includes it, is compiled, without
 optimization; everything else is taken from there. Exits with 0 where the recipe holds, else with 1 and the reason.
 """
@@ -132,8 +134,13 @@ class Build:
                 current = made_from.setdefault(line.split(": #deps")[0], set())
             elif line.startswith("    "):
                 path = pathlib.Path(os.path.normpath(self.folder / line.strip()))
-                if path.is_relative_to(ROOT):
+                if path.suffix == ".gch":
+                    current.add(str(path.relative_to(self.folder)))
+                elif path.is_relative_to(ROOT):
                     current.add(str(path.relative_to(ROOT)))
+        for sources in made_from.values():  # what an object takes from a precompiled header, it is made from too
+            for header in [s for s in sources if s.endswith(".gch")]:
+                sources |= made_from.get(header, set())
         return made_from
 
     def compile(self, like: str, source: pathlib.Path, target: pathlib.Path) -> None:
@@ -171,20 +178,26 @@ class Build:
         return set(re.findall(r"libnugget_(\w+)\.a", line))
 
 
-def prove(name: str, folder: pathlib.Path) -> list[str]:
-    recipe, patch = RECIPES[name], HERE / f"{name}.patch"
-    files = touched(patch.read_text())
-    if wrong := breaches(recipe, files):
-        return wrong
+def prove(names: list[str], folder: pathlib.Path) -> list[str]:
+    """Proves recipes of one room together: one copy, one build."""
+    recipe, patches = RECIPES[names[0]], [HERE / f"{name}.patch" for name in names]
+    files = {}
+    for name, patch in zip(names, patches):
+        own = touched(patch.read_text())
+        if wrong := breaches(RECIPES[name], own):
+            return [f"{name}: {w}" for w in wrong]
+        files |= own
+    whole = "".join(patch.read_text() for patch in patches)
     with tempfile.TemporaryDirectory(prefix="nugget_recipe_") as scratch:
         copy = pathlib.Path(scratch) / "tree"
         for part in ("src", "tests", "docs"):
             shutil.copytree(ROOT / part, copy / part, ignore=shutil.ignore_patterns("__pycache__"))
-        applied = subprocess.run(["git", "apply", "--whitespace=nowarn", str(patch)], cwd=copy, capture_output=True, text=True,
-                                 env={**os.environ, "GIT_CEILING_DIRECTORIES": scratch})
-        if applied.returncode:
-            return [f"the patch does not fit these sources any more: {applied.stderr.strip()}",
-                    "apply it by hand, and put what `git diff` then says into its place"]
+        for patch in patches:  # with one line of context: another patch may have written beside it
+            applied = subprocess.run(["git", "apply", "-C1", "--whitespace=nowarn", str(patch)], cwd=copy, capture_output=True,
+                                     text=True, env={**os.environ, "GIT_CEILING_DIRECTORIES": scratch})
+            if applied.returncode:
+                return [f"{patch.name} does not fit these sources any more: {applied.stderr.strip()}",
+                        "apply it by hand, and put what `git diff` then says into its place"]
         build = Build(folder, copy)
         program = f"test_{recipe.room}"
         rooms = build.rooms_of(program)
@@ -208,18 +221,19 @@ def prove(name: str, folder: pathlib.Path) -> list[str]:
             list(pool.map(lambda i: build.compile(*jobs[i], objects[i]), range(len(jobs))))
         runner = pathlib.Path(scratch) / program
         build.link(program, objects, runner)
-        added = re.findall(r"^\+TEST(?:_F|_P)?\((\w+), (\w+)\)", patch.read_text(), re.MULTILINE)
+        added = re.findall(r"^\+TEST(?:_F|_P)?\((\w+), (\w+)\)", whole, re.MULTILINE)
         if not added:
             return ["the patch adds no test"]
         chosen = ":".join(f"{suite}.{case}" for suite, case in added)
         ran = subprocess.run([str(runner), f"--gtest_filter={chosen}", "--gtest_brief=1"], cwd=scratch)
-        print(f"{name}: {len(jobs)} sources compiled, {len(added)} tests run")
+        print(f"{', '.join(names)}: {len(jobs)} sources compiled, {len(added)} tests run")
         return [] if ran.returncode == 0 else [f"a test of the recipe failed: {chosen}"]
 
 
 def main() -> int:
     arguments = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    arguments.add_argument("name", nargs="?", choices=sorted(RECIPES))
+    arguments.add_argument("names", nargs="*", metavar="NAME", help=", ".join(RECIPES))
+    arguments.add_argument("--room")
     arguments.add_argument("--build", type=pathlib.Path)
     arguments.add_argument("--quote", action="store_true")
     given = arguments.parse_args()
@@ -227,14 +241,19 @@ def main() -> int:
         page = ROOT / "CONTRIBUTING.md"
         page.write_text(quoted(page.read_text()))
         return 0
-    if not given.name or not given.build:
-        arguments.error("give a recipe and --build, or --quote")
+    given.names += [name for name, recipe in RECIPES.items() if recipe.room == given.room]
+    if not given.names or not given.build:
+        arguments.error("give recipes or a room that has some, and --build; or --quote")
+    if unknown := [name for name in given.names if name not in RECIPES]:
+        arguments.error(f"no such recipe: {', '.join(unknown)}")
+    if len({RECIPES[name].room for name in given.names}) > 1:
+        arguments.error("recipes of different rooms are proved one by one")
     try:
-        wrong = prove(given.name, given.build.resolve())
+        wrong = prove(given.names, given.build.resolve())
     except subprocess.CalledProcessError as error:
         wrong = [f"{shlex.join(map(str, error.cmd[-4:]))} ended with {error.returncode}"]
     for line in wrong:
-        print(f"recipe {given.name}: {line}", file=sys.stderr)
+        print(f"recipe {' '.join(given.names)}: {line}", file=sys.stderr)
     return 1 if wrong else 0
 
 
