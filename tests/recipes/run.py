@@ -134,13 +134,13 @@ class Build:
                 current = made_from.setdefault(line.split(": #deps")[0], set())
             elif line.startswith("    "):
                 path = pathlib.Path(os.path.normpath(self.folder / line.strip()))
-                if path.suffix == ".gch":
-                    current.add(str(path.relative_to(self.folder)))
-                elif path.is_relative_to(ROOT):
+                if path.is_relative_to(ROOT):
                     current.add(str(path.relative_to(ROOT)))
-        for sources in made_from.values():  # what an object takes from a precompiled header, it is made from too
-            for header in [s for s in sources if s.endswith(".gch")]:
-                sources |= made_from.get(header, set())
+        for made, words in self.command_of.items():  # what an object takes from a precompiled header, it is made from too
+            for word, following in zip(words, words[1:]):
+                if word == "-include" and made in made_from:
+                    header = os.path.relpath(self.folder / f"{following}.gch", self.folder)
+                    made_from[made] |= made_from.get(header, set())
         return made_from
 
     def compile(self, like: str, source: pathlib.Path, target: pathlib.Path) -> None:
