@@ -309,7 +309,7 @@ void check_springs(const System& system, Findings& findings) {
     for (const SpringEnd& end : ends) {
       const model::Discrete& d = system.model.discretes[at(end.group->element[end.spring])];
       const Vec3d n = end.group->line(end.spring);
-      const int id = system.model.nodes.id[at(system.model_node[at(node)])];
+      const int id = system.node_id(node);
       if (!(Mobility::along(rotation ? m.rotation : m.translation, n) > 0.0) &&
           !is_constrained(system, node, n, rotation))
         findings.error(d.place, "*ELEMENT_DISCRETE",

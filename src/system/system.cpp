@@ -125,10 +125,8 @@ void System::make_constraints(Findings& findings) {
     if (claim(i.node, {.interpolation = static_cast<model::Index>(k)}, i.place)) add_interpolation(i);
   }
   for (int node : map.sort_rows(static_cast<int>(all_nodes())))
-    findings.error(
-        {model.deck, 0, 0}, "",
-        fmt::format("node {} is tied to itself through other ties", model.nodes.id[at(model_node[at(node)])]),
-        "tie the weld to a sheet whose nodes are free");
+    findings.error({model.deck, 0, 0}, "", fmt::format("node {} is tied to itself through other ties", node_id(node)),
+                   "tie the weld to a sheet whose nodes are free");
 }
 
 void System::add_interpolation(const model::Interpolation& i) {

@@ -37,6 +37,8 @@ class System {
   std::size_t nodes = 0;
   std::vector<int> node_of;
   std::vector<model::Index> model_node;
+  /// Id in the deck of a node that is not virtual.
+  int node_id(int node) const { return model.nodes.id[at(model_node[at(node)])]; }
   std::size_t all_nodes() const { return nodes + bodies.size() + springs.size(); }
 
   /// Lumped mass and rotary inertia by node; zero for dependent nodes (theirs is handed over) and for nodes that carry

@@ -143,8 +143,8 @@ class Build:
                     made_from[made] |= made_from.get(header, set())
         return made_from
 
-    def compile(self, like: str, source: pathlib.Path, target: pathlib.Path) -> None:
-        """Compiles a source of the copy with the options of the object `like`."""
+    def options_of(self, like: str) -> list[str]:
+        """The compiler and the options of an object, for the copy and without optimization."""
         words = self.command_of[like]
         options, skip = [], 0
         for word, following in zip(words, words[1:] + [""]):
@@ -154,10 +154,38 @@ class Build:
                 skip = 1
             elif word == "-include" and "cmake_pch" in following:
                 skip = 1
-            elif word not in ("-Winvalid-pch", "-MD"):
+                options += ["-include", str(self.header_in_copy(following))]
+            elif word != "-MD":
                 options.append(word.replace(f"-I{ROOT}/", f"-I{self.copy}/"))
+        return [*options, "-O0"]
+
+    def header_in_copy(self, header: str) -> pathlib.Path:
+        """Where what CMake parses once for all of a target stands for the copy."""
+        return self.copy / "parsed" / (self.folder / header).relative_to(self.folder)
+
+    def parse_headers(self, objects: set[str]) -> None:
+        """Makes the precompiled headers of these objects from the copy."""
+        like = {}  # by header, an object that takes it
+        for made in objects:
+            words = self.command_of[made]
+            like |= {w: made for v, w in zip(words, words[1:]) if v == "-include" and "cmake_pch" in w}
+
+        def parse(header: str) -> None:
+            target = self.header_in_copy(header)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text((self.folder / header).read_text().replace(f"{ROOT}/", f"{self.copy}/"))
+            empty = target.with_name("empty.cxx")
+            empty.write_text("")
+            subprocess.run([*self.options_of(like[header]), "-x", "c++-header", "-o", f"{target}.gch", str(empty)],
+                           cwd=self.folder, check=True)
+
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            list(pool.map(parse, like))
+
+    def compile(self, like: str, source: pathlib.Path, target: pathlib.Path) -> None:
+        """Compiles a source of the copy with the options of the object `like`."""
         target.parent.mkdir(parents=True, exist_ok=True)
-        subprocess.run(options + ["-O0", "-o", str(target), "-c", str(source)], cwd=self.folder, check=True)
+        subprocess.run(self.options_of(like) + ["-o", str(target), "-c", str(source)], cwd=self.folder, check=True)
 
     def link(self, program: str, objects: list[pathlib.Path], target: pathlib.Path) -> None:
         """Links `objects` with the libraries of a test program; what they define comes before what the libraries hold."""
@@ -217,6 +245,7 @@ def prove(names: list[str], folder: pathlib.Path) -> list[str]:
                 continue
             jobs.append((next(o for o in build.command_of if o.startswith(prefix)), copy / file))
         objects = [pathlib.Path(scratch) / "objects" / f"{i}.o" for i in range(len(jobs))]
+        build.parse_headers({like for like, _ in jobs})
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             list(pool.map(lambda i: build.compile(*jobs[i], objects[i]), range(len(jobs))))
         runner = pathlib.Path(scratch) / program

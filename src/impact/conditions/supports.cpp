@@ -53,8 +53,7 @@ void drop_overridden_supports(std::vector<Item>& items, const std::vector<Prescr
                             d.birth < items[i].death && d.death > items[i].birth;
       if (!together || !overrides(i, other->second)) continue;
       findings.warning(d.motion->place, "*BOUNDARY_PRESCRIBED_MOTION",
-                       fmt::format("node {} {}", system.model.nodes.id[at(system.model_node[at(d.node)])], what),
-                       "take it out of one of the two cards");
+                       fmt::format("node {} {}", system.node_id(d.node), what), "take it out of one of the two cards");
       std::vector<Item> cut;
       for (Item before : parts) {
         Item after = before;

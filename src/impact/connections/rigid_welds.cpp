@@ -60,7 +60,7 @@ void RigidWelds::refuse_ties_on_failing_welds(Findings& findings) const {
       findings.error(weld->source->place, "",
                      fmt::format("node {} is tied to a sheet at a node of rigid weld {}, which can fail; a tie on such "
                                  "a node is not built",
-                                 system_.model.nodes.id[at(system_.model_node[d])], weld->source->id),
+                                 system_.node_id(static_cast<int>(d)), weld->source->id),
                      "move one of the two welds to other nodes, or take the failure of the rigid weld out");
     }
   }
@@ -168,8 +168,7 @@ void RigidWelds::report(const Weld& weld, const weld::RigidWeldHistory& joint, i
   events_.push_back(
       fmt::format("{} failed  id={:8d} time={:12.5E} cycle={} at node {} by {}",
                   weld.source->kind == model::RigidWeld::Kind::spotweld ? "constraint/weld" : "generalized weld",
-                  weld.source->id, state.time, state.cycle, system_.model.nodes.id[at(system_.model_node[at(node)])],
-                  weld::to_string(joint.mode())));
+                  weld.source->id, state.time, state.cycle, system_.node_id(node), weld::to_string(joint.mode())));
 }
 
 const weld::RigidWeldHistory& RigidWelds::history(std::size_t i) const {

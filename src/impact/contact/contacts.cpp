@@ -58,9 +58,8 @@ std::vector<std::string> Contacts::glue_summary(const system::System& system) co
     if (card.glue->bonds_later) line += fmt::format(", {} later", glue->later());
     line += fmt::format("; {} failed", glue->failed());
     if (glue->failed() > 0)
-      line += fmt::format(", node {} first at time={:.5E}, the last at time={:.5E}",
-                          system.model.nodes.id[at(system.model_node[at(glue->first_node())])], glue->first_time(),
-                          glue->last_time());
+      line += fmt::format(", node {} first at time={:.5E}, the last at time={:.5E}", system.node_id(glue->first_node()),
+                          glue->first_time(), glue->last_time());
     lines.push_back(std::move(line));
   }
   return lines;

@@ -13,10 +13,6 @@ namespace {
 
 constexpr std::size_t proposals = 5;  // with IGNORE = 2: coordinates of the deepest nodes only
 
-int node_id(const system::System& system, int node) {
-  return system.model.nodes.id[at(system.model_node[at(node)])];
-}
-
 std::string element_name(const model::Model& model, const contact::Segment& segment) {
   const auto shells = static_cast<int>(model.shells.size());
   if (segment.element < shells) return fmt::format("shell {}", model.shells.id[at(segment.element)]);
@@ -25,7 +21,7 @@ std::string element_name(const model::Model& model, const contact::Segment& segm
 
 std::string proposal(const system::System& system, const contact::Penetration& p, std::span<const Row> x) {
   const Vec3d out = vec(x[at(p.node)]) + p.depth * p.direction;
-  return fmt::format("node {} to ({:.6g}, {:.6g}, {:.6g})", node_id(system, p.node), out.x, out.y, out.z);
+  return fmt::format("node {} to ({:.6g}, {:.6g}, {:.6g})", system.node_id(p.node), out.x, out.y, out.z);
 }
 
 }  // namespace
@@ -49,7 +45,7 @@ void treat_initial_penetrations(const system::System& system, const model::Conta
   const std::string what = fmt::format(
       "{} nodes stand in the thickness of a sheet or in a brick at the start; the deepest is node {}, "
       "{:.4g} deep in {}",
-      count, node_id(system, worst.node), worst.depth, element_name(system.model, setup.segments[at(worst.segment)]));
+      count, system.node_id(worst.node), worst.depth, element_name(system.model, setup.segments[at(worst.segment)]));
   const std::string keyword = '*' + card.keyword;
   if (card.ignore == 0)
     return findings.warning(card.place, keyword, what + "; they were moved out (IGNORE = 0)",

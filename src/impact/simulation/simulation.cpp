@@ -408,7 +408,7 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
       if (std::isfinite(v.x + v.y + v.z)) continue;
       return error(
           fmt::format("the solution diverged: the velocity of node {} is not a number at time {:.6g}, cycle {}",
-                      system_.model.nodes.id[at(system_.model_node[k])], state_.time, state_.cycle));
+                      system_.node_id(static_cast<int>(k)), state_.time, state_.cycle));
     }
   }
   const long most = options.max_cycles > 0 ? options.max_cycles : control.end_cycle;

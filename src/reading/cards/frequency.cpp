@@ -60,16 +60,7 @@ const CardOf<ExcitationCard> excitation_of_node = excitation_card(IdSpace::node,
                              case_excitation_of_node = excitation_card(IdSpace::node),
                              case_excitation_of_set = excitation_card(IdSpace::set);
 
-const CardOf<DampingCard> damping_card{
-    {&DampingCard::dampf,
-     real("dampf", dimension::number, 0, at_least(0), "modal damping ratio of all modes, share of the critical")},
-    {&DampingCard::lcdam, id("lcdam", IdSpace::function, 0, "curve of the damping ratio, instead of dampf")},
-    {&DampingCard::lctyp,
-     integer("lctyp", 0, between(0, 1), "lcdam is over 0: natural frequency [cycles/time], 1: number of the mode")},
-    {&DampingCard::dmpmas, real("dmpmas", dimension::rate, 0, at_least(0),
-                                "alpha of Rayleigh's damping alpha M + beta K; adds to the others")},
-    {&DampingCard::dmpstf, real("dmpstf", dimension::time, 0, at_least(0), "beta")},
-};
+const CardOf<DampingCard> damping_card = damping_card_of_response();
 
 constexpr IntegerField relatv = integer("relatv", 0, between(0, 1), "1: relative to the base");
 
@@ -377,6 +368,21 @@ Excitation excitation_of(Builder& b, const RowOf<ExcitationCard>& row, const Dri
   else
     e.nodes = nodes_of(b, entity, row->type);
   return e;
+}
+
+CardOf<DampingCard> damping_card_of_response(std::initializer_list<FieldOf<DampingCard>> rest) {
+  return with_rest(
+      CardOf<DampingCard>{
+          {&DampingCard::dampf,
+           real("dampf", dimension::number, 0, at_least(0), "modal damping ratio of all modes, share of the critical")},
+          {&DampingCard::lcdam, id("lcdam", IdSpace::function, 0, "curve of the damping ratio, instead of dampf")},
+          {&DampingCard::lctyp, integer("lctyp", 0, between(0, 1),
+                                        "lcdam is over 0: natural frequency [cycles/time], 1: number of the mode")},
+          {&DampingCard::dmpmas, real("dmpmas", dimension::rate, 0, at_least(0),
+                                      "alpha of Rayleigh's damping alpha M + beta K; adds to the others")},
+          {&DampingCard::dmpstf, real("dmpstf", dimension::time, 0, at_least(0), "beta")},
+      },
+      rest);
 }
 
 CardOf<FrequencyCard> frequency_card(std::initializer_list<FieldOf<FrequencyCard>> rest) {

@@ -53,6 +53,9 @@ std::vector<Index> nodes_of(Builder& builder, const deck::Entry& entity, int typ
 /// A unit vector: axis 1, 2, 3, or else that of *DEFINE_VECTOR.
 Vec3d direction_of(Builder& builder, const deck::Entry& axis, const deck::Entry& vector);
 
+/// The fields DAMPF to DMPSTF; `rest` follows them.
+CardOf<DampingCard> damping_card_of_response(std::initializer_list<FieldOf<DampingCard>> rest = {});
+
 /// The fields FMIN to LCFREQ, which several cards have; `rest` follows them.
 CardOf<FrequencyCard> frequency_card(std::initializer_list<FieldOf<FrequencyCard>> rest = {});
 /// What they ask for.

@@ -29,6 +29,8 @@ inline constexpr RealField vp = real("vp", dimension::number, 0, between(0, 1),
 inline constexpr RealField vp_of_curves = real(
     "vp", dimension::number, 0, between(-1, 4),
     "rate of 0: the total strain, -1: its deviator, computed as 1; 1: the plastic strain; 3, 4: as 0, 1, filtered");
+inline constexpr RealField tdel =
+    real("tdel", dimension::time, 0, at_least(0), "smallest time step of an element before it is deleted; 0: none");
 inline constexpr RealField numint =
     real("numint", dimension::number, 0, any_value,
          "failed points that delete a shell; 0: all; below 0: percentage of its layers");

@@ -21,9 +21,6 @@ using deck::Block;
 using deck::Cursor;
 using deck::RowOf;
 
-constexpr RealField tdel =
-    real("tdel", dimension::time, 0, at_least(0), "smallest time step of an element before it is deleted; 0: none");
-
 // ---- 012
 
 struct IsotropicCard : MaterialCard {
@@ -194,55 +191,31 @@ void read_rate_dependent(Builder& b, const Block& block, const Options& options)
 
 // ---- 081, 123
 
-const CardOf<YieldCards> damage_card{
-    {&MaterialCard::mid, material_id},
-    {&MaterialCard::ro, density},
-    {&YieldCards::e, young},
-    {&YieldCards::pr, poisson},
-    {&YieldCards::sigy,
-     real("sigy", dimension::stress, 0, at_least(0), "yield stress, unless LCSS or EPS and ES are given")},
-    {&YieldCards::etan, real("etan", dimension::stress, 0, at_least(0), "tangent modulus, below E")},
+const CardOf<YieldCards> damage_card = yield_card({
     {&YieldCards::eppf, real("eppf", dimension::number, 1e12, at_least(0), "plastic strain at which softening begins")},
     {&YieldCards::tdel, tdel},
-};
+});
 
-const CardOf<YieldCards> damage_rate_card{
-    {&YieldCards::c, real("c", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect")},
-    {&YieldCards::p, real("p", dimension::number, 0, at_least(0), "Cowper-Symonds P")},
-    {&YieldCards::lcss,
-     id("lcss", IdSpace::function, 0, "yield stress over plastic strain: curve, or table over the strain rate")},
-    {&YieldCards::lcsr, id("lcsr", IdSpace::function, 0, "curve: factor on the yield stress over the strain rate")},
+const CardOf<YieldCards> damage_rate_card = yield_rate_card({
     {&YieldCards::eppfr, real("eppfr", dimension::number, 1e14, at_least(0), "plastic strain at rupture")},
     {&YieldCards::vp, vp_of_curves},
     {&YieldCards::lcdm, id("lcdm", IdSpace::function, 0, "curve: damage over plastic strain beyond EPPF")},
     {&YieldCards::numint, numint},
-};
+});
 
-const CardOf<YieldCards> modified_card{
-    {&MaterialCard::mid, material_id},
-    {&MaterialCard::ro, density},
-    {&YieldCards::e, young},
-    {&YieldCards::pr, poisson},
-    {&YieldCards::sigy,
-     real("sigy", dimension::stress, 0, at_least(0), "yield stress, unless LCSS or EPS and ES are given")},
-    {&YieldCards::etan, real("etan", dimension::stress, 0, at_least(0), "tangent modulus, below E")},
+const CardOf<YieldCards> modified_card = yield_card({
     {&YieldCards::fail, real("fail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none")},
     {&YieldCards::tdel, tdel},
-};
+});
 
-const CardOf<YieldCards> modified_rate_card{
-    {&YieldCards::c, real("c", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect")},
-    {&YieldCards::p, real("p", dimension::number, 0, at_least(0), "Cowper-Symonds P")},
-    {&YieldCards::lcss,
-     id("lcss", IdSpace::function, 0, "yield stress over plastic strain: curve, or table over the strain rate")},
-    {&YieldCards::lcsr, id("lcsr", IdSpace::function, 0, "curve: factor on the yield stress over the strain rate")},
+const CardOf<YieldCards> modified_rate_card = yield_rate_card({
     {&YieldCards::vp, vp_of_curves},
     {&YieldCards::epsthin,
      real("epsthin", dimension::number, 0, at_least(0), "plastic thinning of a layer at failure; 0: none")},
     {&YieldCards::epsmaj,
      real("epsmaj", dimension::number, 0, at_least(0), "major strain in the plane at failure; 0: none")},
     {&YieldCards::numint, numint},
-};
+});
 
 /// Reads the four cards; `complete` adds to the law what is the keyword's own, once curves are known.
 void read_with_curves(Builder& b, const Block& block, const Options& options, std::string_view name,

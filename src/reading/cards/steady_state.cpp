@@ -37,19 +37,10 @@ const CardOf<ModesCard> modes_card{
     {&ModesCard::relatv, integer("relatv", 0, between(0, 1), "1: responses to base motion are relative to it")},
 };
 
-const CardOf<DampingCard> damping_card{
-    {&DampingCard::dampf,
-     real("dampf", dimension::number, 0, at_least(0), "modal damping ratio of all modes, share of the critical")},
-    {&DampingCard::lcdam, id("lcdam", IdSpace::function, 0, "curve of the damping ratio, instead of dampf")},
-    {&DampingCard::lctyp,
-     integer("lctyp", 0, between(0, 1), "lcdam is over 0: natural frequency [cycles/time], 1: number of the mode")},
-    {&DampingCard::dmpmas, real("dmpmas", dimension::rate, 0, at_least(0),
-                                "alpha of Rayleigh's damping alpha M + beta K; adds to the others")},
-    {&DampingCard::dmpstf, real("dmpstf", dimension::time, 0, at_least(0), "beta")},
-    {&DampingCard::dmpflg,
-     integer("dmpflg", 0, between(0, 1),
-             "1: dashpots and *DAMPING_PART_MASS, _STIFFNESS instead of the fields before this one")},
-};
+const CardOf<DampingCard> damping_card = damping_card_of_response(
+    {{&DampingCard::dmpflg,
+      integer("dmpflg", 0, between(0, 1),
+              "1: dashpots and *DAMPING_PART_MASS, _STIFFNESS instead of the fields before this one")}});
 
 struct OptionsCard {
   int istress = 0, nerp = 0, nout = 0;

@@ -105,6 +105,32 @@ const CardOf<YieldCards> yield_stress_card{
     {at(&YieldCards::es, 7), real("es8", dimension::stress, 0, at_least(0), "point 8")},
 };
 
+CardOf<YieldCards> yield_card(std::initializer_list<FieldOf<YieldCards>> own) {
+  CardOf<YieldCards> card{
+      {&MaterialCard::mid, material_id},
+      {&MaterialCard::ro, density},
+      {&YieldCards::e, young},
+      {&YieldCards::pr, poisson},
+      {&YieldCards::sigy,
+       real("sigy", dimension::stress, 0, at_least(0), "yield stress, unless LCSS or EPS and ES are given")},
+      {&YieldCards::etan, real("etan", dimension::stress, 0, at_least(0), "tangent modulus, below E")},
+  };
+  for (const FieldOf<YieldCards>& field : own) card.add(field);
+  return card;
+}
+
+CardOf<YieldCards> yield_rate_card(std::initializer_list<FieldOf<YieldCards>> own) {
+  CardOf<YieldCards> card{
+      {&YieldCards::c, real("c", dimension::rate, 0, at_least(0), "Cowper-Symonds C; 0: no rate effect")},
+      {&YieldCards::p, real("p", dimension::number, 0, at_least(0), "Cowper-Symonds P")},
+      {&YieldCards::lcss,
+       id("lcss", IdSpace::function, 0, "yield stress over plastic strain: curve, or table over the strain rate")},
+      {&YieldCards::lcsr, id("lcsr", IdSpace::function, 0, "curve: factor on the yield stress over the strain rate")},
+  };
+  for (const FieldOf<YieldCards>& field : own) card.add(field);
+  return card;
+}
+
 YieldRows read_yield_cards(deck::Cursor& cursor, const CardOf<YieldCards>& main, const CardOf<YieldCards>& rate,
                            bool log_rates) {
   YieldCards cards;

@@ -34,6 +34,10 @@ struct YieldRows {
   /// Values of all four.
   const YieldCards& cards() const { return *stress; }
 };
+/// The first card, with two fields of the law's own behind ETAN; of the second C to LCSR, with four behind them.
+CardOf<YieldCards> yield_card(std::initializer_list<FieldOf<YieldCards>> own);
+CardOf<YieldCards> yield_rate_card(std::initializer_list<FieldOf<YieldCards>> own);
+
 /// Reads the two cards, EPS1..8 and ES1..8.
 YieldRows read_yield_cards(deck::Cursor& cursor, const CardOf<YieldCards>& main, const CardOf<YieldCards>& rate,
                            bool log_rates);

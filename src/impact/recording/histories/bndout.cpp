@@ -7,10 +7,6 @@
 namespace nugget::impact {
 namespace {
 
-int node_id(const Snapshot& now, int system_node) {
-  return now.system.model.nodes.id[at(now.system.model_node[at(system_node)])];
-}
-
 output::BndoutState bndout_state(const Snapshot& now) {
   const model::Model& model = now.system.model;
   output::BndoutState s;
@@ -18,7 +14,7 @@ output::BndoutState bndout_state(const Snapshot& now) {
   for (const Supports::Reaction& r : now.components.supports.motion_reactions()) {
     const model::PrescribedMotion& motion = model.motions[at(r.source)];
     if (motion.target == model::PrescribedMotion::Target::nodes)
-      s.nodes.push_back({node_id(now, r.node), r.force, r.energy, motion.id});
+      s.nodes.push_back({now.system.node_id(r.node), r.force, r.energy, motion.id});
     else
       s.bodies.push_back({model.rigid_bodies[at(motion.rigid_body)].id, r.force, r.moment, r.energy});
   }

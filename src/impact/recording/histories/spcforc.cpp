@@ -9,10 +9,6 @@
 namespace nugget::impact {
 namespace {
 
-int node_id(const Snapshot& now, int system_node) {
-  return now.system.model.nodes.id[at(now.system.model_node[at(system_node)])];
-}
-
 output::SpcforcState spcforc_state(const Snapshot& now) {
   const model::Model& model = now.system.model;
   output::SpcforcState s;
@@ -22,10 +18,10 @@ output::SpcforcState spcforc_state(const Snapshot& now) {
     const Frame3d axes =
         spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model.systems[at(spc.system)].axes;
     if (spc.fixed & 7u) {
-      s.forces.push_back({node_id(now, r.node), axes.local(r.force), spc.id});
+      s.forces.push_back({now.system.node_id(r.node), axes.local(r.force), spc.id});
       s.resultant += r.force;
     }
-    if (spc.fixed >> 3) s.moments.push_back({node_id(now, r.node), axes.local(r.moment), spc.id});
+    if (spc.fixed >> 3) s.moments.push_back({now.system.node_id(r.node), axes.local(r.moment), spc.id});
   }
   const auto ascending = [](const output::SpcforcRow& a, const output::SpcforcRow& b) { return a.node < b.node; };
   std::stable_sort(s.forces.begin(), s.forces.end(), ascending);
