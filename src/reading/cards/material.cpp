@@ -106,113 +106,112 @@ const CardOf<RigidOutputCard> rigid_output_card{
 
 const CardOf<YieldCards> plastic_card = yield_card({
     {&YieldCards::fail, real("fail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none")},
-    {&YieldCards::tdel, tdel});
+    {&YieldCards::tdel, tdel},
+});
 
-    const CardOf<YieldCards> plastic_rate_card = yield_rate_card({
-        {&YieldCards::vp, vp_of_curves},
-        unused(),
-        real("rfiltf", dimension::number, 0, any_value, "filter of the plastic rate of vp 4: not needed, no effect"),
-        unused(),
-    });
+const CardOf<YieldCards> plastic_rate_card = yield_rate_card({
+    {&YieldCards::vp, vp_of_curves},
+    unused(),
+    real("rfiltf", dimension::number, 0, any_value, "filter of the plastic rate of vp 4: not needed, no effect"),
+    unused(),
+});
 
-    void read_elastic(Builder & b, const Block& block, const Options& options) {
-      Cursor cursor(b.deck, block, b.findings);
-      std::string title = read_title(cursor, options);
-      const auto row = cursor.read(elastic_card);
-      expect_end(b, cursor);
-      add_material(b, row, std::move(title), "MAT_ELASTIC", static_cast<const kernel::Elastic&>(*row));
-    }
+void read_elastic(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const auto row = cursor.read(elastic_card);
+  expect_end(b, cursor);
+  add_material(b, row, std::move(title), "MAT_ELASTIC", static_cast<const kernel::Elastic&>(*row));
+}
 
-    void read_kinematic(Builder & b, const Block& block, const Options& options) {
-      Cursor cursor(b.deck, block, b.findings);
-      std::string title = read_title(cursor, options);
-      KinematicCards cards;
-      const auto row = cursor.read(kinematic_card, cards);
-      const auto rate = cursor.read(kinematic_rate_card, cards);
-      expect_end(b, cursor);
-      check_tangent(b, cards.E, row[&kernel::PlasticKinematic::tangent_modulus]);
-      warn_of_half_a_rate(b, rate[&KinematicCards::src], rate[&KinematicCards::srp]);
-      kernel::PlasticKinematic law = cards;
-      if (cards.src > 0.0 && cards.srp > 0.0) {
-        law.rate_c = cards.src;
-        law.rate_p = cards.srp;
-      }
-      law.failure_strain = failure_value(law.failure_strain);
-      add_material(b, row, std::move(title), "MAT_PLASTIC_KINEMATIC", law);
-    }
+void read_kinematic(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  KinematicCards cards;
+  const auto row = cursor.read(kinematic_card, cards);
+  const auto rate = cursor.read(kinematic_rate_card, cards);
+  expect_end(b, cursor);
+  check_tangent(b, cards.E, row[&kernel::PlasticKinematic::tangent_modulus]);
+  warn_of_half_a_rate(b, rate[&KinematicCards::src], rate[&KinematicCards::srp]);
+  kernel::PlasticKinematic law = cards;
+  if (cards.src > 0.0 && cards.srp > 0.0) {
+    law.rate_c = cards.src;
+    law.rate_p = cards.srp;
+  }
+  law.failure_strain = failure_value(law.failure_strain);
+  add_material(b, row, std::move(title), "MAT_PLASTIC_KINEMATIC", law);
+}
 
-    void read_null(Builder & b, const Block& block, const Options& options) {
-      Cursor cursor(b.deck, block, b.findings);
-      std::string title = read_title(cursor, options);
-      const auto row = cursor.read(null_card);
-      expect_end(b, cursor);
-      if (row->pc > 0.0)
-        row[&NullCard::pc].report(b.findings, Severity::warning, "a limit of the pressure is below 0; taken as none",
-                                  "write a negative pressure");
-      add_material(
-          b, row, std::move(title), "MAT_NULL",
-          kernel::Null{row->ym, row->pr, row->mu, std::max(-row->pc, 0.0), row->terod > 0.0 || row->cerod > 0.0});
-    }
+void read_null(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const auto row = cursor.read(null_card);
+  expect_end(b, cursor);
+  if (row->pc > 0.0)
+    row[&NullCard::pc].report(b.findings, Severity::warning, "a limit of the pressure is below 0; taken as none",
+                              "write a negative pressure");
+  add_material(b, row, std::move(title), "MAT_NULL",
+               kernel::Null{row->ym, row->pr, row->mu, std::max(-row->pc, 0.0), row->terod > 0.0 || row->cerod > 0.0});
+}
 
-    /// The third card: LCO, the coordinate system of local motions and output, or two vectors a and v that give the
-    /// axes of output a, c = a x v and b = c x a.
-    void take_local_axes(Builder & b, const Block& block, const RowOf<RigidOutputCard>& row, RigidCard& card) {
-      const Vec3d v = direction(block, {row->v1, row->v2, row->v3});
-      if (row->a2 == 0.0 && row->a3 == 0.0 && norm(v) == 0.0) {
-        card.lco = system_id(block, row->a1);
-        return;
-      }
-      Frame3d axes;
-      if (!frame_from(direction(block, {row->a1, row->a2, row->a3}), v, axes))
-        return refuse(b, row[&RigidOutputCard::v1], "the two vectors are parallel, or one is missing",
-                      "give two vectors that span a plane");
-      card.output_axes = axes;
-    }
+/// The third card: LCO, the coordinate system of local motions and output, or two vectors a and v that give the
+/// axes of output a, c = a x v and b = c x a.
+void take_local_axes(Builder& b, const Block& block, const RowOf<RigidOutputCard>& row, RigidCard& card) {
+  const Vec3d v = direction(block, {row->v1, row->v2, row->v3});
+  if (row->a2 == 0.0 && row->a3 == 0.0 && norm(v) == 0.0) {
+    card.lco = system_id(block, row->a1);
+    return;
+  }
+  Frame3d axes;
+  if (!frame_from(direction(block, {row->a1, row->a2, row->a3}), v, axes))
+    return refuse(b, row[&RigidOutputCard::v1], "the two vectors are parallel, or one is missing",
+                  "give two vectors that span a plane");
+  card.output_axes = axes;
+}
 
-    void read_rigid(Builder & b, const Block& block, const Options& options) {
-      Cursor cursor(b.deck, block, b.findings);
-      std::string title = read_title(cursor, options);
-      const auto row = cursor.read(rigid_card);
-      RigidCard card;
-      card.constraint = read_rigid_constraint(b, cursor);
-      take_local_axes(b, block, cursor.read(rigid_output_card), card);
-      expect_end(b, cursor);
-      const Index material =
-          add_material(b, row, std::move(title), "MAT_RIGID", static_cast<const kernel::Rigid&>(*row));
-      b.rigid_cards[material] = std::move(card);
-    }
+void read_rigid(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const auto row = cursor.read(rigid_card);
+  RigidCard card;
+  card.constraint = read_rigid_constraint(b, cursor);
+  take_local_axes(b, block, cursor.read(rigid_output_card), card);
+  expect_end(b, cursor);
+  const Index material = add_material(b, row, std::move(title), "MAT_RIGID", static_cast<const kernel::Rigid&>(*row));
+  b.rigid_cards[material] = std::move(card);
+}
 
-    void read_plastic(Builder & b, const Block& block, const Options& options) {
-      Cursor cursor(b.deck, block, b.findings);
-      std::string title = read_title(cursor, options);
-      const YieldRows rows =
-          read_yield_cards(cursor, plastic_card, plastic_rate_card, options.contains("LOG_INTERPOLATION"));
-      expect_end(b, cursor);
-      const YieldCards& cards = rows.cards();
-      check_tangent(b, cards.e, rows.main[&YieldCards::etan]);
-      kernel::PiecewiseLinear law;
-      law.E = cards.e;
-      law.nu = cards.pr;
-      law.failure_strain = failure_value(cards.fail);
-      law.deletion_step = cards.tdel;
-      const Index material = add_material(b, rows.main, std::move(title), "MAT_PIECEWISE_LINEAR_PLASTICITY", law);
-      // Curves may be defined later in the deck.
-      b.defer(Phase::parts, [material, rows](Builder& later) {
-        auto& m = later.model.materials[static_cast<std::size_t>(material)];
-        set_yield_curves(later, rows, std::get<kernel::PiecewiseLinear>(m.law));
-      });
-    }
+void read_plastic(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const YieldRows rows =
+      read_yield_cards(cursor, plastic_card, plastic_rate_card, options.contains("LOG_INTERPOLATION"));
+  expect_end(b, cursor);
+  const YieldCards& cards = rows.cards();
+  check_tangent(b, cards.e, rows.main[&YieldCards::etan]);
+  kernel::PiecewiseLinear law;
+  law.E = cards.e;
+  law.nu = cards.pr;
+  law.failure_strain = failure_value(cards.fail);
+  law.deletion_step = cards.tdel;
+  const Index material = add_material(b, rows.main, std::move(title), "MAT_PIECEWISE_LINEAR_PLASTICITY", law);
+  // Curves may be defined later in the deck.
+  b.defer(Phase::parts, [material, rows](Builder& later) {
+    auto& m = later.model.materials[static_cast<std::size_t>(material)];
+    set_yield_curves(later, rows, std::get<kernel::PiecewiseLinear>(m.law));
+  });
+}
 
-    /// A material of LS-DYNA that is not built.
-    Keyword not_built(std::string_view name, std::string_view number, std::string_view why) {
-      return {.name = name,
-              .aliases = number.empty() ? std::vector<std::string_view>{} : std::vector<std::string_view>{number},
-              .options = {"TITLE"},
-              .status = KeywordStatus::refused,
-              .why = why};
-    }
+/// A material of LS-DYNA that is not built.
+Keyword not_built(std::string_view name, std::string_view number, std::string_view why) {
+  return {.name = name,
+          .aliases = number.empty() ? std::vector<std::string_view>{} : std::vector<std::string_view>{number},
+          .options = {"TITLE"},
+          .status = KeywordStatus::refused,
+          .why = why};
+}
 
-    constexpr std::string_view use_024 = "this law is not built; MAT_024 with a yield curve (LCSS) comes nearest";
+constexpr std::string_view use_024 = "this law is not built; MAT_024 with a yield curve (LCSS) comes nearest";
 
 }  // namespace
 
@@ -255,9 +254,9 @@ std::optional<kernel::PlasticDamage> plastic_damage(Builder& b, const deck::Entr
 }
 
 namespace {
-  constexpr RealField point_of_constraint(std::string_view name) {
-    return real(name, dimension::length, 0, any_value, "for cmo 2 only, which is not built");
-  }
+constexpr RealField point_of_constraint(std::string_view name) {
+  return real(name, dimension::length, 0, any_value, "for cmo 2 only, which is not built");
+}
 
 }  // namespace
 
